@@ -1,0 +1,19 @@
+"""What every package raises when the work it was given is wrong.
+
+The message names the place in the domain's own coordinate: a tape frame, a line and column, a block number, an
+octal address. Commands print it as it is and exit with `exit_status`.
+"""
+
+
+class WorkError(ValueError):
+    """Something wrong with the work given: a tape, a source, a part, a parameter. Exit status 1."""
+
+    exit_status = 1
+
+
+class TapeError(WorkError):
+    """A tape that cannot be what it should be; `frame` counts from 0 at the first frame of the tape."""
+
+    def __init__(self, message: str, frame: int | None = None) -> None:
+        super().__init__(message if frame is None else f"frame {frame}: {message}")
+        self.frame = frame
