@@ -4,10 +4,11 @@
             sequence prep    X          Y       res.  tool   misc.   end of block
               0 0 7   6   0 2 2 5 0  0 4 1 3 3   0    0 1     8 5     CR
 
-A block has 20 rows, told apart by position alone. Lengths are whole thousandths of an inch with the decimal point
-never punched: X 02250 is 2.250 in. After preparatory function 9, X holds the Z feed point and Y the final depth.
+A block has 20 rows, told apart by position alone. Lengths are whole thousandths of an inch, the decimal point
+is never punched: X 02250 is 2.250 in. After preparatory function 9, X holds the Z feed point and Y the final
+depth. Table 2.4 goes to 44 in/min where the machine's specification says 40; the table is followed.
 
-Sources: thesis (M. S. Wong, McMaster University, 1971), Chapter 2, Tables 2.3 and 2.4, and its control specifications.
+Sources: thesis (M. S. Wong, McMaster University, 1971), Chapter 2: control specifications, Tables 2.3 and 2.4.
 """
 
 from typing import Final, NamedTuple
@@ -63,7 +64,7 @@ MISCELLANEOUS: Final = {
 
 
 class Rates(NamedTuple):
-    """A line of the left half of Table 2.4: feeds in inches a minute, spindle speed in revolutions a minute."""
+    """A line of the left half of Table 2.4: feeds in in/min, the spindle in revolutions a minute."""
 
     xy_feed: float
     z_feed: float
