@@ -8,7 +8,7 @@ A block has 20 rows, told apart by position alone. Lengths are whole thousandths
 is never punched: X 02250 is 2.250 in. After preparatory function 9, X holds the Z feed point and Y the final
 depth. Table 2.4 goes to 44 in/min where the machine's specification says 40; the table is followed.
 
-Sources: thesis (M. S. Wong, McMaster University, 1971), Chapter 2: control specifications, Tables 2.3 and 2.4.
+Source: thesis (M. S. Wong, McMaster University, 1971), Chapter 2: specifications, Tables 2.3 and 2.4.
 """
 
 from typing import Final, NamedTuple
