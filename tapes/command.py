@@ -1,7 +1,7 @@
 """What all our commands have in common: how they end.
 
-0 done, 1 the job failed, 2 misuse, 130 interrupted. An error is one line on standard error that names its place; a
-closed pipe is no error, the reader had enough; a full disk is. No traceback reaches a user.
+0 done, 1 the job failed, 2 misuse, 130 interrupted. An error is one line on standard error that names its
+place; a closed pipe is no error, the reader had enough; a full disk is. No traceback reaches a user.
 """
 
 import os

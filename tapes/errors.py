@@ -1,7 +1,7 @@
 """What every package raises when the work it was given is wrong.
 
-The message names the place in the domain's own coordinate: a tape frame, a line and column, a block number, an
-octal address. Commands print it as it is and exit with `exit_status`.
+The message names the place in the domain's own coordinate: a tape frame, a line and column, a block number,
+an octal address. Commands print it as it is and exit with `exit_status`.
 """
 
 
@@ -17,3 +17,12 @@ class TapeError(WorkError):
     def __init__(self, message: str, frame: int | None = None) -> None:
         super().__init__(message if frame is None else f"frame {frame}: {message}")
         self.frame = frame
+
+
+class TextError(WorkError):
+    """A character of a text that has no place on the tape, named by its line and column, both from 1."""
+
+    def __init__(self, message: str, text: str, index: int) -> None:
+        line = text.count("\n", 0, index) + 1
+        column = index - text.rfind("\n", 0, index)
+        super().__init__(f"line {line}, column {column}: {message}")

@@ -1,7 +1,8 @@
 """The shelf: where tapes and sources are found and where they are put.
 
-`-` is a standard stream. A name that is not in the current folder may be a bundled one: a program of programs/ or a
-sample tape of tapes/. A file is written whole or not at all; only a punch streams, and what it punched stays.
+`-` is a standard stream. A name that is not in the current folder may be a bundled one: a program of
+programs/ or a sample tape of tapes/. A file is written whole or not at all; only a punch streams, and what it
+punched stays.
 """
 
 import os
@@ -84,13 +85,15 @@ def _write_through(name: str, content: bytes) -> None:
 
 
 def open_punch(name: str) -> BinaryIO:
-    """Open `name` for frames that are written as they are punched; `-` is standard output, but not a terminal's.
+    """Open `name` for frames that are written as they are punched; `-` is standard output, if no terminal.
 
     Raises ShelfError.
     """
     if name == "-":
         if sys.stdout.isatty():
-            raise ShelfError("a tape is binary and standard output is a terminal: send it to a file or a pipe")
+            raise ShelfError(
+                "a tape is binary and standard output is a terminal: send it to a file or a pipe"
+            )
         return sys.stdout.buffer
     try:
         return open(name, "wb")

@@ -1,0 +1,92 @@
+r"""EIA RS-244, the code of numerically controlled machines and of the Flexowriters that punched for them.
+
+    channel   8    7  6    5       4  .  3  2  1
+              EOB  zone    parity  8     4  2  1      BCD digit; zones 7+6 A-I, 7 J-R, 6 S-Z; 0 is channel 6
+
+Channel 5 makes the number of holes odd. Channel 8 belongs to the carriage return alone, the end of a block
+(EOB), and stands here as "\n". A tape has one code a letter; a Flexowriter shifts its case by UC and LC, here
+"\x0e" and "\x0f".
+
+Not emulated: parity in the reading head of the Hydra-Point, which masks channels 5, 6 and 7 (see nc/).
+
+Sources: EIA RS-244; letters, digits, `+ - / . ,` and space derived from the rule above and equal to the IBM
+1620 8-channel table; the digits and EOB as the thesis's Appendix B stores them. TAB, the stop code, UC and LC
+are as N/C manuals give them and were not seen in the standard itself.
+"""
+
+from tapes.errors import TapeError, TextError
+from tapes.frames import channels
+
+EOB = 0o200
+DELETE = 0o177
+STOP, UPPER_CASE, LOWER_CASE = "%", "\x0e", "\x0f"
+
+CODES = {
+    "0": 0o040, "1": 0o001, "2": 0o002, "3": 0o023, "4": 0o004,
+    "5": 0o025, "6": 0o026, "7": 0o007, "8": 0o010, "9": 0o031,
+    "A": 0o141, "B": 0o142, "C": 0o163, "D": 0o144, "E": 0o165, "F": 0o166, "G": 0o147, "H": 0o150,
+    "I": 0o171, "J": 0o121, "K": 0o122, "L": 0o103, "M": 0o124, "N": 0o105, "O": 0o106, "P": 0o127,
+    "Q": 0o130, "R": 0o111, "S": 0o062, "T": 0o043, "U": 0o064, "V": 0o045, "W": 0o046, "X": 0o067, "Y": 0o070, "Z": 0o051,
+    " ": 0o020, "/": 0o061, ".": 0o153, ",": 0o073, "+": 0o160, "-": 0o100, "&": 0o016, "(": 0o032,
+    ")": 0o112, "\n": EOB,
+    "\t": 0o076, "\b": 0o052, STOP: 0o013, UPPER_CASE: 0o174, LOWER_CASE: 0o172,
+}  # fmt: skip
+
+CHARACTERS = {code: character for character, code in CODES.items()}
+
+_NAMES = {
+    0o000: "blank", EOB: "EOB", DELETE: "DEL", 0o020: "space", 0o076: "TAB", 0o052: "BS", 0o013: "stop",
+    0o174: "UC", 0o172: "LC",
+}  # fmt: skip
+
+_NO_CODE = 0o377  # even, so never an EIA code; the mark of one that is none in both tables
+_BLANK = 0o000
+_TO_FRAME = bytes(CODES.get(chr(code).upper(), _NO_CODE) for code in range(128)) + bytes([_NO_CODE]) * 128
+_TO_CHARACTER = bytes(
+    code if code in (_BLANK, DELETE) else ord(CHARACTERS[code]) if code in CHARACTERS else _NO_CODE
+    for code in range(256)
+)
+
+
+def encode(text: str) -> bytes:
+    r"""Punch `text`, each "\n" as an EOB; a small letter has the code of its capital.
+
+    Raises TextError for a character that has no EIA code, naming its line and column.
+    """
+    frames = text.encode("latin-1", "replace").translate(_TO_FRAME)
+    if _NO_CODE in frames or not text.isascii():
+        index = next(
+            i for i, character in enumerate(text) if character.upper() not in CODES or character > "\x7f"
+        )
+        raise TextError(f"{text[index]!r} has no EIA code", text, index)
+    return frames
+
+
+def decode(frames: bytes, blank: str | None = None) -> str:
+    r"""Return what the tape says, each EOB as "\n"; DEL and blank frames around the data say nothing.
+
+    A blank frame inside the data is an error, as on most controls, unless `blank` gives what it stands for
+    ("0" on a Hydra-Point). Raises TapeError naming the first frame that is no EIA code.
+    """
+    body = frames.strip(b"\0")
+    start = len(frames) - len(frames.lstrip(b"\0"))
+    characters = body.translate(_TO_CHARACTER)
+    bad = characters.find(_NO_CODE)
+    gap = characters.find(_BLANK) if blank is None else -1
+    if bad >= 0 and (gap < 0 or bad < gap):
+        raise TapeError(_complaint(body[bad]), start + bad)
+    if gap >= 0:
+        raise TapeError("blank frame inside the data", start + gap)
+    text = characters.translate(None, bytes([DELETE])).decode("ascii")
+    return text if blank is None else text.replace("\0", blank)
+
+
+def name(frame: int) -> str:
+    """Return the character as a picture shows it: itself, the name of its function, or "?" for none."""
+    return _NAMES.get(frame) or CHARACTERS.get(frame, "?")
+
+
+def _complaint(frame: int) -> str:
+    holes = " ".join(map(str, channels(frame)))
+    fault = "an even number of holes" if frame.bit_count() % 2 == 0 else "not assigned"
+    return f"{frame:03o} (channels {holes}) is no EIA code: {fault}"

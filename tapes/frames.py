@@ -1,0 +1,98 @@
+"""A strip of holes: one byte is one frame, channel 8 is 0o200 and channel 1 is 0o001.
+
+    channel   8 7 6 5 4 . 3 2 1        the dot is the sprocket hole, which every frame has
+    0o301     o o       .     o        the letter A with channel 8 always punched ("mark")
+
+Readers and punches never look at what a frame means; codes, parity, leader and rubouts exist only in this
+package.
+
+Not emulated: torn, stretched or unpunched paper; five-channel tape.
+
+Sources: ASR-33 code chart, Small Computer Handbook (DEC); tape geometry and channel numbers, ECMA-10 and EIA
+RS-227.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from tapes.errors import TapeError
+
+BLANK = 0o000
+LEADER = 0o200  # leader and trailer of DEC's loader formats
+RUBOUT = 0o377
+CHANNEL_8 = 0o200
+FRAMES_PER_INCH = 10
+
+LEADER_LENGTH = 64  # what PAL III (DEC-08-ASB1) punches before and after a binary tape
+
+
+def _parity(punch_channel_8: Callable[[int], bool]) -> bytes:
+    codes = (frame & 0o177 for frame in range(256))
+    return bytes(code | CHANNEL_8 * punch_channel_8(code) for code in codes)
+
+
+PARITIES = {
+    "mark": _parity(lambda code: True),
+    "even": _parity(lambda code: code.bit_count() % 2 == 1),
+    "odd": _parity(lambda code: code.bit_count() % 2 == 0),
+    "none": _parity(lambda code: False),
+}
+
+
+class Strip(NamedTuple):
+    """A tape in three pieces, which add up to the whole of it."""
+
+    leader: bytes
+    body: bytes
+    trailer: bytes
+
+
+def with_parity(frames: bytes, parity: str) -> bytes:
+    """Return the same seven-channel codes with channel 8 punched as `parity`, a key of PARITIES, says.
+
+    Raises TapeError for any other `parity`.
+    """
+    if parity not in PARITIES:
+        raise TapeError(f"no parity is called {parity!r}: {', '.join(PARITIES)}")
+    return frames.translate(PARITIES[parity])
+
+
+def parity(frames: bytes) -> str:
+    """Return the key of PARITIES that every character of the tape obeys, or "mixed".
+
+    Blank frames, leader and rubouts say nothing of the parity. With no character left it is "none".
+    """
+    characters = bytes(set(frames) - {BLANK, LEADER, RUBOUT})
+    for name in ("none", "mark", "even", "odd"):
+        if characters.translate(PARITIES[name]) == characters:
+            return name
+    return "mixed"
+
+
+def leader(length: int = LEADER_LENGTH) -> bytes:
+    """Return `length` frames of DEC's leader and trailer code, 0o200."""
+    return bytes([LEADER]) * length
+
+
+def blank(length: int) -> bytes:
+    """Return `length` frames with no hole but the sprocket's."""
+    return bytes(length)
+
+
+def strip(frames: bytes) -> Strip:
+    """Part the tape into leader, body and trailer; leader and trailer are the 000s and 200s at either end."""
+    ends = bytes([BLANK, LEADER])
+    body = frames.strip(ends)
+    start = len(frames) - len(frames.lstrip(ends))
+    return Strip(frames[:start], body, frames[start + len(body) :])
+
+
+def channels(frame: int) -> tuple[int, ...]:
+    """Return the numbers of the punched channels, 8 first."""
+    return tuple(channel for channel in range(8, 0, -1) if frame >> channel - 1 & 1)
+
+
+def draw(frame: int, hole: str = "o", paper: str = " ", sprocket: str = ".") -> str:
+    """Return the frame as nine columns: channels 8 to 4, the sprocket hole, channels 3 to 1."""
+    row = "".join(hole if frame >> channel & 1 else paper for channel in range(7, -1, -1))
+    return row[:5] + sprocket + row[5:]

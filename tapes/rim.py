@@ -1,0 +1,79 @@
+"""DEC's RIM (read-in mode) format: every word with its address, for the 17-word loader an operator toggles
+in.
+
+    200 ...      leader
+    1aa 0aa      address, six bits a frame, channel 7 marks its first half
+    0dd 0dd      contents
+    ...          and so on, word by word
+    200 ...      trailer: there is no checksum, and nothing but the operator stops the loader
+
+Frames of 200 between the words are skipped, and blank frames before the leader: the operator sets the tape on
+its leader.
+
+Not emulated: what the loader makes of frames that are not RIM (it stores them somewhere); such a tape is an
+error.
+
+Sources: Small Computer Handbook (DEC), "Readin Mode Loader"; the loader's instructions on DEC's instruction
+card.
+"""
+
+from collections.abc import Mapping
+
+from tapes.errors import TapeError
+from tapes.frames import LEADER, leader
+
+
+def encode(words: Mapping[int, int]) -> bytes:
+    """Punch `words`, {address: word}, ascending. Raises TapeError for an address outside 0-7777."""
+    body = bytearray()
+    for address in sorted(words):
+        if not 0 <= address <= 0o7777:
+            raise TapeError(f"address {address:o}: a RIM tape can name only 0000 to 7777")
+        word = words[address]
+        body += bytes((0o100 | address >> 6, address & 0o77, word >> 6 & 0o77, word & 0o77))
+    return leader() + bytes(body) + leader()
+
+
+def decode(frames: bytes) -> dict[int, int]:
+    """Return {address: word}; where an address comes twice the later word stays, as in core.
+
+    Raises TapeError naming the frame: an empty tape, no leader, a frame out of place, a tape cut short.
+    """
+    if not frames:
+        raise TapeError("empty tape", 0)
+    start = len(frames) - len(frames.lstrip(b"\0"))
+    if start == len(frames):
+        raise TapeError("nothing but blank tape", 0)
+    if frames[start] != LEADER:
+        raise TapeError(f"{frames[start]:03o} where the leader (200) was expected", start)
+    end = len(frames.rstrip(b"\0"))
+    words = {}
+    at = start
+    while at < end:
+        if frames[at] == LEADER:
+            at += 1
+            continue
+        group = frames[at : at + 4]
+        _check(group, at, cut=at + 4 > end)
+        words[(group[0] & 0o77) << 6 | group[1]] = group[2] << 6 | group[3]
+        at += 4
+    if not words:
+        raise TapeError("nothing but leader", start)
+    if frames[end - 1] != LEADER:
+        raise TapeError("the tape is cut short: it has no trailer", end)
+    return words
+
+
+def _check(group: bytes, at: int, cut: bool) -> None:
+    """Raise TapeError unless the four frames have channels 8 and 7 as 01 00 00 00."""
+    expected = (
+        "the first half of an address",
+        "the second half of an address",
+        "a word",
+        "the second half of a word",
+    )
+    for place, frame in enumerate(group):
+        if frame >> 6 != (place == 0):
+            raise TapeError(f"{frame:03o} where {expected[place]} was expected", at + place)
+    if cut:
+        raise TapeError("the tape is cut short inside a word", at + len(group))
