@@ -1,0 +1,163 @@
+"""The tape under the head: frames to blocks.
+
+The pneumatic head feels channels 1 to 4 and channel 8; the others are masked off, so parity is not looked
+at and a row without holes is the digit 0 like 040. A block is 20 rows by position. The operator sets the
+first punched row under the head: a blank leader is not read, and blank rows after the last end of block are
+the trailer.
+
+    frame     040 040 001 040 001 031 ... 200        as punched, parity and all
+    feels       0   0   1   0   1   9 ... end        & 217
+
+`strict` reads as later controls did: every row is one of the ten EIA digits with odd parity, and a blank
+row is an error. Whatever is wrong, a block comes whole or not at all.
+
+Sources: thesis, Chapter 2 (head, block, codes) and Chapter 5 (equal block length); EIA RS-244 for `strict`.
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from tapes.errors import TapeError
+from tapes.hydrapoint import (
+    CAROUSEL,
+    MISCELLANEOUS,
+    PREPARATORY,
+    ROWS,
+    SPINDLE,
+    X_TRAVEL,
+    XY_FEED,
+    Y_TRAVEL,
+    Z_FEED,
+    Z_TRAVEL,
+    Block,
+    block,
+)
+
+HEAD = 0o217
+END_OF_BLOCK = 0o200
+
+_EIA_DIGITS = (0o040, 0o001, 0o002, 0o023, 0o004, 0o025, 0o026, 0o007, 0o010, 0o031)
+_END = ord("\r")
+_BAD = ord("?")
+
+_LISTED = frozenset({0, *SPINDLE, *CAROUSEL})
+_SELECTS = {
+    84: ("X feed", XY_FEED.keys()),
+    85: ("Y feed", XY_FEED.keys()),
+    86: ("tool", frozenset(CAROUSEL)),
+    88: ("spindle speed", SPINDLE.keys()),
+    89: ("Z feed", Z_FEED.keys()),
+}
+_TOOL_CODES = {function: _SELECTS.get(function, ("tool function", _LISTED)) for function in MISCELLANEOUS}
+
+
+class BlockError(TapeError):
+    """A block the machine refuses and why; `block` counts from 1, `row` from 1 to 20, `frame` from 0."""
+
+    def __init__(self, message: str, frame: int, block: int, row: int) -> None:
+        super().__init__(f"block {block}, row {row}: {message}", frame)
+        self.reason = message
+        self.block = block
+        self.row = row
+
+
+class Row(NamedTuple):
+    """Where a block stands: its number on the tape, counted from 1, and the frame of its first row."""
+
+    number: int
+    frame: int
+
+    def error(self, row: int, message: str) -> BlockError:
+        """Return the error of this block's row 1 to 20."""
+        return BlockError(message, self.frame + row - 1, self.number, row)
+
+
+def read(frames: bytes, strict: bool = False) -> Iterator[tuple[Row, Block]]:
+    """Yield each block of the tape with its place, in order, until the tape or the first bad block.
+
+    Raises BlockError at a block of wrong length or content, TapeError where nothing is punched at all.
+    """
+    felt = frames.translate(_STRICT if strict else _FELT)
+    end = len(frames.rstrip(b"\0"))
+    start = len(frames) - len(frames.lstrip(b"\0"))
+    if start >= end:
+        raise TapeError("no row is punched: there is no tape to read")
+    for number, frame in enumerate(range(start, end, ROWS), 1):
+        rows = felt[frame : frame + ROWS]
+        place = Row(number, frame)
+        if len(rows) < ROWS or rows[-1] != _END or not rows[:-1].isdigit():
+            raise _fault(place, frames[frame : frame + ROWS], rows, strict)
+        found = block(rows[:-1])
+        _check(place, found)
+        yield place, found
+
+
+def _head(frame: int) -> int:
+    value = frame & HEAD
+    if value == END_OF_BLOCK:
+        return _END
+    return ord("0") + value if value <= 9 else _BAD
+
+
+_FELT = bytes(_head(frame) for frame in range(0o400))
+_STRICT = bytes(
+    _head(frame) if frame in _EIA_DIGITS or frame == END_OF_BLOCK else _BAD for frame in range(0o400)
+)
+
+
+def _fault(place: Row, frames: bytes, rows: bytes, strict: bool) -> BlockError:
+    """Return what is wrong with a block that is not 19 digits and an end of block."""
+    for row, (frame, felt) in enumerate(zip(frames, rows, strict=True), 1):
+        if felt == _BAD:
+            return place.error(row, _why_bad(frame, strict))
+        if felt == _END and row < ROWS:
+            return place.error(row, f"the block ends in row {row}; a block has {ROWS} rows")
+    if len(rows) < ROWS:
+        return place.error(len(rows), f"the tape ends after {len(rows)} rows of the block's {ROWS}")
+    return place.error(ROWS, f"no end of block in row {ROWS}, but the digit {chr(rows[-1])}")
+
+
+def _why_bad(frame: int, strict: bool) -> str:
+    value = frame & HEAD
+    if strict and frame == 0:
+        return "a blank row within the block"
+    if strict and frame.bit_count() % 2 == 0:
+        return f"wrong parity: {frame:03o} has {frame.bit_count()} holes, EIA frames have an odd number"
+    if value > END_OF_BLOCK:
+        return f"an end of block with digit holes beside it: {frame:03o}"
+    if value > 9:
+        return f"{value} is no decimal digit: {frame:03o}"
+    return f"{frame:03o} is no EIA digit"
+
+
+def _check(place: Row, found: Block) -> None:
+    if found.preparatory not in PREPARATORY:
+        raise place.error(4, f"unknown preparatory function {found.preparatory}")
+    if found.reserved:
+        raise place.error(15, f"the reserved digit is {found.reserved}; it is always zero")
+    if found.miscellaneous not in MISCELLANEOUS:
+        raise place.error(18, f"unknown miscellaneous function {found.miscellaneous:02}")
+    selects, codes = _TOOL_CODES[found.miscellaneous]
+    if found.tool not in codes:
+        raise place.error(16, f"unknown {selects} code {found.tool:02}")
+    if found.preparatory == 9:
+        _check_depths(place, found.x, found.y)
+        return
+    if found.x > X_TRAVEL:
+        raise place.error(5, _beyond("X", found.x, X_TRAVEL))
+    if found.y > Y_TRAVEL:
+        raise place.error(10, _beyond("Y", found.y, Y_TRAVEL))
+
+
+def _beyond(name: str, length: int, travel: int) -> str:
+    return f"{name} {length / 1000:.3f} is beyond the travel of {travel / 1000:.0f} in"
+
+
+def _check_depths(place: Row, feed_point: int, final_depth: int) -> None:
+    for row, name, depth in ((5, "Z feed point", feed_point), (10, "final depth", final_depth)):
+        if depth > Z_TRAVEL:
+            raise place.error(row, _beyond(name, depth, Z_TRAVEL))
+    if final_depth < feed_point:
+        raise place.error(
+            10, f"final depth {final_depth / 1000:.3f} lies above the Z feed point {feed_point / 1000:.3f}"
+        )

@@ -1,0 +1,165 @@
+"""What the machine did: steps, each one block with its moves; and how long it took.
+
+    Path ── Step ── Block (tapes.hydrapoint)
+              ├──── Modes    what stays in force after the block
+              └──── Move …   straight, at one speed
+
+Lengths are thousandths of an inch, the machine's own unit. Z is how far the quill is down: 0 is fully
+retracted.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import cached_property
+from typing import NamedTuple
+
+from tapes.hydrapoint import Block
+
+
+class Point(NamedTuple):
+    """A place of the cutter's tip, in thousandths of an inch."""
+
+    x: float
+    y: float
+    z: float
+
+
+class Kind(StrEnum):
+    """What a move is for."""
+
+    POSITION = "position"
+    APPROACH = "approach"
+    FEED_IN = "feed in"
+    FEED_OUT = "feed out"
+    MILL = "mill"
+    RETRACT = "retract"
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """A straight move at one speed, in inches a minute."""
+
+    kind: Kind
+    start: Point
+    end: Point
+    speed: float
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True)
+class Modes:
+    """What stays in force until another block changes it. Feeds in inches a minute, depths in thousandths.
+
+    None is what the tape has not said yet.
+    """
+
+    x_feed: float | None = None
+    y_feed: float | None = None
+    z_feed: float | None = None
+    spindle: int | None = None
+    tool: int | None = None
+    coolant: str = "off"
+    partial_retract: bool = False
+    feed_point: int | None = None
+    final_depth: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One block carried out: where it stood, what moved, what is in force and where the cutter is then."""
+
+    number: int
+    frame: int
+    block: Block
+    moves: tuple[Move, ...]
+    modes: Modes
+    at: Point
+    tool_changed: bool = False
+    stop: str | None = None
+
+
+@dataclass(frozen=True)
+class Times:
+    """Seconds on the machine, by what it was doing."""
+
+    reading: float = 0.0
+    positioning: float = 0.0
+    z_feed: float = 0.0
+    milling: float = 0.0
+    tool_changes: float = 0.0
+
+    @property
+    def total(self) -> float:
+        """Seconds from the first row read to the last move done, without the operator's pauses."""
+        return self.reading + self.positioning + self.z_feed + self.milling + self.tool_changes
+
+
+_SPENT = {
+    Kind.POSITION: "positioning",
+    Kind.APPROACH: "positioning",
+    Kind.RETRACT: "positioning",
+    Kind.FEED_IN: "z_feed",
+    Kind.FEED_OUT: "z_feed",
+    Kind.MILL: "milling",
+}
+
+
+@dataclass(frozen=True)
+class Path:
+    """Everything a tape made the machine do, in the order of its blocks."""
+
+    steps: tuple[Step, ...]
+    read_seconds: float = 2.0
+    tool_change_seconds: float = 0.0
+
+    def __len__(self) -> int:
+        return len(self.steps)
+
+    @property
+    def blocks(self) -> tuple[Block, ...]:
+        """The blocks as they stand on the tape."""
+        return tuple(step.block for step in self.steps)
+
+    @cached_property
+    def moves(self) -> tuple[Move, ...]:
+        """Every move, in order."""
+        return tuple(move for step in self.steps for move in step.moves)
+
+    @cached_property
+    def times(self) -> Times:
+        """How long it takes, without the operator's pauses."""
+        spent = dict.fromkeys(_SPENT.values(), 0.0)
+        for move in self.moves:
+            spent[_SPENT[move.kind]] += move.seconds
+        return Times(
+            reading=self.read_seconds * len(self.steps),
+            tool_changes=self.tool_change_seconds * sum(step.tool_changed for step in self.steps),
+            **spent,
+        )
+
+    def clock(self) -> Iterator[float]:
+        """Yield for each step the second at which it is done."""
+        now = 0.0
+        for step in self.steps:
+            now += self.read_seconds + step.tool_changed * self.tool_change_seconds
+            now += sum(move.seconds for move in step.moves)
+            yield now
+
+    @cached_property
+    def cuts(self) -> tuple[Move, ...]:
+        """The milling moves, in order."""
+        return tuple(move for move in self.moves if move.kind is Kind.MILL)
+
+    @cached_property
+    def holes(self) -> tuple[Point, ...]:
+        """Where the cutter was fed to its full depth without milling: drilled, bored or tapped."""
+        return tuple(
+            Point(step.block.x, step.block.y, step.modes.final_depth or 0)
+            for step in self.steps
+            if step.block.preparatory in HOLE_MAKING
+        )
+
+
+HOLE_MAKING = frozenset({1, 4, 5, 7, 8})
+"""The preparatory functions that make a hole at one place."""

@@ -1,0 +1,72 @@
+"""Tapes to cut, made here from the thesis's figures and not by the part programs.
+
+The circle is written from Chapter 6's rule alone: step out along one axis to the first point on or beyond
+the outer limit, step in along the other to the first on or within the inner one.
+"""
+
+EIA = dict(zip("0123456789\r", (0o040, 1, 2, 0o023, 4, 0o025, 0o026, 7, 0o010, 0o031, 0o200), strict=True))
+
+HEADER = (
+    "001 0 19000 00000 0 00 02",
+    "002 0 00000 00000 0 01 86",
+    "003 0 00000 00000 0 00 08",
+    "004 0 00000 00000 0 31 88",
+    "005 0 02250 04000 0 00 80",
+    "006 9 03000 03500 0 01 89",
+)
+"""The six header blocks of the circle, Appendix C."""
+
+FOUR_HOLES = (
+    "001 0 00000 00000 0 35 88",
+    "002 9 03000 03500 0 01 89",
+    "003 5 01000 01000 0 01 89",
+    "004 5 01000 02000 0 01 89",
+    "005 5 04000 02000 0 01 89",
+    "006 5 04000 01000 0 01 89",
+)
+"""The drilling program of Chapter 3; spaces for clarity only, as there."""
+
+
+def tape(*blocks: str) -> bytes:
+    """Return EIA frames with parity, an end of block after each block, and one blank frame before them."""
+    return bytes([0, *(EIA[character] for block in blocks for character in block.replace(" ", "") + "\r")])
+
+
+def staircase(radius: int, band: int, centre: int = 4000) -> list[tuple[int, int]]:
+    """Return the corners of a staircase clockwise about a circle, from its side of least X.
+
+    In each quadrant one step goes outward, to the outer limit, the next inward, to the inner one; reaching
+    an axis ends the quadrant, and nothing is said of that place.
+    """
+    outer, inner = (radius + band) ** 2, (radius - band) ** 2
+    x, y = -radius, 0
+    corners = []
+    for out, inward in (((0, 1), (1, 0)), ((1, 0), (0, -1)), ((0, -1), (-1, 0)), ((-1, 0), (0, 1))):
+        while True:
+            x, y = x + out[0], y + out[1]
+            while x * x + y * y < outer:
+                x, y = x + out[0], y + out[1]
+            corners.append((centre + x, centre + y))
+            x, y = x + inward[0], y + inward[1]
+            while x * x + y * y > inner and x * inward[0] + y * inward[1] < 0:
+                x, y = x + inward[0], y + inward[1]
+            if x * inward[0] + y * inward[1] >= 0:
+                break
+            corners.append((centre + x, centre + y))
+    return corners
+
+
+def milling(corners: list[tuple[int, int]], start: tuple[int, int], feed: int = 1) -> list[str]:
+    """Return a milling block for each corner, numbered from 7, with the feed of the axis that moves."""
+    blocks = []
+    before = start
+    for number, (x, y) in enumerate(corners, len(HEADER) + 1):
+        axis = 84 if x != before[0] else 85
+        blocks.append(f"{number % 1000:03} 6 {x:05} {y:05} 0 {feed:02} {axis}")
+        before = (x, y)
+    return blocks
+
+
+def circle() -> bytes:
+    """Return the circle's tape: 4 in, 1/2 in cutter, +-.005."""
+    return tape(*HEADER, *milling(staircase(1750, 5), (2250, 4000)))
