@@ -1,0 +1,14 @@
+"""The computer: a PDP-8/L, its Teletype, its panel.
+
+processor    AC L PC MA MB IR, one memory cycle at a time: the one to read
+operate      the OPR groups as pure functions
+bus          IOP pulses, SKIP, interrupt request: what processor and devices say to each other
+teletype     ASR-33: keyboard and reader (03), printer and punch (04)
+waiting      loops that only wait, passed over exactly
+machine      the one place that knows every part and wires it
+loaders      words into core; RIM and BIN as an operator loads them
+"""
+
+from pdp8.machine import Machine, Stop
+
+__all__ = ["Machine", "Stop"]

@@ -1,0 +1,98 @@
+"""The input/output bus: what the processor and a device say to each other.
+
+                      IOP1 IOP2 IOP4, device code, AC
+         processor  ──────────────────────────────────►  device   (flag, due)
+                    ◄──────────────────────────────────
+                      SKIP, clear AC, data or-ed into AC; interrupt request
+
+A device sees three separate pulses and nothing of the instruction, so that every combined IOT works of itself. Its
+flag is its interrupt request: an 8/L has no masks. Between pulses a device is a list of events at known ticks; it is
+brought up to date when somebody looks at it. Time is in ticks of 0.05 us since power-up.
+
+Not emulated: data break (three-cycle or single-cycle).
+Source: Small Computer Handbook 1970, chapter 9 (I/O bus).
+"""
+
+NEVER = 1 << 62
+
+# What a device answers to a pulse: data for AC 4-11 in the low bits, and
+SKIP = 0o10000
+CLEAR_AC = 0o20000
+
+
+class Device:
+    """One device code: a flag, and `due`, the tick of its next event."""
+
+    def __init__(self) -> None:
+        self.flag = 0
+        self.due = NEVER
+
+    def pulse(self, iop: int, ac: int, now: int) -> int:
+        """Take pulse IOP1, IOP2 or IOP4 (1, 2, 4) at tick `now`, up to date; return the answer."""
+        raise NotImplementedError
+
+    def advance(self, now: int) -> None:
+        """Let everything happen that is due up to and including tick `now`."""
+        raise NotImplementedError
+
+    def initialize(self, now: int) -> None:
+        """INITIALIZE, from the START key or at power-up."""
+        raise NotImplementedError
+
+    def out_of_tape(self) -> bool:
+        """Tell whether the program asked for a frame of a tape that has run out."""
+        return False
+
+
+class Bus:
+    """The devices that are fitted, by their codes; unused codes answer nothing."""
+
+    def __init__(self) -> None:
+        self.devices: list[Device] = []
+        self.by_code: list[Device | None] = [None] * 64
+        self.asked = 0
+        """The codes whose skip was tested since somebody set this to 0, one bit each."""
+
+    def fit(self, code: int, device: Device) -> None:
+        """Connect `device` under `code` (0o01 to 0o77)."""
+        self.devices.append(device)
+        self.by_code[code] = device
+
+    def pulse(self, code: int, iop: int, ac: int, now: int) -> int:
+        """Send one pulse to the device of that code; return its answer, 0 if none is fitted."""
+        device = self.by_code[code]
+        if device is None:
+            return 0
+        if iop == 1:
+            self.asked |= 1 << code
+        if device.due <= now:
+            device.advance(now)
+        return device.pulse(iop, ac, now)
+
+    def advance(self, now: int) -> None:
+        """Bring every device to tick `now`."""
+        for device in self.devices:
+            device.advance(now)
+
+    def request(self, now: int) -> bool:
+        """Tell whether any device requests an interrupt at tick `now`."""
+        for device in self.devices:
+            if device.due <= now:
+                device.advance(now)
+            if device.flag:
+                return True
+        return False
+
+    def next_event(self) -> int:
+        """Return the tick of the next event of any device, NEVER if there is none."""
+        due = NEVER
+        for device in self.devices:
+            if device.due < due:
+                due = device.due
+        return due
+
+    def initialize(self, now: int) -> None:
+        """INITIALIZE on every device."""
+        for device in self.devices:
+            device.advance(now)
+            device.initialize(now)

@@ -1,0 +1,226 @@
+"""The whole PDP-8/L: the one place that knows every part and wires it, and runs it.
+
+        switches ─► panel ─► processor ◄─► core
+                                │
+                               bus ── 03 receiver ◄─ reader, keyboard ┐
+                                │                                     ├ Teletype
+                                └──── 04 transmitter ─► printer, punch┘
+
+The machine is a discrete-event simulation: nothing here sleeps, and the same core and tapes give the same tapes and
+the same times. While a program only waits, time jumps (see waiting.py).
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+from pdp8.bus import NEVER, Bus
+from pdp8.loaders import check
+from pdp8.processor import FETCH, Processor
+from pdp8.teletype import Teletype
+from pdp8.waiting import Waiting
+
+TICKS_PER_SECOND = 20_000_000
+
+
+class Stop(NamedTuple):
+    """Why, where and when a run ended.
+
+    reason: halt, tape out (the reader is empty and the program waits for it; all is punched), idle (a loop that nothing
+    can end), limit, stop key, breakpoint, protect. pc: the address of the next instruction. elapsed: seconds of machine
+    time since START.
+    """
+
+    reason: str
+    pc: int
+    elapsed: float
+
+
+class Core:
+    """The 4096 words of core, as they are examined and deposited from outside: checked and masked."""
+
+    def __init__(self, words: list[int]) -> None:
+        self._words = words
+
+    def __getitem__(self, address: int) -> int:
+        return self._words[_checked(address)]
+
+    def __setitem__(self, address: int, word: int) -> None:
+        self._words[_checked(address)] = word & 0o7777
+
+    def __len__(self) -> int:
+        return len(self._words)
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(self._words)
+
+
+def _checked(address: int) -> int:
+    if not 0 <= address <= 0o7777:
+        raise IndexError(f"core has addresses 0000 to 7777, not {address:o}")
+    return address
+
+
+class Machine:
+    """A PDP-8/L with 4K of core and an ASR-33, as it is when it has been switched on: core and registers 0."""
+
+    def __init__(self) -> None:
+        self.bus = Bus()
+        self.teletype = Teletype()
+        self.teletype.connect(self.bus)
+        self.processor = Processor(self.bus)
+        self.core = Core(self.processor.core)
+        self._started = 0
+        self.power_up()
+
+    def power_up(self) -> None:
+        """Do what the power switch does: INITIALIZE, and stand still."""
+        self.processor.initialize()
+        self.processor.run = 0
+
+    def load(self, words: Mapping[int, int] | Iterable[tuple[int, int]]) -> None:
+        """Put `words`, {address: word}, into core. Raises LoadError if one lies outside it, and then loads none."""
+        words = dict(words)
+        check(words)
+        for address, word in words.items():
+            self.core[address] = word
+
+    def start(self, address: int | None = None) -> None:
+        """Press START, after LOAD ADD of `address` if one is given; time counts from here."""
+        if address is not None:
+            self.pc = address
+        self.processor.initialize()
+        self.processor.run = 1
+        self._started = self.processor.clock
+
+    def stop(self) -> None:
+        """Press STOP: the run ends with the instruction."""
+        self.processor.run = 0
+
+    def run(self, seconds: float | None = None, instructions: int | None = None) -> Stop:
+        """Run until the program stops or only waits for what can never come; return why.
+
+        `seconds` of machine time and number of `instructions` limit this run. From a standstill this is CONT.
+        """
+        p = self.processor
+        until = NEVER if seconds is None else p.clock + round(seconds * TICKS_PER_SECOND)
+        last = NEVER if instructions is None else p.instructions + instructions
+        p.run = 1
+        self.bus.advance(p.clock)
+        reason = self._run(until, last)
+        self.bus.advance(p.clock)
+        if reason != "limit":
+            self.teletype.transmitter.finish()
+        return Stop(reason, p.pc, self.elapsed)
+
+    def _run(self, until: int, last: int) -> str:
+        p = self.processor
+        waiting = Waiting(p)
+        while p.clock < until and p.instructions < last:
+            before = p.pc
+            p.instruction()
+            if not p.run:
+                return self._stopped()
+            if p.pc <= before:
+                waiting.came_back(until, last)
+                if waiting.endless:
+                    return "tape out" if self._out_of_tape() else "idle"
+        return "limit"
+
+    def _stopped(self) -> str:
+        """Return why RUN went off."""
+        p = self.processor
+        if p.protect:
+            return "protect"
+        return "halt" if p.state == FETCH and p.mb & 0o7403 == 0o7402 else "stop key"
+
+    def _out_of_tape(self) -> bool:
+        """Tell whether the loop the program stands in waits for a reader whose tape has run out."""
+        p = self.processor
+        return any(
+            device is not None and device.out_of_tape() and (p.ion or self.bus.asked >> code & 1)
+            for code, device in enumerate(self.bus.by_code)
+        )
+
+    @property
+    def ac(self) -> int:
+        """The accumulator."""
+        return self.processor.lac & 0o7777
+
+    @ac.setter
+    def ac(self, word: int) -> None:
+        self.processor.lac = self.processor.lac & 0o10000 | word & 0o7777
+
+    @property
+    def link(self) -> int:
+        """The link, 0 or 1."""
+        return self.processor.lac >> 12
+
+    @link.setter
+    def link(self, bit: int) -> None:
+        self.processor.lac = self.processor.lac & 0o7777 | (bit & 1) << 12
+
+    @property
+    def pc(self) -> int:
+        """The program counter; setting it makes the next cycle a FETCH."""
+        return self.processor.pc
+
+    @pc.setter
+    def pc(self, address: int) -> None:
+        self.processor.pc = address & 0o7777
+        self.processor.next = FETCH
+
+    @property
+    def ma(self) -> int:
+        """The memory address of the last cycle."""
+        return self.processor.ma
+
+    @ma.setter
+    def ma(self, address: int) -> None:
+        self.processor.ma = address & 0o7777
+
+    @property
+    def mb(self) -> int:
+        """The memory buffer: the word the last cycle read or wrote."""
+        return self.processor.mb
+
+    @mb.setter
+    def mb(self, word: int) -> None:
+        self.processor.mb = word & 0o7777
+
+    @property
+    def ir(self) -> int:
+        """The instruction register: the op code, 0 to 7."""
+        return self.processor.ir
+
+    @ir.setter
+    def ir(self, code: int) -> None:
+        self.processor.ir = code & 7
+
+    @property
+    def sr(self) -> int:
+        """The switch register."""
+        return self.processor.sr
+
+    @sr.setter
+    def sr(self, word: int) -> None:
+        self.processor.sr = word & 0o7777
+
+    @property
+    def ion(self) -> int:
+        """The ION lamp."""
+        return self.processor.ion
+
+    @property
+    def ticks(self) -> int:
+        """Machine time since START in ticks of 0.05 us."""
+        return self.processor.clock - self._started
+
+    @property
+    def elapsed(self) -> float:
+        """Machine time since START in seconds."""
+        return self.ticks / TICKS_PER_SECOND
+
+    @property
+    def instructions(self) -> int:
+        """Instructions fetched since power-up."""
+        return self.processor.instructions
