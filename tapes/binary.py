@@ -21,7 +21,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from tapes.errors import TapeError
-from tapes.frames import BLANK, LEADER, RUBOUT, leader
+from tapes.frames import BLANK, LEADER, RUBOUT, find_leader, leader
 
 FIELD, ORIGIN, WORD = "field", "origin", "word"
 
@@ -52,7 +52,7 @@ class Reading(NamedTuple):
 
 
 class Content(NamedTuple):
-    """What a tape puts into core: {address: word}, field n from n0000 on; and {field: first frame naming it}."""
+    """What a tape puts into core: {address: word}, field n from n0000 on; and {field: its first frame}."""
 
     words: dict[int, int]
     fields: dict[int, int]
@@ -109,8 +109,8 @@ def encode(words: Mapping[int, int]) -> bytes:
 def decode(frames: bytes) -> Content:
     """Return the words of every section, the later where an address comes twice, and the fields.
 
-    Raises TapeError naming the frame: an empty tape, no leader, a frame out of place, data before any origin, a
-    tape cut short, a checksum that is not the sum.
+    Raises TapeError naming the frame: an empty tape, no leader, a frame out of place, a word before any
+    origin, a tape cut short, a checksum that is not the sum.
     """
     content = Content({}, {})
     for section in read(frames).sections:
@@ -124,7 +124,7 @@ def decode(frames: bytes) -> Content:
 
 def read(frames: bytes) -> Reading:
     """Return the tape section by section, its checksums unjudged. Raises TapeError as `decode` does."""
-    at = _leader(frames)
+    at = find_leader(frames)
     sections: list[Section] = []
     while (at := _data(frames, at)) < len(frames):
         if sections and frames[at] >> 6 not in (1, 3):
@@ -150,18 +150,6 @@ def _load(section: Section, content: Content) -> None:
         else:
             content.words[bank | address] = value
             address = address + 1 & 0o7777
-
-
-def _leader(frames: bytes) -> int:
-    """Return where the leader begins."""
-    if not frames:
-        raise TapeError("empty tape", 0)
-    start = len(frames) - len(frames.lstrip(b"\0"))
-    if start == len(frames):
-        raise TapeError("nothing but blank tape", 0)
-    if frames[start] != LEADER:
-        raise TapeError(f"{frames[start]:03o} where the leader (200) was expected", start)
-    return start
 
 
 def _data(frames: bytes, at: int) -> int:

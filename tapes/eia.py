@@ -24,12 +24,15 @@ STOP, UPPER_CASE, LOWER_CASE = "%", "\x0e", "\x0f"
 CODES = {
     "0": 0o040, "1": 0o001, "2": 0o002, "3": 0o023, "4": 0o004,
     "5": 0o025, "6": 0o026, "7": 0o007, "8": 0o010, "9": 0o031,
-    "A": 0o141, "B": 0o142, "C": 0o163, "D": 0o144, "E": 0o165, "F": 0o166, "G": 0o147, "H": 0o150,
-    "I": 0o171, "J": 0o121, "K": 0o122, "L": 0o103, "M": 0o124, "N": 0o105, "O": 0o106, "P": 0o127,
-    "Q": 0o130, "R": 0o111, "S": 0o062, "T": 0o043, "U": 0o064, "V": 0o045, "W": 0o046, "X": 0o067, "Y": 0o070, "Z": 0o051,
-    " ": 0o020, "/": 0o061, ".": 0o153, ",": 0o073, "+": 0o160, "-": 0o100, "&": 0o016, "(": 0o032,
-    ")": 0o112, "\n": EOB,
-    "\t": 0o076, "\b": 0o052, STOP: 0o013, UPPER_CASE: 0o174, LOWER_CASE: 0o172,
+    "A": 0o141, "B": 0o142, "C": 0o163, "D": 0o144, "E": 0o165,
+    "F": 0o166, "G": 0o147, "H": 0o150, "I": 0o171,
+    "J": 0o121, "K": 0o122, "L": 0o103, "M": 0o124, "N": 0o105,
+    "O": 0o106, "P": 0o127, "Q": 0o130, "R": 0o111,
+    "S": 0o062, "T": 0o043, "U": 0o064, "V": 0o045, "W": 0o046,
+    "X": 0o067, "Y": 0o070, "Z": 0o051,
+    " ": 0o020, "/": 0o061, ".": 0o153, ",": 0o073, "+": 0o160, "-": 0o100,
+    "&": 0o016, "(": 0o032, ")": 0o112, "\n": EOB, "\t": 0o076, "\b": 0o052,
+    STOP: 0o013, UPPER_CASE: 0o174, LOWER_CASE: 0o172,
 }  # fmt: skip
 
 CHARACTERS = {code: character for character, code in CODES.items()}
@@ -41,22 +44,22 @@ _NAMES = {
 
 _NO_CODE = 0o377  # even, so never an EIA code; the mark of one that is none in both tables
 _BLANK = 0o000
-_TO_FRAME = bytes(CODES.get(chr(code).upper(), _NO_CODE) for code in range(128)) + bytes([_NO_CODE]) * 128
+_TO_FRAME = bytes(CODES.get(chr(code).upper(), _NO_CODE) for code in range(128)).ljust(256, bytes([_NO_CODE]))
 _TO_CHARACTER = bytes(
     code if code in (_BLANK, DELETE) else ord(CHARACTERS[code]) if code in CHARACTERS else _NO_CODE
     for code in range(256)
 )
 
 
-def encode(text: str) -> bytes:
-    r"""Punch `text`, each "\n" as an EOB; a small letter has the code of its capital.
+def encode(text: str, skip: str = "") -> bytes:
+    r"""Punch `text`, each "\n" as an EOB, none of the characters in `skip`; a small letter as its capital.
 
     Raises TextError for a character that has no EIA code, naming its line and column.
     """
-    frames = text.encode("latin-1", "replace").translate(_TO_FRAME)
-    if _NO_CODE in frames or not text.isascii():
+    frames = text.encode("ascii", "replace").translate(_TO_FRAME, skip.encode("ascii"))
+    if _NO_CODE in frames:  # "replace" makes "?" of what is not ASCII, and that has no code either
         index = next(
-            i for i, character in enumerate(text) if character.upper() not in CODES or character > "\x7f"
+            i for i, character in enumerate(text) if character.upper() not in CODES and character not in skip
         )
         raise TextError(f"{text[index]!r} has no EIA code", text, index)
     return frames

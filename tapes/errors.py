@@ -4,6 +4,9 @@ The message names the place in the domain's own coordinate: a tape frame, a line
 an octal address. Commands print it as it is and exit with `exit_status`.
 """
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 
 class WorkError(ValueError):
     """Something wrong with the work given: a tape, a source, a part, a parameter. Exit status 1."""
@@ -26,3 +29,13 @@ class TextError(WorkError):
         line = text.count("\n", 0, index) + 1
         column = index - text.rfind("\n", 0, index)
         super().__init__(f"line {line}, column {column}: {message}")
+
+
+@contextmanager
+def naming(file: str) -> Iterator[None]:
+    """Put the name of the file, "standard input" for `-`, before the message of a WorkError raised inside."""
+    try:
+        yield
+    except WorkError as error:
+        named = "standard input" if file == "-" else file
+        raise WorkError(f"{named}: {error}") from error

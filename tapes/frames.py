@@ -79,12 +79,30 @@ def blank(length: int) -> bytes:
     return bytes(length)
 
 
-def strip(frames: bytes) -> Strip:
-    """Part the tape into leader, body and trailer; leader and trailer are the 000s and 200s at either end."""
-    ends = bytes([BLANK, LEADER])
-    body = frames.strip(ends)
-    start = len(frames) - len(frames.lstrip(ends))
-    return Strip(frames[:start], body, frames[start + len(body) :])
+def strip(frames: bytes, code: int = LEADER) -> Strip:
+    """Part the tape into leader, body and trailer.
+
+    Outermost are blank frames, then those of the leader `code`, which on an EIA tape is BLANK.
+    """
+    outer, inner = bytes([BLANK]), bytes([code])
+    start = len(frames) - len(frames.lstrip(outer).lstrip(inner))
+    end = max(start, len(frames.rstrip(outer).rstrip(inner)))
+    return Strip(frames[:start], frames[start:end], frames[end:])
+
+
+def find_leader(frames: bytes) -> int:
+    """Return the first frame of a loader tape's leader, where an operator sets it; blank tape may precede it.
+
+    Raises TapeError: an empty tape, nothing but blank tape, another frame than 200.
+    """
+    if not frames:
+        raise TapeError("empty tape", 0)
+    start = len(frames) - len(frames.lstrip(b"\0"))
+    if start == len(frames):
+        raise TapeError("nothing but blank tape", 0)
+    if frames[start] != LEADER:
+        raise TapeError(f"{frames[start]:03o} where the leader (200) was expected", start)
+    return start
 
 
 def channels(frame: int) -> tuple[int, ...]:

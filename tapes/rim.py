@@ -20,7 +20,7 @@ card.
 from collections.abc import Mapping
 
 from tapes.errors import TapeError
-from tapes.frames import LEADER, leader
+from tapes.frames import LEADER, find_leader, leader
 
 
 def encode(words: Mapping[int, int]) -> bytes:
@@ -39,13 +39,7 @@ def decode(frames: bytes) -> dict[int, int]:
 
     Raises TapeError naming the frame: an empty tape, no leader, a frame out of place, a tape cut short.
     """
-    if not frames:
-        raise TapeError("empty tape", 0)
-    start = len(frames) - len(frames.lstrip(b"\0"))
-    if start == len(frames):
-        raise TapeError("nothing but blank tape", 0)
-    if frames[start] != LEADER:
-        raise TapeError(f"{frames[start]:03o} where the leader (200) was expected", start)
+    start = find_leader(frames)
     end = len(frames.rstrip(b"\0"))
     words = {}
     at = start

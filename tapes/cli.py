@@ -1,0 +1,176 @@
+"""`pdp8 tape`: a tape shown as holes, measured, converted to another code, punched from typed text."""
+
+import click
+
+from tapes import ascii, captions, eia, frames, kinds, measure, picture, shelf
+from tapes import convert as codes
+from tapes.errors import WorkError, naming
+
+_AUTO = "auto"
+_output = click.option(
+    "-o", "--output", metavar="FILE", default="-", help="Where to; standard output if not given."
+)
+_parity = click.option(
+    "--parity",
+    type=click.Choice(list(frames.PARITIES)),
+    default="mark",
+    show_default=True,
+    help="Channel 8 of an ASCII tape.",
+)
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+def tape() -> None:
+    """Show, measure, convert and punch paper tapes.
+
+    FILE is a tape of one byte a frame, a bundled tape's name, or - for standard input.
+    """
+
+
+@tape.command()
+@click.argument("file", default="-")
+@click.option(
+    "--from",
+    "first",
+    type=click.IntRange(0),
+    default=0,
+    help="The first frame to show; the tape's first is 0.",
+)
+@click.option("--to", "last", type=click.IntRange(0), help="The last frame to show.")
+@click.option("--frames", "count", type=click.IntRange(1), help="How many frames to show.")
+@click.option(
+    "--code",
+    type=click.Choice([_AUTO, *captions.CODES, "none"]),
+    default=_AUTO,
+    show_default=True,
+    help="What the captions take the tape for.",
+)
+@click.option("--svg", metavar="FILE", help="Draw it in true size as SVG into FILE (- for standard output).")
+@click.option(
+    "--strip", type=click.IntRange(1), default=80, show_default=True, help="Frames a strip of the SVG."
+)
+def show(
+    *, file: str, first: int, last: int | None, count: int | None, code: str, svg: str | None, strip: int
+) -> None:
+    r"""Show a tape as rows of holes, each with its number, its octal and what it says.
+
+    \b
+    Examples:
+      pdp8 tape show circle.eia --frames 21
+      pdp8 tape show circle.asc --from 162 --to 188
+      pdp8 tape show eia.bin --code bin --from 60 --frames 40
+      pdp8 part circle | pdp8 tape show - --frames 27 --svg line.svg
+    """
+    if last is not None and count is not None:
+        raise click.UsageError("--to and --frames both say where to end: give one of them")
+    content = shelf.read(file)
+    if first >= len(content):
+        raise WorkError(f"{file}: no frame {first}: the tape has {len(content)}")
+    stop = first + count if count is not None else None if last is None else last + 1
+    code = kinds.classify(content) if code == _AUTO else code
+    if svg is None:
+        click.echo(picture.text(content, code, first, stop), nl=False)
+    else:
+        _put_text(svg, picture.svg(content, code, first, stop, strip).encode())
+
+
+@tape.command()
+@click.argument("files", nargs=-1)
+def info(files: tuple[str, ...]) -> None:
+    r"""Say what each tape is, how long, how many minutes it takes, its lines or blocks, parity and checksum.
+
+    \b
+    Examples:
+      pdp8 tape info circle.asc circle.eia
+      pdp8 part ellipse | pdp8 tape info -
+    """
+    for file in files or ("-",):
+        click.echo("standard input" if file == "-" else file)
+        for name, value in measure.report(shelf.read(file)):
+            click.echo(f"    {name:10} {value}")
+
+
+@tape.command()
+@click.argument("file", default="-")
+@click.option(
+    "--from",
+    "source",
+    type=click.Choice([_AUTO, *codes.CODES]),
+    default=_AUTO,
+    show_default=True,
+    help="The code it is in.",
+)
+@click.option(
+    "--to",
+    "target",
+    type=click.Choice([*codes.CODES, codes.FRAMES]),
+    required=True,
+    help="The code to make of it.",
+)
+@_parity
+@click.option("--fill", type=click.IntRange(0), help="RUBOUTs after CR LF; 6, or as an ASCII tape has them.")
+@_output
+def convert(*, file: str, source: str, target: str, parity: str, fill: int | None, output: str) -> None:
+    r"""Convert a tape: characters (text, ascii, eia), words (bin, rim), or any to octal digits and back to
+    frames.
+
+    \b
+    Examples:
+      pdp8 tape convert circle.eia --to text
+      pdp8 tape convert circle.asc --to ascii --parity even -o even.asc
+      pdp8 tape convert eia.bin --to rim -o eia.rim
+      pdp8 tape convert eia.bin --to octal > eia.txt
+      pdp8 tape convert eia.txt --from octal --to frames -o eia.bin
+    """
+    content = shelf.read(file)
+    found = kinds.classify(content) if source == _AUTO else source
+    with naming(file):
+        converted = codes.convert(content, found, target, parity, fill)
+    if target in ("text", "octal"):
+        _put_text(output, converted)
+    else:
+        shelf.write(output, converted)
+
+
+@tape.command()
+@click.argument("file", default="-")
+@click.option(
+    "--code", type=click.Choice(["ascii", "eia"]), default="ascii", show_default=True, help="The tape's code."
+)
+@_parity
+@click.option(
+    "--fill", type=click.IntRange(0), default=6, show_default=True, help="RUBOUTs after each CR LF (ascii)."
+)
+@click.option(
+    "--leader", type=click.IntRange(0), default=0, show_default=True, help="Blank frames before and after."
+)
+@click.option("--drop-spaces", is_flag=True, help="Do not punch spaces: they only make the typed text clear.")
+@_output
+def punch(
+    *, file: str, code: str, parity: str, fill: int, leader: int, drop_spaces: bool, output: str
+) -> None:
+    r"""Punch a tape from typed text: each end of line becomes CR LF and fill, or EIA's end of block.
+
+    \b
+    Examples:
+      pdp8 tape punch typed.txt > typed.asc
+      pdp8 tape punch eia.pal --parity even --leader 100 -o eia.asc
+      echo "001 0 00000 00000 0 35 88" | pdp8 tape punch --code eia --drop-spaces -o drill.eia
+    """
+    if drop_spaces and code != "eia":
+        raise click.UsageError("--drop-spaces is for --code eia")
+    content = shelf.read(file)
+    with naming(file):
+        text = codes.typed(content)
+        punched = (
+            eia.encode(text, skip=" " * drop_spaces) if code == "eia" else ascii.encode(text, parity, fill)
+        )
+    shelf.write(output, frames.blank(leader) + punched + frames.blank(leader))
+
+
+def _put_text(file: str, content: bytes) -> None:
+    """Text may go to a terminal, where a tape may not."""
+    if file == "-":
+        click.echo(content, nl=False)
+    else:
+        shelf.write(file, content)

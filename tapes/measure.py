@@ -1,0 +1,149 @@
+"""What can be said of a tape without running it: what it is, how long, how many minutes, whether it is whole.
+
+Sources: 10 frames an inch (ECMA-10); ASR-33 10 characters a second, PC8/L reader 300 and punch 50 (Small
+Computer Handbook, DEC).
+"""
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
+
+from tapes import ascii, binary, eia, frames, kinds, rim
+from tapes.errors import TapeError
+
+Row = tuple[str, str]
+
+_KINDS = {
+    kinds.BIN: "BIN, DEC's binary loader format",
+    kinds.RIM: "RIM, DEC's read-in mode format",
+    kinds.EIA: "EIA RS-244",
+    kinds.ASCII: "ASCII",
+    kinds.BLANK_TAPE: "blank",
+    kinds.UNKNOWN: "none of ASCII, EIA, BIN or RIM",
+}
+
+
+def report(tape: bytes) -> list[Row]:
+    """Return what there is to say of the tape, as (name, value) in the order of interest."""
+    kind = kinds.classify(tape)
+    pieces = frames.strip(tape, frames.BLANK if kind == kinds.EIA else frames.LEADER)
+    details = {kinds.ASCII: _text, kinds.EIA: _blocks, kinds.BIN: _sections, kinds.RIM: _words}
+    return [
+        ("tape", _KINDS[kind]),
+        ("frames", f"{len(tape):,}: leader {len(pieces.leader)}, trailer {len(pieces.trailer)}"),
+        ("length", length(len(tape))),
+        ("time", times(len(tape))),
+        *(details[kind](tape) if kind in details else ()),
+    ]
+
+
+def length(count: int) -> str:
+    """Return the length of `count` frames in feet and inches."""
+    feet, inches = divmod(count / frames.FRAMES_PER_INCH, 12)
+    return f"{feet:.0f} ft {inches:.1f} in" if feet else f"{inches:.1f} in"
+
+
+def times(count: int) -> str:
+    """Return how long `count` frames take on the Teletype and on the high-speed reader and punch."""
+    teletype, reader, punch = (duration(count / rate) for rate in (10, 300, 50))
+    return f"Teletype (10 a second) {teletype}; high-speed reader (300) {reader}, punch (50) {punch}"
+
+
+def duration(seconds: float) -> str:
+    """Return a time as hours, minutes and seconds, to a tenth of a second."""
+    tenths = round(seconds * 10)
+    minutes, tenths = divmod(tenths, 600)
+    hours, minutes = divmod(minutes, 60)
+    said = f"{tenths / 10:.1f} s"
+    if minutes or hours:
+        said = f"{minutes} min {said}"
+    return f"{hours} h {said}" if hours else said
+
+
+def _text(tape: bytes) -> Iterator[Row]:
+    codes = tape.translate(frames.PARITIES["none"])
+    returns, feeds = codes.count(ascii.CR), codes.count(ascii.LF)
+    lines = ascii.decode(tape).split("\n")
+    rest = lines.pop()
+    yield "parity", frames.parity(tape)
+    yield "lines", f"{len(lines):,}{_lengths(map(len, lines), 'characters')}{_unended(rest, 'characters')}"
+    if returns == feeds == 0:
+        return
+    yield "line ends", f"{returns:,} CR, {feeds:,} LF, {codes.count(ascii.RUBOUT):,} RUBOUT"
+    if feeds and not returns:
+        yield (
+            "warning",
+            "LF without CR: no Teletype would return its carriage; `pdp8 tape punch` punches CR LF",
+        )
+
+
+def _blocks(tape: bytes) -> Iterator[Row]:
+    codes = tape.strip(bytes([frames.BLANK])).split(bytes([eia.EOB]))
+    rest = codes.pop()
+    lengths = (len(block) + 1 for block in codes)
+    yield "blocks", f"{len(codes):,}{_lengths(lengths, 'frames')}{_unended(rest, 'frames')}"
+    yield "parity", _fault(eia.decode, tape) or "odd in every frame; every frame an EIA code"
+
+
+def _sections(tape: bytes) -> Iterator[Row]:
+    fault = _fault(binary.read, tape)
+    if fault:
+        yield "damage", fault
+        return
+    sections, unread = binary.read(tape)
+    for section in sections:
+        good = section.computed == section.punched
+        verdict = "good" if good else f"WRONG, {section.computed:04o} computed"
+        yield "checksum", f"{section.punched:04o} at frame {section.frame}: {verdict}"
+        held = Counter(item.kind for item in section.items)
+        yield (
+            "holds",
+            ", ".join(f"{kind}s {held[kind]}" for kind in (binary.WORD, binary.ORIGIN, binary.FIELD)),
+        )
+    fault = _fault(binary.decode, tape)
+    if fault is None:
+        yield "core", _ranges(binary.decode(tape).words)
+    if unread:
+        yield "unread", f"{unread} frames after the last trailer"
+
+
+def _words(tape: bytes) -> Iterator[Row]:
+    fault = _fault(rim.decode, tape)
+    if fault:
+        yield "damage", fault
+        return
+    words = rim.decode(tape)
+    yield "holds", f"{len(words)} words; RIM has no checksum"
+    yield "core", _ranges(words)
+
+
+def _fault(read: Callable[[bytes], object], tape: bytes) -> str | None:
+    try:
+        read(tape)
+    except TapeError as error:
+        return str(error)
+    return None
+
+
+def _lengths(counts: Iterable[int], unit: str) -> str:
+    found = sorted(set(counts))
+    if not found:
+        return ""
+    return f" of {found[0]} {unit}" if len(found) == 1 else f" of {found[0]} to {found[-1]} {unit}"
+
+
+def _unended(rest: str | bytes, unit: str) -> str:
+    return f", then {len(rest)} {unit} without an end" if rest else ""
+
+
+def _ranges(addresses: Iterable[int]) -> str:
+    """Return runs of addresses, 0200-0351, joined by commas."""
+    runs: list[list[int]] = []
+    for address in sorted(addresses):
+        if runs and address == runs[-1][1] + 1:
+            runs[-1][1] = address
+        else:
+            runs.append([address, address])
+    return (
+        ", ".join(f"{first:04o}-{last:04o}" if last > first else f"{first:04o}" for first, last in runs)
+        or "none"
+    )

@@ -1,0 +1,124 @@
+"""A tape as one sees it: as text, a row a frame, and as SVG in true geometry.
+
+As text the tape runs up the page, channel 8 on the left, so that a row reads as the octal number does:
+
+       frame  octal    8 7 6 5 4 . 3 2 1      ^ feed: the top row is read first
+           0    301  | o o       .     o |  A
+
+As SVG it runs to the left, the same side up (the text turned a quarter to the left), so that channel 1 is at
+the top:
+
+    width 1.000 in, rows 0.100 in apart, channels 0.100 in apart, sprocket holes 0.392 in from the edge beside
+    channel 1; code holes 0.072 in and sprocket holes 0.046 in across, their centres on one line
+
+Not emulated: the arrow-head of a torn leader, folds, the advanced sprocket holes of some older tapes.
+
+Sources: thesis, chapter 2 (widths, holes, pitch); ECMA-10 (place of the sprocket track); three holes lie on
+one side of the sprocket and five on the other, channel 1 being the outermost of the three.
+"""
+
+from collections.abc import Iterator
+from html import escape
+
+from tapes.captions import captions
+from tapes.frames import draw
+
+WIDTH = 1000  # thousandths of an inch, as everything below
+PITCH = 100
+SPROCKET_TRACK = 392
+CODE_HOLE = 72
+SPROCKET_HOLE = 46
+
+_MARGIN = 700
+_ABOVE = 200
+_BELOW = 300
+_LETTER = 38
+
+
+def text(frames: bytes, code: str = "", start: int = 0, stop: int | None = None) -> str:
+    """Return frames `start` up to `stop` as rows of holes with frame number, octal and caption in `code`.
+
+    `code` is one of captions.CODES; any other leaves the captions out.
+    """
+    rows = [
+        "   frame  octal    8 7 6 5 4 . 3 2 1      ^ feed: the top row is read first",
+        *(
+            f"{number:8}    {frame:03o}  | {' '.join(draw(frame))} |  {caption}".rstrip()
+            for number, frame, caption in _range(frames, code, start, stop)
+        ),
+    ]
+    return "".join(row + "\n" for row in rows)
+
+
+def svg(frames: bytes, code: str = "", start: int = 0, stop: int | None = None, strip: int = 80) -> str:
+    """Return frames `start` up to `stop` as an SVG page of strips of `strip` frames, true in size."""
+    shown = list(_range(frames, code, start, stop))
+    strips = [shown[at : at + strip] for at in range(0, len(shown), strip)]
+    width = 2 * _MARGIN + PITCH * min(strip, max(len(shown), 1))
+    height = sum(map(_height, strips)) + _ABOVE
+    parts = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width / 1000}in" height="{height / 1000}in"'
+        f' viewBox="0 0 {width} {height}">',
+        _STYLE,
+        f'<rect class="page" width="{width}" height="{height}"/>',
+    ]
+    top = _ABOVE
+    for rows in strips:
+        parts += _strip(rows, top)
+        top += _height(rows)
+    return "\n".join([*parts, "</svg>\n"])
+
+
+_STYLE = """<style>
+.page { fill: #fff } .paper { fill: #f3e7c3; stroke: #b9a873; stroke-width: 6 }
+.hole { fill: #fff; stroke: #3c3524; stroke-width: 5 }
+text { font: 62px monospace; fill: #222 } .track { text-anchor: end } .count { text-anchor: middle }
+.arrow { fill: #222 }
+</style>"""
+
+_Row = tuple[int, int, str]
+
+
+def _range(frames: bytes, code: str, start: int, stop: int | None) -> Iterator[_Row]:
+    said = captions(frames, code)
+    numbers = range(*slice(start, stop).indices(len(frames)))
+    return ((number, frames[number], said[number]) for number in numbers)
+
+
+def _height(rows: list[_Row]) -> int:
+    longest = max(len(caption) for _, _, caption in rows)
+    return _ABOVE + WIDTH + _BELOW + _LETTER * longest
+
+
+def _strip(rows: list[_Row], top: int) -> Iterator[str]:
+    """Draw one strip whose upper edge is at `top`: paper, track numbers, arrow, frames and their words."""
+    yield f'<rect class="paper" x="{_MARGIN}" y="{top}" width="{PITCH * len(rows)}" height="{WIDTH}"/>'
+    yield f'<text x="80" y="{top + _track(1) - 50}">channel</text>'
+    for channel in range(1, 9):
+        yield f'<text class="track" x="{_MARGIN - 60}" y="{_track(channel) + top + 21}">{channel}</text>'
+    arrow = f"M 80 {top + SPROCKET_TRACK} l 120 -60 v 40 h 160 v 40 h -160 v 40 z"
+    yield f'<path class="arrow" d="{arrow}"/>'
+    yield f'<text x="80" y="{top + SPROCKET_TRACK + 150}">feed</text>'
+    for place, row in enumerate(rows):
+        yield from _frame(row, _MARGIN + PITCH * place + PITCH // 2, top)
+
+
+def _frame(row: _Row, x: int, top: int) -> Iterator[str]:
+    number, frame, caption = row
+    if number % 10 == 0:
+        yield f'<text class="count" x="{x}" y="{top - 40}">{number}</text>'
+    yield _hole(x, top + SPROCKET_TRACK, SPROCKET_HOLE)
+    for channel in range(1, 9):
+        if frame >> channel - 1 & 1:
+            yield _hole(x, top + _track(channel), CODE_HOLE)
+    words = escape(f"{frame:03o} {caption}".rstrip())
+    yield f'<text transform="translate({x - 20} {top + WIDTH + 50})rotate(90)">{words}</text>'
+
+
+def _track(channel: int) -> int:
+    """Return how far a channel's holes lie from the edge beside channel 1."""
+    return SPROCKET_TRACK + PITCH * (channel - 4 if channel < 4 else channel - 3)
+
+
+def _hole(x: int, y: int, across: int) -> str:
+    return f'<circle class="hole" cx="{x}" cy="{y}" r="{across // 2}"/>'
