@@ -6,8 +6,8 @@
                       SKIP, clear AC, data or-ed into AC; interrupt request
 
 A device sees three separate pulses and nothing of the instruction, so that every combined IOT works of itself. Its
-flag is its interrupt request: an 8/L has no masks. Between pulses a device is a list of events at known ticks; it is
-brought up to date when somebody looks at it. Time is in ticks of 0.05 us since power-up.
+flag is its interrupt request: an 8/L has no masks. Between pulses a device knows the tick at which its flag moves next;
+it is brought up to date when somebody looks at it. Time is in ticks of 0.05 us since power-up.
 
 Not emulated: data break (three-cycle or single-cycle).
 Source: Small Computer Handbook 1970, chapter 9 (I/O bus).
@@ -21,18 +21,18 @@ CLEAR_AC = 0o20000
 
 
 class Device:
-    """One device code: a flag, and `due`, the tick of its next event."""
+    """One device code: a flag, and `due`, the tick at which it moves next."""
 
     def __init__(self) -> None:
         self.flag = 0
         self.due = NEVER
 
     def pulse(self, iop: int, ac: int, now: int) -> int:
-        """Take pulse IOP1, IOP2 or IOP4 (1, 2, 4) at tick `now`, up to date; return the answer."""
+        """Take pulse IOP1, IOP2 or IOP4 (1, 2, 4) at tick `now`; return the answer."""
         raise NotImplementedError
 
     def advance(self, now: int) -> None:
-        """Let everything happen that is due up to and including tick `now`."""
+        """Let everything happen that happens up to and including tick `now`."""
         raise NotImplementedError
 
     def initialize(self, now: int) -> None:
@@ -84,7 +84,7 @@ class Bus:
         return False
 
     def next_event(self) -> int:
-        """Return the tick of the next event of any device, NEVER if there is none."""
+        """Return the tick at which a flag moves next, NEVER if none will."""
         due = NEVER
         for device in self.devices:
             if device.due < due:
@@ -94,5 +94,4 @@ class Bus:
     def initialize(self, now: int) -> None:
         """INITIALIZE on every device."""
         for device in self.devices:
-            device.advance(now)
             device.initialize(now)

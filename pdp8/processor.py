@@ -34,11 +34,12 @@ from pdp8.bus import CLEAR_AC, SKIP, Bus
 from pdp8.operate import GROUP_2, GROUP_3, HLT, group1, group2, skips
 
 FETCH, DEFER, EXECUTE, INTERRUPT = 0, 1, 2, 3
-AND, TAD, ISZ, DCA, JMS, JMP, IOT, OPR = range(8)
+AND, TAD, ISZ, DCA, JMS, JMP, IOT, OPR = 0, 1, 2, 3, 4, 5, 6, 7
 
 CYCLE = 32
-IO_CYCLE = 85
-PULSE_TICKS = {1: 29, 2: 47, 4: 65}
+IO_TICKS = 85 - CYCLE
+"""What an IOT takes beyond its cycle; its pulses come at these ticks after (the first still in) the cycle."""
+PULSES = ((1, 29 - CYCLE), (2, 47 - CYCLE), (4, 65 - CYCLE))
 PROTECTED = 0o7600
 
 
@@ -80,44 +81,53 @@ class Processor:
         self.state = self.next = FETCH
         self.bus.initialize(self.clock)
 
-    def instruction(self) -> None:
-        """Run to the end of the instruction, or take the interrupt that is due."""
-        self.cycle()
-        while self.next == DEFER or self.next == EXECUTE:
-            self.cycle()
-
     def cycle(self) -> None:
         """Run one memory cycle."""
         self.protect = 0
         if self.next == FETCH:
             self._fetch()
-        elif self.next == EXECUTE:
-            self._execute()
         elif self.next == DEFER:
             self._defer()
+        elif self.next == EXECUTE:
+            self._execute()
         else:
             self._interrupt()
         if self.ion and self.next == FETCH:
             self._strobe()
 
+    def instruction(self) -> None:
+        """Run cycles to the end of the instruction, or the one of an interrupt that is due."""
+        self.protect = 0
+        if self.next == INTERRUPT:
+            self._interrupt()
+            return
+        if self.next == FETCH:
+            self._fetch()
+        if self.next == DEFER:
+            self._defer()
+        if self.next == EXECUTE:
+            self._execute()
+        if self.ion:
+            self._strobe()
+
     def _fetch(self) -> None:
         self.state = FETCH
+        self.ma = address = self.pc
+        self.mb = word = self.core[address]
+        self.ir = code = word >> 9
+        self.pc = address + 1 & 0o7777
+        self.clock += CYCLE
         self.instructions += 1
-        self.ma = self.pc
-        self.mb = word = self.core[self.ma]
-        self.pc = self.ma + 1 & 0o7777
-        self.ir = word >> 9
-        if self.ir == OPR:
+        if code < JMP:
+            self.next = DEFER if word & 0o400 else EXECUTE
+        elif code == OPR:
             self._operate(word)
-        elif self.ir == IOT:
+        elif code == IOT:
             self._input_output(word)
         elif word & 0o400:
             self.next = DEFER
-        elif self.ir == JMP:
-            self.pc = self._address()
         else:
-            self.next = EXECUTE
-        self.clock += CYCLE
+            self.pc = self._address()
 
     def _address(self) -> int:
         """Return the address in the instruction in MB: on page 0, or on the page MA fetched it from."""
@@ -190,7 +200,7 @@ class Processor:
 
     def _input_output(self, word: int) -> None:
         code = word >> 3 & 0o77
-        for iop in (1, 2, 4):
+        for iop, ticks in PULSES:
             if not word & iop:
                 continue
             if code == 0:
@@ -198,13 +208,13 @@ class Processor:
                 continue
             if iop != 1:
                 self.changes += 1
-            answer = self.bus.pulse(code, iop, self.lac & 0o7777, self.clock + PULSE_TICKS[iop])
+            answer = self.bus.pulse(code, iop, self.lac & 0o7777, self.clock + ticks)
             if answer & CLEAR_AC:
                 self.lac &= 0o10000
             if answer & SKIP:
                 self.pc = self.pc + 1 & 0o7777
             self.lac |= answer & 0o7777
-        self.clock += IO_CYCLE - CYCLE
+        self.clock += IO_TICKS
 
     def _interrupt_enable(self, iop: int) -> None:
         self.changes += 1

@@ -118,30 +118,36 @@ class Receiver(Device):
         """What the receiver has noticed of it: 0 idle, 1 its start unit, 2 that it is no false start."""
         self.free = 0
         """The tick from which the line is free."""
+        self.step = NEVER
+        """The tick of the next thing that happens here; `due` is the next that moves the flag."""
 
     def look(self) -> None:
         """Look at once whether something is waiting for the idle line: somebody touched key, tape or lever."""
         if self.stage == 0:
-            self.due = _AT_ONCE
+            self.step = self.due = _AT_ONCE
 
     def plan(self) -> None:
-        """Set `due` to the next event."""
+        """Set `step` to the next thing that happens here, and `due` to the next that moves the flag."""
+        if self.stage == 2:
+            self.step = self.due = self.start + RECEIVED
+            return
+        start = self.start
         if self.stage == 1:
-            self.due = self.start + START_CHECKED
-        elif self.stage == 2:
-            self.due = self.start + RECEIVED
+            self.step = start + START_CHECKED
         elif self.keyboard.waiting or (self.reader_run and self.reader.ready()):
-            self.due = self.free if self.free > self.now else self.now
+            self.step = start = self.free if self.free > self.now else self.now
         else:
-            self.due = NEVER
+            self.step = self.due = NEVER
+            return
+        self.due = start + (START_CHECKED if self.flag else RECEIVED)
 
     def advance(self, now: int) -> None:
         """Let the line and the reader run up to tick `now`."""
-        if self.due == _AT_ONCE:
+        if self.step == _AT_ONCE:
             self.now = now
             self.plan()
-        while self.due <= now:
-            self.now = self.due
+        while self.step <= now:
+            self.now = self.step
             if self.stage == 0:
                 self.begin()
             elif self.stage == 1:
@@ -180,19 +186,20 @@ class Receiver(Device):
         """KSF at IOP1; clear AC and flag, set READER RUN at IOP2; the buffer into AC 4-11 at IOP4."""
         if iop == 1:
             return SKIP if self.flag else 0
+        self.advance(now)
         if iop == 2:
             self.flag = 0
             self.reader_run = 1
-            self.now = now
             self.plan()
             return CLEAR_AC
         return self.shifted(now)
 
     def initialize(self, now: int) -> None:
         """Clear the flag, drop a character half received, set READER RUN."""
+        if self.step != _AT_ONCE:
+            self.advance(now - 1)  # a character that would begin now has not begun
         self.buffer = self.shifted(now)
-        self.stage = 0
-        self.flag = 0
+        self.stage = self.flag = 0
         self.reader_run = 1
         self.now = now
         self.plan()
@@ -339,6 +346,8 @@ class Transmitter(Device):
 
     def initialize(self, now: int) -> None:
         """Clear the flag and the shift register: the line goes to mark, and what is begun ends in marks."""
+        self.advance(now)
+        self.advance(now)
         self.register = self.flag = 0
         self.free = now
         if self.start > now:

@@ -43,37 +43,38 @@ class Waiting:
         Stops short of tick `until` and of `instructions` in all.
         """
         p = self.processor
-        p.bus.advance(p.clock)
         if p.core[p.pc] >> 8 == ISZ << 1 and p.ir == JMP and p.state == FETCH and p.ma == p.pc + 1:
-            if self.delays:
-                self._pass_delay(until, instructions)
-        elif p.changes != self.changes or p.clock >= self.quiet_until or self.strangers > _PATIENCE:
+            self._pass_delay(until, instructions)
+        elif p.changes != self.changes or self.strangers > _PATIENCE:
             p.bus.asked = 0
             self._remember()
-        elif p.pc == self.pc and p.lac == self.lac and p.next == FETCH:
-            self._pass_turns(until, instructions)
-        else:
+        elif p.pc != self.pc or p.lac != self.lac or p.next != FETCH:
             self.strangers += 1
+        else:
+            self._pass_turns(until, instructions)
 
     def _pass_turns(self, until: int, instructions: int) -> None:
         p = self.processor
+        p.bus.advance(p.clock)
         event = p.bus.next_event()
-        if event == NEVER:
-            self.endless = True
-            return
-        ticks, count = p.clock - self.clock, p.instructions - self.instructions
-        turns = min((min(event, until) - 1 - p.clock) // ticks, (instructions - p.instructions) // count)
-        if turns > 0:
-            p.clock += turns * ticks
-            p.instructions += turns * count
+        if p.clock < self.quiet_until:
+            if event == NEVER:
+                self.endless = True
+                return
+            ticks, count = p.clock - self.clock, p.instructions - self.instructions
+            turns = min((min(event, until) - 1 - p.clock) // ticks, (instructions - p.instructions) // count)
+            if turns > 0:
+                p.clock += turns * ticks
+                p.instructions += turns * count
         self._remember()
 
     def _pass_delay(self, until: int, instructions: int) -> None:
         p = self.processor
         word = p.core[p.pc]
         counter = word & 0o177 | (p.pc & 0o7600 if word & 0o200 else 0)
-        if counter in (p.pc, p.pc + 1) or (p.mem_prot and counter >= PROTECTED):
+        if not self.delays or counter in (p.pc, p.pc + 1) or (p.mem_prot and counter >= PROTECTED):
             return
+        p.bus.advance(p.clock)
         turns = min(
             0o7777 - p.core[counter],
             (min(p.bus.next_event(), until) - 1 - p.clock) // _DELAY_TICKS,
