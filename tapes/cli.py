@@ -4,7 +4,7 @@ import click
 
 from tapes import ascii, captions, eia, frames, kinds, measure, picture, shelf
 from tapes import convert as codes
-from tapes.errors import WorkError, naming
+from tapes.errors import TapeError, naming
 
 _AUTO = "auto"
 _output = click.option(
@@ -52,7 +52,7 @@ def tape() -> None:
 def show(
     *, file: str, first: int, last: int | None, count: int | None, code: str, svg: str | None, strip: int
 ) -> None:
-    r"""Show a tape as rows of holes, each with its number, its octal and what it says.
+    """Show a tape as rows of holes, each with its number, its octal and what it says.
 
     \b
     Examples:
@@ -64,8 +64,8 @@ def show(
     if last is not None and count is not None:
         raise click.UsageError("--to and --frames both say where to end: give one of them")
     content = shelf.read(file)
-    if first >= len(content):
-        raise WorkError(f"{file}: no frame {first}: the tape has {len(content)}")
+    with naming(file):
+        _check(first, len(content))
     stop = first + count if count is not None else None if last is None else last + 1
     code = kinds.classify(content) if code == _AUTO else code
     if svg is None:
@@ -77,7 +77,7 @@ def show(
 @tape.command()
 @click.argument("files", nargs=-1)
 def info(files: tuple[str, ...]) -> None:
-    r"""Say what each tape is, how long, how many minutes it takes, its lines or blocks, parity and checksum.
+    """Say what each tape is, how long, how many minutes it takes, its lines or blocks, parity and checksum.
 
     \b
     Examples:
@@ -111,7 +111,7 @@ def info(files: tuple[str, ...]) -> None:
 @click.option("--fill", type=click.IntRange(0), help="RUBOUTs after CR LF; 6, or as an ASCII tape has them.")
 @_output
 def convert(*, file: str, source: str, target: str, parity: str, fill: int | None, output: str) -> None:
-    r"""Convert a tape: characters (text, ascii, eia), words (bin, rim), or any to octal digits and back to
+    """Convert a tape: characters (text, ascii, eia), words (bin, rim), or any to octal digits and back to
     frames.
 
     \b
@@ -149,7 +149,7 @@ def convert(*, file: str, source: str, target: str, parity: str, fill: int | Non
 def punch(
     *, file: str, code: str, parity: str, fill: int, leader: int, drop_spaces: bool, output: str
 ) -> None:
-    r"""Punch a tape from typed text: each end of line becomes CR LF and fill, or EIA's end of block.
+    """Punch a tape from typed text: each end of line becomes CR LF and fill, or EIA's end of block.
 
     \b
     Examples:
@@ -166,6 +166,13 @@ def punch(
             eia.encode(text, skip=" " * drop_spaces) if code == "eia" else ascii.encode(text, parity, fill)
         )
     shelf.write(output, frames.blank(leader) + punched + frames.blank(leader))
+
+
+def _check(first: int, length: int) -> None:
+    if length == 0:
+        raise TapeError("empty tape", 0)
+    if first >= length:
+        raise TapeError(f"the tape has only {length}", first)
 
 
 def _put_text(file: str, content: bytes) -> None:

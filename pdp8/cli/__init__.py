@@ -1,10 +1,10 @@
 """The `pdp8` command: every package's commands hung together, each loaded only when it is called.
 
-    run monitor replay panel   the computer                        pdp8/cli
-    pal dis                    the assembler and its inverse       pal/cli
-    part                       the part programs                   programs/cli
-    tape                       tapes as tapes                      tapes/cli
-    nc                         the Hydra-Point                     nc/cli
+run monitor replay panel   the computer                        pdp8/cli
+pal dis                    the assembler and its inverse       pal/cli
+part                       the part programs                   programs/cli
+tape                       tapes as tapes                      tapes/cli
+nc                         the Hydra-Point                     nc/cli
 """
 
 from importlib import import_module

@@ -1,0 +1,44 @@
+"""A program by name becomes words for core: PAL source, a BIN tape or a RIM tape, told by its frames."""
+
+from tapes import binary, kinds, rim, shelf
+from tapes.errors import TapeError, WorkError
+
+
+def read_words(name: str) -> dict[int, int]:
+    """Return {address: word} of the program called `name`: a file, a bundled name, `-` for standard input.
+
+    Raises WorkError saying what is wrong with it, and where.
+    """
+    frames = shelf.read(name)
+    try:
+        return words(frames, name)
+    except TapeError as error:
+        raise WorkError(f"{name}: {error}") from error
+
+
+def words(frames: bytes, name: str) -> dict[int, int]:
+    """Return {address: word} of a program tape; `name` is for messages. Raises WorkError."""
+    kind = kinds.classify(frames)
+    if kind == kinds.BIN:
+        content = binary.decode(frames)
+        for field, frame in content.fields.items():
+            if field:
+                raise TapeError(f"field {field}: this PDP-8/L has 4K of core, field 0 alone", frame)
+        return content.words
+    if kind == kinds.RIM:
+        return rim.decode(frames)
+    if kind == kinds.ASCII:
+        return _assembled(frames, name)
+    if kind == kinds.BLANK_TAPE:
+        raise WorkError(f"{name}: the program tape is {'blank' if frames else 'empty'}")
+    raise WorkError(f"{name}: neither PAL source nor a BIN or RIM tape")
+
+
+def _assembled(source: bytes, name: str) -> dict[int, int]:
+    import pal
+
+    assembly = pal.assemble(source)
+    if assembly.diagnostics:
+        report = "\n".join(str(diagnostic) for diagnostic in assembly.diagnostics)
+        raise WorkError(f"{name}: not run, PAL III found errors\n{report}")
+    return dict(assembly.words)

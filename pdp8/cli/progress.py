@@ -1,0 +1,47 @@
+"""A progress bar on work that lasts: it appears after a second, at a terminal, and leaves nothing behind."""
+
+import sys
+import time
+from types import TracebackType
+from typing import TYPE_CHECKING, Self
+
+if TYPE_CHECKING:
+    from rich.progress import Progress, TaskID
+
+_PATIENCE = 1.0
+
+
+class Bar:
+    """A bar of `total` steps on standard error, if that is a terminal and it is `wanted`."""
+
+    def __init__(self, label: str, total: int, wanted: bool = True) -> None:
+        self._label = label
+        self._total = total
+        self._begin = time.monotonic() + _PATIENCE if wanted and total and sys.stderr.isatty() else None
+        self._shown: tuple[Progress, TaskID] | None = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def show(self, done: int) -> None:
+        """Show that `done` of the steps are done."""
+        if self._begin is None or time.monotonic() < self._begin:
+            return
+        if self._shown is None:
+            self._shown = self._open()
+        progress, task = self._shown
+        progress.update(task, completed=done)
+
+    def _open(self) -> "tuple[Progress, TaskID]":
+        from rich.console import Console
+        from rich.progress import Progress
+
+        progress = Progress(console=Console(stderr=True), transient=True)
+        progress.start()
+        return progress, progress.add_task(self._label, total=self._total)
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._shown:
+            self._shown[0].stop()

@@ -1,0 +1,68 @@
+"""The arrows of the house: imports between the packages point one way.
+
+    tapes <- pal <- pdp8      tapes <- programs      tapes <- nc
+
+Only `pdp8/cli` and `pdp8/replay` import across, and nobody imports those two.
+"""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+HOUSE = Path(__file__).parent.parent
+PACKAGES = ("tapes", "pal", "pdp8", "programs", "nc")
+ALLOWED = {
+    "tapes": {"tapes"},
+    "pal": {"tapes", "pal"},
+    "pdp8": {"tapes", "pal", "pdp8"},
+    "programs": {"tapes", "programs"},
+    "nc": {"tapes", "nc"},
+}
+ACROSS = ("pdp8.cli", "pdp8.replay")
+
+
+def sources() -> list[Path]:
+    return [path for package in PACKAGES for path in sorted((HOUSE / package).rglob("*.py"))]
+
+
+def imports(path: Path) -> Iterator[str]:
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{path}: imports by full name, please"
+            yield str(node.module)
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+
+
+def module(path: Path) -> str:
+    return ".".join(path.relative_to(HOUSE).with_suffix("").parts)
+
+
+def is_across(name: str) -> bool:
+    return any(name == place or name.startswith(f"{place}.") for place in ACROSS)
+
+
+@pytest.mark.parametrize("path", sources(), ids=module)
+def test_imports_point_one_way(path: Path) -> None:
+    here = module(path)
+    for name in imports(path):
+        package = name.split(".", maxsplit=1)[0]
+        if package not in PACKAGES or is_across(here):
+            continue
+        assert package in ALLOWED[here.split(".", maxsplit=1)[0]], f"{here} imports {name}"
+        assert not is_across(name), f"{here} imports {name}, which nobody does"
+
+
+def test_the_rooms_exist() -> None:
+    assert {module(path).split(".", maxsplit=1)[0] for path in sources()} == set(PACKAGES)
+
+
+def test_every_package_lists_its_files() -> None:
+    for package in PACKAGES:
+        listing = ast.get_docstring(ast.parse((HOUSE / package / "__init__.py").read_text())) or ""
+        for path in sorted((HOUSE / package).glob("*.py")):
+            if path.stem != "__init__":
+                assert path.stem in listing, f"{package}/__init__.py does not list {path.stem}"
