@@ -5,9 +5,10 @@
                     ◄──────────────────────────────────
                       SKIP, clear AC, data or-ed into AC; interrupt request
 
-A device sees three separate pulses and nothing of the instruction, so that every combined IOT works of itself. Its
-flag is its interrupt request: an 8/L has no masks. Between pulses a device knows the tick at which its flag moves next;
-it is brought up to date when somebody looks at it. Time is in ticks of 0.05 us since power-up.
+A device sees three separate pulses and nothing of the instruction, so that every combined IOT works of
+itself. Its flag is its interrupt request: an 8/L has no masks. Between pulses a device knows the tick at
+which its flag moves next; it is brought up to date when somebody looks at it. Time is in ticks of 0.05 us
+since power-up.
 
 Not emulated: data break (three-cycle or single-cycle).
 Source: Small Computer Handbook 1970, chapter 9 (I/O bus).
@@ -87,8 +88,7 @@ class Bus:
         """Return the tick at which a flag moves next, NEVER if none will."""
         due = NEVER
         for device in self.devices:
-            if device.due < due:
-                due = device.due
+            due = min(due, device.due)
         return due
 
     def initialize(self, now: int) -> None:

@@ -6,8 +6,8 @@
                                 │                                     ├ Teletype
                                 └──── 04 transmitter ─► printer, punch┘
 
-The machine is a discrete-event simulation: nothing here sleeps, and the same core and tapes give the same tapes and
-the same times. While a program only waits, time jumps (see waiting.py).
+The machine is a discrete-event simulation: nothing here sleeps, and the same core and tapes give the same
+tapes and the same times. While a program only waits, time jumps (see waiting.py).
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -25,9 +25,9 @@ TICKS_PER_SECOND = 20_000_000
 class Stop(NamedTuple):
     """Why, where and when a run ended.
 
-    reason: halt, tape out (the reader is empty and the program waits for it; all is punched), idle (a loop that nothing
-    can end), limit, stop key, breakpoint, protect. pc: the address of the next instruction. elapsed: seconds of machine
-    time since START.
+    reason: halt, tape out (the reader is empty and the program waits for it; all is punched), idle (a loop
+    that nothing can end), limit, stop key, breakpoint, protect. pc: the address of the next instruction.
+    elapsed: seconds of machine time since START.
     """
 
     reason: str
@@ -61,7 +61,7 @@ def _checked(address: int) -> int:
 
 
 class Machine:
-    """A PDP-8/L with 4K of core and an ASR-33, as it is when it has been switched on: core and registers 0."""
+    """A PDP-8/L with 4K of core and an ASR-33, as it is when it is switched on: core and registers 0."""
 
     def __init__(self) -> None:
         self.bus = Bus()
@@ -78,7 +78,9 @@ class Machine:
         self.processor.run = 0
 
     def load(self, words: Mapping[int, int] | Iterable[tuple[int, int]]) -> None:
-        """Put `words`, {address: word}, into core. Raises LoadError if one lies outside it, and then loads none."""
+        """Put `words`, {address: word}, into core. Raises LoadError if one lies outside it, and then loads
+        none.
+        """
         words = dict(words)
         check(words)
         for address, word in words.items():

@@ -6,10 +6,11 @@
 
 {L, AC} is one word of 13 bits, the link its most significant: that is how the rotates and the carry see it.
 
-On a PDP-8/L both rotates together (7014, 7016) give the AND of the two results, because every bit of the register
-is fed through both shift gates at once (M220 module; 7354 = 3776 is how Kermit-12 and FOCAL-69 know an 8/I or 8/L).
-Bit 10 alone (7002, the PDP-8/E's byte swap) rotates nothing. Group 3 does nothing at all, not even its CLA bit: there
-is no multiplier quotient, and 7601 leaves the accumulator (Kermit-12 tells an 8/L from an 8/I by it).
+On a PDP-8/L both rotates together (7014, 7016) give the AND of the two results, because every bit of the
+register is fed through both shift gates at once (M220 module; 7354 = 3776 is how Kermit-12 and FOCAL-69 know
+an 8/I or 8/L). Bit 10 alone (7002, the PDP-8/E's byte swap) rotates nothing. Group 3 does nothing at all, not
+even its CLA bit: there is no multiplier quotient, and 7601 leaves the accumulator (Kermit-12 tells an 8/L
+from an 8/I by it).
 
 Sources: DEC PDP-8/I instruction card; Small Computer Handbook 1970; MAINDEC-08-D01, -D02.
 """
@@ -21,7 +22,7 @@ SMA, SZA, SNL, SENSE, OSR, HLT = 0o100, 0o40, 0o20, 0o10, 0o4, 0o2
 
 
 def group1(word: int, lac: int) -> int:
-    """Return the 13 bits {L, AC} after group 1 `word`: clear, complement, increment, rotate, in this order."""
+    """Return {L, AC} after group 1 `word`: clear, complement, increment, rotate, in this order."""
     if word & CLA:
         lac &= 0o10000
     if word & CLL:
@@ -44,7 +45,9 @@ def group1(word: int, lac: int) -> int:
 
 
 def skips(word: int, lac: int) -> bool:
-    """Tell whether group 2 `word` skips: SMA, SZA, SNL or-ed together; the sense bit (SPA, SNA, SZL, SKP) inverts."""
+    """Tell whether group 2 `word` skips: SMA, SZA, SNL or-ed together; the sense bit (SPA, SNA, SZL, SKP)
+    inverts.
+    """
     condition = (
         (word & SMA != 0 and lac & 0o4000 != 0)
         or (word & SZA != 0 and lac & 0o7777 == 0)

@@ -11,23 +11,25 @@
                                    ▼
                            INTERRUPT: an EXECUTE cycle that does JMS 0
 
-A cycle begins by loading MA and ends with MA, MB, IR and the major state as the lamps show them; what the next cycle
-needs is in them, so the lamps are the whole state. After HLT they show the HLT.
+A cycle begins by loading MA and ends with MA, MB, IR and the major state as the lamps show them; what the
+next cycle needs is in them, so the lamps are the whole state. After HLT they show the HLT.
 
-Time is exact: a cycle is 1.6 us, an IOT 4.25 us whatever its device code, its three pulses at 1.45, 2.35 and 3.25 us
-whether they are sent or not. All in ticks of 0.05 us.
+Time is exact: a cycle is 1.6 us, an IOT 4.25 us whatever its device code, its three pulses at 1.45, 2.35 and
+3.25 us whether they are sent or not. All in ticks of 0.05 us.
 
-Interrupt: ION takes effect after the next instruction, IOF at once; a request is looked at as the instruction ends,
-and HLT, STOP and a write that MEM PROT stopped come before it. IOT 600x: pulse 1 is ION, pulse 2 IOF, in this order;
-6003 to 6007 are undefined on an 8/L and come out as their pulses do.
+Interrupt: ION takes effect after the next instruction, IOF at once; a request is looked at as the instruction
+ends, and HLT, STOP and a write that MEM PROT stopped come before it. IOT 600x: pulse 1 is ION, pulse 2 IOF,
+in this order; 6003 to 6007 are undefined on an 8/L and come out as their pulses do.
 
-MEM PROT stops a write into 7600-7777: the word stays, the rest of the cycle happens, PROTECT lights, the machine stops.
+MEM PROT stops a write into 7600-7777: the word stays, the rest of the cycle happens, PROTECT lights, the
+machine stops.
 
-Not emulated: the MC8/L memory extension (its IOTs do nothing, as on a machine without it), MP8/L parity, KP8/L power
-fail, data break. AC, L, PC, MA, MB are 0 at power-up, where a real machine's are whatever they are.
+Not emulated: the MC8/L memory extension (its IOTs do nothing, as on a machine without it), MP8/L parity,
+KP8/L power fail, data break. AC, L, PC, MA, MB are 0 at power-up, where a real machine's are whatever they
+are.
 
-Sources: PDP-8/L Users Handbook 1968; Small Computer Handbook 1970; PDP-8/I instruction card (4.25 us); pulse times and
-MEM PROT as measured on a real 8/L by the pdp8l project (mrieker).
+Sources: PDP-8/L Users Handbook 1968; Small Computer Handbook 1970; PDP-8/I instruction card (4.25 us); pulse
+times and MEM PROT as measured on a real 8/L by the pdp8l project (mrieker).
 """
 
 from pdp8.bus import CLEAR_AC, SKIP, Bus
@@ -224,7 +226,9 @@ class Processor:
             self.ion = self.ion_delayed = 0
 
     def _strobe(self) -> None:
-        """End an instruction with ION set: take an interrupt that is requested, unless the machine stops here."""
+        """End an instruction with ION set: take an interrupt that is requested, unless the machine stops
+        here.
+        """
         if self.ion_delayed and self.run and self.bus.request(self.clock):
             self.next = INTERRUPT
         self.ion_delayed = 1

@@ -10,22 +10,24 @@ A character on the line is 11 units: a start unit (space), 8 data units, channel
     03     start flag falls   bits shift in, flag at 8.5                   the next start at the earliest
     04     start              (1.0: a raised flag falls)   flag             the next start at the earliest
 
-Receiver: its buffer is the shift register itself, so a character must be read before the next start unit. READER RUN
-is set by the second pulse (KCC, KRB) and by INITIALIZE, and cleared only by a start unit: a KCC between two characters
-loses nothing, and the reader never goes faster than 10 a second.
+Receiver: its buffer is the shift register itself, so a character must be read before the next start unit.
+READER RUN is set by the second pulse (KCC, KRB) and by INITIALIZE, and cleared only by a start unit: a KCC
+between two characters loses nothing, and the reader never goes faster than 10 a second.
 
-Transmitter: loading it while it is busy ors into what is left of the character and puts a new end marker behind it,
-which makes one longer, garbled character.
+Transmitter: loading it while it is busy ors into what is left of the character and puts a new end marker
+behind it, which makes one longer, garbled character.
 
-By convention: a transmission from idle starts with the pulse itself (the 220 Hz clock of the real one runs free,
-0 to 4.5 ms of delay); the reader starts as soon as READER RUN lets it; a key pressed while the line is busy waits for
-it; the printer takes a space after its eighth data unit for a new start unit, and finishes with marks what a line that
-fell silent has begun. INITIALIZE silences the transmitter so, and the receiver drops what it has half received.
+By convention: a transmission from idle starts with the pulse itself (the 220 Hz clock of the real one runs
+free, 0 to 4.5 ms of delay); the reader starts as soon as READER RUN lets it; a key pressed while the line is
+busy waits for it; the printer takes a space after its eighth data unit for a new start unit, and finishes
+with marks what a line that fell silent has begun. INITIALIZE silences the transmitter so, and the receiver
+drops what it has half received.
 
-Not emulated: LOCAL, BREAK, answer-back, the reader's trip latency; a START key pressed in the middle of an incoming
-character makes a real receiver take one of its later spaces for a start unit.
+Not emulated: LOCAL, BREAK, answer-back, the reader's trip latency; a START key pressed in the middle of an
+incoming character makes a real receiver take one of its later spaces for a start unit.
 
-Sources: DEC M706 and M707 module schematics; Small Computer Handbook 1970 (Teletype control); PDP-8/I instruction card.
+Sources: DEC M706 and M707 module schematics; Small Computer Handbook 1970 (Teletype control); PDP-8/I
+instruction card.
 """
 
 from collections.abc import Callable
@@ -40,7 +42,9 @@ _MARKER = 0o400
 
 
 def half_units(count: int) -> int:
-    """Return the ticks of `count` half units of the line, to the nearest tick: 17 are 1 545 455, 18 are 1 636 364."""
+    """Return the ticks of `count` half units of the line, to the nearest tick: 17 are 1 545 455, 18 are 1 636
+    364.
+    """
     return (count * (FRAME // 2) + 5) // 11
 
 
@@ -94,7 +98,7 @@ class Keyboard:
         self.waiting = bytearray()
 
     def press(self, frames: bytes) -> None:
-        """Press the keys that send `frames`, one after another; a Model 33 sends channel 8 set (A is 0o301)."""
+        """Press the keys that send `frames`, one after another; a Model 33 sets channel 8 (A is 0o301)."""
         self.waiting += frames
         self.receiver.look()
 
@@ -122,7 +126,7 @@ class Receiver(Device):
         """The tick of the next thing that happens here; `due` is the next that moves the flag."""
 
     def look(self) -> None:
-        """Look at once whether something is waiting for the idle line: somebody touched key, tape or lever."""
+        """Look at once whether something waits for the idle line: somebody touched key, tape or lever."""
         if self.stage == 0:
             self.step = self.due = _AT_ONCE
 
@@ -301,7 +305,9 @@ class Transmitter(Device):
             self.select(1)
 
     def finish(self) -> None:
-        """Let the printer finish what is on the line, as it does while a processor stands still; the flag keeps its time."""
+        """Let the printer finish what is on the line, as it does while a processor stands still; the flag
+        keeps its time.
+        """
         rest = 0 if self.printed else self.register
         while rest:
             self.select(rest & 1)
@@ -310,7 +316,9 @@ class Transmitter(Device):
         self.printed = 1 if self.register else 0
 
     def select(self, mark: int) -> None:
-        """Let the printer's selector take one unit off the line; after the eighth, printer and punch have a frame."""
+        """Let the printer's selector take one unit off the line; after the eighth, printer and punch have a
+        frame.
+        """
         if self.unit:
             self.selected |= mark << self.unit - 1
             self.unit += 1

@@ -1,12 +1,12 @@
 """Loops that only wait, and how many turns of one can be passed over at once without anybody noticing.
 
-A program waits when it comes back to an instruction with the same AC and L, no word of core changed, nothing told to
-a device and nothing happened in one since it was last there: KSF, JMP .-1 and its kin, JMP . under interrupt, a ring of
-several flag tests. Every further turn is the same turn until the next event of a device. A delay loop, ISZ X and
-JMP .-1, is a count and nothing else until X runs out.
+A program waits when it comes back to an instruction with the same AC and L, no word of core changed, nothing
+told to a device and nothing happened in one since it was last there: KSF, JMP .-1 and its kin, JMP . under
+interrupt, a ring of several flag tests. Every further turn is the same turn until the next event of a device.
+A delay loop, ISZ X and JMP .-1, is a count and nothing else until X runs out.
 
-Passing over stops short of the event, so that what the event does is done by the processor itself. The count of
-instructions and of ticks stays exact.
+Passing over stops short of the event, so that what the event does is done by the processor itself. The count
+of instructions and of ticks stays exact.
 """
 
 from pdp8.bus import NEVER
