@@ -1,0 +1,49 @@
+"""What the tests of several packages share: the installed commands, and how two tapes are compared."""
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+BIN = Path(sys.executable).parent
+
+Shell = Callable[..., "subprocess.CompletedProcess[bytes]"]
+
+
+@pytest.fixture
+def shell(tmp_path: Path) -> Shell:
+    """Run a command line in an empty folder, our commands first on the PATH; return the finished process."""
+    environment = {**os.environ, "PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "100"}
+
+    def run(line: str, stdin: bytes = b"") -> "subprocess.CompletedProcess[bytes]":
+        return subprocess.run(
+            ["bash", "-c", line], input=stdin, capture_output=True, cwd=tmp_path, env=environment, check=False
+        )
+
+    return run
+
+
+def holes(frame: int | None) -> str:
+    """Return a frame as its row of holes, channel 8 first, the sprocket between 4 and 3."""
+    if frame is None:
+        return "(no frame)"
+    row = "".join("o" if frame & 1 << channel else "-" for channel in range(7, -1, -1))
+    return f"{row[:5]}.{row[5:]} {frame:03o}"
+
+
+def assert_same_tape(ours: bytes, expected: bytes) -> None:
+    """Compare two tapes; the first difference is shown as holes."""
+    if ours == expected:
+        return
+    at = next(
+        (i for i, pair in enumerate(zip(ours, expected, strict=False)) if pair[0] != pair[1]),
+        min(len(ours), len(expected)),
+    )
+    there, here = (tape[at] if at < len(tape) else None for tape in (ours, expected))
+    pytest.fail(
+        f"tapes of {len(ours)} and {len(expected)} frames differ first at frame {at}: "
+        f"{holes(there)} where {holes(here)} was expected"
+    )

@@ -1,0 +1,194 @@
+"""The main job: the 1971 chain from part program to EIA tape, through the commands as a user types them."""
+
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import BIN, Shell, assert_same_tape
+
+# The thesis, Appendix B: P0 to P9, PCR; a space is an EIA zero. Everything else punches nothing.
+EIA = {
+    "0": 0o040, "1": 0o001, "2": 0o002, "3": 0o023, "4": 0o004, "5": 0o025,
+    "6": 0o026, "7": 0o007, "8": 0o010, "9": 0o031, " ": 0o040, "\n": 0o200,
+}  # fmt: skip
+SAMPLES = Path(__file__).parent.parent / "tapes"
+
+
+def expected_eia(lines: str) -> bytes:
+    """Translate part program lines as the thesis describes it; the start-up TLS punches a blank frame first."""
+    return b"\0" + bytes(EIA[character] for character in lines)
+
+
+def part(shell: Shell, name: str) -> str:
+    made = shell(f"pdp8 part {name} --parity none --fill 0")
+    assert made.returncode == 0, made.stderr
+    return made.stdout.decode("ascii").replace("\r\n", "\n")
+
+
+@pytest.mark.parametrize(
+    ("name", "blocks", "frames", "minutes"),
+    [("circle", 666, 13_321, "29 min 58."), ("ellipse", 976, 19_521, "43 min 55.")],
+)
+def test_part_program_to_eia_tape(shell: Shell, name: str, blocks: int, frames: int, minutes: str) -> None:
+    lines = part(shell, name)
+    assert shell(f"pdp8 part {name} > {name}.asc").returncode == 0
+    done = shell(f"pdp8 run eia.pal < {name}.asc > {name}.eia; cat {name}.eia")
+    tape = done.stdout
+    assert len(lines.splitlines()) == blocks
+    assert len(tape) == frames
+    assert tape[0] == 0
+    rows = tape[1:]
+    assert {rows[end] for end in range(19, len(rows), 20)} == {0o200}
+    assert rows.count(0o200) == blocks
+    assert all(row.bit_count() % 2 for row in rows)
+    assert_same_tape(tape, expected_eia(lines))
+    assert minutes in done.stderr.decode()
+    assert f"{blocks * 27:,} frames read, {frames:,} frames punched" in done.stderr.decode()
+
+
+@pytest.mark.parametrize(
+    "options", ["--parity mark", "--parity even", "--parity none", "--fill 0", "--fill 2"]
+)
+def test_parity_and_fill_leave_no_trace(shell: Shell, options: str) -> None:
+    done = shell(f"pdp8 part circle {options} | pdp8 run eia.pal --quiet")
+    assert_same_tape(done.stdout, (SAMPLES / "circle.eia").read_bytes())
+    assert done.stderr == b""
+
+
+def test_other_characters_punch_nothing(shell: Shell) -> None:
+    noise = bytes(code for code in range(256) if chr(code & 0o177) not in "0123456789 \r")
+    done = shell("pdp8 run eia.pal --quiet", noise + b"7" + noise + b"\r" + noise)
+    assert_same_tape(done.stdout, bytes([0, 0o007, 0o200]))
+
+
+@pytest.mark.parametrize("name", ["circle", "ellipse"])
+def test_sample_tapes_are_what_the_chain_makes(shell: Shell, name: str) -> None:
+    assert_same_tape((SAMPLES / f"{name}.asc").read_bytes(), shell(f"pdp8 part {name}").stdout)
+    made = shell(f"pdp8 run eia.pal --reader {name}.asc --quiet").stdout
+    assert_same_tape((SAMPLES / f"{name}.eia").read_bytes(), made)
+
+
+def test_the_bundled_bin_tape_is_what_pal_makes(shell: Shell) -> None:
+    assert shell("pal eia.pal -o made.bin").returncode == 0
+    assert_same_tape((SAMPLES / "eia.bin").read_bytes(), shell("cat made.bin").stdout)
+    done = shell("pdp8 run made.bin --quiet < /dev/null")
+    assert done.stdout == b"\0"
+
+
+def test_a_file_of_the_current_folder_comes_before_a_bundled_one(shell: Shell) -> None:
+    done = shell("printf '*200\\nHLT\\n$\\n' > eia.pal; pdp8 run eia.pal < /dev/null")
+    assert done.returncode == 0
+    assert b"HLT at 0200" in done.stderr
+
+
+def test_an_empty_tape_is_no_error(shell: Shell) -> None:
+    done = shell("pdp8 run eia.pal < /dev/null")
+    assert (done.returncode, done.stdout) == (0, b"\0")
+    assert b"no frames read" in done.stderr
+
+
+def test_a_tape_without_carriage_returns_is_named(shell: Shell) -> None:
+    done = shell("pdp8 run eia.pal", b"0010190000000000002\n")
+    assert done.returncode == 0
+    assert b"no carriage returns" in done.stderr
+    assert b"pdp8 tape punch" in done.stderr
+
+
+def test_max_time_ends_a_program_that_never_stops(shell: Shell) -> None:
+    done = shell("printf '*200\\nL,IAC\\nJMP L\\n$\\n' > l.pal; pdp8 run l.pal --max-time 0.5 < /dev/null")
+    assert done.returncode == 1
+    assert b"still running" in done.stderr
+
+
+def test_an_endless_loop_says_so(shell: Shell) -> None:
+    done = shell("printf '*200\\nJMP .\\n$\\n' > l.pal; pdp8 run l.pal < /dev/null")
+    assert done.returncode == 1
+    assert b"an endless loop at 0200" in done.stderr
+
+
+BROKEN = {
+    "an empty program": ("pdp8 run empty.bin", "empty.bin: the program tape is empty"),
+    "a directory": ("mkdir -p d; pdp8 run d", "d: Is a directory"),
+    "no such file": ("pdp8 run nowhere.bin", "nowhere.bin: no such file"),
+    "a tape cut short": ("head -c 200 $S/eia.bin > cut.bin; pdp8 run cut.bin", "cut.bin: frame 200: "),
+    "a wrong checksum": (
+        "python3 -c \"import sys; t=bytearray(open('$S/eia.bin','rb').read()); t[70]^=1; "
+        "open('bad.bin','wb').write(t)\"; pdp8 run bad.bin",
+        "checksum: computed",
+    ),
+    "another field": (
+        "python3 -c \"open('f.bin','wb').write(bytes([128]*9+[0o310,0o102,0,0,1,1,3]+[128]*9))\"; pdp8 run f.bin",
+        "frame 9: field 1",
+    ),
+    "no tape at all": ("head -c 100 /dev/zero | tr '\\0' '\\305' > x; pdp8 run x", "x: neither PAL source"),
+    "a program with errors": ("printf 'JMP 400\\n$\\n' > e.pal; pdp8 run e.pal", "e.pal"),
+    "no tape file": ("pdp8 run eia.pal --reader nowhere.asc", "nowhere.asc: no such file"),
+    "a full disk": ("pdp8 run eia.pal --reader circle.asc --punch /dev/full", "/dev/full: No space left"),
+    "a full disk behind": (
+        "pdp8 run eia.pal --reader circle.asc > /dev/full",
+        "standard output: No space left",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", BROKEN)
+def test_what_cannot_be_run_is_named(shell: Shell, case: str) -> None:
+    line, message = BROKEN[case]
+    done = shell(f": > empty.bin; S={SAMPLES}; {line} < /dev/null")
+    assert done.returncode == 1, done.stderr
+    assert message in done.stderr.decode()
+    assert "Traceback" not in done.stderr.decode()
+
+
+@pytest.mark.parametrize("options", ["--start 9", "--start 10000", "--max-time -1", "--sr x", "--nonsense"])
+def test_misuse_is_status_2(shell: Shell, options: str) -> None:
+    assert shell(f"pdp8 run eia.pal {options}").returncode == 2
+
+
+def test_a_closed_pipe_is_quiet(shell: Shell) -> None:
+    done = shell("pdp8 run eia.pal --reader circle.asc --quiet | head -c 21 | wc -c")
+    assert done.stdout.strip() == b"21"
+    assert done.stderr == b""
+
+
+def test_ctrl_c_keeps_what_was_punched(tmp_path: Path) -> None:
+    running = subprocess.Popen(
+        [BIN / "pdp8", "run", "eia.pal", "--reader", "circle.asc", "--punch", "out.eia", "--realtime"],
+        stderr=subprocess.PIPE,
+        cwd=tmp_path,
+    )
+    out = tmp_path / "out.eia"
+    for _ in range(200):
+        time.sleep(0.05)
+        if out.exists() and out.stat().st_size > 10:
+            break
+    running.send_signal(signal.SIGINT)
+    _, said = running.communicate(timeout=20)
+    assert running.returncode == 130
+    assert b"interrupted at 02" in said
+    punched = out.read_bytes()
+    assert 10 < len(punched) < 1000
+    assert_same_tape(punched, (SAMPLES / "circle.eia").read_bytes()[: len(punched)])
+
+
+def test_output_appears_as_it_is_punched() -> None:
+    """Read the pipe while the machine still runs: it is paced, so the whole tape would take 22 minutes."""
+    with subprocess.Popen(
+        [BIN / "pdp8", "run", "eia.pal", "--reader", "circle.asc", "--realtime", "--quiet"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+    ) as running:
+        assert running.stdout is not None
+        first = running.stdout.read(5)
+        alive = running.poll() is None
+        running.kill()
+    assert alive
+    assert_same_tape(first, (SAMPLES / "circle.eia").read_bytes()[:5])
+
+
+def test_the_interpreter_is_the_one_installed() -> None:
+    assert (BIN / "pdp8").exists(), f"install the project into {sys.prefix} first: make test"
