@@ -124,15 +124,14 @@ def decode(frames: bytes) -> Content:
 
 def read(frames: bytes) -> Reading:
     """Return the tape section by section, its checksums unjudged. Raises TapeError as `decode` does."""
-    at = find_leader(frames)
+    at = _skip(frames, find_leader(frames), LEADER)
+    if at == len(frames):
+        raise TapeError("nothing but leader", at)
     sections: list[Section] = []
-    while (at := _data(frames, at)) < len(frames):
-        if sections and frames[at] >> 6 not in (1, 3):
-            break
+    while at < len(frames) and (not sections or frames[at] >> 6 in (1, 3)):
         section, at = _section(frames, at)
         sections.append(section)
-    if not sections:
-        raise TapeError("nothing but leader", 0)
+        at = _skip(frames, at, LEADER, BLANK)
     return Reading(tuple(sections), len(frames) - at)
 
 
@@ -152,9 +151,9 @@ def _load(section: Section, content: Content) -> None:
             address = address + 1 & 0o7777
 
 
-def _data(frames: bytes, at: int) -> int:
-    """Return the first frame from `at` on that is neither leader nor blank, or the tape's length."""
-    while at < len(frames) and frames[at] in (LEADER, BLANK):
+def _skip(frames: bytes, at: int, *codes: int) -> int:
+    """Return the first frame from `at` on that is none of `codes`, or the tape's length."""
+    while at < len(frames) and frames[at] in codes:
         at += 1
     return at
 

@@ -15,7 +15,15 @@ from tapes.errors import WorkError
 
 def run(command: click.Command, name: str, arguments: Sequence[str] | None = None) -> None:
     """Run `command` as program `name` and end the process with its exit status."""
+    _reopen_closed_streams()
     sys.exit(_status(command, name, arguments))
+
+
+def _reopen_closed_streams() -> None:
+    """Give a standard stream that the caller closed (`>&-`) nothing to read from or to write to."""
+    for stream, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, stream) is None:
+            setattr(sys, stream, os.fdopen(os.open(os.devnull, os.O_RDWR), mode))
 
 
 def _status(command: click.Command, name: str, arguments: Sequence[str] | None) -> int:
@@ -36,8 +44,8 @@ def _status(command: click.Command, name: str, arguments: Sequence[str] | None) 
         return 1
     except OSError as error:
         _silence(sys.stdout)
-        where = f"{error.filename}: " if error.filename else ""
-        return _complain(f"{name}: {where}{error.strerror or error}", 1)
+        where = error.filename or "standard output"  # every file's errors are named by the shelf
+        return _complain(f"{name}: {where}: {error.strerror or error}", 1)
     return status if isinstance(status, int) else 0
 
 

@@ -4,8 +4,8 @@
     bin, rim            words
     octal               the frames themselves, spelled out; they come back by the target "frames"
 
-Channel 8 of a tape that stays ASCII is punched anew and nothing else is touched, unless the fill is given
-too.
+Channel 8 of a tape that stays ASCII is punched anew and nothing else is touched, unless the fill is given too
+or it has LF without CR, as a text file has.
 """
 
 from tapes import ascii, binary, eia, frames, kinds, octal, rim
@@ -30,7 +30,7 @@ def convert(content: bytes, source: str, target: str, parity: str = "mark", fill
         return content
     if target == "octal":
         return octal.decode(content).encode("ascii")
-    if source == target == "ascii" and fill is None:
+    if source == target == "ascii" and fill is None and not _is_file(content):
         leader, body, trailer = frames.strip(content)
         return leader + frames.with_parity(body, parity) + trailer
     if source in CHARACTERS and target in CHARACTERS:
@@ -38,7 +38,9 @@ def convert(content: bytes, source: str, target: str, parity: str = "mark", fill
     if source in WORDS and target in WORDS:
         words = binary.decode(content).words if source == "bin" else rim.decode(content)
         return binary.encode(words) if target == "bin" else rim.encode(words)
-    raise TapeError(f"{_what(source)} cannot become {target}; octal takes any tape")
+    if not content:
+        raise TapeError("empty tape", 0)
+    raise TapeError(f"{_named(source)} cannot become {target}; octal takes any tape")
 
 
 def typed(content: bytes) -> str:
@@ -51,8 +53,12 @@ def typed(content: bytes) -> str:
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
-def _what(source: str) -> str:
+def _named(source: str) -> str:
     return {kinds.BLANK_TAPE: "a blank tape", kinds.UNKNOWN: "a tape of no known code"}.get(source, source)
+
+
+def _is_file(content: bytes) -> bool:
+    return b"\n" in content and b"\r" not in content.translate(frames.PARITIES["none"])
 
 
 def _characters(content: bytes, source: str) -> str:

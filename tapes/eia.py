@@ -58,9 +58,7 @@ def encode(text: str, skip: str = "") -> bytes:
     """
     frames = text.encode("ascii", "replace").translate(_TO_FRAME, skip.encode("ascii"))
     if _NO_CODE in frames:  # "replace" makes "?" of what is not ASCII, and that has no code either
-        index = next(
-            i for i, character in enumerate(text) if character.upper() not in CODES and character not in skip
-        )
+        index = next(i for i, character in enumerate(text) if not (character in skip or _has_code(character)))
         raise TextError(f"{text[index]!r} has no EIA code", text, index)
     return frames
 
@@ -87,6 +85,10 @@ def decode(frames: bytes, blank: str | None = None) -> str:
 def name(frame: int) -> str:
     """Return the character as a picture shows it: itself, the name of its function, or "?" for none."""
     return _NAMES.get(frame) or CHARACTERS.get(frame, "?")
+
+
+def _has_code(character: str) -> bool:
+    return character.isascii() and character.upper() in CODES
 
 
 def _complaint(frame: int) -> str:

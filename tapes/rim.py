@@ -40,7 +40,7 @@ def decode(frames: bytes) -> dict[int, int]:
     Raises TapeError naming the frame: an empty tape, no leader, a frame out of place, a tape cut short.
     """
     start = find_leader(frames)
-    end = len(frames.rstrip(b"\0"))
+    end = _end(frames)
     words = {}
     at = start
     while at < end:
@@ -56,6 +56,12 @@ def decode(frames: bytes) -> dict[int, int]:
     if frames[end - 1] != LEADER:
         raise TapeError("the tape is cut short: it has no trailer", end)
     return words
+
+
+def _end(frames: bytes) -> int:
+    """Return where the trailer ends, blank tape apart; with no trailer, where the tape ends."""
+    end = len(frames.rstrip(b"\0"))
+    return end if frames[end - 1] == LEADER else len(frames)
 
 
 def _check(group: bytes, at: int, cut: bool) -> None:

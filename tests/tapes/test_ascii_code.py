@@ -1,0 +1,96 @@
+"""ASCII tapes: line ends, fill, parity."""
+
+import time
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tapes import ascii
+from tapes.errors import TapeError, TextError
+from tests.tapes.strips import assert_same, octal
+
+
+def test_a_line_as_the_thesis_has_it() -> None:
+    """Channel 8 always punched, CR LF and six RUBOUTs."""
+    expected = "240 261 260 261 271 215 212 377 377 377 377 377 377"
+    assert_same(ascii.encode(" 1019\n"), octal(expected))
+
+
+@pytest.mark.parametrize(
+    ("parity", "fill", "expected"),
+    [
+        ("even", 2, "060 261 215 012 377 377"),
+        ("none", 1, "060 061 015 012 177"),
+        ("odd", 1, "260 061 015 212 177"),
+        ("mark", 0, "260 261 215 212"),
+    ],
+)
+def test_parity_and_fill(parity: str, fill: int, expected: str) -> None:
+    assert_same(ascii.encode("01\n", parity, fill), octal(expected))
+
+
+def test_666_lines_of_19_characters_are_17982_frames() -> None:
+    assert len(ascii.encode(("0" * 19 + "\n") * 666)) == 17_982
+
+
+@given(
+    st.text(st.characters(min_codepoint=0o040, max_codepoint=0o176) | st.sampled_from("\n\t\f\a")),
+    st.sampled_from(["mark", "even", "odd", "none"]),
+    st.integers(0, 12),
+)
+def test_what_is_punched_is_read(text: str, parity: str, fill: int) -> None:
+    assert ascii.decode(ascii.encode(text, parity, fill)) == text
+
+
+@pytest.mark.parametrize(
+    ("tape", "text"),
+    [
+        ("000 000 301 215 212 377 302 200 200", "A\nB"),
+        ("101 015 102 012 103", "A\nB\nC"),
+        ("101 015 012 015 012", "A\n\n"),
+        ("", ""),
+    ],
+)
+def test_lines_however_they_end(tape: str, text: str) -> None:
+    assert ascii.decode(octal(tape)) == text
+
+
+@given(st.binary())
+def test_any_tape_has_a_reading(tape: bytes) -> None:
+    assert ascii.decode(tape).isascii()
+
+
+def test_a_character_without_a_code_is_named_by_line_and_column() -> None:
+    with pytest.raises(TextError, match="line 2, column 3: 'é' is no ASCII character"):
+        ascii.encode("AB\nCDé\n")
+
+
+def test_impossible_fill_and_parity() -> None:
+    with pytest.raises(TapeError, match="-1 RUBOUTs"):
+        ascii.encode("A", fill=-1)
+    with pytest.raises(TapeError, match="no parity"):
+        ascii.encode("A", "both")
+
+
+@pytest.mark.parametrize(
+    ("frame", "name"),
+    [
+        (0o301, "A"),
+        (0o101, "A"),
+        (0o215, "CR"),
+        (0o377, "RUBOUT"),
+        (0o200, "leader"),
+        (0o000, "blank"),
+        (0o204, "EOT"),
+    ],
+)
+def test_names(frame: int, name: str) -> None:
+    assert ascii.name(frame) == name
+
+
+def test_twenty_thousand_frames_in_milliseconds() -> None:
+    text = ("0" * 19 + "\n") * 741
+    started = time.perf_counter()
+    assert len(ascii.decode(ascii.encode(text))) == len(text)
+    assert time.perf_counter() - started < 0.1

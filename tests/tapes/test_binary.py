@@ -1,0 +1,175 @@
+"""BIN tapes: DEC's own, SIMH's and palbart's reading of them, and everything that can be wrong with one."""
+
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from tapes import binary
+from tapes.errors import TapeError
+from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, assert_same, octal, palbart, refused, simh
+
+WORDS = st.dictionaries(st.integers(0, 0o7777), st.integers(0, 0o7777))
+
+
+def tape(body: str) -> bytes:
+    return LEADER + octal(body) + LEADER
+
+
+def test_the_canonical_tape() -> None:
+    made = binary.encode({0o201: 0o7402, 0o200: 0o7300, 0o400: 0o0001})
+    # checksum: 102+000+073+000+074+002 + 104+000+000+001, octal
+    assert_same(made, tape("102 000 073 000 074 002 104 000 000 001 004 000"))
+
+
+def test_a_tape_of_dec_s_assembler() -> None:
+    """Start-up frame, redundant origin and all; the words are those of its own listing."""
+    assert binary.decode(FORMAT_BIN) == (FORMAT_WORDS, {})
+
+
+def test_items_keep_the_tape_s_order_and_frames() -> None:
+    (section,) = binary.read(FORMAT_BIN).sections
+    assert section.items[:3] == (("origin", 0o200, 65), ("origin", 0o200, 67), ("word", 1, 69))
+    assert (section.computed, section.punched, section.frame) == (0o1251, 0o1251, 119)
+
+
+@given(WORDS)
+@example({0o7777: 1, 0: 2})
+@example({})
+def test_what_is_punched_is_read(words: dict[int, int]) -> None:
+    assert binary.decode(binary.encode(words)) == (words, {})
+
+
+def test_fields_have_their_own_frame_which_is_not_summed() -> None:
+    made = binary.encode({0o07777: 1, 0o10000: 2, 0o70000: 3})
+    # 177+077+001 + 100+000+002 + 100+000+003 = 0504 octal
+    assert_same(made, tape("177 077 000 001 310 100 000 000 002 370 100 000 000 003 005 004"))
+    assert binary.decode(made) == ({0o07777: 1, 0o10000: 2, 0o70000: 3}, {1: 68, 7: 73})
+
+
+def test_a_field_right_after_the_leader() -> None:
+    assert binary.decode(tape("310 102 000 000 001 001 003")) == ({0o10200: 1}, {1: 64})
+
+
+def test_words_are_masked_and_addresses_are_not() -> None:
+    assert binary.encode({0: -1}) == binary.encode({0: 0o7777})
+    with pytest.raises(TapeError, match="address 100000"):
+        binary.encode({0o100000: 0})
+
+
+def test_the_checksum_wraps_at_12_bits() -> None:
+    words = dict.fromkeys(range(0o1000), 0o7777)
+    assert binary.decode(binary.encode(words)).words == words
+
+
+def test_what_stands_between_rubouts_is_not_read() -> None:
+    """A message typed by the ASR-33 in the middle of its own punching, leader codes and all."""
+    message = "377 215 212 311 322 200 101 102 377"
+    plain = tape("102 000 073 000 001 075")
+    assert binary.decode(tape(f"{message} 102 000 {message} 073 000 {message} 001 075")) == binary.decode(
+        plain
+    )
+
+
+def test_blank_tape_before_the_leader_and_after_the_trailer() -> None:
+    assert binary.decode(bytes(50) + FORMAT_BIN + bytes(50)).words == FORMAT_WORDS
+
+
+def test_sections_follow_each_other_and_the_later_word_stays() -> None:
+    two = (
+        binary.encode({0o200: 1, 0o201: 2})
+        + bytes(9)
+        + binary.encode({0o201: 3})
+        + binary.encode({0o10000: 4})
+    )
+    content = binary.decode(two)
+    assert content.words == {0o200: 1, 0o201: 3, 0o10000: 4}
+    assert len(binary.read(two).sections) == 3
+
+
+def test_a_section_starts_in_field_0_again() -> None:
+    assert binary.decode(binary.encode({0o10000: 4}) + binary.encode({0: 5})).words == {0o10000: 4, 0: 5}
+
+
+def test_junk_after_the_trailer_is_counted_and_not_read() -> None:
+    junk = FORMAT_BIN + octal("032 032 101")
+    assert binary.decode(junk).words == FORMAT_WORDS
+    assert binary.read(junk).unread == 3
+
+
+def test_origins_may_overlap_and_wrap() -> None:
+    assert binary.decode(tape("177 077 000 001 000 002 177 077 000 003 006 002")).words == {0o7777: 3, 0: 2}
+
+
+@pytest.mark.parametrize(
+    ("frames", "frame", "message"),
+    [
+        (b"", 0, "empty tape"),
+        (bytes(20), 0, "nothing but blank tape"),
+        (LEADER, 64, "nothing but leader"),
+        (octal("102 000 073 000 001 075 200"), 0, r"102 where the leader \(200\) was expected"),
+        (bytes(3) + b"/ A PROGRAM\n", 3, "057 where the leader"),
+        (LEADER + octal("102 000 073 000"), 68, "cut short: it has no trailer"),
+        (LEADER + octal("102 000 073"), 67, "cut short inside a word"),
+        (LEADER + octal("102 000 377 101"), 66, "this rubout has no other"),
+        (tape("102 000 073 000 002 076"), 68, "checksum: computed 0175, punched 0276"),
+        (tape("102 000 073 000 074 002 102 000"), 72, "the trailer where a checksum was expected"),
+        (tape("102 000 073 102"), 67, "102 where the second half of a word was expected"),
+        (tape("102 000 073 200"), 67, "200 where the second half of a word was expected"),
+        (tape("073 000 074 002 001 071"), 64, "a word before any origin"),
+        (tape("102 000 215 000"), 66, "215 is no frame of a BIN tape"),
+        (FORMAT_BIN[:60], 60, "nothing but leader"),
+        (LEADER + bytes(4) + FORMAT_BIN[65:], 64, "a word before any origin"),
+        (FORMAT_BIN[:100], 100, "cut short"),
+        (FORMAT_BIN + binary.encode({1: 1})[:70], 255, "cut short"),
+    ],
+)
+def test_what_is_wrong_and_where(frames: bytes, frame: int, message: str) -> None:
+    with pytest.raises(TapeError, match=message) as caught:
+        binary.decode(frames)
+    assert caught.value.frame == frame
+
+
+@pytest.mark.parametrize("frame", range(65, 119))
+@pytest.mark.parametrize("hole", [1 << channel for channel in range(8)])
+def test_one_wrong_hole_is_always_noticed(frame: int, hole: int) -> None:
+    """A single wrong hole in a frame of DEC's tape, leader and checksum apart, is refused."""
+    damaged = bytearray(FORMAT_BIN)
+    damaged[frame] ^= hole
+    assert refused(binary.decode, bytes(damaged)), f"frame {frame} as {damaged[frame]:03o} was read"
+
+
+@given(st.binary())
+def test_any_frames_are_read_or_refused_with_their_place(frames: bytes) -> None:
+    for attempt in (frames, LEADER + frames + LEADER):
+        error = refused(binary.decode, attempt)
+        assert error is None or error.frame in range(len(attempt) + 1)
+
+
+def test_simh_loads_the_same_words(tmp_path: Path) -> None:
+    words = {address: address * 0o1357 + 0o2461 & 0o7777 for address in range(0, 0o10000, 3)} | FORMAT_WORDS
+    (tmp_path / "x.bin").write_bytes(binary.encode(words))
+    (tmp_path / "x.ini").write_text("load x.bin\nexamine 0-7777\nquit\n")
+    said = subprocess.run(
+        [simh(), "x.ini"], cwd=tmp_path, capture_output=True, text=True, timeout=60, check=True
+    ).stdout
+    lines = (line.split(":\t") for line in said.splitlines() if ":\t" in line)
+    core = {int(address, 8): int(word, 8) for address, word in lines}
+    assert core == {address: words.get(address, 0) for address in range(0o10000)}
+
+
+def test_palbart_punches_the_words_of_its_listing(tmp_path: Path) -> None:
+    (tmp_path / "x.pal").write_text("*200\n CLA CLL\n TAD 300\n HLT\n*300\n 1234\n*7777\n 4321\n$\n")
+    subprocess.run([palbart(), "x.pal"], cwd=tmp_path, capture_output=True, timeout=20, check=True)
+    words = {0o200: 0o7300, 0o201: 0o1300, 0o202: 0o7402, 0o300: 0o1234, 0o7777: 0o4321}
+    assert binary.decode((tmp_path / "x.bin").read_bytes()).words == words
+
+
+def test_the_whole_of_core_in_milliseconds() -> None:
+    words = {address: address ^ 0o5252 for address in range(0o10000)}
+    started = time.perf_counter()
+    assert binary.decode(binary.encode(words)).words == words
+    assert time.perf_counter() - started < 0.2

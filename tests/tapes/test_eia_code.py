@@ -1,0 +1,122 @@
+"""EIA RS-244 against its own rule, the published hexadecimal table, and the thesis's constants."""
+
+import time
+from string import ascii_uppercase
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tapes import eia
+from tapes.errors import TapeError, TextError
+from tests.tapes.strips import assert_same, octal, refused
+
+TABLE = """
+0 20  1 01  2 02  3 13  4 04  5 15  6 16  7 07  8 08  9 19
+A 61  B 62  C 73  D 64  E 75  F 76  G 67  H 68  I 79
+J 51  K 52  L 43  M 54  N 45  O 46  P 57  Q 58  R 49
+S 32  T 23  U 34  V 25  W 26  X 37  Y 38  Z 29
+/ 31  . 6B  , 3B  + 70  - 40  & 0E  ( 1A  ) 4A  % 0B
+"""
+"""Hexadecimal, as N/C manuals print it; % is the stop code."""
+
+NAMED = {" ": 0x10, "\n": 0x80, "\b": 0x2A, "\t": 0x3E, eia.UPPER_CASE: 0x7C, eia.LOWER_CASE: 0x7A}
+
+
+def published() -> dict[str, int]:
+    words = TABLE.split()
+    return {character: int(code, 16) for character, code in zip(words[::2], words[1::2], strict=True)} | NAMED
+
+
+def by_the_rule(zone: int, digit: int) -> int:
+    """BCD digit in channels 1-4, zone in 6 and 7, channel 5 making the number of holes odd."""
+    code = zone | digit
+    return code if code.bit_count() % 2 else code | 0o020
+
+
+def test_the_whole_table() -> None:
+    assert published() == eia.CODES
+
+
+@pytest.mark.parametrize(("first", "zone", "digit"), [("A", 0o140, 1), ("J", 0o100, 1), ("S", 0o040, 2)])
+def test_letters_follow_the_rule(first: str, zone: int, digit: int) -> None:
+    at = ascii_uppercase.index(first)
+    for offset, letter in enumerate(ascii_uppercase[at : at + 10 - digit]):
+        assert eia.CODES[letter] == by_the_rule(zone, digit + offset), letter
+
+
+def test_digits_follow_the_rule() -> None:
+    assert eia.CODES["0"] == 0o040, "a hole in channel 6, so that zero is not blank tape"
+    for digit in range(1, 10):
+        assert eia.CODES[str(digit)] == by_the_rule(0, digit)
+
+
+def test_the_constants_of_appendix_b() -> None:
+    expected = octal("040 001 002 023 004 025 026 007 010 031 200")
+    assert_same(eia.encode("0123456789\n"), expected)
+
+
+def test_every_code_is_odd_and_no_two_are_equal() -> None:
+    assert all(code.bit_count() % 2 for code in eia.CODES.values())
+    assert len(set(eia.CODES.values())) == len(eia.CODES)
+
+
+@given(st.text(st.sampled_from(sorted(eia.CODES))))
+def test_what_is_punched_is_read(text: str) -> None:
+    assert eia.decode(eia.encode(text)) == text
+
+
+def test_small_letters_have_the_code_of_capitals() -> None:
+    assert eia.encode("g01x") == eia.encode("G01X")
+
+
+def test_blank_tape_around_the_data_and_deletes_in_it_say_nothing() -> None:
+    assert eia.decode(octal("000 000 001 177 002 200 000")) == "12\n"
+    assert eia.decode(b"") == eia.decode(bytes(7)) == ""
+
+
+def test_a_blank_frame_inside_the_data() -> None:
+    tape = octal("000 001 000 002 200")
+    with pytest.raises(TapeError, match="frame 2: blank frame inside the data") as caught:
+        eia.decode(tape)
+    assert caught.value.frame == 2
+    assert eia.decode(tape, blank="0") == "102\n"
+    assert eia.decode(tape, blank="") == "12\n"
+
+
+def test_exactly_the_assigned_frames_are_read() -> None:
+    read = {frame for frame in range(1, 256) if refused(eia.decode, bytes([frame])) is None}
+    assert read == set(eia.CODES.values()) | {eia.DELETE}
+
+
+@pytest.mark.parametrize(
+    ("tape", "message"),
+    [
+        ("000 040 003 200", r"frame 2: 003 \(channels 2 1\) is no EIA code: an even number of holes"),
+        ("040 133", r"frame 1: 133 \(channels 7 5 4 2 1\) is no EIA code: not assigned"),
+        ("040 377 000 001", r"frame 1: 377"),
+        ("040 000 377 001", r"frame 1: blank"),
+    ],
+)
+def test_the_first_bad_frame_is_named(tape: str, message: str) -> None:
+    with pytest.raises(TapeError, match=message):
+        eia.decode(octal(tape))
+
+
+@pytest.mark.parametrize("character", ["!", "é", "Ā", "?", "\r", "ı"])
+def test_a_character_without_a_code_is_named_by_line_and_column(character: str) -> None:
+    with pytest.raises(TextError, match=r"line 2, column 3: .* has no EIA code"):
+        eia.encode(f"12\n34{character}\n")
+
+
+def test_skipped_characters_are_not_punched_and_still_counted_in_columns() -> None:
+    assert eia.encode("00 1", skip=" ") == eia.encode("001")
+    with pytest.raises(TextError, match="column 4: '!'"):
+        eia.encode("0 1!", skip=" ")
+
+
+def test_twenty_thousand_frames_in_milliseconds() -> None:
+    text = ("0" * 19 + "\n") * 1000
+    started = time.perf_counter()
+    assert eia.decode(eia.encode(text)) == text
+    assert time.perf_counter() - started < 0.1

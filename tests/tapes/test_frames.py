@@ -1,0 +1,66 @@
+"""Channels, parity, leader and trailer, a frame drawn."""
+
+import pytest
+
+from tapes import frames
+from tapes.errors import TapeError
+from tests.tapes.strips import octal
+
+
+@pytest.mark.parametrize(
+    ("parity", "punched"),
+    [  # A 101, C 103, CR 015, LF 012, space 040, RUBOUT 177, blank 000; by counting holes
+        ("mark", "301 303 215 212 240 377 200"),
+        ("even", "101 303 215 012 240 377 000"),
+        ("odd", "301 103 015 212 040 177 200"),
+        ("none", "101 103 015 012 040 177 000"),
+    ],
+)
+def test_parity(parity: str, punched: str) -> None:
+    assert frames.with_parity(octal("101 103 015 012 040 177 000"), parity) == octal(punched)
+    assert frames.with_parity(octal("301 303 215 212 240 377 200"), parity) == octal(punched)
+
+
+@pytest.mark.parametrize("parity", ["mark", "even", "odd", "none"])
+def test_parity_is_told_from_the_characters(parity: str) -> None:
+    tape = bytes(8) + frames.with_parity(b"TAD HOLD\r\n", parity) + octal("377 377") + frames.leader(9)
+    assert frames.parity(tape) == parity
+
+
+def test_mixed_parity() -> None:
+    assert frames.parity(octal("301 101 303")) == "mixed"
+
+
+def test_unknown_parity_is_an_error() -> None:
+    with pytest.raises(TapeError, match="no parity is called 'space': mark, even, odd, none"):
+        frames.with_parity(b"A", "space")
+
+
+@pytest.mark.parametrize("frame", range(256))
+def test_every_frame_drawn(frame: int) -> None:
+    drawn = frames.draw(frame)
+    assert drawn[5] == "."
+    assert int((drawn[:5] + drawn[6:]).replace("o", "1").replace(" ", "0"), 2) == frame
+    assert sum(1 << channel - 1 for channel in frames.channels(frame)) == frame
+
+
+def test_a_frame_of_the_handbook() -> None:
+    assert frames.draw(0o301) == "oo   .  o"
+    assert frames.channels(0o301) == (8, 7, 1)
+
+
+@pytest.mark.parametrize(
+    ("tape", "leader", "body", "trailer"),
+    [
+        ("000 000 200 200 102 000 001 000 200 000", "000 000 200 200", "102 000 001 000", "200 000"),
+        ("102 000 001 002", "", "102 000 001 002", ""),
+        ("200 200", "200 200", "", ""),
+        ("", "", "", ""),
+    ],
+)
+def test_leader_body_trailer(tape: str, leader: str, body: str, trailer: str) -> None:
+    assert frames.strip(octal(tape)) == (octal(leader), octal(body), octal(trailer))
+
+
+def test_an_end_of_block_is_no_trailer() -> None:
+    assert frames.strip(octal("000 040 200 000"), frames.BLANK) == (b"\0", octal("040 200"), b"\0")

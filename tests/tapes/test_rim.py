@@ -1,0 +1,86 @@
+"""RIM tapes: the loader's own format, SIMH's and palbart's reading of it, and what can be wrong with one."""
+
+import subprocess
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tapes import rim
+from tapes.errors import TapeError
+from tests.tapes.strips import LEADER, assert_same, octal, palbart, refused, simh
+
+WORDS = st.dictionaries(st.integers(0, 0o7777), st.integers(0, 0o7777), min_size=1)
+GROUPS = "102 000 073 000 177 077 043 021"
+
+
+def test_address_and_word_in_four_frames() -> None:
+    assert_same(rim.encode({0o7777: 0o4321, 0o200: 0o7300}), LEADER + octal(GROUPS) + LEADER)
+
+
+@given(WORDS)
+def test_what_is_punched_is_read(words: dict[int, int]) -> None:
+    assert rim.decode(rim.encode(words)) == words
+
+
+def test_leader_between_the_words_and_blank_tape_around() -> None:
+    tape = bytes(9) + octal("200 200 102 000 073 000 200 200 102 001 074 002 200 000 000")
+    assert rim.decode(tape) == {0o200: 0o7300, 0o201: 0o7402}
+
+
+def test_the_later_word_stays() -> None:
+    assert rim.decode(octal("200 102 000 073 000 102 000 074 002 200")) == {0o200: 0o7402}
+
+
+def test_an_address_out_of_core() -> None:
+    with pytest.raises(TapeError, match="address 10000: a RIM tape can name only 0000 to 7777"):
+        rim.encode({0o10000: 0})
+
+
+@pytest.mark.parametrize(
+    ("frames", "frame", "message"),
+    [
+        ("", 0, "empty tape"),
+        ("000 000", 0, "nothing but blank tape"),
+        ("200 200", 0, "nothing but leader"),
+        ("000 102 000 073 000 200", 1, r"102 where the leader \(200\) was expected"),
+        ("200 102 000 073 000", 5, "no trailer"),
+        ("200 102 000 073", 4, "cut short inside a word"),
+        ("200 102 000 073 200", 4, "200 where the second half of a word was expected"),
+        ("200 102 102 073 000 200", 2, "102 where the second half of an address was expected"),
+        ("200 073 000 200", 1, "073 where the first half of an address was expected"),
+        ("200 102 000 073 000 074 002 200", 5, "074 where the first half of an address was expected"),
+        ("200 102 000 103 000 200", 3, "103 where a word was expected"),
+        ("200 300 000 103 000 200", 1, "300 where the first half of an address was expected"),
+    ],
+)
+def test_what_is_wrong_and_where(frames: str, frame: int, message: str) -> None:
+    with pytest.raises(TapeError, match=message) as caught:
+        rim.decode(octal(frames))
+    assert caught.value.frame == frame
+
+
+@given(st.binary())
+def test_any_frames_are_read_or_refused_with_their_place(frames: bytes) -> None:
+    for attempt in (frames, LEADER + frames + LEADER):
+        error = refused(rim.decode, attempt)
+        assert error is None or error.frame in range(len(attempt) + 1)
+
+
+def test_simh_loads_the_same_words(tmp_path: Path) -> None:
+    words = {address: address * 0o1357 + 0o2461 & 0o7777 for address in range(0, 0o10000, 7)}
+    (tmp_path / "x.rim").write_bytes(rim.encode(words))
+    (tmp_path / "x.ini").write_text("load -r x.rim\nexamine 0-7777\nquit\n")
+    said = subprocess.run(
+        [simh(), "x.ini"], cwd=tmp_path, capture_output=True, text=True, timeout=60, check=True
+    ).stdout
+    lines = (line.split(":\t") for line in said.splitlines() if ":\t" in line)
+    core = {int(address, 8): int(word, 8) for address, word in lines}
+    assert core == {address: words.get(address, 0) for address in range(0o10000)}
+
+
+def test_palbart_punches_the_words_of_its_listing(tmp_path: Path) -> None:
+    (tmp_path / "x.pal").write_text("*200\n CLA CLL\n HLT\n*7777\n 4321\n$\n")
+    subprocess.run([palbart(), "-r", "x.pal"], cwd=tmp_path, capture_output=True, timeout=20, check=True)
+    assert rim.decode((tmp_path / "x.rim").read_bytes()) == {0o200: 0o7300, 0o201: 0o7402, 0o7777: 0o4321}
