@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
+from math import hypot
 from typing import NamedTuple
 
 from tapes.hydrapoint import Block
@@ -116,6 +117,12 @@ class Path:
     def __len__(self) -> int:
         return len(self.steps)
 
+    def _repr_svg_(self) -> str:
+        """Return the drawing of the path, for a notebook."""
+        from nc.plot import plot
+
+        return plot(self)
+
     @property
     def blocks(self) -> tuple[Block, ...]:
         """The blocks as they stand on the tape."""
@@ -150,6 +157,13 @@ class Path:
     def cuts(self) -> tuple[Move, ...]:
         """The milling moves, in order."""
         return tuple(move for move in self.moves if move.kind is Kind.MILL)
+
+    @property
+    def gap(self) -> float:
+        """How far from its beginning the milling ends, in thousandths; 0 if it closes or there is none."""
+        if not self.cuts:
+            return 0.0
+        return hypot(*(end - start for start, end in zip(self.cuts[0].start, self.cuts[-1].end, strict=True)))
 
     @cached_property
     def holes(self) -> tuple[Point, ...]:

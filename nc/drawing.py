@@ -1,0 +1,165 @@
+"""A sheet of drawing paper: SVG in hundredths of an inch of paper, with views of the part on it, to scale.
+
+Sheet                title, notes, views; width and height in inches, so that it prints at its true size
+  └─ View            a window on the part: inch scales along two sides, what is drawn in it is clipped
+       └─ at(x, y)   the part's thousandths of an inch, Y up  →  the paper's hundredths, Y down
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from math import ceil, floor
+from xml.etree import ElementTree as ET
+
+INK, FAINT, GRID = "#1b1b1b", "#8a8a8a", "#e4e4e4"
+_FONT = "Helvetica, Arial, sans-serif"
+_TICKS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0)
+
+
+@dataclass(frozen=True)
+class Window:
+    """A part of the plane, in thousandths of an inch."""
+
+    left: float
+    bottom: float
+    right: float
+    top: float
+
+    @property
+    def width(self) -> float:
+        """Width in thousandths."""
+        return self.right - self.left
+
+    @property
+    def height(self) -> float:
+        """Height in thousandths."""
+        return self.top - self.bottom
+
+    def grown(self, margin: float) -> "Window":
+        """Return the window with a margin all round."""
+        return Window(self.left - margin, self.bottom - margin, self.right + margin, self.top + margin)
+
+    def holds(self, x: float, y: float) -> bool:
+        """Whether the place is in it."""
+        return self.left <= x <= self.right and self.bottom <= y <= self.top
+
+
+def around(points: Iterable[Sequence[float]]) -> Window:
+    """Return the smallest window that holds all the points; there must be one."""
+    xs, ys = zip(*((point[0], point[1]) for point in points), strict=True)
+    return Window(min(xs), min(ys), max(xs), max(ys))
+
+
+def number(value: float) -> str:
+    """Return a coordinate on paper, short."""
+    return f"{value:.2f}".rstrip("0").rstrip(".") if value % 1 else f"{value:.0f}"
+
+
+def polyline(points: Iterable[tuple[float, float]]) -> str:
+    """Return SVG path data through places on paper."""
+    return "M" + "L".join(f"{number(x)} {number(y)}" for x, y in points)
+
+
+class Sheet:
+    """A sheet of paper; sizes in hundredths of an inch."""
+
+    def __init__(self, width: float, height: float, title: str) -> None:
+        self.root = ET.Element(
+            "svg",
+            {
+                "xmlns": "http://www.w3.org/2000/svg",
+                "width": f"{width / 100:g}in",
+                "height": f"{height / 100:g}in",
+                "viewBox": f"0 0 {number(width)} {number(height)}",
+                "font-family": _FONT,
+                "font-size": "11",
+                "fill": INK,
+            },
+        )
+        ET.SubElement(self.root, "title").text = title
+        self.draw("rect", x=0, y=0, width=width, height=height, fill="#ffffff")
+        self._views = 0
+
+    def draw(self, tag: str, parent: ET.Element | None = None, /, **attributes: object) -> ET.Element:
+        """Add an element; `stroke_width` is written stroke-width."""
+        named = {
+            name.replace("_", "-"): number(value) if isinstance(value, int | float) else str(value)
+            for name, value in attributes.items()
+        }
+        return ET.SubElement(self.root if parent is None else parent, tag, named)
+
+    def text(self, x: float, y: float, words: str, **attributes: object) -> None:
+        """Write a line of text from (x, y)."""
+        self.draw("text", x=x, y=y, **attributes).text = words
+
+    def view(self, x: float, y: float, window: Window, scale: float) -> "View":
+        """Place a window on the part at (x, y), `scale` inches of paper to an inch, with its inch scales."""
+        self._views += 1
+        return View(self, x, y, window, scale, f"view{self._views}")
+
+    def svg(self) -> str:
+        """Return the sheet as an SVG document."""
+        return ET.tostring(self.root, encoding="unicode") + "\n"
+
+
+class View:
+    """A window on the part; its scales are inches, its contents clipped."""
+
+    def __init__(self, sheet: Sheet, x: float, y: float, window: Window, scale: float, name: str) -> None:
+        self.sheet, self.window, self.scale = sheet, window, scale
+        self.x, self.y = x, y
+        self.unit = scale / 10
+        self.width, self.height = window.width * self.unit, window.height * self.unit
+        clip = sheet.draw("clipPath", id=name)
+        sheet.draw("rect", clip, x=x, y=y, width=self.width, height=self.height)
+        self._scales()
+        self._body = sheet.draw("g", clip_path=f"url(#{name})")
+        sheet.draw("rect", x=x, y=y, width=self.width, height=self.height, fill="none", stroke=INK)
+
+    def at(self, x: float, y: float) -> tuple[float, float]:
+        """Return where on paper the part's (x, y) lies."""
+        return self.x + (x - self.window.left) * self.unit, self.y + (self.window.top - y) * self.unit
+
+    def draw(self, tag: str, **attributes: object) -> ET.Element:
+        """Add an element, in paper coordinates, clipped by the window."""
+        return self.sheet.draw(tag, self._body, **attributes)
+
+    def line(self, points: Iterable[tuple[float, float]], **attributes: object) -> None:
+        """Draw a line through places of the part."""
+        self.draw("path", fill="none", d=polyline(self.at(x, y) for x, y in points), **attributes)
+
+    def circle(self, x: float, y: float, radius: float, fill: str = "none", **attributes: object) -> None:
+        """Draw a circle of the part."""
+        cx, cy = self.at(x, y)
+        self.draw("circle", cx=cx, cy=cy, r=radius * self.unit, fill=fill, **attributes)
+
+    def text(
+        self, x: float, y: float, words: str, dx: float = 0, dy: float = 0, **attributes: object
+    ) -> None:
+        """Write beside a place of the part, `dx` and `dy` on paper away from it, legible over lines."""
+        px, py = self.at(x, y)
+        halo = {"stroke": "#ffffff", "stroke-width": 3, "paint-order": "stroke"}
+        self.draw("text", x=px + dx, y=py + dy, **halo, **attributes).text = words
+
+    def _scales(self) -> None:
+        step = next((tick for tick in _TICKS if tick * 100 * self.scale >= 45), _TICKS[-1]) * 1000
+        places = max(0, 3 - len(str(round(step)))) if step >= 100 else 2
+        places = max(1, places)
+        for value in _multiples(self.window.left, self.window.right, step):
+            x, _ = self.at(value, 0)
+            bottom = self.y + self.height
+            self.sheet.draw("line", x1=x, y1=self.y, x2=x, y2=bottom, stroke=GRID)
+            self.sheet.draw("line", x1=x, y1=bottom, x2=x, y2=bottom + 5, stroke=INK)
+            self.sheet.text(x, bottom + 17, f"{value / 1000:.{places}f}", text_anchor="middle")
+        for value in _multiples(self.window.bottom, self.window.top, step):
+            _, y = self.at(0, value)
+            self.sheet.draw("line", x1=self.x, y1=y, x2=self.x + self.width, y2=y, stroke=GRID)
+            self.sheet.draw("line", x1=self.x - 5, y1=y, x2=self.x, y2=y, stroke=INK)
+            self.sheet.text(self.x - 8, y + 4, f"{value / 1000:.{places}f}", text_anchor="end")
+        self.sheet.text(self.x + self.width / 2, self.y + self.height + 33, "X, inches", text_anchor="middle")
+        x, y = self.x - 42, self.y + self.height / 2
+        turned = f"rotate(-90 {number(x)} {number(y)})"
+        self.sheet.text(x, y, "Y, inches", text_anchor="middle", transform=turned)
+
+
+def _multiples(low: float, high: float, step: float) -> list[float]:
+    return [step * count for count in range(ceil(low / step), floor(high / step) + 1)]

@@ -1,0 +1,95 @@
+"""The path as a DXF drawing, in inches: milling as polylines, positioning as lines, holes as circles.
+
+    layer MILL       one polyline for each run of cuts, at the depth it was cut
+    layer POSITION   positioning moves, dashed
+    layer HOLES      where the quill went down, as wide as the cutter
+    layer CURVE      the curve that was meant, where it is known
+
+Needs ezdxf, which is not part of the plain installation.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from io import StringIO
+from itertools import groupby
+from types import ModuleType
+from typing import TYPE_CHECKING
+
+from nc.curves import Curve
+from nc.path import Kind, Move, Path
+from tapes.errors import WorkError
+
+if TYPE_CHECKING:
+    from ezdxf.document import Drawing
+    from ezdxf.layouts.layout import Modelspace
+
+_INCHES = 1
+_LAYERS = (
+    ("MILL", 5, "CONTINUOUS"),
+    ("POSITION", 8, "DASHED"),
+    ("HOLES", 1, "CONTINUOUS"),
+    ("CURVE", 3, "DASHED"),
+)
+
+
+def dxf(path: Path, curve: Curve | None = None, cutter: float = 500) -> str:
+    """Return DXF text; `cutter` is the diameter in thousandths. Raises WorkError where ezdxf is missing."""
+    with _ezdxf() as ezdxf:
+        drawing = ezdxf.new("R2010", setup=["linetypes"])
+        _draw(drawing, path, curve, cutter)
+        text = StringIO()
+        drawing.write(text)
+    return text.getvalue()
+
+
+@contextmanager
+def _ezdxf() -> Iterator[ModuleType]:
+    """Lend the library, set to write the same bytes for the same drawing whenever it is asked."""
+    try:
+        import ezdxf
+    except ImportError as error:
+        raise WorkError("a DXF drawing needs ezdxf: python -m pip install 'pdp8[nc]'") from error
+    options = getattr(ezdxf, "options")  # noqa: B009 -- exported by documentation, not by its types
+    before = options.write_fixed_meta_data_for_testing
+    options.write_fixed_meta_data_for_testing = True
+    try:
+        yield ezdxf
+    finally:
+        options.write_fixed_meta_data_for_testing = before
+
+
+def _draw(drawing: "Drawing", path: Path, curve: Curve | None, cutter: float) -> None:
+    drawing.units = _INCHES
+    drawing.header["$MEASUREMENT"] = 0
+    for name, colour, linetype in _LAYERS:
+        drawing.layers.add(name, color=colour, linetype=linetype)
+    space = drawing.modelspace()
+    _draw_moves(space, path)
+    for hole in path.holes:
+        centre = (hole.x / 1000, hole.y / 1000, -hole.z / 1000)
+        space.add_circle(centre, cutter / 2000, dxfattribs={"layer": "HOLES"})
+    if curve is not None:
+        places = (curve.stations(720).points / 1000).tolist()
+        space.add_lwpolyline(places, close=curve.closed, dxfattribs={"layer": "CURVE"})
+
+
+def _draw_moves(space: "Modelspace", path: Path) -> None:
+    """Add the moves across the table; the quill's own leave no line in a plan."""
+    across = [move for move in path.moves if move.start[:2] != move.end[:2]]
+    for kind, moves in groupby(across, key=lambda move: move.kind):
+        run = list(moves)
+        if kind is Kind.MILL:
+            _add_polyline(space, run)
+            continue
+        for move in run:
+            space.add_line(_inches(move.start[:2]), _inches(move.end[:2]), dxfattribs={"layer": "POSITION"})
+
+
+def _add_polyline(space: "Modelspace", run: list[Move]) -> None:
+    places = [_inches(run[0].start[:2]), *(_inches(move.end[:2]) for move in run)]
+    elevation = -run[0].start.z / 1000
+    space.add_lwpolyline(places, dxfattribs={"layer": "MILL", "elevation": elevation})
+
+
+def _inches(place: tuple[float, float]) -> tuple[float, float]:
+    return place[0] / 1000, place[1] / 1000

@@ -1,0 +1,77 @@
+"""The 1971 tape for today's controllers: RS-274, inches, absolute.
+
+    N7 G1 Z-3.5000 F1.0
+    N7 G1 Y4.1330 F1.0 (007 6 02250 04133 0 01 85)
+
+One linear move for each move of the machine, so the path is the same on a controller that interpolates: the
+Hydra-Point's unequal axes are written out corner by corner. The quill's depth becomes a negative Z with
+zero at the top. Program stop, end of program and manual tool change in mid-tape wait for START: M0; what
+ends the G-code is M2. Feed errors and other feeds are those the path was cut with.
+
+Source: RS-274/NGC (T. Kramer, F. Proctor, E. Messina, NIST, 2000), the common part of every dialect.
+"""
+
+from collections.abc import Iterator
+
+from nc.listing import spaced
+from nc.path import Kind, Modes, Move, Path, Point, Step
+
+_RAPID = frozenset({Kind.POSITION, Kind.APPROACH, Kind.RETRACT})
+_COOLANT = {"mist": "M7", "flood": "M8", "off": "M9"}
+
+
+def gcode(path: Path) -> Iterator[str]:
+    """Yield the program line by line, without line ends."""
+    yield "(Moog Hydra-Point 83-1000 MC, 20-row block tape)"
+    yield "G20 G90 G17 G94 G40 G80"
+    before = Modes()
+    for step in path.steps:
+        yield from _numbered(step, [*_changes(before, step), *_moves(step), *_stops(step)])
+        before = step.modes
+    yield "M5"
+    yield "M9"
+    yield "M2"
+
+
+def _numbered(step: Step, lines: list[str]) -> Iterator[str]:
+    """Number the lines as their block, as far as RS-274's five digits go, and add its digits as a comment."""
+    number = f"N{step.number} " if step.number <= 99_999 else ""
+    *first, last = lines or [""]
+    for line in first:
+        yield f"{number}{line}"
+    yield f"{number}{last} ({spaced(step.block)})".replace("  ", " ")
+
+
+def _changes(before: Modes, step: Step) -> Iterator[str]:
+    modes = step.modes
+    if modes.spindle != before.spindle:
+        yield f"S{modes.spindle} M3"
+    if modes.coolant != before.coolant:
+        yield _COOLANT[modes.coolant]
+
+
+def _moves(step: Step) -> Iterator[str]:
+    for move in step.moves:
+        yield f"G0 {_words(move)}" if move.kind in _RAPID else f"G1 {_words(move)} F{_feed(move.speed)}"
+
+
+def _words(move: Move) -> str:
+    start, end = _signed(move.start), _signed(move.end)
+    return " ".join(
+        f"{axis}{to / 1000:.4f}" for axis, was, to in zip("XYZ", start, end, strict=True) if was != to
+    )
+
+
+def _signed(point: Point) -> tuple[float, float, float]:
+    return point.x, point.y, -point.z
+
+
+def _feed(speed: float) -> str:
+    return f"{speed:.4f}".rstrip("0").ljust(3, "0") if speed < 10 else f"{speed:.4f}".rstrip("0").rstrip(".")
+
+
+def _stops(step: Step) -> Iterator[str]:
+    if step.block.miscellaneous == 86:
+        yield f"T{step.block.tool} M6"
+    elif step.stop or step.block.miscellaneous == 83:
+        yield "M0"

@@ -1,0 +1,203 @@
+"""The part under the instrument: the two walls a round cutter left along a curve, and how true they are.
+
+           outer wall   ~~~~~~~~~~~~~   deviation +: too far out
+    normal     ↑        ·············   curve + cutter's radius
+    station ───┼──────  nominal curve
+               ↓        ·············   curve − cutter's radius
+           inner wall   ~~~~~~~~~~~~~   deviation +: too far out
+
+The cutter takes away everything it passes over: discs at the path's corners, rectangles between them. From
+every station the stylus goes out and in along the normal until it meets metal; the intersections are exact,
+so nothing depends on how finely an arc was drawn. Where the station itself was never cut there is no wall:
+nan.
+
+Deviations and lengths are thousandths of an inch.
+
+Not emulated: the stylus's own radius, deflection and wear of the cutter, chips, the machine's +-.0003 in.
+
+Sources: thesis, Chapters 6 and 7 (tolerance band, Talyrond: trough to peak at the apexes and at 45 degrees).
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nc.curves import Curve, Floats, Stations, fitted
+from nc.path import Move, Path
+from tapes.errors import WorkError
+
+STATIONS = 36_000
+"""One every hundredth of a degree: .0003 in on the thesis's circle."""
+
+_FEWEST_STATIONS = 3_600
+_CUTS_AT_FULL = 4_000
+_GROUP = 64
+_AT_ONCE = 4_096
+
+
+@dataclass(frozen=True, eq=False)
+class Walls:
+    """How far out each wall is at each station, (n,), in thousandths; nan where nothing was cut."""
+
+    stations: Stations
+    outer: Floats
+    inner: Floats
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What the instrument shows on one wall about one place: lowest and highest, in thousandths outward."""
+
+    place: str
+    wall: str
+    lowest: float
+    highest: float
+
+    @property
+    def trough_to_peak(self) -> float:
+        """The difference, in thousandths."""
+        return self.highest - self.lowest
+
+
+@dataclass(frozen=True, eq=False)
+class Inspection:
+    """A path measured against the curve that was meant; the cutter's diameter in thousandths.
+
+    `centre` is how far in and out of the curve the cutter's centre went.
+    """
+
+    curve: Curve
+    cutter: float
+    walls: Walls
+    centre: tuple[float, float]
+    readings: tuple[Reading, ...]
+
+    @property
+    def worst(self) -> Reading:
+        """The reading with the greatest trough to peak about one place, or of the whole where that is all."""
+        places = [reading for reading in self.readings if reading.place != WHOLE] or self.readings
+        return max(places, key=lambda reading: reading.trough_to_peak)
+
+    @property
+    def uncut(self) -> float:
+        """The part of the curve, 0 to 1, that the cutter never reached."""
+        return float(np.isnan(self.walls.outer).mean())
+
+
+def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, tolerance: float = 5) -> Inspection:
+    """Measure what the path left against `curve`, or else the circle, ellipse or line that it follows.
+
+    `cutter` is the diameter, `tolerance` half the width of the band, both in thousandths; a curve is only
+    taken for the one followed if the path stays within four times the tolerance of it.
+    Raises WorkError where nothing was milled, no such curve is found, or none of it was cut.
+    """
+    cuts = segments(path.cuts)
+    if not len(cuts):
+        raise WorkError("nothing is milled on this tape: there is no surface to inspect")
+    corners = np.unique(cuts.reshape(-1, 2), axis=0)
+    curve = curve or fitted(np.concatenate([cuts[:1, :2], cuts[:, 2:]]), within=4 * tolerance)
+    count = max(_FEWEST_STATIONS, STATIONS * _CUTS_AT_FULL // max(_CUTS_AT_FULL, len(corners)))
+    measured = walls(cuts, curve.stations(count), cutter / 2)
+    if np.isnan(measured.outer).all():
+        raise WorkError(f"the cutter never came near the curve: {curve}")
+    centre = curve.deviations(corners)
+    readings = tuple(_readings(curve, measured))
+    return Inspection(curve, cutter, measured, (float(centre.min()), float(centre.max())), readings)
+
+
+def segments(moves: Sequence[Move]) -> Floats:
+    """Return the milling moves as (n, 4): x and y of the start, x and y of the end."""
+    ends = [(*move.start[:2], *move.end[:2]) for move in moves]
+    return np.array(ends, dtype=np.float64).reshape(-1, 4)
+
+
+def walls(cuts: Floats, stations: Stations, radius: float) -> Walls:
+    """Return the walls that a cutter of this radius, run along the cuts (n, 4), left about the stations.
+
+    Exact; takes time in proportion to stations times the cuts within reach of each.
+    """
+    outer, inner = np.full(len(stations), -np.inf), np.full(len(stations), np.inf)
+    corners = np.unique(cuts.reshape(-1, 2), axis=0)
+    sides = np.unique(cuts[(cuts[:, :2] != cuts[:, 2:]).any(axis=1)], axis=0)
+    low, high = np.minimum(sides[:, :2], sides[:, 2:]), np.maximum(sides[:, :2], sides[:, 2:])
+    for first in range(0, len(stations), _GROUP):
+        group = slice(first, first + _GROUP)
+        here = stations.part(group)
+        floor, ceiling = here.points.min(axis=0) - radius, here.points.max(axis=0) + radius
+        near_corners = corners[((corners >= floor) & (corners <= ceiling)).all(axis=1)]
+        near_sides = sides[((high >= floor) & (low <= ceiling)).all(axis=1)]
+        for through, near in ((_through_discs, near_corners), (_through_sides, near_sides)):
+            for at in range(0, len(near), _AT_ONCE):
+                enter, leave = through(here, near[at : at + _AT_ONCE], radius)
+                cut = (enter <= 0) & (leave >= 0)
+                inner[group] = np.minimum(inner[group], np.where(cut, enter, np.inf).min(axis=1))
+                outer[group] = np.maximum(outer[group], np.where(cut, leave, -np.inf).max(axis=1))
+    reached = np.isfinite(outer)
+    return Walls(
+        stations, np.where(reached, outer - radius, np.nan), np.where(reached, inner + radius, np.nan)
+    )
+
+
+def _through_discs(stations: Stations, centres: Floats, radius: float) -> tuple[Floats, Floats]:
+    """Return where each station's normal enters and leaves each disc, (stations, discs); nan if it misses."""
+    x = centres[:, 0] - stations.points[:, :1]
+    y = centres[:, 1] - stations.points[:, 1:]
+    towards = x * stations.normals[:, :1] + y * stations.normals[:, 1:]
+    aside = x * stations.normals[:, 1:] - y * stations.normals[:, :1]
+    square = radius * radius - aside * aside
+    half = np.sqrt(square, out=np.full_like(square, np.nan), where=square >= 0)
+    return towards - half, towards + half
+
+
+def _through_sides(stations: Stations, sides: Floats, radius: float) -> tuple[Floats, Floats]:
+    """Return where each normal enters and leaves the rectangle swept along each side; nan if it misses."""
+    way = sides[:, 2:] - sides[:, :2]
+    length = np.hypot(way[:, 0], way[:, 1])
+    along, across = way / length[:, None], np.column_stack([-way[:, 1], way[:, 0]]) / length[:, None]
+    middle = (sides[:, :2] + sides[:, 2:]) / 2
+    x = stations.points[:, :1] - middle[:, 0]
+    y = stations.points[:, 1:] - middle[:, 1]
+    enter, leave = np.full(x.shape, -np.inf), np.full(x.shape, np.inf)
+    for axis, half in ((along, length / 2), (across, np.full(len(sides), radius))):
+        place = x * axis[:, 0] + y * axis[:, 1]
+        speed = stations.normals @ axis.T
+        still = np.abs(speed) < 1e-12
+        speed = np.where(still, 1.0, speed)
+        one, other = (-half - place) / speed, (half - place) / speed
+        inside = np.abs(place) <= half
+        enter = np.maximum(enter, np.where(still, np.where(inside, -np.inf, np.inf), np.minimum(one, other)))
+        leave = np.minimum(leave, np.where(still, np.where(inside, np.inf, -np.inf), np.maximum(one, other)))
+    missed = enter > leave
+    return np.where(missed, np.nan, enter), np.where(missed, np.nan, leave)
+
+
+WHOLE = "whole length"
+_APEXES = (("+X apex", 0), ("+Y apex", 90), ("-X apex", 180), ("-Y apex", 270))
+_DIAGONALS = (("45° +X+Y", 45), ("45° -X+Y", 135), ("45° -X-Y", 225), ("45° +X-Y", 315))
+_APEX_REACH = 10.0
+_DIAGONAL_REACH = 5.0
+
+
+def _readings(curve: Curve, measured: Walls) -> Iterator[Reading]:
+    """Yield each place's reading of both walls: the whole, and of a closed curve the apexes and 45 degrees.
+
+    A place is where the curve faces that way, within 10 degrees at an apex and 5 at 45 degrees.
+    """
+    yield from _readings_at(WHOLE, measured, np.ones(len(measured.stations), dtype=np.bool_))
+    if not curve.closed:
+        return
+    angles = measured.stations.angles
+    for places, reach in ((_APEXES, _APEX_REACH), (_DIAGONALS, _DIAGONAL_REACH)):
+        for name, angle in places:
+            off = np.abs((angles - angle + 180) % 360 - 180)
+            yield from _readings_at(name, measured, off <= reach)
+
+
+def _readings_at(name: str, measured: Walls, chosen: NDArray[np.bool_]) -> Iterator[Reading]:
+    for wall, deviation in (("outer", measured.outer), ("inner", measured.inner)):
+        seen = deviation[chosen]
+        seen = seen[~np.isnan(seen)]
+        if len(seen):
+            yield Reading(name, wall, float(seen.min()), float(seen.max()))

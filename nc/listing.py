@@ -1,0 +1,140 @@
+"""The program as a table: every block with what it does, and what is in force after it.
+
+    block seq P      X      Y  TF MF  does
+        7 007 6  2.250  4.133  01 85  quill down to 3.500 at 1.0 in/min, mill Y to 4.133 at 1.0 in/min
+
+P is the preparatory, TF the tool, MF the miscellaneous function. Lengths are inches.
+"""
+
+from collections.abc import Iterator
+
+from nc.path import HOLE_MAKING, Kind, Modes, Move, Path, Point, Step
+from tapes.hydrapoint import MISCELLANEOUS, PREPARATORY, Block
+
+HEADING = "block seq P       X       Y  TF MF  does"
+MODES_HEADING = "         Z  X feed  Y feed  Z feed   rpm tool coolant retract       time"
+
+
+def lines(path: Path, modes: bool = False) -> Iterator[str]:
+    """Yield the table line by line, without line ends; `modes` adds what is in force and the clock."""
+    yield HEADING[: -len("does")] + MODES_HEADING.strip("\n") + "  does" if modes else HEADING
+    for step, now in zip(path.steps, path.clock(), strict=True):
+        columns = _columns(step)
+        yield f"{columns}{_modes(step, now)}  {does(step)}" if modes else f"{columns}{does(step)}"
+
+
+def _columns(step: Step) -> str:
+    block = step.block
+    return (
+        f"{step.number:5} {block.sequence:03} {block.preparatory} {block.x / 1000:7.3f} {block.y / 1000:7.3f}"
+        f"  {block.tool:02} {block.miscellaneous:02}  "
+    )
+
+
+def _modes(step: Step, now: float) -> str:
+    modes = step.modes
+    feeds = "".join(f"{_or_dash(feed, '.1f'):>8}" for feed in (modes.x_feed, modes.y_feed, modes.z_feed))
+    minutes, seconds = divmod(now, 60)
+    return (
+        f"{step.at.z / 1000:10.3f}{feeds}{_or_dash(modes.spindle, 'd'):>6}{_or_dash(modes.tool, '02d'):>5}"
+        f" {modes.coolant:>7} {'partial' if modes.partial_retract else 'full':>7}"
+        f" {minutes:5.0f}:{seconds:04.1f}"
+    )
+
+
+def _or_dash(value: float | None, form: str) -> str:
+    return "-" if value is None else format(value, form)
+
+
+def does(step: Step) -> str:
+    """Return in words what the block does, and what it stops or changes."""
+    said = [words for words in (_moves(step), _function(step)) if words]
+    return "; ".join(said)
+
+
+def spaced(block: Block) -> str:
+    """Return the 19 digits as the thesis prints them, spaced for clarity."""
+    digits = block.digits
+    return " ".join(
+        (digits[:3], digits[3], digits[4:9], digits[9:14], digits[14], digits[15:17], digits[17:])
+    )
+
+
+def in_force(step: Step) -> str:
+    """Return in words where the cutter is after the block, and what is in force."""
+    modes = step.modes
+    feeds = ", ".join(
+        f"{axis} feed {feed:.1f}"
+        for axis, feed in (("X", modes.x_feed), ("Y", modes.y_feed), ("Z", modes.z_feed))
+        if feed is not None
+    )
+    parts = [f"at {place(step.at)}, quill {_quill(step.at)}", feeds + " in/min" if feeds else ""]
+    parts += [
+        f"spindle {modes.spindle} rpm" if modes.spindle else "",
+        f"tool {modes.tool:02}" if modes.tool else "",
+    ]
+    parts += [f"coolant {modes.coolant}", "partial retract" if modes.partial_retract else ""]
+    return " · ".join(part for part in parts if part)
+
+
+def place(at: Point) -> str:
+    """Return X and Y in inches."""
+    return f"X {at.x / 1000:.3f} Y {at.y / 1000:.3f}"
+
+
+def _quill(at: Point) -> str:
+    return f"down {at.z / 1000:.3f}" if at.z else "up"
+
+
+def _moves(step: Step) -> str:
+    block, modes = step.block, step.modes
+    if block.preparatory == 9:
+        return f"read Z: feed point {block.x / 1000:.3f}, final depth {block.y / 1000:.3f}"
+    if block.preparatory == 0:
+        return f"position to {_xy(step)}"
+    if block.preparatory in HOLE_MAKING:
+        name = PREPARATORY[block.preparatory]
+        return f"{name} at {_xy(step)}, {_depths(modes)} at {modes.z_feed:.1f} in/min"
+    plunge = next((move for move in step.moves if move.kind is Kind.FEED_IN), None)
+    mills = [_mill(move) for move in step.moves if move.kind is Kind.MILL] or ["mill, already there"]
+    down = [f"quill to {plunge.end.z / 1000:.3f} at {plunge.speed:.1f} in/min"] if plunge else []
+    return ", ".join(down + mills)
+
+
+def _mill(move: Move) -> str:
+    goes = [
+        f"{axis} to {end / 1000:.3f}"
+        for axis, start, end in (("X", move.start.x, move.end.x), ("Y", move.start.y, move.end.y))
+        if start != end
+    ]
+    return f"mill {' '.join(goes)} at {move.speed:.1f} in/min"
+
+
+def _xy(step: Step) -> str:
+    return f"X {step.block.x / 1000:.3f} Y {step.block.y / 1000:.3f}"
+
+
+def _depths(modes: Modes) -> str:
+    return f"from {(modes.feed_point or 0) / 1000:.3f} to {(modes.final_depth or 0) / 1000:.3f}"
+
+
+def _function(step: Step) -> str:
+    modes, name = step.modes, MISCELLANEOUS[step.block.miscellaneous]
+    match step.block.miscellaneous:
+        case 84 | 85 if step.block.preparatory == 6:
+            return ""
+        case 84:
+            return f"X feed {modes.x_feed:.1f} in/min"
+        case 85:
+            return f"Y feed {modes.y_feed:.1f} in/min"
+        case 86 | 6:
+            return f"{name}, tool {step.block.tool:02}"
+        case 88:
+            return f"spindle {modes.spindle} rpm"
+        case 89:
+            return "" if step.block.preparatory in HOLE_MAKING else f"Z feed {modes.z_feed:.1f} in/min"
+        case 80:
+            return ""
+        case 0 | 2:
+            return f"{name}, waits for START"
+    return name

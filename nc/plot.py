@@ -1,0 +1,210 @@
+"""The path and the cut surface on a sheet of paper: the part to scale, the staircase close by in its band.
+
+    ┌───────────────┐   what the cutter took away, the way of its centre up to the current block, the cutter
+    │  part, 1:1    │   milled grey, path blue, still to come pale, positioning dashed
+    └───────────────┘
+    ┌───────────────┐
+    │  close, 10:1  │   about the current block: the curve that was meant, its band, steps with their blocks
+    └───────────────┘
+
+The cut surface is the path drawn as wide as the cutter with round ends: that is what SVG's stroke is.
+"""
+
+from itertools import pairwise
+
+from nc.curves import Curve
+from nc.drawing import FAINT, INK, Sheet, View, Window, around
+from nc.listing import does, in_force, spaced
+from nc.path import Kind, Move, Path, Point
+from tapes.errors import WorkError
+
+_LEFT, _WIDTH, _TALLEST = 60.0, 720.0, 620.0
+_SCALES = (4.0, 2.0, 1.0, 0.5, 0.25)
+_CLOSE_HEIGHT = 430.0
+_LEGEND = (
+    "grey: cut away · blue: the cutter's centre; pale: still to come; dashed: positioning · "
+    "red: the cutter now · green: the curve meant, its band, and dotted its walls"
+)
+_PATH, _TO_COME, _METAL, _BAND, _NOW = "#0b4f9e", "#9db7d4", "#dfe3e8", "#2e7d32", "#c62828"
+
+
+def plot(
+    path: Path,
+    curve: Curve | None = None,
+    *,
+    block: int | None = None,
+    cutter: float = 500,
+    tolerance: float = 5,
+    zoom: float = 10,
+    close_at: tuple[float, float] | None = None,
+) -> str:
+    """Return the drawing as SVG text. `block` is the current one, counted from 1, the last unless told.
+
+    `cutter` (diameter), `tolerance` and `close_at`, where the close view is taken if not at the current
+    block, are thousandths of an inch; `curve` is drawn with its band where it is given. Raises WorkError if
+    the tape has no such block.
+    """
+    current = len(path) if block is None else block
+    if not 1 <= current <= len(path):
+        raise WorkError(f"block {current}: the tape has blocks 1 to {len(path)}")
+    window = _window(path, cutter)
+    scale = next((s for s in _SCALES if _fits(window, s)), _SCALES[-1])
+    top = 110.0
+    close_top = top + window.height * scale / 10 + 90
+    bottom = close_top + _CLOSE_HEIGHT
+    sheet = Sheet(_LEFT + _WIDTH + 20, bottom + 75, f"Hydra-Point, block {current}")
+    _write(sheet, path, curve, current, cutter)
+    sheet.text(_LEFT, top - 8, f"part, scale {_ratio(scale)}", fill=FAINT)
+    _draw_part(sheet.view(_LEFT, top, window, scale), path, current, cutter)
+    sheet.text(_LEFT, close_top - 8, _close_title(curve, tolerance, zoom), fill=FAINT)
+    x, y = close_at or path.steps[current - 1].at[:2]
+    half_width, half_height = _WIDTH / zoom * 5, _CLOSE_HEIGHT / zoom * 5
+    close = Window(x - half_width, y - half_height, x + half_width, y + half_height)
+    _draw_close(sheet.view(_LEFT, close_top, close, zoom), path, current, curve, cutter, tolerance)
+    sheet.text(_LEFT, bottom + 60, _LEGEND, fill=FAINT)
+    return sheet.svg()
+
+
+def _window(path: Path, cutter: float) -> Window:
+    """Return the part of the table that holds the work, or else all the moves."""
+    work: list[Point] = [place for move in path.cuts for place in (move.start, move.end)] + list(path.holes)
+    return around(work or [Point(0, 0, 0), *(step.at for step in path.steps)]).grown(cutter / 2 + 200)
+
+
+def _fits(window: Window, scale: float) -> bool:
+    return window.width * scale / 10 <= _WIDTH and window.height * scale / 10 <= _TALLEST
+
+
+def _ratio(scale: float) -> str:
+    return f"{scale:g}:1" if scale >= 1 else f"1:{1 / scale:g}"
+
+
+def _close_title(curve: Curve | None, tolerance: float, zoom: float) -> str:
+    band = f"; band ±{tolerance / 1000:.3f} in about the {curve}" if curve else ""
+    return f"close, scale {_ratio(zoom)}{band}"
+
+
+def _write(sheet: Sheet, path: Path, curve: Curve | None, current: int, cutter: float) -> None:
+    step = path.steps[current - 1]
+    sheet.text(
+        _LEFT,
+        26,
+        f"Moog Hydra-Point 83-1000 MC · {len(path)} blocks · {path.times.total / 60:.1f} min · "
+        f"cutter {cutter / 1000:.3f} in",
+        font_size=15,
+    )
+    sheet.text(_LEFT, 46, f"block {current}: {spaced(step.block)} — {does(step)}", fill=_NOW)
+    sheet.text(_LEFT, 62, in_force(step), fill=INK)
+    if curve is not None and curve.closed and path.gap:
+        sheet.text(_LEFT, 78, f"the contour ends {path.gap / 1000:.3f} in from where it began", fill=FAINT)
+
+
+def _draw_part(view: View, path: Path, current: int, cutter: float) -> None:
+    done = [move for step in path.steps[:current] for move in step.moves]
+    to_come = [move for step in path.steps[current:] for move in step.moves]
+    _draw_metal(view, done, cutter)
+    for hole in path.holes:
+        view.circle(hole.x, hole.y, cutter / 2, fill=_METAL, stroke=FAINT)
+        view.line([(hole.x - cutter / 3, hole.y), (hole.x + cutter / 3, hole.y)], stroke=FAINT)
+        view.line([(hole.x, hole.y - cutter / 3), (hole.x, hole.y + cutter / 3)], stroke=FAINT)
+    for moves, colour in ((to_come, _TO_COME), (done, _PATH)):
+        for run in _runs(moves, milling=False):
+            view.line(run, stroke=colour, stroke_dasharray="5 4", stroke_width=0.8)
+        for run in _runs(moves, milling=True):
+            view.line(run, stroke=colour, stroke_width=1.2)
+    _draw_cutter(view, path.steps[current - 1].at, cutter)
+
+
+def _draw_close(
+    view: View, path: Path, current: int, curve: Curve | None, cutter: float, tolerance: float
+) -> None:
+    reach = view.window.grown(cutter)
+    done, to_come = (
+        [move for step in steps for move in step.moves if _near(move, reach)]
+        for steps in (path.steps[:current], path.steps[current:])
+    )
+    _draw_metal(view, done, cutter)
+    if curve is not None:
+        _draw_band(view, curve, cutter, tolerance)
+    for moves, colour in ((to_come, _TO_COME), (done, _PATH)):
+        for run in _runs(moves, milling=True):
+            view.line(run, stroke=colour, stroke_width=1.8)
+    _draw_cutter(view, path.steps[current - 1].at, cutter)
+    _number_steps(view, path, current)
+
+
+def _near(move: Move, reach: Window) -> bool:
+    return (
+        min(move.start.x, move.end.x) <= reach.right
+        and max(move.start.x, move.end.x) >= reach.left
+        and min(move.start.y, move.end.y) <= reach.top
+        and max(move.start.y, move.end.y) >= reach.bottom
+    )
+
+
+def _draw_metal(view: View, moves: list[Move], cutter: float) -> None:
+    wide = {"stroke_width": cutter * view.unit, "stroke_linecap": "round", "stroke_linejoin": "round"}
+    for run in _runs(moves, milling=True):
+        view.line(run, stroke=_METAL, **wide)
+
+
+def _draw_band(view: View, curve: Curve, cutter: float, tolerance: float) -> None:
+    """Draw the curve, the band's two limits, and the walls the cutter would leave if it kept to the curve."""
+    stations = curve.stations(7_200)
+    for offset, dashes in (
+        (-tolerance, "none"),
+        (0.0, "8 4"),
+        (tolerance, "none"),
+        (-cutter / 2, "2 3"),
+        (cutter / 2, "2 3"),
+    ):
+        places = (stations.points + offset * stations.normals).tolist()
+        if curve.closed:
+            places.append(places[0])
+        view.line(places, stroke=_BAND, stroke_width=0.9, stroke_dasharray=dashes)
+
+
+def _draw_cutter(view: View, at: Point, cutter: float) -> None:
+    arm = 9 / view.unit
+    view.circle(at.x, at.y, cutter / 2, stroke=_NOW, stroke_width=1.2)
+    view.line([(at.x - arm, at.y), (at.x + arm, at.y)], stroke=_NOW)
+    view.line([(at.x, at.y - arm), (at.x, at.y + arm)], stroke=_NOW)
+
+
+def _number_steps(view: View, path: Path, current: int) -> None:
+    """Write block numbers beside the ends of their moves where there is room, the current one first."""
+    written: list[tuple[float, float]] = []
+    inside = view.window.grown(-30 / view.unit)
+    steps = sorted(
+        (step for step in path.steps if step.block.preparatory == 6 and inside.holds(step.at.x, step.at.y)),
+        key=lambda step: abs(step.number - current),
+    )
+    for step in steps[:400]:
+        x, y = view.at(step.at.x, step.at.y)
+        if any(abs(x - other_x) < 34 and abs(y - other_y) < 13 for other_x, other_y in written):
+            continue
+        written.append((x, y))
+        colour = _NOW if step.number == current else INK
+        view.text(step.at.x, step.at.y, str(step.number), dx=5, dy=-4, fill=colour)
+
+
+def _runs(moves: list[Move], milling: bool) -> list[list[tuple[float, float]]]:
+    """Return the moves joined end to end into lines of (x, y); quill moves leave nothing to draw."""
+    chosen = [
+        move
+        for move in moves
+        if (move.kind is Kind.MILL) == milling and (move.start.x, move.start.y) != (move.end.x, move.end.y)
+    ]
+    if not chosen:
+        return []
+    runs = [[_flat(chosen[0].start), _flat(chosen[0].end)]]
+    for before, move in pairwise(chosen):
+        if before.end == move.start:
+            runs[-1].append(_flat(move.end))
+        else:
+            runs.append([_flat(move.start), _flat(move.end)])
+    return runs
+
+
+def _flat(point: Point) -> tuple[float, float]:
+    return point.x, point.y
