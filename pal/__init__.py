@@ -1,0 +1,18 @@
+"""DEC's PAL III assembler of February 1967 (DEC-08-ASB1), frame for frame, and its inverse.
+
+symbols        the permanent symbols: the one table, for both ways
+scanner        frames of source tapes to lines, statements and tokens
+expressions    items and operators to a word
+assembler      three passes over the statements: symbols, results, DEC's messages
+punch          the object tape
+listing        what the Teletype typed
+assembly       all of it in one call: `assemble`
+diagnostics    the messages for people: place, line, caret, advice
+dialects       what PAL III has for what other assemblers know
+cli            the commands `pal` and `dis`
+"""
+
+from pal.assembly import Assembly, ListingLine, assemble
+from pal.diagnostics import Diagnostic
+
+__all__ = ["Assembly", "Diagnostic", "ListingLine", "assemble"]

@@ -1,0 +1,153 @@
+"""The whole of an assembly: source tapes in, the object tape, its words, and all that was typed out.
+
+    assemble("*200\\n\\tCLA\\n\\tHLT\\n$\\n").words  ->  {0o200: 0o7200, 0o201: 0o7402}
+
+Passes 1 and 2 are run at once, for the tape and the words; pass 3 only when something of it is asked for.
+"""
+
+from functools import cached_property
+from typing import NamedTuple
+
+from pal import listing, punch, scanner
+from pal.assembler import TELETYPE_SYMBOLS, WORD, Assembler, Entry, Message, Result
+from pal.diagnostics import Diagnostic, diagnose
+from pal.scanner import Line
+from pal.symbols import internal_order
+
+
+class ListingLine(NamedTuple):
+    """A statement of the listing: where its word is and what it is (None: it has none), and its line.
+
+    `tape` and `number` count the source tapes from 0 and their lines from 1. `source` is the whole line as
+    typed, at the last of its statements; before that it is "", as in DEC's listing.
+    """
+
+    address: int | None
+    word: int | None
+    source: str
+    tape: int
+    number: int
+
+
+class Teletype(NamedTuple):
+    """The raw frames of an ASR-33's punch in the three passes."""
+
+    pass1: bytes
+    pass2: bytes
+    pass3: bytes
+
+
+class Assembly:
+    """What became of a source.
+
+    tape         the object tape as the high-speed punch made it, `bytes`; empty if the symbol table was full
+    words        {address: word} for loading, the field above the twelve bits of the address
+    diagnostics  what is wrong, in source order; `ok` if none of it is an error
+    symbols      {name: value} of the user's symbols, in the order of the symbol table
+    listing      what pass 3 typed, without the codes that do not print
+    lines        the same by statements
+    """
+
+    def __init__(self, lines: list[Line], names: list[str], assembler: Assembler) -> None:
+        self.source = lines
+        self.names = names
+        self._assembler = assembler
+        self._entries: list[Entry] = assembler.define()
+        self._results: list[Result] = [] if assembler.full else assembler.assemble()
+        self.tape = b"" if assembler.full else punch.tape(self._results)
+        self.words = punch.words(self._results)
+        self.diagnostics: list[Diagnostic] = diagnose(lines, names, self._messages())
+
+    @property
+    def ok(self) -> bool:
+        """Whether DEC's assembler would have had nothing to say."""
+        return not any(diagnostic.error for diagnostic in self.diagnostics)
+
+    @cached_property
+    def symbols(self) -> dict[str, int]:
+        """The user's symbols as pass 3 leaves them."""
+        table = sorted(self._third[1], key=lambda entry: internal_order(entry.name))
+        return {entry.name: entry.value for entry in table}
+
+    @property
+    def symbol_table(self) -> str:
+        """The symbol table as pass 3 typed it: name, value, one a line."""
+        return "".join(f"{name:6}  {value:04o}\n" for name, value in self.symbols.items())
+
+    @cached_property
+    def listing(self) -> str:
+        """What pass 3 typed, `\\n` for CR LF."""
+        return listing.printed(self._typed(3))
+
+    @cached_property
+    def lines(self) -> list[ListingLine]:
+        """The listing by statements."""
+        return [
+            ListingLine(*_numbers(result), line.text if result.last else "", line.tape, line.number)
+            for result in self._third[0]
+            for line in (self.source[result.line],)
+        ]
+
+    def printed(self, number: int) -> str:
+        """Return what pass 1, 2 or 3 typed, without the codes that do not print."""
+        return listing.printed(self._typed(number))
+
+    @cached_property
+    def teletype(self) -> Teletype:
+        """The tapes of the three passes when the ASR-33 does it all."""
+        return Teletype(
+            listing.tape(self._typed(1)),
+            listing.object_tape(self._results) if self.tape else b"",
+            listing.tape(self._typed(3)) if self.tape else b"",
+        )
+
+    def _typed(self, number: int) -> str:
+        if number == 1 and self._assembler.full:
+            return listing.complaints(self._assembler.messages)
+        if number == 1:
+            return listing.definitions(self._assembler.messages, self._entries)
+        if not self.tape:
+            return ""
+        return (
+            listing.complaints(self._referred) if number == 2 else listing.listing(self.source, *self._third)
+        )
+
+    @cached_property
+    def _third(self) -> tuple[list[Result], list[Entry]]:
+        results = self._assembler.assemble() if self.tape else []
+        return results, self._assembler.table()
+
+    @property
+    def _referred(self) -> list[Message]:
+        return [result.message for result in self._results if result.message]
+
+    def _messages(self) -> list[Message]:
+        undefined = [
+            Message("UA", f"{entry.name:6}", entry.value, entry.place)
+            for entry in self._entries
+            if not entry.defined
+        ]
+        return self._assembler.messages + undefined + self._referred
+
+
+def assemble(
+    *sources: str | bytes,
+    names: list[str] | None = None,
+    modern: bool = False,
+    capacity: int = TELETYPE_SYMBOLS,
+) -> Assembly:
+    """Assemble the source tapes in order; a `str` is a text, not ASCII characters of which are illegal ones.
+
+    names     what the diagnostics call each tape
+    modern    fold lower case
+    capacity  room for symbols of the user's: TELETYPE_SYMBOLS, or HIGH_SPEED_SYMBOLS
+    Whatever is wrong with the source is a diagnostic; nothing is raised.
+    """
+    tapes = [source.encode("ascii", "replace") if isinstance(source, str) else source for source in sources]
+    lines = list(scanner.lines(tapes, modern))
+    called = names or [f"tape {number}" for number in range(1, len(tapes) + 1)]
+    return Assembly(lines, called, Assembler(lines, capacity))
+
+
+def _numbers(result: Result) -> tuple[int | None, int | None]:
+    return (result.location, result.value) if result.kind == WORD else (None, None)

@@ -1,0 +1,147 @@
+"""The commands `pal` and `dis`: the assembler as one types it, and its inverse."""
+
+import os
+
+import click
+
+from pal.assembler import HIGH_SPEED_SYMBOLS, TELETYPE_SYMBOLS
+from pal.assembly import Assembly, assemble
+from tapes import command, shelf
+from tapes.errors import WorkError
+
+_PASSES = ("pass1", "pass2", "pass3")
+
+
+class AssemblyError(WorkError):
+    """A source with errors: the last line of what is said about it."""
+
+
+@click.command(context_settings={"help_option_names": ["-h", "--help"]})
+@click.argument("sources", nargs=-1, metavar="SOURCE...")
+@click.option("-o", "--output", metavar="FILE", help="The tape; without it SOURCE's name with .bin.")
+@click.option("--rim", is_flag=True, help="Punch a RIM tape instead of DEC's BIN tape.")
+@click.option("--listing", metavar="FILE", help="Write what pass 3 typed, with its symbol table.")
+@click.option("--symbols", metavar="FILE", help="Write the symbol table.")
+@click.option("--xref", metavar="FILE", help="Write each symbol, its value, where it is defined and used.")
+@click.option("--json", metavar="FILE", help="Write words, symbols, lines and diagnostics as JSON.")
+@click.option(
+    "--tty", metavar="FOLDER", help="Write NAME.pass1, .pass2, .pass3: the raw frames of an ASR-33."
+)
+@click.option("--force", is_flag=True, help="Punch the tape in spite of errors, as DEC's assembler did.")
+@click.option("--modern", is_flag=True, help="Fold lower case.")
+@click.option("--high-speed-reader", is_flag=True, help="Room for 495 symbols instead of the ASR-33's 590.")
+def pal(
+    *,
+    sources: tuple[str, ...],
+    output: str | None,
+    rim: bool,
+    listing: str | None,
+    symbols: str | None,
+    xref: str | None,
+    json: str | None,
+    tty: str | None,
+    force: bool,
+    modern: bool,
+    high_speed_reader: bool,
+) -> None:
+    """Assemble PAL III source as DEC's assembler of 1967 did: the same tape, the same listing.
+
+    SOURCE is a file, a bundled program's name, or - for standard input; several are read one after the
+    other, as tapes parted by PAUSE were. Exit status 1 if there is any error; then no tape is written
+    without --force.
+
+    \b
+    Examples:
+      pal eia.pal                                 the tape eia.bin
+      pal eia.pal -o - | pdp8 tape show -         its holes
+      pal eia.pal --listing -                     Appendix B again
+      pal one.pal two.pal -o both.bin --symbols both.sym
+      pal old.pal --force --tty tapes             what the Teletype punched in each pass
+    """
+    if not sources:
+        raise click.UsageError("what shall be assembled? Name a SOURCE, or - for standard input")
+    tape = output or _beside(sources[0])
+    _check_outputs(sources, [tape, listing, symbols, xref, json])
+    capacity = HIGH_SPEED_SYMBOLS if high_speed_reader else TELETYPE_SYMBOLS
+    contents = [shelf.read(source) for source in sources]
+    assembly = assemble(
+        *contents, names=[_called(source) for source in sources], modern=modern, capacity=capacity
+    )
+    for diagnostic in assembly.diagnostics:
+        click.echo(str(diagnostic), err=True)
+    if listing:
+        _put_listing(listing, assembly)
+    if symbols:
+        _put(symbols, assembly.symbol_table)
+    if xref:
+        from pal.crossreference import cross_reference, text
+
+        _put(xref, text(cross_reference(assembly)))
+    if json:
+        from pal.report import as_json
+
+        _put(json, as_json(assembly))
+    if tty:
+        _put_passes(tty, sources[0], assembly)
+    _punch(tape, rim, force, assembly)
+
+
+def _punch(name: str, rim: bool, force: bool, assembly: Assembly) -> None:
+    errors = sum(diagnostic.error for diagnostic in assembly.diagnostics)
+    counted = f"{errors} error{'s' * (errors != 1)}"
+    if errors and (not force or not assembly.tape):
+        raise AssemblyError(
+            f"{counted}: no tape" + ("" if force else "; --force punches it as DEC's assembler did")
+        )
+    if rim:
+        from tapes.rim import encode
+
+        shelf.write(name, encode(assembly.words))
+    else:
+        shelf.write(name, assembly.tape)
+    if errors:
+        raise AssemblyError(f"{counted}; {name} punched all the same")
+
+
+def _beside(source: str) -> str:
+    return "-" if source == "-" else os.path.splitext(source)[0] + ".bin"
+
+
+def _called(source: str) -> str:
+    return "standard input" if source == "-" else source
+
+
+def _check_outputs(sources: tuple[str, ...], outputs: list[str | None]) -> None:
+    """Raise a UsageError where two outputs are one, or an output is a source."""
+    named = [name for name in outputs if name]
+    for name in named:
+        if named.count(name) > 1 and name != os.devnull:
+            raise click.UsageError(f"two outputs go to {'standard output' if name == '-' else name}")
+        if name != "-" and name in sources:
+            raise click.UsageError(f"{name} is the source; name another file with -o")
+
+
+def _put(name: str, text: str) -> None:
+    if name == "-":
+        click.echo(text, nl=False)
+    else:
+        shelf.write(name, text.encode("ascii"))
+
+
+def _put_listing(name: str, assembly: Assembly) -> None:
+    _put(name, assembly.listing)
+
+
+def _put_passes(folder: str, source: str, assembly: Assembly) -> None:
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError as error:
+        raise shelf.ShelfError(f"{folder}: {error.strerror}") from error
+    name = os.path.splitext(os.path.basename(source))[0] if source != "-" else "stdin"
+    for ending, frames in zip(_PASSES, assembly.teletype, strict=True):
+        shelf.write(os.path.join(folder, f"{name}.{ending}"), frames)
+
+
+def main() -> None:
+    """Run the `pal` command."""
+    command.run(pal, "pal")

@@ -1,0 +1,71 @@
+"""The cross reference: every symbol of a source, where it is defined and where it is used.
+
+    CHK     0227  eia.pal  defined 19   used 27 33
+    TAD     1000  permanent             used 13 24 26
+
+A symbol followed by a comma or an equals sign is defined there; anywhere else it is used. Pseudo-operators
+are left out.
+"""
+
+from typing import NamedTuple
+
+from pal import scanner
+from pal.assembly import Assembly
+from pal.symbols import PERMANENT, PSEUDO_OPERATORS, SIGNIFICANT, internal_order
+
+_PSEUDO = {name[:SIGNIFICANT] for name in PSEUDO_OPERATORS}
+_PERMANENT = {symbol.mnemonic: symbol.octal for symbol in PERMANENT}
+
+
+class Occurrence(NamedTuple):
+    """A place where a symbol stands: the file, and line and column from 1."""
+
+    file: str
+    line: int
+    column: int
+
+
+class Reference(NamedTuple):
+    """A symbol, its value at the end, and where it stands; `permanent` unless the source defines it."""
+
+    name: str
+    value: int
+    permanent: bool
+    defined: tuple[Occurrence, ...]
+    used: tuple[Occurrence, ...]
+
+
+def cross_reference(assembly: Assembly) -> list[Reference]:
+    """Return the symbols that occur in the source, in the order of PAL III's symbol table."""
+    defined: dict[str, list[Occurrence]] = {}
+    used: dict[str, list[Occurrence]] = {}
+    for line in assembly.source:
+        for index, statement in enumerate(line.statements):
+            tokens = scanner.tokens(statement)
+            for at, token in enumerate(tokens):
+                if token.symbol and token.symbol not in _PSEUDO:
+                    follower = tokens[at + 1].mark if at + 1 < len(tokens) else ""
+                    column = scanner.columns(line, index, at)[0] + 1
+                    place = Occurrence(assembly.names[line.tape], line.number, column)
+                    (defined if follower in (",", "=") else used).setdefault(token.symbol, []).append(place)
+    values = _PERMANENT | assembly.symbols
+    return [
+        Reference(name, values.get(name, 0), name not in assembly.symbols, places, tuple(used.get(name, ())))
+        for name in sorted(defined.keys() | used.keys(), key=internal_order)
+        for places in (tuple(defined.get(name, ())),)
+    ]
+
+
+def text(references: list[Reference]) -> str:
+    """Return the cross reference as a text, one symbol a line; line numbers with the file if there are several."""
+    several = len({place.file for entry in references for place in entry.defined + entry.used}) > 1
+    return "".join(_line(entry, several) for entry in references)
+
+
+def _line(entry: Reference, several: bool) -> str:
+    where = _places(entry.defined, several) or ("permanent" if entry.permanent else "")
+    return f"{entry.name:6}  {entry.value:04o}  {where:16}  {_places(entry.used, several)}".rstrip() + "\n"
+
+
+def _places(places: tuple[Occurrence, ...], several: bool) -> str:
+    return " ".join(f"{place.file}:{place.line}" if several else str(place.line) for place in places)

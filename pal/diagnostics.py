@@ -1,0 +1,139 @@
+"""What is wrong with a source, said to a person: DEC's message, the place, the line, and what to do.
+
+    eia.pal:12:5: UA  LOOP    AT  0203
+        JMP LOOP
+            ^^^^
+      undefined: LOOP is taken as 0377, the last address of its page; define it with LOOP, or LOOP=
+
+The errors are DEC's, all of them: IC, RD, DT, ST and UA of pass 1, IR of passes 2 and 3. Besides, there are
+notes of ours, of things at which PAL III is silent.
+
+Sources: DEC-08-ASAC-D, "Diagnostics"; the output of DEC-08-ASB1.
+"""
+
+from collections.abc import Callable, Iterable
+from typing import NamedTuple
+
+from pal import scanner
+from pal.assembler import Message, Place
+from pal.dialects import hint
+from pal.scanner import Line
+
+
+class Diagnostic(NamedTuple):
+    """One thing that is wrong.
+
+    code        DEC's two letters; "" for a note of ours
+    message     what DEC's assembler types, or the note
+    advice      what it means and what to do
+    hint        what PAL III has for what another assembler's dialect says here, or ""
+    file, line, column    the place, counted from 1; `source` is the line, `width` how much of it is meant
+    """
+
+    code: str
+    message: str
+    advice: str
+    hint: str
+    file: str
+    line: int
+    column: int
+    width: int
+    source: str
+
+    @property
+    def error(self) -> bool:
+        """Whether it is DEC's."""
+        return bool(self.code)
+
+    def __str__(self) -> str:
+        margin = "".join("\t" if character == "\t" else " " for character in self.source[: self.column - 1])
+        shown = f"    {self.source}\n    {margin}{'^' * max(1, self.width)}\n" if self.source.strip() else ""
+        advice = "".join(f"  {sentence}\n" for sentence in (self.advice, self.hint) if sentence)
+        return f"{self.file}:{self.line}:{self.column}: {self.message}\n{shown}{advice}".rstrip("\n")
+
+
+def diagnose(lines: list[Line], names: list[str], messages: Iterable[Message]) -> list[Diagnostic]:
+    """Return the messages and our notes as diagnostics, in source order."""
+    found = [
+        _diagnostic(lines, names, message) for message in sorted(messages, key=lambda message: message.place)
+    ]
+    return found + _notes(lines, names)
+
+
+def _diagnostic(lines: list[Line], names: list[str], message: Message) -> Diagnostic:
+    line = lines[message.place.line]
+    start, end = scanner.columns(line, *message.place[1:])
+    subject = message.subject.strip()
+    return Diagnostic(
+        message.code,
+        str(message),
+        _ADVICE[message.code](subject, message.location),
+        hint(message.code, subject),
+        names[line.tape],
+        line.number,
+        start + 1,
+        end - start,
+        line.text,
+    )
+
+
+def _undefined(name: str, location: int) -> str:
+    value = f"{location | 0o177:04o}"
+    where = "the last address of its page"
+    return f"undefined: {name} is taken as {value}, {where}; define it with {name}, or {name}="
+
+
+def _illegal(code: str, location: int) -> str:
+    value = int(code, 8)
+    if value < 0o200:
+        return (
+            f"illegal character: the letter {chr(value + 0o100)} in a number; a symbol begins with a letter"
+        )
+    return f"illegal character {_spelled(value & 0o177)}: it is passed over; remove it"
+
+
+def _spelled(character: int) -> str:
+    return chr(character) if 0o40 < character < 0o177 else f"(code {character | 0o200:04o})"
+
+
+def _reference(address: str, location: int) -> str:
+    page = location & 0o7600
+    low = int(address, 8) & 0o177
+    return (
+        f"illegal reference: {address} is neither on page zero nor on the page of {location:04o}; "
+        f"{page | low:04o} is used; go through a pointer on this page, with I"
+    )
+
+
+_ADVICE: dict[str, Callable[[str, int], str]] = {
+    "IC": _illegal,
+    "RD": lambda name, _: f"redefinition: {name} has a value already and takes the new one; use another name",
+    "DT": lambda name, _: (
+        f"duplicate tag: {name or 'the symbol before this comma'} keeps its value; use another name"
+    ),
+    "ST": lambda name, _: f"symbol table full: no room for {name}, and no tape; use fewer symbols",
+    "UA": _undefined,
+    "IR": _reference,
+}
+
+
+def _notes(lines: list[Line], names: list[str]) -> list[Diagnostic]:
+    if not lines:
+        return [_note("the source is empty", "there is not even a $", names[0] if names else "", 1, 1, "")]
+    last = lines[-1]
+    file = names[last.tape]
+    if last.complete:
+        advice = "PAL III would wait for more tape; it is taken as if it were there"
+        return [_note("no $ at the end", advice, file, last.number, 1, last.text)]
+    if scanner.tokens(last.statements[-1]):
+        start = scanner.columns(last, len(last.statements) - 1, 0)[0]
+        advice = "$ ends the pass where it stands; put it on a line of its own"
+        return [_note("this makes no word", advice, file, last.number, start + 1, last.text)]
+    return []
+
+
+def _note(message: str, advice: str, file: str, line: int, column: int, source: str) -> Diagnostic:
+    return Diagnostic("", f"note: {message}", advice, "", file, line, column, 1, source)
+
+
+__all__ = ["Diagnostic", "Place", "diagnose"]
