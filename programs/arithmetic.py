@@ -1,0 +1,291 @@
+"""The arithmetic a part program runs in: exact, or that of a machine of its day.
+
+                word            + -              *                /                SQRT         assignment
+    exact       rational        exact            exact            exact            see below    exact
+    ge635       27 bits, sign   71, truncated    71, truncated    35, truncated    27, rounded  27, truncated
+    ieee32      24 bits, sign   24, rounded      24, rounded      24, rounded      24, rounded  as it is
+    cdc6400     48 bits, sign   48, truncated    48, truncated    48, truncated    48, rounded  as it is
+
+A program is written once, with the operators of its listing, over the numbers of whichever arithmetic it is
+given:
+
+    ay = store(ay + 1)                          300 20 AY=AY+1.
+    ar = store(sqrt(ax**2 + ay**2))             305    AR=SQRT(AX**2+AY**2)
+
+GE-635. Expressions are worked out in the register EAQ, an exponent and 71 bits and sign in two's complement.
+The operand at the right of an operator comes from memory, so that a right operand which is itself an
+expression has been stored on the way. FAD shifts the operand of smaller exponent right inside AQ and loses
+what passes its end; FMP keeps the leading 71 bits of the product; FDV makes a quotient of 35 bits, cut as a
+magnitude; FST stores the first 27 bits. Cutting a two's complement number goes towards minus infinity. X**2
+is a multiplication. SQRT ends with a rounding to a word (FRD) and is exact where the root is.
+
+CDC 6400. Ones' complement, so that cutting goes towards zero. FX adds in 96 bits, aligned to the larger
+exponent, and keeps the upper 48 before they are normalised: a difference loses what alignment shifted past
+the upper half.
+
+Not emulated: the range of exponents (nothing here comes near its ends), the CDC's indefinite, IEEE's
+infinities. It is not known which of truncating and rounding stores the compiler of 1971 chose; the GE-635 did
+both.
+
+Sources: GE-625/635 Programming Reference Manual, CPB-1004 (FAD, FMP, FDV, FST, FRD); Control Data
+6400/6500/6600 Computer Systems Reference Manual (floating point arithmetic); IEEE 754.
+"""
+
+from fractions import Fraction
+from math import isqrt
+from typing import Any, Final, Protocol
+
+
+class Arithmetic(Protocol):
+    """What a part program asks of its machine; the numbers it makes know + - * / ** and compare with 0."""
+
+    def real(self, value: float) -> Any:
+        """Return the constant that is written `value`, as this machine holds it."""
+
+    def store(self, value: Any) -> Any:
+        """Return what is left of the value of an expression when a variable is assigned it."""
+
+    def sqrt(self, value: Any) -> Any:
+        """Return SQRT(value), `value` not negative."""
+
+
+class Exact:
+    """Rational arithmetic; a root that is not rational is cut 128 bits after the point.
+
+    The cut changes no test of a part program: the root of a fraction of denominator d*d that is not the
+    rational r of denominator d differs from r by about 1/(2*d*d*r) at least, and parts are not made to
+    2**-128 inch.
+    """
+
+    def real(self, value: float) -> Fraction:
+        """Return the rational that the decimal digits of `value` say."""
+        return Fraction(str(value))
+
+    def store(self, value: Fraction) -> Fraction:
+        """Return `value`."""
+        return value
+
+    def sqrt(self, value: Fraction) -> Fraction:
+        """Return the root of `value`, exactly where it is rational."""
+        over, under = value.numerator, value.denominator
+        root, side = isqrt(over), isqrt(under)
+        if root * root == over and side * side == under:
+            return Fraction(root, side)
+        return Fraction(isqrt((over << 256) // under), 1 << 128)
+
+
+class Float:
+    """mantissa * 2**exponent, in a register of `machine`."""
+
+    __slots__ = ("exponent", "machine", "mantissa")
+
+    def __init__(self, machine: "Machine", mantissa: int, exponent: int) -> None:
+        self.machine = machine
+        self.mantissa = mantissa
+        self.exponent = exponent
+
+    def __add__(self, other: "Float | int") -> "Float":
+        return self.machine.add(self, self._operand(other))
+
+    def __sub__(self, other: "Float | int") -> "Float":
+        return self.machine.add(self, -self._operand(other))
+
+    def __mul__(self, other: "Float | int") -> "Float":
+        return self.machine.multiply(self, self._operand(other))
+
+    def __truediv__(self, other: "Float | int") -> "Float":
+        return self.machine.divide(self, self._operand(other))
+
+    def __pow__(self, power: int) -> "Float":
+        value, base = self, self.machine.store(self)
+        for _ in range(power - 1):
+            value = self.machine.multiply(value, base)
+        return value
+
+    def __neg__(self) -> "Float":
+        return Float(self.machine, -self.mantissa, self.exponent)
+
+    def __le__(self, zero: int) -> bool:
+        return self.mantissa <= zero
+
+    def __lt__(self, zero: int) -> bool:
+        return self.mantissa < zero
+
+    def __gt__(self, zero: int) -> bool:
+        return self.mantissa > zero
+
+    def __int__(self) -> int:
+        return int(self.exactly)
+
+    @property
+    def exactly(self) -> Fraction:
+        """The value, exactly."""
+        return self.mantissa * Fraction(2) ** self.exponent
+
+    def _operand(self, other: "Float | int") -> "Float":
+        return self.machine.store(other) if isinstance(other, Float) else Float(self.machine, other, 0)
+
+
+class Machine:
+    """Binary floating point: how many bits of a result are kept (no sign counted) and how the rest is cut."""
+
+    word: int
+    register: int
+    quotient: int
+
+    def cut(self, mantissa: int, bits: int) -> tuple[int, int]:
+        """Return `mantissa` cut to `bits`, and how many bits were dropped."""
+        raise NotImplementedError
+
+    def keep(self, mantissa: int, exponent: int, bits: int) -> Float:
+        """Return mantissa * 2**exponent, cut to `bits`."""
+        mantissa, dropped = self.cut(mantissa, bits)
+        return Float(self, mantissa, exponent + dropped)
+
+    def real(self, value: float) -> Float:
+        """Return the word nearest to the decimal digits of `value`."""
+        wanted = Fraction(str(value))
+        mantissa, exponent = _quotient(wanted.numerator, wanted.denominator)
+        mantissa, dropped = _nearest(mantissa, self.word)
+        return Float(self, mantissa, exponent + dropped)
+
+    def store(self, value: Float) -> Float:
+        """Return `value` as a word of memory keeps it."""
+        return self.keep(value.mantissa, value.exponent, self.word)
+
+    def add(self, a: Float, b: Float) -> Float:
+        """Return a + b."""
+        low = min(a.exponent, b.exponent)
+        total = (a.mantissa << (a.exponent - low)) + (b.mantissa << (b.exponent - low))
+        return self.keep(total, low, self.register)
+
+    def multiply(self, a: Float, b: Float) -> Float:
+        """Return a * b."""
+        return self.keep(a.mantissa * b.mantissa, a.exponent + b.exponent, self.register)
+
+    def divide(self, a: Float, b: Float) -> Float:
+        """Return a / b."""
+        mantissa, exponent = _quotient(a.mantissa, b.mantissa)
+        return self.keep(mantissa, exponent + a.exponent - b.exponent, self.quotient)
+
+    def sqrt(self, value: Float) -> Float:
+        """Return the word nearest to the root of `value` as memory keeps it."""
+        mantissa, exponent = _root(self.store(value))
+        mantissa, dropped = _nearest(mantissa, self.word)
+        return Float(self, mantissa, exponent + dropped)
+
+
+class IEEE32(Machine):
+    """IEEE 754 binary32, round to nearest even."""
+
+    word = register = quotient = 24
+
+    def cut(self, mantissa: int, bits: int) -> tuple[int, int]:
+        """Round to the nearest."""
+        return _nearest(mantissa, bits)
+
+
+class CDC6400(Machine):
+    """The CDC 6400's instructions FX."""
+
+    word = register = quotient = 48
+
+    def cut(self, mantissa: int, bits: int) -> tuple[int, int]:
+        """Drop low bits of the magnitude."""
+        return _chopped(mantissa, bits)
+
+    def add(self, a: Float, b: Float) -> Float:
+        """Return the upper half of a sum of 96 bits."""
+        if not a.mantissa or not b.mantissa:
+            return a if a.mantissa else b
+        (m, e), (n, f) = sorted((_normal(a, 48), _normal(b, 48)), key=lambda part: -part[1])
+        shifted = _towards_zero(n << 48, e - f)
+        return self.keep(_towards_zero((m << 48) + shifted, 48), e, 48)
+
+
+class GE635(Machine):
+    """The GE-635's EAQ and FST."""
+
+    word = 27
+    register = 71
+    quotient = 35
+
+    def cut(self, mantissa: int, bits: int) -> tuple[int, int]:
+        """Drop low bits of the two's complement number."""
+        dropped = max(0, _magnitude_bits(mantissa) - bits)
+        return mantissa >> dropped, dropped
+
+    def add(self, a: Float, b: Float) -> Float:
+        """FAD: aligned to the larger exponent inside AQ, then normalised."""
+        if not a.mantissa or not b.mantissa:
+            return a if a.mantissa else b
+        (m, e), (n, f) = _normal(a, self.register), _normal(b, self.register)
+        top = max(e, f)
+        return self.keep((m >> (top - e)) + (n >> (top - f)), top, self.register)
+
+    def multiply(self, a: Float, b: Float) -> Float:
+        """FMP: the leading bits of the product as it stands, before it is normalised."""
+        (m, e), (n, f) = _normal(a, self.register), _normal(b, self.word)
+        return Float(self, (m * n) >> self.word, e + f + self.word)
+
+    def divide(self, a: Float, b: Float) -> Float:
+        """FDV: the quotient's magnitude is cut."""
+        mantissa, exponent = _quotient(a.mantissa, b.mantissa)
+        mantissa, dropped = _chopped(mantissa, self.quotient)
+        return Float(self, mantissa, exponent + dropped + a.exponent - b.exponent)
+
+
+EXACT: Final = Exact()
+
+ARITHMETICS: Final[dict[str, Arithmetic]] = {
+    "exact": EXACT,
+    "ge635": GE635(),
+    "ieee32": IEEE32(),
+    "cdc6400": CDC6400(),
+}
+"""Every arithmetic by its name."""
+
+
+def _magnitude_bits(mantissa: int) -> int:
+    """Bits of a two's complement number, its sign not counted."""
+    return (mantissa if mantissa >= 0 else ~mantissa).bit_length()
+
+
+def _normal(value: Float, bits: int) -> tuple[int, int]:
+    """Mantissa and exponent of a value other than 0, shifted left until the mantissa fills `bits`."""
+    shift = bits - _magnitude_bits(value.mantissa)
+    return value.mantissa << shift, value.exponent - shift
+
+
+def _towards_zero(mantissa: int, places: int) -> int:
+    return mantissa >> places if mantissa >= 0 else -(-mantissa >> places)
+
+
+def _chopped(mantissa: int, bits: int) -> tuple[int, int]:
+    dropped = max(0, mantissa.bit_length() - bits)
+    return _towards_zero(mantissa, dropped), dropped
+
+
+def _nearest(mantissa: int, bits: int) -> tuple[int, int]:
+    dropped = max(0, mantissa.bit_length() - bits)
+    if not dropped:
+        return mantissa, 0
+    rest = mantissa & ((1 << dropped) - 1)
+    half = 1 << (dropped - 1)
+    kept = mantissa >> dropped
+    return kept + (rest > half or (rest == half and kept & 1)), dropped
+
+
+def _quotient(over: int, under: int) -> tuple[int, int]:
+    """A quotient of more bits than any word has; its last bit says that the division left a rest."""
+    whole, rest = divmod(abs(over) << 160, abs(under))
+    quotient = whole << 1 | (rest != 0)
+    return (quotient if (over < 0) == (under < 0) else -quotient), -161
+
+
+def _root(value: Float) -> tuple[int, int]:
+    """A root of more bits than any word has; its last bit says that it is not exact."""
+    odd = value.exponent & 1
+    square = value.mantissa << (160 + odd)
+    root = isqrt(square)
+    return root << 1 | (root * root != square), (value.exponent - odd) // 2 - 81

@@ -1,0 +1,96 @@
+"""Appendix C: the circle, ported from circle.for with its order of statements and its quirks.
+
+    quadrant    1         2         3         4             1 | 2       clockwise from 9 o'clock;
+    X        4000-AX   4000+AX   4000+AX   4000-AX         ---+---      AX and AY are distances
+    Y        4000+AY   4000+AY   4000-AY   4000-AY          4 | 3       from the centre
+    climbs      AY        AX        AY        AX
+    statements 20-45     50-65     70-85    90-105
+
+In each quadrant one of AX, AY climbs by .001 until the outer limit is reached and the point is printed; then
+the other comes down by .001 until the inner limit is reached and the point is printed. The quadrant ends when
+the one that comes down reaches 0, and the next starts where it stopped. The tests against RAD (390, 475, 560,
+645) never end a quadrant with the thesis's values, and the contour ends .156 in short of its start.
+
+The numbering is the listing's: AS starts at 7; quadrant 1 prints its Y-points with AS as it is and steps it
+before and after each X-point; the other quadrants step it before each print.
+
+Chapter 7 speaks of a centre diameter of 3.75 in. The header positions to X 2.250, which is a radius of 1.750
+about 4.000: a four inch circle cut from within by a half inch cutter. The listing is followed.
+
+Sources: thesis, Appendix C; lines 235 to 315, damaged in the scan, as circle.for restores them.
+"""
+
+from typing import Annotated, Any
+
+from programs.arithmetic import EXACT, Arithmetic
+from programs.format import Overflow
+from programs.header import THESIS, Header
+from programs.printout import Printout, check_band, check_feed, check_start
+
+_QUADRANTS = ((-1, +1, "AY", "AX"), (+1, +1, "AX", "AY"), (+1, -1, "AY", "AX"), (-1, -1, "AX", "AY"))
+"""Signs of AX and AY, which of them climbs, which comes down."""
+
+
+def part(
+    *,
+    radius: Annotated[int, "RAD: radius of the cutter's path"] = 1750,
+    tolerance: Annotated[float, "half the width of the band"] = 5,
+    outer: Annotated[float | None, "ARL: outer limit, else radius + tolerance"] = None,
+    inner: Annotated[float | None, "ARS: inner limit, else radius - tolerance"] = None,
+    centre_x: Annotated[int, "X of the centre, 4000. in line 320"] = 4000,
+    centre_y: Annotated[int, "Y of the centre, 4000. in line 325"] = 4000,
+    start_x: Annotated[int | None, "AX: first distance from the centre in X, else the radius"] = None,
+    start_y: Annotated[int, "AY: first distance from the centre in Y"] = 0,
+    sequence: Annotated[int, "AS: starting sequence number"] = 7,
+    preparatory: Annotated[int, "AP: preparatory function of the contour"] = 6,
+    feed: Annotated[int, "AT: feed code of Table 2.4"] = 1,
+    x_feed: Annotated[int, "AMX: miscellaneous function of a cut in X"] = 84,
+    y_feed: Annotated[int, "AMY: miscellaneous function of a cut in Y"] = 85,
+    header: Header = THESIS,
+    arithmetic: Arithmetic = EXACT,
+    overflow: Overflow = "low-digits",
+) -> str:
+    r"""Return the printout: a block is a line of 19 characters and "\n". Lengths are thousandths of an inch.
+
+    Raises PartError for parameters that make no circle, and for a block that leaves the table.
+    """
+    outer = radius + tolerance if outer is None else outer
+    inner = radius - tolerance if inner is None else inner
+    start_x = radius if start_x is None else start_x
+    check_band("radius", radius, inner, outer)
+    check_start(start_x, start_y, outer, outer)
+    check_feed(feed)
+    printout = Printout(overflow)
+    printout.header(header, centre_x - start_x, centre_y + start_y)
+
+    real, store, sqrt = arithmetic.real, arithmetic.store, arithmetic.sqrt
+    at = {"AX": real(start_x), "AY": real(start_y)}
+    rad, arl, ars = real(radius), real(outer), real(inner)
+
+    def ar() -> Any:
+        return store(sqrt(at["AX"] ** 2 + at["AY"] ** 2))
+
+    def mill(sequence: int, east: int, north: int, function: int) -> None:
+        x, y = centre_x + east * int(at["AX"]), centre_y + north * int(at["AY"])
+        printout.print_30(sequence, preparatory, x, y, feed, function)
+
+    function = {"AX": x_feed, "AY": y_feed}
+    for east, north, up, down in _QUADRANTS:
+        first = (east, north) == (-1, +1)
+        while True:
+            at[up] = store(at[up] + 1)  # 20 50 70 90
+            while arl - ar() > 0:
+                at[up] = store(at[up] + 1)
+            sequence += 0 if first else 1  # 25 55 75 95
+            mill(sequence, east, north, function[up])
+            at[down] = store(at[down] - 1)  # 40 60 80 100
+            while at[down] > 0 and ar() - ars > 0:  # 41 61 81 101
+                at[down] = store(at[down] - 1)
+            if at[down] <= 0:
+                break
+            sequence += 1  # 42 62 82 102
+            mill(sequence, east, north, function[down])
+            sequence += 1 if first else 0
+            if rad - at[up] <= 0:
+                break
+    return printout.text

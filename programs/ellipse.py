@@ -1,0 +1,98 @@
+"""Appendix D: the ellipse, ported from ellipse.for with its order of statements and its quirks.
+
+    quadrant    1         2         3         4             1 | 2       clockwise from 9 o'clock;
+    X         CX-AX     CX+AX     CX+AX     CX-AX          ---+---      AX and AY are distances
+    Y         CY+AY     CY+AY     CY-AY     CY-AY           4 | 3       from the centre
+    climbs      AY        AX        AY        AX
+    statements 20-45     50-65     70-85    90-105
+
+The steps are the circle's; a point is outside where ONE = AX**2/AA**2+AY**2/BB**2 reaches 1, inside where the
+same with A and B comes down to it. AS starts at 6 and is stepped before every print.
+
+The arithmetic shows. (2404, 1353) lies exactly on the outer ellipse, being 4/5 and 3/5 of 3005 and 2255, so
+that ONE is 0.64 + 0.36. Neither quotient ends in binary; cut off instead of rounded, they add up to less than
+1, quadrant 3 takes one step more, and blocks 587 to 595 are .001 off.
+
+Sources: thesis, Appendix D.
+"""
+
+from typing import Annotated, Any
+
+from programs.arithmetic import EXACT, Arithmetic
+from programs.format import Overflow
+from programs.header import THESIS, Header
+from programs.printout import Printout, check_band, check_feed, check_start
+
+_QUADRANTS = ((-1, +1, "AY", "AX"), (+1, +1, "AX", "AY"), (+1, -1, "AY", "AX"), (-1, -1, "AX", "AY"))
+"""Signs of AX and AY, which of them climbs, which comes down."""
+
+
+def part(
+    *,
+    major: Annotated[int, "AC: semi-major axis, along X"] = 3000,
+    minor: Annotated[int, "BC: semi-minor axis, along Y"] = 2250,
+    tolerance: Annotated[float, "half the width of the band"] = 5,
+    outer_major: Annotated[float | None, "AA: outer major limit, else major + tolerance"] = None,
+    outer_minor: Annotated[float | None, "BB: outer minor limit, else minor + tolerance"] = None,
+    inner_major: Annotated[float | None, "A: inner major limit, else major - tolerance"] = None,
+    inner_minor: Annotated[float | None, "B: inner minor limit, else minor - tolerance"] = None,
+    centre_x: Annotated[int, "CX: X of the centre"] = 4000,
+    centre_y: Annotated[int, "CY: Y of the centre"] = 4000,
+    start_x: Annotated[int | None, "AX: first distance from the centre in X, else the major axis"] = None,
+    start_y: Annotated[int, "AY: first distance from the centre in Y"] = 0,
+    sequence: Annotated[int, "AS: starting sequence number, stepped before each print"] = 6,
+    preparatory: Annotated[int, "AP: preparatory function of the contour"] = 6,
+    feed: Annotated[int, "AT: feed code of Table 2.4"] = 5,
+    x_feed: Annotated[int, "AMX: miscellaneous function of a cut in X"] = 84,
+    y_feed: Annotated[int, "AMY: miscellaneous function of a cut in Y"] = 85,
+    header: Header = THESIS,
+    arithmetic: Arithmetic = EXACT,
+    overflow: Overflow = "low-digits",
+) -> str:
+    r"""Return the printout: a block is a line of 19 characters and "\n". Lengths are thousandths of an inch.
+
+    Raises PartError for parameters that make no ellipse, and for a block that leaves the table.
+    """
+    outer_major = major + tolerance if outer_major is None else outer_major
+    outer_minor = minor + tolerance if outer_minor is None else outer_minor
+    inner_major = major - tolerance if inner_major is None else inner_major
+    inner_minor = minor - tolerance if inner_minor is None else inner_minor
+    start_x = major if start_x is None else start_x
+    check_band("semi-major axis", major, inner_major, outer_major)
+    check_band("semi-minor axis", minor, inner_minor, outer_minor)
+    check_start(start_x, start_y, outer_major, outer_minor)
+    check_feed(feed)
+    printout = Printout(overflow)
+    printout.header(header, centre_x - start_x, centre_y + start_y)
+
+    real, store = arithmetic.real, arithmetic.store
+    at = {"AX": real(start_x), "AY": real(start_y)}
+    last = {"AX": real(major), "AY": real(minor)}
+    aa, bb = real(outer_major), real(outer_minor)
+    a, b = real(inner_major), real(inner_minor)
+
+    def one(a: Any, b: Any) -> Any:
+        return store(at["AX"] ** 2 / a**2 + at["AY"] ** 2 / b**2)
+
+    def mill(sequence: int, east: int, north: int, function: int) -> None:
+        x, y = centre_x + east * int(at["AX"]), centre_y + north * int(at["AY"])
+        printout.print_30(sequence, preparatory, x, y, feed, function)
+
+    function = {"AX": x_feed, "AY": y_feed}
+    for east, north, up, down in _QUADRANTS:
+        while True:
+            at[up] = store(at[up] + 1)  # 20 50 70 90
+            while one(aa, bb) - 1 < 0:
+                at[up] = store(at[up] + 1)
+            sequence += 1  # 25 55 75 95
+            mill(sequence, east, north, function[up])
+            at[down] = store(at[down] - 1)  # 40 60 80 100
+            while at[down] > 0 and one(a, b) - 1 > 0:  # 41 61 81 101
+                at[down] = store(at[down] - 1)
+            if at[down] <= 0:
+                break
+            sequence += 1  # 42 62 82 102
+            mill(sequence, east, north, function[down])
+            if last[up] - at[up] <= 0:
+                break
+    return printout.text

@@ -1,0 +1,53 @@
+"""FORMAT: the fields of a PRINT statement, as the terminal of 1971 gave them.
+
+    FORMAT(I3,I1,I5,I5,I3,I2)    "  76 2250 4133  185"    19 characters, blanks in front of each number
+    FORMAT(1X,I5,I4,I5,I4)       "  1019   0    0   2"    1X is punched as a blank: no carriage control column
+
+An I-field takes a REAL and prints its whole part, as both listings ask of it. A number wider than its field
+(a sequence number past 999 in I3) keeps its low digits: the thesis's polynomial ran to 1200 blocks and was
+cut, and stars, which the translation drops, would have made its blocks short. Stars, the other custom of the
+day, are there on request.
+
+Not emulated: every field but I and X, repeat counts, groups, slashes.
+
+Sources: thesis, Chapter 6 and Appendices C and D.
+"""
+
+from typing import Annotated, Literal, SupportsInt
+
+Overflow = Annotated[Literal["low-digits", "stars"], "what becomes of a number wider than its field"]
+
+
+class Format:
+    """A FORMAT statement's fields: `Format("1X,I5,I4")`."""
+
+    def __init__(self, fields: str) -> None:
+        self._fields = [_field(field) for field in fields.split(",")]
+
+    @property
+    def width(self) -> int:
+        """Characters of a line."""
+        return sum(width for _, width in self._fields)
+
+    def line(self, *values: SupportsInt, overflow: Overflow = "low-digits") -> str:
+        r"""Return the line that PRINT gives for `values`, one for each I-field, ended by "\n"."""
+        numbers = iter(values)
+        return (
+            "".join(
+                _integer(int(next(numbers)), width, overflow) if takes_value else " " * width
+                for takes_value, width in self._fields
+            )
+            + "\n"
+        )
+
+
+def _field(field: str) -> tuple[bool, int]:
+    """(takes a value, width) of one field."""
+    return (False, int(field[:-1])) if field.endswith("X") else (True, int(field[1:]))
+
+
+def _integer(number: int, width: int, overflow: Overflow) -> str:
+    digits = str(number)
+    if len(digits) <= width:
+        return digits.rjust(width)
+    return "*" * width if overflow == "stars" else digits[-width:]

@@ -1,0 +1,83 @@
+"""A part program's keyword parameters as options of its command: declared once, in its signature.
+
+signature                                     command
+radius: Annotated[int, "RAD: ..."] = 1750     --radius INTEGER, its help and default
+expression: Annotated[str, "..."]             EXPRESSION, an argument
+header: Header                                an option for each of its fields
+arithmetic: Arithmetic                        --arithmetic, by name
+"""
+
+import inspect
+import types
+from collections.abc import Callable, Mapping
+from dataclasses import fields
+from math import isfinite
+from typing import Any, Literal, get_args, get_origin, get_type_hints
+
+import click
+
+from programs.arithmetic import ARITHMETICS, Arithmetic
+from programs.header import Header
+
+Part = Callable[..., str]
+
+
+def parameters(part: Part) -> list[click.Parameter]:
+    """Return the click parameters of `part`, in the order of its signature."""
+    hints = get_type_hints(part, include_extras=True)
+    found: list[click.Parameter] = []
+    for name, parameter in inspect.signature(part).parameters.items():
+        if hints[name] is Header:
+            headings = get_type_hints(Header, include_extras=True)
+            found += [_option(field.name, headings[field.name], field.default) for field in fields(Header)]
+        elif hints[name] is Arithmetic:
+            choice = click.Choice(list(ARITHMETICS))
+            found.append(_named("arithmetic", choice, "exact", "The machine whose arithmetic is used."))
+        else:
+            found.append(_option(name, hints[name], parameter.default))
+    return found
+
+
+def arguments(part: Part, values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the keywords to call `part` with, for the `values` that click has of its parameters."""
+    hints = get_type_hints(part)
+    keywords = {name: values[name] for name in hints if name in values}
+    if "header" in hints:
+        keywords["header"] = Header(**{field.name: values[field.name] for field in fields(Header)})
+    if "arithmetic" in hints:
+        keywords["arithmetic"] = ARITHMETICS[values["arithmetic"]]
+    return keywords
+
+
+def _option(name: str, hint: Any, default: Any) -> click.Parameter:
+    kind, help_line = get_args(hint)
+    if default is inspect.Parameter.empty:
+        return click.Argument([name], type=_type(kind))
+    return _named(name, _type(kind), default, f"{help_line[0].upper()}{help_line[1:]}.")
+
+
+def _named(name: str, kind: Any, default: Any, help_line: str) -> click.Option:
+    spelling = "--" + name.strip("_").replace("_", "-")
+    shown = default is not None
+    return click.Option([spelling, name], type=kind, default=default, show_default=shown, help=help_line)
+
+
+def _type(hint: Any) -> Any:
+    if get_origin(hint) is Literal:
+        return click.Choice(list(get_args(hint)))
+    if get_origin(hint) is types.UnionType:
+        return next(kind for kind in get_args(hint) if kind is not types.NoneType)
+    return _FINITE if hint is float else hint
+
+
+class _Finite(click.types.FloatParamType):
+    """A number with a decimal point, neither infinite nor none at all."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        number = super().convert(value, param, ctx)
+        if not isfinite(number):
+            self.fail(f"{value!r} is no finite number.", param, ctx)
+        return number
+
+
+_FINITE = _Finite()

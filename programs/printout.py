@@ -1,0 +1,107 @@
+"""The printout of a part program: a block is a line of 19 characters, its 20th row the end of the line.
+
+    10 FORMAT(1X,I5,I4,I5,I4)       the blocks before the contour, their 19 digits in groups
+    30 FORMAT(I3,I1,I5,I5,I3,I2)    sequence, preparatory, X, Y, reserved and tool, miscellaneous
+
+A block that would leave the machine's travel is refused, with its number: a sign is no digit, and the
+translation would drop it and shift every row after it.
+
+Sources: thesis, Chapter 6 and Appendices C and D; travel from Chapter 2.
+"""
+
+from math import isfinite
+from typing import SupportsInt
+
+from programs.errors import PartError
+from programs.format import Format, Overflow
+from programs.header import Header
+from tapes.hydrapoint import X_TRAVEL, XY_FEED, Y_TRAVEL, Block
+
+FORMAT_10 = Format("1X,I5,I4,I5,I4")
+FORMAT_30 = Format("I3,I1,I5,I5,I3,I2")
+
+
+class Printout:
+    """Collects the lines that a part program prints."""
+
+    def __init__(self, overflow: Overflow = "low-digits") -> None:
+        self._overflow = overflow
+        self._lines: list[str] = []
+
+    @property
+    def blocks(self) -> int:
+        """How many blocks have been printed."""
+        return len(self._lines)
+
+    @property
+    def text(self) -> str:
+        r"""The whole printout, its lines ended by "\n"."""
+        return "".join(self._lines)
+
+    def header(self, header: Header, x: SupportsInt, y: SupportsInt) -> None:
+        """PRINT 10, six times: the opening blocks of a contour that starts at `x`, `y`."""
+        for block in header.blocks(*self._on_table(x, y, 5)):
+            self.print_10(block)
+
+    def print_10(self, block: Block) -> None:
+        """PRINT 10: a block whose first digit is 0, by the digits of its groups."""
+        digits = block.digits
+        groups = (digits[1:6], digits[6:10], digits[10:15], digits[15:19])
+        self._lines.append(FORMAT_10.line(*map(int, groups), overflow=self._overflow))
+
+    def print_30(
+        self,
+        sequence: SupportsInt,
+        preparatory: SupportsInt,
+        x: SupportsInt,
+        y: SupportsInt,
+        tool: SupportsInt,
+        miscellaneous: SupportsInt,
+    ) -> None:
+        """PRINT 30: a block of the contour. Raises PartError where `x`, `y` is off the table."""
+        x, y = self._on_table(x, y, int(sequence))
+        self._lines.append(
+            FORMAT_30.line(sequence, preparatory, x, y, tool, miscellaneous, overflow=self._overflow)
+        )
+
+    @staticmethod
+    def _on_table(x: SupportsInt, y: SupportsInt, sequence: int) -> tuple[int, int]:
+        x, y = int(x), int(y)
+        for axis, value, travel in (("X", x, X_TRAVEL), ("Y", y, Y_TRAVEL)):
+            if not 0 <= value <= travel:
+                raise PartError(
+                    f"block {sequence:03}: {axis} {value} leaves the table, whose travel is 0 to {travel} "
+                    "thousandths of an inch"
+                )
+        return x, y
+
+
+def check_feed(code: int) -> None:
+    """Raise PartError for a feed that Table 2.4 does not have."""
+    if code not in XY_FEED:
+        raise PartError(f"feed code {code} is not in Table 2.4, 1 to {max(XY_FEED)}")
+
+
+def check_band(name: str, size: float, inner: float, outer: float) -> None:
+    """Raise PartError unless `size` is a curve's and lies a thousandth or more from each of its limits."""
+    if not (isfinite(size) and isfinite(inner) and isfinite(outer)):
+        raise PartError(f"{name} {size:g} between {inner:g} and {outer:g} is no curve")
+    if size <= 0:
+        raise PartError(f"{name} {size:g} is no size of a curve: it must be greater than 0")
+    if inner <= 0:
+        raise PartError(
+            f"the tolerance is larger than the curve: {name} {size:g} has an inner limit of {inner:g}"
+        )
+    if min(outer - size, size - inner) < 1:
+        raise PartError(
+            f"{name} {size:g} between {inner:g} and {outer:g}: a tolerance must be 1 or more, the machine's "
+            "resolution (lengths here are thousandths of an inch)"
+        )
+
+
+def check_start(x: float, y: float, furthest_x: float, furthest_y: float) -> None:
+    """Raise PartError for a contour that starts outside its first quadrant, or outside its outer limit."""
+    if not (0 <= x <= furthest_x and 0 <= y <= furthest_y):
+        raise PartError(
+            f"the contour cannot start {x:g}, {y:g} from the centre: that is outside its first quadrant"
+        )
