@@ -15,6 +15,7 @@ Source: Small Computer Handbook 1970, chapter 9 (I/O bus).
 """
 
 NEVER = 1 << 62
+AT_ONCE = -1
 
 # What a device answers to a pulse: data for AC 4-11 in the low bits, and
 SKIP = 0o10000
@@ -39,6 +40,14 @@ class Device:
     def initialize(self, now: int) -> None:
         """INITIALIZE, from the START key or at power-up."""
         raise NotImplementedError
+
+    def look(self) -> None:
+        """Look again at tape, key or lever, as soon as time goes on: a hand touched it."""
+
+    def finish(self) -> None:
+        """Let the mechanism finish what it has begun, because the processor stands still; the flag keeps its
+        time.
+        """
 
     def out_of_tape(self) -> bool:
         """Tell whether the program asked for a frame of a tape that has run out."""
@@ -90,6 +99,11 @@ class Bus:
         for device in self.devices:
             due = min(due, device.due)
         return due
+
+    def finish(self) -> None:
+        """Let every mechanism finish what it has begun."""
+        for device in self.devices:
+            device.finish()
 
     def initialize(self, now: int) -> None:
         """INITIALIZE on every device."""

@@ -1,10 +1,11 @@
 """The whole PDP-8/L: the one place that knows every part and wires it, and runs it.
 
-        switches ─► panel ─► processor ◄─► core
-                                │
-                               bus ── 03 receiver ◄─ reader, keyboard ┐
-                                │                                     ├ Teletype
-                                └──── 04 transmitter ─► printer, punch┘
+    switches, keys, lamps: panel ── processor ◄─► core
+                                        │
+                                       bus ── 03 receiver ◄─ reader, keyboard   ┐ Teletype
+                                        ├──── 04 transmitter ─► printer, punch  ┘
+                                        ├──── 01 high-speed reader              ┐ if fitted
+                                        └──── 02 high-speed punch               ┘
 
 The machine is a discrete-event simulation: nothing here sleeps, and the same core and tapes give the same
 tapes and the same times. While a program only waits, time jumps (see waiting.py).
@@ -14,7 +15,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from pdp8.bus import NEVER, Bus
+from pdp8.highspeed import HighSpeed
 from pdp8.loaders import check
+from pdp8.panel import Panel
 from pdp8.processor import FETCH, Processor
 from pdp8.teletype import Teletype
 from pdp8.waiting import Waiting
@@ -61,15 +64,21 @@ def _checked(address: int) -> int:
 
 
 class Machine:
-    """A PDP-8/L with 4K of core and an ASR-33, as it is when it is switched on: core and registers 0."""
+    """A PDP-8/L with 4K of core and an ASR-33, as it is when it is switched on: core and registers 0.
 
-    def __init__(self) -> None:
+    `highspeed` fits the PC8/L reader and punch too.
+    """
+
+    def __init__(self, highspeed: bool = False) -> None:
         self.bus = Bus()
         self.teletype = Teletype()
         self.teletype.connect(self.bus)
         self.processor = Processor(self.bus)
         self.core = Core(self.processor.core)
-        self._started = 0
+        self.panel = Panel(self.processor)
+        self.highspeed = HighSpeed()
+        if highspeed:
+            self.highspeed.connect(self.bus)
         self.power_up()
 
     def power_up(self) -> None:
@@ -92,11 +101,15 @@ class Machine:
             self.pc = address
         self.processor.initialize()
         self.processor.run = 1
-        self._started = self.processor.clock
 
     def stop(self) -> None:
         """Press STOP: the run ends with the instruction."""
-        self.processor.run = 0
+        self.panel.stop()
+
+    def wait(self, seconds: float) -> None:
+        """Let time pass while the processor stands still: the Teletype goes on with what it has begun."""
+        self.processor.clock += round(seconds * TICKS_PER_SECOND)
+        self.bus.advance(self.processor.clock)
 
     def run(self, seconds: float | None = None, instructions: int | None = None) -> Stop:
         """Run until the program stops or only waits for what can never come; return why.
@@ -108,10 +121,10 @@ class Machine:
         last = NEVER if instructions is None else p.instructions + instructions
         p.run = 1
         self.bus.advance(p.clock)
-        reason = self._run(until, last)
+        reason = self._cycle() if p.sing_step else self._run(until, last)
         self.bus.advance(p.clock)
         if reason != "limit":
-            self.teletype.transmitter.finish()
+            self.bus.finish()
         return Stop(reason, p.pc, self.elapsed)
 
     def _run(self, until: int, last: int) -> str:
@@ -127,6 +140,12 @@ class Machine:
                 if waiting.endless:
                     return "tape out" if self._out_of_tape() else "idle"
         return "limit"
+
+    def _cycle(self) -> str:
+        """Do what CONT does under SING STEP, and say what the run came to."""
+        self.processor.run = 0
+        self.processor.cycle()
+        return "protect" if self.processor.protect else "stop key"
 
     def _stopped(self) -> str:
         """Return why RUN went off."""
@@ -215,7 +234,7 @@ class Machine:
     @property
     def ticks(self) -> int:
         """Machine time since START in ticks of 0.05 us."""
-        return self.processor.clock - self._started
+        return self.processor.clock - self.processor.started
 
     @property
     def elapsed(self) -> float:

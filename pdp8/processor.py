@@ -68,10 +68,13 @@ class Processor:
         """Interrupts are taken when this is set too, one instruction after ION."""
         self.sr = 0
         self.mem_prot = 0
+        self.sing_step = 0
         self.protect = 0
         """The PROTECT lamp."""
         self.clock = 0
         """Ticks since power-up."""
+        self.started = 0
+        """The clock at the last INITIALIZE."""
         self.instructions = 0
         """Instructions fetched since power-up."""
         self.changes = 0
@@ -81,6 +84,7 @@ class Processor:
         """INITIALIZE: clear AC, L and the interrupt, and every device; core and PC stay."""
         self.lac = self.ion = self.ion_delayed = 0
         self.state = self.next = FETCH
+        self.started = self.clock
         self.bus.initialize(self.clock)
 
     def cycle(self) -> None:

@@ -32,12 +32,11 @@ instruction card.
 
 from collections.abc import Callable
 
-from pdp8.bus import CLEAR_AC, NEVER, SKIP, Bus, Device
+from pdp8.bus import AT_ONCE, CLEAR_AC, NEVER, SKIP, Bus, Device
 
 # A unit of the line is 1/110 s, 181 818.18 ticks of 0.05 us.
 FRAME = 2_000_000
 
-_AT_ONCE = -1
 _MARKER = 0o400
 
 
@@ -55,8 +54,8 @@ RECEIVED = half_units(17)
 class Reader:
     """The tape reader: a tape, where it stands under the head, and the lever."""
 
-    def __init__(self, receiver: "Receiver") -> None:
-        self.receiver = receiver
+    def __init__(self, device: Device) -> None:
+        self.device = device
         self.tape = b""
         self.position = 0
         """Frames read so far of this tape; the next one is tape[position]."""
@@ -69,7 +68,7 @@ class Reader:
         self.tape = bytes(frames)
         self.position = 0
         self.loaded = True
-        self.receiver.look()
+        self.device.look()
 
     def remove(self) -> None:
         """Take the tape out."""
@@ -79,7 +78,7 @@ class Reader:
     def lever(self, on: bool) -> None:
         """Put the lever to START or STOP."""
         self.on = on
-        self.receiver.look()
+        self.device.look()
 
     def ready(self) -> bool:
         """Tell whether there is a frame under the head and the lever is at START."""
@@ -93,14 +92,14 @@ class Reader:
 class Keyboard:
     """The keyboard: the keys pressed that are not yet on the line."""
 
-    def __init__(self, receiver: "Receiver") -> None:
-        self.receiver = receiver
+    def __init__(self, device: Device) -> None:
+        self.device = device
         self.waiting = bytearray()
 
     def press(self, frames: bytes) -> None:
         """Press the keys that send `frames`, one after another; a Model 33 sets channel 8 (A is 0o301)."""
         self.waiting += frames
-        self.receiver.look()
+        self.device.look()
 
 
 class Receiver(Device):
@@ -126,9 +125,9 @@ class Receiver(Device):
         """The tick of the next thing that happens here; `due` is the next that moves the flag."""
 
     def look(self) -> None:
-        """Look at once whether something waits for the idle line: somebody touched key, tape or lever."""
+        """Look whether something waits for the idle line."""
         if self.stage == 0:
-            self.step = self.due = _AT_ONCE
+            self.step = self.due = AT_ONCE
 
     def plan(self) -> None:
         """Set `step` to the next thing that happens here, and `due` to the next that moves the flag."""
@@ -147,7 +146,7 @@ class Receiver(Device):
 
     def advance(self, now: int) -> None:
         """Let the line and the reader run up to tick `now`."""
-        if self.step == _AT_ONCE:
+        if self.step == AT_ONCE:
             self.now = now
             self.plan()
         while self.step <= now:
@@ -200,7 +199,7 @@ class Receiver(Device):
 
     def initialize(self, now: int) -> None:
         """Clear the flag, drop a character half received, set READER RUN."""
-        if self.step != _AT_ONCE:
+        if self.step != AT_ONCE:
             self.advance(now - 1)  # a character that would begin now has not begun
         self.buffer = self.shifted(now)
         self.stage = self.flag = 0
