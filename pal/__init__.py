@@ -13,6 +13,5 @@ cli            the commands `pal` and `dis`
 """
 
 from pal.assembly import Assembly, ListingLine, assemble
-from pal.diagnostics import Diagnostic
 
-__all__ = ["Assembly", "Diagnostic", "ListingLine", "assemble"]
+__all__ = ["Assembly", "ListingLine", "assemble"]

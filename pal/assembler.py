@@ -154,6 +154,10 @@ class Assembler:
             if not symbol.permanent
         ]
 
+    def values(self) -> dict[str, int]:
+        """Return {name: value} of all symbols as they stand."""
+        return {symbol.name: symbol.value for symbol in self._table.values()}
+
     def _begin(self, defining: bool) -> None:
         self._defining = defining
         self._location = START

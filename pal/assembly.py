@@ -2,17 +2,21 @@
 
     assemble("*200\\n\\tCLA\\n\\tHLT\\n$\\n").words  ->  {0o200: 0o7200, 0o201: 0o7402}
 
-Passes 1 and 2 are run at once, for the tape and the words; pass 3 only when something of it is asked for.
+Passes 1 and 2 are run at once, for the tape and the words; pass 3, and whatever is for people to read, only
+when it is asked for: the program that is to run starts the sooner.
 """
 
+from collections.abc import Sequence
 from functools import cached_property
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from pal import listing, punch, scanner
+from pal import punch, scanner
 from pal.assembler import TELETYPE_SYMBOLS, WORD, Assembler, Entry, Message, Result
-from pal.diagnostics import Diagnostic, diagnose
 from pal.scanner import Line
 from pal.symbols import internal_order
+
+if TYPE_CHECKING:
+    from pal.diagnostics import Diagnostic
 
 
 class ListingLine(NamedTuple):
@@ -48,7 +52,7 @@ class Assembly:
     lines        the same by statements
     """
 
-    def __init__(self, lines: list[Line], names: list[str], assembler: Assembler) -> None:
+    def __init__(self, lines: list[Line], names: Sequence[str], assembler: Assembler) -> None:
         self.source = lines
         self.names = names
         self._assembler = assembler
@@ -56,12 +60,18 @@ class Assembly:
         self._results: list[Result] = [] if assembler.full else assembler.assemble()
         self.tape = b"" if assembler.full else punch.tape(self._results)
         self.words = punch.words(self._results)
-        self.diagnostics: list[Diagnostic] = diagnose(lines, names, self._messages())
 
     @property
     def ok(self) -> bool:
         """Whether DEC's assembler would have had nothing to say."""
-        return not any(diagnostic.error for diagnostic in self.diagnostics)
+        return not self._messages
+
+    @cached_property
+    def diagnostics(self) -> list["Diagnostic"]:
+        """What is wrong, and what to know besides."""
+        from pal.diagnostics import diagnose
+
+        return diagnose(self.source, self.names, self._messages)
 
     @cached_property
     def symbols(self) -> dict[str, int]:
@@ -77,7 +87,7 @@ class Assembly:
     @cached_property
     def listing(self) -> str:
         """What pass 3 typed, `\\n` for CR LF."""
-        return listing.printed(self._typed(3))
+        return self.printed(3)
 
     @cached_property
     def lines(self) -> list[ListingLine]:
@@ -90,11 +100,15 @@ class Assembly:
 
     def printed(self, number: int) -> str:
         """Return what pass 1, 2 or 3 typed, without the codes that do not print."""
-        return listing.printed(self._typed(number))
+        from pal.listing import printed
+
+        return printed(self._typed(number))
 
     @cached_property
     def teletype(self) -> Teletype:
         """The tapes of the three passes when the ASR-33 does it all."""
+        from pal import listing
+
         return Teletype(
             listing.tape(self._typed(1)),
             listing.object_tape(self._results) if self.tape else b"",
@@ -102,6 +116,8 @@ class Assembly:
         )
 
     def _typed(self, number: int) -> str:
+        from pal import listing
+
         if number == 1 and self._assembler.full:
             return listing.complaints(self._assembler.messages)
         if number == 1:
@@ -109,18 +125,26 @@ class Assembly:
         if not self.tape:
             return ""
         return (
-            listing.complaints(self._referred) if number == 2 else listing.listing(self.source, *self._third)
+            listing.complaints(self._referred)
+            if number == 2
+            else listing.listing(self.source, *self._third[:2])
         )
 
     @cached_property
-    def _third(self) -> tuple[list[Result], list[Entry]]:
+    def values(self) -> dict[str, int]:
+        """{name: value} of all symbols as pass 3 leaves them, the permanent ones included."""
+        return self._third[2]
+
+    @cached_property
+    def _third(self) -> tuple[list[Result], list[Entry], dict[str, int]]:
         results = self._assembler.assemble() if self.tape else []
-        return results, self._assembler.table()
+        return results, self._assembler.table(), self._assembler.values()
 
     @property
     def _referred(self) -> list[Message]:
         return [result.message for result in self._results if result.message]
 
+    @cached_property
     def _messages(self) -> list[Message]:
         undefined = [
             Message("UA", f"{entry.name:6}", entry.value, entry.place)
@@ -132,7 +156,7 @@ class Assembly:
 
 def assemble(
     *sources: str | bytes,
-    names: list[str] | None = None,
+    names: Sequence[str] | None = None,
     modern: bool = False,
     capacity: int = TELETYPE_SYMBOLS,
 ) -> Assembly:

@@ -7,7 +7,7 @@ import click
 from pal.assembler import HIGH_SPEED_SYMBOLS, TELETYPE_SYMBOLS
 from pal.assembly import Assembly, assemble
 from tapes import command, shelf
-from tapes.errors import WorkError
+from tapes.errors import WorkError, naming
 
 _PASSES = ("pass1", "pass2", "pass3")
 
@@ -70,7 +70,7 @@ def pal(
     for diagnostic in assembly.diagnostics:
         click.echo(str(diagnostic), err=True)
     if listing:
-        _put_listing(listing, assembly)
+        _put(listing, assembly.listing)
     if symbols:
         _put(symbols, assembly.symbol_table)
     if xref:
@@ -128,10 +128,6 @@ def _put(name: str, text: str) -> None:
         shelf.write(name, text.encode("ascii"))
 
 
-def _put_listing(name: str, assembly: Assembly) -> None:
-    _put(name, assembly.listing)
-
-
 def _put_passes(folder: str, source: str, assembly: Assembly) -> None:
     try:
         os.makedirs(folder, exist_ok=True)
@@ -140,6 +136,28 @@ def _put_passes(folder: str, source: str, assembly: Assembly) -> None:
     name = os.path.splitext(os.path.basename(source))[0] if source != "-" else "stdin"
     for ending, frames in zip(_PASSES, assembly.teletype, strict=True):
         shelf.write(os.path.join(folder, f"{name}.{ending}"), frames)
+
+
+@click.command(context_settings={"help_option_names": ["-h", "--help"]})
+@click.argument("tape")
+@click.option("-o", "--output", metavar="FILE", default="-", help="Where to; standard output if not given.")
+def dis(*, tape: str, output: str) -> None:
+    """Disassemble a BIN or RIM tape to PAL III source that assembles to the same words and fields.
+
+    TAPE is a file, a bundled tape's name, or - for standard input. A tape that pal punched comes back frame
+    for frame.
+
+    \b
+    Examples:
+      pdp8 dis eia.bin
+      pdp8 dis eia.bin | pal - -o - | cmp - eia.bin
+    """
+    from pal.disassembler import disassemble_tape
+
+    frames = shelf.read(tape)
+    with naming(tape):
+        source = disassemble_tape(frames)
+    _put(output, source)
 
 
 def main() -> None:

@@ -11,10 +11,9 @@ from typing import NamedTuple
 
 from pal import scanner
 from pal.assembly import Assembly
-from pal.symbols import PERMANENT, PSEUDO_OPERATORS, SIGNIFICANT, internal_order
+from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT, internal_order
 
 _PSEUDO = {name[:SIGNIFICANT] for name in PSEUDO_OPERATORS}
-_PERMANENT = {symbol.mnemonic: symbol.octal for symbol in PERMANENT}
 
 
 class Occurrence(NamedTuple):
@@ -48,16 +47,20 @@ def cross_reference(assembly: Assembly) -> list[Reference]:
                     column = scanner.columns(line, index, at)[0] + 1
                     place = Occurrence(assembly.names[line.tape], line.number, column)
                     (defined if follower in (",", "=") else used).setdefault(token.symbol, []).append(place)
-    values = _PERMANENT | assembly.symbols
     return [
-        Reference(name, values.get(name, 0), name not in assembly.symbols, places, tuple(used.get(name, ())))
+        Reference(
+            name,
+            assembly.values.get(name, 0),
+            name not in assembly.symbols,
+            tuple(defined.get(name, ())),
+            tuple(used.get(name, ())),
+        )
         for name in sorted(defined.keys() | used.keys(), key=internal_order)
-        for places in (tuple(defined.get(name, ())),)
     ]
 
 
 def text(references: list[Reference]) -> str:
-    """Return the cross reference as a text, one symbol a line; line numbers with the file if there are several."""
+    """Return the cross reference as a text, one symbol a line; with several files they are named."""
     several = len({place.file for entry in references for place in entry.defined + entry.used}) > 1
     return "".join(_line(entry, several) for entry in references)
 

@@ -11,7 +11,7 @@ notes of ours, of things at which PAL III is silent.
 Sources: DEC-08-ASAC-D, "Diagnostics"; the output of DEC-08-ASB1.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
 from pal import scanner
@@ -52,7 +52,7 @@ class Diagnostic(NamedTuple):
         return f"{self.file}:{self.line}:{self.column}: {self.message}\n{shown}{advice}".rstrip("\n")
 
 
-def diagnose(lines: list[Line], names: list[str], messages: Iterable[Message]) -> list[Diagnostic]:
+def diagnose(lines: list[Line], names: Sequence[str], messages: Iterable[Message]) -> list[Diagnostic]:
     """Return the messages and our notes as diagnostics, in source order."""
     found = [
         _diagnostic(lines, names, message) for message in sorted(messages, key=lambda message: message.place)
@@ -60,7 +60,7 @@ def diagnose(lines: list[Line], names: list[str], messages: Iterable[Message]) -
     return found + _notes(lines, names)
 
 
-def _diagnostic(lines: list[Line], names: list[str], message: Message) -> Diagnostic:
+def _diagnostic(lines: list[Line], names: Sequence[str], message: Message) -> Diagnostic:
     line = lines[message.place.line]
     start, end = scanner.columns(line, *message.place[1:])
     subject = message.subject.strip()
@@ -117,7 +117,7 @@ _ADVICE: dict[str, Callable[[str, int], str]] = {
 }
 
 
-def _notes(lines: list[Line], names: list[str]) -> list[Diagnostic]:
+def _notes(lines: list[Line], names: Sequence[str]) -> list[Diagnostic]:
     if not lines:
         return [_note("the source is empty", "there is not even a $", names[0] if names else "", 1, 1, "")]
     last = lines[-1]

@@ -36,8 +36,8 @@ _SEVEN_CHANNELS = bytes(frame & 0x7F for frame in range(0x100))
 
 TERMINATORS = " \t+-,=*."
 _TOKEN = re.compile(r"(?:([A-Z][A-Z0-9]*)|([0-9]+))([^ \t+\-,=*.]*)|(.)", re.DOTALL)
-_IN_NUMBER = re.compile(r"[^0-9]")
-_IN_SYMBOL = re.compile(r"[^A-Z0-9]")
+_NOT_IN_NUMBER = r"[^0-9]"  # compiled only when there is an illegal character
+_NOT_IN_SYMBOL = r"[^A-Z0-9]"
 
 
 class Token(NamedTuple):
@@ -113,11 +113,13 @@ def _token(symbol: str, number: str, tail: str, mark: str) -> Token:
         return Token("", "", () if mark in TERMINATORS else (ord(mark) | 0o200,), mark)
     if symbol:
         return Token(
-            symbol[:SIGNIFICANT], "", tuple(map(_code, _IN_SYMBOL.findall(tail))) if tail else (), ""
+            symbol[:SIGNIFICANT], "", tuple(map(_code, re.findall(_NOT_IN_SYMBOL, tail))) if tail else (), ""
         )
     if not tail:
         return Token("", number, (), "")
-    return Token("", _IN_NUMBER.split(tail)[-1], tuple(map(_code, _IN_NUMBER.findall(tail))), "")
+    return Token(
+        "", re.split(_NOT_IN_NUMBER, tail)[-1], tuple(map(_code, re.findall(_NOT_IN_NUMBER, tail))), ""
+    )
 
 
 def _code(character: str) -> int:

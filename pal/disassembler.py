@@ -1,0 +1,205 @@
+"""The disassembler: words, or a BIN or RIM tape, back to PAL III source that assembles to the same.
+
+    *200
+    L0200,  TLS             /0200 6046
+            KCC             /0201 6032
+            JMS L0214       /0202 4214
+
+A tape that `pal` punched comes back frame for frame: every origin is kept, equal and overlapping ones too.
+Microinstructions are named, combined ones as a combination; what no combination of PAL III's symbols
+gives is an octal number, as is an instruction on page zero with the current page bit, which PAL III
+cannot write. A word that is fetched, stored, counted or called, and to which nothing jumps, is a number
+as well.
+
+Not emulated: telling instructions from numbers where no instruction refers to them.
+
+Sources: the table of symbols; Small Computer Handbook (operate groups).
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+from pal.assembler import FIELD, HIGH_SPEED_SYMBOLS, ORIGIN, START, WORD
+from pal.symbols import INPUT_OUTPUT, MEMORY_REFERENCE, PERMANENT
+from tapes import binary, kinds, rim
+from tapes.errors import TapeError
+
+_INDIRECT = 0o400
+_CURRENT_PAGE = 0o200
+_JMP = 5
+_NONE = -1
+
+_BY_OCTAL = {symbol.octal: symbol.mnemonic for symbol in reversed(PERMANENT) if not symbol.memory_reference}
+_OPERATION = {symbol.octal >> 9: symbol.mnemonic for symbol in MEMORY_REFERENCE}
+_BY_NAME = {symbol.mnemonic: symbol.octal for symbol in PERMANENT}
+_CLEAR = ("CLA",)
+_GROUP_1 = ("CLA", "CLL", "CMA", "CML", "RTR", "RTL", "RAR", "RAL", "IAC")
+_SKIPS = ("SMA", "SZA", "SNL")
+_REVERSED_SKIPS = ("SPA", "SNA", "SZL", "SKP")
+_REVERSED = 0o010
+_SWITCHES_AND_HALT = ("OSR", "HLT")
+
+
+class Step(NamedTuple):
+    """One thing on a tape: WORD or ORIGIN with its value at `address`, FIELD with its number."""
+
+    kind: str
+    address: int
+    value: int
+
+
+def disassemble(words: Mapping[int, int]) -> str:
+    """Return PAL source for {address: word}; the field is above the twelve bits of an address."""
+    return _source(_steps_of(sorted(words), words))
+
+
+def disassemble_tape(frames: bytes) -> str:
+    """Return PAL source for a BIN or RIM tape. Raises TapeError: no such tape, a damaged one."""
+    if kinds.classify(frames) == kinds.RIM:
+        words = rim.decode(frames)
+        return _source(_steps_of(words, words))
+    return _source(_steps_on(frames))
+
+
+def _steps_of(addresses: Iterable[int], words: Mapping[int, int]) -> Iterator[Step]:
+    following = -1
+    bank = 0
+    for address in addresses:
+        if address >> 12 != bank:
+            bank = address >> 12
+            yield Step(FIELD, 0, bank)
+            following = -1
+        if address != following:
+            yield Step(ORIGIN, address & 0o7777, address & 0o7777)
+        yield Step(WORD, address, words[address])
+        following = address + 1
+
+
+def _steps_on(frames: bytes) -> Iterator[Step]:
+    """Yield what is on a BIN tape, but no origin that PAL III punches of itself: at the start, after FIELD."""
+    location = START
+    bank = 0
+    silent = True
+    for section in binary.read(frames).sections:
+        if section.computed != section.punched:
+            message = f"checksum: computed {section.computed:04o}, punched {section.punched:04o}"
+            raise TapeError(message, section.frame)
+        if bank:
+            bank = 0
+            yield Step(FIELD, 0, 0)
+        for kind, value, _ in section.items:
+            if kind == binary.FIELD:
+                bank = value
+                yield Step(FIELD, 0, value)
+                silent = True
+                continue
+            if kind == binary.WORD:
+                yield Step(WORD, bank << 12 | location, value)
+                location = location + 1 & 0o7777
+            elif not silent or value != location:
+                yield Step(ORIGIN, value, value)
+            if kind == binary.ORIGIN:
+                location = value
+            silent = False
+
+
+def _source(steps: Iterable[Step]) -> str:
+    tape = list(steps)
+    labels = _Labels(tape)
+    return "".join(_line(step, labels) for step in tape) + "$\n"
+
+
+def _line(step: Step, labels: "_Labels") -> str:
+    if step.kind == FIELD:
+        return f"FIELD {step.value}\n"
+    if step.kind == ORIGIN:
+        return f"*{step.value:o}\n"
+    tag = labels.define(step.address)
+    text = labels.text(step)
+    tabs = "\t" * (1 if len(text) >= 8 else 2)
+    return f"{tag}\t{text}{tabs}/{step.address:04o} {step.value:04o}\n"
+
+
+class _Labels:
+    """Which words have a tag, and which are numbers and not instructions.
+
+    There are no more tags than PAL III's symbol table has room for; jumps have the first claim to them.
+    """
+
+    def __init__(self, tape: list[Step]) -> None:
+        words = {step.address for step in tape if step.kind == WORD}
+        self._jumped_to: set[int] = set()
+        self._handled: set[int] = set()
+        for step in tape:
+            target = _target(step)
+            if target in words:
+                jump = step.value >> 9 == _JMP and not step.value & _INDIRECT
+                (self._jumped_to if jump else self._handled).add(target)
+        claims = sorted(self._jumped_to) + sorted(self._handled - self._jumped_to)
+        self._tagged = frozenset(claims[:HIGH_SPEED_SYMBOLS])
+        self._undefined = set(self._tagged)
+
+    def define(self, address: int) -> str:
+        """Return the tag for the word at `address`, the first time; otherwise ""."""
+        if address not in self._undefined:
+            return ""
+        self._undefined.remove(address)
+        return _tag(address) + ","
+
+    def text(self, step: Step) -> str:
+        """Return the word as source."""
+        number = f"{step.value:o}"
+        if step.address in self._handled and step.address not in self._jumped_to:
+            return number
+        if step.value >> 9 > _JMP:
+            return microinstruction(step.value) or number
+        target = _target(step)
+        if target == _NONE:
+            return number
+        indirect = "I " if step.value & _INDIRECT else ""
+        address = _tag(target) if target in self._tagged else f"{target & 0o7777:o}"
+        return f"{_OPERATION[step.value >> 9]} {indirect}{address}"
+
+
+def _tag(address: int) -> str:
+    return f"L{address:04o}"
+
+
+def _target(step: Step) -> int:
+    """Return the address of a memory-reference instruction, in its own field; _NONE if it is none.
+
+    One on page zero that has the current page bit counts as none: PAL III would leave that bit out.
+    """
+    if step.kind != WORD or step.value >> 9 > _JMP:
+        return _NONE
+    page = step.address & 0o7600
+    if not step.value & _CURRENT_PAGE:
+        page = 0
+    elif not page:
+        return _NONE
+    return step.address & 0o70000 | page | step.value & 0o177
+
+
+def microinstruction(word: int) -> str | None:
+    """Return an IOT or OPR as the symbol, or symbols, that give it; None if there are none."""
+    if word in _BY_OCTAL:
+        return _BY_OCTAL[word]
+    names = _candidates(word)
+    chosen: list[str] = []
+    together = 0
+    for name in names:
+        bits = _BY_NAME[name]
+        if not bits & ~word and bits & ~together:
+            chosen.append(name)
+            together |= bits
+    return " ".join(chosen) if together == word else None
+
+
+def _candidates(word: int) -> Iterable[str]:
+    if word >> 9 == 6:
+        return [symbol.mnemonic for symbol in INPUT_OUTPUT if symbol.octal >> 3 == word >> 3]
+    if not word & 0o400:
+        return _GROUP_1
+    if word & 1:
+        return ()
+    return (_REVERSED_SKIPS if word & _REVERSED else _SKIPS) + _CLEAR + _SWITCHES_AND_HALT
