@@ -4,13 +4,22 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: demo test lint format clean
+# `make samples` makes the bundled tapes of tapes/ again; a test holds them against the chain.
+
+.PHONY: demo samples test lint format clean
 
 demo: .venv/ready
 	mkdir -p demo
 	$(BIN)/pdp8 part circle > demo/circle.asc
 	$(BIN)/pdp8 run eia.pal < demo/circle.asc > demo/circle.eia
 	$(BIN)/pdp8 tape info demo/circle.asc demo/circle.eia
+
+samples: .venv/ready
+	for part in circle ellipse; do \
+	    $(BIN)/pdp8 part $$part -o tapes/$$part.asc && \
+	    $(BIN)/pdp8 run eia.pal --reader tapes/$$part.asc --punch tapes/$$part.eia || exit 1; \
+	done
+	$(BIN)/pal eia.pal -o tapes/eia.bin
 
 test: lint
 	$(BIN)/pytest -q -n auto

@@ -19,7 +19,7 @@ SAMPLES = Path(__file__).parent.parent / "tapes"
 
 
 def expected_eia(lines: str) -> bytes:
-    """Translate part program lines as the thesis describes it; the start-up TLS punches a blank frame first."""
+    """Translate part program lines as the thesis describes it; the start-up TLS punches a blank frame."""
     return b"\0" + bytes(EIA[character] for character in lines)
 
 
@@ -121,10 +121,11 @@ BROKEN = {
         "checksum: computed",
     ),
     "another field": (
-        "python3 -c \"open('f.bin','wb').write(bytes([128]*9+[0o310,0o102,0,0,1,1,3]+[128]*9))\"; pdp8 run f.bin",
+        "python3 -c \"open('f.bin','wb').write(bytes([128]*9+[0o310,0o102,0,0,1,1,3]+[128]*9))\"; "
+        "pdp8 run f.bin",
         "frame 9: field 1",
     ),
-    "no tape at all": ("head -c 100 /dev/zero | tr '\\0' '\\305' > x; pdp8 run x", "x: neither PAL source"),
+    "no tape at all": ("head -c 100 /dev/zero | tr '\\0' '\\033' > x; pdp8 run x", "x: neither PAL source"),
     "a program with errors": ("printf 'JMP 400\\n$\\n' > e.pal; pdp8 run e.pal", "e.pal"),
     "no tape file": ("pdp8 run eia.pal --reader nowhere.asc", "nowhere.asc: no such file"),
     "a full disk": ("pdp8 run eia.pal --reader circle.asc --punch /dev/full", "/dev/full: No space left"),

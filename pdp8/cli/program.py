@@ -37,8 +37,8 @@ def words(frames: bytes, name: str) -> dict[int, int]:
 def _assembled(source: bytes, name: str) -> dict[int, int]:
     import pal
 
-    assembly = pal.assemble(source)
-    if assembly.diagnostics:
+    assembly = pal.assemble(source, names=[name])
+    if not assembly.ok:
         report = "\n".join(str(diagnostic) for diagnostic in assembly.diagnostics)
-        raise WorkError(f"{name}: not run, PAL III found errors\n{report}")
-    return dict(assembly.words)
+        raise WorkError(f"{name}: not run, it has errors\n{report}")
+    return assembly.words

@@ -1,0 +1,54 @@
+"""Every command that README.md and docs/ show is run, and what they show is what it prints.
+
+In a fenced block marked `console` a line that begins with `$ ` is a command, and the lines after it are what it
+prints; `...` stands for anything, within a line or for any number of lines. All blocks of one file are one sitting in
+one folder. What takes a terminal or makes the environment itself (`make`, `git`, `panel`) stands in blocks of `sh`.
+"""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from pdp8.cli import pdp8
+from tests.conftest import Shell
+
+HOUSE = Path(__file__).parent.parent
+README = HOUSE / "README.md"
+PAGES = [README, *sorted((HOUSE / "docs").glob("**/*.md"))]
+BLOCK = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+SHOWN = re.compile(r"^\$ (.*(?:\\\n.*)*)\n((?:(?!\$ ).*\n)*)", re.MULTILINE)
+
+
+def sittings(page: Path) -> list[tuple[str, str]]:
+    return [shown for block in BLOCK.findall(page.read_text()) for shown in SHOWN.findall(block)]
+
+
+def pattern(expected: str) -> str:
+    """Return the regular expression of what is shown: `...` stands for anything."""
+    whole_lines = re.escape(expected.strip("\n")).replace(r"\.\.\.", "...")
+    lines = re.sub(r"(?m)^\.\.\.$", r"(?:.*\n?)*", whole_lines.replace("\\\n", "\n"))
+    return lines.replace("...", ".*")
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(HOUSE)))
+def test_what_the_page_shows_is_what_happens(page: Path, shell: Shell) -> None:
+    for command, expected in sittings(page):
+        done = shell(f"{{ {command}\n}} 2>&1")
+        printed = done.stdout.decode().strip("\n")
+        assert "Traceback" not in printed
+        assert re.fullmatch(pattern(expected), printed), (
+            f"$ {command}\n{printed}\n--- is shown as ---\n{expected}"
+        )
+
+
+def test_the_readme_shows_something() -> None:
+    assert len(sittings(README)) >= 5
+
+
+@pytest.mark.parametrize("name", pdp8.list_commands(None))  # type: ignore[arg-type]
+def test_every_command_has_help_with_examples_and_stands_in_the_readme(name: str, shell: Shell) -> None:
+    done = shell(f"pdp8 {name} --help")
+    assert done.returncode == 0
+    assert b"xample" in done.stdout
+    assert f"pdp8 {name}" in README.read_text()
