@@ -85,8 +85,9 @@ def info(files: tuple[str, ...]) -> None:
       pdp8 part ellipse | pdp8 tape info -
     """
     for file in files or ("-",):
+        report = measure.report(shelf.read(file))
         click.echo("standard input" if file == "-" else file)
-        for name, value in measure.report(shelf.read(file)):
+        for name, value in report:
             click.echo(f"    {name:10} {value}")
 
 

@@ -13,9 +13,11 @@ and differs in what stands before the trailer: its checksum. So a tape that read
 checksum is good and it holds a word by that reading; a RIM tape is that once in 4096.
 """
 
-from tapes import binary, eia, rim
+from itertools import pairwise
+
+from tapes import ascii, binary, eia, rim
 from tapes.errors import TapeError
-from tapes.frames import BLANK, LEADER, RUBOUT
+from tapes.frames import BLANK, LEADER, PARITIES, RUBOUT, strip
 
 BIN, RIM, EIA, ASCII, BLANK_TAPE, UNKNOWN = "bin", "rim", "eia", "ascii", "blank", "unknown"
 
@@ -23,7 +25,7 @@ _TEXT = bytes([*range(0o007, 0o016), *range(0o040, 0o200)])  # BELL to CR, and a
 _WRITING = bytes(frame for frame in range(256) if frame & 0o177 in _TEXT)
 _EIA_CODES = bytes([*eia.CHARACTERS, eia.DELETE])
 _NO_WORD = bytes([BLANK, LEADER, RUBOUT])
-_SHORTEST_LEADER = 8  # no EIA tape begins with eight empty blocks
+_SHORTEST_LEADER = 8  # fewer may be ends of block: no EIA tape begins with eight empty blocks
 
 
 def classify(frames: bytes) -> str:
@@ -56,24 +58,45 @@ def _reads(body: bytes) -> bool | None:
 
 
 def _whole_eia_tape(body: bytes) -> str | None:
-    data = body.lstrip(bytes([eia.EOB]))
-    loader = len(body) - len(data) >= _SHORTEST_LEADER
+    has_blocks = eia.EOB in body.lstrip(bytes([eia.EOB])) and not _long_leader(body)
     odd_one_out = body.translate(None, _EIA_CODES + bytes([BLANK]))
-    return EIA if eia.EOB in data and not odd_one_out and not loader else None
+    return EIA if has_blocks and not odd_one_out else None
 
 
 def _likeliest(body: bytes) -> str:
-    frames = body.translate(None, _NO_WORD)
-    if not frames:
-        return BIN if body[0] == LEADER else ASCII
-    if _share(frames, _WRITING) >= 0.9:
+    _, content, trailer = strip(body)
+    if not content:
+        return BIN
+    loader = body[0] == LEADER and content[0] >> 6 in (1, 3)
+    if loader and _long_leader(body) and not _has_lines(content):
+        return _loader_tape(content, trailer)
+    written = content.translate(None, _NO_WORD)
+    if _share(content if loader else written, _WRITING) >= 0.9:
         return ASCII
-    if body.startswith(bytes([LEADER]) * _SHORTEST_LEADER) and frames[0] >> 6 in (1, 3):
-        addresses = sum(frame >> 6 == 1 for frame in body)
-        words = sum(frame >> 6 == 0 for frame in body.rstrip(b"\0"))
-        return RIM if 4 * addresses > words else BIN
-    return EIA if _share(frames, _EIA_CODES) >= 0.9 else UNKNOWN
+    if _share(written, _EIA_CODES) >= 0.9:
+        return EIA
+    return _loader_tape(content, trailer) if loader else UNKNOWN
+
+
+def _long_leader(body: bytes) -> bool:
+    return body.startswith(bytes([LEADER]) * _SHORTEST_LEADER)
+
+
+def _loader_tape(content: bytes, trailer: bytes) -> str:
+    return RIM if _steps_by_words(content, ended=LEADER in trailer) else BIN
+
+
+def _has_lines(content: bytes) -> bool:
+    codes = content.translate(PARITIES["none"])
+    return _share(content, _WRITING) >= 0.9 and (ascii.CR in codes or ascii.LF in codes)
+
+
+def _steps_by_words(content: bytes, ended: bool) -> bool:
+    """Say whether addresses come every four frames, as on a RIM tape; before a checksum come six."""
+    addresses = [at for at, frame in enumerate(content) if frame >> 6 == 1]
+    steps = [after - at for at, after in pairwise([*addresses, *[len(content)] * ended])]
+    return bool(steps) and steps.count(4) >= 0.75 * len(steps) and steps[-1] != 6
 
 
 def _share(frames: bytes, of: bytes) -> float:
-    return 1 - len(frames.translate(None, of)) / len(frames)
+    return 1 - len(frames.translate(None, of)) / len(frames) if frames else 1.0

@@ -103,7 +103,7 @@ def _sections(tape: bytes) -> Iterator[Row]:
     if fault is None:
         yield "core", _ranges(binary.decode(tape).words)
     if unread:
-        yield "unread", f"{unread} frames after the last trailer"
+        yield "unread", f"{_count(unread, 'frames')} after the last trailer"
 
 
 def _words(tape: bytes) -> Iterator[Row]:
@@ -112,7 +112,7 @@ def _words(tape: bytes) -> Iterator[Row]:
         yield "damage", fault
         return
     words = rim.decode(tape)
-    yield "holds", f"{len(words)} words; RIM has no checksum"
+    yield "holds", f"{_count(len(words), 'words')}; RIM has no checksum"
     yield "core", _ranges(words)
 
 
@@ -128,11 +128,15 @@ def _lengths(counts: Iterable[int], unit: str) -> str:
     found = sorted(set(counts))
     if not found:
         return ""
-    return f" of {found[0]} {unit}" if len(found) == 1 else f" of {found[0]} to {found[-1]} {unit}"
+    return f" of {_count(found[0], unit)}" if len(found) == 1 else f" of {found[0]} to {found[-1]} {unit}"
 
 
 def _unended(rest: str | bytes, unit: str) -> str:
-    return f", then {len(rest)} {unit} without an end" if rest else ""
+    return f", then {_count(len(rest), unit)} without an end" if rest else ""
+
+
+def _count(number: int, unit: str) -> str:
+    return f"{number} {unit if number != 1 else unit.removesuffix('s')}"
 
 
 def _ranges(addresses: Iterable[int]) -> str:

@@ -1,0 +1,207 @@
+"""`pdp8 tape` as a user meets it: its products, its manners, and every bad input in one line."""
+
+import re
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tapes import ascii, binary, eia
+from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, assert_same
+
+COMMAND = [sys.executable, "-c", "from pdp8.cli import main; main()"]
+
+DRILLING = """\
+001 0 00000 00000 0 35 88
+002 9 03000 03500 0 01 89
+003 5 01000 01000 0 01 89
+004 5 01000 02000 0 01 89
+005 5 04000 02000 0 01 89
+006 5 04000 01000 0 01 89
+"""
+"""The four holes of the thesis's chapter 3, spaces "used for clarity only"."""
+
+
+def pdp8(*arguments: str, given: bytes = b"", cwd: Path | None = None) -> subprocess.CompletedProcess[bytes]:
+    return subprocess.run(
+        [*COMMAND, *arguments], input=given, capture_output=True, cwd=cwd, timeout=60, check=False
+    )
+
+
+def product(*arguments: str, given: bytes = b"", cwd: Path | None = None) -> bytes:
+    done = pdp8(*arguments, given=given, cwd=cwd)
+    assert (done.returncode, done.stderr) == (0, b"")
+    return done.stdout
+
+
+def complaint(*arguments: str, given: bytes = b"", cwd: Path | None = None, status: int = 1) -> str:
+    """Return the one line a command that fails says."""
+    done = pdp8(*arguments, given=given, cwd=cwd)
+    said = done.stderr.decode()
+    assert done.returncode == status, said
+    assert b"Traceback" not in done.stderr
+    assert done.stdout == b""
+    if status == 1:
+        assert said.count("\n") == 1, said
+    return said
+
+
+def test_the_drilling_program_is_punched() -> None:
+    made = product(
+        "tape", "punch", "--code", "eia", "--drop-spaces", "--leader", "20", given=DRILLING.encode()
+    )
+    assert len(made) == 20 + 6 * 20 + 20
+    assert_same(made, bytes(20) + eia.encode(DRILLING.replace(" ", "")) + bytes(20))
+
+
+def test_a_text_file_becomes_a_proper_tape(tmp_path: Path) -> None:
+    (tmp_path / "typed.txt").write_bytes(b"*200\r\n\tHLT\r\n$\r\n")
+    assert product("tape", "punch", "typed.txt", "--parity", "even", "-o", "x.asc", cwd=tmp_path) == b""
+    assert_same((tmp_path / "x.asc").read_bytes(), ascii.encode("*200\n\tHLT\n$\n", "even"))
+
+
+def test_show_a_range() -> None:
+    shown = product("tape", "show", "--from", "65", "--to", "66", given=FORMAT_BIN).decode().splitlines()
+    assert shown[1:] == [
+        "      65    102  |   o       .   o   |  origin 0200",
+        '      66    000  |           .       |  "',
+    ]
+    assert (
+        product("tape", "show", "--from", "65", "--frames", "2", given=FORMAT_BIN).decode().splitlines()
+        == shown
+    )
+
+
+def test_show_as_svg(tmp_path: Path) -> None:
+    product("tape", "show", "--frames", "3", "--svg", "x.svg", given=FORMAT_BIN, cwd=tmp_path)
+    assert (tmp_path / "x.svg").read_text().startswith("<svg")
+    assert product("tape", "show", "--svg", "-", given=FORMAT_BIN).startswith(b"<svg")
+
+
+def test_info_of_several(tmp_path: Path) -> None:
+    (tmp_path / "a.bin").write_bytes(FORMAT_BIN)
+    said = product("tape", "info", "a.bin", "-", given=eia.encode("1\n"), cwd=tmp_path).decode()
+    assert re.findall(r"^\S.*|tape  .*", said, re.M) == [
+        "a.bin",
+        "tape       BIN, DEC's binary loader format",
+        "standard input",
+        "tape       EIA RS-244",
+    ]
+
+
+def test_convert_tells_the_code_and_goes_round() -> None:
+    as_rim = product("tape", "convert", "--to", "rim", given=FORMAT_BIN)
+    assert_same(product("tape", "convert", "--to", "bin", given=as_rim), binary.encode(FORMAT_WORDS))
+    spelled = product("tape", "convert", "--to", "octal", given=FORMAT_BIN)
+    assert_same(product("tape", "convert", "--from", "octal", "--to", "frames", given=spelled), FORMAT_BIN)
+    assert product("tape", "convert", "--to", "text", given=eia.encode("12\n")) == b"12\n"
+
+
+@pytest.mark.parametrize("command", ["show", "info", "convert", "punch"])
+def test_every_help_has_worked_examples(command: str) -> None:
+    assert b"\n    pdp8 tape " in product("tape", command, "--help")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "given", "said"),
+    [
+        (["show", "nowhere.asc"], b"", "pdp8: nowhere.asc: no such file, here or among the bundled ones"),
+        (["show", "."], b"", "pdp8: .: Is a directory"),
+        (["show"], b"", "pdp8: standard input: frame 0: empty tape"),
+        (["show", "--from", "9"], b"\0", "pdp8: standard input: frame 9: the tape has only 1"),
+        (["show", "--svg", "."], b"\0", "pdp8: .: Is a directory"),
+        (["convert", "--to", "text"], b"", "pdp8: standard input: frame 0: empty tape"),
+        (["convert", "--to", "text"], FORMAT_BIN, "bin cannot become text; octal takes any tape"),
+        (["convert", "--to", "rim"], FORMAT_BIN[:100], "frame 100: the tape is cut short inside a word"),
+        (
+            ["convert", "--to", "rim"],
+            FORMAT_BIN.replace(b"\x3a", b"\x3b"),
+            "frame 119: checksum: computed 1252",
+        ),
+        (
+            ["convert", "--from", "eia", "--to", "text"],
+            b"C\n",
+            "standard input: frame 1: 012 (channels 4 2) is no EIA",
+        ),
+        (
+            ["convert", "--to", "octal", "-o", "no/x"],
+            FORMAT_BIN,
+            "pdp8: no/x: No such file or directory; nothing",
+        ),
+        (["punch"], b"\xff\xfe", "standard input: line 1, column 1: byte 377 is no text"),
+        (["punch"], "1\né".encode(), "standard input: line 2, column 1: 'é' is no ASCII character"),
+        (["punch", "--code", "eia"], b"1!\n", "standard input: line 1, column 2: '!' has no EIA code"),
+        (["punch", "-o", "/dev/full"], b"C\n", "pdp8: /dev/full: No space left on device"),
+    ],
+)
+def test_bad_input_in_one_line(arguments: list[str], given: bytes, said: str, tmp_path: Path) -> None:
+    assert said in complaint("tape", *arguments, given=given, cwd=tmp_path)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["show", "--to", "3", "--frames", "3"],
+        ["show", "--from", "-1"],
+        ["show", "--code", "morse"],
+        ["convert"],
+        ["convert", "--to", "morse"],
+        ["punch", "--drop-spaces"],
+        ["punch", "--fill", "-1"],
+        ["hang"],
+    ],
+)
+def test_misuse(arguments: list[str]) -> None:
+    assert "Usage: " in complaint("tape", *arguments, status=2)
+
+
+@pytest.mark.parametrize(
+    "arguments", [["show"], ["convert", "--to", "text"], ["convert", "--to", "eia"], ["info"]]
+)
+def test_a_full_disk_behind_standard_output(arguments: list[str]) -> None:
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(
+            [*COMMAND, "tape", *arguments],
+            input=ascii.encode("12\n" * 9000),
+            stdout=full,
+            stderr=subprocess.PIPE,
+            timeout=60,
+            check=False,
+        )
+    assert done.returncode == 1
+    assert done.stderr == b"pdp8: standard output: No space left on device\n"
+
+
+def test_a_closed_pipe_is_quiet() -> None:
+    line = f'{sys.executable} -c "from pdp8.cli import main; main()" tape show | head -2'
+    given = ascii.encode("12\n" * 9000)
+    done = subprocess.run(line, shell=True, input=given, capture_output=True, timeout=60, check=False)
+    assert done.stdout.count(b"\n") == 2
+    assert done.stderr == b""
+
+
+@pytest.mark.parametrize("closed", ["<&-", ">&-", "2>&-"])
+def test_a_closed_standard_stream_is_no_traceback(closed: str) -> None:
+    line = f'{sys.executable} -c "from pdp8.cli import main; main()" tape info - {closed}'
+    done = subprocess.run(line, shell=True, input=b"", capture_output=True, timeout=60, check=False)
+    assert done.returncode == 0
+    assert done.stderr == b""
+
+
+def test_ctrl_c(tmp_path: Path) -> None:
+    (tmp_path / "a.bin").write_bytes(FORMAT_BIN)
+    with subprocess.Popen(
+        [*COMMAND, "tape", "info", "a.bin", "-"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        cwd=tmp_path,
+    ) as waiting:
+        assert waiting.stdout is not None
+        assert waiting.stdout.readline() == b"a.bin\n", "so now it waits for the other tape"
+        waiting.send_signal(signal.SIGINT)
+        _, said = waiting.communicate(timeout=60)
+    assert (waiting.returncode, said.strip()) == (130, b"pdp8: interrupted")

@@ -1,0 +1,110 @@
+"""Telling a tape by its frames: whole ones, damaged ones, and the pairs that look alike."""
+
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from tapes import ascii, binary, eia, rim
+from tapes.kinds import classify
+from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, octal
+
+WORDS = st.dictionaries(st.integers(0, 0o7777), st.integers(0, 0o7777), min_size=1)
+PARITIES = st.sampled_from(["mark", "even", "odd", "none"])
+PAL = st.text(st.sampled_from("ABCTADZ0127 *,/=\n"), min_size=4).map(lambda text: text + "\n")
+NC = st.lists(st.text(st.sampled_from("0123456789"), min_size=19, max_size=19), min_size=1)
+
+
+@given(WORDS)
+def test_bin(words: dict[int, int]) -> None:
+    assert classify(binary.encode(words)) == "bin"
+
+
+@given(WORDS)
+def test_rim(words: dict[int, int]) -> None:
+    tape = rim.encode(words)
+    last = max(words)
+    before_the_last_word = tape[: -64 - 2]
+    checksum = sum(before_the_last_word) - 64 * 0o200 & 0o7777
+    assume(len(words) == 1 or checksum != words[last])
+    assert classify(tape) == "rim"
+
+
+def test_a_tape_that_reads_as_both_is_what_its_checksum_says() -> None:
+    """HLT at 0200, an origin with nothing after it, checksum: to a RIM loader two words."""
+    both = LEADER + octal("102 000 074 002 103 000 003 003") + LEADER
+    assert rim.decode(both) == {0o200: 0o7402, 0o300: 0o0303}
+    assert binary.decode(both).words == {0o200: 0o7402}
+    assert classify(both) == "bin"
+    assert classify(both.replace(octal("003 003"), octal("003 004"))) == "rim"
+
+
+def test_one_word_by_rim_is_more_than_none_by_bin() -> None:
+    assert classify(rim.encode({0: 0o100})) == "rim"
+
+
+@given(PAL, PARITIES, st.integers(0, 100), st.sampled_from([0, 0o200]))
+def test_pal_text(text: str, parity: str, leader: int, code: int) -> None:
+    assert classify(bytes([code]) * leader + ascii.encode(text, parity)) == "ascii"
+
+
+def test_text_files() -> None:
+    assert classify(b"*200\nSTART,\tCLA CLL\n\tHLT\n$\n") == "ascii"
+    assert classify("/ ÉTÉ: a comment of our day, longer than its accents\n\tHLT\n$\n".encode()) == "ascii"
+
+
+@given(NC, st.integers(0, 70), st.booleans())
+def test_eia(blocks: list[str], leader: int, ended_first: bool) -> None:
+    text = "\n" * ended_first + "".join(block + "\n" for block in blocks)
+    assert classify(bytes(leader) + eia.encode(text) + bytes(leader)) == "eia"
+
+
+@pytest.mark.parametrize(
+    ("tape", "kind"),
+    [
+        (b"", "blank"),
+        (bytes(100), "blank"),
+        (LEADER, "bin"),
+        (octal("377 377 377"), "ascii"),
+        (octal("200 102 000 073 000 001 076 200"), "bin"),
+        (octal("200 200 310 102 000 073 000 001 075"), "bin"),
+        (octal("200 102 000 073 000 103 000 074 002"), "rim"),
+        (octal("200 301 302 303"), "ascii"),
+        (octal("200 105 040 001 147 040 003 040 040 040 001 001 200"), "eia"),
+        (bytes(range(256)), "unknown"),
+        (b"\x89PNG\r\n\x1a\n\x00\x00\x00\rIHDR\x00\x00\x01\x2c\x00\x00\x00\xc8\x08\x06", "unknown"),
+    ],
+)
+def test_the_rest(tape: bytes, kind: str) -> None:
+    assert classify(tape) == kind
+
+
+@pytest.mark.parametrize("frames", range(66, len(FORMAT_BIN)))
+def test_a_bin_tape_cut_short_is_still_bin(frames: int) -> None:
+    assert classify(FORMAT_BIN[:frames]) == "bin"
+
+
+def test_a_rim_tape_cut_short_is_still_rim() -> None:
+    whole = rim.encode(FORMAT_WORDS)
+    assert {classify(whole[:frames]) for frames in range(72, len(whole))} == {"rim"}
+
+
+@pytest.mark.parametrize("frame", range(66, 121))
+def test_a_bin_tape_with_a_wrong_hole_is_still_bin(frame: int) -> None:
+    for channel in range(8):
+        damaged = bytearray(FORMAT_BIN)
+        damaged[frame] ^= 1 << channel
+        assert classify(bytes(damaged)) == "bin", f"{damaged[frame]:03o}"
+
+
+def test_an_eia_tape_with_a_wrong_hole_is_still_eia() -> None:
+    whole = eia.encode("0010000000000003588\n0029030000350000189\n")
+    for frame in range(len(whole)):
+        for channel in range(8):
+            damaged = bytearray(whole)
+            damaged[frame] ^= 1 << channel
+            assert classify(bytes(damaged)) == "eia", f"frame {frame}: {damaged[frame]:03o}"
+
+
+@given(st.binary())
+def test_anything_has_an_answer(tape: bytes) -> None:
+    assert classify(tape) in ("bin", "rim", "eia", "ascii", "blank", "unknown")

@@ -1,0 +1,119 @@
+"""Tapes drawn: rows of holes with their captions, SVG in true geometry, octal text."""
+
+import re
+import xml.etree.ElementTree as ET
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tapes import ascii, captions, eia, octal, picture, rim
+from tapes.errors import TextError
+from tests.tapes.strips import FORMAT_BIN
+from tests.tapes.strips import octal as holes
+
+NS = "{http://www.w3.org/2000/svg}"
+
+
+def test_rows_of_an_ascii_tape() -> None:
+    assert picture.text(ascii.encode("A\n", fill=1), "ascii") == (
+        "   frame  octal    8 7 6 5 4 . 3 2 1      ^ feed: the top row is read first\n"
+        "       0    301  | o o       .     o |  A\n"
+        "       1    215  | o       o . o   o |  CR\n"
+        "       2    212  | o       o .   o   |  LF\n"
+        "       3    377  | o o o o o . o o o |  RUBOUT\n"
+    )
+
+
+def test_rows_of_the_middle_of_an_eia_tape() -> None:
+    rows = picture.text(bytes(1) + eia.encode("019\n"), "eia", 2, 5).splitlines()[1:]
+    assert rows == [
+        "       2    001  |           .     o |  1",
+        "       3    031  |       o o .     o |  9",
+        "       4    200  | o         .       |  EOB",
+    ]
+
+
+def test_captions_of_dec_s_bin_tape() -> None:
+    said = captions.captions(FORMAT_BIN, "bin")
+    assert said[0] == "blank"
+    assert said[1] == said[64] == "leader"
+    assert said[65:71] == ["origin 0200", '"', "origin 0200", '"', "0200: 0001", '"']
+    assert said[105:109] == ["origin 0232", '"', "0232: 0006", '"']
+    assert said[119:122] == ["checksum 1251", '"', "leader"]
+
+
+def test_captions_of_fields_and_of_a_typed_message() -> None:
+    tape = holes("200 310 100 000 377 311 322 377 000 001 001 001 200")
+    said = 'leader|field 1|origin 0000|"|rubout|(I)|(R)|rubout|0000: 0001|"|checksum 0101|"|leader'
+    assert captions.captions(tape, "bin") == said.split("|")
+
+
+def test_captions_of_a_rim_tape() -> None:
+    said = captions.captions(rim.encode({0o200: 0o7402})[62:70], "rim")
+    assert said == ["leader", "leader", "address 0200", '"', "7402", '"', "leader", "leader"]
+
+
+@given(st.binary(), st.sampled_from(["ascii", "eia", "bin", "rim", "none"]))
+def test_whatever_is_on_the_tape_gets_one_caption_a_frame(tape: bytes, code: str) -> None:
+    assert len(captions.captions(tape, code)) == len(tape)
+
+
+def circles(drawing: str) -> list[tuple[int, int, int]]:
+    page = ET.fromstring(drawing)
+    return [(int(c.attrib["cx"]), int(c.attrib["cy"]), int(c.attrib["r"])) for c in page.iter(f"{NS}circle")]
+
+
+def test_svg_has_every_hole_where_the_standard_puts_it() -> None:
+    """Thousandths of an inch from the paper's edge beside channel 1: 0.392 to the sprocket, 0.1 a channel."""
+    page = ET.fromstring(picture.svg(bytes([0o377, 0o000, 0o301]), "ascii"))
+    paper = next(rect for rect in page.iter(f"{NS}rect") if rect.attrib["class"] == "paper")
+    left, top = int(paper.attrib["x"]), int(paper.attrib["y"])
+    assert (int(paper.attrib["width"]), int(paper.attrib["height"])) == (300, 1000)
+    punched = [(x - left, y - top, r) for x, y, r in circles(picture.svg(bytes([0o377, 0o000, 0o301])))]
+    tracks = {1: 92, 2: 192, 3: 292, 4: 492, 5: 592, 6: 692, 7: 792, 8: 892}
+    expected = [(x, 392, 23) for x in (50, 150, 250)]
+    expected += [(50, y, 36) for y in tracks.values()] + [(250, tracks[channel], 36) for channel in (1, 7, 8)]
+    assert sorted(punched) == sorted(expected)
+
+
+def test_svg_is_true_in_size() -> None:
+    page = ET.fromstring(picture.svg(bytes(200), strip=80))
+    _, _, width, height = map(int, page.attrib["viewBox"].split())
+    assert page.attrib["width"] == f"{width / 1000}in"
+    assert page.attrib["height"] == f"{height / 1000}in"
+    papers = [rect for rect in page.iter(f"{NS}rect") if rect.attrib["class"] == "paper"]
+    assert [int(paper.attrib["width"]) for paper in papers] == [8000, 8000, 4000]
+    assert height >= sum(map(int, (paper.attrib["height"] for paper in papers)))
+
+
+def test_svg_names_channels_feed_and_frames() -> None:
+    page = ET.fromstring(picture.svg(ascii.encode("<&\n"), "ascii"))
+    words = [text.text for text in page.iter(f"{NS}text")]
+    assert words[:12] == ["channel", "1", "2", "3", "4", "5", "6", "7", "8", "feed", "0", "274 <"]
+    assert "246 &" in words
+
+
+def test_the_strip_s_frames_are_all_there() -> None:
+    tape = FORMAT_BIN
+    holes_in_the_tape = sum(frame.bit_count() for frame in tape)
+    assert len(circles(picture.svg(tape, "bin", strip=7))) == holes_in_the_tape + len(tape)
+
+
+@given(st.binary())
+def test_octal_text_and_back(tape: bytes) -> None:
+    assert octal.encode(octal.decode(tape)) == tape
+
+
+def test_octal_text() -> None:
+    assert octal.decode(bytes(range(18))).splitlines() == [
+        "      0: 000 001 002 003 004 005 006 007 010 011 012 013 014 015 016 017",
+        "     16: 020 021",
+    ]
+    assert octal.encode("200 1 377 / trailer 9\n\n5:7") == holes("200 001 377 007")
+
+
+@pytest.mark.parametrize("number", ["8", "400", "-1", "0o7", "x", "١"])
+def test_what_is_no_frame(number: str) -> None:
+    with pytest.raises(TextError, match=f"line 2, column 9: {re.escape(repr(number))} is no frame"):
+        octal.encode(f"200 200\n    16: {number}\n")

@@ -1,0 +1,81 @@
+"""Files found, read, and written whole or not at all."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from tapes import shelf
+from tapes.errors import WorkError, naming
+from tapes.shelf import ShelfError
+
+
+def test_what_is_here_comes_before_what_is_bundled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert os.path.isabs(shelf.find("eia.pal"))
+    (tmp_path / "eia.pal").write_text("$\n")
+    assert shelf.find("eia.pal") == "eia.pal"
+    assert shelf.read("eia.pal") == b"$\n"
+
+
+def test_a_bundled_name_is_a_name_only(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for name in ("./eia.pal", "sub/eia.pal", "cli.py", "../programs/eia.pal"):
+        with pytest.raises(ShelfError, match="no such file, here or among the bundled ones"):
+            shelf.find(name)
+
+
+def test_everything_bundled_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert "eia.pal" in shelf.bundled()
+    for name in shelf.bundled():
+        assert shelf.read(name)
+
+
+def test_a_file_is_replaced_whole(tmp_path: Path) -> None:
+    path = tmp_path / "x.bin"
+    shelf.write(str(path), b"one")
+    shelf.write(str(path), b"two")
+    assert path.read_bytes() == b"two"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_what_cannot_be_written_leaves_what_was_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "x.bin"
+    path.write_bytes(b"old")
+
+    def fail(source: str, target: str) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "replace", fail)
+    with pytest.raises(ShelfError, match="No space left on device; nothing was written"):
+        shelf.write(str(path), b"new")
+    assert path.read_bytes() == b"old"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+@pytest.mark.parametrize(("name", "said"), [("/dev/full", "No space left"), ("/tmp", "Is a directory")])
+def test_devices_and_directories(name: str, said: str) -> None:
+    with pytest.raises(ShelfError, match=f"{name}: {said}"):
+        shelf.write(name, b"x")
+
+
+def test_a_punch_that_cannot_be_opened(tmp_path: Path) -> None:
+    with pytest.raises(ShelfError, match="No such file"):
+        shelf.open_punch(str(tmp_path / "no" / "x"))
+
+
+def test_a_punch_keeps_what_it_punched(tmp_path: Path) -> None:
+    punch = shelf.open_punch(str(tmp_path / "x"))
+    punch.write(b"abc")
+    punch.close()
+    assert (tmp_path / "x").read_bytes() == b"abc"
+
+
+def test_naming_the_file_of_an_error() -> None:
+    with pytest.raises(WorkError, match=r"^x\.bin: frame 3: no$"), naming("x.bin"):
+        raise WorkError("frame 3: no")
+    with pytest.raises(WorkError, match=r"^standard input: no$"), naming("-"):
+        raise WorkError("no")
