@@ -145,21 +145,16 @@ class Line:
         return f"line from {' to '.join(ends)}"
 
 
-def fitted(points: Floats, within: float) -> Ellipse | Line:
-    """Return the circle, ellipse or line nearest to the points (n, 2), constants rounded to the thousandth.
+def fitted(points: Floats, within: float) -> Ellipse | Line | None:
+    """Return the line, circle or ellipse nearest to the points (n, 2), constants rounded to the thousandth.
 
-    Raises WorkError if some point lies further than `within` from each of them.
+    None if some point lies further than `within` from each of them.
     """
-    if len(points) < 2:
-        raise WorkError("nothing is milled on this tape: there is no surface to inspect")
     for fit in (_fitted_line, _fitted_ellipse):
         curve = fit(points)
         if curve is not None and np.abs(curve.deviations(points)).max() <= within:
             return curve
-    raise WorkError(
-        f"the milled path follows no circle, ellipse or line within {within / 1000:.3f} in: "
-        "name the curve that was meant"
-    )
+    return None
 
 
 def _fitted_line(points: Floats) -> Line | None:

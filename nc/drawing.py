@@ -91,6 +91,10 @@ class Sheet:
         """Write a line of text from (x, y)."""
         self.draw("text", x=x, y=y, **attributes).text = words
 
+    def label(self, x: float, y: float, words: str, **attributes: object) -> None:
+        """Write a line of text that stays legible over lines."""
+        self.text(x, y, words, stroke="#ffffff", stroke_width=3, paint_order="stroke", **attributes)
+
     def view(self, x: float, y: float, window: Window, scale: float) -> "View":
         """Place a window on the part at (x, y), `scale` inches of paper to an inch, with its inch scales."""
         self._views += 1

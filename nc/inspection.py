@@ -48,9 +48,13 @@ class Walls:
 
 @dataclass(frozen=True)
 class Reading:
-    """What the instrument shows on one wall about one place: lowest and highest, in thousandths outward."""
+    """What the instrument shows on one wall about one place: lowest and highest, in thousandths outward.
+
+    `angle` is the direction in which the curve faces there, in degrees; None for the whole of it.
+    """
 
     place: str
+    angle: float | None
     wall: str
     lowest: float
     highest: float
@@ -77,7 +81,7 @@ class Inspection:
     @property
     def worst(self) -> Reading:
         """The reading with the greatest trough to peak about one place, or of the whole where that is all."""
-        places = [reading for reading in self.readings if reading.place != WHOLE] or self.readings
+        places = [reading for reading in self.readings if reading.angle is not None] or self.readings
         return max(places, key=lambda reading: reading.trough_to_peak)
 
     @property
@@ -96,8 +100,13 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
     cuts = segments(path.cuts)
     if not len(cuts):
         raise WorkError("nothing is milled on this tape: there is no surface to inspect")
+    curve = curve or followed(path, tolerance)
+    if curve is None:
+        raise WorkError(
+            f"the milled path follows no circle, ellipse or line within {4 * tolerance / 1000:.3f} in: "
+            "name the curve that was meant"
+        )
     corners = np.unique(cuts.reshape(-1, 2), axis=0)
-    curve = curve or fitted(np.concatenate([cuts[:1, :2], cuts[:, 2:]]), within=4 * tolerance)
     count = max(_FEWEST_STATIONS, STATIONS * _CUTS_AT_FULL // max(_CUTS_AT_FULL, len(corners)))
     measured = walls(cuts, curve.stations(count), cutter / 2)
     if np.isnan(measured.outer).all():
@@ -105,6 +114,12 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
     centre = curve.deviations(corners)
     readings = tuple(_readings(curve, measured))
     return Inspection(curve, cutter, measured, (float(centre.min()), float(centre.max())), readings)
+
+
+def followed(path: Path, tolerance: float) -> Curve | None:
+    """Return the circle, ellipse or line that the milled path keeps within four times the tolerance of."""
+    cuts = segments(path.cuts)
+    return fitted(np.concatenate([cuts[:1, :2], cuts[:, 2:]]), within=4 * tolerance) if len(cuts) else None
 
 
 def segments(moves: Sequence[Move]) -> Floats:
@@ -138,6 +153,29 @@ def walls(cuts: Floats, stations: Stations, radius: float) -> Walls:
     return Walls(
         stations, np.where(reached, outer - radius, np.nan), np.where(reached, inner + radius, np.nan)
     )
+
+
+def runs(deviation: Floats, closed: bool, every: int = 10) -> list[NDArray[np.intp]]:
+    """Return the stations a graph of this wall has to go through, a list for each stretch that has a wall.
+
+    Between turning points one station in `every` is enough; a closed graph comes back to its first station.
+    """
+    there = np.flatnonzero(~np.isnan(deviation))
+    turns = np.zeros(len(deviation), dtype=np.bool_)
+    steps = np.diff(deviation[there])
+    turns[there[1:-1][steps[:-1] * steps[1:] <= 0]] = True
+    turns[::every] = True
+    stretches = np.split(there, np.flatnonzero(np.diff(there) > 1) + 1)
+    kept = [stretch[turns[stretch] | _ends(stretch)] for stretch in stretches if len(stretch)]
+    if closed and len(there) == len(deviation):
+        kept[0] = np.append(kept[0], 0)
+    return kept
+
+
+def _ends(stretch: NDArray[np.intp]) -> NDArray[np.bool_]:
+    ends = np.zeros(len(stretch), dtype=np.bool_)
+    ends[[0, -1]] = True
+    return ends
 
 
 def _through_discs(stations: Stations, centres: Floats, radius: float) -> tuple[Floats, Floats]:
@@ -185,19 +223,21 @@ def _readings(curve: Curve, measured: Walls) -> Iterator[Reading]:
 
     A place is where the curve faces that way, within 10 degrees at an apex and 5 at 45 degrees.
     """
-    yield from _readings_at(WHOLE, measured, np.ones(len(measured.stations), dtype=np.bool_))
+    yield from _readings_at(WHOLE, None, measured, np.ones(len(measured.stations), dtype=np.bool_))
     if not curve.closed:
         return
     angles = measured.stations.angles
     for places, reach in ((_APEXES, _APEX_REACH), (_DIAGONALS, _DIAGONAL_REACH)):
         for name, angle in places:
             off = np.abs((angles - angle + 180) % 360 - 180)
-            yield from _readings_at(name, measured, off <= reach)
+            yield from _readings_at(name, angle, measured, off <= reach)
 
 
-def _readings_at(name: str, measured: Walls, chosen: NDArray[np.bool_]) -> Iterator[Reading]:
+def _readings_at(
+    name: str, angle: float | None, measured: Walls, chosen: NDArray[np.bool_]
+) -> Iterator[Reading]:
     for wall, deviation in (("outer", measured.outer), ("inner", measured.inner)):
         seen = deviation[chosen]
         seen = seen[~np.isnan(seen)]
         if len(seen):
-            yield Reading(name, wall, float(seen.min()), float(seen.max()))
+            yield Reading(name, angle, wall, float(seen.min()), float(seen.max()))

@@ -26,7 +26,7 @@ Source: thesis, Chapters 2 and 3, Tables 2.3 and 2.4; 2 s a block: Chapters 7 an
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from math import copysign, hypot
+from math import copysign, dist, hypot
 
 from nc.blocks import BlockError, Row, read
 from nc.path import Kind, Modes, Move, Path, Point, Step
@@ -211,10 +211,7 @@ class _Motion:
 
     def _move(self, kind: Kind, end: Point, speed: float) -> Move:
         start, self.at = self.at, end
-        length = abs(end.x - start.x) + abs(end.y - start.y) + abs(end.z - start.z)
-        if start.x != end.x and start.y != end.y:
-            length = hypot(end.x - start.x, end.y - start.y)
-        return Move(kind, start, end, speed, length / _UNITS / speed * 60)
+        return Move(kind, start, end, speed, dist(start, end) / _UNITS / speed * 60)
 
 
 def cut(frames: bytes, *, strict: bool = False, settings: Settings | None = None) -> Path:

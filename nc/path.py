@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
-from math import hypot
+from math import dist
 from typing import NamedTuple
 
 from tapes.hydrapoint import Block
@@ -46,6 +46,11 @@ class Move:
     end: Point
     speed: float
     seconds: float
+
+    @property
+    def length(self) -> float:
+        """Length in thousandths."""
+        return dist(self.start, self.end)
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,7 +168,7 @@ class Path:
         """How far from its beginning the milling ends, in thousandths; 0 if it closes or there is none."""
         if not self.cuts:
             return 0.0
-        return hypot(*(end - start for start, end in zip(self.cuts[0].start, self.cuts[-1].end, strict=True)))
+        return dist(self.cuts[0].start, self.cuts[-1].end)
 
     @cached_property
     def holes(self) -> tuple[Point, ...]:

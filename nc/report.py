@@ -1,0 +1,146 @@
+"""What `nc cut` and `nc inspect` say: the day at the machine and the part on the bench, in words and figures.
+
+Beside the thesis's circle stand the thesis's own figures (Chapter 7): they are there to compare, no figure of
+ours depends on them.
+"""
+
+from collections.abc import Iterator
+
+from nc.curves import Ellipse
+from nc.inspection import Inspection
+from nc.listing import place
+from nc.path import Path, Point
+from tapes.hydrapoint import POSITIONING_SPEED
+
+THESIS_CIRCLE = (Ellipse(4000, 4000, 1750, 1750), 500)
+"""The test circle of Chapter 7: 4 in across, 1/2 in cutter."""
+
+_TALYROND_1971 = {
+    90: ".009",
+    270: ".009",
+    45: "about .001",
+    135: "about .001",
+    225: "about .001",
+    315: "about .001",
+}
+
+
+def thousandths(length: float) -> str:
+    """Return thousandths as inches to the tenth of a thousandth, written as on drawings: .0106."""
+    return f"{length / 1000:.4f}".replace("0.", ".", 1)
+
+
+def cut_report(path: Path) -> Iterator[str]:
+    """Yield what the machine did with the tape, and how long it took, line by line."""
+    yield from _what(path)
+    yield ""
+    yield from _times(path)
+
+
+def _what(path: Path) -> Iterator[str]:
+    yield f"blocks        {len(path)}"
+    for step in path.steps:
+        if step.stop:
+            yield f"stop          block {step.number}: {step.stop}, waits for START"
+    if path.holes:
+        yield f"holes         {len(path.holes)}"
+    if path.cuts:
+        length = sum(move.length for move in path.cuts)
+        yield f"milled        {length / 1000:.3f} in, {_milling_blocks(path)} blocks"
+        low, high = _extent(path)
+        yield f"extent        {place(low)} to {place(high)}"
+        closes = f"{path.gap / 1000:.3f} in from where it began" if path.gap else "where it began"
+        yield f"milling ends  {place(path.cuts[-1].end)}, {closes}"
+    if path.steps:
+        last = path.steps[-1].at
+        yield f"cutter        {place(last)}, quill {f'down {last.z / 1000:.3f}' if last.z else 'up'}"
+
+
+def _times(path: Path) -> Iterator[str]:
+    times = path.times
+    changes = sum(step.tool_changed for step in path.steps)
+    each = (
+        f"{changes} at {path.tool_change_seconds:g} s"
+        if path.tool_change_seconds
+        else f"{changes}, time not counted"
+    )
+    yield f"reading       {_minutes(times.reading)}   {len(path)} blocks at {path.read_seconds:g} s"
+    yield f"positioning   {_minutes(times.positioning)}   at {POSITIONING_SPEED:g} in/min"
+    yield f"Z feed        {_minutes(times.z_feed)}"
+    yield f"milling       {_minutes(times.milling)}   {_feeds(path)}".rstrip()
+    yield f"tool changes  {_minutes(times.tool_changes)}   {each}"
+    yield f"machining     {_minutes(times.total)}"
+    if path.cuts:
+        reading = _milling_blocks(path) * path.read_seconds
+        yield (
+            f"contour alone {_minutes(reading + times.milling)}   {_milling_blocks(path)} milling blocks: "
+            f"reading {reading / 60:.1f}, cutting {times.milling / 60:.1f}"
+        )
+
+
+def _extent(path: Path) -> tuple[Point, Point]:
+    """Return the lower left and upper right corner of all the cutter's centre milled."""
+    xs, ys, zs = zip(*(at for move in path.cuts for at in (move.start, move.end)), strict=True)
+    return Point(min(xs), min(ys), min(zs)), Point(max(xs), max(ys), max(zs))
+
+
+def _milling_blocks(path: Path) -> int:
+    return sum(step.block.preparatory == 6 for step in path.steps)
+
+
+def _feeds(path: Path) -> str:
+    feeds = sorted({round(move.speed, 3) for move in path.cuts})
+    if not feeds:
+        return ""
+    return f"at {feeds[0]:g} in/min" if len(feeds) == 1 else f"at {feeds[0]:g} to {feeds[-1]:g} in/min"
+
+
+def _minutes(seconds: float) -> str:
+    return f"{seconds / 60:7.1f} min"
+
+
+def inspection_report(inspection: Inspection) -> Iterator[str]:
+    """Yield what the instruments show, line by line; errors in inches."""
+    low, high = inspection.centre
+    yield f"nominal   {inspection.curve}"
+    yield (
+        f"cutter    {inspection.cutter / 1000:.3f} in; its centre kept within "
+        f"{thousandths(-low)} inside and {thousandths(high)} outside of nominal"
+    )
+    yield f"stations  {len(inspection.walls.stations)}"
+    if inspection.uncut:
+        yield f"not cut   {inspection.uncut:.1%} of the curve was never reached"
+    yield ""
+    yield from _readings(inspection)
+    yield ""
+    worst = inspection.worst
+    yield (
+        f"worst trough to peak {thousandths(worst.trough_to_peak)} in: {worst.wall} wall, {worst.place}, "
+        f"from {_signed(worst.lowest)} to {_signed(worst.highest)}"
+    )
+    yield from _diagonals(inspection)
+
+
+def _readings(inspection: Inspection) -> Iterator[str]:
+    is_thesis = (inspection.curve, inspection.cutter) == THESIS_CIRCLE
+    yield f"{'place':14}{'wall':7}{'lowest':>9}{'highest':>9}  trough to peak" + (
+        "   thesis" if is_thesis else ""
+    )
+    for reading in inspection.readings:
+        figure = _TALYROND_1971.get(int(reading.angle), "") if is_thesis and reading.angle is not None else ""
+        line = (
+            f"{reading.place:14}{reading.wall:7}{_signed(reading.lowest):>9}{_signed(reading.highest):>9}"
+            f"{thousandths(reading.trough_to_peak):>16}   {figure}"
+        )
+        yield line.rstrip()
+
+
+def _diagonals(inspection: Inspection) -> Iterator[str]:
+    """Say the roughness at 45 degrees, where the steps are closest."""
+    diagonal = [r.trough_to_peak for r in inspection.readings if r.angle is not None and r.angle % 90 == 45]
+    if diagonal:
+        yield f"at 45 degrees {thousandths(min(diagonal))} to {thousandths(max(diagonal))} in"
+
+
+def _signed(deviation: float) -> str:
+    return f"{'-' if deviation < 0 else '+'}{thousandths(abs(deviation))}"

@@ -1,0 +1,160 @@
+"""The Talyrond's polar graph: how far each wall is from true, round the work, only the radius magnified.
+
+The stylus turns about the centre of the curve; the graph keeps the angles and magnifies the radius with the
+centre suppressed, so that a small division is .001 in as in Figure 7.2 and a step looks like a spike. Of an
+ellipse it shows the distance from the true ellipse, square to it.
+
+    dotted ring   the wall as it should be        outer wall blue, inner wall red, + outward
+
+Source: thesis, Chapter 7: magnification 100, .001 in a small division.
+"""
+
+from math import ceil, cos, floor, radians, sin
+
+import numpy as np
+
+from nc.curves import Floats
+from nc.drawing import FAINT, GRID, INK, Sheet, polyline
+from nc.inspection import Inspection, runs
+from nc.report import thousandths
+from tapes.errors import WorkError
+
+_MAGNIFICATIONS = (1000, 500, 200, 100, 50, 20, 10, 5, 2, 1)
+_ROOM = 260.0
+_HUB = 45.0
+COLOURS = {"outer": "#0b4f9e", "inner": "#c62828"}
+
+
+def talyrond(inspection: Inspection, magnification: int | None = None) -> str:
+    """Return the polar graph as SVG text; magnified 100 times, or as much less as it takes to fit.
+
+    Raises WorkError if the work is not round.
+    """
+    if not inspection.curve.closed:
+        raise WorkError(
+            f"a Talyrond turns about round work, and this is a {inspection.curve}: take the Talysurf"
+        )
+    return _Graph(inspection, magnification or _fitting(inspection)).svg()
+
+
+def _limits(inspection: Inspection) -> tuple[int, int]:
+    """Return the graph's innermost and outermost small division, multiples of 5 with the walls between."""
+    both = np.concatenate([inspection.walls.outer, inspection.walls.inner])
+    return 5 * floor(float(np.nanmin(both)) / 5), 5 * ceil(float(np.nanmax(both)) / 5)
+
+
+def _fitting(inspection: Inspection) -> int:
+    low, high = _limits(inspection)
+    wanted = [m for m in _MAGNIFICATIONS if m <= 100]
+    return next((m for m in wanted if (high - low) * m / 10 <= _ROOM), wanted[-1])
+
+
+class _Graph:
+    """The graph on its sheet; radii in hundredths of an inch of paper."""
+
+    def __init__(self, inspection: Inspection, magnification: int) -> None:
+        self.inspection = inspection
+        self.low, self.high = _limits(inspection)
+        self.magnification = magnification
+        self.division = magnification / 10
+        self.rim = _HUB + (self.high - self.low) * self.division
+        half = max(self.rim + 95, 340.0)
+        self.x, self.y = half, self.rim + 175
+        self.sheet = Sheet(2 * half, self.y + self.rim + 90, "Talyrond")
+
+    def svg(self) -> str:
+        self._title()
+        self._rings()
+        self._spokes()
+        for wall, deviation in (
+            ("outer", self.inspection.walls.outer),
+            ("inner", self.inspection.walls.inner),
+        ):
+            self._trace(deviation, COLOURS[wall])
+        self._divisions()
+        self._readings()
+        return self.sheet.svg()
+
+    def _title(self) -> None:
+        worst = self.inspection.worst
+        self.sheet.text(20, 26, f"Talyrond: {self.inspection.curve}", font_size=15)
+        self.sheet.text(
+            20,
+            46,
+            f"cutter {self.inspection.cutter / 1000:.3f} in · radial magnification {self.magnification}, "
+            "centre suppressed · small division .001 in · outward is +",
+        )
+        self.sheet.text(20, 64, "outer wall", fill=COLOURS["outer"])
+        self.sheet.text(80, 64, "inner wall", fill=COLOURS["inner"])
+        self.sheet.text(
+            20,
+            82,
+            f"worst trough to peak {thousandths(worst.trough_to_peak)} in: {worst.wall} wall, {worst.place}; "
+            "the figures round the graph are trough to peak",
+        )
+
+    def _radius(self, deviation: float) -> float:
+        return _HUB + (deviation - self.low) * self.division
+
+    def _rings(self) -> None:
+        for deviation in range(self.low, self.high + 1):
+            heavy = deviation % 5 == 0
+            self.sheet.draw(
+                "circle",
+                cx=self.x,
+                cy=self.y,
+                r=self._radius(deviation),
+                fill="none",
+                stroke=INK if deviation == 0 else FAINT if heavy else GRID,
+                stroke_width=0.8 if heavy else 0.6,
+                stroke_dasharray="2 3" if deviation == 0 else "none",
+            )
+
+    def _spokes(self) -> None:
+        for angle in range(0, 360, 15):
+            heavy = angle % 90 == 0
+            (x1, y1), (x2, y2) = self._at(angle, self.low), self._at(angle, self.high)
+            self.sheet.draw("line", x1=x1, y1=y1, x2=x2, y2=y2, stroke=FAINT if heavy else GRID)
+
+    def _divisions(self) -> None:
+        for deviation in range(self.low, self.high + 1, 5):
+            x, y = self._at(22.5, deviation)
+            self.sheet.label(x, y + 4, f"{deviation / 1000:+.3f}" if deviation else "0", text_anchor="middle")
+
+    def _at(self, angle: float, deviation: float) -> tuple[float, float]:
+        radius = self._radius(deviation)
+        return self.x + radius * cos(radians(angle)), self.y - radius * sin(radians(angle))
+
+    def _trace(self, deviation: Floats, colour: str) -> None:
+        """Draw a wall wherever there is one, each station in the direction it has from the centre."""
+        stations = self.inspection.walls.stations
+        middle = (stations.points.min(axis=0) + stations.points.max(axis=0)) / 2
+        x, y = (stations.points - middle).T
+        angle = np.arctan2(y, x)
+        radius = _HUB + (deviation - self.low) * self.division
+        paper = np.column_stack([self.x + radius * np.cos(angle), self.y - radius * np.sin(angle)])
+        for run in runs(deviation, closed=True):
+            self.sheet.draw(
+                "path", d=polyline(paper[run].tolist()), fill="none", stroke=colour, stroke_width=1.1
+            )
+
+    def _readings(self) -> None:
+        """Write every place's trough to peak outside the rim, outer wall above inner."""
+        for reading in self.inspection.readings:
+            if reading.angle is None:
+                continue
+            angle = radians(reading.angle)
+            x = self.x + (self.rim + 14) * cos(angle)
+            y = self.y - (self.rim + 28) * sin(angle) + 4
+            anchor = "middle" if abs(cos(angle)) < 0.1 else "start" if cos(angle) > 0 else "end"
+            inner = reading.wall == "inner"
+            if not inner:
+                self.sheet.text(x, y - 13, reading.place, text_anchor=anchor, fill=FAINT)
+            self.sheet.text(
+                x,
+                y + (13 if inner else 0),
+                thousandths(reading.trough_to_peak),
+                text_anchor=anchor,
+                fill=COLOURS[reading.wall],
+                font_weight="bold",
+            )

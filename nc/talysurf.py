@@ -1,0 +1,89 @@
+"""The Talysurf's trace: how far each wall is from true, along a stretch of it laid out straight.
+
+    outer wall  ──╲╱──╲╱──   magnified upward far more than along, as the instrument's paper was
+    inner wall  ──╲╱──╲╱──
+
+Source: thesis, Chapter 8, Figures 8.4 and 8.5: .01 in a division along the surface.
+"""
+
+from math import ceil, floor
+
+import numpy as np
+
+from nc.curves import Floats
+from nc.drawing import FAINT, GRID, INK, Sheet, polyline
+from nc.inspection import Inspection, runs
+from nc.report import thousandths
+from nc.talyrond import COLOURS
+from tapes.errors import WorkError
+
+_LEFT, _WIDTH, _HEIGHT = 80.0, 660.0, 200.0
+_STEPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0)
+
+
+def talysurf(inspection: Inspection, stretch: tuple[float, float] | None = None) -> str:
+    """Return the traces of both walls as SVG text over a stretch, from and to in thousandths along the curve.
+
+    A closed curve is measured counterclockwise from its +X apex; without a stretch it is the quarter
+    about the +Y apex, of a line the whole. Raises WorkError where the stretch has no wall.
+    """
+    along = inspection.walls.stations.along
+    start, end = stretch or _usual(inspection)
+    chosen = np.flatnonzero((along >= start) & (along <= end))
+    if len(chosen) < 2:
+        raise WorkError(
+            f"the curve is {along[-1] / 1000:.3f} in long: no stretch of it from {start / 1000:.3f} "
+            f"to {end / 1000:.3f}"
+        )
+    sheet = Sheet(_LEFT + _WIDTH + 30, 2 * (_HEIGHT + 60) + 100, "Talysurf")
+    sheet.text(_LEFT, 26, f"Talysurf: {inspection.curve}", font_size=15)
+    for row, (wall, deviation) in enumerate(
+        (("outer", inspection.walls.outer), ("inner", inspection.walls.inner))
+    ):
+        seen = deviation[chosen]
+        if np.isnan(seen).all():
+            raise WorkError("the cutter never reached this stretch of the curve: there is no wall")
+        top = 80 + row * (_HEIGHT + 60)
+        rough = float(np.nanmax(seen) - np.nanmin(seen))
+        sheet.text(
+            _LEFT, top - 10, f"{wall} wall, trough to peak {thousandths(rough)} in", fill=COLOURS[wall]
+        )
+        _trace(sheet, top, along[chosen], seen, COLOURS[wall])
+    sheet.text(
+        _LEFT + _WIDTH / 2,
+        2 * (_HEIGHT + 60) + 80,
+        "inches along the curve; upward is outward, in inches, a line every .001",
+        text_anchor="middle",
+    )
+    return sheet.svg()
+
+
+def _usual(inspection: Inspection) -> tuple[float, float]:
+    along = inspection.walls.stations.along
+    if not inspection.curve.closed:
+        return 0.0, float(along[-1])
+    return float(along[len(along) // 8]), float(along[3 * len(along) // 8])
+
+
+def _trace(sheet: Sheet, top: float, along: Floats, deviation: Floats, colour: str) -> None:
+    """Draw one wall in a frame of its own, with its scales."""
+    low, high = floor(float(np.nanmin(deviation)) - 0.5), ceil(float(np.nanmax(deviation)) + 0.5)
+    start, length = float(along[0]), float(along[-1] - along[0])
+    up, across = _HEIGHT / (high - low), _WIDTH / length
+    bottom, right = top + _HEIGHT, _LEFT + _WIDTH
+    labels = max(1, ceil(14 / up))
+    for line in range(low, high + 1):
+        y = bottom - (line - low) * up
+        sheet.draw("line", x1=_LEFT, y1=y, x2=right, y2=y, stroke=FAINT if line == 0 else GRID)
+        if line % labels == 0:
+            sheet.text(_LEFT - 8, y + 4, f"{line / 1000:+.3f}", text_anchor="end")
+    step = next((step for step in _STEPS if step * 1000 * across >= 48), _STEPS[-1]) * 1000
+    for count in range(ceil(start / step), floor((start + length) / step) + 1):
+        x = _LEFT + (count * step - start) * across
+        sheet.draw("line", x1=x, y1=top, x2=x, y2=bottom, stroke=GRID)
+        sheet.text(x, bottom + 16, f"{count * step / 1000:.2f}", text_anchor="middle")
+    sheet.draw("rect", x=_LEFT, y=top, width=_WIDTH, height=_HEIGHT, fill="none", stroke=INK)
+    paper = np.column_stack([_LEFT + (along - start) * across, bottom - (deviation - low) * up])
+    for run in runs(deviation, closed=False):
+        data = polyline(paper[run].tolist())
+        sheet.draw("path", d=data, fill="none", stroke=colour, stroke_width=1.2)
