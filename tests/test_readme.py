@@ -1,8 +1,9 @@
 """Every command that README.md and docs/ show is run, and what they show is what it prints.
 
-In a fenced block marked `console` a line that begins with `$ ` is a command, and the lines after it are what it
-prints; `...` stands for anything, within a line or for any number of lines. All blocks of one file are one sitting in
-one folder. What takes a terminal or makes the environment itself (`make`, `git`, `panel`) stands in blocks of `sh`.
+In a fenced block marked `console` a line that begins with `$ ` is a command, and the lines after it are what
+it prints; `...` stands for anything, within a line or for any number of lines. All blocks of one file are one
+sitting in one folder. What takes a terminal or makes the environment (`make`, `git`, `panel`) stands in
+blocks of `sh`.
 """
 
 import re
