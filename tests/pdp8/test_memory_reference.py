@@ -1,7 +1,8 @@
 """The memory-reference instructions at the edges of pages, of core and of autoindexing.
 
-First the cases of the books, word by word in octal; then every shape of instruction word at every edge address
-against a reference that is written the other way round from the processor: whole instructions, no cycles.
+First the cases of the books, word by word in octal; then every shape of instruction word at every edge
+address against a reference that is written the other way round from the processor: whole instructions, no
+cycles.
 """
 
 from itertools import product
@@ -49,7 +50,7 @@ def executed(core: Core, pc: int, lac: int = 0) -> Processor:
         ("JMS I to 0 from 7776", {0o7776: 0o4450, 0o50: 0}, 0o7776, 0, {0: 0o7777}, 1, 0, 3),
         ("autoindex", {0o200: 0o1410, 0o10: 0o277, 0o300: 7}, 0o200, 0, {0o10: 0o300}, 0o201, 7, 3),
         ("autoindex wraps, no skip", {0o200: 0o1417, 0o17: 0o7777, 0: 7}, 0o200, 0, {0o17: 0}, 0o201, 7, 3),
-        ("and keeps the link", {0o200: 0o3417, 0o17: 0o7777}, 0o200, 0o10003, {0o17: 0, 0: 3}, 0o201, 0o10000, 3),
+        ("and keeps L", {0o200: 0o3417, 0o17: 0o7777}, 0o200, 0o10003, {0o17: 0, 0: 3}, 0o201, 0o10000, 3),
         ("autoindex from page 0", {0o20: 0o1610, 0o10: 0o277, 0o300: 7}, 0o20, 0, {0o10: 0o300}, 0o21, 7, 3),
         ("210 is not autoindex", {0o200: 0o1610, 0o210: 0o300, 0o300: 7}, 0o200, 0, {}, 0o201, 7, 3),
         ("7 and 20 are none", {0o200: 0o1407, 0o7: 0o300, 0o300: 7}, 0o200, 0, {}, 0o201, 7, 3),
@@ -80,7 +81,7 @@ WORDS = (0, 0o10, 0o17, 0o277, 0o4000, 0o7776, 0o7777)
 
 
 def reference(core: list[int], pc: int, lac: int) -> tuple[int, int, int]:
-    """Carry the instruction at `pc` out on `core`, as the handbook says it; return PC, {L, AC} and the cycles."""
+    """Carry out the instruction at `pc` as the handbook says it; return PC, {L, AC} and the cycles."""
     word = core[pc]
     operation, indirect, this_page, offset = (
         word // 0o1000,

@@ -1,8 +1,8 @@
 """Lockstep with SIMH's PDP-8, an 8/E: random programs, every register and all of core compared.
 
-A program is 4096 random words. We run it instruction by instruction; a word that an 8/E and an 8/L do not share is
-replaced on both sides the moment it would be executed, and so is one that has been executed often enough, so that
-every run goes somewhere new.
+A program is 4096 random words. We run it instruction by instruction; a word that an 8/E and an 8/L do not
+share is replaced on both sides the moment it would be executed, and so is one that has been executed often
+enough, so that every run goes somewhere new.
 """
 
 import os
