@@ -76,7 +76,7 @@ def _steps_of(addresses: Iterable[int], words: Mapping[int, int]) -> Iterator[St
 
 
 def _steps_on(frames: bytes) -> Iterator[Step]:
-    """Yield what is on a BIN tape, but no origin that PAL III punches of itself: at the start, after FIELD."""
+    """Yield what is on a BIN tape but for the origins PAL III punches of itself, first and after FIELD."""
     location = START
     bank = 0
     silent = True

@@ -1,0 +1,73 @@
+"""Sources that say on each line what comes of it: one feature of PAL III a file, in cases/.
+
+    CLA; CLL        /= 0200 7200 0201 7100      the words of the line, each with its address
+    ?               /! IC  0277  AT  0200       a message; several follow each other
+    /TABLE A 0200 B 0201                        the symbol table
+
+What a line does not say must not be: a line without `/=` makes no word, and one without `/!` gets no message.
+"""
+
+import re
+from pathlib import Path
+
+import pytest
+
+import pal
+from tapes import binary
+
+CASES = sorted((Path(__file__).parent / "cases").glob("*.pal"))
+WITH_TABLE = [path for path in CASES if "/TABLE" in path.read_text()]
+
+
+def expected_words(line: str) -> list[tuple[int, int]]:
+    found = re.search(r"/=((?: [0-7]{4,5} [0-7]{4})+)", line)
+    numbers = [int(number, 8) for number in found[1].split()] if found else []
+    return list(zip(numbers[::2], numbers[1::2], strict=True))
+
+
+def expected_messages(line: str) -> list[str]:
+    return [message.rstrip() for message in re.findall(r"/! ([^/]*)", line)]
+
+
+@pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
+def test_a_source_gives_what_its_lines_say(path: Path) -> None:
+    source = path.read_text()
+    assembly = pal.assemble(source)
+    said = {number: expected_words(line) for number, line in enumerate(source.splitlines(), 1)}
+    listed: dict[int, list[tuple[int, int]]] = {number: [] for number in said}
+    for line in assembly.lines:
+        if line.address is not None and line.word is not None:
+            listed[line.number].append((line.address, line.word))
+    field_less = {
+        number: [(address & 0o7777, word) for address, word in words] for number, words in said.items()
+    }
+    for number, text in enumerate(source.splitlines(), 1):
+        assert listed[number] == field_less[number], f"line {number}: {text}"
+    messages = [diagnostic.message for diagnostic in assembly.diagnostics if diagnostic.error]
+    assert messages == [message for line in source.splitlines() for message in expected_messages(line)]
+
+
+@pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
+def test_the_tape_has_the_words_of_the_lines(path: Path) -> None:
+    source = path.read_text()
+    words = dict(word for line in source.splitlines() for word in expected_words(line))
+    assembly = pal.assemble(source)
+    assert binary.decode(assembly.tape).words == words
+    assert assembly.words == words
+
+
+@pytest.mark.parametrize("path", WITH_TABLE, ids=lambda path: path.stem)
+def test_the_symbol_table_is_as_said(path: Path) -> None:
+    source = path.read_text()
+    said = re.search(r"^/TABLE (.*)$", source, re.MULTILINE)
+    assert said
+    pairs = said[1].split()
+    table = "".join(f"{name:6}  {value}\n" for name, value in zip(pairs[::2], pairs[1::2], strict=True))
+    assert pal.assemble(source).symbol_table == table
+
+
+def test_each_pass_assigns_again_so_that_tape_and_listing_may_differ() -> None:
+    assembly = pal.assemble("P=Q\nQ=R\nR=3\n\tP\n$\n")
+    assert "\nP       0000\nQ       0000\nR       0003\n" in assembly.printed(1)
+    assert assembly.words == {0o200: 0}
+    assert "0200  0003  " in assembly.printed(3)

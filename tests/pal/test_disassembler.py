@@ -1,0 +1,133 @@
+"""Tapes and words back to source: what it assembles to again, and how it reads."""
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import pal
+from pal.disassembler import disassemble, disassemble_tape, microinstruction
+from tapes import binary, rim
+from tapes.errors import TapeError
+
+EXAMPLES = sorted((Path(__file__).parent / "examples").glob("*.bin"))
+
+words = st.integers(0, 0o7777)
+cores = st.dictionaries(st.integers(0, 0o77777), words, min_size=1, max_size=60)
+
+
+def runs(core: dict[int, int], start: int, run: list[int]) -> dict[int, int]:
+    return core | {(start + offset) & 0o77777: word for offset, word in enumerate(run)}
+
+
+@given(cores, st.integers(0, 0o77777), st.lists(words, max_size=200))
+def test_words_of_any_field_come_back(core: dict[int, int], start: int, run: list[int]) -> None:
+    core = runs(core, start, run)
+    assembly = pal.assemble(disassemble(core))
+    assert assembly.words == core
+    assert assembly.ok
+
+
+@pytest.mark.parametrize("address", [0o0000, 0o0176, 0o0200, 0o0376, 0o7600, 0o7776, 0o10000, 0o70200])
+def test_every_word_comes_back_from_any_page(address: int) -> None:
+    for word in range(0o10000):
+        core = {address: word, address + 1: word ^ 0o7777}
+        assembly = pal.assemble(disassemble(core))
+        assert assembly.words == core, f"{word:04o} at {address:05o}"
+        assert assembly.ok, f"{word:04o} at {address:05o}"
+
+
+def test_a_full_core_needs_no_more_symbols_than_there_is_room_for() -> None:
+    core = {address: (address * 0o2345 + 0o1234) & 0o7777 for address in range(0o10000)}
+    assembly = pal.assemble(disassemble(core), capacity=495)
+    assert assembly.words == core
+    assert assembly.ok
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_a_tape_of_pal_comes_back_frame_for_frame(path: Path) -> None:
+    tape = path.read_bytes()
+    assert pal.assemble(disassemble_tape(tape)).tape == tape
+
+
+def test_fields_and_overlapping_origins_come_back_frame_for_frame() -> None:
+    source = "1\n*200\n*200\n2\nFIELD 1\n3\n*20\nFIELD 1\nFIELD 2\n*0\n*7777\n4;5\nFIELD 0\n*200\n6\n$\n"
+    tape = pal.assemble(source).tape
+    assert pal.assemble(disassemble_tape(tape)).tape == tape
+
+
+@given(cores)
+def test_a_bin_tape_comes_back_with_its_words_and_fields(core: dict[int, int]) -> None:
+    tape = binary.encode(core)
+    again = binary.decode(pal.assemble(disassemble_tape(tape)).tape)
+    assert again.words == binary.decode(tape).words
+
+
+@given(st.dictionaries(st.integers(0, 0o7777), words, min_size=2, max_size=60))
+def test_a_rim_tape_comes_back_with_its_words(core: dict[int, int]) -> None:
+    assert pal.assemble(disassemble_tape(rim.encode(core))).words == core
+
+
+@pytest.mark.parametrize(
+    ("word", "text"),
+    [
+        (0o7000, "NOP"),
+        (0o7300, "CLA CLL"),
+        (0o7041, "CIA"),
+        (0o7240, "STA"),
+        (0o7367, "CLA CLL CMA CML RTL IAC"),
+        (0o7016, "RTR RTL"),
+        (0o7002, None),
+        (0o7640, "SZA CLA"),
+        (0o7460, "SZA SNL"),
+        (0o7570, "SPA SNA SZL"),
+        (0o7610, "SKP CLA"),
+        (0o7604, "LAS"),
+        (0o7602, "CLA HLT"),
+        (0o7400, None),
+        (0o7401, None),
+        (0o6046, "TLS"),
+        (0o6016, "RRB RFC"),
+        (0o6203, None),
+    ],
+)
+def test_microinstructions_are_named(word: int, text: str | None) -> None:
+    assert microinstruction(word) == text
+
+
+def test_every_name_gives_its_word() -> None:
+    for word in range(0o6000, 0o10000):
+        text = microinstruction(word)
+        if text is not None:
+            assert pal.assemble(f"\t{text}\n$\n").words == {0o200: word}
+
+
+def test_targets_have_tags_and_data_are_numbers() -> None:
+    core = {0o200: 0o1205, 0o201: 0o7440, 0o202: 0o5200, 0o203: 0o4600, 0o204: 0o5204, 0o205: 0o7402}
+    source = [line.partition("/")[0].split() for line in disassemble(core).splitlines()]
+    assert source == [
+        ["*200"],
+        ["L0200,", "TAD", "L0205"],
+        ["SZA"],
+        ["JMP", "L0200"],
+        ["JMS", "I", "L0200"],
+        ["L0204,", "JMP", "L0204"],
+        ["L0205,", "7402"],
+        ["$"],
+    ]
+
+
+@pytest.mark.parametrize(
+    ("tape", "complaint"),
+    [
+        (b"", "frame 0: empty tape"),
+        (b"\x80" * 5, "nothing but leader"),
+        (b"\x80\x42\x00\x00\x01\x00\x00\x80", "frame 5: checksum: computed 0103, punched 0000"),
+        (b"\x80\x42\x00\x00", "cut short"),
+        (b"hello", "frame 0: 150 where the leader"),
+    ],
+)
+def test_a_damaged_tape_is_an_error_that_names_the_frame(tape: bytes, complaint: str) -> None:
+    with pytest.raises(TapeError, match=complaint):
+        disassemble_tape(tape)
