@@ -83,7 +83,7 @@ def check_feed(code: int) -> None:
 
 
 def check_band(name: str, size: float, inner: float, outer: float) -> None:
-    """Raise PartError unless `size` is a curve's and lies a thousandth or more from each of its limits."""
+    """Raise PartError unless `size` is a curve's and its limits are two thousandths or more apart."""
     if not (isfinite(size) and isfinite(inner) and isfinite(outer)):
         raise PartError(f"{name} {size:g} between {inner:g} and {outer:g} is no curve")
     if size <= 0:
@@ -92,7 +92,7 @@ def check_band(name: str, size: float, inner: float, outer: float) -> None:
         raise PartError(
             f"the tolerance is larger than the curve: {name} {size:g} has an inner limit of {inner:g}"
         )
-    if min(outer - size, size - inner) < 1:
+    if outer - inner < 2:
         raise PartError(
             f"{name} {size:g} between {inner:g} and {outer:g}: a tolerance must be 1 or more, the machine's "
             "resolution (lengths here are thousandths of an inch)"

@@ -1,0 +1,169 @@
+"""eia.pal is the thesis's program, word for word; eia1 and eia2 do what Chapter 5 says they did."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+import pal
+import pdp8
+import programs
+
+SOURCES = Path(programs.__file__).parent
+
+WORDS = """
+0200: 6046 6032 4214 0101 1102 3100 4227 7440 5201 1100 4221 5201
+0214: 0000 6031 5215 6036 5614
+0221: 0000 6041 5222 6046 7300 5621
+0227: 0000 1100 7440 5236 1103 3100 5627
+0236: 1116 7640 5244 1104 3100 5627
+0244: 1100 1117 7640 5253 1105 3100 5627
+0253: 1100 1120 7640 5262 1106 3100 5627
+0262: 1100 1121 7640 5271 1107 3100 5627
+0271: 1100 1122 7640 5300 1110 3100 5627
+0300: 1100 1123 7640 5307 1111 3100 5627
+0307: 1100 1124 7640 5316 1112 3100 5627
+0316: 1100 1125 7640 5325 1113 3100 5627
+0325: 1100 1126 7640 5334 1114 3100 5627
+0334: 1100 1127 7640 5343 1103 3100 5627
+0343: 1100 1130 7440 5627 1115 3100 5627
+0100: 0000 0177 7720 0040 0001 0002 0023 0004 0025 0026 0007 0010 0031 0200
+0116: 7777 7776 7775 7774 7773 7772 7771 7770 7767 0020 0043
+"""
+
+LEGIBLE = """
+            /// EIA
+            *200
+0211  1100  TAD HOLD
+0231  7440  SZA
+0255  7640  SZA CLA
+0342  5627  JMP I CHK
+0343  1100  TAD HOLD
+0344  1130  TAD MCR
+0345  7440  SZA
+0346  5627  JMP I CHK
+0347  1115  TAD PCR
+0350  3100  DCA HOLD
+0351  5627  JMP I CHK
+            /DEFINITIONS:
+            *100
+0100  0000  HOLD, 0
+0101  0177  MASK, 177
+0102  7720  M60,-60
+0103  0040  P0,40
+0104  0001  P1,1
+0105  0002  P2,2
+0106  0023  P3,23
+0107  0004  P4,4
+0110  0025  P5,25
+0111  0026  P6,26
+0112  0007  P7,7
+0113  0010  P8,10
+0114  0031  P9,31
+0115  0200  PCR, 200
+0116  7777  M1,-1
+0117  7776  M2,-2
+0120  7775  M3,-3
+0121  7774  M4,-4
+0122  7773  M5,-5
+0123  7772  M6,-6
+0124  7771  M7,-7
+0125  7770  M8,-10
+0126  7767  M9,-11
+0127  0020  MSP,20
+0130  0043  MCR,43
+"""
+"""What the scan of Appendix B shows of address, word and source; slashed zeros read as zeros."""
+
+
+def source(name: str) -> str:
+    return (SOURCES / name).read_text()
+
+
+def words(table: str) -> dict[int, int]:
+    found = {}
+    for line in table.split("\n"):
+        if line:
+            start, content = line.split(":")
+            found.update({int(start, 8) + i: int(word, 8) for i, word in enumerate(content.split())})
+    return found
+
+
+def translated(program: str, frames: bytes) -> bytes:
+    machine = pdp8.Machine()
+    machine.load(pal.assemble(source(program)).words)
+    machine.teletype.reader.load(frames)
+    machine.start(0o200)
+    assert machine.run(seconds=600).reason == "tape out"
+    return bytes(machine.teletype.punch.tape)
+
+
+def test_the_131_words() -> None:
+    assembly = pal.assemble(source("eia.pal"))
+    expected = words(WORDS)
+    assert not assembly.diagnostics
+    assert len(expected) == 131
+    for address in sorted(expected.keys() | assembly.words.keys()):
+        ours, book = assembly.words.get(address), expected.get(address)
+        assert ours == book, f"{address:04o}: {ours}, the book has {book}"
+
+
+def test_the_legible_lines_of_the_listing() -> None:
+    """A tag of ours may stand before a legible instruction, whose own text and column the scan shows."""
+    lines = [re.sub(r"\t[A-Z0-9]+,\t|[A-Z0-9]+,\t|\t", "", line) for line in listed("eia.pal")]
+    for line in filter(None, LEGIBLE.split("\n")):
+        assert line in lines, f"not in the listing: {line}"
+
+
+def listed(name: str) -> list[str]:
+    return [line.rstrip() for line in pal.assemble(source(name)).listing.split("\n")]
+
+
+def test_a_legible_line_carries_no_mark_and_every_other_word_one() -> None:
+    legible = {line[:4] for line in LEGIBLE.split("\n") if line[:1].isdigit()}
+    marked = {
+        line[:4]: line.partition("/")[2][:1] for line in listed("eia.pal") if re.match(r"\d{4}  \d{4}", line)
+    }
+    assert {address for address, mark in marked.items() if not mark} == legible
+    lost = {f"{address:04o}" for address in range(0o256, 0o342)}
+    assert {address for address, mark in marked.items() if mark == "R"} == lost
+
+
+def test_a_1971_teletype_could_type_the_sources() -> None:
+    for name in ("eia.pal", "eia1.pal", "eia2.pal"):
+        for line in source(name).splitlines():
+            assert line == line.upper(), line
+            assert len(line.expandtabs(8)) <= 72, line
+
+
+ASCII = bytes([0o260, 0o261, 0o262, 0o263, 0o264, 0o265, 0o266, 0o267, 0o270, 0o271, 0o240, 0o215])
+EIA = bytes([0o040, 0o001, 0o002, 0o023, 0o004, 0o025, 0o026, 0o007, 0o010, 0o031, 0o040, 0o200])
+EXTRANEOUS = bytes([0o212, 0o377, 0o000, 0o301, 0o257, 0o272])
+
+
+@pytest.mark.parametrize("parity", [0o000, 0o200])
+def test_the_third_program_drops_what_it_does_not_know(parity: int) -> None:
+    frames = bytes(frame & 0o177 | parity for frame in ASCII + EXTRANEOUS + ASCII)
+    assert translated("eia.pal", frames) == b"\0" + EIA + EIA
+
+
+def test_the_third_program_knows_twelve_characters_of_256() -> None:
+    known = dict(zip(ASCII, EIA, strict=True)) | {
+        code & 0o177: out for code, out in zip(ASCII, EIA, strict=True)
+    }
+    expected = bytes(known[frame] for frame in range(256) if frame in known)
+    assert translated("eia.pal", bytes(range(256))) == b"\0" + expected
+
+
+def test_the_first_program_gives_the_pure_binary_of_a_numeral_and_the_end_of_block() -> None:
+    expected = bytes([0o000, 0o001, 0o002, 0o003, 0o004, 0o005, 0o006, 0o007, 0o010, 0o011])
+    assert translated("eia1.pal", ASCII[:10] + b"\x8d") == b"\0" + expected + b"\x80"
+
+
+def test_the_first_program_converts_everything_else_into_meaningless_codes() -> None:
+    assert translated("eia1.pal", EXTRANEOUS) == bytes([0, 0o012, 0o017, 0o000, 0o001, 0o017, 0o012])
+
+
+def test_the_second_program_adds_parity_and_lets_the_rest_pass_masked_and_reduced() -> None:
+    reduced = bytes((frame & 0o177) - 0o60 & 0o377 for frame in EXTRANEOUS)
+    assert translated("eia2.pal", ASCII + EXTRANEOUS) == b"\0" + EIA + reduced
