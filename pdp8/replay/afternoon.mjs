@@ -1,0 +1,197 @@
+// The afternoon: what the operator did and when, and every instant in between made again.
+//
+//     terminal ──► RIM toggled ──► BIN loaded ──► program loaded ──► translation ──► Hydra-Point
+//
+// The record holds only the tapes, the operator's deeds and the blocks as they were cut. Everything else follows:
+// the computer is run once from cold, a checkpoint kept every ten seconds, and an instant is the checkpoint before it
+// run forward. `now` is in ticks of 0.05 µs since the afternoon began.
+
+import { FETCH, FRAME, Machine } from "./machine.mjs";
+
+export const SECOND = 20_000_000;
+const CHECKPOINT_EVERY = 10 * SECOND;
+const CARRIAGE_RETURN = 0o15;
+
+export class Afternoon {
+  constructor(record) {
+    this.record = record;
+    this.acts = record.acts;
+    this.deeds = record.deeds;
+    this.tapes = record.tapes;
+    this.end = this.acts.at(-1).to;
+    this.#fromCold();
+    this.#rehearse();
+    this.to(0);
+  }
+
+  #fromCold() {
+    this.machine = new Machine((event, tick) => this.#witness(event, tick));
+    this.now = 0;
+    this.done = 0; // deeds done
+    this.mounted = null;
+  }
+
+  /** Run the whole afternoon once: checkpoints, and the instants a step can go to. */
+  #rehearse() {
+    const starts = this.acts.map((act) => act.from).concat(this.end);
+    const deeds = this.deeds.map((deed) => deed.at);
+    this.characters = starts.concat(deeds);
+    this.blocks = starts.slice();
+    this.checkpoints = [];
+    this.rehearsing = true;
+    const computing = this.deeds.length ? this.deeds.at(-1).at : 0;
+    for (let tick = 0; tick < computing + CHECKPOINT_EVERY; tick += CHECKPOINT_EVERY) {
+      this.#advance(tick);
+      this.checkpoints.push(this.#save());
+    }
+    this.rehearsing = false;
+    this.#rehearseTapes();
+    this.characters = ordered(this.characters);
+    this.blocks = ordered(this.blocks);
+    this.moments = ordered(starts.concat(deeds));
+  }
+
+  /** The instants of the terminal's punch and of the Hydra-Point's reader, which no computer decides. */
+  #rehearseTapes() {
+    for (const act of this.acts) {
+      if (act.kind === "terminal") {
+        const tape = this.tapes.ascii.frames;
+        for (let frame = 0; frame < tape.length; frame++) {
+          const tick = act.from + (frame + 1) * FRAME;
+          this.characters.push(tick);
+          if ((tape[frame] & 0o177) === CARRIAGE_RETURN) this.blocks.push(tick);
+        }
+      } else if (act.kind === "mill") {
+        for (const block of this.record.mill.blocks) {
+          this.blocks.push(block.at);
+          for (let row = 0; row < 20; row++) this.characters.push(block.at + Math.round(((row + 1) * block.reading) / 20));
+        }
+      }
+    }
+  }
+
+  #witness(event, tick) {
+    if (!this.rehearsing || event !== "received") return;
+    this.characters.push(tick);
+    const { tape, received } = this.machine.teletype;
+    if (this.act(tick).kind === "translate" && (tape[received - 1] & 0o177) === CARRIAGE_RETURN) this.blocks.push(tick);
+  }
+
+  #save() {
+    const { now, done, mounted } = this;
+    return { now, done, mounted, machine: this.machine.save() };
+  }
+
+  #restore({ machine, ...rest }) {
+    Object.assign(this, rest);
+    this.machine.restore(machine);
+  }
+
+  /** Go to an instant. */
+  to(tick) {
+    tick = Math.max(0, Math.min(Math.round(tick), this.end));
+    const nearest = this.checkpoints[Math.min(Math.floor(tick / CHECKPOINT_EVERY), this.checkpoints.length - 1)];
+    if (tick < this.now || nearest.now > this.now) this.#restore(nearest);
+    this.#advance(tick);
+  }
+
+  #advance(tick) {
+    while (this.done < this.deeds.length && this.deeds[this.done].at <= tick) {
+      const deed = this.deeds[this.done];
+      this.machine.runTo(deed.at);
+      this.done++;
+      this.now = deed.at;
+      this.#do(deed);
+    }
+    this.machine.runTo(tick);
+    this.now = tick;
+  }
+
+  #do({ key, value }) {
+    const { machine } = this;
+    if (key === "sr") machine.sr = value;
+    else if (key === "load add") machine.loadAddress();
+    else if (key === "dep") machine.deposit();
+    else if (key === "exam") machine.examine();
+    else if (key === "stop") machine.stop();
+    else if (key === "mount") this.#mount(value);
+    else if (key === "lever") machine.teletype.pullLever(machine.ticks);
+    else if (key === "start") machine.start();
+    else throw new Error(`no such deed: ${key}`);
+  }
+
+  #mount(name) {
+    this.mounted = name;
+    this.machine.teletype.mount(this.tapes[name].frames);
+  }
+
+  act(tick = this.now) {
+    return this.acts.findLast((act) => act.from <= tick);
+  }
+
+  /** The last deed done, or null. */
+  get deed() {
+    return this.done ? this.deeds[this.done - 1] : null;
+  }
+
+  /** The next instant by "block", "character", "instruction" or "cycle". */
+  next(unit) {
+    if (unit === "block") return this.to(after(this.blocks, this.now, this.end));
+    if (unit === "character" || !this.machine.running) return this.to(after(this.characters, this.now, this.end));
+    const done = this.done;
+    do this.#nextCycle();
+    while (unit === "instruction" && this.machine.running && this.machine.next !== FETCH && this.done === done);
+  }
+
+  #nextCycle() {
+    const end = this.machine.ticks + this.machine.nextCycle();
+    const deed = this.done < this.deeds.length ? this.deeds[this.done].at : Infinity;
+    this.to(Math.min(end, deed));
+  }
+
+  /** The instant before by the same units. */
+  previous(unit) {
+    if (unit === "block") return this.to(before(this.blocks, this.now));
+    const fresh = this.machine.ticks <= this.#lastDeed(); // no cycle since the last deed
+    if (unit === "character" || !this.machine.running || fresh) return this.to(before(this.characters, this.now));
+    do this.#previousCycle();
+    while (unit === "instruction" && this.machine.next !== FETCH);
+  }
+
+  #lastDeed() {
+    return this.deed ? this.deed.at : 0;
+  }
+
+  #previousCycle() {
+    this.to(this.machine.ticks - 1);
+    this.now = Math.max(this.machine.ticks, this.#lastDeed());
+  }
+}
+
+function ordered(instants) {
+  return Float64Array.from(new Set(instants)).sort();
+}
+
+/** The first of `instants` after `now`. */
+function after(instants, now, otherwise) {
+  const index = upper(instants, now);
+  return index < instants.length ? instants[index] : otherwise;
+}
+
+/** The last of `instants` before `now`. */
+function before(instants, now) {
+  const index = upper(instants, now - 1);
+  return index > 0 ? instants[index - 1] : 0;
+}
+
+/** How many of the ordered `instants` are at or before `now`. */
+export function upper(instants, now) {
+  let low = 0;
+  let high = instants.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (instants[middle] <= now) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}

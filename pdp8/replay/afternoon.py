@@ -1,0 +1,266 @@
+"""One afternoon of 1971, done again: from a part program to a milled part.
+
+    terminal ──► RIM toggled ──► BIN loaded ──► eia.pal loaded ──► translation ──► Hydra-Point ──► Talyrond
+    ASCII tape      switches      RIM tape         BIN tape          EIA tape         path         deviations
+
+Times of the terminal, the Teletype, the processor and the Hydra-Point are the machines' own. What a man takes
+to carry a tape, mount it or set switches is nowhere recorded; those seconds are ours (see operator.py and the
+constants here) and stand apart from the figures that are compared with the thesis.
+
+Not emulated: the GE time-sharing service's own delays, the telephone line, a misread switch.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import StrEnum
+from importlib import import_module
+from time import perf_counter
+from typing import Final
+
+import nc
+import pal
+from nc.inspection import Inspection, inspect
+from pdp8.machine import TICKS_PER_SECOND
+from pdp8.replay.operator import Deed, Operator
+from tapes import ascii, frames, rim, shelf
+from tapes.errors import WorkError
+
+OPENS: Final = 13 * 3600
+"""The afternoon begins at one o'clock: seconds since midnight."""
+
+WALK_SECONDS, MOUNT_SECONDS, CLAMP_SECONDS, MEASURE_SECONDS = 60, 20, 180, 120
+"""To the next room; a tape into a reader; a plate onto the table; one turn of the Talyrond. Ours."""
+
+FRAMES_PER_SECOND = 10
+
+
+class Kind(StrEnum):
+    """What an act is about."""
+
+    TERMINAL = "terminal"
+    TOGGLE = "toggle"
+    LOAD = "load"
+    TRANSLATE = "translate"
+    MILL = "mill"
+    INSPECT = "inspect"
+
+
+@dataclass(frozen=True)
+class Act:
+    """A part of the afternoon, in ticks since it began.
+
+    `program` is the one that runs in the PDP-8/L, or ""; `came` says what came of it; `real` is in seconds of
+    today.
+    """
+
+    kind: Kind
+    name: str
+    program: str
+    say: str
+    starts: int
+    ends: int
+    came: str
+    real: float
+
+    @property
+    def seconds(self) -> float:
+        """How long it took in 1971."""
+        return (self.ends - self.starts) / TICKS_PER_SECOND
+
+
+@dataclass(frozen=True)
+class Afternoon:
+    """Everything the afternoon left on the desk.
+
+    `tapes` are {name: frames}; `programs` {name: assembly}; `minutes` what the thesis timed: punch, translate
+    and cut. `path` began at tick `mill_starts`. `inspection` is None where the part follows no curve that
+    could be inspected.
+    """
+
+    part: str
+    text: str
+    acts: tuple[Act, ...]
+    deeds: tuple[Deed, ...]
+    tapes: dict[str, bytes]
+    programs: dict[str, pal.Assembly]
+    path: nc.Path
+    mill_starts: int
+    inspection: Inspection | None
+    minutes: dict[str, float]
+
+
+def replay(part: str, tell: Callable[[Act], object] = lambda act: None) -> Afternoon:
+    """Do the whole afternoon for the part program `part`; `tell` hears of every act as it is done.
+
+    Raises WorkError, naming its place, where something goes wrong, as it would have in 1971.
+    """
+    return _Day(part, tell).through()
+
+
+class _Day:
+    """The afternoon while it happens."""
+
+    def __init__(self, part: str, tell: Callable[[Act], object]) -> None:
+        self.part = part
+        self.tell = tell
+        self.operator = Operator()
+        self.acts: list[Act] = []
+        self.tapes: dict[str, bytes] = {}
+        self.programs: dict[str, pal.Assembly] = {}
+        self.minutes: dict[str, float] = {}
+        self.began = perf_counter()
+
+    def through(self) -> Afternoon:
+        self._punch()
+        self._toggle()
+        self._load_bin()
+        self._load_program()
+        self._translate()
+        path, mill_starts = self._mill()
+        inspection = self._inspect(path)
+        return Afternoon(
+            self.part,
+            self.text,
+            tuple(self.acts),
+            tuple(self.operator.deeds),
+            self.tapes,
+            self.programs,
+            path,
+            mill_starts,
+            inspection,
+            self.minutes,
+        )
+
+    def _act(self, kind: Kind, name: str, say: str, came: str, program: str = "") -> None:
+        """Write down the act that has just ended."""
+        starts = self.acts[-1].ends if self.acts else 0
+        act = Act(kind, name, program, say, starts, self.operator.now, came, perf_counter() - self.began)
+        self.acts.append(act)
+        self.tell(act)
+        self.began = perf_counter()
+
+    def _punch(self) -> None:
+        self.text = part_program(self.part)(**{})
+        tape = self.tapes[f"{self.part}.asc"] = ascii.encode(self.text)
+        self.operator.wait(len(tape) / FRAMES_PER_SECOND)
+        self.minutes["punch"] = len(tape) / FRAMES_PER_SECOND / 60
+        lines = self.text.count("\n")
+        self._act(
+            Kind.TERMINAL,
+            "FORTRAN",
+            f"The part program runs in Toronto; the terminal types and punches its {lines} blocks.",
+            f"{lines} lines, {len(tape):,} frames",
+        )
+
+    def _toggle(self) -> None:
+        self.operator.wait(WALK_SECONDS)
+        assembly = self._assemble("rim.pal")
+        self.operator.toggle(assembly.words)
+        self._act(
+            Kind.TOGGLE,
+            "RIM toggled in",
+            f"The core is empty. The RIM loader goes in by the switches, {len(assembly.words)} words.",
+            f"{len(assembly.words)} words at {min(assembly.words):04o}",
+            "rim.pal",
+        )
+
+    def _load_bin(self) -> None:
+        assembly = self._assemble("bin.pal")
+        self._mount("bin.rim", rim.encode(assembly.words))
+        stop = self.operator.start(min(self.programs["rim.pal"].words))
+        self._expect(stop.reason == "tape out", f"RIM stopped at {stop.pc:04o}: {stop.reason}")
+        self.operator.stop()
+        self._act(
+            Kind.LOAD,
+            "BIN loaded",
+            "RIM reads the BIN loader into the last page of core, ten frames a second.",
+            f"{len(assembly.words)} words",
+            "rim.pal",
+        )
+
+    def _load_program(self) -> None:
+        assembly = self._assemble("eia.pal")
+        self._mount("eia.bin", assembly.tape[frames.find_leader(assembly.tape) :])
+        stop = self.operator.start(0o7777)
+        self._expect(stop.reason == "halt", f"BIN stopped at {stop.pc:04o}: {stop.reason}")
+        ac = self.operator.machine.ac
+        self._expect(ac == 0, f"BIN halted with AC {ac:04o}: the checksum of eia.bin is wrong")
+        self._act(
+            Kind.LOAD,
+            "eia.pal loaded",
+            "BIN reads the translation program and halts with AC 0000: the checksum is right.",
+            f"{len(assembly.words)} words, checksum right",
+            "bin.pal",
+        )
+
+    def _translate(self) -> None:
+        name = f"{self.part}.asc"
+        self._mount(name, self.tapes[name])
+        punched = len(self.operator.machine.teletype.punch.tape)
+        stop = self.operator.start(0o200)
+        self._expect(stop.reason == "tape out", f"eia.pal stopped at {stop.pc:04o}: {stop.reason}")
+        self.minutes["translate"] = self.operator.elapsed("lever") / 60
+        self.operator.stop()
+        tape = self.operator.machine.teletype.punch.tape[punched:]
+        self.tapes[f"{self.part}.eia"] = tape
+        self._act(
+            Kind.TRANSLATE,
+            "Translation",
+            "eia.pal reads the ASCII tape and punches it in EIA: a digit as itself, a space as a zero, "
+            "a carriage return as the end of a block, all else not at all.",
+            f"{len(tape):,} frames, {self.operator.machine.instructions:,} instructions",
+            "eia.pal",
+        )
+
+    def _mill(self) -> tuple[nc.Path, int]:
+        path = nc.cut(self.tapes[f"{self.part}.eia"])
+        times = path.times
+        self.operator.wait(WALK_SECONDS + CLAMP_SECONDS)
+        mill_starts = self.operator.now
+        self.operator.wait(times.total)
+        self.minutes["cut"] = times.total / 60
+        self._act(
+            Kind.MILL,
+            "Hydra-Point",
+            "The Hydra-Point reads a block in two seconds, moves, and reads the next.",
+            f"{len(path)} blocks, {times.reading / 60:.1f} min reading, {times.milling / 60:.1f} min milling",
+        )
+        return path, mill_starts
+
+    def _inspect(self, path: nc.Path) -> Inspection | None:
+        self.operator.wait(MEASURE_SECONDS)
+        try:
+            inspection = inspect(path)
+        except WorkError as error:
+            self._act(Kind.INSPECT, "Inspection", f"No instrument for this shape: {error}.", "not inspected")
+            return None
+        worst = inspection.worst
+        came = f"worst trough to peak {worst.trough_to_peak / 1000:.4f} in, {worst.wall} wall, {worst.place}"
+        self._act(Kind.INSPECT, "Talyrond", f"The stylus goes round the walls: {came}.", came)
+        return inspection
+
+    def _assemble(self, name: str) -> pal.Assembly:
+        assembly = self.programs[name] = pal.assemble(shelf.read(name), names=[name])
+        self._expect(assembly.ok, f"{name}: does not assemble")
+        return assembly
+
+    def _mount(self, name: str, tape: bytes) -> None:
+        self.tapes[name] = tape
+        self.operator.wait(MOUNT_SECONDS)
+        self.operator.mount(name, tape)
+
+    def _expect(self, met: bool, otherwise: str) -> None:
+        if not met:
+            raise WorkError(otherwise)
+
+
+def part_program(name: str) -> Callable[..., str]:
+    """Return the part program of that name: what takes its constants and returns its output.
+
+    Raises WorkError if there is none.
+    """
+    try:
+        program: Callable[..., str] = import_module(f"programs.{name}").part
+    except (ModuleNotFoundError, AttributeError) as error:
+        raise WorkError(f"{name}: no such part program") from error
+    return program

@@ -1,0 +1,253 @@
+// The Hydra-Point's cutter on its staircase: where it is at any instant, the whole contour, and a close view in the band.
+//
+// Coordinates are thousandths of an inch, Y upward, as the tape has them; `path` is a list of knots
+// [tick, x, y, down] between which the cutter goes straight; `down` says that the way to the knot was milled.
+
+import { upper } from "./afternoon.mjs";
+import { fit } from "./tape.mjs";
+
+const ROWS = 20;
+const PLATE = "#cfd2cf", GROOVE = "#8f979b", FLOOR = "#a9b0b2", LINE = "#20303a", BAND = "#2f6f5e", TOOL = "#b3401f", FAINT = "#57534a";
+
+export class Mill {
+  constructor(mill) {
+    Object.assign(this, mill);
+    this.times = Float64Array.from(this.path, (knot) => knot[0]);
+    this.starts = Float64Array.from(this.blocks, (block) => block.at);
+    this.bounds = bounds(this.path.filter((knot) => knot[3]), this.diameter / 2);
+  }
+
+  /** Where the cutter is: {knot, x, y, down, block}; `knot` is the last one passed. */
+  at(tick) {
+    const knot = Math.max(0, upper(this.times, tick) - 1);
+    const block = upper(this.starts, tick) - 1;
+    const [since, x, y] = this.path[knot];
+    const following = this.path[knot + 1];
+    if (!following || tick <= since) return { knot, x, y, down: false, block };
+    const part = (tick - since) / (following[0] - since);
+    return { knot, x: x + (following[1] - x) * part, y: y + (following[2] - y) * part, down: Boolean(following[3]), block };
+  }
+
+  /** Where milling begins. */
+  first() {
+    const knot = Math.max(1, this.path.findIndex((each) => each[3]));
+    const [, x, y] = this.path[knot - 1];
+    return { knot: knot - 1, x, y, down: false, block: -1 };
+  }
+
+  /** The row under the head of the Hydra-Point's reader, counted from the first that is punched. */
+  row(tick) {
+    const block = upper(this.starts, tick) - 1;
+    if (block < 0) return 0;
+    const { at, reading } = this.blocks[block];
+    return block * ROWS + Math.min(ROWS - 1, Math.floor(((tick - at) / reading) * ROWS));
+  }
+}
+
+function bounds(knots, margin) {
+  const xs = knots.map((knot) => knot[1]);
+  const ys = knots.map((knot) => knot[2]);
+  return {
+    left: Math.min(...xs) - margin, right: Math.max(...xs) + margin,
+    bottom: Math.min(...ys) - margin, top: Math.max(...ys) + margin,
+  };
+}
+
+/** The whole contour: the plate, the groove milled so far, what is still to come, the cutter. */
+export function drawWhole(canvas, mill, place, started) {
+  const { context, width, height } = fit(canvas);
+  const { left, right, bottom, top } = mill.bounds;
+  const margin = 300;
+  const scale = Math.min(width / (right - left + 2 * margin), height / (top - bottom + 2 * margin));
+  const view = viewport(width, height, (left + right) / 2, (bottom + top) / 2, scale);
+  context.clearRect(0, 0, width, height);
+  context.fillStyle = PLATE;
+  context.fillRect(0, 0, width, height);
+  context.lineJoin = context.lineCap = "round";
+  if (started) {
+    trace(context, mill, place, view, GROOVE, mill.diameter * scale + 1.5);
+    trace(context, mill, place, view, FLOOR, mill.diameter * scale);
+  }
+  rest(context, mill, view);
+  if (started) trace(context, mill, place, view, LINE, 1.3);
+  drawInches(context, view, width, height);
+  if (started) drawTool(context, view, place, (mill.diameter / 2) * scale);
+}
+
+/** A close view: the band, the staircase in it, the cutter's axis. The width of the view is about .15 in. */
+export function drawClose(canvas, mill, place, started) {
+  const { context, width, height } = fit(canvas);
+  const scale = Math.min(width, height * 1.3) / 150;
+  const view = viewport(width, height, place.x, place.y, scale);
+  context.clearRect(0, 0, width, height);
+  context.fillStyle = "#f7f3e9";
+  context.fillRect(0, 0, width, height);
+  drawGrid(context, view, width, height);
+  drawBand(context, mill, view);
+  context.lineJoin = "miter";
+  context.lineCap = "butt";
+  corners(context, mill, place, view, width, height);
+  if (started) trace(context, mill, place, view, LINE, 2.6, 600);
+  if (started) drawAxis(context, view, place);
+  drawScaleBar(context, width, height, scale);
+}
+
+function viewport(width, height, x, y, scale) {
+  return { x: (at) => width / 2 + (at - x) * scale, y: (at) => height / 2 - (at - y) * scale, scale };
+}
+
+/** Draw the way milled up to `place`; only its last `knots` knots if given. */
+function trace(context, mill, place, view, colour, width, knots = Infinity) {
+  context.strokeStyle = colour;
+  context.lineWidth = width;
+  context.beginPath();
+  for (let knot = Math.max(1, place.knot - knots); knot <= place.knot; knot++) segment(context, mill.path, knot, view);
+  if (place.down) {
+    const [, x, y] = mill.path[place.knot];
+    context.moveTo(view.x(x), view.y(y));
+    context.lineTo(view.x(place.x), view.y(place.y));
+  }
+  context.stroke();
+}
+
+function segment(context, path, knot, view) {
+  const [, x, y, down] = path[knot];
+  if (!down) return;
+  if (!path[knot - 1][3]) context.moveTo(view.x(path[knot - 1][1]), view.y(path[knot - 1][2]));
+  context.lineTo(view.x(x), view.y(y));
+}
+
+/** What is still to come, faintly. */
+function rest(context, mill, view) {
+  context.strokeStyle = "rgba(32,48,58,.45)";
+  context.lineWidth = 1;
+  context.setLineDash([3, 4]);
+  context.beginPath();
+  for (let knot = 1; knot < mill.path.length; knot++) segment(context, mill.path, knot, view);
+  context.stroke();
+  context.setLineDash([]);
+}
+
+/** The staircase's corners that are in view, and the way through them. */
+function corners(context, mill, place, view, width, height) {
+  const from = Math.max(1, place.knot - 300);
+  const to = Math.min(mill.path.length - 1, place.knot + 300);
+  context.strokeStyle = "rgba(32,48,58,.4)";
+  context.lineWidth = 1;
+  context.setLineDash([4, 4]);
+  context.beginPath();
+  for (let knot = from; knot <= to; knot++) segment(context, mill.path, knot, view);
+  context.stroke();
+  context.setLineDash([]);
+  context.fillStyle = LINE;
+  for (let knot = from; knot <= to; knot++) {
+    const x = view.x(mill.path[knot][1]);
+    const y = view.y(mill.path[knot][2]);
+    if (!mill.path[knot][3] || x < -5 || x > width + 5 || y < -5 || y > height + 5) continue;
+    context.beginPath();
+    context.arc(x, y, 2.6, 0, 2 * Math.PI);
+    context.fill();
+  }
+}
+
+function drawBand(context, mill, view) {
+  if (!mill.band) return;
+  context.fillStyle = "rgba(47,111,94,.13)";
+  context.beginPath();
+  outline(context, mill.band.outer, view);
+  outline(context, mill.band.inner, view);
+  context.fill("evenodd");
+  context.strokeStyle = BAND;
+  context.lineWidth = 1.4;
+  context.stroke();
+  context.setLineDash([8, 4, 2, 4]);
+  context.lineWidth = 1;
+  context.beginPath();
+  outline(context, mill.band.nominal, view);
+  context.stroke();
+  context.setLineDash([]);
+}
+
+function outline(context, points, view) {
+  points.forEach(([x, y], index) => (index ? context.lineTo(view.x(x), view.y(y)) : context.moveTo(view.x(x), view.y(y))));
+}
+
+function drawGrid(context, view, width, height) {
+  context.strokeStyle = "rgba(120,100,70,.16)";
+  context.lineWidth = 1;
+  context.beginPath();
+  const wide = width / view.scale;
+  const tall = height / view.scale;
+  const middle = { x: (width / 2 - view.x(0)) / view.scale, y: (view.y(0) - height / 2) / view.scale };
+  for (let x = Math.ceil((middle.x - wide / 2) / 10) * 10; x < middle.x + wide / 2; x += 10) line(context, view.x(x), 0, view.x(x), height);
+  for (let y = Math.ceil((middle.y - tall / 2) / 10) * 10; y < middle.y + tall / 2; y += 10) line(context, 0, view.y(y), width, view.y(y));
+  context.stroke();
+}
+
+function drawInches(context, view, width, height) {
+  context.fillStyle = FAINT;
+  context.strokeStyle = "rgba(70,66,60,.55)";
+  context.lineWidth = 1;
+  context.font = "11px Helvetica, Arial, sans-serif";
+  context.textAlign = "center";
+  context.beginPath();
+  for (let inch = 0; inch <= 20; inch++) {
+    const x = view.x(inch * 1000);
+    const y = view.y(inch * 1000);
+    line(context, x, height, x, height - 6);
+    line(context, 0, y, 6, y);
+    context.textBaseline = "alphabetic";
+    if (x > 24 && x < width - 8) context.fillText(`${inch}`, x, height - 9);
+    context.textBaseline = "middle";
+    if (y > 10 && y < height - 20) context.fillText(`${inch}`, 13, y);
+  }
+  context.stroke();
+}
+
+function drawTool(context, view, place, radius) {
+  const x = view.x(place.x);
+  const y = view.y(place.y);
+  context.strokeStyle = TOOL;
+  context.fillStyle = place.down ? "rgba(179,64,31,.28)" : "rgba(255,255,255,.35)";
+  context.lineWidth = 2;
+  context.beginPath();
+  context.arc(x, y, Math.max(4, radius), 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+  context.beginPath();
+  line(context, x - 5, y, x + 5, y);
+  line(context, x, y - 5, x, y + 5);
+  context.stroke();
+}
+
+function drawAxis(context, view, place) {
+  const x = view.x(place.x);
+  const y = view.y(place.y);
+  context.strokeStyle = TOOL;
+  context.lineWidth = 2;
+  context.beginPath();
+  context.arc(x, y, 7, 0, 2 * Math.PI);
+  context.stroke();
+  context.beginPath();
+  line(context, x - 13, y, x + 13, y);
+  line(context, x, y - 13, x, y + 13);
+  context.stroke();
+}
+
+function drawScaleBar(context, width, height, scale) {
+  const long = 10 * scale;
+  context.strokeStyle = context.fillStyle = FAINT;
+  context.lineWidth = 2;
+  context.beginPath();
+  line(context, width - 14 - long, height - 14, width - 14, height - 14);
+  context.stroke();
+  context.font = "11px Helvetica, Arial, sans-serif";
+  context.textAlign = "center";
+  context.textBaseline = "alphabetic";
+  context.fillText(".010 in", width - 14 - long / 2, height - 20);
+}
+
+function line(context, x0, y0, x1, y1) {
+  context.moveTo(x0, y0);
+  context.lineTo(x1, y1);
+}

@@ -1,0 +1,107 @@
+// The 8/L's front panel: its lamps and switches, and nothing it has not (no PC, no MQ, no step counter).
+//
+// Source: PDP-8/L Users Handbook, chapter 2 (console).
+
+import { DEFER, EXECUTE, FETCH } from "./machine.mjs";
+
+export const STATES = ["FETCH", "DEFER", "EXECUTE", "WORD COUNT", "CURR ADDR", "BREAK"];
+const SIGNS = ["ION", "PARITY", "PROTECT", "RUN"];
+const KEYS = ["START", "LOAD ADD", "DEP", "EXAM", "CONT", "STOP", "SING STEP"];
+
+export class Panel {
+  constructor(place) {
+    place.innerHTML = `
+      <div class="brand"><b>digital</b><span>programmed data processor <i>PDP-8/L</i></span></div>
+      <div class="lamps">
+        <div class="words">
+          ${row("MA", "MEMORY ADDRESS", 12)}${row("MB", "MEMORY BUFFER", 12)}${row("AC", "ACCUMULATOR", 12, "LINK")}
+        </div>
+        <div class="signs">
+          <div class="row" data-row="IR"><span class="legend">INSTR REG</span>${group(lamps("IR", [0, 1, 2]))}</div>
+          <div class="states">${STATES.concat(SIGNS).map(sign).join("")}</div>
+        </div>
+      </div>
+      <div class="switches">
+        <div class="row" data-row="SR"><span class="legend">SWITCH REGISTER</span>${groups(12, rocker)}</div>
+        <div class="keys">${KEYS.map(key).join("")}</div>
+      </div>
+      <p class="spoken" role="status" aria-live="off"></p>`;
+    this.lamps = new Map([...place.querySelectorAll("[data-lamp]")].map((lamp) => [lamp.dataset.lamp, lamp]));
+    this.rockers = [...place.querySelectorAll(".rocker")];
+    this.keys = new Map([...place.querySelectorAll(".key")].map((button) => [button.dataset.key, button]));
+    this.spoken = place.querySelector(".spoken");
+    this.lit = new Map();
+  }
+
+  /** Show the machine, and the key that is being pressed, if any. */
+  show(machine, pressed) {
+    this.#word("MA", machine.ma, 12);
+    this.#word("MB", machine.mb, 12);
+    this.#word("AC", machine.ac, 12);
+    this.#word("IR", machine.ir, 3);
+    this.#light("LINK", machine.link);
+    this.#light("FETCH", machine.state === FETCH);
+    this.#light("DEFER", machine.state === DEFER);
+    this.#light("EXECUTE", machine.state === EXECUTE);
+    this.#light("ION", machine.ion);
+    this.#light("RUN", machine.running);
+    this.rockers.forEach((rocker, bit) => rocker.classList.toggle("up", Boolean(machine.sr & (0o4000 >> bit))));
+    for (const [name, button] of this.keys) button.classList.toggle("pressed", name === pressed);
+    this.spoken.textContent = spoken(machine);
+  }
+
+  #word(name, value, bits) {
+    for (let bit = 0; bit < bits; bit++) this.#light(name + bit, value & (1 << (bits - 1 - bit)));
+  }
+
+  #light(name, on) {
+    if (this.lit.get(name) === Boolean(on)) return;
+    this.lit.set(name, Boolean(on));
+    this.lamps.get(name).classList.toggle("on", Boolean(on));
+  }
+}
+
+export function octal(value, digits = 4) {
+  return value.toString(8).padStart(digits, "0");
+}
+
+function spoken({ ma, mb, link, ac, ir, state, ion, running }) {
+  const cycle = ["fetch", "defer", "execute"][state];
+  return `memory address ${octal(ma)}, memory buffer ${octal(mb)}, link ${link}, accumulator ${octal(ac)}, `
+    + `instruction ${ir}, ${cycle}${ion ? ", interrupt on" : ""}, ${running ? "running" : "stopped"}`;
+}
+
+function row(name, legend, bits, before = "") {
+  const link = before ? `<span class="link">${lamp(before, "L")}</span>` : `<span class="link"></span>`;
+  return `<div class="row" data-row="${name}"><span class="legend">${legend}</span>${link}${groups(bits, (bit) => lamp(name + bit, bit))}</div>`;
+}
+
+function groups(bits, draw) {
+  let html = "";
+  for (let bit = 0; bit < bits; bit += 3) html += group([bit, bit + 1, bit + 2].map(draw).join(""));
+  return html;
+}
+
+function group(inside) {
+  return `<span class="group">${inside}</span>`;
+}
+
+function lamps(name, bits) {
+  return bits.map((bit) => lamp(name + bit, bit)).join("");
+}
+
+function lamp(name, label) {
+  return `<span class="lamp" data-lamp="${name}" aria-hidden="true"><i></i><small>${label}</small></span>`;
+}
+
+function sign(name) {
+  return `<span class="lamp sign" data-lamp="${name}" aria-hidden="true"><i></i><small>${name}</small></span>`;
+}
+
+function rocker(bit) {
+  return `<span class="rocker" aria-hidden="true"><i></i><small>${bit}</small></span>`;
+}
+
+function key(name) {
+  return `<span class="key" data-key="${name.toLowerCase()}" aria-hidden="true"><i></i><small>${name}</small></span>`;
+}

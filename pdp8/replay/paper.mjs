@@ -1,0 +1,79 @@
+// The sheet on the desk: a program's listing with its current line lit, the Teletype's page, or the list of blocks.
+
+import { upper } from "./afternoon.mjs";
+import { octal } from "./panel.mjs";
+
+export class Paper {
+  constructor(place, title, record) {
+    this.place = place;
+    this.title = title;
+    this.record = record;
+    this.sheets = new Map();
+    this.shown = null;
+    this.lit = null;
+  }
+
+  show(act, afternoon) {
+    const sheet = act.sheet;
+    if (this.shown !== sheet) this.#lay(sheet);
+    this.#light(this.#line(sheet, act, afternoon));
+  }
+
+  /** Put one sheet on the desk. */
+  #lay(name) {
+    if (!this.sheets.has(name)) this.sheets.set(name, this.#typed(name));
+    this.shown = name;
+    this.lit = null;
+    this.title.textContent = this.record.sheets[name].title;
+    this.place.replaceChildren(this.sheets.get(name).list);
+    this.place.setAttribute("aria-label", this.record.sheets[name].title);
+  }
+
+  #typed(name) {
+    const list = document.createElement("ol");
+    const byAddress = new Map();
+    for (const [address, word, text, mark] of this.record.sheets[name].lines) {
+      const line = document.createElement("li");
+      if (mark) line.className = mark;
+      if (address !== null) byAddress.set(address, line);
+      for (const [kind, content] of [["address", address === null ? "" : octal(address)], ["word", word === null ? "" : octal(word)], ["text", text]]) {
+        const part = document.createElement("span");
+        part.className = kind;
+        part.textContent = content;
+        line.append(part);
+      }
+      list.append(line);
+    }
+    return { list, byAddress, lines: [...list.children] };
+  }
+
+  /** The element of the line that is current. */
+  #line(name, act, { now, machine }) {
+    const sheet = this.sheets.get(name);
+    if (this.record.sheets[name].kind === "listing") return sheet.byAddress.get(machine.at) ?? null;
+    const tape = this.record.tapes.ascii;
+    if (act.kind !== "terminal") return sheet.lines[Math.max(0, upper(this.starts(), now) - 1)];
+    const punched = Math.floor((now - act.from) / 2_000_000);
+    const line = Math.min(upper(tape.lines, punched - 1), sheet.lines.length - 1);
+    sheet.lines.forEach((element, index) => element.classList.toggle("blank", index > line));
+    return sheet.lines[line];
+  }
+
+  starts() {
+    this.blockStarts ??= Float64Array.from(this.record.mill.blocks, (block) => block.at);
+    return this.blockStarts;
+  }
+
+  #light(line) {
+    if (line === this.lit) return;
+    this.lit?.classList.remove("now");
+    this.lit?.removeAttribute("aria-current");
+    this.lit = line;
+    if (!line) return;
+    line.classList.add("now");
+    line.setAttribute("aria-current", "true");
+    const { place } = this;
+    const above = line.offsetTop - place.scrollTop;
+    if (above < 40 || above > place.clientHeight - 60) place.scrollTop = line.offsetTop - place.clientHeight / 2;
+  }
+}

@@ -1,0 +1,120 @@
+// A paper tape under its head, in true geometry: 1.000 in wide, rows 0.1 in apart, code holes .072 in, sprocket .046.
+//
+//           8 7 6 5 4 · 3 2 1        channel 1 at the right, as in the octal number of a frame;
+//     4340  o . o o   .   o    "6"   the sprocket track between 4 and 3; time runs downward
+//
+// Sources: EIA RS-227; thesis (M. S. Wong, 1971), Chapter 2.
+
+const TRACKS = [8, 7, 6, 5, 4, 0, 3, 2, 1]; // 0 is the sprocket
+const WIDE = 10; // pitches
+const PAPER = { ascii: "#f1dfae", eia: "#e6e1cf", bin: "#d9e0cf", rim: "#d9e0cf" };
+const INK = "#2a231c";
+const FAINT = "#62564a";
+const HOLE = "#3a3129";
+const HEAD = "#a3391b";
+const NUMBERS = 46; // room at the left, in pixels
+const MEANINGS = 34; // and at the right
+const TOP = 16; // for the channels' numbers
+
+/** Draw `view` = {frames, head, code, punching}: `head` is the frame under the head; a punch shows nothing beyond it. */
+export function drawTape(canvas, view) {
+  const { context, width, height } = fit(canvas);
+  const pitch = Math.max(6, Math.min(15, (width - NUMBERS - MEANINGS) / WIDE));
+  const left = Math.round(NUMBERS + Math.max(0, (width - NUMBERS - MEANINGS - WIDE * pitch) / 2));
+  const headY = Math.round(TOP + (height - TOP) * (view.punching ? 0.7 : 0.5));
+  const place = { left, pitch, headY, width, height };
+  context.clearRect(0, 0, width, height);
+  drawChannels(context, place);
+  context.save();
+  context.beginPath();
+  context.rect(0, TOP, width, height - TOP);
+  context.clip();
+  drawPaper(context, view, place);
+  const first = Math.max(0, view.head - Math.ceil(headY / pitch));
+  const last = Math.min(view.frames.length - 1, view.head + (view.punching ? 0 : Math.ceil((height - headY) / pitch)));
+  for (let frame = first; frame <= last; frame++) drawFrame(context, view, frame, place);
+  drawHead(context, place);
+  context.restore();
+}
+
+function drawPaper(context, view, { left, pitch, headY, height }) {
+  const starts = headY - (view.head + (view.punching ? 6 : 4.5)) * pitch;
+  const ends = view.punching ? height : headY + (view.frames.length - view.head + 3.5) * pitch;
+  const top = Math.max(TOP - 9, starts);
+  const tall = Math.min(height + 9, ends) - top;
+  context.fillStyle = "rgba(60,45,25,.14)";
+  context.fillRect(left + 3, top, WIDE * pitch, tall);
+  context.fillStyle = PAPER[view.code];
+  context.fillRect(left, top, WIDE * pitch, tall);
+  context.fillStyle = "rgba(255,255,255,.3)";
+  context.fillRect(left, top, pitch, tall);
+}
+
+function drawFrame(context, view, frame, { left, pitch, headY }) {
+  const holes = view.frames[frame];
+  const y = headY + (frame - view.head) * pitch;
+  const current = frame === view.head;
+  context.fillStyle = HOLE;
+  TRACKS.forEach((channel, track) => {
+    if (channel && !(holes & (1 << (channel - 1)))) return;
+    context.beginPath();
+    context.arc(left + (track + 1) * pitch, y, pitch * (channel ? 0.36 : 0.23), 0, 2 * Math.PI);
+    context.fill();
+  });
+  context.textBaseline = "middle";
+  context.fillStyle = current ? HEAD : INK;
+  context.font = `${current ? "bold " : ""}${Math.min(16, pitch * 1.15)}px "Courier New", Courier, "Liberation Mono", monospace`;
+  context.textAlign = "left";
+  context.fillText(sign(holes, view.code), left + WIDE * pitch + 8, y);
+  if (!current && (frame % 10 || Math.abs(frame - view.head) === 1)) return;
+  context.fillStyle = current ? HEAD : FAINT;
+  context.textAlign = "right";
+  context.font = `${current ? "bold " : ""}11px Helvetica, Arial, "Liberation Sans", sans-serif`;
+  context.fillText(String(frame), left - 5, y);
+}
+
+function drawHead(context, { left, pitch, headY }) {
+  context.strokeStyle = HEAD;
+  context.lineWidth = 2;
+  context.strokeRect(left - 1, headY - pitch * 0.55, WIDE * pitch + 2, pitch * 1.1);
+}
+
+function drawChannels(context, { left, pitch }) {
+  context.fillStyle = FAINT;
+  context.font = `${Math.min(11, pitch)}px Helvetica, Arial, "Liberation Sans", sans-serif`;
+  context.textAlign = "center";
+  context.textBaseline = "alphabetic";
+  TRACKS.forEach((channel, track) => {
+    if (channel) context.fillText(String(channel), left + (track + 1) * pitch, TOP - 5);
+  });
+}
+
+const SIGNS = { 0o12: "↓", 0o15: "↵", 0o40: "␣", 0o177: "×" };
+const NAMES = { "↓": "line feed", "↵": "carriage return", "␣": "space", "×": "rubout", "": "blank" };
+const EIA = { 0o40: "0", 1: "1", 2: "2", 0o23: "3", 4: "4", 0o25: "5", 0o26: "6", 7: "7", 0o10: "8", 0o31: "9", 0o200: "↵", 0: "" };
+
+/** What one frame says in its code, as one sign; a binary frame as its octal digits. */
+export function sign(frame, code) {
+  if (code === "ascii") return SIGNS[frame & 0o177] ?? String.fromCharCode(frame & 0o177);
+  if (code === "eia") return EIA[frame] ?? "?";
+  return frame.toString(8).padStart(3, "0");
+}
+
+/** The same in words. */
+export function meaning(frame, code) {
+  const said = sign(frame, code);
+  return NAMES[said] ?? said;
+}
+
+/** Size the canvas's pixels to its box; return a context that draws in CSS pixels. */
+export function fit(canvas) {
+  const ratio = window.devicePixelRatio || 1;
+  const { clientWidth: width, clientHeight: height } = canvas;
+  if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(height * ratio);
+  }
+  const context = canvas.getContext("2d");
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  return { context, width, height };
+}
