@@ -92,7 +92,7 @@ class Ellipse:
             return np.asarray(np.hypot(dx, dy) - self.a)
         value = (dx / self.a) ** 2 + (dy / self.b) ** 2
         slope = 2 * np.hypot(dx / self.a**2, dy / self.b**2)
-        inmost = np.full(len(points), -min(self.a, self.b))
+        inmost = np.full(len(points), -float(min(self.a, self.b)))
         return np.asarray(np.divide(value - 1, slope, out=inmost, where=slope > 0))
 
     def __str__(self) -> str:

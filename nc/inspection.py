@@ -119,7 +119,10 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
 def followed(path: Path, tolerance: float) -> Curve | None:
     """Return the circle, ellipse or line that the milled path keeps within four times the tolerance of."""
     cuts = segments(path.cuts)
-    return fitted(np.concatenate([cuts[:1, :2], cuts[:, 2:]]), within=4 * tolerance) if len(cuts) else None
+    if not len(cuts):
+        return None
+    ends, middles = np.concatenate([cuts[:1, :2], cuts[:, 2:]]), (cuts[:, :2] + cuts[:, 2:]) / 2
+    return fitted(np.concatenate([ends[:1], middles, ends[1:]]), within=4 * tolerance)
 
 
 def segments(moves: Sequence[Move]) -> Floats:

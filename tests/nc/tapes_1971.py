@@ -67,6 +67,7 @@ def milling(corners: list[tuple[int, int]], start: tuple[int, int], feed: int = 
     return blocks
 
 
-def circle() -> bytes:
-    """Return the circle's tape: 4 in, 1/2 in cutter, +-.005."""
-    return tape(*HEADER, *milling(staircase(1750, 5), (2250, 4000)))
+CIRCLE_BLOCKS = (*HEADER, *milling(staircase(1750, 5), (2250, 4000)))
+"""The circle of Appendix C: 4 in, 1/2 in cutter, +-.005."""
+
+CIRCLE = tape(*CIRCLE_BLOCKS)

@@ -1,0 +1,188 @@
+"""The walls against geometry done by hand and by shapely, and the figures of the thesis's circle."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from shapely import LineString, unary_union
+from shapely.geometry import Point as Disc
+from shapely.geometry.base import BaseGeometry
+
+import nc
+from nc.curves import Curve, Ellipse, Floats, Line, Stations, fitted
+from nc.inspection import Inspection, inspect, runs, segments, walls
+from tapes import shelf
+from tapes.errors import WorkError
+from tests.nc.tapes_1971 import CIRCLE, HEADER, milling, staircase, tape
+
+THE_CIRCLE = Ellipse(4000, 4000, 1750, 1750)
+
+
+@pytest.fixture(scope="module")
+def circle() -> Inspection:
+    return inspect(nc.cut(CIRCLE))
+
+
+def reading(inspection: Inspection, place: str, wall: str) -> float:
+    """Return a trough to peak in inches, to the tenth of a thousandth."""
+    (found,) = [r for r in inspection.readings if (r.place, r.wall) == (place, wall)]
+    return round(found.trough_to_peak / 1000, 4)
+
+
+def test_a_straight_cut_leaves_walls_a_radius_away() -> None:
+    found = walls(np.array([[0.0, 0, 1000, 0]]), Line(0, 0, 1000, 0).stations(11), radius=250)
+    assert found.outer == pytest.approx(0, abs=1e-9)
+    assert found.inner == pytest.approx(0, abs=1e-9)
+
+
+def test_a_single_plunge_leaves_a_hole() -> None:
+    """Stations along a line through a hole of radius 50: walls at its chord, nothing beyond it."""
+    found = walls(np.array([[0.0, 0, 0, 0]]), Line(-60, 0, 60, 0).stations(13), radius=50)
+    chord = [np.sqrt(2500 - x * x) for x in range(-50, 51, 10)]
+    assert found.outer[1:-1] == pytest.approx(np.array(chord) - 50)
+    assert found.inner[1:-1] == pytest.approx(50 - np.array(chord))
+    assert np.isnan(found.outer[[0, -1]]).all()
+
+
+def test_one_step_leaves_a_cusp_where_the_discs_meet() -> None:
+    """Two corners (0, 0) and (80, 0) with nothing milled between: walls meet at 40, sqrt(50² - 40²) high."""
+    found = walls(np.array([[0.0, 0, 0, 0], [80, 0, 80, 0]]), Line(0, 0, 80, 0).stations(81), radius=50)
+    assert found.outer.min() == pytest.approx(30 - 50)
+    assert found.outer.argmin() == 40
+
+
+def buffered(cuts: Floats, radius: float) -> BaseGeometry:
+    """Return what the cutter took away, cut by cut: a buffered path would lose its smallest kinks."""
+    return unary_union([LineString([cut[:2], cut[2:]]).buffer(radius, quad_segs=2048) for cut in cuts])
+
+
+def stylus(metal: BaseGeometry, stations: Stations, at: int, reach: float) -> tuple[float, float]:
+    """Return where the line through a station, along its normal, leaves what was cut: inward, outward."""
+    place, normal = stations.points[at], stations.normals[at]
+    line = LineString([place - reach * normal, place + reach * normal])
+    through = line.intersection(metal)
+    parts = getattr(through, "geoms", [through])
+    (part,) = [part for part in parts if part.distance(Disc(place)) < 1e-6]
+    along = sorted(float((np.array(end) - place) @ normal) for end in part.coords)
+    return along[0], along[-1]
+
+
+@pytest.mark.parametrize(
+    ("curve", "cutter"),
+    [
+        (Ellipse(4000, 4000, 300, 300), 125),
+        (Ellipse(4000, 4000, 300, 300), 250),
+        (Ellipse(4000, 4000, 420, 250), 125),
+    ],
+    ids=str,
+)
+def test_the_walls_are_those_shapely_finds(curve: Ellipse, cutter: float) -> None:
+    rough = np.array(staircase(300, 5), dtype=np.float64)
+    rough = (rough - 4000) * [curve.a / 300, curve.b / 300] + 4000
+    cuts = np.hstack([rough[:-1], rough[1:]])
+    stations = curve.stations(180)
+    found, metal = walls(cuts, stations, cutter / 2), buffered(cuts, cutter / 2)
+    for at in range(len(stations)):
+        inward, outward = stylus(metal, stations, at, cutter)
+        assert found.outer[at] + cutter / 2 == pytest.approx(outward, abs=0.01), at
+        assert found.inner[at] - cutter / 2 == pytest.approx(inward, abs=0.01), at
+
+
+class TestTheCircle:
+    """Chapter 7's circle; the figures were computed twice elsewhere, by polygon offset."""
+
+    def test_the_curve_is_found_from_the_path(self, circle: Inspection) -> None:
+        assert circle.curve == THE_CIRCLE
+        assert str(circle.curve) == "circle, centre X 4.000 Y 4.000, radius 1.750 in"
+
+    @pytest.mark.parametrize(
+        ("place", "outer"),
+        [("+Y apex", 0.0106), ("-Y apex", 0.0106), ("+X apex", 0.0069), ("-X apex", 0.0173)],
+    )
+    def test_apexes_of_the_outer_wall(self, circle: Inspection, place: str, outer: float) -> None:
+        assert reading(circle, place, "outer") == outer
+
+    @pytest.mark.parametrize(
+        ("place", "inner"), [("+Y apex", 0.0057), ("+X apex", 0.0072), ("-X apex", 0.0144)]
+    )
+    def test_apexes_of_the_inner_wall(self, circle: Inspection, place: str, inner: float) -> None:
+        assert reading(circle, place, "inner") == pytest.approx(inner, abs=0.00011)
+
+    def test_45_degrees(self, circle: Inspection) -> None:
+        found = [r.trough_to_peak for r in circle.readings if r.place.startswith("45°")]
+        assert len(found) == 8
+        assert 0.6 < min(found) <= max(found) < 0.95
+
+    def test_the_worst_is_where_the_contour_does_not_close(self, circle: Inspection) -> None:
+        assert (circle.worst.place, circle.worst.wall) == ("-X apex", "outer")
+
+    def test_the_centre_kept_to_its_band_and_one_step(self, circle: Inspection) -> None:
+        """The limits are +-.005; the first whole thousandth on or beyond them is less than .001 further."""
+        low, high = circle.centre
+        assert -6 < low <= -5
+        assert 5 <= high < 6
+
+    def test_stations_are_close_enough(self, circle: Inspection) -> None:
+        """Five times as many stations find nothing more than .00002 in worse."""
+        path = nc.cut(CIRCLE)
+        finer = walls(segments(path.cuts), THE_CIRCLE.stations(180_000), 250)
+        assert np.nanmin(finer.outer) == pytest.approx(np.nanmin(circle.walls.outer), abs=0.2)
+        assert np.nanmax(finer.outer) == pytest.approx(np.nanmax(circle.walls.outer), abs=0.02)
+
+
+def test_a_larger_cutter_leaves_a_smoother_wall(circle: Inspection) -> None:
+    """Chapter 7: a larger cutter smooths out sharp variations."""
+    path = nc.cut(CIRCLE)
+    rough = [reading(inspect(path, cutter=cutter), "+Y apex", "outer") for cutter in (125, 500, 1000)]
+    assert rough == sorted(rough, reverse=True)
+
+
+def test_what_the_cutter_never_reached_is_said() -> None:
+    quarter = nc.cut(tape(*HEADER, *milling(staircase(1750, 5), (2250, 4000))[:165]))
+    found = inspect(quarter, curve=THE_CIRCLE)
+    assert 0.7 < found.uncut < 0.75
+    with pytest.raises(WorkError, match="never came near"):
+        inspect(quarter, curve=Ellipse(15000, 5000, 1000, 1000))
+
+
+class TestCurves:
+    """Curves, and finding the one a path follows."""
+
+    @pytest.mark.parametrize(
+        "curve", [THE_CIRCLE, Ellipse(4000, 4000, 3000, 2250), Line(500, 900, 7000, 2000)], ids=str
+    )
+    def test_stations_lie_on_the_curve_and_normals_are_square_to_it(self, curve: Curve) -> None:
+        stations = curve.stations(1000)
+        assert curve.deviations(stations.points) == pytest.approx(0, abs=1e-6)
+        assert np.hypot(*stations.normals.T) == pytest.approx(1)
+        for (before, after), normal in zip(pairwise(stations.points), stations.normals, strict=False):
+            way = after - before
+            assert abs(way @ normal) / np.hypot(*way) < 0.01
+        assert curve.deviations(stations.points + 3 * stations.normals) == pytest.approx(3, abs=0.01)
+
+    @pytest.mark.parametrize(
+        "curve",
+        [Ellipse(4100, 3900, 700, 700), Ellipse(9000, 4000, 3000, 1500), Line(500, 900, 7000, 2000)],
+        ids=str,
+    )
+    def test_the_curve_is_found_again(self, curve: Curve) -> None:
+        stations = curve.stations(900)
+        jagged = stations.points + np.where(np.arange(900) % 2, 5, -5)[:, None] * stations.normals
+        assert fitted(jagged, within=20) == curve
+
+    def test_what_follows_no_curve_is_none(self) -> None:
+        assert fitted(np.array([[0.0, 0], [1000, 0], [1000, 700], [0, 700], [500, 100]]), within=20) is None
+        with pytest.raises(WorkError, match="name the curve"):
+            inspect(nc.cut(tape(*HEADER, "007 6 02250 08000 0 01 85", "008 6 09000 08000 0 01 84")))
+
+    def test_the_ellipse_of_the_thesis(self) -> None:
+        found = inspect(nc.cut(shelf.read("ellipse.eia")))
+        assert found.curve == Ellipse(4000, 4000, 3000, 2250)
+        assert reading(found, "+Y apex", "outer") == reading(found, "-Y apex", "outer") == 0.011
+
+
+def test_a_graph_goes_through_every_turning_point() -> None:
+    deviation = np.array([0.0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -3, 0, np.nan, 2, 2.5, 1])
+    kept = [run.tolist() for run in runs(deviation, closed=False, every=100)]
+    assert {0, 1, 12, 13} <= set(kept[0])
+    assert kept[1] == [15, 16, 17]

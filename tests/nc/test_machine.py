@@ -1,0 +1,249 @@
+"""What each block makes the machine do, the modes it leaves, and the thesis's times."""
+
+import pytest
+
+import nc
+from nc.machine import CutError, Settings
+from nc.path import Kind, Move, Path, Point
+from tapes import shelf
+from tapes.errors import WorkError
+from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, FOUR_HOLES, HEADER, tape
+
+READ_Z = "900 9 03000 03500 0 01 89"
+
+
+def moves(path: Path) -> list[tuple[str, Point, float]]:
+    return [(str(move.kind), move.end, move.speed) for move in path.moves]
+
+
+def last(*blocks: str, settings: Settings | None = None) -> tuple[Move, ...]:
+    """Return the moves of the last of these blocks."""
+    return nc.cut(tape(*blocks), settings=settings).steps[-1].moves
+
+
+def refusal(*blocks: str) -> CutError:
+    with pytest.raises(CutError) as caught:
+        nc.cut(tape(*blocks))
+    return caught.value
+
+
+def test_the_four_holes_of_chapter_3() -> None:
+    path = nc.cut(tape(*FOUR_HOLES))
+    places = [(1000, 1000), (1000, 2000), (4000, 2000), (4000, 1000)]
+    assert path.holes == tuple(Point(x, y, 3500) for x, y in places)
+    assert path.steps[0].modes.spindle == 3100
+    for (x, y), step in zip(places, path.steps[2:], strict=True):
+        drilled = [(move.kind, move.end, move.speed) for move in step.moves[-3:]]
+        assert drilled == [
+            (Kind.APPROACH, Point(x, y, 3000), 300),
+            (Kind.FEED_IN, Point(x, y, 3500), 1.0),
+            (Kind.RETRACT, Point(x, y, 0), 300),
+        ]
+    assert path.times.z_feed == pytest.approx(4 * 30)
+
+
+def test_positions_are_reached_axis_by_axis_at_300() -> None:
+    """X and Y run together until Y is there; X goes on alone."""
+    assert moves(nc.cut(tape("001 0 03000 01000 0 00 80"))) == [
+        ("position", Point(1000, 1000, 0), pytest.approx(300 * 2**0.5)),
+        ("position", Point(3000, 1000, 0), 300),
+    ]
+    path = nc.cut(tape("001 0 03000 01000 0 00 80"))
+    assert path.times.positioning == pytest.approx(3 / 300 * 60)
+
+
+def test_two_feeds_leave_the_slope_where_one_axis_arrives() -> None:
+    """Figure 3.1: a slope of 30 degrees with X at 1.9 and Y at 1.0; Y is not there yet when X is."""
+    both = last(READ_Z, "001 6 00000 00000 0 02 84", "002 6 17321 10000 0 01 85")
+    assert both[0].end == pytest.approx((17321, 17321 / 1.9, 3500))
+    assert both[1].end == (17321, 10000, 3500)
+    assert [move.speed for move in both] == [pytest.approx((1.9**2 + 1) ** 0.5), 1.0]
+    assert sum(move.seconds for move in both) == pytest.approx(10 / 1.0 * 60)
+
+
+def test_equal_feeds_and_ways_arrive_together() -> None:
+    both = last(READ_Z, "001 6 00000 00000 0 01 84", "002 6 01000 01000 0 01 85")
+    assert [move.end for move in both] == [Point(1000, 1000, 3500)]
+
+
+def test_the_quill_goes_down_once_and_up_to_position() -> None:
+    path = nc.cut(
+        tape(READ_Z, "001 6 00100 00000 0 01 84", "002 6 00200 00000 0 01 84", "003 0 00000 00000 0 00 80")
+    )
+    assert [[str(move.kind) for move in step.moves] for step in path.steps] == [
+        [],
+        ["approach", "feed in", "mill"],
+        ["mill"],
+        ["retract", "position"],
+    ]
+
+
+def test_a_new_depth_in_the_cut_is_fed_to() -> None:
+    deeper = last(
+        READ_Z, "001 6 00100 00000 0 01 84", "002 9 03000 03600 0 01 89", "003 6 00200 00000 0 01 84"
+    )
+    assert [(move.kind, move.start.z, move.end.z) for move in deeper] == [
+        (Kind.FEED_IN, 3500, 3600),
+        (Kind.MILL, 3600, 3600),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("preparatory", "kinds"),
+    [
+        (1, ["position", "approach", "feed in", "feed out", "retract"]),
+        (5, ["position", "approach", "feed in", "retract"]),
+        (7, ["position", "approach", "feed in", "feed out", "retract"]),
+        (8, ["position", "approach", "feed in", "feed out", "retract"]),
+    ],
+)
+def test_holes(preparatory: int, kinds: list[str]) -> None:
+    hole = last(READ_Z, f"001 {preparatory} 01000 00000 0 01 89")
+    assert [str(move.kind) for move in hole] == kinds
+
+
+def test_a_peck_withdraws_to_the_feed_point() -> None:
+    hole = last(READ_Z, "001 4 01000 00000 0 01 89", settings=Settings(peck=200))
+    down = [(move.start.z, move.end.z) for move in hole if move.kind is Kind.FEED_IN]
+    assert down == [(3000, 3200), (3200, 3400), (3400, 3500)]
+    assert [move.end.z for move in hole if move.kind is Kind.RETRACT] == [3000, 3000, 0]
+
+
+def test_partial_retract_waits_at_the_feed_point() -> None:
+    path = nc.cut(
+        tape(
+            READ_Z,
+            "001 5 01000 01000 0 00 81",
+            "002 5 02000 01000 0 00 80",
+            "003 5 03000 01000 0 00 82",
+            "004 5 04000 01000 0 00 80",
+        )
+    )
+    assert [step.at.z for step in path.steps] == [0, 3000, 3000, 0, 0]
+    assert [step.modes.partial_retract for step in path.steps] == [False, True, True, False, False]
+
+
+def test_a_tool_change_needs_the_quill_up_and_takes_its_time() -> None:
+    blocks = (READ_Z, "001 6 01000 00000 0 01 84", "002 6 02000 00000 0 07 86")
+    path = nc.cut(tape(*blocks), settings=Settings(tool_change_seconds=8))
+    assert [str(move.kind) for move in path.steps[-1].moves] == ["mill", "retract"]
+    assert path.steps[-1].modes.tool == 7
+    assert path.times.tool_changes == 8
+
+
+def test_modes_stay_until_another_block_changes_them() -> None:
+    path = nc.cut(
+        tape(*HEADER, "007 0 00000 00000 0 00 07", "008 0 00000 00000 0 00 09", "009 0 00000 00000 0 12 06")
+    )
+    assert [step.modes.coolant for step in path.steps] == ["off", "off", *["mist"] * 4, "flood", "off", "off"]
+    assert [step.modes.spindle for step in path.steps] == [None, None, None, *[2000] * 6]
+    assert [step.modes.tool for step in path.steps] == [None, *[1] * 7, 12]
+    assert path.steps[-1].stop == "tool change, manual"
+
+
+def test_stops_wait_for_the_operator_and_the_tape_goes_on() -> None:
+    path = nc.cut(tape(*HEADER, "007 0 00000 00000 0 00 00"))
+    assert [(step.number, step.stop) for step in path.steps if step.stop] == [
+        (1, "end of program"),
+        (7, "program stop"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("blocks", "says"),
+    [
+        (["001 6 01000 00000 0 01 84"], "the quill is to go down, but no block has read Z"),
+        (["001 5 01000 00000 0 01 89"], "the quill is to go down, but no block has read Z"),
+        (
+            ["001 9 03000 03500 0 00 80", "002 5 01000 00000 0 00 80"],
+            "the quill is to go down, but no Z feed has been given",
+        ),
+        ([READ_Z, "002 6 01000 00000 0 01 85"], "X is to be milled, but no X feed has been given"),
+        ([READ_Z, "002 6 00000 01000 0 01 84"], "Y is to be milled, but no Y feed has been given"),
+    ],
+)
+def test_what_has_not_been_said_is_not_guessed(blocks: list[str], says: str) -> None:
+    error = refusal(*blocks)
+    assert (error.reason, error.block, error.row) == (says, len(blocks), 4)
+
+
+def test_a_bad_block_is_never_half_executed() -> None:
+    good = tape(*CIRCLE_BLOCKS[:50])
+    error = refusal(*CIRCLE_BLOCKS[:50], "051 6 20001 04000 0 01 84", *CIRCLE_BLOCKS[51:])
+    assert error.path.steps == nc.cut(good).steps
+    assert (error.block, error.row) == (51, 5)
+
+
+def test_a_refused_block_leaves_the_machine_as_it_was() -> None:
+    machine = nc.HydraPoint()
+    (_, block), *_ = nc.blocks.read(tape("001 6 01000 00000 0 01 84"))
+    place = nc.blocks.Row(1, 0)
+    before = (machine.modes, machine.at)
+    with pytest.raises(nc.BlockError):
+        machine.carry_out(place, block)
+    assert (machine.modes, machine.at) == before
+
+
+@pytest.mark.parametrize("error", [0.21, -0.201, 1.0, float("nan")])
+def test_feeds_are_within_20_percent(error: float) -> None:
+    with pytest.raises(WorkError, match="within 20 %"):
+        Settings(feed_error=(0, error, 0))
+
+
+def test_a_feed_error_changes_the_times_and_not_the_staircase() -> None:
+    true, slow = nc.cut(CIRCLE), nc.cut(CIRCLE, settings=Settings(feed_error=(-0.2, -0.2, 0)))
+    assert [move.end for move in slow.moves] == [move.end for move in true.moves]
+    assert slow.times.milling == pytest.approx(true.times.milling / 0.8)
+
+
+def test_a_feed_error_bends_a_slope() -> None:
+    """Chapter 3: two feeds off by 20 % against each other."""
+    blocks = (READ_Z, "001 6 00000 00000 0 01 84", "002 6 01000 01000 0 01 85")
+    (first, _) = last(*blocks, settings=Settings(feed_error=(0.2, -0.2, 0)))
+    assert first.end == pytest.approx((1000, 1000 * 0.8 / 1.2, 3500))
+
+
+class TestTheCircle:
+    """4 in, +-.005, 1 in/min: 36 minutes in Chapter 7."""
+
+    def test_the_bundled_tape_is_the_one_made_here(self) -> None:
+        assert shelf.read("circle.eia") == CIRCLE
+
+    def test_blocks_and_ends(self) -> None:
+        path = nc.cut(CIRCLE)
+        assert len(path) == 666
+        assert path.steps[-1].block.sequence == 666
+        assert path.cuts[0].start == Point(2250, 4000, 3500)
+        assert path.cuts[-1].end == Point(2251, 3844, 3500)
+        assert path.gap == pytest.approx(156, abs=0.01)
+
+    def test_machining_takes_36_minutes(self) -> None:
+        """2 s for each of 660 milling blocks and 13.86 in at 1 in/min are 35.9 min; the header adds .8."""
+        path = nc.cut(CIRCLE)
+        assert sum(move.length for move in path.cuts) == 13_861
+        contour = sum(2 + step.moves[-1].seconds for step in path.steps[6:])
+        assert contour / 60 == pytest.approx(35.86, abs=0.01)
+        assert path.times.total / 60 == pytest.approx(36.7, abs=0.05)
+        assert list(path.clock())[-1] == pytest.approx(path.times.total)
+
+
+class TestTheEllipse:
+    """6 x 4 1/2 in, +-.005: 50 minutes in Chapter 7, 33 of them reading (Chapter 10)."""
+
+    ELLIPSE = shelf.read("ellipse.eia")
+
+    @pytest.mark.parametrize(
+        ("settings", "minutes"),
+        [
+            (Settings(), 36.1),
+            (Settings(feed_code=1), 53.2),
+            (Settings(feed_code=1, feed_error=(0.2, 0.2, 0.2)), 49.7),
+        ],
+        ids=["code 05, 5.5 in/min", "1.0 in/min", "1.2 in/min"],
+    )
+    def test_machining(self, settings: Settings, minutes: float) -> None:
+        path = nc.cut(self.ELLIPSE, settings=settings)
+        assert len(path) == 976
+        assert path.times.reading / 60 == pytest.approx(32.5, abs=0.05)
+        contour = 970 * 2 + path.times.milling
+        assert contour / 60 == pytest.approx(minutes, abs=0.05)
