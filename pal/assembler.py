@@ -202,7 +202,7 @@ class Assembler:
             self._symbol(symbol)
         elif not mark:
             self._expression.item(_number(number, self._radix))
-        elif mark in "+-":
+        elif mark in "+- ":
             self._expression.operate(mark)
         elif mark == ".":
             self._expression.item(self._location)

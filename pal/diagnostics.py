@@ -12,11 +12,13 @@ Sources: DEC-08-ASAC-D, "Diagnostics"; the output of DEC-08-ASB1.
 """
 
 from collections.abc import Callable, Iterable, Sequence
+from operator import itemgetter
 from typing import NamedTuple
 
 from pal import scanner
 from pal.assembler import Message, Place
 from pal.dialects import hint
+from pal.notes import Note, notes
 from pal.scanner import Line
 
 
@@ -54,27 +56,34 @@ class Diagnostic(NamedTuple):
 
 def diagnose(lines: list[Line], names: Sequence[str], messages: Iterable[Message]) -> list[Diagnostic]:
     """Return the messages and our notes as diagnostics, in source order."""
-    found = [
-        _diagnostic(lines, names, message) for message in sorted(messages, key=lambda message: message.place)
-    ]
-    return found + _notes(lines, names)
+    if not lines:
+        return [
+            Diagnostic("", "note: the source is empty", "there is not even a $", "", *_first(names), 1, 1, "")
+        ]
+    found = [(message.place, _diagnostic(lines, names, message)) for message in messages]
+    found += [(note.place, _from_note(lines, names, note)) for note in notes(lines, len(names))]
+    return [diagnostic for _, diagnostic in sorted(found, key=itemgetter(0))]
+
+
+def _first(names: Sequence[str]) -> tuple[str, int]:
+    return (names[0] if names else "source"), 1
 
 
 def _diagnostic(lines: list[Line], names: Sequence[str], message: Message) -> Diagnostic:
-    line = lines[message.place.line]
-    start, end = scanner.columns(line, *message.place[1:])
     subject = message.subject.strip()
-    return Diagnostic(
-        message.code,
-        str(message),
-        _ADVICE[message.code](subject, message.location),
-        hint(message.code, subject),
-        names[line.tape],
-        line.number,
-        start + 1,
-        end - start,
-        line.text,
-    )
+    advice = _ADVICE[message.code](subject, message.location)
+    place = _placed(lines, names, message.place)
+    return Diagnostic(message.code, str(message), advice, hint(message.code, subject), *place)
+
+
+def _from_note(lines: list[Line], names: Sequence[str], note: Note) -> Diagnostic:
+    return Diagnostic("", f"note: {note.message}", note.advice, "", *_placed(lines, names, note.place))
+
+
+def _placed(lines: list[Line], names: Sequence[str], place: Place) -> tuple[str, int, int, int, str]:
+    line = lines[place.line]
+    start, end = scanner.columns(line, place.statement, place.token)
+    return names[line.tape], line.number, start + 1, end - start, line.text
 
 
 def _undefined(name: str, location: int) -> str:
@@ -115,25 +124,3 @@ _ADVICE: dict[str, Callable[[str, int], str]] = {
     "UA": _undefined,
     "IR": _reference,
 }
-
-
-def _notes(lines: list[Line], names: Sequence[str]) -> list[Diagnostic]:
-    if not lines:
-        return [_note("the source is empty", "there is not even a $", names[0] if names else "", 1, 1, "")]
-    last = lines[-1]
-    file = names[last.tape]
-    if last.complete:
-        advice = "PAL III would wait for more tape; it is taken as if it were there"
-        return [_note("no $ at the end", advice, file, last.number, 1, last.text)]
-    if scanner.tokens(last.statements[-1]):
-        start = scanner.columns(last, len(last.statements) - 1, 0)[0]
-        advice = "$ ends the pass where it stands; put it on a line of its own"
-        return [_note("this makes no word", advice, file, last.number, start + 1, last.text)]
-    return []
-
-
-def _note(message: str, advice: str, file: str, line: int, column: int, source: str) -> Diagnostic:
-    return Diagnostic("", f"note: {message}", advice, "", file, line, column, 1, source)
-
-
-__all__ = ["Diagnostic", "Place", "diagnose"]

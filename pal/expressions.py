@@ -1,9 +1,10 @@
 """A PAL III expression: items combined from left to right as they are read.
 
-    value := value OP item        OP is + - or, where only a space stands between two items, inclusive OR
+    value := value OP item        OP is + or - or a space, which is inclusive OR
 
-An operator is good for one item; between two items the last one counts, so ``3++4`` is 7, and with no item
-after it, it does nothing: ``3+`` is 3. (A space beside ``+`` or ``-`` then means nothing: inferred.)
+An operator is good for one item; before an item the last one counts, so ``3++4`` is 7, and with no item after
+it, it does nothing: ``3+`` is 3. The space is an operator like the others, so ``3 +4`` is 7 and ``3 + 4`` is
+3 OR 4 (inferred). Where nothing stands between two items, as before a period, that is a space.
 
 A memory-reference symbol ends what came before: that becomes the operation, and the items that follow are
 its address, counted anew. ``TAD TAD`` is 1000. I sets bit 3 of the operation wherever it stands, Z does
@@ -41,7 +42,7 @@ class Expression:
         self._addressed = False
 
     def operate(self, operator: str) -> None:
-        """Read ``+`` or ``-``: it is for the next item."""
+        """Read an operator: it is for the next item."""
         self._operator = operator
 
     def item(self, value: int) -> None:

@@ -34,7 +34,9 @@ IGNORED = bytes(
 )  # blank, leader, RUBOUT, form feed, LF off a Teletype
 _SEVEN_CHANNELS = bytes(frame & 0x7F for frame in range(0x100))
 
-TERMINATORS = " \t+-,=*."
+SPACE = " "
+BLANKS = " \t"
+TERMINATORS = BLANKS + "+-,=*."
 _TOKEN = re.compile(r"(?:([A-Z][A-Z0-9]*)|([0-9]+))([^ \t+\-,=*.]*)|(.)", re.DOTALL)
 _NOT_IN_NUMBER = r"[^0-9]"  # compiled only when there is an illegal character
 _NOT_IN_SYMBOL = r"[^A-Z0-9]"
@@ -100,15 +102,28 @@ def lines(tapes: list[bytes], modern: bool = False) -> Iterator[Line]:
 
 
 def tokens(statement: str) -> list[Token]:
-    """Return the tokens of a statement. Spaces and TABs are left out: they separate, and that is done."""
-    return [
-        _token(symbol, number, tail, mark)
-        for symbol, number, tail, mark in _TOKEN.findall(statement)
-        if mark not in (" ", "\t")
-    ]
+    """Return the tokens of a statement. Spaces and TABs are left out but for one that follows a + or -."""
+    return [_token(*match.groups("")) for match in _matches(statement)]
+
+
+def _matches(statement: str) -> Iterator[re.Match[str]]:
+    operated = False
+    for match in _TOKEN.finditer(statement):
+        mark = match[4]
+        if not mark:
+            operated = False
+        elif mark in "+-":
+            operated = True
+        elif mark in BLANKS:
+            if not operated:
+                continue
+            operated = False
+        yield match
 
 
 def _token(symbol: str, number: str, tail: str, mark: str) -> Token:
+    if mark and mark in BLANKS:
+        return Token("", "", (), SPACE)
     if mark:
         return Token("", "", () if mark in TERMINATORS else (ord(mark) | 0o200,), mark)
     if symbol:
@@ -130,8 +145,6 @@ def _code(character: str) -> int:
 def columns(line: Line, statement: int, token: int) -> tuple[int, int]:
     """Return where a token starts and ends in its line's text, from 0; a token that is not there: the end."""
     start = sum(len(text) + 1 for text in line.statements[:statement])
-    spans = [
-        match.span() for match in _TOKEN.finditer(line.statements[statement]) if match[4] not in (" ", "\t")
-    ]
+    spans = [match.span() for match in _matches(line.statements[statement])]
     first, after = spans[token] if token < len(spans) else (len(line.statements[statement]),) * 2
     return start + first, start + after

@@ -1,7 +1,7 @@
 """What DEC-08-ASB1, DEC's own PAL III of February 1967, made of eight sources.
 
-NAME.bin is the tape of the high-speed punch, raw; NAME.passN.txt is what the Teletype printed in a pass, without
-the codes that do not print and with CR LF as one line end.
+NAME.bin is the tape of the high-speed punch, raw; NAME.passN.txt is what the Teletype printed in a pass,
+without the codes that do not print and with CR LF as one line end.
 """
 
 from itertools import zip_longest

@@ -12,25 +12,10 @@ CHARACTERS = "AB19 \t+-,=*;$./!a\n\r"
 statements = st.text(CHARACTERS, max_size=80)
 pieces = st.lists(
     st.sampled_from(
-        ["TAD", "CLA", "I", "Z", "A", "B", "A,", "B=", "*", "FIELD", "FIXMRI", "EXPUNGE", "FIXTAB", "DECIMAL"]
-        + [
-            "OCTAL",
-            "PAUSE",
-            "5",
-            "189",
-            "7777",
-            "+",
-            "-",
-            ".",
-            ";",
-            "\n",
-            "/X\n",
-            "400",
-            " ",
-            "\t",
-            "(",
-            "1A",
-            "$",
+        [
+            *"+-.; \t\n($IZAB*5",
+            *("TAD", "CLA", "A,", "B=", "FIELD", "FIXMRI", "EXPUNGE", "FIXTAB", "DECIMAL", "OCTAL", "PAUSE"),
+            *("189", "7777", "400", "1A", "/X\n"),
         ]
     ),
     max_size=60,
