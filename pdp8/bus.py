@@ -21,6 +21,9 @@ AT_ONCE = -1
 SKIP = 0o10000
 CLEAR_AC = 0o20000
 
+PULSES = ((1, -3), (2, 15), (4, 33))
+"""The pulses of an IOT and their ticks after its memory cycle: 1.45 us, still in it, 2.35 and 3.25 us."""
+
 
 class Device:
     """One device code: a flag, and `due`, the tick at which it moves next."""
@@ -62,6 +65,8 @@ class Bus:
         self.by_code: list[Device | None] = [None] * 64
         self.asked = 0
         """The codes whose skip was tested since somebody set this to 0, one bit each."""
+        self.told = 0
+        """How often a device, or the interrupt, was told something rather than asked."""
 
     def fit(self, code: int, device: Device) -> None:
         """Connect `device` under `code` (0o01 to 0o77)."""
@@ -75,9 +80,27 @@ class Bus:
             return 0
         if iop == 1:
             self.asked |= 1 << code
+        else:
+            self.told += 1
         if device.due <= now:
             device.advance(now)
         return device.pulse(iop, ac, now)
+
+    def transfer(self, word: int, lac: int, clock: int) -> int:
+        """Send the pulses of IOT `word`, whose memory cycle ended at tick `clock`, to its device.
+
+        Returns {L, AC} as they are afterwards, 13 bits, and above them 1 if the device answered SKIP.
+        """
+        skip = 0
+        for iop, ticks in PULSES:
+            if word & iop:
+                answer = self.pulse(word >> 3 & 0o77, iop, lac & 0o7777, clock + ticks)
+                if answer & CLEAR_AC:
+                    lac &= 0o10000
+                if answer & SKIP:
+                    skip = 0o20000
+                lac |= answer & 0o7777
+        return skip | lac
 
     def advance(self, now: int) -> None:
         """Bring every device to tick `now`."""

@@ -11,6 +11,7 @@ The machine is a discrete-event simulation: nothing here sleeps, and the same co
 tapes and the same times. While a program only waits, time jumps (see waiting.py).
 """
 
+from array import array
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
@@ -21,6 +22,7 @@ from pdp8.panel import Panel
 from pdp8.processor import FETCH, Processor
 from pdp8.teletype import Teletype
 from pdp8.waiting import Waiting
+from pdp8.watch import Watch
 
 TICKS_PER_SECOND = 20_000_000
 
@@ -41,7 +43,7 @@ class Stop(NamedTuple):
 class Core:
     """The 4096 words of core, as they are examined and deposited from outside: checked and masked."""
 
-    def __init__(self, words: list[int]) -> None:
+    def __init__(self, words: "array[int]") -> None:
         self._words = words
 
     def __getitem__(self, address: int) -> int:
@@ -75,7 +77,9 @@ class Machine:
         self.teletype.connect(self.bus)
         self.processor = Processor(self.bus)
         self.core = Core(self.processor.core)
+        self.waiting = Waiting(self.processor)
         self.panel = Panel(self.processor)
+        self.watch = Watch()
         self.highspeed = HighSpeed()
         if highspeed:
             self.highspeed.connect(self.bus)
@@ -121,25 +125,54 @@ class Machine:
         last = NEVER if instructions is None else p.instructions + instructions
         p.run = 1
         self.bus.advance(p.clock)
-        reason = self._cycle() if p.sing_step else self._run(until, last)
+        if p.sing_step:
+            reason = self._cycle()
+        elif self.watch.wanted():
+            reason = self._run_watched(until, last)
+        else:
+            reason = self._run(until, last)
         self.bus.advance(p.clock)
         if reason != "limit":
             self.bus.finish()
         return Stop(reason, p.pc, self.elapsed)
 
     def _run(self, until: int, last: int) -> str:
-        p = self.processor
-        waiting = Waiting(p)
+        p, waiting = self.processor, self.waiting
+        waiting.endless = False
         while p.clock < until and p.instructions < last:
-            before = p.pc
             p.instruction()
             if not p.run:
                 return self._stopped()
-            if p.pc <= before:
-                waiting.came_back(until, last)
-                if waiting.endless:
-                    return "tape out" if self._out_of_tape() else "idle"
+            waiting.look(until, last)
+            if waiting.endless:
+                return self._endless()
         return "limit"
+
+    def _run_watched(self, until: int, last: int) -> str:
+        """Run as `_run` does, telling the watch of each cycle, up to a breakpoint."""
+        p, watch, waiting = self.processor, self.watch, self.waiting
+        waiting.endless = False
+        first = True
+        while p.clock < until and p.instructions < last:
+            if p.pc in watch.breakpoints and not first:
+                return "breakpoint"
+            first = False
+            watch.instruction(p)
+            if not p.run:
+                return self._stopped()
+            if watch.written:
+                return "breakpoint"
+            instructions, clock = p.instructions, p.clock
+            waiting.look(until, last)
+            if waiting.endless:
+                return self._endless()
+            if watch.observer and p.clock > clock:
+                watch.observer.waited(p, p.instructions - instructions, p.clock - clock)
+        return "limit"
+
+    def _endless(self) -> str:
+        """Return why a loop will never end."""
+        return "tape out" if self._out_of_tape() else "idle"
 
     def _cycle(self) -> str:
         """Do what CONT does under SING STEP, and say what the run came to."""

@@ -32,7 +32,9 @@ Sources: PDP-8/L Users Handbook 1968; Small Computer Handbook 1970; PDP-8/I inst
 times and MEM PROT as measured on a real 8/L by the pdp8l project (mrieker).
 """
 
-from pdp8.bus import CLEAR_AC, SKIP, Bus
+from array import array
+
+from pdp8.bus import Bus
 from pdp8.operate import GROUP_2, GROUP_3, HLT, group1, group2, skips
 
 FETCH, DEFER, EXECUTE, INTERRUPT = 0, 1, 2, 3
@@ -40,8 +42,7 @@ AND, TAD, ISZ, DCA, JMS, JMP, IOT, OPR = 0, 1, 2, 3, 4, 5, 6, 7
 
 CYCLE = 32
 IO_TICKS = 85 - CYCLE
-"""What an IOT takes beyond its cycle; its pulses come at these ticks after (the first still in) the cycle."""
-PULSES = ((1, 29 - CYCLE), (2, 47 - CYCLE), (4, 65 - CYCLE))
+"""What an IOT takes beyond its cycle."""
 PROTECTED = 0o7600
 
 
@@ -50,7 +51,7 @@ class Processor:
 
     def __init__(self, bus: Bus) -> None:
         self.bus = bus
-        self.core = [0] * 0o10000
+        self.core = array("H", bytes(2 * 0o10000))
         self.lac = 0
         """The link and the accumulator, one word of 13 bits."""
         self.pc = 0
@@ -77,8 +78,6 @@ class Processor:
         """The clock at the last INITIALIZE."""
         self.instructions = 0
         """Instructions fetched since power-up."""
-        self.changes = 0
-        """How often a word of core changed or a device was told something; what stands still has waited."""
 
     def initialize(self) -> None:
         """INITIALIZE: clear AC, L and the interrupt, and every device; core and PC stay."""
@@ -190,9 +189,7 @@ class Processor:
             self.run = 0
             return
         self.mb = word
-        if self.core[self.ma] != word:
-            self.core[self.ma] = word
-            self.changes += 1
+        self.core[self.ma] = word
 
     def _operate(self, word: int) -> None:
         if not word & GROUP_2:
@@ -205,28 +202,19 @@ class Processor:
                 self.run = 0
 
     def _input_output(self, word: int) -> None:
-        code = word >> 3 & 0o77
-        for iop, ticks in PULSES:
-            if not word & iop:
-                continue
-            if code == 0:
-                self._interrupt_enable(iop)
-                continue
-            if iop != 1:
-                self.changes += 1
-            answer = self.bus.pulse(code, iop, self.lac & 0o7777, self.clock + ticks)
-            if answer & CLEAR_AC:
-                self.lac &= 0o10000
-            if answer & SKIP:
-                self.pc = self.pc + 1 & 0o7777
-            self.lac |= answer & 0o7777
+        if word & 0o770:
+            answer = self.bus.transfer(word, self.lac, self.clock)
+            self.lac = answer & 0o17777
+            self.pc = self.pc + (answer >> 13) & 0o7777
+        else:
+            self._interrupt_enable(word)
         self.clock += IO_TICKS
 
-    def _interrupt_enable(self, iop: int) -> None:
-        self.changes += 1
-        if iop == 1:
+    def _interrupt_enable(self, word: int) -> None:
+        self.bus.told += 1
+        if word & 1:
             self.ion = 1
-        elif iop == 2:
+        if word & 2:
             self.ion = self.ion_delayed = 0
 
     def _strobe(self) -> None:

@@ -1,87 +1,118 @@
 """Loops that only wait, and how many turns of one can be passed over at once without anybody noticing.
 
-A program waits when it comes back to an instruction with the same AC and L, no word of core changed, nothing
-told to a device and nothing happened in one since it was last there: KSF, JMP .-1 and its kin, JMP . under
-interrupt, a ring of several flag tests. Every further turn is the same turn until the next event of a device.
-A delay loop, ISZ X and JMP .-1, is a count and nothing else until X runs out.
+A program waits when it is again as it was: the same PC, AC, L and core, and since then nothing told to a
+device and nothing happened in one. Every further turn is the same turn until the next event of a device: KSF,
+JMP .-1 and its kin, JMP . under interrupt, a ring of several flag tests. If no event can come, it waits for
+ever.
+
+Looking at every instruction would cost more than the waiting, so one looks where programs wait: in front of a
+flag test or of a JMP to itself, and, for a loop that has neither, every 10 ms of machine time. All that is
+looked at is the state of the machine, so that it makes no difference who runs it or in how many pieces.
 
 Passing over stops short of the event, so that what the event does is done by the processor itself. The count
 of instructions and of ticks stays exact.
 """
 
 from pdp8.bus import NEVER
-from pdp8.processor import CYCLE, FETCH, ISZ, JMP, PROTECTED, Processor
+from pdp8.processor import FETCH, Processor
 
-_DELAY_TICKS = 3 * CYCLE
-_PATIENCE = 8
+PERIOD = 200_000
+_TESTS = 8
+"""Flag tests of one ring: how many strangers are met before the one remembered is given up."""
+_STEPS = 32
+"""Instructions of one ring that has no flag test."""
 
 
 class Waiting:
-    """Watches a running processor at its backward jumps."""
+    """Watches a running processor; `look` belongs after every instruction, or every piece of a run that holds
+    no flag test and no JMP to itself and does not reach `strike`.
+    """
 
     def __init__(self, processor: Processor) -> None:
         self.processor = processor
         self.endless = False
         """Set when the processor stands in a loop that no event will ever end."""
-        self.delays = True
-        """Whether delay loops are passed over too; not when somebody watches core being written."""
-        self.strangers = 0
-        """Backward jumps since the remembered one that led elsewhere: a ring may have several."""
-        self.quiet_until = 0
+        self.strike = 0
+        """The tick from which the next look is due wherever the processor is."""
+        self.hunting = False
+        """Set while every instruction is looked at, because core stood still since the last strike."""
         self._remember()
 
     def _remember(self) -> None:
-        p = self.processor
-        self.pc, self.lac, self.changes = p.pc, p.lac, p.changes
-        self.clock, self.instructions = p.clock, p.instructions
-        self.quiet_until = p.bus.next_event()
-        self.strangers = 0
-
-    def came_back(self, until: int, instructions: int) -> None:
-        """Look at the processor after a jump backward; pass over what it would only wait through.
-
-        Stops short of tick `until` and of `instructions` in all.
-        """
-        p = self.processor
-        if p.core[p.pc] >> 8 == ISZ << 1 and p.ir == JMP and p.state == FETCH and p.ma == p.pc + 1:
-            self._pass_delay(until, instructions)
-        elif p.changes != self.changes or self.strangers > _PATIENCE:
-            p.bus.asked = 0
-            self._remember()
-        elif p.pc != self.pc or p.lac != self.lac or p.next != FETCH:
-            self.strangers += 1
-        else:
-            self._pass_turns(until, instructions)
-
-    def _pass_turns(self, until: int, instructions: int) -> None:
+        """Remember the machine as it is, to know it again."""
         p = self.processor
         p.bus.advance(p.clock)
+        self.pc, self.lac = p.pc, p.lac
+        self.switches = p.sr, p.mem_prot, p.ion
+        self.core = p.core[:]
+        self.told = p.bus.told
+        self.clock, self.instructions = p.clock, p.instructions
+        self.quiet_until = p.bus.next_event()
+        p.bus.asked = 0
+        self.patience = _TESTS
+        self.hunting = False
+
+    def look(self, until: int, last: int) -> None:
+        """Look at the processor between two instructions; pass over what it would only wait through.
+
+        Stops short of tick `until` and of `last` instructions in all.
+        """
+        p = self.processor
+        if p.clock >= self.strike:
+            self._strike()
+        elif self.hunting or p.core[p.pc] & 0o7007 == 0o6001 or self._jumps_to_itself():
+            self._compare(until, last)
+
+    def _jumps_to_itself(self) -> bool:
+        p = self.processor
+        word = p.core[p.pc]
+        return word >> 8 == 0o12 and word & 0o177 | (p.pc & 0o7600 if word & 0o200 else 0) == p.pc
+
+    def _strike(self) -> None:
+        p = self.processor
+        self.strike = p.clock - p.clock % PERIOD + PERIOD
+        still = p.bus.told == self.told and p.clock < self.quiet_until and p.core == self.core
+        self._remember()
+        if still:
+            self.hunting = True
+            self.patience = _STEPS
+
+    def _compare(self, until: int, last: int) -> None:
+        p = self.processor
+        if p.bus.told != self.told or p.clock >= self.quiet_until:
+            self._remember()
+        elif p.pc != self.pc or p.lac != self.lac or p.next != FETCH:
+            self.patience -= 1
+            if self.patience == 0:
+                self._remember()
+        elif p.core != self.core or (p.sr, p.mem_prot, p.ion) != self.switches:
+            self._remember()
+        else:
+            self._pass_turns(until, last)
+
+    def _pass_turns(self, until: int, last: int) -> None:
+        p = self.processor
+        p.bus.advance(p.clock)
+        ticks, count = p.clock - self.clock, p.instructions - self.instructions
         event = p.bus.next_event()
-        if p.clock < self.quiet_until:
-            if event == NEVER:
-                self.endless = True
-                return
-            ticks, count = p.clock - self.clock, p.instructions - self.instructions
-            turns = min((min(event, until) - 1 - p.clock) // ticks, (instructions - p.instructions) // count)
+        if event == NEVER == self.quiet_until:
+            self.endless = True
+            self._turn_again(ticks, count)
+            return
+        if event == self.quiet_until:
+            turns = min((min(event, until) - 1 - p.clock) // ticks, (last - p.instructions) // count)
             if turns > 0:
                 p.clock += turns * ticks
                 p.instructions += turns * count
+                self.strike = max(self.strike, p.clock - p.clock % PERIOD + PERIOD)
         self._remember()
 
-    def _pass_delay(self, until: int, instructions: int) -> None:
+    def _turn_again(self, ticks: int, count: int) -> None:
+        """Run the last turn once more in its own time, so that the lamps are those of the instruction that
+        ended it, whoever ran it.
+        """
         p = self.processor
-        word = p.core[p.pc]
-        counter = word & 0o177 | (p.pc & 0o7600 if word & 0o200 else 0)
-        if not self.delays or counter in (p.pc, p.pc + 1) or (p.mem_prot and counter >= PROTECTED):
-            return
-        p.bus.advance(p.clock)
-        turns = min(
-            0o7777 - p.core[counter],
-            (min(p.bus.next_event(), until) - 1 - p.clock) // _DELAY_TICKS,
-            (instructions - p.instructions) // 2,
-        )
-        if turns > 0 and p.next == FETCH:
-            p.core[counter] += turns
-            p.clock += turns * _DELAY_TICKS
-            p.instructions += turns * 2
-            p.changes += 1
+        p.clock -= ticks
+        p.instructions -= count
+        for _ in range(count):
+            p.instruction()

@@ -5,6 +5,7 @@ address against a reference that is written the other way round from the process
 cycles.
 """
 
+from array import array
 from itertools import product
 
 import pytest
@@ -126,7 +127,7 @@ def test_every_shape_at_every_edge(operation: int) -> None:
             for address, word_there in start.items():
                 core[address] = word_there
             processor = Processor(bus)
-            processor.core[:] = core
+            processor.core[:] = array("H", core)
             processor.pc, processor.lac = pc, lac
             processor.instruction()
             following, lac_after, cycles = reference(core, pc, lac)
@@ -134,4 +135,4 @@ def test_every_shape_at_every_edge(operation: int) -> None:
             assert (processor.pc, processor.lac, processor.clock) == (following, lac_after, cycles * 32), (
                 where
             )
-            assert processor.core == core, where
+            assert processor.core.tolist() == core, where

@@ -88,7 +88,7 @@ def executed(word: int) -> tuple[npt.NDArray[np.int_], npt.NDArray[np.int_], npt
         pc.append(processor.pc)
         run.append(processor.run)
     assert processor.clock == 0o20000 * 32
-    assert processor.core == [0] * 0o200 + [word] + [0] * 0o7577
+    assert processor.core.tolist() == [0] * 0o200 + [word] + [0] * 0o7577
     return np.array(lac), np.array(pc), np.array(run)
 
 

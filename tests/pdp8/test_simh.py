@@ -9,6 +9,7 @@ import os
 import random
 import re
 import subprocess
+from array import array
 from pathlib import Path
 
 import pytest
@@ -49,7 +50,7 @@ class Script:
     def __init__(self, seed: int, folder: Path) -> None:
         source = random.Random(seed)
         processor = Processor(Bus())
-        processor.core[:] = [source.randrange(0o10000) for _ in range(0o10000)]
+        processor.core[:] = array("H", [source.randrange(0o10000) for _ in range(0o10000)])
         processor.pc, processor.lac, processor.sr = (source.randrange(n) for n in (0o10000, 0o20000, 0o10000))
         tape = folder / f"{seed}.bin"
         tape.write_bytes(binary.encode(dict(enumerate(processor.core))))
