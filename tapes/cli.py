@@ -24,6 +24,13 @@ def tape() -> None:
     """Show, measure, convert and punch paper tapes.
 
     FILE is a tape of one byte a frame, a bundled tape's name, or - for standard input.
+
+    \b
+    Examples:
+      pdp8 tape show circle.eia --frames 21
+      pdp8 tape info circle.asc circle.eia eia.bin
+      pdp8 tape convert eia.bin --to rim > eia.rim
+      pdp8 tape punch typed.txt > typed.asc
     """
 
 
