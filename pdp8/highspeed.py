@@ -129,8 +129,10 @@ class HighSpeed:
         self.punch_control = PunchControl()
         self.reader = self.reader_control.reader
         self.punch = self.punch_control.punch
+        self.fitted = False
 
     def connect(self, bus: Bus) -> None:
         """Connect both to the bus."""
+        self.fitted = True
         bus.fit(0o01, self.reader_control)
         bus.fit(0o02, self.punch_control)

@@ -4,8 +4,9 @@
     BIN loader's tape, RIM format ──► RIM loader ──► 7600-7755, 7777
     program's tape, BIN format ──► BIN loader ──► core, checksum in AC
 
-`boot` is the operator: MEM PROT down, each tape on its leader, SR and LOAD ADD as the books say, STOP when RIM's tape
-has run through. Only what the tapes take is machine time; what the operator's hands take is counted in keys.
+`boot` is the operator: MEM PROT down, each tape on its leader, SR and LOAD ADD as the books say, STOP when
+RIM's tape has run through. Only what the tapes take is machine time; what the operator's hands take is
+counted in keys.
 
 Sources: PDP-8/I instruction card (the RIM loader's words); Small Computer Handbook 1970, "Loading programs".
 """
@@ -50,6 +51,12 @@ class Step(NamedTuple):
     frames: int
     seconds: float
 
+    def __str__(self) -> str:
+        if not self.frames:
+            return f"{self.what}: {self.keys} keys"
+        minutes, seconds = divmod(round(self.seconds), 60)
+        return f"{self.what}: {self.frames} frames, {minutes} min {seconds} s"
+
 
 def check(words: Mapping[int, int]) -> None:
     """Raise LoadError unless every address of `words` lies in 4K of core and every word has 12 bits."""
@@ -73,9 +80,9 @@ def toggle(panel: "Panel", address: int, words: Iterable[int]) -> int:
 
 
 def boot(machine: "Machine", bin_loader: bytes, program: bytes, program_name: str = "program") -> list[Step]:
-    """Load `program`, a BIN or RIM tape, from cold through the Teletype; `bin_loader` is BIN's tape in RIM format.
+    """Load `program`, a BIN or RIM tape, from cold through the Teletype; `bin_loader` is BIN's RIM tape.
 
-    Leaves the machine standing still, the reader empty. Raises LoadError if a loader does not end as it should.
+    Leaves the machine standing still, the reader empty. Raises LoadError if a loader ends as it should not.
     """
     panel = machine.panel
     panel.stop()
@@ -104,7 +111,9 @@ def read_bin(machine: "Machine", tape: bytes, name: str = "tape") -> Step:
     seconds, reason = _read(machine, BIN_START, TELETYPE_READER, tape)
     machine.teletype.reader.remove()
     if reason != "halt" or machine.ma != BIN_HALT:
-        raise LoadError(f"{name}: the BIN loader ended with {reason} at {machine.pc:04o}, not with HLT at 7700")
+        raise LoadError(
+            f"{name}: the BIN loader ended with {reason} at {machine.pc:04o}, not with HLT at 7700"
+        )
     if machine.ac:
         raise LoadError(f"{name}: the BIN loader halted with AC = {machine.ac:04o}: wrong checksum")
     return Step(f"{name} read by BIN", 2, _length(tape), seconds)

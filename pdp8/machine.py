@@ -160,7 +160,7 @@ class Machine:
             watch.instruction(p)
             if not p.run:
                 return self._stopped()
-            if watch.written:
+            if watch.reached:
                 return "breakpoint"
             instructions, clock = p.instructions, p.clock
             waiting.look(until, last)

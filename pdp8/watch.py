@@ -24,12 +24,12 @@ class Watch:
 
     def __init__(self) -> None:
         self.breakpoints: set[int] = set()
-        """Addresses before whose instruction a run stops."""
+        """Addresses before whose instruction a run stops, and after a JMS to them."""
         self.writes: set[int] = set()
         """Addresses of words after whose writing a run stops."""
         self.observer: Observer | None = None
-        self.written = False
-        """Set when the last instruction wrote one of them."""
+        self.reached = False
+        """Set when the last instruction wrote one of them, or was a JMS to a breakpoint."""
 
     def wanted(self) -> bool:
         """Tell whether anything is watched at all."""
@@ -37,15 +37,16 @@ class Watch:
 
     def instruction(self, processor: Processor) -> None:
         """Run one instruction, or the cycle of an interrupt, and look at each of its cycles."""
-        self.written = False
+        self.reached = False
         self._cycle(processor)
         while processor.next in (DEFER, EXECUTE):
             self._cycle(processor)
 
     def _cycle(self, processor: Processor) -> None:
         processor.cycle()
-        if processor.ma in self.writes and wrote(processor):
-            self.written = True
+        if wrote(processor):
+            called = processor.state == EXECUTE and processor.ir == JMS
+            self.reached |= processor.ma in self.writes or (called and processor.ma in self.breakpoints)
         if self.observer:
             self.observer.cycle(processor)
 

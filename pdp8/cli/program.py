@@ -1,7 +1,12 @@
 """A program by name becomes words for core: PAL source, a BIN tape or a RIM tape, told by its frames."""
 
+from typing import TYPE_CHECKING
+
 from tapes import binary, kinds, rim, shelf
 from tapes.errors import TapeError, WorkError
+
+if TYPE_CHECKING:
+    from pal import Assembly
 
 
 def read_words(name: str) -> dict[int, int]:
@@ -28,17 +33,18 @@ def words(frames: bytes, name: str) -> dict[int, int]:
     if kind == kinds.RIM:
         return rim.decode(frames)
     if kind == kinds.ASCII:
-        return _assembled(frames, name)
+        return assembled(frames, name).words
     if kind == kinds.BLANK_TAPE:
         raise WorkError(f"{name}: the program tape is {'blank' if frames else 'empty'}")
     raise WorkError(f"{name}: neither PAL source nor a BIN or RIM tape")
 
 
-def _assembled(source: bytes, name: str) -> dict[int, int]:
+def assembled(source: bytes, name: str) -> "Assembly":
+    """Return the assembly of PAL III source. Raises WorkError with its diagnostics."""
     import pal
 
     assembly = pal.assemble(source, names=[name])
     if not assembly.ok:
         report = "\n".join(str(diagnostic) for diagnostic in assembly.diagnostics)
         raise WorkError(f"{name}: not run, it has errors\n{report}")
-    return assembly.words
+    return assembly

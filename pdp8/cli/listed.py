@@ -1,0 +1,21 @@
+"""A program by name with all that is known of it: its tape, and its listing if it is source."""
+
+from pdp8.cli.program import assembled, words
+from pdp8.monitor import Program
+from pdp8.trace import Listing
+from tapes import binary, kinds, shelf
+from tapes.errors import TapeError, WorkError
+
+
+def open_program(name: str) -> Program:
+    """Return the program called `name`: a file, a bundled name. Raises WorkError saying what is wrong with
+    it.
+    """
+    frames = shelf.read(name)
+    try:
+        if kinds.classify(frames) != kinds.ASCII:
+            return Program(words(frames, name), frames, Listing())
+        assembly = assembled(frames, name)
+        return Program(assembly.words, assembly.tape or binary.encode(assembly.words), Listing.of(assembly))
+    except TapeError as error:
+        raise WorkError(f"{name}: {error}") from error

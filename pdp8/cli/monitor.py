@@ -1,0 +1,87 @@
+"""`pdp8 monitor`: the operator's prompt, at a terminal with editing and history, or fed by a script."""
+
+import os
+import sys
+from collections.abc import Iterator
+
+import click
+
+from pdp8.cli.listed import open_program
+from pdp8.machine import Machine
+from pdp8.monitor import COMMANDS, Monitor, MonitorError
+from tapes import shelf
+from tapes.errors import WorkError
+
+
+@click.command()
+@click.argument("script", required=False)
+@click.option("--highspeed", is_flag=True, help="Fit the PC8/L high-speed reader and punch.")
+@click.option("--echo", is_flag=True, help="Show each line of a script before its answer.")
+def monitor(script: str | None, highspeed: bool, echo: bool) -> None:
+    """Stand in front of the machine: examine, deposit, step, break, trace; from SCRIPT or at a prompt.
+
+    Answers go to standard output. A script ends at its first error, with exit status 1 and its line number.
+    Type help for the commands; numbers are octal, and symbols of a loaded program are addresses.
+
+    \b
+    Examples:
+      pdp8 monitor
+      printf 'load eia.pal\\nbreak CHK\\ngo 200\\nregisters\\n' | pdp8 monitor -
+      pdp8 monitor lesson.txt --echo
+    """
+    machine = Machine(highspeed)
+    made = Monitor(click.echo, open_program, machine)
+    if script is None and sys.stdin.isatty():
+        _converse(made)
+    else:
+        _follow(made, script or "-", echo)
+
+
+def _follow(made: Monitor, script: str, echo: bool) -> None:
+    """Carry out a script; its first error ends it."""
+    text = shelf.read(script).decode("utf-8", "replace")
+    for number, line in enumerate(text.splitlines(), 1):
+        if echo:
+            click.echo(f"* {line}")
+        try:
+            made.do(line)
+        except WorkError as error:
+            name = "standard input" if script == "-" else script
+            raise MonitorError(f"{name}, line {number}: {error}") from error
+        if made.finished:
+            return
+
+
+def _converse(made: Monitor) -> None:
+    """Answer at a terminal until quit or end of file; errors are said, Ctrl-C stops the machine."""
+    click.echo("PDP-8/L, 4K. help tells what there is; quit leaves.")
+    for line in _typed():
+        try:
+            made.do(line)
+        except WorkError as error:
+            click.echo(str(error), err=True)
+        except KeyboardInterrupt:
+            made.machine.stop()
+            click.echo(f"stopped before {made.machine.pc:04o}", err=True)
+        if made.finished:
+            return
+
+
+def _typed() -> Iterator[str]:
+    """Yield the lines typed at the prompt."""
+    from prompt_toolkit import PromptSession
+    from prompt_toolkit.completion import WordCompleter
+    from prompt_toolkit.history import FileHistory, History, InMemoryHistory
+
+    folder = os.environ.get("XDG_STATE_HOME", os.path.expanduser("~/.local/state"))
+    history: History = InMemoryHistory()
+    if os.path.isdir(folder) and os.access(folder, os.W_OK):
+        history = FileHistory(os.path.join(folder, "pdp8-monitor"))
+    session: PromptSession[str] = PromptSession(history=history, completer=WordCompleter(list(COMMANDS)))
+    while True:
+        try:
+            yield session.prompt("* ")
+        except KeyboardInterrupt:
+            continue
+        except EOFError:
+            return
