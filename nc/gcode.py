@@ -4,9 +4,10 @@
     N7 G1 Y4.1330 F1.0 (007 6 02250 04133 0 01 85)
 
 One linear move for each move of the machine, so the path is the same on a controller that interpolates: the
-Hydra-Point's unequal axes are written out corner by corner. The quill's depth becomes a negative Z with
-zero at the top. Program stop, end of program and manual tool change in mid-tape wait for START: M0; what
-ends the G-code is M2. Feed errors and other feeds are those the path was cut with.
+Hydra-Point's unequal axes are written out corner by corner, and G61 keeps the controller from rounding the
+corners. The quill's depth becomes a negative Z with zero at the top. Program stop, end of program and manual
+tool change in mid-tape wait for START: M0; what ends the G-code is M2. Feed errors and other feeds are those
+the path was cut with.
 
 Source: RS-274/NGC (T. Kramer, F. Proctor, E. Messina, NIST, 2000), the common part of every dialect.
 """
@@ -23,7 +24,7 @@ _COOLANT = {"mist": "M7", "flood": "M8", "off": "M9"}
 def gcode(path: Path) -> Iterator[str]:
     """Yield the program line by line, without line ends."""
     yield "(Moog Hydra-Point 83-1000 MC, 20-row block tape)"
-    yield "G20 G90 G17 G94 G40 G80"
+    yield "G20 G90 G17 G94 G40 G80 G61"
     before = Modes()
     for step in path.steps:
         yield from _numbered(step, [*_changes(before, step), *_moves(step), *_stops(step)])

@@ -34,7 +34,7 @@ STATIONS = 36_000
 _FEWEST_STATIONS = 3_600
 _CUTS_AT_FULL = 4_000
 _GROUP = 64
-_AT_ONCE = 4_096
+_AT_ONCE = 512
 
 
 @dataclass(frozen=True, eq=False)

@@ -127,7 +127,7 @@ def _function(step: Step) -> str:
             return f"X feed {modes.x_feed:.1f} in/min"
         case 85:
             return f"Y feed {modes.y_feed:.1f} in/min"
-        case 86 | 6:
+        case 86:
             return f"{name}, tool {step.block.tool:02}"
         case 88:
             return f"spindle {modes.spindle} rpm"
@@ -135,6 +135,8 @@ def _function(step: Step) -> str:
             return "" if step.block.preparatory in HOLE_MAKING else f"Z feed {modes.z_feed:.1f} in/min"
         case 80:
             return ""
-        case 0 | 2:
+        case 6 if step.block.tool:
+            return f"{name}, tool {step.block.tool:02}, waits for START"
+        case 0 | 2 | 6:
             return f"{name}, waits for START"
     return name

@@ -11,6 +11,7 @@ The cut surface is the path drawn as wide as the cutter with round ends: that is
 """
 
 from itertools import pairwise
+from textwrap import wrap
 
 from nc.curves import Curve
 from nc.drawing import FAINT, INK, Sheet, View, Window, around
@@ -21,9 +22,10 @@ from tapes.errors import WorkError
 _LEFT, _WIDTH, _TALLEST = 60.0, 720.0, 620.0
 _SCALES = (4.0, 2.0, 1.0, 0.5, 0.25)
 _CLOSE_HEIGHT = 430.0
+_LINE, _LETTERS = 16.0, 120
 _LEGEND = (
-    "grey: cut away · blue: the cutter's centre; pale: still to come; dashed: positioning · "
-    "red: the cutter now · green: the curve meant, its band, and dotted its walls"
+    "grey: cut away · blue: the cutter's centre; pale: still to come; dashed: positioning",
+    "red: the cutter now · green: the curve meant, its band, and dotted its walls",
 )
 _PATH, _TO_COME, _METAL, _BAND, _NOW = "#0b4f9e", "#9db7d4", "#dfe3e8", "#2e7d32", "#c62828"
 
@@ -47,13 +49,16 @@ def plot(
     current = len(path) if block is None else block
     if not 1 <= current <= len(path):
         raise WorkError(f"block {current}: the tape has blocks 1 to {len(path)}")
+    heading = _heading(path, curve, current)
     window = _window(path, cutter)
     scale = next((s for s in _SCALES if _fits(window, s)), _SCALES[-1])
-    top = 110.0
+    top = 66 + _LINE * len(heading)
     close_top = top + window.height * scale / 10 + 90
     bottom = close_top + _CLOSE_HEIGHT
-    sheet = Sheet(_LEFT + _WIDTH + 20, bottom + 75, f"Hydra-Point, block {current}")
-    _write(sheet, path, curve, current, cutter)
+    sheet = Sheet(_LEFT + _WIDTH + 20, bottom + 90, f"Hydra-Point, block {current}")
+    sheet.text(_LEFT, 26, _title(path, cutter), font_size=15)
+    for row, (line, colour) in enumerate(heading):
+        sheet.text(_LEFT, 46 + _LINE * row, line, fill=colour)
     sheet.text(_LEFT, top - 8, f"part, scale {_ratio(scale)}", fill=FAINT)
     _draw_part(sheet.view(_LEFT, top, window, scale), path, current, cutter)
     sheet.text(_LEFT, close_top - 8, _close_title(curve, tolerance, zoom), fill=FAINT)
@@ -61,8 +66,23 @@ def plot(
     half_width, half_height = _WIDTH / zoom * 5, _CLOSE_HEIGHT / zoom * 5
     close = Window(x - half_width, y - half_height, x + half_width, y + half_height)
     _draw_close(sheet.view(_LEFT, close_top, close, zoom), path, current, curve, cutter, tolerance)
-    sheet.text(_LEFT, bottom + 60, _LEGEND, fill=FAINT)
+    for row, line in enumerate(_LEGEND):
+        sheet.text(_LEFT, bottom + 60 + _LINE * row, line, fill=FAINT)
     return sheet.svg()
+
+
+def _title(path: Path, cutter: float) -> str:
+    tape = f"{len(path)} blocks · {path.times.total / 60:.1f} min"
+    return f"Moog Hydra-Point 83-1000 MC · {tape} · cutter {cutter / 1000:.3f} in"
+
+
+def _heading(path: Path, curve: Curve | None, current: int) -> list[tuple[str, str]]:
+    """Return what is said of the current block, in lines that fit the sheet, each with its colour."""
+    step = path.steps[current - 1]
+    said = [(f"block {current}: {spaced(step.block)} — {does(step)}", _NOW), (in_force(step), INK)]
+    if curve is not None and curve.closed and path.gap:
+        said.append((f"the contour ends {path.gap / 1000:.3f} in from where it began", FAINT))
+    return [(line, colour) for words, colour in said for line in wrap(words, _LETTERS)]
 
 
 def _window(path: Path, cutter: float) -> Window:
@@ -82,21 +102,6 @@ def _ratio(scale: float) -> str:
 def _close_title(curve: Curve | None, tolerance: float, zoom: float) -> str:
     band = f"; band ±{tolerance / 1000:.3f} in about the {curve}" if curve else ""
     return f"close, scale {_ratio(zoom)}{band}"
-
-
-def _write(sheet: Sheet, path: Path, curve: Curve | None, current: int, cutter: float) -> None:
-    step = path.steps[current - 1]
-    sheet.text(
-        _LEFT,
-        26,
-        f"Moog Hydra-Point 83-1000 MC · {len(path)} blocks · {path.times.total / 60:.1f} min · "
-        f"cutter {cutter / 1000:.3f} in",
-        font_size=15,
-    )
-    sheet.text(_LEFT, 46, f"block {current}: {spaced(step.block)} — {does(step)}", fill=_NOW)
-    sheet.text(_LEFT, 62, in_force(step), fill=INK)
-    if curve is not None and curve.closed and path.gap:
-        sheet.text(_LEFT, 78, f"the contour ends {path.gap / 1000:.3f} in from where it began", fill=FAINT)
 
 
 def _draw_part(view: View, path: Path, current: int, cutter: float) -> None:

@@ -58,7 +58,7 @@ class _Graph:
         self.magnification = magnification
         self.division = magnification / 10
         self.rim = _HUB + (self.high - self.low) * self.division
-        half = max(self.rim + 95, 340.0)
+        half = max(self.rim + 95, 370.0)
         self.x, self.y = half, self.rim + 175
         self.sheet = Sheet(2 * half, self.y + self.rim + 90, "Talyrond")
 

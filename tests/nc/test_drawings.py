@@ -1,0 +1,157 @@
+"""The drawings: to scale, in inches, nothing clipped, and the metal drawn is the metal cut."""
+
+import re
+from itertools import pairwise
+from xml.etree import ElementTree as ET
+
+import pytest
+
+import nc
+from nc.curves import Ellipse, Line
+from nc.inspection import inspect
+from nc.plot import plot
+from nc.talyrond import talyrond
+from nc.talysurf import talysurf
+from tapes import shelf
+from tapes.errors import WorkError
+from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, milling, staircase, tape
+
+SVG = "{http://www.w3.org/2000/svg}"
+THE_CIRCLE = Ellipse(4000, 4000, 1750, 1750)
+LETTER = 0.5
+"""The mean width of Helvetica's letters in parts of its size."""
+
+
+def elements(drawing: str, tag: str) -> list[ET.Element]:
+    return list(ET.fromstring(drawing).iter(SVG + tag))
+
+
+def words(drawing: str) -> list[str]:
+    return [str(text.text) for text in elements(drawing, "text")]
+
+
+def drawings() -> dict[str, str]:
+    circle, ellipse = nc.cut(CIRCLE), nc.cut(shelf.read("ellipse.eia"))
+    slope = tape(*HEADER, *milling([(2250, 4003), (2300, 4003), (2300, 4029), (2350, 4029)], (2250, 4000)))
+    return {
+        "circle": plot(circle, THE_CIRCLE),
+        "circle, block 120": plot(circle, THE_CIRCLE, block=120),
+        "circle, block 1": plot(circle, THE_CIRCLE, block=1),
+        "ellipse": plot(ellipse, Ellipse(4000, 4000, 3000, 2250)),
+        "four holes": plot(nc.cut(tape(*FOUR_HOLES))),
+        "long words": plot(
+            nc.cut(
+                tape("001 9 01000 02000 0 18 89", "002 9 01000 02000 0 00 81", "003 8 19000 09000 0 00 00")
+            )
+        ),
+        "one position": plot(nc.cut(tape("001 0 20000 10000 0 00 02"))),
+        "talyrond, circle": talyrond(inspect(circle)),
+        "talyrond, ellipse": talyrond(inspect(ellipse)),
+        "talyrond, small cutter": talyrond(inspect(circle, cutter=20)),
+        "talysurf, circle": talysurf(inspect(circle)),
+        "talysurf, slope": talysurf(inspect(nc.cut(slope), Line(2250, 4000, 2350, 4030))),
+    }
+
+
+DRAWINGS = drawings()
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_nothing_written_leaves_the_sheet(name: str) -> None:
+    root = ET.fromstring(DRAWINGS[name])
+    _, _, width, height = map(float, root.get("viewBox", "").split())
+    assert root.get("width") == f"{width / 100:g}in"
+    assert width <= 850
+    for text in root.iter(SVG + "text"):
+        size = float(text.get("font-size", "11"))
+        x, y, length = (
+            float(text.get("x", "nan")),
+            float(text.get("y", "nan")),
+            len(str(text.text)) * size * LETTER,
+        )
+        left = x - length * {"start": 0.0, "middle": 0.5, "end": 1.0}[text.get("text-anchor", "start")]
+        if text.get("transform") is None and not _is_clipped(root, text):
+            assert left >= 0, text.text
+            assert left + length <= width, text.text
+            assert size <= y <= height - 2, text.text
+
+
+def _is_clipped(root: ET.Element, text: ET.Element) -> bool:
+    return any(text in list(group) for group in root.iter(SVG + "g"))
+
+
+@pytest.mark.parametrize(
+    "name", [name for name in DRAWINGS if name.startswith(("circle", "ellipse", "four"))]
+)
+def test_axes_are_labelled_in_inches(name: str) -> None:
+    assert words(DRAWINGS[name]).count("X, inches") == 2
+    assert words(DRAWINGS[name]).count("Y, inches") == 2
+
+
+def test_the_part_is_drawn_true_size() -> None:
+    """At 1:1 a hundred units of paper are an inch; the metal is the path stroked as wide as the cutter."""
+    drawing = DRAWINGS["circle"]
+    metal = [path for path in elements(drawing, "path") if path.get("stroke-linejoin") == "round"]
+    assert float(metal[0].get("stroke-width", "0")) == 50.0
+    numbers = [float(number) for number in re.findall(r"[\d.]+", metal[0].get("d", ""))]
+    assert max(numbers[::2]) - min(numbers[::2]) == pytest.approx(349.9, abs=0.02)
+    assert max(numbers[1::2]) - min(numbers[1::2]) == pytest.approx(351.0, abs=0.02)
+    assert "part, scale 1:1" in words(drawing)
+
+
+def test_the_close_view_stands_about_the_current_block() -> None:
+    drawing = DRAWINGS["circle, block 120"]
+    assert "block 120: 120 6 03034 05453 0 01 84 — mill X to 3.034 at 1.0 in/min" in words(drawing)
+    assert any("at X 3.034 Y 5.453" in line for line in words(drawing))
+    assert "120" in words(drawing)
+    assert (
+        "close, scale 10:1; band ±0.005 in about the circle, centre X 4.000 Y 4.000, radius 1.750 in"
+        in words(drawing)
+    )
+
+
+def test_the_contour_does_not_close_and_the_picture_says_so() -> None:
+    assert "the contour ends 0.156 in from where it began" in words(DRAWINGS["circle"])
+
+
+def test_no_such_block() -> None:
+    with pytest.raises(WorkError, match="block 667: the tape has blocks 1 to 666"):
+        plot(nc.cut(CIRCLE), block=667)
+
+
+def test_the_talyrond_magnifies_100_times_as_figure_7_2() -> None:
+    drawing = DRAWINGS["talyrond, circle"]
+    assert any("radial magnification 100" in line for line in words(drawing))
+    rings = sorted(float(ring.get("r", "0")) for ring in elements(drawing, "circle"))
+    assert {round(outer - inner, 6) for inner, outer in pairwise(rings)} == {10.0}
+    for figure in (".0106", ".0173", ".0069", ".0007", ".0009"):
+        assert figure in words(drawing)
+
+
+def test_the_talyrond_takes_round_work_only() -> None:
+    slope = nc.cut(tape(*HEADER, *milling([(2250, 4003), (2300, 4003)], (2250, 4000))))
+    with pytest.raises(WorkError, match="take the Talysurf"):
+        talyrond(inspect(slope, Line(2250, 4000, 2300, 4003)))
+
+
+def test_the_talysurf_says_the_roughness_of_its_stretch() -> None:
+    said = words(DRAWINGS["talysurf, circle"])
+    assert "outer wall, trough to peak .0106 in" in said
+    assert "inner wall, trough to peak .0057 in" in said
+
+
+def test_a_stretch_beyond_the_curve_is_refused() -> None:
+    found = inspect(nc.cut(CIRCLE))
+    with pytest.raises(WorkError, match="no stretch of it from 20"):
+        talysurf(found, (20_000, 21_000))
+
+
+def test_a_wall_with_a_gap_is_drawn_in_parts() -> None:
+    half = nc.cut(tape(*HEADER, *milling(staircase(1750, 5), (2250, 4000))[:330]))
+    drawing = talyrond(inspect(half, THE_CIRCLE))
+    assert len(elements(drawing, "path")) >= 2
+    assert "nan" not in drawing
+
+
+def test_a_path_shows_itself_in_a_notebook() -> None:
+    assert nc.cut(CIRCLE)._repr_svg_().startswith("<svg")

@@ -1,0 +1,125 @@
+"""The program as a table, and what the reports say."""
+
+import nc
+from nc.inspection import inspect
+from nc.listing import does, in_force, lines
+from nc.machine import Settings
+from nc.report import cut_report, inspection_report, thousandths
+from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, tape
+
+
+def test_the_circle_begins() -> None:
+    assert list(lines(nc.cut(CIRCLE)))[:9] == [
+        "block seq P       X       Y  TF MF  does",
+        "    1 001 0  19.000   0.000  00 02  position to X 19.000 Y 0.000; end of program, waits for START",
+        "    2 002 0   0.000   0.000  01 86  position to X 0.000 Y 0.000; tool change, automatic, tool 01",
+        "    3 003 0   0.000   0.000  00 08  position to X 0.000 Y 0.000; mist coolant on",
+        "    4 004 0   0.000   0.000  31 88  position to X 0.000 Y 0.000; spindle 2000 rpm",
+        "    5 005 0   2.250   4.000  00 80  position to X 2.250 Y 4.000",
+        "    6 006 9   3.000   3.500  01 89  read Z: feed point 3.000, final depth 3.500; Z feed 1.0 in/min",
+        "    7 007 6   2.250   4.133  01 85  quill to 3.500 at 1.0 in/min, mill Y to 4.133 at 1.0 in/min",
+        "    8 008 6   2.261   4.133  01 84  mill X to 2.261 at 1.0 in/min",
+    ]
+
+
+def test_modes_and_the_clock_after_each_block() -> None:
+    table = list(lines(nc.cut(CIRCLE), modes=True))
+    assert " ".join(table[0].split()[7:-1]) == "Z X feed Y feed Z feed rpm tool coolant retract time"
+    assert "3.500     1.0     1.0     1.0  2000   01    mist    full     1:03.6  mill X" in table[8]
+    assert "3.500     1.0     1.0     1.0  2000   01    mist    full    36:42.7  mill X" in table[666]
+    assert table[0].index("does") == table[1].index("position")
+
+
+def test_every_column_of_modes_stands_under_its_heading() -> None:
+    heading, *rows = lines(nc.cut(tape(*HEADER, "007 6 02250 04133 0 01 85")), modes=True)
+    for name, value in (
+        ("Y feed", "1.0"),
+        ("rpm", "2000"),
+        ("tool", "01"),
+        ("coolant", "mist"),
+        ("time", "1:01.0"),
+    ):
+        end = heading.index(name) + len(name)
+        assert rows[-1][:end].endswith(value), name
+
+
+def test_the_words_for_every_code() -> None:
+    path = nc.cut(
+        tape(
+            "001 9 01000 02000 0 02 89",
+            "002 1 00100 00100 0 00 81",
+            "003 4 00100 00200 0 00 82",
+            "004 7 00100 00300 0 00 83",
+            "005 8 00100 00400 0 00 00",
+            "006 0 00100 00400 0 05 84",
+            "007 0 00100 00400 0 06 85",
+            "008 6 00100 00400 0 06 85",
+            "009 6 00200 00500 0 06 85",
+            "010 0 00000 00000 0 03 06",
+            "011 0 00000 00000 0 00 07",
+            "012 0 00000 00000 0 00 09",
+        )
+    )
+    assert [does(step) for step in path.steps] == [
+        "read Z: feed point 1.000, final depth 2.000; Z feed 2.1 in/min",
+        "tap, feed control at X 0.100 Y 0.100, from 1.000 to 2.000 at 2.1 in/min; partial retract on",
+        "peck at X 0.100 Y 0.200, from 1.000 to 2.000 at 2.1 in/min; partial retract off",
+        "bore at X 0.100 Y 0.300, from 1.000 to 2.000 at 2.1 in/min; index work piece",
+        "tap, pitch control at X 0.100 Y 0.400, from 1.000 to 2.000 at 2.1 in/min; "
+        "program stop, waits for START",
+        "position to X 0.100 Y 0.400; X feed 5.5 in/min",
+        "position to X 0.100 Y 0.400; Y feed 7.2 in/min",
+        "quill to 2.000 at 2.1 in/min, mill, already there",
+        "mill X to 0.176 Y to 0.500 at 9.1 in/min, mill X to 0.200 at 5.5 in/min",
+        "position to X 0.000 Y 0.000; tool change, manual, tool 03, waits for START",
+        "position to X 0.000 Y 0.000; flood coolant on",
+        "position to X 0.000 Y 0.000; coolant off",
+    ]
+    assert in_force(path.steps[8]) == (
+        "at X 0.200 Y 0.500, quill down 2.000 · X feed 5.5, Y feed 7.2, Z feed 2.1 in/min · coolant off"
+    )
+
+
+def test_the_day_with_the_circle() -> None:
+    said = "\n".join(cut_report(nc.cut(CIRCLE)))
+    for sentence in (
+        "blocks        666",
+        "stop          block 1: end of program, waits for START",
+        "milled        13.861 in, 660 blocks",
+        "milling ends  X 2.251 Y 3.844, 0.156 in from where it began",
+        "reading          22.2 min   666 blocks at 2 s",
+        "milling          13.9 min   at 1 in/min",
+        "tool changes      0.0 min   1, time not counted",
+        "machining        36.7 min",
+        "contour alone    35.9 min   660 milling blocks: reading 22.0, cutting 13.9",
+    ):
+        assert sentence in said
+
+
+def test_the_day_with_the_four_holes() -> None:
+    said = "\n".join(cut_report(nc.cut(tape(*FOUR_HOLES), settings=Settings(tool_change_seconds=8))))
+    assert "holes         4" in said
+    assert "cutter        X 4.000 Y 1.000, quill up" in said
+    assert "contour alone" not in said
+    assert "tool changes      0.0 min   0 at 8 s" in said
+
+
+def test_the_inspection_stands_beside_the_thesis() -> None:
+    said = "\n".join(inspection_report(inspect(nc.cut(CIRCLE))))
+    for line in (
+        "place         wall      lowest  highest  trough to peak   thesis",
+        "+Y apex       outer     -.0046   +.0060           .0106   .009",
+        "-X apex       outer     -.0114   +.0059           .0173",
+        "45° +X+Y      outer     +.0048   +.0055           .0007   about .001",
+        "worst trough to peak .0173 in: outer wall, -X apex, from -.0114 to +.0059",
+        "at 45 degrees .0007 to .0009 in",
+    ):
+        assert line in said
+
+
+def test_other_parts_have_no_thesis_beside_them() -> None:
+    assert "thesis" not in "\n".join(inspection_report(inspect(nc.cut(CIRCLE), cutter=250)))
+
+
+def test_lengths_are_written_as_on_drawings() -> None:
+    assert [thousandths(length) for length in (0, 0.7, 10.6, 1250)] == [".0000", ".0007", ".0106", "1.2500"]
