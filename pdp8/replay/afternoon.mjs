@@ -168,6 +168,20 @@ export class Afternoon {
   }
 }
 
+/** The record as it is used: tapes from base64 to frames, acts numbered, and where each tape's lines end. */
+export function unpacked(record) {
+  for (const tape of Object.values(record.tapes)) {
+    tape.frames = Uint8Array.from(atob(tape.frames), (character) => character.charCodeAt(0));
+    const end = tape.code === "eia" ? (frame) => frame === 0o200 : (frame) => (frame & 0o177) === 0o15;
+    tape.lines = [];
+    tape.frames.forEach((frame, index) => end(frame) && tape.lines.push(index));
+    tape.first = tape.frames.findIndex((frame) => frame !== 0);
+  }
+  record.acts.forEach((act, index) => (act.index = index));
+  record.translation = record.acts.findIndex((act) => act.kind === "translate");
+  return record;
+}
+
 function ordered(instants) {
   return Float64Array.from(new Set(instants)).sort();
 }

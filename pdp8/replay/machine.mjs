@@ -6,7 +6,7 @@
 // Time is in ticks of 0.05 µs: a cycle takes 32, an IOT 85. The Python processor of this project is the authority;
 // a test holds the two together cycle by cycle.
 //
-// Not emulated: MEM PROT, the high-speed reader and punch, the keyboard, a character sent before the last is away.
+// Not emulated: MEM PROT, SING STEP, CONT, the high-speed reader and punch, the keyboard.
 // Sources: PDP-8/L Users Handbook; Small Computer Handbook (1970); DEC module drawings M706, M707.
 
 export const CYCLE = 32;
@@ -16,8 +16,6 @@ const IOP1 = 29, IOP2 = 47, IOP4 = 65; // from the start of an IOT to each pulse
 export const FRAME = 2_000_000; // 11 units of 1/110 s
 const START_CHECKED = halfUnits(1); // into the start unit an unread character is lost
 const RECEIVED = halfUnits(17); // all 8 bits are in
-const PUNCHED = halfUnits(16);
-const SENT = halfUnits(18); // the transmitter takes the next one
 const NEVER = Number.MAX_SAFE_INTEGER;
 
 export const FETCH = 0;
@@ -45,14 +43,21 @@ export class Teletype {
     this.frameStart = 0;
     this.held = 0; // the receiver's buffer between characters
     this.free = 0; // when the line from the reader is free
-    this.flagAt = NEVER;
-    this.sending = 0;
+    this.startAt = this.clearAt = this.flagAt = this.shiftAt = NEVER;
+    this.readerRun = true;
+    this.register = 0; // what is still to be sent, the next unit lowest, an end marker highest
+    this.unit = 0; // the data unit the printer takes next, 1 to 8; 0 while it waits for a start unit
+    this.selected = 0; // the data units it has taken
+    this.sendStart = 0; // of the start unit
+    this.shifts = 0; // units sent since
     this.sendFree = 0;
     this.initialize(0);
   }
 
   /** The START key's INITIALIZE: flags down, transmission aborted, the reader told to run. */
   initialize(now) {
+    this.startAt = this.startAt < now ? this.startAt : NEVER; // a frame that would begin now has not begun
+    this.sync(now);
     this.held = this.buffer(now);
     this.sendFree = now;
     this.readerRun = true;
@@ -61,8 +66,10 @@ export class Teletype {
     this.clearAt = NEVER;
     this.flagAt = NEVER;
     this.punchFlag = false;
-    this.sentAt = NEVER;
-    this.punchedAt = NEVER;
+    this.register = 0;
+    this.shiftAt = NEVER; // the transmitter's next shift
+    if (this.sendStart > now) this.unit = 0;
+    this.#endFrame(now);
     this.run(now);
   }
 
@@ -81,7 +88,7 @@ export class Teletype {
 
   /** The time of the next thing that happens of itself. */
   next() {
-    return Math.min(this.startAt, this.clearAt, this.flagAt, this.sentAt, this.punchedAt);
+    return Math.min(this.startAt, this.clearAt, this.flagAt, this.shiftAt);
   }
 
   /** Let everything happen that is due by `now`. */
@@ -90,8 +97,7 @@ export class Teletype {
       if (due === this.startAt) this.#startFrame(due);
       else if (due === this.clearAt) this.#lose();
       else if (due === this.flagAt) this.#receive(due);
-      else if (due === this.sentAt) this.#sent();
-      else this.#punch(due);
+      else this.#shift(due);
     }
   }
 
@@ -118,15 +124,38 @@ export class Teletype {
     this.witness("received", now);
   }
 
-  #sent() {
-    this.sentAt = NEVER;
-    this.punchFlag = true;
+  /** Send the next unit; the flag rises with the end marker, the first of two stop units. */
+  #shift(now) {
+    this.#select(this.register & 1, now);
+    this.register >>= 1;
+    this.shifts++;
+    this.punchFlag = this.register === 0;
+    if (this.register) {
+      this.shiftAt = this.sendStart + halfUnits(2 * this.shifts + 2);
+    } else {
+      this.shiftAt = NEVER;
+      this.sendFree = this.sendStart + halfUnits(2 * this.shifts + 4);
+      this.#endFrame(now);
+    }
   }
 
-  #punch(now) {
-    this.punchedAt = NEVER;
-    this.paper[this.punched++] = this.sending;
-    this.witness("punched", now);
+  /** The printer's selector takes one unit off the line; after the eighth there is a frame. */
+  #select(mark, now) {
+    if (this.unit) {
+      this.selected |= mark << (this.unit - 1);
+      if (++this.unit < 9) return;
+      this.unit = 0;
+      this.paper[this.punched++] = this.selected;
+      this.witness("punched", now);
+    } else if (!mark) {
+      this.selected = 0;
+      this.unit = 1;
+    }
+  }
+
+  /** A line that falls silent ends in marks what it has begun. */
+  #endFrame(now) {
+    while (this.unit) this.#select(1, now);
   }
 
   /** Ask the reader for its next frame; one that is on its way is not disturbed. */
@@ -143,12 +172,15 @@ export class Teletype {
     return ((this.coming << (8 - bits)) | (0o377 >> bits)) & 0o377;
   }
 
+  /** Or a character and its end marker into the register; if that was empty, begin a start unit. */
   send(character, now) {
-    this.sending = character & 0o377;
-    const start = Math.max(now, this.sendFree);
-    this.sendFree = start + FRAME;
-    this.sentAt = start + SENT;
-    this.punchedAt = start + PUNCHED;
+    if (this.register === 0) {
+      this.sendStart = Math.max(now, this.sendFree);
+      this.shifts = 0;
+      this.shiftAt = this.sendStart + halfUnits(2);
+      this.#select(0, now);
+    }
+    this.register |= 0o400 | (character & 0o377);
   }
 
   save() {
@@ -200,7 +232,6 @@ export class Machine {
     this.ac = this.link = 0;
     this.ion = this.ionDelayed = false;
     this.state = this.next = FETCH;
-    this.teletype.sync(this.ticks);
     this.teletype.initialize(this.ticks);
     this.started = this.ticks;
     this.running = true;

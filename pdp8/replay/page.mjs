@@ -1,6 +1,6 @@
 // The page: its controls, and everything on it shown as it was at one instant.
 
-import { Afternoon, SECOND, upper } from "./afternoon.mjs";
+import { Afternoon, SECOND, unpacked, upper } from "./afternoon.mjs";
 import { drawClose, drawWhole, Mill } from "./cutter.mjs";
 import { CYCLE, Machine } from "./machine.mjs";
 import { octal, Panel, STATES } from "./panel.mjs";
@@ -345,20 +345,6 @@ function two(number) {
 
 function grouped(number) {
   return String(number).replace(/\B(?=(\d{3})+$)/g, "\u2009");
-}
-
-/** The record as it is used: tapes from base64 to frames, acts numbered, and where each tape's lines end. */
-export function unpacked(record) {
-  for (const tape of Object.values(record.tapes)) {
-    tape.frames = Uint8Array.from(atob(tape.frames), (character) => character.charCodeAt(0));
-    const end = tape.code === "eia" ? (frame) => frame === 0o200 : (frame) => (frame & 0o177) === 0o15;
-    tape.lines = [];
-    tape.frames.forEach((frame, index) => end(frame) && tape.lines.push(index));
-    tape.first = tape.frames.findIndex((frame) => frame !== 0);
-  }
-  record.acts.forEach((act, index) => (act.index = index));
-  record.translation = record.acts.findIndex((act) => act.kind === "translate");
-  return record;
 }
 
 const page = new Page(unpacked(JSON.parse(find("record").textContent)));

@@ -50,7 +50,7 @@ _EXPORT = re.compile(r"^export (?=(?:class|const|function) (\w+))", re.MULTILINE
 
 
 def script() -> str:
-    """Return the page's modules in one script, for a page from disk can import none; each in its own scope."""
+    """Return the modules in one script, for a page from disk can import none; each in its own scope."""
     return "\n".join(_scope(name, _source(f"{name}.mjs")) for name in MODULES)
 
 
@@ -182,9 +182,9 @@ def _band(curve: Curve | None) -> dict[str, Any] | None:
 
 
 _ABOUT = (
-    "Every instant is computed, not filmed: the page holds a small PDP-8/L that starts with an empty core and "
-    "does again what the operator did. Lamps, registers and tapes are those of that instant, to the memory "
-    "cycle of 1.6 µs.",
+    "Every instant is computed, not filmed: the page holds a small PDP-8/L that starts with an empty core "
+    "and does again what the operator did. Lamps, registers and tapes are those of that instant, to the "
+    "memory cycle of 1.6 µs.",
     "The times of the terminal, the Teletype, the processor and the Hydra-Point are the machines' own. The "
     "minutes for walking, mounting, setting switches and measuring are not in the thesis; they are ours.",
     "Beside a tape: ␣ space, ↵ carriage return or end of block, ↓ line feed, × rubout. In the listing of "
