@@ -125,23 +125,35 @@ def _word(draw: random.Random) -> int:
     return word & 0o7775 if word & 0o7403 == 0o7402 else word
 
 
-@pytest.mark.parametrize("seed", range(10))
-def test_random_programs(ask: Ask, seed: int) -> None:
-    """100 000 cycles of nonsense: every instruction, interrupts, a Teletype used in every wrong way."""
-    draw = random.Random(seed)
-    core = [_word(draw) for _ in range(0o10000)]
-    tape = bytes(draw.randrange(256) for _ in range(100))
-    given = {"core": core, "tape": list(tape), "every": 100 + seed, "samples": 1000}
+def _run_both(ask: Ask, core: list[int], tape: bytes, every: int, samples: int) -> None:
+    """Run `core` from 0200 on both machines, comparing them after every so many cycles."""
+    given = {"core": core, "tape": list(tape), "every": every, "samples": samples}
     shown = ask(_RUN, given)
     machine = Machine()
     machine.load(enumerate(core))
     machine.teletype.reader.load(tape)
     machine.start(0o200)
     for sample, one in enumerate(shown["states"]):
-        for _ in range(100 + seed):
+        for _ in range(every):
             machine.processor.cycle()
         machine.bus.advance(machine.processor.clock)
         meant = state(machine)
         assert dict(zip(meant, one, strict=True)) == meant, f"sample {sample}"
     assert shown["core"] == list(machine.core)
     assert bytes(shown["punched"]) == machine.teletype.punch.tape
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_random_programs(ask: Ask, seed: int) -> None:
+    """100 000 cycles of nonsense: every instruction, interrupts, a Teletype used in every wrong way."""
+    draw = random.Random(seed)
+    core = [_word(draw) for _ in range(0o10000)]
+    _run_both(ask, core, bytes(draw.randrange(256) for _ in range(100)), 100 + seed, 1000)
+
+
+def test_a_reader_and_a_punch_that_wait_for_the_program(ask: Ask) -> None:
+    """KRB, TLS and 118 ms of ISZ X, JMP .-1: the line is idle when the pulse comes, and starts with it."""
+    core = [0] * 0o10000
+    loops = [word for address in range(0o202, 0o216, 2) for word in (0o2300, 0o5000 | address & 0o377)]
+    core[0o200:0o217] = [0o6036, 0o6046, *loops, 0o5200]
+    _run_both(ask, core, bytes(range(1, 200)), 1009, 300)
