@@ -152,8 +152,8 @@ def test_random_programs(ask: Ask, seed: int) -> None:
 
 
 def test_a_reader_and_a_punch_that_wait_for_the_program(ask: Ask) -> None:
-    """KRB, TLS and 118 ms of ISZ X, JMP .-1: the line is idle when the pulse comes, and starts with it."""
+    """KRB, TLS and 177 ms of ISZ X, JMP .-1: the line is idle when the pulse comes, and starts with it."""
     core = [0] * 0o10000
-    loops = [word for address in range(0o202, 0o216, 2) for word in (0o2300, 0o5000 | address & 0o377)]
-    core[0o200:0o217] = [0o6036, 0o6046, *loops, 0o5200]
-    _run_both(ask, core, bytes(range(1, 200)), 1009, 300)
+    loops = [word for address in range(0o202, 0o224, 2) for word in (0o2300, 0o5000 | address & 0o377)]
+    core[0o200:0o225] = [0o6036, 0o6046, *loops, 0o5200]
+    _run_both(ask, core, bytes(range(1, 200)), 1009, 500)
