@@ -8,7 +8,12 @@ punch          the object tape
 listing        what the Teletype typed
 assembly       all of it in one call: `assemble`
 diagnostics    the messages for people: place, line, caret, advice
+notes          what PAL III does in silence and a person would rather know
 dialects       what PAL III has for what other assemblers know
+crossreference where each symbol is defined and used
+report         an assembly as JSON
+disassembler   words and tapes back to source
+lexer          PAL III in colour, for Pygments
 cli            the commands `pal` and `dis`
 """
 

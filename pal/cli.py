@@ -1,6 +1,7 @@
 """The commands `pal` and `dis`: the assembler as one types it, and its inverse."""
 
 import os
+import sys
 
 import click
 
@@ -63,14 +64,16 @@ def pal(
     tape = output or _beside(sources[0])
     _check_outputs(sources, [tape, listing, symbols, xref, json])
     capacity = HIGH_SPEED_SYMBOLS if high_speed_reader else TELETYPE_SYMBOLS
-    contents = [shelf.read(source) for source in sources]
+    contents = [_read(source) for source in sources]
     assembly = assemble(
         *contents, names=[_called(source) for source in sources], modern=modern, capacity=capacity
     )
+    if not assembly.ok:
+        _check_kinds(sources, contents)
     for diagnostic in assembly.diagnostics:
         click.echo(str(diagnostic), err=True)
     if listing:
-        _put(listing, assembly.listing)
+        _put_listing(listing, assembly)
     if symbols:
         _put(symbols, assembly.symbol_table)
     if xref:
@@ -84,6 +87,23 @@ def pal(
     if tty:
         _put_passes(tty, sources[0], assembly)
     _punch(tape, rim, force, assembly)
+
+
+def _read(name: str) -> bytes:
+    content = shelf.read(name)
+    if not content.strip(b"\0\x80\xff"):
+        raise AssemblyError(f"{_called(name)}: the source is empty")
+    return content
+
+
+def _check_kinds(names: tuple[str, ...], contents: list[bytes]) -> None:
+    """Raise an AssemblyError where a file that cannot be assembled is a tape of another kind."""
+    from tapes import kinds
+
+    for name, content in zip(names, contents, strict=True):
+        kind = kinds.classify(content)
+        if kind in (kinds.BIN, kinds.RIM, kinds.EIA):
+            raise AssemblyError(f"{_called(name)}: a tape in {kind.upper()}, not PAL source")
 
 
 def _punch(name: str, rim: bool, force: bool, assembly: Assembly) -> None:
@@ -128,6 +148,19 @@ def _put(name: str, text: str) -> None:
         shelf.write(name, text.encode("ascii"))
 
 
+def _put_listing(name: str, assembly: Assembly) -> None:
+    if name == "-" and sys.stdout.isatty():
+        from rich.console import Console
+        from rich.syntax import Syntax
+
+        from pal.lexer import PalLexer
+
+        coloured = Syntax("", PalLexer(stripnl=False), theme="ansi_dark").highlight(assembly.listing)
+        Console().print(coloured, soft_wrap=True)
+    else:
+        _put(name, assembly.listing)
+
+
 def _put_passes(folder: str, source: str, assembly: Assembly) -> None:
     try:
         os.makedirs(folder, exist_ok=True)
@@ -163,3 +196,7 @@ def dis(*, tape: str, output: str) -> None:
 def main() -> None:
     """Run the `pal` command."""
     command.run(pal, "pal")
+
+
+if __name__ == "__main__":
+    main()

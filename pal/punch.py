@@ -26,21 +26,23 @@ def tape(results: Iterable[Result]) -> bytes:
 def body(results: Iterable[Result]) -> tuple[bytes, int]:
     """Return what stands between leader and checksum, and that checksum."""
     frames = bytearray(binary.origin(START))
-    summed = sum(frames)
+    fields = 0
     for result in results:
         piece = frames_of(result)
         frames += piece
-        summed += sum(piece) - (piece[0] if result.kind == FIELD else 0)
-    return bytes(frames), summed & 0o7777
+        if result.kind == FIELD:
+            fields += piece[0]
+    return bytes(frames), sum(frames) - fields & 0o7777
 
 
 def frames_of(result: Result) -> bytes:
     """Return what one statement punches."""
-    if result.kind == NOTHING:
-        return b""
-    if result.kind == WORD:
+    kind = result.kind
+    if kind == WORD:
         return binary.word(result.value)
-    if result.kind == FIELD:
+    if kind == NOTHING:
+        return b""
+    if kind == FIELD:
         return binary.field(result.value) + binary.origin(result.location)
     return binary.origin(result.location)
 

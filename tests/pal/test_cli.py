@@ -1,0 +1,222 @@
+"""The commands `pal` and `dis` as processes: what they write, what they say, how they end."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import pal
+
+EXAMPLES = Path(__file__).parent / "examples"
+GOOD = "*200\nA,\tCLA\n\tTAD A\n\tHLT\n$\n"
+BAD = "*200\n\tJMP 400\n$\n"
+
+Result = subprocess.CompletedProcess[bytes]
+
+
+def run(*arguments: str | Path, folder: Path, source: bytes | None = None, module: str = "pal.cli") -> Result:
+    command = [sys.executable, "-m", module, *map(str, arguments)]
+    environment = os.environ | {"PYTHONPATH": str(Path(__file__).parents[2])}
+    return subprocess.run(
+        command, cwd=folder, input=source or b"", capture_output=True, check=False, env=environment
+    )
+
+
+def dis(*arguments: str | Path, folder: Path) -> Result:
+    code = "import sys; from tapes import command; from pal.cli import dis; command.run(dis, 'dis')"
+    command = [sys.executable, "-c", code, *map(str, arguments)]
+    return subprocess.run(command, cwd=folder, capture_output=True, check=False)
+
+
+def assert_one_line(result: Result, status: int, saying: str) -> None:
+    error = result.stderr.decode()
+    assert result.returncode == status, error
+    assert saying in error
+    assert "Traceback" not in error
+    assert error.count("\n") == 1
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "good.pal").write_text(GOOD)
+    (tmp_path / "bad.pal").write_text(BAD)
+    return tmp_path
+
+
+@pytest.mark.parametrize("name", sorted(path.stem for path in EXAMPLES.glob("*.pal")))
+def test_force_gives_decs_tape_and_decs_listing(name: str, folder: Path) -> None:
+    source = EXAMPLES / f"{name}.pal"
+    run(source, "-o", "X.bin", "--listing", "X.lst", "--force", folder=folder)
+    assert (folder / "X.bin").read_bytes() == (EXAMPLES / f"{name}.bin").read_bytes()
+    assert (folder / "X.lst").read_text() == (EXAMPLES / f"{name}.pass3.txt").read_text()
+
+
+def test_the_tape_takes_the_name_of_the_source(folder: Path) -> None:
+    result = run("good.pal", folder=folder)
+    assert (result.returncode, result.stdout, result.stderr) == (0, b"", b"")
+    assert (folder / "good.bin").read_bytes() == pal.assemble(GOOD).tape
+
+
+def test_standard_input_goes_to_standard_output(folder: Path) -> None:
+    assert run("-", folder=folder, source=GOOD.encode()).stdout == pal.assemble(GOOD).tape
+
+
+def test_with_errors_there_is_no_tape_but_with_force(folder: Path) -> None:
+    result = run("bad.pal", folder=folder)
+    assert result.returncode == 1
+    assert result.stderr.decode().splitlines() == [
+        "bad.pal:2:2: IR  0400  AT  0200",
+        "    \tJMP 400",
+        "    \t^^^",
+        "  illegal reference: 0400 is neither on page zero nor on the page of 0200; 0200 is used; "
+        "go through a pointer on this page, with I",
+        "pal: 1 error: no tape; --force punches it as DEC's assembler did",
+    ]
+    assert not (folder / "bad.bin").exists()
+    assert run("bad.pal", "--force", folder=folder).returncode == 1
+    assert (folder / "bad.bin").read_bytes() == pal.assemble(BAD).tape
+
+
+def test_a_tape_from_before_is_left_alone_by_errors(folder: Path) -> None:
+    (folder / "bad.bin").write_bytes(b"before")
+    run("bad.pal", folder=folder)
+    assert (folder / "bad.bin").read_bytes() == b"before"
+
+
+def test_several_sources_are_one_program(folder: Path) -> None:
+    (folder / "one.pal").write_text("*200\n\tJMP B\nPAUSE\n")
+    (folder / "two.pal").write_text("B,\tHLT\n\tTAD 400\n$\n")
+    result = run("one.pal", "two.pal", "-o", "both.bin", "--force", folder=folder)
+    assert b"two.pal:2:2: IR  0400  AT  0202" in result.stderr
+    assert (folder / "both.bin").read_bytes()[65:75].hex(" ") == "42 00 42 00 2a 01 3c 02 0a 00"
+
+
+def test_the_reports(folder: Path) -> None:
+    options = ["--symbols", "a.sym", "--xref", "a.xref", "--json", "a.json", "--listing", "-"]
+    result = run("good.pal", *options, folder=folder)
+    assert result.stdout.decode() == pal.assemble(GOOD).listing
+    assert (folder / "a.sym").read_text() == "A       0200\n"
+    assert (folder / "a.xref").read_text() == (
+        "A       0200  2                 3\n"
+        "CLA     7200  permanent         2\n"
+        "HLT     7402  permanent         4\n"
+        "TAD     1000  permanent         3\n"
+    )
+    report = json.loads((folder / "a.json").read_text())
+    assert report["words"] == {"0200": "7200", "0201": "1200", "0202": "7402"}
+    assert report["symbols"] == {"A": "0200"}
+    assert report["lines"][1] == {
+        "file": "good.pal",
+        "line": 2,
+        "address": "0200",
+        "word": "7200",
+        "source": "A,\tCLA",
+    }
+    assert report["diagnostics"] == []
+
+
+def test_rim(folder: Path) -> None:
+    run("good.pal", "--rim", folder=folder)
+    assert (folder / "good.bin").read_bytes().strip(b"\x80").hex(" ") == "42 00 3a 00 42 01 0a 00 42 02 3c 02"
+
+
+def test_the_teletypes_tapes(folder: Path) -> None:
+    run("bad.pal", "--tty", "tapes", folder=folder)
+    leader = b"\x80" * 64
+    message = bytes(ord(character) | 0x80 for character in "\x7f\r\nIR  0400  AT  0200\x7f")
+    start, end = b"\0" + leader, leader
+    assert (folder / "tapes" / "bad.pass2").read_bytes() == (
+        start + b"\x42\x00" + b"\x42\x00" + message + b"\x2a\x00" + b"\x02\x2e" + end
+    )
+    table = bytes(ord(character) | 0x80 for character in "\r\n\r\n\x04\r\n\x7f")
+    assert (folder / "tapes" / "bad.pass1").read_bytes() == start + table + end
+    listing = "\r\n            *200" + "\x7f\r\nIR  0400  AT  0200\x7f" + "\r\n0200  5200  \t\x7fJMP 400"
+    assert (folder / "tapes" / "bad.pass3").read_bytes() == (
+        start + bytes(ord(character) | 0x80 for character in listing) + table + end
+    )
+
+
+def test_modern_folds_small_letters_and_lists_them_as_typed(folder: Path) -> None:
+    (folder / "small.pal").write_text("*200\nloop,\tcla cll\n\tJmp Loop\n$\n")
+    result = run("small.pal", "--modern", "--listing", "-", folder=folder)
+    assert result.returncode == 0
+    assert b"0201  5200  \tJmp Loop\n" in result.stdout
+    assert b"--modern folds lower case" in run("small.pal", folder=folder).stderr
+
+
+def test_the_symbol_table_is_full(folder: Path) -> None:
+    symbols = "".join(f"A{number}=1\n" for number in range(591))
+    (folder / "many.pal").write_text(symbols + "$\n")
+    result = run("many.pal", "--force", folder=folder)
+    assert b"many.pal:591:1: ST  A590    AT  0200\n" in result.stderr
+    assert result.stderr.decode().endswith("pal: 1 error: no tape\n")
+    assert not (folder / "many.bin").exists()
+    (folder / "fits.pal").write_text("".join(symbols.splitlines(keepends=True)[:590]) + "$\n")
+    assert run("fits.pal", folder=folder).returncode == 0
+    assert b"ST  A495" in run("fits.pal", "--high-speed-reader", folder=folder).stderr
+
+
+def test_no_source_is_misuse(folder: Path) -> None:
+    assert run(folder=folder).returncode == 2
+
+
+def test_two_outputs_in_one_file_are_misuse(folder: Path) -> None:
+    assert run("good.pal", "-o", "-", "--listing", "-", folder=folder).returncode == 2
+    assert run("good.pal", "-o", "good.pal", folder=folder).returncode == 2
+    assert (folder / "good.pal").read_text() == GOOD
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "saying"),
+    [
+        ("empty.pal", b"", "pal: empty.pal: the source is empty"),
+        ("blank.pal", b"\0" * 100, "pal: blank.pal: the source is empty"),
+        ("tape.bin", pal.assemble(GOOD).tape, "pal: tape.bin: a tape in BIN, not PAL source"),
+    ],
+)
+def test_what_is_no_source_is_an_error(name: str, content: bytes, saying: str, folder: Path) -> None:
+    (folder / name).write_bytes(content)
+    assert_one_line(run(name, "-o", "x", folder=folder), 1, saying)
+    assert not (folder / "x").exists()
+
+
+def test_files_that_cannot_be_read_or_written(folder: Path) -> None:
+    assert_one_line(run("none.pal", folder=folder), 1, "none.pal: no such file")
+    assert_one_line(run(".", folder=folder), 1, "Is a directory")
+    assert_one_line(run("good.pal", "-o", "no/where.bin", folder=folder), 1, "no/where.bin")
+    assert_one_line(run("good.pal", "--tty", "bad.pal", folder=folder), 1, "bad.pal")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
+def test_a_full_disk(folder: Path) -> None:
+    assert_one_line(run("good.pal", "-o", "/dev/full", folder=folder), 1, "/dev/full: No space left")
+    assert_one_line(run("good.pal", "--listing", "/dev/full", folder=folder), 1, "/dev/full: No space left")
+
+
+def test_help_has_examples(folder: Path) -> None:
+    assert b"Examples:" in run("--help", folder=folder).stdout
+    assert b"Examples:" in dis("--help", folder=folder).stdout
+
+
+def test_dis_and_back(folder: Path) -> None:
+    run("good.pal", folder=folder)
+    result = dis("good.bin", folder=folder)
+    assert result.stdout.decode().splitlines()[:2] == ["*200", "L0200,\t7200\t\t/0200 7200"]
+    assert pal.assemble(result.stdout).tape == (folder / "good.bin").read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("content", "saying"),
+    [
+        (b"", "dis: x.bin: frame 0: empty tape"),
+        (b"\x80\x42\x00\x3a", "dis: x.bin: frame 4: the tape is cut short inside a word"),
+        (b"\x80\x42\x00\x3a\x00\x00\x00\x80", "dis: x.bin: frame 5: checksum: computed 0174, punched 0000"),
+        (b"TEXT", "dis: x.bin: frame 0: 124 where the leader (200) was expected"),
+    ],
+)
+def test_dis_of_a_damaged_tape(content: bytes, saying: str, folder: Path) -> None:
+    (folder / "x.bin").write_bytes(content)
+    assert_one_line(dis("x.bin", folder=folder), 1, saying)

@@ -1,0 +1,99 @@
+"""What a person is told: every message of DEC's, ours beside it, in the order of the source."""
+
+import pytest
+
+import pal
+
+ONE_OF_EACH = """\
+*200
+A,	1
+A,	2
+A=3
+	TAD NOWHERE
+	JMP 400
+	A!A
+	PAGE
+	TEXT
+	4
+"""
+
+
+def said(source: str, **options: bool) -> list[tuple[str, int, int, str]]:
+    found = pal.assemble(source, names=["x.pal"], **options).diagnostics
+    return [(diagnostic.code, diagnostic.line, diagnostic.column, diagnostic.source) for diagnostic in found]
+
+
+def test_one_error_of_every_kind_in_source_order() -> None:
+    assert said(ONE_OF_EACH) == [
+        ("DT", 3, 2, "A,\t2"),
+        ("RD", 4, 2, "A=3"),
+        ("UA", 5, 6, "\tTAD NOWHERE"),
+        ("IR", 6, 2, "\tJMP 400"),
+        ("IC", 7, 2, "\tA!A"),
+        ("UA", 8, 2, "\tPAGE"),
+        ("UA", 9, 2, "\tTEXT"),
+        ("", 10, 2, "\t4"),
+    ]
+
+
+def test_a_diagnostic_in_full() -> None:
+    first = pal.assemble("*200\nX,\t1\n\tCLA; TAD BEYOND\n$\n", names=["a.pal"]).diagnostics[0]
+    assert str(first) == (
+        "a.pal:3:11: UA  BEYOND  AT  0202\n"
+        "    \tCLA; TAD BEYOND\n"
+        "    \t         ^^^^^^\n"
+        "  undefined: BEYOND is taken as 0377, the last address of its page; "
+        "define it with BEYOND, or BEYOND="
+    )
+
+
+@pytest.mark.parametrize(
+    ("statement", "hint"),
+    [
+        ("PAGE", "write the origin, as in *400"),
+        ("TEXT", "write the codes as numbers"),
+        ("ZBLOCK 5", "leave the words out"),
+        ("IFZERO", "no conditional assembly"),
+        ("TAD (5)", "no literals"),
+        ("TAD [5]", "no literals"),
+        ("CLA!CLL", "a space is inclusive OR"),
+        ('"A', "no character constants"),
+        ("JMP @5", "with I"),
+        ("BSW", "of a later PDP-8"),
+        ("OPR", "OPR=7000"),
+        ("cla", "--modern"),
+        ("é", "not ASCII"),
+    ],
+)
+def test_another_assemblers_dialect_is_recognised(statement: str, hint: str) -> None:
+    hints = [diagnostic.hint for diagnostic in pal.assemble(f"\t{statement}\n$\n").diagnostics]
+    assert any(hint in sentence for sentence in hints), hints
+
+
+@pytest.mark.parametrize(
+    ("source", "line", "column", "message"),
+    [
+        ("\t1\n", 1, 2, "note: no $ at the end"),
+        ("\t1\n\n2;3$\n", 3, 3, "note: this makes no word"),
+        ("A=5;\tA + 1\n$\n", 1, 9, "note: this makes an inclusive OR of it"),
+        ("", 1, 1, "note: the source is empty"),
+    ],
+)
+def test_notes_are_no_errors(source: str, line: int, column: int, message: str) -> None:
+    assembly = pal.assemble(source)
+    assert assembly.ok
+    (note,) = assembly.diagnostics
+    assert (note.line, note.column, note.message, note.error) == (line, column, message, False)
+
+
+def test_tapes_after_the_end_are_noted() -> None:
+    (note,) = pal.assemble("1\n$\n", "2\n$\n", names=["one.pal", "two.pal"]).diagnostics
+    assert (note.file, note.message) == ("one.pal", "note: 1 more tape not read")
+
+
+def test_a_good_source_has_nothing_to_say() -> None:
+    assert said("*200\nA,\tJMP A\n$\n") == []
+
+
+def test_modern_has_no_quarrel_with_small_letters() -> None:
+    assert said("*200\na,\tjmp a\n$\n", modern=True) == []
