@@ -35,8 +35,10 @@ _LAYERS = (
 def dxf(path: Path, curve: Curve | None = None, cutter: float = 500) -> str:
     """Return DXF text; `cutter` is the diameter in thousandths. Raises WorkError where ezdxf is missing."""
     with _ezdxf() as ezdxf:
-        drawing = ezdxf.new("R2010", setup=["linetypes"])
+        drawing: Drawing = ezdxf.new("R2010", setup=["linetypes"])
         _draw(drawing, path, curve, cutter)
+        for name in sorted(drawing.entitydb.dxf_types_in_use()):  # else a set's order, other in every process
+            drawing.classes.add_class(name)
         text = StringIO()
         drawing.write(text)
     return text.getvalue()

@@ -1,0 +1,175 @@
+"""`pdp8 nc` as a user meets it: its products, its manners, and every bad input in one line."""
+
+import pytest
+
+from tests.conftest import Shell
+from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, FOUR_HOLES, tape
+
+COMMANDS = ("list", "cut", "plot", "inspect", "export --gcode", "export --dxf")
+
+
+def product(shell: Shell, line: str, stdin: bytes = b"") -> str:
+    done = shell(line, stdin)
+    assert (done.returncode, done.stderr) == (0, b"")
+    return done.stdout.decode()
+
+
+def complaint(shell: Shell, line: str, stdin: bytes = b"", status: int = 1) -> str:
+    """Return the last line a command that fails says; there is no traceback, and of a failed job no more."""
+    done = shell(line, stdin)
+    said = done.stderr.decode()
+    assert done.returncode == status, said
+    assert "Traceback" not in said
+    lines = said.strip().splitlines()
+    assert len(lines) == 1 or status == 2
+    return lines[-1]
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_bundled_tape_and_standard_input_are_the_same(shell: Shell, command: str) -> None:
+    named = product(shell, f"pdp8 nc {command} circle.eia")
+    assert named == product(shell, f"pdp8 nc {command} -", CIRCLE)
+    assert named == product(shell, f"pdp8 nc {command}", CIRCLE)
+
+
+def test_the_products(shell: Shell) -> None:
+    assert len(product(shell, "pdp8 nc list circle.eia").splitlines()) == 667
+    assert "machining        36.7 min" in product(shell, "pdp8 nc cut circle.eia")
+    assert product(shell, "pdp8 nc plot circle.eia").startswith("<svg")
+    assert "worst trough to peak .0173 in" in product(shell, "pdp8 nc inspect circle.eia")
+    assert product(shell, "pdp8 nc export --gcode circle.eia").endswith("M2\n")
+    assert product(shell, "pdp8 nc export --dxf circle.eia").endswith("EOF\n")
+
+
+def test_the_ellipse_at_other_feeds(shell: Shell) -> None:
+    """50 minutes in Chapter 7: not at the programmed code 05, nearly so at code 01 and 20 % fast."""
+    assert "contour alone    36.1 min" in product(shell, "pdp8 nc cut ellipse.eia")
+    assert "contour alone    53.2 min" in product(shell, "pdp8 nc cut ellipse.eia --feed-code 1")
+    assert "contour alone    49.7 min" in product(
+        shell, "pdp8 nc cut ellipse.eia --feed-code 1 --feed-error 20"
+    )
+    assert "milling          26.1 min" in product(
+        shell, "pdp8 nc cut ellipse.eia --feed-code 1 --feed-error -20,-20,0"
+    )
+
+
+def test_the_four_holes_typed_in_and_punched(shell: Shell) -> None:
+    """Chapter 3: typed with spaces for clarity only, punched in EIA, drilled."""
+    typed = ("\n".join(FOUR_HOLES) + "\n").encode()
+    spaced = product(shell, "pdp8 tape punch --code eia --drop-spaces - | pdp8 nc list --strict", typed)
+    unbroken = product(shell, "tr -d ' ' | pdp8 tape punch --code eia - | pdp8 nc list --strict", typed)
+    assert spaced == unbroken
+    assert "drill at X 4.000 Y 1.000, from 3.000 to 3.500 at 1.0 in/min" in spaced
+    cut = product(shell, "pdp8 tape punch --code eia --drop-spaces - --leader 50 | pdp8 nc cut", typed)
+    assert "holes         4" in cut
+
+
+def test_the_chain_ends_at_the_machine(shell: Shell) -> None:
+    chain = "pdp8 part circle | pdp8 run eia.pal --quiet | pdp8 nc list --strict"
+    assert product(shell, chain) == product(shell, "pdp8 nc list circle.eia")
+
+
+def test_drawings_go_where_they_are_told(shell: Shell) -> None:
+    done = shell(
+        "pdp8 nc inspect circle.eia --talyrond a.svg --talysurf b.svg --stretch 1,2; head -c4 a.svg b.svg"
+    )
+    assert done.stderr.decode() == "wrote a.svg\nwrote b.svg\n"
+    assert done.stdout.decode().count("<svg") == 2
+    done = shell("pdp8 nc inspect circle.eia --talyrond -")
+    assert done.stdout.startswith(b"<svg")
+    assert done.stdout.rstrip().endswith(b"</svg>")
+    assert b"worst trough to peak" in done.stderr
+
+
+def test_at_a_terminal_the_drawing_goes_beside_the_tape(shell: Shell) -> None:
+    done = shell("script -qec 'pdp8 nc plot circle.eia' /dev/null; head -c4 circle.svg")
+    assert done.stdout.decode().replace("\r", "") == "wrote circle.svg\n<svg"
+
+
+@pytest.mark.parametrize("command", ["list", "plot", "export --gcode"])
+def test_bad_tapes(shell: Shell, command: str) -> None:
+    line = f"pdp8 nc {command}"
+    assert complaint(shell, line) == "pdp8: no row is punched: there is no tape to read"
+    assert complaint(shell, f"{line} no.eia").startswith("pdp8: no.eia: no such file")
+    assert complaint(shell, f"{line} .").startswith("pdp8: .: ")
+    cut_short = complaint(shell, line, CIRCLE[:-7])
+    assert cut_short == "pdp8: frame 13313: block 666, row 13: the tape ends after 13 rows of the block's 20"
+    assert complaint(shell, f"{line} circle.asc").startswith("pdp8: frame ")
+    assert complaint(shell, f"{line} eia.bin").startswith("pdp8: frame ")
+    shifted = complaint(shell, line, CIRCLE[:495] + CIRCLE[496:])
+    assert shifted == "pdp8: frame 499: block 25, row 19: the block ends in row 19; a block has 20 rows"
+
+
+def test_what_was_cut_before_a_bad_block_is_told(shell: Shell) -> None:
+    bad = tape(*CIRCLE_BLOCKS[:40], "041 2 00000 00000 0 00 80", *CIRCLE_BLOCKS[41:])
+    done = shell("pdp8 nc list", bad)
+    assert done.returncode == 1
+    assert len(done.stdout.splitlines()) == 41
+    assert b"block 41, row 4: unknown preparatory function 2" in done.stderr
+    assert b"blocks        40\n" in shell("pdp8 nc cut", bad).stdout
+    for command in ("plot -o out", "export --gcode -o out", "inspect --talyrond out"):
+        assert shell(f"pdp8 nc {command}; test ! -e out", bad).returncode == 0
+
+
+def test_strict_reads_parity(shell: Shell) -> None:
+    changed = bytearray(CIRCLE)
+    changed[700] ^= 0o020
+    assert product(shell, "pdp8 nc list", bytes(changed)) == product(shell, "pdp8 nc list circle.eia")
+    assert "block 35, row 20: wrong parity" in complaint(shell, "pdp8 nc list --strict", bytes(changed))
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "cut circle.eia --feed-error 21",
+        "cut circle.eia --feed-error nan",
+        "cut circle.eia --feed-error 1,2",
+        "cut circle.eia --feed-error fast",
+        "cut circle.eia --feed-code 19",
+        "cut circle.eia --tool-change -1",
+        "cut circle.eia ellipse.eia",
+        "plot circle.eia --cutter 0",
+        "plot circle.eia --cutter nan",
+        "plot circle.eia --zoom 0",
+        "plot circle.eia --block 0",
+        "plot circle.eia --at 4",
+        "inspect circle.eia --circle 4,4",
+        "inspect circle.eia --circle 4,4,1 --line 1,1,2,2",
+        "inspect circle.eia --tolerance inf",
+        "export circle.eia",
+        "export circle.eia --gcode --dxf",
+    ],
+)
+def test_misuse(shell: Shell, line: str) -> None:
+    assert complaint(shell, f"pdp8 nc {line}", status=2).startswith("Error: ")
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        ("plot circle.eia --block 667", "block 667: the tape has blocks 1 to 666"),
+        ("inspect circle.eia --circle 15,5,1", "the cutter never came near the curve"),
+        ("inspect circle.eia --circle 4,4,0", "greater than 0"),
+        ("inspect circle.eia --line 1,1,1,1", "two different ends"),
+        ("inspect circle.eia --talysurf a.svg --stretch 50,60", "no stretch of it from 50.000 to 60.000"),
+        ("plot circle.eia -o nowhere/a.svg", "nowhere/a.svg: No such file or directory"),
+        ("plot circle.eia > /dev/full", "No space left on device"),
+        ("plot circle.eia -o /dev/full", "No space left on device"),
+        ("list circle.eia > /dev/full", "No space left on device"),
+    ],
+)
+def test_failed_jobs(shell: Shell, line: str, says: str) -> None:
+    assert says in complaint(shell, f"pdp8 nc {line}")
+
+
+def test_a_reader_that_has_enough_is_no_error(shell: Shell) -> None:
+    done = shell("pdp8 nc list circle.eia | head -1")
+    assert done.stdout.startswith(b"block seq")
+    assert done.stderr == b""
+
+
+@pytest.mark.parametrize("command", ["", "list", "cut", "plot", "inspect", "export"])
+def test_every_command_has_help_with_examples(shell: Shell, command: str) -> None:
+    said = product(shell, f"pdp8 nc {command} --help")
+    assert "Examples:\n" in said
+    assert "pdp8 nc" in said
