@@ -32,7 +32,7 @@ Sources: GE-625/635 Programming Reference Manual, CPB-1004 (FAD, FMP, FDV, FST, 
 """
 
 from fractions import Fraction
-from math import isqrt
+from math import ceil, floor, isqrt
 from typing import Any, Final, Protocol
 
 
@@ -116,6 +116,15 @@ class Float:
 
     def __int__(self) -> int:
         return int(self.exactly)
+
+    def __float__(self) -> float:
+        return float(self.exactly)
+
+    def __floor__(self) -> int:
+        return floor(self.exactly)
+
+    def __ceil__(self) -> int:
+        return ceil(self.exactly)
 
     @property
     def exactly(self) -> Fraction:

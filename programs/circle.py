@@ -23,9 +23,11 @@ Sources: thesis, Appendix C; lines 235 to 315, damaged in the scan, as circle.fo
 from typing import Annotated, Any
 
 from programs.arithmetic import EXACT, Arithmetic
+from programs.contour import Fastest, FeedError, TechniqueName, mill
 from programs.format import Overflow
 from programs.header import THESIS, Header
 from programs.printout import Printout, check_band, check_feed, check_start
+from programs.stretches import Point, oval
 
 _QUADRANTS = ((-1, +1, "AY", "AX"), (+1, +1, "AX", "AY"), (+1, -1, "AY", "AX"), (-1, -1, "AX", "AY"))
 """Signs of AX and AY, which of them climbs, which comes down."""
@@ -46,6 +48,9 @@ def part(
     feed: Annotated[int, "AT: feed code of Table 2.4"] = 1,
     x_feed: Annotated[int, "AMX: miscellaneous function of a cut in X"] = 84,
     y_feed: Annotated[int, "AMY: miscellaneous function of a cut in Y"] = 85,
+    technique: TechniqueName = "step",
+    fastest: Fastest = 5,
+    feed_error: FeedError = 0.2,
     header: Header = THESIS,
     arithmetic: Arithmetic = EXACT,
     overflow: Overflow = "low-digits",
@@ -63,6 +68,10 @@ def part(
     printout = Printout(overflow)
     printout.header(header, centre_x - start_x, centre_y + start_y)
 
+    if technique == "piece":
+        curve = oval(Point(centre_x, centre_y), radius, (inner, inner), (outer, outer))
+        mill(printout, curve, technique, feed, fastest, feed_error)
+        return printout.text
     real, store, sqrt = arithmetic.real, arithmetic.store, arithmetic.sqrt
     at = {"AX": real(start_x), "AY": real(start_y)}
     rad, arl, ars = real(radius), real(outer), real(inner)
@@ -70,7 +79,7 @@ def part(
     def ar() -> Any:
         return store(sqrt(at["AX"] ** 2 + at["AY"] ** 2))
 
-    def mill(sequence: int, east: int, north: int, function: int) -> None:
+    def cut_to_here(sequence: int, east: int, north: int, function: int) -> None:
         x, y = centre_x + east * int(at["AX"]), centre_y + north * int(at["AY"])
         printout.print_30(sequence, preparatory, x, y, feed, function)
 
@@ -82,14 +91,14 @@ def part(
             while arl - ar() > 0:
                 at[up] = store(at[up] + 1)
             sequence += 0 if first else 1  # 25 55 75 95
-            mill(sequence, east, north, function[up])
+            cut_to_here(sequence, east, north, function[up])
             at[down] = store(at[down] - 1)  # 40 60 80 100
             while at[down] > 0 and ar() - ars > 0:  # 41 61 81 101
                 at[down] = store(at[down] - 1)
             if at[down] <= 0:
                 break
             sequence += 1  # 42 62 82 102
-            mill(sequence, east, north, function[down])
+            cut_to_here(sequence, east, north, function[down])
             sequence += 1 if first else 0
             if rad - at[up] <= 0:
                 break

@@ -19,7 +19,31 @@ _PARTS = {
     ),
     "ellipse": (
         "The 6 x 4 1/2 in ellipse of Appendix D. Lengths are thousandths of an inch.",
-        ["> ellipse.asc", "--arithmetic ge635", "--minor 1500 --feed 1"],
+        ["> ellipse.asc", "--arithmetic ge635", "--minor 1500 --technique piece"],
+    ),
+    "polynomial": (
+        "The third degree polynomial of Chapters 6 and 7. Lengths are inches.",
+        ["> polynomial.asc", "--b 1.5 --c 5 --to 5", "--cutter 0.5 --side above --technique piece"],
+    ),
+    "slope": (
+        "A slope, Chapter 3's by default: 30 degrees, 5 in long. Lengths are inches.",
+        ["> slope.asc", "--to-x 6 --to-y 9", "--technique piece --feed-error 0"],
+    ),
+    "curve": (
+        "Any function of x. Lengths are inches.",
+        ["'sin(x)' --to 6.283 > sine.asc", "'x**2/4' --from -2 --to 2 --tolerance 0.01 --cutter 0.5"],
+    ),
+    "die": (
+        "The die of Chapter 7: ellipses of three sets of axes. Lengths are thousandths of an inch.",
+        ["> opening.asc", "--cut groove", "--technique piece --fastest 8"],
+    ),
+    "drill": (
+        "The four-hole tape of Chapter 3, or other holes. Lengths are inches.",
+        ["> holes.asc", "--holes '1,1 2.5,1 4,1' --z-depth 3.25"],
+    ),
+    "fluidic": (
+        "The fluidic element of Chapter 8, its outline ours. Lengths are inches.",
+        ["> element.asc", "--program control --control 0.8", "--tolerance 0.005"],
     ),
 }
 """Every part: what it is, and the options of examples of it."""

@@ -19,9 +19,11 @@ Sources: thesis, Appendix D.
 from typing import Annotated, Any
 
 from programs.arithmetic import EXACT, Arithmetic
+from programs.contour import Fastest, FeedError, TechniqueName, mill
 from programs.format import Overflow
 from programs.header import THESIS, Header
 from programs.printout import Printout, check_band, check_feed, check_start
+from programs.stretches import Point, oval
 
 _QUADRANTS = ((-1, +1, "AY", "AX"), (+1, +1, "AX", "AY"), (+1, -1, "AY", "AX"), (-1, -1, "AX", "AY"))
 """Signs of AX and AY, which of them climbs, which comes down."""
@@ -45,6 +47,9 @@ def part(
     feed: Annotated[int, "AT: feed code of Table 2.4"] = 5,
     x_feed: Annotated[int, "AMX: miscellaneous function of a cut in X"] = 84,
     y_feed: Annotated[int, "AMY: miscellaneous function of a cut in Y"] = 85,
+    technique: TechniqueName = "step",
+    fastest: Fastest = 5,
+    feed_error: FeedError = 0.2,
     header: Header = THESIS,
     arithmetic: Arithmetic = EXACT,
     overflow: Overflow = "low-digits",
@@ -65,6 +70,10 @@ def part(
     printout = Printout(overflow)
     printout.header(header, centre_x - start_x, centre_y + start_y)
 
+    if technique == "piece":
+        limits = (inner_major, inner_minor), (outer_major, outer_minor)
+        mill(printout, oval(Point(centre_x, centre_y), major, *limits), technique, feed, fastest, feed_error)
+        return printout.text
     real, store = arithmetic.real, arithmetic.store
     at = {"AX": real(start_x), "AY": real(start_y)}
     last = {"AX": real(major), "AY": real(minor)}
@@ -74,7 +83,7 @@ def part(
     def one(a: Any, b: Any) -> Any:
         return store(at["AX"] ** 2 / a**2 + at["AY"] ** 2 / b**2)
 
-    def mill(sequence: int, east: int, north: int, function: int) -> None:
+    def cut_to_here(sequence: int, east: int, north: int, function: int) -> None:
         x, y = centre_x + east * int(at["AX"]), centre_y + north * int(at["AY"])
         printout.print_30(sequence, preparatory, x, y, feed, function)
 
@@ -85,14 +94,14 @@ def part(
             while one(aa, bb) - 1 < 0:
                 at[up] = store(at[up] + 1)
             sequence += 1  # 25 55 75 95
-            mill(sequence, east, north, function[up])
+            cut_to_here(sequence, east, north, function[up])
             at[down] = store(at[down] - 1)  # 40 60 80 100
             while at[down] > 0 and one(a, b) - 1 > 0:  # 41 61 81 101
                 at[down] = store(at[down] - 1)
             if at[down] <= 0:
                 break
             sequence += 1  # 42 62 82 102
-            mill(sequence, east, north, function[down])
+            cut_to_here(sequence, east, north, function[down])
             if last[up] - at[up] <= 0:
                 break
     return printout.text

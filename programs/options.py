@@ -17,6 +17,7 @@ from typing import Any, Literal, get_args, get_origin, get_type_hints
 import click
 
 from programs.arithmetic import ARITHMETICS, Arithmetic
+from programs.drill import Holes
 from programs.header import Header
 
 Part = Callable[..., str]
@@ -67,6 +68,8 @@ def _type(hint: Any) -> Any:
         return click.Choice(list(get_args(hint)))
     if get_origin(hint) is types.UnionType:
         return next(kind for kind in get_args(hint) if kind is not types.NoneType)
+    if hint == Holes:
+        return _Places()
     return _FINITE if hint is float else hint
 
 
@@ -78,6 +81,20 @@ class _Finite(click.types.FloatParamType):
         if not isfinite(number):
             self.fail(f"{value!r} is no finite number.", param, ctx)
         return number
+
+
+class _Places(click.ParamType[Holes]):
+    """Places on the table, "1,1 1,2 4,2": X and Y of each with a comma between."""
+
+    name = "places"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Holes:
+        if not isinstance(value, str):
+            return tuple(value)
+        try:
+            return tuple((float(x), float(y)) for x, y in (place.split(",") for place in value.split()))
+        except ValueError:
+            self.fail(f"{value!r} is no list of places; it looks like '1,1 1,2 4,2'.", param, ctx)
 
 
 _FINITE = _Finite()

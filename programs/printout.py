@@ -17,6 +17,8 @@ from programs.format import Format, Overflow
 from programs.header import Header
 from tapes.hydrapoint import X_TRAVEL, XY_FEED, Y_TRAVEL, Block
 
+_READ_Z = 9
+
 FORMAT_10 = Format("1X,I5,I4,I5,I4")
 FORMAT_30 = Format("I3,I1,I5,I5,I3,I2")
 
@@ -48,6 +50,12 @@ class Printout:
         digits = block.digits
         groups = (digits[1:6], digits[6:10], digits[10:15], digits[15:19])
         self._lines.append(FORMAT_10.line(*map(int, groups), overflow=self._overflow))
+
+    def digits(self, block: Block) -> None:
+        """A block typed with all its digits. Raises PartError where it leaves the table."""
+        if block.preparatory != _READ_Z:
+            self._on_table(block.x, block.y, block.sequence)
+        self._lines.append(f"{block.digits}\n")
 
     def print_30(
         self,

@@ -1,0 +1,43 @@
+"""Any function of x as a part: "almost any curve which can be defined mathematically" (Chapter 6).
+
+Source: thesis, Chapters 3 and 6.
+"""
+
+from typing import Annotated
+
+from programs.contour import Fastest, FeedCode, FeedError, TechniqueName, mill
+from programs.expression import function
+from programs.format import Overflow
+from programs.function import Range, Side, centre_path, offset_path
+from programs.header import THESIS, Header
+from programs.printout import Printout
+
+
+def part(
+    expression: Annotated[str, "y as a function of x, inches"],
+    *,
+    from_: Annotated[float, "X where it starts, inches"] = 0.0,
+    to: Annotated[float, "X where it ends"] = 4.0,
+    tolerance: Annotated[float, "half the height of the band"] = 0.005,
+    origin_x: Annotated[float, "X of the table where x is 0"] = 4.0,
+    origin_y: Annotated[float, "Y of the table where y is 0"] = 5.0,
+    cutter: Annotated[float | None, "diameter of a cutter that is to leave the curve as its surface"] = None,
+    side: Side = "above",
+    technique: TechniqueName = "step",
+    feed: FeedCode = 1,
+    fastest: Fastest = 5,
+    feed_error: FeedError = 0.2,
+    header: Header = THESIS,
+    overflow: Overflow = "low-digits",
+) -> str:
+    """Return the printout of y = `expression`; lengths are inches. Raises PartError."""
+    y = function(expression)
+    where = Range(from_, to, origin_x, origin_y)
+    if cutter is None:
+        curve = centre_path(lambda x: y(float(x)), where, tolerance)
+    else:
+        curve = offset_path(y, where, tolerance, cutter, side)
+    printout = Printout(overflow)
+    printout.header(header, *curve.start)
+    mill(printout, curve, technique, feed, fastest, feed_error)
+    return printout.text

@@ -1,0 +1,58 @@
+"""The steel die for sheet metal bulging: the ellipse's program with three sets of axes (Chapter 7).
+
+      .------------------------------.       the opening and its clearance    6 x 3 in, the thesis's
+      |     .-- - groove - --.       |       the rounding of its corner       ours: 1/4 in wider all round
+      |   .'   .-opening-.    '.     |       the groove                       ours: 7 1/2 x 4 1/2 in
+      |   '.   '---------'    .'     |
+      |     '-- - - - - - --'        |       The block is about 12 x 8 x 2 in; its corner lies at the table's
+      '------------------------------'       zero, the ellipses in its middle. Axes are the cutter centre's.
+
+The thesis gives the opening alone; the two other sets are our choice, such that they lie round it and in the
+block.
+
+Source: thesis, Chapter 7 and Table 10.1.
+"""
+
+from typing import Annotated, Final, Literal
+
+from programs import ellipse
+from programs.arithmetic import EXACT, Arithmetic
+from programs.contour import Fastest, FeedError, TechniqueName
+from programs.format import Overflow
+from programs.header import THESIS, Header
+
+AXES: Final = {"opening": (3000, 1500), "rounding": (3125, 1625), "groove": (3750, 2250)}
+"""Semi-axes of the three programs, thousandths of an inch."""
+
+
+def part(
+    *,
+    cut: Annotated[Literal["opening", "rounding", "groove"], "which of the three"] = "opening",
+    major: Annotated[int | None, "semi-major axis, else that of the cut, thousandths"] = None,
+    minor: Annotated[int | None, "semi-minor axis, else that of the cut"] = None,
+    tolerance: Annotated[float, "half the width of the band"] = 5,
+    centre_x: Annotated[int, "X of the centre"] = 6000,
+    centre_y: Annotated[int, "Y of the centre"] = 4000,
+    feed: Annotated[int, "feed code of Table 2.4"] = 1,
+    technique: TechniqueName = "step",
+    fastest: Fastest = 5,
+    feed_error: FeedError = 0.2,
+    header: Header = THESIS,
+    arithmetic: Arithmetic = EXACT,
+    overflow: Overflow = "low-digits",
+) -> str:
+    """Return the printout of one of the die's three tapes; lengths are thousandths. Raises PartError."""
+    return ellipse.part(
+        major=AXES[cut][0] if major is None else major,
+        minor=AXES[cut][1] if minor is None else minor,
+        tolerance=tolerance,
+        centre_x=centre_x,
+        centre_y=centre_y,
+        feed=feed,
+        technique=technique,
+        fastest=fastest,
+        feed_error=feed_error,
+        header=header,
+        arithmetic=arithmetic,
+        overflow=overflow,
+    )

@@ -1,0 +1,86 @@
+"""An expression in x, as someone types it: sin(x)/x, 0.2*x*(x-2)*(x-6). Nothing else can be said in it.
+
+Numbers, x, pi, e, + - * / **, parentheses, and the functions of FUNCTIONS. Python reads it into a tree; each
+node of the tree is looked up here and made into a function, and a node that is not here is refused with its
+column. Nothing is ever evaluated as Python.
+"""
+
+import ast
+import math
+import operator
+from collections.abc import Callable
+from typing import Final
+
+from programs.errors import PartError
+
+FUNCTIONS: Final[dict[str, Callable[[float], float]]] = {
+    name: getattr(math, name)
+    for name in ("sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh")
+} | {"abs": abs}
+CONSTANTS: Final = {"pi": math.pi, "e": math.e}
+
+_OPERATORS: Final[dict[type[ast.operator], Callable[[float, float], float]]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: math.pow,
+}
+_LONGEST = 500
+
+Function = Callable[[float], float]
+
+
+def function(text: str) -> Function:
+    """Return the function that `text` says. Raises PartError, naming the column of what it does not know.
+
+    The function raises PartError where it has no value.
+    """
+    if len(text) > _LONGEST:
+        raise PartError(f"an expression of {len(text)} characters is too long: {_LONGEST} are read")
+    try:
+        tree = ast.parse(text.strip(), mode="eval").body
+        inner = _node(tree, text.strip())
+    except SyntaxError as error:
+        raise PartError(f"column {error.offset or 1}: {text!r} is no expression in x") from None
+    except (RecursionError, MemoryError):
+        raise PartError(f"{text[:20]!r}... is nested too deeply") from None
+
+    def value(x: float) -> float:
+        try:
+            found = inner(float(x))
+        except (ArithmeticError, ValueError) as error:
+            raise PartError(f"at x = {x:g} the expression {text!r} has no value: {error}") from None
+        if not math.isfinite(found):
+            raise PartError(f"at x = {x:g} the expression {text!r} is not finite")
+        return found
+
+    return value
+
+
+def _node(node: ast.expr, text: str) -> Function:
+    match node:
+        case ast.Constant(value=int() | float() as number) if not isinstance(number, bool):
+            constant = float(number)
+            return lambda x: constant
+        case ast.Name(id="x"):
+            return lambda x: x
+        case ast.Name(id=name) if name in CONSTANTS:
+            named = CONSTANTS[name]
+            return lambda x: named
+        case ast.UnaryOp(op=ast.UAdd(), operand=operand):
+            return _node(operand, text)
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            negated = _node(operand, text)
+            return lambda x: -negated(x)
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATORS:
+            join, one, other = _OPERATORS[type(op)], _node(left, text), _node(right, text)
+            return lambda x: join(one(x), other(x))
+        case ast.Call(func=ast.Name(id=name), args=[argument], keywords=[]) if name in FUNCTIONS:
+            outer, inner = FUNCTIONS[name], _node(argument, text)
+            return lambda x: outer(inner(x))
+    said = ast.get_source_segment(text, node) or text
+    hint = (
+        "; a power is written **" if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitXor) else ""
+    )
+    raise PartError(f"column {node.col_offset + 1}: {said!r} is not in the language of expressions{hint}")

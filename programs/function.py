@@ -1,0 +1,101 @@
+"""y = f(x) on the table: its limits at each thousandth of X, for the cutter's centre or the cutter's edge.
+
+                  x1 x2           The part's surface is f. A cutter of radius C beside it has its centre on
+                  the normal
+    g   .-------.--.              (equation 3):
+       /      C/    \\                 x2 = x1 - C sin(theta)     tan(theta) = dy/dx
+    f --------'      -                y2 = y1 + C cos(theta)     (+ above the curve, - below)
+
+Where the surface curves towards the cutter more tightly than the cutter does, x2 runs backwards: no path can
+cut it.
+
+Source: thesis, Chapter 6, Figure 6.2 and equations 1 to 3.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal
+
+from programs.arithmetic import EXACT, Arithmetic
+from programs.contour import thousandths, tolerance_units
+from programs.errors import PartError
+from programs.stretches import Curve, graph
+
+Side = Annotated[Literal["above", "below"], "side of the curve that the cutter is on"]
+
+
+@dataclass(frozen=True)
+class Range:
+    """From where to where X goes, and where the curve's own zero lies on the table; inches."""
+
+    first: float
+    last: float
+    origin_x: float
+    origin_y: float
+
+    def __post_init__(self) -> None:
+        """Raise PartError for a range of nothing."""
+        if self.units[0] >= self.units[1]:
+            raise PartError(f"X from {self.first:g} to {self.last:g} is no range: it goes from less to more")
+
+    @property
+    def units(self) -> tuple[int, int]:
+        """First and last X of the curve, in thousandths."""
+        return thousandths("X from", self.first), thousandths("X to", self.last)
+
+    @property
+    def origin(self) -> tuple[int, int]:
+        """X and Y of the curve's zero on the table, in thousandths."""
+        return thousandths("origin X", self.origin_x), thousandths("origin Y", self.origin_y)
+
+
+def centre_path(
+    function: Callable[[Any], Any], where: Range, tolerance: float, arithmetic: Arithmetic = EXACT
+) -> Curve:
+    """Return the band of `function`, in inches, taken as the path of the cutter's centre.
+
+    Raises PartError where it is too steep.
+    """
+    first, last = where.units
+    across, up = where.origin
+    real, store = arithmetic.real, arithmetic.store
+    thousand, above, error = real(1000), real(up), real(tolerance_units(tolerance))
+    heights = [store(function(store(real(x) / thousand)) * thousand + above) for x in range(first, last + 1)]
+    return graph(
+        first + across,
+        [store(height - error) for height in heights],
+        [store(height + error) for height in heights],
+    )
+
+
+def offset_path(
+    function: Callable[[float], float], where: Range, tolerance: float, cutter: float, side: str
+) -> Curve:
+    """Return the band of the path of a cutter of diameter `cutter` that leaves `function` as its surface.
+
+    Raises PartError where the surface is tighter than the cutter, or the path too steep.
+    """
+    import numpy as np  # only the exact cutter path needs it
+
+    if cutter <= 0:
+        raise PartError(f"a cutter of diameter {cutter:g} in is none")
+    first, last = where.units
+    across, up = where.origin
+    radius = cutter * 500 * (1 if side == "above" else -1)
+    x1 = np.arange(first, last + 1, dtype=float)
+    y1 = np.array([float(function(x / 1000)) * 1000 for x in range(first, last + 1)])
+    if len(x1) < 3:
+        raise PartError(f"X from {where.first:g} to {where.last:g} is too short for a cutter's path")
+    angle = np.arctan(np.gradient(y1, edge_order=2))
+    x2 = x1 - radius * np.sin(angle)
+    y2 = y1 + radius * np.cos(angle)
+    backwards = np.flatnonzero(np.diff(x2) <= 0)
+    if backwards.size:
+        raise PartError(
+            f"a cutter of {cutter:g} in is too big: at x = {x1[backwards[0]] / 1000:.3f} the surface is "
+            "tighter than the cutter"
+        )
+    grid = np.arange(np.ceil(x2[0]), np.floor(x2[-1]) + 1)
+    middle = np.interp(grid, x2, y2) + up
+    error = tolerance_units(tolerance)
+    return graph(int(grid[0]) + across, (middle - error).tolist(), (middle + error).tolist())

@@ -1,0 +1,153 @@
+"""The Piece-wise Linear Technique of Chapter 3: X and Y run together, at two feeds that follow the slope.
+
+               .--- B        From A both axes set out, each at its own feed; one arrives, the other goes on
+               alone
+            .'               (Figure 3.1). A block goes as far as the band allows, whichever way the feeds
+            err.
+        _.-'                 Of all pairs of feeds the one is taken that goes furthest for its blocks: a block
+        sets
+      A                      one feed, so that a change of both costs a block more.
+
+A feed is within 20 % of what the table says, and the band is kept for the worst of it: X fast and Y slow, Y
+fast and X slow. With `feed_error` 0 the feeds are believed, as the thesis's own block counts (Table 10.1)
+seem to do. Where no pair fits, the block goes along one axis: the limiting case that Chapter 3 names.
+
+Whether a path keeps to its band is asked at a dozen places of each leg; the band's curves do not wind between
+them.
+
+Sources: thesis, Chapter 3, Figures 3.1 and 3.2, Tables 2.4 and 10.1. The choice of pairs is ours.
+"""
+
+from bisect import bisect_left
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import ceil, hypot
+from typing import NamedTuple
+
+from programs.errors import PartError
+from programs.stretches import Curve, Point, Stretch
+from tapes.hydrapoint import XY_FEED
+
+_PLACES = 12
+
+
+class Feeds(NamedTuple):
+    """Feed codes of Table 2.4 in force for X and for Y; 0 for an axis that stands still."""
+
+    x: int
+    y: int
+
+
+class Ray(NamedTuple):
+    """A block: both axes at their feeds from where the cutter is to `stop`."""
+
+    feeds: Feeds
+    stop: Point
+
+
+@dataclass(frozen=True)
+class Technique:
+    """The feeds that may be used, up to code `fastest`, and by what part of one they may be wrong."""
+
+    fastest: int = 5
+    feed_error: float = 0.2
+
+    def __post_init__(self) -> None:
+        """Raise PartError for feeds that Table 2.4 does not have, and for an error that is none."""
+        if self.fastest not in XY_FEED:
+            raise PartError(f"feed code {self.fastest} is not in Table 2.4, 1 to {max(XY_FEED)}")
+        if not 0 <= self.feed_error < 1:
+            raise PartError(f"a feed error of {self.feed_error:g} is none: it is a part of 1, 0.2 for 20 %")
+
+    def rays(self, curve: Curve) -> Iterator[Ray]:
+        """Yield the blocks along `curve`, from its start to its very end. Raises PartError if none fits."""
+        at, force = curve.start, Feeds(0, 0)
+        for stretch in curve.stretches:
+            while at.x != stretch.last_x and at.y != stretch.last_y:
+                ray = self._furthest(stretch, at, force)
+                yield ray
+                at = ray.stop
+                force = Feeds(ray.feeds.x or force.x, ray.feeds.y or force.y)
+        if at.x != curve.end.x:
+            at = Point(curve.end.x, at.y)
+            yield Ray(Feeds(force.x or 1, 0), at)
+        if at.y != curve.end.y:
+            yield Ray(Feeds(0, force.y or 1), curve.end)
+
+    def _furthest(self, stretch: Stretch, at: Point, force: Feeds) -> Ray:
+        """The ray from `at` that goes furthest for the blocks it takes."""
+        best, most = None, 0.0
+        for feeds in self._choices(stretch, force):
+            blocks = 1 + all(code and code != now for code, now in zip(feeds, force, strict=True))
+            stop = self._reach(stretch, at, feeds, most * blocks)
+            gain = hypot(stop.x - at.x, stop.y - at.y) / blocks
+            if gain > most:
+                best, most = Ray(feeds, stop), gain
+        if best is None:
+            raise PartError(f"at X {at.x / 1000:.3f} Y {at.y / 1000:.3f} no feeds keep to the band")
+        return best
+
+    def _choices(self, stretch: Stretch, force: Feeds) -> Iterator[Feeds]:
+        codes = range(1, self.fastest + 1)
+        if stretch.dx:
+            yield Feeds(force.x or 1, 0)
+        if stretch.dy:
+            yield Feeds(0, force.y or 1)
+        if stretch.dx and stretch.dy:
+            yield from (Feeds(x, y) for x in codes for y in codes)
+
+    def _reach(self, stretch: Stretch, at: Point, feeds: Feeds, beyond: float) -> Point:
+        """The furthest stop for `feeds`, or `at` itself if it is not further than `beyond`."""
+        speeds = tuple(XY_FEED[code] if code else 0.0 for code in feeds)
+        fastest = max(speeds)
+        across, up = stretch.dx * speeds[0] / fastest, stretch.dy * speeds[1] / fastest
+
+        def stop(steps: int) -> Point:
+            return Point(at.x + round(across * steps), at.y + round(up * steps))
+
+        def kept(steps: int) -> bool:
+            there = stop(steps)
+            return not _passes(stretch, at, there) and self._keeps(stretch, at, there, speeds)
+
+        both_move = ceil(1 / min(abs(part) for part in (across, up) if part))
+        steps = max(both_move, int(beyond / hypot(across, up)) + 1)
+        if not kept(steps):
+            return at
+        while kept(2 * steps):
+            steps *= 2
+        return stop(bisect_left(range(2 * steps), True, lo=steps, key=lambda more: not kept(more)) - 1)
+
+    def _keeps(self, stretch: Stretch, at: Point, stop: Point, speeds: tuple[float, ...]) -> bool:
+        """Whether the way from `at` to `stop` is inside the band for all errors of the feeds."""
+        fast, slow = 1 + self.feed_error, 1 - self.feed_error
+        errors = [(1.0, 1.0)]
+        if self.feed_error and all(speeds):
+            errors += [(fast, slow), (slow, fast)]
+        return all(
+            stretch.inside(x, y)
+            for error in errors
+            for x, y in way(at, stop, (speeds[0] * error[0], speeds[1] * error[1]))
+        )
+
+
+def way(at: Point, stop: Point, speeds: tuple[float, float]) -> Iterator[tuple[float, float]]:
+    """Yield places along the way from `at` to `stop`: both axes at their speeds, then one alone."""
+    across, up = stop.x - at.x, stop.y - at.y
+    times = [abs(length) / speed for length, speed in zip((across, up), speeds, strict=True) if speed]
+    both = min(times)
+    corner = (
+        at.x + (across * both * speeds[0] / abs(across) if across else 0),
+        at.y + (up * both * speeds[1] / abs(up) if up else 0),
+    )
+    for (x, y), (u, v) in ((at, corner), (corner, stop)):
+        for place in range(1, _PLACES + 1):
+            part = place / _PLACES
+            yield x + (u - x) * part, y + (v - y) * part
+
+
+def _passes(stretch: Stretch, at: Point, stop: Point) -> bool:
+    """Whether the end of the stretch lies between the two."""
+    x, y = stretch.last_x, stretch.last_y
+    return (x is not None and (stop.x - x) * (at.x - x) < 0) or (
+        y is not None and (stop.y - y) * (at.y - y) < 0
+    )

@@ -1,0 +1,60 @@
+"""The third degree polynomial y = Ax(x-B)(x-C), the path of the cutter's centre (Chapters 6 and 7).
+
+    y  1.010 .-.                          A = 0.2, B = 2, C = 6, +-.01; its turning points, X .903 and 4.431,
+         0 -'---'.--------------.-        are found first, on a table of it
+            0     2             6   x
+                   '.        .'
+      -3.380          '-..-'
+
+The thesis gives neither range nor place. Ours is from crossing to crossing, 0 to 6, whose staircase is 14.78
+in long: at 1 in/min and 2 s for each of the thesis's 1200 blocks that is 54.8 minutes, where the thesis has
+55.
+
+Source: thesis, Chapters 6 and 7.
+"""
+
+from typing import Annotated, Any
+
+from programs.arithmetic import EXACT, Arithmetic
+from programs.contour import Fastest, FeedCode, FeedError, TechniqueName, mill
+from programs.format import Overflow
+from programs.function import Range, Side, centre_path, offset_path
+from programs.header import THESIS, Header
+from programs.printout import Printout
+
+
+def part(
+    *,
+    a: Annotated[float, "A"] = 0.2,
+    b: Annotated[float, "B, second crossing of the X axis, inches"] = 2.0,
+    c: Annotated[float, "C, third crossing"] = 6.0,
+    tolerance: Annotated[float, "E, half the height of the band, inches"] = 0.01,
+    from_: Annotated[float, "X where it starts"] = 0.0,
+    to: Annotated[float, "X where it ends"] = 6.0,
+    origin_x: Annotated[float, "X of the table where x is 0"] = 4.0,
+    origin_y: Annotated[float, "Y of the table where y is 0"] = 6.0,
+    cutter: Annotated[float | None, "diameter of a cutter that is to leave the curve as its surface"] = None,
+    side: Side = "above",
+    technique: TechniqueName = "step",
+    feed: FeedCode = 1,
+    fastest: Fastest = 5,
+    feed_error: FeedError = 0.2,
+    header: Header = THESIS,
+    arithmetic: Arithmetic = EXACT,
+    overflow: Overflow = "low-digits",
+) -> str:
+    """Return the printout of the polynomial; lengths are inches. Raises PartError."""
+    where = Range(from_, to, origin_x, origin_y)
+    if cutter is None:
+        ra, rb, rc = arithmetic.real(a), arithmetic.real(b), arithmetic.real(c)
+
+        def polynomial(x: Any) -> Any:
+            return ra * x * (x - rb) * (x - rc)
+
+        curve = centre_path(polynomial, where, tolerance, arithmetic)
+    else:
+        curve = offset_path(lambda x: a * x * (x - b) * (x - c), where, tolerance, cutter, side)
+    printout = Printout(overflow)
+    printout.header(header, *curve.start)
+    mill(printout, curve, technique, feed, fastest, feed_error)
+    return printout.text
