@@ -17,15 +17,16 @@ What a statement does:
     otherwise   one item or more make a word, none make nothing
 
 A comma and an equals sign speak of the symbol read last, even if that was lines before (``1A,`` and ``,5``
-are DT of it). An equals sign with no symbol in its own statement gives that symbol a value in pass 1 only:
-in passes 2 and 3 it is without effect (seen in one example; why, we do not know).
+are DT of it); before any symbol at all, of one whose name is six blanks (inferred). An equals sign with no
+symbol in its own statement gives that symbol a value in pass 1 only: in passes 2 and 3 it is without effect
+(seen in one example; why, we do not know).
 
 An undefined symbol is entered when first seen, with the location for a value that counts as zero during
 pass 1; at the end of pass 1 it gets the last address of that page. EXPUNGE, FIXTAB and FIXMRI act in pass
 1. ``$`` ends the pass where it stands: what precedes it in its own statement is read, but makes no word.
 
-Not emulated: the symbol printed if a comma comes before any symbol at all; waiting for ever for the rest of
-a source without ``$`` (it is taken as if it were there); halting at PAUSE (the next tape just follows).
+Not emulated: waiting for ever for the rest of a source without ``$`` (it is taken as if it were there);
+halting at PAUSE (the next tape just follows); what PAL III's own core holds before the first symbol is read.
 
 Sources: DEC-08-ASAC-D; the output of DEC-08-ASB1 (February 1967). Inferences are marked in docs/pal3.md.
 """
@@ -259,10 +260,10 @@ class Assembler:
         self._kind = NOTHING
 
     def _spoken_of(self) -> Symbol | None:
-        """Return the symbol read last, None if it is a pseudo-operator or there was none."""
+        """Return the symbol read last, None if it is a pseudo-operator."""
         name = self._last
         symbol = self._table.get(name)
-        if symbol is None and name and name not in _PSEUDO:
+        if symbol is None and name not in _PSEUDO:
             symbol = self._enter(name)
         return symbol
 

@@ -35,7 +35,19 @@ def notes(lines: list[Line], tapes: int) -> list[Note]:
         for at, token in enumerate(scanner.tokens(statement))
         if token.mark == scanner.SPACE
     ]
-    return found + _of_the_end(lines, tapes)
+    return _nameless(lines) + found + _of_the_end(lines, tapes)
+
+
+def _nameless(lines: list[Line]) -> list[Note]:
+    for number, line in enumerate(lines):
+        for index, statement in enumerate(line.statements):
+            for at, token in enumerate(scanner.tokens(statement)):
+                if token.symbol:
+                    return []
+                if token.mark in (",", "="):
+                    advice = "PAL III defines a symbol without a name; symbols begin with a capital letter"
+                    return [Note(Place(number, index, at), "no symbol stands before this", advice)]
+    return []
 
 
 def _of_the_end(lines: list[Line], tapes: int) -> list[Note]:

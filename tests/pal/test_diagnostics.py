@@ -76,6 +76,7 @@ def test_another_assemblers_dialect_is_recognised(statement: str, hint: str) -> 
         ("\t1\n", 1, 2, "note: no $ at the end"),
         ("\t1\n\n2;3$\n", 3, 3, "note: this makes no word"),
         ("A=5;\tA + 1\n$\n", 1, 9, "note: this makes an inclusive OR of it"),
+        ("1;,5\n$\n", 1, 3, "note: no symbol stands before this"),
         ("", 1, 1, "note: the source is empty"),
     ],
 )
