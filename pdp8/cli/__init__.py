@@ -15,10 +15,13 @@ from tapes import command
 
 _COMMANDS = {
     "run": ("pdp8.cli.run", "run", "Run a program on the PDP-8/L."),
+    "monitor": ("pdp8.cli.monitor", "monitor", "The operator's prompt: examine, step, break, trace."),
+    "replay": ("pdp8.cli.replay", "replay", "Do the whole afternoon of 1971 again, or make a page of it."),
     "pal": ("pal.cli", "pal", "Assemble PAL III source."),
     "dis": ("pal.cli", "dis", "Disassemble a BIN or RIM tape."),
     "part": ("programs.cli", "part", "Run a FORTRAN part program: an ASCII tape for the translation."),
     "tape": ("tapes.cli", "tape", "Show, measure and convert paper tapes."),
+    "panel": ("pdp8.cli.panel", "panel", "Sit down at the front panel, in the terminal."),
     "nc": ("nc.cli", "nc", "The Moog Hydra-Point: list, cut and inspect an EIA tape."),
 }
 

@@ -34,6 +34,14 @@ WALK_SECONDS, MOUNT_SECONDS, CLAMP_SECONDS, MEASURE_SECONDS = 60, 20, 180, 120
 FRAMES_PER_SECOND = 10
 
 
+def clock(tick: int) -> str:
+    """Return the time of day at a tick of the afternoon: "1:29:58 pm"."""
+    minutes, seconds = divmod(OPENS + tick // TICKS_PER_SECOND, 60)
+    hours, minutes = divmod(minutes, 60)
+    half = "am" if hours % 24 < 12 else "pm"
+    return f"{(hours + 11) % 12 + 1}:{minutes:02}:{seconds:02} {half}"
+
+
 class Kind(StrEnum):
     """What an act is about."""
 

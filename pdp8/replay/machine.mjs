@@ -45,6 +45,7 @@ export class Teletype {
     this.free = 0; // when the line from the reader is free
     this.startAt = this.clearAt = this.flagAt = this.shiftAt = NEVER;
     this.readerRun = true;
+    this.asked = -1; // when a pulse last set it
     this.register = 0; // what is still to be sent, the next unit lowest, an end marker highest
     this.unit = 0; // the data unit the printer takes next, 1 to 8; 0 while it waits for a start unit
     this.selected = 0; // the data units it has taken
@@ -167,6 +168,7 @@ export class Teletype {
   /** The receiver's shift register, not double-buffered: it can be seen with the bits still coming in. */
   buffer(now) {
     if (this.flagAt === NEVER) return this.held;
+    if (this.frameStart === this.asked && now - this.asked <= IOP4 - IOP2) return this.held; // not seen yet
     let bits = 0;
     while (bits < 8 && now >= this.frameStart + halfUnits(2 * bits + 3)) bits++;
     return ((this.coming << (8 - bits)) | (0o377 >> bits)) & 0o377;
@@ -416,6 +418,7 @@ export class Machine {
     if (word & 2) {
       this.ac = 0;
       teletype.readerFlag = false;
+      teletype.asked = this.ticks + IOP2;
       teletype.run(this.ticks + IOP2);
     }
     teletype.sync(this.ticks + IOP4);

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from pdp8.replay import Afternoon, page, replay
-from pdp8.replay.page import record
+from pdp8.replay import Afternoon, replay
+from pdp8.replay.page import page, record
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser

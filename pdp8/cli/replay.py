@@ -1,0 +1,104 @@
+"""`pdp8 replay`: the afternoon of 1971, act by act, and its figures beside the thesis's."""
+
+import os
+import time
+from typing import TYPE_CHECKING
+
+import click
+
+from pdp8.cli.progress import Bar
+from tapes import shelf
+
+if TYPE_CHECKING:
+    from pdp8.replay import Act, Afternoon
+
+PARTS = ("circle", "ellipse", "polynomial", "slope", "die", "drill", "fluidic")
+_GLANCE = 0.25  # seconds between two looks at the clock
+
+
+@click.command()
+@click.argument("part", type=click.Choice(PARTS))
+@click.option(
+    "--out", metavar="FOLDER", help="Where tapes, listings and pictures go.  [default: replay-PART]"
+)
+@click.option(
+    "--html", metavar="FILE", help="Write the afternoon as a page too: any instant of it, in one file."
+)
+@click.option("--realtime", is_flag=True, help="Take as long as it took in 1971, an hour and three quarters.")
+def replay(part: str, out: str | None, html: str | None, realtime: bool) -> None:
+    """Do the afternoon of 1971 again for PART, with every constant as the thesis has it.
+
+    FORTRAN's output is punched, RIM toggled in, BIN loaded, eia.pal loaded, the tape translated, the part
+    milled and inspected. Each act is said in a line: its time of day, how long it took in 1971 and takes
+    today, and what came of it. The table at the end sets the thesis's figures beside the replay's; tapes,
+    listings and pictures stay in a folder.
+
+    \b
+    Examples:
+      pdp8 replay circle
+      pdp8 replay ellipse --out ellipse --html ellipse.html
+      pdp8 replay circle --realtime
+    """
+    from pdp8.replay import replay as whole
+
+    folder = out or f"replay-{part}"
+    os.makedirs(folder, exist_ok=True)
+    afternoon = whole(part, lambda act: _tell(act, realtime))
+    _leave(afternoon, folder, html)
+    _show(afternoon)
+
+
+def _tell(act: "Act", realtime: bool) -> None:
+    """Say the act in a line, when its time has passed."""
+    from pdp8.replay import clock
+
+    if realtime:
+        _pass(act)
+    took = f"{_span(act.seconds):>6} in 1971, {act.real:5.2f} s today"
+    click.echo(f"{clock(act.starts):>11}  {act.name:<14} {took}  {act.came}", err=True)
+
+
+def _pass(act: "Act") -> None:
+    """Let the act take its time."""
+    begin = time.monotonic()
+    with Bar(act.name, round(act.seconds)) as bar:
+        while (left := begin + act.seconds - time.monotonic()) > 0:
+            bar.show(round(act.seconds - left))
+            time.sleep(min(left, _GLANCE))
+
+
+def _span(seconds: float) -> str:
+    """Return a duration as minutes and seconds."""
+    minutes, rest = divmod(round(seconds), 60)
+    return f"{minutes}:{rest:02}"
+
+
+def _leave(afternoon: "Afternoon", folder: str, html: str | None) -> None:
+    """Write everything that stays."""
+    from pdp8.replay.desk import desk
+
+    files = desk(afternoon)
+    for name, content in files.items():
+        shelf.write(os.path.join(folder, name), content)
+    click.echo(f"{len(files)} tapes, listings and pictures in {folder}", err=True)
+    if html:
+        from pdp8.replay.page import page
+
+        shelf.write(html, page(afternoon).encode())
+        if html != "-":
+            click.echo(f"the afternoon as a page in {html}", err=True)
+
+
+def _show(afternoon: "Afternoon") -> None:
+    """Print the thesis's figures beside the replay's."""
+    from rich.console import Console
+    from rich.table import Table
+
+    from pdp8.replay.figures import COLUMNS, compare
+
+    table = Table(title=f"{afternoon.part}: thesis beside replay")
+    for column in COLUMNS:
+        table.add_column(column)
+    for line in compare(afternoon):
+        table.add_row(*line)
+    Console().print(table)

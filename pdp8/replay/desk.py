@@ -1,0 +1,44 @@
+"""What the afternoon leaves on the desk: every tape, listing and picture, by the name of its file."""
+
+from collections.abc import Iterator
+from typing import Final
+
+from nc import listing
+from nc.plot import plot
+from nc.talyrond import talyrond
+from pdp8.replay.afternoon import Afternoon
+from pdp8.replay.figures import compare
+from tapes import picture
+
+PICTURED: Final = 240
+"""Frames of a long tape that its picture shows: its first dozen blocks."""
+
+
+def desk(afternoon: Afternoon) -> dict[str, bytes]:
+    """Return {file name: content} of everything: tapes as they are, texts in UTF-8, pictures as SVG."""
+    texts = dict(_texts(afternoon)) | dict(_pictures(afternoon))
+    return afternoon.tapes | {name: text.encode() for name, text in texts.items()}
+
+
+def _texts(afternoon: Afternoon) -> Iterator[tuple[str, str]]:
+    part = afternoon.part
+    yield f"{part}.txt", afternoon.text
+    for name, assembly in afternoon.programs.items():
+        yield name.replace(".pal", ".lst"), assembly.listing
+    yield f"{part}.blocks", "".join(f"{line}\n" for line in listing.lines(afternoon.path, modes=True))
+    yield (
+        "figures.txt",
+        "".join(f"{line.figure}\t{line.thesis}\t{line.replay}\n" for line in compare(afternoon)),
+    )
+
+
+def _pictures(afternoon: Afternoon) -> Iterator[tuple[str, str]]:
+    part = afternoon.part
+    for code in ("asc", "eia"):
+        name = f"{part}.{code}"
+        tape = afternoon.tapes[name]
+        yield f"{name}.svg", picture.svg(tape, {"asc": "ascii", "eia": "eia"}[code], 0, PICTURED)
+    inspection = afternoon.inspection
+    yield f"{part}.svg", plot(afternoon.path, inspection.curve if inspection else None)
+    if inspection and inspection.curve.closed:
+        yield "talyrond.svg", talyrond(inspection)
