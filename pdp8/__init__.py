@@ -1,6 +1,7 @@
 """The computer: a PDP-8/L, its Teletype, its panel.
 
 processor    AC L PC MA MB IR, one memory cycle at a time: the one to read
+engine       the same for long runs: core decoded once, compiled where it can be
 operate      the OPR groups as pure functions
 bus          IOP pulses, SKIP, interrupt request: what processor and devices say to each other
 teletype     ASR-33: keyboard and reader (03), printer and punch (04)

@@ -16,6 +16,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from pdp8.bus import NEVER, Bus
+from pdp8.engine import Engine
 from pdp8.highspeed import HighSpeed
 from pdp8.loaders import check
 from pdp8.panel import Panel
@@ -78,6 +79,7 @@ class Machine:
         self.processor = Processor(self.bus)
         self.core = Core(self.processor.core)
         self.waiting = Waiting(self.processor)
+        self.engine = Engine(self.processor, self.waiting)
         self.panel = Panel(self.processor)
         self.watch = Watch()
         self.highspeed = HighSpeed()
@@ -125,9 +127,11 @@ class Machine:
         last = NEVER if instructions is None else p.instructions + instructions
         p.run = 1
         self.bus.advance(p.clock)
+        if self.watch.breakpoints:
+            self.waiting.forget()
         if p.sing_step:
             reason = self._cycle()
-        elif self.watch.wanted():
+        elif self.watch.watchful():
             reason = self._run_watched(until, last)
         else:
             reason = self._run(until, last)
@@ -137,19 +141,15 @@ class Machine:
         return Stop(reason, p.pc, self.elapsed)
 
     def _run(self, until: int, last: int) -> str:
-        p, waiting = self.processor, self.waiting
-        waiting.endless = False
-        while p.clock < until and p.instructions < last:
-            p.instruction()
-            if not p.run:
-                return self._stopped()
-            waiting.look(until, last)
-            if waiting.endless:
-                return self._endless()
-        return "limit"
+        """Let the engine run, as far as nobody looks closer than at breakpoints."""
+        if self.engine.run(until, last, self.watch.breakpoints):
+            return "breakpoint"
+        if self.waiting.endless:
+            return self._endless()
+        return "limit" if self.processor.run else self._stopped()
 
     def _run_watched(self, until: int, last: int) -> str:
-        """Run as `_run` does, telling the watch of each cycle, up to a breakpoint."""
+        """Run as `_run` does, instruction by instruction, and tell the watch of each cycle."""
         p, watch, waiting = self.processor, self.watch, self.waiting
         waiting.endless = False
         first = True

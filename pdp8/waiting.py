@@ -52,6 +52,10 @@ class Waiting:
         self.patience = _TESTS
         self.hunting = False
 
+    def forget(self) -> None:
+        """Remember nothing: whatever was passed over next time has to be seen first."""
+        self.told = -1
+
     def look(self, until: int, last: int) -> None:
         """Look at the processor between two instructions; pass over what it would only wait through.
 
@@ -100,7 +104,7 @@ class Waiting:
             self._turn_again(ticks, count)
             return
         if event == self.quiet_until:
-            turns = min((min(event, until) - 1 - p.clock) // ticks, (last - p.instructions) // count)
+            turns = min((min(event, until) - 1 - p.clock) // ticks, (last - 1 - p.instructions) // count)
             if turns > 0:
                 p.clock += turns * ticks
                 p.instructions += turns * count

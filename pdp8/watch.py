@@ -31,9 +31,9 @@ class Watch:
         self.reached = False
         """Set when the last instruction wrote one of them, or was a JMS to a breakpoint."""
 
-    def wanted(self) -> bool:
-        """Tell whether anything is watched at all."""
-        return bool(self.breakpoints or self.writes or self.observer)
+    def watchful(self) -> bool:
+        """Tell whether every cycle is to be looked at; breakpoints alone do not need it."""
+        return bool(self.writes or self.observer)
 
     def instruction(self, processor: Processor) -> None:
         """Run one instruction, or the cycle of an interrupt, and look at each of its cycles."""
