@@ -18,10 +18,12 @@ Transmitter: loading it while it is busy ors into what is left of the character 
 behind it, which makes one longer, garbled character.
 
 By convention: a transmission from idle starts with the pulse itself (the 220 Hz clock of the real one runs
-free, 0 to 4.5 ms of delay); the reader starts as soon as READER RUN lets it; a key pressed while the line is
-busy waits for it; the printer takes a space after its eighth data unit for a new start unit, and finishes
-with marks what a line that fell silent has begun. INITIALIZE silences the transmitter so, and the receiver
-drops what it has half received.
+free, 0 to 4.5 ms of delay); the reader starts as soon as READER RUN lets it, but a start unit that a pulse
+brings on is not in the buffer before the pulse's IOT is over (a real receiver sees it up to 1/8 unit later),
+so that KRB reads its character however late it comes; a key pressed while the line is busy waits for it; the
+printer takes a space after its eighth data unit for a new start unit, and finishes with marks what a line
+that fell silent has begun. INITIALIZE silences the transmitter so, and the receiver drops what it has half
+received.
 
 Not emulated: LOCAL, BREAK, answer-back, the reader's trip latency; a START key pressed in the middle of an
 incoming character makes a real receiver take one of its later spaces for a start unit.
@@ -47,6 +49,7 @@ def half_units(count: int) -> int:
     return (count * (FRAME // 2) + 5) // 11
 
 
+IOP2_TO_IOP4 = 18
 START_CHECKED = half_units(1)
 RECEIVED = half_units(17)
 
@@ -112,7 +115,7 @@ class Receiver(Device):
         self.now = 0
         self.reader_run = 1
         self.buffer = 0
-        """Eight bits; while a character comes in see `shifted`."""
+        """The last character; while the next comes in see `shifted`."""
         self.frame = 0
         """The character on the line."""
         self.start = 0
@@ -121,6 +124,8 @@ class Receiver(Device):
         """What the receiver has noticed of it: 0 idle, 1 its start unit, 2 that it is no false start."""
         self.free = 0
         """The tick from which the line is free."""
+        self.asked = -1
+        """The tick of the last pulse that set READER RUN."""
         self.step = NEVER
         """The tick of the next thing that happens here; `due` is the next that moves the flag."""
 
@@ -173,12 +178,11 @@ class Receiver(Device):
         self.reader_run = 0
         self.start = self.now
         self.free = self.now + FRAME
-        self.buffer = 0o377
         self.stage = 1
 
     def shifted(self, now: int) -> int:
         """Return the buffer as it reads at tick `now`: 377 shifted down, the character coming in above."""
-        if self.stage == 0:
+        if self.stage == 0 or (self.start == self.asked and now - self.start <= IOP2_TO_IOP4):
             return self.buffer
         bits = 0
         while bits < 8 and now >= self.start + half_units(2 * bits + 3):
@@ -193,6 +197,7 @@ class Receiver(Device):
         if iop == 2:
             self.flag = 0
             self.reader_run = 1
+            self.asked = now
             self.plan()
             return CLEAR_AC
         return self.shifted(now)
