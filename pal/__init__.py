@@ -17,6 +17,6 @@ lexer          PAL III in colour, for Pygments
 cli            the commands `pal` and `dis`
 """
 
-from pal.assembly import Assembly, ListingLine, assemble
+from pal.assembly import Assembly, assemble
 
-__all__ = ["Assembly", "ListingLine", "assemble"]
+__all__ = ["Assembly", "assemble"]

@@ -19,7 +19,8 @@ What a statement does:
 A comma and an equals sign speak of the symbol read last, even if that was lines before (``1A,`` and ``,5``
 are DT of it); before any symbol at all, of one whose name is six blanks (inferred). An equals sign with no
 symbol in its own statement gives that symbol a value in pass 1 only: in passes 2 and 3 it is without effect
-(seen in one example; why, we do not know).
+(seen in one example; as if pass 1 looked for the symbol by its name, and the others took what they found when
+they read it).
 
 An undefined symbol is entered when first seen, with the location for a value that counts as zero during
 pass 1; at the end of pass 1 it gets the last address of that page. EXPUNGE, FIXTAB and FIXMRI act in pass

@@ -8,37 +8,16 @@ when it is asked for: the program that is to run starts the sooner.
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from pal import punch, scanner
-from pal.assembler import TELETYPE_SYMBOLS, WORD, Assembler, Entry, Message, Result
+from pal.assembler import TELETYPE_SYMBOLS, Assembler, Entry, Message, Result
 from pal.scanner import Line
 from pal.symbols import internal_order
 
 if TYPE_CHECKING:
     from pal.diagnostics import Diagnostic
-
-
-class ListingLine(NamedTuple):
-    """A statement of the listing: where its word is and what it is (None: it has none), and its line.
-
-    `tape` and `number` count the source tapes from 0 and their lines from 1. `source` is the whole line as
-    typed, at the last of its statements; before that it is "", as in DEC's listing.
-    """
-
-    address: int | None
-    word: int | None
-    source: str
-    tape: int
-    number: int
-
-
-class Teletype(NamedTuple):
-    """The raw frames of an ASR-33's punch in the three passes."""
-
-    pass1: bytes
-    pass2: bytes
-    pass3: bytes
+    from pal.listing import ListingLine, Teletype
 
 
 class Assembly:
@@ -90,13 +69,11 @@ class Assembly:
         return self.printed(3)
 
     @cached_property
-    def lines(self) -> list[ListingLine]:
+    def lines(self) -> list["ListingLine"]:
         """The listing by statements."""
-        return [
-            ListingLine(*_numbers(result), line.text if result.last else "", line.tape, line.number)
-            for result in self._third[0]
-            for line in (self.source[result.line],)
-        ]
+        from pal.listing import listing_line
+
+        return [listing_line(self.source[result.line], result) for result in self._third[0]]
 
     def printed(self, number: int) -> str:
         """Return what pass 1, 2 or 3 typed, without the codes that do not print."""
@@ -105,12 +82,12 @@ class Assembly:
         return printed(self._typed(number))
 
     @cached_property
-    def teletype(self) -> Teletype:
+    def teletype(self) -> "Teletype":
         """The tapes of the three passes when the ASR-33 does it all."""
         from pal import listing
 
-        return Teletype(
-            listing.tape(self._typed(1)),
+        return listing.Teletype(
+            listing.tape(self._typed(1), finished=not self._assembler.full),
             listing.object_tape(self._results) if self.tape else b"",
             listing.tape(self._typed(3)) if self.tape else b"",
         )
@@ -171,7 +148,3 @@ def assemble(
     lines = list(scanner.lines(tapes, modern))
     called = names or [f"tape {number}" for number in range(1, len(tapes) + 1)]
     return Assembly(lines, called, Assembler(lines, capacity))
-
-
-def _numbers(result: Result) -> tuple[int | None, int | None]:
-    return (result.location, result.value) if result.kind == WORD else (None, None)

@@ -21,6 +21,7 @@ DEC-08-ASAC-D.
 """
 
 from collections.abc import Iterable
+from typing import NamedTuple
 
 from pal import punch
 from pal.assembler import WORD, Entry, Message, Result
@@ -36,19 +37,44 @@ _SILENT = str.maketrans("", "", "\0\r" + EOT + RUBOUT)
 _UNNUMBERED = " " * 12
 
 
+class ListingLine(NamedTuple):
+    """A statement of the listing: where its word is and what it is (None: it has none), and its line.
+
+    `tape` and `number` count the source tapes from 0 and their lines from 1. `source` is the whole line as
+    typed, at the last of its statements; before that it is "", as in DEC's listing.
+    """
+
+    address: int | None
+    word: int | None
+    source: str
+    tape: int
+    number: int
+
+
+class Teletype(NamedTuple):
+    """The raw frames of an ASR-33's punch in the three passes."""
+
+    pass1: bytes
+    pass2: bytes
+    pass3: bytes
+
+
 def printed(typed: str) -> str:
     r"""Return what is to be read of `typed`: without codes that do not print, CR LF as ``\n``."""
     return typed.translate(_SILENT)
 
 
-def tape(typed: str) -> bytes:
-    """Return the frames of a pass in which the ASR-33 punched all it typed, from start-up to trailer."""
-    return (
-        punch.START_UP
-        + frames.leader()
-        + typed.encode("ascii").translate(frames.PARITIES["mark"])
-        + frames.leader()
-    )
+def tape(typed: str, finished: bool = True) -> bytes:
+    """Return the frames of a pass in which the ASR-33 punched all it typed, from start-up to trailer.
+
+    A pass that is not `finished` has no trailer: the machine halted.
+    """
+    body = punch.START_UP + frames.leader() + _frames(typed)
+    return body + frames.leader() if finished else body
+
+
+def _frames(typed: str) -> bytes:
+    return frames.with_parity(typed.encode("ascii"), "mark")
 
 
 def definitions(messages: Iterable[Message], table: Iterable[Entry]) -> str:
@@ -67,7 +93,7 @@ def object_tape(results: list[Result]) -> bytes:
     pieces = [body[:2]]
     for result in results:
         if result.message:
-            pieces.append(_message(result.message).encode("ascii").translate(frames.PARITIES["mark"]))
+            pieces.append(_frames(_message(result.message)))
         pieces.append(punch.frames_of(result))
     return punch.START_UP + binary.tape(b"".join(pieces), checksum)
 
@@ -75,6 +101,12 @@ def object_tape(results: list[Result]) -> bytes:
 def listing(lines: list[Line], results: Iterable[Result], table: Iterable[Entry]) -> str:
     """Return what pass 3 types."""
     return "".join(_statement(lines[result.line], result) for result in results) + _symbols(table)
+
+
+def listing_line(line: Line, result: Result) -> ListingLine:
+    """Return one statement of the listing."""
+    address, word = (result.location, result.value) if result.kind == WORD else (None, None)
+    return ListingLine(address, word, line.text if result.last else "", line.tape, line.number)
 
 
 def _statement(line: Line, result: Result) -> str:

@@ -77,7 +77,7 @@ def characters(tape: bytes) -> str:
     """
     if not tape.isascii():
         with suppress(UnicodeDecodeError):
-            tape = tape.decode("utf-8").encode("ascii", "replace")
+            tape = tape.decode("utf-8-sig").encode("ascii", "replace")
     text = tape.translate(_SEVEN_CHANNELS, IGNORED).decode("ascii")
     return text.replace("\r\n", "\r").replace("\n", "\r")
 

@@ -98,3 +98,15 @@ def test_a_good_source_has_nothing_to_say() -> None:
 
 def test_modern_has_no_quarrel_with_small_letters() -> None:
     assert said("*200\na,\tjmp a\n$\n", modern=True) == []
+
+
+def test_a_full_table_ends_the_assembly_in_pass_1() -> None:
+    assembly = pal.assemble("A=1\nB=2\nC=3\n\t7\n$\n", capacity=2)
+    assert [diagnostic.message for diagnostic in assembly.diagnostics] == ["ST  C       AT  0200"]
+    assert (assembly.tape, assembly.words, assembly.listing) == (b"", {}, "")
+    assert assembly.printed(1) == "\nST  C       AT  0200"
+    assert assembly.teletype.pass1.endswith(b"\xff")
+
+
+def test_a_byte_order_mark_is_no_character() -> None:
+    assert pal.assemble(b"\xef\xbb\xbf*200\n\tCLA\n$\n").diagnostics == []

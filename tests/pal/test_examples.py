@@ -11,6 +11,7 @@ import pytest
 
 import pal
 from pal.assembly import Assembly
+from tapes import binary
 from tapes.frames import draw
 
 EXAMPLES = Path(__file__).parent / "examples"
@@ -49,6 +50,26 @@ def test_the_tape_is_decs_frame_for_frame(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_the_teletype_prints_what_it_printed(name: str, number: int) -> None:
     assert_same_print(assembled(name).printed(number), (EXAMPLES / f"{name}.pass{number}.txt").read_text())
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_asr_33_punches_the_same_print(name: str) -> None:
+    assembly = assembled(name)
+    for number in (1, 3):
+        frames = assembly.teletype[number - 1].translate(None, bytes((0, 0o200, 0o377, 0o204)))
+        text = bytes(frame & 0o177 for frame in frames).decode().replace("\r\n", "\n")
+        assert_same_print(text, (EXAMPLES / f"{name}.pass{number}.txt").read_text())
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_loader_skips_the_messages_on_the_asr_33s_tape(name: str) -> None:
+    assembly = assembled(name)
+    tape = assembly.teletype.pass2
+    assert binary.decode(tape).words == assembly.words
+    without = bytearray()
+    for number, piece in enumerate(tape.split(b"\xff")):
+        without += piece if number % 2 == 0 else b""
+    assert_same_tape(bytes(without), (EXAMPLES / f"{name}.bin").read_bytes())
 
 
 @pytest.mark.parametrize("name", NAMES)
