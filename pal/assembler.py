@@ -130,7 +130,11 @@ class Assembler:
 
     def define(self) -> list[Entry]:
         """Run pass 1 and return the symbol table it prints; its messages except UA are then in `messages`."""
-        self._run()
+        try:
+            self._run()
+        except TableFull as full:
+            self._say("ST", f"{full!s:6}")
+            self.full = True
         table = self.table()
         for symbol in self._table.values():
             if not symbol.defined:
@@ -171,6 +175,7 @@ class Assembler:
         self._named = False
         self._statement = 0, 0
         self._at = 0
+        self._instruction = 0
 
     def _run(self) -> list[Result]:
         results: list[Result] = []
@@ -183,12 +188,7 @@ class Assembler:
                     tokens = cache[statement] = scanner.tokens(statement)
                 self._statement = number, index
                 for self._at, token in enumerate(tokens):
-                    try:
-                        self._read(token)
-                    except TableFull as full:
-                        self._say("ST", f"{full!s:6}")
-                        self.full = True
-                        return results
+                    self._read(token)
                 if index < final or line.complete:
                     results.append(self._finish(index == final))
         return results
@@ -225,14 +225,17 @@ class Assembler:
                 return
             symbol = self._enter(name)
         if symbol.memory_reference:
+            self._instruction = self._at
             self._expression.instruction(symbol.value)
         else:
             self._expression.item(symbol.value)
 
     def _enter(self, name: str) -> Symbol:
-        if len(self._table) >= self._room:
+        """Enter a symbol; after pass 1 that is one which EXPUNGE forgot, and it is zero."""
+        if self._defining and len(self._table) >= self._room:
             raise TableFull(name)
         symbol = self._table[name] = Symbol(name, self._location, self._place())
+        symbol.defined = not self._defining
         return symbol
 
     def _tag(self) -> None:
@@ -286,7 +289,7 @@ class Assembler:
             value = expression.word(location)
             beyond = expression.illegal_reference(location)
             if beyond is not None:
-                message = Message("IR", f"{beyond:04o}", location, Place(*self._statement, 0))
+                message = Message("IR", f"{beyond:04o}", location, Place(*self._statement, self._instruction))
             if kind == WORD:
                 self._location = location + 1 & 0o7777
             elif kind == ORIGIN:

@@ -101,11 +101,9 @@ class Assembly:
             return listing.definitions(self._assembler.messages, self._entries)
         if not self.tape:
             return ""
-        return (
-            listing.complaints(self._referred)
-            if number == 2
-            else listing.listing(self.source, *self._third[:2])
-        )
+        if number == 2:
+            return listing.complaints(self._referred)
+        return listing.listing(self.source, *self._third[:2])
 
     @cached_property
     def values(self) -> dict[str, int]:
@@ -137,11 +135,13 @@ def assemble(
     modern: bool = False,
     capacity: int = TELETYPE_SYMBOLS,
 ) -> Assembly:
-    """Assemble the source tapes in order; a `str` is a text, not ASCII characters of which are illegal ones.
+    """Assemble the source tapes, read one after the other.
 
+    sources   frames, with channel 8 or without, or texts; in a text a character beyond ASCII is illegal
     names     what the diagnostics call each tape
     modern    fold lower case
     capacity  room for symbols of the user's: TELETYPE_SYMBOLS, or HIGH_SPEED_SYMBOLS
+
     Whatever is wrong with the source is a diagnostic; nothing is raised.
     """
     tapes = [source.encode("ascii", "replace") if isinstance(source, str) else source for source in sources]

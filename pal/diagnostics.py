@@ -57,16 +57,11 @@ class Diagnostic(NamedTuple):
 def diagnose(lines: list[Line], names: Sequence[str], messages: Iterable[Message]) -> list[Diagnostic]:
     """Return the messages and our notes as diagnostics, in source order."""
     if not lines:
-        return [
-            Diagnostic("", "note: the source is empty", "there is not even a $", "", *_first(names), 1, 1, "")
-        ]
+        file = names[0] if names else "source"
+        return [Diagnostic("", "note: the source is empty", "there is not even a $", "", file, 1, 1, 1, "")]
     found = [(message.place, _diagnostic(lines, names, message)) for message in messages]
     found += [(note.place, _from_note(lines, names, note)) for note in notes(lines, len(names))]
     return [diagnostic for _, diagnostic in sorted(found, key=itemgetter(0))]
-
-
-def _first(names: Sequence[str]) -> tuple[str, int]:
-    return (names[0] if names else "source"), 1
 
 
 def _diagnostic(lines: list[Line], names: Sequence[str], message: Message) -> Diagnostic:
@@ -95,9 +90,8 @@ def _undefined(name: str, location: int) -> str:
 def _illegal(code: str, location: int) -> str:
     value = int(code, 8)
     if value < 0o200:
-        return (
-            f"illegal character: the letter {chr(value + 0o100)} in a number; a symbol begins with a letter"
-        )
+        letter = chr(value + 0o100)
+        return f"illegal character: the letter {letter} in a number; a symbol begins with a letter"
     return f"illegal character {_spelled(value & 0o177)}: it is passed over; remove it"
 
 
@@ -117,9 +111,7 @@ def _reference(address: str, location: int) -> str:
 _ADVICE: dict[str, Callable[[str, int], str]] = {
     "IC": _illegal,
     "RD": lambda name, _: f"redefinition: {name} has a value already and takes the new one; use another name",
-    "DT": lambda name, _: (
-        f"duplicate tag: {name or 'the symbol before this comma'} keeps its value; use another name"
-    ),
+    "DT": lambda name, _: f"duplicate tag: {name or 'it'} keeps the value it has; use another name",
     "ST": lambda name, _: f"symbol table full: no room for {name}, and no tape; use fewer symbols",
     "UA": _undefined,
     "IR": _reference,

@@ -29,9 +29,8 @@ from typing import NamedTuple
 
 from pal.symbols import SIGNIFICANT
 
-IGNORED = bytes(
-    (0x00, 0x80, 0x7F, 0xFF, 0x0C, 0x8C, 0x8A)
-)  # blank, leader, RUBOUT, form feed, LF off a Teletype
+# Blank, leader, RUBOUT, form feed with and without channel 8, line feed with it.
+IGNORED = bytes((0o000, 0o200, 0o177, 0o377, 0o014, 0o214, 0o212))
 _SEVEN_CHANNELS = bytes(frame & 0x7F for frame in range(0x100))
 
 SPACE = " "
@@ -126,15 +125,15 @@ def _token(symbol: str, number: str, tail: str, mark: str) -> Token:
         return Token("", "", (), SPACE)
     if mark:
         return Token("", "", () if mark in TERMINATORS else (ord(mark) | 0o200,), mark)
-    if symbol:
-        return Token(
-            symbol[:SIGNIFICANT], "", tuple(map(_code, re.findall(_NOT_IN_SYMBOL, tail))) if tail else (), ""
-        )
     if not tail:
-        return Token("", number, (), "")
-    return Token(
-        "", re.split(_NOT_IN_NUMBER, tail)[-1], tuple(map(_code, re.findall(_NOT_IN_NUMBER, tail))), ""
-    )
+        return Token(symbol[:SIGNIFICANT], number, (), "")
+    if symbol:
+        return Token(symbol[:SIGNIFICANT], "", _codes(_NOT_IN_SYMBOL, tail), "")
+    return Token("", re.split(_NOT_IN_NUMBER, tail)[-1], _codes(_NOT_IN_NUMBER, tail), "")
+
+
+def _codes(illegal: str, tail: str) -> tuple[int, ...]:
+    return tuple(map(_code, re.findall(illegal, tail)))
 
 
 def _code(character: str) -> int:
