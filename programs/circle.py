@@ -26,7 +26,7 @@ from programs.arithmetic import EXACT, Arithmetic
 from programs.contour import Fastest, FeedError, TechniqueName, mill
 from programs.format import Overflow
 from programs.header import THESIS, Header
-from programs.printout import Printout, check_band, check_feed, check_start
+from programs.printout import Printout, check_band, check_codes, check_start
 from programs.stretches import Point, oval
 
 _QUADRANTS = ((-1, +1, "AY", "AX"), (+1, +1, "AX", "AY"), (+1, -1, "AY", "AX"), (-1, -1, "AX", "AY"))
@@ -64,7 +64,7 @@ def part(
     start_x = radius if start_x is None else start_x
     check_band("radius", radius, inner, outer)
     check_start(start_x, start_y, outer, outer)
-    check_feed(feed)
+    check_codes(sequence, preparatory, feed, x_feed, y_feed)
     printout = Printout(overflow)
     printout.header(header, centre_x - start_x, centre_y + start_y)
 

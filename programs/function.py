@@ -19,7 +19,8 @@ from typing import Annotated, Any, Literal
 from programs.arithmetic import EXACT, Arithmetic
 from programs.contour import thousandths, tolerance_units
 from programs.errors import PartError
-from programs.stretches import Curve, graph
+from programs.stretches import Curve, check_tolerance, graph
+from tapes.hydrapoint import X_TRAVEL
 
 Side = Annotated[Literal["above", "below"], "side of the curve that the cutter is on"]
 
@@ -44,6 +45,14 @@ class Range:
         return thousandths("X from", self.first), thousandths("X to", self.last)
 
     @property
+    def tabulated(self) -> range:
+        """Each X to work out, in thousandths: one past the machine's travel is enough to be refused there."""
+        first, last = self.units
+        edge = X_TRAVEL + 1 - self.origin[0]
+        first = max(first, -1 - self.origin[0])
+        return range(first, max(first + 1, min(last, edge)) + 1)
+
+    @property
     def origin(self) -> tuple[int, int]:
         """X and Y of the curve's zero on the table, in thousandths."""
         return thousandths("origin X", self.origin_x), thousandths("origin Y", self.origin_y)
@@ -56,13 +65,13 @@ def centre_path(
 
     Raises PartError where it is too steep.
     """
-    first, last = where.units
+    check_tolerance(tolerance_units(tolerance))
     across, up = where.origin
     real, store = arithmetic.real, arithmetic.store
     thousand, above, error = real(1000), real(up), real(tolerance_units(tolerance))
-    heights = [store(function(store(real(x) / thousand)) * thousand + above) for x in range(first, last + 1)]
+    heights = [store(function(store(real(x) / thousand)) * thousand + above) for x in where.tabulated]
     return graph(
-        first + across,
+        where.tabulated[0] + across,
         [store(height - error) for height in heights],
         [store(height + error) for height in heights],
     )
@@ -79,11 +88,11 @@ def offset_path(
 
     if cutter <= 0:
         raise PartError(f"a cutter of diameter {cutter:g} in is none")
-    first, last = where.units
+    check_tolerance(tolerance_units(tolerance))
     across, up = where.origin
     radius = cutter * 500 * (1 if side == "above" else -1)
-    x1 = np.arange(first, last + 1, dtype=float)
-    y1 = np.array([float(function(x / 1000)) * 1000 for x in range(first, last + 1)])
+    x1 = np.array(where.tabulated, dtype=float)
+    y1 = np.array([float(function(x / 1000)) * 1000 for x in where.tabulated])
     if len(x1) < 3:
         raise PartError(f"X from {where.first:g} to {where.last:g} is too short for a cutter's path")
     angle = np.arctan(np.gradient(y1, edge_order=2))

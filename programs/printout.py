@@ -15,8 +15,9 @@ from typing import SupportsInt
 from programs.errors import PartError
 from programs.format import Format, Overflow
 from programs.header import Header
-from tapes.hydrapoint import X_TRAVEL, XY_FEED, Y_TRAVEL, Block
+from tapes.hydrapoint import MISCELLANEOUS, PREPARATORY, X_TRAVEL, XY_FEED, Y_TRAVEL, Block
 
+LAST_SEQUENCE = 999
 _READ_Z = 9
 
 FORMAT_10 = Format("1X,I5,I4,I5,I4")
@@ -88,6 +89,18 @@ def check_feed(code: int) -> None:
     """Raise PartError for a feed that Table 2.4 does not have."""
     if code not in XY_FEED:
         raise PartError(f"feed code {code} is not in Table 2.4, 1 to {max(XY_FEED)}")
+
+
+def check_codes(sequence: int, preparatory: int, feed: int, *functions: int) -> None:
+    """Raise PartError for a first sequence number, or a code, that the machine does not have."""
+    if not 0 <= sequence <= LAST_SEQUENCE:
+        raise PartError(f"sequence number {sequence} has not three digits, 0 to {LAST_SEQUENCE}")
+    if preparatory not in PREPARATORY:
+        raise PartError(f"preparatory function {preparatory} is not in Table 2.3")
+    check_feed(feed)
+    for function in functions:
+        if function not in MISCELLANEOUS:
+            raise PartError(f"miscellaneous function {function} is not in Table 2.3")
 
 
 def check_band(name: str, size: float, inner: float, outer: float) -> None:

@@ -1,0 +1,85 @@
+"""FORMAT fields, the header, and the two tapes that are written down in full."""
+
+import pytest
+
+from programs import drill
+from programs.errors import PartError
+from programs.format import Format, Overflow
+from programs.header import Header
+from programs.printout import FORMAT_10, FORMAT_30
+from tapes.hydrapoint import block
+
+
+@pytest.mark.parametrize(
+    ("fields", "values", "line"),
+    [
+        ("I3", [7], "  7"),
+        ("I3,I1", [76, 6], " 766"),
+        ("1X,I5,I4,I5,I4", [1019, 0, 0, 2], "  1019   0    0   2"),
+        ("I5", [-12], "  -12"),
+        ("I5", [4133.0], " 4133"),
+        ("2X,I2", [5], "   5"),
+    ],
+)
+def test_a_line_as_format_has_it(fields: str, values: list[float], line: str) -> None:
+    assert Format(fields).line(*values) == line + "\n"
+
+
+@pytest.mark.parametrize(("overflow", "line"), [("low-digits", "00023456\n"), ("stars", "***23456\n")])
+def test_a_number_too_wide(overflow: Overflow, line: str) -> None:
+    assert Format("I3,I5").line(1000, 23456, overflow=overflow) == line
+
+
+def test_both_formats_are_nineteen_wide() -> None:
+    assert FORMAT_10.width == FORMAT_30.width == 19
+
+
+def test_the_six_blocks_of_the_header_decoded() -> None:
+    decoded = [tuple(found) for found in Header().blocks(2250, 4000)]
+    assert decoded == [
+        (1, 0, 19000, 0, 0, 0, 2),
+        (2, 0, 0, 0, 0, 1, 86),
+        (3, 0, 0, 0, 0, 0, 8),
+        (4, 0, 0, 0, 0, 31, 88),
+        (5, 0, 2250, 4000, 0, 0, 80),
+        (6, 9, 3000, 3500, 0, 1, 89),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("keywords", "named"),
+    [
+        ({"spindle": 19}, "spindle code 19"),
+        ({"tool": 25}, "tool 25"),
+        ({"coolant": 5}, "coolant 5"),
+        ({"z_feed": 0}, "Z feed code 0"),
+        ({"z_depth": 5001}, "final Z depth 5001"),
+        ({"z_depth": 2999}, "above the Z feed point"),
+        ({"park_x": -1}, "park X -1"),
+    ],
+)
+def test_a_header_that_the_machine_does_not_have(keywords: dict[str, int], named: str) -> None:
+    with pytest.raises(PartError, match=named):
+        Header(**keywords)
+
+
+def test_the_drilling_tape_is_chapter_3s() -> None:
+    assert drill.part().splitlines() == [
+        "0010000000000003588",
+        "0029030000350000189",
+        "0035010000100000189",
+        "0045010000200000189",
+        "0055040000200000189",
+        "0065040000100000189",
+    ]
+    assert block(drill.part().splitlines()[3]).y == 2000
+
+
+def test_a_hole_off_the_table_is_refused_with_its_block() -> None:
+    with pytest.raises(PartError, match="block 004: Y 10001"):
+        drill.part(holes=((1, 1), (2, 10.001)))
+
+
+def test_a_hole_between_thousandths_is_refused() -> None:
+    with pytest.raises(PartError, match="no whole number"):
+        drill.part(holes=((1.0005, 1),))

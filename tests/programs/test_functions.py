@@ -1,0 +1,123 @@
+"""Expressions, and the exact cutter path of equation 3."""
+
+from contextlib import suppress
+from math import atan, cos, hypot, isfinite, pi, sin, sqrt
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from programs import curve, polynomial
+from programs.errors import PartError
+from programs.expression import function
+from programs.function import Range, offset_path
+from programs.stepwise import cuts
+from tests.programs.printouts import milled
+
+
+@pytest.mark.parametrize(
+    ("text", "x", "y"),
+    [
+        ("0.2*x*(x-2)*(x-6)", 1.0, 1.0),
+        ("-x**2", 3.0, -9.0),
+        ("2**-x", 1.0, 0.5),
+        ("2**3**x", 2.0, 512.0),
+        (" sqrt(abs(x)) + pi/e ", -4.0, 2 + pi / 2.718281828459045),
+        ("sin(x)**2 + cos(x)**2", 0.7, 1.0),
+        ("1e-3*x", 5.0, 0.005),
+        ("x/2/2", 8.0, 2.0),
+    ],
+)
+def test_an_expression_means_what_it_says(text: str, x: float, y: float) -> None:
+    assert function(text)(x) == pytest.approx(y)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "x +",
+        "y",
+        "x.real",
+        "__import__('os')",
+        "().__class__",
+        "open('x')",
+        "sin",
+        "sin(x, x)",
+        "sin(x=1)",
+        "lambda: 1",
+        "[x]",
+        "x if x else 1",
+        "x < 1",
+        "True",
+        "'x'",
+        "1j",
+        "x^2",
+        "x; x",
+        "sin(*x)",
+        "\0",
+        "(" * 400,
+        "x+" * 400 + "x",
+    ],
+)
+def test_nothing_else_can_be_said(text: str) -> None:
+    with pytest.raises(PartError):
+        function(text)
+
+
+def test_the_column_of_what_is_not_known_is_named() -> None:
+    with pytest.raises(PartError, match="column 5: 'y' is not"):
+        function("x + y")
+    with pytest.raises(PartError, match=r"written \*\*"):
+        function("x^2")
+
+
+@pytest.mark.parametrize(
+    ("text", "x"), [("1/x", 0.0), ("sqrt(x)", -1.0), ("log(x)", 0.0), ("10**400*x", 1.0), ("x**0.5", -2)]
+)
+def test_where_it_has_no_value_the_place_is_named(text: str, x: float) -> None:
+    with pytest.raises(PartError, match=f"at x = {x:g}"):
+        function(text)(x)
+
+
+@given(st.text(alphabet="x0123456789.+-*/() e", max_size=30))
+def test_any_text_is_a_function_or_refused(text: str) -> None:
+    with suppress(PartError):
+        assert isfinite(function(text)(1.5))
+
+
+def middle_of(expression: str, cutter: float, side: str, where: Range) -> list[tuple[float, float]]:
+    path = offset_path(function(expression), where, 0.001, cutter, side)
+    return [(cut.stop.x / 1000, cut.stop.y / 1000) for cut in cuts(path)]
+
+
+@pytest.mark.parametrize(("side", "radius"), [("above", 2.25), ("below", 1.75)])
+def test_the_path_beside_an_arc_is_an_arc(side: str, radius: float) -> None:
+    """Beside a circle of radius 2 a cutter of 1/2 in goes on one of 2.25, or inside it on one of 1.75."""
+    for x, y in middle_of("sqrt(4 - x**2)", 0.5, side, Range(-1.0, 1.0, 0.0, 0.0)):
+        assert hypot(x, y) == pytest.approx(radius, abs=0.0025)
+
+
+def test_the_centre_is_on_the_normal_of_equation_3() -> None:
+    c = 0.25
+    path = offset_path(function("x**2/4"), Range(-2.0, 2.0, 3.0, 0.0), 0.002, 2 * c, "above")
+    for x1 in (-1.5, -0.5, 0.0, 0.7, 1.9):
+        theta = atan(x1 / 2)
+        x2, y2 = x1 - c * sin(theta) + 3.0, x1**2 / 4 + c * cos(theta)
+        assert path.stretches[0].inside(x2 * 1000, y2 * 1000)
+        assert not path.stretches[0].inside(x2 * 1000, y2 * 1000 + 2.1)
+        assert not path.stretches[0].inside(x2 * 1000, y2 * 1000 - 2.1)
+
+
+def test_a_cutter_tighter_than_the_curve_is_refused_where_it_is_too_big() -> None:
+    """x**2/4 has its tightest place, a radius of 2, at x = 0."""
+    assert curve.part("x**2/4", from_=-2, to=2, cutter=3.9, tolerance=0.01)
+    with pytest.raises(PartError, match=r"too big: at x = -?0\."):
+        curve.part("x**2/4", from_=-2, to=2, cutter=4.4, tolerance=0.01)
+    assert curve.part("x**2/4", from_=-2, to=2, cutter=4.4, side="below", tolerance=0.01, origin_x=6)
+
+
+def test_a_small_cutter_leaves_the_polynomial_almost_where_it_was() -> None:
+    plain, beside = milled(polynomial.part()), milled(polynomial.part(cutter=0.002))
+    assert abs(len(plain) - len(beside)) < 20
+    assert sqrt((plain[0].x - beside[0].x) ** 2 + (plain[0].y - beside[0].y) ** 2) <= 3

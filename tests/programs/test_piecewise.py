@@ -1,0 +1,117 @@
+"""The piece-wise technique: the machine's own way, feeds wrong or right, stays in the band."""
+
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import pairwise
+from math import dist
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from programs import circle, die, ellipse, polynomial, slope
+from programs.errors import PartError
+from programs.piecewise import Technique, way
+from programs.stretches import Point, line, oval
+from tests.programs.printouts import TRAVEL_X, blocks, milled
+
+FEEDS = {1: 1.0, 2: 1.9, 3: 2.7, 4: 4.0, 5: 5.5, 6: 7.2, 7: 9.1, 8: 11.2}
+errors = st.sampled_from([0.8, 0.9, 1.0, 1.1, 1.2])
+ALLOWED = 0.25
+"""Thousandths: what rounding a stop, and asking a band at a dozen places of a leg, may add."""
+
+
+def places(printout: str, wrong: tuple[float, float]) -> Iterator[tuple[float, float]]:
+    """Yield places that the cutter passes, its feeds off by `wrong`: Figure 3.1 in the time of each axis."""
+    path = milled(printout)
+    feeds = {84: 0.0, 85: 0.0}
+    for before, block in pairwise(path):
+        feeds[block.function] = FEEDS[block.tool]
+        across, up = block.x - before.x, block.y - before.y
+        needs = [
+            abs(length) / (feed * error) if length else 0.0
+            for length, feed, error in zip((across, up), feeds.values(), wrong, strict=True)
+        ]
+        for tick in range(1, 41):
+            now = max(needs) * tick / 40
+            parts = [min(1.0, now / need) if need else 1.0 for need in needs]
+            yield before.x + across * parts[0], before.y + up * parts[1]
+
+
+@settings(max_examples=8, deadline=None)
+@given(errors, errors)
+def test_the_circle_stays_in_its_band_however_the_feeds_err(x: float, y: float) -> None:
+    for place in places(CIRCLE, (x, y)):
+        assert abs(dist(place, (4000, 4000)) - 1750) <= 5 + ALLOWED
+
+
+@settings(max_examples=6, deadline=None)
+@given(errors, errors)
+def test_the_polynomial_stays_in_its_band_however_the_feeds_err(x: float, y: float) -> None:
+    for across, up in places(POLYNOMIAL, (x, y)):
+        u = (across - 4000) / 1000
+        assert abs(up - 6000 - 200 * u * (u - 2) * (u - 6)) <= 10 + 4 * ALLOWED
+
+
+def test_believed_feeds_keep_the_band_only_if_they_are_right() -> None:
+    part = circle.part(technique="piece", feed_error=0)
+    assert all(abs(dist(place, (4000, 4000)) - 1750) <= 5 + ALLOWED for place in places(part, (1, 1)))
+    assert any(abs(dist(place, (4000, 4000)) - 1750) > 20 for place in places(part, (1.2, 0.8)))
+
+
+def test_fewer_blocks_than_step_by_step_and_more_the_worse_the_feeds() -> None:
+    counts = [circle.part(technique="piece", feed_error=error).count("\n") for error in (0, 0.1, 0.2)]
+    assert counts == sorted(counts)
+    assert counts[-1] < circle.part().count("\n") / 2
+
+
+def test_with_the_slowest_feed_alone_it_approaches_the_step_wise_limit() -> None:
+    """Chapter 3: at 1 in/min "the Piece-wise Linear will approach the limiting case"."""
+    slowest = circle.part(technique="piece", fastest=1).count("\n")
+    assert 0.85 * 666 < slowest < 666
+
+
+@pytest.mark.parametrize("part", [circle.part, ellipse.part, die.part])
+def test_a_closed_contour_closes(part: type[circle.part]) -> None:  # type: ignore[valid-type]
+    path = milled(part(technique="piece"))  # type: ignore[misc]
+    assert path[0][2:4] == path[-1][2:4]
+
+
+def test_the_slope_ends_where_it_should() -> None:
+    last = blocks(slope.part(technique="piece"))[-1]
+    assert (last.x, last.y) == (8330, 6500)
+
+
+def test_a_line_at_a_ratio_of_two_feeds_is_one_ray() -> None:
+    rays = list(Technique(fastest=2, feed_error=0).rays(line(Point(0, 0), Point(1900, 1000), 5)))
+    assert [ray.stop for ray in rays] == [Point(1900, 1000)]
+    assert rays[0].feeds == (2, 1)
+
+
+def test_one_feed_is_set_a_block() -> None:
+    path = blocks(circle.part(technique="piece"))
+    assert {block.function for block in path[6:]} == {84, 85}
+    assert all(block.tool in FEEDS for block in path[6:])
+
+
+def test_the_way_has_the_corner_of_figure_3_1() -> None:
+    passed = list(way(Point(0, 0), Point(120, 120), (2.0, 1.0)))
+    assert (120.0, 60.0) in passed
+    assert passed[-1] == (120, 120)
+
+
+@pytest.mark.parametrize(("fastest", "error"), [(0, 0.2), (19, 0.2), (5, -0.1), (5, 1.0), (5, float("nan"))])
+def test_feeds_that_are_none_are_refused(fastest: int, error: float) -> None:
+    with pytest.raises(PartError):
+        Technique(fastest, error)
+
+
+def test_a_whole_number_of_thousandths_is_asked_of_all_stops() -> None:
+    curve = oval(Point(4000, 4000), 500, (495, 495), (505, 505))
+    for ray in Technique().rays(curve):
+        assert isinstance(ray.stop.x, int)
+        assert abs(Fraction(ray.stop.x) - 4000) < TRAVEL_X
+
+
+CIRCLE = circle.part(technique="piece")
+POLYNOMIAL = polynomial.part(technique="piece")

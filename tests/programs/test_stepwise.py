@@ -1,0 +1,253 @@
+"""The step-wise technique: every stop in its band, one axis a block, and the listings' staircases from it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from math import dist, hypot, sin
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from programs import circle, curve, ellipse, fluidic, polynomial, slope, stepwise
+from programs.errors import PartError
+from programs.stretches import Axis, Point, Stretch, arc, graph, line, turning_points
+from tests.programs.printouts import assert_fit_for_the_machine, milled
+
+CENTRE = Point(4000, 4000)
+places = st.builds(Point, st.integers(0, 3000), st.integers(0, 3000))
+
+
+@dataclass(frozen=True)
+class Listed(Stretch):
+    """A quadrant with the limits as the listings test them: a cut stops where it has reached its limit."""
+
+    outwards: Axis = "Y"
+    outside: Callable[[float, float], bool] = lambda x, y: False
+
+    at_least = 1
+
+    def over(self, axis: Axis, x: int, y: int) -> bool:
+        return self.outside(x, y) if axis == self.outwards else self.inside(x, y)
+
+
+def quadrants(reached: Callable[[float, float, int], bool]) -> list[Stretch]:
+    """Return the listings' four quadrants, where `reached` says which side of a limit a place is on."""
+
+    def outside(x: float, y: float) -> bool:
+        return reached(x, y, +1)
+
+    def inside(x: float, y: float) -> bool:
+        return reached(x, y, -1)
+
+    x, y = CENTRE
+    return [
+        Listed(+1, +1, inside, last_x=x, outwards="Y", outside=outside),
+        Listed(+1, -1, inside, last_y=y, outwards="X", outside=outside),
+        Listed(-1, -1, inside, last_x=x, outwards="Y", outside=outside),
+        Listed(-1, +1, inside, last_y=y, outwards="X", outside=outside),
+    ]
+
+
+def contour(printout: str) -> list[tuple[int, int, int]]:
+    return [(block.x, block.y, block.function) for block in milled(printout)[1:]]
+
+
+def assert_same_staircase(start: Point, stretches: list[Stretch], printout: str) -> None:
+    ours = [(*cut.stop, {"X": 84, "Y": 85}[cut.axis]) for cut in stepwise.staircase(start, "Y", stretches)]
+    theirs = contour(printout)
+    for number, (cut, wanted) in enumerate(zip(ours, theirs, strict=False), 7):
+        assert cut == wanted, f"block {number:03}"
+    assert len(ours) == len(theirs)
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.integers(20, 400), st.integers(1, 15))
+def test_the_general_procedure_makes_the_circles_staircase(radius: int, tolerance: int) -> None:
+    def reached(x: float, y: float, way: int) -> bool:
+        square = (x - CENTRE.x) ** 2 + (y - CENTRE.y) ** 2
+        return way * square >= way * (radius + way * tolerance) ** 2
+
+    part = circle.part(radius=radius, tolerance=tolerance)
+    assert_same_staircase(Point(CENTRE.x - radius, CENTRE.y), quadrants(reached), part)
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.integers(20, 400), st.integers(20, 400), st.integers(1, 15))
+def test_the_general_procedure_makes_the_ellipses_staircase(major: int, minor: int, tolerance: int) -> None:
+    def reached(x: float, y: float, way: int) -> bool:
+        a, b = (major + way * tolerance) ** 2, (minor + way * tolerance) ** 2
+        return way * ((x - CENTRE.x) ** 2 * b + (y - CENTRE.y) ** 2 * a) >= way * a * b
+
+    part = ellipse.part(major=major, minor=minor, tolerance=tolerance)
+    assert_same_staircase(Point(CENTRE.x - major, CENTRE.y), quadrants(reached), part)
+
+
+def test_the_general_procedure_makes_the_thesiss_circle() -> None:
+    def reached(x: float, y: float, way: int) -> bool:
+        return way * ((x - 4000) ** 2 + (y - 4000) ** 2) >= way * (1750 + way * 5) ** 2
+
+    assert_same_staircase(Point(2250, 4000), quadrants(reached), circle.part())
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.integers(20, 400), st.integers(1, 15))
+def test_the_circles_stops_are_in_the_band_or_less_than_a_thousandth_past_it(
+    radius: int, tolerance: int
+) -> None:
+    part = circle.part(radius=radius, tolerance=tolerance)
+    assert_fit_for_the_machine(part)
+    for block in milled(part):
+        off = dist((block.x, block.y), CENTRE) - radius
+        assert -tolerance - 1 < off < tolerance + 1
+
+
+@settings(max_examples=40, deadline=None)
+@given(places, places, st.sampled_from([1.0, 2.5, 3.0, 5.0, 20.0]))
+def test_every_stop_of_a_line_is_in_its_band(start: Point, end: Point, tolerance: float) -> None:
+    at, axis = start, None
+    for cut in stepwise.cuts(line(start, end, tolerance)):
+        x, y = cut.stop
+        assert (x == at.x) != (y == at.y)
+        assert (cut.axis == "X") == (y == at.y)
+        assert cut.axis != axis, "two cuts along one axis in a row"
+        across, up = end.x - start.x, end.y - start.y
+        if across and up:
+            off = abs(across * (y - start.y) - up * (x - start.x)) / hypot(across, up)
+            assert off <= tolerance * (1 + 1e-12)
+        at, axis = cut.stop, cut.axis
+    assert at == end
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.integers(10, 500),
+    st.floats(-360, 360, allow_nan=False),
+    st.floats(-360, 360, allow_nan=False),
+    st.sampled_from([1.0, 3.0, 5.0]),
+)
+def test_every_stop_of_an_arc_is_in_its_band(
+    radius: int, start: float, sweep: float, tolerance: float
+) -> None:
+    path = arc(CENTRE, radius, start, sweep, tolerance)
+    at = path.start
+    for cut in stepwise.cuts(path):
+        x, y = cut.stop
+        assert (x == at.x) != (y == at.y)
+        assert abs(dist((x, y), CENTRE) - radius) <= tolerance * (1 + 1e-12)
+        at = cut.stop
+    assert at == path.end
+
+
+@settings(max_examples=20, deadline=None)
+@given(
+    st.lists(st.integers(-3, 3), min_size=2, max_size=200),
+    st.sampled_from([2.0, 2.5, 5.0]),
+)
+def test_every_stop_of_a_graph_is_in_its_band(steps: list[int], tolerance: float) -> None:
+    heights = [5000 + sum(steps[:place]) for place in range(len(steps))]
+    path = graph(100, [height - tolerance for height in heights], [height + tolerance for height in heights])
+    at = path.start
+    for cut in stepwise.cuts(path):
+        x, y = cut.stop
+        assert (x == at.x) != (y == at.y)
+        assert abs(y - heights[x - 100]) <= tolerance
+        at = cut.stop
+    assert at == Point(100 + len(heights) - 1, heights[-1])
+
+
+def test_turning_points_are_where_a_table_turns() -> None:
+    assert turning_points([0, 1, 2, 2, 1, 0, 0, 3]) == [3, 6]
+    assert turning_points([0, 1, 2, 3]) == []
+    assert turning_points([5, 5, 5]) == []
+
+
+def test_the_polynomial_turns_where_the_calculus_says() -> None:
+    blocks = milled(polynomial.part())
+    highest = max(blocks, key=lambda block: block.y)
+    lowest = min(blocks, key=lambda block: block.y)
+    # roots of 3x^2 - 16x + 12: (8 -+ sqrt 28) / 3
+    assert abs(highest.x - 4000 - 902.8) < 150
+    assert abs(lowest.x - 4000 - 4430.5) < 150
+    assert abs(highest.y - 6000 - 1010) <= 10
+    assert abs(lowest.y - 6000 + 3380) <= 11
+
+
+def test_every_stop_of_the_polynomial_is_in_its_band() -> None:
+    part = polynomial.part()
+    assert_fit_for_the_machine(part)
+    for block in milled(part):
+        x = Fraction(block.x - 4000, 1000)
+        y = Fraction(1, 5) * x * (x - 2) * (x - 6)
+        assert abs(Fraction(block.y - 6000, 1000) - y) <= Fraction(1, 100) + Fraction(1, 2000)
+    assert (block.x, block.y) == (10000, 6000)
+
+
+def test_the_polynomials_stops_are_inside_to_the_last_digit() -> None:
+    for block in milled(polynomial.part())[1:-1]:
+        x = Fraction(block.x - 4000, 1000)
+        assert abs(Fraction(block.y - 6000, 1000) - x * (x - 2) * (x - 6) / 5) <= Fraction(1, 100)
+
+
+def test_every_stop_of_a_sine_is_in_its_band() -> None:
+    part = curve.part("sin(x)", to=6.283)
+    assert_fit_for_the_machine(part)
+    for block in milled(part):
+        assert abs((block.y - 5000) / 1000 - sin((block.x - 4000) / 1000)) <= 0.0055
+
+
+def test_chapter_3s_slope() -> None:
+    part = slope.part()
+    assert_fit_for_the_machine(part)
+    first, last = milled(part)[0], milled(part)[-1]
+    assert (first.x, first.y, last.x, last.y) == (4000, 4000, 8330, 6500)
+    functions = [block.function for block in milled(part)[1:]]
+    assert set(functions[0::2]) == {85}
+    assert set(functions[1::2]) == {84}
+
+
+def test_the_fluidic_element_is_symmetrical_and_of_the_chapters_make_up() -> None:
+    outline = fluidic.outline()
+    slopes = [
+        segment
+        for segment in outline
+        if isinstance(segment, fluidic.Slope)
+        and segment.start[0] != segment.end[0]
+        and segment.start[1] != segment.end[1]
+    ]
+    assert len(slopes) == 4
+    assert sum(isinstance(segment, fluidic.Bend) for segment in outline) == 9
+    channels = [segment for segment in fluidic.channel(0) if isinstance(segment, fluidic.Slope)]
+    assert sum(a.start[0] != a.end[0] and a.start[1] != a.end[1] for a in channels) * 2 == 4
+
+
+@pytest.mark.parametrize("program", ["main", "control", "both"])
+def test_the_fluidic_element_is_fit_for_the_machine(program: str) -> None:
+    part = fluidic.part(program=program)  # type: ignore[arg-type]
+    assert_fit_for_the_machine(part)
+    start, last = milled(part)[0], milled(part)[-1]
+    if program == "main":
+        assert (start.x, start.y) == (last.x, last.y)
+
+
+def test_the_control_channels_move_downstream_and_nothing_else_does() -> None:
+    near, far = fluidic.part(control=0.0), fluidic.part(control=0.8)
+    main = fluidic.part(program="main").count("\n")
+    assert near.splitlines()[:main] == far.splitlines()[:main]
+    ys = [max(block.y for block in milled(fluidic.part(program="control", control=c))) for c in (0.0, 0.8)]
+    assert ys[1] - ys[0] == 800
+
+
+def test_a_sequence_past_999_keeps_its_low_digits_or_prints_stars() -> None:
+    low, stars = fluidic.part().splitlines(), fluidic.part(overflow="stars").splitlines()
+    assert low[998][:3] == stars[998][:3] == "999"
+    assert low[999][:3] == "000"
+    assert low[1233][:3] == "234"
+    assert stars[999][:3] == "***"
+    assert [line[3:] for line in low] == [line[3:] for line in stars]
+
+
+def test_a_band_that_lets_no_cut_begin_is_named() -> None:
+    stuck = Stretch(1, 1, lambda x, y: (x, y) == (7, 8), last_x=20)
+    with pytest.raises(PartError, match=r"X 0\.007 Y 0\.008"):
+        list(stepwise.staircase(Point(7, 8), "Y", [stuck]))
