@@ -2,6 +2,8 @@
 
 import json
 import os
+import pty
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -220,3 +222,32 @@ def test_dis_and_back(folder: Path) -> None:
 def test_dis_of_a_damaged_tape(content: bytes, saying: str, folder: Path) -> None:
     (folder / "x.bin").write_bytes(content)
     assert_one_line(dis("x.bin", folder=folder), 1, saying)
+
+
+def test_a_listing_at_a_terminal_is_coloured(folder: Path) -> None:
+    terminal, other_end = pty.openpty()
+    environment = os.environ | {"PYTHONPATH": str(Path(__file__).parents[2]), "TERM": "xterm-256color"}
+    environment.pop("NO_COLOR", None)
+    command = [sys.executable, "-m", "pal.cli", "good.pal", "--listing", "-"]
+    subprocess.run(command, cwd=folder, stdout=other_end, check=True, env=environment)
+    os.close(other_end)
+    shown = os.read(terminal, 10_000).decode()
+    os.close(terminal)
+    assert "\x1b[" in shown
+    plain = re.sub(r"\x1b\[[0-9;]*m", "", shown).replace("\r\n", "\n")
+    assert plain.rstrip() == pal.assemble(GOOD).listing.expandtabs(8).rstrip()
+
+
+def test_a_pipe_that_is_closed_early_is_no_catastrophe(folder: Path) -> None:
+    (folder / "long.pal").write_text("\tCLA\n" * 20_000 + "$\n")
+    command = [sys.executable, "-m", "pal.cli", "long.pal", "--listing", "-"]
+    environment = os.environ | {"PYTHONPATH": str(Path(__file__).parents[2])}
+    process = subprocess.Popen(
+        command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment
+    )
+    assert process.stdout
+    assert process.stderr
+    process.stdout.close()
+    assert process.stderr.read() == b""
+    process.stderr.close()
+    process.wait()
