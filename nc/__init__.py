@@ -4,7 +4,7 @@
     machine     what each block makes the machine do, and for how long
     path        what it did: steps, moves, modes, times
     listing     the program as a table
-    curves      the curve that was meant: circle, ellipse, line
+    curves      the curve that was meant: circle, ellipse, line, polynomial
     inspection  the walls a round cutter left, against that curve
     report      the day at the machine and the part on the bench, in words
     drawing     a sheet of paper with inch scales: SVG

@@ -74,6 +74,15 @@ def _tape_options(command: Callable[..., Any]) -> Callable[..., Any]:
             help="Mill at this code of Table 2.4 in place of the tape's.",
         ),
         click.option(
+            "--peck",
+            type=float,
+            callback=_within(0.001, 5),
+            metavar="INCHES",
+            default=0.1,
+            show_default=True,
+            help="How deep the drill goes between two withdrawals; no source tells.",
+        ),
+        click.option(
             "--tool-change",
             type=float,
             callback=_within(0, 3600),
@@ -107,6 +116,12 @@ def _curve_options(command: Callable[..., Any]) -> Callable[..., Any]:
             callback=_numbers("X1,Y1,X2,Y2"),
             metavar="X1,Y1,X2,Y2",
             help="The same, from one place to another.",
+        ),
+        click.option(
+            "--polynomial",
+            callback=_numbers("X,Y,A,B,C"),
+            metavar="X,Y,A,B,C",
+            help="The same: y = Ax(x-B)(x-C), its origin at X,Y, from x = 0 to C.",
         ),
         click.option(
             "--cutter",
@@ -331,6 +346,7 @@ def _cut_so_far(
     strict: bool,
     feed_error: tuple[float, float, float],
     feed_code: int | None,
+    peck: float,
     tool_change: float,
     **_: Any,
 ) -> tuple["Path", WorkError | None]:
@@ -340,7 +356,7 @@ def _cut_so_far(
     x, y, z = feed_error
     if not all(abs(error) <= 20 for error in feed_error):
         raise click.BadParameter("the machine keeps its feeds within 20 %", param_hint="--feed-error")
-    settings = Settings((x / 100, y / 100, z / 100), feed_code, tool_change)
+    settings = Settings((x / 100, y / 100, z / 100), feed_code, tool_change, round(peck * 1000))
     try:
         return cut(shelf.read(tape), strict=strict, settings=settings), None
     except CutError as error:
@@ -351,21 +367,21 @@ def _curve(
     circle: tuple[float, ...] | None,
     ellipse: tuple[float, ...] | None,
     line: tuple[float, ...] | None,
+    polynomial: tuple[float, ...] | None,
     **_: Any,
 ) -> "Curve | None":
     """Return the curve that was named, if one was."""
-    from nc.curves import Ellipse, Line
+    from nc.curves import Cubic, Ellipse, Line
 
-    given = [
-        name for name, curve in (("--circle", circle), ("--ellipse", ellipse), ("--line", line)) if curve
-    ]
-    if len(given) > 1:
-        raise click.UsageError(f"{' and '.join(given)}: one curve, please")
+    if sum(curve is not None for curve in (circle, ellipse, line, polynomial)) > 1:
+        raise click.UsageError("--circle, --ellipse, --line, --polynomial: one of them, please")
     if circle:
         x, y, radius = _thousandths(circle)
         return Ellipse(x, y, radius, radius)
     if ellipse:
         return Ellipse(*_thousandths(ellipse))
+    if polynomial:
+        return Cubic(*_thousandths(polynomial[:2]), *polynomial[2:])
     return Line(*_thousandths(line)) if line else None
 
 

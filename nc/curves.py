@@ -2,8 +2,8 @@
 
     station ── a place on the curve, with the direction square to it (outward, or left of the way along it)
 
-Circle, ellipse and straight line are the thesis's; `fitted` finds the one a path follows by least squares, as
-one centres the work under an instrument that is told nothing.
+The curves are the thesis's: circle, ellipse, straight line, polynomial. `fitted` finds the one a path follows
+by least squares, as one centres the work under an instrument that is told nothing; a polynomial must be told.
 
 Lengths are thousandths of an inch, angles degrees counterclockwise from +X.
 """
@@ -143,6 +143,56 @@ class Line:
     def __str__(self) -> str:
         ends = (f"X {x / 1000:.3f} Y {y / 1000:.3f}" for x, y in ((self.x1, self.y1), (self.x2, self.y2)))
         return f"line from {' to '.join(ends)}"
+
+
+@dataclass(frozen=True)
+class Cubic:
+    """The thesis's polynomial y = A x (x - B) (x - C), in inches, from its first crossing of zero to x = C.
+
+    `x` and `y` are where its origin lies on the table, in thousandths.
+    """
+
+    x: float
+    y: float
+    a: float
+    b: float
+    c: float
+
+    def __post_init__(self) -> None:
+        """Raise WorkError for a polynomial of no length."""
+        if self.c <= 0:
+            raise WorkError("the polynomial runs from 0 to C, which is greater than 0")
+
+    @property
+    def closed(self) -> bool:
+        """A polynomial is not."""
+        return False
+
+    def stations(self, count: int) -> Stations:
+        """Return `count` stations in equal steps of x."""
+        x = np.linspace(0, self.c, count)
+        points = np.column_stack([self.x + 1000 * x, self.y + 1000 * self._height(x)])
+        slope = self._slope(x)
+        normals = np.column_stack([-slope, np.ones(count)]) / np.hypot(slope, 1)[:, None]
+        return Stations(points, normals, _along(points))
+
+    def deviations(self, points: Floats) -> Floats:
+        """Return the distance above the curve, to first order near it."""
+        x = (points[:, 0] - self.x) / 1000
+        above = points[:, 1] - self.y - 1000 * self._height(x)
+        return np.asarray(above / np.hypot(self._slope(x), 1))
+
+    def _height(self, x: Floats) -> Floats:
+        return self.a * x * (x - self.b) * (x - self.c)
+
+    def _slope(self, x: Floats) -> Floats:
+        return self.a * (3 * x * x - 2 * (self.b + self.c) * x + self.b * self.c)
+
+    def __str__(self) -> str:
+        return (
+            f"polynomial y = {self.a:g} x (x - {self.b:g}) (x - {self.c:g}), "
+            f"origin X {self.x / 1000:.3f} Y {self.y / 1000:.3f}"
+        )
 
 
 def fitted(points: Floats, within: float) -> Ellipse | Line | None:

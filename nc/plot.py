@@ -22,7 +22,7 @@ from tapes.errors import WorkError
 _LEFT, _WIDTH, _TALLEST = 60.0, 720.0, 620.0
 _SCALES = (4.0, 2.0, 1.0, 0.5, 0.25)
 _CLOSE_HEIGHT = 430.0
-_LINE, _LETTERS = 16.0, 120
+_LINE, _LETTERS = 16.0, 130
 _LEGEND = (
     "grey: cut away · blue: the cutter's centre; pale: still to come; dashed: positioning",
     "red: the cutter now · green: the curve meant, its band, and dotted its walls",

@@ -86,6 +86,15 @@ def test_at_a_terminal_the_drawing_goes_beside_the_tape(shell: Shell) -> None:
     assert done.stdout.decode().replace("\r", "") == "wrote circle.svg\n<svg"
 
 
+def test_the_polynomial_against_its_band(shell: Shell) -> None:
+    """Chapter 7: y = 0.2 x (x - 2) (x - 6), +-.01, cut along its centre line."""
+    shell("pdp8 part polynomial | pdp8 run eia.pal --quiet > polynomial.eia")
+    line = "pdp8 nc inspect polynomial.eia --polynomial 4,6,0.2,2,6 --tolerance 0.01 --cutter 0.125"
+    said = product(shell, line)
+    assert "polynomial y = 0.2 x (x - 2) (x - 6), origin X 4.000 Y 6.000" in said
+    assert float(said.split("worst trough to peak ")[1].split()[0]) < 0.0215
+
+
 @pytest.mark.parametrize("command", ["list", "plot", "export --gcode"])
 def test_bad_tapes(shell: Shell, command: str) -> None:
     line = f"pdp8 nc {command}"
@@ -136,6 +145,7 @@ def test_strict_reads_parity(shell: Shell) -> None:
         "inspect circle.eia --circle 4,4",
         "inspect circle.eia --circle 4,4,1 --line 1,1,2,2",
         "inspect circle.eia --tolerance inf",
+        "list circle.eia --peck 0",
         "export circle.eia",
         "export circle.eia --gcode --dxf",
     ],
@@ -150,6 +160,7 @@ def test_misuse(shell: Shell, line: str) -> None:
         ("plot circle.eia --block 667", "block 667: the tape has blocks 1 to 666"),
         ("inspect circle.eia --circle 15,5,1", "the cutter never came near the curve"),
         ("inspect circle.eia --circle 4,4,0", "greater than 0"),
+        ("inspect circle.eia --polynomial 1,1,1,1,0", "greater than 0"),
         ("inspect circle.eia --line 1,1,1,1", "two different ends"),
         ("inspect circle.eia --talysurf a.svg --stretch 50,60", "no stretch of it from 50.000 to 60.000"),
         ("plot circle.eia -o nowhere/a.svg", "nowhere/a.svg: No such file or directory"),

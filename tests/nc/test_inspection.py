@@ -9,7 +9,7 @@ from shapely.geometry import Point as Disc
 from shapely.geometry.base import BaseGeometry
 
 import nc
-from nc.curves import Curve, Ellipse, Floats, Line, Stations, fitted
+from nc.curves import Cubic, Curve, Ellipse, Floats, Line, Stations, fitted
 from nc.inspection import Inspection, inspect, runs, segments, walls
 from tapes import shelf
 from tapes.errors import WorkError
@@ -149,7 +149,14 @@ class TestCurves:
     """Curves, and finding the one a path follows."""
 
     @pytest.mark.parametrize(
-        "curve", [THE_CIRCLE, Ellipse(4000, 4000, 3000, 2250), Line(500, 900, 7000, 2000)], ids=str
+        "curve",
+        [
+            THE_CIRCLE,
+            Ellipse(4000, 4000, 3000, 2250),
+            Line(500, 900, 7000, 2000),
+            Cubic(4000, 6000, 0.2, 2, 6),
+        ],
+        ids=str,
     )
     def test_stations_lie_on_the_curve_and_normals_are_square_to_it(self, curve: Curve) -> None:
         stations = curve.stations(1000)
