@@ -1,14 +1,32 @@
-"""What ran in 1971: the programs of the thesis, in PAL III and FORTRAN.
+"""What ran in 1971: the thesis's programs, in PAL III and FORTRAN, and its other parts made again.
 
-eia.pal          ASCII to EIA: the thesis's final conversion program
+eia.pal          ASCII to EIA: the thesis's final conversion program; eia1.pal and eia2.pal, the two before it
 circle.for       Appendix C, transcribed; RESTORED, from column 73, marks lines lost in the scan
 ellipse.for      Appendix D, transcribed
 
-circle, ellipse  those two part programs, ported
+The part programs, each with a `part(...)` that returns its printout:
+
+circle           Appendix C, ported statement by statement
+ellipse          Appendix D, the same
+polynomial       the third degree polynomial of Chapters 6 and 7
+slope            a slope, Chapter 3's by default
+curve            any function of x
+die              the steel die: ellipses of three sets of axes
+drill            the four-hole tape of Chapter 3
+fluidic          the fluidic element of Chapter 8
+
+What they are made of:
+
+stretches        lines, arcs and graphs, cut into stretches that go one way, each inside its band
+stepwise         the Step-wise Linear Technique
+piecewise        the Piece-wise Linear Technique
+contour          a curve made into blocks, by either
+function         y = f(x) on the table, and the exact path of a cutter beside it
+expression       y = f(x) as someone types it
 arithmetic       exact, or that of a machine of the day
-format           FORMAT fields
 header           the six blocks that open a tape
 printout         blocks as lines of 19 characters
+format           FORMAT fields
 options          a part's keywords as options of its command
 cli              pdp8 part
 errors           what a part program refuses
