@@ -26,10 +26,7 @@ def _texts(afternoon: Afternoon) -> Iterator[tuple[str, str]]:
     for name, assembly in afternoon.programs.items():
         yield name.replace(".pal", ".lst"), assembly.listing
     yield f"{part}.blocks", "".join(f"{line}\n" for line in listing.lines(afternoon.path, modes=True))
-    yield (
-        "figures.txt",
-        "".join(f"{line.figure}\t{line.thesis}\t{line.replay}\n" for line in compare(afternoon)),
-    )
+    yield "figures.txt", "".join("\t".join(line) + "\n" for line in compare(afternoon))
 
 
 def _pictures(afternoon: Afternoon) -> Iterator[tuple[str, str]]:

@@ -5,12 +5,19 @@ A thesis figure is quoted with its chapter; nothing here is adjusted to meet one
 Source: thesis (M. S. Wong, McMaster University, 1971), Chapters 7, 8 and 10, Table 10.1.
 """
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final, NamedTuple
+
+import nc
+from tapes.hydrapoint import FEED_TOLERANCE
 
 if TYPE_CHECKING:
     from pdp8.replay.afternoon import Afternoon
 
 COLUMNS: Final = ("", "thesis", "replay")
+NOT_SAID: Final = "–"
+MILL, SLOWEST = 6, 1
+"""The preparatory function and the feed code."""
 
 
 class Thesis(NamedTuple):
@@ -59,15 +66,30 @@ class Line(NamedTuple):
 def compare(afternoon: "Afternoon") -> list[Line]:
     """Return the table's lines for this afternoon."""
     said = THESIS.get(afternoon.part, Thesis())
-    times, minutes = afternoon.path.times, afternoon.minutes
-    lines = [
-        Line("Blocks on the tape", said.blocks or "–", f"{len(afternoon.path)}"),
-        Line("Minutes to punch in ASCII", said.punch or "–", f"{minutes['punch']:.1f}"),
-        Line("Minutes to translate to EIA", said.translate or "–", f"{minutes['translate']:.1f}"),
-        Line("Minutes to machine one pass", said.cut or "–", f"{minutes['cut']:.1f}"),
-        Line("of which reading the tape", said.reading or "–", f"{times.reading / 60:.1f}"),
+    minutes = afternoon.minutes
+    return [
+        Line("blocks", said.blocks or NOT_SAID, f"{len(afternoon.path)}"),
+        Line("minutes to punch", said.punch or NOT_SAID, f"{minutes['punch']:.1f}"),
+        Line("minutes to translate", said.translate or NOT_SAID, f"{minutes['translate']:.1f}"),
+        Line("minutes to machine a pass", said.cut or NOT_SAID, f"{minutes['cut']:.1f}"),
+        *_machining(afternoon, said),
+        *_errors(afternoon, said),
     ]
-    return lines + _errors(afternoon, said)
+
+
+def _machining(afternoon: "Afternoon", said: Thesis) -> Iterator[Line]:
+    """Yield what the minutes at the machine are made of, and what they were at another feed."""
+    times = afternoon.path.times
+    yield Line("  of these reading the tape", said.reading or NOT_SAID, f"{times.reading / 60:.1f}")
+    milled = [step for step in afternoon.path.steps if step.block.preparatory == MILL]
+    if milled:
+        contour = len(milled) * afternoon.path.read_seconds + times.milling
+        yield Line("  of these the contour alone", NOT_SAID, f"{contour / 60:.1f}")
+    if any(step.block.tool != SLOWEST for step in milled):
+        for error, name in ((0.0, "1.0"), (FEED_TOLERANCE, "1.2")):
+            settings = nc.Settings(feed_error=(error, error, 0.0), feed_code=SLOWEST)
+            slower = nc.cut(afternoon.tapes[f"{afternoon.part}.eia"], settings=settings).times.total
+            yield Line(f"  the pass at {name} in/min", said.cut or NOT_SAID, f"{slower / 60:.1f}")
 
 
 def _errors(afternoon: "Afternoon", said: Thesis) -> list[Line]:
@@ -77,8 +99,8 @@ def _errors(afternoon: "Afternoon", said: Thesis) -> list[Line]:
         return []
     lines = []
     for name, thesis, mark in (
-        ("Error at the apexes, in", said.apexes, "apex"),
-        ("Error at 45°, in", said.diagonals, "45°"),
+        ("inches off at +X +Y -X -Y", said.apexes, "apex"),
+        ("inches off at 45°", said.diagonals, "45°"),
     ):
         for wall in ("outer", "inner"):
             spans = [
@@ -87,7 +109,7 @@ def _errors(afternoon: "Afternoon", said: Thesis) -> list[Line]:
                 if mark in reading.place and reading.wall == wall
             ]
             if spans:
-                lines.append(Line(f"{name}, {wall} wall", thesis or "–", " ".join(spans)))
+                lines.append(Line(f"{name}, {wall} wall", thesis or NOT_SAID, " ".join(spans)))
     return lines
 
 

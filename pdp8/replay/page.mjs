@@ -173,6 +173,7 @@ class Page {
     const deed = afternoon.deed;
     this.panel.show(machine, deed && now - deed.at < PRESSED ? deed.key : null);
     this.#caption(act, deed);
+    document.querySelector("main").dataset.sheet = record.sheets[act.sheet].kind;
     this.#registers(act, machine);
     this.#tapes(act);
     this.paper.show(act, afternoon);

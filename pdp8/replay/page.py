@@ -19,6 +19,7 @@ from typing import Any, Final
 import pal
 from nc.curves import Curve
 from nc.path import Kind as Move
+from nc.talyrond import talyrond
 from pdp8.machine import TICKS_PER_SECOND
 from pdp8.replay.afternoon import OPENS, Act, Afternoon, Kind
 from pdp8.replay.figures import COLUMNS, compare
@@ -27,6 +28,7 @@ MODULES: Final = ("machine", "afternoon", "tape", "cutter", "panel", "paper", "p
 """The page's scripts, each after those it imports from."""
 
 _CODES = {"asc": "ascii", "eia": "eia", "bin": "bin", "rim": "rim"}
+_CUTTING = (Move.MILL, Move.FEED_IN, Move.FEED_OUT)
 _BAND = 5
 _CURVE_POINTS = 1440
 
@@ -95,8 +97,11 @@ def _tape(name: str, frames: bytes) -> dict[str, str]:
     return {"label": name, "code": code, "frames": base64.b64encode(frames).decode("ascii")}
 
 
+_SHEETS = {Kind.TERMINAL: "page", Kind.INSPECT: "graph"}
+
+
 def _act(act: Act) -> dict[str, Any]:
-    sheet = act.program or ("page" if act.kind == Kind.TERMINAL else "blocks")
+    sheet = act.program or _SHEETS.get(act.kind, "blocks")
     return {
         "kind": act.kind,
         "name": act.name,
@@ -127,9 +132,17 @@ def _sheets(afternoon: Afternoon) -> dict[str, Any]:
             "lines": [[None, None, _block(step.block.digits)] for step in afternoon.path.steps],
         },
     }
+    sheets["graph"] = _graph(afternoon) or sheets["blocks"]
     for name, assembly in afternoon.programs.items():
         sheets[name] = {"title": _TITLES[name], "kind": "listing", "lines": list(_listing(assembly))}
     return sheets
+
+
+def _graph(afternoon: Afternoon) -> dict[str, Any] | None:
+    """Return the Talyrond's graph, if there is one."""
+    if not (afternoon.inspection and afternoon.inspection.curve.closed):
+        return None
+    return {"title": "The Talyrond's graph", "kind": "picture", "svg": talyrond(afternoon.inspection)}
 
 
 def _block(digits: str) -> str:
@@ -150,7 +163,7 @@ def _mark(text: str) -> str:
 
 
 def _mill(afternoon: Afternoon) -> dict[str, Any]:
-    """Return the blocks and the knots of the path, [tick, x, y, milled], Z left out."""
+    """Return the blocks and the knots of the path, [tick, x, y, whether it cut on the way], Z left out."""
     path = afternoon.path
     now = float(afternoon.mill_starts)
     start = path.moves[0].start if path.moves else None
@@ -164,7 +177,7 @@ def _mill(afternoon: Afternoon) -> dict[str, Any]:
             knots.append([round(now), step.moves[0].start.x, step.moves[0].start.y, False])
         for move in step.moves:
             now += move.seconds * TICKS_PER_SECOND
-            knots.append([round(now), move.end.x, move.end.y, move.kind == Move.MILL])
+            knots.append([round(now), move.end.x, move.end.y, move.kind in _CUTTING])
     curve = afternoon.inspection.curve if afternoon.inspection else None
     return {"blocks": blocks, "path": knots, "diameter": 500, "band": _band(curve)}
 

@@ -16,17 +16,23 @@ export class Paper {
   show(act, afternoon) {
     const sheet = act.sheet;
     if (this.shown !== sheet) this.#lay(sheet);
-    this.#light(this.#line(sheet, act, afternoon));
+    if (this.record.sheets[sheet].kind !== "picture") this.#light(this.#line(sheet, act, afternoon));
   }
 
   /** Put one sheet on the desk. */
   #lay(name) {
-    if (!this.sheets.has(name)) this.sheets.set(name, this.#typed(name));
+    const { title, kind, svg } = this.record.sheets[name];
     this.shown = name;
     this.lit = null;
-    this.title.textContent = this.record.sheets[name].title;
+    this.title.textContent = title;
+    this.place.setAttribute("aria-label", title);
+    this.place.scrollTop = 0;
+    if (kind === "picture") {
+      this.place.innerHTML = svg;
+      return;
+    }
+    if (!this.sheets.has(name)) this.sheets.set(name, this.#typed(name));
     this.place.replaceChildren(this.sheets.get(name).list);
-    this.place.setAttribute("aria-label", this.record.sheets[name].title);
   }
 
   #typed(name) {

@@ -31,7 +31,7 @@ class Follower:
         if processor.run and processor.clock + _NEARLY < tick:
             while processor.next != FETCH:
                 processor.cycle()
-            machine.run(seconds=(tick - _NEARLY - processor.clock) / TICKS_PER_SECOND)
+            machine.run(seconds=(tick - _NEARLY - processor.clock) / TICKS_PER_SECOND)  # or less, if in vain
         while processor.run and processor.clock + self.next_cycle() <= tick:
             processor.cycle()
         if not processor.run:
