@@ -22,6 +22,10 @@ from pal.notes import Note, notes
 from pal.scanner import Line
 
 
+_CONTROLS = {code: "\N{MIDDLE DOT}" for code in (*range(0x20), 0x7F) if code != ord("\t")}
+"""A terminal is shown no control codes of a source."""
+
+
 class Diagnostic(NamedTuple):
     """One thing that is wrong.
 
@@ -49,7 +53,8 @@ class Diagnostic(NamedTuple):
 
     def __str__(self) -> str:
         margin = "".join("\t" if character == "\t" else " " for character in self.source[: self.column - 1])
-        shown = f"    {self.source}\n    {margin}{'^' * max(1, self.width)}\n" if self.source.strip() else ""
+        source = self.source.translate(_CONTROLS)
+        shown = f"    {source}\n    {margin}{'^' * max(1, self.width)}\n" if source.strip() else ""
         advice = "".join(f"  {sentence}\n" for sentence in (self.advice, self.hint) if sentence)
         return f"{self.file}:{self.line}:{self.column}: {self.message}\n{shown}{advice}".rstrip("\n")
 

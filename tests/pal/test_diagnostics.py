@@ -110,3 +110,8 @@ def test_a_full_table_ends_the_assembly_in_pass_1() -> None:
 
 def test_a_byte_order_mark_is_no_character() -> None:
     assert pal.assemble(b"\xef\xbb\xbf*200\n\tCLA\n$\n").diagnostics == []
+
+
+def test_a_terminal_is_shown_no_control_codes_of_a_source() -> None:
+    for diagnostic in pal.assemble("*200\n\tCLA \033[31mX\x07\n$\n").diagnostics:
+        assert not any(ord(character) < 0o40 and character not in "\t\n" for character in str(diagnostic))
