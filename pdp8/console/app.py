@@ -1,0 +1,254 @@
+"""The room: the panel above, Teletype and tapes at the left, listing, core and card at the right.
+
+    ┌ panel: lamps, switches, keys ──────────────────┐
+    ├ reader ──┬ punch ────┬ card, listing or core ──┤
+    ├ paper ───┴───────────┤ (where wide all three,  │
+    └ keys ────────────────┴ the Teletype at right) ─┘
+
+The keys of the keyboard are the operator's hands at the panel, or, after TAB, fingers at the Teletype.
+"""
+
+from time import perf_counter
+from typing import ClassVar
+
+from textual import events
+from textual.app import App, ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Container, Horizontal
+from textual.widgets import Footer, Static
+
+from pdp8.console.dialogs import ChooseTape, NameTape
+from pdp8.console.lamps import LampRows
+from pdp8.console.pages import Card, Core, Listing, Page, Paper
+from pdp8.console.programs import Program
+from pdp8.console.session import Session, Tape
+from pdp8.console.strips import PunchStrip, ReaderStrip, Strip
+from pdp8.console.switches import KEYS, LOCKING, Key, Rocker, SwitchRegister
+from tapes import shelf
+from tapes.errors import WorkError
+from tapes.measure import duration
+
+TURN = 0.05  # seconds between two looks
+SMALLEST = (80, 24)
+_PAGES = ("card", "listing", "core")
+_WIDE, _TALL = 150, 34
+_WIDTHS = ((0, "-narrow"), (100, "-normal"), (_WIDE, "-wide"))
+_HEIGHTS = ((0, "-short"), (30, "-tall"))
+
+
+class PanelFace(Container, can_focus=True):
+    """The panel itself; while it has the focus the keyboard's keys are its keys and switches."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        *(Binding(letter, f"app.key('{name}')", label, show=False) for name, label, letter in KEYS),
+        *(Binding(str(digit), f"app.dial({digit})", show=False) for digit in range(8)),
+        Binding("left", "app.hand(-1)", show=False),
+        Binding("right", "app.hand(1)", show=False),
+        Binding("up", "app.throw(1)", show=False),
+        Binding("down", "app.throw(0)", show=False),
+        Binding("r", "app.rim", "RIM"),
+        Binding("o", "app.tape", "tape"),
+        Binding("v", "app.lever", "lever"),
+        Binding("u", "app.punch", "punch"),
+        Binding("w", "app.tear", "tear off"),
+        Binding("p", "app.pace", "pace"),
+        Binding("g", "app.page", "page"),
+        Binding("q", "app.quit", "quit"),
+        Binding("tab", "app.turn_round", "Teletype"),
+    ]
+
+
+class Room(App[None]):
+    """The panel in the terminal. `programs` are RIM, BIN and the program; `ticking` False stops the clock."""
+
+    CSS_PATH = "room.tcss"
+    TITLE = "PDP-8/L"
+    ENABLE_COMMAND_PALETTE = False
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("ctrl+q", "quit", show=False),
+    ]
+    HORIZONTAL_BREAKPOINTS = [*_WIDTHS]  # noqa: RUF012
+    VERTICAL_BREAKPOINTS = [*_HEIGHTS]  # noqa: RUF012
+
+    def __init__(self, session: Session, programs: list[Program], ticking: bool = True) -> None:
+        super().__init__()
+        self.session = session
+        self.programs = programs
+        self.ticking = ticking
+        self.shown_page = "listing" if session.machine.core[session.address] else "card"
+        self._before = 0.0
+
+    def compose(self) -> ComposeResult:
+        """Put everything in its place."""
+        session = self.session
+        yield Static("The panel needs a terminal of 80 columns and 24 lines.", id="cramped")
+        with PanelFace(id="panel"):
+            yield LampRows(session)
+            yield SwitchRegister(session)
+            with Horizontal(id="keys"):
+                yield from (Key(session, *key) for key in KEYS)
+        with Container(id="teletype"):
+            with Container(id="tapes"):
+                yield ReaderStrip(session, "reader")
+                yield PunchStrip(session, "punch")
+            yield Paper(session, "paper")
+        with Container(id="pages"):
+            yield Card(session, "card", self.programs[0], self.programs[-1])
+            yield Listing(session, "listing", self.programs)
+            yield Core(session, "core")
+        yield Footer(compact=True)
+
+    def on_mount(self) -> None:
+        """Sit down at the panel; the clock begins."""
+        self.query_one("#panel").focus()
+        self._turn_pages()
+        self.look()
+        if self.ticking:
+            self._before = perf_counter()
+            self.set_interval(TURN, self._tick)
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Lay out anew."""
+        small = event.size.width < SMALLEST[0] or event.size.height < SMALLEST[1]
+        self.screen.set_class(small, "-cramped")
+        self._turn_pages(event.size.width, event.size.height)
+
+    def _turn_pages(self, width: int = 0, height: int = 0) -> None:
+        width, height = width or self.size.width, height or self.size.height
+        everything = width >= _WIDE and height >= _TALL
+        self.query_one("#pages").set_class(everything, "all")
+        for name in _PAGES:
+            self.query_one(f"#{name}").display = everything or name == self.shown_page
+
+    def _tick(self) -> None:
+        now = perf_counter()
+        seconds, self._before = min(now - self._before, 4 * TURN), now
+        self.turn(seconds)
+
+    def turn(self, seconds: float) -> None:
+        """Let `seconds` pass in the room, and look."""
+        self.session.advance(seconds)
+        self.look()
+
+    def look(self) -> None:
+        """Show everything as it is now."""
+        screen = self.screen_stack[0]
+        panel = screen.query_one("#panel")
+        panel.border_title = "digital · PDP-8/L"
+        pace = "real pace" if self.session.speed == 1 else f"×{self.session.speed}"
+        if self.session.behind:
+            pace = f"not quite {pace}"
+        panel.border_subtitle = (
+            f"{self.session.said} · {duration(self.session.machine.elapsed)} in 1971 · {pace}"
+        )
+        screen.query_one(LampRows).show()
+        screen.query_one(SwitchRegister).show()
+        for key in LOCKING:
+            screen.query_one(f"#{key}", Key).show()
+        for strip in screen.query(Strip):
+            strip.show()
+        for page in screen.query(Page):
+            if page.display:
+                page.show()
+
+    def action_key(self, name: str) -> None:
+        """Press a key, or throw a locking switch."""
+        if name in LOCKING:
+            panel = self.session.machine.panel
+            setattr(panel, name, not getattr(panel, name))
+        else:
+            self.session.press(name)
+        self.screen_stack[0].query_one(f"#{name}", Key).flash()
+        self.look()
+
+    def on_key_pressed(self, event: Key.Pressed) -> None:
+        """Press the key that was clicked."""
+        self.action_key(event.name)
+
+    def action_dial(self, digit: int) -> None:
+        """Set three switches to an octal digit, what was there three places up."""
+        self.session.dial(digit)
+        self.look()
+
+    def on_rocker_thrown(self, event: Rocker.Thrown) -> None:
+        """Throw the switch that was clicked."""
+        self.session.throw(event.bit)
+        self.look()
+
+    def action_hand(self, by: int) -> None:
+        """Move the hand along the switch register."""
+        register = self.query_one(SwitchRegister)
+        register.hand = (register.hand + by) % 12
+        self.look()
+
+    def action_throw(self, up: int) -> None:
+        """Throw the switch under the hand up or down."""
+        register = self.query_one(SwitchRegister)
+        if register.rockers[register.hand].up != bool(up):
+            self.session.throw(register.hand)
+        self.look()
+
+    def action_rim(self) -> None:
+        """Toggle the RIM loader in."""
+        self.shown_page = "card"
+        self._turn_pages()
+        self.session.toggle_rim()
+        self.look()
+
+    def action_tape(self) -> None:
+        """Ask for a tape and put it into the reader."""
+
+        def mount(tape: Tape | None) -> None:
+            if tape is not None:
+                self.session.mount(tape)
+                self.look()
+
+        self.push_screen(ChooseTape(self.session.tapes), mount)
+
+    def action_lever(self) -> None:
+        """Throw the reader's lever."""
+        reader = self.session.machine.teletype.reader
+        reader.lever(not reader.on)
+        self.look()
+
+    def action_punch(self) -> None:
+        """Switch the punch on or off."""
+        punch = self.session.machine.teletype.punch
+        punch.on = not punch.on
+        self.look()
+
+    def action_tear(self) -> None:
+        """Tear the tape off the punch and write it to a file."""
+        if not self.session.machine.teletype.punch.frames:
+            self.notify("nothing is punched yet")
+            return
+        self.push_screen(NameTape(), self._tear_off)
+
+    def _tear_off(self, name: str | None) -> None:
+        if name is None:
+            return
+        try:
+            shelf.write(name, self.session.machine.teletype.punch.tape)
+        except WorkError as error:
+            self.notify(str(error), severity="error")
+            return
+        tape = self.session.tear_off(name)
+        self.notify(f"{name}: {len(tape.frames):,} frames")
+        self.look()
+
+    def action_pace(self) -> None:
+        """Go on to the next pace."""
+        self.session.change_speed()
+        self.look()
+
+    def action_page(self) -> None:
+        """Lay the next page on top."""
+        self.shown_page = _PAGES[(_PAGES.index(self.shown_page) + 1) % len(_PAGES)]
+        self._turn_pages()
+        self.look()
+
+    def action_turn_round(self) -> None:
+        """Turn from the panel to the Teletype, or back."""
+        at_paper = self.query_one("#paper").has_focus
+        self.query_one("#panel" if at_paper else "#paper").focus()
+        self.call_after_refresh(self.look)

@@ -1,0 +1,55 @@
+"""The room as the operator finds it: what is in core, in the reader, and at hand."""
+
+from collections.abc import Callable
+from time import perf_counter
+from typing import NamedTuple
+
+from pdp8.console.programs import BIN, RIM, Program, read
+from pdp8.console.session import Session, Tape
+from pdp8.machine import Machine
+from tapes import shelf
+
+PROGRAM = "eia.pal"
+DATA = ("circle.asc", "ellipse.asc")
+
+
+class Opening(NamedTuple):
+    """A session and the programs whose listings lie ready: RIM, BIN and the one it is about."""
+
+    session: Session
+    programs: list[Program]
+
+
+def opening(
+    program: str | None = None,
+    reader: str | None = None,
+    start: int = 0o200,
+    cold: bool = False,
+    clock: Callable[[], float] = perf_counter,
+) -> Opening:
+    """Return the room: `program` in core and the PC at `start`, or `cold`, as it is without a program.
+
+    `reader` names the tape in the reader, `clock` tells the computer's own seconds. Raises WorkError for what
+    cannot be read.
+    """
+    programs = [read(RIM), read(BIN), read(program or PROGRAM)]
+    machine = Machine()
+    session = Session(machine, [Tape(name, frames) for name, frames in _at_hand(programs[1:])], clock)
+    if reader:
+        session.tapes.append(Tape(reader, shelf.read(reader)))
+        session.mount(session.tapes[-1])
+    if program and not cold:
+        machine.load(programs[-1].words)
+        machine.sr = start
+        session.press("load_add")
+    return Opening(session, programs)
+
+
+def _at_hand(programs: list[Program]) -> list[tuple[str, bytes]]:
+    loaders = [(_tape_name(program.name), program.tape) for program in programs]
+    return loaders + [(name, shelf.read(name)) for name in DATA]
+
+
+def _tape_name(program: str) -> str:
+    """Return what is written on a program's tape; BIN's is in RIM format."""
+    return "bin.rim" if program == BIN else program.removesuffix(".pal") + ".bin" * program.endswith(".pal")

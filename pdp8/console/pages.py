@@ -1,0 +1,220 @@
+"""What lies on the table beside the machine: the printed page, the listing, core, the operator's card."""
+
+from typing import ClassVar
+
+from rich.style import Style
+from rich.text import Text
+from textual import events
+from textual.binding import Binding, BindingType
+from textual.widget import Widget
+
+from pdp8.console.programs import Program, fitting
+from pdp8.console.session import Session
+from pdp8.loaders import RIM, RIM_START
+
+_INK = Style(color="#2d2618")
+_BRIGHT = Style(color="#ffe9c4")
+_LABEL = Style(color="#d8c7a4")
+_FAINT = Style(color="#9a876a")
+_HERE = Style(color="#1d160e", bgcolor="#ffc46b", bold=True)
+_LAST = Style(color="#ffd9a0", bold=True, underline=True)
+COLUMNS = 72
+_CARD_WIDTH = 48
+
+
+class Page(Widget):
+    """Something to be looked at."""
+
+    def __init__(self, session: Session, name: str) -> None:
+        super().__init__(id=name)
+        self.session = session
+        self.seen: object = None
+
+    def look(self) -> object:
+        """Set the title, and return what the page depends on; while that is the same it needs no drawing."""
+        raise NotImplementedError
+
+    def show(self) -> None:
+        """Look again, and draw what has changed."""
+        now = self.look()
+        if now != self.seen:
+            self.seen = now
+            self.refresh()
+
+
+class Paper(Page, can_focus=True):
+    """The Teletype's page: 72 columns, upper case, and what a code does to the carriage."""
+
+    DEFAULT_CSS = "Paper { height: 1fr; }"
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("tab,escape", "app.turn_round", "back to the panel")]
+
+    def __init__(self, session: Session, name: str) -> None:
+        super().__init__(session, name)
+        self.lines = [""]
+        self.column = 0
+        self.struck = 0
+        session.machine.teletype.printer.on_frame = self.take
+
+    def on_key(self, event: events.Key) -> None:
+        """Type what is typed: RETURN, RUBOUT, and every key with a character."""
+        if event.key in ("tab", "escape"):
+            return
+        typed = {"enter": "\n", "backspace": "\x7f"}.get(event.key, event.character or "")
+        if typed:
+            self.session.type(typed)
+            event.stop()
+
+    def take(self, frame: int) -> None:
+        """Print one frame as a Model 33 does: it has no lower case, and stays at the last column."""
+        code = frame & 0o177
+        self.struck += 1
+        if code == 0o15:
+            self.column = 0
+        elif code == 0o12:
+            self.lines = [*self.lines[-199:], ""]
+        elif 0o40 <= code < 0o175:
+            self._strike(chr(code).upper())
+
+    def _strike(self, character: str) -> None:
+        line = self.lines[-1].ljust(self.column)
+        before = line[self.column : self.column + 1].strip()
+        if before and character == " ":
+            character = before
+        self.lines[-1] = line[: self.column] + character + line[self.column + 1 :]
+        self.column = min(self.column + 1, COLUMNS - 1)
+
+    def look(self) -> object:
+        """Look again, and say who the keys are for."""
+        self.border_title = (
+            "Teletype: you type here, ESC goes back" if self.has_focus else "Teletype (TAB to type)"
+        )
+        return (self.has_focus, self.struck)
+
+    def render(self) -> Text:
+        """Show the last lines, and of a long line the part at the carriage."""
+        width, height = self.size
+        start = max(0, self.column - width + 1)
+        shown = [line.ljust(self.column) if line is self.lines[-1] else line for line in self.lines[-height:]]
+        text = Text("\n" * (height - len(shown)), _INK)
+        text.append("\n".join(line[start : start + width] for line in shown), _INK)
+        if self.has_focus:
+            text.append("▁", Style(color="#c0392b", bold=True))
+        return text
+
+
+class Listing(Page):
+    """The listing that fits core where the PC points, the line of the PC lit."""
+
+    def __init__(self, session: Session, name: str, programs: list[Program]) -> None:
+        super().__init__(session, name)
+        self.programs = programs
+        self.program = programs[-1]
+
+    def look(self) -> object:
+        """Find the listing that fits; one that still does stays."""
+        address = self.session.address
+        word = self.session.machine.core[address]
+        found = fitting([self.program, *self.programs], address, word)
+        self.program = found or self.program
+        where = f"{address:04o}" if found else f"{address:04o} is not in it"
+        self.border_title = f"listing of {self.program.name} · PC {where}"
+        return (self.program.name, address, found is None)
+
+    def render(self) -> Text:
+        """Show the lines about the PC's."""
+        address = self.session.address
+        core = self.session.machine.core
+        here = self.program.places.get(address) if self.program.words.get(address) == core[address] else None
+        middle = self.program.places.get(address, 0)
+        height, width = self.size.height, self.size.width
+        first = max(0, min(middle - height // 2, len(self.program.lines) - height))
+        text = Text()
+        for number, line in enumerate(self.program.lines[first : first + height], first):
+            shown = f"{'▸' if number == here else ' '}{line}"[:width]
+            text.append(f"{shown:<{width}}" if number == here else shown, _HERE if number == here else _LABEL)
+            text.append("\n")
+        text.right_crop(1)
+        return text
+
+
+class Core(Page):
+    """Core about the PC: its word lit, that of the memory address underlined."""
+
+    def look(self) -> object:
+        """Look again."""
+        self.border_title = f"core about the PC, {self.session.address:04o}"
+        return list(self.session.machine.core), self.session.address, self.session.machine.ma
+
+    def render(self) -> Text:
+        """Show rows of eight words, or of four."""
+        machine, pc = self.session.machine, self.session.address
+        words = 8 if self.size.width >= 46 else 4
+        rows = min(self.size.height, 0o10000 // words)
+        first = max(0, min(pc // words - rows // 2, 0o10000 // words - rows))
+        text = Text()
+        for row in range(first, first + rows):
+            text.append(f"{row * words:04o} ", _FAINT)
+            for address in range(row * words, row * words + words):
+                text.append(" ")
+                style = _HERE if address == pc else _LAST if address == machine.ma else None
+                word = machine.core[address]
+                text.append(f"{word:04o}", style or (_LABEL if word else _FAINT))
+            text.append("\n")
+        text.right_crop(1)
+        return text
+
+
+class Card(Page):
+    """The operator's card: the RIM loader word by word, ticked where core has it, and what comes after."""
+
+    def __init__(self, session: Session, name: str, rim: Program, program: Program) -> None:
+        super().__init__(session, name)
+        self.statements = {address: _statement(rim.lines[place]) for address, place in rim.places.items()}
+        tape = f"{program.name.removesuffix('.pal')}.bin"
+        self.steps = (
+            "1 RIM: SR 7756 L, then each word D",
+            "2 bin.rim: O, SR 7756 L S, at its end T",
+            f"3 {tape}: O, SR 7777 L S, halts, AC 0",
+            "4 its data: O, SR 0200 L S",
+        )
+
+    def look(self) -> object:
+        """Look again."""
+        self.border_title = "RIM loader · R toggles it in for you"
+        core = self.session.machine.core
+        return [core[RIM_START + place] for place in range(len(RIM))], self.session.address
+
+    def render(self) -> Text:
+        """Show the seventeen words in two columns, then the steps."""
+        columns, cell = (2, self._word) if self.size.width >= _CARD_WIDTH else (3, self._brief)
+        height = -(-len(RIM) // columns)
+        text = Text()
+        for row in range(height):
+            for place in range(row, len(RIM), height):
+                text.append_text(cell(place)).append("  ")
+            text.append("\n")
+        for step in self.steps:
+            text.append(f"{step}\n", _FAINT)
+        text.right_crop(1)
+        return text
+
+    def _word(self, place: int) -> Text:
+        address, word = RIM_START + place, RIM[place]
+        text = self._brief(place)
+        text.right_crop(1)
+        text.append(f" {self.statements[address]:<11}", _LABEL)
+        there = self.session.machine.core[address] == word
+        return text.append("✓ " if there else "· ", _BRIGHT if there else _FAINT)
+
+    def _brief(self, place: int) -> Text:
+        address, word = RIM_START + place, RIM[place]
+        there = self.session.machine.core[address] == word
+        here = _HERE if address == self.session.address else None
+        text = Text(f"{address:04o}", here or _FAINT)
+        text.append(f" {word:04o}", here or _BRIGHT)
+        return text.append("✓" if there else "·", here or (_BRIGHT if there else _FAINT))
+
+
+def _statement(line: str) -> str:
+    """Return the statement of a listing's line, without numbers, tag and comment."""
+    return line[12:].split("/", maxsplit=1)[0].rpartition(",")[2].strip()

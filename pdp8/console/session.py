@@ -1,0 +1,212 @@
+"""The operator's time at the machine: what happens while so many seconds pass in the room.
+
+    room's clock ── speed ──► machine.run ──► lamps, each as bright as it was often on
+                        └──► hands at the switches: the RIM loader, a key every tenth of a second
+
+The machine stays what it is: everything here is done with its panel's keys, its reader, its punch and its
+keyboard. At speed 1 the room's second is the machine's; where Python is slower than that, the machine's time
+falls behind and nothing is left out.
+
+While the processor stands still the Teletype finishes what it has begun, in the room's own time.
+"""
+
+from collections.abc import Callable, Iterator
+from time import perf_counter
+from typing import NamedTuple
+
+from pdp8.bus import NEVER
+from pdp8.loaders import RIM, RIM_START
+from pdp8.machine import Machine, Stop
+from pdp8.panel import Lamps
+from pdp8.processor import DEFER, EXECUTE, FETCH, INTERRUPT
+from tapes.frames import LEADER
+
+SPEEDS = (1, 10, 100, 1000)
+KEY_SECONDS = 0.1
+"""What a key takes: its contacts are given a tenth of a second to come to rest."""
+
+LAMPS = {name: 12 if name in ("ma", "mb", "ac") else 3 if name == "ir" else 1 for name in Lamps._fields}
+"""How many lamps each field of Lamps has."""
+
+_SAMPLES = 8
+_BUDGET = 0.030  # seconds of ours for one turn, so that the room stays awake
+_SHORTEST = 1e-4
+
+_ENDED = {
+    "halt": "HLT at {ma:04o}",
+    "tape out": "out of tape; the program waits at {pc:04o}",
+    "idle": "the program waits at {pc:04o} for a key or a tape",
+    "stop key": "stopped before {pc:04o}",
+    "protect": "MEM PROT stopped a write at {ma:04o}",
+}
+_STATES = {FETCH: "FETCH", DEFER: "DEFER", EXECUTE: "EXECUTE"}
+
+
+class Tape(NamedTuple):
+    """A tape at hand, and what is written on its leader."""
+
+    name: str
+    frames: bytes
+
+
+class Session:
+    """One operator at one machine, with `tapes` at hand."""
+
+    def __init__(
+        self, machine: Machine, tapes: list[Tape] | None = None, clock: Callable[[], float] = perf_counter
+    ) -> None:
+        self.machine = machine
+        self.tapes = tapes or []
+        self.speed = 1
+        self.behind = False
+        """Whether the machine could not keep the speed in the last turn."""
+        self.said = "standing still"
+        """What became of the machine, in words."""
+        self.reader_tape = ""
+        """The name of the tape in the reader."""
+        self.glow: dict[str, tuple[float, ...]] = {}
+        """How bright each lamp is, 0 to 1, most significant first."""
+        self._clock = clock
+        self._slice = _SHORTEST
+        self._hands: Iterator[None] | None = None
+        self._rest = 0.0
+        self._look()
+
+    def advance(self, seconds: float) -> None:
+        """Let `seconds` pass in the room."""
+        self._work(seconds)
+        samples: list[Lamps] = []
+        if self.machine.panel.lamps.run:
+            self._run(seconds * self.speed, samples)
+        elif self.machine.bus.next_event() != NEVER:
+            self.machine.wait(seconds)
+        self._look(samples)
+
+    def _run(self, seconds: float, samples: list[Lamps]) -> None:
+        machine, began = self.machine, self._clock()
+        until = machine.elapsed + seconds
+        while machine.elapsed < until:
+            before = self._clock()
+            if before - began > _BUDGET:
+                self.behind = True
+                return
+            step = min(self._slice, until - machine.elapsed, seconds / _SAMPLES)
+            stop = machine.run(seconds=max(step, 1e-6))
+            samples.append(machine.panel.lamps)
+            if stop.reason != "limit":
+                self._ended(stop)
+                break
+            self.said = "running"
+            self._suit(self._clock() - before)
+        self.behind = False
+
+    def _suit(self, took: float) -> None:
+        """Make the slices of a run so long that one takes some milliseconds of ours."""
+        if took < _BUDGET / 10:
+            self._slice *= 2
+        elif took > _BUDGET / 4:
+            self._slice = max(self._slice / 2, _SHORTEST)
+
+    def _ended(self, stop: Stop) -> None:
+        self.said = _ENDED[stop.reason].format(pc=stop.pc, ma=self.machine.ma)
+
+    def _look(self, samples: list[Lamps] | None = None) -> None:
+        """See the lamps: at a standstill as they are, else each as often as it was on."""
+        lamps = self.machine.panel.lamps
+        seen = samples if samples and lamps.run else [lamps]
+        self.glow = {name: _mean([getattr(at, name) for at in seen], width) for name, width in LAMPS.items()}
+
+    @property
+    def address(self) -> int:
+        """Where the instruction is that is under way, or the next one."""
+        p = self.machine.processor
+        return p.pc if p.next in (FETCH, INTERRUPT) else p.pc - 1 & 0o7777
+
+    def press(self, key: str) -> None:
+        """Press a momentary key, named as the Panel's method is: load_add, start, cont, stop, exam, dep."""
+        panel = self.machine.panel
+        getattr(panel, key)()
+        if key == "stop":
+            self._hands = None
+            self.said = f"stopped before {self.machine.pc:04o}"
+        elif key in ("start", "cont") and panel.lamps.run:
+            self.said = "running"
+        elif panel.lamps.run:
+            self.said = "the machine runs: all keys but STOP are dead"
+        elif panel.lamps.protect:
+            self.said = _ENDED["protect"].format(ma=self.machine.ma)
+        elif key in ("start", "cont"):
+            self.said = f"one cycle: {_STATES[self.machine.processor.state]}"
+        else:
+            self.said = f"{self.machine.ma:04o} holds {self.machine.mb:04o}"
+        self._look()
+
+    def throw(self, bit: int) -> None:
+        """Throw switch `bit` of the switch register, 0 the leftmost."""
+        self.machine.sr ^= 0o4000 >> bit
+
+    def dial(self, digit: int) -> None:
+        """Set the switches to what they were with one octal `digit` more, as one reads off a list."""
+        self.machine.sr = self.machine.sr << 3 | digit
+
+    def toggle_rim(self) -> None:
+        """Begin to toggle in the RIM loader, a key every tenth of a second."""
+        if self.machine.panel.lamps.run:
+            self.said = "the machine runs: press STOP first"
+        else:
+            self._hands = self._rim()
+            self._rest = KEY_SECONDS
+
+    def _rim(self) -> Iterator[None]:
+        panel = self.machine.panel
+        panel.sr = RIM_START
+        panel.load_add()
+        yield
+        for word in RIM:
+            panel.sr = word
+            panel.dep()
+            self.said = f"toggling RIM in: {word:04o} into {self.machine.ma:04o}"
+            yield
+        self.said = "the RIM loader is in core"
+
+    def _work(self, seconds: float) -> None:
+        """Let the hands at the switches press as many keys as fit into `seconds`."""
+        self._rest += seconds
+        while self._hands is not None and self._rest >= KEY_SECONDS:
+            self._rest -= KEY_SECONDS
+            if next(self._hands, self) is self:
+                self._hands = None
+
+    @property
+    def hands_busy(self) -> bool:
+        """Whether somebody is toggling something in."""
+        return self._hands is not None
+
+    def mount(self, tape: Tape) -> None:
+        """Put a tape into the reader; one for a loader on its leader, past what is blank."""
+        punched = tape.frames.lstrip(b"\0")
+        on_leader = punched.startswith(bytes([LEADER]))
+        self.reader_tape = tape.name
+        self.machine.teletype.reader.load(punched if on_leader else tape.frames)
+
+    def tear_off(self, name: str) -> Tape:
+        """Tear off what was punched; it lies with the other tapes then, called `name`."""
+        punch = self.machine.teletype.punch
+        tape = Tape(name, punch.tape)
+        punch.frames.clear()
+        self.tapes = [other for other in self.tapes if other.name != name] + [tape]
+        return tape
+
+    def type(self, characters: str) -> None:
+        """Type on the Teletype's keyboard, which has upper case only and sets channel 8; \\n is RETURN."""
+        typed = characters.upper().replace("\n", "\r").encode("ascii", "ignore")
+        self.machine.teletype.keyboard.press(bytes(code | 0o200 for code in typed))
+
+    def change_speed(self) -> None:
+        """Go on to the next speed of SPEEDS."""
+        self.speed = SPEEDS[(SPEEDS.index(self.speed) + 1) % len(SPEEDS)]
+
+
+def _mean(words: list[int], width: int) -> tuple[float, ...]:
+    """Return how often each of `width` bits is set, most significant first."""
+    return tuple(sum(word >> place & 1 for word in words) / len(words) for place in range(width - 1, -1, -1))

@@ -1,0 +1,107 @@
+"""A tape where it is read or punched: rows of holes running up past the head, as `pdp8 tape show` has them.
+
+┌ reader: circle.asc ──┐
+│  o oo  .   o  1      │   read already
+│> o ooo .      8      │   under the head: the next to be read, or the last punched
+│  o oo  .o o  5       │   to come
+"""
+
+from rich.style import Style
+from rich.text import Text
+from textual.reactive import reactive
+from textual.widget import Widget
+
+from pdp8.console.session import Session
+from tapes import kinds
+from tapes.captions import captions
+from tapes.frames import draw
+
+_PAPER = Style(color="#2d2618", bgcolor="#f0e3bd")
+_HEAD = Style(color="#2d2618", bgcolor="#ffc46b", bold=True)
+_DONE = Style(color="#6d6046", bgcolor="#d9cca6")
+_EDGE = Style(color="#8b7a58")
+_FAINT = Style(color="#9a876a")
+_KNOWN = 2000  # frames by which a tape that is being punched tells its code
+
+
+class Strip(Widget):
+    """A window on a tape, the head one third down or at the bottom."""
+
+    DEFAULT_CSS = "Strip { height: 1fr; }"
+    state: reactive[object] = reactive(None)
+
+    def __init__(self, session: Session, name: str) -> None:
+        super().__init__(id=name)
+        self.session = session
+        self.captions: list[str] = []
+        self.captioned = b""
+
+    def show(self) -> None:
+        """Look at the tape again."""
+        raise NotImplementedError
+
+    def rows(self, frames: bytes, said: list[str], first: int, head: int) -> Text:
+        """Draw the rows from frame `first` on as far as there is room."""
+        text = Text()
+        room = max(0, self.size.width - 12)
+        for number in range(first, first + self.size.height):
+            if number > first:
+                text.append("\n")
+            if not 0 <= number < len(frames):
+                text.append(" ")
+                continue
+            style = _HEAD if number == head else _DONE if number < head else _PAPER
+            text.append("▸" if number == head else " ", _EDGE)
+            text.append(draw(frames[number], hole="●", sprocket="·"), style)
+            text.append(
+                f" {said[number - first][:room]}", _FAINT if number < head else Style(color="#e8d9b8")
+            )
+        return text
+
+
+class ReaderStrip(Strip):
+    """The tape in the reader."""
+
+    def show(self) -> None:
+        """Look at the tape again."""
+        reader = self.session.machine.teletype.reader
+        if reader.tape is not self.captioned:
+            self.captioned = reader.tape
+            self.captions = captions(reader.tape, kinds.classify(reader.tape))
+        self.state = (reader.tape, reader.position, reader.on)
+        name = self.session.reader_tape if reader.loaded else "reader"
+        self.border_title = name if reader.on else f"STOP · {name}"
+        self.border_subtitle = f"{reader.position:,} of {len(reader.tape):,}" if reader.loaded else ""
+
+    def render(self) -> Text:
+        """Draw the tape about the head."""
+        reader = self.session.machine.teletype.reader
+        if not reader.loaded:
+            return Text("no tape: O", _FAINT)
+        first = reader.position - max(1, self.size.height // 3)
+        said = [self.captions[at] if 0 <= at < len(reader.tape) else "" for at in self._window(first)]
+        return self.rows(reader.tape, said, first, reader.position)
+
+    def _window(self, first: int) -> range:
+        return range(first, first + self.size.height)
+
+
+class PunchStrip(Strip):
+    """The tape that comes out of the punch."""
+
+    def show(self) -> None:
+        """Look at the tape again."""
+        punch = self.session.machine.teletype.punch
+        self.state = (len(punch.frames), punch.on)
+        self.border_title = "punch" if punch.on else "punch OFF"
+        self.border_subtitle = f"{len(punch.frames):,} punched" if punch.frames else ""
+
+    def render(self) -> Text:
+        """Draw the last frames, the newest at the head."""
+        frames = self.session.machine.teletype.punch.frames
+        if not frames:
+            return Text("nothing punched", _FAINT)
+        known = bytes(frames[-_KNOWN:])
+        first = max(0, len(known) - self.size.height)
+        said = captions(known, kinds.classify(known))[first:]
+        return self.rows(known, said, first, len(known) - 1)

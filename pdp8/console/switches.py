@@ -1,0 +1,172 @@
+"""The switches under the lamps: twelve rockers of the switch register, and the keys.
+
+    SWITCH REGISTER   ▀ ▄ ▀  ...   up is 1, under the lamp it sets; the hand's rocker is red
+    MEM PROT  LOAD ADD  START  CONT  STOP  SING STEP  EXAM  DEP
+
+A rocker is thrown by a click, or with the hand: left and right move it, up and down throw. Of a key the
+underlined letter is its key.
+"""
+
+from rich.style import Style
+from rich.text import Text
+from textual import events
+from textual.containers import Horizontal
+from textual.message import Message
+from textual.widget import Widget
+from textual.widgets import Static
+
+from pdp8.console.lamps import label_width, pitch
+from pdp8.console.session import Session
+
+_CREAM, _RUST, _HAND, _WELL = "#efe3c2", "#d07a35", "#ff5a45", "#4b3a2a"
+
+KEYS = (
+    ("mem_prot", "MEM PROT", "m"),
+    ("load_add", "LOAD ADD", "l"),
+    ("start", "START", "s"),
+    ("cont", "CONT", "c"),
+    ("stop", "STOP", "t"),
+    ("sing_step", "SING STEP", "n"),
+    ("exam", "EXAM", "e"),
+    ("dep", "DEP", "d"),
+)
+LOCKING = ("mem_prot", "sing_step")
+
+
+class Rocker(Widget):
+    """One switch of the switch register, `bit` 0 the leftmost."""
+
+    DEFAULT_CSS = "Rocker { height: 2; }"
+
+    class Thrown(Message):
+        """The switch was clicked."""
+
+        def __init__(self, bit: int) -> None:
+            super().__init__()
+            self.bit = bit
+
+    def __init__(self, session: Session, bit: int) -> None:
+        super().__init__(id=f"sr{bit}")
+        self.session = session
+        self.bit = bit
+        self.held = False
+        self.seen = False
+
+    @property
+    def up(self) -> bool:
+        """Whether it is up, a 1."""
+        return bool(self.session.machine.sr & 0o4000 >> self.bit)
+
+    def show(self, held: bool) -> None:
+        """Show it as it is now, and whether the hand is on it."""
+        if (self.up, held) != (self.seen, self.held):
+            self.seen, self.held = self.up, held
+            self.refresh()
+
+    def on_click(self, event: events.Click) -> None:
+        """Throw it."""
+        event.stop()
+        self.post_message(self.Thrown(self.bit))
+
+    def render(self) -> Text:
+        """Draw the rocker's bright half above or below."""
+        wide = self.size.width >= 3
+        colour = _HAND if self.held else (_CREAM if self.bit // 3 % 2 == 0 else _RUST)
+        raised = ("▐█▌" if wide else "▐▌", Style(color=colour))
+        well = ("▕ ▏" if wide else "▕▏", Style(color=_WELL))
+        top, bottom = (raised, well) if self.up else (well, raised)
+        return Text().append(*top).append("\n").append(*bottom)
+
+
+class Key(Widget):
+    """A key or a locking switch, with its letter."""
+
+    DEFAULT_CSS = "Key { height: 2; width: 1fr; text-align: center; }"
+
+    class Pressed(Message):
+        """The key was clicked."""
+
+        def __init__(self, name: str) -> None:
+            super().__init__()
+            self.name = name
+
+    def __init__(self, session: Session, name: str, label: str, letter: str) -> None:
+        super().__init__(id=name)
+        self.session = session
+        self.label = label
+        self.letter = letter
+        self.down = False
+        self.seen = False
+
+    def on_click(self, event: events.Click) -> None:
+        """Press it."""
+        event.stop()
+        self.post_message(self.Pressed(str(self.id)))
+
+    @property
+    def active(self) -> bool:
+        """Whether it is a locking switch that is on."""
+        return self.id in LOCKING and bool(getattr(self.session.machine.panel, self.id))
+
+    def show(self) -> None:
+        """Show it as it is now."""
+        if self.active != self.seen:
+            self.seen = self.active
+            self.refresh()
+
+    def flash(self) -> None:
+        """Show that it is pressed, for a moment."""
+        self.down = True
+        self.refresh()
+        self.set_timer(0.15, self._let_go)
+
+    def _let_go(self) -> None:
+        self.down = False
+        self.refresh()
+
+    def render(self) -> Text:
+        """Draw its cap and its label."""
+        at = self.label.lower().index(self.letter)
+        label = Text(self.label, Style(color="#e8d9b8"))
+        label.stylize(Style(underline=True, bold=True, color="#ffd9a0"), at, at + 1)
+        return self._cap().append("\n").append_text(label)
+
+    def _cap(self) -> Text:
+        if self.id not in LOCKING:
+            return Text("▐██▌", Style(color=_HAND if self.down else _CREAM))
+        up = self.active == (self.id == "mem_prot")
+        return Text("▐▀▀▌" if up else "▐▄▄▌", Style(color=_HAND if self.active else _RUST))
+
+
+class SwitchRegister(Horizontal):
+    """The twelve rockers, each under the lamps of its bit, and what they come to."""
+
+    DEFAULT_CSS = "SwitchRegister { height: 2; } SwitchRegister Static { height: 2; color: #d8c7a4; }"
+
+    def __init__(self, session: Session) -> None:
+        self.session = session
+        self.label = Static()
+        self.rockers = [Rocker(session, bit) for bit in range(12)]
+        self.octal = Static()
+        self.hand = 0
+        super().__init__(self.label, *self.rockers, self.octal)
+
+    def on_resize(self) -> None:
+        """Keep every rocker under its lamps."""
+        wide = self.size.width >= 95
+        self.label.styles.width = label_width(wide) - 1
+        self.label.update("SWITCH REGISTER" if wide else "SWITCHES")
+        for bit, rocker in enumerate(self.rockers):
+            rocker.styles.width = pitch(wide)
+            rocker.styles.margin = (0, 1 if bit % 3 == 2 else 0, 0, 0)
+        self.octal.styles.width = 6
+        self.show()
+
+    def show(self) -> None:
+        """Show the switches as they are now."""
+        focused = self.screen.focused
+        at_panel = focused is not None and focused.id == "panel"
+        for bit, rocker in enumerate(self.rockers):
+            rocker.show(held=at_panel and bit == self.hand)
+        octal = Text(f" {self.session.machine.sr:04o}", Style(color="#ffd9a0", bold=True))
+        self.octal.update(octal, layout=False)

@@ -1,0 +1,52 @@
+"""What a terminal shows of the panel, as text: a picture that can be compared line by line."""
+
+import asyncio
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+
+import pytest
+from textual.pilot import Pilot
+
+from pdp8.console.app import Room
+from pdp8.console.opening import opening
+
+PICTURES = Path(__file__).parent / "pictures"
+
+Scene = Callable[[Room, Pilot[None]], Awaitable[None]]
+
+
+def play(
+    scene: Scene,
+    size: tuple[int, int] = (100, 30),
+    program: str | None = None,
+    reader: str | None = None,
+) -> None:
+    """Play the scene in a room whose terminal has `size` columns and lines and whose clock stands still."""
+
+    async def perform() -> None:
+        session, programs = opening(program, reader, clock=lambda: 0.0)
+        room = Room(session, programs, ticking=False)
+        async with room.run_test(size=size) as pilot:
+            await pilot.pause()
+            await scene(room, pilot)
+
+    asyncio.run(perform())
+
+
+def shown(room: Room) -> str:
+    """Return what the terminal shows, without colours."""
+    lines = room.screen._compositor.render_strips()
+    return "\n".join(line.text.rstrip() for line in lines) + "\n"
+
+
+def assert_shows(room: Room, name: str) -> None:
+    """Compare what is shown with the picture of that name; the first line that differs is shown."""
+    ours = shown(room)
+    path = PICTURES / f"{name}.txt"
+    if not path.exists():
+        path.write_text(ours)
+        pytest.fail(f"there was no picture {path}: look at the one that was drawn")
+    for number, (line, expected) in enumerate(
+        zip(ours.splitlines(), path.read_text().splitlines(), strict=True), 1
+    ):
+        assert line == expected, f"{name}, line {number} of the screen"

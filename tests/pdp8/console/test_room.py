@@ -1,0 +1,220 @@
+"""The panel in a terminal: keys and mouse do what they say, and the room looks as it should."""
+
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("textual", reason="Textual, the extra `panel`, is not installed")
+
+from textual.pilot import Pilot
+
+from pdp8.console.app import Room
+from pdp8.console.pages import COLUMNS, Paper
+from pdp8.console.switches import Rocker, SwitchRegister
+from tests.conftest import assert_same_tape
+from tests.pdp8.console.pictures import assert_shows, play, shown
+from tests.pdp8.console.test_session import RIM_WORDS
+
+
+async def press(pilot: Pilot[None], keys: str) -> None:
+    await pilot.press(*keys.split())
+
+
+async def dial(pilot: Pilot[None], word: int) -> None:
+    await pilot.press(*f"{word:04o}")
+
+
+async def mount(pilot: Pilot[None], place: int) -> None:
+    """Choose the tape at `place` of those at hand."""
+    await press(pilot, "o " + "down " * place + "enter")
+    await pilot.pause()
+
+
+def turn(room: Room, seconds: float) -> None:
+    """Let time pass in the room, a twentieth of a second at a time."""
+    for _ in range(round(seconds * 20)):
+        room.turn(0.05)
+
+
+def test_a_morning_by_keys_rim_bin_program_and_tape() -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        machine = room.session.machine
+        keys = "7756l" + "".join(f"{word:04o}d" for word in RIM_WORDS.values())
+        await pilot.press(*keys)
+        assert {address: machine.core[address] for address in RIM_WORDS} == RIM_WORDS
+        assert_shows(room, "rim toggled in, 100x30")
+        await press(pilot, "p p p")
+        await mount(pilot, 0)
+        await dial(pilot, 0o7756)
+        await press(pilot, "l s")
+        turn(room, 0.5)
+        assert room.session.said.startswith("out of tape")
+        await press(pilot, "t")
+        assert machine.core[0o7777] == 0o5301  # JMP 7701, as BIN puts it there
+        await mount(pilot, 1)
+        await dial(pilot, 0o7777)
+        await press(pilot, "l s")
+        turn(room, 0.5)
+        assert machine.ma == 0o7700
+        assert machine.ac == 0
+        assert_shows(room, "eia.bin loaded, 100x30")
+        await mount(pilot, 2)
+        await dial(pilot, 0o200)
+        await press(pilot, "l s")
+        for _ in range(4):
+            room.turn(0.5)
+        assert room.session.said.startswith("out of tape")
+        eia = Path(__file__).parents[3] / "tapes" / "circle.eia"
+        assert_same_tape(machine.teletype.punch.tape, eia.read_bytes())
+
+    play(scene)
+
+
+def test_r_toggles_rim_in() -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        await press(pilot, "r")
+        turn(room, 1.0)
+        assert_shows(room, "rim being toggled in, 80x24")
+        turn(room, 1.0)
+        core = room.session.machine.core
+        assert {address: core[address] for address in RIM_WORDS} == RIM_WORDS
+
+    play(scene, size=(80, 24))
+
+
+def test_switches_by_hand_and_by_mouse() -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        machine = room.session.machine
+        await press(pilot, "up right up left left up")
+        assert machine.sr == 0o6001
+        await press(pilot, "down down right")
+        assert machine.sr == 0o6000
+        assert room.query_one(SwitchRegister).hand == 0
+        await pilot.click("#sr3")
+        await pilot.click("#sr0")
+        assert machine.sr == 0o2400
+        await pilot.click("#load_add")
+        assert machine.ma == 0o2400
+        await pilot.click("#dep")
+        assert machine.core[0o2400] == 0o2400
+        await pilot.click("#exam")
+        assert machine.ma == 0o2401
+        await pilot.click("#mem_prot")
+        await pilot.click("#sing_step")
+        assert machine.panel.mem_prot
+        assert machine.panel.sing_step
+        assert [rocker.up for rocker in room.query(Rocker)].count(True) == 2
+
+    play(scene)
+
+
+def test_sing_step_by_cycle_with_the_listing() -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        await press(pilot, "n s c c")
+        assert room.session.said == "one cycle: FETCH"
+        assert "▸0202  4214          JMS READ" in shown(room)
+        await press(pilot, "c")
+        assert room.session.said == "one cycle: EXECUTE"
+        assert_shows(room, "single steps, 100x30")
+
+    play(scene, program="eia.pal", reader="circle.asc")
+
+
+@pytest.mark.parametrize("size", [(80, 24), (100, 30), (160, 45)], ids=lambda size: f"{size[0]}x{size[1]}")
+def test_the_room_in_terminals_of_three_sizes(size: tuple[int, int]) -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        await press(pilot, "p p s")
+        turn(room, 0.5)
+        await press(pilot, "t")
+        await pilot.pause()
+        assert_shows(room, f"translating, {size[0]}x{size[1]}")
+
+    play(scene, size, "eia.pal", "circle.asc")
+
+
+def test_a_terminal_too_small_says_so() -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        assert "80 columns and 24 lines" in shown(room)
+        assert "MEM ADDR" not in shown(room)
+        await pilot.resize_terminal(80, 24)
+        await pilot.pause()
+        assert "MEM ADDR" in shown(room)
+
+    play(scene, size=(60, 20))
+
+
+def test_typing_at_the_teletype() -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        machine = room.session.machine
+        await press(pilot, "s tab h i 1 enter")
+        turn(room, 1.0)
+        assert machine.sr == 0o200  # the 1 went to the Teletype
+        assert bytes(machine.teletype.printer.frames) == bytes([0o310, 0o311, 0o261, 0o215])
+        assert "HI1" in shown(room)
+        assert "ESC goes back" in shown(room)
+        await press(pilot, "escape 7")
+        assert machine.sr == 0o2007
+
+    play(scene, program="tests/pdp8/console/typewriter.pal")
+
+
+def test_the_paper_does_what_a_carriage_does() -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        paper = room.query_one(Paper)
+        for frame in b"ABC\rD\nx" + b"=" * 80:
+            paper.take(frame | 0o200)
+        assert paper.lines[0] == "DBC"
+        assert paper.lines[1].startswith(" X====")
+        assert len(paper.lines[1]) == COLUMNS
+
+    play(scene)
+
+
+def test_pages_pace_lever_and_punch() -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        assert "RIM loader" in shown(room)
+        await press(pilot, "g")
+        await pilot.pause()
+        assert "listing of" in shown(room)
+        await press(pilot, "g")
+        await pilot.pause()
+        assert "core about the PC" in shown(room)
+        await press(pilot, "v u p")
+        await pilot.pause()
+        assert "STOP · reader" in shown(room)
+        assert "punch OFF" in shown(room)
+        assert "×10" in shown(room)
+
+    play(scene)
+
+
+def test_tearing_off_and_reading_again(tmp_path: Path) -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        await press(pilot, "w")
+        assert len(room.screen_stack) == 1  # nothing is punched yet
+        await press(pilot, "p p s")
+        turn(room, 0.5)
+        punched = room.session.machine.teletype.punch.tape
+        await press(pilot, "w")
+        for name, stays in ((str(tmp_path), True), (f"{tmp_path}/mine.eia", False)):
+            room.screen.query_one("Input").value = name  # type: ignore[attr-defined]
+            await press(pilot, "enter")
+            await pilot.pause()
+            assert bool(room.session.machine.teletype.punch.frames) == stays
+            if stays:
+                await press(pilot, "w")
+        assert (tmp_path / "mine.eia").read_bytes() == punched
+        assert room.session.tapes[-1].frames == punched
+
+    play(scene, program="eia.pal", reader="circle.asc")
+
+
+def test_a_tape_that_is_not_there_is_named() -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        await press(pilot, "o tab n o enter")
+        await pilot.pause()
+        assert "no: no such file" in shown(room)
+        await press(pilot, "escape")
+        assert not room.session.machine.teletype.reader.loaded
+
+    play(scene)

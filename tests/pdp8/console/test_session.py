@@ -1,0 +1,229 @@
+"""The operator's time, without a terminal: hands, paces, lamps, tapes."""
+
+import pytest
+
+from pdp8.console.opening import opening
+from pdp8.console.programs import fitting, read
+from pdp8.console.session import LAMPS, Session, Tape
+from pdp8.machine import Machine
+from tapes import kinds
+from tapes.errors import WorkError
+from tests.conftest import assert_same_tape
+
+# The loader's words as DEC's instruction card has them.
+RIM_WORDS = {
+    0o7756: 0o6032, 0o7757: 0o6031, 0o7760: 0o5357, 0o7761: 0o6036, 0o7762: 0o7106, 0o7763: 0o7006,
+    0o7764: 0o7510, 0o7765: 0o5357, 0o7766: 0o7006, 0o7767: 0o6031, 0o7770: 0o5367, 0o7771: 0o6034,
+    0o7772: 0o7420, 0o7773: 0o3776, 0o7774: 0o3376, 0o7775: 0o5356, 0o7776: 0o0000,
+}  # fmt: skip
+
+
+def at_rest() -> Session:
+    """Return a session whose computer never tires: its clock stands still."""
+    return Session(Machine(), clock=lambda: 0.0)
+
+
+def test_the_hands_press_a_key_every_tenth_of_a_second() -> None:
+    session = at_rest()
+    session.toggle_rim()
+    session.advance(0.05)
+    assert session.machine.ma == 0o7756
+    assert session.machine.core[0o7756] == 0
+    session.advance(0.1)
+    assert session.machine.core[0o7756] == 0o6032
+    session.advance(1.6)
+    assert {address: session.machine.core[address] for address in RIM_WORDS} == RIM_WORDS
+    assert session.hands_busy
+    session.advance(0.1)
+    assert not session.hands_busy
+    assert session.machine.elapsed == 0
+
+
+def test_the_hands_find_the_keys_dead_while_run_is_on() -> None:
+    session = at_rest()
+    session.machine.core[0o200] = 0o5200
+    session.machine.start(0o200)
+    session.toggle_rim()
+    session.advance(0.2)
+    assert not session.hands_busy
+    assert session.machine.core[0o7756] == 0
+
+
+def test_stop_stops_the_hands() -> None:
+    session = at_rest()
+    session.toggle_rim()
+    session.press("stop")
+    session.advance(5)
+    assert session.machine.core[0o7776] == 0
+    assert not any(session.machine.core)
+
+
+@pytest.mark.parametrize("speed", [1, 10, 100, 1000])
+def test_a_second_in_the_room_is_speed_seconds_at_the_machine(speed: int) -> None:
+    session = at_rest()
+    session.machine.load({0o200: 0o7001, 0o201: 0o5200})  # IAC, JMP .-1: it never waits
+    session.machine.start(0o200)
+    session.speed = speed
+    for _ in range(4):
+        session.advance(0.001)
+    assert session.machine.elapsed == pytest.approx(0.004 * speed, rel=0.01)
+    assert not session.behind
+
+
+def test_a_computer_that_tires_falls_behind_and_leaves_nothing_out() -> None:
+    times = iter(range(1000))
+    session = Session(Machine(), clock=lambda: float(next(times)))
+    session.machine.load({0o200: 0o7001, 0o201: 0o5200})
+    session.machine.start(0o200)
+    session.advance(0.05)
+    assert session.behind
+    assert session.machine.elapsed < 0.05
+    turns = session.machine.instructions // 2
+    assert session.machine.ac in (turns & 0o7777, turns + 1 & 0o7777)
+
+
+def test_lamps_at_a_standstill_are_the_panels() -> None:
+    session = at_rest()
+    session.machine.core[0o1234] = 0o4321
+    session.machine.sr = 0o1234
+    session.press("load_add")
+    assert session.glow["ma"] == (0, 0, 1, 0, 1, 0, 0, 1, 1, 1, 0, 0)
+    assert session.glow["mb"] == (1, 0, 0, 0, 1, 1, 0, 1, 0, 0, 0, 1)
+    assert session.glow["run"] == (0,)
+    assert {name: len(bits) for name, bits in session.glow.items()} == LAMPS
+
+
+def test_lamps_of_a_running_machine_are_as_bright_as_they_were_often_on() -> None:
+    session = at_rest()
+    session.machine.load({0o200: 0o7001, 0o201: 0o5200})
+    session.machine.start(0o200)
+    session.advance(0.05)
+    assert session.glow["run"] == (1,)
+    assert any(0 < brightness < 1 for brightness in session.glow["ac"])
+    assert all(0 <= brightness <= 1 for bits in session.glow.values() for brightness in bits)
+
+
+def test_the_teletype_goes_on_while_the_processor_stands_still() -> None:
+    session = at_rest()
+    session.mount(Tape("two frames", b"\xb1\xb2"))
+    session.machine.load({0o200: 0o6031, 0o201: 0o5200, 0o202: 0o6036})  # KSF, JMP .-1, KRB
+    session.machine.panel.sing_step = True
+    session.machine.sr = 0o200
+    session.press("load_add")
+    session.press("start")
+    assert session.address == 0o201
+    session.advance(0.1)
+    assert session.machine.teletype.reader.position == 1
+    session.press("cont")
+    session.press("cont")
+    assert session.address == 0o202
+    session.press("cont")
+    assert session.machine.ac == 0o261
+
+
+def test_single_steps_name_their_state() -> None:
+    session = at_rest()
+    session.machine.load({0o200: 0o1410, 0o10: 0o0377, 0o400: 0o7777})  # TAD I 10
+    session.machine.panel.sing_step = True
+    session.machine.sr = 0o200
+    session.press("load_add")
+    said = []
+    for key in ("start", "cont", "cont"):
+        session.press(key)
+        said.append((session.said, session.address))
+    assert said == [("one cycle: FETCH", 0o200), ("one cycle: DEFER", 0o200), ("one cycle: EXECUTE", 0o201)]
+    assert session.machine.ac == 0o7777
+
+
+def test_a_loaders_tape_is_set_on_its_leader_and_no_other_tape_loses_a_frame() -> None:
+    session = at_rest()
+    session.mount(Tape("loader", b"\0\0\x80\x80\x01\x02"))
+    assert session.machine.teletype.reader.tape == b"\x80\x80\x01\x02"
+    session.mount(Tape("eia", b"\0\x20\x01\x80"))
+    assert session.machine.teletype.reader.tape == b"\0\x20\x01\x80"
+
+
+def test_a_torn_off_tape_lies_with_the_others() -> None:
+    session = at_rest()
+    session.machine.teletype.punch.frames += b"\x01\x02"
+    assert session.tear_off("mine").frames == b"\x01\x02"
+    assert session.tapes[-1] == Tape("mine", b"\x01\x02")
+    assert session.machine.teletype.punch.tape == b""
+
+
+def test_the_keyboard_has_upper_case_and_channel_8() -> None:
+    session = at_rest()
+    session.type("aZ1\n")
+    assert bytes(session.machine.teletype.keyboard.waiting) == bytes([0o301, 0o332, 0o261, 0o215])
+
+
+def test_dialling_octal_digits_sets_three_switches_at_a_time() -> None:
+    session = at_rest()
+    for digit in (7, 7, 5, 6):
+        session.dial(digit)
+    assert session.machine.sr == 0o7756
+    session.throw(0)
+    assert session.machine.sr == 0o3756
+
+
+def test_the_whole_morning_at_a_thousand_times_the_pace() -> None:
+    session, programs = opening(clock=lambda: 0.0)
+    session.speed = 1000
+    tapes = {tape.name: tape for tape in session.tapes}
+    assert set(tapes) == {"bin.rim", "eia.bin", "circle.asc", "ellipse.asc"}
+    session.toggle_rim()
+    session.advance(2)
+    read_by(session, tapes["bin.rim"], 0o7756)
+    assert session.said.startswith("out of tape")
+    session.press("stop")
+    read_by(session, tapes["eia.bin"], 0o7777)
+    assert session.said == "HLT at 7700"
+    assert session.machine.ac == 0
+    assert fitting(programs, 0o200, session.machine.core[0o200]) == programs[-1]
+    short = tapes["circle.asc"].frames[:54]
+    read_by(session, Tape("two lines", short), 0o200)
+    expected = bytes([0, *(0o40, 0o40, 0o1, 0o40, 0o1, 0o31), *[0o40] * 12, 0o2, 0o200])
+    assert_same_tape(session.machine.teletype.punch.tape[:21], expected)
+
+
+def read_by(session: Session, tape: Tape, start: int) -> None:
+    """Put the tape in, LOAD ADD, START, and wait until the machine has had enough."""
+    session.mount(tape)
+    session.machine.sr = start
+    session.press("load_add")
+    session.press("start")
+    for _ in range(100):
+        session.advance(0.05)
+        if session.said != "running":
+            return
+
+
+@pytest.mark.parametrize("name", ["eia.pal", "eia.bin"])
+def test_a_program_is_listed_from_its_source_or_from_its_tape(name: str) -> None:
+    program = read(name)
+    assert program.lines[program.places[0o227]].startswith("0227  0000")
+    assert program.words[0o200] == 0o6046
+    assert kinds.classify(program.tape) == kinds.BIN
+
+
+def test_where_two_programs_could_be_core_decides() -> None:
+    rim, eia = read("rim.pal"), read("eia.pal")
+    assert fitting([rim, eia], 0o7756, 0o6032) == rim
+    assert fitting([rim, eia], 0o200, 0o6046) == eia
+    assert fitting([rim, eia], 0o200, 0) is None
+
+
+@pytest.mark.parametrize(
+    ("source", "said"),
+    [
+        (b"*200\n\tJMP 400\n$\n", "not loaded, it has errors"),
+        (b"", "no word in it goes into core"),
+        (b"\x80" * 16, "bad.pal: "),
+    ],
+)
+def test_what_is_no_program_is_refused_by_name(tmp_path: object, source: bytes, said: str) -> None:
+    path = f"{tmp_path}/bad.pal"
+    with open(path, "wb") as file:
+        file.write(source)
+    with pytest.raises(WorkError, match=said):
+        read(path)
