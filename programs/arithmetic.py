@@ -50,11 +50,11 @@ class Arithmetic(Protocol):
 
 
 class Exact:
-    """Rational arithmetic; a root that is not rational is cut 128 bits after the point.
+    """Rational arithmetic; a root that is not rational is cut 64 bits after the point.
 
     The cut changes no test of a part program: the root of a fraction of denominator d*d that is not the
     rational r of denominator d differs from r by about 1/(2*d*d*r) at least, and parts are not made to
-    2**-128 inch.
+    2**-64 inch.
     """
 
     def real(self, value: float) -> Fraction:
@@ -71,7 +71,7 @@ class Exact:
         root, side = isqrt(over), isqrt(under)
         if root * root == over and side * side == under:
             return Fraction(root, side)
-        return Fraction(isqrt((over << 256) // under), 1 << 128)
+        return Fraction(isqrt((over << 128) // under), 1 << 64)
 
 
 class Float:

@@ -1,13 +1,13 @@
 """y = f(x) on the table: its limits at each thousandth of X, for the cutter's centre or the cutter's edge.
 
-                  x1 x2           The part's surface is f. A cutter of radius C beside it has its centre on
-                  the normal
-    g   .-------.--.              (equation 3):
-       /      C/    \\                 x2 = x1 - C sin(theta)     tan(theta) = dy/dx
-    f --------'      -                y2 = y1 + C cos(theta)     (+ above the curve, - below)
+        .--(x2,y2)--.        The part's surface is f. A cutter of radius C beside it has its centre on the
+      .'    |C       '.      normal (equation 3), at the angle theta whose tangent is dy/dx:
+     '   (x1,y1)       '         x2 = x1 - C sin(theta)
+       .--'   '--.               y2 = y1 + C cos(theta)       + above the curve, - below it
+     f             f
 
-Where the surface curves towards the cutter more tightly than the cutter does, x2 runs backwards: no path can
-cut it.
+Where the surface curves towards the cutter more tightly than the cutter does, x2 runs backwards: no path can cut
+it.
 
 Source: thesis, Chapter 6, Figure 6.2 and equations 1 to 3.
 """

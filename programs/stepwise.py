@@ -1,12 +1,10 @@
 """The Step-wise Linear Technique of Chapter 3: along one axis to one limit, along the other to the other.
 
-          C---D           From A along Y until the next thousandth would pass the upper limit: C. From there
-          along
-        .-'   |  .        X until it would pass the lower one: D; and so on until B (Figures 3.3 to 3.5).
-        Where
-      A   .   E---F       a stretch of the curve ends, at a turning point, the cut that is going on goes on
-      into the
-                          next; the last one ends in B itself, by a cut along each axis if need be.
+          E---F       From A along Y until the next thousandth would pass the upper limit: C. From there along X
+          |           until it would pass the lower one: D; and so on until B (Figures 3.3 to 3.5). Where a
+      C---D           stretch of the curve ends, at a turning point, the cut that is going on goes on into the
+      |               next; the last one ends in B itself, by a cut along each axis if need be.
+      A
 
 Every stop lies inside the band. The listings of the circle and the ellipse stop at the first thousandth that
 reaches a limit instead, which may be outside by less than one; a Stretch says which of the two it wants.
