@@ -11,14 +11,15 @@ r"""The fluidic bistable of Chapter 8, ten times full size, for a .125 in cutter
              .-' '-.
              |_____|           supply
 
-The element's drawing is lost with Figure 8.1. This outline is OURS, of the make-up that the chapter tells: a main
-program of 4 slopes (two walls, two sides of the splitter) and 9 arcs (two entries of the nozzle, two vents, two
-outer and two inner bends, the splitter's nose), joined by straight milling; and a subprogram of the control
-channels, 4 slopes and straight milling, that can be put anywhere downstream of the nozzle's exit.
+The element's drawing is lost with Figure 8.1. This outline is OURS, of the make-up that the chapter tells: a
+main program of 4 slopes (two walls, two sides of the splitter) and 9 arcs (two entries of the nozzle, two
+vents, two outer and two inner bends, the splitter's nose), joined by straight milling; and a subprogram of
+the control channels, 4 slopes and straight milling, that can be put anywhere downstream of the nozzle's exit.
 
-The nozzle is ten times the chapter's .020 x .040; all else is where the cutter's centre goes. u is X from the axis
-of symmetry, v is Y from the end of the supply. The thesis's element took 2050 blocks for the main program and 600
-for the channels, at +-.003; its channels were at the nozzle's exit in one model, .8 in downstream in the other.
+The nozzle is ten times the chapter's .020 x .040; all else is where the cutter's centre goes. u is X from the
+axis of symmetry, v is Y from the end of the supply. The thesis's element took 2050 blocks for the main
+program and 600 for the channels, at +-.003; its channels were at the nozzle's exit in one model, .8 in
+downstream in the other.
 
 Source: thesis, Chapter 8. All dimensions but the nozzle's, the scale, the cutter and the band are ours.
 """

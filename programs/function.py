@@ -6,8 +6,8 @@
        .--'   '--.               y2 = y1 + C cos(theta)       + above the curve, - below it
      f             f
 
-Where the surface curves towards the cutter more tightly than the cutter does, x2 runs backwards: no path can cut
-it.
+Where the surface curves towards the cutter more tightly than the cutter does, x2 runs backwards: no path can
+cut it.
 
 Source: thesis, Chapter 6, Figure 6.2 and equations 1 to 3.
 """

@@ -1,14 +1,14 @@
 """The Piece-wise Linear Technique of Chapter 3: X and Y run together, at two feeds that follow the slope.
 
-          .---B       From A both axes set out, each at its own feed; one arrives, the other goes on alone
-       .'             (Figure 3.1). A block goes as far as the band allows, whichever way the feeds err. Of all
-     .'               pairs of feeds the one is taken that goes furthest for its blocks: a block sets one feed,
-    A                 so that a change of both costs a block more.
+          .---B      From A both axes set out, each at its own feed; one arrives, the other goes on alone
+       .'            (Figure 3.1). A block goes as far as the band allows, whichever way the feeds err.
+     .'              Of all pairs of feeds the one is taken that goes furthest for its blocks: a block sets
+    A                one feed, so that a change of both costs a block more.
 
-A feed is within 20 % of what Table 2.4 says. The band is kept for the worst of it, X fast and Y slow or X slow and
-Y fast, between which all other ways lie; with a feed error of 0 the feeds are believed. Where no pair fits, the
-block goes along one axis: the limiting case that Chapter 3 names. Whether a way keeps to its band is asked at a
-dozen places of each leg; the bands of stretches do not wind between them.
+A feed is within 20 % of what Table 2.4 says. The band is kept for the worst of it, X fast and Y slow or X
+slow and Y fast, between which all other ways lie; with a feed error of 0 the feeds are believed. Where no
+pair fits, the block goes along one axis: the limiting case that Chapter 3 names. Whether a way keeps to its
+band is asked at a dozen places of each leg; the bands of stretches do not wind between them.
 
 Sources: thesis, Chapter 3, Figures 3.1 and 3.2, Tables 2.4 and 10.1. The choice of pairs is ours.
 """

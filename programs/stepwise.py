@@ -1,7 +1,7 @@
 """The Step-wise Linear Technique of Chapter 3: along one axis to one limit, along the other to the other.
 
-          E---F       From A along Y until the next thousandth would pass the upper limit: C. From there along X
-          |           until it would pass the lower one: D; and so on until B (Figures 3.3 to 3.5). Where a
+          E---F       From A along Y until the next thousandth would pass the upper limit: C. From there along
+          |           X until it would pass the lower one: D; and so on until B (Figures 3.3 to 3.5). Where a
       C---D           stretch of the curve ends, at a turning point, the cut that is going on goes on into the
       |               next; the last one ends in B itself, by a cut along each axis if need be.
       A
