@@ -14,6 +14,7 @@
     gcode       the path for today's controllers
     dxf         the path as a drawing
     cli         pdp8 nc
+    options     what its commands take in common
 
 It knows tapes and nothing else of ours. Pictures of it are drawn without any library.
 """
