@@ -32,7 +32,7 @@ def monitor(script: str | None, highspeed: bool, echo: bool) -> None:
     machine = Machine(highspeed)
     made = Monitor(click.echo, open_program, machine)
     if script is None and sys.stdin.isatty():
-        _converse(made)
+        converse(made)
     else:
         _follow(made, script or "-", echo)
 
@@ -52,7 +52,7 @@ def _follow(made: Monitor, script: str, echo: bool) -> None:
             return
 
 
-def _converse(made: Monitor) -> None:
+def converse(made: Monitor) -> None:
     """Answer at a terminal until quit or end of file; errors are said, Ctrl-C stops the machine."""
     click.echo("PDP-8/L, 4K. help tells what there is; quit leaves.")
     for line in _typed():

@@ -2,6 +2,7 @@
 
 import sys
 import time
+from contextlib import AbstractContextManager, ExitStack
 from typing import BinaryIO
 
 import click
@@ -10,9 +11,12 @@ from pdp8.cli.octal import octal
 from pdp8.cli.program import read_words
 from pdp8.cli.progress import Bar
 from pdp8.machine import Machine, Stop
+from pdp8.teletype import Punch
 from tapes import shelf
+from tapes.errors import WorkError
 
 _SLICE = 1.0  # seconds of machine time between two looks at the punch and at the clock
+_REAL_SLICE = 0.05
 _WHY = {
     "halt": "HLT at {last:04o}",
     "tape out": "the reader ran out of tape, and the program waits for it at {pc:04o}",
@@ -25,19 +29,18 @@ _DONE = ("halt", "tape out")
 
 
 class _Output:
-    """Where the punched frames go as they are punched; at a terminal, the printed page instead."""
+    """Where the frames of one punch go as they are punched; at a terminal, the printed page instead."""
 
-    def __init__(self, machine: Machine, name: str | None) -> None:
-        self._machine = machine
+    def __init__(self, punch: Punch, name: str | None) -> None:
+        self._punch = punch
         self._name = name or "standard output"
-        self._sent = 0
+        self._sent = len(punch.frames)
         self._page = name is None and sys.stdout.isatty()
         self._stream: BinaryIO = sys.stdout.buffer if self._page else shelf.open_punch(name or "-")
 
     def send(self) -> None:
         """Pass on what was punched since the last time."""
-        frames = self._machine.teletype.punch.tape
-        fresh = frames[self._sent :]
+        fresh = bytes(self._punch.frames[self._sent :])
         if not fresh:
             return
         try:
@@ -47,7 +50,7 @@ class _Output:
             raise
         except OSError as error:
             raise shelf.ShelfError(f"{self._name}: {error.strerror} after {self._sent:,} frames") from error
-        self._sent = len(frames)
+        self._sent += len(fresh)
 
 
 def _printed(frames: bytes) -> bytes:
@@ -57,26 +60,42 @@ def _printed(frames: bytes) -> bytes:
 
 
 @click.command()
-@click.argument("program")
+@click.argument("program", required=False)
 @click.option("--start", type=octal, default="0200", show_default=True, help="Address to start at, octal.")
 @click.option("--sr", type=octal, default="0000", show_default=True, help="Switch register, octal.")
 @click.option("--reader", metavar="FILE", help="Tape in the Teletype's reader.  [default: standard input]")
 @click.option("--punch", metavar="FILE", help="Where the punched tape goes.  [default: standard output]")
+@click.option("--fast-reader", metavar="FILE", help="Fit the high-speed reader, with this tape.")
+@click.option("--fast-punch", metavar="FILE", help="Fit the high-speed punch; its tape goes here.")
+@click.option(
+    "--keyboard", is_flag=True, help="Type at the Teletype and see it print; Ctrl-] leaves to the monitor."
+)
 @click.option(
     "--max-time", type=click.FloatRange(min=0), metavar="SECONDS", help="Stop after this machine time."
 )
 @click.option("--realtime", is_flag=True, help="Run no faster than a PDP-8/L did: 10 frames a second.")
+@click.option("--boot", is_flag=True, help="From cold: toggle RIM in, read the BIN loader, read the program.")
+@click.option("--trace", metavar="FILE", help="Write each instruction executed, as its line of the listing.")
+@click.option("--save", metavar="FILE", help="Write the machine's state as the run ends.")
+@click.option("--restore", metavar="FILE", help="Go on from a saved state, instead of a PROGRAM.")
 @click.option("--quiet", is_flag=True, help="Do not say how the run ended, unless it failed.")
 @click.pass_context
 def run(
     ctx: click.Context,
-    program: str,
+    program: str | None,
     start: int,
     sr: int,
     reader: str | None,
     punch: str | None,
+    fast_reader: str | None,
+    fast_punch: str | None,
+    keyboard: bool,
     max_time: float | None,
     realtime: bool,
+    boot: bool,
+    trace: str | None,
+    save: str | None,
+    restore: str | None,
     quiet: bool,
 ) -> None:
     """Run PROGRAM on the PDP-8/L: standard input is the tape in its reader, standard output what it punches.
@@ -90,18 +109,44 @@ def run(
     Examples:
       pdp8 run eia.pal < circle.asc > circle.eia
       pdp8 run eia.pal --reader ellipse.asc --punch ellipse.eia
-      pdp8 run mine.bin --start 400 --sr 7777 --max-time 60 > out.tape
+      pdp8 run eia.pal --boot < circle.asc > circle.eia
+      pdp8 run echo.pal --keyboard --realtime
+      pdp8 run eia.pal --trace eia.trace --max-time 1 < circle.asc > some.eia
+      pdp8 run eia.pal --save noon.state --max-time 60 < circle.asc > first.eia
+      pdp8 run --restore noon.state > rest.eia
+      pdp8 run mine.bin --start 400 --sr 7777 --fast-reader in.tape --fast-punch out.tape
     """
-    machine = Machine()
-    machine.load(read_words(program))
-    machine.sr = sr
-    machine.teletype.reader.load(_tape(program, reader, quiet))
-    output = _Output(machine, punch)
-    machine.start(start)
-    try:
-        stop = _run(machine, output, max_time, realtime, quiet)
-    except KeyboardInterrupt:
-        output.send()
+    if (program is None) == (restore is None):
+        raise click.UsageError("Give a PROGRAM, or --restore FILE and none.")
+    if keyboard and not (sys.stdin.isatty() and sys.stdout.isatty()):
+        raise click.UsageError("--keyboard needs a terminal to type and print at.")
+    if restore is not None:
+        machine = _restored(restore, reader)
+    else:
+        assert program is not None
+        machine = Machine(highspeed=fast_reader is not None or fast_punch is not None)
+        if boot:
+            _boot(machine, program, quiet)
+        else:
+            machine.load(read_words(program))
+        machine.sr = sr
+        machine.teletype.reader.load(_tape(program, reader, quiet, keyboard))
+        if fast_reader is not None:
+            machine.highspeed.reader.load(shelf.read(fast_reader))
+        machine.start(start)
+    outputs = _outputs(machine, punch, fast_punch, keyboard)
+    with ExitStack() as stack:
+        if trace is not None:
+            stack.enter_context(_traced(machine, trace, program))
+        if keyboard:
+            stop = _typed(machine, outputs, max_time, realtime)
+        else:
+            stop = _until_it_stops(machine, outputs, max_time, realtime, quiet)
+    if save is not None:
+        _save(machine, save)
+    if stop is None and keyboard:
+        ctx.exit(0)
+    if stop is None:
         _say(f"interrupted at {machine.pc:04o}{_counts(machine)}")
         ctx.exit(130)
     done = stop.reason in _DONE
@@ -111,25 +156,102 @@ def run(
     ctx.exit(0 if done else 1)
 
 
-def _run(machine: Machine, output: _Output, max_time: float | None, realtime: bool, quiet: bool) -> Stop:
+def _outputs(machine: Machine, punch: str | None, fast_punch: str | None, keyboard: bool) -> list[_Output]:
+    """Return where each punch's frames go; with the keyboard in use the page is the terminal's own."""
+    outputs = [] if keyboard and punch is None else [_Output(machine.teletype.punch, punch)]
+    if fast_punch is not None:
+        outputs.append(_Output(machine.highspeed.punch, fast_punch))
+    return outputs
+
+
+def _until_it_stops(
+    machine: Machine, outputs: list[_Output], max_time: float | None, realtime: bool, quiet: bool
+) -> Stop | None:
+    """Run as `_run` does; return None if interrupted, with all that was punched passed on."""
+    try:
+        return _run(machine, outputs, max_time, realtime, quiet)
+    except KeyboardInterrupt:
+        machine.bus.finish()
+        for output in outputs:
+            output.send()
+        return None
+
+
+def _run(
+    machine: Machine, outputs: list[_Output], max_time: float | None, realtime: bool, quiet: bool
+) -> Stop:
     """Run slice by slice, so that what is punched is seen as it is punched; return how it ended."""
     reader = machine.teletype.reader
-    began = time.monotonic()
+    began = time.monotonic() - machine.elapsed
+    last = None if max_time is None else machine.elapsed + max_time
+    slice_ = _REAL_SLICE if realtime else _SLICE
     with Bar("reading tape", len(reader.tape), wanted=not quiet) as bar:
         while True:
-            left = _SLICE if max_time is None else min(_SLICE, max_time - machine.elapsed)
-            stop = machine.run(seconds=left)
-            output.send()
+            stop = machine.run(seconds=slice_ if last is None else min(slice_, last - machine.elapsed))
+            for output in outputs:
+                output.send()
             bar.show(reader.position)
-            if stop.reason != "limit" or (max_time is not None and stop.elapsed >= max_time):
+            if stop.reason != "limit" or (last is not None and stop.elapsed >= last):
                 return stop
             if realtime:
                 time.sleep(max(0.0, machine.elapsed - (time.monotonic() - began)))
 
 
-def _tape(program: str, reader: str | None, quiet: bool) -> bytes:
+def _typed(machine: Machine, outputs: list[_Output], max_time: float | None, realtime: bool) -> Stop | None:
+    from pdp8.cli.keyboard import sit_down
+
+    def pass_on() -> None:
+        for output in outputs:
+            output.send()
+
+    return sit_down(machine, max_time, realtime, pass_on)
+
+
+def _traced(machine: Machine, name: str, program: str | None) -> AbstractContextManager[None]:
+    from pdp8.cli.listed import open_program
+    from pdp8.cli.tracing import tracing
+    from pdp8.trace import Listing
+
+    return tracing(machine, name, open_program(program).listing if program else Listing())
+
+
+def _save(machine: Machine, name: str) -> None:
+    from pdp8 import state
+
+    shelf.write(name, state.save(machine).encode())
+
+
+def _restored(name: str, reader: str | None) -> Machine:
+    """Return the saved machine, with another tape in its reader if one is given."""
+    from pdp8 import state
+
+    try:
+        machine = state.restore(shelf.read(name).decode("ascii", "replace"))
+    except state.StateError as error:
+        raise WorkError(f"{name}: {error}") from error
+    if reader is not None:
+        machine.teletype.reader.load(shelf.read(reader))
+    return machine
+
+
+def _boot(machine: Machine, program: str, quiet: bool) -> None:
+    """Load `program` as an operator does, saying what it took."""
+    from pdp8 import loaders
+    from pdp8.cli.listed import open_program
+    from tapes import rim
+    from tapes.measure import duration
+
+    bin_loader = rim.encode(open_program("bin.pal").words)
+    steps = loaders.boot(machine, bin_loader, open_program(program).tape, program)
+    if not quiet:
+        for step in steps:
+            _say(str(step))
+        _say(f"loaded in {duration(sum(step.seconds for step in steps))}, besides what the hands take")
+
+
+def _tape(program: str, reader: str | None, quiet: bool, keyboard: bool) -> bytes:
     """Return the tape for the reader, and say so where it will not do what its owner thinks."""
-    if reader is None and (program == "-" or sys.stdin.isatty()):
+    if reader is None and (program == "-" or keyboard or sys.stdin.isatty()):
         frames, name = b"", "the reader"
     else:
         name = reader or "-"
@@ -152,8 +274,12 @@ def _counts(machine: Machine) -> str:
     """Say what was read and punched, and the time of 1971."""
     from tapes.measure import duration
 
-    read, punched = machine.teletype.reader.position, len(machine.teletype.punch.tape)
-    return f"; {_frames(read)} read, {_frames(punched)} punched; {duration(machine.elapsed)} in 1971"
+    parts = [(machine.teletype.reader.position, len(machine.teletype.punch.frames), "")]
+    if machine.highspeed.fitted:
+        fast = machine.highspeed
+        parts.append((fast.reader.position, len(fast.punch.frames), " at high speed"))
+    told = "".join(f"; {_frames(read)} read, {_frames(punched)} punched{how}" for read, punched, how in parts)
+    return f"{told}; {duration(machine.elapsed)} in 1971"
 
 
 def _frames(count: int) -> str:

@@ -1,0 +1,115 @@
+"""Sitting at the Teletype: what is typed is its keyboard, what it prints is the page.
+
+A Model 33 has capitals only, sends channel 8 with every key, and prints nothing by itself. Ctrl-] gets up:
+the monitor takes over, with the machine as it stands. The terminal is put back as it was, however one leaves.
+"""
+
+import os
+import select
+import signal
+import sys
+import termios
+import time
+import tty
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from types import FrameType
+
+import click
+
+from pdp8.machine import Machine, Stop
+
+ESCAPE = b"\x1d"
+_SLICE = 0.05
+_RUBOUT_KEYS = bytes.maketrans(b"\n\x7f", b"\r\x7f")
+
+
+def sit_down(
+    machine: Machine, max_time: float | None, realtime: bool, pass_on: Callable[[], object]
+) -> Stop | None:
+    """Run with the terminal as the Teletype until the machine stops or Ctrl-] is typed.
+
+    `pass_on` is called after each slice of the run. Returns how the run ended, or None after the monitor.
+    """
+    click.echo("Teletype on line; Ctrl-] leaves to the monitor.", err=True)
+    machine.teletype.printer.on_frame = _print
+    try:
+        with raw_terminal():
+            stop = _run(machine, max_time, realtime, pass_on)
+    finally:
+        machine.teletype.printer.on_frame = None
+    click.echo(err=True)
+    if stop is None:
+        _to_the_monitor(machine)
+    return stop
+
+
+@contextmanager
+def raw_terminal() -> Iterator[None]:
+    """Take every key as it is typed, Ctrl-C too; put the terminal back as it was, whoever ends the run."""
+    before = termios.tcgetattr(sys.stdin)
+    handlers = {number: signal.signal(number, _end) for number in (signal.SIGTERM, signal.SIGHUP)}
+    try:
+        tty.setraw(sys.stdin)
+        yield
+    finally:
+        termios.tcsetattr(sys.stdin, termios.TCSADRAIN, before)
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+
+
+def _end(number: int, frame: FrameType | None) -> None:
+    sys.exit(128 + number)
+
+
+def _run(
+    machine: Machine, max_time: float | None, realtime: bool, pass_on: Callable[[], object]
+) -> Stop | None:
+    began = time.monotonic() - machine.elapsed
+    last = None if max_time is None else machine.elapsed + max_time
+    while True:
+        stop = machine.run(seconds=_SLICE if last is None else min(_SLICE, last - machine.elapsed))
+        pass_on()
+        waiting = stop.reason in ("tape out", "idle")
+        if (stop.reason != "limit" and not waiting) or (last is not None and stop.elapsed >= last):
+            return stop
+        ahead = machine.elapsed - (time.monotonic() - began) if realtime else 0.0
+        typed = _keys(_SLICE if waiting else max(0.0, ahead))
+        if ESCAPE in typed:
+            return None
+        if waiting:
+            machine.wait(max(_SLICE, time.monotonic() - began - machine.elapsed if realtime else 0.0))
+        machine.teletype.keyboard.press(frames(typed))
+
+
+def _keys(seconds: float) -> bytes:
+    """Return what is typed within `seconds`; the end of the terminal is as good as Ctrl-]."""
+    ready, _, _ = select.select([sys.stdin], [], [], seconds)
+    typed = os.read(sys.stdin.fileno(), 64) if ready else b""
+    return ESCAPE if ready and not typed else typed
+
+
+def frames(typed: bytes) -> bytes:
+    """Return what the keys of a Model 33 send for what is typed at a terminal."""
+    keys = typed.upper().translate(_RUBOUT_KEYS)
+    return bytes(key | 0o200 for key in keys if key < 0o200)
+
+
+def _print(frame: int) -> None:
+    """Print a frame as a Model 33 does: 64 characters and bell, return, line feed; channel 8 is not looked
+    at.
+    """
+    code = frame & 0o177
+    if 0o140 <= code < 0o177:
+        code -= 0o40
+    if 0o40 <= code < 0o140 or code in (0o7, 0o12, 0o15):
+        sys.stdout.write(chr(code))
+        sys.stdout.flush()
+
+
+def _to_the_monitor(machine: Machine) -> None:
+    from pdp8.cli.listed import open_program
+    from pdp8.cli.monitor import converse
+    from pdp8.monitor import Monitor
+
+    converse(Monitor(click.echo, open_program, machine))

@@ -1,0 +1,35 @@
+"""A trace into a file, which is there whole when the run has ended, and not at all if it could not be
+written.
+"""
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+
+from pdp8.machine import Machine
+from pdp8.trace import Listing, Trace
+from tapes.shelf import ShelfError
+
+
+@contextmanager
+def tracing(machine: Machine, name: str, listing: Listing) -> Iterator[None]:
+    """Write what `machine` executes meanwhile into file `name`. Raises ShelfError."""
+    if os.path.isdir(name):
+        raise ShelfError(f"{name}: Is a directory")
+    special = os.path.exists(name) and not os.path.isfile(name)
+    beside = name if special else f"{name}.{os.getpid()}.part"
+    try:
+        with open(beside, "w") as file:
+            trace = Trace(lambda line: file.write(line + "\n"), listing)
+            trace.begin(machine.processor)
+            machine.watch.observer = trace
+            yield
+        if not special:
+            os.replace(beside, name)
+    except OSError as error:
+        raise ShelfError(f"{name}: {error.strerror}; no trace was written") from error
+    finally:
+        machine.watch.observer = None
+        if not special:
+            with suppress(FileNotFoundError):
+                os.unlink(beside)

@@ -1,0 +1,156 @@
+"""What `pdp8 run` does beside the main job: booting, tracing, saving, the PC8/L, the live Teletype, and
+misuse.
+"""
+
+import os
+import pty
+import select
+import signal
+import termios
+import time
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import BIN, Shell, assert_same_tape
+
+LINE = bytes(0o200 | code for code in b"  76 2250 4133  185\r\n")
+
+
+@pytest.fixture
+def eia(shell: Shell, tmp_path: Path) -> bytes:
+    """Put line.asc into the folder; return what the thesis's program makes of it."""
+    (tmp_path / "line.asc").write_bytes(LINE)
+    return shell("pdp8 run eia.pal < line.asc").stdout
+
+
+def test_boot_makes_the_same_tape_and_says_what_it_took(shell: Shell, eia: bytes) -> None:
+    ran = shell("pdp8 run eia.pal --boot < line.asc")
+    assert_same_tape(ran.stdout, eia)
+    said = ran.stderr.decode().splitlines()
+    assert said[0] == "pdp8 run: RIM loader toggled in: 18 keys"
+    assert said[1].endswith("0 min 49 s")
+    assert said[3].startswith("pdp8 run: loaded in 1 min 22.7 s")
+    assert ran.returncode == 0
+
+
+def test_a_run_saved_and_restored_is_one_run(shell: Shell, eia: bytes) -> None:
+    first = shell("pdp8 run eia.pal --max-time 1.05 --save noon.state < line.asc")
+    assert first.returncode == 1
+    rest = shell("pdp8 run --restore noon.state")
+    assert rest.returncode == 0
+    assert_same_tape(first.stdout + rest.stdout, eia)
+    assert 5 < len(first.stdout) < 15
+
+
+def test_a_trace_follows_the_listing(shell: Shell, eia: bytes, tmp_path: Path) -> None:
+    ran = shell("pdp8 run eia.pal --trace eia.trace < line.asc")
+    assert_same_tape(ran.stdout, eia)
+    lines = (tmp_path / "eia.trace").read_text().splitlines()
+    assert lines[0].startswith("          0.00 us  0 0000  0200 6046  0200  6046  START,  TLS")
+    assert any("the same again" in line for line in lines)
+    assert len(lines) < 3000
+
+
+def test_the_pc8_reads_and_punches_files(shell: Shell, tmp_path: Path) -> None:
+    source = "*200\n\tRFC\n\tRSF\n\tJMP .-1\n\tRRB RFC\n\tPLS\n\tPSF\n\tJMP .-1\n\tCLA\n\tJMP 201\n$\n"
+    (tmp_path / "copy.pal").write_text(source)
+    (tmp_path / "in.tape").write_bytes(bytes(range(100)))
+    ran = shell("pdp8 run copy.pal --fast-reader in.tape --fast-punch out.tape </dev/null")
+    assert_same_tape((tmp_path / "out.tape").read_bytes(), bytes(range(100)))
+    assert b"100 frames read, 100 frames punched at high speed; 2.0 s in 1971" in ran.stderr
+    assert ran.returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("line", "status", "message"),
+    [
+        ("run", 2, "Give a PROGRAM, or --restore"),
+        ("run hello.pal --restore x", 2, "Give a PROGRAM, or --restore"),
+        ("run hello.pal --start 9", 2, "not an octal number"),
+        ("run hello.pal --sr 10000", 2, "not between 0000 and 7777"),
+        ("run hello.pal --keyboard", 2, "needs a terminal"),
+        ("run --restore nothing", 1, "nothing: no such file"),
+        ("run --restore empty", 1, "empty: line 1: a saved state begins with"),
+        ("run hello.pal --fast-reader nothing", 1, "nothing: no such file"),
+        ("run hello.pal --trace /dev/full", 1, "/dev/full: No space left on device"),
+        ("run hello.pal --trace .", 1, ".: Is a directory"),
+        ("run hello.pal --save /dev/full", 1, "/dev/full: No space left on device"),
+        ("run hello.pal --fast-punch .", 1, ".: Is a directory"),
+        ("run empty --boot", 1, "empty: the program tape is empty"),
+    ],
+)
+def test_misuse(shell: Shell, tmp_path: Path, line: str, status: int, message: str) -> None:
+    (tmp_path / "empty").write_bytes(b"")
+    ran = shell(f"pdp8 {line} < /dev/null > out.tape")
+    assert message in ran.stderr.decode()
+    assert "Traceback" not in ran.stderr.decode()
+    assert ran.returncode == status
+    assert not (tmp_path / "hello.trace").exists()
+
+
+class Terminal:
+    """`pdp8 run` at a terminal of its own."""
+
+    def __init__(self, *arguments: str) -> None:
+        self.pid, self.file = pty.fork()
+        if self.pid == 0:
+            os.environ["TERM"] = "dumb"
+            os.execv(str(BIN / "pdp8"), ["pdp8", "run", *arguments])
+        self.before = termios.tcgetattr(self.file)
+        self.seen = b""
+
+    def until(self, text: bytes, seconds: float = 20) -> bytes:
+        """Read until `text` appears; return all since the last time."""
+        end = time.monotonic() + seconds
+        while text not in self.seen and time.monotonic() < end:
+            if select.select([self.file], [], [], 0.1)[0]:
+                try:
+                    self.seen += os.read(self.file, 4096)
+                except OSError:
+                    break
+        assert text in self.seen, self.seen
+        seen, self.seen = self.seen, b""
+        return seen
+
+    def type(self, keys: bytes) -> None:
+        os.write(self.file, keys)
+
+    def restored(self) -> bool:
+        """Tell whether the terminal is as it was."""
+        return termios.tcgetattr(self.file)[:4] == self.before[:4]
+
+    def ended(self) -> int:
+        return os.waitstatus_to_exitcode(os.waitpid(self.pid, 0)[1])
+
+
+def test_the_live_teletype_and_the_way_to_the_monitor() -> None:
+    terminal = Terminal("echo.pal", "--keyboard")
+    terminal.until(b"Ctrl-]")
+    terminal.type(b"pal iii")
+    terminal.until(b"PAL III")
+    assert not terminal.restored()
+    terminal.type(b"\x1d")
+    terminal.until(b"quit leaves")
+    terminal.type(b"examine COUNT\r")
+    terminal.until(b"COUNT")
+    terminal.type(b"quit\r")
+    assert terminal.ended() == 0
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_the_terminal_is_restored_whatever_ends_the_run(number: int) -> None:
+    terminal = Terminal("echo.pal", "--keyboard", "--realtime")
+    terminal.until(b"Ctrl-]")
+    terminal.type(b"x")
+    terminal.until(b"X")
+    os.kill(terminal.pid, number)
+    status = terminal.ended()
+    assert status == 128 + number
+    assert terminal.restored()
+
+
+def test_a_halt_ends_the_live_teletype() -> None:
+    terminal = Terminal("hello.pal", "--keyboard")
+    assert b"HELLO, WORLD." in terminal.until(b"HLT at")
+    assert terminal.ended() == 0
