@@ -17,21 +17,25 @@ _GLANCE = 0.25  # seconds between two looks at the clock
 
 
 @click.command()
-@click.argument("part", type=click.Choice(PARTS))
+@click.argument("part", type=click.Choice(PARTS), metavar="PART")
 @click.option(
     "--out", metavar="FOLDER", help="Where tapes, listings and pictures go.  [default: replay-PART]"
 )
 @click.option(
     "--html", metavar="FILE", help="Write the afternoon as a page too: any instant of it, in one file."
 )
-@click.option("--realtime", is_flag=True, help="Take as long as it took in 1971, an hour and three quarters.")
+@click.option(
+    "--realtime",
+    is_flag=True,
+    help="Take as long as it took in 1971, most of two hours.",
+)
 def replay(part: str, out: str | None, html: str | None, realtime: bool) -> None:
-    """Do the afternoon of 1971 again for PART, with every constant as the thesis has it.
+    """Do the afternoon of 1971 again for PART: circle, ellipse, polynomial, slope, die, drill or fluidic.
 
-    FORTRAN's output is punched, RIM toggled in, BIN loaded, eia.pal loaded, the tape translated, the part
-    milled and inspected. Each act is said in a line: its time of day, how long it took in 1971 and takes
-    today, and what came of it. The table at the end sets the thesis's figures beside the replay's; tapes,
-    listings and pictures stay in a folder.
+    Every constant is as the thesis has it. FORTRAN's output is punched, RIM toggled in, BIN loaded, eia.pal
+    loaded, the tape translated, the part milled and inspected. Each act is said in a line: its time of day,
+    how long it took in 1971 and takes today, and what came of it. The table at the end sets the thesis's
+    figures beside the replay's; tapes, listings and pictures stay in a folder.
 
     \b
     Examples:
@@ -43,17 +47,23 @@ def replay(part: str, out: str | None, html: str | None, realtime: bool) -> None
 
     folder = out or f"replay-{part}"
     os.makedirs(folder, exist_ok=True)
-    afternoon = whole(part, lambda act: _tell(act, realtime))
+    afternoon = whole(part, _keep_quiet if realtime else _tell)
     _leave(afternoon, folder, html)
+    if realtime:
+        for act in afternoon.acts:
+            _pass(act)
+            _tell(act)
     _show(afternoon)
 
 
-def _tell(act: "Act", realtime: bool) -> None:
-    """Say the act in a line, when its time has passed."""
+def _keep_quiet(act: "Act") -> None:
+    """Say nothing yet: the act is told when its time has passed."""
+
+
+def _tell(act: "Act") -> None:
+    """Say the act in a line."""
     from pdp8.replay import clock
 
-    if realtime:
-        _pass(act)
     took = f"{_span(act.seconds):>6} in 1971, {act.real:5.2f} s today"
     click.echo(f"{clock(act.starts):>11}  {act.name:<14} {took}  {act.came}", err=True)
 

@@ -1,0 +1,89 @@
+"""`pdp8 replay` as a user runs it."""
+
+import os
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+
+from pdp8.cli.replay import PARTS
+from tests.conftest import BIN, Shell
+
+
+def test_the_acts_are_said_and_the_table_printed(shell: Shell, tmp_path: Path) -> None:
+    """Lines on standard error, the table on standard output, the files in a folder, the page where it is asked."""
+    done = shell("pdp8 replay drill --out desk --html page.html")
+    assert done.returncode == 0
+    said = done.stderr.decode().splitlines()
+    assert said[0].startswith(" 1:00:00 pm  FORTRAN          0:16 in 1971,")
+    assert "checksum right" in said[3]
+    assert said[-2:] == ["13 tapes, listings and pictures in desk", "the afternoon as a page in page.html"]
+    assert "thesis beside replay" in done.stdout.decode()
+    assert len(list((tmp_path / "desk").iterdir())) == 13
+    assert (tmp_path / "page.html").read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+
+
+@pytest.mark.parametrize("part", sorted(set(PARTS) - {"circle", "ellipse", "drill"}))
+def test_any_part(shell: Shell, part: str) -> None:
+    """Every part program goes the whole way, the page included."""
+    done = shell(f"pdp8 replay {part} --html - > page.html && wc -c < page.html")
+    assert done.returncode == 0, done.stderr.decode()
+    assert 100_000 < int(done.stdout) < 3_000_000
+
+
+@pytest.mark.parametrize(
+    ("line", "status", "message"),
+    [
+        ("pdp8 replay", 2, "Missing argument 'PART'"),
+        ("pdp8 replay square", 2, "'square' is not one of"),
+        ("touch desk; pdp8 replay drill --out desk", 1, "pdp8: desk: File exists"),
+        ("pdp8 replay drill --html /dev/full", 1, "pdp8: /dev/full: No space left on device"),
+        ("pdp8 replay drill --html .", 1, "pdp8: .: Is a directory"),
+        ("pdp8 replay drill --html no/page.html", 1, "pdp8: no/page.html: No such file or directory"),
+        ("pdp8 replay drill > /dev/full", 1, "No space left on device"),
+    ],
+)
+def test_misuse_and_bad_places(shell: Shell, line: str, status: int, message: str) -> None:
+    """One clear line, never a traceback."""
+    done = shell(line)
+    assert done.returncode == status
+    assert message in done.stderr.decode()
+    assert "Traceback" not in done.stderr.decode()
+
+
+def test_a_reader_who_had_enough(shell: Shell) -> None:
+    """A closed pipe is no error worth a word."""
+    done = shell("pdp8 replay drill | true; exit ${PIPESTATUS[0]}")
+    assert done.returncode in (0, 1)
+    assert "Traceback" not in done.stderr.decode()
+
+
+def test_interrupted_at_real_pace(tmp_path: Path) -> None:
+    """Ctrl-C in the middle of the first act: status 130; the files were left at once and are whole."""
+    running = subprocess.Popen(
+        [BIN / "pdp8", "replay", "drill", "--realtime"],
+        cwd=tmp_path,
+        stderr=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        env=os.environ,
+    )
+    left = tmp_path / "replay-drill" / "figures.txt"
+    give_up = time.monotonic() + 30
+    while not left.exists() and time.monotonic() < give_up:
+        time.sleep(0.05)
+    time.sleep(1)
+    running.send_signal(signal.SIGINT)
+    _, said = running.communicate(timeout=20)
+    assert running.returncode == 130
+    assert said.decode().strip().splitlines()[-1] == "pdp8: interrupted"
+    assert "FORTRAN" not in said.decode()
+    assert len((tmp_path / "replay-drill" / "drill.eia").read_bytes()) == 121
+
+
+def test_help(shell: Shell) -> None:
+    """With examples."""
+    assert (
+        "pdp8 replay ellipse --out ellipse --html ellipse.html" in shell("pdp8 replay --help").stdout.decode()
+    )
