@@ -31,10 +31,10 @@ def sit_down(
 
     `pass_on` is called after each slice of the run. Returns how the run ended, or None after the monitor.
     """
-    click.echo("Teletype on line; Ctrl-] leaves to the monitor.", err=True)
     machine.teletype.printer.on_frame = _print
     try:
         with raw_terminal():
+            click.echo("Teletype on line; Ctrl-] leaves to the monitor.\r", err=True)
             stop = _run(machine, max_time, realtime, pass_on)
     finally:
         machine.teletype.printer.on_frame = None
@@ -50,7 +50,7 @@ def raw_terminal() -> Iterator[None]:
     before = termios.tcgetattr(sys.stdin)
     handlers = {number: signal.signal(number, _end) for number in (signal.SIGTERM, signal.SIGHUP)}
     try:
-        tty.setraw(sys.stdin)
+        tty.setraw(sys.stdin, termios.TCSADRAIN)
         yield
     finally:
         termios.tcsetattr(sys.stdin, termios.TCSADRAIN, before)
