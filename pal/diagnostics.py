@@ -21,7 +21,6 @@ from pal.dialects import hint
 from pal.notes import Note, notes
 from pal.scanner import Line
 
-
 _CONTROLS = {code: "\N{MIDDLE DOT}" for code in (*range(0x20), 0x7F) if code != ord("\t")}
 """A terminal is shown no control codes of a source."""
 
