@@ -13,6 +13,8 @@ demo: .venv/ready
 	$(BIN)/pdp8 part circle > demo/circle.asc
 	$(BIN)/pdp8 run eia.pal < demo/circle.asc > demo/circle.eia
 	$(BIN)/pdp8 tape info demo/circle.asc demo/circle.eia
+	$(BIN)/pdp8 replay circle --out demo/afternoon --html demo/circle.html
+	@echo "Now open demo/circle.html in a browser, or sit down at the machine: $(BIN)/pdp8 panel"
 
 samples: .venv/ready
 	for part in circle ellipse; do \
@@ -35,7 +37,7 @@ format: .venv/ready-dev
 
 .venv/ready: pyproject.toml
 	$(PYTHON) -m venv .venv
-	$(BIN)/pip install -q --disable-pip-version-check -e .
+	$(BIN)/pip install -q --disable-pip-version-check -e ".[panel]"
 	touch $@
 
 .venv/ready-dev: .venv/ready
