@@ -52,7 +52,11 @@ _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 _TAPE_OPTIONS: list[click.Parameter] = [
     click.Option(
-        ["--fill"], type=click.IntRange(0), default=6, show_default=True, help="RUBOUTs after each line."
+        ["--fill"],
+        type=click.IntRange(0, 1000),
+        default=6,
+        show_default=True,
+        help="RUBOUTs after each line.",
     ),
     click.Option(
         ["--parity"],

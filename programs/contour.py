@@ -5,6 +5,7 @@ Lengths of the parts that have no listing are inches, as the chapters give them;
 Source: thesis, Chapters 3 and 6; sequence numbers follow the header's six.
 """
 
+from math import isfinite
 from typing import Annotated, Literal
 
 from programs import stepwise
@@ -28,14 +29,17 @@ FeedError = Annotated[float, "part by which feeds may be wrong, piece-wise techn
 def thousandths(name: str, inches: float) -> int:
     """Return `inches` in the machine's units. Raises PartError for what is no whole number of them."""
     units = inches / RESOLUTION
-    if abs(units - round(units)) > 1e-6:
+    if not isfinite(units) or abs(units - round(units)) > 1e-6:
         raise PartError(f"{name} {inches:g} in is no whole number of thousandths of an inch")
     return round(units)
 
 
 def tolerance_units(tolerance: float) -> float:
-    """Return a tolerance of so many inches in the machine's units, as its decimal digits say."""
-    return round(tolerance / RESOLUTION, 9)
+    """Return `tolerance`, inches, in the machine's units, as its digits say. Raises PartError for none."""
+    units = round(tolerance / RESOLUTION, 9)
+    if not isfinite(units):
+        raise PartError(f"a tolerance of {tolerance:g} in is none")
+    return units
 
 
 def mill(

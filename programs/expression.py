@@ -27,6 +27,7 @@ _OPERATORS: Final[dict[type[ast.operator], Callable[[float, float], float]]] = {
     ast.Pow: math.pow,
 }
 _LONGEST = 500
+_LARGEST = 1e6
 
 Function = Callable[[float], float]
 
@@ -39,23 +40,30 @@ def function(text: str) -> Function:
     if len(text) > _LONGEST:
         raise PartError(f"an expression of {len(text)} characters is too long: {_LONGEST} are read")
     try:
-        tree = ast.parse(text.strip(), mode="eval").body
-        inner = _node(tree, text.strip())
-    except SyntaxError as error:
-        raise PartError(f"column {error.offset or 1}: {text!r} is no expression in x") from None
+        inner = _node(_tree(text.strip()), text.strip())
+    except OverflowError:
+        raise PartError(f"a number of {text[:20]!r}... is too large") from None
     except (RecursionError, MemoryError):
         raise PartError(f"{text[:20]!r}... is nested too deeply") from None
 
     def value(x: float) -> float:
         try:
             found = inner(float(x))
-        except (ArithmeticError, ValueError) as error:
+        except (ArithmeticError, ValueError, RecursionError) as error:
             raise PartError(f"at x = {x:g} the expression {text!r} has no value: {error}") from None
-        if not math.isfinite(found):
-            raise PartError(f"at x = {x:g} the expression {text!r} is not finite")
+        if not abs(found) < _LARGEST:
+            raise PartError(f"at x = {x:g} the expression {text!r} is {found:g}, beyond any table")
         return found
 
     return value
+
+
+def _tree(text: str) -> ast.expr:
+    try:
+        return ast.parse(text, mode="eval").body
+    except (SyntaxError, ValueError) as error:
+        column = getattr(error, "offset", None) or 1
+        raise PartError(f"column {column}: {text!r} is no expression in x") from None
 
 
 def _node(node: ast.expr, text: str) -> Function:

@@ -14,13 +14,17 @@ Source: thesis, Chapter 6, Figure 6.2 and equations 1 to 3.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import floor
 from typing import Annotated, Any, Literal
 
 from programs.arithmetic import EXACT, Arithmetic
 from programs.contour import thousandths, tolerance_units
 from programs.errors import PartError
-from programs.stretches import Curve, check_tolerance, graph
+from programs.stretches import Curve, graph
 from tapes.hydrapoint import X_TRAVEL
+
+_BEYOND = 10**9
+"""Thousandths of an inch; with what is larger nothing is worked out."""
 
 Side = Annotated[Literal["above", "below"], "side of the curve that the cutter is on"]
 
@@ -46,11 +50,11 @@ class Range:
 
     @property
     def tabulated(self) -> range:
-        """Each X to work out, in thousandths: one past the machine's travel is enough to be refused there."""
+        """Each X to work out, in thousandths: a table's length past the table is enough to be refused."""
         first, last = self.units
-        edge = X_TRAVEL + 1 - self.origin[0]
-        first = max(first, -1 - self.origin[0])
-        return range(first, max(first + 1, min(last, edge)) + 1)
+        left, right = -1 - self.origin[0], X_TRAVEL + 1 - self.origin[0]
+        nearest = max(first, min(left, last - X_TRAVEL))
+        return range(nearest, min(last, max(right, nearest + X_TRAVEL)) + 1)
 
     @property
     def origin(self) -> tuple[int, int]:
@@ -65,11 +69,13 @@ def centre_path(
 
     Raises PartError where it is too steep.
     """
-    check_tolerance(tolerance_units(tolerance))
     across, up = where.origin
     real, store = arithmetic.real, arithmetic.store
     thousand, above, error = real(1000), real(up), real(tolerance_units(tolerance))
     heights = [store(function(store(real(x) / thousand)) * thousand + above) for x in where.tabulated]
+    for x, height in zip(where.tabulated, heights, strict=True):
+        if abs(floor(height)) > _BEYOND:
+            raise PartError(f"at x = {x / 1000:g} the curve is beyond any table")
     return graph(
         where.tabulated[0] + across,
         [store(height - error) for height in heights],
@@ -88,13 +94,15 @@ def offset_path(
 
     if cutter <= 0:
         raise PartError(f"a cutter of diameter {cutter:g} in is none")
-    check_tolerance(tolerance_units(tolerance))
     across, up = where.origin
     radius = cutter * 500 * (1 if side == "above" else -1)
     x1 = np.array(where.tabulated, dtype=float)
     y1 = np.array([float(function(x / 1000)) * 1000 for x in where.tabulated])
     if len(x1) < 3:
         raise PartError(f"X from {where.first:g} to {where.last:g} is too short for a cutter's path")
+    beyond = np.flatnonzero(~(np.abs(y1) < _BEYOND))
+    if beyond.size:
+        raise PartError(f"at x = {x1[beyond[0]] / 1000:g} the curve is beyond any table")
     angle = np.arctan(np.gradient(y1, edge_order=2))
     x2 = x1 - radius * np.sin(angle)
     y2 = y1 + radius * np.cos(angle)

@@ -92,9 +92,10 @@ class _Places(click.ParamType[Holes]):
         if not isinstance(value, str):
             return tuple(value)
         try:
-            return tuple((float(x), float(y)) for x, y in (place.split(",") for place in value.split()))
+            places = tuple((float(x), float(y)) for x, y in (place.split(",") for place in value.split()))
         except ValueError:
             self.fail(f"{value!r} is no list of places; it looks like '1,1 1,2 4,2'.", param, ctx)
+        return places
 
 
 _FINITE = _Finite()

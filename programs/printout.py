@@ -113,6 +113,10 @@ def check_band(name: str, size: float, inner: float, outer: float) -> None:
         raise PartError(
             f"the tolerance is larger than the curve: {name} {size:g} has an inner limit of {inner:g}"
         )
+    if outer > X_TRAVEL:
+        raise PartError(
+            f"the outer limit of {name} {size:g}, {outer:g}, is larger than the table, {X_TRAVEL}"
+        )
     if outer - inner < 2:
         raise PartError(
             f"{name} {size:g} between {inner:g} and {outer:g}: a tolerance must be 1 or more, the machine's "

@@ -18,7 +18,7 @@ Sources: thesis, Chapter 3, Figures 3.3 to 3.5, and Chapter 6.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import ceil, cos, floor, hypot, radians, sin
+from math import ceil, cos, dist, floor, hypot, radians, sin
 from typing import Any, Literal, NamedTuple
 
 from programs.errors import PartError
@@ -71,7 +71,7 @@ class Curve(NamedTuple):
 
 def line(start: Point, end: Point, tolerance: float) -> Curve:
     """Return the straight line between two points. Raises PartError for too small a tolerance."""
-    check_tolerance(tolerance)
+    check_tolerance(tolerance, dist(start, end))
     across, up = end.x - start.x, end.y - start.y
     if not across or not up:
         return Curve(start, (), end)
@@ -88,11 +88,9 @@ def arc(centre: Point, radius: float, start: float, sweep: float, tolerance: flo
 
     Raises PartError for a radius or tolerance that makes none.
     """
-    check_tolerance(tolerance)
     if radius <= 0:
         raise PartError(f"radius {radius:g} is no size of an arc: it must be greater than 0")
-    if tolerance >= radius:
-        raise PartError(f"the tolerance {tolerance:g} is larger than the arc, whose radius is {radius:g}")
+    check_tolerance(tolerance, radius)
     inner, outer = (radius - tolerance) ** 2, (radius + tolerance) ** 2
 
     def inside(x: float, y: float) -> bool:
@@ -152,7 +150,9 @@ def graph(first_x: int, lower: Sequence[Any], upper: Sequence[Any]) -> Curve:
     band.
     """
     middle = [(float(low) + float(high)) / 2 for low, high in zip(lower, upper, strict=True)]
-    _check_steepness(first_x, middle, (float(upper[0]) - float(lower[0])) / 2)
+    tolerance = round((float(upper[0]) - float(lower[0])) / 2, 6)
+    check_tolerance(tolerance, max(len(middle) - 1, max(middle) - min(middle)))
+    _check_steepness(first_x, middle, tolerance)
     bottom: list[int] = [ceil(low) for low in lower]
     top: list[int] = [floor(high) for high in upper]
 
@@ -190,11 +190,15 @@ def turning_points(heights: Sequence[float]) -> list[int]:
     return turns
 
 
-def check_tolerance(tolerance: float) -> None:
-    """Raise PartError for a tolerance finer than the machine's resolution."""
+def check_tolerance(tolerance: float, size: float) -> None:
+    """Raise PartError for a tolerance finer than the machine's resolution, or as large as the curve."""
     if not tolerance >= 1:
         raise PartError(
             f"a tolerance of {tolerance / 1000:g} in is finer than the machine's resolution, .001 in"
+        )
+    if tolerance >= size:
+        raise PartError(
+            f"a tolerance of {tolerance / 1000:g} in is larger than the curve, {size / 1000:g} in"
         )
 
 

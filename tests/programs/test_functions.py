@@ -57,6 +57,7 @@ def test_an_expression_means_what_it_says(text: str, x: float, y: float) -> None
         "sin(*x)",
         "\0",
         "(" * 400,
+        "9" * 400,
         "x+" * 400 + "x",
     ],
 )
@@ -73,7 +74,16 @@ def test_the_column_of_what_is_not_known_is_named() -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "x"), [("1/x", 0.0), ("sqrt(x)", -1.0), ("log(x)", 0.0), ("10**400*x", 1.0), ("x**0.5", -2)]
+    ("text", "x"),
+    [
+        ("1/x", 0.0),
+        ("sqrt(x)", -1.0),
+        ("log(x)", 0.0),
+        ("10**400*x", 1.0),
+        ("1e400", 0.0),
+        ("exp(x)", 14.0),
+        ("x**0.5", -2),
+    ],
 )
 def test_where_it_has_no_value_the_place_is_named(text: str, x: float) -> None:
     with pytest.raises(PartError, match=f"at x = {x:g}"):
