@@ -19,8 +19,8 @@ from pdp8.processor import FETCH, Processor
 PERIOD = 200_000
 _TESTS = 8
 """Flag tests of one ring: how many strangers are met before the one remembered is given up."""
-_STEPS = 32
-"""Instructions of one ring that has no flag test."""
+_STEPS = 20_000
+"""Instructions of one ring that has no flag test: all of core, or a count of AC and L, goes round in less."""
 
 
 class Waiting:
@@ -62,9 +62,11 @@ class Waiting:
         Stops short of tick `until` and of `last` instructions in all.
         """
         p = self.processor
-        if p.clock >= self.strike:
+        if self.hunting:
+            self._compare(until, last)
+        elif p.clock >= self.strike:
             self._strike()
-        elif self.hunting or p.core[p.pc] & 0o7007 == 0o6001 or self._jumps_to_itself():
+        elif p.core[p.pc] & 0o7007 == 0o6001 or self._jumps_to_itself():
             self._compare(until, last)
 
     def _jumps_to_itself(self) -> bool:
