@@ -10,7 +10,7 @@
 The cut surface is the path drawn as wide as the cutter with round ends: that is what SVG's stroke is.
 """
 
-from itertools import pairwise
+from itertools import groupby, pairwise
 from textwrap import wrap
 
 from nc.curves import Curve
@@ -155,7 +155,7 @@ def _draw_metal(view: View, moves: list[Move], cutter: float) -> None:
 
 def _draw_band(view: View, curve: Curve, cutter: float, tolerance: float) -> None:
     """Draw the curve, the band's two limits, and the walls the cutter would leave if it kept to the curve."""
-    stations = curve.stations(7_200)
+    stations, reach = curve.stations(7_200), view.window.grown(10)
     for offset, dashes in (
         (-tolerance, "none"),
         (0.0, "8 4"),
@@ -166,7 +166,9 @@ def _draw_band(view: View, curve: Curve, cutter: float, tolerance: float) -> Non
         places = (stations.points + offset * stations.normals).tolist()
         if curve.closed:
             places.append(places[0])
-        view.line(places, stroke=_BAND, stroke_width=0.9, stroke_dasharray=dashes)
+        for seen, run in groupby(places, key=lambda place: reach.holds(*place)):
+            if seen:
+                view.line(list(run), stroke=_BAND, stroke_width=0.9, stroke_dasharray=dashes)
 
 
 def _draw_cutter(view: View, at: Point, cutter: float) -> None:
