@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from pdp8 import loaders, state
 from pdp8.machine import Machine, Stop
+from pdp8.teletype import Punch
 from pdp8.trace import Listing, Trace
 from tapes import rim, shelf
 from tapes.errors import WorkError
@@ -218,10 +219,21 @@ class Monitor:
             reader.load(shelf.read(what))
             self._say(f"{what}: {len(reader.tape)} frames")
 
+    def fast_reader(self, arguments: list[str]) -> None:
+        """Put a tape into the high-speed reader."""
+        (name,) = _exactly(arguments, "the name of a tape", 1)
+        self.machine.highspeed.reader.load(shelf.read(name))
+
+    def fast_punch(self, arguments: list[str]) -> None:
+        """Take the tape off the high-speed punch into a file."""
+        self._take_off(self.machine.highspeed.punch, arguments)
+
     def punch(self, arguments: list[str]) -> None:
         """Take the tape off the Teletype's punch into a file; or switch it on or off."""
+        self._take_off(self.machine.teletype.punch, arguments)
+
+    def _take_off(self, punch: Punch, arguments: list[str]) -> None:
         (what,) = _exactly(arguments, "the name of a file, or on, or off", 1)
-        punch = self.machine.teletype.punch
         if what in ("on", "off"):
             punch.on = what == "on"
         else:
@@ -293,6 +305,8 @@ COMMANDS = {
         Command("trace", "on|cycles|off", Monitor.trace),
         Command("reader", "TAPE|start|stop|none", Monitor.reader),
         Command("punch", "FILE|on|off", Monitor.punch),
+        Command("fast-reader", "TAPE", Monitor.fast_reader),
+        Command("fast-punch", "FILE|on|off", Monitor.fast_punch),
         Command("type", "TEXT", Monitor.type),
         Command("page", "", Monitor.page),
         Command("save", "FILE", Monitor.save),

@@ -6,6 +6,7 @@ from contextlib import AbstractContextManager, ExitStack
 from typing import BinaryIO
 
 import click
+from click.core import ParameterSource
 
 from pdp8.cli.octal import octal
 from pdp8.cli.program import read_words
@@ -76,6 +77,7 @@ def _printed(frames: bytes) -> bytes:
 @click.option("--realtime", is_flag=True, help="Run no faster than a PDP-8/L did: 10 frames a second.")
 @click.option("--boot", is_flag=True, help="From cold: toggle RIM in, read the BIN loader, read the program.")
 @click.option("--trace", metavar="FILE", help="Write each instruction executed, as its line of the listing.")
+@click.option("--cycles", is_flag=True, help="Let --trace write each memory cycle.")
 @click.option("--save", metavar="FILE", help="Write the machine's state as the run ends.")
 @click.option("--restore", metavar="FILE", help="Go on from a saved state, instead of a PROGRAM.")
 @click.option("--quiet", is_flag=True, help="Do not say how the run ended, unless it failed.")
@@ -94,6 +96,7 @@ def run(
     realtime: bool,
     boot: bool,
     trace: str | None,
+    cycles: bool,
     save: str | None,
     restore: str | None,
     quiet: bool,
@@ -121,6 +124,7 @@ def run(
     if keyboard and not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise click.UsageError("--keyboard needs a terminal to type and print at.")
     if restore is not None:
+        _refuse(ctx, "--restore", ("start", "sr", "boot", "fast_reader"))
         machine = _restored(restore, reader)
     else:
         assert program is not None
@@ -137,7 +141,7 @@ def run(
     outputs = _outputs(machine, punch, fast_punch, keyboard)
     with ExitStack() as stack:
         if trace is not None:
-            stack.enter_context(_traced(machine, trace, program))
+            stack.enter_context(_traced(machine, trace, program, cycles))
         if keyboard:
             stop = _typed(machine, outputs, max_time, realtime)
         else:
@@ -154,6 +158,13 @@ def run(
         last = machine.ma if stop.reason == "halt" else stop.pc - 1 & 0o7777
         _say(_WHY[stop.reason].format(pc=stop.pc, last=last) + _counts(machine))
     ctx.exit(0 if done else 1)
+
+
+def _refuse(ctx: click.Context, option: str, others: tuple[str, ...]) -> None:
+    """Raise UsageError if any of `others` was given beside `option`, which leaves them nothing to do."""
+    for name in others:
+        if ctx.get_parameter_source(name) is ParameterSource.COMMANDLINE:
+            raise click.UsageError(f"--{name.replace('_', '-')} means nothing beside {option}.")
 
 
 def _outputs(machine: Machine, punch: str | None, fast_punch: str | None, keyboard: bool) -> list[_Output]:
@@ -207,12 +218,12 @@ def _typed(machine: Machine, outputs: list[_Output], max_time: float | None, rea
     return sit_down(machine, max_time, realtime, pass_on)
 
 
-def _traced(machine: Machine, name: str, program: str | None) -> AbstractContextManager[None]:
+def _traced(machine: Machine, name: str, program: str | None, cycles: bool) -> AbstractContextManager[None]:
     from pdp8.cli.listed import open_program
     from pdp8.cli.tracing import tracing
     from pdp8.trace import Listing
 
-    return tracing(machine, name, open_program(program).listing if program else Listing())
+    return tracing(machine, name, open_program(program).listing if program else Listing(), cycles)
 
 
 def _save(machine: Machine, name: str) -> None:

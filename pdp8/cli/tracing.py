@@ -12,7 +12,7 @@ from tapes.shelf import ShelfError
 
 
 @contextmanager
-def tracing(machine: Machine, name: str, listing: Listing) -> Iterator[None]:
+def tracing(machine: Machine, name: str, listing: Listing, cycles: bool) -> Iterator[None]:
     """Write what `machine` executes meanwhile into file `name`. Raises ShelfError."""
     if os.path.isdir(name):
         raise ShelfError(f"{name}: Is a directory")
@@ -20,7 +20,7 @@ def tracing(machine: Machine, name: str, listing: Listing) -> Iterator[None]:
     beside = name if special else f"{name}.{os.getpid()}.part"
     try:
         with open(beside, "w") as file:
-            trace = Trace(lambda line: file.write(line + "\n"), listing)
+            trace = Trace(lambda line: file.write(line + "\n"), listing, cycles)
             trace.begin(machine.processor)
             machine.watch.observer = trace
             yield

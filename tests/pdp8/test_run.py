@@ -52,6 +52,12 @@ def test_a_trace_follows_the_listing(shell: Shell, eia: bytes, tmp_path: Path) -
     assert len(lines) < 3000
 
 
+def test_a_trace_by_cycles(shell: Shell, tmp_path: Path) -> None:
+    shell("pdp8 run hello.pal --trace hello.trace --cycles > /dev/null < /dev/null")
+    lines = (tmp_path / "hello.trace").read_text().splitlines()
+    assert [line.split()[2] for line in lines[:4]] == ["FETCH", "FETCH", "EXECUTE", "FETCH"]
+
+
 def test_the_pc8_reads_and_punches_files(shell: Shell, tmp_path: Path) -> None:
     source = "*200\n\tRFC\n\tRSF\n\tJMP .-1\n\tRRB RFC\n\tPLS\n\tPSF\n\tJMP .-1\n\tCLA\n\tJMP 201\n$\n"
     (tmp_path / "copy.pal").write_text(source)
@@ -67,6 +73,7 @@ def test_the_pc8_reads_and_punches_files(shell: Shell, tmp_path: Path) -> None:
     [
         ("run", 2, "Give a PROGRAM, or --restore"),
         ("run hello.pal --restore x", 2, "Give a PROGRAM, or --restore"),
+        ("run --restore x --sr 0000", 2, "--sr means nothing beside --restore"),
         ("run hello.pal --start 9", 2, "not an octal number"),
         ("run hello.pal --sr 10000", 2, "not between 0000 and 7777"),
         ("run hello.pal --keyboard", 2, "needs a terminal"),
@@ -148,6 +155,15 @@ def test_the_terminal_is_restored_whatever_ends_the_run(number: int) -> None:
     status = terminal.ended()
     assert status == 128 + number
     assert terminal.restored()
+
+
+def test_ten_characters_a_second_live() -> None:
+    terminal = Terminal("hello.pal", "--keyboard", "--realtime")
+    terminal.until(b"Ctrl-]")
+    began = time.monotonic()
+    terminal.until(b"HLT at")
+    assert 1.4 < time.monotonic() - began < 3
+    assert terminal.ended() == 0
 
 
 def test_a_halt_ends_the_live_teletype() -> None:
