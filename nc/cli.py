@@ -46,7 +46,7 @@ def list_(modes: bool, **options: Any) -> None:
     Examples:
       pdp8 nc list circle.eia
       pdp8 nc list --modes --strict circle.eia
-      echo 001 0 01000 01000 0 00 02 | pdp8 tape punch --code eia --drop-spaces | pdp8 nc list
+      echo 001 0 01000 01000 0 00 02 | pdp8 tape punch --code eia | pdp8 nc list
     """
     from nc.listing import lines
 

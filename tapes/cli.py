@@ -5,6 +5,7 @@ import click
 from tapes import ascii, captions, eia, frames, kinds, measure, picture, shelf
 from tapes import convert as codes
 from tapes.errors import TapeError, naming
+from tapes.hydrapoint import ROWS
 
 _AUTO = "auto"
 _output = click.option(
@@ -152,28 +153,42 @@ def convert(*, file: str, source: str, target: str, parity: str, fill: int | Non
 @click.option(
     "--leader", type=click.IntRange(0), default=0, show_default=True, help="Blank frames before and after."
 )
-@click.option("--drop-spaces", is_flag=True, help="Do not punch spaces: they only make the typed text clear.")
+@click.option(
+    "--drop-spaces/--keep-spaces",
+    default=None,
+    help="Leave out spaces that only make the text clear.  [default for eia: where each line then has 19 digits]",
+)
 @_output
 def punch(
-    *, file: str, code: str, parity: str, fill: int, leader: int, drop_spaces: bool, output: str
+    *, file: str, code: str, parity: str, fill: int, leader: int, drop_spaces: bool | None, output: str
 ) -> None:
     """Punch a tape from typed text: each end of line becomes CR LF and fill, or EIA's end of block.
+
+    The spaces of a Hydra-Point program typed as in a book, 19 digits a line, are not punched.
 
     \b
     Examples:
       pdp8 tape punch typed.txt > typed.asc
       pdp8 tape punch eia.pal --parity even --leader 100 -o eia.asc
-      echo "001 0 00000 00000 0 35 88" | pdp8 tape punch --code eia --drop-spaces -o drill.eia
+      echo "001 0 00000 00000 0 35 88" | pdp8 tape punch --code eia -o drill.eia
     """
-    if drop_spaces and code != "eia":
-        raise click.UsageError("--drop-spaces is for --code eia")
+    if drop_spaces is not None and code != "eia":
+        raise click.UsageError("--drop-spaces and --keep-spaces are for --code eia")
     content = shelf.read(file)
     with naming(file):
         text = codes.typed(content)
-        punched = (
-            eia.encode(text, skip=" " * drop_spaces) if code == "eia" else ascii.encode(text, parity, fill)
-        )
+        if code == "ascii":
+            punched = ascii.encode(text, parity, fill)
+        else:
+            dropped = _only_for_clarity(text) if drop_spaces is None else drop_spaces
+            punched = eia.encode(text, skip=" " * dropped)
     shelf.write(output, frames.blank(leader) + punched + frames.blank(leader))
+
+
+def _only_for_clarity(text: str) -> bool:
+    """Tell whether the spaces stand between the digits of whole blocks, as the thesis prints them (Chapter 3)."""
+    blocks = text.replace(" ", "").split()
+    return bool(blocks) and all(len(block) == ROWS - 1 and block.isdecimal() for block in blocks)
 
 
 def _check(first: int, length: int) -> None:

@@ -56,6 +56,13 @@ def test_the_drilling_program_is_punched() -> None:
     assert_same(made, bytes(20) + eia.encode(DRILLING.replace(" ", "")) + bytes(20))
 
 
+def test_the_spaces_of_the_thesis_are_for_clarity_and_others_are_codes() -> None:
+    punch = ("tape", "punch", "--code", "eia")
+    assert_same(product(*punch, given=DRILLING.encode()), eia.encode(DRILLING.replace(" ", "")))
+    assert_same(product(*punch, "--keep-spaces", given=DRILLING.encode()), eia.encode(DRILLING))
+    assert_same(product(*punch, given=b"G1 X2\n"), eia.encode("G1 X2\n"))
+
+
 def test_a_text_file_becomes_a_proper_tape(tmp_path: Path) -> None:
     (tmp_path / "typed.txt").write_bytes(b"*200\r\n\tHLT\r\n$\r\n")
     assert product("tape", "punch", "typed.txt", "--parity", "even", "-o", "x.asc", cwd=tmp_path) == b""
