@@ -35,7 +35,10 @@ format: .venv/ready-dev
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
-.venv/ready: pyproject.toml
+# The compiled form of these sits beside its source and would hide what is changed there.
+COMPILED := $(wildcard pdp8/*.pxd)
+
+.venv/ready: pyproject.toml setup.py $(COMPILED) $(COMPILED:.pxd=.py)
 	$(PYTHON) -m venv .venv
 	$(BIN)/pip install -q --disable-pip-version-check -e ".[panel]"
 	touch $@

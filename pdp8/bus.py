@@ -21,8 +21,11 @@ AT_ONCE = -1
 SKIP = 0o10000
 CLEAR_AC = 0o20000
 
-PULSES = ((1, -3), (2, 15), (4, 33))
-"""The pulses of an IOT and their ticks after its memory cycle: 1.45 us, still in it, 2.35 and 3.25 us."""
+# The pulses of an IOT in ticks after its memory cycle: at 1.45 us, still in the cycle, 2.35 and 3.25 us.
+IOP1, IOP2, IOP4 = -3, 15, 33
+
+# Compiled, these are C numbers (bus.pxd); importers find them here.
+globals().update(NEVER=NEVER, AT_ONCE=AT_ONCE, SKIP=SKIP, CLEAR_AC=CLEAR_AC)
 
 
 class Device:
@@ -91,16 +94,21 @@ class Bus:
 
         Returns {L, AC} as they are afterwards, 13 bits, and above them 1 if the device answered SKIP.
         """
-        skip = 0
-        for iop, ticks in PULSES:
-            if word & iop:
-                answer = self.pulse(word >> 3 & 0o77, iop, lac & 0o7777, clock + ticks)
-                if answer & CLEAR_AC:
-                    lac &= 0o10000
-                if answer & SKIP:
-                    skip = 0o20000
-                lac |= answer & 0o7777
-        return skip | lac
+        if word & 1:
+            lac = self._send(word, 1, lac, clock + IOP1)
+        if word & 2:
+            lac = self._send(word, 2, lac, clock + IOP2)
+        if word & 4:
+            lac = self._send(word, 4, lac, clock + IOP4)
+        return lac
+
+    def _send(self, word: int, iop: int, lac: int, now: int) -> int:
+        answer = self.pulse(word >> 3 & 0o77, iop, lac & 0o7777, now)
+        if answer & CLEAR_AC:
+            lac &= 0o30000
+        if answer & SKIP:
+            lac |= 0o20000
+        return lac | answer & 0o7777
 
     def advance(self, now: int) -> None:
         """Bring every device to tick `now`."""
@@ -116,12 +124,14 @@ class Bus:
                 return True
         return False
 
-    def next_event(self) -> int:
-        """Return the tick at which a flag moves next, NEVER if none will."""
-        due = NEVER
+    def next_event(self, now: int) -> int:
+        """Return the tick after `now` at which a flag moves next, NEVER if none will."""
+        event = NEVER
         for device in self.devices:
-            due = min(due, device.due)
-        return due
+            if device.due <= now:
+                device.advance(now)
+            event = min(event, device.due)
+        return event
 
     def finish(self) -> None:
         """Let every mechanism finish what it has begun."""

@@ -61,6 +61,8 @@ class Engine:
         self.known = processor.core[:]
         """Core as it was when the last run ended."""
         self.breakpoints: Set[int] = frozenset()
+        self.watched = False
+        """Whether there are any."""
         self.conditions = CONDITIONS
         # Two words past the end wrap the PC, which can overrun by a skip.
         self.ops = [0] * 0o10000 + [_WRAP] * 2
@@ -81,17 +83,25 @@ class Engine:
         self._know(breakpoints)
         waiting.endless = called = False
         while p.clock < until and p.instructions < last:
-            if not self._piece(self._room(until, last)):
+            if self.ops[p.pc & 0o7777] == _LEFT or not self._piece(self._room(until, last)):
                 p.instruction()
-                self._forget_written()
-                called = p.ir == JMS and p.state == EXECUTE and p.ma in self.breakpoints
-                if called or not p.run:
+                if p.state != FETCH:
+                    self._forget_written()
+                if self.watched and self._called():
+                    called = True
+                    break
+                if not p.run:
                     break
             waiting.look(until, last)
-            if waiting.endless or p.pc in self.breakpoints:
+            if waiting.endless or (self.watched and p.pc in self.breakpoints):
                 break
-        self.known = self.core[:]
+        self.known = p.core[:]
         return p.run == 1 and (called or self._at_breakpoint(until, last))
+
+    def _called(self) -> bool:
+        """Tell whether the processor's last instruction was a JMS to a breakpoint."""
+        p = self.processor
+        return p.run == 1 and p.ir == JMS and p.state == EXECUTE and p.ma in self.breakpoints
 
     def _at_breakpoint(self, until: int, last: int) -> bool:
         p = self.processor
@@ -105,6 +115,7 @@ class Engine:
             return
         self.wall = wall
         self.breakpoints = frozenset(breakpoints)
+        self.watched = len(breakpoints) > 0
         for address in range(0o10000):
             self.core[address] &= 0o7777
             self.ops[address] = 0
@@ -126,7 +137,7 @@ class Engine:
         if p.ion:
             if not p.ion_delayed or p.bus.request(p.clock):
                 return 0
-            room = min(room, p.bus.next_event() - p.clock - LONGEST)
+            room = min(room, p.bus.next_event(p.clock) - p.clock - LONGEST)
         return room
 
     def _decode(self, address: int) -> int:
@@ -141,7 +152,7 @@ class Engine:
             operand, op = word & 0o377, _group1(word & 0o377)
         else:
             operand, op = _group2(word)
-        if self.breakpoints and self._may_lead_to_one(word, operand, address):
+        if self.watched and self._may_lead_to_one(word, operand, address):
             op = _LEFT
         self.arg[address] = operand
         self.ops[address] = op
@@ -184,6 +195,7 @@ class Engine:
         wall = self.wall
         lac = p.lac & 0o17777
         pc = p.pc & 0o7777
+        written = 0
         time = 0
         limit = room << 12
         while time < limit:
@@ -199,6 +211,7 @@ class Engine:
             elif op == 2:  # DCA
                 core[x] = lac & 0o7777
                 ops[x] = 0
+                written = 1
                 lac &= 0o10000
                 time += TWO_CYCLES
                 pc += 1
@@ -206,6 +219,7 @@ class Engine:
                 word = core[x] + 1 & 0o7777
                 core[x] = word
                 ops[x] = 0
+                written = 1
                 time += TWO_CYCLES
                 pc += 1
                 if word == 0:
@@ -248,6 +262,7 @@ class Engine:
                     break
                 core[address] = lac & 0o7777
                 ops[address] = 0
+                written = 1
                 lac &= 0o10000
                 time += THREE_CYCLES
                 pc += 1
@@ -258,6 +273,7 @@ class Engine:
                 address = core[x] + 1 & 0o7777
                 core[x] = address
                 ops[x] = 0
+                written = 1
                 lac = lac + core[address] & 0o17777
                 time += THREE_CYCLES
                 pc += 1
@@ -269,12 +285,14 @@ class Engine:
                 ops[x] = 0
                 core[address] = lac & 0o7777
                 ops[address] = 0
+                written = 1
                 lac &= 0o10000
                 time += THREE_CYCLES
                 pc += 1
             elif op == 15:  # JMS
                 core[x] = pc + 1 & 0o7777
                 ops[x] = 0
+                written = 1
                 pc = x + 1
                 time += TWO_CYCLES
             elif op == 16:  # group 1 with a rotate
@@ -313,6 +331,7 @@ class Engine:
                 word = core[address] + 1 & 0o7777
                 core[address] = word
                 ops[address] = 0
+                written = 1
                 time += THREE_CYCLES
                 pc += 1
                 if word == 0:
@@ -323,6 +342,7 @@ class Engine:
                     break
                 core[address] = pc + 1 & 0o7777
                 ops[address] = 0
+                written = 1
                 pc = address + 1
                 time += THREE_CYCLES
             elif op == 22:  # AND I
@@ -338,6 +358,7 @@ class Engine:
                 word = core[x] + 1 & 0o7777
                 core[x] = word
                 ops[x] = 0
+                written = 1
                 time += TWO_CYCLES
                 pc += 1
                 if word == 0:
@@ -353,6 +374,7 @@ class Engine:
         p.clock += time >> 12
         p.instructions += time & 0o7777
         p.protect = 0
+        p.written |= written
         return time & 0o7777
 
 

@@ -11,7 +11,6 @@ The machine is a discrete-event simulation: nothing here sleeps, and the same co
 tapes and the same times. While a program only waits, time jumps (see waiting.py).
 """
 
-from array import array
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
@@ -44,20 +43,21 @@ class Stop(NamedTuple):
 class Core:
     """The 4096 words of core, as they are examined and deposited from outside: checked and masked."""
 
-    def __init__(self, words: "array[int]") -> None:
-        self._words = words
+    def __init__(self, processor: Processor) -> None:
+        self._processor = processor
 
     def __getitem__(self, address: int) -> int:
-        return self._words[_checked(address)]
+        return self._processor.core[_checked(address)]
 
     def __setitem__(self, address: int, word: int) -> None:
-        self._words[_checked(address)] = word & 0o7777
+        self._processor.core[_checked(address)] = word & 0o7777
+        self._processor.written = 1
 
     def __len__(self) -> int:
-        return len(self._words)
+        return len(self._processor.core)
 
     def __iter__(self) -> Iterator[int]:
-        return iter(self._words)
+        return iter(self._processor.core)
 
 
 def _checked(address: int) -> int:
@@ -77,7 +77,7 @@ class Machine:
         self.teletype = Teletype()
         self.teletype.connect(self.bus)
         self.processor = Processor(self.bus)
-        self.core = Core(self.processor.core)
+        self.core = Core(self.processor)
         self.waiting = Waiting(self.processor)
         self.engine = Engine(self.processor, self.waiting)
         self.panel = Panel(self.processor)

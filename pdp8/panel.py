@@ -121,6 +121,7 @@ class Panel:
             p.protect = 1
         else:
             p.mb = p.core[p.ma] = p.sr
+            p.written = 1
         p.pc = p.pc + 1 & 0o7777
 
     def _look(self) -> None:

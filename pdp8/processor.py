@@ -45,6 +45,11 @@ IO_TICKS = 85 - CYCLE
 """What an IOT takes beyond its cycle."""
 PROTECTED = 0o7600
 
+# Compiled, these are C numbers (processor.pxd); importers find them here.
+globals().update(FETCH=FETCH, DEFER=DEFER, EXECUTE=EXECUTE, INTERRUPT=INTERRUPT, PROTECTED=PROTECTED)
+globals().update(AND=AND, TAD=TAD, ISZ=ISZ, DCA=DCA, JMS=JMS, JMP=JMP, IOT=IOT, OPR=OPR)
+globals().update(CYCLE=CYCLE, IO_TICKS=IO_TICKS)
+
 
 class Processor:
     """The registers, the core, and what one memory cycle does to them."""
@@ -52,6 +57,8 @@ class Processor:
     def __init__(self, bus: Bus) -> None:
         self.bus = bus
         self.core = array("H", bytes(2 * 0o10000))
+        self._core = self.core
+        """The same; compiled, a view that is read without asking Python."""
         self.lac = 0
         """The link and the accumulator, one word of 13 bits."""
         self.pc = 0
@@ -78,6 +85,8 @@ class Processor:
         """The clock at the last INITIALIZE."""
         self.instructions = 0
         """Instructions fetched since power-up."""
+        self.written = 0
+        """Set when a word of core is written; who asks clears it."""
 
     def initialize(self) -> None:
         """INITIALIZE: clear AC, L and the interrupt, and every device; core and PC stay."""
@@ -118,7 +127,7 @@ class Processor:
     def _fetch(self) -> None:
         self.state = FETCH
         self.ma = address = self.pc
-        self.mb = word = self.core[address]
+        self.mb = word = self._core[address]
         self.ir = code = word >> 9
         self.pc = address + 1 & 0o7777
         self.clock += CYCLE
@@ -141,7 +150,7 @@ class Processor:
     def _defer(self) -> None:
         self.state = DEFER
         self.ma = self._address()
-        self.mb = self.core[self.ma]
+        self.mb = self._core[self.ma]
         if self.ma & 0o7770 == 0o10:
             self._write(self.mb + 1 & 0o7777)
         if self.ir == JMP:
@@ -155,7 +164,7 @@ class Processor:
         self.ma = self.mb if self.state == DEFER else self._address()
         self.state = EXECUTE
         self.next = FETCH
-        self.mb = self.core[self.ma]
+        self.mb = self._core[self.ma]
         if self.ir == TAD:
             self.lac = self.lac + self.mb & 0o17777
         elif self.ir == DCA:
@@ -189,7 +198,8 @@ class Processor:
             self.run = 0
             return
         self.mb = word
-        self.core[self.ma] = word
+        self._core[self.ma] = word
+        self.written = 1
 
     def _operate(self, word: int) -> None:
         if not word & GROUP_2:

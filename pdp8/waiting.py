@@ -13,8 +13,10 @@ Passing over stops short of the event, so that what the event does is done by th
 of instructions and of ticks stays exact.
 """
 
+from array import array
+
 from pdp8.bus import NEVER
-from pdp8.processor import FETCH, Processor
+from pdp8.processor import FETCH, JMP, Processor
 
 PERIOD = 200_000
 _TESTS = 8
@@ -36,21 +38,24 @@ class Waiting:
         """The tick from which the next look is due wherever the processor is."""
         self.hunting = False
         """Set while every instruction is looked at, because core stood still since the last strike."""
+        self.core = processor.core
+        self.seen: array[int] | None = None
+        """Core when it was remembered, if that is needed because words were written since."""
         self._remember()
 
     def _remember(self) -> None:
         """Remember the machine as it is, to know it again."""
         p = self.processor
-        p.bus.advance(p.clock)
         self.pc, self.lac = p.pc, p.lac
-        self.switches = p.sr, p.mem_prot, p.ion
-        self.core = p.core[:]
+        self.sr, self.mem_prot, self.ion = p.sr, p.mem_prot, p.ion
         self.told = p.bus.told
         self.clock, self.instructions = p.clock, p.instructions
-        self.quiet_until = p.bus.next_event()
-        p.bus.asked = 0
+        self.quiet_until = p.bus.next_event(p.clock)
         self.patience = _TESTS
         self.hunting = False
+        self.seen = None
+        p.written = 0
+        p.bus.asked = 0
 
     def forget(self) -> None:
         """Remember nothing: whatever was passed over next time has to be seen first."""
@@ -66,22 +71,33 @@ class Waiting:
             self._compare(until, last)
         elif p.clock >= self.strike:
             self._strike()
-        elif p.core[p.pc] & 0o7007 == 0o6001 or self._jumps_to_itself():
+        elif self._looks_like_waiting(p.pc):
             self._compare(until, last)
 
-    def _jumps_to_itself(self) -> bool:
-        p = self.processor
-        word = p.core[p.pc]
-        return word >> 8 == 0o12 and word & 0o177 | (p.pc & 0o7600 if word & 0o200 else 0) == p.pc
+    def _looks_like_waiting(self, address: int) -> bool:
+        """Tell whether a flag test or a JMP to itself is at `address`."""
+        word = self.core[address]
+        if word >> 8 == JMP << 1:
+            return word & 0o177 | (address & 0o7600 if word & 0o200 else 0) == address
+        return word & 0o7007 == 0o6001
 
     def _strike(self) -> None:
+        """Remember, and if core stood still since the last time, look at what follows step by step."""
         p = self.processor
         self.strike = p.clock - p.clock % PERIOD + PERIOD
-        still = p.bus.told == self.told and p.clock < self.quiet_until and p.core == self.core
+        still = p.bus.told == self.told and p.clock < self.quiet_until and self._unwritten()
         self._remember()
         if still:
             self.hunting = True
             self.patience = _STEPS
+        self.seen = p.core[:]
+
+    def _unwritten(self) -> bool:
+        """Tell whether core is as it was remembered. If words were written that may have been the same ones,
+        one has to see core twice to know: not the first time.
+        """
+        p = self.processor
+        return not p.written or (self.seen is not None and p.core == self.seen)
 
     def _compare(self, until: int, last: int) -> None:
         p = self.processor
@@ -91,16 +107,18 @@ class Waiting:
             self.patience -= 1
             if self.patience == 0:
                 self._remember()
-        elif p.core != self.core or (p.sr, p.mem_prot, p.ion) != self.switches:
+        elif p.ion != self.ion or p.sr != self.sr or p.mem_prot != self.mem_prot:
             self._remember()
-        else:
+        elif self._unwritten():
             self._pass_turns(until, last)
+        else:
+            self._remember()
+            self.seen = p.core[:]
 
     def _pass_turns(self, until: int, last: int) -> None:
         p = self.processor
-        p.bus.advance(p.clock)
         ticks, count = p.clock - self.clock, p.instructions - self.instructions
-        event = p.bus.next_event()
+        event = p.bus.next_event(p.clock)
         if event == NEVER == self.quiet_until:
             self.endless = True
             self._turn_again(ticks, count)

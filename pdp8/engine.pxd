@@ -1,0 +1,51 @@
+# The types with which Cython compiles engine.py; Python itself never reads this.
+
+cimport cython
+
+from pdp8.processor cimport Processor
+from pdp8.waiting cimport Waiting
+
+cdef long long LONGEST, PIECE
+cdef int CYCLE, EXECUTE, FETCH, ISZ, JMP, JMS, PROTECTED, _JMP, _NO_ROTATE, _ROTATE, _DELAY, _WRAP, _LEFT
+cdef long long ONE_CYCLE, TWO_CYCLES, THREE_CYCLES
+
+
+cdef class Engine:
+    cdef Processor processor
+    cdef Waiting waiting
+    cdef public bint delays
+    cdef bint watched
+    cdef unsigned short[::1] core
+    cdef int wall
+    cdef object known
+    cdef frozenset breakpoints
+    cdef const unsigned char[::1] conditions
+    cdef unsigned char ops[4098]
+    cdef unsigned short arg[4098]
+    cdef unsigned short keep[256]
+    cdef unsigned short flip[256]
+    cdef unsigned short plus[256]
+
+    @cython.locals(p=Processor, waiting=Waiting, called=bint)
+    cpdef run(self, long long until, long long last, object breakpoints = *)
+    cdef bint _called(self) except -1
+    cdef bint _at_breakpoint(self, long long until, long long last) except -1
+    @cython.locals(address=int)
+    cdef _know(self, object breakpoints)
+    @cython.locals(address=int)
+    cdef _forget_written(self)
+    @cython.locals(room="long long")
+    cdef long long _room(self, long long until, long long last) except? -1
+    @cython.locals(word=int, operand=int, op=int)
+    cdef int _decode(self, int address) except -1
+    @cython.locals(code=int)
+    cdef int _memory_reference(self, int word, int operand, int address) except -1
+    cdef bint _may_delay(self, int operand, int address) except -1
+    @cython.locals(
+        core="unsigned short[::1]", ops="unsigned char *", arg="unsigned short *",
+        keep="unsigned short *", flip="unsigned short *", plus="unsigned short *",
+        conditions="const unsigned char[::1]",
+        lac="unsigned int", pc="Py_ssize_t", x="Py_ssize_t", address="Py_ssize_t", word="unsigned int",
+        op=int, wall=int, written=int, time="long long", limit="long long", turns="long long",
+    )
+    cdef int _piece(self, long long room) except -1

@@ -1,0 +1,38 @@
+"""Builds the compiled core where a C compiler and Cython are at hand; what is not built runs as Python."""
+
+from setuptools import setup
+
+MODULES = ("bus", "processor", "teletype", "waiting", "engine")
+DIRECTIVES = {
+    "annotation_typing": False,
+    "boundscheck": False,
+    "cdivision": True,
+    "embedsignature": False,
+    "initializedcheck": False,
+    "language_level": 3,
+    "wraparound": False,
+}
+
+
+def extensions() -> list[object]:
+    """Return the modules with types beside them as extensions; none without Cython."""
+    try:
+        from Cython.Build import cythonize
+    except ImportError:
+        return []
+    from setuptools import Extension
+
+    built = cythonize(
+        [
+            Extension(f"pdp8.{name}", [f"pdp8/{name}.py"], extra_compile_args=["-O3", "-g0"])
+            for name in MODULES
+        ],
+        build_dir="build",
+        compiler_directives=DIRECTIVES,
+    )
+    for extension in built:  # cythonize does not keep it
+        extension.optional = True
+    return list(built)
+
+
+setup(ext_modules=extensions())
