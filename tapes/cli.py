@@ -156,7 +156,7 @@ def convert(*, file: str, source: str, target: str, parity: str, fill: int | Non
 @click.option(
     "--drop-spaces/--keep-spaces",
     default=None,
-    help="Leave out spaces that only make the text clear.  [default for eia: where each line then has 19 digits]",
+    help="Leave out spaces that only make the text clear.  [default of eia: if 19 digits a line remain]",
 )
 @_output
 def punch(
@@ -186,7 +186,7 @@ def punch(
 
 
 def _only_for_clarity(text: str) -> bool:
-    """Tell whether the spaces stand between the digits of whole blocks, as the thesis prints them (Chapter 3)."""
+    """Tell whether the spaces stand between the digits of whole blocks, as the thesis prints them."""
     blocks = text.replace(" ", "").split()
     return bool(blocks) and all(len(block) == ROWS - 1 and block.isdecimal() for block in blocks)
 
