@@ -81,9 +81,10 @@ class _Parts(click.Group):
         return _command(cmd_name) if cmd_name in _PARTS else super().get_command(ctx, cmd_name)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        own = [(name, command.get_short_help_str()) for name, command in self.commands.items()]
+        parts = [(name, _PARTS[name][0].split(". ")[0]) for name in self.list_commands(ctx) if name in _PARTS]
+        own = [(name, command.get_short_help_str(limit=70)) for name, command in self.commands.items()]
         with formatter.section("Commands"):
-            formatter.write_dl([*((name, line) for name, (line, _) in _PARTS.items()), *own])
+            formatter.write_dl([*parts, *own])
 
 
 @click.group(cls=_Parts, context_settings=_SETTINGS)
@@ -125,7 +126,7 @@ class _Compared(_Parts):
         return _comparison(cmd_name) if cmd_name in self.list_commands(ctx) else None
 
 
-@part.group(cls=_Compared, context_settings=_SETTINGS)
+@part.group(cls=_Compared, short_help="A part in two arithmetics, side by side", context_settings=_SETTINGS)
 def compare() -> None:
     """Run a part program in two arithmetics and show the blocks that differ, side by side.
 

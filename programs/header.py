@@ -24,13 +24,13 @@ _COOLANTS = (7, 8, 9)
 class Header:
     """What the opening blocks say; lengths in thousandths of an inch. Raises PartError for what cannot be."""
 
-    park_x: Annotated[int, "A1: X to park at, for loading"] = 19000
-    park_y: Annotated[int, "A2: Y to park at"] = 0
+    park_x: Annotated[int, "A1: X to park at, for loading, thousandths"] = 19000
+    park_y: Annotated[int, "A2: Y to park at, thousandths"] = 0
     tool: Annotated[int, "B4: tool of the carousel, 1 to 24"] = 1
     coolant: Annotated[int, "C4: 7 flood, 8 mist, 9 off"] = 8
     spindle: Annotated[int, "D4: spindle speed code of Table 2.4"] = 31
-    z_feed_point: Annotated[int, "G1: Z where the feed begins"] = 3000
-    z_depth: Annotated[int, "G3: final depth of Z"] = 3500
+    z_feed_point: Annotated[int, "G1: Z where the feed begins, thousandths"] = 3000
+    z_depth: Annotated[int, "G3: final depth of Z, thousandths"] = 3500
     z_feed: Annotated[int, "G4: Z feed code of Table 2.4"] = 1
 
     def __post_init__(self) -> None:

@@ -59,7 +59,9 @@ def _option(name: str, hint: Any, default: Any) -> click.Parameter:
 
 def _named(name: str, kind: Any, default: Any, help_line: str) -> click.Option:
     spelling = "--" + name.strip("_").replace("_", "-")
-    shown = default is not None
+    shown: bool | str = default is not None
+    if isinstance(kind, _Places):
+        shown = " ".join(f"{x:g},{y:g}" for x, y in default)
     return click.Option([spelling, name], type=kind, default=default, show_default=shown, help=help_line)
 
 

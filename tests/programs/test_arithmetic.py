@@ -44,6 +44,29 @@ def test_the_circle_is_the_same_in_all(arithmetic: str) -> None:
     assert differing("circle", arithmetic) == []
 
 
+def test_a_ge635_that_rounds_its_stores_moves_none() -> None:
+    """So the question of 1971 is truncate or round, not how long the words were."""
+
+    class Rounding(GE635):
+        """The GE-635 with FSTR in place of FST."""
+
+        def store(self, value: Float) -> Float:
+            dropped = max(0, value.mantissa.bit_length() - self.word)
+            half = 1 << dropped >> 1
+            return Float(self, (value.mantissa + half) >> dropped, value.exponent + dropped)
+
+    assert ellipse.part(arithmetic=Rounding()) == ellipse.part()
+
+
+def test_thirty_truncated_bits_move_the_same_nine_as_twenty_seven() -> None:
+    class GE235(GE635):
+        """The machine of GE's earlier time-sharing: 30 bits, and no longer register."""
+
+        word = register = quotient = 30
+
+    assert ellipse.part(arithmetic=GE235()) == ellipse.part(arithmetic=GE)
+
+
 def test_a_twenty_four_bit_truncating_machine_makes_978_blocks() -> None:
     class Short(CDC6400):
         """A truncating machine of 24 bits, of which it is known that it breaks elsewhere too."""

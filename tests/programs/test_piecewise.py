@@ -1,6 +1,6 @@
 """The piece-wise technique: the machine's own way, feeds wrong or right, stays in the band."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from itertools import pairwise
 from math import dist
@@ -72,8 +72,8 @@ def test_with_the_slowest_feed_alone_it_approaches_the_step_wise_limit() -> None
 
 
 @pytest.mark.parametrize("part", [circle.part, ellipse.part, die.part])
-def test_a_closed_contour_closes(part: type[circle.part]) -> None:  # type: ignore[valid-type]
-    path = milled(part(technique="piece"))  # type: ignore[misc]
+def test_a_closed_contour_closes(part: Callable[..., str]) -> None:
+    path = milled(part(technique="piece"))
     assert path[0][2:4] == path[-1][2:4]
 
 
