@@ -2,8 +2,9 @@
 
     .venv/bin/python benchmarks/cut.py [--rounds 5]
 
-The tapes are circles one inside the other in steps of .001 inch, no two blocks alike; medians of so many rounds, in
-seconds of this process's own time. The last column is the time of 100,000 blocks over that of 25,000: 4 is linear.
+The tapes are circles one inside the other in steps of .001 inch, no two blocks alike; medians of so many
+rounds, in seconds of this process's own time. The last column is the time of 100,000 blocks over that of
+25,000: 4 is linear.
 """
 
 import argparse
