@@ -10,7 +10,8 @@ page.html     what stands where           page.css       how it looks
 machine.mjs   a small PDP-8/L             panel.mjs      its lamps and switches
 afternoon.mjs any instant again           paper.mjs      listing, printed page, blocks
 tape.mjs      tapes under their heads     cutter.mjs     the staircase in its band
-page.mjs      controls, and all of it shown at one instant
+scene.mjs     all of it at one instant    written.mjs    how it is written
+page.mjs      slider, buttons and keys
 """
 
 from pdp8.replay.afternoon import Act, Afternoon, clock, replay

@@ -8,7 +8,7 @@
 
 import { FETCH, FRAME, Machine } from "./machine.mjs";
 
-export const SECOND = 20_000_000;
+export const SECOND = 20_000_000; // ticks
 const CHECKPOINT_EVERY = 10 * SECOND;
 const CARRIAGE_RETURN = 0o15;
 

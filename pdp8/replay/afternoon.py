@@ -15,10 +15,11 @@ from dataclasses import dataclass
 from enum import StrEnum
 from importlib import import_module
 from time import perf_counter
-from typing import Final
+from typing import Final, NamedTuple
 
 import nc
 import pal
+from nc.curves import Cubic, Curve
 from nc.inspection import Inspection, inspect
 from pdp8.machine import TICKS_PER_SECOND
 from pdp8.replay.operator import Deed, Operator
@@ -32,6 +33,17 @@ WALK_SECONDS, MOUNT_SECONDS, CLAMP_SECONDS, MEASURE_SECONDS = 60, 20, 180, 120
 """To the next room; a tape into a reader; a plate onto the table; one turn of the Talyrond. Ours."""
 
 FRAMES_PER_SECOND = 10
+
+
+class Meant(NamedTuple):
+    """The curve a part was to follow, None where inspection finds it, and half its band, in thousandths."""
+
+    curve: Curve | None = None
+    tolerance: float = 5
+
+
+MEANT: Final = {"polynomial": Meant(Cubic(4000, 6000, 0.2, 2, 6), 10)}
+"""What is no circle, ellipse or line of +-.005 in: Chapter 7's polynomial, its origin where we place it."""
 
 
 def clock(tick: int) -> str:
@@ -78,7 +90,7 @@ class Act:
 
 @dataclass(frozen=True)
 class Afternoon:
-    """Everything the afternoon left on the desk.
+    """Everything the afternoon left.
 
     `tapes` are {name: frames}; `programs` {name: assembly}; `minutes` what the thesis timed: punch, translate
     and cut. `path` began at tick `mill_starts`. `inspection` is None where the part follows no curve that
@@ -93,6 +105,7 @@ class Afternoon:
     programs: dict[str, pal.Assembly]
     path: nc.Path
     mill_starts: int
+    meant: Meant
     inspection: Inspection | None
     minutes: dict[str, float]
 
@@ -110,6 +123,7 @@ class _Day:
 
     def __init__(self, part: str, tell: Callable[[Act], object]) -> None:
         self.part = part
+        self.meant = MEANT.get(part, Meant())
         self.tell = tell
         self.operator = Operator()
         self.acts: list[Act] = []
@@ -135,6 +149,7 @@ class _Day:
             self.programs,
             path,
             mill_starts,
+            self.meant,
             inspection,
             self.minutes,
         )
@@ -214,8 +229,7 @@ class _Day:
         self._act(
             Kind.TRANSLATE,
             "Translation",
-            "eia.pal reads the ASCII tape and punches it in EIA: a digit as itself, a space as a zero, "
-            "a carriage return as the end of a block, all else not at all.",
+            "eia.pal reads ASCII and punches EIA: a space as a zero, a carriage return as end of block.",
             f"{len(tape):,} frames, {self.operator.machine.instructions:,} instructions",
             "eia.pal",
         )
@@ -238,13 +252,14 @@ class _Day:
     def _inspect(self, path: nc.Path) -> Inspection | None:
         self.operator.wait(MEASURE_SECONDS)
         try:
-            inspection = inspect(path)
+            inspection = inspect(path, self.meant.curve, tolerance=self.meant.tolerance)
         except WorkError as error:
             self._act(Kind.INSPECT, "Inspection", f"No instrument for this shape: {error}.", "not inspected")
             return None
         worst = inspection.worst
         came = f"worst trough to peak {worst.trough_to_peak / 1000:.4f} in, {worst.wall} wall, {worst.place}"
-        self._act(Kind.INSPECT, "Talyrond", f"The stylus goes round the walls: {came}.", came)
+        name = "Talyrond" if inspection.curve.closed else "Talysurf"
+        self._act(Kind.INSPECT, name, f"The stylus goes along the walls: {came}.", came)
         return inspection
 
     def _assemble(self, name: str) -> pal.Assembly:

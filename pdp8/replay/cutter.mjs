@@ -155,10 +155,14 @@ function drawBand(context, mill, view) {
   context.fillStyle = "rgba(47,111,94,.13)";
   context.beginPath();
   outline(context, mill.band.outer, view);
-  outline(context, mill.band.inner, view);
+  if (mill.closed) outline(context, mill.band.inner, view);
+  else outline(context, mill.band.inner.toReversed(), view, true);
   context.fill("evenodd");
   context.strokeStyle = BAND;
   context.lineWidth = 1.4;
+  context.beginPath();
+  outline(context, mill.band.outer, view);
+  outline(context, mill.band.inner, view);
   context.stroke();
   context.setLineDash([8, 4, 2, 4]);
   context.lineWidth = 1;
@@ -168,8 +172,11 @@ function drawBand(context, mill, view) {
   context.setLineDash([]);
 }
 
-function outline(context, points, view) {
-  points.forEach(([x, y], index) => (index ? context.lineTo(view.x(x), view.y(y)) : context.moveTo(view.x(x), view.y(y))));
+function outline(context, points, view, goOn = false) {
+  points.forEach(([x, y], index) => {
+    if (index || goOn) context.lineTo(view.x(x), view.y(y));
+    else context.moveTo(view.x(x), view.y(y));
+  });
 }
 
 function drawGrid(context, view, width, height) {

@@ -6,6 +6,7 @@ from typing import Final
 from nc import listing
 from nc.plot import plot
 from nc.talyrond import talyrond
+from nc.talysurf import talysurf
 from pdp8.replay.afternoon import Afternoon
 from pdp8.replay.figures import compare
 from tapes import picture
@@ -36,6 +37,9 @@ def _pictures(afternoon: Afternoon) -> Iterator[tuple[str, str]]:
         tape = afternoon.tapes[name]
         yield f"{name}.svg", picture.svg(tape, {"asc": "ascii", "eia": "eia"}[code], 0, PICTURED)
     inspection = afternoon.inspection
-    yield f"{part}.svg", plot(afternoon.path, inspection.curve if inspection else None)
+    curve = inspection.curve if inspection else None
+    yield f"{part}.svg", plot(afternoon.path, curve, tolerance=afternoon.meant.tolerance)
     if inspection and inspection.curve.closed:
         yield "talyrond.svg", talyrond(inspection)
+    elif inspection:
+        yield "talysurf.svg", talysurf(inspection)

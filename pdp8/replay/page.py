@@ -16,20 +16,22 @@ from functools import cache
 from importlib.resources import files
 from typing import Any, Final
 
+import numpy as np
+
 import pal
-from nc.curves import Curve
+from nc.curves import Cubic, Curve
 from nc.path import Kind as Move
 from nc.talyrond import talyrond
+from nc.talysurf import talysurf
 from pdp8.machine import TICKS_PER_SECOND
 from pdp8.replay.afternoon import OPENS, Act, Afternoon, Kind
 from pdp8.replay.figures import COLUMNS, compare
 
-MODULES: Final = ("machine", "afternoon", "tape", "cutter", "panel", "paper", "page")
+MODULES: Final = ("machine", "afternoon", "written", "tape", "cutter", "panel", "paper", "scene", "page")
 """The page's scripts, each after those it imports from."""
 
 _CODES = {"asc": "ascii", "eia": "eia", "bin": "bin", "rim": "rim"}
 _CUTTING = (Move.MILL, Move.FEED_IN, Move.FEED_OUT)
-_BAND = 5
 _CURVE_POINTS = 1440
 
 
@@ -139,10 +141,12 @@ def _sheets(afternoon: Afternoon) -> dict[str, Any]:
 
 
 def _graph(afternoon: Afternoon) -> dict[str, Any] | None:
-    """Return the Talyrond's graph, if there is one."""
-    if not (afternoon.inspection and afternoon.inspection.curve.closed):
+    """Return the instrument's graph, if the part could be inspected."""
+    inspection = afternoon.inspection
+    if inspection is None:
         return None
-    return {"title": "The Talyrond's graph", "kind": "picture", "svg": talyrond(afternoon.inspection)}
+    name, draw = ("Talyrond", talyrond) if inspection.curve.closed else ("Talysurf", talysurf)
+    return {"title": f"The {name}'s graph", "kind": "picture", "svg": draw(inspection)}
 
 
 def _block(digits: str) -> str:
@@ -179,17 +183,25 @@ def _mill(afternoon: Afternoon) -> dict[str, Any]:
             now += move.seconds * TICKS_PER_SECOND
             knots.append([round(now), move.end.x, move.end.y, move.kind in _CUTTING])
     curve = afternoon.inspection.curve if afternoon.inspection else None
-    return {"blocks": blocks, "path": knots, "diameter": 500, "band": _band(curve)}
+    return {
+        "blocks": blocks,
+        "path": knots,
+        "diameter": 500,
+        "closed": curve is not None and curve.closed,
+        "band": _band(curve, afternoon.meant.tolerance),
+    }
 
 
-def _band(curve: Curve | None) -> dict[str, Any] | None:
-    """Return the curve that was meant and the two limits of the band, as closed or open outlines."""
+def _band(curve: Curve | None, tolerance: float) -> dict[str, Any] | None:
+    """Return the curve that was meant and the two limits of its band, as closed or open outlines."""
     if curve is None:
         return None
     stations = curve.stations(_CURVE_POINTS)
+    # A polynomial's band is measured along Y (thesis, Chapter 6), any other square to the curve.
+    way = np.array([0.0, 1.0]) if isinstance(curve, Cubic) else stations.normals
     outlines = {}
-    for name, offset in (("inner", -_BAND), ("nominal", 0), ("outer", _BAND)):
-        points = (stations.points + offset * stations.normals).round(1).tolist()
+    for name, offset in (("inner", -tolerance), ("nominal", 0), ("outer", tolerance)):
+        points = (stations.points + offset * way).round(1).tolist()
         outlines[name] = [*points, points[0]] if curve.closed else points
     return outlines
 

@@ -3,6 +3,7 @@
 // Source: PDP-8/L Users Handbook, chapter 2 (console).
 
 import { DEFER, EXECUTE, FETCH } from "./machine.mjs";
+import { octal } from "./written.mjs";
 
 export const STATES = ["FETCH", "DEFER", "EXECUTE", "WORD COUNT", "CURR ADDR", "BREAK"];
 const SIGNS = ["ION", "PARITY", "PROTECT", "RUN"];
@@ -59,10 +60,6 @@ export class Panel {
     this.lit.set(name, Boolean(on));
     this.lamps.get(name).classList.toggle("on", Boolean(on));
   }
-}
-
-export function octal(value, digits = 4) {
-  return value.toString(8).padStart(digits, "0");
 }
 
 function spoken({ ma, mb, link, ac, ir, state, ion, running }) {

@@ -1,7 +1,8 @@
 // The sheet on the desk: a program's listing with its current line lit, the Teletype's page, or the list of blocks.
 
 import { upper } from "./afternoon.mjs";
-import { octal } from "./panel.mjs";
+import { FRAME } from "./machine.mjs";
+import { octal } from "./written.mjs";
 
 export class Paper {
   constructor(place, title, record) {
@@ -59,10 +60,20 @@ export class Paper {
     if (this.record.sheets[name].kind === "listing") return sheet.byAddress.get(machine.at) ?? null;
     const tape = this.record.tapes.ascii;
     if (act.kind !== "terminal") return sheet.lines[Math.max(0, upper(this.starts(), now) - 1)];
-    const punched = Math.floor((now - act.from) / 2_000_000);
+    const punched = Math.floor(now / FRAME);
     const line = Math.min(upper(tape.lines, punched - 1), sheet.lines.length - 1);
     sheet.lines.forEach((element, index) => element.classList.toggle("blank", index > line));
+    const begins = line ? tape.lines[line - 1] + 1 : 0;
+    this.#type(sheet.lines[line], this.record.sheets[name].lines[line][2], tape.frames.subarray(begins, punched));
     return sheet.lines[line];
+  }
+
+  /** Type of a line what has been punched of it, so far: `frames`, fill of the line before and all. */
+  #type(line, text, frames) {
+    if (this.typing && this.typing.line !== line) this.typing.line.lastChild.textContent = this.typing.text;
+    this.typing = { line, text };
+    const typed = frames.reduce((count, frame) => count + ((frame & 0o177) >= 0o40 && (frame & 0o177) !== 0o177), 0);
+    line.lastChild.textContent = text.slice(0, typed) || " ";
   }
 
   starts() {

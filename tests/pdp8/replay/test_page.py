@@ -41,7 +41,7 @@ def _now(page: "Page") -> int:
 
 
 def _go(page: "Page", tick: int) -> None:
-    page.evaluate("(tick) => replay.page.jump(tick)", tick)
+    page.evaluate("(tick) => replay.page.go(tick)", tick)
 
 
 def _translating(circle: Afternoon, seconds: float = 100.05) -> int:
@@ -140,6 +140,10 @@ def test_every_button_and_choice_works(page: "Page", circle: Afternoon) -> None:
     page.locator("#forward").click()
     page.locator("#forward").click()
     assert _now(page) - before > 27 * 2_000_000
+    before = _now(page)
+    page.keyboard.press("ArrowLeft")  # steps, though the focus is on the units
+    assert _now(page) < before
+    assert page.locator("#units input:checked").get_attribute("value") == "block"
     page.locator("#next-act").click()
     assert _now(page) == circle.acts[5].starts
     page.locator("#previous-act").click()

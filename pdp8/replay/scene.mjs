@@ -1,0 +1,177 @@
+// Everything on the page, shown as it was at one instant.
+
+import { SECOND, upper } from "./afternoon.mjs";
+import { drawClose, drawWhole, Mill } from "./cutter.mjs";
+import { FRAME } from "./machine.mjs";
+import { Panel, STATES } from "./panel.mjs";
+import { Paper } from "./paper.mjs";
+import { drawTape, meaning } from "./tape.mjs";
+import { clock, escaped, find, grouped, octal, seconds } from "./written.mjs";
+
+const SAID = 8 * SECOND; // how long the operator's last deed is told
+const PRESSED = 0.4 * SECOND; // how long a key shows as pressed
+const FIELDS = [["sequence", 3], ["prep.", 1], ["X", 5], ["Y", 5], ["res.", 1], ["tool", 2], ["misc.", 2], ["end", 1]];
+
+export class Scene {
+  constructor(record, afternoon) {
+    this.record = record;
+    this.afternoon = afternoon;
+    this.mill = new Mill(record.mill);
+    this.panel = new Panel(find("computer"));
+    this.paper = new Paper(find("paper"), find("paper-title"), record);
+  }
+
+  show() {
+    const { afternoon, record } = this;
+    const { now, machine, deed } = afternoon;
+    const act = afternoon.act();
+    this.#time(act, now);
+    this.panel.show(machine, deed && now - deed.at < PRESSED ? deed.key : null);
+    this.#caption(act, deed);
+    document.querySelector("main").dataset.sheet = record.sheets[act.sheet].kind;
+    this.#registers(act, machine);
+    this.#tapes(act);
+    this.paper.show(act, afternoon);
+    this.#cutter();
+  }
+
+  #time(act, now) {
+    const time = clock(this.record.opens, now);
+    find("clock").textContent = time;
+    find("act-name").textContent = act.name;
+    find("slider").value = now;
+    find("slider").setAttribute("aria-valuetext", `${time}, ${act.name}`);
+    [...find("acts").children].forEach((mark, index) => mark.classList.toggle("now", index === act.index));
+  }
+
+  #caption(act, deed) {
+    const fresh = deed && deed.at >= act.from && this.afternoon.now - deed.at < SAID;
+    const doing = fresh ? deed.say : waits(this.afternoon.machine);
+    find("caption").innerHTML = `<b>${escaped(act.name)}.</b> ${escaped(act.say)} <em>${escaped(doing)}</em>`;
+  }
+
+  /** The registers, while there is a program beside them. */
+  #registers(act, machine) {
+    find("registers").hidden = this.record.sheets[act.sheet].kind !== "listing";
+    const { teletype } = machine;
+    const shown = [
+      ["L", machine.link], ["AC", octal(machine.ac)], ["MA", octal(machine.ma)], ["MB", octal(machine.mb)],
+      ["IR", machine.ir], ["PC", octal(machine.pc)], ["state", STATES[machine.state]],
+      ["reader flag", teletype.readerFlag ? "up" : "down"], ["punch flag", teletype.punchFlag ? "up" : "down"],
+      ["instructions", grouped(machine.instructions)], ["since START", seconds(machine.ticks - machine.started)],
+    ];
+    find("registers").innerHTML = shown.map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`).join("");
+  }
+
+  #tapes(act) {
+    const reader = this.#reader(act);
+    const punch = this.#punch(act);
+    this.#label("in", reader);
+    this.#label("out", punch);
+    this.#block(act.kind === "terminal" ? punch : reader);
+    if (reader) drawTape(find("in-tape"), reader);
+    if (punch) drawTape(find("out-tape"), punch);
+  }
+
+  /** The tape that is being read: by the Teletype, or by the Hydra-Point. */
+  #reader(act) {
+    const { afternoon, record } = this;
+    if (act.kind === "mill" || act.kind === "inspect") {
+      const tape = record.tapes.eia;
+      return { ...tape, head: tape.first + this.mill.row(afternoon.now), title: "in the Hydra-Point's reader" };
+    }
+    if (!afternoon.mounted) return null;
+    const { taken } = afternoon.machine.teletype;
+    return { ...record.tapes[afternoon.mounted], head: Math.max(0, taken - 1), title: "in the ASR-33's reader" };
+  }
+
+  /** The tape that is being punched, or was last, where there is a punch. */
+  #punch(act) {
+    const { afternoon, record } = this;
+    const { teletype } = afternoon.machine;
+    if (act.kind !== "terminal" && act.kind !== "toggle" && act.kind !== "translate") return null;
+    if (act.index < record.translation) {
+      const tape = record.tapes.ascii;
+      const punched = Math.min(tape.frames.length, Math.floor(afternoon.now / FRAME));
+      return { ...tape, head: punched - 1, punching: true, title: "in the terminal's punch" };
+    }
+    const head = teletype.punched - 1;
+    return { ...record.tapes.eia, frames: teletype.paper, head, punching: true, title: "in the ASR-33's punch" };
+  }
+
+  #label(which, tape) {
+    const canvas = find(`${which}-tape`);
+    canvas.closest("figure").hidden = !tape;
+    if (!tape) return;
+    const count = tape.punching
+      ? `${grouped(tape.head + 1)} frames punched`
+      : `frame ${grouped(tape.head)} of ${grouped(tape.frames.length)}`;
+    find(`${which}-label`).innerHTML = `<b>${escaped(tape.label)}</b><span>${tape.title}</span><span>${count}</span>`;
+    const frame = tape.frames[tape.head];
+    const now = frame === undefined ? "nothing yet" : `${count}: ${octal(frame, 3)} ${meaning(frame, tape.code)}`;
+    canvas.setAttribute("aria-label", `${tape.label}, ${now}`);
+  }
+
+  /** The block that is passing: its fields, the digits read so far dark. */
+  #block(tape) {
+    const place = find("block");
+    place.hidden = !tape || (tape.code !== "ascii" && tape.code !== "eia");
+    if (place.hidden) return;
+    const { digits, read, number } = blockAt(tape);
+    let at = 0;
+    const cells = FIELDS.map(([name, width]) => {
+      const shown = digits.slice(at, at + width).padEnd(width, "·");
+      const passed = Math.max(0, read - at);
+      at += width;
+      return `<span><b><i class="read">${shown.slice(0, passed)}</i>${shown.slice(passed)}</b><small>${name}</small></span>`;
+    });
+    place.innerHTML = `<b>block ${number}</b><p>${cells.join("")}</p>`;
+  }
+
+  #cutter() {
+    const place = this.mill.at(this.afternoon.now);
+    const started = place.block >= 0;
+    const where = started
+      ? `X ${(place.x / 1000).toFixed(3)}  Y ${(place.y / 1000).toFixed(3)}`
+      : `waiting for its tape: ${this.mill.blocks.length} blocks`;
+    find("whole-label").innerHTML = `<b>Hydra-Point</b><span>${where}</span>`;
+    find("close-label").innerHTML = `<b>${this.mill.band ? "In its band" : "Close by"}</b><span>squares of .010 in</span>`;
+    find("whole").setAttribute("aria-label", `the Hydra-Point's table, ${where}`);
+    find("close").setAttribute("aria-label", `the staircase close by, ${where}`);
+    drawWhole(find("whole"), this.mill, place, started);
+    drawClose(find("close"), this.mill, started ? place : this.mill.first(), started);
+  }
+}
+
+/** What a running machine is waiting for, in words. */
+function waits({ running, core, at }) {
+  if (!running) return "";
+  const word = core[at] >> 9 === 5 ? core[at - 1] : core[at];
+  if (word === 0o6031) return "It waits for the reader.";
+  if (word === 0o6041) return "It waits for the punch.";
+  return "";
+}
+
+/** The block at the tape's head: its digits as the translation makes them, how many have passed, its number. */
+function blockAt({ frames, head, code, lines }) {
+  const ended = (frame) => (code === "ascii" ? (frame & 0o177) === 0o15 : frame === 0o200);
+  let from = Math.max(0, head);
+  while (from > 0 && !ended(frames[from - 1])) from--;
+  let digits = "";
+  let read = 0;
+  for (let frame = from; frame < frames.length && digits.length < 20; frame++) {
+    const digit = ended(frames[frame]) ? "↵" : digitOf(frames[frame], code);
+    digits += digit;
+    if (frame <= head) read += digit.length;
+    if (digit === "↵") break;
+  }
+  return { digits, read, number: Math.min(lines.length, upper(lines, from - 1) + 1) };
+}
+
+function digitOf(frame, code) {
+  if (code === "ascii") {
+    const character = String.fromCharCode(frame & 0o177);
+    return character === " " ? "0" : /\d/.test(character) ? character : "";
+  }
+  return frame === 0 ? "" : String(frame & 0o17);
+}

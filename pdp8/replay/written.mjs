@@ -1,0 +1,34 @@
+// How things are written on the page, and where.
+
+import { SECOND } from "./afternoon.mjs";
+
+/** The element with that id. */
+export const find = (id) => document.getElementById(id);
+
+export function octal(value, digits = 4) {
+  return value.toString(8).padStart(digits, "0");
+}
+
+/** 170888757 as 170 888 757. */
+export function grouped(number) {
+  return String(number).replace(/\B(?=(\d{3})+$)/g, "\u2009");
+}
+
+/** Ticks as seconds, every tick of 0.05 µs to be seen: 473.799 997 75 s. */
+export function seconds(ticks) {
+  const [whole, parts] = (ticks / SECOND).toFixed(8).split(".");
+  return `${whole}.${parts.slice(0, 3)} ${parts.slice(3, 6)} ${parts.slice(6)} s`;
+}
+
+/** The time of day, `opens` seconds after midnight and a number of ticks: 1:41:40 pm. */
+export function clock(opens, ticks) {
+  const whole = Math.floor(opens + ticks / SECOND);
+  const hours = Math.floor(whole / 3600);
+  const [minutes, rest] = [Math.floor(whole / 60) % 60, whole % 60].map((part) => String(part).padStart(2, "0"));
+  return `${((hours + 11) % 12) + 1}:${minutes}:${rest} ${hours % 24 < 12 ? "am" : "pm"}`;
+}
+
+/** Text that may stand in HTML. */
+export function escaped(text) {
+  return text.replace(/[&<>"]/g, (character) => `&#${character.charCodeAt(0)};`);
+}
