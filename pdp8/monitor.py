@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 from pdp8 import loaders, state
-from pdp8.machine import Machine, Stop
+from pdp8.machine import Machine
 from pdp8.teletype import Punch
 from pdp8.trace import Listing, Trace
 from tapes import rim, shelf
@@ -22,6 +22,8 @@ _SWITCHES = ("mem_prot", "sing_step")
 _KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
 _STATES = ("FETCH", "DEFER", "EXECUTE")
 _ON = ("1", "on")
+_SLICE = 0.5
+_FOR_EVER = 1e12
 _WHOLE_CORE = range(0o10000)
 
 
@@ -49,6 +51,8 @@ class Monitor:
         self.machine = machine or Machine()
         self.listing = Listing()
         self.finished = False
+        self.stopping = False
+        """Set by whoever wants a run to end as by the STOP key."""
         self._say = say
         self._open_program = open_program
 
@@ -147,10 +151,21 @@ class Monitor:
         self._run(arguments)
 
     def _run(self, arguments: list[str]) -> None:
-        seconds = _seconds(arguments[0]) if arguments else None
-        self._stopped(self.machine.run(seconds=seconds))
-
-    def _stopped(self, stop: Stop) -> None:
+        """Run slice by slice, so that somebody else can press STOP; say how it ended."""
+        seconds = _seconds(arguments[0]) if arguments else _FOR_EVER
+        end = self.machine.elapsed + seconds
+        self.stopping = False
+        while True:
+            stop = self.machine.run(seconds=min(_SLICE, end - self.machine.elapsed))
+            if stop.reason != "limit" or self.machine.elapsed >= end:
+                break
+            if self.stopping:
+                self.machine.stop()
+                stop = stop._replace(reason="stop key")
+                break
+            if stop.pc in self.machine.watch.breakpoints:
+                stop = stop._replace(reason="breakpoint")
+                break
         line = self.listing.line(stop.pc, self.machine.core[stop.pc])
         self._say(f"{stop.reason}; {stop.elapsed:,.6f} s; next {line}")
 

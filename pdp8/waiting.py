@@ -21,8 +21,8 @@ from pdp8.processor import FETCH, JMP, Processor
 PERIOD = 200_000
 _TESTS = 8
 """Flag tests of one ring: how many strangers are met before the one remembered is given up."""
-_STEPS = 20_000
-"""Instructions of one ring that has no flag test: all of core, or a count of AC and L, goes round in less."""
+_STEPS = 5_000
+"""Instructions of one ring that has no flag test: all of core goes round in less, a count in AC in more."""
 
 
 class Waiting:

@@ -1,6 +1,7 @@
 """`pdp8 monitor`: the operator's prompt, at a terminal with editing and history, or fed by a script."""
 
 import os
+import signal
 import sys
 from collections.abc import Iterator
 
@@ -53,16 +54,16 @@ def _follow(made: Monitor, script: str, echo: bool) -> None:
 
 
 def converse(made: Monitor) -> None:
-    """Answer at a terminal until quit or end of file; errors are said, Ctrl-C stops the machine."""
+    """Answer at a terminal until quit or end of file; errors are said, Ctrl-C is the STOP key."""
     click.echo("PDP-8/L, 4K. help tells what there is; quit leaves.")
     for line in _typed():
+        before = signal.signal(signal.SIGINT, lambda number, frame: setattr(made, "stopping", True))
         try:
             made.do(line)
         except WorkError as error:
             click.echo(str(error), err=True)
-        except KeyboardInterrupt:
-            made.machine.stop()
-            click.echo(f"stopped before {made.machine.pc:04o}", err=True)
+        finally:
+            signal.signal(signal.SIGINT, before)
         if made.finished:
             return
 

@@ -8,6 +8,7 @@ from typing import BinaryIO
 import click
 from click.core import ParameterSource
 
+from pdp8.cli.interrupt import ctrl_c
 from pdp8.cli.octal import octal
 from pdp8.cli.program import read_words
 from pdp8.cli.progress import Bar
@@ -145,7 +146,7 @@ def run(
         if keyboard:
             stop = _typed(machine, outputs, max_time, realtime)
         else:
-            stop = _until_it_stops(machine, outputs, max_time, realtime, quiet)
+            stop = _run(machine, outputs, max_time, realtime, quiet)
     if save is not None:
         _save(machine, save)
     if stop is None and keyboard:
@@ -175,35 +176,29 @@ def _outputs(machine: Machine, punch: str | None, fast_punch: str | None, keyboa
     return outputs
 
 
-def _until_it_stops(
-    machine: Machine, outputs: list[_Output], max_time: float | None, realtime: bool, quiet: bool
-) -> Stop | None:
-    """Run as `_run` does; return None if interrupted, with all that was punched passed on."""
-    try:
-        return _run(machine, outputs, max_time, realtime, quiet)
-    except KeyboardInterrupt:
-        machine.bus.finish()
-        for output in outputs:
-            output.send()
-        return None
-
-
 def _run(
     machine: Machine, outputs: list[_Output], max_time: float | None, realtime: bool, quiet: bool
-) -> Stop:
-    """Run slice by slice, so that what is punched is seen as it is punched; return how it ended."""
+) -> Stop | None:
+    """Run slice by slice, so that what is punched is seen as it is punched; return how it ended.
+
+    Returns None if it was interrupted; what was punched is passed on all the same.
+    """
     reader = machine.teletype.reader
     began = time.monotonic() - machine.elapsed
     last = None if max_time is None else machine.elapsed + max_time
     slice_ = _REAL_SLICE if realtime else _SLICE
-    with Bar("reading tape", len(reader.tape), wanted=not quiet) as bar:
+    with Bar("reading tape", len(reader.tape), wanted=not quiet) as bar, ctrl_c() as interrupt:
         while True:
             stop = machine.run(seconds=slice_ if last is None else min(slice_, last - machine.elapsed))
+            if interrupt.pressed:
+                machine.bus.finish()
             for output in outputs:
                 output.send()
             bar.show(reader.position)
             if stop.reason != "limit" or (last is not None and stop.elapsed >= last):
                 return stop
+            if interrupt.pressed:
+                return None
             if realtime:
                 time.sleep(max(0.0, machine.elapsed - (time.monotonic() - began)))
 

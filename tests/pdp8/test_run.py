@@ -6,6 +6,7 @@ import os
 import pty
 import select
 import signal
+import subprocess
 import termios
 import time
 from pathlib import Path
@@ -97,13 +98,13 @@ def test_misuse(shell: Shell, tmp_path: Path, line: str, status: int, message: s
 
 
 class Terminal:
-    """`pdp8 run` at a terminal of its own."""
+    """`pdp8 run`, or another `command`, at a terminal of its own."""
 
-    def __init__(self, *arguments: str) -> None:
+    def __init__(self, *arguments: str, command: str = "run") -> None:
         self.pid, self.file = pty.fork()
         if self.pid == 0:
             os.environ["TERM"] = "dumb"
-            os.execv(str(BIN / "pdp8"), ["pdp8", "run", *arguments])
+            os.execv(str(BIN / "pdp8"), ["pdp8", command, *arguments])
         self.before = termios.tcgetattr(self.file)
         self.seen = b""
 
@@ -155,6 +156,37 @@ def test_the_terminal_is_restored_whatever_ends_the_run(number: int) -> None:
     status = terminal.ended()
     assert status == 128 + number
     assert terminal.restored()
+
+
+def test_ctrl_c_keeps_what_was_punched_and_says_where(tmp_path: Path) -> None:
+    (tmp_path / "line.asc").write_bytes(LINE * 10)
+    with open(tmp_path / "line.eia", "wb") as tape:
+        run = subprocess.Popen(
+            [str(BIN / "pdp8"), "run", "eia.pal", "--realtime", "--reader", str(tmp_path / "line.asc")],
+            stdout=tape,
+            stderr=subprocess.PIPE,
+        )
+        while not (tmp_path / "line.eia").stat().st_size > 3:
+            time.sleep(0.05)
+        run.send_signal(signal.SIGINT)
+        said = run.communicate(timeout=20)[1].decode()
+    assert run.returncode == 130
+    assert said.startswith("pdp8 run: interrupted at 02")
+    assert said.count("\n") == 1
+    assert (tmp_path / "line.eia").read_bytes()[:4] == bytes([0, 0o040, 0o040, 0o007])
+
+
+def test_ctrl_c_stops_a_run_of_the_monitor() -> None:
+    terminal = Terminal(command="monitor")
+    terminal.until(b"quit leaves")
+    terminal.type(b"load echo.pal\r")
+    terminal.until(b"66 words")
+    terminal.type(b"go 200\r")
+    time.sleep(1)
+    terminal.type(b"\x03")
+    terminal.until(b"stop key;")
+    terminal.type(b"quit\r")
+    assert terminal.ended() == 0
 
 
 def test_ten_characters_a_second_live() -> None:
