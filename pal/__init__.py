@@ -14,6 +14,7 @@ crossreference where each symbol is defined and used
 report         an assembly as JSON
 disassembler   words and tapes back to source
 lexer          PAL III in colour, for Pygments
+notebook       an assembly as a notebook shows it
 cli            the commands `pal` and `dis`
 """
 

@@ -115,6 +115,12 @@ class Assembly:
         results = self._assembler.assemble() if self.tape else []
         return results, self._assembler.table(), self._assembler.values()
 
+    def _repr_html_(self) -> str:
+        """Return the listing as HTML, for a notebook."""
+        from pal.notebook import html
+
+        return html(self)
+
     @property
     def _referred(self) -> list[Message]:
         return [result.message for result in self._results if result.message]

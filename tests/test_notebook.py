@@ -1,0 +1,43 @@
+"""What a notebook shows of a tape, a listing and a path: well-formed, and with what it is about."""
+
+from xml.etree import ElementTree
+
+import nc
+import pal
+from tapes import shelf
+from tapes.notebook import Tape
+
+
+def test_a_tape_is_bytes_and_shows_its_first_frames() -> None:
+    frames = shelf.read("circle.eia")
+    tape = Tape(frames)
+    assert tape == frames
+    assert (tape[1], type(tape[1:3]), bytes(tape[1:3])) == (0o040, Tape, frames[1:3])
+    drawn = ElementTree.fromstring(tape[:21]._repr_svg_())
+    holes = [circle for circle in drawn.iter("{http://www.w3.org/2000/svg}circle") if circle.get("r") == "36"]
+    assert len(holes) == sum(frame.bit_count() for frame in frames[:21])
+    assert len(tape._repr_svg_()) < 300_000
+
+
+def test_at_a_terminal_a_tape_is_rows_of_holes() -> None:
+    assert str(Tape(b"\xc1")).splitlines()[1] == "       0    301  | o o       .     o |  A"
+
+
+def test_an_empty_tape_shows_itself() -> None:
+    assert ElementTree.fromstring(Tape()._repr_svg_()) is not None
+
+
+def test_a_listing_shows_every_line_and_marks_what_is_wrong() -> None:
+    page = pal.assemble("*200\n\tTAD 300\t/A < B & C\n\tJMP 400\n$\n")._repr_html_()
+    table, _, below = page.partition("</table>")
+    rows = ElementTree.fromstring(table[table.index("<table") :] + "</table>").findall("tr")
+    cells = [["".join(cell.itertext()) for cell in row] for row in rows]
+    assert ["0200", "1300", "        TAD 300 /A < B & C"] in cells
+    wrong = [row[2].text for row in rows if row.get("class") == "wrong"]
+    assert wrong == ["        JMP 400"]
+    assert "IR" in below
+
+
+def test_a_path_draws_itself() -> None:
+    drawn = ElementTree.fromstring(nc.cut(shelf.read("circle.eia")[:201])._repr_svg_())
+    assert drawn.tag.endswith("svg")
