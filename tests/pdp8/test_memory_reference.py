@@ -81,7 +81,7 @@ OFFSETS = (0o0, 0o1, 0o7, 0o10, 0o17, 0o20, 0o176, 0o177)
 WORDS = (0, 0o10, 0o17, 0o277, 0o4000, 0o7776, 0o7777)
 
 
-def reference(core: list[int], pc: int, lac: int) -> tuple[int, int, int]:
+def reference(core: "array[int]", pc: int, lac: int) -> tuple[int, int, int]:
     """Carry out the instruction at `pc` as the handbook says it; return PC, {L, AC} and the cycles."""
     word = core[pc]
     operation, indirect, this_page, offset = (
@@ -123,11 +123,11 @@ def test_every_shape_at_every_edge(operation: int) -> None:
         pointer = offset + (pc & 0o7600 if this_page else 0)
         for content, lac in product(WORDS, (0, 0o7777, 0o10001)):
             start = {0o277: 0o7777, 0o300: 0o1234, 0: 0o7777, 0o7777: 0o20, pointer: content, pc: word}
-            core = [0] * 0o10000
+            core = array("H", bytes(2 * 0o10000))
             for address, word_there in start.items():
                 core[address] = word_there
             processor = Processor(bus)
-            processor.core[:] = array("H", core)
+            processor.core[:] = core
             processor.pc, processor.lac = pc, lac
             processor.instruction()
             following, lac_after, cycles = reference(core, pc, lac)
@@ -135,4 +135,4 @@ def test_every_shape_at_every_edge(operation: int) -> None:
             assert (processor.pc, processor.lac, processor.clock) == (following, lac_after, cycles * 32), (
                 where
             )
-            assert processor.core.tolist() == core, where
+            assert processor.core == core, where

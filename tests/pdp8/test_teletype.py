@@ -179,7 +179,7 @@ def test_loading_while_busy_garbles_and_lengthens() -> None:
 
 def test_loading_for_ever_never_ends() -> None:
     m = program(0o6046, 0o5200)  # TLS, JMP .-1
-    stop = m.run(seconds=1)
+    stop = m.run(seconds=0.2)
     assert stop.reason == "limit"
     assert m.teletype.transmitter.flag == 0
     assert m.teletype.transmitter.register < 0o1000
