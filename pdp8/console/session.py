@@ -78,7 +78,7 @@ class Session:
         samples: list[Lamps] = []
         if self.machine.panel.lamps.run:
             self._run(seconds * self.speed, samples)
-        elif self.machine.bus.next_event() != NEVER:
+        elif self.machine.bus.next_event(self.machine.processor.clock) != NEVER:
             self.machine.wait(seconds)
         self._look(samples)
 
