@@ -6,7 +6,7 @@ BIN := .venv/bin
 
 # `make samples` makes the bundled tapes of tapes/ again; a test holds them against the chain.
 
-.PHONY: demo samples test lint format clean
+.PHONY: demo samples test lint format docs clean
 
 demo: .venv/ready
 	mkdir -p demo
@@ -34,6 +34,12 @@ lint: .venv/ready-dev
 format: .venv/ready-dev
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
+
+# Pages of every module from its docstrings, into build/api; of a package without an __all__ pdoc finds them itself.
+MODULES = $(shell find pal pdp8 nc -name '*.py' | grep -v 'cli\|console' | sed 's|/__init__||')
+
+docs: .venv/ready-dev
+	$(BIN)/pdoc -o build/api tapes programs '!(tapes|programs).cli' $(subst /,.,$(MODULES:.py=))
 
 # The compiled form of these sits beside its source and would hide what is changed there.
 COMPILED := $(wildcard pdp8/*.pxd)
