@@ -1,5 +1,8 @@
 // The 8/L's front panel: its lamps and switches, and nothing it has not (no PC, no MQ, no step counter).
 //
+// Left out: MEM PROT and the field switches, which nobody touches this afternoon. EMA, PARITY, PROTECT and the states of
+// the data break have their lamps, and never light.
+//
 // Source: PDP-8/L Users Handbook, chapter 2 (console).
 
 import { DEFER, EXECUTE, FETCH } from "./machine.mjs";
@@ -15,7 +18,7 @@ export class Panel {
       <div class="brand"><b>digital</b><span>programmed data processor <i>PDP-8/L</i></span></div>
       <div class="lamps">
         <div class="words">
-          ${row("MA", "MEMORY ADDRESS", 12)}${row("MB", "MEMORY BUFFER", 12)}${row("AC", "ACCUMULATOR", 12, "LINK")}
+          ${row("MA", "MEMORY ADDRESS", 12, "EMA", "EMA")}${row("MB", "MEMORY BUFFER", 12)}${row("AC", "ACCUMULATOR", 12, "LINK", "L")}
         </div>
         <div class="signs">
           <div class="row" data-row="IR"><span class="legend">INSTR REG</span>${group(lamps("IR", [0, 1, 2]))}</div>
@@ -68,8 +71,9 @@ function spoken({ ma, mb, link, ac, ir, state, ion, running }) {
     + `instruction ${ir}, ${cycle}${ion ? ", interrupt on" : ""}, ${running ? "running" : "stopped"}`;
 }
 
-function row(name, legend, bits, before = "") {
-  const link = before ? `<span class="link">${lamp(before, "L")}</span>` : `<span class="link"></span>`;
+/** A row of lamps under its legend; one may stand before it. */
+function row(name, legend, bits, before = "", label = "") {
+  const link = `<span class="link">${before && lamp(before, label)}</span>`;
   return `<div class="row" data-row="${name}"><span class="legend">${legend}</span>${link}${groups(bits, (bit) => lamp(name + bit, bit))}</div>`;
 }
 

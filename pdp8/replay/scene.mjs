@@ -58,7 +58,7 @@ export class Scene {
       ["L", machine.link], ["AC", octal(machine.ac)], ["MA", octal(machine.ma)], ["MB", octal(machine.mb)],
       ["IR", machine.ir], ["PC", octal(machine.pc)], ["state", STATES[machine.state]],
       ["reader flag", teletype.readerFlag ? "up" : "down"], ["punch flag", teletype.punchFlag ? "up" : "down"],
-      ["instructions", grouped(machine.instructions)], ["since START", seconds(machine.ticks - machine.started)],
+      ["instructions", grouped(machine.instructions)], ["since START", machine.started ? seconds(machine.ticks - machine.started) : "–"],
     ];
     find("registers").innerHTML = shown.map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`).join("");
   }
