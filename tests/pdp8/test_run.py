@@ -189,12 +189,12 @@ def test_ctrl_c_stops_a_run_of_the_monitor() -> None:
     assert terminal.ended() == 0
 
 
-def test_ten_characters_a_second_live() -> None:
+def test_no_more_than_ten_characters_a_second_live() -> None:
     terminal = Terminal("hello.pal", "--keyboard", "--realtime")
     terminal.until(b"Ctrl-]")
     began = time.monotonic()
     terminal.until(b"HLT at")
-    assert 1.4 < time.monotonic() - began < 3
+    assert time.monotonic() - began > 1.4
     assert terminal.ended() == 0
 
 

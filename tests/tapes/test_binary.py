@@ -1,7 +1,6 @@
 """BIN tapes: DEC's own, SIMH's and palbart's reading of them, and everything that can be wrong with one."""
 
 import subprocess
-import time
 from pathlib import Path
 
 import pytest
@@ -168,8 +167,6 @@ def test_palbart_punches_the_words_of_its_listing(tmp_path: Path) -> None:
     assert binary.decode((tmp_path / "x.bin").read_bytes()).words == words
 
 
-def test_the_whole_of_core_in_milliseconds() -> None:
+def test_the_whole_of_core() -> None:
     words = {address: address ^ 0o5252 for address in range(0o10000)}
-    started = time.perf_counter()
     assert binary.decode(binary.encode(words)).words == words
-    assert time.perf_counter() - started < 0.2

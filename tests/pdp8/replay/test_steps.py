@@ -1,6 +1,5 @@
 """A step of the page: forward and back by block, character, instruction and memory cycle."""
 
-import time
 from itertools import pairwise
 
 from pdp8.machine import TICKS_PER_SECOND
@@ -64,19 +63,3 @@ def test_a_block_is_27_frames(circle: Afternoon, ask: Ask) -> None:
     """A line of the part program is 19 characters, CR, LF and 6 RUBOUTs."""
     there = _walk(ask, _start(circle) + 30 * FRAME, "block", 50)
     assert {after - before for before, after in pairwise(there)} == {27 * FRAME}
-
-
-def test_any_instant_is_a_matter_of_milliseconds(circle: Afternoon, ask: Ask) -> None:
-    """The mean of 300 instants all over the afternoon."""
-    end = circle.acts[-1].ends
-    instants = [step * 7_919_777_777 % end for step in range(300)]
-    began = time.perf_counter()
-    taken = ask(
-        """(afternoon, instants) => {
-          const began = performance.now();
-          for (const tick of instants) afternoon.to(tick);
-          return (performance.now() - began) / instants.length;
-        }""",
-        instants,
-    )
-    assert taken < 20, f"{taken:.1f} ms an instant, {time.perf_counter() - began:.1f} s in all"
