@@ -6,6 +6,7 @@ programs    which listing fits what is in core where the PC points
 lamps       the rows of lamps, as bright as they were often on
 switches    the switch register and the keys, for mouse and hand
 strips      a tape under the reader's head or coming out of the punch
+edges       what is written on the edges of a frame
 pages       paper, listing, core, and the operator's card
 dialogs     asking for a tape, or for the name of a file
 app         the layout, the keys of the keyboard, the clock

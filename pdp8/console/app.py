@@ -18,6 +18,7 @@ from textual.containers import Container, Horizontal
 from textual.widgets import Footer, Static
 
 from pdp8.console.dialogs import ChooseTape, NameTape
+from pdp8.console.edges import write_above, write_below
 from pdp8.console.lamps import LampRows
 from pdp8.console.pages import Card, Core, Listing, Page, Paper
 from pdp8.console.programs import Program
@@ -134,13 +135,8 @@ class Room(App[None]):
         """Show everything as it is now."""
         screen = self.screen_stack[0]
         panel = screen.query_one("#panel")
-        panel.border_title = "digital · PDP-8/L"
-        pace = "real pace" if self.session.speed == 1 else f"×{self.session.speed}"
-        if self.session.behind:
-            pace = f"not quite {pace}"
-        panel.border_subtitle = (
-            f"{self.session.said} · {duration(self.session.machine.elapsed)} in 1971 · {pace}"
-        )
+        write_above(panel, "digital · PDP-8/L")
+        write_below(panel, self._status())
         screen.query_one(LampRows).show()
         screen.query_one(SwitchRegister).show()
         for key in LOCKING:
@@ -150,6 +146,14 @@ class Room(App[None]):
         for page in screen.query(Page):
             if page.display:
                 page.show()
+
+    def _status(self) -> str:
+        """Say how things stand; of a running machine's clock the whole seconds, as nobody reads faster."""
+        session = self.session
+        elapsed = session.machine.elapsed
+        clock = duration(int(elapsed) if session.machine.panel.lamps.run else elapsed)
+        pace = "real pace" if session.speed == 1 else f"×{session.speed}"
+        return f"{session.said} · {clock} in 1971 · {'not quite ' if session.behind else ''}{pace}"
 
     def action_key(self, name: str) -> None:
         """Press a key, or throw a locking switch."""
@@ -230,10 +234,10 @@ class Room(App[None]):
         try:
             shelf.write(name, self.session.machine.teletype.punch.tape)
         except WorkError as error:
-            self.notify(str(error), severity="error")
+            self.notify(str(error), severity="error", markup=False)
             return
         tape = self.session.tear_off(name)
-        self.notify(f"{name}: {len(tape.frames):,} frames")
+        self.notify(f"{name}: {len(tape.frames):,} frames", markup=False)
         self.look()
 
     def action_pace(self) -> None:

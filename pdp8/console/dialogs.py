@@ -27,9 +27,11 @@ class ChooseTape(ModalScreen[Tape | None]):
         """List the tapes at hand above a line for a name."""
         with Vertical(classes="dialog"):
             yield Label("Which tape goes into the reader? ESC: none")
-            yield OptionList(*(f"{tape.name:<16} {length(len(tape.frames)):>14}" for tape in self.tapes))
+            yield OptionList(
+                *(f"{tape.name:<16} {length(len(tape.frames)):>14}" for tape in self.tapes), markup=False
+            )
             yield Input(placeholder="or a file's name, or a bundled one")
-            yield Label("", classes="wrong")
+            yield Label("", classes="wrong", markup=False)
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
         """Take the tape that was chosen."""

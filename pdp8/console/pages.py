@@ -8,6 +8,7 @@ from textual import events
 from textual.binding import Binding, BindingType
 from textual.widget import Widget
 
+from pdp8.console.edges import write_above
 from pdp8.console.programs import Program, fitting
 from pdp8.console.session import Session
 from pdp8.loaders import RIM, RIM_START
@@ -85,8 +86,9 @@ class Paper(Page, can_focus=True):
 
     def look(self) -> object:
         """Look again, and say who the keys are for."""
-        self.border_title = (
-            "Teletype: you type here, ESC goes back" if self.has_focus else "Teletype (TAB to type)"
+        write_above(
+            self,
+            "Teletype: you type here, ESC goes back" if self.has_focus else "Teletype (TAB to type)",
         )
         return (self.has_focus, self.struck)
 
@@ -117,7 +119,7 @@ class Listing(Page):
         found = fitting([self.program, *self.programs], address, word)
         self.program = found or self.program
         where = f"{address:04o}" if found else f"{address:04o} is not in it"
-        self.border_title = f"listing of {self.program.name} · PC {where}"
+        write_above(self, f"listing of {self.program.name} · PC {where}")
         return (self.program.name, address, found is None)
 
     def render(self) -> Text:
@@ -142,7 +144,7 @@ class Core(Page):
 
     def look(self) -> object:
         """Look again."""
-        self.border_title = f"core about the PC, {self.session.address:04o}"
+        write_above(self, f"core about the PC, {self.session.address:04o}")
         return list(self.session.machine.core), self.session.address, self.session.machine.ma
 
     def render(self) -> Text:
@@ -180,7 +182,7 @@ class Card(Page):
 
     def look(self) -> object:
         """Look again."""
-        self.border_title = "RIM loader · R toggles it in for you"
+        write_above(self, "RIM loader · R toggles it in for you")
         core = self.session.machine.core
         return [core[RIM_START + place] for place in range(len(RIM))], self.session.address
 

@@ -149,6 +149,7 @@ class SwitchRegister(Horizontal):
         self.rockers = [Rocker(session, bit) for bit in range(12)]
         self.octal = Static()
         self.hand = 0
+        self.shown = -1
         super().__init__(self.label, *self.rockers, self.octal)
 
     def on_resize(self) -> None:
@@ -168,5 +169,7 @@ class SwitchRegister(Horizontal):
         at_panel = focused is not None and focused.id == "panel"
         for bit, rocker in enumerate(self.rockers):
             rocker.show(held=at_panel and bit == self.hand)
-        octal = Text(f" {self.session.machine.sr:04o}", Style(color="#ffd9a0", bold=True))
-        self.octal.update(octal, layout=False)
+        word = self.session.machine.sr
+        if word != self.shown:
+            self.shown = word
+            self.octal.update(Text(f" {word:04o}", Style(color="#ffd9a0", bold=True)), layout=False)
