@@ -1,4 +1,4 @@
-"""What is written on the edges of a frame: plain words, as a file may be called anything, when they change."""
+"""What is written on the edges of a frame: plain words, a file may be called anything, when they change."""
 
 from rich.text import Text
 from textual.content import Content

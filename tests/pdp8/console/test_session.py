@@ -227,3 +227,31 @@ def test_what_is_no_program_is_refused_by_name(tmp_path: object, source: bytes, 
         file.write(source)
     with pytest.raises(WorkError, match=said):
         read(path)
+
+
+def test_sing_step_stops_a_running_machine_and_cont_goes_on() -> None:
+    session = at_rest()
+    session.machine.load({0o200: 0o7001, 0o201: 0o5200})
+    session.machine.start(0o200)
+    session.advance(0.05)
+    session.machine.panel.sing_step = True
+    session.advance(0.05)
+    count = session.machine.instructions
+    assert not session.machine.panel.lamps.run
+    session.advance(0.05)
+    assert session.machine.instructions == count
+    session.machine.panel.sing_step = False
+    session.press("cont")
+    session.advance(0.05)
+    assert session.said == "running"
+    assert session.machine.instructions > count
+
+
+def test_mem_prot_is_said() -> None:
+    session = at_rest()
+    session.machine.panel.mem_prot = True
+    session.machine.sr = 0o7600
+    session.press("load_add")
+    session.press("dep")
+    assert session.said == "MEM PROT stopped a write at 7600"
+    assert session.glow["protect"] == (1,)
