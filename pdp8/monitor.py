@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 from pdp8 import loaders, state
-from pdp8.machine import Machine
+from pdp8.machine import TICKS_PER_SECOND, Machine
 from pdp8.teletype import Punch
 from pdp8.trace import Listing, Trace
 from tapes import rim, shelf
@@ -153,11 +153,12 @@ class Monitor:
     def _run(self, arguments: list[str]) -> None:
         """Run slice by slice, so that somebody else can press STOP; say how it ended."""
         seconds = _seconds(arguments[0]) if arguments else _FOR_EVER
-        end = self.machine.elapsed + seconds
+        end = self.machine.ticks + round(seconds * TICKS_PER_SECOND)
         self.stopping = False
         while True:
-            stop = self.machine.run(seconds=min(_SLICE, end - self.machine.elapsed))
-            if stop.reason != "limit" or self.machine.elapsed >= end:
+            left = (end - self.machine.ticks) / TICKS_PER_SECOND
+            stop = self.machine.run(seconds=min(_SLICE, left))
+            if stop.reason != "limit" or self.machine.ticks >= end:
                 break
             if self.stopping:
                 self.machine.stop()

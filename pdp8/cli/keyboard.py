@@ -17,7 +17,8 @@ from types import FrameType
 
 import click
 
-from pdp8.machine import Machine, Stop
+from pdp8.bus import NEVER
+from pdp8.machine import TICKS_PER_SECOND, Machine, Stop
 
 ESCAPE = b"\x1d"
 _SLICE = 0.05
@@ -66,12 +67,12 @@ def _run(
     machine: Machine, max_time: float | None, realtime: bool, pass_on: Callable[[], object]
 ) -> Stop | None:
     began = time.monotonic() - machine.elapsed
-    last = None if max_time is None else machine.elapsed + max_time
+    last = NEVER if max_time is None else machine.ticks + round(max_time * TICKS_PER_SECOND)
     while True:
-        stop = machine.run(seconds=_SLICE if last is None else min(_SLICE, last - machine.elapsed))
+        stop = machine.run(seconds=min(_SLICE, (last - machine.ticks) / TICKS_PER_SECOND))
         pass_on()
         waiting = stop.reason in ("tape out", "idle")
-        if (stop.reason != "limit" and not waiting) or (last is not None and stop.elapsed >= last):
+        if (stop.reason != "limit" and not waiting) or machine.ticks >= last:
             return stop
         ahead = machine.elapsed - (time.monotonic() - began) if realtime else 0.0
         typed = _keys(_SLICE if waiting else max(0.0, ahead))

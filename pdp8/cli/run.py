@@ -8,11 +8,12 @@ from typing import BinaryIO
 import click
 from click.core import ParameterSource
 
+from pdp8.bus import NEVER
 from pdp8.cli.interrupt import ctrl_c
 from pdp8.cli.octal import octal
 from pdp8.cli.program import read_words
 from pdp8.cli.progress import Bar
-from pdp8.machine import Machine, Stop
+from pdp8.machine import TICKS_PER_SECOND, Machine, Stop
 from pdp8.teletype import Punch
 from tapes import shelf
 from tapes.errors import WorkError
@@ -61,6 +62,17 @@ def _printed(frames: bytes) -> bytes:
     return bytes(code for code in codes if 0o40 <= code < 0o177 or code in b"\r\n")
 
 
+def seconds(text: str) -> float:
+    """Return a machine time: 0 to a thousand million seconds, 31 years. Raises click.BadParameter."""
+    try:
+        time_ = float(text)
+    except ValueError:
+        raise click.BadParameter(f"{text!r} is not a number of seconds") from None
+    if not 0 <= time_ <= 1e9:
+        raise click.BadParameter(f"{text} is not between 0 and 1e9 seconds")
+    return time_
+
+
 @click.command()
 @click.argument("program", required=False)
 @click.option("--start", type=octal, default="0200", show_default=True, help="Address to start at, octal.")
@@ -72,9 +84,7 @@ def _printed(frames: bytes) -> bytes:
 @click.option(
     "--keyboard", is_flag=True, help="Type at the Teletype and see it print; Ctrl-] leaves to the monitor."
 )
-@click.option(
-    "--max-time", type=click.FloatRange(min=0), metavar="SECONDS", help="Stop after this machine time."
-)
+@click.option("--max-time", type=seconds, help="Stop after this machine time.")
 @click.option("--realtime", is_flag=True, help="Run no faster than a PDP-8/L did: 10 frames a second.")
 @click.option("--boot", is_flag=True, help="From cold: toggle RIM in, read the BIN loader, read the program.")
 @click.option("--trace", metavar="FILE", help="Write each instruction executed, as its line of the listing.")
@@ -185,17 +195,17 @@ def _run(
     """
     reader = machine.teletype.reader
     began = time.monotonic() - machine.elapsed
-    last = None if max_time is None else machine.elapsed + max_time
+    last = NEVER if max_time is None else machine.ticks + round(max_time * TICKS_PER_SECOND)
     slice_ = _REAL_SLICE if realtime else _SLICE
     with Bar("reading tape", len(reader.tape), wanted=not quiet) as bar, ctrl_c() as interrupt:
         while True:
-            stop = machine.run(seconds=slice_ if last is None else min(slice_, last - machine.elapsed))
+            stop = machine.run(seconds=min(slice_, (last - machine.ticks) / TICKS_PER_SECOND))
             if interrupt.pressed:
                 machine.bus.finish()
             for output in outputs:
                 output.send()
             bar.show(reader.position)
-            if stop.reason != "limit" or (last is not None and stop.elapsed >= last):
+            if stop.reason != "limit" or machine.ticks >= last:
                 return stop
             if interrupt.pressed:
                 return None

@@ -70,6 +70,15 @@ def test_help_names_every_command() -> None:
     assert [line.split()[0] for line in said] == list(COMMANDS)
 
 
+def test_a_limit_that_is_no_round_number_of_ticks_ends() -> None:
+    monitor = Monitor(lambda line: None, open_program)
+    monitor.do("deposit 200 2210 5200 5200")
+    monitor.do("go 200 0.7")
+    for seconds in ("0.1", "0.0773", "1e-9", "0.333333333", "0"):
+        monitor.do(f"cont {seconds}")
+    assert monitor.machine.elapsed == pytest.approx(0.7 + 0.1 + 0.0773 + 0.333333333, abs=20e-6)
+
+
 def test_boot_and_the_page() -> None:
     said: list[str] = []
     monitor = Monitor(said.append, open_program)

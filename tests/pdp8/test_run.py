@@ -77,6 +77,8 @@ def test_the_pc8_reads_and_punches_files(shell: Shell, tmp_path: Path) -> None:
         ("run --restore x --sr 0000", 2, "--sr means nothing beside --restore"),
         ("run hello.pal --start 9", 2, "not an octal number"),
         ("run hello.pal --sr 10000", 2, "not between 0000 and 7777"),
+        ("run hello.pal --max-time nan", 2, "not between 0 and 1e9 seconds"),
+        ("run hello.pal --max-time soon", 2, "not a number of seconds"),
         ("run hello.pal --keyboard", 2, "needs a terminal"),
         ("run --restore nothing", 1, "nothing: no such file"),
         ("run --restore empty", 1, "empty: line 1: a saved state begins with"),
