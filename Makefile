@@ -44,14 +44,18 @@ docs: .venv/ready-dev
 # The compiled form of these sits beside its source and would hide what is changed there.
 COMPILED := $(wildcard pdp8/*.pxd)
 
-.venv/ready: pyproject.toml setup.py $(COMPILED) $(COMPILED:.pxd=.py)
+BUILT_FROM := pyproject.toml setup.py $(COMPILED) $(COMPILED:.pxd=.py)
+
+.venv/bin/pip:
 	$(PYTHON) -m venv .venv
+
+.venv/ready: $(BUILT_FROM) | .venv/bin/pip
 	$(BIN)/pip install -q --disable-pip-version-check -e ".[panel]"
 	touch $@
 
-.venv/ready-dev: .venv/ready
+.venv/ready-dev: $(BUILT_FROM) | .venv/bin/pip
 	$(BIN)/pip install -q --disable-pip-version-check -e ".[dev]"
-	touch $@
+	touch .venv/ready $@
 
 clean:
 	rm -rf .venv demo build dist *.egg-info
