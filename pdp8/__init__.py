@@ -16,6 +16,18 @@ state        a whole machine as text, and back
 monitor      the operator's prompt
 """
 
-from pdp8.machine import Machine, Stop
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pdp8.machine import Machine, Stop
 
 __all__ = ["Machine", "Stop"]
+
+
+def __getattr__(name: str) -> object:
+    """Import the machine when it is asked for: most commands need none."""
+    if name not in __all__:
+        raise AttributeError(f"module 'pdp8' has no attribute {name!r}")
+    from pdp8 import machine
+
+    return getattr(machine, name)

@@ -7,7 +7,6 @@ from pdp8.waiting cimport Waiting
 
 cdef long long LONGEST, PIECE
 cdef int CYCLE, EXECUTE, FETCH, ISZ, JMP, JMS, PROTECTED, _JMP, _NO_ROTATE, _ROTATE, _DELAY, _WRAP, _LEFT
-cdef long long ONE_CYCLE, TWO_CYCLES, THREE_CYCLES
 
 
 cdef class Engine:
@@ -19,9 +18,13 @@ cdef class Engine:
     cdef int wall
     cdef object known
     cdef frozenset breakpoints
-    cdef const unsigned char[::1] conditions
-    cdef unsigned char ops[4098]
+    # Stores into bytes may alias everything, so that C would fetch its pointers anew after each; and arrays
+    # should not lie a multiple of 4096 bytes apart, as the same indices would then be taken for one place.
+    cdef unsigned short ops[4098]
+    cdef unsigned short apart1[480]
     cdef unsigned short arg[4098]
+    cdef unsigned short apart2[480]
+    cdef unsigned short conditions[8192]
     cdef unsigned short keep[256]
     cdef unsigned short flip[256]
     cdef unsigned short plus[256]
@@ -37,14 +40,15 @@ cdef class Engine:
     @cython.locals(room="long long")
     cdef long long _room(self, long long until, long long last) except? -1
     @cython.locals(word=int, operand=int, op=int)
-    cdef int _decode(self, int address) except -1
+    cdef _decode(self, int address)
     @cython.locals(code=int)
     cdef int _memory_reference(self, int word, int operand, int address) except -1
-    cdef bint _may_delay(self, int operand, int address) except -1
+    @cython.locals(word=int, target=int)
+    cdef bint _may_delay(self, int counter, int address) except -1
     @cython.locals(
-        core="unsigned short[::1]", ops="unsigned char *", arg="unsigned short *",
+        core="unsigned short[::1]", ops="unsigned short *", arg="unsigned short *",
         keep="unsigned short *", flip="unsigned short *", plus="unsigned short *",
-        conditions="const unsigned char[::1]",
+        conditions="unsigned short *",
         lac="unsigned int", pc="Py_ssize_t", x="Py_ssize_t", address="Py_ssize_t", word="unsigned int",
         op=int, wall=int, written=int, time="long long", limit="long long", turns="long long",
     )

@@ -34,17 +34,12 @@ PIECE = 100_000
 # The conditions of every {L, AC} by the bits of the skips that look for them: SMA 100, SZA 40, SNL 20.
 CONDITIONS = b"\x20" + bytes(2047) + b"\x40" * 2048 + b"\x30" + b"\x10" * 2047 + b"\x50" * 2048
 
-# Ticks above, instructions below: what the instructions of a piece add to its `time`.
-ONE_CYCLE = CYCLE << 12 | 1
-TWO_CYCLES = 2 * CYCLE << 12 | 1
-THREE_CYCLES = 3 * CYCLE << 12 | 1
-
 # The operations of a piece by their numbers there; 0 is a word that is not decoded.
 _JMP, _NO_ROTATE, _ROTATE, _DELAY, _WRAP, _LEFT = 4, 6, 16, 23, 24, 25
 _DIRECT = (17, 1, 3, 2, 15, _JMP)
 _INDIRECT = (22, 10, 20, 11, 21, 12)
 _AUTOINDEXED = (_LEFT, 13, _LEFT, 14, _LEFT, _LEFT)
-_LONE_ROTATES = {0o4: 7, 0o10: 8}
+_FREQUENT_ROTATES = {0o4: 7, 0o10: 8}
 _SKIPS = {0: 5, 0o10: 9, 0o200: 18, 0o210: 19}
 
 
@@ -63,7 +58,7 @@ class Engine:
         self.breakpoints: Set[int] = frozenset()
         self.watched = False
         """Whether there are any."""
-        self.conditions = CONDITIONS
+        self.conditions = list(CONDITIONS)
         # Two words past the end wrap the PC, which can overrun by a skip.
         self.ops = [0] * 0o10000 + [_WRAP] * 2
         self.arg = [0] * 0o10002
@@ -140,8 +135,8 @@ class Engine:
             room = min(room, p.bus.next_event(p.clock) - p.clock - LONGEST)
         return room
 
-    def _decode(self, address: int) -> int:
-        """Fill in and return the operation of the word at `address`, and its operand."""
+    def _decode(self, address: int) -> None:
+        """Fill in the operation of the word at `address`, and its operand."""
         word = self.core[address]
         if word < 0o6000:
             operand = word & 0o177 | (address & 0o7600 if word & 0o200 else 0)
@@ -156,7 +151,6 @@ class Engine:
             op = _LEFT
         self.arg[address] = operand
         self.ops[address] = op
-        return op
 
     def _memory_reference(self, word: int, operand: int, address: int) -> int:
         code = word >> 9
@@ -170,11 +164,13 @@ class Engine:
             return _DELAY
         return _DIRECT[code]
 
-    def _may_delay(self, operand: int, address: int) -> bool:
-        """Tell whether ISZ at `address` may be that of a delay loop: a JMP follows, and it counts neither."""
-        if address == 0o7777 or operand in (address, address + 1):
+    def _may_delay(self, counter: int, address: int) -> bool:
+        """Tell whether ISZ at `address` is that of a delay loop: JMP .-1 follows, and it counts neither."""
+        if address == 0o7777 or counter in (address, address + 1):
             return False
-        return self.core[address + 1] >> 8 == JMP << 1
+        word = self.core[address + 1]
+        target = word & 0o177 | (address + 1 & 0o7600 if word & 0o200 else 0)
+        return word >> 8 == JMP << 1 and target == address
 
     def _may_lead_to_one(self, word: int, operand: int, address: int) -> bool:
         """Tell whether a breakpoint may come after the instruction; the lamps must be right there."""
@@ -187,7 +183,8 @@ class Engine:
 
     def _piece(self, room: int) -> int:
         """Execute decoded instructions for `room` ticks, to the first end of one from there on, or up to one
-        that is left to the processor; return how many.
+        that is left to the processor; return how many. `time` has ticks above, instructions in its low 12
+        bits.
         """
         p = self.processor
         core, ops, arg = self.core, self.ops, self.arg
@@ -201,60 +198,57 @@ class Engine:
         while time < limit:
             op = ops[pc]
             x = arg[pc]
-            if op == 0:
-                op = self._decode(pc)
-                x = arg[pc]
             if op == 1:  # TAD
                 lac = lac + core[x] & 0o17777
-                time += TWO_CYCLES
+                time += 64 << 12 | 1
                 pc += 1
             elif op == 2:  # DCA
                 core[x] = lac & 0o7777
                 ops[x] = 0
                 written = 1
                 lac &= 0o10000
-                time += TWO_CYCLES
+                time += 64 << 12 | 1
                 pc += 1
             elif op == 3:  # ISZ, and the JMP that mostly follows
                 word = core[x] + 1 & 0o7777
                 core[x] = word
                 ops[x] = 0
                 written = 1
-                time += TWO_CYCLES
+                time += 64 << 12 | 1
                 pc += 1
                 if word == 0:
                     pc += 1
                 elif ops[pc] == 4 and time < limit:
                     pc = arg[pc]
-                    time += ONE_CYCLE
+                    time += 32 << 12 | 1
             elif op == 4:  # JMP
                 pc = x
-                time += ONE_CYCLE
+                time += 32 << 12 | 1
             elif op == 5:  # SMA SZA SNL
-                time += ONE_CYCLE
+                time += 32 << 12 | 1
                 pc += 1
                 if x & conditions[lac]:
                     pc += 1
             elif op == 6:  # group 1 without a rotate
                 lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
-                time += ONE_CYCLE
+                time += 32 << 12 | 1
                 pc += 1
             elif op == 7:  # RAL
                 lac = lac << 1 & 0o17777 | lac >> 12
-                time += ONE_CYCLE
+                time += 32 << 12 | 1
                 pc += 1
             elif op == 8:  # RAR
                 lac = lac >> 1 | (lac & 1) << 12
-                time += ONE_CYCLE
+                time += 32 << 12 | 1
                 pc += 1
             elif op == 9:  # SPA SNA SZL
-                time += ONE_CYCLE
+                time += 32 << 12 | 1
                 pc += 1
                 if x & conditions[lac] == 0:
                     pc += 1
             elif op == 10:  # TAD I
                 lac = lac + core[core[x]] & 0o17777
-                time += THREE_CYCLES
+                time += 96 << 12 | 1
                 pc += 1
             elif op == 11:  # DCA I
                 address = core[x]
@@ -264,18 +258,18 @@ class Engine:
                 ops[address] = 0
                 written = 1
                 lac &= 0o10000
-                time += THREE_CYCLES
+                time += 96 << 12 | 1
                 pc += 1
             elif op == 12:  # JMP I
                 pc = core[x]
-                time += TWO_CYCLES
+                time += 64 << 12 | 1
             elif op == 13:  # TAD I, autoindexed
                 address = core[x] + 1 & 0o7777
                 core[x] = address
                 ops[x] = 0
                 written = 1
                 lac = lac + core[address] & 0o17777
-                time += THREE_CYCLES
+                time += 96 << 12 | 1
                 pc += 1
             elif op == 14:  # DCA I, autoindexed
                 address = core[x] + 1 & 0o7777
@@ -287,14 +281,14 @@ class Engine:
                 ops[address] = 0
                 written = 1
                 lac &= 0o10000
-                time += THREE_CYCLES
+                time += 96 << 12 | 1
                 pc += 1
             elif op == 15:  # JMS
                 core[x] = pc + 1 & 0o7777
                 ops[x] = 0
                 written = 1
                 pc = x + 1
-                time += TWO_CYCLES
+                time += 64 << 12 | 1
             elif op == 16:  # group 1 with a rotate
                 lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
                 x &= 0o16
@@ -306,20 +300,20 @@ class Engine:
                     lac = lac << 2 & 0o17777 | lac >> 11
                 else:
                     lac = lac >> 2 | (lac & 3) << 11
-                time += ONE_CYCLE
+                time += 32 << 12 | 1
                 pc += 1
             elif op == 17:  # AND
                 lac &= core[x] | 0o10000
-                time += TWO_CYCLES
+                time += 64 << 12 | 1
                 pc += 1
             elif op == 18:  # SMA SZA SNL, CLA
-                time += ONE_CYCLE
+                time += 32 << 12 | 1
                 pc += 1
                 if x & conditions[lac]:
                     pc += 1
                 lac &= 0o10000
             elif op == 19:  # SPA SNA SZL, CLA
-                time += ONE_CYCLE
+                time += 32 << 12 | 1
                 pc += 1
                 if x & conditions[lac] == 0:
                     pc += 1
@@ -332,7 +326,7 @@ class Engine:
                 core[address] = word
                 ops[address] = 0
                 written = 1
-                time += THREE_CYCLES
+                time += 96 << 12 | 1
                 pc += 1
                 if word == 0:
                     pc += 1
@@ -344,27 +338,29 @@ class Engine:
                 ops[address] = 0
                 written = 1
                 pc = address + 1
-                time += THREE_CYCLES
+                time += 96 << 12 | 1
             elif op == 22:  # AND I
                 lac &= core[core[x]] | 0o10000
-                time += THREE_CYCLES
+                time += 96 << 12 | 1
                 pc += 1
             elif op == 23:  # ISZ X of a delay loop: all turns of ISZ X, JMP .-1 that fit, but not the last
-                turns = ((limit >> 12) - 1 - (time >> 12)) // LONGEST
-                if ops[pc + 1] == 4 and arg[pc + 1] == pc and turns > 0:
+                if ops[pc + 1] == 4 and arg[pc + 1] == pc:
+                    turns = ((limit >> 12) - 1 - (time >> 12)) // LONGEST
                     turns = min(turns, 0o7777 - core[x])
                     core[x] += turns
-                    time += turns * (TWO_CYCLES + ONE_CYCLE)
+                    time += turns * (96 << 12 | 2)
                 word = core[x] + 1 & 0o7777
                 core[x] = word
                 ops[x] = 0
                 written = 1
-                time += TWO_CYCLES
+                time += 64 << 12 | 1
                 pc += 1
                 if word == 0:
                     pc += 1
             elif op == 24:  # past the end of core
                 pc -= 0o10000
+            elif op == 0:  # not decoded
+                self._decode(pc)
             else:  # left to the processor
                 break
         p.pc = pc & 0o7777
@@ -382,7 +378,7 @@ def _group1(bits: int) -> int:
     rotate = bits & 0o14
     if rotate == 0:
         return _NO_ROTATE
-    return _LEFT if rotate == 0o14 else _LONE_ROTATES.get(bits, _ROTATE)
+    return _LEFT if rotate == 0o14 else _FREQUENT_ROTATES.get(bits, _ROTATE)
 
 
 def _group2(word: int) -> tuple[int, int]:

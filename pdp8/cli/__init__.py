@@ -44,8 +44,27 @@ class _Lazy(click.Group):
             formatter.write_dl([(name, line) for name, (_, _, line) in _COMMANDS.items()])
 
 
+def _show_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
+    if not wanted or ctx.resilient_parsing:
+        return
+    from importlib.metadata import version
+
+    from pdp8 import engine
+
+    core = "interpreted" if str(engine.__file__).endswith(".py") else "compiled"
+    click.echo(f"pdp8, version {version('pdp8')}, {core} core")
+    ctx.exit()
+
+
 @click.group(cls=_Lazy, context_settings={"help_option_names": ["-h", "--help"]})
-@click.version_option(package_name="pdp8")
+@click.option(
+    "--version",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_show_version,
+    help="Show the version, and which core runs.",
+)
 def pdp8() -> None:
     """A bit-exact PDP-8/L with its Teletype, PAL III, paper tapes and the N/C machine of one 1971 thesis.
 

@@ -18,7 +18,7 @@ from pdp8.teletype import Punch
 from tapes import shelf
 from tapes.errors import WorkError
 
-_SLICE = 1.0  # seconds of machine time between two looks at the punch and at the clock
+_SLICE = 10.0  # seconds of machine time between two looks at the punch, at the clock and for CTRL-C
 _REAL_SLICE = 0.05
 _WHY = {
     "halt": "HLT at {last:04o}",

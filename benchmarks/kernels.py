@@ -1,0 +1,162 @@
+"""How fast the machine is, beside SIMH: the same programs in the same run, medians and ratios.
+
+    counter      two nested counters, ISZ and JMP alone
+    mixed        checksum, software multiplication and sieve
+    translation  the thesis's character translation, a tape of 18,000 frames at 10 a second
+
+A time is that of the processor, inside the run: SIMH's is its whole process less that of one that only starts
+and ends. SIMH is run as it is installed; its Teletype is not timed as a real one, so it has no part in the
+translation.
+
+    python -m benchmarks.kernels [--repeat 5] [--form plain]
+"""
+
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from shutil import which
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import click
+from rich.console import Console
+from rich.table import Table
+
+import pal
+from tests.pdp8.engine.forms import FORMS, machine_module
+
+HERE = Path(__file__).parent
+PROGRAMS = HERE.parent / "programs"
+SIMH = next((path for path in ("/usr/bin/pdp8", which("simh-pdp8") or "") if Path(path).is_file()), "")
+TIMEOUT = 600
+
+
+class Row(NamedTuple):
+    """A kernel as it was run: instructions and machine seconds, then seconds of our run and of SIMH's."""
+
+    name: str
+    instructions: int
+    machine_time: float
+    ours: float
+    simh: float | None
+
+
+def kernel(name: str) -> dict[int, int]:
+    """Return the words of one of the sources beside this file."""
+    return dict(pal.assemble((HERE / f"{name}.pal").read_bytes()).words)
+
+
+def machine(form: ModuleType, words: dict[int, int], delays: bool, tape: bytes = b"") -> Any:
+    """Return a machine started at 0200 with the words and the tape."""
+    made = form.Machine()
+    made.load(words)
+    made.engine.delays = delays
+    made.teletype.reader.load(tape)
+    made.start(0o200)
+    return made
+
+
+def timed(action: Callable[[], object]) -> float:
+    """Return the processor's seconds that `action` takes."""
+    began = time.process_time()
+    action()
+    return time.process_time() - began
+
+
+def children() -> float:
+    """Return the processor's seconds that all processes started from here have taken."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def simh(words: dict[int, int] | None) -> float:
+    """Return the seconds of a SIMH process that runs the words from 0200, or that only starts and ends."""
+    commands = [f"deposit {address:o} {word:o}" for address, word in (words or {}).items()]
+    if words:
+        commands.append("go 200")
+    with tempfile.NamedTemporaryFile("w", suffix=".simh") as script:
+        script.write("\n".join([*commands, "exit", ""]))
+        script.flush()
+        began = children()
+        subprocess.run([SIMH, script.name], capture_output=True, timeout=TIMEOUT, check=True)
+    return children() - began
+
+
+def computed(form: ModuleType, name: str, label: str, repeat: int, delays: bool) -> Row:
+    """Run a kernel that only computes, in turns with SIMH."""
+    words = kernel(name)
+    ours, theirs = [], []
+    for _ in range(repeat):
+        made = machine(form, words, delays)
+        ours.append(timed(made.run))
+        if SIMH:
+            theirs.append(simh(words) - simh(None))
+    return Row(
+        label,
+        made.instructions,
+        made.elapsed,
+        statistics.median(ours),
+        statistics.median(theirs) if theirs else None,
+    )
+
+
+def translated(form: ModuleType, label: str, frames: int, repeat: int) -> Row:
+    """Run the translation on a tape of digits, lines and parity as the circle's has."""
+    words = dict(pal.assemble((PROGRAMS / "eia.pal").read_bytes()).words)
+    line = bytes(code | 0o200 for code in b"1234567890 123\r\n") + b"\xff" * 2
+    tape = (line * (frames // len(line) + 1))[:frames]
+    ours = []
+    for _ in range(repeat):
+        made = machine(form, words, True, tape)
+        ours.append(timed(made.run))
+    return Row(label, made.instructions, made.elapsed, statistics.median(ours), None)
+
+
+def rows(form: ModuleType, repeat: int) -> Iterator[Row]:
+    """Run every kernel."""
+    yield computed(form, "counter", "counter, every turn", repeat, delays=False)
+    yield computed(form, "counter", "counter, delays passed over", repeat, delays=True)
+    yield computed(form, "mixed", "mixed", repeat, delays=True)
+    yield translated(form, "translation, 18,000 frames", 18_000, repeat)
+    yield translated(form, "translation, 8 hours", 8 * 3600 * 10, repeat)
+
+
+def table(form: str, results: list[Row]) -> Table:
+    """Return the results as a table."""
+    shown = Table(title=f"{form} core, Python {sys.version.split()[0]}, medians")
+    shown.add_column("kernel")
+    for column in ("instructions", "in 1971", "seconds", "million/s", "× a real 8/L", "× SIMH"):
+        shown.add_column(column, justify="right")
+    for row in results:
+        shown.add_row(
+            row.name,
+            f"{row.instructions:,}",
+            f"{row.machine_time:,.1f} s",
+            f"{row.ours:.4f}",
+            f"{row.instructions / row.ours / 1e6:,.0f}",
+            f"{row.machine_time / row.ours:,.0f}",
+            "" if row.simh is None else f"{row.simh / row.ours:.2f}",
+        )
+    return shown
+
+
+@click.command()
+@click.option("--form", type=click.Choice(FORMS), default="compiled", show_default=True, help="Which core.")
+@click.option("--repeat", type=click.IntRange(min=1), default=5, show_default=True, help="Runs of each.")
+def main(form: str, repeat: int) -> None:
+    """Run the kernels and show them beside SIMH."""
+    console = Console()
+    with Console(stderr=True).status("running the kernels"):
+        results = list(rows(machine_module(form), repeat))
+    console.print(table(form, results))
+    if not SIMH:
+        console.print("SIMH is not installed (Debian: apt-get install simh), so there is nothing beside us.")
+
+
+if __name__ == "__main__":
+    main()
