@@ -82,6 +82,7 @@ class Machine:
         self.engine = Engine(self.processor, self.waiting)
         self.panel = Panel(self.processor)
         self.watch = Watch()
+        self._minded = frozenset[int]()
         self.highspeed = HighSpeed()
         if highspeed:
             self.highspeed.connect(self.bus)
@@ -127,8 +128,7 @@ class Machine:
         last = NEVER if instructions is None else p.instructions + instructions
         p.run = 1
         self.bus.advance(p.clock)
-        if self.watch.breakpoints:
-            self.waiting.forget()
+        self._mind_breakpoints()
         if p.sing_step:
             reason = self._cycle()
         elif self.watch.watchful():
@@ -139,6 +139,13 @@ class Machine:
         if reason != "limit":
             self.bus.finish()
         return Stop(reason, p.pc, self.elapsed)
+
+    def _mind_breakpoints(self) -> None:
+        """Have no turn of a loop passed over in which a breakpoint lies or a watched word is written."""
+        breakpoints = frozenset(self.watch.breakpoints)
+        if self.watch.writes or self.processor.pc in breakpoints or breakpoints != self._minded:
+            self.waiting.forget()
+            self._minded = breakpoints
 
     def _run(self, until: int, last: int) -> str:
         """Let the engine run, as far as nobody looks closer than at breakpoints."""
@@ -263,6 +270,10 @@ class Machine:
     def ion(self) -> int:
         """The ION lamp."""
         return self.processor.ion
+
+    @ion.setter
+    def ion(self, on: int) -> None:
+        self.processor.ion = self.processor.ion_delayed = 1 if on else 0
 
     @property
     def ticks(self) -> int:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.cli import pdp8
+from pdp8.cli.root import pdp8
 from tests.conftest import Shell
 
 HOUSE = Path(__file__).parent.parent

@@ -1,81 +1,20 @@
-"""The `pdp8` command: every package's commands hung together, each loaded only when it is called.
+"""The command line of the house; root hangs every package's commands together as `pdp8`.
 
-run monitor replay panel   the computer                        pdp8/cli
-pal dis                    the assembler and its inverse       pal/cli
-part                       the part programs                   programs/cli
-tape                       tapes as tapes                      tapes/cli
-nc                         the Hydra-Point                     nc/cli
+root      the `pdp8` command: its subcommands, each loaded only when it is called
+run       a program and its tape in, the punched tape out;   boot, trace, saved states, keyboard
+monitor   the operator's prompt        replay   the afternoon of 1971        panel     the front panel
+program, listed   a program by name becomes words, with its listing
+keyboard  the Teletype at a terminal   tracing  a trace into a file
+octal     words as they are typed      progress a bar on what lasts          interrupt Ctrl-C is the STOP key
 """
 
-from importlib import import_module
-
-import click
-
-from tapes import command
-
-_COMMANDS = {
-    "run": ("pdp8.cli.run", "run", "Run a program on the PDP-8/L."),
-    "monitor": ("pdp8.cli.monitor", "monitor", "The operator's prompt: examine, step, break, trace."),
-    "replay": ("pdp8.cli.replay", "replay", "Do the whole afternoon of 1971 again, or make a page of it."),
-    "pal": ("pal.cli", "pal", "Assemble PAL III source."),
-    "dis": ("pal.cli", "dis", "Disassemble a BIN or RIM tape."),
-    "part": ("programs.cli", "part", "Run a FORTRAN part program: an ASCII tape for the translation."),
-    "tape": ("tapes.cli", "tape", "Show, measure and convert paper tapes."),
-    "panel": ("pdp8.cli.panel", "panel", "Sit down at the front panel, in the terminal."),
-    "nc": ("nc.cli", "nc", "The Moog Hydra-Point: list, cut and inspect an EIA tape."),
-}
-
-
-class _Lazy(click.Group):
-    """A group that knows its commands by name and one line of help, and imports one when it is called."""
-
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        return list(_COMMANDS)
-
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        if cmd_name not in _COMMANDS:
-            return None
-        module, attribute, _ = _COMMANDS[cmd_name]
-        found: click.Command = getattr(import_module(module), attribute)
-        return found
-
-    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        with formatter.section("Commands"):
-            formatter.write_dl([(name, line) for name, (_, _, line) in _COMMANDS.items()])
-
-
-def _show_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
-    if not wanted or ctx.resilient_parsing:
-        return
-    from importlib.metadata import version
-
-    from pdp8 import engine
-
-    core = "interpreted" if str(engine.__file__).endswith(".py") else "compiled"
-    click.echo(f"pdp8, version {version('pdp8')}, {core} core")
-    ctx.exit()
-
-
-@click.group(cls=_Lazy, context_settings={"help_option_names": ["-h", "--help"]})
-@click.option(
-    "--version",
-    is_flag=True,
-    is_eager=True,
-    expose_value=False,
-    callback=_show_version,
-    help="Show the version, and which core runs.",
-)
-def pdp8() -> None:
-    """A bit-exact PDP-8/L with its Teletype, PAL III, paper tapes and the N/C machine of one 1971 thesis.
-
-    \b
-    The 1971 chain:
-      pdp8 part circle > circle.asc
-      pdp8 run eia.pal < circle.asc > circle.eia
-      pdp8 nc plot circle.eia
-    """
+import sys
 
 
 def main() -> None:
-    """Run the `pdp8` command."""
-    command.run(pdp8, "pdp8")
+    """Run the `pdp8` command; Ctrl-C is quiet from the first moment, while the rest is being imported too."""
+    try:
+        from pdp8.cli.root import main as run
+    except KeyboardInterrupt:
+        sys.exit(130)
+    run()

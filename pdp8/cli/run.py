@@ -299,7 +299,7 @@ def _counts(machine: Machine) -> str:
 
 
 def _frames(count: int) -> str:
-    return f"{count or 'no'} frames" if count < 1000 else f"{count:,} frames"
+    return "1 frame" if count == 1 else f"{count or 'no'} frames" if count < 1000 else f"{count:,} frames"
 
 
 def _say(message: str) -> None:

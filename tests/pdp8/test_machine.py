@@ -167,3 +167,38 @@ def test_nothing_an_operator_does_makes_it_raise(deeds: "list[partial[None]]") -
         assert 0 <= m.processor.lac <= 0o17777
         assert 0 <= m.pc <= 0o7777
         assert all(word <= 0o7777 for word in m.core)
+
+
+def test_ion_may_be_set_while_the_machine_stands_still() -> None:
+    machine = Machine()
+    machine.load({0o000: 0, 0o001: 0o7402, 0o200: 0o7000, 0o201: 0o5201})
+    machine.start(0o200)
+    machine.ion = 1
+    assert machine.ion == 1
+    machine.teletype.keyboard.press(b"\301")
+    assert machine.run(seconds=1).reason == "halt"
+    assert machine.core[0] == 0o201
+    assert machine.ion == 0
+
+
+@pytest.mark.parametrize("breakpoints", [set(), {0o7000}])
+def test_short_runs_find_an_endless_loop_too(breakpoints: set[int]) -> None:
+    machine = Machine()
+    machine.load({0o200: 0o7001, 0o201: 0o7041, 0o202: 0o7041, 0o203: 0o5201})
+    machine.watch.breakpoints |= breakpoints
+    machine.start(0o200)
+    reasons = {machine.run(seconds=0.005).reason for _ in range(20)}
+    assert reasons == {"limit", "idle"}
+
+
+def test_a_breakpoint_in_a_waiting_loop_stops_every_turn() -> None:
+    machine = Machine()
+    machine.load({0o200: 0o6031, 0o201: 0o5200})
+    machine.watch.breakpoints.add(0o200)
+    machine.teletype.reader.load(b"\301")
+    machine.start(0o200)
+    ticks = []
+    for _ in range(5):
+        assert machine.run().reason == "breakpoint"
+        ticks.append(machine.ticks)
+    assert ticks == [117, 234, 351, 468, 585]

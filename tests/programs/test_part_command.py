@@ -4,7 +4,7 @@ import shlex
 
 import pytest
 
-from pdp8.cli import pdp8
+from pdp8.cli.root import pdp8
 from tapes import command
 from tests.conftest import Shell
 
