@@ -2,10 +2,9 @@
 
 import click
 
-from tapes import ascii, captions, eia, frames, kinds, measure, picture, shelf
+from tapes import ascii, captions, eia, frames, hydrapoint, kinds, measure, picture, shelf
 from tapes import convert as codes
 from tapes.errors import TapeError, naming
-from tapes.hydrapoint import ROWS
 
 _AUTO = "auto"
 _output = click.option(
@@ -156,7 +155,7 @@ def convert(*, file: str, source: str, target: str, parity: str, fill: int | Non
 @click.option(
     "--drop-spaces/--keep-spaces",
     default=None,
-    help="Leave out spaces that only make the text clear.  [default of eia: if 19 digits a line remain]",
+    help="Leave out spaces that only make the text clear.  [default: in a Hydra-Point program]",
 )
 @_output
 def punch(
@@ -164,7 +163,8 @@ def punch(
 ) -> None:
     """Punch a tape from typed text: each end of line becomes CR LF and fill, or EIA's end of block.
 
-    The spaces of a Hydra-Point program typed as in a book, 19 digits a line, are not punched.
+    A Hydra-Point program may be typed as a book prints it, its 19 digits apart: 001 0 00000 00000 0 35 88.
+    Such spaces are not punched, and a line that has not 19 digits is named.
 
     \b
     Examples:
@@ -172,23 +172,17 @@ def punch(
       pdp8 tape punch eia.pal --parity even --leader 100 -o eia.asc
       echo "001 0 00000 00000 0 35 88" | pdp8 tape punch --code eia -o drill.eia
     """
-    if drop_spaces is not None and code != "eia":
-        raise click.UsageError("--drop-spaces and --keep-spaces are for --code eia")
     content = shelf.read(file)
     with naming(file):
         text = codes.typed(content)
-        if code == "ascii":
-            punched = ascii.encode(text, parity, fill)
+        if drop_spaces is None and hydrapoint.is_printed(text):
+            hydrapoint.check_printed(text)
+            drop_spaces = True
+        if code == "eia":
+            punched = eia.encode(text, skip=" " if drop_spaces else "")
         else:
-            dropped = _only_for_clarity(text) if drop_spaces is None else drop_spaces
-            punched = eia.encode(text, skip=" " * dropped)
+            punched = ascii.encode(text.replace(" ", "") if drop_spaces else text, parity, fill)
     shelf.write(output, frames.blank(leader) + punched + frames.blank(leader))
-
-
-def _only_for_clarity(text: str) -> bool:
-    """Tell whether the spaces stand between the digits of whole blocks, as the thesis prints them."""
-    blocks = text.replace(" ", "").split()
-    return bool(blocks) and all(len(block) == ROWS - 1 and block.isdecimal() for block in blocks)
 
 
 def _check(first: int, length: int) -> None:

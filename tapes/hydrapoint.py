@@ -13,6 +13,8 @@ Source: thesis (M. S. Wong, McMaster University, 1971), Chapter 2: specification
 
 from typing import Final, NamedTuple
 
+from tapes.errors import TextError
+
 ROWS: Final = 20
 DIGITS: Final = ROWS - 1
 
@@ -153,3 +155,20 @@ def block(digits: str | bytes) -> Block:
         int(digits[15:17]),
         int(digits[17:19]),
     )
+
+
+def is_printed(text: str) -> bool:
+    """Tell whether `text` is a program as the thesis prints one, a block's digits apart for clarity."""
+    lines = text.splitlines()
+    digits_alone = all(line.replace(" ", "").isdecimal() for line in lines)
+    return digits_alone and any(len(line) > DIGITS == len(line.replace(" ", "")) for line in lines)
+
+
+def check_printed(text: str) -> None:
+    """Raise TextError naming the first line of a printed program that has not the digits of a block."""
+    at = 0
+    for line in text.splitlines(keepends=True):
+        digits = len(line.replace(" ", "").rstrip("\n"))
+        if digits != DIGITS:
+            raise TextError(f"a block of {digits} digits; it has {DIGITS}", text, at)
+        at += len(line)

@@ -61,6 +61,15 @@ def test_the_spaces_of_the_thesis_are_for_clarity_and_others_are_codes() -> None
     assert_same(product(*punch, given=DRILLING.encode()), eia.encode(DRILLING.replace(" ", "")))
     assert_same(product(*punch, "--keep-spaces", given=DRILLING.encode()), eia.encode(DRILLING))
     assert_same(product(*punch, given=b"G1 X2\n"), eia.encode("G1 X2\n"))
+    lines = "  1019   0    0   2\n  76 2250 4133  185\n"
+    assert_same(product(*punch, given=lines.encode()), eia.encode(lines))
+    assert_same(product("tape", "punch", given=DRILLING.encode()), ascii.encode(DRILLING.replace(" ", "")))
+
+
+def test_a_line_that_is_no_block_is_named() -> None:
+    typed = DRILLING.replace("002 9 03000", "002 9 0300")
+    said = complaint("tape", "punch", "--code", "eia", given=typed.encode())
+    assert said == "pdp8: standard input: line 2, column 1: a block of 18 digits; it has 19\n"
 
 
 def test_a_text_file_becomes_a_proper_tape(tmp_path: Path) -> None:
@@ -156,7 +165,6 @@ def test_bad_input_in_one_line(arguments: list[str], given: bytes, said: str, tm
         ["show", "--code", "morse"],
         ["convert"],
         ["convert", "--to", "morse"],
-        ["punch", "--drop-spaces"],
         ["punch", "--fill", "-1"],
         ["hang"],
     ],
