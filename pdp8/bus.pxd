@@ -32,5 +32,7 @@ cdef class Bus:
     cpdef advance(self, long long now)
     @cython.locals(device=Device)
     cpdef bint request(self, long long now) except -1
+    @cython.locals(device=Device)
+    cpdef bint flag(self, int code) except -1
     @cython.locals(device=Device, event="long long")
     cpdef long long next_event(self, long long now) except? -1

@@ -124,6 +124,11 @@ class Bus:
                 return True
         return False
 
+    def flag(self, code: int) -> bool:
+        """Tell whether the flag of the device of that code is up, as far as the device was brought."""
+        device = self.by_code[code]
+        return device is not None and device.flag == 1
+
     def next_event(self, now: int) -> int:
         """Return the tick after `now` at which a flag moves next, NEVER if none will."""
         event = NEVER

@@ -143,6 +143,7 @@ class Machine:
     def _mind_breakpoints(self) -> None:
         """Have no turn of a loop passed over in which a breakpoint lies or a watched word is written."""
         breakpoints = frozenset(self.watch.breakpoints)
+        self.waiting.watched = self.watch.watchful() or len(breakpoints) > 0
         if self.watch.writes or self.processor.pc in breakpoints or breakpoints != self._minded:
             self.waiting.forget()
             self._minded = breakpoints

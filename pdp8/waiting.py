@@ -16,13 +16,16 @@ of instructions and of ticks stays exact.
 from array import array
 
 from pdp8.bus import NEVER
-from pdp8.processor import FETCH, JMP, Processor
+from pdp8.processor import CYCLE, FETCH, IO_TICKS, JMP, Processor
 
 PERIOD = 200_000
 _TESTS = 8
 """Flag tests of one ring: how many strangers are met before the one remembered is given up."""
 _STEPS = 5_000
 """Instructions of one ring that has no flag test: all of core goes round in less, a count in AC in more."""
+
+_FLAG_TICKS = CYCLE + IO_TICKS + CYCLE
+"""A turn of KSF, JMP .-1."""
 
 
 class Waiting:
@@ -34,6 +37,8 @@ class Waiting:
         self.processor = processor
         self.endless = False
         """Set when the processor stands in a loop that no event will ever end."""
+        self.watched = False
+        """Set while somebody looks at single instructions: a turn is seen before others are passed over."""
         self.strike = 0
         """The tick from which the next look is due wherever the processor is."""
         self.hunting = False
@@ -71,15 +76,31 @@ class Waiting:
             self._compare(until, last)
         elif p.clock >= self.strike:
             self._strike()
-        elif self._looks_like_waiting(p.pc):
+        elif self.core[p.pc] & 0o7007 == 0o6001:
+            if not self._waits_for_flag(until, last):
+                self._compare(until, last)
+        elif self._jumps_to(p.pc, p.pc):
             self._compare(until, last)
 
-    def _looks_like_waiting(self, address: int) -> bool:
-        """Tell whether a flag test or a JMP to itself is at `address`."""
+    def _jumps_to(self, target: int, address: int) -> bool:
+        """Tell whether JMP `target`, not indirect, is at `address`."""
         word = self.core[address]
-        if word >> 8 == JMP << 1:
-            return word & 0o177 | (address & 0o7600 if word & 0o200 else 0) == address
-        return word & 0o7007 == 0o6001
+        return word >> 8 == JMP << 1 and word & 0o177 | (address & 0o7600 if word & 0o200 else 0) == target
+
+    def _waits_for_flag(self, until: int, last: int) -> bool:
+        """Tell whether KSF, JMP .-1 or one of its kin is here, which needs no second turn to be known; pass
+        over its turns if the flag is down. One that is for ever is left to be known as any ring is, and so is
+        every one if somebody may want to stop in its first turn.
+        """
+        p = self.processor
+        event = p.bus.next_event(p.clock)
+        if self.watched or event == NEVER or p.next != FETCH or p.ion != p.ion_delayed:
+            return False
+        if not self._jumps_to(p.pc, p.pc + 1 & 0o7777):
+            return False
+        if not p.bus.flag(self.core[p.pc] >> 3 & 0o77):
+            self._pass(event, until, last, _FLAG_TICKS, 2)
+        return True
 
     def _strike(self) -> None:
         """Remember, and if core stood still since the last time, look at what follows step by step."""
@@ -124,12 +145,17 @@ class Waiting:
             self._turn_again(ticks, count)
             return
         if event == self.quiet_until:
-            turns = min((min(event, until) - 1 - p.clock) // ticks, (last - 1 - p.instructions) // count)
-            if turns > 0:
-                p.clock += turns * ticks
-                p.instructions += turns * count
-                self.strike = max(self.strike, p.clock - p.clock % PERIOD + PERIOD)
+            self._pass(event, until, last, ticks, count)
         self._remember()
+
+    def _pass(self, event: int, until: int, last: int, ticks: int, count: int) -> None:
+        """Pass over the turns of `count` instructions in `ticks` that end before `event` and the limits."""
+        p = self.processor
+        turns = min((min(event, until) - 1 - p.clock) // ticks, (last - 1 - p.instructions) // count)
+        if turns > 0:
+            p.clock += turns * ticks
+            p.instructions += turns * count
+            self.strike = max(self.strike, p.clock - p.clock % PERIOD + PERIOD)
 
     def _turn_again(self, ticks: int, count: int) -> None:
         """Run the last turn once more in its own time, so that the lamps are those of the instruction that
