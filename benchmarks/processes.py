@@ -2,7 +2,7 @@
 
     python -m benchmarks.processes [--repeat 15]
 
-Medians of processes started in turn, from start to exit. What is measured is the installation this Python has:
+Medians of processes started in turn, from start to exit. What is measured is the installation of this Python:
 an editable one starts slower than a wheel.
 """
 
