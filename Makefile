@@ -58,4 +58,4 @@ BUILT_FROM := pyproject.toml setup.py $(COMPILED) $(COMPILED:.pxd=.py)
 	touch .venv/ready $@
 
 clean:
-	rm -rf .venv demo build dist *.egg-info
+	rm -rf .venv demo build dist *.egg-info pdp8/*.so

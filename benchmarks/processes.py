@@ -2,7 +2,7 @@
 
     python -m benchmarks.processes [--repeat 15]
 
-Medians of processes started in turn, from start to exit. What is measured is the installation of this Python:
+Medians of processes started in turn, from start to exit, of the installation this Python has:
 an editable one starts slower than a wheel.
 """
 
@@ -11,7 +11,6 @@ import statistics
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 from typing import NamedTuple
 
@@ -31,18 +30,33 @@ class Cost(NamedTuple):
 
 
 def run(command: list[str], tape: str) -> Cost:
-    """Run `command` with the tape as its standard input."""
-    began = time.perf_counter()
+    """Run `command` with the tape as its standard input.
+
+    A bare Python starts it and looks at what it used: a process that is started begins with the memory of the
+    one that starts it, and this one has much.
+    """
     with open(tape, "rb") as frames:
-        process = subprocess.Popen(
-            command,
+        told = subprocess.run(
+            [sys.executable, "-I", "-S", "-c", _STARTER, *command],
             stdin=frames,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
+            capture_output=True,
+            check=True,
             cwd=os.path.dirname(tape),
         )
-        _, _, used = os.wait4(process.pid, 0)
-    return Cost(time.perf_counter() - began, used.ru_utime + used.ru_stime, used.ru_maxrss)
+    wall, processor, memory = told.stdout.split()
+    return Cost(float(wall), float(processor), int(memory))
+
+
+_STARTER = """
+import os, sys, time
+nothing = os.open(os.devnull, os.O_WRONLY)
+began = time.perf_counter()
+files = [(os.POSIX_SPAWN_DUP2, nothing, 1), (os.POSIX_SPAWN_DUP2, nothing, 2)]
+child = os.posix_spawn(sys.argv[1], sys.argv[1:], os.environ, file_actions=files)
+_, status, used = os.wait4(child, 0)
+print(time.perf_counter() - began, used.ru_utime + used.ru_stime, used.ru_maxrss)
+sys.exit(status != 0)
+"""
 
 
 def table(costs: dict[str, list[Cost]]) -> Table:

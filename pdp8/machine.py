@@ -25,6 +25,8 @@ from pdp8.waiting import Waiting
 from pdp8.watch import Watch
 
 TICKS_PER_SECOND = 20_000_000
+_BREATH = 60 * TICKS_PER_SECOND
+"""After so much machine time Python may take a signal; a compiled run takes none by itself."""
 
 
 class Stop(NamedTuple):
@@ -150,11 +152,17 @@ class Machine:
 
     def _run(self, until: int, last: int) -> str:
         """Let the engine run, as far as nobody looks closer than at breakpoints."""
-        if self.engine.run(until, last, self.watch.breakpoints):
-            return "breakpoint"
-        if self.waiting.endless:
-            return self._endless()
-        return "limit" if self.processor.run else self._stopped()
+        p, breakpoints = self.processor, self.watch.breakpoints
+        while not self.engine.run(min(until, p.clock + _BREATH), last, breakpoints):
+            if self.waiting.endless:
+                return self._endless()
+            if not p.run:
+                return self._stopped()
+            if p.clock >= until or p.instructions >= last:
+                return "limit"
+            if p.pc in breakpoints:
+                break
+        return "breakpoint"
 
     def _run_watched(self, until: int, last: int) -> str:
         """Run as `_run` does, instruction by instruction, and tell the watch of each cycle."""

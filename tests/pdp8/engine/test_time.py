@@ -1,6 +1,7 @@
 """Passing over what only waits is exact, and makes no difference to how and when a run ends."""
 
-from types import ModuleType
+import signal
+from types import FrameType, ModuleType
 from typing import Any
 
 import pytest
@@ -115,3 +116,22 @@ def test_a_breakpoint_in_a_waiting_loop_is_met_in_its_first_turn(form: ModuleTyp
     for turn in range(1, 4):
         stop = machine.run()
         assert (stop.reason, stop.pc, machine.ticks) == ("breakpoint", 0o202, 85 + 117 * turn - 32)
+
+
+@pytest.mark.parametrize("delays", [True, False])
+def test_a_signal_gets_through_to_a_run_without_end(form: ModuleType, delays: bool) -> None:
+    """ISZ, JMP .-1, JMP .-2 counts for ever; no limit is given."""
+
+    def interrupt(number: int, frame: FrameType | None) -> None:
+        raise KeyboardInterrupt
+
+    machine = started(form, (0o2220, 0o5200, 0o5200))
+    machine.engine.delays = delays
+    before = signal.signal(signal.SIGALRM, interrupt)
+    signal.setitimer(signal.ITIMER_REAL, 0.1)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            machine.run()
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    assert machine.ticks > 0
