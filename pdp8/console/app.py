@@ -211,8 +211,7 @@ class Room(App[None]):
 
     def action_lever(self) -> None:
         """Throw the reader's lever."""
-        reader = self.session.machine.teletype.reader
-        reader.lever(not reader.on)
+        self.session.throw_lever()
         self.look()
 
     def action_punch(self) -> None:

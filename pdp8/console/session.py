@@ -7,7 +7,9 @@ The machine stays what it is: everything here is done with its panel's keys, its
 keyboard. At speed 1 the room's second is the machine's; where Python is slower than that, the machine's time
 falls behind and nothing is left out.
 
-While the processor stands still the Teletype finishes what it has begun, in the room's own time.
+While the processor stands still the Teletype finishes what it has begun, in the room's own time. INITIALIZE
+sets READER RUN, so a tape put in with the lever at START would move at once, and START would drop the frame it
+is at: the operator puts a tape in with the lever at STOP, and throws it with the key that sets the machine going.
 """
 
 from collections.abc import Callable, Iterator
@@ -64,6 +66,8 @@ class Session:
         """What became of the machine, in words."""
         self.reader_tape = ""
         """The name of the tape in the reader."""
+        self.lever_waits = False
+        """Whether the reader's lever, at STOP, is to be thrown with START or CONT."""
         self.glow: dict[str, tuple[float, ...]] = {}
         """How bright each lamp is, 0 to 1, most significant first."""
         self._clock = clock
@@ -125,6 +129,8 @@ class Session:
     def press(self, key: str) -> None:
         """Press a momentary key, named as the Panel's method is: load_add, start, cont, stop, exam, dep."""
         panel = self.machine.panel
+        if key in ("start", "cont") and self.lever_waits:
+            self.throw_lever()
         getattr(panel, key)()
         if key == "stop":
             self._hands = None
@@ -183,11 +189,24 @@ class Session:
         return self._hands is not None
 
     def mount(self, tape: Tape) -> None:
-        """Put a tape into the reader; one for a loader on its leader, past what is blank."""
+        """Put a tape into the reader; one for a loader on its leader, past what is blank.
+
+        While the machine stands still the lever is put to STOP, unless it is there, and waits for START or CONT.
+        """
+        reader = self.machine.teletype.reader
+        if reader.on and not self.machine.panel.lamps.run:
+            reader.lever(False)
+            self.lever_waits = True
         punched = tape.frames.lstrip(b"\0")
         on_leader = punched.startswith(bytes([LEADER]))
         self.reader_tape = tape.name
-        self.machine.teletype.reader.load(punched if on_leader else tape.frames)
+        reader.load(punched if on_leader else tape.frames)
+
+    def throw_lever(self) -> None:
+        """Throw the reader's lever to START, or to STOP; there it stays until it is thrown again."""
+        reader = self.machine.teletype.reader
+        reader.lever(not reader.on)
+        self.lever_waits = False
 
     def tear_off(self, name: str) -> Tape:
         """Tear off what was punched; it lies with the other tapes then, called `name`."""

@@ -11,9 +11,12 @@ from textual.pilot import Pilot
 from pdp8.console.app import Room
 from pdp8.console.pages import COLUMNS, Paper
 from pdp8.console.switches import Rocker, SwitchRegister
-from tests.conftest import assert_same_tape
+from tapes import shelf
+from tests.conftest import Shell, assert_same_tape
 from tests.pdp8.console.pictures import assert_shows, play, shown
 from tests.pdp8.console.test_session import RIM_WORDS
+
+CIRCLE = shelf.read("circle.asc")
 
 
 async def press(pilot: Pilot[None], keys: str) -> None:
@@ -68,6 +71,30 @@ def test_a_morning_by_keys_rim_bin_program_and_tape() -> None:
         assert_same_tape(machine.teletype.punch.tape, eia.read_bytes())
 
     play(scene)
+
+
+@pytest.mark.parametrize("tape", [b"\xb3", CIRCLE], ids=["one digit", "circle.asc"])
+def test_a_tape_that_lay_in_the_reader_before_start_loses_no_frame(
+    shell: Shell, tmp_path: Path, tape: bytes
+) -> None:
+    (tmp_path / "data.asc").write_bytes(tape)
+    done = shell("pdp8 run eia.pal --reader data.asc --punch run.eia")
+    assert done.returncode == 0, done.stderr
+
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        turn(room, 3)
+        await pilot.pause()
+        assert "STOP · " in shown(room)
+        assert room.session.machine.teletype.reader.position == 0
+        await press(pilot, "p p p s")
+        await pilot.pause()
+        assert "STOP · " not in shown(room)
+        for _ in range(4):
+            room.turn(0.5)
+        assert room.session.said.startswith("out of tape")
+        assert_same_tape(room.session.machine.teletype.punch.tape, (tmp_path / "run.eia").read_bytes())
+
+    play(scene, program="eia.pal", reader=str(tmp_path / "data.asc"))
 
 
 def test_r_toggles_rim_in() -> None:

@@ -121,6 +121,47 @@ def test_the_teletype_goes_on_while_the_processor_stands_still() -> None:
     assert session.machine.ac == 0o261
 
 
+@pytest.mark.parametrize("key", ["start", "cont"])
+def test_a_tape_put_in_at_a_standstill_waits_for_the_key_that_starts_the_machine(key: str) -> None:
+    session = at_rest()
+    reader = session.machine.teletype.reader
+    session.mount(Tape("two frames", b"\xb1\xb2"))
+    session.machine.core[0o200] = 0o5200
+    session.machine.sr = 0o200
+    session.press("load_add")
+    session.advance(3)
+    assert (reader.position, reader.on) == (0, False)
+    session.press(key)
+    assert reader.on
+    session.advance(0.05)
+    assert reader.position == 1
+
+
+def test_a_tape_put_into_a_running_machine_is_read_at_once() -> None:
+    session = at_rest()
+    session.machine.core[0o200] = 0o5200
+    session.machine.start(0o200)
+    session.mount(Tape("two frames", b"\xb1\xb2"))
+    session.advance(0.05)
+    assert session.machine.teletype.reader.position == 1
+
+
+def test_a_lever_thrown_by_hand_is_left_to_the_hand() -> None:
+    session = at_rest()
+    reader = session.machine.teletype.reader
+    session.throw_lever()
+    session.mount(Tape("two frames", b"\xb1\xb2"))
+    session.press("start")
+    assert not reader.on
+    session.press("stop")
+    session.throw_lever()
+    session.mount(Tape("two frames", b"\xb1\xb2"))
+    session.throw_lever()
+    session.throw_lever()
+    session.press("start")
+    assert not reader.on
+
+
 def test_single_steps_name_their_state() -> None:
     session = at_rest()
     session.machine.load({0o200: 0o1410, 0o10: 0o0377, 0o400: 0o7777})  # TAD I 10
