@@ -24,6 +24,7 @@ def panel(program: str | None, reader: str | None, start: int, sr: int | None, c
 
     The letters underlined are the keys; 0 to 7 set the switches, so do arrows and mouse; TAB turns to the
     Teletype, O puts a tape into the reader, W tears off what was punched, P changes the pace, Q goes home.
+    Ctrl-C is the STOP key.
 
     \b
     Examples:

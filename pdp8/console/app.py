@@ -51,9 +51,10 @@ class PanelFace(Container, can_focus=True):
         Binding("o", "app.tape", "tape"),
         Binding("v", "app.lever", "lever"),
         Binding("u", "app.punch", "punch"),
-        Binding("w", "app.tear", "tear off"),
+        Binding("w", "app.tear", "tear"),
         Binding("p", "app.pace", "pace"),
         Binding("g", "app.page", "page"),
+        Binding("ctrl+c", "app.key('stop')", "STOP"),
         Binding("q", "app.quit", "quit"),
         Binding("tab", "app.turn_round", "Teletype"),
     ]
@@ -67,6 +68,7 @@ class Room(App[None]):
     ENABLE_COMMAND_PALETTE = False
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("ctrl+q", "quit", show=False),
+        Binding("ctrl+c", "key('stop')", show=False),
     ]
     HORIZONTAL_BREAKPOINTS = [*_WIDTHS]  # noqa: RUF012
     VERTICAL_BREAKPOINTS = [*_HEIGHTS]  # noqa: RUF012

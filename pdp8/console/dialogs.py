@@ -1,9 +1,13 @@
-"""What the operator is asked: which tape goes into the reader, what a torn-off tape is to be called."""
+"""What the operator is asked: which tape goes into the reader, what a torn-off tape is to be called.
+
+The keyboard is the name's: ENTER takes what stands on its line, whether it was typed, or written there by the
+arrows that go up and down the list. ESC and Ctrl-C leave without an answer.
+"""
 
 from typing import ClassVar
 
 from textual.app import ComposeResult
-from textual.binding import BindingType
+from textual.binding import Binding, BindingType
 from textual.containers import Vertical
 from textual.screen import ModalScreen
 from textual.widgets import Input, Label, OptionList
@@ -13,11 +17,18 @@ from tapes import shelf
 from tapes.errors import WorkError
 from tapes.measure import length
 
+_LEAVE = Binding("escape,ctrl+c", "dismiss(None)", "back", priority=True)
+
 
 class ChooseTape(ModalScreen[Tape | None]):
     """A tape of those at hand, or a file by its name."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [("escape", "dismiss(None)", "back")]
+    AUTO_FOCUS = "Input"
+    BINDINGS: ClassVar[list[BindingType]] = [
+        _LEAVE,
+        Binding("up", "step(-1)", show=False),
+        Binding("down", "step(1)", show=False),
+    ]
 
     def __init__(self, tapes: list[Tape]) -> None:
         super().__init__()
@@ -27,33 +38,57 @@ class ChooseTape(ModalScreen[Tape | None]):
         """List the tapes at hand above a line for a name."""
         with Vertical(classes="dialog"):
             yield Label("Which tape goes into the reader? ESC: none")
-            yield OptionList(
+            hand = OptionList(
                 *(f"{tape.name:<16} {length(len(tape.frames)):>14}" for tape in self.tapes), markup=False
             )
-            yield Input(placeholder="or a file's name, or a bundled one")
+            hand.can_focus = False
+            yield hand
+            yield Label("one at hand (↑ ↓), a file, or a bundled one:")
+            yield Input(value=self.tapes[0].name if self.tapes else "")
             yield Label("", classes="wrong", markup=False)
 
+    def action_step(self, by: int) -> None:
+        """Go up or down the list, and write the name of the tape there on the line."""
+        if not self.tapes:
+            return
+        at = self.query_one(OptionList).highlighted
+        at = (0 if by > 0 else -1) if at is None else at + by
+        line = self.query_one(Input)
+        line.value = self.tapes[at % len(self.tapes)].name
+        line.action_select_all()
+
+    def on_input_changed(self, event: Input.Changed) -> None:
+        """Light the tape of the list whose name stands on the line, if any does."""
+        names = [tape.name for tape in self.tapes]
+        name = event.value.strip()
+        self.query_one(OptionList).highlighted = names.index(name) if name in names else None
+        self.query_one(".wrong", Label).update("")
+
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
-        """Take the tape that was chosen."""
+        """Take the tape that was clicked."""
         self.dismiss(self.tapes[event.option_index])
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
-        """Take the file that was named, if it can be read."""
+        """Take the tape that was named: of those at hand, else the file, if it can be read."""
         name = event.value.strip()
         if not name:
             return
         try:
-            if name == "-":
-                raise WorkError("-: the keyboard is no tape")
-            self.dismiss(Tape(name, shelf.read(name)))
+            self.dismiss(self._named(name))
         except WorkError as error:
             self.query_one(".wrong", Label).update(str(error))
+
+    def _named(self, name: str) -> Tape:
+        if name == "-":
+            raise WorkError("-: the keyboard is no tape")
+        at_hand = (tape for tape in self.tapes if tape.name == name)
+        return next(at_hand, None) or Tape(name, shelf.read(name))
 
 
 class NameTape(ModalScreen[str | None]):
     """A name for the tape that is torn off, and written under it."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [("escape", "dismiss(None)", "back")]
+    BINDINGS: ClassVar[list[BindingType]] = [_LEAVE]
 
     def compose(self) -> ComposeResult:
         """Ask for the name."""

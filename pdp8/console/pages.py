@@ -1,5 +1,6 @@
 """What lies on the table beside the machine: the printed page, the listing, core, the operator's card."""
 
+from string import ascii_lowercase
 from typing import ClassVar
 
 from rich.style import Style
@@ -19,6 +20,11 @@ _LABEL = Style(color="#d8c7a4")
 _FAINT = Style(color="#9a876a")
 _HERE = Style(color="#1d160e", bgcolor="#ffc46b", bold=True)
 _LAST = Style(color="#ffd9a0", bold=True, underline=True)
+_KEYS = {
+    "enter": "\n",
+    "backspace": "\x7f",
+    **{f"ctrl+{letter}": chr(ord(letter) & 0o37) for letter in ascii_lowercase},
+}
 COLUMNS = 72
 _CARD_WIDTH = 48
 
@@ -57,10 +63,10 @@ class Paper(Page, can_focus=True):
         session.machine.teletype.printer.on_frame = self.take
 
     def on_key(self, event: events.Key) -> None:
-        """Type what is typed: RETURN, RUBOUT, and every key with a character."""
+        """Type what is typed: RETURN, RUBOUT, CTRL with a letter, and every key with a character."""
         if event.key in ("tab", "escape"):
             return
-        typed = {"enter": "\n", "backspace": "\x7f"}.get(event.key, event.character or "")
+        typed = _KEYS.get(event.key, event.character or "")
         if typed:
             self.session.type(typed)
             event.stop()

@@ -8,8 +8,9 @@ keyboard. At speed 1 the room's second is the machine's; where Python is slower 
 falls behind and nothing is left out.
 
 While the processor stands still the Teletype finishes what it has begun, in the room's own time. INITIALIZE
-sets READER RUN, so a tape put in with the lever at START would move at once, and START would drop the frame it
-is at: the operator puts a tape in with the lever at STOP, and throws it with the key that sets the machine going.
+sets READER RUN: a tape put in with the lever at START would move at once, and START would drop the frame on
+its way. So the operator puts a tape in with the lever at STOP, and throws it with the key that sets the
+machine going.
 """
 
 from collections.abc import Callable, Iterator
@@ -191,7 +192,8 @@ class Session:
     def mount(self, tape: Tape) -> None:
         """Put a tape into the reader; one for a loader on its leader, past what is blank.
 
-        While the machine stands still the lever is put to STOP, unless it is there, and waits for START or CONT.
+        While the machine stands still the lever is put to STOP, if it is not there, and waits for START or
+        CONT.
         """
         reader = self.machine.teletype.reader
         if reader.on and not self.machine.panel.lamps.run:

@@ -7,6 +7,7 @@ import pytest
 pytest.importorskip("textual", reason="Textual, the extra `panel`, is not installed")
 
 from textual.pilot import Pilot
+from textual.widgets import OptionList
 
 from pdp8.console.app import Room
 from pdp8.console.pages import COLUMNS, Paper
@@ -238,10 +239,97 @@ def test_tearing_off_and_reading_again(tmp_path: Path) -> None:
 
 def test_a_tape_that_is_not_there_is_named() -> None:
     async def scene(room: Room, pilot: Pilot[None]) -> None:
-        await press(pilot, "o tab n o enter")
+        await press(pilot, "o n o enter")
         await pilot.pause()
         assert "no: no such file" in shown(room)
+        await press(pilot, "t")
+        await pilot.pause()
+        assert "no such file" not in shown(room)
         await press(pilot, "escape")
         assert not room.session.machine.teletype.reader.loaded
 
     play(scene)
+
+
+@pytest.mark.parametrize(
+    ("keys", "name"),
+    [
+        ("enter", "bin.rim"),
+        ("e i a full_stop b i n enter", "eia.bin"),
+        ("down down down enter", "ellipse.asc"),
+        ("up enter", "ellipse.asc"),
+        ("x up up enter", "circle.asc"),
+        ("down backspace b i n full_stop r i m enter", "bin.rim"),
+        ("e i a full_stop p a l enter", "eia.pal"),
+        ("e i a full_stop b i n tab enter", "eia.bin"),
+    ],
+)
+def test_enter_takes_the_tape_whose_name_stands_on_the_line(keys: str, name: str) -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        at_hand = {tape.name: tape.frames for tape in room.session.tapes}
+        await press(pilot, "o " + keys)
+        await pilot.pause()
+        assert len(room.screen_stack) == 1
+        assert room.session.reader_tape == name
+        frames = at_hand.get(name) or shelf.read(name)
+        assert_same_tape(room.session.machine.teletype.reader.tape, frames.lstrip(b"\0"))
+
+    play(scene)
+
+
+def test_a_tape_at_hand_is_lit_while_its_name_stands_there_and_taken_by_a_click() -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        await press(pilot, "o e i a full_stop b i n")
+        await pilot.pause()
+        assert_shows(room, "choosing a tape, 80x24")
+        assert room.screen.query_one(OptionList).highlighted == 1
+        await press(pilot, "x")
+        await pilot.pause()
+        assert room.screen.query_one(OptionList).highlighted is None
+        await pilot.click(OptionList, offset=(2, 2))
+        await pilot.pause()
+        assert room.session.reader_tape == "circle.asc"
+
+    play(scene, size=(80, 24))
+
+
+def test_ctrl_c_is_the_stop_key() -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        session = room.session
+        await press(pilot, "s")
+        turn(room, 0.5)
+        assert session.machine.panel.lamps.run
+        await press(pilot, "ctrl+c")
+        assert not session.machine.panel.lamps.run
+        assert session.said.startswith("stopped before")
+        room.set_focus(None)
+        await press(pilot, "ctrl+c")
+        assert not room._notifications
+
+    play(scene, program="eia.pal", reader="circle.asc")
+
+
+@pytest.mark.parametrize("leave", ["ctrl+c", "escape"])
+def test_ctrl_c_leaves_a_question_as_escape_does(leave: str) -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        room.session.machine.teletype.punch.frames += b"\x01"
+        for question in "ow":
+            await press(pilot, question)
+            assert len(room.screen_stack) == 2
+            await press(pilot, leave)
+            await pilot.pause()
+            assert len(room.screen_stack) == 1
+        assert not room.session.machine.teletype.reader.loaded
+        assert not room._notifications
+
+    play(scene)
+
+
+def test_ctrl_c_at_the_teletype_is_a_character() -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        await press(pilot, "s tab ctrl+c")
+        turn(room, 0.5)
+        assert room.session.machine.panel.lamps.run
+        assert bytes(room.session.machine.teletype.printer.frames) == bytes([0o203])
+
+    play(scene, program="tests/pdp8/console/typewriter.pal")
