@@ -2,14 +2,18 @@
 
 import os
 import pty
+import re
 import select
 import subprocess
 import sys
 import time
+from collections.abc import Sequence
+from pathlib import Path
 
 import pytest
 
-from tests.conftest import BIN, Shell
+from tests.conftest import BIN, Shell, assert_same_tape
+from tests.pdp8.engine.forms import FOLDER, FORMS, machine_module
 
 
 def test_it_wants_a_terminal(shell: Shell) -> None:
@@ -19,12 +23,28 @@ def test_it_wants_a_terminal(shell: Shell) -> None:
     assert done.stdout == b""
 
 
+Step = tuple[bytes, bytes]
+"""What is to be seen on the terminal since the last step, and the keys that are pressed then."""
+
+PLAIN = f"""
+import os, sys
+from importlib.util import spec_from_file_location
+class Sources:
+    @staticmethod
+    def find_spec(name, path, target=None):
+        source = os.path.join({str(FOLDER)!r}, name.removeprefix("pdp8.") + ".py")
+        if name.startswith("pdp8.") and os.path.exists(source):
+            return spec_from_file_location(name, source)
+sys.meta_path.insert(0, Sources)
+"""
+"""Python that has the machine of its sources, whatever is compiled beside them."""
+
+
 def at_a_terminal(
-    *arguments: str, keys: bytes = b"", hidden: str = "", until: bytes = b""
+    *arguments: str, steps: Sequence[Step] = (), before: str = "", folder: Path = BIN
 ) -> tuple[int, bytes]:
-    """Run `pdp8 panel` at a terminal; press `keys` when `until` is seen; return status and output."""
-    code = f"import sys; sys.modules.update({{{hidden!r}: None}} if {hidden!r} else {{}})\n"
-    code += "from pdp8.cli import main; sys.argv[0] = 'pdp8'; main()"
+    """Run `pdp8 panel` at a terminal, Python `before` it; take the steps; return status and output."""
+    code = f"{before}\nimport sys; from pdp8.cli import main; sys.argv[0] = 'pdp8'; main()"
     keyboard, terminal = pty.openpty()
     process = subprocess.Popen(
         [sys.executable, "-c", code, "panel", *arguments],
@@ -32,10 +52,11 @@ def at_a_terminal(
         stdout=terminal,
         stderr=terminal,
         env={**os.environ, "TERM": "xterm-256color", "COLUMNS": "100", "LINES": "30"},
-        cwd=BIN,
+        cwd=folder,
     )
     os.close(terminal)
-    seen = b""
+    waiting = list(steps)
+    seen, looked = b"", 0
     end = time.monotonic() + 30
     while time.monotonic() < end:
         if select.select([keyboard], [], [], 0.2)[0]:
@@ -43,25 +64,51 @@ def at_a_terminal(
                 seen += os.read(keyboard, 65536)
             except OSError:
                 break
-        if keys and until in seen:
-            os.write(keyboard, keys)
-            keys = b""
+        if waiting and waiting[0][0] in re.sub(rb"\x1b\[[\d;?]*[ -~]", b"", seen[looked:]):
+            looked = len(seen)
+            os.write(keyboard, waiting.pop(0)[1])
     if process.poll() is None and time.monotonic() >= end:
         process.kill()
     os.close(keyboard)
     return process.wait(), seen
 
 
-def test_it_opens_at_a_terminal_and_closes() -> None:
+@pytest.mark.parametrize("form", FORMS)
+def test_a_tape_is_translated_at_a_terminal(form: str, shell: Shell, tmp_path: Path) -> None:
+    """The tape lies in the reader for a while before START; no frame of it is lost."""
     pytest.importorskip("textual", reason="Textual, the extra `panel`, is not installed")
-    status, seen = at_a_terminal("eia.pal", keys=b"q", until=b"Teletype")
-    assert status == 0
+    machine_module(form)
+    (tmp_path / "three.asc").write_bytes(b"\xb3\x8d\x8a")
+    done = shell("pdp8 run eia.pal --reader three.asc --punch run.eia")
+    assert done.returncode == 0, done.stderr
+    status, seen = at_a_terminal(
+        *("eia.pal", "--reader", "three.asc"),
+        steps=[
+            (b"STOP \xc2\xb7 three.asc", b"ppp"),
+            (b"1000", b"s"),
+            (b"out of tape", b"w"),
+            (b"punched.tape", b"panel.eia\r"),
+            (b"frames", b"\x03"),
+            (b"stopped before", b"q"),
+        ],
+        before=PLAIN if form == "plain" else "",
+        folder=tmp_path,
+    )
+    assert status == 0, seen[-2000:]
+    assert b"Traceback" not in seen
     assert b"MEMORY ADDRESS" in seen
+    assert_same_tape((tmp_path / "panel.eia").read_bytes(), (tmp_path / "run.eia").read_bytes())
+
+
+def test_it_opens_cold_and_closes() -> None:
+    pytest.importorskip("textual", reason="Textual, the extra `panel`, is not installed")
+    status, seen = at_a_terminal(steps=[(b"Teletype", b"q")])
+    assert status == 0
     assert b"Traceback" not in seen
 
 
 def test_without_textual_it_says_how_to_get_it() -> None:
-    status, seen = at_a_terminal(hidden="textual")
+    status, seen = at_a_terminal(before="import sys; sys.modules['textual'] = None")
     assert status == 1
     assert seen.decode().strip() == "pdp8: the panel needs Textual: pip install 'pdp8[panel]'"
 
