@@ -28,10 +28,10 @@ from contextlib import suppress
 from typing import NamedTuple
 
 from pal.symbols import SIGNIFICANT
+from tapes.frames import PARITIES
 
 # Blank, leader, RUBOUT, form feed with and without channel 8, line feed with it.
 IGNORED = bytes((0o000, 0o200, 0o177, 0o377, 0o014, 0o214, 0o212))
-_SEVEN_CHANNELS = bytes(frame & 0x7F for frame in range(0x100))
 
 SPACE = " "
 BLANKS = " \t"
@@ -77,7 +77,7 @@ def characters(tape: bytes) -> str:
     if not tape.isascii():
         with suppress(UnicodeDecodeError):
             tape = tape.decode("utf-8-sig").encode("ascii", "replace")
-    text = tape.translate(_SEVEN_CHANNELS, IGNORED).decode("ascii")
+    text = tape.translate(PARITIES["none"], IGNORED).decode("ascii")
     return text.replace("\r\n", "\r").replace("\n", "\r")
 
 

@@ -4,7 +4,7 @@ from pdp8.cli.program import assembled, words
 from pdp8.monitor import Program
 from pdp8.trace import Listing
 from tapes import binary, kinds, shelf
-from tapes.errors import TapeError, WorkError
+from tapes.errors import naming
 
 
 def open_program(name: str) -> Program:
@@ -12,10 +12,8 @@ def open_program(name: str) -> Program:
     it.
     """
     frames = shelf.read(name)
-    try:
+    with naming(name):
         if kinds.classify(frames) != kinds.ASCII:
             return Program(words(frames, name), frames, Listing())
         assembly = assembled(frames, name)
         return Program(assembly.words, assembly.tape or binary.encode(assembly.words), Listing.of(assembly))
-    except TapeError as error:
-        raise WorkError(f"{name}: {error}") from error

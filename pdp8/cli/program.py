@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from tapes import binary, kinds, rim, shelf
-from tapes.errors import TapeError, WorkError
+from tapes.errors import TapeError, WorkError, naming
 
 if TYPE_CHECKING:
     from pal import Assembly
@@ -15,14 +15,12 @@ def read_words(name: str) -> dict[int, int]:
     Raises WorkError saying what is wrong with it, and where.
     """
     frames = shelf.read(name)
-    try:
+    with naming(name):
         return words(frames, name)
-    except TapeError as error:
-        raise WorkError(f"{name}: {error}") from error
 
 
 def words(frames: bytes, name: str) -> dict[int, int]:
-    """Return {address: word} of a program tape; `name` is for messages. Raises WorkError."""
+    """Return {address: word} of a program tape; `name` is for its diagnostics. Raises WorkError."""
     kind = kinds.classify(frames)
     if kind == kinds.BIN:
         content = binary.decode(frames)
@@ -35,8 +33,8 @@ def words(frames: bytes, name: str) -> dict[int, int]:
     if kind == kinds.ASCII:
         return assembled(frames, name).words
     if kind == kinds.BLANK_TAPE:
-        raise WorkError(f"{name}: the program tape is {'blank' if frames else 'empty'}")
-    raise WorkError(f"{name}: neither PAL source nor a BIN or RIM tape")
+        raise WorkError(f"the program tape is {'blank' if frames else 'empty'}")
+    raise WorkError("neither PAL source nor a BIN or RIM tape")
 
 
 def assembled(source: bytes, name: str) -> "Assembly":
@@ -46,5 +44,5 @@ def assembled(source: bytes, name: str) -> "Assembly":
     assembly = pal.assemble(source, names=[name])
     if not assembly.ok:
         report = "\n".join(str(diagnostic) for diagnostic in assembly.diagnostics)
-        raise WorkError(f"{name}: not run, it has errors\n{report}")
+        raise WorkError(f"not run, it has errors\n{report}")
     return assembly

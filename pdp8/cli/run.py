@@ -17,6 +17,7 @@ from pdp8.machine import TICKS_PER_SECOND, Machine, Stop
 from pdp8.teletype import Punch
 from tapes import shelf
 from tapes.errors import WorkError
+from tapes.frames import PARITIES
 
 _SLICE = 10.0  # seconds of machine time between two looks at the punch, at the clock and for CTRL-C
 _REAL_SLICE = 0.05
@@ -273,7 +274,7 @@ def _tape(program: str, reader: str | None, quiet: bool, keyboard: bool) -> byte
         name = reader or "-"
         frames = shelf.read(name)
     if not quiet:
-        lines = frames.translate(_CHANNELS_1_TO_7)
+        lines = frames.translate(PARITIES["none"])
         if b"\n" in lines and b"\r" not in lines:
             shown = "the tape" if name == "-" else name
             _say(
@@ -281,9 +282,6 @@ def _tape(program: str, reader: str | None, quiet: bool, keyboard: bool) -> byte
                 "A proper tape is made from text with: pdp8 tape punch FILE -o FILE.asc"
             )
     return frames
-
-
-_CHANNELS_1_TO_7 = bytes(frame & 0o177 for frame in range(256))
 
 
 def _counts(machine: Machine) -> str:
