@@ -14,6 +14,8 @@ Not emulated: data break (three-cycle or single-cycle).
 Source: Small Computer Handbook 1970, chapter 9 (I/O bus).
 """
 
+from collections.abc import Iterator
+
 NEVER = 1 << 62
 AT_ONCE = -1
 
@@ -32,6 +34,9 @@ class Device:
     """One device code: a flag, and `due`, the tick at which it moves next."""
 
     def __init__(self) -> None:
+        self.code = 0
+        self.behind: Device | None = None
+        """The next device on the cable."""
         self.flag = 0
         self.due = NEVER
 
@@ -61,89 +66,98 @@ class Device:
 
 
 class Bus:
-    """The devices that are fitted, by their codes; unused codes answer nothing."""
+    """The devices that are fitted, one behind the other on the cable; unused codes answer nothing."""
 
     def __init__(self) -> None:
-        self.devices: list[Device] = []
-        self.by_code: list[Device | None] = [None] * 64
+        self.first: Device | None = None
         self.asked = 0
         """The codes whose skip was tested since somebody set this to 0, one bit each."""
         self.told = 0
         """How often a device, or the interrupt, was told something rather than asked."""
 
-    def fit(self, code: int, device: Device) -> None:
-        """Connect `device` under `code` (0o01 to 0o77)."""
-        self.devices.append(device)
-        self.by_code[code] = device
+    def __iter__(self) -> Iterator[Device]:
+        device = self.first
+        while device is not None:
+            yield device
+            device = device.behind
 
-    def pulse(self, code: int, iop: int, ac: int, now: int) -> int:
-        """Send one pulse to the device of that code; return its answer, 0 if none is fitted."""
-        device = self.by_code[code]
-        if device is None:
-            return 0
-        if iop == 1:
-            self.asked |= 1 << code
-        else:
-            self.told += 1
-        if device.due <= now:
-            device.advance(now)
-        return device.pulse(iop, ac, now)
+    def fit(self, code: int, device: Device) -> None:
+        """Connect `device` under `code` (0o01 to 0o77), in front of those already there."""
+        device.code = code
+        device.behind = self.first
+        self.first = device
+
+    def device(self, code: int) -> Device | None:
+        """Return the device that answers to `code`, if one is fitted."""
+        device = self.first
+        while device is not None and device.code != code:
+            device = device.behind
+        return device
 
     def transfer(self, word: int, lac: int, clock: int) -> int:
         """Send the pulses of IOT `word`, whose memory cycle ended at tick `clock`, to its device.
 
         Returns {L, AC} as they are afterwards, 13 bits, and above them 1 if the device answered SKIP.
         """
+        device = self.device(word >> 3 & 0o77)
+        if device is None:
+            return lac
         if word & 1:
-            lac = self._send(word, 1, lac, clock + IOP1)
+            self.asked |= 1 << device.code
+            lac = _pulse(device, 1, lac, clock + IOP1)
         if word & 2:
-            lac = self._send(word, 2, lac, clock + IOP2)
+            self.told += 1
+            lac = _pulse(device, 2, lac, clock + IOP2)
         if word & 4:
-            lac = self._send(word, 4, lac, clock + IOP4)
+            self.told += 1
+            lac = _pulse(device, 4, lac, clock + IOP4)
         return lac
-
-    def _send(self, word: int, iop: int, lac: int, now: int) -> int:
-        answer = self.pulse(word >> 3 & 0o77, iop, lac & 0o7777, now)
-        if answer & CLEAR_AC:
-            lac &= 0o30000
-        if answer & SKIP:
-            lac |= 0o20000
-        return lac | answer & 0o7777
 
     def advance(self, now: int) -> None:
         """Bring every device to tick `now`."""
-        for device in self.devices:
+        for device in self:
             device.advance(now)
 
     def request(self, now: int) -> bool:
         """Tell whether any device requests an interrupt at tick `now`."""
-        for device in self.devices:
+        device = self.first
+        while device is not None:
             if device.due <= now:
                 device.advance(now)
             if device.flag:
                 return True
+            device = device.behind
         return False
-
-    def flag(self, code: int) -> bool:
-        """Tell whether the flag of the device of that code is up, as far as the device was brought."""
-        device = self.by_code[code]
-        return device is not None and device.flag == 1
 
     def next_event(self, now: int) -> int:
         """Return the tick after `now` at which a flag moves next, NEVER if none will."""
         event = NEVER
-        for device in self.devices:
+        device = self.first
+        while device is not None:
             if device.due <= now:
                 device.advance(now)
             event = min(event, device.due)
+            device = device.behind
         return event
 
     def finish(self) -> None:
         """Let every mechanism finish what it has begun."""
-        for device in self.devices:
+        for device in self:
             device.finish()
 
     def initialize(self, now: int) -> None:
         """INITIALIZE on every device."""
-        for device in self.devices:
+        for device in self:
             device.initialize(now)
+
+
+def _pulse(device: Device, iop: int, lac: int, now: int) -> int:
+    """Send one pulse; return {L, AC} as the answer leaves them, and 1 above them for SKIP."""
+    if device.due <= now:
+        device.advance(now)
+    answer = device.pulse(iop, lac & 0o7777, now)
+    if answer & CLEAR_AC:
+        lac &= 0o30000
+    if answer & SKIP:
+        lac |= 0o20000
+    return lac | answer & 0o7777

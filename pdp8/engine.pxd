@@ -1,14 +1,16 @@
 # The types with which Cython compiles engine.py; Python itself never reads this.
 
 cimport cython
+from libc.stdint cimport int64_t
 
 from pdp8.processor cimport Processor
 from pdp8.waiting cimport Waiting
 
-cdef long long LONGEST, PIECE
+cdef int64_t LONGEST, PIECE
 cdef int CYCLE, EXECUTE, FETCH, ISZ, JMP, JMS, PROTECTED, _JMP, _NO_ROTATE, _ROTATE, _DELAY, _WRAP, _LEFT
 
 
+@cython.final
 cdef class Engine:
     cdef Processor processor
     cdef Waiting waiting
@@ -29,16 +31,16 @@ cdef class Engine:
     cdef unsigned short flip[256]
     cdef unsigned short plus[256]
 
-    @cython.locals(p=Processor, waiting=Waiting, called=bint)
-    cpdef run(self, long long until, long long last, object breakpoints = *)
+    @cython.locals(called=bint)
+    cpdef run(self, int64_t until, int64_t last, object breakpoints = *)
     cdef bint _called(self) except -1
-    cdef bint _at_breakpoint(self, long long until, long long last) except -1
+    cdef bint _at_breakpoint(self, int64_t until, int64_t last) except -1
     @cython.locals(address=int)
     cdef _know(self, object breakpoints)
     @cython.locals(address=int)
     cdef _forget_written(self)
-    @cython.locals(room="long long")
-    cdef long long _room(self, long long until, long long last) except? -1
+    @cython.locals(room=int64_t)
+    cdef int64_t _room(self, int64_t until, int64_t last) except? -1
     @cython.locals(word=int, operand=int, op=int)
     cdef _decode(self, int address)
     @cython.locals(code=int)
@@ -46,10 +48,11 @@ cdef class Engine:
     @cython.locals(word=int, target=int)
     cdef bint _may_delay(self, int counter, int address) except -1
     @cython.locals(
+        p=Processor, waiting=Waiting,
         core="unsigned short[::1]", ops="unsigned short *", arg="unsigned short *",
         keep="unsigned short *", flip="unsigned short *", plus="unsigned short *",
         conditions="unsigned short *",
         lac="unsigned int", pc="Py_ssize_t", x="Py_ssize_t", address="Py_ssize_t", word="unsigned int",
-        op=int, wall=int, written=int, time="long long", limit="long long", turns="long long",
+        op=int, wall=int, written=int, time=int64_t, limit=int64_t, turns=int64_t,
     )
-    cdef int _piece(self, long long room) except -1
+    cdef bint _run_pieces(self, int64_t until, int64_t last) except -1

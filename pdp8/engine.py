@@ -74,24 +74,11 @@ class Engine:
         or comes, after its first instruction, to one of the `breakpoints` or from a JMS to one: only then
         return True.
         """
-        p, waiting = self.processor, self.waiting
         self._know(breakpoints)
-        waiting.endless = called = False
-        while p.clock < until and p.instructions < last:
-            if self.ops[p.pc & 0o7777] == _LEFT or not self._piece(self._room(until, last)):
-                p.instruction()
-                if p.state != FETCH:
-                    self._forget_written()
-                if self.watched and self._called():
-                    called = True
-                    break
-                if not p.run:
-                    break
-            waiting.look(until, last)
-            if waiting.endless or (self.watched and p.pc in self.breakpoints):
-                break
-        self.known = p.core[:]
-        return p.run == 1 and (called or self._at_breakpoint(until, last))
+        self.waiting.endless = False
+        called = self._run_pieces(until, last)
+        self.known = self.processor.core[:]
+        return self.processor.run == 1 and (called or self._at_breakpoint(until, last))
 
     def _called(self) -> bool:
         """Tell whether the processor's last instruction was a JMS to a breakpoint."""
@@ -181,197 +168,208 @@ class Engine:
             after = {operand, operand + 1 & 0o7777}
         return not self.breakpoints.isdisjoint(after)
 
-    def _piece(self, room: int) -> int:
-        """Execute decoded instructions for `room` ticks, to the first end of one from there on, or up to one
-        that is left to the processor; return how many. `time` has ticks above, instructions in its low 12
-        bits.
+    def _run_pieces(self, until: int, last: int) -> bool:
+        """Run piece by piece; return whether it ended with a JMS to a breakpoint. `time` has the ticks of a
+        piece above, its instructions in the low 12 bits; the piece ends with the first instruction that ends
+        at or after `limit`, or before one that is left to the processor.
         """
-        p = self.processor
+        p, waiting = self.processor, self.waiting
         core, ops, arg = self.core, self.ops, self.arg
         keep, flip, plus, conditions = self.keep, self.flip, self.plus, self.conditions
         wall = self.wall
-        lac = p.lac & 0o17777
-        pc = p.pc & 0o7777
-        written = 0
-        time = 0
-        limit = room << 12
-        while time < limit:
-            op = ops[pc]
-            x = arg[pc]
-            if op == 1:  # TAD
-                lac = lac + core[x] & 0o17777
-                time += 64 << 12 | 1
-                pc += 1
-            elif op == 2:  # DCA
-                core[x] = lac & 0o7777
-                ops[x] = 0
-                written = 1
-                lac &= 0o10000
-                time += 64 << 12 | 1
-                pc += 1
-            elif op == 3:  # ISZ, and the JMP that mostly follows
-                word = core[x] + 1 & 0o7777
-                core[x] = word
-                ops[x] = 0
-                written = 1
-                time += 64 << 12 | 1
-                pc += 1
-                if word == 0:
+        while p.clock < until and p.instructions < last:
+            lac = p.lac & 0o17777
+            pc = p.pc & 0o7777
+            written = 0
+            time = 0
+            limit = 0 if ops[pc] == _LEFT else self._room(until, last) << 12
+            while time < limit:
+                op = ops[pc]
+                x = arg[pc]
+                if op == 1:  # TAD
+                    lac = lac + core[x] & 0o17777
+                    time += 64 << 12 | 1
                     pc += 1
-                elif ops[pc] == 4 and time < limit:
-                    pc = arg[pc]
+                elif op == 2:  # DCA
+                    core[x] = lac & 0o7777
+                    ops[x] = 0
+                    written = 1
+                    lac &= 0o10000
+                    time += 64 << 12 | 1
+                    pc += 1
+                elif op == 3:  # ISZ, and the JMP that mostly follows
+                    word = core[x] + 1 & 0o7777
+                    core[x] = word
+                    ops[x] = 0
+                    written = 1
+                    time += 64 << 12 | 1
+                    pc += 1
+                    if word == 0:
+                        pc += 1
+                    elif ops[pc] == 4 and time < limit:
+                        pc = arg[pc]
+                        time += 32 << 12 | 1
+                elif op == 4:  # JMP
+                    pc = x
                     time += 32 << 12 | 1
-            elif op == 4:  # JMP
-                pc = x
-                time += 32 << 12 | 1
-            elif op == 5:  # SMA SZA SNL
-                time += 32 << 12 | 1
-                pc += 1
-                if x & conditions[lac]:
+                elif op == 5:  # SMA SZA SNL
+                    time += 32 << 12 | 1
                     pc += 1
-            elif op == 6:  # group 1 without a rotate
-                lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
-                time += 32 << 12 | 1
-                pc += 1
-            elif op == 7:  # RAL
-                lac = lac << 1 & 0o17777 | lac >> 12
-                time += 32 << 12 | 1
-                pc += 1
-            elif op == 8:  # RAR
-                lac = lac >> 1 | (lac & 1) << 12
-                time += 32 << 12 | 1
-                pc += 1
-            elif op == 9:  # SPA SNA SZL
-                time += 32 << 12 | 1
-                pc += 1
-                if x & conditions[lac] == 0:
+                    if x & conditions[lac]:
+                        pc += 1
+                elif op == 6:  # group 1 without a rotate
+                    lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
+                    time += 32 << 12 | 1
                     pc += 1
-            elif op == 10:  # TAD I
-                lac = lac + core[core[x]] & 0o17777
-                time += 96 << 12 | 1
-                pc += 1
-            elif op == 11:  # DCA I
-                address = core[x]
-                if address >= wall:
-                    break
-                core[address] = lac & 0o7777
-                ops[address] = 0
-                written = 1
-                lac &= 0o10000
-                time += 96 << 12 | 1
-                pc += 1
-            elif op == 12:  # JMP I
-                pc = core[x]
-                time += 64 << 12 | 1
-            elif op == 13:  # TAD I, autoindexed
-                address = core[x] + 1 & 0o7777
-                core[x] = address
-                ops[x] = 0
-                written = 1
-                lac = lac + core[address] & 0o17777
-                time += 96 << 12 | 1
-                pc += 1
-            elif op == 14:  # DCA I, autoindexed
-                address = core[x] + 1 & 0o7777
-                if address >= wall:
-                    break
-                core[x] = address
-                ops[x] = 0
-                core[address] = lac & 0o7777
-                ops[address] = 0
-                written = 1
-                lac &= 0o10000
-                time += 96 << 12 | 1
-                pc += 1
-            elif op == 15:  # JMS
-                core[x] = pc + 1 & 0o7777
-                ops[x] = 0
-                written = 1
-                pc = x + 1
-                time += 64 << 12 | 1
-            elif op == 16:  # group 1 with a rotate
-                lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
-                x &= 0o16
-                if x == 0o4:
+                elif op == 7:  # RAL
                     lac = lac << 1 & 0o17777 | lac >> 12
-                elif x == 0o10:
+                    time += 32 << 12 | 1
+                    pc += 1
+                elif op == 8:  # RAR
                     lac = lac >> 1 | (lac & 1) << 12
-                elif x == 0o6:
-                    lac = lac << 2 & 0o17777 | lac >> 11
-                else:
-                    lac = lac >> 2 | (lac & 3) << 11
-                time += 32 << 12 | 1
-                pc += 1
-            elif op == 17:  # AND
-                lac &= core[x] | 0o10000
-                time += 64 << 12 | 1
-                pc += 1
-            elif op == 18:  # SMA SZA SNL, CLA
-                time += 32 << 12 | 1
-                pc += 1
-                if x & conditions[lac]:
+                    time += 32 << 12 | 1
                     pc += 1
-                lac &= 0o10000
-            elif op == 19:  # SPA SNA SZL, CLA
-                time += 32 << 12 | 1
-                pc += 1
-                if x & conditions[lac] == 0:
+                elif op == 9:  # SPA SNA SZL
+                    time += 32 << 12 | 1
                     pc += 1
-                lac &= 0o10000
-            elif op == 20:  # ISZ I
-                address = core[x]
-                if address >= wall:
+                    if x & conditions[lac] == 0:
+                        pc += 1
+                elif op == 10:  # TAD I
+                    lac = lac + core[core[x]] & 0o17777
+                    time += 96 << 12 | 1
+                    pc += 1
+                elif op == 11:  # DCA I
+                    address = core[x]
+                    if address >= wall:
+                        break
+                    core[address] = lac & 0o7777
+                    ops[address] = 0
+                    written = 1
+                    lac &= 0o10000
+                    time += 96 << 12 | 1
+                    pc += 1
+                elif op == 12:  # JMP I
+                    pc = core[x]
+                    time += 64 << 12 | 1
+                elif op == 13:  # TAD I, autoindexed
+                    address = core[x] + 1 & 0o7777
+                    core[x] = address
+                    ops[x] = 0
+                    written = 1
+                    lac = lac + core[address] & 0o17777
+                    time += 96 << 12 | 1
+                    pc += 1
+                elif op == 14:  # DCA I, autoindexed
+                    address = core[x] + 1 & 0o7777
+                    if address >= wall:
+                        break
+                    core[x] = address
+                    ops[x] = 0
+                    core[address] = lac & 0o7777
+                    ops[address] = 0
+                    written = 1
+                    lac &= 0o10000
+                    time += 96 << 12 | 1
+                    pc += 1
+                elif op == 15:  # JMS
+                    core[x] = pc + 1 & 0o7777
+                    ops[x] = 0
+                    written = 1
+                    pc = x + 1
+                    time += 64 << 12 | 1
+                elif op == 16:  # group 1 with a rotate
+                    lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
+                    x &= 0o16
+                    if x == 0o4:
+                        lac = lac << 1 & 0o17777 | lac >> 12
+                    elif x == 0o10:
+                        lac = lac >> 1 | (lac & 1) << 12
+                    elif x == 0o6:
+                        lac = lac << 2 & 0o17777 | lac >> 11
+                    else:
+                        lac = lac >> 2 | (lac & 3) << 11
+                    time += 32 << 12 | 1
+                    pc += 1
+                elif op == 17:  # AND
+                    lac &= core[x] | 0o10000
+                    time += 64 << 12 | 1
+                    pc += 1
+                elif op == 18:  # SMA SZA SNL, CLA
+                    time += 32 << 12 | 1
+                    pc += 1
+                    if x & conditions[lac]:
+                        pc += 1
+                    lac &= 0o10000
+                elif op == 19:  # SPA SNA SZL, CLA
+                    time += 32 << 12 | 1
+                    pc += 1
+                    if x & conditions[lac] == 0:
+                        pc += 1
+                    lac &= 0o10000
+                elif op == 20:  # ISZ I
+                    address = core[x]
+                    if address >= wall:
+                        break
+                    word = core[address] + 1 & 0o7777
+                    core[address] = word
+                    ops[address] = 0
+                    written = 1
+                    time += 96 << 12 | 1
+                    pc += 1
+                    if word == 0:
+                        pc += 1
+                elif op == 21:  # JMS I
+                    address = core[x]
+                    if address >= wall:
+                        break
+                    core[address] = pc + 1 & 0o7777
+                    ops[address] = 0
+                    written = 1
+                    pc = address + 1
+                    time += 96 << 12 | 1
+                elif op == 22:  # AND I
+                    lac &= core[core[x]] | 0o10000
+                    time += 96 << 12 | 1
+                    pc += 1
+                elif op == 23:  # ISZ X of a delay loop: all turns of ISZ X, JMP .-1 that fit but the last
+                    if ops[pc + 1] == 4 and arg[pc + 1] == pc:
+                        turns = ((limit >> 12) - 1 - (time >> 12)) // LONGEST
+                        turns = min(turns, 0o7777 - core[x])
+                        core[x] += turns
+                        time += turns * (96 << 12 | 2)
+                    word = core[x] + 1 & 0o7777
+                    core[x] = word
+                    ops[x] = 0
+                    written = 1
+                    time += 64 << 12 | 1
+                    pc += 1
+                    if word == 0:
+                        pc += 1
+                elif op == 24:  # past the end of core
+                    pc -= 0o10000
+                elif op == 0:  # not decoded
+                    self._decode(pc)
+                else:  # left to the processor
                     break
-                word = core[address] + 1 & 0o7777
-                core[address] = word
-                ops[address] = 0
-                written = 1
-                time += 96 << 12 | 1
-                pc += 1
-                if word == 0:
-                    pc += 1
-            elif op == 21:  # JMS I
-                address = core[x]
-                if address >= wall:
-                    break
-                core[address] = pc + 1 & 0o7777
-                ops[address] = 0
-                written = 1
-                pc = address + 1
-                time += 96 << 12 | 1
-            elif op == 22:  # AND I
-                lac &= core[core[x]] | 0o10000
-                time += 96 << 12 | 1
-                pc += 1
-            elif op == 23:  # ISZ X of a delay loop: all turns of ISZ X, JMP .-1 that fit, but not the last
-                if ops[pc + 1] == 4 and arg[pc + 1] == pc:
-                    turns = ((limit >> 12) - 1 - (time >> 12)) // LONGEST
-                    turns = min(turns, 0o7777 - core[x])
-                    core[x] += turns
-                    time += turns * (96 << 12 | 2)
-                word = core[x] + 1 & 0o7777
-                core[x] = word
-                ops[x] = 0
-                written = 1
-                time += 64 << 12 | 1
-                pc += 1
-                if word == 0:
-                    pc += 1
-            elif op == 24:  # past the end of core
-                pc -= 0o10000
-            elif op == 0:  # not decoded
-                self._decode(pc)
-            else:  # left to the processor
-                break
-        p.pc = pc & 0o7777
-        if time == 0:
-            return 0
-        p.lac = lac
-        p.clock += time >> 12
-        p.instructions += time & 0o7777
-        p.protect = 0
-        p.written |= written
-        return time & 0o7777
+            p.pc = pc & 0o7777
+            if time:
+                p.lac = lac
+                p.clock += time >> 12
+                p.instructions += time & 0o7777
+                p.protect = 0
+                p.written |= written
+            else:
+                p.instruction()
+                if p.state != FETCH:
+                    self._forget_written()
+                if self.watched and self._called():
+                    return True
+                if not p.run:
+                    return False
+            waiting.look(until, last)
+            if waiting.endless or (self.watched and p.pc in self.breakpoints):
+                return False
+        return False
 
 
 def _group1(bits: int) -> int:

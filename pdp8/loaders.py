@@ -11,16 +11,13 @@ counted in keys.
 Sources: PDP-8/I instruction card (the RIM loader's words); Small Computer Handbook 1970, "Loading programs".
 """
 
-from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Iterable
+from typing import NamedTuple
 
+from pdp8.machine import LoadError, Machine
+from pdp8.panel import Panel
 from tapes import kinds
-from tapes.errors import WorkError
 from tapes.frames import LEADER
-
-if TYPE_CHECKING:
-    from pdp8.machine import Machine
-    from pdp8.panel import Panel
 
 RIM_START = 0o7756
 BIN_START = 0o7777
@@ -39,10 +36,6 @@ RIM_HIGH_SPEED = (
 )
 
 
-class LoadError(WorkError):
-    """Words that do not go into 4K of core, or a tape that did not load."""
-
-
 class Step(NamedTuple):
     """One thing the operator did: keys pressed at the panel, or a tape read in `seconds` of machine time."""
 
@@ -58,16 +51,7 @@ class Step(NamedTuple):
         return f"{self.what}: {self.frames} frames, {minutes} min {seconds} s"
 
 
-def check(words: Mapping[int, int]) -> None:
-    """Raise LoadError unless every address of `words` lies in 4K of core and every word has 12 bits."""
-    for address, word in words.items():
-        if not 0 <= address <= 0o7777:
-            raise LoadError(f"address {address:05o}: a PDP-8/L with 4K of core ends at 07777")
-        if not 0 <= word <= 0o7777:
-            raise LoadError(f"address {address:04o}: {word:o} is no word of 12 bits")
-
-
-def toggle(panel: "Panel", address: int, words: Iterable[int]) -> int:
+def toggle(panel: Panel, address: int, words: Iterable[int]) -> int:
     """Put `words` into core from `address` on with the switches; return how many keys that took."""
     panel.sr = address
     panel.load_add()
@@ -79,7 +63,7 @@ def toggle(panel: "Panel", address: int, words: Iterable[int]) -> int:
     return keys
 
 
-def boot(machine: "Machine", bin_loader: bytes, program: bytes, program_name: str = "program") -> list[Step]:
+def boot(machine: Machine, bin_loader: bytes, program: bytes, program_name: str = "program") -> list[Step]:
     """Load `program`, a BIN or RIM tape, from cold through the Teletype; `bin_loader` is BIN's RIM tape.
 
     Leaves the machine standing still, the reader empty. Raises LoadError if a loader ends as it should not.
@@ -96,7 +80,7 @@ def boot(machine: "Machine", bin_loader: bytes, program: bytes, program_name: st
     return steps
 
 
-def read_rim(machine: "Machine", tape: bytes, name: str = "tape") -> Step:
+def read_rim(machine: Machine, tape: bytes, name: str = "tape") -> Step:
     """Let the RIM loader read `tape`; press STOP when it has run through. Raises LoadError if it does not."""
     panel = machine.panel
     seconds, reason = _read(machine, RIM_START, RIM_START, tape)
@@ -106,7 +90,7 @@ def read_rim(machine: "Machine", tape: bytes, name: str = "tape") -> Step:
     return Step(f"{name} read by RIM", 2, _length(tape), seconds)
 
 
-def read_bin(machine: "Machine", tape: bytes, name: str = "tape") -> Step:
+def read_bin(machine: Machine, tape: bytes, name: str = "tape") -> Step:
     """Let the BIN loader read `tape` from the Teletype. Raises LoadError unless it halts with AC = 0."""
     seconds, reason = _read(machine, BIN_START, TELETYPE_READER, tape)
     machine.teletype.reader.remove()
@@ -119,7 +103,7 @@ def read_bin(machine: "Machine", tape: bytes, name: str = "tape") -> Step:
     return Step(f"{name} read by BIN", 2, _length(tape), seconds)
 
 
-def _read(machine: "Machine", start: int, switches: int, tape: bytes) -> tuple[float, str]:
+def _read(machine: Machine, start: int, switches: int, tape: bytes) -> tuple[float, str]:
     """Start the loader at `start` with `tape` on its leader; return the seconds and why it ended."""
     panel, reader = machine.panel, machine.teletype.reader
     reader.load(tape[_leader(tape) :])

@@ -17,12 +17,12 @@ from typing import NamedTuple
 from pdp8.bus import NEVER, Bus
 from pdp8.engine import Engine
 from pdp8.highspeed import HighSpeed
-from pdp8.loaders import check
 from pdp8.panel import Panel
 from pdp8.processor import FETCH, Processor
 from pdp8.teletype import Teletype
 from pdp8.waiting import Waiting
 from pdp8.watch import Watch
+from tapes.errors import WorkError
 
 TICKS_PER_SECOND = 20_000_000
 _BREATH = 60 * TICKS_PER_SECOND
@@ -40,6 +40,10 @@ class Stop(NamedTuple):
     reason: str
     pc: int
     elapsed: float
+
+
+class LoadError(WorkError):
+    """Words that do not go into 4K of core, or a tape that did not load."""
 
 
 class Core:
@@ -66,6 +70,15 @@ def _checked(address: int) -> int:
     if not 0 <= address <= 0o7777:
         raise IndexError(f"core has addresses 0000 to 7777, not {address:o}")
     return address
+
+
+def _check(words: Mapping[int, int]) -> None:
+    """Raise LoadError unless every address of `words` lies in 4K of core and every word has 12 bits."""
+    for address, word in words.items():
+        if not 0 <= address <= 0o7777:
+            raise LoadError(f"address {address:05o}: a PDP-8/L with 4K of core ends at 07777")
+        if not 0 <= word <= 0o7777:
+            raise LoadError(f"address {address:04o}: {word:o} is no word of 12 bits")
 
 
 class Machine:
@@ -100,7 +113,7 @@ class Machine:
         none.
         """
         words = dict(words)
-        check(words)
+        _check(words)
         for address, word in words.items():
             self.core[address] = word
 
@@ -207,8 +220,7 @@ class Machine:
         """Tell whether the loop the program stands in waits for a reader whose tape has run out."""
         p = self.processor
         return any(
-            device is not None and device.out_of_tape() and (p.ion or self.bus.asked >> code & 1)
-            for code, device in enumerate(self.bus.by_code)
+            device.out_of_tape() and (p.ion or self.bus.asked >> device.code & 1) for device in self.bus
         )
 
     @property

@@ -114,15 +114,15 @@ class Processor:
         self.protect = 0
         if self.next == INTERRUPT:
             self._interrupt()
-            return
-        if self.next == FETCH:
-            self._fetch()
-        if self.next == DEFER:
-            self._defer()
-        if self.next == EXECUTE:
-            self._execute()
-        if self.ion:
-            self._strobe()
+        else:
+            if self.next == FETCH:
+                self._fetch()
+            if self.next == DEFER:
+                self._defer()
+            if self.next == EXECUTE:
+                self._execute()
+            if self.ion:
+                self._strobe()
 
     def _fetch(self) -> None:
         self.state = FETCH

@@ -1,15 +1,17 @@
 # The types with which Cython compiles teletype.py; Python itself never reads this.
 
 cimport cython
+from libc.stdint cimport int64_t
 
 from pdp8.bus cimport Device
 
-cdef long long NEVER, AT_ONCE, FRAME, START_CHECKED, RECEIVED, IOP2_TO_IOP4
+cdef int64_t NEVER, AT_ONCE, FRAME, START_CHECKED, RECEIVED, IOP2_TO_IOP4
 cdef int SKIP, CLEAR_AC, _MARKER
 
-cpdef long long half_units(long long count)
+cpdef int64_t half_units(int64_t count)
 
 
+@cython.final
 cdef class Reader:
     cdef public Device device
     cdef public bytes tape
@@ -20,47 +22,54 @@ cdef class Reader:
     cpdef bint empty(self)
 
 
+@cython.final
 cdef class Keyboard:
     cdef public Device device
     cdef public bytearray waiting
 
 
+@cython.final
 cdef class Receiver(Device):
     cdef public Reader reader
     cdef public Keyboard keyboard
     cdef public int reader_run, buffer, frame, stage
-    cdef public long long now, start, free, step, asked
+    cdef public int64_t now, start, free, step, asked
 
-    @cython.locals(start="long long")
-    cpdef plan(self)
-    cpdef begin(self)
+    @cython.locals(start=int64_t)
+    cpdef void plan(self) noexcept
+    cpdef int begin(self) except -1
     @cython.locals(bits=int)
-    cpdef int shifted(self, long long now) except -1
+    cpdef int shifted(self, int64_t now) except -1
 
 
+@cython.final
 cdef class Printer:
     cdef public bytearray frames
     cdef public object on_frame
 
-    cpdef take(self, int frame)
+    cpdef int take(self, int frame) except -1
 
 
+@cython.final
 cdef class Punch:
     cdef public bytearray frames
     cdef public bint on
     cdef public object on_frame
 
-    cpdef take(self, int frame)
+    cpdef int take(self, int frame) except -1
 
 
+@cython.final
 cdef class Transmitter(Device):
     cdef public Printer printer
     cdef public Punch punch
     cdef public int register, shifts, unit, selected, printed
-    cdef public long long start, free
+    cdef public int64_t start, free
 
-    cpdef plan(self)
-    cpdef end(self)
-    cpdef stop(self)
-    cpdef select(self, int mark)
-    cpdef load(self, int character, long long now)
+    cpdef void plan(self) noexcept
+    @cython.locals(units=int)
+    cdef int left(self) except -1
+    cpdef int end(self) except -1
+    cpdef int stop(self) except -1
+    cpdef int select(self, int mark) except -1
+    cpdef int load(self, int character, int64_t now) except -1

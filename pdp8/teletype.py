@@ -282,7 +282,14 @@ class Transmitter(Device):
         elif self.flag:
             self.due = self.start + half_units(2)
         else:
-            self.due = self.start + half_units(2 * (self.shifts + self.register.bit_length()))
+            self.due = self.start + half_units(2 * (self.shifts + self.left()))
+
+    def left(self) -> int:
+        """Return how many units are still to be sent, the end marker too."""
+        units = 9
+        while not self.register >> units - 1:
+            units -= 1
+        return units
 
     def advance(self, now: int) -> None:
         """Let the line run up to tick `now`."""
@@ -382,5 +389,5 @@ class Teletype:
 
     def connect(self, bus: Bus) -> None:
         """Connect both interfaces to the bus, under the console's codes."""
-        bus.fit(0o03, self.receiver)
         bus.fit(0o04, self.transmitter)
+        bus.fit(0o03, self.receiver)

@@ -98,7 +98,8 @@ class Waiting:
             return False
         if not self._jumps_to(p.pc, p.pc + 1 & 0o7777):
             return False
-        if not p.bus.flag(self.core[p.pc] >> 3 & 0o77):
+        device = p.bus.device(self.core[p.pc] >> 3 & 0o77)
+        if device is None or not device.flag:
             self._pass(event, until, last, _FLAG_TICKS, 2)
         return True
 
@@ -143,10 +144,10 @@ class Waiting:
         if event == NEVER == self.quiet_until:
             self.endless = True
             self._turn_again(ticks, count)
-            return
-        if event == self.quiet_until:
-            self._pass(event, until, last, ticks, count)
-        self._remember()
+        else:
+            if event == self.quiet_until:
+                self._pass(event, until, last, ticks, count)
+            self._remember()
 
     def _pass(self, event: int, until: int, last: int, ticks: int, count: int) -> None:
         """Pass over the turns of `count` instructions in `ticks` that end before `event` and the limits."""

@@ -19,8 +19,10 @@ from tapes import shelf
 from tapes.errors import WorkError
 from tapes.frames import PARITIES
 
-_SLICE = 10.0  # seconds of machine time between two looks at the punch, at the clock and for CTRL-C
-_REAL_SLICE = 0.05
+# Seconds of machine time between two looks at the punch, at the clock and for Ctrl-C: in real time and at the
+# least, at first, and at the most.
+_REAL_SLICE, _SLICE, _LONGEST_SLICE = 0.05, 10.0, 60.0
+_SOON = 0.05  # a slice that takes fewer seconds may be longer
 _WHY = {
     "halt": "HLT at {last:04o}",
     "tape out": "the reader ran out of tape, and the program waits for it at {pc:04o}",
@@ -200,6 +202,7 @@ def _run(
     slice_ = _REAL_SLICE if realtime else _SLICE
     with Bar("reading tape", len(reader.tape), wanted=not quiet) as bar, ctrl_c() as interrupt:
         while True:
+            looked = time.monotonic()
             stop = machine.run(seconds=min(slice_, (last - machine.ticks) / TICKS_PER_SECOND))
             if interrupt.pressed:
                 machine.bus.finish()
@@ -212,6 +215,10 @@ def _run(
                 return None
             if realtime:
                 time.sleep(max(0.0, machine.elapsed - (time.monotonic() - began)))
+            elif time.monotonic() < looked + _SOON:
+                slice_ = min(2 * slice_, _LONGEST_SLICE)
+            else:
+                slice_ = max(slice_ / 2, _REAL_SLICE)
 
 
 def _typed(machine: Machine, outputs: list[_Output], max_time: float | None, realtime: bool) -> Stop | None:

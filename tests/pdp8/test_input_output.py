@@ -64,7 +64,7 @@ def executed(word: int, flag: int) -> Machine:
     machine.teletype.receiver.buffer = BUFFER
     machine.highspeed.reader_control.buffer = BUFFER
     machine.start(0o200)
-    for device in machine.bus.devices:
+    for device in machine.bus:
         device.flag = flag
     machine.teletype.receiver.reader_run = 0
     machine.highspeed.reader_control.buffer = BUFFER
@@ -79,13 +79,13 @@ def executed(word: int, flag: int) -> Machine:
 def test_every_iot(code: int, flag: int) -> None:
     effect = {**KEYBOARD, **PRINTER, **FAST_READER, **FAST_PUNCH}[code]
     machine = executed(code, flag)
-    device = machine.bus.by_code[code >> 3 & 0o77]
+    device = machine.bus.device(code >> 3 & 0o77)
     assert device is not None
     assert f"{machine.ac:04o}" == f"{effect.ac:04o}"
     assert f"{machine.pc:04o}" == ("0202" if effect.tests and flag else "0201")
     assert device.flag == (0 if effect.clears else flag)
     assert machine.ticks == 85
-    others = [other.flag for other in machine.bus.devices if other is not device]
+    others = [other.flag for other in machine.bus if other is not device]
     assert others == [flag] * 3
     assert machine.teletype.receiver.reader_run == (1 if code in (0o6032, 0o6033, 0o6036, 0o6037) else 0)
 
@@ -150,7 +150,7 @@ RISES = {
 @pytest.mark.parametrize("code", RISES)
 def test_the_tick_at_which_the_flag_rises(code: int) -> None:
     machine = executed(code, 0)
-    device = machine.bus.by_code[code >> 3 & 0o77]
+    device = machine.bus.device(code >> 3 & 0o77)
     assert device is not None
     if code in (0o6032, 0o6036):
         assert device.due == NEVER  # there is no tape
@@ -165,7 +165,7 @@ def test_the_tick_at_which_the_flag_rises(code: int) -> None:
         machine.highspeed.reader.load(b"\123")
         machine.start(0o200)
     machine.processor.instruction()
-    device = machine.bus.by_code[code >> 3 & 0o77]
+    device = machine.bus.device(code >> 3 & 0o77)
     assert device is not None
     machine.bus.advance(RISES[code] - 1)
     assert device.flag == 0

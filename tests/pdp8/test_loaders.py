@@ -7,7 +7,7 @@ import pytest
 
 import pal
 from pdp8 import loaders
-from pdp8.machine import Machine
+from pdp8.machine import LoadError, Machine
 from tapes import binary, rim
 from tests.pdp8.bench import octal
 
@@ -107,13 +107,13 @@ def test_a_field_is_passed_over() -> None:
 def test_a_wrong_hole_shows_in_the_checksum(frame: int) -> None:
     tape = bytearray(binary.encode({0o200: 0o1234, 0o201: 0o4321, 0o202: 0o7402}))
     tape[frame] ^= 0o001
-    with pytest.raises(loaders.LoadError, match="wrong checksum"):
+    with pytest.raises(LoadError, match="wrong checksum"):
         loaders.read_bin(bin_machine(), bytes(tape), "torn.bin")
 
 
 def test_a_tape_cut_short() -> None:
     tape = binary.encode({0o200: 0o1234, 0o201: 0o4321})
-    with pytest.raises(loaders.LoadError, match=r"torn.bin: the BIN loader ended with tape out"):
+    with pytest.raises(LoadError, match=r"torn.bin: the BIN loader ended with tape out"):
         loaders.read_bin(bin_machine(), tape[:68], "torn.bin")
 
 
@@ -130,6 +130,6 @@ def test_the_high_speed_reader_by_switch_0_down() -> None:
 @pytest.mark.parametrize("words", [{0o10000: 0}, {-1: 0}, {0o200: 0o10000}])
 def test_what_does_not_fit_into_core(words: dict[int, int]) -> None:
     machine = Machine()
-    with pytest.raises(loaders.LoadError):
+    with pytest.raises(LoadError):
         machine.load({0o300: 1} | words)
     assert list(machine.core) == [0] * 0o10000

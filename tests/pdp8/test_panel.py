@@ -54,7 +54,7 @@ def test_start_initializes_and_cont_clears_nothing(machine: Machine) -> None:
     load_address(panel, 0o202)
     panel.start()
     assert (machine.ac, machine.link, machine.ion) == (0, 0, 0)
-    assert [device.flag for device in machine.bus.devices] == [0, 0]
+    assert [device.flag for device in machine.bus] == [0, 0]
     assert machine.teletype.receiver.reader_run == 1
     assert (machine.pc, machine.core[0o202]) == (0o202, 0o7402)
 

@@ -27,7 +27,7 @@ def state(m: Machine) -> tuple[object, ...]:
         m.ticks,
         list(m.core),
         m.teletype.punch.tape,
-        [device.flag for device in m.bus.devices],
+        [device.flag for device in m.bus],
         m.teletype.reader.position,
     )
 
