@@ -1,10 +1,16 @@
 """Builds the compiled core where a C compiler and Cython are at hand; what is not built runs as Python."""
 
+import os
+import sysconfig
+
 from setuptools import setup
 
 MODULES = ("bus", "processor", "teletype", "waiting", "engine")
-# A tree of branches foretells what comes next in a PDP-8 program better than one jump through a table.
-FLAGS = ["-O3", "-g0", "-fno-jump-tables"]
+FLAGS = ["-O3", "-g0"]
+if "gcc" in (os.environ.get("CC") or sysconfig.get_config_var("CC") or ""):
+    # A tree of branches foretells what comes next in a PDP-8 program better than one jump through a table;
+    # and a skip that is foretold is not waited for, as one that is computed would be.
+    FLAGS += ["-fno-jump-tables", "-fno-if-conversion", "-fno-if-conversion2"]
 DIRECTIVES = {
     "annotation_typing": False,
     "boundscheck": False,

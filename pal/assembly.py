@@ -2,7 +2,7 @@
 
     assemble("*200\\n\\tCLA\\n\\tHLT\\n$\\n").words  ->  {0o200: 0o7200, 0o201: 0o7402}
 
-Passes 1 and 2 are run at once, for the tape and the words; pass 3, and whatever is for people to read, only
+Passes 1 and 2 are run at once, for the words; the tape, pass 3, and whatever is for people to read, only
 when it is asked for: the program that is to run starts the sooner.
 """
 
@@ -37,13 +37,17 @@ class Assembly:
         self._assembler = assembler
         self._entries: list[Entry] = assembler.define()
         self._results: list[Result] = [] if assembler.full else assembler.assemble()
-        self.tape = b"" if assembler.full else punch.tape(self._results)
         self.words = punch.words(self._results)
 
     @property
     def ok(self) -> bool:
         """Whether DEC's assembler would have had nothing to say."""
         return not self._messages
+
+    @cached_property
+    def tape(self) -> bytes:
+        """The object tape as the high-speed punch made it; empty if the symbol table was full."""
+        return b"" if self._assembler.full else punch.tape(self._results)
 
     @cached_property
     def diagnostics(self) -> list["Diagnostic"]:

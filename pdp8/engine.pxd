@@ -20,13 +20,13 @@ cdef class Engine:
     cdef int wall
     cdef object known
     cdef frozenset breakpoints
+    cdef bytes conditions
     # Stores into bytes may alias everything, so that C would fetch its pointers anew after each; and arrays
     # should not lie a multiple of 4096 bytes apart, as the same indices would then be taken for one place.
     cdef unsigned short ops[4098]
     cdef unsigned short apart1[480]
     cdef unsigned short arg[4098]
     cdef unsigned short apart2[480]
-    cdef unsigned short conditions[8192]
     cdef unsigned short keep[256]
     cdef unsigned short flip[256]
     cdef unsigned short plus[256]
@@ -51,8 +51,9 @@ cdef class Engine:
         p=Processor, waiting=Waiting,
         core="unsigned short[::1]", ops="unsigned short *", arg="unsigned short *",
         keep="unsigned short *", flip="unsigned short *", plus="unsigned short *",
-        conditions="unsigned short *",
+        conditions="const unsigned char *",
         lac="unsigned int", pc="Py_ssize_t", x="Py_ssize_t", address="Py_ssize_t", word="unsigned int",
-        op=int, wall=int, written=int, time=int64_t, limit=int64_t, turns=int64_t,
+        counter="Py_ssize_t", count="unsigned int", op=int, wall=int, written=int,
+        time=int64_t, limit=int64_t, turns=int64_t,
     )
     cdef bint _run_pieces(self, int64_t until, int64_t last) except -1

@@ -58,7 +58,7 @@ class Engine:
         self.breakpoints: Set[int] = frozenset()
         self.watched = False
         """Whether there are any."""
-        self.conditions = list(CONDITIONS)
+        self.conditions = CONDITIONS
         # Two words past the end wrap the PC, which can overrun by a skip.
         self.ops = [0] * 0o10000 + [_WRAP] * 2
         self.arg = [0] * 0o10002
@@ -172,6 +172,9 @@ class Engine:
         """Run piece by piece; return whether it ended with a JMS to a breakpoint. `time` has the ticks of a
         piece above, its instructions in the low 12 bits; the piece ends with the first instruction that ends
         at or after `limit`, or before one that is left to the processor.
+
+        `count` is the word at `counter`, which ISZ stored last: a loop that read it back from core would wait
+        for it in every turn.
         """
         p, waiting = self.processor, self.waiting
         core, ops, arg = self.core, self.ops, self.arg
@@ -181,6 +184,8 @@ class Engine:
             lac = p.lac & 0o17777
             pc = p.pc & 0o7777
             written = 0
+            counter = -1
+            count = 0
             time = 0
             limit = 0 if ops[pc] == _LEFT else self._room(until, last) << 12
             while time < limit:
@@ -194,17 +199,21 @@ class Engine:
                     core[x] = lac & 0o7777
                     ops[x] = 0
                     written = 1
+                    counter = -1
                     lac &= 0o10000
                     time += 64 << 12 | 1
                     pc += 1
                 elif op == 3:  # ISZ, and the JMP that mostly follows
-                    word = core[x] + 1 & 0o7777
-                    core[x] = word
+                    if x != counter:
+                        counter = x
+                        count = core[x]
+                    count = count + 1 & 0o7777
+                    core[x] = count
                     ops[x] = 0
                     written = 1
                     time += 64 << 12 | 1
                     pc += 1
-                    if word == 0:
+                    if count == 0:
                         pc += 1
                     elif ops[pc] == 4 and time < limit:
                         pc = arg[pc]
@@ -245,6 +254,7 @@ class Engine:
                     core[address] = lac & 0o7777
                     ops[address] = 0
                     written = 1
+                    counter = -1
                     lac &= 0o10000
                     time += 96 << 12 | 1
                     pc += 1
@@ -256,6 +266,7 @@ class Engine:
                     core[x] = address
                     ops[x] = 0
                     written = 1
+                    counter = -1
                     lac = lac + core[address] & 0o17777
                     time += 96 << 12 | 1
                     pc += 1
@@ -268,6 +279,7 @@ class Engine:
                     core[address] = lac & 0o7777
                     ops[address] = 0
                     written = 1
+                    counter = -1
                     lac &= 0o10000
                     time += 96 << 12 | 1
                     pc += 1
@@ -275,6 +287,7 @@ class Engine:
                     core[x] = pc + 1 & 0o7777
                     ops[x] = 0
                     written = 1
+                    counter = -1
                     pc = x + 1
                     time += 64 << 12 | 1
                 elif op == 16:  # group 1 with a rotate
@@ -314,6 +327,7 @@ class Engine:
                     core[address] = word
                     ops[address] = 0
                     written = 1
+                    counter = -1
                     time += 96 << 12 | 1
                     pc += 1
                     if word == 0:
@@ -325,6 +339,7 @@ class Engine:
                     core[address] = pc + 1 & 0o7777
                     ops[address] = 0
                     written = 1
+                    counter = -1
                     pc = address + 1
                     time += 96 << 12 | 1
                 elif op == 22:  # AND I
@@ -341,6 +356,7 @@ class Engine:
                     core[x] = word
                     ops[x] = 0
                     written = 1
+                    counter = -1
                     time += 64 << 12 | 1
                     pc += 1
                     if word == 0:
