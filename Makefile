@@ -46,15 +46,21 @@ COMPILED := $(wildcard pdp8/*.pxd)
 
 BUILT_FROM := pyproject.toml setup.py $(COMPILED) $(COMPILED:.pxd=.py)
 
+# What pip does to whatever it copies; the sources of an editable installation are compiled by nobody where
+# PYTHONDONTWRITEBYTECODE is set, and then at every start.
+BYTECODE = $(BIN)/python -m compileall -q tapes pal pdp8 programs nc
+
 .venv/bin/pip:
 	$(PYTHON) -m venv .venv
 
 .venv/ready: $(BUILT_FROM) | .venv/bin/pip
 	$(BIN)/pip install -q --disable-pip-version-check -e ".[panel]"
+	$(BYTECODE)
 	touch $@
 
 .venv/ready-dev: $(BUILT_FROM) | .venv/bin/pip
 	$(BIN)/pip install -q --disable-pip-version-check -e ".[dev]"
+	$(BYTECODE)
 	touch .venv/ready $@
 
 clean:
