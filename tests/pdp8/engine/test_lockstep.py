@@ -127,7 +127,8 @@ WAYS = (
         code | pointer for pointer in POINTERS for code in (0o2400, 0o3400, 0o3400, 0o4400)
     ),  # ISZ I, DCA I, JMS I
     *(code | index for index in INDEXES for code in (0o1400, 0o3400)),  # TAD I, DCA I, autoindexed
-    *(0o1010, 0o2010, 0o3010, 0o4020),  # TAD, ISZ, DCA of an autoindex itself, JMS
+    *(0o1010, 0o2010, 0o3010),  # TAD, ISZ, DCA of an autoindex itself
+    *(0o4020, 0o4021, 0o5020),  # JMS, JMP: cells are executed too
     *(0o7001, 0o7041, 0o7420, 0o7500),  # IAC, CIA, SNL, SMA
 )
 
@@ -137,6 +138,8 @@ def crowded_program(draw: random.Random) -> dict[int, int]:
     words = dict.fromkeys(range(0o10000), 0o5400 | BACK)  # from wherever it strays: JMP I BACK
     words |= {pointer: draw.choice(CELLS + INDEXES) for pointer in POINTERS}
     words |= {index: draw.randrange(0o5, 0o20) for index in INDEXES} | {BACK: 0o200}
+    words |= {cell: draw.choice((0, 0o7001, 0o7041)) for cell in CELLS}
+    words[CELLS[-1] + 1] = draw.choice((0o5420, 0o5421, 0o5400 | BACK))  # mostly the way back of a JMS
     words |= {address: draw.choice(WAYS) for address in range(0o200, 0o212)}
     if draw.random() < 0.3:  # a delay loop, ISZ and JMP .-1, between others that count the same word
         words |= {0o204: 0o2020, 0o205: 0o2020, 0o206: 0o5205, 0o207: 0o2020, 0o20: 0o7770}
@@ -153,6 +156,27 @@ def test_words_that_everything_writes(form: ModuleType, seed: int) -> None:
         stops = [machine.run(seconds=seconds) for machine in (fast, readable)]
         assert stops[0] == stops[1], f"piece {piece}"
         same(fast, readable, f"piece {piece}, {seconds} s, {stops[0].reason}")
+
+
+# A loop through 0210: what stands there is a NOP at first; executed as what 0202 makes of it, an AND with a word
+# that is 0, it clears the AC.
+EXECUTED = {
+    **{0o200: 0o7240, 0o201: 0o5210, 0o205: 0o5210},  # CLA CMA, JMP 210, JMP 210
+    **{0o210: 0o7000, 0o211: 0o2025, 0o212: 0o5202, 0o213: 0o5210},  # NOP, ISZ 25, JMP 202, JMP 210
+    **{0o24: 0o210, 0o25: 0o7776},
+}
+WRITERS = {
+    "JMS 210": {0o202: 0o4210},
+    "JMS I 24": {0o202: 0o4424},
+    "ISZ 210, JMP .-1": {0o202: 0o2210, 0o203: 0o5202, 0o204: 0o7000},
+}
+
+
+@pytest.mark.parametrize("writer", WRITERS)
+def test_what_is_executed_was_written_last(form: ModuleType, writer: str) -> None:
+    machine = pair(form, EXECUTED | WRITERS[writer])[0]
+    machine.run(seconds=0.01)
+    assert f"{machine.ac:04o}" == "0000"
 
 
 def after(form: ModuleType, words: Mapping[int, int], lac: int, instructions: int) -> Iterator[Any]:
