@@ -158,8 +158,8 @@ def test_words_that_everything_writes(form: ModuleType, seed: int) -> None:
         same(fast, readable, f"piece {piece}, {seconds} s, {stops[0].reason}")
 
 
-# A loop through 0210, where a NOP stands at first; what 0202 makes of it, an AND with a word that is 0, clears
-# the AC.
+# A loop through 0210, where a NOP stands at first; what 0202 makes of it, an AND with a word that is 0, does
+# clear the AC.
 EXECUTED = {
     **{0o200: 0o7240, 0o201: 0o5210, 0o205: 0o5210},  # CLA CMA, JMP 210, JMP 210
     **{0o210: 0o7000, 0o211: 0o2025, 0o212: 0o5202, 0o213: 0o5210},  # NOP, ISZ 25, JMP 202, JMP 210
