@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from pdp8 import loaders, state
 from pdp8.machine import TICKS_PER_SECOND, Machine
-from pdp8.teletype import Punch
+from pdp8.teletype import Punch, printed
 from pdp8.trace import Listing, Trace
 from tapes import rim, shelf
 from tapes.errors import WorkError
@@ -265,9 +265,8 @@ class Monitor:
     def page(self, arguments: list[str]) -> None:
         """Say what the Teletype has printed."""
         _exactly(arguments, "nothing", 0)
-        codes = (frame & 0o177 for frame in self.machine.teletype.printer.frames)
-        printed = "".join(chr(code) for code in codes if 0o40 <= code < 0o177 or code == 0o12)
-        for line in printed.split("\n"):
+        text = printed(bytes(self.machine.teletype.printer.frames)).decode()
+        for line in text.replace("\a", "").replace("\r", "").split("\n"):
             self._say(line)
 
     def save(self, arguments: list[str]) -> None:

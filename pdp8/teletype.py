@@ -217,6 +217,18 @@ class Receiver(Device):
         return self.reader_run == 1 and self.reader.empty()
 
 
+_ACTED_ON = bytes((0o007, 0o012, 0o015, *range(0o040, 0o175)))
+_PASSED_OVER = bytes(frame for frame in range(0o400) if frame & 0o177 not in _ACTED_ON)
+_TYPES = bytes(code - 0o40 if code >= 0o140 else code for code in range(0o200)) * 2
+
+
+def printed(frames: bytes) -> bytes:
+    """Return what a Model 33 acts on of the frames: 64 characters, BELL, line feed and return; no other code
+    does anything. Channel 8 is not looked at, and lower case is struck as upper case.
+    """
+    return frames.translate(_TYPES, _PASSED_OVER)
+
+
 class Printer:
     """The printer: every frame it was sent, and `on_frame`, called with each as it is printed."""
 

@@ -19,6 +19,7 @@ import click
 
 from pdp8.bus import NEVER
 from pdp8.machine import TICKS_PER_SECOND, Machine, Stop
+from pdp8.teletype import printed
 
 ESCAPE = b"\x1d"
 _SLICE = 0.05
@@ -97,15 +98,9 @@ def frames(typed: bytes) -> bytes:
 
 
 def _print(frame: int) -> None:
-    """Print a frame as a Model 33 does: 64 characters and bell, return, line feed; channel 8 is not looked
-    at.
-    """
-    code = frame & 0o177
-    if 0o140 <= code < 0o177:
-        code -= 0o40
-    if 0o40 <= code < 0o140 or code in (0o7, 0o12, 0o15):
-        sys.stdout.write(chr(code))
-        sys.stdout.flush()
+    """Print a frame as a Model 33 does."""
+    sys.stdout.write(printed(bytes([frame])).decode())
+    sys.stdout.flush()
 
 
 def _to_the_monitor(machine: Machine) -> None:

@@ -14,7 +14,7 @@ from pdp8.cli.octal import octal
 from pdp8.cli.program import read_words
 from pdp8.cli.progress import Bar
 from pdp8.machine import TICKS_PER_SECOND, Machine, Stop
-from pdp8.teletype import Punch
+from pdp8.teletype import Punch, printed
 from tapes import shelf
 from tapes.errors import WorkError
 from tapes.frames import PARITIES
@@ -50,19 +50,13 @@ class _Output:
         if not fresh:
             return
         try:
-            self._stream.write(_printed(fresh) if self._page else fresh)
+            self._stream.write(printed(fresh) if self._page else fresh)
             self._stream.flush()
         except BrokenPipeError:
             raise
         except OSError as error:
             raise shelf.ShelfError(f"{self._name}: {error.strerror} after {self._sent:,} frames") from error
         self._sent += len(fresh)
-
-
-def _printed(frames: bytes) -> bytes:
-    """Return what a Model 33 would print of the frames: without channel 8 and control codes."""
-    codes = (frame & 0o177 for frame in frames)
-    return bytes(code for code in codes if 0o40 <= code < 0o177 or code in b"\r\n")
 
 
 def seconds(text: str) -> float:

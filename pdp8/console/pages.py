@@ -13,6 +13,7 @@ from pdp8.console.edges import write_above
 from pdp8.console.programs import Program, fitting
 from pdp8.console.session import Session
 from pdp8.loaders import RIM, RIM_START
+from pdp8.teletype import printed
 
 _INK = Style(color="#2d2618")
 _BRIGHT = Style(color="#ffe9c4")
@@ -73,14 +74,16 @@ class Paper(Page, can_focus=True):
 
     def take(self, frame: int) -> None:
         """Print one frame as a Model 33 does: it has no lower case, and stays at the last column."""
-        code = frame & 0o177
         self.struck += 1
-        if code == 0o15:
-            self.column = 0
-        elif code == 0o12:
-            self.lines = [*self.lines[-199:], ""]
-        elif 0o40 <= code < 0o175:
-            self._strike(chr(code).upper())
+        match printed(bytes([frame])):
+            case b"\r":
+                self.column = 0
+            case b"\n":
+                self.lines = [*self.lines[-199:], ""]
+            case b"" | b"\a":
+                pass
+            case character:
+                self._strike(character.decode())
 
     def _strike(self, character: str) -> None:
         line = self.lines[-1].ljust(self.column)

@@ -6,7 +6,7 @@ import pytest
 
 from pdp8.bus import CLEAR_AC, SKIP
 from pdp8.machine import Machine
-from pdp8.teletype import Receiver, Transmitter, half_units
+from pdp8.teletype import Receiver, Transmitter, half_units, printed
 from tests.pdp8.bench import machine, octal, program
 
 UNIT = 2_000_000 / 11
@@ -256,3 +256,10 @@ def test_a_program_too_slow_by_two_and_a_half_units_loses_characters(turns: int,
     m = slow_reader(turns)
     m.run()
     assert ([m.core[0o400 + n] for n in range(9)] == list(range(1, 10))) is kept
+
+
+def test_what_a_model_33_prints() -> None:
+    """64 characters; the codes of lower case strike them too, ALT MODE and ESCAPE (175, 176) nothing."""
+    rows = printed(bytes(range(0o400))).decode()
+    figures, letters = " !\"#$%&'()*+,-./0123456789:;<=>?", "@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_"
+    assert rows == ("\a\n\r" + figures + letters + letters[:29]) * 2
