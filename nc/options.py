@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from tapes import shelf
-from tapes.errors import WorkError
+from tapes.errors import WorkError, named, naming
 
 if TYPE_CHECKING:
     from nc.curves import Curve
@@ -171,10 +171,11 @@ def cut_so_far(
         raise click.BadParameter("the machine keeps its feeds within 20 %", param_hint="--feed-error")
     frames = shelf.read(tape)
     settings = machine.Settings((x / 100, y / 100, z / 100), feed_code, tool_change, round(peck * 1000))
-    try:
-        return machine.cut(frames, strict=strict, settings=settings), None
-    except machine.CutError as error:
-        return error.path, _not_eia(frames, error) or error
+    with naming(tape):
+        try:
+            return machine.cut(frames, strict=strict, settings=settings), None
+        except machine.CutError as error:
+            return error.path, named(tape, _not_eia(frames, error) or error)
 
 
 def _not_eia(frames: bytes, error: "CutError") -> WorkError | None:

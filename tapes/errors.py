@@ -31,11 +31,15 @@ class TextError(WorkError):
         super().__init__(f"line {line}, column {column}: {message}")
 
 
+def named(file: str, error: WorkError) -> WorkError:
+    """Return the error with the name of the file, "standard input" for `-`, before its message."""
+    return WorkError(f"{'standard input' if file == '-' else file}: {error}")
+
+
 @contextmanager
 def naming(file: str) -> Iterator[None]:
-    """Put the name of the file, "standard input" for `-`, before the message of a WorkError raised inside."""
+    """Put the name of the file before the message of a WorkError raised inside."""
     try:
         yield
     except WorkError as error:
-        named = "standard input" if file == "-" else file
-        raise WorkError(f"{named}: {error}") from error
+        raise named(file, error) from error

@@ -107,17 +107,17 @@ def test_the_polynomial_against_its_band(shell: Shell) -> None:
 @pytest.mark.parametrize("command", ["list", "plot"])
 def test_bad_tapes(shell: Shell, command: str) -> None:
     line = f"pdp8 nc {command}"
-    assert complaint(shell, line) == "pdp8: no row is punched: there is no tape to read"
+    assert complaint(shell, line) == "pdp8: standard input: no row is punched: there is no tape to read"
     assert complaint(shell, f"{line} no.eia").startswith("pdp8: no.eia: no such file")
-    cut_short = complaint(shell, line, CIRCLE[:-7])
-    assert cut_short == "pdp8: frame 13313: block 666, row 13: the tape ends after 13 rows of the block's 20"
+    end = "block 666, row 13: the tape ends after 13 rows of the block's 20"
+    assert complaint(shell, line, CIRCLE[:-7]) == f"pdp8: standard input: frame 13313: {end}"
     row_1 = "block 1, row 1: the block ends in row 1; a block has 20 rows; the tape seems to be"
-    assert (
-        complaint(shell, f"{line} circle.asc") == f"pdp8: frame 0: {row_1} ASCII, and the machine reads EIA"
-    )
-    assert complaint(shell, f"{line} eia.bin") == f"pdp8: frame 1: {row_1} BIN, and the machine reads EIA"
+    for name, frame, kind in (("circle.asc", 0, "ASCII"), ("eia.bin", 1, "BIN")):
+        said = complaint(shell, f"{line} {name}")
+        assert said == f"pdp8: {name}: frame {frame}: {row_1} {kind}, and the machine reads EIA"
+    row_19 = "block 25, row 19: the block ends in row 19; a block has 20 rows"
     shifted = complaint(shell, line, CIRCLE[:495] + CIRCLE[496:])
-    assert shifted == "pdp8: frame 499: block 25, row 19: the block ends in row 19; a block has 20 rows"
+    assert shifted == f"pdp8: standard input: frame 499: {row_19}"
 
 
 def test_what_was_cut_before_a_bad_block_is_told(shell: Shell) -> None:
