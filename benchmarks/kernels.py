@@ -150,7 +150,7 @@ def table(form: str, results: list[Row]) -> Table:
 @click.option("--repeat", type=click.IntRange(min=1), default=5, show_default=True, help="Runs of each.")
 def main(form: str, repeat: int) -> None:
     """Run the kernels and show them beside SIMH."""
-    console = Console()
+    console = Console(width=None if sys.stdout.isatty() else 120)
     with Console(stderr=True).status("running the kernels"):
         results = list(rows(machine_module(form), repeat))
     console.print(table(form, results))

@@ -93,7 +93,7 @@ def main(repeat: int) -> None:
         for _ in range(repeat):
             for name, command in commands.items():
                 costs[name].append(run(command, tape))
-    Console().print(table(costs))
+    Console(width=None if sys.stdout.isatty() else 120).print(table(costs))
 
 
 if __name__ == "__main__":

@@ -181,7 +181,7 @@ def inspect(
 @tape_options
 @curve_options
 @click.option("--gcode", is_flag=True, help="RS-274, one linear move a block, for today's controllers.")
-@click.option("--dxf", is_flag=True, help="A drawing of the path (needs ezdxf: pip install 'pdp8[nc]').")
+@click.option("--dxf", is_flag=True, help="A drawing of the path (needs ezdxf: pip install ezdxf).")
 @click.option(
     "-o", "--output", metavar="FILE", default="-", help="Where it goes; standard output unless told."
 )

@@ -62,7 +62,7 @@ def pal(
     if not sources:
         raise click.UsageError("what shall be assembled? Name a SOURCE, or - for standard input")
     tape = output or _beside(sources[0])
-    _check_outputs(sources, [tape, listing, symbols, xref, json])
+    command.check_files(sources, [tape, listing, symbols, xref, json])
     capacity = HIGH_SPEED_SYMBOLS if high_speed_reader else TELETYPE_SYMBOLS
     contents = [_read(source) for source in sources]
     assembly = assemble(
@@ -131,16 +131,6 @@ def _called(source: str) -> str:
     return "standard input" if source == "-" else source
 
 
-def _check_outputs(sources: tuple[str, ...], outputs: list[str | None]) -> None:
-    """Raise a UsageError where two outputs are one, or an output is a source."""
-    named = [name for name in outputs if name]
-    for name in named:
-        if named.count(name) > 1 and name != os.devnull:
-            raise click.UsageError(f"two outputs go to {'standard output' if name == '-' else name}")
-        if name != "-" and name in sources:
-            raise click.UsageError(f"{name} is the source; name another file with -o")
-
-
 def _put(name: str, text: str) -> None:
     if name == "-":
         click.echo(text, nl=False)
@@ -183,14 +173,25 @@ def dis(*, tape: str, output: str) -> None:
     \b
     Examples:
       pdp8 dis eia.bin
-      pdp8 dis eia.bin | pal - -o - | cmp - eia.bin
+      pdp8 dis eia.bin | pal - -o again.bin
     """
     from pal.disassembler import disassemble_tape
 
+    command.check_files([tape], [output])
     frames = shelf.read(tape)
     with naming(tape):
+        _check_program(frames)
         source = disassemble_tape(frames)
     _put(output, source)
+
+
+def _check_program(frames: bytes) -> None:
+    """Raise WorkError where a tape is whole, but no program."""
+    from tapes import kinds
+
+    kind = kinds.classify(frames)
+    if kind in (kinds.ASCII, kinds.EIA):
+        raise WorkError(f"a tape in {kind.upper()}, not in BIN or RIM")
 
 
 def main() -> None:

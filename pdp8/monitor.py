@@ -8,6 +8,7 @@ command's.
 """
 
 from collections.abc import Callable, Iterable
+from textwrap import wrap
 from typing import NamedTuple
 
 from pdp8 import loaders, state
@@ -76,7 +77,10 @@ class Monitor:
         """Return the addresses of A or A:B."""
         first, found, last = text.partition(":")
         begin = self._address(first)
-        return range(begin, (self._address(last) if found else begin) + 1)
+        end = self._address(last) if found else begin
+        if end < begin:
+            raise MonitorError(f"{text}: {end:04o} lies before {begin:04o}")
+        return range(begin, end + 1)
 
     def examine(self, arguments: list[str]) -> None:
         """Say words of core, each with its line of the listing."""
@@ -92,11 +96,12 @@ class Monitor:
 
     def set_(self, arguments: list[str]) -> None:
         """Set a register or a switch."""
-        name, word = _exactly(arguments, "a name and a word", 2)
+        name, word = _exactly(arguments, f"one of {' '.join(_REGISTERS + _SWITCHES)} and a word", 2)
+        name = {"l": "link"}.get(name.lower(), name.lower())
         if name in _REGISTERS:
             setattr(self.machine, name, self._address(word))
         elif name in _SWITCHES:
-            setattr(self.machine.panel, name, word in _ON)
+            setattr(self.machine.panel, name, word.lower() in _ON)
         else:
             raise MonitorError(f"{name}: no register or switch; there are {' '.join(_REGISTERS + _SWITCHES)}")
 
@@ -136,10 +141,10 @@ class Monitor:
 
     def key(self, arguments: list[str]) -> None:
         """Press keys of the panel."""
-        for name in _some(arguments, f"keys: {' '.join(_KEYS)}"):
-            if name not in _KEYS:
+        for name in _some(arguments, f"one or more of the keys {' '.join(_KEYS)}"):
+            if name.lower() not in _KEYS:
                 raise MonitorError(f"{name}: the keys are {' '.join(_KEYS)}")
-            getattr(self.machine.panel, name)()
+            getattr(self.machine.panel, name.lower())()
 
     def go(self, arguments: list[str]) -> None:
         """START, at an address if one is given, and run."""
@@ -282,9 +287,11 @@ class Monitor:
         self.machine.watch = watch
 
     def help(self, arguments: list[str]) -> None:
-        """Say what the monitor knows."""
-        for command in COMMANDS.values():
-            self._say(f"{command.name + ' ' + command.arguments:32}{command.action.__doc__}")
+        """Say what the monitor knows, or one of its commands."""
+        for command in [_command(name) for name in arguments] or COMMANDS.values():
+            said = f"{command.name + ' ' + command.arguments:28}{command.action.__doc__}"
+            for line in wrap(said, 79, subsequent_indent=" " * 28, drop_whitespace=True):
+                self._say(line)
 
     def quit(self, arguments: list[str]) -> None:
         """Leave."""
@@ -326,7 +333,7 @@ COMMANDS = {
         Command("page", "", Monitor.page),
         Command("save", "FILE", Monitor.save),
         Command("restore", "FILE", Monitor.restore),
-        Command("help", "", Monitor.help),
+        Command("help", "[COMMAND]", Monitor.help),
         Command("quit", "", Monitor.quit),
     )
 }
@@ -334,6 +341,9 @@ COMMANDS = {
 
 def _command(word: str) -> Command:
     """Return the command that `word` names or begins. Raises MonitorError."""
+    word = word.lower()
+    if not word.isprintable():
+        raise MonitorError("this is no text; help tells which commands there are")
     if word in COMMANDS:
         return COMMANDS[word]
     found = [command for name, command in COMMANDS.items() if name.startswith(word)]

@@ -7,6 +7,7 @@ A run saved in the middle goes on as if nothing had happened.
     processor.clock 1234567      flags, counts and ticks of 0.05 us are decimal; "never" is no time
     core 0200 7200 1205 ...      eight words a line; words not named are 0000
     teletype.reader.tape 215 ... frames are octal
+    end                          what comes before is whole
 
 Breakpoints and observers are not part of the machine, and not saved.
 """
@@ -19,6 +20,7 @@ from pdp8.machine import Machine
 from tapes.errors import WorkError
 
 _TITLE = "pdp8 state 1"
+_END = "end"
 
 
 class Part(NamedTuple):
@@ -61,7 +63,7 @@ class StateError(WorkError):
 
 def save(machine: Machine) -> str:
     """Return the state of `machine` as text."""
-    return "\n".join([_TITLE, *_registers(machine), *_core(machine), ""])
+    return "\n".join([_TITLE, *_registers(machine), *_core(machine), _END, ""])
 
 
 def _registers(machine: Machine) -> Iterator[str]:
@@ -89,9 +91,11 @@ def _core(machine: Machine) -> Iterator[str]:
 
 def restore(text: str) -> Machine:
     """Return the machine whose state `text` is. Raises StateError."""
-    title, *lines = text.splitlines() or [""]
+    title, *lines = text.rstrip().splitlines() or [""]
     if title.strip() != _TITLE:
         raise StateError(f"line 1: a saved state begins with {_TITLE!r}")
+    if not lines or lines.pop().strip() != _END:
+        raise StateError(f"the saved state is cut short: its last line is not {_END!r}")
     machine = Machine(highspeed=any(line.startswith("highspeed.") for line in lines))
     known = _known(machine)
     tapes: dict[str, bytearray] = {}

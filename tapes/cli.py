@@ -2,7 +2,7 @@
 
 import click
 
-from tapes import ascii, captions, eia, frames, hydrapoint, kinds, measure, picture, shelf
+from tapes import ascii, captions, command, eia, frames, hydrapoint, kinds, measure, picture, shelf
 from tapes import convert as codes
 from tapes.errors import TapeError, naming
 
@@ -70,6 +70,9 @@ def show(
     """
     if last is not None and count is not None:
         raise click.UsageError("--to and --frames both say where to end: give one of them")
+    command.check_files([file], [svg])
+    if last is not None and last < first:
+        raise click.UsageError(f"--to {last} lies before --from {first}")
     content = shelf.read(file)
     with naming(file):
         _check(first, len(content))
@@ -130,6 +133,7 @@ def convert(*, file: str, source: str, target: str, parity: str, fill: int | Non
       pdp8 tape convert eia.bin --to octal > eia.txt
       pdp8 tape convert eia.txt --from octal --to frames -o eia.bin
     """
+    command.check_files([file], [output])
     content = shelf.read(file)
     found = kinds.classify(content) if source == _AUTO else source
     with naming(file):
@@ -172,6 +176,7 @@ def punch(
       pdp8 tape punch eia.pal --parity even --leader 100 -o eia.asc
       echo "001 0 00000 00000 0 35 88" | pdp8 tape punch --code eia -o drill.eia
     """
+    command.check_files([file], [output])
     content = shelf.read(file)
     with naming(file):
         text = codes.typed(content)

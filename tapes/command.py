@@ -6,10 +6,11 @@ place; a closed pipe is no error, the reader had enough; a full disk is. No trac
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import click
 
+from tapes import shelf
 from tapes.errors import WorkError
 
 
@@ -19,11 +20,33 @@ def run(command: click.Command, name: str, arguments: Sequence[str] | None = Non
     sys.exit(_status(command, name, arguments))
 
 
+def check_files(sources: Iterable[str | None], outputs: Iterable[str | None]) -> None:
+    """Raise a UsageError where standard input is to be read twice, two outputs are one, or one is a source.
+
+    Both are names as the commands take them, None for none.
+    """
+    read = [name for name in sources if name is not None]
+    if read.count("-") > 1:
+        raise click.UsageError("standard input can be read only once")
+    files = [name for name in read if name != "-"]
+    taken = {os.path.realpath(shelf.find(name)): f"{name} is the source; name another file" for name in files}
+    for name in outputs:
+        if name is None or (os.path.exists(name) and not os.path.isfile(name)):
+            continue
+        path = name if name == "-" else os.path.realpath(name)
+        if path in taken:
+            raise click.UsageError(taken[path])
+        taken[path] = f"two outputs go to {'standard output' if name == '-' else name}"
+
+
 def _reopen_closed_streams() -> None:
-    """Give a standard stream that the caller closed (`>&-`) nothing to read from or to write to."""
-    for stream, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+    """Give a standard stream that the caller closed (`>&-`) nothing to read from; what is written to standard
+    output then is an error, as it is for every other program.
+    """
+    streams = (("stdin", "r", os.O_RDWR), ("stdout", "w", os.O_RDONLY), ("stderr", "w", os.O_RDWR))
+    for stream, mode, access in streams:
         if getattr(sys, stream) is None:
-            setattr(sys, stream, os.fdopen(os.open(os.devnull, os.O_RDWR), mode))
+            setattr(sys, stream, os.fdopen(os.open(os.devnull, access), mode))
 
 
 def _status(command: click.Command, name: str, arguments: Sequence[str] | None) -> int:

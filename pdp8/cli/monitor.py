@@ -27,7 +27,7 @@ def monitor(script: str | None, highspeed: bool, echo: bool) -> None:
     \b
     Examples:
       pdp8 monitor
-      printf 'load eia.pal\\nbreak CHK\\ngo 200\\nregisters\\n' | pdp8 monitor -
+      printf 'load eia.pal\\nreader circle.asc\\nbreak CHK\\ngo 200\\n' | pdp8 monitor -
       pdp8 monitor lesson.txt --echo
     """
     machine = Machine(highspeed)

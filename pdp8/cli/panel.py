@@ -35,7 +35,7 @@ def panel(program: str | None, reader: str | None, start: int, sr: int | None, c
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise WorkError("the panel is drawn on a terminal, and this is none; `pdp8 run` needs none")
     if find_spec("textual") is None:
-        raise WorkError("the panel needs Textual: pip install 'pdp8[panel]'")
+        raise WorkError("the panel needs Textual: pip install textual")
     from pdp8.console.opening import opening
 
     session, programs = opening(program, reader, start, cold)

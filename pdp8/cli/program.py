@@ -4,9 +4,12 @@ from typing import TYPE_CHECKING
 
 from tapes import binary, kinds, rim, shelf
 from tapes.errors import TapeError, WorkError, naming
+from tapes.frames import PARITIES
 
 if TYPE_CHECKING:
     from pal import Assembly
+
+_FIGURES = bytes(frame for frame in range(0o400) if chr(frame & 0o177) in "0123456789 \r\n\0\x7f")
 
 
 def read_words(name: str) -> dict[int, int]:
@@ -31,6 +34,8 @@ def words(frames: bytes, name: str) -> dict[int, int]:
     if kind == kinds.RIM:
         return rim.decode(frames)
     if kind == kinds.ASCII:
+        if not frames.translate(PARITIES["none"], _FIGURES):
+            raise WorkError("nothing but figures: no program, but a tape for the reader")
         return assembled(frames, name).words
     if kind == kinds.BLANK_TAPE:
         raise WorkError(f"the program tape is {'blank' if frames else 'empty'}")

@@ -15,14 +15,14 @@ from pdp8.cli.program import read_words
 from pdp8.cli.progress import Bar
 from pdp8.machine import TICKS_PER_SECOND, Machine, Stop
 from pdp8.teletype import Punch, printed
-from tapes import shelf
+from tapes import command, shelf
 from tapes.errors import WorkError
 from tapes.frames import PARITIES
 
-# Seconds of machine time between two looks at the punch, at the clock and for Ctrl-C: in real time and at the
-# least, at first, and at the most.
-_REAL_SLICE, _SLICE, _LONGEST_SLICE = 0.05, 10.0, 60.0
-_SOON = 0.05  # a slice that takes fewer seconds may be longer
+# Seconds of machine time between two looks at the punch, at the clock and for Ctrl-C. A slice that took less
+# than _SOON is followed by a longer one, another by a shorter one.
+_SHORTEST, _FIRST, _LONGEST = 0.05, 1.0, 60.0
+_SOON = 0.05
 _WHY = {
     "halt": "HLT at {last:04o}",
     "tape out": "the reader ran out of tape, and the program waits for it at {pc:04o}",
@@ -87,7 +87,11 @@ def seconds(text: str) -> float:
 @click.option("--trace", metavar="FILE", help="Write each instruction executed, as its line of the listing.")
 @click.option("--cycles", is_flag=True, help="Let --trace write each memory cycle.")
 @click.option("--save", metavar="FILE", help="Write the machine's state as the run ends.")
-@click.option("--restore", metavar="FILE", help="Go on from a saved state, instead of a PROGRAM.")
+@click.option(
+    "--restore",
+    metavar="FILE",
+    help="Go on from a saved state, its tape in the reader unless --reader is given.",
+)
 @click.option("--quiet", is_flag=True, help="Do not say how the run ended, unless it failed.")
 @click.pass_context
 def run(
@@ -129,10 +133,15 @@ def run(
     """
     if (program is None) == (restore is None):
         raise click.UsageError("Give a PROGRAM, or --restore FILE and none.")
+    if cycles and trace is None:
+        raise click.UsageError("--cycles means nothing without --trace.")
+    if restore is not None:
+        _refuse(ctx, "--restore", ("start", "sr", "boot", "fast_reader"))
+    page = None if keyboard else "-"
+    command.check_files([program, reader, fast_reader, restore], [punch or page, fast_punch, trace, save])
     if keyboard and not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise click.UsageError("--keyboard needs a terminal to type and print at.")
     if restore is not None:
-        _refuse(ctx, "--restore", ("start", "sr", "boot", "fast_reader"))
         machine = _restored(restore, reader)
     else:
         assert program is not None
@@ -142,7 +151,8 @@ def run(
         else:
             machine.load(read_words(program))
         machine.sr = sr
-        machine.teletype.reader.load(_tape(program, reader, quiet, keyboard))
+        used = keyboard or "-" in (program, fast_reader)
+        machine.teletype.reader.load(_tape(reader, used, quiet))
         if fast_reader is not None:
             machine.highspeed.reader.load(shelf.read(fast_reader))
         machine.start(start)
@@ -193,7 +203,7 @@ def _run(
     reader = machine.teletype.reader
     began = time.monotonic() - machine.elapsed
     last = NEVER if max_time is None else machine.ticks + round(max_time * TICKS_PER_SECOND)
-    slice_ = _REAL_SLICE if realtime else _SLICE
+    slice_ = _SHORTEST if realtime else _FIRST
     with Bar("reading tape", len(reader.tape), wanted=not quiet) as bar, ctrl_c() as interrupt:
         while True:
             looked = time.monotonic()
@@ -210,9 +220,9 @@ def _run(
             if realtime:
                 time.sleep(max(0.0, machine.elapsed - (time.monotonic() - began)))
             elif time.monotonic() < looked + _SOON:
-                slice_ = min(2 * slice_, _LONGEST_SLICE)
+                slice_ = min(2 * slice_, _LONGEST)
             else:
-                slice_ = max(slice_ / 2, _REAL_SLICE)
+                slice_ = max(slice_ / 2, _SHORTEST)
 
 
 def _typed(machine: Machine, outputs: list[_Output], max_time: float | None, realtime: bool) -> Stop | None:
@@ -267,9 +277,11 @@ def _boot(machine: Machine, program: str, quiet: bool) -> None:
         _say(f"loaded in {duration(sum(step.seconds for step in steps))}, besides what the hands take")
 
 
-def _tape(program: str, reader: str | None, quiet: bool, keyboard: bool) -> bytes:
-    """Return the tape for the reader, and say so where it will not do what its owner thinks."""
-    if reader is None and (program == "-" or keyboard or sys.stdin.isatty()):
+def _tape(reader: str | None, used: bool, quiet: bool) -> bytes:
+    """Return the tape for the reader, that on standard input unless it is `used` otherwise, and say so where
+    it will not do what its owner thinks.
+    """
+    if reader is None and (used or sys.stdin.isatty()):
         frames, name = b"", "the reader"
     else:
         name = reader or "-"

@@ -3,8 +3,10 @@ written.
 """
 
 import os
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from typing import TextIO
 
 from pdp8.machine import Machine
 from pdp8.trace import Listing, Trace
@@ -13,23 +15,37 @@ from tapes.shelf import ShelfError
 
 @contextmanager
 def tracing(machine: Machine, name: str, listing: Listing, cycles: bool) -> Iterator[None]:
-    """Write what `machine` executes meanwhile into file `name`. Raises ShelfError."""
+    """Write what `machine` executes meanwhile into file `name`, or to standard output for `-`.
+
+    Raises ShelfError.
+    """
+    if name == "-":
+        with _told(machine, sys.stdout, listing, cycles):
+            yield
+        return
     if os.path.isdir(name):
         raise ShelfError(f"{name}: Is a directory")
     special = os.path.exists(name) and not os.path.isfile(name)
     beside = name if special else f"{name}.{os.getpid()}.part"
     try:
-        with open(beside, "w") as file:
-            trace = Trace(lambda line: file.write(line + "\n"), listing, cycles)
-            trace.begin(machine.processor)
-            machine.watch.observer = trace
+        with open(beside, "w") as file, _told(machine, file, listing, cycles):
             yield
         if not special:
             os.replace(beside, name)
     except OSError as error:
         raise ShelfError(f"{name}: {error.strerror}; no trace was written") from error
     finally:
-        machine.watch.observer = None
         if not special:
             with suppress(FileNotFoundError):
                 os.unlink(beside)
+
+
+@contextmanager
+def _told(machine: Machine, file: TextIO, listing: Listing, cycles: bool) -> Iterator[None]:
+    trace = Trace(lambda line: file.write(line + "\n"), listing, cycles)
+    trace.begin(machine.processor)
+    machine.watch.observer = trace
+    try:
+        yield
+    finally:
+        machine.watch.observer = None

@@ -37,25 +37,30 @@ _WIDTHS = ((0, "-narrow"), (100, "-normal"), (_WIDE, "-wide"))
 _HEIGHTS = ((0, "-short"), (30, "-tall"))
 
 
+def _letter(letter: str, action: str, label: str, show: bool = True) -> tuple[Binding, Binding]:
+    """Return the bindings of a letter: what the panel writes large may be typed large."""
+    return Binding(letter, action, label, show=show), Binding(letter.upper(), action, label, show=False)
+
+
 class PanelFace(Container, can_focus=True):
     """The panel itself; while it has the focus the keyboard's keys are its keys and switches."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        *(Binding(letter, f"app.key('{name}')", label, show=False) for name, label, letter in KEYS),
+        *(key for name, label, letter in KEYS for key in _letter(letter, f"app.key('{name}')", label, False)),
         *(Binding(str(digit), f"app.dial({digit})", show=False) for digit in range(8)),
         Binding("left", "app.hand(-1)", show=False),
         Binding("right", "app.hand(1)", show=False),
         Binding("up", "app.throw(1)", show=False),
         Binding("down", "app.throw(0)", show=False),
-        Binding("r", "app.rim", "RIM"),
-        Binding("o", "app.tape", "tape"),
-        Binding("v", "app.lever", "lever"),
-        Binding("u", "app.punch", "punch"),
-        Binding("w", "app.tear", "tear"),
-        Binding("p", "app.pace", "pace"),
-        Binding("g", "app.page", "page"),
+        *_letter("r", "app.rim", "RIM"),
+        *_letter("o", "app.tape", "tape"),
+        *_letter("v", "app.lever", "lever"),
+        *_letter("u", "app.punch", "punch"),
+        *_letter("w", "app.tear", "tear"),
+        *_letter("p", "app.pace", "pace"),
+        *_letter("g", "app.page", "page"),
         Binding("ctrl+c", "app.key('stop')", "STOP"),
-        Binding("q", "app.quit", "quit"),
+        *_letter("q", "app.quit", "quit"),
         Binding("tab", "app.turn_round", "Teletype"),
     ]
 

@@ -67,7 +67,11 @@ def test_misuse_is_one_line_that_names_it(shell: Shell, tmp_path: Path, line: st
 def test_help_names_every_command() -> None:
     said: list[str] = []
     Monitor(said.append, open_program).do("help")
-    assert [line.split()[0] for line in said] == list(COMMANDS)
+    assert [line.split()[0] for line in said if line[0] != " "] == list(COMMANDS)
+    assert max(map(len, said)) < 80
+    said.clear()
+    Monitor(said.append, open_program).do("HELP Set")
+    assert said == ["set REGISTER|SWITCH WORD    Set a register or a switch."]
 
 
 def test_a_limit_that_is_no_round_number_of_ticks_ends() -> None:

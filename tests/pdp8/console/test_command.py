@@ -110,7 +110,7 @@ def test_it_opens_cold_and_closes() -> None:
 def test_without_textual_it_says_how_to_get_it() -> None:
     status, seen = at_a_terminal(before="import sys; sys.modules['textual'] = None")
     assert status == 1
-    assert seen.decode().strip() == "pdp8: the panel needs Textual: pip install 'pdp8[panel]'"
+    assert seen.decode().strip() == "pdp8: the panel needs Textual: pip install textual"
 
 
 @pytest.mark.parametrize(

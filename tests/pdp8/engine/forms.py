@@ -9,8 +9,6 @@ from importlib.util import spec_from_file_location
 from pathlib import Path
 from types import ModuleType
 
-import pytest
-
 import pdp8
 
 FOLDER = Path(pdp8.__file__).parent
@@ -63,5 +61,7 @@ def machine_module(form: str) -> ModuleType:
         return _PLAIN
     missing = [name for name in COMPILED if extension(name) is None]
     if missing:
+        import pytest  # the benchmarks, which come here too, do without
+
         pytest.skip(f"not compiled: {', '.join(missing)}")
     return importlib.import_module("pdp8.machine")
