@@ -12,7 +12,7 @@ cdef class Device:
     cdef public Device behind
     cdef public int64_t due
 
-    cpdef int pulse(self, int iop, int ac, int64_t now) except -1
+    cpdef int pulse(self, int iop, int ac, int64_t now) except? -1
     cpdef advance(self, int64_t now)
     cpdef initialize(self, int64_t now)
     cpdef look(self)
@@ -27,7 +27,7 @@ cdef class Bus:
 
     @cython.locals(device=Device)
     cpdef Device device(self, int code)
-    @cython.locals(device=Device)
+    @cython.locals(device=Device, tested=int64_t)
     cpdef int transfer(self, int word, int lac, int64_t clock) except -1
     @cython.locals(device=Device)
     cpdef bint request(self, int64_t now) except -1

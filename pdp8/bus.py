@@ -41,7 +41,10 @@ class Device:
         self.due = NEVER
 
     def pulse(self, iop: int, ac: int, now: int) -> int:
-        """Take pulse IOP1, IOP2 or IOP4 (1, 2, 4) at tick `now`; return the answer."""
+        """Take pulse IOP1, IOP2 or IOP4 (1, 2, 4) at tick `now`; return the answer.
+
+        IOP1 may only test the flag: a loop that does no more is passed over until a flag moves.
+        """
         raise NotImplementedError
 
     def advance(self, now: int) -> None:
@@ -82,7 +85,12 @@ class Bus:
             device = device.behind
 
     def fit(self, code: int, device: Device) -> None:
-        """Connect `device` under `code` (0o01 to 0o77), in front of those already there."""
+        """Connect `device` under `code` (0o01 to 0o77), in front of those already there.
+
+        Raises ValueError if it is connected, or another one answers to that code.
+        """
+        if device.code or self.device(code) is not None:
+            raise ValueError(f"device {code:02o} is fitted already")
         device.code = code
         device.behind = self.first
         self.first = device
@@ -103,7 +111,8 @@ class Bus:
         if device is None:
             return lac
         if word & 1:
-            self.asked |= 1 << device.code
+            tested = 1
+            self.asked |= tested << device.code
             lac = _pulse(device, 1, lac, clock + IOP1)
         if word & 2:
             self.told += 1

@@ -37,6 +37,7 @@ cdef class Engine:
     cdef bint _at_breakpoint(self, int64_t until, int64_t last) except -1
     @cython.locals(address=int)
     cdef _know(self, object breakpoints)
+    cpdef forget(self, int address)
     @cython.locals(address=int)
     cdef _forget_written(self)
     @cython.locals(room=int64_t)
@@ -57,3 +58,6 @@ cdef class Engine:
         time=int64_t, limit=int64_t, turns=int64_t,
     )
     cdef bint _run_pieces(self, int64_t until, int64_t last) except -1
+
+
+cdef int _wall(int mem_prot) noexcept

@@ -92,7 +92,7 @@ class Engine:
 
     def _know(self, breakpoints: Set[int]) -> None:
         """Forget the decoded forms if a hand touched core, MEM PROT or the breakpoints since the last run."""
-        wall = PROTECTED if self.processor.mem_prot else 0o10000
+        wall = _wall(self.processor.mem_prot)
         if wall == self.wall and breakpoints == self.breakpoints and self.processor.core == self.known:
             return
         self.wall = wall
@@ -102,6 +102,10 @@ class Engine:
             self.core[address] &= 0o7777
             self.ops[address] = 0
 
+    def forget(self, address: int) -> None:
+        """Forget the decoded form of the word at `address`: somebody put another one there."""
+        self.ops[address] = 0
+
     def _forget_written(self) -> None:
         """Forget the words that an instruction of the processor may have written."""
         self.ops[self.processor.ma] = 0
@@ -109,9 +113,13 @@ class Engine:
             self.ops[address] = 0
 
     def _room(self, until: int, last: int) -> int:
-        """Return the ticks of the next piece, none if the processor has to do the next instruction."""
+        """Return the ticks of the next piece, none if the processor has to do the next instruction: also when
+        somebody who saw a frame pressed STOP or threw MEM PROT.
+        """
         p = self.processor
-        if p.next != FETCH or self.waiting.hunting:
+        if self.ops[p.pc & 0o7777] == _LEFT or p.next != FETCH or self.waiting.hunting:
+            return 0
+        if self.wall != _wall(p.mem_prot):
             return 0
         room = min(PIECE, self.waiting.strike - p.clock, until - p.clock - LONGEST)
         if last - p.instructions <= PIECE // CYCLE:
@@ -120,7 +128,7 @@ class Engine:
             if not p.ion_delayed or p.bus.request(p.clock):
                 return 0
             room = min(room, p.bus.next_event(p.clock) - p.clock - LONGEST)
-        return room
+        return max(room, 0) if p.run else 0
 
     def _decode(self, address: int) -> None:
         """Fill in the operation of the word at `address`, and its operand."""
@@ -181,13 +189,13 @@ class Engine:
         keep, flip, plus, conditions = self.keep, self.flip, self.plus, self.conditions
         wall = self.wall
         while p.clock < until and p.instructions < last:
+            limit = self._room(until, last) << 12
             lac = p.lac & 0o17777
             pc = p.pc & 0o7777
             written = 0
             counter = -1
             count = 0
             time = 0
-            limit = 0 if ops[pc] == _LEFT else self._room(until, last) << 12
             while time < limit:
                 op = ops[pc]
                 x = arg[pc]
@@ -386,6 +394,10 @@ class Engine:
             if waiting.endless or (self.watched and p.pc in self.breakpoints):
                 return False
         return False
+
+
+def _wall(mem_prot: int) -> int:
+    return PROTECTED if mem_prot else 0o10000
 
 
 def _group1(bits: int) -> int:

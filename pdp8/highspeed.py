@@ -89,10 +89,12 @@ class PunchControl(Device):
     def advance(self, now: int) -> None:
         """Punch the frame whose time has come by tick `now`."""
         if self.due <= now:
-            self.finish()
+            begun = not self.punched
             self.punched = 0
             self.due = NEVER
             self.flag = 1
+            if begun:
+                self.punch.take(self.buffer)
 
     def pulse(self, iop: int, ac: int, now: int) -> int:
         """PSF at IOP1, PCF at IOP2, PPC at IOP4."""
@@ -110,8 +112,8 @@ class PunchControl(Device):
     def finish(self) -> None:
         """Punch the frame the punch has begun."""
         if self.due != NEVER and not self.punched:
-            self.punch.take(self.buffer)
             self.punched = 1
+            self.punch.take(self.buffer)
 
     def initialize(self, now: int) -> None:
         """Clear the flag and the buffer; a frame that is being punched is punched."""

@@ -49,8 +49,9 @@ class LoadError(WorkError):
 class Core:
     """The 4096 words of core, as they are examined and deposited from outside: checked and masked."""
 
-    def __init__(self, processor: Processor) -> None:
+    def __init__(self, processor: Processor, engine: Engine) -> None:
         self._processor = processor
+        self._engine = engine
 
     def __getitem__(self, address: int) -> int:
         return self._processor.core[_checked(address)]
@@ -58,6 +59,7 @@ class Core:
     def __setitem__(self, address: int, word: int) -> None:
         self._processor.core[_checked(address)] = word & 0o7777
         self._processor.written = 1
+        self._engine.forget(address)
 
     def __len__(self) -> int:
         return len(self._processor.core)
@@ -92,12 +94,13 @@ class Machine:
         self.teletype = Teletype()
         self.teletype.connect(self.bus)
         self.processor = Processor(self.bus)
-        self.core = Core(self.processor)
         self.waiting = Waiting(self.processor)
         self.engine = Engine(self.processor, self.waiting)
+        self.core = Core(self.processor, self.engine)
         self.panel = Panel(self.processor)
         self.watch = Watch()
         self._minded = frozenset[int]()
+        self._left: tuple[int, ...] = ()
         self.highspeed = HighSpeed()
         if highspeed:
             self.highspeed.connect(self.bus)
@@ -139,8 +142,10 @@ class Machine:
         `seconds` of machine time and number of `instructions` limit this run. From a standstill this is CONT.
         """
         p = self.processor
-        until = NEVER if seconds is None else p.clock + round(seconds * TICKS_PER_SECOND)
-        last = NEVER if instructions is None else p.instructions + instructions
+        until = NEVER if seconds is None else min(NEVER, p.clock + round(seconds * TICKS_PER_SECOND))
+        last = NEVER if instructions is None else min(NEVER, p.instructions + instructions)
+        if self._left != self._registers():
+            self.waiting.forget()
         p.run = 1
         self.bus.advance(p.clock)
         self._mind_breakpoints()
@@ -153,7 +158,13 @@ class Machine:
         self.bus.advance(p.clock)
         if reason != "limit":
             self.bus.finish()
+        self._left = self._registers() if reason == "limit" else ()
         return Stop(reason, p.pc, self.elapsed)
+
+    def _registers(self) -> tuple[int, ...]:
+        """Return what a hand may have changed when a run goes on; what only waited then waits anew."""
+        p = self.processor
+        return p.clock, p.instructions, p.pc, p.lac, p.next, p.ion, p.ion_delayed, p.run
 
     def _mind_breakpoints(self) -> None:
         """Have no turn of a loop passed over in which a breakpoint lies or a watched word is written."""

@@ -15,7 +15,7 @@ Breakpoints and observers are not part of the machine, and not saved.
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from pdp8.bus import NEVER
+from pdp8.bus import AT_ONCE, NEVER
 from pdp8.machine import Machine
 from tapes.errors import WorkError
 
@@ -52,7 +52,10 @@ _HIGH_SPEED = (
     Part("highspeed.punch", "", "on", "frames"),
 )
 _MOST = {"lac": 0o17777, "register": 0o777, "ir": 7, "buffer": 0o377, "frame": 0o377, "selected": 0o377}
-_MOST |= {"state": 2, "next": 3, "stage": 2, "unit": 8, "shifts": 9}
+_MOST |= {"state": 2, "next": 3, "stage": 2, "unit": 8}
+_MOST |= dict.fromkeys(("run", "ion", "ion_delayed", "mem_prot", "sing_step", "protect", "on", "loaded"), 1)
+_MOST |= dict.fromkeys(("flag", "reader_run", "printed", "fetching", "punched"), 1)
+_LATEST = 1 << 60
 _ROW = 8
 _FRAMES = 24
 
@@ -63,6 +66,7 @@ class StateError(WorkError):
 
 def save(machine: Machine) -> str:
     """Return the state of `machine` as text."""
+    machine.bus.advance(machine.processor.clock)
     return "\n".join([_TITLE, *_registers(machine), *_core(machine), _END, ""])
 
 
@@ -133,9 +137,14 @@ def _take(machine: Machine, fields: list[str], known: dict[str, str], tapes: dic
     if kind == "word":
         _set(machine, part, attribute, _limited(int(value, 8), _MOST.get(attribute, 0o7777)))
     else:
-        number = NEVER if value == "never" else _limited(int(value) + 1, _MOST.get(attribute, NEVER) + 1) - 1
+        number = _time(value) if attribute == "due" else _limited(int(value), _MOST.get(attribute, _LATEST))
         old = _get(machine, part, attribute)
         _set(machine, part, attribute, bool(number) if isinstance(old, bool) else number)
+
+
+def _time(value: str) -> int:
+    """Return the tick of an event: AT_ONCE, a number or never."""
+    return NEVER if value == "never" else _limited(int(value) - AT_ONCE, _LATEST) + AT_ONCE
 
 
 def _limited(value: int, most: int) -> int:

@@ -306,11 +306,12 @@ class Transmitter(Device):
     def advance(self, now: int) -> None:
         """Let the line run up to tick `now`."""
         while self.register and self.start + half_units(2 * self.shifts + 2) <= now:
-            if not self.printed:
-                self.select(self.register & 1)
+            mark = self.register & 1
             self.register >>= 1
             self.shifts += 1
             self.flag = 0
+            if not self.printed:
+                self.select(mark)
             if self.register == 0:
                 self.end()
         self.plan()
@@ -347,8 +348,10 @@ class Transmitter(Device):
             self.unit += 1
             if self.unit == 9:
                 self.unit = 0
-                self.printer.take(self.selected)
-                self.punch.take(self.selected)
+                try:
+                    self.printer.take(self.selected)
+                finally:
+                    self.punch.take(self.selected)
         elif not mark:
             self.selected = 0
             self.unit = 1

@@ -93,12 +93,13 @@ class Waiting:
         every one if somebody may want to stop in its first turn.
         """
         p = self.processor
+        code = self.core[p.pc] >> 3 & 0o77
         event = p.bus.next_event(p.clock)
         if self.watched or event == NEVER or p.next != FETCH or p.ion != p.ion_delayed:
             return False
-        if not self._jumps_to(p.pc, p.pc + 1 & 0o7777):
+        if code == 0 or not self._jumps_to(p.pc, p.pc + 1 & 0o7777) or (p.ion and p.bus.request(p.clock)):
             return False
-        device = p.bus.device(self.core[p.pc] >> 3 & 0o77)
+        device = p.bus.device(code)
         if device is None or not device.flag:
             self._pass(event, until, last, _FLAG_TICKS, 2)
         return True

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import pytest
 
-from pdp8.bus import NEVER
+from pdp8.bus import NEVER, Device
 from pdp8.machine import Machine
 
 AC = 0o5125
@@ -171,3 +171,34 @@ def test_the_tick_at_which_the_flag_rises(code: int) -> None:
     assert device.flag == 0
     machine.bus.advance(RISES[code])
     assert device.flag == 1
+
+
+def test_a_code_is_fitted_once() -> None:
+    machine = Machine(highspeed=True)
+    with pytest.raises(ValueError, match="device 01 is fitted already"):
+        machine.highspeed.connect(machine.bus)
+
+
+class Empty(Device):
+    """A device that waits for a tape that has run out."""
+
+    def pulse(self, iop: int, ac: int, now: int) -> int:
+        return 0
+
+    def advance(self, now: int) -> None:
+        pass
+
+    def initialize(self, now: int) -> None:
+        pass
+
+    def out_of_tape(self) -> bool:
+        return True
+
+
+@pytest.mark.parametrize("code", [0o05, 0o37, 0o40, 0o77])
+def test_any_code_may_be_waited_for(code: int) -> None:
+    machine = Machine()
+    machine.bus.fit(code, Empty())
+    machine.load({0o200: 0o6001 | code << 3, 0o201: 0o5200})
+    machine.start(0o200)
+    assert machine.run().reason == "tape out"

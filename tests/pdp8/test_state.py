@@ -62,12 +62,28 @@ def test_a_person_can_read_it() -> None:
     assert "core 0200 7402 0000 0000 0000 0000 0000 0000 0000" in lines
 
 
+def test_a_garbled_character_on_the_line() -> None:
+    """TLS 210 times without looking at the flag: a character that does not end."""
+    machine = Machine()
+    machine.load({0o200: 0o6046, 0o201: 0o2210, 0o202: 0o5201, 0o203: 0o5200})
+    machine.start(0o200)
+    machine.run(seconds=0.13)
+    restored = state.restore(state.save(machine))
+    for each in (machine, restored):
+        each.run(seconds=0.5)
+    assert restored.teletype.printer.frames == machine.teletype.printer.frames
+    assert state.save(restored) == state.save(machine)
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
         ("", "line 1"),
         ("hello", "line 1"),
         ("pdp8 state 1\nprocessor.pc 0200\ncore 0200 72", "cut short"),
+        ("pdp8 state 1\nprocessor.run 99999999999\nend", "line 2: not understood"),
+        ("pdp8 state 1\nteletype.transmitter.unit -1\nend", "line 2: not understood"),
+        ("pdp8 state 1\nprocessor.clock 4611686018427387904\nend", "line 2: not understood"),
         ("pdp8 state 1\nprocessor.mq 0000\nend", "line 2: no part"),
         ("pdp8 state 1\nprocessor.pc 9\nend", "line 2: not understood"),
         ("pdp8 state 1\nprocessor.pc 10000\nend", "line 2: not understood"),
