@@ -117,7 +117,7 @@ class Engine:
         somebody who saw a frame pressed STOP or threw MEM PROT.
         """
         p = self.processor
-        if self.ops[p.pc & 0o7777] == _LEFT or p.next != FETCH or self.waiting.hunting:
+        if p.next != FETCH or self.waiting.hunting:
             return 0
         if self.wall != _wall(p.mem_prot):
             return 0
@@ -189,7 +189,7 @@ class Engine:
         keep, flip, plus, conditions = self.keep, self.flip, self.plus, self.conditions
         wall = self.wall
         while p.clock < until and p.instructions < last:
-            limit = self._room(until, last) << 12
+            limit = 0 if ops[p.pc & 0o7777] == _LEFT else self._room(until, last) << 12
             lac = p.lac & 0o17777
             pc = p.pc & 0o7777
             written = 0
