@@ -163,7 +163,7 @@ def cut_so_far(
     tool_change: float,
     **_: Any,
 ) -> tuple["Path", WorkError | None]:
-    """Return the path, and the error that stopped the machine if one did."""
+    """Return the path, and the error that stopped the machine if one did; raise it if nothing was done."""
     from nc import machine
 
     x, y, z = feed_error
@@ -175,7 +175,10 @@ def cut_so_far(
         try:
             return machine.cut(frames, strict=strict, settings=settings), None
         except machine.CutError as error:
-            return error.path, named(tape, _not_eia(frames, error) or error)
+            complaint = _not_eia(frames, error) or error
+            if not error.path:
+                raise complaint from error
+            return error.path, named(tape, complaint)
 
 
 def _not_eia(frames: bytes, error: "CutError") -> WorkError | None:

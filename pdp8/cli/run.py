@@ -84,7 +84,7 @@ def seconds(text: str) -> float:
 @click.option("--max-time", type=seconds, help="Stop after this machine time.")
 @click.option("--realtime", is_flag=True, help="Run no faster than a PDP-8/L did: 10 frames a second.")
 @click.option("--boot", is_flag=True, help="From cold: toggle RIM in, read the BIN loader, read the program.")
-@click.option("--trace", metavar="FILE", help="Write each instruction executed, as its line of the listing.")
+@click.option("--trace", metavar="FILE", help="Write each instruction: time, L AC, MA MB, its listing.")
 @click.option("--cycles", is_flag=True, help="Let --trace write each memory cycle.")
 @click.option("--save", metavar="FILE", help="Write the machine's state as the run ends.")
 @click.option(
@@ -119,6 +119,7 @@ def run(
 
     The last line says why the run stopped, where, what was read and punched, and how long it would have taken
     in 1971. Exit status: 0 HLT or out of tape, 1 the program cannot be run or did not end, 130 interrupted.
+    A program that counts while it waits for its tape never ends: give it --max-time.
 
     \b
     Examples:
