@@ -63,7 +63,7 @@ class Waiting:
         p.bus.asked = 0
 
     def forget(self) -> None:
-        """Remember nothing: whatever was passed over next time has to be seen first."""
+        """Remember nothing: a hand has come between, or what is passed over next has to be seen first."""
         self.told = -1
 
     def look(self, until: int, last: int) -> None:
