@@ -223,3 +223,40 @@ def test_ctrl_c(tmp_path: Path) -> None:
         waiting.send_signal(signal.SIGINT)
         _, said = waiting.communicate(timeout=60)
     assert (waiting.returncode, said.strip()) == (130, b"pdp8: interrupted")
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("tape convert a.asc --to text -o a.asc", "a.asc is the source; name another file"),
+        ("tape convert a.asc --to text -o ./a.asc", "a.asc is the source; name another file"),
+        ("tape punch a.asc -o a.asc", "a.asc is the source; name another file"),
+        ("dis a.bin -o a.bin", "a.bin is the source; name another file"),
+        ("run a.bin --reader a.asc --punch a.asc", "a.asc is the source; name another file"),
+        ("run a.bin --punch x --trace x", "two outputs go to x"),
+        ("run a.bin --trace -", "two outputs go to standard output"),
+        ("run - --reader -", "standard input can be read only once"),
+        ("tape show a.asc --from 5 --to 2", "--to 2 lies before --from 5"),
+        ("run a.bin --cycles", "--cycles means nothing without --trace"),
+    ],
+)
+def test_no_output_is_a_source(line: str, message: str, tmp_path: Path) -> None:
+    (tmp_path / "a.bin").write_bytes(FORMAT_BIN)
+    (tmp_path / "a.asc").write_bytes(b"12\r\n")
+    done = subprocess.run(
+        [*COMMAND, *line.split()], input=b"", capture_output=True, timeout=60, check=False, cwd=tmp_path
+    )
+    assert done.returncode == 2
+    assert message in done.stderr.decode()
+    assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == {
+        "a.bin": FORMAT_BIN,
+        "a.asc": b"12\r\n",
+    }
+
+
+def test_a_data_tape_is_no_program(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [*COMMAND, "run", "circle.asc"], input=b"", capture_output=True, timeout=60, check=False
+    )
+    assert done.returncode == 1
+    assert done.stderr == b"pdp8: circle.asc: nothing but figures: no program, but a tape for the reader\n"

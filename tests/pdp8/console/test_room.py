@@ -98,9 +98,10 @@ def test_a_tape_that_lay_in_the_reader_before_start_loses_no_frame(
     play(scene, program="eia.pal", reader=str(tmp_path / "data.asc"))
 
 
-def test_r_toggles_rim_in() -> None:
+@pytest.mark.parametrize("letter", ["r", "R"])
+def test_r_toggles_rim_in(letter: str) -> None:
     async def scene(room: Room, pilot: Pilot[None]) -> None:
-        await press(pilot, "r")
+        await press(pilot, letter)
         turn(room, 1.0)
         assert_shows(room, "rim being toggled in, 80x24")
         turn(room, 1.0)
