@@ -156,6 +156,7 @@ class Bus:
 
     def initialize(self, now: int) -> None:
         """INITIALIZE on every device."""
+        self.told += 1
         for device in self:
             device.initialize(now)
 

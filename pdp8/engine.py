@@ -103,8 +103,9 @@ class Engine:
             self.ops[address] = 0
 
     def forget(self, address: int) -> None:
-        """Forget the decoded form of the word at `address`: somebody put another one there."""
+        """Forget the decoded form of the word at `address`, and what waited: a hand put another one there."""
         self.ops[address] = 0
+        self.waiting.forget()
 
     def _forget_written(self) -> None:
         """Forget the words that an instruction of the processor may have written."""

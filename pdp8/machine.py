@@ -25,6 +25,8 @@ from pdp8.watch import Watch
 from tapes.errors import WorkError
 
 TICKS_PER_SECOND = 20_000_000
+_AGES = 1e9
+"""Seconds, 31 years: nobody waits longer."""
 _BREATH = 60 * TICKS_PER_SECOND
 """After so much machine time Python may take a signal; a compiled run takes none by itself."""
 
@@ -66,6 +68,10 @@ class Core:
 
     def __iter__(self) -> Iterator[int]:
         return iter(self._processor.core)
+
+
+def _ticks(seconds: float) -> int:
+    return round(min(seconds, _AGES) * TICKS_PER_SECOND)
 
 
 def _checked(address: int) -> int:
@@ -132,8 +138,13 @@ class Machine:
         self.panel.stop()
 
     def wait(self, seconds: float) -> None:
-        """Let time pass while the processor stands still: the Teletype goes on with what it has begun."""
-        self.processor.clock += round(seconds * TICKS_PER_SECOND)
+        """Let time pass while the processor stands still: the Teletype goes on with what it has begun.
+
+        Raises ValueError for less than nothing.
+        """
+        if seconds < 0:
+            raise ValueError("time does not go back")
+        self.processor.clock += _ticks(seconds)
         self.bus.advance(self.processor.clock)
 
     def run(self, seconds: float | None = None, instructions: int | None = None) -> Stop:
@@ -142,12 +153,12 @@ class Machine:
         `seconds` of machine time and number of `instructions` limit this run. From a standstill this is CONT.
         """
         p = self.processor
-        until = NEVER if seconds is None else min(NEVER, p.clock + round(seconds * TICKS_PER_SECOND))
+        until = NEVER if seconds is None else min(NEVER, p.clock + _ticks(seconds))
         last = NEVER if instructions is None else min(NEVER, p.instructions + instructions)
-        if self._left != self._registers():
-            self.waiting.forget()
         p.run = 1
         self.bus.advance(p.clock)
+        if self._left != self._registers():
+            self.waiting.forget()
         self._mind_breakpoints()
         if p.sing_step:
             reason = self._cycle()
@@ -155,16 +166,19 @@ class Machine:
             reason = self._run_watched(until, last)
         else:
             reason = self._run(until, last)
+        left = self._registers()
         self.bus.advance(p.clock)
+        if not p.run and reason == "limit":  # who saw a frame just now pressed STOP
+            reason = self._stopped()
         if reason != "limit":
             self.bus.finish()
-        self._left = self._registers() if reason == "limit" else ()
+        self._left = left if reason == "limit" else ()
         return Stop(reason, p.pc, self.elapsed)
 
     def _registers(self) -> tuple[int, ...]:
         """Return what a hand may have changed when a run goes on; what only waited then waits anew."""
         p = self.processor
-        return p.clock, p.instructions, p.pc, p.lac, p.next, p.ion, p.ion_delayed, p.run
+        return p.clock, p.instructions, p.pc, p.lac, p.next, p.ion, p.ion_delayed, p.sr, p.mem_prot
 
     def _mind_breakpoints(self) -> None:
         """Have no turn of a loop passed over in which a breakpoint lies or a watched word is written."""

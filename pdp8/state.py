@@ -52,7 +52,7 @@ _HIGH_SPEED = (
     Part("highspeed.punch", "", "on", "frames"),
 )
 _MOST = {"lac": 0o17777, "register": 0o777, "ir": 7, "buffer": 0o377, "frame": 0o377, "selected": 0o377}
-_MOST |= {"state": 2, "next": 3, "stage": 2, "unit": 8}
+_MOST |= {"state": 2, "next": 3, "stage": 2, "unit": 8, "shifts": 1 << 30}
 _MOST |= dict.fromkeys(("run", "ion", "ion_delayed", "mem_prot", "sing_step", "protect", "on", "loaded"), 1)
 _MOST |= dict.fromkeys(("flag", "reader_run", "printed", "fetching", "punched"), 1)
 _LATEST = 1 << 60

@@ -51,11 +51,11 @@ class Waiting:
     def _remember(self) -> None:
         """Remember the machine as it is, to know it again."""
         p = self.processor
+        self.quiet_until = p.bus.next_event(p.clock)
         self.pc, self.lac = p.pc, p.lac
         self.sr, self.mem_prot, self.ion = p.sr, p.mem_prot, p.ion
         self.told = p.bus.told
         self.clock, self.instructions = p.clock, p.instructions
-        self.quiet_until = p.bus.next_event(p.clock)
         self.patience = _TESTS
         self.hunting = False
         self.seen = None
@@ -93,9 +93,11 @@ class Waiting:
         every one if somebody may want to stop in its first turn.
         """
         p = self.processor
+        event = p.bus.next_event(p.clock)  # whoever sees a frame now may have stopped the machine, or set it
         code = self.core[p.pc] >> 3 & 0o77
-        event = p.bus.next_event(p.clock)
         if self.watched or event == NEVER or p.next != FETCH or p.ion != p.ion_delayed:
+            return False
+        if not p.run or self.core[p.pc] & 0o7007 != 0o6001:
             return False
         if code == 0 or not self._jumps_to(p.pc, p.pc + 1 & 0o7777) or (p.ion and p.bus.request(p.clock)):
             return False

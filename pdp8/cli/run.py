@@ -221,7 +221,7 @@ def _run(
             if realtime:
                 time.sleep(max(0.0, machine.elapsed - (time.monotonic() - began)))
             elif time.monotonic() < looked + _SOON:
-                slice_ = min(2 * slice_, _LONGEST)
+                slice_ = min(2 * slice_, _FIRST if machine.watch.observer else _LONGEST)
             else:
                 slice_ = max(slice_ / 2, _SHORTEST)
 

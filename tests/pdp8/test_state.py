@@ -82,6 +82,7 @@ def test_a_garbled_character_on_the_line() -> None:
         ("hello", "line 1"),
         ("pdp8 state 1\nprocessor.pc 0200\ncore 0200 72", "cut short"),
         ("pdp8 state 1\nprocessor.run 99999999999\nend", "line 2: not understood"),
+        ("pdp8 state 1\nteletype.transmitter.shifts 2147483648\nend", "line 2: not understood"),
         ("pdp8 state 1\nteletype.transmitter.unit -1\nend", "line 2: not understood"),
         ("pdp8 state 1\nprocessor.clock 4611686018427387904\nend", "line 2: not understood"),
         ("pdp8 state 1\nprocessor.mq 0000\nend", "line 2: no part"),

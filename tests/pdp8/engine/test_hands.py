@@ -101,6 +101,69 @@ def test_stop_from_whoever_sees_a_frame(form: ModuleType) -> None:
     assert machine.mb == machine.core[machine.ma]  # the lamps are those of the last instruction
 
 
+def test_stop_between_two_slices(form: ModuleType) -> None:
+    """The frame is printed in the very tick in which the first slice ends."""
+    machine = started(form, TLS, 0o2210, 0o5201, 0o5201, ac=0o301)
+    machine.teletype.printer.on_frame = lambda frame: machine.stop()
+    assert machine.run(seconds=0.075).reason == "stop key"
+
+
+@pytest.mark.parametrize("act", ["stop", "deposit", "jump"])
+def test_a_flag_test_that_somebody_interferes_with(form: ModuleType, act: str) -> None:
+    """TLS, KSF, JMP .-1: the printer's frame comes while it waits, and is seen in front of the KSF."""
+    machine = started(
+        form, TLS, KSF, 0o5201, 0o6036, 0o5201, tape=b"ab", ac=0o301, at_300=0o2310, at_301=0o5300
+    )
+    acts = {
+        "stop": machine.stop,
+        "deposit": lambda: machine.core.__setitem__(0o201, HLT),
+        "jump": lambda: setattr(machine, "pc", 0o300),
+    }
+    machine.teletype.printer.on_frame = lambda frame: acts[act]()
+    stop = machine.run(seconds=0.1)
+    assert stop.reason == {"stop": "stop key", "deposit": "halt", "jump": "limit"}[act]
+    assert (machine.elapsed < 0.09) == (act != "jump")
+    if act == "jump":  # from some 0.082 s on it counts, 96 ticks a turn
+        assert 3000 < machine.core[0o310] < 4000
+
+
+@pytest.mark.parametrize("instructions", [2, 3, 4])
+def test_start_is_no_turn(form: ModuleType, instructions: int) -> None:
+    """NOP, TSF, HLT, NOP, JMP 200: the printer's flag is up until START clears it."""
+    machine = started(form, 0o7000, TSF, HLT, 0o7000, 0o5200)
+    machine.teletype.transmitter.flag = 1
+    machine.run(instructions=instructions)
+    machine.start(0o200)
+    assert machine.run().reason == "halt"
+
+
+@pytest.mark.parametrize("before", range(20, 60))
+def test_switches_up_and_down_are_no_turn(form: ModuleType, before: int) -> None:
+    """KSF, LAS, SZA CLA, SKP, JMP 200, NOP, JMP 200: by the switch register a turn is longer."""
+    machines = []
+    for _ in range(2):
+        machine = started(form, KSF, 0o7604, 0o7640, 0o7410, 0o5200, 0o7000, 0o5200)
+        machine.teletype.keyboard.press(b"AB")
+        machines.append(machine)
+    fast, alone = machines
+    for sr, instructions in ((0, before), (1, 2), (0, 2000)):
+        fast.sr = alone.sr = sr
+        fast.run(instructions=instructions)
+        for _ in range(instructions):
+            alone.processor.instruction()
+        assert (fast.ticks, fast.pc) == (alone.ticks, alone.pc)
+
+
+@pytest.mark.parametrize("before", range(34_895, 34_910))
+def test_a_jump_when_a_frame_is_seen_is_no_turn(form: ModuleType, before: int) -> None:
+    machine = started(form, TLS, KSF, 0o7000, 0o7000, 0o7000, 0o5201, ac=0o301)
+    machine.teletype.printer.on_frame = lambda frame: setattr(machine, "pc", 0o201)
+    machine.run(instructions=before)
+    ticks, pc = machine.ticks, machine.pc
+    machine.run(instructions=2000)
+    assert pc != 0o201 or machine.ticks - ticks == 400 * (85 + 4 * 32)
+
+
 def test_a_word_put_in_by_whoever_sees_a_frame(form: ModuleType) -> None:
     program = (TLS, 0o7000, 0o7000, 0o7000, 0o2210, 0o5201, 0o5201)
     machine = started(form, *program, ac=0o301)
