@@ -16,7 +16,7 @@ from nc.options import (
     tape_options,
     within,
 )
-from tapes import shelf
+from tapes import command, shelf
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})
@@ -110,6 +110,7 @@ def plot(
     """
     from nc.plot import plot as drawing
 
+    command.check_files([options["tape"]], [output])
     path = cut_tape(**options)
     close_at = (at[0] * 1000, at[1] * 1000) if at else None
     text = drawing(
@@ -159,6 +160,9 @@ def inspect(
     from nc.inspection import inspect as measure
     from nc.report import inspection_report
 
+    if stretch and not talysurf:
+        raise click.UsageError("--stretch means nothing without --talysurf.")
+    command.check_files([options["tape"]], [talyrond, talysurf])
     path = cut_tape(**options)
     found = measure(path, curve(**options), options["cutter"] * 1000, options["tolerance"] * 1000)
     drawings = []
@@ -195,6 +199,7 @@ def export(gcode: bool, dxf: bool, output: str, **options: Any) -> None:
     """
     if gcode == dxf:
         raise click.UsageError("say --gcode or --dxf")
+    command.check_files([options["tape"]], [output])
     path = cut_tape(**options)
     if gcode:
         from nc.gcode import gcode as program
