@@ -8,7 +8,7 @@ import click
 from pal.assembler import HIGH_SPEED_SYMBOLS, TELETYPE_SYMBOLS
 from pal.assembly import Assembly, assemble
 from tapes import command, shelf
-from tapes.errors import WorkError, naming
+from tapes.errors import WorkError, called, naming
 
 _PASSES = ("pass1", "pass2", "pass3")
 
@@ -66,7 +66,7 @@ def pal(
     capacity = HIGH_SPEED_SYMBOLS if high_speed_reader else TELETYPE_SYMBOLS
     contents = [_read(source) for source in sources]
     assembly = assemble(
-        *contents, names=[_called(source) for source in sources], modern=modern, capacity=capacity
+        *contents, names=[called(source) for source in sources], modern=modern, capacity=capacity
     )
     if not assembly.ok:
         _check_kinds(sources, contents)
@@ -92,7 +92,7 @@ def pal(
 def _read(name: str) -> bytes:
     content = shelf.read(name)
     if not content.strip(b"\0\x80\xff"):
-        raise AssemblyError(f"{_called(name)}: the source is empty")
+        raise AssemblyError(f"{called(name)}: the source is empty")
     return content
 
 
@@ -103,7 +103,7 @@ def _check_kinds(names: tuple[str, ...], contents: list[bytes]) -> None:
     for name, content in zip(names, contents, strict=True):
         kind = kinds.classify(content)
         if kind in (kinds.BIN, kinds.RIM, kinds.EIA):
-            raise AssemblyError(f"{_called(name)}: a tape in {kind.upper()}, not PAL source")
+            raise AssemblyError(f"{called(name)}: a tape in {kind.upper()}, not PAL source")
 
 
 def _punch(name: str, rim: bool, force: bool, assembly: Assembly) -> None:
@@ -125,10 +125,6 @@ def _punch(name: str, rim: bool, force: bool, assembly: Assembly) -> None:
 
 def _beside(source: str) -> str:
     return "-" if source == "-" else os.path.splitext(source)[0] + ".bin"
-
-
-def _called(source: str) -> str:
-    return "standard input" if source == "-" else source
 
 
 def _put(name: str, text: str) -> None:

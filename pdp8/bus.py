@@ -111,7 +111,7 @@ class Bus:
         if device is None:
             return lac
         if word & 1:
-            tested = 1
+            tested = 1  # compiled, of 64 bits
             self.asked |= tested << device.code
             lac = _pulse(device, 1, lac, clock + IOP1)
         if word & 2:

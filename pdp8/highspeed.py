@@ -89,12 +89,12 @@ class PunchControl(Device):
     def advance(self, now: int) -> None:
         """Punch the frame whose time has come by tick `now`."""
         if self.due <= now:
-            begun = not self.punched
-            self.punched = 0
-            self.due = NEVER
             self.flag = 1
-            if begun:
-                self.punch.take(self.buffer)
+            try:
+                self.finish()
+            finally:
+                self.punched = 0
+                self.due = NEVER
 
     def pulse(self, iop: int, ac: int, now: int) -> int:
         """PSF at IOP1, PCF at IOP2, PPC at IOP4."""

@@ -80,7 +80,7 @@ def _checked(address: int) -> int:
     return address
 
 
-def _check(words: Mapping[int, int]) -> None:
+def _check_words(words: Mapping[int, int]) -> None:
     """Raise LoadError unless every address of `words` lies in 4K of core and every word has 12 bits."""
     for address, word in words.items():
         if not 0 <= address <= 0o7777:
@@ -122,7 +122,7 @@ class Machine:
         none.
         """
         words = dict(words)
-        _check(words)
+        _check_words(words)
         for address, word in words.items():
             self.core[address] = word
 

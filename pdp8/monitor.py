@@ -20,6 +20,7 @@ from tapes.errors import WorkError
 
 _REGISTERS = ("ac", "link", "pc", "ma", "mb", "ir", "sr")
 _SWITCHES = ("mem_prot", "sing_step")
+_NAMES = " ".join(_REGISTERS + _SWITCHES)
 _KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
 _STATES = ("FETCH", "DEFER", "EXECUTE")
 _ON = ("1", "on")
@@ -96,14 +97,14 @@ class Monitor:
 
     def set_(self, arguments: list[str]) -> None:
         """Set a register or a switch."""
-        name, word = _exactly(arguments, f"one of {' '.join(_REGISTERS + _SWITCHES)} and a word", 2)
+        name, word = _exactly(arguments, f"one of {_NAMES} and a word", 2)
         name = {"l": "link"}.get(name.lower(), name.lower())
         if name in _REGISTERS:
             setattr(self.machine, name, self._address(word))
         elif name in _SWITCHES:
             setattr(self.machine.panel, name, word.lower() in _ON)
         else:
-            raise MonitorError(f"{name}: no register or switch; there are {' '.join(_REGISTERS + _SWITCHES)}")
+            raise MonitorError(f"{name}: no register or switch; there are {_NAMES}")
 
     def registers(self, arguments: list[str]) -> None:
         """Say the lamps, the PC and the time."""
@@ -290,7 +291,7 @@ class Monitor:
         """Say what the monitor knows, or one of its commands."""
         for command in [_command(name) for name in arguments] or COMMANDS.values():
             said = f"{command.name + ' ' + command.arguments:28}{command.action.__doc__}"
-            for line in wrap(said, 79, subsequent_indent=" " * 28, drop_whitespace=True):
+            for line in wrap(said, 79, subsequent_indent=" " * 28):
                 self._say(line)
 
     def quit(self, arguments: list[str]) -> None:

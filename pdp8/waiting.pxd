@@ -25,7 +25,7 @@ cdef class Waiting:
     cpdef int look(self, int64_t until, int64_t last) except -1
     @cython.locals(word=int)
     cdef bint _jumps_to(self, int target, int address) except -1
-    @cython.locals(code=int, event=int64_t, device=Device)
+    @cython.locals(word=int, code=int, event=int64_t, device=Device)
     cdef bint _waits_for_flag(self, int64_t until, int64_t last) except -1
     @cython.locals(still=bint)
     cdef int _strike(self) except -1

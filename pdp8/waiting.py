@@ -51,7 +51,7 @@ class Waiting:
     def _remember(self) -> None:
         """Remember the machine as it is, to know it again."""
         p = self.processor
-        self.quiet_until = p.bus.next_event(p.clock)
+        self.quiet_until = p.bus.next_event(p.clock)  # first: whoever sees a frame now may set the machine
         self.pc, self.lac = p.pc, p.lac
         self.sr, self.mem_prot, self.ion = p.sr, p.mem_prot, p.ion
         self.told = p.bus.told
@@ -94,12 +94,13 @@ class Waiting:
         """
         p = self.processor
         event = p.bus.next_event(p.clock)  # whoever sees a frame now may have stopped the machine, or set it
-        code = self.core[p.pc] >> 3 & 0o77
-        if self.watched or event == NEVER or p.next != FETCH or p.ion != p.ion_delayed:
+        if self.watched or event == NEVER or not p.run or p.next != FETCH or p.ion != p.ion_delayed:
             return False
-        if not p.run or self.core[p.pc] & 0o7007 != 0o6001:
+        word = self.core[p.pc]
+        code = word >> 3 & 0o77
+        if word & 0o7007 != 0o6001 or code == 0 or not self._jumps_to(p.pc, p.pc + 1 & 0o7777):
             return False
-        if code == 0 or not self._jumps_to(p.pc, p.pc + 1 & 0o7777) or (p.ion and p.bus.request(p.clock)):
+        if p.ion and p.bus.request(p.clock):
             return False
         device = p.bus.device(code)
         if device is None or not device.flag:

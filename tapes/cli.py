@@ -4,7 +4,7 @@ import click
 
 from tapes import ascii, captions, command, eia, frames, hydrapoint, kinds, measure, picture, shelf
 from tapes import convert as codes
-from tapes.errors import TapeError, naming
+from tapes.errors import TapeError, called, naming
 
 _AUTO = "auto"
 _output = click.option(
@@ -96,7 +96,7 @@ def info(files: tuple[str, ...]) -> None:
     """
     for file in files or ("-",):
         report = measure.report(shelf.read(file))
-        click.echo("standard input" if file == "-" else file)
+        click.echo(called(file))
         for name, value in report:
             click.echo(f"    {name:10} {value}")
 

@@ -31,9 +31,14 @@ class TextError(WorkError):
         super().__init__(f"line {line}, column {column}: {message}")
 
 
+def called(file: str) -> str:
+    """Return what messages call a file that is read: its name, "standard input" for `-`."""
+    return "standard input" if file == "-" else file
+
+
 def named(file: str, error: WorkError) -> WorkError:
-    """Return the error with the name of the file, "standard input" for `-`, before its message."""
-    return WorkError(f"{'standard input' if file == '-' else file}: {error}")
+    """Return the error with what the file is called before its message."""
+    return WorkError(f"{called(file)}: {error}")
 
 
 @contextmanager

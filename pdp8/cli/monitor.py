@@ -11,7 +11,7 @@ from pdp8.cli.listed import open_program
 from pdp8.machine import Machine
 from pdp8.monitor import COMMANDS, Monitor, MonitorError
 from tapes import shelf
-from tapes.errors import WorkError
+from tapes.errors import WorkError, called
 
 
 @click.command()
@@ -47,8 +47,7 @@ def _follow(made: Monitor, script: str, echo: bool) -> None:
         try:
             made.do(line)
         except WorkError as error:
-            name = "standard input" if script == "-" else script
-            raise MonitorError(f"{name}, line {number}: {error}") from error
+            raise MonitorError(f"{called(script)}, line {number}: {error}") from error
         if made.finished:
             return
 

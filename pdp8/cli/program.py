@@ -4,12 +4,12 @@ from typing import TYPE_CHECKING
 
 from tapes import binary, kinds, rim, shelf
 from tapes.errors import TapeError, WorkError, naming
-from tapes.frames import PARITIES
 
 if TYPE_CHECKING:
     from pal import Assembly
 
-_FIGURES = bytes(frame for frame in range(0o400) if chr(frame & 0o177) in "0123456789 \r\n\0\x7f")
+_FIGURES = b"0123456789 \r\n\0\x7f"
+_FIGURES += bytes(code | 0o200 for code in _FIGURES)  # with channel 8 too
 
 
 def read_words(name: str) -> dict[int, int]:
@@ -34,7 +34,7 @@ def words(frames: bytes, name: str) -> dict[int, int]:
     if kind == kinds.RIM:
         return rim.decode(frames)
     if kind == kinds.ASCII:
-        if not frames.translate(PARITIES["none"], _FIGURES):
+        if not frames.translate(None, _FIGURES):
             raise WorkError("nothing but figures: no program, but a tape for the reader")
         return assembled(frames, name).words
     if kind == kinds.BLANK_TAPE:
