@@ -42,7 +42,7 @@ docs: .venv/ready-dev
 	$(BIN)/pdoc -o build/api tapes programs '!(tapes|programs).cli' $(subst /,.,$(MODULES:.py=))
 
 # The compiled form of these sits beside its source and would hide what is changed there.
-COMPILED := $(wildcard pdp8/*.pxd)
+COMPILED := $(wildcard pdp8/computer/*.pxd)
 
 BUILT_FROM := pyproject.toml setup.py $(COMPILED) $(COMPILED:.pxd=.py)
 
@@ -64,4 +64,4 @@ BYTECODE = $(BIN)/python -m compileall -q tapes pal pdp8 programs nc
 	touch .venv/ready $@
 
 clean:
-	rm -rf .venv demo build dist *.egg-info pdp8/*.so
+	rm -rf .venv demo build dist *.egg-info pdp8/computer/*.so

@@ -31,7 +31,10 @@ def extensions() -> list[object]:
     from setuptools import Extension
 
     built = cythonize(
-        [Extension(f"pdp8.{name}", [f"pdp8/{name}.py"], extra_compile_args=FLAGS) for name in MODULES],
+        [
+            Extension(f"pdp8.computer.{name}", [f"pdp8/computer/{name}.py"], extra_compile_args=FLAGS)
+            for name in MODULES
+        ],
         build_dir="build",
         compiler_directives=DIRECTIVES,
     )

@@ -10,8 +10,8 @@ HOUSE = Path(__file__).parent.parent
 
 def test_a_page_is_made_of_a_module(tmp_path: Path) -> None:
     pdoc = pytest.importorskip("pdoc", reason="pdoc, the extra `docs`, is not installed")
-    pdoc.pdoc("tapes.frames", "pdp8.processor", output_directory=tmp_path)
-    page = (tmp_path / "pdp8" / "processor.html").read_text()
+    pdoc.pdoc("tapes.frames", "pdp8.computer.processor", output_directory=tmp_path)
+    page = (tmp_path / "pdp8" / "computer" / "processor.html").read_text()
     assert "Run one memory cycle." in page
     assert "Not emulated" in page
 

@@ -2,7 +2,9 @@
 
     tapes <- pal <- pdp8      tapes <- programs      tapes <- nc
 
-Only `pdp8/cli` and `pdp8/replay` import across, and nobody imports those two.
+Only `pdp8/cli`, `pdp8/replay`, `pdp8/thesis` and `pdp8/web` import across; nobody imports those but each
+other.
+`pdp8/computer` imports no front end.
 """
 
 import ast
@@ -20,7 +22,7 @@ ALLOWED = {
     "programs": {"tapes", "programs"},
     "nc": {"tapes", "nc"},
 }
-ACROSS = ("pdp8.cli", "pdp8.replay")
+ACROSS = ("pdp8.cli", "pdp8.replay", "pdp8.thesis", "pdp8.web")
 
 
 def sources() -> list[Path]:
@@ -56,13 +58,21 @@ def test_imports_point_one_way(path: Path) -> None:
         assert not is_across(name), f"{here} imports {name}, which nobody does"
 
 
+@pytest.mark.parametrize(
+    "path", [path for path in sources() if module(path).startswith("pdp8.computer.")], ids=module
+)
+def test_the_computer_imports_no_front_end(path: Path) -> None:
+    for name in imports(path):
+        assert not name.startswith("pdp8.") or name.startswith("pdp8.computer"), f"{path}: {name}"
+
+
 def test_the_rooms_exist() -> None:
     assert {module(path).split(".", maxsplit=1)[0] for path in sources()} == set(PACKAGES)
 
 
 def test_every_package_lists_its_files() -> None:
-    for package in PACKAGES:
-        listing = ast.get_docstring(ast.parse((HOUSE / package / "__init__.py").read_text())) or ""
-        for path in sorted((HOUSE / package).glob("*.py")):
-            if path.stem != "__init__":
+    for package in {path.parent for path in sources()}:
+        listing = ast.get_docstring(ast.parse((package / "__init__.py").read_text())) or ""
+        for path in sorted(package.glob("*.py")):
+            if not path.stem.startswith("__"):
                 assert path.stem in listing, f"{package}/__init__.py does not list {path.stem}"

@@ -17,9 +17,9 @@ from types import FrameType
 
 import click
 
-from pdp8.bus import NEVER
-from pdp8.machine import TICKS_PER_SECOND, Machine, Stop
-from pdp8.teletype import printed
+from pdp8.computer.bus import NEVER
+from pdp8.computer.machine import TICKS_PER_SECOND, Machine, Stop
+from pdp8.computer.teletype import printed
 
 ESCAPE = b"\x1d"
 _SLICE = 0.05
@@ -106,6 +106,6 @@ def _print(frame: int) -> None:
 def _to_the_monitor(machine: Machine) -> None:
     from pdp8.cli.listed import open_program
     from pdp8.cli.monitor import converse
-    from pdp8.monitor import Monitor
+    from pdp8.monitor.prompt import Monitor
 
     converse(Monitor(click.echo, open_program, machine))

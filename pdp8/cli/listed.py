@@ -1,8 +1,8 @@
 """A program by name with all that is known of it: its tape, and its listing if it is source."""
 
 from pdp8.cli.program import assembled, words
-from pdp8.monitor import Program
-from pdp8.trace import Listing
+from pdp8.computer.trace import Listing
+from pdp8.monitor.prompt import Program
 from tapes import binary, kinds, shelf
 from tapes.errors import naming
 

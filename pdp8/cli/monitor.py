@@ -8,8 +8,8 @@ from collections.abc import Iterator
 import click
 
 from pdp8.cli.listed import open_program
-from pdp8.machine import Machine
-from pdp8.monitor import COMMANDS, Monitor, MonitorError
+from pdp8.computer.machine import Machine
+from pdp8.monitor.prompt import COMMANDS, Monitor, MonitorError
 from tapes import shelf
 from tapes.errors import WorkError, called
 

@@ -92,7 +92,7 @@ def _leave(afternoon: "Afternoon", folder: str, html: str | None) -> None:
         shelf.write(os.path.join(folder, name), content)
     click.echo(f"{len(files)} tapes, listings and pictures in {folder}", err=True)
     if html:
-        from pdp8.replay.page import page
+        from pdp8.web.page import page
 
         shelf.write(html, page(afternoon).encode())
         if html != "-":

@@ -49,7 +49,7 @@ def _show_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
         return
     from importlib.metadata import version
 
-    from pdp8 import engine
+    from pdp8.computer import engine
 
     core = "interpreted" if str(engine.__file__).endswith(".py") else "compiled"
     click.echo(f"pdp8, version {version('pdp8')}, {core} core")

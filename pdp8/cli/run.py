@@ -8,13 +8,13 @@ from typing import BinaryIO
 import click
 from click.core import ParameterSource
 
-from pdp8.bus import NEVER
 from pdp8.cli.interrupt import ctrl_c
 from pdp8.cli.octal import octal
 from pdp8.cli.program import read_words
 from pdp8.cli.progress import Bar
-from pdp8.machine import TICKS_PER_SECOND, Machine, Stop
-from pdp8.teletype import Punch, printed
+from pdp8.computer.bus import NEVER
+from pdp8.computer.machine import TICKS_PER_SECOND, Machine, Stop
+from pdp8.computer.teletype import Punch, printed
 from tapes import command, shelf
 from tapes.errors import WorkError
 from tapes.frames import PARITIES
@@ -239,20 +239,20 @@ def _typed(machine: Machine, outputs: list[_Output], max_time: float | None, rea
 def _traced(machine: Machine, name: str, program: str | None, cycles: bool) -> AbstractContextManager[None]:
     from pdp8.cli.listed import open_program
     from pdp8.cli.tracing import tracing
-    from pdp8.trace import Listing
+    from pdp8.computer.trace import Listing
 
     return tracing(machine, name, open_program(program).listing if program else Listing(), cycles)
 
 
 def _save(machine: Machine, name: str) -> None:
-    from pdp8 import state
+    from pdp8.computer import state
 
     shelf.write(name, state.save(machine).encode())
 
 
 def _restored(name: str, reader: str | None) -> Machine:
     """Return the saved machine, with another tape in its reader if one is given."""
-    from pdp8 import state
+    from pdp8.computer import state
 
     try:
         machine = state.restore(shelf.read(name).decode("ascii", "replace"))
@@ -265,8 +265,8 @@ def _restored(name: str, reader: str | None) -> Machine:
 
 def _boot(machine: Machine, program: str, quiet: bool) -> None:
     """Load `program` as an operator does, saying what it took."""
-    from pdp8 import loaders
     from pdp8.cli.listed import open_program
+    from pdp8.computer import loaders
     from tapes import rim
     from tapes.measure import duration
 

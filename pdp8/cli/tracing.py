@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from typing import TextIO
 
-from pdp8.machine import Machine
-from pdp8.trace import Listing, Trace
+from pdp8.computer.machine import Machine
+from pdp8.computer.trace import Listing, Trace
 from tapes.shelf import ShelfError
 
 

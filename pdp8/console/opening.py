@@ -4,9 +4,9 @@ from collections.abc import Callable
 from time import perf_counter
 from typing import NamedTuple
 
+from pdp8.computer.machine import Machine
 from pdp8.console.programs import BIN, RIM, Program, read
 from pdp8.console.session import Session, Tape
-from pdp8.machine import Machine
 from tapes import shelf
 
 PROGRAM = "eia.pal"

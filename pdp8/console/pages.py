@@ -9,11 +9,11 @@ from textual import events
 from textual.binding import Binding, BindingType
 from textual.widget import Widget
 
+from pdp8.computer.loaders import RIM, RIM_START
+from pdp8.computer.teletype import printed
 from pdp8.console.edges import write_above
 from pdp8.console.programs import Program, fitting
 from pdp8.console.session import Session
-from pdp8.loaders import RIM, RIM_START
-from pdp8.teletype import printed
 
 _INK = Style(color="#2d2618")
 _BRIGHT = Style(color="#ffe9c4")

@@ -21,7 +21,7 @@ import nc
 import pal
 from nc.curves import Cubic, Curve
 from nc.inspection import Inspection, inspect
-from pdp8.machine import TICKS_PER_SECOND
+from pdp8.computer.machine import TICKS_PER_SECOND
 from pdp8.replay.operator import Deed, Operator
 from tapes import ascii, frames, rim, shelf
 from tapes.errors import WorkError

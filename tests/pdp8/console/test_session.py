@@ -2,10 +2,10 @@
 
 import pytest
 
+from pdp8.computer.machine import Machine
 from pdp8.console.opening import opening
 from pdp8.console.programs import fitting, read
 from pdp8.console.session import LAMPS, Session, Tape
-from pdp8.machine import Machine
 from tapes import kinds
 from tapes.errors import WorkError
 from tests.conftest import assert_same_tape

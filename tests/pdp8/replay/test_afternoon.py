@@ -3,7 +3,7 @@
 import pytest
 
 import pal
-from pdp8.machine import TICKS_PER_SECOND
+from pdp8.computer.machine import TICKS_PER_SECOND
 from pdp8.replay import Act, Afternoon, clock, replay
 from pdp8.replay.afternoon import Kind
 from pdp8.replay.desk import desk
@@ -11,7 +11,7 @@ from pdp8.replay.figures import compare
 from pdp8.replay.operator import Operator
 from tapes import shelf
 from tapes.errors import WorkError
-from tests.pdp8.replay.follower import Follower
+from tests.pdp8.web.follower import Follower
 
 
 def test_the_acts_follow_one_another(circle: Afternoon) -> None:

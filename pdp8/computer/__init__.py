@@ -1,0 +1,16 @@
+"""The machine itself: it prints nothing and knows no front end.
+
+processor    AC L PC MA MB IR, one memory cycle at a time: the one to read
+engine       the same for long runs: core decoded once, compiled where it can be
+operate      the OPR groups as pure functions
+bus          IOP pulses, SKIP, interrupt request: what processor and devices say to each other
+teletype     ASR-33: keyboard and reader (03), printer and punch (04)
+highspeed    PC8/L: the high-speed reader (01) and punch (02)
+panel        lamps, switches and keys
+waiting      loops that only wait, passed over exactly
+watch        breakpoints, words being written, observers
+trace        an instruction or a cycle a line, as in the listing
+machine      the one place that knows every part and wires it
+loaders      words into core; RIM and BIN as an operator loads them
+state        a whole machine as text, and back
+"""

@@ -1,0 +1,63 @@
+# The types with which Cython compiles engine.py; Python itself never reads this.
+
+cimport cython
+from libc.stdint cimport int64_t
+
+from pdp8.computer.processor cimport Processor
+from pdp8.computer.waiting cimport Waiting
+
+cdef int64_t LONGEST, PIECE
+cdef int CYCLE, EXECUTE, FETCH, ISZ, JMP, JMS, PROTECTED, _JMP, _NO_ROTATE, _ROTATE, _DELAY, _WRAP, _LEFT
+
+
+@cython.final
+cdef class Engine:
+    cdef Processor processor
+    cdef Waiting waiting
+    cdef public bint delays
+    cdef bint watched
+    cdef unsigned short[::1] core
+    cdef int wall
+    cdef object known
+    cdef frozenset breakpoints
+    cdef bytes conditions
+    # Stores into bytes may alias everything, so that C would fetch its pointers anew after each; and arrays
+    # should not lie a multiple of 4096 bytes apart, as the same indices would then be taken for one place.
+    cdef unsigned short ops[4098]
+    cdef unsigned short apart1[480]
+    cdef unsigned short arg[4098]
+    cdef unsigned short apart2[480]
+    cdef unsigned short keep[256]
+    cdef unsigned short flip[256]
+    cdef unsigned short plus[256]
+
+    @cython.locals(called=bint)
+    cpdef run(self, int64_t until, int64_t last, object breakpoints = *)
+    cdef bint _called(self) except -1
+    cdef bint _at_breakpoint(self, int64_t until, int64_t last) except -1
+    @cython.locals(address=int)
+    cdef _know(self, object breakpoints)
+    cpdef forget(self, int address)
+    @cython.locals(address=int)
+    cdef _forget_written(self)
+    @cython.locals(room=int64_t)
+    cdef int64_t _room(self, int64_t until, int64_t last) except? -1
+    @cython.locals(word=int, operand=int, op=int)
+    cdef _decode(self, int address)
+    @cython.locals(code=int)
+    cdef int _memory_reference(self, int word, int operand, int address) except -1
+    @cython.locals(word=int, target=int)
+    cdef bint _may_delay(self, int counter, int address) except -1
+    @cython.locals(
+        p=Processor, waiting=Waiting,
+        core="unsigned short[::1]", ops="unsigned short *", arg="unsigned short *",
+        keep="unsigned short *", flip="unsigned short *", plus="unsigned short *",
+        conditions="const unsigned char *",
+        lac="unsigned int", pc="Py_ssize_t", x="Py_ssize_t", address="Py_ssize_t", word="unsigned int",
+        counter="Py_ssize_t", count="unsigned int", op=int, wall=int, written=int,
+        time=int64_t, limit=int64_t, turns=int64_t,
+    )
+    cdef bint _run_pieces(self, int64_t until, int64_t last) except -1
+
+
+cdef int _wall(int mem_prot) noexcept

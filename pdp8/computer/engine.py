@@ -1,0 +1,417 @@
+"""The same PDP-8/L for long runs: core is decoded once, then executed from its decoded form.
+
+    core      7300  1205  5201 ...        words, shared with the processor
+    ops         6     1     4  ...        what to do, 0 where the word is not decoded yet
+    arg       300   205   201  ...        its operand: an effective address, or OPR bits
+
+The engine keeps no state of its own but the decoded forms. It works on the registers and the core of the
+processor one can read, and leaves to it whatever is rare or reaches outside: IOT, HLT, OSR, what MEM PROT
+stops, interrupts, and the last instruction before a run ends, which lights the lamps. So a run is
+
+    piece ─► look whether the program only waits ─► one instruction of the processor ─► look ─► piece ...
+
+where a piece goes on until something is due (a flag under ION, the end of the run) or such an instruction
+comes. A store undoes the decoded form of its word. ISZ X, JMP .-1 is counted down at once, as far as the
+piece goes.
+
+This file runs as it is; Cython compiles it with the types in engine.pxd beside it. The loop is written for
+both: plain locals, numbers for operations, and one number `time` for ticks and instructions together, small
+enough to be quick in either.
+
+Sources: those of processor.py, which tests hold this in lockstep with.
+"""
+
+from collections.abc import Set
+
+from pdp8.computer.processor import CYCLE, EXECUTE, FETCH, ISZ, JMP, JMS, PROTECTED, Processor
+from pdp8.computer.waiting import Waiting
+
+LONGEST = 3 * CYCLE
+"""The ticks of the longest instruction a piece executes."""
+PIECE = 100_000
+"""The ticks of the longest piece: so many cycles can be counted in the low 12 bits of `time`."""
+
+# The conditions of every {L, AC} by the bits of the skips that look for them: SMA 100, SZA 40, SNL 20.
+CONDITIONS = b"\x20" + bytes(2047) + b"\x40" * 2048 + b"\x30" + b"\x10" * 2047 + b"\x50" * 2048
+
+# The operations of a piece by their numbers there; 0 is a word that is not decoded.
+_JMP, _NO_ROTATE, _ROTATE, _DELAY, _WRAP, _LEFT = 4, 6, 16, 23, 24, 25
+_DIRECT = (17, 1, 3, 2, 15, _JMP)
+_INDIRECT = (22, 10, 20, 11, 21, 12)
+_AUTOINDEXED = (_LEFT, 13, _LEFT, 14, _LEFT, _LEFT)
+_FREQUENT_ROTATES = {0o4: 7, 0o10: 8}
+_SKIPS = {0: 5, 0o10: 9, 0o200: 18, 0o210: 19}
+
+
+class Engine:
+    """Runs a processor in pieces; `delays` tells whether delay loops are counted down at once."""
+
+    def __init__(self, processor: Processor, waiting: Waiting, delays: bool = True) -> None:
+        self.processor = processor
+        self.waiting = waiting
+        self.delays = delays
+        self.core = processor.core
+        self.wall = 0o10000
+        """The first address that may not be written: MEM PROT's, or that after the end of core."""
+        self.known = processor.core[:]
+        """Core as it was when the last run ended."""
+        self.breakpoints: Set[int] = frozenset()
+        self.watched = False
+        """Whether there are any."""
+        self.conditions = CONDITIONS
+        # Two words past the end wrap the PC, which can overrun by a skip.
+        self.ops = [0] * 0o10000 + [_WRAP] * 2
+        self.arg = [0] * 0o10002
+        # Group 1 without its rotate, by its low 8 bits: {L, AC} & keep ^ flip, + plus.
+        self.keep = [
+            (0o10000 if i & 0o200 else 0o17777) & (0o7777 if i & 0o100 else 0o17777) for i in range(256)
+        ]
+        self.flip = [(0o7777 if i & 0o40 else 0) | (0o10000 if i & 0o20 else 0) for i in range(256)]
+        self.plus = [i & 1 for i in range(256)]
+
+    def run(self, until: int, last: int, breakpoints: Set[int] = frozenset()) -> bool:
+        """Run to tick `until`, to `last` instructions in all, until RUN goes off, the program waits for ever
+        or comes, after its first instruction, to one of the `breakpoints` or from a JMS to one: only then
+        return True.
+        """
+        self._know(breakpoints)
+        self.waiting.endless = False
+        called = self._run_pieces(until, last)
+        self.known = self.processor.core[:]
+        return self.processor.run == 1 and (called or self._at_breakpoint(until, last))
+
+    def _called(self) -> bool:
+        """Tell whether the processor's last instruction was a JMS to a breakpoint."""
+        p = self.processor
+        return p.run == 1 and p.ir == JMS and p.state == EXECUTE and p.ma in self.breakpoints
+
+    def _at_breakpoint(self, until: int, last: int) -> bool:
+        p = self.processor
+        reached = p.clock >= until or p.instructions >= last
+        return p.pc in self.breakpoints and not self.waiting.endless and not reached
+
+    def _know(self, breakpoints: Set[int]) -> None:
+        """Forget the decoded forms if a hand touched core, MEM PROT or the breakpoints since the last run."""
+        wall = _wall(self.processor.mem_prot)
+        if wall == self.wall and breakpoints == self.breakpoints and self.processor.core == self.known:
+            return
+        self.wall = wall
+        self.breakpoints = frozenset(breakpoints)
+        self.watched = len(breakpoints) > 0
+        for address in range(0o10000):
+            self.core[address] &= 0o7777
+            self.ops[address] = 0
+
+    def forget(self, address: int) -> None:
+        """Forget the decoded form of the word at `address`, and what waited: a hand put another one there."""
+        self.ops[address] = 0
+        self.waiting.forget()
+
+    def _forget_written(self) -> None:
+        """Forget the words that an instruction of the processor may have written."""
+        self.ops[self.processor.ma] = 0
+        for address in range(0o10, 0o20):
+            self.ops[address] = 0
+
+    def _room(self, until: int, last: int) -> int:
+        """Return the ticks of the next piece, none if the processor has to do the next instruction: also when
+        somebody who saw a frame pressed STOP or threw MEM PROT.
+        """
+        p = self.processor
+        if p.next != FETCH or self.waiting.hunting:
+            return 0
+        if self.wall != _wall(p.mem_prot):
+            return 0
+        room = min(PIECE, self.waiting.strike - p.clock, until - p.clock - LONGEST)
+        if last - p.instructions <= PIECE // CYCLE:
+            room = min(room, (last - p.instructions - 1) * CYCLE)
+        if p.ion:
+            if not p.ion_delayed or p.bus.request(p.clock):
+                return 0
+            room = min(room, p.bus.next_event(p.clock) - p.clock - LONGEST)
+        return max(room, 0) if p.run else 0
+
+    def _decode(self, address: int) -> None:
+        """Fill in the operation of the word at `address`, and its operand."""
+        word = self.core[address]
+        if word < 0o6000:
+            operand = word & 0o177 | (address & 0o7600 if word & 0o200 else 0)
+            op = self._memory_reference(word, operand, address)
+        elif word < 0o7000:
+            operand, op = 0, _LEFT
+        elif word < 0o7400:
+            operand, op = word & 0o377, _group1(word & 0o377)
+        else:
+            operand, op = _group2(word)
+        if self.watched and self._may_lead_to_one(word, operand, address):
+            op = _LEFT
+        self.arg[address] = operand
+        self.ops[address] = op
+
+    def _memory_reference(self, word: int, operand: int, address: int) -> int:
+        code = word >> 9
+        if word & 0o400:
+            return _AUTOINDEXED[code] if operand & 0o7770 == 0o10 else _INDIRECT[code]
+        if code == JMP:
+            return _LEFT if operand == address else _JMP
+        if code >= ISZ and operand >= self.wall:
+            return _LEFT
+        if code == ISZ and self.delays and self._may_delay(operand, address):
+            return _DELAY
+        return _DIRECT[code]
+
+    def _may_delay(self, counter: int, address: int) -> bool:
+        """Tell whether ISZ at `address` is that of a delay loop: JMP .-1 follows, and it counts neither."""
+        if address == 0o7777 or counter in (address, address + 1):
+            return False
+        word = self.core[address + 1]
+        target = word & 0o177 | (address + 1 & 0o7600 if word & 0o200 else 0)
+        return word >> 8 == JMP << 1 and target == address
+
+    def _may_lead_to_one(self, word: int, operand: int, address: int) -> bool:
+        """Tell whether a breakpoint may come after the instruction; the lamps must be right there."""
+        after = {address + 1 & 0o7777, address + 2 & 0o7777}
+        if JMS << 9 <= word < 0o6000:
+            if word & 0o400:
+                return True
+            after = {operand, operand + 1 & 0o7777}
+        return not self.breakpoints.isdisjoint(after)
+
+    def _run_pieces(self, until: int, last: int) -> bool:
+        """Run piece by piece; return whether it ended with a JMS to a breakpoint. `time` has the ticks of a
+        piece above, its instructions in the low 12 bits; the piece ends with the first instruction that ends
+        at or after `limit`, or before one that is left to the processor.
+
+        `count` is the word at `counter`, which ISZ stored last: a loop that read it back from core would wait
+        for it in every turn.
+        """
+        p, waiting = self.processor, self.waiting
+        core, ops, arg = self.core, self.ops, self.arg
+        keep, flip, plus, conditions = self.keep, self.flip, self.plus, self.conditions
+        wall = self.wall
+        while p.clock < until and p.instructions < last:
+            limit = 0 if ops[p.pc & 0o7777] == _LEFT else self._room(until, last) << 12
+            lac = p.lac & 0o17777
+            pc = p.pc & 0o7777
+            written = 0
+            counter = -1
+            count = 0
+            time = 0
+            while time < limit:
+                op = ops[pc]
+                x = arg[pc]
+                if op == 1:  # TAD
+                    lac = lac + core[x] & 0o17777
+                    time += 64 << 12 | 1
+                    pc += 1
+                elif op == 2:  # DCA
+                    core[x] = lac & 0o7777
+                    ops[x] = 0
+                    written = 1
+                    counter = -1
+                    lac &= 0o10000
+                    time += 64 << 12 | 1
+                    pc += 1
+                elif op == 3:  # ISZ, and the JMP that mostly follows
+                    if x != counter:
+                        counter = x
+                        count = core[x]
+                    count = count + 1 & 0o7777
+                    core[x] = count
+                    ops[x] = 0
+                    written = 1
+                    time += 64 << 12 | 1
+                    pc += 1
+                    if count == 0:
+                        pc += 1
+                    elif ops[pc] == 4 and time < limit:
+                        pc = arg[pc]
+                        time += 32 << 12 | 1
+                elif op == 4:  # JMP
+                    pc = x
+                    time += 32 << 12 | 1
+                elif op == 5:  # SMA SZA SNL
+                    time += 32 << 12 | 1
+                    pc += 1
+                    if x & conditions[lac]:
+                        pc += 1
+                elif op == 6:  # group 1 without a rotate
+                    lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
+                    time += 32 << 12 | 1
+                    pc += 1
+                elif op == 7:  # RAL
+                    lac = lac << 1 & 0o17777 | lac >> 12
+                    time += 32 << 12 | 1
+                    pc += 1
+                elif op == 8:  # RAR
+                    lac = lac >> 1 | (lac & 1) << 12
+                    time += 32 << 12 | 1
+                    pc += 1
+                elif op == 9:  # SPA SNA SZL
+                    time += 32 << 12 | 1
+                    pc += 1
+                    if x & conditions[lac] == 0:
+                        pc += 1
+                elif op == 10:  # TAD I
+                    lac = lac + core[core[x]] & 0o17777
+                    time += 96 << 12 | 1
+                    pc += 1
+                elif op == 11:  # DCA I
+                    address = core[x]
+                    if address >= wall:
+                        break
+                    core[address] = lac & 0o7777
+                    ops[address] = 0
+                    written = 1
+                    counter = -1
+                    lac &= 0o10000
+                    time += 96 << 12 | 1
+                    pc += 1
+                elif op == 12:  # JMP I
+                    pc = core[x]
+                    time += 64 << 12 | 1
+                elif op == 13:  # TAD I, autoindexed
+                    address = core[x] + 1 & 0o7777
+                    core[x] = address
+                    ops[x] = 0
+                    written = 1
+                    counter = -1
+                    lac = lac + core[address] & 0o17777
+                    time += 96 << 12 | 1
+                    pc += 1
+                elif op == 14:  # DCA I, autoindexed
+                    address = core[x] + 1 & 0o7777
+                    if address >= wall:
+                        break
+                    core[x] = address
+                    ops[x] = 0
+                    core[address] = lac & 0o7777
+                    ops[address] = 0
+                    written = 1
+                    counter = -1
+                    lac &= 0o10000
+                    time += 96 << 12 | 1
+                    pc += 1
+                elif op == 15:  # JMS
+                    core[x] = pc + 1 & 0o7777
+                    ops[x] = 0
+                    written = 1
+                    counter = -1
+                    pc = x + 1
+                    time += 64 << 12 | 1
+                elif op == 16:  # group 1 with a rotate
+                    lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
+                    x &= 0o16
+                    if x == 0o4:
+                        lac = lac << 1 & 0o17777 | lac >> 12
+                    elif x == 0o10:
+                        lac = lac >> 1 | (lac & 1) << 12
+                    elif x == 0o6:
+                        lac = lac << 2 & 0o17777 | lac >> 11
+                    else:
+                        lac = lac >> 2 | (lac & 3) << 11
+                    time += 32 << 12 | 1
+                    pc += 1
+                elif op == 17:  # AND
+                    lac &= core[x] | 0o10000
+                    time += 64 << 12 | 1
+                    pc += 1
+                elif op == 18:  # SMA SZA SNL, CLA
+                    time += 32 << 12 | 1
+                    pc += 1
+                    if x & conditions[lac]:
+                        pc += 1
+                    lac &= 0o10000
+                elif op == 19:  # SPA SNA SZL, CLA
+                    time += 32 << 12 | 1
+                    pc += 1
+                    if x & conditions[lac] == 0:
+                        pc += 1
+                    lac &= 0o10000
+                elif op == 20:  # ISZ I
+                    address = core[x]
+                    if address >= wall:
+                        break
+                    word = core[address] + 1 & 0o7777
+                    core[address] = word
+                    ops[address] = 0
+                    written = 1
+                    counter = -1
+                    time += 96 << 12 | 1
+                    pc += 1
+                    if word == 0:
+                        pc += 1
+                elif op == 21:  # JMS I
+                    address = core[x]
+                    if address >= wall:
+                        break
+                    core[address] = pc + 1 & 0o7777
+                    ops[address] = 0
+                    written = 1
+                    counter = -1
+                    pc = address + 1
+                    time += 96 << 12 | 1
+                elif op == 22:  # AND I
+                    lac &= core[core[x]] | 0o10000
+                    time += 96 << 12 | 1
+                    pc += 1
+                elif op == 23:  # ISZ X of a delay loop: all turns of ISZ X, JMP .-1 that fit but the last
+                    if ops[pc + 1] == 4 and arg[pc + 1] == pc:
+                        turns = ((limit >> 12) - 1 - (time >> 12)) // LONGEST
+                        turns = min(turns, 0o7777 - core[x])
+                        core[x] += turns
+                        time += turns * (96 << 12 | 2)
+                    word = core[x] + 1 & 0o7777
+                    core[x] = word
+                    ops[x] = 0
+                    written = 1
+                    counter = -1
+                    time += 64 << 12 | 1
+                    pc += 1
+                    if word == 0:
+                        pc += 1
+                elif op == 24:  # past the end of core
+                    pc -= 0o10000
+                elif op == 0:  # not decoded
+                    self._decode(pc)
+                else:  # left to the processor
+                    break
+            p.pc = pc & 0o7777
+            if time:
+                p.lac = lac
+                p.clock += time >> 12
+                p.instructions += time & 0o7777
+                p.protect = 0
+                p.written |= written
+            else:
+                p.instruction()
+                if p.state != FETCH:
+                    self._forget_written()
+                if self.watched and self._called():
+                    return True
+                if not p.run:
+                    return False
+            waiting.look(until, last)
+            if waiting.endless or (self.watched and p.pc in self.breakpoints):
+                return False
+        return False
+
+
+def _wall(mem_prot: int) -> int:
+    return PROTECTED if mem_prot else 0o10000
+
+
+def _group1(bits: int) -> int:
+    rotate = bits & 0o14
+    if rotate == 0:
+        return _NO_ROTATE
+    return _LEFT if rotate == 0o14 else _FREQUENT_ROTATES.get(bits, _ROTATE)
+
+
+def _group2(word: int) -> tuple[int, int]:
+    """Return operand and operation: group 3 does nothing, OSR and HLT are left."""
+    if word & 1:
+        return 0, _NO_ROTATE
+    if word & 6:
+        return 0, _LEFT
+    return word & 0o160, _SKIPS[word & 0o210]

@@ -1,0 +1,36 @@
+# The types with which Cython compiles processor.py; Python itself never reads this.
+
+cimport cython
+from libc.stdint cimport int64_t
+
+from pdp8.computer.bus cimport Bus
+
+cdef int FETCH, DEFER, EXECUTE, INTERRUPT, PROTECTED
+cdef int AND, TAD, ISZ, DCA, JMS, JMP, IOT, OPR, CYCLE, IO_TICKS
+cdef int GROUP_2, GROUP_3, HLT
+
+
+@cython.final
+cdef class Processor:
+    cdef public Bus bus
+    cdef public object core
+    cdef unsigned short[::1] _core
+    cdef public int lac, pc, ma, mb, ir, state, next, run
+    cdef public int ion, ion_delayed, sr, mem_prot, sing_step, protect, written
+    cdef public int64_t clock, started, instructions
+
+    cpdef initialize(self)
+    cpdef int cycle(self) except -1
+    cpdef int instruction(self) except -1
+    @cython.locals(address=int, word=int, code=int)
+    cdef int _fetch(self) except -1
+    cdef int _address(self) noexcept
+    cdef void _defer(self) noexcept
+    cdef void _execute(self) noexcept
+    cdef void _interrupt(self) noexcept
+    cdef void _write(self, int word) noexcept
+    cdef int _operate(self, int word) except -1
+    @cython.locals(answer=int)
+    cdef int _input_output(self, int word) except -1
+    cdef void _interrupt_enable(self, int word) noexcept
+    cdef int _strobe(self) except -1

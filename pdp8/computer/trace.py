@@ -1,0 +1,115 @@
+"""A trace that follows the listing: what was executed, with the lamps and the time.
+
+        time       L AC    MA   MB    listing
+       81.80   us  0 0000  0204 1102  0204  1102          TAD M60
+
+An instruction a line, or a memory cycle a line with its major state. The time is when it began, in
+microseconds since START; the lamps are as it left them. Loops that only wait are told in one line.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+from pal.disassembler import microinstruction
+from pdp8.computer.processor import CYCLE, DEFER, EXECUTE, FETCH, INTERRUPT, IO_TICKS, IOT, JMP, Processor
+
+if TYPE_CHECKING:
+    from pal import Assembly
+
+_STATES = ("FETCH  ", "DEFER  ", "EXECUTE")
+_OPERATIONS = ("AND", "TAD", "ISZ", "DCA", "JMS", "JMP")
+
+
+class Line(NamedTuple):
+    """The word a line of a listing gives, and its source."""
+
+    word: int
+    source: str
+
+
+class Listing:
+    """What is known of the words in core: the lines and symbols of an assembly, or nothing."""
+
+    def __init__(
+        self, lines: Mapping[int, Line] | None = None, symbols: Mapping[str, int] | None = None
+    ) -> None:
+        self.lines = dict(lines or {})
+        self.symbols = dict(symbols or {})
+
+    @classmethod
+    def of(cls, assembly: "Assembly") -> "Listing":
+        """Return the listing of an assembly."""
+        lines = {
+            line.address: Line(line.word, line.source.expandtabs(8).rstrip())
+            for line in assembly.lines
+            if line.address is not None and line.word is not None
+        }
+        return cls(lines, assembly.symbols)
+
+    def line(self, address: int, word: int) -> str:
+        """Return the line of `word` at `address`: as assembled, or disassembled if it is another word now."""
+        known = self.lines.get(address)
+        source = known.source if known and known.word == word else " " * 8 + instruction(address, word)
+        return f"{address:04o}  {word:04o}  {source}".rstrip()
+
+
+def instruction(address: int, word: int) -> str:
+    """Return what `word` at `address` does, as PAL III writes it."""
+    code = word >> 9
+    if code > JMP:
+        return microinstruction(word) or f"{word:04o}"
+    target = word & 0o177 | (address & 0o7600 if word & 0o200 else 0)
+    return f"{_OPERATIONS[code]} {'I ' if word & 0o400 else ''}{target:04o}"
+
+
+class Trace:
+    """Writes a line for each instruction, or for each memory `cycles`, through `write`."""
+
+    def __init__(
+        self, write: Callable[[str], object], listing: Listing | None = None, cycles: bool = False
+    ) -> None:
+        self._write = write
+        self._listing = listing or Listing()
+        self._cycles = cycles
+        self._next = FETCH
+        self._began = 0
+        self._what = ""
+
+    def begin(self, processor: Processor) -> None:
+        """See where the processor stands before the first cycle: an interrupt may be due."""
+        self._next = processor.next
+
+    def cycle(self, processor: Processor) -> None:
+        """Take in the cycle that has ended; write its line, or the instruction's when that has ended."""
+        p = processor
+        interrupt = self._next == INTERRUPT
+        self._next = p.next
+        if p.state == FETCH:
+            self._what = self._listing.line(p.ma, p.mb)
+        elif interrupt:
+            self._what = "            JMS 0: an interrupt"
+        if self._cycles or p.state == FETCH or interrupt:
+            self._began = p.clock - p.started - CYCLE
+            if p.state == FETCH and p.ir == IOT:
+                self._began -= IO_TICKS
+        if self._cycles:
+            self._write(f"{_time(self._began)}  {_STATES[p.state]}  {_lamps(p)}  {self._what}")
+        elif p.next not in (DEFER, EXECUTE):
+            self._write(f"{_time(self._began)}  {_lamps(p)}  {self._what}")
+
+    def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
+        """Write what was passed over."""
+        self._write(
+            f"{' ' * 16}  ... the same again: {instructions:,} instructions, {ticks / 20_000:,.3f} ms"
+        )
+
+
+def _time(ticks: int) -> str:
+    """Return `ticks` in microseconds, in a column."""
+    return f"{ticks / 20:14,.2f} us"
+
+
+def _lamps(processor: Processor) -> str:
+    """Return L, AC, MA and MB as the lamps show them."""
+    p = processor
+    return f"{p.lac >> 12} {p.lac & 0o7777:04o}  {p.ma:04o} {p.mb:04o}"

@@ -1,0 +1,58 @@
+"""What somebody who looks over a running machine's shoulder wants to know of it.
+
+Breakpoints at addresses, breakpoints on words being written, and an observer who is told of every memory
+cycle and of every wait that was passed over.
+"""
+
+from typing import Protocol
+
+from pdp8.computer.processor import DCA, DEFER, EXECUTE, ISZ, JMS, Processor
+
+
+class Observer(Protocol):
+    """Who is told of what a processor does."""
+
+    def cycle(self, processor: Processor) -> None:
+        """Look at the lamps: a memory cycle has ended."""
+
+    def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
+        """Hear that `instructions` of a waiting loop, taking `ticks`, were passed over."""
+
+
+class Watch:
+    """The breakpoints of a machine, and its observer."""
+
+    def __init__(self) -> None:
+        self.breakpoints: set[int] = set()
+        """Addresses before whose instruction a run stops, and after a JMS to them."""
+        self.writes: set[int] = set()
+        """Addresses of words after whose writing a run stops."""
+        self.observer: Observer | None = None
+        self.reached = False
+        """Set when the last instruction wrote one of them, or was a JMS to a breakpoint."""
+
+    def watchful(self) -> bool:
+        """Tell whether every cycle is to be looked at; breakpoints alone do not need it."""
+        return bool(self.writes or self.observer)
+
+    def instruction(self, processor: Processor) -> None:
+        """Run one instruction, or the cycle of an interrupt, and look at each of its cycles."""
+        self.reached = False
+        self._cycle(processor)
+        while processor.next in (DEFER, EXECUTE):
+            self._cycle(processor)
+
+    def _cycle(self, processor: Processor) -> None:
+        processor.cycle()
+        if wrote(processor):
+            called = processor.state == EXECUTE and processor.ir == JMS
+            self.reached |= processor.ma in self.writes or (called and processor.ma in self.breakpoints)
+        if self.observer:
+            self.observer.cycle(processor)
+
+
+def wrote(processor: Processor) -> bool:
+    """Tell from the lamps whether the last cycle wrote the word at MA."""
+    if processor.state == EXECUTE:
+        return processor.ir in (ISZ, DCA, JMS) and not processor.protect
+    return processor.state == DEFER and processor.ma & 0o7770 == 0o10

@@ -1,0 +1,66 @@
+"""The two forms the machine runs in: as Python reads its sources, and as Cython compiled them."""
+
+import importlib
+import sys
+from collections.abc import Sequence
+from importlib.abc import MetaPathFinder
+from importlib.machinery import EXTENSION_SUFFIXES, ModuleSpec
+from importlib.util import spec_from_file_location
+from pathlib import Path
+from types import ModuleType
+
+import pdp8.computer
+
+FOLDER = Path(pdp8.computer.__file__).parent
+COMPILED = ("bus", "processor", "teletype", "waiting", "engine")
+FORMS = ("plain", "compiled")
+
+
+def extension(name: str) -> Path | None:
+    """Return the compiled form of the computer's module `name`, if it was built for this Python."""
+    return next((path for suffix in EXTENSION_SUFFIXES if (path := FOLDER / (name + suffix)).exists()), None)
+
+
+class _Sources(MetaPathFinder):
+    """Finds the sources of pdp8/computer, whatever is compiled beside them."""
+
+    def find_spec(
+        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
+    ) -> ModuleSpec | None:
+        source = FOLDER / (fullname.removeprefix("pdp8.computer.") + ".py")
+        if fullname.startswith("pdp8.computer.") and source.exists():
+            return spec_from_file_location(fullname, source)
+        return None
+
+
+def _plain() -> ModuleType:
+    """Import the machine from sources alone, and leave the modules in use as they were."""
+    used = {name: module for name, module in sys.modules.items() if name.startswith("pdp8.computer.")}
+    finder = _Sources()
+    for name in used:
+        del sys.modules[name]
+    sys.meta_path.insert(0, finder)
+    try:
+        return importlib.import_module("pdp8.computer.machine")
+    finally:
+        sys.meta_path.remove(finder)
+        for name in [name for name in sys.modules if name.startswith("pdp8.computer.")]:
+            del sys.modules[name]
+        sys.modules.update(used)
+        for name, module in used.items():
+            setattr(pdp8.computer, name.removeprefix("pdp8.computer."), module)
+
+
+_PLAIN = _plain()
+
+
+def machine_module(form: str) -> ModuleType:
+    """Return pdp8.computer.machine in one of the FORMS; skip the test if it was not built."""
+    if form == "plain":
+        return _PLAIN
+    missing = [name for name in COMPILED if extension(name) is None]
+    if missing:
+        import pytest  # the benchmarks, which come here too, do without
+
+        pytest.skip(f"not compiled: {', '.join(missing)}")
+    return importlib.import_module("pdp8.computer.machine")

@@ -1,0 +1,48 @@
+"""What is compiled is what the sources say."""
+
+import ast
+import re
+from collections.abc import Iterator
+
+import pytest
+
+from tests.pdp8.computer.engine.forms import COMPILED, FOLDER, extension
+
+
+@pytest.mark.parametrize("name", COMPILED)
+def test_no_extension_hides_a_newer_source(name: str) -> None:
+    built = extension(name)
+    if built is None:
+        pytest.skip("not compiled")
+    for suffix in (".py", ".pxd"):
+        source = FOLDER / (name + suffix)
+        assert source.stat().st_mtime <= built.stat().st_mtime, (
+            f"{source.name} is newer than {built.name}: run `make`, or delete the latter"
+        )
+
+
+def test_whatever_has_types_beside_it_is_compiled() -> None:
+    assert {path.stem for path in FOLDER.glob("*.pxd")} == set(COMPILED)
+
+
+@pytest.mark.parametrize("name", COMPILED)
+def test_every_attribute_of_a_compiled_class_has_its_type(name: str) -> None:
+    """An attribute that is only in the source exists when Python runs it, and not when it was compiled."""
+    types = (FOLDER / f"{name}.pxd").read_text()
+    tree = ast.parse((FOLDER / f"{name}.py").read_text())
+    for definition in ast.walk(tree):
+        if not isinstance(definition, ast.ClassDef) or f"class {definition.name}" not in types:
+            continue
+        declared = re.split(r"^cdef class ", types, flags=re.MULTILINE)
+        (own,) = [part for part in declared if re.match(rf"{definition.name}\b", part)]
+        inherited = own + ((FOLDER / "bus.pxd").read_text() if "(Device)" in own else "")
+        for attribute in set(_assigned(definition)):
+            assert re.search(rf"\b{attribute}\b", inherited), f"{definition.name}.{attribute}"
+
+
+def _assigned(definition: ast.ClassDef) -> Iterator[str]:
+    """Yield the attributes of `self` that the class assigns to."""
+    for node in ast.walk(definition):
+        match node:
+            case ast.Attribute(value=ast.Name(id="self"), attr=name, ctx=ast.Store()):
+                yield name

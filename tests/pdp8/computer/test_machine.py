@@ -1,0 +1,204 @@
+"""The machine as a whole: what may be looked at and set, and that nothing an operator does makes it raise."""
+
+from functools import partial
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pdp8
+from pdp8.computer import state
+from pdp8.computer.machine import Machine
+from tests.pdp8.computer.bench import octal, program
+
+
+def test_the_calls_of_the_readme() -> None:
+    m = pdp8.Machine()
+    m.load({0o200: 0o6036, 0o201: 0o6046, 0o202: 0o7402})
+    m.start(0o200)
+    m.teletype.reader.load(b"\301")
+    stop = m.run(seconds=5, instructions=100)
+    assert stop == pdp8.Stop("halt", 0o203, (85 + 85 + 32) / 20e6)
+    assert m.teletype.punch.tape == b"\377"  # KRB came before the first data unit
+
+
+def test_registers_are_words() -> None:
+    m = Machine()
+    given_and_held = {
+        "ac": (0o17777, 0o7777),
+        "link": (3, 1),
+        "pc": (0o10200, 0o200),
+        "ma": (-1, 0o7777),
+        "mb": (0o12345, 0o2345),
+        "ir": (0o17, 7),
+        "sr": (0o70001, 0o1),
+    }
+    for name, (value, held) in given_and_held.items():
+        setattr(m, name, value)
+        assert getattr(m, name) == held
+    assert (m.ac, m.link) == (0o7777, 1)
+    m.ac = 0
+    assert m.link == 1
+    m.core[0o200] = 0o12345
+    assert m.core[0o200] == 0o2345
+    assert len(m.core) == len(list(m.core)) == 4096
+
+
+@pytest.mark.parametrize("address", [-1, 0o10000])
+def test_there_is_no_core_beyond_7777(address: int) -> None:
+    with pytest.raises(IndexError, match="0000 to 7777"):
+        Machine().core[address]
+    with pytest.raises(IndexError):
+        Machine().core[address] = 0
+
+
+def test_setting_the_pc_begins_a_new_instruction() -> None:
+    m = program(*octal("1300 7402"))
+    m.load({0o300: 5, 0o400: 0o7402})
+    m.processor.cycle()
+    m.pc = 0o400
+    assert m.run().reason == "halt"
+    assert (m.ma, m.ac) == (0o400, 0)
+
+
+def test_start_counts_time_anew_and_switches_stay() -> None:
+    m = program(*octal("7604 7402"))
+    m.sr = 0o1234
+    m.run()
+    assert (m.ac, m.ticks) == (0o1234, 64)
+    m.run(instructions=1)
+    m.start(0o200)
+    assert (m.ac, m.ticks, m.sr) == (0, 0, 0o1234)
+
+
+def test_signatures_of_an_8l() -> None:
+    # Kermit-12: 7354 is 3776 on an 8/I or 8/L; 7601 clears on an 8/I and does nothing on an 8/L.
+    m = program(*octal("7354 7402"))
+    m.run()
+    assert m.ac == 0o3776
+    m = program(*octal("7240 7601 7402"))
+    m.run()
+    assert m.ac == 0o7777
+
+
+def test_waiting_time_passes_for_the_teletype() -> None:
+    m = program(*octal("6046 7402 6041 5202 7402"))
+    m.run()
+    m.wait(0.2)
+    before = m.ticks
+    assert m.run().reason == "halt"
+    assert m.ticks - before == 85 + 32
+
+
+def press(key: str, m: Machine) -> None:
+    getattr(m.panel, key)()
+
+
+def switches(word: int, m: Machine) -> None:
+    m.sr = word
+
+
+def deposit(address: int, word: int, m: Machine) -> None:
+    m.core[address] = word
+
+
+def tape(frames: bytes, m: Machine) -> None:
+    m.teletype.reader.load(frames)
+    m.highspeed.reader.load(frames)
+
+
+def keys(frames: bytes, m: Machine) -> None:
+    m.teletype.keyboard.press(frames)
+
+
+def lever(on: bool, m: Machine) -> None:
+    m.teletype.reader.lever(on)
+    m.teletype.punch.on = on
+
+
+def switch(name: str, on: bool, m: Machine) -> None:
+    setattr(m.panel, name, on)
+
+
+def run(instructions: int, m: Machine) -> None:
+    m.run(instructions=instructions)
+
+
+def short_run(seconds: float, m: Machine) -> None:
+    m.run(seconds=seconds, instructions=3000)
+
+
+def wait(seconds: float, m: Machine) -> None:
+    m.wait(seconds)
+
+
+def save_and_restore(m: Machine) -> None:
+    text = state.save(m)
+    assert state.save(state.restore(text)) == text
+
+
+TEXT = st.binary(max_size=5)
+WORD = st.integers(0, 0o7777)
+LIKELY = st.sampled_from(
+    octal("6001 6002 6031 6032 6036 6041 6046 6014 6012 6024 5200 5600 2300 7402 4200 3410")
+)
+DEEDS = st.one_of(
+    st.builds(partial, st.just(press), st.sampled_from(["load_add", "exam", "dep", "start", "cont", "stop"])),
+    st.builds(partial, st.just(switches), WORD),
+    st.builds(partial, st.just(deposit), st.sampled_from([0, 1, 0o200, 0o201, 0o202, 0o203]), LIKELY | WORD),
+    st.builds(partial, st.just(tape), TEXT),
+    st.builds(partial, st.just(keys), TEXT),
+    st.builds(partial, st.just(lever), st.booleans()),
+    st.builds(partial, st.just(switch), st.sampled_from(["mem_prot", "sing_step"]), st.booleans()),
+    st.builds(partial, st.just(run), st.integers(0, 500)),
+    st.builds(partial, st.just(short_run), st.floats(0, 0.3)),
+    st.builds(partial, st.just(wait), st.floats(0, 0.3)),
+    st.just(save_and_restore),
+)
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.lists(DEEDS, max_size=25))
+def test_nothing_an_operator_does_makes_it_raise(deeds: "list[partial[None]]") -> None:
+    m = Machine(highspeed=True)
+    m.start(0o200)
+    for deed in deeds:
+        deed(m)
+        assert 0 <= m.processor.lac <= 0o17777
+        assert 0 <= m.pc <= 0o7777
+        assert all(word <= 0o7777 for word in m.core)
+
+
+def test_ion_may_be_set_while_the_machine_stands_still() -> None:
+    machine = Machine()
+    machine.load({0o000: 0, 0o001: 0o7402, 0o200: 0o7000, 0o201: 0o5201})
+    machine.start(0o200)
+    machine.ion = 1
+    assert machine.ion == 1
+    machine.teletype.keyboard.press(b"\301")
+    assert machine.run(seconds=1).reason == "halt"
+    assert machine.core[0] == 0o201
+    assert machine.ion == 0
+
+
+@pytest.mark.parametrize("breakpoints", [set(), {0o7000}])
+def test_short_runs_find_an_endless_loop_too(breakpoints: set[int]) -> None:
+    machine = Machine()
+    machine.load({0o200: 0o7001, 0o201: 0o7041, 0o202: 0o7041, 0o203: 0o5201})
+    machine.watch.breakpoints |= breakpoints
+    machine.start(0o200)
+    reasons = {machine.run(seconds=0.005).reason for _ in range(20)}
+    assert reasons == {"limit", "idle"}
+
+
+def test_a_breakpoint_in_a_waiting_loop_stops_every_turn() -> None:
+    machine = Machine()
+    machine.load({0o200: 0o6031, 0o201: 0o5200})
+    machine.watch.breakpoints.add(0o200)
+    machine.teletype.reader.load(b"\301")
+    machine.start(0o200)
+    ticks = []
+    for _ in range(5):
+        assert machine.run().reason == "breakpoint"
+        ticks.append(machine.ticks)
+    assert ticks == [117, 234, 351, 468, 585]

@@ -1,0 +1,131 @@
+"""What is passed over is passed over exactly, and a run that cannot go on says why."""
+
+import pytest
+
+from pdp8.computer.machine import Machine
+from tests.pdp8.computer.bench import machine, octal, program
+
+COPY = "6031 5200 6036 6046 6041 5204 5200"
+# KSF, SKP, JMP read, TSF, JMP ., TCF, JMP ., read: KRB, TLS, JMP .
+RING = "6031 7410 5207 6041 5200 6042 5200 6036 6046 5200"
+BY_SUBROUTINE = "4210 7440 6046 5200 0000 0000 0000 0000 0000 6031 7410 6036 5610"
+INTERRUPT = "6001 5201"
+SERVICE = {1: 0o6031, 2: 0o5005, 3: 0o6036, 4: 0o6046, 5: 0o6042, 6: 0o6001, 7: 0o5400}
+
+
+def one_by_one(m: Machine, instructions: int) -> None:
+    """Run without passing anything over."""
+    target = m.processor.instructions + instructions
+    while m.processor.instructions < target:
+        m.processor.instruction()
+    m.bus.advance(m.processor.clock)
+
+
+def state(m: Machine) -> tuple[object, ...]:
+    return (
+        f"PC {m.pc:04o} L {m.link} AC {m.ac:04o}",
+        m.ticks,
+        list(m.core),
+        m.teletype.punch.tape,
+        [device.flag for device in m.bus],
+        m.teletype.reader.position,
+    )
+
+
+@pytest.mark.parametrize("words", [COPY, RING, BY_SUBROUTINE, INTERRUPT])
+def test_the_same_as_one_by_one(words: str) -> None:
+    core = dict(enumerate(octal(words), 0o200)) | (SERVICE if words is INTERRUPT else {})
+    passed, plain = machine(core), machine(core)
+    for m in (passed, plain):
+        m.teletype.reader.load(b"\301\302\303")
+    for pieces in ([20_000, 1, 2, 3, 30_011], [50_017]):
+        for count in pieces:
+            passed.run(instructions=count)
+            one_by_one(plain, count)
+            assert state(passed) == state(plain)
+
+
+def test_time_limits_fall_on_the_same_instruction() -> None:
+    for seconds in (0.05, 0.0773, 0.08, 0.1, 0.15):
+        passed, plain = program(*octal(COPY)), program(*octal(COPY))
+        for m in (passed, plain):
+            m.teletype.reader.load(b"\301\302\303")
+        plain.bus.advance(0)
+        passed.run(seconds=seconds)
+        while plain.elapsed < seconds:
+            plain.processor.instruction()
+        plain.bus.advance(plain.processor.clock)
+        assert state(passed) == state(plain)
+
+
+@pytest.mark.parametrize(
+    ("reason", "words", "tape"),
+    [
+        ("tape out", "6031 5200 6036 5200", b"\301\302"),  # KSF, JMP .-1, KRB
+        ("tape out", "6031 5200 6036 5200", b""),  # an empty tape
+        ("idle", "6031 5200 6036 5200", None),  # no tape at all: nothing was asked of the reader's owner
+        ("idle", "5200", None),  # JMP .
+        ("idle", "5200", b""),  # JMP . does not wait for the reader
+        ("idle", "6041 5200", b"\301"),  # TSF before anything was printed
+        ("tape out", "6001 5201", b""),  # under interrupt it does
+        ("idle", "6001 5201", None),
+        ("halt", "7402", None),
+        ("tape out", COPY, b"\301\302"),
+        ("tape out", RING, b"\301\302"),
+    ],
+)
+def test_why_a_run_ends(reason: str, words: str, tape: bytes | None) -> None:
+    core = dict(enumerate(octal(words), 0o200))
+    m = machine(core)
+    if tape is not None:
+        m.teletype.reader.load(tape)
+    assert m.run().reason == reason
+    if words in (COPY, RING):
+        assert m.teletype.punch.tape == tape
+
+
+@pytest.mark.parametrize("words", ["7200 5200", "7000 " * 100 + "5200", ""])
+def test_a_ring_that_only_goes_round_is_endless(words: str) -> None:
+    # CLA, JMP .-1; a long way round; and empty core, 4096 times AND 0.
+    m = program(*octal(words))
+    assert m.run(seconds=1).reason == "idle"
+    assert m.elapsed < 0.05
+
+
+def test_a_count_is_not_endless() -> None:
+    assert program(*octal("7001 5200")).run(seconds=0.5).reason == "limit"
+    m = program(*octal("2210 5200 2211 5200 7402"))
+    m.core[0o211] = -20
+    assert m.run(seconds=10).reason == "halt"
+
+
+def test_a_tape_out_waits_until_the_last_frame_is_punched() -> None:
+    m = program(*octal("6031 5200 6036 6046 5200"))
+    m.teletype.reader.load(b"\301")
+    stop = m.run()
+    assert m.teletype.punch.tape == b"\301"
+    assert stop.elapsed == pytest.approx((1_545_455 + 1_636_364) / 20e6, abs=50e-6)
+
+
+def test_a_limit_is_a_limit() -> None:
+    m = program(*octal("7001 5200"))
+    assert m.run(instructions=1000).reason == "limit"
+    assert (m.ac, m.instructions) == (500, 1000)
+    assert m.run(seconds=0.001).reason == "limit"
+
+
+def test_a_run_goes_on_with_another_tape() -> None:
+    m = program(*octal(COPY))
+    m.teletype.reader.load(b"\301\302")
+    assert m.run().reason == "tape out"
+    m.teletype.reader.load(b"\303")
+    assert m.run().reason == "tape out"
+    assert m.teletype.punch.tape == b"\301\302\303"
+
+
+def test_a_hundred_seconds_of_waiting_are_passed_over() -> None:
+    m = program(*octal("6031 5200 6036 5200"))
+    m.teletype.reader.load(bytes(1000))
+    m.run()
+    assert m.ticks == pytest.approx(999 * 2_000_000 + 1_545_455, abs=500)
+    assert m.instructions > 30_000_000

@@ -1,0 +1,95 @@
+"""What the tests of the replay and of its page share: one afternoon, its page, Node.js and Chromium."""
+
+import json
+import shutil
+import subprocess
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from pdp8.replay import Afternoon, replay
+from pdp8.web.page import page, record
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
+NODE = shutil.which("node")
+QUIET = (
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+)
+MODULES = Path(__file__).parents[2] / "pdp8" / "web"
+
+Ask = Callable[[str, Any], Any]
+
+
+@pytest.fixture(scope="session")
+def circle() -> Afternoon:
+    """The circle's afternoon."""
+    return replay("circle")
+
+
+@pytest.fixture(scope="session")
+def circle_page(circle: Afternoon, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The circle's page on disk."""
+    file = tmp_path_factory.mktemp("page") / "page.html"
+    file.write_text(page(circle), encoding="utf-8")
+    return file
+
+
+@pytest.fixture(scope="session")
+def browser() -> "Iterator[Browser]":
+    """A headless Chromium."""
+    api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    if CHROMIUM is None:
+        pytest.skip("Chromium is not installed")
+    with api.sync_playwright() as playwright:
+        launched = playwright.chromium.launch(executable_path=CHROMIUM, args=list(QUIET))
+        yield launched
+        launched.close()
+
+
+@pytest.fixture(scope="session")
+def ask(circle: Afternoon, circle_page: Path, request: pytest.FixtureRequest) -> Ask:
+    """Ask the page's afternoon: `ask("(afternoon, given) => ...", given)`, in Node.js or else in Chromium."""
+    if NODE:
+        return _in_node(record(circle))
+    opened = request.getfixturevalue("browser").new_page()
+    opened.goto(circle_page.as_uri())
+
+    def asked(function: str, given: Any) -> Any:
+        return opened.evaluate(f"(given) => ({function})(replay.afternoon, given)", given)
+
+    return asked
+
+
+_DRIVER = """
+import {{ readFileSync }} from "node:fs";
+import {{ Afternoon, unpacked }} from "{modules}/afternoon.mjs";
+const {{ record, given }} = JSON.parse(readFileSync(0, "utf8"));
+console.log(JSON.stringify(({function})(new Afternoon(unpacked(record)), given)));
+"""
+
+
+def _in_node(data: dict[str, Any]) -> Ask:
+    def asked(function: str, given: Any) -> Any:
+        driver = _DRIVER.format(modules=MODULES.as_uri(), function=function)
+        done = subprocess.run(
+            [str(NODE), "--input-type=module", "--eval", driver],
+            input=json.dumps({"record": data, "given": given}),
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.returncode == 0, done.stderr
+        return json.loads(done.stdout)
+
+    return asked

@@ -1,0 +1,117 @@
+"""The monitor: a script with its expected answers, every command misused, and nothing that raises."""
+
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pdp8.cli.listed import open_program
+from pdp8.monitor.prompt import COMMANDS, Monitor
+from tapes.errors import WorkError
+from tests.conftest import Shell
+
+FOLDER = Path(__file__).parent
+LINE = bytes(0o200 | code for code in b" 19\r\n")
+
+
+def test_a_script_and_its_answers(shell: Shell, tmp_path: Path) -> None:
+    (tmp_path / "line.asc").write_bytes(LINE)
+    (tmp_path / "lesson.txt").write_bytes((FOLDER / "lesson.txt").read_bytes())
+    ran = shell("pdp8 monitor lesson.txt --echo")
+    assert ran.stderr == b""
+    assert ran.stdout.decode().splitlines() == (FOLDER / "lesson.expected").read_text().splitlines()
+    assert ran.returncode == 0
+
+
+def test_a_pipe_is_a_script(shell: Shell) -> None:
+    ran = shell("printf 'set ac 1234\\nreg\\n' | pdp8 monitor")
+    assert b"AC 1234" in ran.stdout
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("frobnicate", "no such command"),
+        ("r", "registers, rim, reader, restore?"),
+        ("examine", "an address expected"),
+        ("examine 9", "neither an octal number nor a symbol"),
+        ("examine 10000", "not between 0000 and 7777"),
+        ("deposit 200", "an address and words expected"),
+        ("set mq 0", "no register or switch"),
+        ("load nothing.pal", "no such file"),
+        ("load .", "Is a directory"),
+        ("load empty", "empty"),
+        ("key kick", "the keys are"),
+        ("cont soon", "seconds of machine time"),
+        ("cont nan", "no time a machine can run"),
+        ("trace maybe", "on, cycles or off"),
+        ("reader nothing.asc", "no such file"),
+        ("punch /nowhere/x", "No such file or directory"),
+        ("save /dev/full", "No space left"),
+        ("restore lesson.txt", "saved state begins with"),
+    ],
+)
+def test_misuse_is_one_line_that_names_it(shell: Shell, tmp_path: Path, line: str, message: str) -> None:
+    (tmp_path / "lesson.txt").write_text(f"rim\n{line}\n")
+    (tmp_path / "empty").write_bytes(b"")
+    ran = shell("pdp8 monitor lesson.txt")
+    said = ran.stderr.decode()
+    assert said.startswith("pdp8: lesson.txt, line 2: ")
+    assert message in said
+    assert said.count("\n") == 1
+    assert ran.returncode == 1
+
+
+def test_help_names_every_command() -> None:
+    said: list[str] = []
+    Monitor(said.append, open_program).do("help")
+    assert [line.split()[0] for line in said if line[0] != " "] == list(COMMANDS)
+    assert max(map(len, said)) < 80
+    said.clear()
+    Monitor(said.append, open_program).do("HELP Set")
+    assert said == ["set REGISTER|SWITCH WORD    Set a register or a switch."]
+
+
+def test_a_limit_that_is_no_round_number_of_ticks_ends() -> None:
+    monitor = Monitor(lambda line: None, open_program)
+    monitor.do("deposit 200 2210 5200 5200")
+    monitor.do("go 200 0.7")
+    for seconds in ("0.1", "0.0773", "1e-9", "0.333333333", "0"):
+        monitor.do(f"cont {seconds}")
+    assert monitor.machine.elapsed == pytest.approx(0.7 + 0.1 + 0.0773 + 0.333333333, abs=20e-6)
+
+
+def test_boot_and_the_page() -> None:
+    said: list[str] = []
+    monitor = Monitor(said.append, open_program)
+    for line in ("boot hello.pal", "go 200", "page", "trace on", "go 200", "trace off", "type abc", "quit"):
+        monitor.do(line)
+    assert said[0] == "RIM loader toggled in: 18 keys"
+    assert "halt; 1.681854 s; next 0206  6046          TLS" in said
+    assert "HELLO, WORLD." in said
+    assert monitor.machine.teletype.keyboard.waiting == b"\301\302\303\215"
+    assert monitor.finished
+
+
+ARGUMENTS = ["0", "200", "7777", "10", "ac", "pc", "sing_step", "on", "1", "stop", "start", "-", "x"]
+FILES = ("save", "punch", "restore", "reader", "load", "boot", "fast-reader", "fast-punch")
+RUNS = ("go", "cont")
+LINES = st.one_of(
+    st.sampled_from(["go 200 0.01", "go 7777 0.01", "cont 0.01", "go 0.01", "cont x"]),
+    st.builds(
+        lambda name, arguments: " ".join([name, *arguments]),
+        st.sampled_from([name for name in COMMANDS if name not in FILES + RUNS]),
+        st.lists(st.sampled_from(ARGUMENTS), max_size=3),
+    ),
+)
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.lists(LINES, max_size=12))
+def test_no_line_does_more_than_complain(lines: list[str]) -> None:
+    monitor = Monitor(lambda line: None, open_program)
+    for line in lines:
+        with suppress(WorkError):
+            monitor.do(line)

@@ -1,0 +1,102 @@
+"""The processor of the package, led through the operator's deeds to any instant: what the page must show."""
+
+from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.processor import CYCLE, FETCH
+from pdp8.replay import Afternoon
+from pdp8.replay.operator import Deed
+
+IO_CYCLE = 85
+_NEARLY = 4 * (IO_CYCLE + CYCLE)  # ticks before an instant from which on every cycle is done by itself
+
+
+class Follower:
+    """A machine that does the afternoon again, forward only."""
+
+    def __init__(self, afternoon: Afternoon) -> None:
+        self.afternoon = afternoon
+        self.machine = Machine()
+        self.deeds = list(afternoon.deeds)
+
+    def to(self, tick: int) -> None:
+        """Go on to the last cycle that ends at or before `tick`."""
+        while self.deeds and self.deeds[0].at <= tick:
+            deed = self.deeds.pop(0)
+            self._run(deed.at)
+            assert self.machine.processor.clock == deed.at
+            self._do(deed)
+        self._run(tick)
+
+    def _run(self, tick: int) -> None:
+        machine, processor = self.machine, self.machine.processor
+        if processor.run and processor.clock + _NEARLY < tick:
+            while processor.next != FETCH:
+                processor.cycle()
+            machine.run(seconds=(tick - _NEARLY - processor.clock) / TICKS_PER_SECOND)  # or less, if in vain
+        while processor.run and processor.clock + self.next_cycle() <= tick:
+            processor.cycle()
+        if not processor.run:
+            machine.wait((tick - processor.clock) / TICKS_PER_SECOND)
+        machine.bus.advance(processor.clock)
+
+    def next_cycle(self) -> int:
+        """Return the ticks of the next cycle."""
+        processor = self.machine.processor
+        iot = processor.next == FETCH and processor.core[processor.pc] >> 9 == 6
+        return IO_CYCLE if iot else CYCLE
+
+    def _do(self, deed: Deed) -> None:
+        panel, reader = self.machine.panel, self.machine.teletype.reader
+        if deed.key == "sr":
+            assert isinstance(deed.value, int)
+            panel.sr = deed.value
+        elif deed.key == "mount":
+            reader.lever(False)
+            reader.load(self.afternoon.tapes[str(deed.value)])
+        elif deed.key == "lever":
+            reader.lever(True)
+        else:
+            keys = {"load add": panel.load_add, "dep": panel.dep, "start": panel.start, "stop": panel.stop}
+            keys[deed.key]()
+
+    def state(self) -> dict[str, int]:
+        """Return everything that can be seen of the machine."""
+        return state(self.machine)
+
+
+def state(machine: Machine) -> dict[str, int]:
+    """Return everything that can be seen of a machine."""
+    processor = machine.processor
+    receiver, transmitter = machine.teletype.receiver, machine.teletype.transmitter
+    return {
+        "ticks": processor.clock,
+        "instructions": processor.instructions,
+        "ac": machine.ac,
+        "link": machine.link,
+        "pc": machine.pc,
+        "ma": machine.ma,
+        "mb": machine.mb,
+        "ir": machine.ir,
+        "sr": machine.sr,
+        "state": processor.state,
+        "next": processor.next,
+        "run": processor.run,
+        "ion": processor.ion,
+        "reader flag": receiver.flag,
+        "reader run": receiver.reader_run,
+        "taken": machine.teletype.reader.position,
+        "punch flag": transmitter.flag,
+        "frame start": receiver.start,
+        "send start": transmitter.start,
+    }
+
+
+STATE = """({
+  ticks: machine.ticks, instructions: machine.instructions, ac: machine.ac, link: machine.link,
+  pc: machine.pc, ma: machine.ma, mb: machine.mb, ir: machine.ir, sr: machine.sr,
+  state: machine.state, next: machine.next,
+  run: Number(machine.running), ion: Number(machine.ion), "reader flag": Number(machine.teletype.readerFlag),
+  "reader run": Number(machine.teletype.readerRun), taken: machine.teletype.taken,
+  "punch flag": Number(machine.teletype.punchFlag), "frame start": machine.teletype.frameStart,
+  "send start": machine.teletype.sendStart,
+})"""
+"""The same of the page's machine, in JavaScript."""

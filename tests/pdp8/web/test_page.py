@@ -1,0 +1,298 @@
+"""The page in a real browser, opened from disk."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from pdp8.computer.machine import TICKS_PER_SECOND
+from pdp8.replay import Afternoon, clock
+from pdp8.web.page import MODULES, script
+from tests.pdp8.web.follower import Follower
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
+
+PROJECTOR, PHONE = (1280, 720), (390, 844)
+
+
+@pytest.fixture
+def page(browser: "Browser", circle_page: Path) -> "Iterator[Page]":
+    """The circle's page on a projector; the test fails if the page complains or asks for anything else."""
+    opened = browser.new_page(viewport={"width": PROJECTOR[0], "height": PROJECTOR[1]})
+    complaints: list[str] = []
+    opened.on("console", lambda message: complaints.append(message.text))
+    opened.on("pageerror", lambda error: complaints.append(str(error)))
+    opened.on("request", lambda request: complaints.append(request.url) if _outside(request.url) else None)
+    opened.goto(circle_page.as_uri())
+    yield opened
+    opened.close()
+    assert complaints == []
+
+
+def _outside(url: str) -> bool:
+    return not url.startswith(("file:", "data:"))
+
+
+def _now(page: "Page") -> int:
+    return int(page.evaluate("replay.afternoon.now"))
+
+
+def _go(page: "Page", tick: int) -> None:
+    page.evaluate("(tick) => replay.page.go(tick)", tick)
+
+
+def _translating(circle: Afternoon, seconds: float = 100.05) -> int:
+    lever = next(deed.at for deed in reversed(circle.deeds) if deed.key == "lever")
+    return lever + round(seconds * TICKS_PER_SECOND)
+
+
+def test_the_file_is_small_and_whole(circle_page: Path) -> None:
+    """Under 3 MB; nothing to fetch; every import resolved within."""
+    html = circle_page.read_text(encoding="utf-8")
+    assert len(html) < 3_000_000
+    assert not re.search(r"(?:src|href)=\"(?!data:)", html)
+    assert not re.search(r"^(?:import|export) ", script(), re.MULTILINE)
+    assert [name for name in MODULES if f"const {name}_module" not in html] == []
+
+
+def test_it_opens_at_one_o_clock(page: "Page") -> None:
+    """The clock, the title, an empty machine."""
+    assert page.locator("#clock").inner_text() == "1:00:00 pm"
+    assert page.title() == "An afternoon in 1971: circle"
+    assert page.locator(".lamp.on").count() == 1  # FETCH
+
+
+_LAMPS = """() => {
+  const lit = (name) => Number(document.querySelector(`[data-lamp="${name}"]`).classList.contains("on"));
+  const word = (name, bits) => [...Array(bits).keys()].reduce((word, bit) => word * 2 + lit(name + bit), 0);
+  const rockers = [...document.querySelectorAll(".rocker")];
+  return {
+    ma: word("MA", 12), mb: word("MB", 12), ac: word("AC", 12), ir: word("IR", 3), link: lit("LINK"),
+    fetch: lit("FETCH"), defer: lit("DEFER"), execute: lit("EXECUTE"), word_count: lit("WORD COUNT"),
+    current_address: lit("CURR ADDR"), break_: lit("BREAK"), ion: lit("ION"), parity: lit("PARITY"),
+    protect: lit("PROTECT"), run: lit("RUN"),
+    sr: rockers.reduce((word, { classList }) => word * 2 + classList.contains("up"), 0),
+  };
+}"""
+
+
+def test_the_lamps_are_the_processors(page: "Page", circle: Afternoon) -> None:
+    """While RIM is toggled in, tapes load, characters are translated and afterwards."""
+    ends = [act.ends for act in circle.acts]
+    instants = sorted(
+        [deed.at for deed in circle.deeds[::7]]
+        + [_translating(circle, seconds) for seconds in (0.0771, 0.0773, 0.0774, 0.1775, 99.97728, 1234.5678)]
+        + [
+            _translating(circle, 50 + 0.1 * character + 0.07730 + 0.00001 * character)
+            for character in range(40)
+        ]
+        + ends
+    )
+    follower = Follower(circle)
+    for tick in instants:
+        follower.to(tick)
+        _go(page, tick)
+        meant = {**follower.machine.panel.lamps._asdict(), "sr": follower.machine.sr}
+        assert page.evaluate(_LAMPS) == meant, f"at {clock(tick)}, tick {tick}"
+
+
+def test_registers_and_listing_stand_beside_the_lamps(page: "Page", circle: Afternoon) -> None:
+    """L, AC, MA, MB are written in octal, and the line of Appendix B is lit that is being done."""
+    lines = {line.address: line for line in circle.programs["eia.pal"].lines if line.address is not None}
+    follower = Follower(circle)
+    for step in range(30):
+        tick = _translating(circle, 0.0773 + step * 0.00004)
+        follower.to(tick)
+        _go(page, tick)
+        machine = follower.machine
+        shown = dict(
+            zip(
+                page.locator("#registers dt").all_inner_texts(),
+                page.locator("#registers dd").all_inner_texts(),
+                strict=True,
+            )
+        )
+        assert (shown["L"], shown["AC"]) == (str(machine.link), f"{machine.ac:04o}")
+        assert (shown["MA"], shown["MB"]) == (f"{machine.ma:04o}", f"{machine.mb:04o}")
+        lit = page.locator("#paper .now")
+        address = int(lit.locator(".address").inner_text(), 8)
+        assert int(lit.locator(".word").inner_text(), 8) == lines[address].word
+        if machine.processor.state == 0:
+            assert address == machine.ma
+
+
+def test_every_button_and_choice_works(page: "Page", circle: Afternoon) -> None:
+    """By mouse: play and pause, steps, units, acts, the slider, the speed."""
+    _go(page, _translating(circle))
+    for unit, most in (("cycle", 85), ("instruction", 200), ("character", 4_000_000)):
+        page.locator(f"#units label:has(input[value={unit}])").click()
+        before = _now(page)
+        page.locator("#forward").click()
+        assert 0 < _now(page) - before <= most
+        page.locator("#back").click()
+        page.locator("#back").click()
+        assert _now(page) < before
+    page.locator("#units label:has(input[value=block])").click()
+    before = _now(page)
+    page.locator("#forward").click()
+    page.locator("#forward").click()
+    assert _now(page) - before > 27 * 2_000_000
+    before = _now(page)
+    page.keyboard.press("ArrowLeft")  # steps, though the focus is on the units
+    assert _now(page) < before
+    assert page.locator("#units input:checked").get_attribute("value") == "block"
+    page.locator("#next-act").click()
+    assert _now(page) == circle.acts[5].starts
+    page.locator("#previous-act").click()
+    assert _now(page) == circle.acts[4].starts
+    page.locator("#acts span").nth(2).click()
+    assert _now(page) == circle.acts[2].starts
+    page.locator("#slider").evaluate(
+        "(slider) => { slider.value = 1e10; slider.dispatchEvent(new Event('input')); }"
+    )
+    assert _now(page) == 10**10
+    page.locator("#speed").select_option(index=9)
+    page.locator("#play").click()
+    page.wait_for_function("replay.afternoon.now > 1e10 + 20e6 * 10")
+    page.locator("#play").click()
+    stopped = _now(page)
+    page.wait_for_timeout(200)
+    assert _now(page) == stopped
+
+
+def test_every_key_works(page: "Page", circle: Afternoon) -> None:
+    """By keyboard alone, the focus on nothing."""
+    press = page.keyboard.press
+    press("]")
+    assert _now(page) == circle.acts[1].starts
+    press("[")
+    assert _now(page) == 0
+    press("End")
+    assert _now(page) == circle.acts[-1].ends
+    press("Home")
+    assert _now(page) == 0
+    _go(page, _translating(circle))
+    for key, unit in (("1", "block"), ("2", "character"), ("3", "instruction"), ("4", "cycle")):
+        press(key)
+        assert page.locator("#units input:checked").get_attribute("value") == unit
+        before = _now(page)
+        press("ArrowRight")
+        after = _now(page)
+        assert after > before
+        press("ArrowLeft")
+        assert _now(page) < after
+    chosen = page.locator("#speed").evaluate("(select) => select.selectedIndex")
+    press("+")
+    assert page.locator("#speed").evaluate("(select) => select.selectedIndex") == chosen + 1
+    press("-")
+    press("-")
+    assert page.locator("#speed").evaluate("(select) => select.selectedIndex") == chosen - 1
+    before = _now(page)
+    press(" ")
+    page.wait_for_function("(before) => replay.afternoon.now > before", arg=before)
+    press(" ")
+    assert not page.evaluate("replay.page.playing")
+
+
+def test_slow_motion_goes_cycle_by_cycle(page: "Page", circle: Afternoon) -> None:
+    """At a millionth of its speed the machine does not rush, and no play is lost between frames."""
+    _go(page, _translating(circle))
+    page.locator("#speed").select_option(index=1)
+    before = _now(page)
+    page.keyboard.press(" ")
+    page.wait_for_timeout(700)
+    page.keyboard.press(" ")
+    assert 40 < _now(page) - before < 1000
+
+
+def test_the_link_to_an_instant(browser: "Browser", circle_page: Path) -> None:
+    """#t=SECONDS opens the page at that instant of the afternoon."""
+    opened = browser.new_page()
+    opened.goto(circle_page.as_uri() + "#t=2500.5")
+    assert _now(opened) == 2500.5 * TICKS_PER_SECOND
+    assert opened.locator("#clock").inner_text() == clock(_now(opened))
+    opened.close()
+
+
+def test_the_tapes_are_those_on_the_desk(page: "Page", circle: Afternoon) -> None:
+    """The page's machine punches the very tape; the block and the frame under each head are named."""
+    _go(page, circle.acts[4].ends - 1)
+    punched = page.evaluate("Array.from(replay.afternoon.machine.teletype.paper)")
+    assert bytes(punched) == circle.tapes["circle.eia"]
+    assert "13\u2009321 frames punched" in page.locator("#out-label").inner_text()
+    named = page.locator("#in-tape").get_attribute("aria-label")
+    assert named == "circle.asc, frame 17\u2009981 of 17\u2009982: 377 rubout"
+    _go(page, circle.mill_starts + round(1.95 * TICKS_PER_SECOND))
+    named = page.locator("#in-tape").get_attribute("aria-label")
+    assert named == "circle.eia, frame 20 of 13\u2009321: 200 carriage return"
+
+
+@pytest.mark.parametrize("size", [PROJECTOR, PHONE])
+def test_nothing_hangs_over_the_edge(page: "Page", circle: Afternoon, size: tuple[int, int]) -> None:
+    """At both widths, in every act, the page needs no scrolling sideways, and the controls are in sight."""
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    for act in circle.acts:
+        _go(page, (act.starts + act.ends) // 2)
+        assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), act.name
+        box = page.locator("#transport").bounding_box()
+        assert box is not None
+        assert box["y"] + box["height"] <= size[1] + 1
+        assert not page.evaluate(_CLIPPED), act.name
+
+
+_CLIPPED = """() => [...document.querySelectorAll("#registers dd, #block span, .key small, #units span")]
+  .filter((element) => element.checkVisibility() && element.scrollWidth > element.clientWidth + 1)
+  .map((element) => element.textContent)
+  .length"""
+
+_CONTRASTS = """() => {
+  const parts = (colour) => colour.match(/[\\d.]+/g).map(Number);
+  const linear = (value) => (value /= 255) <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+  const light = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+  const behind = (element) => {
+    for (let at = element; at; at = at.parentElement) {
+      const colour = parts(getComputedStyle(at).backgroundColor);
+      if (colour.length === 3 || colour[3] === 1) return colour;
+    }
+    return [255, 255, 255];
+  };
+  const poor = [];
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (walker.nextNode()) {
+    const element = walker.currentNode.parentElement;
+    const text = walker.currentNode.textContent.trim();
+    if (!text || !element.checkVisibility({ visibilityProperty: true })) continue;
+    if (element.closest("script, style, svg, .spoken")) continue;
+    const style = getComputedStyle(element);
+    const [a, b] = [light(parts(style.color)), light(behind(element))].sort((one, two) => two - one);
+    const large = parseFloat(style.fontSize) >= 18.66;
+    const contrast = (a + 0.05) / (b + 0.05);
+    if (contrast < (large ? 3 : 4.5)) poor.push([element.className, text.slice(0, 20), contrast]);
+  }
+  return poor.slice(0, 8);
+}"""
+
+
+def test_colours_can_be_read(page: "Page", circle: Afternoon) -> None:
+    """Every text against what is behind it: 4.5 to 1, or 3 to 1 where it is large (WCAG 2.2, AA)."""
+    for act in circle.acts:
+        _go(page, (act.starts + act.ends) // 2)
+        assert page.evaluate(_CONTRASTS) == [], act.name
+
+
+def test_everything_has_a_name(page: "Page", circle: Afternoon) -> None:
+    """Controls, pictures and regions say what they are; the panel says its lamps in words."""
+    _go(page, _translating(circle))
+    nameless: list[Any] = page.evaluate(
+        """() => [...document.querySelectorAll("button, input, select, canvas, section, [tabindex]")]
+          .filter((element) => !(element.getAttribute("aria-label") || element.labels?.length))
+          .map((element) => element.outerHTML.slice(0, 80))"""
+    )
+    assert nameless == []
+    spoken = page.locator("#computer .spoken").inner_text()
+    assert re.match(
+        r"memory address [0-7]{4}, memory buffer [0-7]{4}, link [01], accumulator [0-7]{4}", spoken
+    )
