@@ -5,8 +5,9 @@ PYTHON ?= python3
 BIN := .venv/bin
 
 # `make samples` makes the bundled tapes of tapes/ again; a test holds them against the chain.
+# `make evidence` makes the sources of programs/ and docs/restoration.md from pdp8/thesis/scan/; a test too.
 
-.PHONY: demo samples test lint format docs clean
+.PHONY: demo samples evidence test lint format docs clean
 
 demo: .venv/ready
 	mkdir -p demo
@@ -25,6 +26,9 @@ samples: .venv/ready
 
 test: lint
 	$(BIN)/pytest -q -n auto
+
+evidence: .venv/ready
+	$(BIN)/python -m pdp8.thesis.restoration
 
 lint: .venv/ready-dev
 	$(BIN)/ruff check .

@@ -1,7 +1,7 @@
 """What ran in 1971: the thesis's programs, in PAL III and FORTRAN, and its other parts made again.
 
 eia.pal          ASCII to EIA: the thesis's final conversion program; eia1.pal and eia2.pal, the two before it
-circle.for       Appendix C, transcribed; RESTORED, from column 73, marks lines lost in the scan
+circle.for       Appendix C, transcribed; a mark from column 73 says what the scan shows of a line
 ellipse.for      Appendix D, transcribed
 
 The part programs, each with a `part(...)` that returns its printout:

@@ -3,6 +3,7 @@
 root      the `pdp8` command: its subcommands, each loaded only when it is called
 run       a program and its tape in, the punched tape out;   boot, trace, saved states, keyboard
 monitor   the operator's prompt        replay   the afternoon of 1971        panel     the front panel
+thesis    what the scan shows, and the thesis's figures made again
 program, listed   a program by name becomes words, with its listing
 keyboard  the Teletype at a terminal   tracing  a trace into a file
 octal     words as they are typed      progress a bar on what lasts          interrupt Ctrl-C is the STOP key

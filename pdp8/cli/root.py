@@ -1,6 +1,7 @@
 """The `pdp8` command: every package's commands hung together, each loaded only when it is called.
 
 run monitor replay panel   the computer                        pdp8/cli
+thesis                     the thesis, page by page            pdp8/cli
 pal dis                    the assembler and its inverse       pal/cli
 part                       the part programs                   programs/cli
 tape                       tapes as tapes                      tapes/cli
@@ -22,6 +23,7 @@ _COMMANDS = {
     "part": ("programs.cli", "part", "Run a FORTRAN part program: an ASCII tape for the translation."),
     "tape": ("tapes.cli", "tape", "Show, measure and convert paper tapes."),
     "panel": ("pdp8.cli.panel", "panel", "Sit down at the front panel, in the terminal."),
+    "thesis": ("pdp8.cli.thesis", "thesis", "The thesis page by page: its programs line by line."),
     "nc": ("nc.cli", "nc", "The Moog Hydra-Point: list, cut and inspect an EIA tape."),
 }
 

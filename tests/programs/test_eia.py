@@ -1,6 +1,5 @@
 """eia.pal is the thesis's program, word for word; eia1 and eia2 do what Chapter 5 says they did."""
 
-import re
 from pathlib import Path
 
 import pytest
@@ -30,50 +29,6 @@ WORDS = """
 0100: 0000 0177 7720 0040 0001 0002 0023 0004 0025 0026 0007 0010 0031 0200
 0116: 7777 7776 7775 7774 7773 7772 7771 7770 7767 0020 0043
 """
-
-LEGIBLE = """
-            /// EIA
-            *200
-0211  1100  TAD HOLD
-0231  7440  SZA
-0255  7640  SZA CLA
-0342  5627  JMP I CHK
-0343  1100  TAD HOLD
-0344  1130  TAD MCR
-0345  7440  SZA
-0346  5627  JMP I CHK
-0347  1115  TAD PCR
-0350  3100  DCA HOLD
-0351  5627  JMP I CHK
-            /DEFINITIONS:
-            *100
-0100  0000  HOLD, 0
-0101  0177  MASK, 177
-0102  7720  M60,-60
-0103  0040  P0,40
-0104  0001  P1,1
-0105  0002  P2,2
-0106  0023  P3,23
-0107  0004  P4,4
-0110  0025  P5,25
-0111  0026  P6,26
-0112  0007  P7,7
-0113  0010  P8,10
-0114  0031  P9,31
-0115  0200  PCR, 200
-0116  7777  M1,-1
-0117  7776  M2,-2
-0120  7775  M3,-3
-0121  7774  M4,-4
-0122  7773  M5,-5
-0123  7772  M6,-6
-0124  7771  M7,-7
-0125  7770  M8,-10
-0126  7767  M9,-11
-0127  0020  MSP,20
-0130  0043  MCR,43
-"""
-"""What the scan of Appendix B shows of address, word and source; slashed zeros read as zeros."""
 
 
 def source(name: str) -> str:
@@ -106,27 +61,6 @@ def test_the_131_words() -> None:
     for address in sorted(expected.keys() | assembly.words.keys()):
         ours, book = assembly.words.get(address), expected.get(address)
         assert ours == book, f"{address:04o}: {ours}, the book has {book}"
-
-
-def test_the_legible_lines_of_the_listing() -> None:
-    """A tag of ours may stand before a legible instruction, whose own text and column the scan shows."""
-    lines = [re.sub(r"\t[A-Z0-9]+,\t|[A-Z0-9]+,\t|\t", "", line) for line in listed("eia.pal")]
-    for line in filter(None, LEGIBLE.split("\n")):
-        assert line in lines, f"not in the listing: {line}"
-
-
-def listed(name: str) -> list[str]:
-    return [line.rstrip() for line in pal.assemble(source(name)).listing.split("\n")]
-
-
-def test_a_legible_line_carries_no_mark_and_every_other_word_one() -> None:
-    legible = {line[:4] for line in LEGIBLE.split("\n") if line[:1].isdigit()}
-    marked = {
-        line[:4]: line.partition("/")[2][:1] for line in listed("eia.pal") if re.match(r"\d{4}  \d{4}", line)
-    }
-    assert {address for address, mark in marked.items() if not mark} == legible
-    lost = {f"{address:04o}" for address in range(0o256, 0o342)}
-    assert {address for address, mark in marked.items() if mark == "R"} == lost
 
 
 def test_a_1971_teletype_could_type_the_sources() -> None:

@@ -96,13 +96,6 @@ def test_the_die_ellipse_has_778_blocks() -> None:
 
 
 @pytest.mark.parametrize("name", ["circle", "ellipse"])
-def test_restored_lines_are_marked(name: str) -> None:
-    marked = [line[:3] for line in listing(name).splitlines() if line.endswith("RESTORED")]
-    circle_lines = ["100", "235", "245", "250", "260", "265", "280", "290", "295", "305", "310", "315"]
-    assert marked == (circle_lines if name == "circle" else [])
-
-
-@pytest.mark.parametrize("name", ["circle", "ellipse"])
 def test_listing_lines_are_numbered_by_five(name: str) -> None:
     numbers = [int(line[:3]) for line in listing(name).splitlines()]
     assert numbers == list(range(100, numbers[-1] + 1, 5))

@@ -1,0 +1,133 @@
+"""What the scan shows of each surviving program, line by line, and the sources made from it.
+
+One table an artefact, in scan/NAME.txt. A row is a line of the artefact, or of the scan:
+
+    page | class | scan | ours | reason
+    107  | damaged | 0103 0040 PQ.40 | P0,40 | 0 and a comma misread; P0, beside P1
+
+    scan    the scan's line, white space apart; ^ is one more line of ours from the row above; after ¦ stands
+            what the scan has elsewhere on the page
+    ours    the line of the source without its layout and mark, `/` before a note; = is what `reading` reads
+
+A blank line is one in the artefact, # opens a comment.
+
+    class        the scan                                       mark in .pal     mark in .for, from column 73
+    legible      shows it, by the five rules of `reading`
+    damaged      shows it, with characters misread              /D               DAMAGED
+    implied      shows another thing that leaves no choice      /W or /R         RESTORED
+    conjecture   does not settle it                             /C               CONJECTURE
+    ours         has no such line: a comment of ours
+    none         has a line that is none of the listing's: a heading, a page number, dirt
+
+/W is implied by the word that stands there, /R by a twin, a header or a pattern.
+Source: the thesis, Appendices B to D, pages 105 to 113; Chapter 5, pages 44 and 45.
+"""
+
+from collections.abc import Iterable, Iterator
+from functools import cache
+from importlib.resources import files
+from typing import NamedTuple
+
+import pal
+from pdp8.thesis.reading import fortran_line, pal_line
+from tapes.errors import WorkError
+
+ARTEFACTS = ("eia.pal", "eia1.pal", "eia2.pal", "circle.for", "ellipse.for")
+CLASSES = ("legible", "damaged", "implied", "conjecture", "ours", "none")
+
+_ABOVE, _AS_READ, _ELSEWHERE = "^", "=", " ¦ "
+_FORTRAN_MARKS = {"damaged": "DAMAGED", "implied": "RESTORED", "conjecture": "CONJECTURE"}
+_NOTE_COLUMN, _MARK_COLUMN, _PAL_NOTE_COLUMN, _TAB = 40, 72, 24, 8
+
+
+class Row(NamedTuple):
+    """A line of the artefact and what is known of it; a blank line is `BLANK`."""
+
+    page: str
+    kind: str
+    scan: str
+    ours: str
+    reason: str
+
+    @property
+    def is_of_the_thesis(self) -> bool:
+        """Whether the thesis has, or had, this line."""
+        return self.kind not in ("ours", "none") and self != BLANK
+
+
+BLANK = Row("", "ours", "", "", "")
+
+
+@cache
+def rows(artefact: str) -> tuple[Row, ...]:
+    """Return the rows of an artefact in order. Raises WorkError if there is none of that name."""
+    if artefact not in ARTEFACTS:
+        raise WorkError(f"{artefact}: no evidence; there is some of {', '.join(ARTEFACTS)}")
+    text = (files("pdp8.thesis") / "scan" / f"{artefact}.txt").read_text(encoding="utf-8")
+    return tuple(_row(line, artefact) for line in text.splitlines() if not line.startswith("#"))
+
+
+def _row(line: str, artefact: str) -> Row:
+    if not line:
+        return BLANK
+    row = Row(*(cell.strip() for cell in line.split("|")))
+    return row._replace(ours=read(row.scan, artefact)) if row.ours == _AS_READ else row
+
+
+def read(scan: str, artefact: str) -> str:
+    """Return what a legible line of the scan says, as it stands in the column `ours`."""
+    return pal_line(scan)[1] if artefact.endswith(".pal") else fortran_line(scan)
+
+
+def source(artefact: str, known: Iterable[Row] | None = None) -> str:
+    """Return the artefact, the file of that name in programs/: every line laid out, with its mark.
+
+    `known` are other rows than those of its table.
+    """
+    lay_out = _pal_source if artefact.endswith(".pal") else _fortran_source
+    lines = [lay_out(row).rstrip() for row in known or rows(artefact) if row.kind != "none"]
+    return "".join(line + "\n" for line in lines)
+
+
+def _pal_source(row: Row) -> str:
+    if row.kind == "ours" or row.ours[0] in "/*":
+        return row.ours
+    statement, _, note = row.ours.partition(" /")
+    tag, comma, rest = statement.rpartition(",")
+    line = f"{tag}{comma}\t{rest.strip()}"
+    said = f"{_pal_mark(row)} {note}".strip()
+    return line + "\t" * -((len(line.expandtabs(_TAB)) - _PAL_NOTE_COLUMN) // _TAB) + said if said else line
+
+
+def _pal_mark(row: Row) -> str:
+    if row.kind == "implied":
+        return "/W" if row.scan else "/R"
+    return {"damaged": "/D", "conjecture": "/C"}.get(row.kind, "")
+
+
+def _fortran_source(row: Row) -> str:
+    statement, slash, note = row.ours.partition(" /")
+    first, _, rest = statement.partition(" ")
+    line = statement if rest[:1].isdigit() or first.endswith("C") else f"{first:<{_TAB}}{rest}"
+    if slash and not first.endswith("C"):
+        line = f"{line:<{_NOTE_COLUMN}}/{note}"
+    return f"{line:<{_MARK_COLUMN - 1}} {_FORTRAN_MARKS.get(row.kind, '')}"
+
+
+def table(artefact: str) -> Iterator[Row]:
+    """Yield the rows the thesis has; of a PAL program `ours` is address, word and source."""
+    if not artefact.endswith(".pal"):
+        yield from (row for row in rows(artefact) if row.is_of_the_thesis)
+        return
+    words = (f"{address:04o} {word:04o}" for address, word in _words(artefact))
+    for row in rows(artefact):
+        if row.is_of_the_thesis:
+            statement = row.ours.partition(" /")[0]
+            yield row._replace(ours=row.ours if row.ours[0] in "/*" else f"{next(words)} {statement}")
+
+
+def _words(artefact: str) -> Iterator[tuple[int, int]]:
+    assembly = pal.assemble(source(artefact))
+    for line in assembly.lines:
+        if line.address is not None:
+            yield line.address, assembly.words[line.address]

@@ -1,0 +1,217 @@
+"""The tables of evidence against the text of the scan; sources and docs/restoration.md against the tables.
+
+ocr/ holds the scan's text of Appendices B, C and D as it came, headings, dirt and all.
+"""
+
+import re
+from pathlib import Path
+
+import pytest
+
+import pal
+from pdp8.thesis import evidence, restoration
+from pdp8.thesis.evidence import ARTEFACTS, CLASSES, Row, rows
+from pdp8.thesis.reading import fortran_line, pal_line
+from programs import circle
+from tapes import shelf
+from tapes.errors import WorkError
+from tests.conftest import Shell
+
+HERE = Path(__file__).parent
+HOUSE = HERE.parents[2]
+APPENDICES = {"eia.pal": "appendix-b", "circle.for": "appendix-c", "ellipse.for": "appendix-d"}
+ASSEMBLY = pal.assemble(shelf.read("eia.pal"))
+
+
+def scanned(artefact: str) -> str:
+    """Return the scan's text of an appendix, every run of white space as one space."""
+    return " ".join((HERE / "ocr" / f"{APPENDICES[artefact]}.txt").read_text().split())
+
+
+def on_the_line(row: Row) -> str:
+    return row.scan.partition(" ¦ ")[0]
+
+
+def of(artefact: str, *classes: str) -> list[Row]:
+    return [row for row in evidence.table(artefact) if row.kind in classes]
+
+
+@pytest.mark.parametrize("artefact", ["eia.pal", "ellipse.for"])
+def test_the_scan_column_is_the_scan_character_for_character(artefact: str) -> None:
+    assert " ".join(row.scan for row in rows(artefact) if row.scan not in ("", "^")) == scanned(artefact)
+
+
+def test_the_scan_column_is_the_scan_of_the_circle_but_for_the_notes_that_stand_apart() -> None:
+    notes = [row.scan.partition(" ¦ ")[2] for row in rows("circle.for")]
+    apart = " ".join(note for note in notes if note) + " "
+    assert scanned("circle.for").count(apart) == 1
+    lines = " ".join(on_the_line(row) for row in rows("circle.for") if row.scan)
+    assert lines == scanned("circle.for").replace(apart, "")
+
+
+def test_eia_pal_is_the_scan_and_the_table_byte_for_byte() -> None:
+    """Lines that are legible come from the scan's text alone, the others from the table."""
+    lines = (HERE / "ocr" / "appendix-b.txt").read_text().splitlines()
+    scan = iter([" ".join(line.split()) for line in lines if line.split()])
+    made = []
+    for row in rows("eia.pal"):
+        shown = next(scan) if row.scan not in ("", "^") else row.scan
+        made.append(row._replace(ours=pal_line(shown)[1]) if row.kind == "legible" else row)
+    assert not list(scan)
+    assert evidence.source("eia.pal", made).encode() == (HOUSE / "programs" / "eia.pal").read_bytes()
+
+
+@pytest.mark.parametrize("artefact", ARTEFACTS)
+def test_the_sources_are_made_from_the_tables(artefact: str) -> None:
+    made = evidence.source(artefact)
+    assert (HOUSE / "programs" / artefact).read_text() == made, "run `make evidence`"
+
+
+def test_the_page_is_made_from_the_tables() -> None:
+    page = (HOUSE / "docs" / "restoration.md").read_text()
+    assert restoration.page(page) == page, "run `make evidence`"
+
+
+@pytest.mark.parametrize("artefact", ARTEFACTS)
+def test_every_row_has_a_class_and_every_change_its_reason(artefact: str) -> None:
+    for row in rows(artefact):
+        assert row.kind in CLASSES
+        assert bool(row.reason) or row.kind in ("legible", "ours")
+
+
+@pytest.mark.parametrize("artefact", ARTEFACTS)
+def test_legible_lines_are_left_to_the_reading(artefact: str) -> None:
+    text = (HOUSE / "pdp8" / "thesis" / "scan" / f"{artefact}.txt").read_text()
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.split("|")]
+        if not line.startswith("#") and len(cells) > 1:
+            assert (cells[1] == "legible") == (cells[3] == "="), line
+
+
+def test_a_word_that_is_legible_or_implies_its_source_is_the_word_assembled() -> None:
+    for row in of("eia.pal", "legible", "implied"):
+        digits, source = pal_line(row.scan)
+        if digits:
+            assert digits == row.ours[:4] + row.ours[5:9]
+            assert row.kind == "implied" or source == row.ours[10:]
+
+
+def test_a_damaged_word_is_not_called_legible() -> None:
+    for row in of("eia.pal", "damaged"):
+        digits, source = pal_line(row.scan)
+        assert (digits, source.replace(" ", "")) != (
+            row.ours[:4] + row.ours[5:9],
+            row.ours[10:].replace(" ", ""),
+        )
+
+
+@pytest.mark.parametrize("artefact", ["circle.for", "ellipse.for"])
+def test_a_damaged_line_is_not_called_legible(artefact: str) -> None:
+    for row in of(artefact, "damaged"):
+        assert fortran_line(row.scan.replace(" ¦", "")) != row.ours
+
+
+def test_a_line_of_the_lost_page_repeats_the_line_its_reason_names() -> None:
+    shape = {
+        row.ours[:4]: re.sub(r"\b([PMN])(\d|SP|CR)\b", r"\1", row.ours[10:].rpartition(", ")[2])
+        for row in evidence.table("eia.pal")
+        if row.ours[:1] == "0"
+    }
+    lost = [row for row in evidence.table("eia.pal") if row.page == "106"]
+    assert [int(row.ours[:4], 8) for row in lost] == list(range(0o256, 0o342))
+    for row in lost:
+        twin = row.reason[3:7]
+        assert (int(row.ours[:4], 8) - int(twin, 8)) % 7 == 0
+        assert shape[row.ours[:4]] == shape[twin]
+
+
+def test_the_damaged_definitions_are_marked() -> None:
+    text = shelf.read("eia.pal").decode()
+    marked = re.findall(r"^(\w+),\t\S+\t\t/D$", text.partition("/DEFINITIONS:")[2], re.MULTILINE)
+    assert marked == ["HOLD", "P0", "P1", "P8", "M1", "M6"]
+
+
+@pytest.mark.parametrize(
+    ("mark", "lines"),
+    [
+        ("RESTORED", [235, 245, 250, 260, 265, 280, 290, 305, 310, 315]),
+        ("CONJECTURE", [295]),
+        ("DAMAGED", [100, 255, 270, 275, 285, 300, 320, 335, 370, 490]),
+    ],
+)
+def test_every_changed_line_of_the_circle_is_marked(mark: str, lines: list[int]) -> None:
+    listing = shelf.read("circle.for").decode().splitlines()
+    assert [int(line[:3]) for line in listing if line[72:].endswith(mark)] == lines
+
+
+def test_the_radius_cannot_be_known_from_the_tape() -> None:
+    printed = circle.part()
+    for radius in range(1745, 2001):
+        assert circle.part(radius=radius, start_x=1750, inner=1745, outer=1755) == printed
+    assert circle.part(radius=1744, start_x=1750, inner=1745, outer=1755) != printed
+
+
+@pytest.mark.parametrize(
+    ("scan", "line"),
+    [
+        ("17Ø D2=Ø.", "170 D2=0."),
+        ("22Ø G4=189 •", "220 G4=189."),
+        ("165 $D1 = 4\\emptyset \\emptyset \\emptyset .$", "165 D1=4000."),
+        ("195 $E3 = 40000 \\bullet$", "195 E3=40000."),
+        ("405 AR = SQRT(AX * * 2 + AY * * 2)", "405 AR=SQRT(AX**2+AY**2)"),
+        (". IF(AX-Ø.)45,45,41 **38**Ø", "380 IF(AX-0.)45,45,41"),
+        ("305 AA=3005. **/OUTER MAJOR LIMIT**", "305 AA=3005. /OUTER MAJOR LIMIT"),
+        ("/INITIAL Y VALUE 330 AY=Ø.", "330 AY=0. /INITIAL Y VALUE"),
+        ("· 2ØØ E4=80.", "200 E4=80."),
+        ("۰. 630 100 AY=AY-1.", "630 100 AY=AY-1."),
+        ("ONE=AX**2/AA**2+AY**2/BB**2 340", "340 ONE=AX**2/AA**2+AY**2/BB**2"),
+        ("AR=SORT (AX**2)", "AR=SORT(AX**2)"),
+    ],
+)
+def test_the_rules_read_fortran(scan: str, line: str) -> None:
+    assert fortran_line(scan) == line
+
+
+@pytest.mark.parametrize(
+    ("scan", "digits", "source"),
+    [
+        ("*200 • •", "", "*200"),
+        ("/// EIA", "", "/// EIA"),
+        ("0214 ØØØØ /", "02140000", ""),
+        ("Q3 45 7440 SZA", "03457440", "SZA"),
+        ("0255 7640 SZA CLA -", "02557640", "SZA CLA"),
+        ("0125 777 Q M8,-10", "01257770", "M8,-10"),
+        ("Q343 1100 -TAD HOLD", "03431100", "-TAD HOLD"),
+        ("0116 7777 111,-1", "01167777", "111,-1"),
+    ],
+)
+def test_the_rules_read_pal(scan: str, digits: str, source: str) -> None:
+    assert pal_line(scan) == (digits, source)
+
+
+def test_what_has_no_evidence_is_refused() -> None:
+    with pytest.raises(WorkError, match=r"bin\.pal: no evidence; there is some of eia\.pal"):
+        rows("bin.pal")
+
+
+def test_the_command_prints_a_line_of_the_table(shell: Shell) -> None:
+    done = shell("pdp8 thesis evidence eia.pal | grep PQ.40")
+    columns = done.stdout.decode().split("  ")
+    assert [column.strip() for column in columns if column.strip()] == [
+        "107",
+        "damaged",
+        "0103 0040 PQ.40",
+        "0103 0040 P0,40",
+        "0 and a comma misread; P0, beside P1",
+    ]
+
+
+def test_the_command_makes_the_source(shell: Shell, tmp_path: Path) -> None:
+    assert shell("pdp8 thesis evidence circle.for --source -o mine.for").returncode == 0
+    assert (tmp_path / "mine.for").read_bytes() == shelf.read("circle.for")
+
+
+def test_the_command_refuses_what_it_does_not_know(shell: Shell) -> None:
+    done = shell("pdp8 thesis evidence echo.pal")
+    assert (done.returncode, done.stdout) == (1, b"")
+    assert done.stderr.startswith(b"pdp8: echo.pal: no evidence")
