@@ -46,7 +46,7 @@ docs: .venv/ready-dev
 	$(BIN)/pdoc -o build/api tapes programs '!(tapes|programs).cli' $(subst /,.,$(MODULES:.py=))
 
 # The compiled form of these sits beside its source and would hide what is changed there.
-COMPILED := $(wildcard pdp8/computer/*.pxd)
+COMPILED := $(wildcard pal/*.pxd pdp8/computer/*.pxd)
 
 BUILT_FROM := pyproject.toml setup.py $(COMPILED) $(COMPILED:.pxd=.py)
 
@@ -68,4 +68,4 @@ BYTECODE = $(BIN)/python -m compileall -q tapes pal pdp8 programs nc
 	touch .venv/ready $@
 
 clean:
-	rm -rf .venv demo build dist *.egg-info pdp8/computer/*.so
+	rm -rf .venv demo build dist *.egg-info pal/*.so pdp8/computer/*.so

@@ -5,7 +5,10 @@ import sysconfig
 
 from setuptools import setup
 
-MODULES = ("bus", "processor", "teletype", "waiting", "engine")
+MODULES = (
+    "pal.isa",
+    *(f"pdp8.computer.{name}" for name in ("bus", "processor", "teletype", "waiting", "engine")),
+)
 FLAGS = ["-O3", "-g0"]
 if "gcc" in (os.environ.get("CC") or sysconfig.get_config_var("CC") or ""):
     # A tree of branches foretells what comes next in a PDP-8 program better than one jump through a table;
@@ -31,10 +34,7 @@ def extensions() -> list[object]:
     from setuptools import Extension
 
     built = cythonize(
-        [
-            Extension(f"pdp8.computer.{name}", [f"pdp8/computer/{name}.py"], extra_compile_args=FLAGS)
-            for name in MODULES
-        ],
+        [Extension(name, [name.replace(".", "/") + ".py"], extra_compile_args=FLAGS) for name in MODULES],
         build_dir="build",
         compiler_directives=DIRECTIVES,
     )

@@ -1,5 +1,6 @@
 """DEC's PAL III assembler of February 1967 (DEC-08-ASB1), frame for frame, and its inverse.
 
+isa            what the 4,096 words mean; everything else asks it
 symbols        the permanent symbols: the one table, for both ways
 scanner        frames of source tapes to lines, statements and tokens
 expressions    items and operators to a word
@@ -18,6 +19,18 @@ notebook       an assembly as a notebook shows it
 cli            the commands `pal` and `dis`
 """
 
-from pal.assembly import Assembly, assemble
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pal.assembly import Assembly, assemble
 
 __all__ = ["Assembly", "assemble"]
+
+
+def __getattr__(name: str) -> object:
+    """Import the assembler when it is asked for: the computer needs only `isa`."""
+    if name not in __all__:
+        raise AttributeError(f"module 'pal' has no attribute {name!r}")
+    from pal import assembly
+
+    return getattr(assembly, name)

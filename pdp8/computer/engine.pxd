@@ -3,11 +3,12 @@
 cimport cython
 from libc.stdint cimport int64_t
 
+from pal.isa cimport autoindexed, jumps_to, refers_to
 from pdp8.computer.processor cimport Processor
 from pdp8.computer.waiting cimport Waiting
 
 cdef int64_t LONGEST, PIECE
-cdef int CYCLE, EXECUTE, FETCH, ISZ, JMP, JMS, PROTECTED, _JMP, _NO_ROTATE, _ROTATE, _DELAY, _WRAP, _LEFT
+cdef int CYCLE, EXECUTE, FETCH, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, PROTECTED, _JMP, _NO_ROTATE, _ROTATE, _DELAY, _WRAP, _LEFT
 
 
 @cython.final
@@ -46,7 +47,6 @@ cdef class Engine:
     cdef _decode(self, int address)
     @cython.locals(code=int)
     cdef int _memory_reference(self, int word, int operand, int address) except -1
-    @cython.locals(word=int, target=int)
     cdef bint _may_delay(self, int counter, int address) except -1
     @cython.locals(
         p=Processor, waiting=Waiting,

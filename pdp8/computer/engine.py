@@ -23,7 +23,21 @@ Sources: those of processor.py, which tests hold this in lockstep with.
 
 from collections.abc import Set
 
-from pdp8.computer.processor import CYCLE, EXECUTE, FETCH, ISZ, JMP, JMS, PROTECTED, Processor
+from pal.isa import (
+    EXECUTE,
+    FETCH,
+    GROUP_2,
+    INDIRECT,
+    IOT,
+    ISZ,
+    JMP,
+    JMS,
+    OPR,
+    autoindexed,
+    jumps_to,
+    refers_to,
+)
+from pdp8.computer.processor import CYCLE, PROTECTED, Processor
 from pdp8.computer.waiting import Waiting
 
 LONGEST = 3 * CYCLE
@@ -134,12 +148,12 @@ class Engine:
     def _decode(self, address: int) -> None:
         """Fill in the operation of the word at `address`, and its operand."""
         word = self.core[address]
-        if word < 0o6000:
-            operand = word & 0o177 | (address & 0o7600 if word & 0o200 else 0)
+        if word < IOT << 9:
+            operand = refers_to(word, address)
             op = self._memory_reference(word, operand, address)
-        elif word < 0o7000:
+        elif word < OPR << 9:
             operand, op = 0, _LEFT
-        elif word < 0o7400:
+        elif not word & GROUP_2:
             operand, op = word & 0o377, _group1(word & 0o377)
         else:
             operand, op = _group2(word)
@@ -150,8 +164,8 @@ class Engine:
 
     def _memory_reference(self, word: int, operand: int, address: int) -> int:
         code = word >> 9
-        if word & 0o400:
-            return _AUTOINDEXED[code] if operand & 0o7770 == 0o10 else _INDIRECT[code]
+        if word & INDIRECT:
+            return _AUTOINDEXED[code] if autoindexed(operand) else _INDIRECT[code]
         if code == JMP:
             return _LEFT if operand == address else _JMP
         if code >= ISZ and operand >= self.wall:
@@ -164,15 +178,13 @@ class Engine:
         """Tell whether ISZ at `address` is that of a delay loop: JMP .-1 follows, and it counts neither."""
         if address == 0o7777 or counter in (address, address + 1):
             return False
-        word = self.core[address + 1]
-        target = word & 0o177 | (address + 1 & 0o7600 if word & 0o200 else 0)
-        return word >> 8 == JMP << 1 and target == address
+        return jumps_to(address, self.core[address + 1], address + 1)
 
     def _may_lead_to_one(self, word: int, operand: int, address: int) -> bool:
         """Tell whether a breakpoint may come after the instruction; the lamps must be right there."""
         after = {address + 1 & 0o7777, address + 2 & 0o7777}
-        if JMS << 9 <= word < 0o6000:
-            if word & 0o400:
+        if word >> 9 in (JMS, JMP):
+            if word & INDIRECT:
                 return True
             after = {operand, operand + 1 & 0o7777}
         return not self.breakpoints.isdisjoint(after)

@@ -14,11 +14,12 @@ tapes and the same times. While a program only waits, time jumps (see waiting.py
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
+from pal.isa import FETCH, halts
 from pdp8.computer.bus import NEVER, Bus
 from pdp8.computer.engine import Engine
 from pdp8.computer.highspeed import HighSpeed
 from pdp8.computer.panel import Panel
-from pdp8.computer.processor import FETCH, Processor
+from pdp8.computer.processor import Processor
 from pdp8.computer.teletype import Teletype
 from pdp8.computer.waiting import Waiting
 from pdp8.computer.watch import Watch
@@ -239,7 +240,7 @@ class Machine:
         p = self.processor
         if p.protect:
             return "protect"
-        return "halt" if p.state == FETCH and p.mb & 0o7403 == 0o7402 else "stop key"
+        return "halt" if p.state == FETCH and halts(p.mb) else "stop key"
 
     def _out_of_tape(self) -> bool:
         """Tell whether the loop the program stands in waits for a reader whose tape has run out."""

@@ -15,10 +15,7 @@ from an 8/I by it).
 Sources: DEC PDP-8/I instruction card; Small Computer Handbook 1970; MAINDEC-08-D01, -D02.
 """
 
-CLA = 0o200
-CLL, CMA, CML, RAR, RAL, TWICE, IAC = 0o100, 0o40, 0o20, 0o10, 0o4, 0o2, 0o1
-GROUP_2, GROUP_3 = 0o400, 0o401
-SMA, SZA, SNL, SENSE, OSR, HLT = 0o100, 0o40, 0o20, 0o10, 0o4, 0o2
+from pal.isa import CLA, CLL, CMA, CML, IAC, OSR, RAL, RAR, REVERSED, SMA, SNL, SZA, TWICE
 
 
 def group1(word: int, lac: int) -> int:
@@ -53,7 +50,7 @@ def skips(word: int, lac: int) -> bool:
         or (word & SZA != 0 and lac & 0o7777 == 0)
         or (word & SNL != 0 and lac & 0o10000 != 0)
     )
-    return condition != (word & SENSE != 0)
+    return condition != (word & REVERSED != 0)
 
 
 def group2(word: int, lac: int, sr: int) -> int:

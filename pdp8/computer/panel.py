@@ -19,7 +19,8 @@ project.
 
 from typing import NamedTuple
 
-from pdp8.computer.processor import DEFER, EXECUTE, FETCH, INTERRUPT, PROTECTED, Processor
+from pal.isa import DEFER, EXECUTE, FETCH
+from pdp8.computer.processor import INTERRUPT, PROTECTED, Processor
 
 
 class Lamps(NamedTuple):

@@ -3,11 +3,12 @@
 cimport cython
 from libc.stdint cimport int64_t
 
+from pal.isa cimport autoindexed, refers_to
 from pdp8.computer.bus cimport Bus
 
 cdef int FETCH, DEFER, EXECUTE, INTERRUPT, PROTECTED
 cdef int AND, TAD, ISZ, DCA, JMS, JMP, IOT, OPR, CYCLE, IO_TICKS
-cdef int GROUP_2, GROUP_3, HLT
+cdef int GROUP_2, GROUP_3, HLT, INDIRECT
 
 
 @cython.final
@@ -22,9 +23,8 @@ cdef class Processor:
     cpdef initialize(self)
     cpdef int cycle(self) except -1
     cpdef int instruction(self) except -1
-    @cython.locals(address=int, word=int, code=int)
+    @cython.locals(word=int, code=int)
     cdef int _fetch(self) except -1
-    cdef int _address(self) noexcept
     cdef void _defer(self) noexcept
     cdef void _execute(self) noexcept
     cdef void _interrupt(self) noexcept

@@ -34,11 +34,30 @@ times and MEM PROT as measured on a real 8/L by the pdp8l project (mrieker).
 
 from array import array
 
+from pal.isa import (
+    AND,
+    DCA,
+    DEFER,
+    EXECUTE,
+    FETCH,
+    GROUP_2,
+    GROUP_3,
+    HLT,
+    INDIRECT,
+    IOT,
+    ISZ,
+    JMP,
+    JMS,
+    OPR,
+    TAD,
+    autoindexed,
+    refers_to,
+)
 from pdp8.computer.bus import Bus
-from pdp8.computer.operate import GROUP_2, GROUP_3, HLT, group1, group2, skips
+from pdp8.computer.operate import group1, group2, skips
 
-FETCH, DEFER, EXECUTE, INTERRUPT = 0, 1, 2, 3
-AND, TAD, ISZ, DCA, JMS, JMP, IOT, OPR = 0, 1, 2, 3, 4, 5, 6, 7
+INTERRUPT = 3
+"""What follows an instruction when an interrupt is taken: an EXECUTE cycle that does JMS 0."""
 
 CYCLE = 32
 IO_TICKS = 85 - CYCLE
@@ -46,9 +65,7 @@ IO_TICKS = 85 - CYCLE
 PROTECTED = 0o7600
 
 # Compiled, these are C numbers (processor.pxd); importers find them here.
-globals().update(FETCH=FETCH, DEFER=DEFER, EXECUTE=EXECUTE, INTERRUPT=INTERRUPT, PROTECTED=PROTECTED)
-globals().update(AND=AND, TAD=TAD, ISZ=ISZ, DCA=DCA, JMS=JMS, JMP=JMP, IOT=IOT, OPR=OPR)
-globals().update(CYCLE=CYCLE, IO_TICKS=IO_TICKS)
+globals().update(INTERRUPT=INTERRUPT, PROTECTED=PROTECTED, CYCLE=CYCLE, IO_TICKS=IO_TICKS)
 
 
 class Processor:
@@ -126,32 +143,28 @@ class Processor:
 
     def _fetch(self) -> None:
         self.state = FETCH
-        self.ma = address = self.pc
-        self.mb = word = self._core[address]
+        self.ma = self.pc
+        self.mb = word = self._core[self.ma]
         self.ir = code = word >> 9
-        self.pc = address + 1 & 0o7777
+        self.pc = self.ma + 1 & 0o7777
         self.clock += CYCLE
         self.instructions += 1
         if code < JMP:
-            self.next = DEFER if word & 0o400 else EXECUTE
+            self.next = DEFER if word & INDIRECT else EXECUTE
         elif code == OPR:
             self._operate(word)
         elif code == IOT:
             self._input_output(word)
-        elif word & 0o400:
+        elif word & INDIRECT:
             self.next = DEFER
         else:
-            self.pc = self._address()
-
-    def _address(self) -> int:
-        """Return the address in the instruction in MB: on page 0, or on the page MA fetched it from."""
-        return self.mb & 0o177 | (self.ma & 0o7600 if self.mb & 0o200 else 0)
+            self.pc = refers_to(word, self.ma)
 
     def _defer(self) -> None:
         self.state = DEFER
-        self.ma = self._address()
+        self.ma = refers_to(self.mb, self.ma)
         self.mb = self._core[self.ma]
-        if self.ma & 0o7770 == 0o10:
+        if autoindexed(self.ma):
             self._write(self.mb + 1 & 0o7777)
         if self.ir == JMP:
             self.pc = self.mb
@@ -161,7 +174,7 @@ class Processor:
         self.clock += CYCLE
 
     def _execute(self) -> None:
-        self.ma = self.mb if self.state == DEFER else self._address()
+        self.ma = self.mb if self.state == DEFER else refers_to(self.mb, self.ma)
         self.state = EXECUTE
         self.next = FETCH
         self.mb = self._core[self.ma]

@@ -11,13 +11,11 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
 from pal.disassembler import microinstruction
-from pdp8.computer.processor import CYCLE, DEFER, EXECUTE, FETCH, INTERRUPT, IO_TICKS, IOT, JMP, Processor
+from pal.isa import DEFER, EXECUTE, FETCH, INDIRECT, IOT, JMP, OPERATIONS, STATES, refers_to
+from pdp8.computer.processor import CYCLE, INTERRUPT, IO_TICKS, Processor
 
 if TYPE_CHECKING:
     from pal import Assembly
-
-_STATES = ("FETCH  ", "DEFER  ", "EXECUTE")
-_OPERATIONS = ("AND", "TAD", "ISZ", "DCA", "JMS", "JMP")
 
 
 class Line(NamedTuple):
@@ -53,13 +51,12 @@ class Listing:
         return f"{address:04o}  {word:04o}  {source}".rstrip()
 
 
-def instruction(address: int, word: int) -> str:
-    """Return what `word` at `address` does, as PAL III writes it."""
+def instruction(location: int, word: int) -> str:
+    """Return what `word` at `location` does, as PAL III writes it."""
     code = word >> 9
     if code > JMP:
         return microinstruction(word) or f"{word:04o}"
-    target = word & 0o177 | (address & 0o7600 if word & 0o200 else 0)
-    return f"{_OPERATIONS[code]} {'I ' if word & 0o400 else ''}{target:04o}"
+    return f"{OPERATIONS[code]} {'I ' if word & INDIRECT else ''}{refers_to(word, location):04o}"
 
 
 class Trace:
@@ -93,7 +90,7 @@ class Trace:
             if p.state == FETCH and p.ir == IOT:
                 self._began -= IO_TICKS
         if self._cycles:
-            self._write(f"{_time(self._began)}  {_STATES[p.state]}  {_lamps(p)}  {self._what}")
+            self._write(f"{_time(self._began)}  {STATES[p.state]:7}  {_lamps(p)}  {self._what}")
         elif p.next not in (DEFER, EXECUTE):
             self._write(f"{_time(self._began)}  {_lamps(p)}  {self._what}")
 

@@ -3,11 +3,12 @@
 cimport cython
 from libc.stdint cimport int64_t
 
+from pal.isa cimport jumps_to, tests_flag
 from pdp8.computer.bus cimport Device
 from pdp8.computer.processor cimport Processor
 
 cdef int64_t NEVER, PERIOD, _FLAG_TICKS
-cdef int CYCLE, FETCH, IO_TICKS, JMP, _TESTS, _STEPS
+cdef int CYCLE, FETCH, IO_TICKS, _TESTS, _STEPS
 
 
 @cython.final

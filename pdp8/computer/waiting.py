@@ -15,8 +15,9 @@ of instructions and of ticks stays exact.
 
 from array import array
 
+from pal.isa import FETCH, jumps_to, tests_flag
 from pdp8.computer.bus import NEVER
-from pdp8.computer.processor import CYCLE, FETCH, IO_TICKS, JMP, Processor
+from pdp8.computer.processor import CYCLE, IO_TICKS, Processor
 
 PERIOD = 200_000
 _TESTS = 8
@@ -76,7 +77,7 @@ class Waiting:
             self._compare(until, last)
         elif p.clock >= self.strike:
             self._strike()
-        elif self.core[p.pc] & 0o7007 == 0o6001:
+        elif tests_flag(self.core[p.pc]):
             if not self._waits_for_flag(until, last):
                 self._compare(until, last)
         elif self._jumps_to(p.pc, p.pc):
@@ -84,8 +85,7 @@ class Waiting:
 
     def _jumps_to(self, target: int, address: int) -> bool:
         """Tell whether JMP `target`, not indirect, is at `address`."""
-        word = self.core[address]
-        return word >> 8 == JMP << 1 and word & 0o177 | (address & 0o7600 if word & 0o200 else 0) == target
+        return jumps_to(target, self.core[address], address)
 
     def _waits_for_flag(self, until: int, last: int) -> bool:
         """Tell whether KSF, JMP .-1 or one of its kin is here, which needs no second turn to be known; pass
@@ -98,7 +98,7 @@ class Waiting:
             return False
         word = self.core[p.pc]
         code = word >> 3 & 0o77
-        if word & 0o7007 != 0o6001 or code == 0 or not self._jumps_to(p.pc, p.pc + 1 & 0o7777):
+        if not tests_flag(word) or code == 0 or not self._jumps_to(p.pc, p.pc + 1 & 0o7777):
             return False
         if p.ion and p.bus.request(p.clock):
             return False

@@ -6,7 +6,8 @@ cycle and of every wait that was passed over.
 
 from typing import Protocol
 
-from pdp8.computer.processor import DCA, DEFER, EXECUTE, ISZ, JMS, Processor
+from pal.isa import DCA, DEFER, EXECUTE, ISZ, JMS, autoindexed
+from pdp8.computer.processor import Processor
 
 
 class Observer(Protocol):
@@ -55,4 +56,4 @@ def wrote(processor: Processor) -> bool:
     """Tell from the lamps whether the last cycle wrote the word at MA."""
     if processor.state == EXECUTE:
         return processor.ir in (ISZ, DCA, JMS) and not processor.protect
-    return processor.state == DEFER and processor.ma & 0o7770 == 0o10
+    return processor.state == DEFER and autoindexed(processor.ma)

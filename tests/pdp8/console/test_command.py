@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import BIN, Shell, assert_same_tape
-from tests.pdp8.computer.engine.forms import FOLDER, FORMS, machine_module
+from tests.pdp8.computer.engine.forms import FORMS, HOUSE, machine_module
 
 
 def test_it_wants_a_terminal(shell: Shell) -> None:
@@ -32,8 +32,8 @@ from importlib.util import spec_from_file_location
 class Sources:
     @staticmethod
     def find_spec(name, path, target=None):
-        source = os.path.join({str(FOLDER)!r}, name.removeprefix("pdp8.computer.") + ".py")
-        if name.startswith("pdp8.computer.") and os.path.exists(source):
+        source = os.path.join({str(HOUSE)!r}, name.replace(".", "/") + ".py")
+        if name.startswith(("pdp8.computer.", "pal.isa")) and os.path.exists(source):
             return spec_from_file_location(name, source)
 sys.meta_path.insert(0, Sources)
 """

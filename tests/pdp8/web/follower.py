@@ -1,7 +1,8 @@
 """The processor of the package, led through the operator's deeds to any instant: what the page must show."""
 
+from pal.isa import FETCH
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
-from pdp8.computer.processor import CYCLE, FETCH
+from pdp8.computer.processor import CYCLE
 from pdp8.replay import Afternoon
 from pdp8.replay.operator import Deed
 

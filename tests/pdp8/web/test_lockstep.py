@@ -5,8 +5,8 @@ from typing import Any
 
 import pytest
 
+from pal.isa import FETCH
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
-from pdp8.computer.processor import FETCH
 from pdp8.replay import Afternoon
 from tests.pdp8.conftest import Ask
 from tests.pdp8.web.follower import STATE, Follower, state

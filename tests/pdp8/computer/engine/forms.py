@@ -11,31 +11,43 @@ from types import ModuleType
 
 import pdp8.computer
 
-FOLDER = Path(pdp8.computer.__file__).parent
-COMPILED = ("bus", "processor", "teletype", "waiting", "engine")
+HOUSE = Path(pdp8.computer.__file__).parents[2]
+COMPILED = (
+    "pal.isa",
+    *(f"pdp8.computer.{name}" for name in ("bus", "processor", "teletype", "waiting", "engine")),
+)
 FORMS = ("plain", "compiled")
 
 
+def beside(name: str, suffix: str) -> Path:
+    """Return the file of module `name` that ends in `suffix`."""
+    return HOUSE / (name.replace(".", "/") + suffix)
+
+
 def extension(name: str) -> Path | None:
-    """Return the compiled form of the computer's module `name`, if it was built for this Python."""
-    return next((path for suffix in EXTENSION_SUFFIXES if (path := FOLDER / (name + suffix)).exists()), None)
+    """Return the compiled form of module `name`, if it was built for this Python."""
+    return next((path for suffix in EXTENSION_SUFFIXES if (path := beside(name, suffix)).exists()), None)
+
+
+def _is_ours(name: str) -> bool:
+    return name == "pal.isa" or name.startswith("pdp8.computer.")
 
 
 class _Sources(MetaPathFinder):
-    """Finds the sources of pdp8/computer, whatever is compiled beside them."""
+    """Finds the sources of the modules that may be compiled."""
 
     def find_spec(
         self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        source = FOLDER / (fullname.removeprefix("pdp8.computer.") + ".py")
-        if fullname.startswith("pdp8.computer.") and source.exists():
+        source = beside(fullname, ".py")
+        if _is_ours(fullname) and source.exists():
             return spec_from_file_location(fullname, source)
         return None
 
 
 def _plain() -> ModuleType:
     """Import the machine from sources alone, and leave the modules in use as they were."""
-    used = {name: module for name, module in sys.modules.items() if name.startswith("pdp8.computer.")}
+    used = {name: module for name, module in sys.modules.items() if _is_ours(name)}
     finder = _Sources()
     for name in used:
         del sys.modules[name]
@@ -44,11 +56,12 @@ def _plain() -> ModuleType:
         return importlib.import_module("pdp8.computer.machine")
     finally:
         sys.meta_path.remove(finder)
-        for name in [name for name in sys.modules if name.startswith("pdp8.computer.")]:
+        for name in [name for name in sys.modules if _is_ours(name)]:
             del sys.modules[name]
         sys.modules.update(used)
         for name, module in used.items():
-            setattr(pdp8.computer, name.removeprefix("pdp8.computer."), module)
+            package, _, own = name.rpartition(".")
+            setattr(sys.modules[package], own, module)
 
 
 _PLAIN = _plain()

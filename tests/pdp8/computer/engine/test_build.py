@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.pdp8.computer.engine.forms import COMPILED, FOLDER, extension
+from tests.pdp8.computer.engine.forms import COMPILED, HOUSE, beside, extension
 
 
 @pytest.mark.parametrize("name", COMPILED)
@@ -15,27 +15,28 @@ def test_no_extension_hides_a_newer_source(name: str) -> None:
     if built is None:
         pytest.skip("not compiled")
     for suffix in (".py", ".pxd"):
-        source = FOLDER / (name + suffix)
+        source = beside(name, suffix)
         assert source.stat().st_mtime <= built.stat().st_mtime, (
             f"{source.name} is newer than {built.name}: run `make`, or delete the latter"
         )
 
 
 def test_whatever_has_types_beside_it_is_compiled() -> None:
-    assert {path.stem for path in FOLDER.glob("*.pxd")} == set(COMPILED)
+    typed = [*HOUSE.glob("pal/*.pxd"), *HOUSE.glob("pdp8/**/*.pxd")]
+    assert {".".join(path.relative_to(HOUSE).with_suffix("").parts) for path in typed} == set(COMPILED)
 
 
 @pytest.mark.parametrize("name", COMPILED)
 def test_every_attribute_of_a_compiled_class_has_its_type(name: str) -> None:
     """An attribute that is only in the source exists when Python runs it, and not when it was compiled."""
-    types = (FOLDER / f"{name}.pxd").read_text()
-    tree = ast.parse((FOLDER / f"{name}.py").read_text())
+    types = beside(name, ".pxd").read_text()
+    tree = ast.parse(beside(name, ".py").read_text())
     for definition in ast.walk(tree):
         if not isinstance(definition, ast.ClassDef) or f"class {definition.name}" not in types:
             continue
         declared = re.split(r"^cdef class ", types, flags=re.MULTILINE)
         (own,) = [part for part in declared if re.match(rf"{definition.name}\b", part)]
-        inherited = own + ((FOLDER / "bus.pxd").read_text() if "(Device)" in own else "")
+        inherited = own + (beside("pdp8.computer.bus", ".pxd").read_text() if "(Device)" in own else "")
         for attribute in set(_assigned(definition)):
             assert re.search(rf"\b{attribute}\b", inherited), f"{definition.name}.{attribute}"
 

@@ -1,0 +1,9 @@
+# The types with which Cython compiles isa.py; Python itself never reads this.
+
+cdef int JMP, ADDRESS, PAGE, CURRENT_PAGE, INDIRECT
+
+cpdef int refers_to(int word, int location) noexcept
+cpdef bint autoindexed(int pointer) noexcept
+cpdef bint jumps_to(int target, int word, int location) noexcept
+cpdef bint tests_flag(int word) noexcept
+cpdef bint halts(int word) noexcept

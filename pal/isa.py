@@ -1,0 +1,60 @@
+"""What the 4,096 words of a PDP-8 mean: operations, addresses, groups of microinstructions, major states.
+
+         0   1   2   3   4   5   6   7   8   9  10  11
+       ┌───────────┬───┬───┬───────────────────────────┐
+    MRI│ operation │ I │ P │          address          │   AND TAD ISZ DCA JMS JMP
+    IOT│     6     │     device code       │  pulses   │   IOP4 IOP2 IOP1
+    OPR│     7     │ group │ CLA │ microinstructions   │   see operate.py
+       └───────────┴───┴───┴───────────────────────────┘
+
+The address of a memory-reference instruction (MRI) is on page zero, or with P set on the page that the
+instruction itself was fetched from. With I set, the word there holds the address; if it is one of 0010 to
+0017, it is incremented first.
+
+Sources: PDP-8/L Users Handbook 1968; Small Computer Handbook 1970; PDP-8/I instruction card.
+"""
+
+AND, TAD, ISZ, DCA, JMS, JMP, IOT, OPR = 0, 1, 2, 3, 4, 5, 6, 7
+OPERATIONS = ("AND", "TAD", "ISZ", "DCA", "JMS", "JMP", "IOT", "OPR")
+
+ADDRESS = 0o0177
+PAGE = 0o7600
+CURRENT_PAGE = 0o0200
+INDIRECT = 0o0400
+
+# Group 2 has GROUP_2 alone set, group 3 has all bits of GROUP_3, group 1 none.
+GROUP_2, GROUP_3 = 0o400, 0o401
+CLA = 0o200
+CLL, CMA, CML, RAR, RAL, TWICE, IAC = 0o100, 0o40, 0o20, 0o10, 0o4, 0o2, 0o1
+SMA, SZA, SNL, REVERSED, OSR, HLT = 0o100, 0o40, 0o20, 0o10, 0o4, 0o2
+
+FETCH, DEFER, EXECUTE = 0, 1, 2
+STATES = ("FETCH", "DEFER", "EXECUTE")
+
+# Compiled, these are C numbers (isa.pxd); importers find them here.
+globals().update(JMP=JMP, ADDRESS=ADDRESS, PAGE=PAGE, CURRENT_PAGE=CURRENT_PAGE, INDIRECT=INDIRECT)
+
+
+def refers_to(word: int, location: int) -> int:
+    """Return the address in the memory-reference instruction `word` fetched from `location`."""
+    return word & ADDRESS | (location & PAGE if word & CURRENT_PAGE else 0)
+
+
+def autoindexed(pointer: int) -> bool:
+    """Tell whether an indirect reference increments the word at `pointer` first."""
+    return pointer & 0o7770 == 0o10
+
+
+def jumps_to(target: int, word: int, location: int) -> bool:
+    """Tell whether `word` at `location` is a direct JMP to `target`."""
+    return word >> 8 == JMP << 1 and refers_to(word, location) == target
+
+
+def tests_flag(word: int) -> bool:
+    """Tell whether `word` is an IOT that sends IOP1 alone, such as KSF."""
+    return word & 0o7007 == 0o6001
+
+
+def halts(word: int) -> bool:
+    """Tell whether `word` has the HLT bit of group 2."""
+    return word & 0o7403 == 0o7402
