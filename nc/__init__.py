@@ -1,22 +1,23 @@
-"""The Moog Hydra-Point 83-1000 MC, from the tape under its head to the part on the bench.
+"""The Moog Hydra-Point 83-1000 MC: from a tape to the path of its cutter and the part.
 
     blocks      frames to blocks of 20 rows, or the row that is wrong
-    machine     what each block makes the machine do, and for how long
+    machine     what each block makes the machine do, and the time it takes
     path        what it did: steps, moves, modes, times
+    notebook    a path that a notebook draws
     listing     the program as a table
-    curves      the curve that was meant: circle, ellipse, line, polynomial
+    curves      the nominal curve: circle, ellipse, line, function of x
     inspection  the walls a round cutter left, against that curve
-    report      the day at the machine and the part on the bench, in words
+    report      the run and the inspection, in words
     drawing     a sheet of paper with inch scales: SVG
     plot        path and cut surface, and the staircase in its band
-    talyrond    the polar graph
-    talysurf    the straight one
+    talyrond    the polar graph of an inspection
+    talysurf    the straight graph of an inspection
     gcode       the path for today's controllers
     dxf         the path as a drawing
     cli         pdp8 nc
-    options     what its commands take in common
+    options     the options that its commands share
 
-It knows tapes and nothing else of ours. Pictures of it are drawn without any library.
+It imports tapes and no other package of the project. It draws without a library.
 """
 
 from nc.blocks import BlockError

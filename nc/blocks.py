@@ -1,26 +1,27 @@
-"""The tape under the head: frames to blocks.
+"""The tape under the reading head: frames to blocks.
 
-The pneumatic head feels channels 1 to 4 and channel 8; the others are masked off, so parity is not looked
-at and a row without holes is the digit 0 like 040. A block is 20 rows by position. The operator sets the
-first punched row under the head: a blank leader is not read, and blank rows after the last end of block are
-the trailer.
+The pneumatic head senses channels 1 to 4 and channel 8. The other channels are masked off: parity is not
+checked, and a row without holes is the digit 0, as 040 is. A block is 20 rows. The operator sets the first
+punched row under the head: a blank leader is not read, and blank rows after the last end of block are the
+trailer.
 
-    frame     040 040 001 040 001 031 ... 200        as punched, parity and all
-    feels       0   0   1   0   1   9 ... end        & 217
+    frame     040 040 001 040 001 031 ... 200        as punched, with parity
+    sensed      0   0   1   0   1   9 ... end        & 217
 
-`strict` reads as later controls did: every row is one of the ten EIA digits with odd parity, and a blank
-row is an error. Whatever is wrong, a block comes whole or not at all.
+With `strict` every row must be one of the ten EIA digits with odd parity, as for later controls, and a blank
+row is an error. A block with an error is not returned in part.
 
 Sources: thesis, Chapter 2 (head, block, codes) and Chapter 5 (equal block length); EIA RS-244 for `strict`.
 """
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import NamedTuple
 
 from tapes.errors import TapeError
 from tapes.hydrapoint import (
     CAROUSEL,
     MISCELLANEOUS,
+    NEXT_TOOL,
     PREPARATORY,
     ROWS,
     SPINDLE,
@@ -30,6 +31,8 @@ from tapes.hydrapoint import (
     Z_FEED,
     Z_TRAVEL,
     Block,
+    Miscellaneous,
+    Preparatory,
     block,
 )
 
@@ -41,18 +44,18 @@ _END = ord("\r")
 _BAD = ord("?")
 
 _LISTED = frozenset({0, *SPINDLE, *CAROUSEL})
-_SELECTS = {
-    84: ("X feed", XY_FEED.keys()),
-    85: ("Y feed", XY_FEED.keys()),
-    86: ("tool", frozenset(CAROUSEL)),
-    88: ("spindle speed", SPINDLE.keys()),
-    89: ("Z feed", Z_FEED.keys()),
+_SELECTS: dict[int, tuple[str, Collection[int]]] = {
+    Miscellaneous.X_FEED: ("X feed", XY_FEED.keys()),
+    Miscellaneous.Y_FEED: ("Y feed", XY_FEED.keys()),
+    Miscellaneous.TOOL_CHANGE: ("tool", frozenset({NEXT_TOOL, *CAROUSEL})),
+    Miscellaneous.SPINDLE_SPEED: ("spindle speed", SPINDLE.keys()),
+    Miscellaneous.Z_FEED: ("Z feed", Z_FEED.keys()),
 }
 _TOOL_CODES = {function: _SELECTS.get(function, ("tool function", _LISTED)) for function in MISCELLANEOUS}
 
 
 class BlockError(TapeError):
-    """A block the machine refuses and why; `block` counts from 1, `row` from 1 to 20, `frame` from 0."""
+    """A block that the machine refuses; `block` counts from 1, `row` from 1 to 20, `frame` from 0."""
 
     def __init__(self, message: str, frame: int, block: int, row: int) -> None:
         super().__init__(f"block {block}, row {row}: {message}", frame)
@@ -62,7 +65,7 @@ class BlockError(TapeError):
 
 
 class Row(NamedTuple):
-    """Where a block stands: its number on the tape, counted from 1, and the frame of its first row."""
+    """The place of a block: its number on the tape, counted from 1, and the frame of its first row."""
 
     number: int
     frame: int
@@ -75,15 +78,15 @@ class Row(NamedTuple):
 def read(frames: bytes, strict: bool = False) -> Iterator[tuple[Row, Block]]:
     """Yield each block of the tape with its place, in order, until the tape or the first bad block.
 
-    Raises BlockError at a block of wrong length or content, TapeError where nothing is punched at all.
+    Raises BlockError at a block of wrong length or content, TapeError if no frame is punched.
     """
-    felt = frames.translate(_STRICT if strict else _FELT)
+    sensed = frames.translate(_STRICT if strict else _SENSED)
     end = len(frames.rstrip(b"\0"))
     start = len(frames) - len(frames.lstrip(b"\0"))
     if start >= end:
-        raise TapeError("no row is punched: there is no tape to read")
+        raise TapeError("no row is punched: the tape is empty or blank")
     for number, frame in enumerate(range(start, end, ROWS), 1):
-        rows = felt[frame : frame + ROWS]
+        rows = sensed[frame : frame + ROWS]
         place = Row(number, frame)
         if len(rows) < ROWS or rows[-1] != _END or not rows[:-1].isdigit():
             raise _fault(place, frames[frame : frame + ROWS], rows, strict)
@@ -99,7 +102,7 @@ def _head(frame: int) -> int:
     return ord("0") + value if value <= 9 else _BAD
 
 
-_FELT = bytes(_head(frame) for frame in range(0o400))
+_SENSED = bytes(_head(frame) for frame in range(0o400))
 _STRICT = bytes(
     _head(frame) if frame in _EIA_DIGITS or frame == END_OF_BLOCK else _BAD for frame in range(0o400)
 )
@@ -107,10 +110,10 @@ _STRICT = bytes(
 
 def _fault(place: Row, frames: bytes, rows: bytes, strict: bool) -> BlockError:
     """Return what is wrong with a block that is not 19 digits and an end of block."""
-    for row, (frame, felt) in enumerate(zip(frames, rows, strict=True), 1):
-        if felt == _BAD:
+    for row, (frame, digit) in enumerate(zip(frames, rows, strict=True), 1):
+        if digit == _BAD:
             return place.error(row, _why_bad(frame, strict))
-        if felt == _END and row < ROWS:
+        if digit == _END and row < ROWS:
             return place.error(row, f"the block ends in row {row}; a block has {ROWS} rows")
     if len(rows) < ROWS:
         return place.error(len(rows), f"the tape ends after {len(rows)} rows of the block's {ROWS}")
@@ -126,21 +129,21 @@ def _why_bad(frame: int, strict: bool) -> str:
     if value > END_OF_BLOCK:
         return f"an end of block with digit holes beside it: {frame:03o}"
     if value > 9:
-        return f"{value} is no decimal digit: {frame:03o}"
-    return f"{frame:03o} is no EIA digit"
+        return f"{frame:03o} is {value}, not a decimal digit"
+    return f"{frame:03o} is not an EIA digit"
 
 
 def _check(place: Row, found: Block) -> None:
     if found.preparatory not in PREPARATORY:
         raise place.error(4, f"unknown preparatory function {found.preparatory}")
     if found.reserved:
-        raise place.error(15, f"the reserved digit is {found.reserved}; it is always zero")
+        raise place.error(15, f"the reserved digit is {found.reserved}; it must be 0")
     if found.miscellaneous not in MISCELLANEOUS:
         raise place.error(18, f"unknown miscellaneous function {found.miscellaneous:02}")
     selects, codes = _TOOL_CODES[found.miscellaneous]
     if found.tool not in codes:
         raise place.error(16, f"unknown {selects} code {found.tool:02}")
-    if found.preparatory == 9:
+    if found.preparatory == Preparatory.READ_Z:
         _check_depths(place, found.x, found.y)
         return
     if found.x > X_TRAVEL:
@@ -159,5 +162,5 @@ def _check_depths(place: Row, feed_point: int, final_depth: int) -> None:
             raise place.error(row, _beyond(name, depth, Z_TRAVEL))
     if final_depth < feed_point:
         raise place.error(
-            10, f"final depth {final_depth / 1000:.3f} lies above the Z feed point {feed_point / 1000:.3f}"
+            10, f"final depth {final_depth / 1000:.3f} is above the Z feed point {feed_point / 1000:.3f}"
         )

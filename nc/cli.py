@@ -24,7 +24,7 @@ def nc() -> None:
     """The Moog Hydra-Point: list, cut, plot, inspect and export an EIA tape.
 
     FILE.eia is a tape of 20-row blocks, a bundled one such as circle.eia, or - for standard input. Lengths
-    are inches. A bad block stops the machine before any of it is done; the error names block, row and frame.
+    are inches. The machine stops before a bad block; the error names block, row and frame.
 
     \b
     Examples:
@@ -38,9 +38,9 @@ def nc() -> None:
 
 @nc.command("list")
 @tape_options
-@click.option("--modes", is_flag=True, help="Add what is in force after each block, and the clock.")
+@click.option("--modes", is_flag=True, help="Add what is in force after each block, and the time.")
 def list_(modes: bool, **options: Any) -> None:
-    """Print the program as a table: each block with what it does.
+    """Print the program as a table: each block and what it does.
 
     \b
     Examples:
@@ -59,7 +59,7 @@ def list_(modes: bool, **options: Any) -> None:
 @nc.command()
 @tape_options
 def cut(**options: Any) -> None:
-    """Cut the tape and say what was done and how long it took.
+    """Cut the tape and report what was done and the time it took.
 
     \b
     Examples:
@@ -78,12 +78,12 @@ def cut(**options: Any) -> None:
 @nc.command()
 @tape_options
 @curve_options
-@click.option("--block", type=click.IntRange(1), help="The current block; the last unless told.")
+@click.option("--block", type=click.IntRange(1), help="The current block; the last by default.")
 @click.option(
     "--at",
     callback=numbers("X,Y"),
     metavar="X,Y",
-    help="Where the close view is taken; at the current block unless told.",
+    help="Centre of the close view; the current block by default.",
 )
 @click.option(
     "--zoom",
@@ -94,7 +94,7 @@ def cut(**options: Any) -> None:
     show_default=True,
     help="Scale of the close view.",
 )
-@click.option("-o", "--output", metavar="FILE.svg", help="Where the drawing goes.")
+@click.option("-o", "--output", metavar="FILE.svg", help="Output file.")
 def plot(
     output: str | None, block: int | None, at: tuple[float, float] | None, zoom: float, **options: Any
 ) -> None:
@@ -130,14 +130,14 @@ def plot(
 @curve_options
 @click.option("--talyrond", metavar="FILE.svg", help="Draw the polar graph of both walls.")
 @click.option(
-    "--magnification", type=click.IntRange(1), help="Of the polar graph; 100 unless told, or what fits."
+    "--magnification", type=click.IntRange(1), help="Of the polar graph; 100 by default, or what fits."
 )
 @click.option("--talysurf", metavar="FILE.svg", help="Draw both walls laid out straight.")
 @click.option(
     "--stretch",
     callback=numbers("FROM,TO"),
     metavar="FROM,TO",
-    help="The Talysurf's part of the curve, in inches along it.",
+    help="Stretch of the curve for the Talysurf, in inches along it.",
 )
 def inspect(
     talyrond: str | None,
@@ -146,9 +146,9 @@ def inspect(
     stretch: tuple[float, float] | None,
     **options: Any,
 ) -> None:
-    """Measure the walls the cutter left against the curve that was meant.
+    """Measure the walls that the cutter left against the nominal curve.
 
-    Unless told, the curve is the circle, ellipse or line that the milled path follows. Errors are inches,
+    The default curve is the circle, ellipse or line that the milled path follows. Errors are inches,
     outward is +; a place is within 10 degrees of an apex, 5 of 45 degrees.
 
     \b
@@ -156,12 +156,13 @@ def inspect(
       pdp8 nc inspect circle.eia
       pdp8 nc inspect circle.eia --circle 4,4,1.75 --cutter 0.5 --talyrond talyrond.svg
       pdp8 nc inspect ellipse.eia --talysurf talysurf.svg --stretch 3,5
+      pdp8 nc inspect sine.eia --function 'sin(x)' --range 0,6.283
     """
     from nc.inspection import inspect as measure
     from nc.report import inspection_report
 
     if stretch and not talysurf:
-        raise click.UsageError("--stretch means nothing without --talysurf.")
+        raise click.UsageError("--stretch needs --talysurf")
     command.check_files([options["tape"]], [talyrond, talysurf])
     path = cut_tape(**options)
     found = measure(path, curve(**options), options["cutter"] * 1000, options["tolerance"] * 1000)
@@ -186,9 +187,7 @@ def inspect(
 @curve_options
 @click.option("--gcode", is_flag=True, help="RS-274, one linear move a block, for today's controllers.")
 @click.option("--dxf", is_flag=True, help="A drawing of the path (needs ezdxf: pip install ezdxf).")
-@click.option(
-    "-o", "--output", metavar="FILE", default="-", help="Where it goes; standard output unless told."
-)
+@click.option("-o", "--output", metavar="FILE", default="-", help="Output file; standard output by default.")
 def export(gcode: bool, dxf: bool, output: str, **options: Any) -> None:
     """Write the path as G-code or DXF, in inches.
 
@@ -198,7 +197,7 @@ def export(gcode: bool, dxf: bool, output: str, **options: Any) -> None:
       pdp8 nc export circle.eia --dxf -o circle.dxf
     """
     if gcode == dxf:
-        raise click.UsageError("say --gcode or --dxf")
+        raise click.UsageError("give one of --gcode and --dxf")
     command.check_files([options["tape"]], [output])
     path = cut_tape(**options)
     if gcode:
@@ -212,7 +211,7 @@ def export(gcode: bool, dxf: bool, output: str, **options: Any) -> None:
 
 
 def _beside(tape: str, suffix: str) -> str:
-    """Return where a drawing goes unless told: standard output, but beside the tape if that is a terminal."""
+    """Return the default output of a drawing: standard output, or a file if that is a terminal."""
     if tape == "-" or not stdout.isatty():
         return "-"
     return splitext(basename(tape))[0] + suffix

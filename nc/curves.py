@@ -1,13 +1,14 @@
-"""The curve that was meant: what the cutter's centre should have followed, sampled at stations.
+"""The nominal curve: the path that the cutter's centre should follow, sampled at stations.
 
-    station ── a place on the curve, with the direction square to it (outward, or left of the way along it)
+    station ── a point of the curve, with the normal there (outward, or left of the direction of travel)
 
-The curves are the thesis's: circle, ellipse, straight line, polynomial. `fitted` finds the one a path follows
-by least squares, as one centres the work under an instrument that is told nothing; a polynomial must be told.
+The curves are those of the thesis: circle, ellipse, straight line, and a function of x. `fitted` finds the
+line, circle or ellipse that a path follows, by least squares; a function must be named.
 
 Lengths are thousandths of an inch, angles degrees counterclockwise from +X.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -15,13 +16,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tapes.errors import WorkError
+from tapes.expression import function
 
 Floats = NDArray[np.float64]
+
+_STEP = 1e-6
+"""Inches to each side of a point at which a slope is measured."""
 
 
 @dataclass(frozen=True, eq=False)
 class Stations:
-    """Places on a curve: `points` and unit `normals`, both (n, 2); `along`, the way from the first, (n,)."""
+    """Points of a curve, (n, 2), with unit `normals`, (n, 2); `along`, the distance from the first, (n,)."""
 
     points: Floats
     normals: Floats
@@ -45,7 +50,7 @@ class Curve(Protocol):
 
     @property
     def closed(self) -> bool:
-        """Whether it comes back to where it began."""
+        """Whether its end is its start."""
 
     def stations(self, count: int) -> Stations:
         """Return `count` stations, evenly spread over its parameter."""
@@ -54,7 +59,7 @@ class Curve(Protocol):
         """Return how far outside (left of) the curve each of the points (n, 2) lies, to first order."""
 
     def __str__(self) -> str:
-        """Say what it is, in inches."""
+        """Return its description, in inches."""
 
 
 @dataclass(frozen=True)
@@ -67,13 +72,15 @@ class Ellipse:
     b: float
 
     def __post_init__(self) -> None:
-        """Raise WorkError for axes that are none."""
+        """Raise WorkError for axes that are not positive."""
         if not (self.a > 0 and self.b > 0):
-            raise WorkError("a circle's radius and an ellipse's semi-axes are greater than 0")
+            raise WorkError(
+                f"semi-axes {self.a / 1000:g} and {self.b / 1000:g} in: each must be greater than 0"
+            )
 
     @property
     def closed(self) -> bool:
-        """An ellipse is."""
+        """True."""
         return True
 
     def stations(self, count: int) -> Stations:
@@ -103,7 +110,7 @@ class Ellipse:
 
 
 @dataclass(frozen=True)
-class Line:
+class StraightLine:
     """A straight line from one place to another."""
 
     x1: float
@@ -112,19 +119,19 @@ class Line:
     y2: float
 
     def __post_init__(self) -> None:
-        """Raise WorkError for a line of no length."""
+        """Raise WorkError for a line of length 0."""
         if (self.x1, self.y1) == (self.x2, self.y2):
-            raise WorkError("a line needs two different ends")
+            raise WorkError(f"line from {self} to the same point: it needs two different ends")
 
     @property
     def closed(self) -> bool:
-        """A line is not."""
+        """False."""
         return False
 
     def stations(self, count: int) -> Stations:
         """Return `count` stations from end to end."""
-        start, way = np.array([self.x1, self.y1]), self._way()
-        points = start + np.linspace(0, 1, count)[:, None] * way
+        start, direction = np.array([self.x1, self.y1]), self._direction()
+        points = start + np.linspace(0, 1, count)[:, None] * direction
         normals = np.tile(self._normal(), (count, 1))
         return Stations(points, normals, _along(points))
 
@@ -133,12 +140,12 @@ class Line:
         start = np.array([self.x1, self.y1])
         return np.asarray((points - start) @ self._normal())
 
-    def _way(self) -> Floats:
+    def _direction(self) -> Floats:
         return np.array([self.x2 - self.x1, self.y2 - self.y1], dtype=np.float64)
 
     def _normal(self) -> Floats:
-        way = self._way()
-        return np.asarray([-way[1], way[0]] / np.hypot(way[0], way[1]))
+        direction = self._direction()
+        return np.asarray([-direction[1], direction[0]] / np.hypot(direction[0], direction[1]))
 
     def __str__(self) -> str:
         ends = (f"X {x / 1000:.3f} Y {y / 1000:.3f}" for x, y in ((self.x1, self.y1), (self.x2, self.y2)))
@@ -146,56 +153,104 @@ class Line:
 
 
 @dataclass(frozen=True)
-class Cubic:
-    """The thesis's polynomial y = A x (x - B) (x - C), in inches, from its first crossing of zero to x = C.
+class Graph:
+    """y = f(x) from x = `first` to `last`, all in inches; (`x`, `y`) is its origin on the table, thousandths.
 
-    `x` and `y` are where its origin lies on the table, in thousandths.
+    Its band is measured along Y (thesis, Chapter 6).
     """
 
     x: float
     y: float
-    a: float
-    b: float
-    c: float
+    expression: str
+    first: float
+    last: float
 
     def __post_init__(self) -> None:
-        """Raise WorkError for a polynomial of no length."""
-        if self.c <= 0:
-            raise WorkError("the polynomial runs from 0 to C, which is greater than 0")
+        """Raise WorkError for a range of length 0, and for an expression that is not one."""
+        if not self.first < self.last:
+            raise WorkError(f"range from {self.first:g} to {self.last:g}: must go from less to more")
+        function(self.expression)
 
     @property
     def closed(self) -> bool:
-        """A polynomial is not."""
+        """False."""
         return False
 
     def stations(self, count: int) -> Stations:
-        """Return `count` stations in equal steps of x."""
-        x = np.linspace(0, self.c, count)
+        """Return `count` stations in equal steps of x. Raises WorkError where the function has no value."""
+        x = np.linspace(self.first, self.last, count)
         points = np.column_stack([self.x + 1000 * x, self.y + 1000 * self._height(x)])
         slope = self._slope(x)
         normals = np.column_stack([-slope, np.ones(count)]) / np.hypot(slope, 1)[:, None]
         return Stations(points, normals, _along(points))
 
     def deviations(self, points: Floats) -> Floats:
-        """Return the distance above the curve, to first order near it."""
+        """Return the distance above the curve, to first order near it; beyond its ends, above the tangent."""
         x = (points[:, 0] - self.x) / 1000
-        above = points[:, 1] - self.y - 1000 * self._height(x)
-        return np.asarray(above / np.hypot(self._slope(x), 1))
+        nearest = np.clip(x, self.first, self.last)
+        slope = self._slope(nearest)
+        above = points[:, 1] - self.y - 1000 * (self._height(nearest) + slope * (x - nearest))
+        return np.asarray(above / np.hypot(slope, 1))
 
     def _height(self, x: Floats) -> Floats:
-        return self.a * x * (x - self.b) * (x - self.c)
+        value = function(self.expression)
+        return np.array([value(place) for place in x])
 
     def _slope(self, x: Floats) -> Floats:
-        return self.a * (3 * x * x - 2 * (self.b + self.c) * x + self.b * self.c)
+        left, right = np.maximum(x - _STEP, self.first), np.minimum(x + _STEP, self.last)
+        return np.asarray((self._height(right) - self._height(left)) / (right - left))
 
     def __str__(self) -> str:
         return (
-            f"polynomial y = {self.a:g} x (x - {self.b:g}) (x - {self.c:g}), "
+            f"y = {self.expression}, x from {self.first:g} to {self.last:g}, "
             f"origin X {self.x / 1000:.3f} Y {self.y / 1000:.3f}"
         )
 
 
-def fitted(points: Floats, within: float) -> Ellipse | Line | None:
+def _polynomial(a: float, b: float, c: float) -> str:
+    """Return the thesis's polynomial y = A x (x - B) (x - C) as an expression (Chapter 6)."""
+    return f"{a:.12g}*x*(x{-b:+.12g})*(x{-c:+.12g})"
+
+
+def nominal(
+    *,
+    circle: Sequence[float] | None = None,
+    ellipse: Sequence[float] | None = None,
+    line: Sequence[float] | None = None,
+    polynomial: Sequence[float] | None = None,
+    function: str | None = None,
+    origin: Sequence[float] = (0, 0),
+    range_: Sequence[float] | None = None,
+) -> Curve | None:
+    """Return the one curve that is named, lengths in inches; None if none is.
+
+    `circle` is X, Y, radius; `ellipse` X, Y and the semi-axes; `line` X and Y of both ends; `polynomial` X
+    and Y of its origin, A, B, C, by default from x = 0 to C; `function` an expression in x, with its `origin`
+    and `range_`. Raises WorkError for two curves, or one that does not exist.
+    """
+    named = [curve for curve in (circle, ellipse, line, polynomial, function) if curve is not None]
+    if len(named) > 1:
+        raise WorkError(f"{len(named)} curves are named; at most one is allowed")
+    if circle:
+        x, y, radius = _thousandths(circle)
+        return Ellipse(x, y, radius, radius)
+    if ellipse:
+        return Ellipse(*_thousandths(ellipse))
+    if line:
+        return StraightLine(*_thousandths(line))
+    if polynomial:
+        x, y = _thousandths(polynomial[:2])
+        first, last = range_ or (0, polynomial[4])
+        return Graph(x, y, _polynomial(*polynomial[2:]), first, last)
+    if function is not None:
+        if range_ is None:
+            raise WorkError(f"function {function}: its range of x is needed")
+        x, y = _thousandths(origin)
+        return Graph(x, y, function, *range_)
+    return None
+
+
+def fitted(points: Floats, within: float) -> Ellipse | StraightLine | None:
     """Return the line, circle or ellipse nearest to the points (n, 2), constants rounded to the thousandth.
 
     None if some point lies further than `within` from each of them.
@@ -207,13 +262,13 @@ def fitted(points: Floats, within: float) -> Ellipse | Line | None:
     return None
 
 
-def _fitted_line(points: Floats) -> Line | None:
+def _fitted_line(points: Floats) -> StraightLine | None:
     """Fit through the points' mean along their greatest spread, from the first to the last."""
     mean = points.mean(axis=0)
-    way = np.linalg.svd(points - mean, full_matrices=False)[2][0]
-    ends = mean + ((points[[0, -1]] - mean) @ way)[:, None] * way
+    direction = np.linalg.svd(points - mean, full_matrices=False)[2][0]
+    ends = mean + ((points[[0, -1]] - mean) @ direction)[:, None] * direction
     (x1, y1), (x2, y2) = np.rint(ends).tolist()
-    return Line(x1, y1, x2, y2) if (x1, y1) != (x2, y2) else None
+    return StraightLine(x1, y1, x2, y2) if (x1, y1) != (x2, y2) else None
 
 
 def _fitted_ellipse(points: Floats) -> Ellipse | None:
@@ -230,6 +285,10 @@ def _fitted_ellipse(points: Floats) -> Ellipse | None:
     if abs(a - b) <= 1:
         a = b = round((a + b) / 2)
     return Ellipse(x, y, a, b) if a and b else None
+
+
+def _thousandths(inches: Sequence[float]) -> tuple[float, ...]:
+    return tuple(round(length * 1000, 6) for length in inches)
 
 
 def _along(points: Floats) -> Floats:

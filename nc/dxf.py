@@ -3,7 +3,7 @@
     layer MILL       one polyline for each run of cuts, at the depth it was cut
     layer POSITION   positioning moves, dashed
     layer HOLES      where the quill went down, as wide as the cutter
-    layer CURVE      the curve that was meant, where it is known
+    layer CURVE      the nominal curve, where it is known
 
 Needs ezdxf, which is not part of the plain installation.
 """
@@ -16,7 +16,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING
 
 from nc.curves import Curve
-from nc.path import Kind, Move, Path
+from nc.path import Move, MoveKind, Path
 from tapes.errors import WorkError
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def dxf(path: Path, curve: Curve | None = None, cutter: float = 500) -> str:
     with _ezdxf() as ezdxf:
         drawing: Drawing = ezdxf.new("R2010", setup=["linetypes"])
         _draw(drawing, path, curve, cutter)
-        for name in sorted(drawing.entitydb.dxf_types_in_use()):  # else a set's order, other in every process
+        for name in sorted(drawing.entitydb.dxf_types_in_use()):  # a set's order differs between processes
             drawing.classes.add_class(name)
         text = StringIO()
         drawing.write(text)
@@ -46,7 +46,7 @@ def dxf(path: Path, curve: Curve | None = None, cutter: float = 500) -> str:
 
 @contextmanager
 def _ezdxf() -> Iterator[ModuleType]:
-    """Lend the library, set to write the same bytes for the same drawing whenever it is asked."""
+    """Yield the library, set to write the same bytes for the same drawing."""
     try:
         import ezdxf
     except ImportError as error:
@@ -76,11 +76,11 @@ def _draw(drawing: "Drawing", path: Path, curve: Curve | None, cutter: float) ->
 
 
 def _draw_moves(space: "Modelspace", path: Path) -> None:
-    """Add the moves across the table; the quill's own leave no line in a plan."""
+    """Add the moves across the table; those of the quill alone have no line in a plan."""
     across = [move for move in path.moves if move.start[:2] != move.end[:2]]
     for kind, moves in groupby(across, key=lambda move: move.kind):
         run = list(moves)
-        if kind is Kind.MILL:
+        if kind is MoveKind.MILL:
             _add_polyline(space, run)
             continue
         for move in run:

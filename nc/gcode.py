@@ -3,11 +3,11 @@
     N7 G1 Z-3.5000 F1.0
     N7 G1 Y4.1330 F1.0 (007 6 02250 04133 0 01 85)
 
-One linear move for each move of the machine, so the path is the same on a controller that interpolates: the
-Hydra-Point's unequal axes are written out corner by corner, and G61 keeps the controller from rounding the
-corners. The quill's depth becomes a negative Z with zero at the top. Program stop, end of program and manual
-tool change in mid-tape wait for START: M0; what ends the G-code is M2. Feed errors and other feeds are those
-the path was cut with.
+One linear move for each move of the machine, so the path is the same on a controller that interpolates: where
+the Hydra-Point's axes move at unequal feeds, each corner is written out, and G61 (exact path) prevents the
+controller from rounding it. The quill's depth becomes a negative Z with zero at the top. Program stop, end of
+program and manual tool change wait for START: M0. M2 ends the program. The feeds are those the path was cut
+with.
 
 Source: RS-274/NGC (T. Kramer, F. Proctor, E. Messina, NIST, 2000), the common part of every dialect.
 """
@@ -15,9 +15,10 @@ Source: RS-274/NGC (T. Kramer, F. Proctor, E. Messina, NIST, 2000), the common p
 from collections.abc import Iterator
 
 from nc.listing import spaced
-from nc.path import Kind, Modes, Move, Path, Point, Step
+from nc.path import Modes, Move, MoveKind, Path, Position, Step
+from tapes.hydrapoint import Miscellaneous
 
-_RAPID = frozenset({Kind.POSITION, Kind.APPROACH, Kind.RETRACT})
+_RAPID = frozenset({MoveKind.POSITION, MoveKind.APPROACH, MoveKind.RETRACT})
 _COOLANT = {"mist": "M7", "flood": "M8", "off": "M9"}
 
 
@@ -63,7 +64,7 @@ def _words(move: Move) -> str:
     )
 
 
-def _signed(point: Point) -> tuple[float, float, float]:
+def _signed(point: Position) -> tuple[float, float, float]:
     return point.x, point.y, -point.z
 
 
@@ -72,7 +73,7 @@ def _feed(speed: float) -> str:
 
 
 def _stops(step: Step) -> Iterator[str]:
-    if step.block.miscellaneous == 86:
-        yield f"T{step.block.tool} M6"
-    elif step.stop or step.block.miscellaneous == 83:
+    if step.tool_changed:
+        yield f"T{step.modes.tool} M6"
+    elif step.stop or step.block.miscellaneous == Miscellaneous.INDEX:
         yield "M0"

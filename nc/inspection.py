@@ -1,4 +1,4 @@
-"""The part under the instrument: the two walls a round cutter left along a curve, and how true they are.
+"""Inspection: the two walls that a round cutter left along a curve, and their errors.
 
            outer wall   ~~~~~~~~~~~~~   deviation +: too far out
     normal     ↑        ·············   curve + cutter's radius
@@ -6,14 +6,13 @@
                ↓        ·············   curve − cutter's radius
            inner wall   ~~~~~~~~~~~~~   deviation +: too far out
 
-The cutter takes away everything it passes over: discs at the path's corners, rectangles between them. From
-every station the stylus goes out and in along the normal until it meets metal; the intersections are exact,
-so nothing depends on how finely an arc was drawn. Where the station itself was never cut there is no wall:
-nan.
+The cutter removes everything it passes over: discs at the path's corners, rectangles between them. From each
+station the stylus moves out and in along the normal until it meets metal. The intersections are exact: arcs
+are not approximated. Where the station itself was not cut there is no wall: nan.
 
 Deviations and lengths are thousandths of an inch.
 
-Not emulated: the stylus's own radius, deflection and wear of the cutter, chips, the machine's +-.0003 in.
+Not emulated: the stylus's radius, deflection and wear of the cutter, chips, the machine's +-.0003 in.
 
 Sources: thesis, Chapters 6 and 7 (tolerance band, Talyrond: trough to peak at the apexes and at 45 degrees).
 """
@@ -39,7 +38,7 @@ _AT_ONCE = 512
 
 @dataclass(frozen=True, eq=False)
 class Walls:
-    """How far out each wall is at each station, (n,), in thousandths; nan where nothing was cut."""
+    """The error of each wall at each station, (n,), in thousandths outward; nan where nothing was cut."""
 
     stations: Stations
     outer: Floats
@@ -48,9 +47,9 @@ class Walls:
 
 @dataclass(frozen=True)
 class Reading:
-    """What the instrument shows on one wall about one place: lowest and highest, in thousandths outward.
+    """The lowest and highest error of one wall about one place, in thousandths outward.
 
-    `angle` is the direction in which the curve faces there, in degrees; None for the whole of it.
+    `angle` is the direction of the normal there, in degrees; None for the whole curve.
     """
 
     place: str
@@ -67,9 +66,9 @@ class Reading:
 
 @dataclass(frozen=True, eq=False)
 class Inspection:
-    """A path measured against the curve that was meant; the cutter's diameter in thousandths.
+    """A path measured against its nominal curve; the cutter's diameter is in thousandths.
 
-    `centre` is how far in and out of the curve the cutter's centre went.
+    `centre` is the furthest that the cutter's centre went inside and outside the curve.
     """
 
     curve: Curve
@@ -80,37 +79,37 @@ class Inspection:
 
     @property
     def worst(self) -> Reading:
-        """The reading with the greatest trough to peak about one place, or of the whole where that is all."""
+        """The reading of the greatest trough to peak at one place, or of the whole if there is no other."""
         places = [reading for reading in self.readings if reading.angle is not None] or self.readings
         return max(places, key=lambda reading: reading.trough_to_peak)
 
     @property
     def uncut(self) -> float:
-        """The part of the curve, 0 to 1, that the cutter never reached."""
+        """The part of the curve, 0 to 1, that the cutter did not reach."""
         return float(np.isnan(self.walls.outer).mean())
 
 
 def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, tolerance: float = 5) -> Inspection:
-    """Measure what the path left against `curve`, or else the circle, ellipse or line that it follows.
+    """Measure the walls that the path left against `curve`, else the circle, ellipse or line it follows.
 
-    `cutter` is the diameter, `tolerance` half the width of the band, both in thousandths; a curve is only
-    taken for the one followed if the path stays within four times the tolerance of it.
-    Raises WorkError where nothing was milled, no such curve is found, or none of it was cut.
+    `cutter` is the diameter, `tolerance` half the width of the band, both in thousandths. A path follows a
+    curve if it stays within four times the tolerance of it. Raises WorkError if nothing was milled, no such
+    curve is found, or none of it was cut.
     """
     cuts = segments(path.cuts)
     if not len(cuts):
-        raise WorkError("nothing is milled on this tape: there is no surface to inspect")
+        raise WorkError("no block of this tape mills: there is no surface to inspect")
     curve = curve or followed(path, tolerance)
     if curve is None:
         raise WorkError(
             f"the milled path follows no circle, ellipse or line within {4 * tolerance / 1000:.3f} in: "
-            "name the curve that was meant"
+            "name the nominal curve"
         )
     corners = np.unique(cuts.reshape(-1, 2), axis=0)
     count = max(_FEWEST_STATIONS, STATIONS * _CUTS_AT_FULL // max(_CUTS_AT_FULL, len(corners)))
     measured = walls(cuts, curve.stations(count), cutter / 2)
     if np.isnan(measured.outer).all():
-        raise WorkError(f"the cutter never came near the curve: {curve}")
+        raise WorkError(f"the cutter did not reach the curve: {curve}")
     centre = curve.deviations(corners)
     readings = tuple(_readings(curve, measured))
     return Inspection(curve, cutter, measured, (float(centre.min()), float(centre.max())), readings)
@@ -132,9 +131,9 @@ def segments(moves: Sequence[Move]) -> Floats:
 
 
 def walls(cuts: Floats, stations: Stations, radius: float) -> Walls:
-    """Return the walls that a cutter of this radius, run along the cuts (n, 4), left about the stations.
+    """Return the walls that a cutter of this radius leaves along the cuts (n, 4), at the stations.
 
-    Exact; takes time in proportion to stations times the cuts within reach of each.
+    Exact; the time is in proportion to the stations times the cuts within reach of each.
     """
     outer, inner = np.full(len(stations), -np.inf), np.full(len(stations), np.inf)
     corners = np.unique(cuts.reshape(-1, 2), axis=0)
@@ -159,9 +158,9 @@ def walls(cuts: Floats, stations: Stations, radius: float) -> Walls:
 
 
 def runs(deviation: Floats, closed: bool, every: int = 10) -> list[NDArray[np.intp]]:
-    """Return the stations a graph of this wall has to go through, a list for each stretch that has a wall.
+    """Return the stations that a graph of this wall needs, a list for each stretch that has a wall.
 
-    Between turning points one station in `every` is enough; a closed graph comes back to its first station.
+    They are the turning points and one station in `every`; a closed graph ends at its first station.
     """
     there = np.flatnonzero(~np.isnan(deviation))
     turns = np.zeros(len(deviation), dtype=np.bool_)
@@ -222,9 +221,9 @@ _DIAGONAL_REACH = 5.0
 
 
 def _readings(curve: Curve, measured: Walls) -> Iterator[Reading]:
-    """Yield each place's reading of both walls: the whole, and of a closed curve the apexes and 45 degrees.
+    """Yield the readings of both walls: of the whole, and of a closed curve at the apexes and 45 degrees.
 
-    A place is where the curve faces that way, within 10 degrees at an apex and 5 at 45 degrees.
+    A place is where the normal has that direction, within 10 degrees at an apex and 5 at 45 degrees.
     """
     yield from _readings_at(WHOLE, None, measured, np.ones(len(measured.stations), dtype=np.bool_))
     if not curve.closed:

@@ -1,15 +1,15 @@
-"""The program as a table: every block with what it does, and what is in force after it.
+"""The program as a table: each block, what it does, and what is in force after it.
 
-    block seq P      X      Y  TF MF  does
-        7 007 6  2.250  4.133  01 85  quill down to 3.500 at 1.0 in/min, mill Y to 4.133 at 1.0 in/min
+    block seq P       X       Y  TF MF  does
+        7 007 6   2.250   4.133  01 85  quill to 3.500 at 1.0 in/min, mill Y to 4.133 at 1.0 in/min
 
 P is the preparatory, TF the tool, MF the miscellaneous function. Lengths are inches.
 """
 
 from collections.abc import Iterator
 
-from nc.path import HOLE_MAKING, Kind, Modes, Move, Path, Point, Step
-from tapes.hydrapoint import MISCELLANEOUS, PREPARATORY, Block
+from nc.path import Modes, Move, MoveKind, Path, Position, Step
+from tapes.hydrapoint import HOLE_MAKING, MISCELLANEOUS, PREPARATORY, Block, Miscellaneous, Preparatory
 
 HEADING = "block seq P       X       Y  TF MF  does"
 MODES_HEADING = "         Z  X feed  Y feed  Z feed   rpm tool coolant retract       time"
@@ -47,13 +47,12 @@ def _or_dash(value: float | None, form: str) -> str:
 
 
 def does(step: Step) -> str:
-    """Return in words what the block does, and what it stops or changes."""
-    said = [words for words in (_moves(step), _function(step)) if words]
-    return "; ".join(said)
+    """Return in words what the block does."""
+    return "; ".join(words for words in (_moves(step), _function(step)) if words)
 
 
 def spaced(block: Block) -> str:
-    """Return the 19 digits as the thesis prints them, spaced for clarity."""
+    """Return the 19 digits with spaces between their fields, as the thesis prints them."""
     digits = block.digits
     return " ".join(
         (digits[:3], digits[3], digits[4:9], digits[9:14], digits[14], digits[15:17], digits[17:])
@@ -61,7 +60,7 @@ def spaced(block: Block) -> str:
 
 
 def in_force(step: Step) -> str:
-    """Return in words where the cutter is after the block, and what is in force."""
+    """Return in words the place of the cutter after the block, and what is in force."""
     modes = step.modes
     feeds = ", ".join(
         f"{axis} feed {feed:.1f}"
@@ -77,26 +76,26 @@ def in_force(step: Step) -> str:
     return " · ".join(part for part in parts if part)
 
 
-def place(at: Point) -> str:
+def place(at: Position) -> str:
     """Return X and Y in inches."""
     return f"X {at.x / 1000:.3f} Y {at.y / 1000:.3f}"
 
 
-def _quill(at: Point) -> str:
+def _quill(at: Position) -> str:
     return f"down {at.z / 1000:.3f}" if at.z else "up"
 
 
 def _moves(step: Step) -> str:
     block, modes = step.block, step.modes
-    if block.preparatory == 9:
+    if block.preparatory == Preparatory.READ_Z:
         return f"read Z: feed point {block.x / 1000:.3f}, final depth {block.y / 1000:.3f}"
-    if block.preparatory == 0:
+    if block.preparatory == Preparatory.POSITION:
         return f"position to {_xy(step)}"
     if block.preparatory in HOLE_MAKING:
         name = PREPARATORY[block.preparatory]
         return f"{name} at {_xy(step)}, {_depths(modes)} at {modes.z_feed:.1f} in/min"
-    plunge = next((move for move in step.moves if move.kind is Kind.FEED_IN), None)
-    mills = [_mill(move) for move in step.moves if move.kind is Kind.MILL] or ["mill, already there"]
+    plunge = next((move for move in step.moves if move.kind is MoveKind.FEED_IN), None)
+    mills = [_mill(move) for move in step.moves if move.kind is MoveKind.MILL] or ["mill, already there"]
     down = [f"quill to {plunge.end.z / 1000:.3f} at {plunge.speed:.1f} in/min"] if plunge else []
     return ", ".join(down + mills)
 
@@ -121,22 +120,20 @@ def _depths(modes: Modes) -> str:
 def _function(step: Step) -> str:
     modes, name = step.modes, MISCELLANEOUS[step.block.miscellaneous]
     match step.block.miscellaneous:
-        case 84 | 85 if step.block.preparatory == 6:
+        case Miscellaneous.NO_CHANGE:
             return ""
-        case 84:
+        case Miscellaneous.X_FEED | Miscellaneous.Y_FEED if step.block.preparatory == Preparatory.MILL:
+            return ""
+        case Miscellaneous.X_FEED:
             return f"X feed {modes.x_feed:.1f} in/min"
-        case 85:
+        case Miscellaneous.Y_FEED:
             return f"Y feed {modes.y_feed:.1f} in/min"
-        case 86:
-            return f"{name}, tool {step.block.tool:02}"
-        case 88:
-            return f"spindle {modes.spindle} rpm"
-        case 89:
+        case Miscellaneous.Z_FEED:
             return "" if step.block.preparatory in HOLE_MAKING else f"Z feed {modes.z_feed:.1f} in/min"
-        case 80:
-            return ""
-        case 6 if step.block.tool:
+        case Miscellaneous.SPINDLE_SPEED:
+            return f"spindle {modes.spindle} rpm"
+        case Miscellaneous.TOOL_CHANGE:
+            return f"{name}, tool {modes.tool:02}"
+        case Miscellaneous.MANUAL_TOOL_CHANGE if step.block.tool:
             return f"{name}, tool {step.block.tool:02}, waits for START"
-        case 0 | 2 | 6:
-            return f"{name}, waits for START"
-    return name
+    return f"{name}, waits for START" if step.stop else name

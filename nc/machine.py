@@ -8,15 +8,16 @@
     peck, tap       Z feed, up again: to zero, or to the Z feed point while partial retract is on
     read Z          X and Y of the block are the Z feed point and the final depth; nothing moves
 
-The axes are not interpolated: with two feeds the cutter runs at their slope until one axis has arrived, and
-the other goes on alone (thesis, Figure 3.1). X, Y and the quill begin at zero. The operator presses START
-after every stop and nobody counts his time, nor what indexing takes.
+The axes are not interpolated: with two feeds the cutter moves along their slope until one axis arrives, then
+the other moves alone (thesis, Figure 3.1). X, Y and the quill begin at zero. The operator presses START after
+every stop; the operator's time and the time of indexing are not counted.
 
-What the thesis does not say, and this machine therefore assumes: the quill moves at the positioning speed
-outside the work; bored and tapped holes are left at the Z feed, drilled ones at positioning speed; the
-quill goes up for a tool change and for indexing; program stop, end of program and manual tool change each
-wait for START, and the tape goes on after them. A tool change takes the seconds it is given, none unless
-told.
+The thesis does not say the following; this machine assumes it. The quill moves at the positioning speed
+outside the work. Bored and tapped holes are left at the Z feed, drilled ones at positioning speed. The quill
+goes up for a tool change and for indexing. Program stop, end of program and manual tool change each wait for
+START, and the tape continues after them. An automatic tool change with tool function 00 selects the next tool
+of the carousel, 01 after 24: Chapter 2 has random and sequential tool selection and gives no code for the
+second. A tool change takes the time given in the settings, by default none.
 
 Not emulated: pneumatics and hydraulics, backlash, settling, the zero adjustment, the pitch of a tap (it
 runs at the Z feed), spindle start and stop, the manual dials, positioning errors of .0003 in.
@@ -26,44 +27,64 @@ Source: thesis, Chapters 2 and 3, Tables 2.3 and 2.4; 2 s a block: Chapters 7 an
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from math import copysign, dist, hypot
+from math import dist, hypot
 
 from nc.blocks import BlockError, Row, read
-from nc.path import Kind, Modes, Move, Path, Point, Step
+from nc.notebook import DrawnPath
+from nc.path import Modes, Move, MoveKind, Path, Position, Step
 from tapes.errors import WorkError
-from tapes.hydrapoint import FEED_TOLERANCE, POSITIONING_SPEED, SPINDLE, XY_FEED, Z_FEED, Block
+from tapes.hydrapoint import (
+    CAROUSEL,
+    COOLANT,
+    FEED_TOLERANCE,
+    MISCELLANEOUS,
+    NEXT_TOOL,
+    POSITIONING_SPEED,
+    SPINDLE,
+    STOPS,
+    XY_FEED,
+    Z_FEED,
+    Block,
+    Miscellaneous,
+    Preparatory,
+    corner,
+)
 
 READ_SECONDS = 2.0
+"""Seconds the pneumatic reader takes for a block (Chapters 7 and 10)."""
+
 _UNITS = 1000
-_STOPS = {0: "program stop", 2: "end of program", 6: "tool change, manual"}
-_COOLANT = {7: "flood", 8: "mist", 9: "off"}
-_FEED_OUT = frozenset({1, 7, 8})
+_FEED_OUT = frozenset({Preparatory.TAP_FEED, Preparatory.BORE, Preparatory.TAP_PITCH})
+_QUILL_UP = frozenset({Miscellaneous.MANUAL_TOOL_CHANGE, Miscellaneous.INDEX, Miscellaneous.TOOL_CHANGE})
 
 
 @dataclass(frozen=True)
 class Settings:
-    """How the machine stands on the day. Feed errors are parts of one, of X, Y and Z, within +-0.2.
+    """How the machine is set. Feed errors are fractions, for X, Y and Z, within +-0.2.
 
-    `feed_code` mills at this code of Table 2.4 in place of the tape's; `peck` is a peck's depth in
-    thousandths.
+    `feed_code` is used for milling in place of the tape's feed codes of Table 2.4; `peck` is the depth of a
+    peck in thousandths; `read_seconds` is the time to read a block.
     """
 
     feed_error: tuple[float, float, float] = (0.0, 0.0, 0.0)
     feed_code: int | None = None
     tool_change_seconds: float = 0.0
     peck: int = 100
+    read_seconds: float = READ_SECONDS
 
     def __post_init__(self) -> None:
-        """Raise WorkError for what the machine cannot be."""
+        """Raise WorkError for a setting that the machine does not have."""
         for axis, error in zip("XYZ", self.feed_error, strict=True):
             if not abs(error) <= FEED_TOLERANCE:
-                raise WorkError(f"{axis} feed error {error:+.0%}: the machine keeps its feeds within 20 %")
+                raise WorkError(f"{axis} feed error {error:+.0%}: must be within {FEED_TOLERANCE:.0%}")
         if self.feed_code is not None and self.feed_code not in XY_FEED:
             raise WorkError(f"unknown feed code {self.feed_code:02}: Table 2.4 has 01 to 18")
-        if self.tool_change_seconds < 0:
-            raise WorkError("a tool change takes no less than 0 seconds")
+        if not self.tool_change_seconds >= 0:
+            raise WorkError(f"tool change of {self.tool_change_seconds:g} s: must be 0 or more")
         if self.peck < 1:
-            raise WorkError("a peck is at least .001 in deep")
+            raise WorkError(f"peck of {self.peck} thousandths: must be 1 or more")
+        if not self.read_seconds >= 0:
+            raise WorkError(f"reading time of {self.read_seconds:g} s a block: must be 0 or more")
 
 
 class CutError(BlockError):
@@ -75,12 +96,12 @@ class CutError(BlockError):
 
 
 class HydraPoint:
-    """The machine between two blocks: where the cutter is and what is in force."""
+    """The machine between two blocks: the place of the cutter and what is in force."""
 
     def __init__(self, settings: Settings | None = None) -> None:
         self.settings = settings or Settings()
         self.modes = Modes()
-        self.at = Point(0, 0, 0)
+        self.at = Position(0, 0, 0)
 
     def carry_out(self, place: Row, block: Block) -> Step:
         """Carry out one block, whole or not at all. Raises BlockError, before anything moves or changes."""
@@ -88,33 +109,37 @@ class HydraPoint:
         moves = tuple(_Motion(place, block, self.at, modes, self.settings).moves())
         self.modes = modes
         self.at = moves[-1].end if moves else self.at
-        changed = block.miscellaneous == 86
-        stop = _STOPS.get(block.miscellaneous)
+        changed = block.miscellaneous == Miscellaneous.TOOL_CHANGE
+        stop = MISCELLANEOUS[block.miscellaneous] if block.miscellaneous in STOPS else None
         return Step(place.number, place.frame, block, moves, modes, self.at, changed, stop)
 
     def _set(self, block: Block) -> Modes:
         """Return the modes in force with this block: its preparatory and miscellaneous functions set them."""
         modes = self.modes
-        if block.preparatory == 9:
+        if block.preparatory == Preparatory.READ_Z:
             modes = replace(modes, feed_point=block.x, final_depth=block.y)
         match block.miscellaneous:
-            case 84 if modes.x_feed != (feed := self._xy_feed(block.tool, axis=0)):
+            case Miscellaneous.X_FEED if modes.x_feed != (feed := self._xy_feed(block.tool, axis=0)):
                 return replace(modes, x_feed=feed)
-            case 85 if modes.y_feed != (feed := self._xy_feed(block.tool, axis=1)):
+            case Miscellaneous.Y_FEED if modes.y_feed != (feed := self._xy_feed(block.tool, axis=1)):
                 return replace(modes, y_feed=feed)
-            case 89:
+            case Miscellaneous.Z_FEED:
                 return replace(modes, z_feed=Z_FEED[block.tool] * (1 + self.settings.feed_error[2]))
-            case 88:
+            case Miscellaneous.SPINDLE_SPEED:
                 return replace(modes, spindle=SPINDLE[block.tool])
-            case 86:
+            case Miscellaneous.TOOL_CHANGE:
+                return replace(modes, tool=self._next_tool() if block.tool == NEXT_TOOL else block.tool)
+            case Miscellaneous.MANUAL_TOOL_CHANGE if block.tool:
                 return replace(modes, tool=block.tool)
-            case 6 if block.tool:
-                return replace(modes, tool=block.tool)
-            case 7 | 8 | 9 as coolant:
-                return replace(modes, coolant=_COOLANT[coolant])
-            case 81 | 82 as retract:
-                return replace(modes, partial_retract=retract == 81)
+            case coolant if coolant in COOLANT:
+                return replace(modes, coolant=COOLANT[coolant])
+            case Miscellaneous.PARTIAL_RETRACT_ON | Miscellaneous.PARTIAL_RETRACT_OFF as retract:
+                return replace(modes, partial_retract=retract == Miscellaneous.PARTIAL_RETRACT_ON)
         return modes
+
+    def _next_tool(self) -> int:
+        """Return the tool after the one in the spindle; the carousel is a circle."""
+        return CAROUSEL[(self.modes.tool or 0) % len(CAROUSEL)]
 
     def _xy_feed(self, code: int, axis: int) -> float:
         return XY_FEED[self.settings.feed_code or code] * (1 + self.settings.feed_error[axis])
@@ -126,105 +151,107 @@ class _Motion:
 
     place: Row
     block: Block
-    at: Point
+    at: Position
     modes: Modes
     settings: Settings
 
     def moves(self) -> Iterator[Move]:
         match self.block.preparatory:
-            case 0:
-                yield from self._quill(Kind.RETRACT, min(self.at.z, self._clear()))
-                yield from self._table(Kind.POSITION, POSITIONING_SPEED, POSITIONING_SPEED)
-            case 6:
+            case Preparatory.POSITION:
+                yield from self._quill(MoveKind.RETRACT, min(self.at.z, self._clear()))
+                yield from self._table(MoveKind.POSITION, POSITIONING_SPEED, POSITIONING_SPEED)
+            case Preparatory.MILL:
                 yield from self._mill()
-            case 9:
+            case Preparatory.READ_Z:
                 pass
             case _:
                 yield from self._make_hole()
-        if self.block.miscellaneous in (6, 83, 86):
-            yield from self._quill(Kind.RETRACT, 0)
+        if self.block.miscellaneous in _QUILL_UP:
+            yield from self._quill(MoveKind.RETRACT, 0)
 
     def _clear(self) -> int:
-        """Return where the quill waits between two places."""
+        """Return the depth of the quill between two places."""
         return (self.modes.feed_point or 0) if self.modes.partial_retract else 0
 
     def _mill(self) -> Iterator[Move]:
         x_feed, y_feed = self.modes.x_feed, self.modes.y_feed
         if self.block.x != self.at.x and x_feed is None:
-            raise self.place.error(4, "X is to be milled, but no X feed has been given")
+            raise self.place.error(
+                4, "milling along X needs an X feed (miscellaneous function 84); no block has set one"
+            )
         if self.block.y != self.at.y and y_feed is None:
-            raise self.place.error(4, "Y is to be milled, but no Y feed has been given")
+            raise self.place.error(
+                4, "milling along Y needs a Y feed (miscellaneous function 85); no block has set one"
+            )
         feed_point, final_depth = self._depths()
         if self.at.z != final_depth:
-            yield from self._quill(Kind.APPROACH, max(self.at.z, feed_point))
-            yield from self._quill(Kind.FEED_IN, final_depth)
-        yield from self._table(Kind.MILL, x_feed or 0, y_feed or 0)
+            yield from self._quill(MoveKind.APPROACH, max(self.at.z, feed_point))
+            yield from self._quill(MoveKind.FEED_IN, final_depth)
+        yield from self._table(MoveKind.MILL, x_feed or 0, y_feed or 0)
 
     def _make_hole(self) -> Iterator[Move]:
         feed_point, final_depth = self._depths()
-        yield from self._quill(Kind.RETRACT, min(self.at.z, self._clear()))
-        yield from self._table(Kind.POSITION, POSITIONING_SPEED, POSITIONING_SPEED)
-        yield from self._quill(Kind.APPROACH, feed_point)
-        if self.block.preparatory == 4:
+        yield from self._quill(MoveKind.RETRACT, min(self.at.z, self._clear()))
+        yield from self._table(MoveKind.POSITION, POSITIONING_SPEED, POSITIONING_SPEED)
+        yield from self._quill(MoveKind.APPROACH, feed_point)
+        if self.block.preparatory == Preparatory.PECK:
             for depth in range(feed_point + self.settings.peck, final_depth, self.settings.peck):
-                yield from self._quill(Kind.FEED_IN, depth)
-                yield from self._quill(Kind.RETRACT, feed_point)
-                yield from self._quill(Kind.APPROACH, depth)
-        yield from self._quill(Kind.FEED_IN, final_depth)
+                yield from self._quill(MoveKind.FEED_IN, depth)
+                yield from self._quill(MoveKind.RETRACT, feed_point)
+                yield from self._quill(MoveKind.APPROACH, depth)
+        yield from self._quill(MoveKind.FEED_IN, final_depth)
         if self.block.preparatory in _FEED_OUT:
-            yield from self._quill(Kind.FEED_OUT, feed_point)
-        yield from self._quill(Kind.RETRACT, self._clear())
+            yield from self._quill(MoveKind.FEED_OUT, feed_point)
+        yield from self._quill(MoveKind.RETRACT, self._clear())
 
     def _depths(self) -> tuple[int, int]:
         if self.modes.feed_point is None or self.modes.final_depth is None:
-            raise self.place.error(4, "the quill is to go down, but no block has read Z")
+            raise self.place.error(
+                4, "the quill needs depths (preparatory function 9); no block has set them"
+            )
         if self.modes.z_feed is None:
-            raise self.place.error(4, "the quill is to go down, but no Z feed has been given")
+            raise self.place.error(
+                4, "the quill needs a Z feed (miscellaneous function 89); no block has set one"
+            )
         return self.modes.feed_point, self.modes.final_depth
 
-    def _quill(self, kind: Kind, depth: float) -> Iterator[Move]:
+    def _quill(self, kind: MoveKind, depth: float) -> Iterator[Move]:
         if depth == self.at.z:
             return
         speed = POSITIONING_SPEED
-        if kind in (Kind.FEED_IN, Kind.FEED_OUT):
+        if kind in (MoveKind.FEED_IN, MoveKind.FEED_OUT):
             assert self.modes.z_feed is not None
             speed = self.modes.z_feed
-        yield self._move(kind, Point(self.at.x, self.at.y, depth), speed)
+        yield self._move(kind, Position(self.at.x, self.at.y, depth), speed)
 
-    def _table(self, kind: Kind, x_speed: float, y_speed: float) -> Iterator[Move]:
-        """Move X and Y to the block's place, each at its own speed: together, then the one left alone."""
+    def _table(self, kind: MoveKind, x_speed: float, y_speed: float) -> Iterator[Move]:
+        """Move X and Y to the block's place, each at its own speed: together, then the later one alone."""
         x, y, z = self.at
-        dx, dy = self.block.x - x, self.block.y - y
-        if dx and dy:
-            x_time, y_time = abs(dx) / x_speed, abs(dy) / y_speed
-            time = min(x_time, y_time)
-            corner = Point(
-                self.block.x if x_time <= y_time else x + copysign(x_speed * time, dx),
-                self.block.y if y_time <= x_time else y + copysign(y_speed * time, dy),
-                z,
-            )
-            yield self._move(kind, corner, hypot(x_speed, y_speed))
+        together = corner((x, y), (self.block.x, self.block.y), x_speed, y_speed)
+        if together != (x, y):
+            yield self._move(kind, Position(*together, z), hypot(x_speed, y_speed))
         if self.at.x != self.block.x:
-            yield self._move(kind, Point(self.block.x, self.at.y, z), x_speed)
+            yield self._move(kind, Position(self.block.x, self.at.y, z), x_speed)
         if self.at.y != self.block.y:
-            yield self._move(kind, Point(self.at.x, self.block.y, z), y_speed)
+            yield self._move(kind, Position(self.at.x, self.block.y, z), y_speed)
 
-    def _move(self, kind: Kind, end: Point, speed: float) -> Move:
+    def _move(self, kind: MoveKind, end: Position, speed: float) -> Move:
         start, self.at = self.at, end
         return Move(kind, start, end, speed, dist(start, end) / _UNITS / speed * 60)
 
 
-def cut(frames: bytes, *, strict: bool = False, settings: Settings | None = None) -> Path:
-    """Let the machine read the tape and carry out its blocks.
+def cut(frames: bytes, *, strict: bool = False, settings: Settings | None = None) -> DrawnPath:
+    """Read the tape and carry out its blocks.
 
-    Raises CutError, with the path so far, at the first block that is refused; TapeError if nothing is
+    Raises CutError, with the path so far, at the first block that is refused; TapeError if no frame is
     punched.
     """
     machine = HydraPoint(settings)
     steps: list[Step] = []
 
-    def path() -> Path:
-        return Path(tuple(steps), READ_SECONDS, machine.settings.tool_change_seconds)
+    def path() -> DrawnPath:
+        set_to = machine.settings
+        return DrawnPath(tuple(steps), set_to.read_seconds, set_to.tool_change_seconds)
 
     try:
         for place, block in read(frames, strict):

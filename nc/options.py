@@ -1,4 +1,4 @@
-"""What the `pdp8 nc` commands take in common, and what becomes of it: a tape cut, a curve that was meant."""
+"""The options that the `pdp8 nc` commands share: the tape and the machine, the cutter and the curve."""
 
 from collections.abc import Callable
 from math import isfinite
@@ -20,7 +20,7 @@ _Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
 def numbers(
     names: str, one_for_all: bool = False
 ) -> Callable[[click.Context, click.Parameter, str | None], tuple[float, ...] | None]:
-    """Return what reads an option's numbers with commas between; one may do for all of them."""
+    """Return a callback that reads numbers separated by commas; `one_for_all`: one may stand for all."""
     count = len(names.split(","))
 
     def read(_: click.Context, __: click.Parameter, value: str | None) -> tuple[float, ...] | None:
@@ -33,9 +33,7 @@ def numbers(
         if len(given) == 1 and one_for_all:
             return given * count
         if len(given) != count or not all(isfinite(number) for number in given):
-            raise click.BadParameter(
-                f"{value!r} is not {names}: numbers with commas between, {count} of them"
-            )
+            raise click.BadParameter(f"{value!r} is not {names}: {count} numbers separated by commas")
         return given
 
     return read
@@ -44,7 +42,7 @@ def numbers(
 def within(
     low: float, high: float, above: bool = False
 ) -> Callable[[click.Context, click.Parameter, float], float]:
-    """Return what refuses a number that does not lie from low (or above it) to high; nan never does."""
+    """Return a callback that accepts a number from low (`above`: greater than low) to high."""
 
     def check(_: click.Context, __: click.Parameter, value: float) -> float:
         if low <= value <= high and not (above and value == low):
@@ -56,7 +54,7 @@ def within(
 
 
 def tape_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Give a command the tape and how the machine reads and runs it."""
+    """Add the tape and the settings of the machine to a command."""
     options: tuple[_Decorator, ...] = (
         click.argument("tape", metavar="FILE.eia", default="-"),
         click.option("--strict", is_flag=True, help="Read as later controls did: odd parity, no blank rows."),
@@ -65,7 +63,7 @@ def tape_options(command: Callable[..., Any]) -> Callable[..., Any]:
             callback=numbers("X,Y,Z", one_for_all=True),
             default="0",
             metavar="PERCENT",
-            help="Feeds off by so much, within +-20; one number, or X,Y,Z.",
+            help="Error of the feeds, within +-20; one number, or X,Y,Z.",
         ),
         click.option(
             "--feed-code",
@@ -79,7 +77,7 @@ def tape_options(command: Callable[..., Any]) -> Callable[..., Any]:
             metavar="INCHES",
             default=0.1,
             show_default=True,
-            help="How deep the drill goes between two withdrawals; no source tells.",
+            help="Depth the drill goes between two withdrawals; not in the thesis.",
         ),
         click.option(
             "--tool-change",
@@ -87,7 +85,7 @@ def tape_options(command: Callable[..., Any]) -> Callable[..., Any]:
             callback=within(0, 3600),
             default=0.0,
             metavar="SECONDS",
-            help="What an automatic tool change takes; no source tells.",
+            help="Time of an automatic tool change; not in the thesis.",
         ),
     )
     for option in reversed(options):
@@ -96,13 +94,13 @@ def tape_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def curve_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Give a command the cutter and the curve that was meant."""
+    """Add the cutter and the nominal curve to a command."""
     options: tuple[_Decorator, ...] = (
         click.option(
             "--circle",
             callback=numbers("X,Y,RADIUS"),
             metavar="X,Y,RADIUS",
-            help="The curve meant for the cutter's centre.",
+            help="Nominal curve of the cutter's centre.",
         ),
         click.option(
             "--ellipse",
@@ -120,7 +118,27 @@ def curve_options(command: Callable[..., Any]) -> Callable[..., Any]:
             "--polynomial",
             callback=numbers("X,Y,A,B,C"),
             metavar="X,Y,A,B,C",
-            help="The same: y = Ax(x-B)(x-C), its origin at X,Y, from x = 0 to C.",
+            help="The same: y = Ax(x-B)(x-C), its origin at X,Y, by default from x = 0 to C.",
+        ),
+        click.option(
+            "--function",
+            metavar="EXPRESSION",
+            help="The same: y as a function of x, as `pdp8 part curve` has it.",
+        ),
+        click.option(
+            "--origin",
+            callback=numbers("X,Y"),
+            metavar="X,Y",
+            default="4,5",
+            show_default=True,
+            help="Origin of --function on the table.",
+        ),
+        click.option(
+            "--range",
+            "range_",
+            callback=numbers("FROM,TO"),
+            metavar="FROM,TO",
+            help="Range of x of --function or --polynomial.",
         ),
         click.option(
             "--cutter",
@@ -129,7 +147,7 @@ def curve_options(command: Callable[..., Any]) -> Callable[..., Any]:
             metavar="INCHES",
             default=0.5,
             show_default=True,
-            help="Its diameter.",
+            help="Diameter of the cutter.",
         ),
         click.option(
             "--tolerance",
@@ -147,7 +165,7 @@ def curve_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def cut_tape(**options: Any) -> "Path":
-    """Return the path of a tape that must be good to its end. Raises WorkError."""
+    """Return the path of the whole tape. Raises WorkError at its first bad block."""
     path, error = cut_so_far(**options)
     if error is not None:
         raise error
@@ -163,12 +181,12 @@ def cut_so_far(
     tool_change: float,
     **_: Any,
 ) -> tuple["Path", WorkError | None]:
-    """Return the path, and the error that stopped the machine if one did; raise it if nothing was done."""
+    """Return the path and the error that stopped the machine, if any; raise it if the path is empty."""
     from nc import machine
 
     x, y, z = feed_error
     if not all(abs(error) <= 20 for error in feed_error):
-        raise click.BadParameter("the machine keeps its feeds within 20 %", param_hint="--feed-error")
+        raise click.BadParameter("must be within -20 to 20 %", param_hint="--feed-error")
     frames = shelf.read(tape)
     settings = machine.Settings((x / 100, y / 100, z / 100), feed_code, tool_change, round(peck * 1000))
     with naming(tape):
@@ -182,7 +200,7 @@ def cut_so_far(
 
 
 def _not_eia(frames: bytes, error: "CutError") -> WorkError | None:
-    """Return the error with what the tape seems to be instead, where that is why its first block is bad."""
+    """Return an error that adds the kind of the tape, if its first block is bad because it is not EIA."""
     from tapes import kinds
 
     kind = kinds.classify(frames) if error.block == 1 else kinds.EIA
@@ -196,30 +214,33 @@ def curve(
     ellipse: tuple[float, ...] | None,
     line: tuple[float, ...] | None,
     polynomial: tuple[float, ...] | None,
+    function: str | None,
+    origin: tuple[float, ...],
+    range_: tuple[float, ...] | None,
     **_: Any,
 ) -> "Curve | None":
-    """Return the curve that was named, if one was."""
-    from nc.curves import Cubic, Ellipse, Line
+    """Return the curve that is named, if one is."""
+    from nc.curves import nominal
 
-    if sum(given is not None for given in (circle, ellipse, line, polynomial)) > 1:
-        raise click.UsageError("--circle, --ellipse, --line, --polynomial: one of them, please")
-    if circle:
-        x, y, radius = thousandths(circle)
-        return Ellipse(x, y, radius, radius)
-    if ellipse:
-        return Ellipse(*thousandths(ellipse))
-    if polynomial:
-        return Cubic(*thousandths(polynomial[:2]), *polynomial[2:])
-    return Line(*thousandths(line)) if line else None
+    if sum(given is not None for given in (circle, ellipse, line, polynomial, function)) > 1:
+        raise click.UsageError("give one of --circle, --ellipse, --line, --polynomial and --function")
+    if function is not None and range_ is None:
+        raise click.UsageError("--function needs --range")
+    if range_ is not None and function is None and polynomial is None:
+        raise click.UsageError("--range needs --function or --polynomial")
+    return nominal(
+        circle=circle,
+        ellipse=ellipse,
+        line=line,
+        polynomial=polynomial,
+        function=function,
+        origin=origin,
+        range_=range_,
+    )
 
 
 def curve_or_followed(path: "Path", tolerance: float, **options: Any) -> "Curve | None":
-    """Return the curve that was named, or else the one the path follows, or none."""
+    """Return the curve that is named, or else the one that the path follows, or None."""
     from nc.inspection import followed
 
     return curve(**options) or followed(path, tolerance * 1000)
-
-
-def thousandths(inches: tuple[float, ...]) -> tuple[float, ...]:
-    """Return lengths given in inches as the machine's own."""
-    return tuple(round(length * 1000, 6) for length in inches)

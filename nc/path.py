@@ -1,7 +1,7 @@
-"""What the machine did: steps, each one block with its moves; and how long it took.
+"""What the machine did with a tape: a step for each block, its moves, and the time they took.
 
     Path ── Step ── Block (tapes.hydrapoint)
-              ├──── Modes    what stays in force after the block
+              ├──── Modes    what is in force after the block
               └──── Move …   straight, at one speed
 
 Lengths are thousandths of an inch, the machine's own unit. Z is how far the quill is down: 0 is fully
@@ -15,18 +15,18 @@ from functools import cached_property
 from math import dist
 from typing import NamedTuple
 
-from tapes.hydrapoint import Block
+from tapes.hydrapoint import HOLE_MAKING, Block
 
 
-class Point(NamedTuple):
-    """A place of the cutter's tip, in thousandths of an inch."""
+class Position(NamedTuple):
+    """Where the cutter's tip is, in thousandths of an inch."""
 
     x: float
     y: float
     z: float
 
 
-class Kind(StrEnum):
+class MoveKind(StrEnum):
     """What a move is for."""
 
     POSITION = "position"
@@ -41,9 +41,9 @@ class Kind(StrEnum):
 class Move:
     """A straight move at one speed, in inches a minute."""
 
-    kind: Kind
-    start: Point
-    end: Point
+    kind: MoveKind
+    start: Position
+    end: Position
     speed: float
     seconds: float
 
@@ -55,9 +55,9 @@ class Move:
 
 @dataclass(frozen=True, slots=True)
 class Modes:
-    """What stays in force until another block changes it. Feeds in inches a minute, depths in thousandths.
+    """What is in force until another block changes it. Feeds in inches a minute, depths in thousandths.
 
-    None is what the tape has not said yet.
+    None: no block has set it yet.
     """
 
     x_feed: float | None = None
@@ -73,21 +73,21 @@ class Modes:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One block carried out: where it stood, what moved, what is in force and where the cutter is then."""
+    """One block carried out: its place on the tape, its moves, and the state of the machine after it."""
 
     number: int
     frame: int
     block: Block
     moves: tuple[Move, ...]
     modes: Modes
-    at: Point
+    at: Position
     tool_changed: bool = False
     stop: str | None = None
 
 
 @dataclass(frozen=True)
 class Times:
-    """Seconds on the machine, by what it was doing."""
+    """Seconds at the machine, by what it was doing."""
 
     reading: float = 0.0
     positioning: float = 0.0
@@ -97,21 +97,26 @@ class Times:
 
     @property
     def total(self) -> float:
-        """Seconds from the first row read to the last move done, without the operator's pauses."""
+        """Seconds from the first row read to the end of the last move, without the operator's pauses."""
         return self.reading + self.positioning + self.z_feed + self.milling + self.tool_changes
+
+    @property
+    def efficiency(self) -> float:
+        """The part of the time, 0 to 1, in which the cutter is fed (Chapter 10); 0 if no time was taken."""
+        return (self.milling + self.z_feed) / self.total if self.total else 0.0
 
 
 _SPENT = {
-    Kind.POSITION: "positioning",
-    Kind.APPROACH: "positioning",
-    Kind.RETRACT: "positioning",
-    Kind.FEED_IN: "z_feed",
-    Kind.FEED_OUT: "z_feed",
-    Kind.MILL: "milling",
+    MoveKind.POSITION: "positioning",
+    MoveKind.APPROACH: "positioning",
+    MoveKind.RETRACT: "positioning",
+    MoveKind.FEED_IN: "z_feed",
+    MoveKind.FEED_OUT: "z_feed",
+    MoveKind.MILL: "milling",
 }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Path:
     """Everything a tape made the machine do, in the order of its blocks."""
 
@@ -122,15 +127,12 @@ class Path:
     def __len__(self) -> int:
         return len(self.steps)
 
-    def _repr_svg_(self) -> str:
-        """Return the drawing of the path, for a notebook."""
-        from nc.plot import plot
-
-        return plot(self)
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {len(self)} blocks, {self.times.total / 60:.1f} min>"
 
     @property
     def blocks(self) -> tuple[Block, ...]:
-        """The blocks as they stand on the tape."""
+        """The blocks in the order of the tape."""
         return tuple(step.block for step in self.steps)
 
     @cached_property
@@ -140,7 +142,7 @@ class Path:
 
     @cached_property
     def times(self) -> Times:
-        """How long it takes, without the operator's pauses."""
+        """The time it takes, without the operator's pauses."""
         spent = dict.fromkeys(_SPENT.values(), 0.0)
         for move in self.moves:
             spent[_SPENT[move.kind]] += move.seconds
@@ -151,7 +153,7 @@ class Path:
         )
 
     def clock(self) -> Iterator[float]:
-        """Yield for each step the second at which it is done."""
+        """Yield for each step the second at which it ends."""
         now = 0.0
         for step in self.steps:
             now += self.read_seconds + step.tool_changed * self.tool_change_seconds
@@ -161,24 +163,20 @@ class Path:
     @cached_property
     def cuts(self) -> tuple[Move, ...]:
         """The milling moves, in order."""
-        return tuple(move for move in self.moves if move.kind is Kind.MILL)
+        return tuple(move for move in self.moves if move.kind is MoveKind.MILL)
 
     @property
     def gap(self) -> float:
-        """How far from its beginning the milling ends, in thousandths; 0 if it closes or there is none."""
+        """The distance from the end of the milling to its start, in thousandths; 0 if nothing is milled."""
         if not self.cuts:
             return 0.0
         return dist(self.cuts[0].start, self.cuts[-1].end)
 
     @cached_property
-    def holes(self) -> tuple[Point, ...]:
+    def holes(self) -> tuple[Position, ...]:
         """Where the cutter was fed to its full depth without milling: drilled, bored or tapped."""
         return tuple(
-            Point(step.block.x, step.block.y, step.modes.final_depth or 0)
+            Position(step.block.x, step.block.y, step.modes.final_depth or 0)
             for step in self.steps
             if step.block.preparatory in HOLE_MAKING
         )
-
-
-HOLE_MAKING = frozenset({1, 4, 5, 7, 8})
-"""The preparatory functions that make a hole at one place."""

@@ -1,13 +1,13 @@
-"""The path and the cut surface on a sheet of paper: the part to scale, the staircase close by in its band.
+"""The path and the cut surface on a sheet of paper: the part to scale, and a close view of the staircase.
 
-    ┌───────────────┐   what the cutter took away, the way of its centre up to the current block, the cutter
-    │  part, 1:1    │   milled grey, path blue, still to come pale, positioning dashed
+    ┌───────────────┐   what the cutter removed, the path of its centre up to the current block, the cutter:
+    │  part, 1:1    │   milled grey, path blue, later blocks pale, positioning dashed
     └───────────────┘
     ┌───────────────┐
-    │  close, 10:1  │   about the current block: the curve that was meant, its band, steps with their blocks
+    │  close, 10:1  │   about the current block: the nominal curve, its band, the steps with their blocks
     └───────────────┘
 
-The cut surface is the path drawn as wide as the cutter with round ends: that is what SVG's stroke is.
+The cut surface is the path drawn with the cutter's width and round ends, as an SVG stroke.
 """
 
 from itertools import groupby, pairwise
@@ -16,16 +16,17 @@ from textwrap import wrap
 from nc.curves import Curve
 from nc.drawing import FAINT, INK, Sheet, View, Window, around
 from nc.listing import does, in_force, spaced
-from nc.path import Kind, Move, Path, Point
+from nc.path import Move, MoveKind, Path, Position
 from tapes.errors import WorkError
+from tapes.hydrapoint import Preparatory
 
 _LEFT, _WIDTH, _TALLEST = 60.0, 720.0, 620.0
 _SCALES = (4.0, 2.0, 1.0, 0.5, 0.25)
 _CLOSE_HEIGHT = 430.0
 _LINE, _LETTERS = 16.0, 130
 _LEGEND = (
-    "grey: cut away · blue: the cutter's centre; pale: still to come; dashed: positioning",
-    "red: the cutter now · green: the curve meant, its band, and dotted its walls",
+    "grey: removed · blue: path of the cutter's centre; pale: later blocks; dashed: positioning",
+    "red: the cutter · green: the nominal curve, its band, and dotted its walls",
 )
 _PATH, _TO_COME, _METAL, _BAND, _NOW = "#0b4f9e", "#9db7d4", "#dfe3e8", "#2e7d32", "#c62828"
 
@@ -40,11 +41,11 @@ def plot(
     zoom: float = 10,
     close_at: tuple[float, float] | None = None,
 ) -> str:
-    """Return the drawing as SVG text. `block` is the current one, counted from 1, the last unless told.
+    """Return the drawing as SVG text. `block` is the current one, counted from 1, by default the last.
 
-    `cutter` (diameter), `tolerance` and `close_at`, where the close view is taken if not at the current
-    block, are thousandths of an inch; `curve` is drawn with its band where it is given. Raises WorkError if
-    the tape has no such block.
+    `cutter` (diameter), `tolerance` and `close_at`, the centre of the close view if not the current block,
+    are thousandths of an inch; `curve`, if given, is drawn with its band. Raises WorkError if the tape does
+    not have that block.
     """
     current = len(path) if block is None else block
     if not 1 <= current <= len(path):
@@ -77,18 +78,20 @@ def _title(path: Path, cutter: float) -> str:
 
 
 def _heading(path: Path, curve: Curve | None, current: int) -> list[tuple[str, str]]:
-    """Return what is said of the current block, in lines that fit the sheet, each with its colour."""
+    """Return the description of the current block, in lines that fit the sheet, each with its colour."""
     step = path.steps[current - 1]
     said = [(f"block {current}: {spaced(step.block)} — {does(step)}", _NOW), (in_force(step), INK)]
     if curve is not None and curve.closed and path.gap:
-        said.append((f"the contour ends {path.gap / 1000:.3f} in from where it began", FAINT))
+        said.append((f"the contour ends {path.gap / 1000:.3f} in from its start", FAINT))
     return [(line, colour) for words, colour in said for line in wrap(words, _LETTERS)]
 
 
 def _window(path: Path, cutter: float) -> Window:
-    """Return the part of the table that holds the work, or else all the moves."""
-    work: list[Point] = [place for move in path.cuts for place in (move.start, move.end)] + list(path.holes)
-    return around(work or [Point(0, 0, 0), *(step.at for step in path.steps)]).grown(cutter / 2 + 200)
+    """Return the part of the table with the work, or with all the moves if there is none."""
+    work: list[Position] = [place for move in path.cuts for place in (move.start, move.end)] + list(
+        path.holes
+    )
+    return around(work or [Position(0, 0, 0), *(step.at for step in path.steps)]).grown(cutter / 2 + 200)
 
 
 def _fits(window: Window, scale: float) -> bool:
@@ -154,7 +157,7 @@ def _draw_metal(view: View, moves: list[Move], cutter: float) -> None:
 
 
 def _draw_band(view: View, curve: Curve, cutter: float, tolerance: float) -> None:
-    """Draw the curve, the band's two limits, and the walls the cutter would leave if it kept to the curve."""
+    """Draw the curve, the band's two limits, and the walls that a cutter exactly on the curve leaves."""
     stations, reach = curve.stations(7_200), view.window.grown(10)
     for offset, dashes in (
         (-tolerance, "none"),
@@ -171,7 +174,7 @@ def _draw_band(view: View, curve: Curve, cutter: float, tolerance: float) -> Non
                 view.line(list(run), stroke=_BAND, stroke_width=0.9, stroke_dasharray=dashes)
 
 
-def _draw_cutter(view: View, at: Point, cutter: float) -> None:
+def _draw_cutter(view: View, at: Position, cutter: float) -> None:
     arm = 9 / view.unit
     view.circle(at.x, at.y, cutter / 2, stroke=_NOW, stroke_width=1.2)
     view.line([(at.x - arm, at.y), (at.x + arm, at.y)], stroke=_NOW)
@@ -179,11 +182,15 @@ def _draw_cutter(view: View, at: Point, cutter: float) -> None:
 
 
 def _number_steps(view: View, path: Path, current: int) -> None:
-    """Write block numbers beside the ends of their moves where there is room, the current one first."""
+    """Write block numbers beside the ends of their moves where they do not overlap, the current one first."""
     written: list[tuple[float, float]] = []
     inside = view.window.grown(-30 / view.unit)
     steps = sorted(
-        (step for step in path.steps if step.block.preparatory == 6 and inside.holds(step.at.x, step.at.y)),
+        (
+            step
+            for step in path.steps
+            if step.block.preparatory == Preparatory.MILL and inside.holds(step.at.x, step.at.y)
+        ),
         key=lambda step: abs(step.number - current),
     )
     for step in steps[:400]:
@@ -196,11 +203,12 @@ def _number_steps(view: View, path: Path, current: int) -> None:
 
 
 def _runs(moves: list[Move], milling: bool) -> list[list[tuple[float, float]]]:
-    """Return the moves joined end to end into lines of (x, y); quill moves leave nothing to draw."""
+    """Return the moves joined end to end into lines of (x, y); moves of the quill alone are left out."""
     chosen = [
         move
         for move in moves
-        if (move.kind is Kind.MILL) == milling and (move.start.x, move.start.y) != (move.end.x, move.end.y)
+        if (move.kind is MoveKind.MILL) == milling
+        and (move.start.x, move.start.y) != (move.end.x, move.end.y)
     ]
     if not chosen:
         return []
@@ -213,5 +221,5 @@ def _runs(moves: list[Move], milling: bool) -> list[list[tuple[float, float]]]:
     return runs
 
 
-def _flat(point: Point) -> tuple[float, float]:
+def _flat(point: Position) -> tuple[float, float]:
     return point.x, point.y

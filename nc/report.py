@@ -1,7 +1,7 @@
-"""What `nc cut` and `nc inspect` say: the day at the machine and the part on the bench, in words and figures.
+"""The reports of `nc cut` and `nc inspect`.
 
-Beside the thesis's circle stand the thesis's own figures (Chapter 7): they are there to compare, no figure of
-ours depends on them.
+The report on the thesis's circle also gives the thesis's figures (Chapter 7), for comparison; no other figure
+depends on them.
 """
 
 from collections.abc import Iterator
@@ -9,8 +9,9 @@ from collections.abc import Iterator
 from nc.curves import Ellipse
 from nc.inspection import Inspection
 from nc.listing import place
-from nc.path import Path, Point
-from tapes.hydrapoint import POSITIONING_SPEED
+from nc.path import Path, Position
+from tapes.hydrapoint import POSITIONING_SPEED, Preparatory
+from tapes.measure import inches
 
 THESIS_CIRCLE = (Ellipse(4000, 4000, 1750, 1750), 500)
 """The test circle of Chapter 7: 4 in across, 1/2 in cutter."""
@@ -25,13 +26,8 @@ _TALYROND_1971 = {
 }
 
 
-def thousandths(length: float) -> str:
-    """Return thousandths as inches to the tenth of a thousandth, written as on drawings: .0106."""
-    return f"{length / 1000:.4f}".replace("0.", ".", 1)
-
-
 def cut_report(path: Path) -> Iterator[str]:
-    """Yield what the machine did with the tape, and how long it took, line by line."""
+    """Yield what the machine did with the tape, and the time it took, line by line."""
     yield from _what(path)
     yield ""
     yield from _times(path)
@@ -49,7 +45,7 @@ def _what(path: Path) -> Iterator[str]:
         yield f"milled        {length / 1000:.3f} in, {_milling_blocks(path)} blocks"
         low, high = _extent(path)
         yield f"extent        {place(low)} to {place(high)}"
-        closes = f"{path.gap / 1000:.3f} in from where it began" if path.gap else "where it began"
+        closes = f"{path.gap / 1000:.3f} in from its start" if path.gap else "at its start"
         yield f"milling ends  {place(path.cuts[-1].end)}, {closes}"
     if path.steps:
         last = path.steps[-1].at
@@ -78,14 +74,14 @@ def _times(path: Path) -> Iterator[str]:
         )
 
 
-def _extent(path: Path) -> tuple[Point, Point]:
-    """Return the lower left and upper right corner of all the cutter's centre milled."""
+def _extent(path: Path) -> tuple[Position, Position]:
+    """Return the lower left and upper right corner of the milled path."""
     xs, ys, zs = zip(*(at for move in path.cuts for at in (move.start, move.end)), strict=True)
-    return Point(min(xs), min(ys), min(zs)), Point(max(xs), max(ys), max(zs))
+    return Position(min(xs), min(ys), min(zs)), Position(max(xs), max(ys), max(zs))
 
 
 def _milling_blocks(path: Path) -> int:
-    return sum(step.block.preparatory == 6 for step in path.steps)
+    return sum(step.block.preparatory == Preparatory.MILL for step in path.steps)
 
 
 def _feeds(path: Path) -> str:
@@ -100,22 +96,22 @@ def _minutes(seconds: float) -> str:
 
 
 def inspection_report(inspection: Inspection) -> Iterator[str]:
-    """Yield what the instruments show, line by line; errors in inches."""
+    """Yield the readings of the instruments, line by line; errors in inches."""
     low, high = inspection.centre
     yield f"nominal   {inspection.curve}"
     yield (
-        f"cutter    {inspection.cutter / 1000:.3f} in; its centre kept within "
-        f"{thousandths(-low)} inside and {thousandths(high)} outside of nominal"
+        f"cutter    {inspection.cutter / 1000:.3f} in; its centre stayed within "
+        f"{inches(-low)} inside and {inches(high)} outside of nominal"
     )
     yield f"stations  {len(inspection.walls.stations)}"
     if inspection.uncut:
-        yield f"not cut   {inspection.uncut:.1%} of the curve was never reached"
+        yield f"not cut   {inspection.uncut:.1%} of the curve was not reached by the cutter"
     yield ""
     yield from _readings(inspection)
     yield ""
     worst = inspection.worst
     yield (
-        f"worst trough to peak {thousandths(worst.trough_to_peak)} in: {worst.wall} wall, {worst.place}, "
+        f"worst trough to peak {inches(worst.trough_to_peak)} in: {worst.wall} wall, {worst.place}, "
         f"from {_signed(worst.lowest)} to {_signed(worst.highest)}"
     )
     yield from _diagonals(inspection)
@@ -130,17 +126,17 @@ def _readings(inspection: Inspection) -> Iterator[str]:
         figure = _TALYROND_1971.get(int(reading.angle), "") if is_thesis and reading.angle is not None else ""
         line = (
             f"{reading.place:14}{reading.wall:7}{_signed(reading.lowest):>9}{_signed(reading.highest):>9}"
-            f"{thousandths(reading.trough_to_peak):>16}   {figure}"
+            f"{inches(reading.trough_to_peak):>16}   {figure}"
         )
         yield line.rstrip()
 
 
 def _diagonals(inspection: Inspection) -> Iterator[str]:
-    """Say the roughness at 45 degrees, where the steps are closest."""
+    """Yield the roughness at 45 degrees, where the steps are closest."""
     diagonal = [r.trough_to_peak for r in inspection.readings if r.angle is not None and r.angle % 90 == 45]
     if diagonal:
-        yield f"at 45 degrees {thousandths(min(diagonal))} to {thousandths(max(diagonal))} in"
+        yield f"at 45 degrees {inches(min(diagonal))} to {inches(max(diagonal))} in"
 
 
 def _signed(deviation: float) -> str:
-    return f"{'-' if deviation < 0 else '+'}{thousandths(abs(deviation))}"
+    return f"{'-' if deviation < 0 else '+'}{inches(abs(deviation))}"

@@ -1,10 +1,10 @@
-"""The Talyrond's polar graph: how far each wall is from true, round the work, only the radius magnified.
+"""The Talyrond's polar graph: the error of each wall round the work, with only the radius magnified.
 
-The stylus turns about the centre of the curve; the graph keeps the angles and magnifies the radius with the
-centre suppressed, so that a small division is .001 in as in Figure 7.2 and a step looks like a spike. Of an
-ellipse it shows the distance from the true ellipse, square to it.
+The stylus turns about the centre of the curve. The graph has the true angles; its radius is magnified and its
+centre suppressed, so that a small division is .001 in as in Figure 7.2 and a step looks like a spike. For an
+ellipse the graph shows the distance from the true ellipse, along its normal.
 
-    dotted ring   the wall as it should be        outer wall blue, inner wall red, + outward
+    dotted ring   the nominal wall        outer wall blue, inner wall red, + outward
 
 Source: thesis, Chapter 7: magnification 100, .001 in a small division.
 """
@@ -16,8 +16,8 @@ import numpy as np
 from nc.curves import Floats
 from nc.drawing import FAINT, GRID, INK, Sheet, polyline
 from nc.inspection import Inspection, runs
-from nc.report import thousandths
 from tapes.errors import WorkError
+from tapes.measure import inches
 
 _MAGNIFICATIONS = (1000, 500, 200, 100, 50, 20, 10, 5, 2, 1)
 _ROOM = 260.0
@@ -26,19 +26,19 @@ COLOURS = {"outer": "#0b4f9e", "inner": "#c62828"}
 
 
 def talyrond(inspection: Inspection, magnification: int | None = None) -> str:
-    """Return the polar graph as SVG text; magnified 100 times, or as much less as it takes to fit.
+    """Return the polar graph as SVG text, by default magnified 100 times or the largest factor that fits.
 
-    Raises WorkError if the work is not round.
+    Raises WorkError if the curve is not closed.
     """
     if not inspection.curve.closed:
         raise WorkError(
-            f"a Talyrond turns about round work, and this is a {inspection.curve}: take the Talysurf"
+            f"the Talyrond measures closed curves; this is a {inspection.curve}: use the Talysurf"
         )
     return _Graph(inspection, magnification or _fitting(inspection)).svg()
 
 
 def _limits(inspection: Inspection) -> tuple[int, int]:
-    """Return the graph's innermost and outermost small division, multiples of 5 with the walls between."""
+    """Return the graph's innermost and outermost small division, multiples of 5 about the walls."""
     both = np.concatenate([inspection.walls.outer, inspection.walls.inner])
     return 5 * floor(float(np.nanmin(both)) / 5), 5 * ceil(float(np.nanmax(both)) / 5)
 
@@ -89,7 +89,7 @@ class _Graph:
         self.sheet.text(
             20,
             82,
-            f"worst trough to peak {thousandths(worst.trough_to_peak)} in: {worst.wall} wall, {worst.place}; "
+            f"worst trough to peak {inches(worst.trough_to_peak)} in: {worst.wall} wall, {worst.place}; "
             "the figures round the graph are trough to peak",
         )
 
@@ -126,7 +126,7 @@ class _Graph:
         return self.x + radius * cos(radians(angle)), self.y - radius * sin(radians(angle))
 
     def _trace(self, deviation: Floats, colour: str) -> None:
-        """Draw a wall wherever there is one, each station in the direction it has from the centre."""
+        """Draw a wall, each station at its angle about the centre."""
         stations = self.inspection.walls.stations
         middle = (stations.points.min(axis=0) + stations.points.max(axis=0)) / 2
         x, y = (stations.points - middle).T
@@ -139,7 +139,7 @@ class _Graph:
             )
 
     def _readings(self) -> None:
-        """Write every place's trough to peak outside the rim, outer wall above inner."""
+        """Write the trough to peak of each place outside the rim, outer wall above inner."""
         for reading in self.inspection.readings:
             if reading.angle is None:
                 continue
@@ -153,7 +153,7 @@ class _Graph:
             self.sheet.text(
                 x,
                 y + (13 if inner else 0),
-                thousandths(reading.trough_to_peak),
+                inches(reading.trough_to_peak),
                 text_anchor=anchor,
                 fill=COLOURS[reading.wall],
                 font_weight="bold",

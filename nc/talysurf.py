@@ -1,6 +1,6 @@
-"""The Talysurf's trace: how far each wall is from true, along a stretch of it laid out straight.
+"""The Talysurf's trace: the error of each wall along a stretch of it, laid out straight.
 
-    outer wall  ──╲╱──╲╱──   magnified upward far more than along, as the instrument's paper was
+    outer wall  ──╲╱──╲╱──   magnified more across the wall than along it, as on the instrument's paper
     inner wall  ──╲╱──╲╱──
 
 Source: thesis, Chapter 8, Figures 8.4 and 8.5: .01 in a division along the surface.
@@ -13,9 +13,9 @@ import numpy as np
 from nc.curves import Floats
 from nc.drawing import FAINT, GRID, INK, Sheet, polyline
 from nc.inspection import Inspection, runs
-from nc.report import thousandths
 from nc.talyrond import COLOURS
 from tapes.errors import WorkError
+from tapes.measure import inches
 
 _LEFT, _WIDTH, _HEIGHT = 80.0, 660.0, 200.0
 _STEPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0)
@@ -24,16 +24,16 @@ _STEPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0)
 def talysurf(inspection: Inspection, stretch: tuple[float, float] | None = None) -> str:
     """Return the traces of both walls as SVG text over a stretch, from and to in thousandths along the curve.
 
-    A closed curve is measured counterclockwise from its +X apex; without a stretch it is the quarter
-    about the +Y apex, of a line the whole. Raises WorkError where the stretch has no wall.
+    A closed curve is measured counterclockwise from its +X apex. The default stretch is the quarter about
+    the +Y apex of a closed curve, and the whole of any other. Raises WorkError if the stretch has no wall.
     """
     along = inspection.walls.stations.along
     start, end = stretch or _usual(inspection)
     chosen = np.flatnonzero((along >= start) & (along <= end))
     if len(chosen) < 2:
         raise WorkError(
-            f"the curve is {along[-1] / 1000:.3f} in long: no stretch of it from {start / 1000:.3f} "
-            f"to {end / 1000:.3f}"
+            f"stretch from {start / 1000:.3f} to {end / 1000:.3f}: the curve runs from 0 to "
+            f"{along[-1] / 1000:.3f} in"
         )
     sheet = Sheet(_LEFT + _WIDTH + 30, 2 * (_HEIGHT + 60) + 100, "Talysurf")
     sheet.text(_LEFT, 26, f"Talysurf: {inspection.curve}", font_size=15)
@@ -42,12 +42,10 @@ def talysurf(inspection: Inspection, stretch: tuple[float, float] | None = None)
     ):
         seen = deviation[chosen]
         if np.isnan(seen).all():
-            raise WorkError("the cutter never reached this stretch of the curve: there is no wall")
+            raise WorkError("the cutter did not reach this stretch of the curve: there is no wall")
         top = 80 + row * (_HEIGHT + 60)
         rough = float(np.nanmax(seen) - np.nanmin(seen))
-        sheet.text(
-            _LEFT, top - 10, f"{wall} wall, trough to peak {thousandths(rough)} in", fill=COLOURS[wall]
-        )
+        sheet.text(_LEFT, top - 10, f"{wall} wall, trough to peak {inches(rough)} in", fill=COLOURS[wall])
         _trace(sheet, top, along[chosen], seen, COLOURS[wall])
     sheet.text(
         _LEFT + _WIDTH / 2,
@@ -66,7 +64,7 @@ def _usual(inspection: Inspection) -> tuple[float, float]:
 
 
 def _trace(sheet: Sheet, top: float, along: Floats, deviation: Floats, colour: str) -> None:
-    """Draw one wall in a frame of its own, with its scales."""
+    """Draw one wall in its frame, with its scales."""
     low, high = floor(float(np.nanmin(deviation)) - 0.5), ceil(float(np.nanmax(deviation)) + 0.5)
     start, length = float(along[0]), float(along[-1] - along[0])
     up, across = _HEIGHT / (high - low), _WIDTH / length

@@ -1,4 +1,4 @@
-"""What ran in 1971: the thesis's programs, in PAL III and FORTRAN, and its other parts made again.
+"""What ran in 1971: the thesis's programs, in PAL III and FORTRAN, and its other parts, reconstructed.
 
 eia.pal          ASCII to EIA: the thesis's final conversion program; eia1.pal and eia2.pal, the two before it
 circle.for       Appendix C, transcribed; a mark from column 73 says what the scan shows of a line
@@ -17,17 +17,18 @@ fluidic          the fluidic element of Chapter 8
 
 What they are made of:
 
-stretches        lines, arcs and graphs, cut into stretches that go one way, each inside its band
+stretches        lines, arcs and graphs, split into stretches of one direction, each with its band
 stepwise         the Step-wise Linear Technique
 piecewise        the Piece-wise Linear Technique
-contour          a curve made into blocks, by either
+milling          a curve made into blocks, by either
 function         y = f(x) on the table, and the exact path of a cutter beside it
-expression       y = f(x) as someone types it
+units            inches as thousandths
 arithmetic       exact, or that of a machine of the day
 header           the six blocks that open a tape
 printout         blocks as lines of 19 characters
 format           FORMAT fields
 options          a part's keywords as options of its command
+parts            which part programs there are
+thesis           what the thesis says of each part
 cli              pdp8 part
-errors           what a part program refuses
 """

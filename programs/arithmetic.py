@@ -1,4 +1,4 @@
-"""The arithmetic a part program runs in: exact, or that of a machine of its day.
+"""The arithmetic of a part program: exact, or that of a machine of its time.
 
                 word            + -              *                /                SQRT         assignment
     exact       rational        exact            exact            exact            see below    exact
@@ -6,13 +6,12 @@
     ieee32      24 bits, sign   24, rounded      24, rounded      24, rounded      24, rounded  as it is
     cdc6400     48 bits, sign   48, truncated    48, truncated    48, truncated    48, rounded  as it is
 
-A program is written once, with the operators of its listing, over the numbers of whichever arithmetic it is
-given:
+A program is written once, with the operators of its listing, over the numbers of any arithmetic:
 
     ay = store(ay + 1)                          300 20 AY=AY+1.
     ar = store(sqrt(ax**2 + ay**2))             305    AR=SQRT(AX**2+AY**2)
 
-GE-635. Expressions are worked out in the register EAQ, an exponent and 71 bits and sign in two's complement.
+GE-635. Expressions are computed in the register EAQ, an exponent and 71 bits and sign in two's complement.
 The operand at the right of an operator comes from memory, so that a right operand which is itself an
 expression has been stored on the way. FAD shifts the operand of smaller exponent right inside AQ and loses
 what passes its end; FMP keeps the leading 71 bits of the product; FDV makes a quotient of 35 bits, cut as a
@@ -37,13 +36,13 @@ from typing import Any, Final, Protocol
 
 
 class Arithmetic(Protocol):
-    """What a part program asks of its machine; the numbers it makes know + - * / ** and compare with 0."""
+    """What a part program needs of a machine; its numbers have + - * / ** and compare with 0."""
 
     def real(self, value: float) -> Any:
-        """Return the constant that is written `value`, as this machine holds it."""
+        """Return the constant `value` as this machine holds it."""
 
     def store(self, value: Any) -> Any:
-        """Return what is left of the value of an expression when a variable is assigned it."""
+        """Return the value that a variable holds after it is assigned `value`."""
 
     def sqrt(self, value: Any) -> Any:
         """Return SQRT(value), `value` not negative."""
@@ -52,13 +51,12 @@ class Arithmetic(Protocol):
 class Exact:
     """Rational arithmetic; a root that is not rational is cut 64 bits after the point.
 
-    The cut changes no test of a part program: the root of a fraction of denominator d*d that is not the
-    rational r of denominator d differs from r by about 1/(2*d*d*r) at least, and parts are not made to
-    2**-64 inch.
+    The cut changes no test of a part program: a root that differs from a rational r of denominator d does so
+    by at least about 1/(2*d*d*r), far more than 2**-64 at the sizes of a part.
     """
 
     def real(self, value: float) -> Fraction:
-        """Return the rational that the decimal digits of `value` say."""
+        """Return the rational of the decimal digits of `value`."""
         return Fraction(str(value))
 
     def store(self, value: Fraction) -> Fraction:
@@ -79,7 +77,7 @@ class Float:
 
     __slots__ = ("exponent", "machine", "mantissa")
 
-    def __init__(self, machine: "Machine", mantissa: int, exponent: int) -> None:
+    def __init__(self, machine: "FloatingPoint", mantissa: int, exponent: int) -> None:
         self.machine = machine
         self.mantissa = mantissa
         self.exponent = exponent
@@ -135,7 +133,7 @@ class Float:
         return self.machine.store(other) if isinstance(other, Float) else Float(self.machine, other, 0)
 
 
-class Machine:
+class FloatingPoint:
     """Binary floating point: how many bits of a result are kept (no sign counted) and how the rest is cut."""
 
     word: int
@@ -184,7 +182,7 @@ class Machine:
         return Float(self, mantissa, exponent + dropped)
 
 
-class IEEE32(Machine):
+class IEEE32(FloatingPoint):
     """IEEE 754 binary32, round to nearest even."""
 
     word = register = quotient = 24
@@ -194,7 +192,7 @@ class IEEE32(Machine):
         return _nearest(mantissa, bits)
 
 
-class CDC6400(Machine):
+class CDC6400(FloatingPoint):
     """The CDC 6400's instructions FX."""
 
     word = register = quotient = 48
@@ -212,7 +210,7 @@ class CDC6400(Machine):
         return self.keep(_towards_zero((m << 48) + shifted, 48), e, 48)
 
 
-class GE635(Machine):
+class GE635(FloatingPoint):
     """The GE-635's EAQ and FST."""
 
     word = 27
@@ -286,14 +284,14 @@ def _nearest(mantissa: int, bits: int) -> tuple[int, int]:
 
 
 def _quotient(over: int, under: int) -> tuple[int, int]:
-    """A quotient of more bits than any word has; its last bit says that the division left a rest."""
+    """A quotient of more bits than any word has; its last bit is 1 if there is a remainder."""
     whole, rest = divmod(abs(over) << 160, abs(under))
     quotient = whole << 1 | (rest != 0)
     return (quotient if (over < 0) == (under < 0) else -quotient), -161
 
 
 def _root(value: Float) -> tuple[int, int]:
-    """A root of more bits than any word has; its last bit says that it is not exact."""
+    """A root of more bits than any word has; its last bit is 1 if it is not exact."""
     odd = value.exponent & 1
     square = value.mantissa << (160 + odd)
     root = isqrt(square)

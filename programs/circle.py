@@ -23,11 +23,12 @@ Sources: thesis, Appendix C; lines 235 to 315, damaged in the scan, as circle.fo
 from typing import Annotated, Any
 
 from programs.arithmetic import EXACT, Arithmetic
-from programs.contour import Fastest, FeedError, TechniqueName, mill
 from programs.format import Overflow
 from programs.header import THESIS, Header
+from programs.milling import SLOWEST, Milling
 from programs.printout import Printout, check_band, check_codes, check_start
 from programs.stretches import Point, oval
+from tapes.hydrapoint import Miscellaneous, Preparatory
 
 _QUADRANTS = ((-1, +1, "AY", "AX"), (+1, +1, "AX", "AY"), (+1, -1, "AY", "AX"), (-1, -1, "AX", "AY"))
 """Signs of AX and AY, which of them climbs, which comes down."""
@@ -44,33 +45,30 @@ def part(
     start_x: Annotated[int | None, "AX: first distance from the centre in X, else the radius"] = None,
     start_y: Annotated[int, "AY: first distance from the centre in Y"] = 0,
     sequence: Annotated[int, "AS: starting sequence number"] = 7,
-    preparatory: Annotated[int, "AP: preparatory function of the contour"] = 6,
-    feed: Annotated[int, "AT: feed code of Table 2.4"] = 1,
-    x_feed: Annotated[int, "AMX: miscellaneous function of a cut in X"] = 84,
-    y_feed: Annotated[int, "AMY: miscellaneous function of a cut in Y"] = 85,
-    technique: TechniqueName = "step",
-    fastest: Fastest = 5,
-    feed_error: FeedError = 0.2,
+    preparatory: Annotated[int, "AP: preparatory function of the contour"] = Preparatory.MILL,
+    x_feed: Annotated[int, "AMX: miscellaneous function of a cut in X"] = Miscellaneous.X_FEED,
+    y_feed: Annotated[int, "AMY: miscellaneous function of a cut in Y"] = Miscellaneous.Y_FEED,
+    milling: Milling = SLOWEST,
     header: Header = THESIS,
     arithmetic: Arithmetic = EXACT,
     overflow: Overflow = "low-digits",
 ) -> str:
     r"""Return the printout: a block is a line of 19 characters and "\n". Lengths are thousandths of an inch.
 
-    Raises PartError for parameters that make no circle, and for a block that leaves the table.
+    Raises WorkError for parameters of no possible circle, and for a block that leaves the table.
     """
     outer = radius + tolerance if outer is None else outer
     inner = radius - tolerance if inner is None else inner
     start_x = radius if start_x is None else start_x
     check_band("radius", radius, inner, outer)
     check_start(start_x, start_y, outer, outer)
-    check_codes(sequence, preparatory, feed, x_feed, y_feed)
+    check_codes(sequence, preparatory, x_feed, y_feed)
     printout = Printout(overflow)
     printout.header(header, centre_x - start_x, centre_y + start_y)
 
-    if technique == "piece":
+    if milling.technique == "piece":
         curve = oval(Point(centre_x, centre_y), radius, (inner, inner), (outer, outer))
-        mill(printout, curve, technique, feed, fastest, feed_error)
+        milling.print(printout, curve)
         return printout.text
     real, store, sqrt = arithmetic.real, arithmetic.store, arithmetic.sqrt
     at = {"AX": real(start_x), "AY": real(start_y)}
@@ -81,7 +79,7 @@ def part(
 
     def cut_to_here(sequence: int, east: int, north: int, function: int) -> None:
         x, y = centre_x + east * int(at["AX"]), centre_y + north * int(at["AY"])
-        printout.print_30(sequence, preparatory, x, y, feed, function)
+        printout.print_30(sequence, preparatory, x, y, milling.feed, function)
 
     function = {"AX": x_feed, "AY": y_feed}
     for east, north, up, down in _QUADRANTS:

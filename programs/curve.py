@@ -5,12 +5,12 @@ Source: thesis, Chapters 3 and 6.
 
 from typing import Annotated
 
-from programs.contour import Fastest, FeedCode, FeedError, TechniqueName, mill
-from programs.expression import function
 from programs.format import Overflow
 from programs.function import Range, Side, centre_path, offset_path
 from programs.header import THESIS, Header
+from programs.milling import SLOWEST, Milling
 from programs.printout import Printout
+from tapes.expression import function
 
 
 def part(
@@ -21,16 +21,15 @@ def part(
     tolerance: Annotated[float, "half the height of the band"] = 0.005,
     origin_x: Annotated[float, "X of the table where x is 0"] = 4.0,
     origin_y: Annotated[float, "Y of the table where y is 0"] = 5.0,
-    cutter: Annotated[float | None, "diameter of a cutter that is to leave the curve as its surface"] = None,
+    cutter: Annotated[
+        float | None, "diameter of the cutter, if the curve is the surface and not the path of its centre"
+    ] = None,
     side: Side = "above",
-    technique: TechniqueName = "step",
-    feed: FeedCode = 1,
-    fastest: Fastest = 5,
-    feed_error: FeedError = 0.2,
+    milling: Milling = SLOWEST,
     header: Header = THESIS,
     overflow: Overflow = "low-digits",
 ) -> str:
-    """Return the printout of y = `expression`; lengths are inches. Raises PartError."""
+    """Return the printout of y = `expression`; lengths are inches. Raises WorkError."""
     y = function(expression)
     where = Range(from_, to, origin_x, origin_y)
     if cutter is None:
@@ -39,5 +38,5 @@ def part(
         curve = offset_path(y, where, tolerance, cutter, side)
     printout = Printout(overflow)
     printout.header(header, *curve.start)
-    mill(printout, curve, technique, feed, fastest, feed_error)
+    milling.print(printout, curve)
     return printout.text

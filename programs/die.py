@@ -17,9 +17,9 @@ from typing import Annotated, Final, Literal
 
 from programs import ellipse
 from programs.arithmetic import EXACT, Arithmetic
-from programs.contour import Fastest, FeedError, TechniqueName
 from programs.format import Overflow
 from programs.header import THESIS, Header
+from programs.milling import SLOWEST, Milling
 
 AXES: Final = {"opening": (3000, 1500), "rounding": (3125, 1625), "groove": (3750, 2250)}
 """Semi-axes of the three programs, thousandths of an inch."""
@@ -33,25 +33,19 @@ def part(
     tolerance: Annotated[float, "half the width of the band"] = 5,
     centre_x: Annotated[int, "X of the centre"] = 6000,
     centre_y: Annotated[int, "Y of the centre"] = 4000,
-    feed: Annotated[int, "feed code of Table 2.4"] = 1,
-    technique: TechniqueName = "step",
-    fastest: Fastest = 5,
-    feed_error: FeedError = 0.2,
+    milling: Milling = SLOWEST,
     header: Header = THESIS,
     arithmetic: Arithmetic = EXACT,
     overflow: Overflow = "low-digits",
 ) -> str:
-    """Return the printout of one of the die's three tapes; lengths are thousandths. Raises PartError."""
+    """Return the printout of one of the die's three tapes; lengths are thousandths. Raises WorkError."""
     return ellipse.part(
         major=AXES[cut][0] if major is None else major,
         minor=AXES[cut][1] if minor is None else minor,
         tolerance=tolerance,
         centre_x=centre_x,
         centre_y=centre_y,
-        feed=feed,
-        technique=technique,
-        fastest=fastest,
-        feed_error=feed_error,
+        milling=milling,
         header=header,
         arithmetic=arithmetic,
         overflow=overflow,

@@ -16,14 +16,18 @@ that ONE is 0.64 + 0.36. Neither quotient ends in binary; cut off instead of rou
 Sources: thesis, Appendix D.
 """
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Final
 
 from programs.arithmetic import EXACT, Arithmetic
-from programs.contour import Fastest, FeedError, TechniqueName, mill
 from programs.format import Overflow
 from programs.header import THESIS, Header
+from programs.milling import Milling
 from programs.printout import Printout, check_band, check_codes, check_start
 from programs.stretches import Point, oval
+from tapes.hydrapoint import Miscellaneous, Preparatory
+
+MILLING: Final = Milling(feed=5)
+"""AT = 5."""
 
 _QUADRANTS = ((-1, +1, "AY", "AX"), (+1, +1, "AX", "AY"), (+1, -1, "AY", "AX"), (-1, -1, "AX", "AY"))
 """Signs of AX and AY, which of them climbs, which comes down."""
@@ -43,20 +47,17 @@ def part(
     start_x: Annotated[int | None, "AX: first distance from the centre in X, else the major axis"] = None,
     start_y: Annotated[int, "AY: first distance from the centre in Y"] = 0,
     sequence: Annotated[int, "AS: starting sequence number, stepped before each print"] = 6,
-    preparatory: Annotated[int, "AP: preparatory function of the contour"] = 6,
-    feed: Annotated[int, "AT: feed code of Table 2.4"] = 5,
-    x_feed: Annotated[int, "AMX: miscellaneous function of a cut in X"] = 84,
-    y_feed: Annotated[int, "AMY: miscellaneous function of a cut in Y"] = 85,
-    technique: TechniqueName = "step",
-    fastest: Fastest = 5,
-    feed_error: FeedError = 0.2,
+    preparatory: Annotated[int, "AP: preparatory function of the contour"] = Preparatory.MILL,
+    x_feed: Annotated[int, "AMX: miscellaneous function of a cut in X"] = Miscellaneous.X_FEED,
+    y_feed: Annotated[int, "AMY: miscellaneous function of a cut in Y"] = Miscellaneous.Y_FEED,
+    milling: Milling = MILLING,
     header: Header = THESIS,
     arithmetic: Arithmetic = EXACT,
     overflow: Overflow = "low-digits",
 ) -> str:
     r"""Return the printout: a block is a line of 19 characters and "\n". Lengths are thousandths of an inch.
 
-    Raises PartError for parameters that make no ellipse, and for a block that leaves the table.
+    Raises WorkError for parameters of no possible ellipse, and for a block that leaves the table.
     """
     outer_major = major + tolerance if outer_major is None else outer_major
     outer_minor = minor + tolerance if outer_minor is None else outer_minor
@@ -66,13 +67,13 @@ def part(
     check_band("semi-major axis", major, inner_major, outer_major)
     check_band("semi-minor axis", minor, inner_minor, outer_minor)
     check_start(start_x, start_y, outer_major, outer_minor)
-    check_codes(sequence, preparatory, feed, x_feed, y_feed)
+    check_codes(sequence, preparatory, x_feed, y_feed)
     printout = Printout(overflow)
     printout.header(header, centre_x - start_x, centre_y + start_y)
 
-    if technique == "piece":
+    if milling.technique == "piece":
         limits = (inner_major, inner_minor), (outer_major, outer_minor)
-        mill(printout, oval(Point(centre_x, centre_y), major, *limits), technique, feed, fastest, feed_error)
+        milling.print(printout, oval(Point(centre_x, centre_y), major, *limits))
         return printout.text
     real, store = arithmetic.real, arithmetic.store
     at = {"AX": real(start_x), "AY": real(start_y)}
@@ -85,7 +86,7 @@ def part(
 
     def cut_to_here(sequence: int, east: int, north: int, function: int) -> None:
         x, y = centre_x + east * int(at["AX"]), centre_y + north * int(at["AY"])
-        printout.print_30(sequence, preparatory, x, y, feed, function)
+        printout.print_30(sequence, preparatory, x, y, milling.feed, function)
 
     function = {"AX": x_feed, "AY": y_feed}
     for east, north, up, down in _QUADRANTS:

@@ -27,12 +27,13 @@ Source: thesis, Chapter 8. All dimensions but the nozzle's, the scale, the cutte
 from itertools import pairwise
 from typing import Annotated, Final, Literal, NamedTuple
 
-from programs.contour import mill, position, thousandths, tolerance_units
-from programs.errors import PartError
 from programs.format import Overflow
 from programs.header import THESIS, Header
+from programs.milling import SLOWEST, Milling, position
 from programs.printout import Printout
 from programs.stretches import Curve, Point, arc, line
+from programs.units import thousandths, tolerance_units
+from tapes.errors import WorkError
 
 Place = tuple[float, float]
 """u and v, in inches."""
@@ -98,10 +99,10 @@ def outline() -> tuple[Segment, ...]:
 
 
 def channel(downstream: float) -> tuple[Segment, ...]:
-    """Return the right control channel, `downstream` inches past the nozzle's exit. Raises PartError."""
+    """Return the right control channel, `downstream` inches past the nozzle's exit. Raises WorkError."""
     if not 0 <= downstream <= _FURTHEST:
-        raise PartError(
-            f"control channels {downstream:g} in downstream are not beside the walls: 0 to {_FURTHEST:g} in"
+        raise WorkError(
+            f"control channels {downstream:g} in downstream: must be beside the walls, 0 to {_FURTHEST:g} in"
         )
     middle = EXIT + 0.1 + downstream
     mouth = round(0.1 + (middle - EXIT) / 3, 3)
@@ -128,11 +129,11 @@ def part(
     tolerance: Annotated[float, "half the width of the band, inches"] = 0.003,
     axis_x: Annotated[float, "X of the axis of symmetry"] = 5.0,
     base_y: Annotated[float, "Y of the end of the supply"] = 0.5,
-    feed: Annotated[int, "feed code of Table 2.4"] = 1,
+    milling: Milling = SLOWEST,
     header: Header = THESIS,
     overflow: Overflow = "low-digits",
 ) -> str:
-    """Return the printout of the element or one of its programs; lengths are inches. Raises PartError."""
+    """Return the printout of the element or one of its programs; lengths are inches. Raises WorkError."""
     right = channel(control)
     left = tuple(segment.mirrored() for segment in reversed(right))
     origin = Point(thousandths("axis X", axis_x), thousandths("base Y", base_y))
@@ -145,7 +146,7 @@ def part(
         else:
             printout.header(header, *curves[0].start)
         for curve in curves:
-            mill(printout, curve, feed=feed)
+            milling.print(printout, curve)
     return printout.text
 
 

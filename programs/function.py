@@ -1,4 +1,4 @@
-"""y = f(x) on the table: its limits at each thousandth of X, for the cutter's centre or the cutter's edge.
+"""y = f(x) on the table: its limits at each thousandth of X, for the cutter's centre or its edge.
 
         .--(x2,y2)--.        The part's surface is f. A cutter of radius C beside it has its centre on the
       .'    |C       '.      normal (equation 3), at the angle theta whose tangent is dy/dx:
@@ -6,8 +6,8 @@
        .--'   '--.               y2 = y1 + C cos(theta)       + above the curve, - below it
      f             f
 
-Where the surface curves towards the cutter more tightly than the cutter does, x2 runs backwards: no path can
-cut it.
+Where the radius of the surface on the cutter's side is less than the cutter's, x2 decreases: such a surface
+cannot be cut.
 
 Source: thesis, Chapter 6, Figure 6.2 and equations 1 to 3.
 """
@@ -18,20 +18,21 @@ from math import floor
 from typing import Annotated, Any, Literal
 
 from programs.arithmetic import EXACT, Arithmetic
-from programs.contour import thousandths, tolerance_units
-from programs.errors import PartError
 from programs.stretches import Curve, graph
+from programs.units import thousandths, tolerance_units
+from tapes.errors import WorkError
 from tapes.hydrapoint import X_TRAVEL
 
 _BEYOND = 10**9
-"""Thousandths of an inch; with what is larger nothing is worked out."""
+"""Thousandths of an inch; nothing larger is computed."""
 
+CutterOfSurface = Annotated[float | None, "diameter of the cutter, if the curve is the surface it leaves"]
 Side = Annotated[Literal["above", "below"], "side of the curve that the cutter is on"]
 
 
 @dataclass(frozen=True)
 class Range:
-    """From where to where X goes, and where the curve's own zero lies on the table; inches."""
+    """The range of x, and the origin of the curve on the table; inches."""
 
     first: float
     last: float
@@ -39,9 +40,9 @@ class Range:
     origin_y: float
 
     def __post_init__(self) -> None:
-        """Raise PartError for a range of nothing."""
+        """Raise WorkError for a range of length 0."""
         if self.units[0] >= self.units[1]:
-            raise PartError(f"X from {self.first:g} to {self.last:g} is no range: it goes from less to more")
+            raise WorkError(f"X from {self.first:g} to {self.last:g}: must go from less to more")
 
     @property
     def units(self) -> tuple[int, int]:
@@ -50,7 +51,7 @@ class Range:
 
     @property
     def tabulated(self) -> range:
-        """Each X to work out, in thousandths: a table's length past the table is enough to be refused."""
+        """Each X to compute, in thousandths; of a range beyond the table only enough to be refused."""
         first, last = self.units
         left, right = -1 - self.origin[0], X_TRAVEL + 1 - self.origin[0]
         nearest = max(first, min(left, last - X_TRAVEL))
@@ -58,7 +59,7 @@ class Range:
 
     @property
     def origin(self) -> tuple[int, int]:
-        """X and Y of the curve's zero on the table, in thousandths."""
+        """X and Y of the origin on the table, in thousandths."""
         return thousandths("origin X", self.origin_x), thousandths("origin Y", self.origin_y)
 
 
@@ -67,7 +68,7 @@ def centre_path(
 ) -> Curve:
     """Return the band of `function`, in inches, taken as the path of the cutter's centre.
 
-    Raises PartError where it is too steep.
+    Raises WorkError where it is too steep.
     """
     across, up = where.origin
     real, store = arithmetic.real, arithmetic.store
@@ -75,7 +76,7 @@ def centre_path(
     heights = [store(function(store(real(x) / thousand)) * thousand + above) for x in where.tabulated]
     for x, height in zip(where.tabulated, heights, strict=True):
         if abs(floor(height)) > _BEYOND:
-            raise PartError(f"at x = {x / 1000:g} the curve is beyond any table")
+            raise WorkError(f"at x = {x / 1000:g} the curve is off the table")
     return graph(
         where.tabulated[0] + across,
         [store(height - error) for height in heights],
@@ -88,29 +89,29 @@ def offset_path(
 ) -> Curve:
     """Return the band of the path of a cutter of diameter `cutter` that leaves `function` as its surface.
 
-    Raises PartError where the surface is tighter than the cutter, or the path too steep.
+    Raises WorkError where the surface is tighter than the cutter, or the path too steep.
     """
     import numpy as np  # only the exact cutter path needs it
 
-    if cutter <= 0:
-        raise PartError(f"a cutter of diameter {cutter:g} in is none")
+    if not cutter > 0:
+        raise WorkError(f"cutter of diameter {cutter:g} in: must be greater than 0")
     across, up = where.origin
     radius = cutter * 500 * (1 if side == "above" else -1)
     x1 = np.array(where.tabulated, dtype=float)
     y1 = np.array([float(function(x / 1000)) * 1000 for x in where.tabulated])
     if len(x1) < 3:
-        raise PartError(f"X from {where.first:g} to {where.last:g} is too short for a cutter's path")
+        raise WorkError(f"X from {where.first:g} to {where.last:g} is too short: at least .002 in is needed")
     beyond = np.flatnonzero(~(np.abs(y1) < _BEYOND))
     if beyond.size:
-        raise PartError(f"at x = {x1[beyond[0]] / 1000:g} the curve is beyond any table")
+        raise WorkError(f"at x = {x1[beyond[0]] / 1000:g} the curve is off the table")
     angle = np.arctan(np.gradient(y1, edge_order=2))
     x2 = x1 - radius * np.sin(angle)
     y2 = y1 + radius * np.cos(angle)
     backwards = np.flatnonzero(np.diff(x2) <= 0)
     if backwards.size:
-        raise PartError(
-            f"a cutter of {cutter:g} in is too big: at x = {x1[backwards[0]] / 1000:.3f} the surface is "
-            "tighter than the cutter"
+        raise WorkError(
+            f"cutter of {cutter:g} in is too big: at x = {x1[backwards[0]] / 1000:.3f} the radius of the "
+            "surface is less than the cutter's"
         )
     grid = np.arange(np.ceil(x2[0]), np.floor(x2[-1]) + 1)
     middle = np.interp(grid, x2, y2) + up

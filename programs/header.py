@@ -7,27 +7,39 @@
     005  position X Y              80  no change: to where the contour starts
     006  read Z 3.000 to 3.500     89  Z feed code 01
 
-Sources: thesis, Appendices C and D, lines 105 to 255, with Tables 2.3 and 2.4 for what the numbers say.
+Sources: thesis, Appendices C and D, lines 105 to 255, decoded with Tables 2.3 and 2.4.
 """
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated
 
-from programs.errors import PartError
-from tapes.hydrapoint import CAROUSEL, SPINDLE, X_TRAVEL, Y_TRAVEL, Z_FEED, Z_TRAVEL, Block
-
-_COOLANTS = (7, 8, 9)
+from tapes.errors import WorkError
+from tapes.hydrapoint import (
+    CAROUSEL,
+    COOLANT,
+    SPINDLE,
+    X_TRAVEL,
+    Y_TRAVEL,
+    Z_FEED,
+    Z_TRAVEL,
+    Block,
+    Miscellaneous,
+    Preparatory,
+)
 
 
 @dataclass(frozen=True)
 class Header:
-    """What the opening blocks say; lengths in thousandths of an inch. Raises PartError for what cannot be."""
+    """The constants of the opening blocks; lengths in thousandths of an inch.
+
+    Raises WorkError for a value that the machine does not have.
+    """
 
     park_x: Annotated[int, "A1: X to park at, for loading, thousandths"] = 19000
     park_y: Annotated[int, "A2: Y to park at, thousandths"] = 0
     tool: Annotated[int, "B4: tool of the carousel, 1 to 24"] = 1
-    coolant: Annotated[int, "C4: 7 flood, 8 mist, 9 off"] = 8
+    coolant: Annotated[int, "C4: 7 flood, 8 mist, 9 off"] = Miscellaneous.MIST_COOLANT
     spindle: Annotated[int, "D4: spindle speed code of Table 2.4"] = 31
     z_feed_point: Annotated[int, "G1: Z where the feed begins, thousandths"] = 3000
     z_depth: Annotated[int, "G3: final depth of Z, thousandths"] = 3500
@@ -41,26 +53,27 @@ class Header:
             ("final Z depth", self.z_depth, Z_TRAVEL),
         ):
             if not 0 <= value <= limit:
-                raise PartError(f"{name} {value} is outside the travel, 0 to {limit} thousandths of an inch")
+                raise WorkError(f"{name} {value} is outside the travel: 0 to {limit} thousandths of an inch")
         if self.z_depth < self.z_feed_point:
-            raise PartError(f"final Z depth {self.z_depth} is above the Z feed point {self.z_feed_point}")
+            raise WorkError(f"final Z depth {self.z_depth} is above the Z feed point {self.z_feed_point}")
         if self.tool not in CAROUSEL:
-            raise PartError(f"tool {self.tool} is not in the carousel, 1 to {CAROUSEL[-1]}")
-        if self.coolant not in _COOLANTS:
-            raise PartError(f"coolant {self.coolant} is none of 7 flood, 8 mist, 9 off")
+            raise WorkError(f"tool {self.tool} is not in the carousel: 1 to {CAROUSEL[-1]}")
+        if self.coolant not in COOLANT:
+            raise WorkError(f"coolant {self.coolant} must be 7 flood, 8 mist or 9 off")
         if self.spindle not in SPINDLE:
-            raise PartError(f"spindle code {self.spindle} is not in Table 2.4")
+            raise WorkError(f"spindle code {self.spindle} is not in Table 2.4: 1 to 18 and 21 to 38")
         if self.z_feed not in Z_FEED:
-            raise PartError(f"Z feed code {self.z_feed} is not in Table 2.4")
+            raise WorkError(f"Z feed code {self.z_feed} is not in Table 2.4: 1 to 18 and 21 to 38")
 
     def blocks(self, x: int, y: int) -> Iterator[Block]:
         """The blocks, for a contour that starts at `x`, `y`."""
-        yield Block(1, 0, self.park_x, self.park_y, 0, 0, 2)
-        yield Block(2, 0, 0, 0, 0, self.tool, 86)
-        yield Block(3, 0, 0, 0, 0, 0, self.coolant)
-        yield Block(4, 0, 0, 0, 0, self.spindle, 88)
-        yield Block(5, 0, x, y, 0, 0, 80)
-        yield Block(6, 9, self.z_feed_point, self.z_depth, 0, self.z_feed, 89)
+        position, read_z = Preparatory.POSITION, Preparatory.READ_Z
+        yield Block(1, position, self.park_x, self.park_y, 0, 0, Miscellaneous.END_OF_PROGRAM)
+        yield Block(2, position, 0, 0, 0, self.tool, Miscellaneous.TOOL_CHANGE)
+        yield Block(3, position, 0, 0, 0, 0, self.coolant)
+        yield Block(4, position, 0, 0, 0, self.spindle, Miscellaneous.SPINDLE_SPEED)
+        yield Block(5, position, x, y, 0, 0, Miscellaneous.NO_CHANGE)
+        yield Block(6, read_z, self.z_feed_point, self.z_depth, 0, self.z_feed, Miscellaneous.Z_FEED)
 
 
 THESIS = Header()

@@ -3,14 +3,15 @@
 signature                                     command
 radius: Annotated[int, "RAD: ..."] = 1750     --radius INTEGER, its help and default
 expression: Annotated[str, "..."]             EXPRESSION, an argument
-header: Header                                an option for each of its fields
+header: Header = THESIS                       an option for each field, its default from THESIS
+milling: Milling = Milling()                  the same
 arithmetic: Arithmetic                        --arithmetic, by name
 """
 
 import inspect
 import types
-from collections.abc import Callable, Mapping
-from dataclasses import fields
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass
 from math import isfinite
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
@@ -18,36 +19,41 @@ import click
 
 from programs.arithmetic import ARITHMETICS, Arithmetic
 from programs.drill import Holes
-from programs.header import Header
-
-Part = Callable[..., str]
+from programs.parts import Program
 
 
-def parameters(part: Part) -> list[click.Parameter]:
+def parameters(part: Program) -> list[click.Parameter]:
     """Return the click parameters of `part`, in the order of its signature."""
     hints = get_type_hints(part, include_extras=True)
     found: list[click.Parameter] = []
     for name, parameter in inspect.signature(part).parameters.items():
-        if hints[name] is Header:
-            headings = get_type_hints(Header, include_extras=True)
-            found += [_option(field.name, headings[field.name], field.default) for field in fields(Header)]
+        if is_dataclass(hints[name]):
+            found += _options(parameter.default)
         elif hints[name] is Arithmetic:
             choice = click.Choice(list(ARITHMETICS))
-            found.append(_named("arithmetic", choice, "exact", "The machine whose arithmetic is used."))
+            found.append(_named("arithmetic", choice, "exact", "The arithmetic of which machine."))
         else:
             found.append(_option(name, hints[name], parameter.default))
     return found
 
 
-def arguments(part: Part, values: Mapping[str, Any]) -> dict[str, Any]:
+def arguments(part: Program, values: Mapping[str, Any]) -> dict[str, Any]:
     """Return the keywords to call `part` with, for the `values` that click has of its parameters."""
     hints = get_type_hints(part)
     keywords = {name: values[name] for name in hints if name in values}
-    if "header" in hints:
-        keywords["header"] = Header(**{field.name: values[field.name] for field in fields(Header)})
+    for name, hint in hints.items():
+        if is_dataclass(hint) and isinstance(hint, type):
+            keywords[name] = hint(**{field.name: values[field.name] for field in fields(hint)})
     if "arithmetic" in hints:
         keywords["arithmetic"] = ARITHMETICS[values["arithmetic"]]
     return keywords
+
+
+def _options(default: Any) -> Iterator[click.Parameter]:
+    """Yield an option for each field of a dataclass, with the values of `default`."""
+    hints = get_type_hints(type(default), include_extras=True)
+    for field in fields(default):
+        yield _option(field.name, hints[field.name], getattr(default, field.name))
 
 
 def _option(name: str, hint: Any, default: Any) -> click.Parameter:
@@ -76,12 +82,12 @@ def _type(hint: Any) -> Any:
 
 
 class _Finite(click.types.FloatParamType):
-    """A number with a decimal point, neither infinite nor none at all."""
+    """A finite number with a decimal point."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         number = super().convert(value, param, ctx)
         if not isfinite(number):
-            self.fail(f"{value!r} is no finite number.", param, ctx)
+            self.fail(f"{value!r} is not a finite number.", param, ctx)
         return number
 
 
@@ -96,7 +102,7 @@ class _Places(click.ParamType[Holes]):
         try:
             places = tuple((float(x), float(y)) for x, y in (place.split(",") for place in value.split()))
         except ValueError:
-            self.fail(f"{value!r} is no list of places; it looks like '1,1 1,2 4,2'.", param, ctx)
+            self.fail(f"{value!r} is not a list of places such as '1,1 1,2 4,2'.", param, ctx)
         return places
 
 

@@ -1,14 +1,14 @@
 """The Piece-wise Linear Technique of Chapter 3: X and Y run together, at two feeds that follow the slope.
 
-          .---B      From A both axes set out, each at its own feed; one arrives, the other goes on alone
-       .'            (Figure 3.1). A block goes as far as the band allows, whichever way the feeds err.
-     .'              Of all pairs of feeds the one is taken that goes furthest for its blocks: a block sets
-    A                one feed, so that a change of both costs a block more.
+          .---B      From A both axes start, each at its own feed; one arrives, the other moves on alone
+       .'            (Figure 3.1). A block goes as far as the band allows for any error of the feeds. Of all
+     .'              pairs of feeds, the pair with the greatest distance per block is used: a block sets one
+    A                feed, so a change of both needs one block more.
 
-A feed is within 20 % of what Table 2.4 says. The band is kept for the worst of it, X fast and Y slow or X
-slow and Y fast, between which all other ways lie; with a feed error of 0 the feeds are believed. Where no
-pair fits, the block goes along one axis: the limiting case that Chapter 3 names. Whether a way keeps to its
-band is asked at a dozen places of each leg; the bands of stretches do not wind between them.
+A feed is within 20 % of its value in Table 2.4. The path must stay in the band for both extremes, X fast and
+Y slow, and X slow and Y fast; all other paths lie between them. With a feed error of 0 the feeds are exact.
+Where no pair fits, the block goes along one axis: the limiting case of Chapter 3. The band is checked at
+twelve points of each leg; the bands of stretches are smooth enough for that.
 
 Sources: thesis, Chapter 3, Figures 3.1 and 3.2, Tables 2.4 and 10.1. The choice of pairs is ours.
 """
@@ -19,9 +19,9 @@ from dataclasses import dataclass
 from math import ceil, hypot
 from typing import NamedTuple
 
-from programs.errors import PartError
 from programs.stretches import Curve, Point, Stretch
-from tapes.hydrapoint import XY_FEED
+from tapes.errors import WorkError
+from tapes.hydrapoint import XY_FEED, corner
 
 _PLACES = 12
 
@@ -42,20 +42,22 @@ class Ray(NamedTuple):
 
 @dataclass(frozen=True)
 class Technique:
-    """The feeds that may be used, up to code `fastest`, and by what part of one they may be wrong."""
+    """The feeds that may be used, up to code `fastest`, and the fraction by which they may be wrong."""
 
     fastest: int = 5
     feed_error: float = 0.2
 
     def __post_init__(self) -> None:
-        """Raise PartError for feeds that Table 2.4 does not have, and for an error that is none."""
+        """Raise WorkError for a code that is not in Table 2.4 and for an error that is not a fraction."""
         if self.fastest not in XY_FEED:
-            raise PartError(f"feed code {self.fastest} is not in Table 2.4, 1 to {max(XY_FEED)}")
+            raise WorkError(f"feed code {self.fastest} is not in Table 2.4: 1 to {max(XY_FEED)}")
         if not 0 <= self.feed_error < 1:
-            raise PartError(f"a feed error of {self.feed_error:g} is none: it is a part of 1, 0.2 for 20 %")
+            raise WorkError(
+                f"feed error {self.feed_error:g}: must be a fraction from 0 to less than 1, 0.2 for 20 %"
+            )
 
     def rays(self, curve: Curve) -> Iterator[Ray]:
-        """Yield the blocks along `curve`, from its start to its very end. Raises PartError if none fits."""
+        """Yield the blocks along `curve`, from its start to its very end. Raises WorkError if none fits."""
         at, force = curve.start, Feeds(0, 0)
         for stretch in curve.stretches:
             while at.x != stretch.last_x and at.y != stretch.last_y:
@@ -70,7 +72,7 @@ class Technique:
             yield Ray(Feeds(0, force.y or 1), curve.end)
 
     def _furthest(self, stretch: Stretch, at: Point, force: Feeds) -> Ray:
-        """The ray from `at` that goes furthest for the blocks it takes."""
+        """Return the ray from `at` of the greatest distance per block."""
         best, most = None, 0.0
         for feeds in self._choices(stretch, force):
             blocks = 1 + all(code and code != now for code, now in zip(feeds, force, strict=True))
@@ -79,7 +81,7 @@ class Technique:
             if gain > most:
                 best, most = Ray(feeds, stop), gain
         if best is None:
-            raise PartError(f"at X {at.x / 1000:.3f} Y {at.y / 1000:.3f} no feeds keep to the band")
+            raise WorkError(f"at X {at.x / 1000:.3f} Y {at.y / 1000:.3f} no pair of feeds stays in the band")
         return best
 
     def _choices(self, stretch: Stretch, force: Feeds) -> Iterator[Feeds]:
@@ -92,7 +94,7 @@ class Technique:
             yield from (Feeds(x, y) for x in codes for y in codes)
 
     def _reach(self, stretch: Stretch, at: Point, feeds: Feeds, beyond: float) -> Point:
-        """The furthest stop for `feeds`, or `at` itself if it is not further than `beyond`."""
+        """Return the furthest stop for `feeds`, or `at` if it is not further than `beyond`."""
         speeds = tuple(XY_FEED[code] if code else 0.0 for code in feeds)
         fastest = max(speeds)
         across, up = stretch.dx * speeds[0] / fastest, stretch.dy * speeds[1] / fastest
@@ -113,7 +115,7 @@ class Technique:
         return stop(bisect_left(range(2 * steps), True, lo=steps, key=lambda more: not kept(more)) - 1)
 
     def _keeps(self, stretch: Stretch, at: Point, stop: Point, speeds: tuple[float, ...]) -> bool:
-        """Whether the way is inside the band, however the feeds err: the two worst enclose the rest."""
+        """Whether the path is inside the band for both extremes of the feeds, which enclose all others."""
         fast, slow = 1 + self.feed_error, 1 - self.feed_error
         errors = [(fast, slow), (slow, fast)] if self.feed_error and all(speeds) else [(1.0, 1.0)]
         return all(
@@ -124,22 +126,16 @@ class Technique:
 
 
 def way(at: Point, stop: Point, speeds: tuple[float, float]) -> Iterator[tuple[float, float]]:
-    """Yield places along the way from `at` to `stop`: both axes at their speeds, then one alone."""
-    across, up = stop.x - at.x, stop.y - at.y
-    times = [abs(length) / speed for length, speed in zip((across, up), speeds, strict=True) if speed]
-    both = min(times)
-    corner = (
-        at.x + (across * both * speeds[0] / abs(across) if across else 0),
-        at.y + (up * both * speeds[1] / abs(up) if up else 0),
-    )
-    for (x, y), (u, v) in ((at, corner), (corner, stop)):
+    """Yield points of the path from `at` to `stop`: both axes at their speeds, then one alone."""
+    together = corner(at, stop, *speeds)
+    for (x, y), (u, v) in ((at, together), (together, stop)):
         for place in range(1, _PLACES + 1):
             part = place / _PLACES
             yield x + (u - x) * part, y + (v - y) * part
 
 
 def _passes(stretch: Stretch, at: Point, stop: Point) -> bool:
-    """Whether the end of the stretch lies between the two."""
+    """Whether the end of the stretch lies between the two points."""
     x, y = stretch.last_x, stretch.last_y
     return (x is not None and (stop.x - x) * (at.x - x) < 0) or (
         y is not None and (stop.y - y) * (at.y - y) < 0

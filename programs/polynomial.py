@@ -16,10 +16,10 @@ Source: thesis, Chapters 6 and 7.
 from typing import Annotated, Any
 
 from programs.arithmetic import EXACT, Arithmetic
-from programs.contour import Fastest, FeedCode, FeedError, TechniqueName, mill
 from programs.format import Overflow
 from programs.function import Range, Side, centre_path, offset_path
 from programs.header import THESIS, Header
+from programs.milling import SLOWEST, Milling
 from programs.printout import Printout
 
 
@@ -33,17 +33,16 @@ def part(
     to: Annotated[float, "X where it ends"] = 6.0,
     origin_x: Annotated[float, "X of the table where x is 0"] = 4.0,
     origin_y: Annotated[float, "Y of the table where y is 0"] = 6.0,
-    cutter: Annotated[float | None, "diameter of a cutter that is to leave the curve as its surface"] = None,
+    cutter: Annotated[
+        float | None, "diameter of the cutter, if the curve is the surface and not the path of its centre"
+    ] = None,
     side: Side = "above",
-    technique: TechniqueName = "step",
-    feed: FeedCode = 1,
-    fastest: Fastest = 5,
-    feed_error: FeedError = 0.2,
+    milling: Milling = SLOWEST,
     header: Header = THESIS,
     arithmetic: Arithmetic = EXACT,
     overflow: Overflow = "low-digits",
 ) -> str:
-    """Return the printout of the polynomial; lengths are inches. Raises PartError."""
+    """Return the printout of the polynomial; lengths are inches. Raises WorkError."""
     where = Range(from_, to, origin_x, origin_y)
     if cutter is None:
         ra, rb, rc = arithmetic.real(a), arithmetic.real(b), arithmetic.real(c)
@@ -56,5 +55,5 @@ def part(
         curve = offset_path(lambda x: a * x * (x - b) * (x - c), where, tolerance, cutter, side)
     printout = Printout(overflow)
     printout.header(header, *curve.start)
-    mill(printout, curve, technique, feed, fastest, feed_error)
+    milling.print(printout, curve)
     return printout.text

@@ -3,7 +3,7 @@
     10 FORMAT(1X,I5,I4,I5,I4)       the blocks before the contour, their 19 digits in groups
     30 FORMAT(I3,I1,I5,I5,I3,I2)    sequence, preparatory, X, Y, reserved and tool, miscellaneous
 
-A block that would leave the machine's travel is refused, with its number: a sign is no digit, and the
+A block beyond the machine's travel is refused, with its number: a minus sign is not a digit, and the
 translation would drop it and shift every row after it.
 
 Sources: thesis, Chapter 6 and Appendices C and D; travel from Chapter 2.
@@ -12,13 +12,12 @@ Sources: thesis, Chapter 6 and Appendices C and D; travel from Chapter 2.
 from math import isfinite
 from typing import SupportsInt
 
-from programs.errors import PartError
 from programs.format import Format, Overflow
 from programs.header import Header
-from tapes.hydrapoint import MISCELLANEOUS, PREPARATORY, X_TRAVEL, XY_FEED, Y_TRAVEL, Block
+from tapes.errors import WorkError
+from tapes.hydrapoint import MISCELLANEOUS, PREPARATORY, X_TRAVEL, XY_FEED, Y_TRAVEL, Block, Preparatory
 
 LAST_SEQUENCE = 999
-_READ_Z = 9
 
 FORMAT_10 = Format("1X,I5,I4,I5,I4")
 FORMAT_30 = Format("I3,I1,I5,I5,I3,I2")
@@ -53,8 +52,8 @@ class Printout:
         self._lines.append(FORMAT_10.line(*map(int, groups), overflow=self._overflow))
 
     def digits(self, block: Block) -> None:
-        """A block typed with all its digits. Raises PartError where it leaves the table."""
-        if block.preparatory != _READ_Z:
+        """A block typed with all its digits. Raises WorkError where it leaves the table."""
+        if block.preparatory != Preparatory.READ_Z:
             self._on_table(block.x, block.y, block.sequence)
         self._lines.append(f"{block.digits}\n")
 
@@ -67,7 +66,7 @@ class Printout:
         tool: SupportsInt,
         miscellaneous: SupportsInt,
     ) -> None:
-        """PRINT 30: a block of the contour. Raises PartError where `x`, `y` is off the table."""
+        """PRINT 30: a block of the contour. Raises WorkError where `x`, `y` is off the table."""
         x, y = self._on_table(x, y, int(sequence))
         self._lines.append(
             FORMAT_30.line(sequence, preparatory, x, y, tool, miscellaneous, overflow=self._overflow)
@@ -78,55 +77,53 @@ class Printout:
         x, y = int(x), int(y)
         for axis, value, travel in (("X", x, X_TRAVEL), ("Y", y, Y_TRAVEL)):
             if not 0 <= value <= travel:
-                raise PartError(
-                    f"block {sequence:03}: {axis} {value} leaves the table, whose travel is 0 to {travel} "
-                    "thousandths of an inch"
+                raise WorkError(
+                    f"block {sequence:03}: {axis} {value} leaves the table: 0 to {travel} thousandths of an "
+                    "inch"
                 )
         return x, y
 
 
 def check_feed(code: int) -> None:
-    """Raise PartError for a feed that Table 2.4 does not have."""
+    """Raise WorkError for a feed code that is not in Table 2.4."""
     if code not in XY_FEED:
-        raise PartError(f"feed code {code} is not in Table 2.4, 1 to {max(XY_FEED)}")
+        raise WorkError(f"feed code {code} is not in Table 2.4: 1 to {max(XY_FEED)}")
 
 
-def check_codes(sequence: int, preparatory: int, feed: int, *functions: int) -> None:
-    """Raise PartError for a first sequence number, or a code, that the machine does not have."""
+def check_codes(sequence: int, preparatory: int, *functions: int) -> None:
+    """Raise WorkError for a first sequence number or a code that the machine does not have."""
     if not 0 <= sequence <= LAST_SEQUENCE:
-        raise PartError(f"sequence number {sequence} has not three digits, 0 to {LAST_SEQUENCE}")
+        raise WorkError(f"sequence number {sequence}: must be 0 to {LAST_SEQUENCE}")
     if preparatory not in PREPARATORY:
-        raise PartError(f"preparatory function {preparatory} is not in Table 2.3")
-    check_feed(feed)
+        raise WorkError(f"preparatory function {preparatory} is not in Table 2.3")
     for function in functions:
         if function not in MISCELLANEOUS:
-            raise PartError(f"miscellaneous function {function} is not in Table 2.3")
+            raise WorkError(f"miscellaneous function {function} is not in Table 2.3")
 
 
 def check_band(name: str, size: float, inner: float, outer: float) -> None:
-    """Raise PartError unless `size` is a curve's and its limits are two thousandths or more apart."""
+    """Raise WorkError unless `size` is positive and its limits are two thousandths or more apart."""
     if not (isfinite(size) and isfinite(inner) and isfinite(outer)):
-        raise PartError(f"{name} {size:g} between {inner:g} and {outer:g} is no curve")
+        raise WorkError(f"{name} {size:g} between {inner:g} and {outer:g}: must be finite numbers")
     if size <= 0:
-        raise PartError(f"{name} {size:g} is no size of a curve: it must be greater than 0")
+        raise WorkError(f"{name} {size:g}: must be greater than 0")
     if inner <= 0:
-        raise PartError(
-            f"the tolerance is larger than the curve: {name} {size:g} has an inner limit of {inner:g}"
+        raise WorkError(
+            f"{name} {size:g} has an inner limit of {inner:g}: the tolerance must be smaller than the curve"
         )
     if outer > X_TRAVEL:
-        raise PartError(
-            f"the outer limit of {name} {size:g}, {outer:g}, is larger than the table, {X_TRAVEL}"
-        )
+        raise WorkError(f"{name} {size:g} has an outer limit of {outer:g}: the table is {X_TRAVEL}")
     if outer - inner < 2:
-        raise PartError(
+        raise WorkError(
             f"{name} {size:g} between {inner:g} and {outer:g}: a tolerance must be 1 or more, the machine's "
             "resolution (lengths here are thousandths of an inch)"
         )
 
 
 def check_start(x: float, y: float, furthest_x: float, furthest_y: float) -> None:
-    """Raise PartError for a contour that starts outside its first quadrant, or outside its outer limit."""
+    """Raise WorkError for a contour that starts outside its first quadrant, or outside its outer limit."""
     if not (0 <= x <= furthest_x and 0 <= y <= furthest_y):
-        raise PartError(
-            f"the contour cannot start {x:g}, {y:g} from the centre: that is outside its first quadrant"
+        raise WorkError(
+            f"start {x:g}, {y:g} from the centre: must be in the first quadrant, at most {furthest_x:g}, "
+            f"{furthest_y:g}"
         )

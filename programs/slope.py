@@ -1,6 +1,6 @@
 """A slope of any angle, which the machine alone cannot mill (Chapter 3, Figures 3.1 to 3.3).
 
-The default is the chapter's: 30 degrees to the X axis, 5 inches long, +-.005. Where it lies on the table is
+The default is that of the chapter: 30 degrees to the X axis, 5 inches long, +-.005. Its place on the table is
 our choice.
 
 Source: thesis, Chapter 3.
@@ -8,12 +8,13 @@ Source: thesis, Chapter 3.
 
 from typing import Annotated
 
-from programs.contour import Fastest, FeedCode, FeedError, TechniqueName, mill, thousandths, tolerance_units
-from programs.errors import PartError
 from programs.format import Overflow
 from programs.header import THESIS, Header
+from programs.milling import SLOWEST, Milling
 from programs.printout import Printout
 from programs.stretches import Point, line
+from programs.units import thousandths, tolerance_units
+from tapes.errors import WorkError
 
 
 def part(
@@ -23,20 +24,19 @@ def part(
     to_x: Annotated[float, "X where it ends"] = 8.33,
     to_y: Annotated[float, "Y where it ends"] = 6.5,
     tolerance: Annotated[float, "half the width of the band, at right angles to the slope"] = 0.005,
-    technique: TechniqueName = "step",
-    feed: FeedCode = 1,
-    fastest: Fastest = 5,
-    feed_error: FeedError = 0.2,
+    milling: Milling = SLOWEST,
     header: Header = THESIS,
     overflow: Overflow = "low-digits",
 ) -> str:
-    """Return the printout of a slope between two points; lengths are inches. Raises PartError."""
+    """Return the printout of a slope between two points; lengths are inches. Raises WorkError."""
     start = Point(thousandths("X", from_x), thousandths("Y", from_y))
     end = Point(thousandths("X", to_x), thousandths("Y", to_y))
     if start == end:
-        raise PartError(f"a slope from X {from_x:g} Y {from_y:g} to the same place is no slope")
+        raise WorkError(
+            f"slope from X {from_x:g} Y {from_y:g} to the same point: it needs two different ends"
+        )
     curve = line(start, end, tolerance_units(tolerance))
     printout = Printout(overflow)
     printout.header(header, *start)
-    mill(printout, curve, technique, feed, fastest, feed_error)
+    milling.print(printout, curve)
     return printout.text

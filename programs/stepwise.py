@@ -15,8 +15,8 @@ Source: thesis, Chapter 3, Figures 3.3 to 3.5.
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from programs.errors import PartError
 from programs.stretches import Axis, Curve, Point, Stretch
+from tapes.errors import WorkError
 
 _OTHER: dict[Axis, Axis] = {"X": "Y", "Y": "X"}
 
@@ -45,8 +45,8 @@ def cuts(curve: Curve) -> Iterator[Cut]:
 def staircase(start: Point, axis: Axis, stretches: Iterable[Stretch]) -> Iterator[Cut]:
     """Yield the cuts from `start`, the first along `axis`, until the last of `stretches` ends.
 
-    A cut in which the last stretch ends is not finished, and not among them. Raises PartError where a band
-    lets no cut begin.
+    The cut in which the last stretch ends is left out. Raises WorkError where a band is too narrow for a
+    cut.
     """
     at = done = start
     for stretch in stretches:
@@ -56,7 +56,9 @@ def staircase(start: Point, axis: Axis, stretches: Iterable[Stretch]) -> Iterato
             if ended:
                 break
             if at == done and idle:
-                raise PartError(f"at X {at.x / 1000:.3f} Y {at.y / 1000:.3f} the band lets no cut begin")
+                raise WorkError(
+                    f"at X {at.x / 1000:.3f} Y {at.y / 1000:.3f} the band is too narrow for a cut"
+                )
             idle = at == done
             if not idle:
                 yield Cut(axis, at)
@@ -65,7 +67,7 @@ def staircase(start: Point, axis: Axis, stretches: Iterable[Stretch]) -> Iterato
 
 
 def _cut(stretch: Stretch, axis: Axis, at: Point) -> tuple[Point, bool]:
-    """Where a cut along `axis` from `at` stops, and whether the stretch ended there."""
+    """Return where a cut along `axis` from `at` stops, and whether the stretch ended there."""
     x, y = at
     taken = 0
     while not stretch.ends(axis, x, y):

@@ -1,16 +1,16 @@
-"""Curves cut into stretches along which X and Y each go one way, every one inside its band.
+"""Curves split into stretches along which X and Y each go in one direction, each with its band.
 
     line       from a point to a point              band: within E of it, at right angles
-    oval       an ellipse or circle, whole          band: between two ellipses
-    arc        of a circle, either way round        band: radius +- E, split at 12, 3, 6 and 9 o'clock
+    oval       a whole ellipse or circle            band: between two ellipses
+    arc        of a circle, either way round        band: radius +- E, split at 0, 90, 180 and 270 degrees
     graph      y = f(x), its values at each .001    band: f(x) +- E, split at its turning points (Chapter 6)
 
-    a stretch           the turning point   .-->--.   last_x: there the stretch ends, in the middle of a cut
-    of a graph                            .'   |   '.          along X that the next stretch goes on with
+    a stretch           the turning point   .-->--.   last_x: here the stretch ends, within a cut along X
+    of a graph                            .'   |   '.          that continues in the next stretch
                                          /     |     \\
                                      rising  last_x  falling
 
-Lengths are thousandths of an inch; the cutter's stops are whole ones, a band may be asked about any point.
+Lengths are thousandths of an inch; a stop of the cutter is a whole number of them.
 
 Sources: thesis, Chapter 3, Figures 3.3 to 3.5, and Chapter 6.
 """
@@ -21,7 +21,7 @@ from itertools import pairwise
 from math import ceil, cos, dist, floor, hypot, radians, sin
 from typing import Any, Literal, NamedTuple
 
-from programs.errors import PartError
+from tapes.errors import WorkError
 
 Axis = Literal["X", "Y"]
 Limits = tuple[float, float]
@@ -36,9 +36,9 @@ class Point(NamedTuple):
 
 @dataclass(frozen=True)
 class Stretch:
-    """A piece of a curve along which X goes one way (`dx`: 1, -1 or 0) and Y one way (`dy`).
+    """A piece of a curve along which X has one direction (`dx`: 1, -1 or 0) and Y has one (`dy`).
 
-    It ends where a cut along X comes to `last_x`, or one along Y to `last_y`.
+    It ends where a cut along X reaches `last_x`, or one along Y reaches `last_y`.
     """
 
     dx: int
@@ -48,10 +48,10 @@ class Stretch:
     last_y: int | None = None
 
     at_least = 0
-    """Thousandths that a cut takes before it is asked whether it is over."""
+    """The shortest cut, thousandths."""
 
     def ends(self, axis: Axis, x: int, y: int) -> bool:
-        """Whether the stretch ends where a cut along `axis` has come to `x`, `y`."""
+        """Whether the stretch ends where a cut along `axis` has reached `x`, `y`."""
         return x == self.last_x if axis == "X" else y == self.last_y
 
     def over(self, axis: Axis, x: int, y: int) -> bool:
@@ -62,7 +62,7 @@ class Stretch:
 
 
 class Curve(NamedTuple):
-    """What a technique interpolates: where it starts, its stretches in order, where it ends."""
+    """What a technique interpolates: its start, its stretches in order, its end."""
 
     start: Point
     stretches: tuple[Stretch, ...]
@@ -70,7 +70,7 @@ class Curve(NamedTuple):
 
 
 def line(start: Point, end: Point, tolerance: float) -> Curve:
-    """Return the straight line between two points. Raises PartError for too small a tolerance."""
+    """Return the straight line between two points. Raises WorkError for a tolerance out of range."""
     check_tolerance(tolerance, dist(start, end))
     across, up = end.x - start.x, end.y - start.y
     if not across or not up:
@@ -86,10 +86,10 @@ def line(start: Point, end: Point, tolerance: float) -> Curve:
 def arc(centre: Point, radius: float, start: float, sweep: float, tolerance: float) -> Curve:
     """Return the arc about `centre` from angle `start` through `sweep`, degrees counterclockwise.
 
-    Raises PartError for a radius or tolerance that makes none.
+    Raises WorkError for a radius that is not positive, or a tolerance out of range.
     """
     if radius <= 0:
-        raise PartError(f"radius {radius:g} is no size of an arc: it must be greater than 0")
+        raise WorkError(f"radius {radius:g} of an arc: must be greater than 0")
     check_tolerance(tolerance, radius)
     inner, outer = (radius - tolerance) ** 2, (radius + tolerance) ** 2
 
@@ -146,7 +146,7 @@ def oval(centre: Point, major: int, inner: Limits, outer: Limits) -> Curve:
 def graph(first_x: int, lower: Sequence[Any], upper: Sequence[Any]) -> Curve:
     """Return the curve between two limits, given by their Y at `first_x` and at each thousandth after it.
 
-    Its turning points are found first, as Chapter 6 has it. Raises PartError where it is too steep for its
+    Its turning points are found first, as in Chapter 6. Raises WorkError where it is too steep for its
     band.
     """
     middle = [(float(low) + float(high)) / 2 for low, high in zip(lower, upper, strict=True)]
@@ -179,7 +179,7 @@ def graph(first_x: int, lower: Sequence[Any], upper: Sequence[Any]) -> Curve:
 
 
 def turning_points(heights: Sequence[float]) -> list[int]:
-    """Return the indices where a table of heights stops rising and falls, or the other way round."""
+    """Return the indices where a table of heights changes from rising to falling or back."""
     turns = []
     way = 0
     for place, (here, there) in enumerate(pairwise(heights)):
@@ -191,22 +191,22 @@ def turning_points(heights: Sequence[float]) -> list[int]:
 
 
 def check_tolerance(tolerance: float, size: float) -> None:
-    """Raise PartError for a tolerance finer than the machine's resolution, or as large as the curve."""
+    """Raise WorkError for a tolerance finer than the machine's resolution, or as large as the curve."""
     if not tolerance >= 1:
-        raise PartError(
-            f"a tolerance of {tolerance / 1000:g} in is finer than the machine's resolution, .001 in"
+        raise WorkError(
+            f"tolerance {tolerance / 1000:g} in: must be .001 in, the machine's resolution, or more"
         )
     if tolerance >= size:
-        raise PartError(
-            f"a tolerance of {tolerance / 1000:g} in is larger than the curve, {size / 1000:g} in"
+        raise WorkError(
+            f"tolerance {tolerance / 1000:g} in: must be smaller than the curve, {size / 1000:g} in"
         )
 
 
 def _check_steepness(first_x: int, heights: Sequence[float], tolerance: float) -> None:
-    """A cut along X takes a thousandth at least, and must find the band still there."""
+    """Raise WorkError where the band moves past a point in one thousandth of X, the shortest cut."""
     for x, (here, there) in enumerate(pairwise(heights), first_x):
         if abs(there - here) > 2 * tolerance - 1:
-            raise PartError(
+            raise WorkError(
                 f"the curve is too steep for a tolerance of {tolerance / 1000:g} in: at X {x / 1000:.3f} "
                 f"of the table it moves {abs(there - here) / 1000:.3g} in along Y in a thousandth of X"
             )

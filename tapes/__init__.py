@@ -6,7 +6,7 @@ eia         EIA RS-244, the code of N/C machines
 rim         DEC's RIM loader format
 binary      DEC's BIN loader format
 octal       any tape spelled out as text
-kinds       telling a tape by its frames
+kinds       the kind of a tape, from its frames
 hydrapoint  what the digits of an EIA tape mean to the Moog Hydra-Point
 captions    what each frame says, in a few letters
 picture     a tape as text and as SVG in true geometry
@@ -15,6 +15,7 @@ measure     what can be said of a tape: its length, time, lines, checksum
 convert     from one code to another
 shelf       where files are found, read and written
 command     how every command ends
+expression  y = f(x) as a command takes it
 errors      what is raised when the work given is wrong
 cli         pdp8 tape
 """

@@ -1,16 +1,20 @@
-"""What a tape says to the Moog Hydra-Point 83-1000 MC: its block format and its codes.
+"""What a tape says to the Moog Hydra-Point 83-1000 MC: its block format, its codes and how its axes move.
 
     rows      1 2 3   4   5 ... 9   10 ... 14   15   16 17   18 19   20
             sequence prep    X          Y       res.  tool   misc.   end of block
               0 0 7   6   0 2 2 5 0  0 4 1 3 3   0    0 1     8 5     CR
 
-A block has 20 rows, told apart by position alone. Lengths are whole thousandths of an inch, the decimal point
-is never punched: X 02250 is 2.250 in. After preparatory function 9, X holds the Z feed point and Y the final
-depth. Table 2.4 goes to 44 in/min where the machine's specification says 40; the table is followed.
+A block has 20 rows; their position alone distinguishes them. Lengths are whole thousandths of an inch; the
+decimal point is not punched: X 02250 is 2.250 in. After preparatory function 9, X holds the Z feed point and
+Y the final depth. Table 2.4 goes to 44 in/min where the machine's specification says 40; the table is
+followed.
 
-Source: thesis (M. S. Wong, McMaster University, 1971), Chapter 2: specifications, Tables 2.3 and 2.4.
+Sources: thesis (M. S. Wong, McMaster University, 1971), Chapter 2: specifications, Tables 2.3 and 2.4;
+Chapter 3, Figure 3.1: two axes at their own feeds.
 """
 
+from enum import IntEnum
+from math import copysign
 from typing import Final, NamedTuple
 
 from tapes.errors import TextError
@@ -33,36 +37,89 @@ FEED_TOLERANCE: Final = 0.20
 CAROUSEL: Final = range(1, 25)
 """The tools of the automatic tool changer."""
 
-PREPARATORY: Final = {
-    0: "position",
-    1: "tap, feed control",
-    4: "peck",
-    5: "drill",
-    6: "mill",
-    7: "bore",
-    8: "tap, pitch control",
-    9: "read Z",
-}
-"""Preparatory functions, Table 2.3."""
+NEXT_TOOL: Final = 0
+"""The tool function of an automatic tool change that selects the tools in sequence."""
 
-MISCELLANEOUS: Final = {
-    0: "program stop",
-    2: "end of program",
-    6: "tool change, manual",
-    7: "flood coolant on",
-    8: "mist coolant on",
-    9: "coolant off",
-    80: "no change",
-    81: "partial retract on",
-    82: "partial retract off",
-    83: "index work piece",
-    84: "X feed rate",
-    85: "Y feed rate",
-    86: "tool change, automatic",
-    88: "spindle speed change",
-    89: "Z feed rate",
+
+class Preparatory(IntEnum):
+    """Preparatory functions, Table 2.3."""
+
+    POSITION = 0
+    TAP_FEED = 1
+    PECK = 4
+    DRILL = 5
+    MILL = 6
+    BORE = 7
+    TAP_PITCH = 8
+    READ_Z = 9
+
+
+PREPARATORY: Final[dict[int, str]] = {
+    Preparatory.POSITION: "position",
+    Preparatory.TAP_FEED: "tap, feed control",
+    Preparatory.PECK: "peck",
+    Preparatory.DRILL: "drill",
+    Preparatory.MILL: "mill",
+    Preparatory.BORE: "bore",
+    Preparatory.TAP_PITCH: "tap, pitch control",
+    Preparatory.READ_Z: "read Z",
 }
-"""Miscellaneous functions, Table 2.3."""
+"""What the preparatory functions do, in words."""
+
+HOLE_MAKING: Final = frozenset(PREPARATORY) - {Preparatory.POSITION, Preparatory.MILL, Preparatory.READ_Z}
+"""The preparatory functions that make a hole at one place."""
+
+
+class Miscellaneous(IntEnum):
+    """Miscellaneous functions, Table 2.3."""
+
+    PROGRAM_STOP = 0
+    END_OF_PROGRAM = 2
+    MANUAL_TOOL_CHANGE = 6
+    FLOOD_COOLANT = 7
+    MIST_COOLANT = 8
+    COOLANT_OFF = 9
+    NO_CHANGE = 80
+    PARTIAL_RETRACT_ON = 81
+    PARTIAL_RETRACT_OFF = 82
+    INDEX = 83
+    X_FEED = 84
+    Y_FEED = 85
+    TOOL_CHANGE = 86
+    SPINDLE_SPEED = 88
+    Z_FEED = 89
+
+
+MISCELLANEOUS: Final[dict[int, str]] = {
+    Miscellaneous.PROGRAM_STOP: "program stop",
+    Miscellaneous.END_OF_PROGRAM: "end of program",
+    Miscellaneous.MANUAL_TOOL_CHANGE: "tool change, manual",
+    Miscellaneous.FLOOD_COOLANT: "flood coolant on",
+    Miscellaneous.MIST_COOLANT: "mist coolant on",
+    Miscellaneous.COOLANT_OFF: "coolant off",
+    Miscellaneous.NO_CHANGE: "no change",
+    Miscellaneous.PARTIAL_RETRACT_ON: "partial retract on",
+    Miscellaneous.PARTIAL_RETRACT_OFF: "partial retract off",
+    Miscellaneous.INDEX: "index work piece",
+    Miscellaneous.X_FEED: "X feed rate",
+    Miscellaneous.Y_FEED: "Y feed rate",
+    Miscellaneous.TOOL_CHANGE: "tool change, automatic",
+    Miscellaneous.SPINDLE_SPEED: "spindle speed change",
+    Miscellaneous.Z_FEED: "Z feed rate",
+}
+"""What the miscellaneous functions do, in words."""
+
+STOPS: Final = frozenset(
+    {Miscellaneous.PROGRAM_STOP, Miscellaneous.END_OF_PROGRAM, Miscellaneous.MANUAL_TOOL_CHANGE}
+)
+"""The miscellaneous functions after which the machine waits for START."""
+
+COOLANT: Final[dict[int, str]] = {
+    Miscellaneous.FLOOD_COOLANT: "flood",
+    Miscellaneous.MIST_COOLANT: "mist",
+    Miscellaneous.COOLANT_OFF: "off",
+}
+"""The coolant that a miscellaneous function selects."""
 
 
 class Rates(NamedTuple):
@@ -157,15 +214,34 @@ def block(digits: str | bytes) -> Block:
     )
 
 
+def corner(
+    start: tuple[float, float], stop: tuple[float, float], x_speed: float, y_speed: float
+) -> tuple[float, float]:
+    """Return where the first axis to arrive leaves the other to go on alone (thesis, Figure 3.1).
+
+    X and Y start together, each at its own speed, greater than 0 for an axis that moves. Where one of them
+    does not move, this is the start; where both arrive together, it is the stop.
+    """
+    across, up = stop[0] - start[0], stop[1] - start[1]
+    if not across or not up:
+        return start
+    x_time, y_time = abs(across) / x_speed, abs(up) / y_speed
+    both = min(x_time, y_time)
+    return (
+        stop[0] if x_time <= y_time else start[0] + copysign(x_speed * both, across),
+        stop[1] if y_time <= x_time else start[1] + copysign(y_speed * both, up),
+    )
+
+
 def is_printed(text: str) -> bool:
-    """Tell whether `text` is a program as the thesis prints one, a block's digits apart for clarity."""
+    """Return whether `text` is a program as the thesis prints one, a block's digits apart for clarity."""
     lines = text.splitlines()
     digits_alone = all(line.replace(" ", "").isdecimal() for line in lines)
     return digits_alone and any(len(line) > DIGITS == len(line.replace(" ", "")) for line in lines)
 
 
 def check_printed(text: str) -> None:
-    """Raise TextError naming the first line of a printed program that has not the digits of a block."""
+    """Raise TextError naming the first line of a printed program that does not have the digits of a block."""
     at = 0
     for line in text.splitlines(keepends=True):
         digits = len(line.replace(" ", "").rstrip("\n"))

@@ -59,6 +59,13 @@ def duration(seconds: float) -> str:
     return f"{hours} h {said}" if hours else said
 
 
+def inches(thousandths: float) -> str:
+    """Return a length in thousandths of an inch as drawings give it, in inches: .0106, 1.2500, -.0046."""
+    whole, point, decimals = f"{thousandths / 1000:.4f}".partition(".")
+    sign, digits = ("-", whole[1:]) if whole.startswith("-") else ("", whole)
+    return f"{sign}{'' if digits == '0' else digits}{point}{decimals}"
+
+
 def _text(tape: bytes) -> Iterator[Row]:
     codes = tape.translate(frames.PARITIES["none"])
     returns, feeds = codes.count(ascii.CR), codes.count(ascii.LF)

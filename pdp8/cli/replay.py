@@ -7,17 +7,18 @@ from typing import TYPE_CHECKING
 import click
 
 from pdp8.cli.progress import Bar
+from programs.parts import PARTS
 from tapes import shelf
 
 if TYPE_CHECKING:
     from pdp8.replay import Act, Afternoon
 
-PARTS = ("circle", "ellipse", "polynomial", "slope", "die", "drill", "fluidic")
+REPLAYED = tuple(name for name, part in PARTS.items() if part.has_defaults)
 _GLANCE = 0.25  # seconds between two looks at the clock
 
 
 @click.command()
-@click.argument("part", type=click.Choice(PARTS), metavar="PART")
+@click.argument("part", type=click.Choice(REPLAYED), metavar="PART")
 @click.option(
     "--out", metavar="FOLDER", help="Where tapes, listings and pictures go.  [default: replay-PART]"
 )

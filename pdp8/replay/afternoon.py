@@ -13,16 +13,16 @@ Not emulated: the GE time-sharing service's own delays, the telephone line, a mi
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
-from importlib import import_module
 from time import perf_counter
-from typing import Final, NamedTuple
+from typing import Final
 
 import nc
 import pal
-from nc.curves import Cubic, Curve
+from nc.curves import nominal
 from nc.inspection import Inspection, inspect
 from pdp8.computer.machine import TICKS_PER_SECOND
 from pdp8.replay.operator import Deed, Operator
+from programs.parts import find
 from tapes import ascii, frames, rim, shelf
 from tapes.errors import WorkError
 
@@ -33,17 +33,6 @@ WALK_SECONDS, MOUNT_SECONDS, CLAMP_SECONDS, MEASURE_SECONDS = 60, 20, 180, 120
 """To the next room; a tape into a reader; a plate onto the table; one turn of the Talyrond. Ours."""
 
 FRAMES_PER_SECOND = 10
-
-
-class Meant(NamedTuple):
-    """The curve a part was to follow, None where inspection finds it, and half its band, in thousandths."""
-
-    curve: Curve | None = None
-    tolerance: float = 5
-
-
-MEANT: Final = {"polynomial": Meant(Cubic(4000, 6000, 0.2, 2, 6), 10)}
-"""What is no circle, ellipse or line of +-.005 in: Chapter 7's polynomial, its origin where we place it."""
 
 
 def clock(tick: int) -> str:
@@ -105,7 +94,6 @@ class Afternoon:
     programs: dict[str, pal.Assembly]
     path: nc.Path
     mill_starts: int
-    meant: Meant
     inspection: Inspection | None
     minutes: dict[str, float]
 
@@ -123,7 +111,7 @@ class _Day:
 
     def __init__(self, part: str, tell: Callable[[Act], object]) -> None:
         self.part = part
-        self.meant = MEANT.get(part, Meant())
+        self.entry = find(part)
         self.tell = tell
         self.operator = Operator()
         self.acts: list[Act] = []
@@ -149,7 +137,6 @@ class _Day:
             self.programs,
             path,
             mill_starts,
-            self.meant,
             inspection,
             self.minutes,
         )
@@ -163,7 +150,7 @@ class _Day:
         self.began = perf_counter()
 
     def _punch(self) -> None:
-        self.text = part_program(self.part)(**{})
+        self.text = self.entry.program()()
         tape = self.tapes[f"{self.part}.asc"] = ascii.encode(self.text)
         self.operator.wait(len(tape) / FRAMES_PER_SECOND)
         self.minutes["punch"] = len(tape) / FRAMES_PER_SECOND / 60
@@ -252,7 +239,9 @@ class _Day:
     def _inspect(self, path: nc.Path) -> Inspection | None:
         self.operator.wait(MEASURE_SECONDS)
         try:
-            inspection = inspect(path, self.meant.curve, tolerance=self.meant.tolerance)
+            inspection = inspect(
+                path, nominal(**self.entry.nominal), self.entry.cutter * 1000, self.entry.tolerance * 1000
+            )
         except WorkError as error:
             self._act(Kind.INSPECT, "Inspection", f"No instrument for this shape: {error}.", "not inspected")
             return None
@@ -275,15 +264,3 @@ class _Day:
     def _expect(self, met: bool, otherwise: str) -> None:
         if not met:
             raise WorkError(otherwise)
-
-
-def part_program(name: str) -> Callable[..., str]:
-    """Return the part program of that name: what takes its constants and returns its output.
-
-    Raises WorkError if there is none.
-    """
-    try:
-        program: Callable[..., str] = import_module(f"programs.{name}").part
-    except (ModuleNotFoundError, AttributeError) as error:
-        raise WorkError(f"{name}: no such part program") from error
-    return program

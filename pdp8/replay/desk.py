@@ -9,6 +9,7 @@ from nc.talyrond import talyrond
 from nc.talysurf import talysurf
 from pdp8.replay.afternoon import Afternoon
 from pdp8.replay.figures import compare
+from programs.parts import PARTS
 from tapes import picture
 
 PICTURED: Final = 240
@@ -36,9 +37,12 @@ def _pictures(afternoon: Afternoon) -> Iterator[tuple[str, str]]:
         name = f"{part}.{code}"
         tape = afternoon.tapes[name]
         yield f"{name}.svg", picture.svg(tape, {"asc": "ascii", "eia": "eia"}[code], 0, PICTURED)
-    inspection = afternoon.inspection
+    inspection, made = afternoon.inspection, PARTS[part]
     curve = inspection.curve if inspection else None
-    yield f"{part}.svg", plot(afternoon.path, curve, tolerance=afternoon.meant.tolerance)
+    yield (
+        f"{part}.svg",
+        plot(afternoon.path, curve, cutter=made.cutter * 1000, tolerance=made.tolerance * 1000),
+    )
     if inspection and inspection.curve.closed:
         yield "talyrond.svg", talyrond(inspection)
     elif inspection:

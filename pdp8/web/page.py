@@ -19,13 +19,14 @@ from typing import Any, Final
 import numpy as np
 
 import pal
-from nc.curves import Cubic, Curve
-from nc.path import Kind as Move
+from nc.curves import Curve, Graph
+from nc.path import MoveKind as Move
 from nc.talyrond import talyrond
 from nc.talysurf import talysurf
 from pdp8.computer.machine import TICKS_PER_SECOND
 from pdp8.replay.afternoon import OPENS, Act, Afternoon, Kind
 from pdp8.replay.figures import COLUMNS, compare
+from programs.parts import PARTS
 
 MODULES: Final = ("machine", "afternoon", "written", "tape", "cutter", "panel", "paper", "scene", "page")
 """The page's scripts, each after those it imports from."""
@@ -183,22 +184,23 @@ def _mill(afternoon: Afternoon) -> dict[str, Any]:
             now += move.seconds * TICKS_PER_SECOND
             knots.append([round(now), move.end.x, move.end.y, move.kind in _CUTTING])
     curve = afternoon.inspection.curve if afternoon.inspection else None
+    made = PARTS[afternoon.part]
     return {
         "blocks": blocks,
         "path": knots,
-        "diameter": 500,
+        "diameter": made.cutter * 1000,
         "closed": curve is not None and curve.closed,
-        "band": _band(curve, afternoon.meant.tolerance),
+        "band": _band(curve, made.tolerance * 1000),
     }
 
 
 def _band(curve: Curve | None, tolerance: float) -> dict[str, Any] | None:
-    """Return the curve that was meant and the two limits of its band, as closed or open outlines."""
+    """Return the nominal curve and the two limits of its band, as closed or open outlines."""
     if curve is None:
         return None
     stations = curve.stations(_CURVE_POINTS)
-    # A polynomial's band is measured along Y (thesis, Chapter 6), any other square to the curve.
-    way = np.array([0.0, 1.0]) if isinstance(curve, Cubic) else stations.normals
+    # A function's band is measured along Y (thesis, Chapter 6), any other square to the curve.
+    way = np.array([0.0, 1.0]) if isinstance(curve, Graph) else stations.normals
     outlines = {}
     for name, offset in (("inner", -tolerance), ("nominal", 0), ("outer", tolerance)):
         points = (stations.points + offset * way).round(1).tolist()

@@ -73,8 +73,8 @@ def test_nothing_punched_is_no_tape(length: int) -> None:
         ("001 0 20000 10001 0 00 80", 10, "Y 10.001 is beyond the travel of 10 in"),
         ("001 9 05001 05001 0 01 89", 5, "Z feed point 5.001 is beyond the travel of 5 in"),
         ("001 9 05000 05001 0 01 89", 10, "final depth 5.001 is beyond the travel of 5 in"),
-        ("001 9 03000 02999 0 01 89", 10, "final depth 2.999 lies above the Z feed point 3.000"),
-        ("001 0 00000 00000 1 00 80", 15, "the reserved digit is 1; it is always zero"),
+        ("001 9 03000 02999 0 01 89", 10, "final depth 2.999 is above the Z feed point 3.000"),
+        ("001 0 00000 00000 1 00 80", 15, "the reserved digit is 1; it must be 0"),
         ("001 0 00000 00000 0 00 01", 18, "unknown miscellaneous function 01"),
         ("001 0 00000 00000 0 00 87", 18, "unknown miscellaneous function 87"),
         ("001 0 00000 00000 0 00 84", 16, "unknown X feed code 00"),
@@ -184,9 +184,9 @@ class TestStrict:
         [
             (0o000, "a blank row within the block"),
             (0o003, "wrong parity: 003 has 2 holes, EIA frames have an odd number"),
-            (0o141, "141 is no EIA digit"),
-            (0o020, "020 is no EIA digit"),
-            (0o177, "15 is no decimal digit: 177"),
+            (0o141, "141 is not an EIA digit"),
+            (0o020, "020 is not an EIA digit"),
+            (0o177, "177 is 15, not a decimal digit"),
             (0o203, "an end of block with digit holes beside it: 203"),
         ],
     )

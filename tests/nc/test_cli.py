@@ -100,14 +100,14 @@ def test_the_polynomial_against_its_band(shell: Shell) -> None:
     frames = tape(*printed.replace(" ", "0").split())
     line = "pdp8 nc inspect --polynomial 4,6,0.2,2,6 --tolerance 0.01 --cutter 0.125"
     said = product(shell, line, frames)
-    assert "polynomial y = 0.2 x (x - 2) (x - 6), origin X 4.000 Y 6.000" in said
+    assert "y = 0.2*x*(x-2)*(x-6), x from 0 to 6, origin X 4.000 Y 6.000" in said
     assert float(said.split("worst trough to peak ")[1].split()[0]) < 0.0215
 
 
 @pytest.mark.parametrize("command", ["list", "plot"])
 def test_bad_tapes(shell: Shell, command: str) -> None:
     line = f"pdp8 nc {command}"
-    assert complaint(shell, line) == "pdp8: standard input: no row is punched: there is no tape to read"
+    assert complaint(shell, line) == "pdp8: standard input: no row is punched: the tape is empty or blank"
     assert complaint(shell, f"{line} no.eia").startswith("pdp8: no.eia: no such file")
     end = "block 666, row 13: the tape ends after 13 rows of the block's 20"
     assert complaint(shell, line, CIRCLE[:-7]) == f"pdp8: standard input: frame 13313: {end}"
@@ -156,6 +156,9 @@ def test_strict_reads_parity(shell: Shell) -> None:
         "inspect circle.eia --circle 4,4",
         "inspect circle.eia --circle 4,4,1 --line 1,1,2,2",
         "inspect circle.eia --tolerance inf",
+        "inspect circle.eia --function x",
+        "inspect circle.eia --range 0,1",
+        "inspect circle.eia --function x --range 0",
         "list circle.eia --peck 0",
         "export circle.eia",
         "export circle.eia --gcode --dxf",
@@ -168,18 +171,22 @@ def test_misuse(line: str) -> None:
 
 
 def test_misuse_from_the_shell(shell: Shell) -> None:
-    assert complaint(shell, "pdp8 nc export circle.eia", status=2) == "Error: say --gcode or --dxf"
+    assert complaint(shell, "pdp8 nc export circle.eia", status=2) == "Error: give one of --gcode and --dxf"
 
 
 @pytest.mark.parametrize(
     ("line", "says"),
     [
         ("plot circle.eia --block 667", "block 667: the tape has blocks 1 to 666"),
-        ("inspect circle.eia --circle 15,5,1", "the cutter never came near the curve"),
+        ("inspect circle.eia --circle 15,5,1", "the cutter did not reach the curve"),
         ("inspect circle.eia --circle 4,4,0", "greater than 0"),
-        ("inspect circle.eia --polynomial 1,1,1,1,0", "greater than 0"),
+        ("inspect circle.eia --polynomial 1,1,1,1,0", "from 0 to 0: must go from less to more"),
+        ("inspect circle.eia --function y --range 0,1", "column 1: 'y'"),
         ("inspect circle.eia --line 1,1,1,1", "two different ends"),
-        ("inspect circle.eia --talysurf a.svg --stretch 50,60", "no stretch of it from 50.000 to 60.000"),
+        (
+            "inspect circle.eia --talysurf a.svg --stretch 50,60",
+            "stretch from 50.000 to 60.000: the curve runs from 0 to",
+        ),
         ("plot .", "."),
         ("plot circle.eia -o nowhere/a.svg", "nowhere/a.svg: No such file or directory"),
         ("plot circle.eia > /dev/full", "No space left on device"),

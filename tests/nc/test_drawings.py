@@ -7,7 +7,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 import nc
-from nc.curves import Ellipse, Line
+from nc.curves import Ellipse, StraightLine
 from nc.inspection import inspect
 from nc.plot import plot
 from nc.talyrond import talyrond
@@ -49,7 +49,7 @@ def drawings() -> dict[str, str]:
         "talyrond, ellipse": talyrond(inspect(ellipse)),
         "talyrond, small cutter": talyrond(inspect(circle, cutter=20)),
         "talysurf, circle": talysurf(inspect(circle)),
-        "talysurf, slope": talysurf(inspect(nc.cut(slope), Line(2250, 4000, 2350, 4030))),
+        "talysurf, slope": talysurf(inspect(nc.cut(slope), StraightLine(2250, 4000, 2350, 4030))),
     }
 
 
@@ -111,7 +111,7 @@ def test_the_close_view_stands_about_the_current_block() -> None:
 
 
 def test_the_contour_does_not_close_and_the_picture_says_so() -> None:
-    assert "the contour ends 0.156 in from where it began" in words(DRAWINGS["circle"])
+    assert "the contour ends 0.156 in from its start" in words(DRAWINGS["circle"])
 
 
 def test_no_such_block() -> None:
@@ -130,8 +130,8 @@ def test_the_talyrond_magnifies_100_times_as_figure_7_2() -> None:
 
 def test_the_talyrond_takes_round_work_only() -> None:
     slope = nc.cut(tape(*HEADER, *milling([(2250, 4003), (2300, 4003)], (2250, 4000))))
-    with pytest.raises(WorkError, match="take the Talysurf"):
-        talyrond(inspect(slope, Line(2250, 4000, 2300, 4003)))
+    with pytest.raises(WorkError, match="use the Talysurf"):
+        talyrond(inspect(slope, StraightLine(2250, 4000, 2300, 4003)))
 
 
 def test_the_talysurf_says_the_roughness_of_its_stretch() -> None:
@@ -142,7 +142,7 @@ def test_the_talysurf_says_the_roughness_of_its_stretch() -> None:
 
 def test_a_stretch_beyond_the_curve_is_refused() -> None:
     found = inspect(nc.cut(CIRCLE))
-    with pytest.raises(WorkError, match="no stretch of it from 20"):
+    with pytest.raises(WorkError, match="stretch from 20"):
         talysurf(found, (20_000, 21_000))
 
 

@@ -18,7 +18,7 @@ from nc.curves import Ellipse
 from nc.dxf import dxf
 from nc.gcode import gcode
 from nc.machine import Settings
-from nc.path import Kind, Point
+from nc.path import MoveKind, Position
 from tapes import shelf
 from tapes.errors import WorkError
 from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, tape
@@ -40,13 +40,13 @@ TAPES = {
 }
 
 
-def signed(point: Point) -> tuple[float, float, float]:
+def signed(point: Position) -> tuple[float, float, float]:
     return point.x / 1000, point.y / 1000, -point.z / 1000
 
 
 def travelled(path: nc.Path) -> list[tuple[bool, tuple[float, float, float]]]:
     """Return for each move whether it is at a feed, and where it ends in inches."""
-    feeds = (Kind.MILL, Kind.FEED_IN, Kind.FEED_OUT)
+    feeds = (MoveKind.MILL, MoveKind.FEED_IN, MoveKind.FEED_OUT)
     return [(move.kind in feeds, signed(move.end)) for move in path.moves]
 
 

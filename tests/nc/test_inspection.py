@@ -9,8 +9,9 @@ from shapely.geometry import Point as Disc
 from shapely.geometry.base import BaseGeometry
 
 import nc
-from nc.curves import Cubic, Curve, Ellipse, Floats, Line, Stations, fitted
+from nc.curves import Curve, Ellipse, Floats, Graph, Stations, StraightLine, fitted
 from nc.inspection import Inspection, inspect, runs, segments, walls
+from nc.report import inspection_report
 from tapes import shelf
 from tapes.errors import WorkError
 from tests.nc.tapes_1971 import CIRCLE, HEADER, milling, staircase, tape
@@ -30,14 +31,14 @@ def reading(inspection: Inspection, place: str, wall: str) -> float:
 
 
 def test_a_straight_cut_leaves_walls_a_radius_away() -> None:
-    found = walls(np.array([[0.0, 0, 1000, 0]]), Line(0, 0, 1000, 0).stations(11), radius=250)
+    found = walls(np.array([[0.0, 0, 1000, 0]]), StraightLine(0, 0, 1000, 0).stations(11), radius=250)
     assert found.outer == pytest.approx(0, abs=1e-9)
     assert found.inner == pytest.approx(0, abs=1e-9)
 
 
 def test_a_single_plunge_leaves_a_hole() -> None:
     """Stations along a line through a hole of radius 50: walls at its chord, nothing beyond it."""
-    found = walls(np.array([[0.0, 0, 0, 0]]), Line(-60, 0, 60, 0).stations(13), radius=50)
+    found = walls(np.array([[0.0, 0, 0, 0]]), StraightLine(-60, 0, 60, 0).stations(13), radius=50)
     chord = [np.sqrt(2500 - x * x) for x in range(-50, 51, 10)]
     assert found.outer[1:-1] == pytest.approx(np.array(chord) - 50)
     assert found.inner[1:-1] == pytest.approx(50 - np.array(chord))
@@ -46,7 +47,9 @@ def test_a_single_plunge_leaves_a_hole() -> None:
 
 def test_one_step_leaves_a_cusp_where_the_discs_meet() -> None:
     """Two corners (0, 0) and (80, 0) with nothing milled between: walls meet at 40, sqrt(50² - 40²) high."""
-    found = walls(np.array([[0.0, 0, 0, 0], [80, 0, 80, 0]]), Line(0, 0, 80, 0).stations(81), radius=50)
+    found = walls(
+        np.array([[0.0, 0, 0, 0], [80, 0, 80, 0]]), StraightLine(0, 0, 80, 0).stations(81), radius=50
+    )
     assert found.outer.min() == pytest.approx(30 - 50)
     assert found.outer.argmin() == 40
 
@@ -141,7 +144,7 @@ def test_what_the_cutter_never_reached_is_said() -> None:
     quarter = nc.cut(tape(*HEADER, *milling(staircase(1750, 5), (2250, 4000))[:165]))
     found = inspect(quarter, curve=THE_CIRCLE)
     assert 0.7 < found.uncut < 0.75
-    with pytest.raises(WorkError, match="never came near"):
+    with pytest.raises(WorkError, match="did not reach"):
         inspect(quarter, curve=Ellipse(15000, 5000, 1000, 1000))
 
 
@@ -153,8 +156,8 @@ class TestCurves:
         [
             THE_CIRCLE,
             Ellipse(4000, 4000, 3000, 2250),
-            Line(500, 900, 7000, 2000),
-            Cubic(4000, 6000, 0.2, 2, 6),
+            StraightLine(500, 900, 7000, 2000),
+            Graph(4000, 6000, "0.2*x*(x-2)*(x-6)", 0, 6),
         ],
         ids=str,
     )
@@ -169,7 +172,7 @@ class TestCurves:
 
     @pytest.mark.parametrize(
         "curve",
-        [Ellipse(4100, 3900, 700, 700), Ellipse(9000, 4000, 3000, 1500), Line(500, 900, 7000, 2000)],
+        [Ellipse(4100, 3900, 700, 700), Ellipse(9000, 4000, 3000, 1500), StraightLine(500, 900, 7000, 2000)],
         ids=str,
     )
     def test_the_curve_is_found_again(self, curve: Curve) -> None:
@@ -179,7 +182,7 @@ class TestCurves:
 
     def test_what_follows_no_curve_is_none(self) -> None:
         assert fitted(np.array([[0.0, 0], [1000, 0], [1000, 700], [0, 700], [500, 100]]), within=20) is None
-        with pytest.raises(WorkError, match="name the curve"):
+        with pytest.raises(WorkError, match="name the nominal curve"):
             inspect(nc.cut(tape(*HEADER, "007 6 02250 08000 0 01 85", "008 6 09000 08000 0 01 84")))
 
     def test_the_ellipse_of_the_thesis(self) -> None:
@@ -193,3 +196,18 @@ def test_a_graph_goes_through_every_turning_point() -> None:
     kept = [run.tolist() for run in runs(deviation, closed=False, every=100)]
     assert {0, 1, 12, 13} <= set(kept[0])
     assert kept[1] == [15, 16, 17]
+
+
+def test_lengths_of_10_inches_and_more_are_written_whole() -> None:
+    """A cut at X 18.5 in inspected against a line at X 8: its centre is 10.5 in off."""
+    cut = nc.cut(
+        tape(
+            *HEADER[2:3],
+            "004 9 03000 03500 0 01 89",
+            "005 0 18500 01000 0 00 80",
+            "006 6 18500 03000 0 01 85",
+        )
+    )
+    found = inspect(cut, StraightLine(8000, 0, 8000, 9000), cutter=40_000)
+    said = "\n".join(inspection_report(found))
+    assert "its centre stayed within 10.5000 inside" in said

@@ -4,7 +4,7 @@ import nc
 from nc.inspection import inspect
 from nc.listing import does, in_force, lines
 from nc.machine import Settings
-from nc.report import cut_report, inspection_report, thousandths
+from nc.report import cut_report, inspection_report
 from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, tape
 
 
@@ -86,7 +86,7 @@ def test_the_day_with_the_circle() -> None:
         "blocks        666",
         "stop          block 1: end of program, waits for START",
         "milled        13.861 in, 660 blocks",
-        "milling ends  X 2.251 Y 3.844, 0.156 in from where it began",
+        "milling ends  X 2.251 Y 3.844, 0.156 in from its start",
         "reading          22.2 min   666 blocks at 2 s",
         "milling          13.9 min   at 1 in/min",
         "tool changes      0.0 min   1, time not counted",
@@ -119,7 +119,3 @@ def test_the_inspection_stands_beside_the_thesis() -> None:
 
 def test_other_parts_have_no_thesis_beside_them() -> None:
     assert "thesis" not in "\n".join(inspection_report(inspect(nc.cut(CIRCLE), cutter=250)))
-
-
-def test_lengths_are_written_as_on_drawings() -> None:
-    assert [thousandths(length) for length in (0, 0.7, 10.6, 1250)] == [".0000", ".0007", ".0106", "1.2500"]

@@ -3,10 +3,10 @@
 import pytest
 
 from programs import drill
-from programs.errors import PartError
 from programs.format import Format, Overflow
 from programs.header import Header
 from programs.printout import FORMAT_10, FORMAT_30
+from tapes.errors import WorkError
 from tapes.hydrapoint import block
 
 
@@ -59,7 +59,7 @@ def test_the_six_blocks_of_the_header_decoded() -> None:
     ],
 )
 def test_a_header_that_the_machine_does_not_have(keywords: dict[str, int], named: str) -> None:
-    with pytest.raises(PartError, match=named):
+    with pytest.raises(WorkError, match=named):
         Header(**keywords)
 
 
@@ -76,10 +76,10 @@ def test_the_drilling_tape_is_chapter_3s() -> None:
 
 
 def test_a_hole_off_the_table_is_refused_with_its_block() -> None:
-    with pytest.raises(PartError, match="block 004: Y 10001"):
+    with pytest.raises(WorkError, match="block 004: Y 10001"):
         drill.part(holes=((1, 1), (2, 10.001)))
 
 
 def test_a_hole_between_thousandths_is_refused() -> None:
-    with pytest.raises(PartError, match="no whole number"):
+    with pytest.raises(WorkError, match="must be a whole number"):
         drill.part(holes=((1.0005, 1),))

@@ -8,10 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from programs import curve, polynomial
-from programs.errors import PartError
-from programs.expression import function
 from programs.function import Range, offset_path
 from programs.stepwise import cuts
+from tapes.errors import WorkError
+from tapes.expression import function
 from tests.programs.printouts import milled
 
 
@@ -62,14 +62,14 @@ def test_an_expression_means_what_it_says(text: str, x: float, y: float) -> None
     ],
 )
 def test_nothing_else_can_be_said(text: str) -> None:
-    with pytest.raises(PartError):
+    with pytest.raises(WorkError):
         function(text)
 
 
 def test_the_column_of_what_is_not_known_is_named() -> None:
-    with pytest.raises(PartError, match="column 5: 'y' is not"):
+    with pytest.raises(WorkError, match="column 5: 'y' is not"):
         function("x + y")
-    with pytest.raises(PartError, match=r"written \*\*"):
+    with pytest.raises(WorkError, match=r"written \*\*"):
         function("x^2")
 
 
@@ -86,13 +86,13 @@ def test_the_column_of_what_is_not_known_is_named() -> None:
     ],
 )
 def test_where_it_has_no_value_the_place_is_named(text: str, x: float) -> None:
-    with pytest.raises(PartError, match=f"at x = {x:g}"):
+    with pytest.raises(WorkError, match=f"at x = {x:g}"):
         function(text)(x)
 
 
 @given(st.text(alphabet="x0123456789.+-*/() e", max_size=30))
 def test_any_text_is_a_function_or_refused(text: str) -> None:
-    with suppress(PartError):
+    with suppress(WorkError):
         assert isfinite(function(text)(1.5))
 
 
@@ -122,7 +122,7 @@ def test_the_centre_is_on_the_normal_of_equation_3() -> None:
 def test_a_cutter_tighter_than_the_curve_is_refused_where_it_is_too_big() -> None:
     """x**2/4 has its tightest place, a radius of 2, at x = 0."""
     assert curve.part("x**2/4", from_=-2, to=2, cutter=3.9, tolerance=0.01)
-    with pytest.raises(PartError, match=r"too big: at x = -?0\."):
+    with pytest.raises(WorkError, match=r"too big: at x = -?0\."):
         curve.part("x**2/4", from_=-2, to=2, cutter=4.4, tolerance=0.01)
     assert curve.part("x**2/4", from_=-2, to=2, cutter=4.4, side="below", tolerance=0.01, origin_x=6)
 

@@ -8,6 +8,7 @@ import pytest
 
 from programs import circle, ellipse
 from programs.arithmetic import ARITHMETICS
+from programs.milling import Milling
 from tests.programs import fortran
 
 PORTS = pytest.mark.parametrize(("name", "part"), [("circle", circle.part), ("ellipse", ellipse.part)])
@@ -54,7 +55,12 @@ def test_changed_constants_change_both_alike(tmp_path: Path) -> None:
         .replace("E1=5001.", "E1=5004.")
     )
     ours = ellipse.part(
-        major=1000, minor=700, tolerance=3, feed=2, centre_x=5000, arithmetic=ARITHMETICS["ieee32"]
+        major=1000,
+        minor=700,
+        tolerance=3,
+        milling=Milling(feed=2),
+        centre_x=5000,
+        arithmetic=ARITHMETICS["ieee32"],
     )
     assert_same_printout(ours, fortran.printout(changed, tmp_path))
 

@@ -10,9 +10,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from programs import circle, die, ellipse, polynomial, slope
-from programs.errors import PartError
+from programs.milling import Milling
 from programs.piecewise import Technique, way
 from programs.stretches import Point, line, oval
+from tapes.errors import WorkError
 from tests.programs.printouts import TRAVEL_X, blocks, milled
 
 FEEDS = {1: 1.0, 2: 1.9, 3: 2.7, 4: 4.0, 5: 5.5, 6: 7.2, 7: 9.1, 8: 11.2}
@@ -54,31 +55,31 @@ def test_the_polynomial_stays_in_its_band_however_the_feeds_err(x: float, y: flo
 
 
 def test_believed_feeds_keep_the_band_only_if_they_are_right() -> None:
-    part = circle.part(technique="piece", feed_error=0)
+    part = circle.part(milling=Milling("piece", feed_error=0))
     assert all(abs(dist(place, (4000, 4000)) - 1750) <= 5 + ALLOWED for place in places(part, (1, 1)))
     assert any(abs(dist(place, (4000, 4000)) - 1750) > 20 for place in places(part, (1.2, 0.8)))
 
 
 def test_fewer_blocks_than_step_by_step_and_more_the_worse_the_feeds() -> None:
-    counts = [circle.part(technique="piece", feed_error=error).count("\n") for error in (0, 0.1, 0.2)]
+    counts = [circle.part(milling=Milling("piece", feed_error=error)).count("\n") for error in (0, 0.1, 0.2)]
     assert counts == sorted(counts)
     assert counts[-1] < circle.part().count("\n") / 2
 
 
 def test_with_the_slowest_feed_alone_it_approaches_the_step_wise_limit() -> None:
     """Chapter 3: at 1 in/min "the Piece-wise Linear will approach the limiting case"."""
-    slowest = circle.part(technique="piece", fastest=1).count("\n")
+    slowest = circle.part(milling=Milling("piece", fastest=1)).count("\n")
     assert 0.85 * 666 < slowest < 666
 
 
 @pytest.mark.parametrize("part", [circle.part, ellipse.part, die.part])
 def test_a_closed_contour_closes(part: Callable[..., str]) -> None:
-    path = milled(part(technique="piece"))
+    path = milled(part(milling=Milling("piece")))
     assert path[0][2:4] == path[-1][2:4]
 
 
 def test_the_slope_ends_where_it_should() -> None:
-    last = blocks(slope.part(technique="piece"))[-1]
+    last = blocks(slope.part(milling=Milling("piece")))[-1]
     assert (last.x, last.y) == (8330, 6500)
 
 
@@ -89,7 +90,7 @@ def test_a_line_at_a_ratio_of_two_feeds_is_one_ray() -> None:
 
 
 def test_one_feed_is_set_a_block() -> None:
-    path = blocks(circle.part(technique="piece"))
+    path = blocks(circle.part(milling=Milling("piece")))
     assert {block.function for block in path[6:]} == {84, 85}
     assert all(block.tool in FEEDS for block in path[6:])
 
@@ -102,7 +103,7 @@ def test_the_way_has_the_corner_of_figure_3_1() -> None:
 
 @pytest.mark.parametrize(("fastest", "error"), [(0, 0.2), (19, 0.2), (5, -0.1), (5, 1.0), (5, float("nan"))])
 def test_feeds_that_are_none_are_refused(fastest: int, error: float) -> None:
-    with pytest.raises(PartError):
+    with pytest.raises(WorkError):
         Technique(fastest, error)
 
 
@@ -113,5 +114,5 @@ def test_a_whole_number_of_thousandths_is_asked_of_all_stops() -> None:
         assert abs(Fraction(ray.stop.x) - 4000) < TRAVEL_X
 
 
-CIRCLE = circle.part(technique="piece")
-POLYNOMIAL = polynomial.part(technique="piece")
+CIRCLE = circle.part(milling=Milling("piece"))
+POLYNOMIAL = polynomial.part(milling=Milling("piece"))

@@ -10,8 +10,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from programs import circle, curve, ellipse, fluidic, polynomial, slope, stepwise
-from programs.errors import PartError
 from programs.stretches import Axis, Point, Stretch, arc, graph, line, turning_points
+from tapes.errors import WorkError
 from tests.programs.printouts import assert_fit_for_the_machine, milled
 
 CENTRE = Point(4000, 4000)
@@ -250,5 +250,5 @@ def test_a_sequence_past_999_keeps_its_low_digits_or_prints_stars() -> None:
 
 def test_a_band_that_lets_no_cut_begin_is_named() -> None:
     stuck = Stretch(1, 1, lambda x, y: (x, y) == (7, 8), last_x=20)
-    with pytest.raises(PartError, match=r"X 0\.007 Y 0\.008"):
+    with pytest.raises(WorkError, match=r"X 0\.007 Y 0\.008"):
         list(stepwise.staircase(Point(7, 8), "Y", [stuck]))

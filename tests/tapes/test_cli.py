@@ -234,7 +234,7 @@ def test_ctrl_c(tmp_path: Path) -> None:
         ("dis a.bin -o a.bin", "a.bin is the source; name another file"),
         ("run a.bin --reader a.asc --punch a.asc", "a.asc is the source; name another file"),
         ("nc plot a.asc -o a.asc", "a.asc is the source; name another file"),
-        ("nc inspect a.asc --stretch 1,2", "--stretch means nothing without --talysurf"),
+        ("nc inspect a.asc --stretch 1,2", "--stretch needs --talysurf"),
         ("run a.bin --punch x --trace x", "two outputs go to x"),
         ("run a.bin --trace -", "two outputs go to standard output"),
         ("run - --reader -", "standard input can be read only once"),

@@ -13,6 +13,7 @@ from tapes.hydrapoint import (
     Z_FEED,
     Block,
     block,
+    corner,
 )
 
 
@@ -58,3 +59,21 @@ def test_table_2_4_climbs_without_a_jump() -> None:
 
 def test_spindle_codes_leave_out_19_and_20() -> None:
     assert sorted(SPINDLE) == [*range(1, 19), *range(21, 39)]
+
+
+@pytest.mark.parametrize(
+    ("stop", "speeds", "expected"),
+    [
+        ((17321, 10000), (1.9, 1.0), (17321, 17321 / 1.9)),
+        ((17321, 10000), (2.7, 1.0), (17321, 17321 / 2.7)),
+        ((-100, 300), (1.0, 1.0), (-100, 100)),
+        ((100, -100), (1.0, 1.0), (100, -100)),
+        ((100, 0), (1.0, 1.0), (0, 0)),
+        ((0, 100), (0.0, 1.0), (0, 0)),
+    ],
+)
+def test_the_first_axis_to_arrive_leaves_the_other_alone(
+    stop: tuple[float, float], speeds: tuple[float, float], expected: tuple[float, float]
+) -> None:
+    """Figure 3.1: a slope of 30 degrees with the ratio 1.9 or 2.7 of feeds."""
+    assert corner((0, 0), stop, *speeds) == pytest.approx(expected)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.cli.replay import PARTS
+from pdp8.cli.replay import REPLAYED
 from tests.conftest import BIN, Shell
 
 
@@ -25,7 +25,7 @@ def test_the_acts_are_said_and_the_table_printed(shell: Shell, tmp_path: Path) -
     assert (tmp_path / "page.html").read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
 
 
-@pytest.mark.parametrize("part", sorted(set(PARTS) - {"circle", "ellipse", "die", "drill"}))
+@pytest.mark.parametrize("part", sorted(set(REPLAYED) - {"circle", "ellipse", "die", "drill"}))
 def test_any_other_part(shell: Shell, part: str) -> None:
     """What no other test takes goes the whole way, the page too (the die is the ellipse's program)."""
     done = shell(f"pdp8 replay {part} --html - > page.html && wc -c < page.html")

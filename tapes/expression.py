@@ -1,8 +1,8 @@
-"""An expression in x, as someone types it: sin(x)/x, 0.2*x*(x-2)*(x-6). Nothing else can be said in it.
+"""y = f(x) as a command takes it: sin(x)/x, 0.2*x*(x-2)*(x-6).
 
-Numbers, x, pi, e, + - * / **, parentheses, and the functions of FUNCTIONS. Python reads it into a tree; each
-node of the tree is looked up here and made into a function, and a node that is not here is refused with its
-column. Nothing is ever evaluated as Python.
+It has numbers, x, pi, e, + - * / **, parentheses, and the functions of FUNCTIONS. Python's parser makes a
+tree of it; each node of the tree that is listed here becomes a function, any other is refused with its
+column. Nothing is evaluated as Python.
 """
 
 import ast
@@ -11,7 +11,7 @@ import operator
 from collections.abc import Callable
 from typing import Final
 
-from programs.errors import PartError
+from tapes.errors import WorkError
 
 FUNCTIONS: Final[dict[str, Callable[[float], float]]] = {
     name: getattr(math, name)
@@ -33,26 +33,26 @@ Function = Callable[[float], float]
 
 
 def function(text: str) -> Function:
-    """Return the function that `text` says. Raises PartError, naming the column of what it does not know.
+    """Return the function. Raises WorkError with the column of what is not in the language.
 
-    The function raises PartError where it has no value.
+    The function raises WorkError where it has no value.
     """
     if len(text) > _LONGEST:
-        raise PartError(f"an expression of {len(text)} characters is too long: {_LONGEST} are read")
+        raise WorkError(f"expression of {len(text)} characters: at most {_LONGEST} are allowed")
     try:
         inner = _node(_tree(text.strip()), text.strip())
     except OverflowError:
-        raise PartError(f"a number of {text[:20]!r}... is too large") from None
+        raise WorkError(f"a number of {text[:20]!r}... is too large") from None
     except (RecursionError, MemoryError):
-        raise PartError(f"{text[:20]!r}... is nested too deeply") from None
+        raise WorkError(f"{text[:20]!r}... is nested too deeply") from None
 
     def value(x: float) -> float:
         try:
             found = inner(float(x))
         except (ArithmeticError, ValueError, RecursionError) as error:
-            raise PartError(f"at x = {x:g} the expression {text!r} has no value: {error}") from None
+            raise WorkError(f"at x = {x:g} the expression {text!r} has no value: {error}") from None
         if not abs(found) < _LARGEST:
-            raise PartError(f"at x = {x:g} the expression {text!r} is {found:g}, beyond any table")
+            raise WorkError(f"at x = {x:g} the expression {text!r} is {found:g}: must be within {_LARGEST:g}")
         return found
 
     return value
@@ -63,7 +63,7 @@ def _tree(text: str) -> ast.expr:
         return ast.parse(text, mode="eval").body
     except (SyntaxError, ValueError) as error:
         column = getattr(error, "offset", None) or 1
-        raise PartError(f"column {column}: {text!r} is no expression in x") from None
+        raise WorkError(f"column {column}: {text!r} is not an expression in x") from None
 
 
 def _node(node: ast.expr, text: str) -> Function:
@@ -91,4 +91,4 @@ def _node(node: ast.expr, text: str) -> Function:
     hint = (
         "; a power is written **" if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitXor) else ""
     )
-    raise PartError(f"column {node.col_offset + 1}: {said!r} is not in the language of expressions{hint}")
+    raise WorkError(f"column {node.col_offset + 1}: {said!r} is not in the language of expressions{hint}")

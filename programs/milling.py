@@ -1,0 +1,72 @@
+"""A curve made into blocks, by either technique of Chapter 3.
+
+Lengths of the parts that have no listing are inches, as the chapters give them; the tape has thousandths.
+
+Source: thesis, Chapters 3 and 6; sequence numbers follow the header's six.
+"""
+
+from dataclasses import dataclass
+from typing import Annotated, Final, Literal
+
+from programs import stepwise
+from programs.piecewise import Feeds, Technique
+from programs.printout import Printout, check_feed
+from programs.stretches import Axis, Curve, Point
+from tapes.hydrapoint import Miscellaneous, Preparatory
+
+_FEED_FUNCTION: Final[dict[Axis, Miscellaneous]] = {"X": Miscellaneous.X_FEED, "Y": Miscellaneous.Y_FEED}
+
+
+@dataclass(frozen=True)
+class Milling:
+    """How a contour is milled. Raises WorkError for feeds that the machine does not have."""
+
+    technique: Annotated[Literal["step", "piece"], "step-wise or piece-wise linear technique"] = "step"
+    feed: Annotated[int, "feed code of Table 2.4, step-wise technique (AT)"] = 1
+    fastest: Annotated[int, "fastest feed code used, piece-wise technique"] = 5
+    feed_error: Annotated[float, "fraction by which feeds may be wrong, piece-wise technique"] = 0.2
+
+    def __post_init__(self) -> None:
+        check_feed(self.feed)
+        Technique(self.fastest, self.feed_error)
+
+    def print(self, printout: Printout, curve: Curve) -> None:
+        """Print the blocks that mill along `curve`; the cutter is at its start.
+
+        Raises WorkError where the curve leaves the table or the technique cannot follow it.
+        """
+        if self.technique == "step":
+            for cut in stepwise.cuts(curve):
+                _print(printout, cut.stop, self.feed, cut.axis)
+        else:
+            _print_piecewise(printout, curve, Technique(self.fastest, self.feed_error))
+
+
+SLOWEST: Final = Milling()
+"""Step-wise at 1 inch a minute, feed code 01."""
+
+
+def position(printout: Printout, stop: Point) -> None:
+    """Print a block that goes to `stop` with the spindle up."""
+    printout.print_30(printout.blocks + 1, Preparatory.POSITION, *stop, 0, Miscellaneous.NO_CHANGE)
+
+
+def _print_piecewise(printout: Printout, curve: Curve, technique: Technique) -> None:
+    at, force = curve.start, Feeds(0, 0)
+    for ray in technique.rays(curve):
+        changes: list[tuple[Axis, int]] = []
+        if ray.feeds.y not in (0, force.y):
+            changes.append(("Y", ray.feeds.y))
+        if ray.feeds.x not in (0, force.x):
+            changes.append(("X", ray.feeds.x))
+        if len(changes) > 1:
+            axis, code = changes.pop(0)
+            _print(printout, at, code, axis)
+        force = Feeds(ray.feeds.x or force.x, ray.feeds.y or force.y)
+        axis, code = changes[0] if changes else ("X", force.x) if force.x else ("Y", force.y)
+        _print(printout, ray.stop, code, axis)
+        at = ray.stop
+
+
+def _print(printout: Printout, stop: Point, code: int, axis: Axis) -> None:
+    printout.print_30(printout.blocks + 1, Preparatory.MILL, *stop, code, _FEED_FUNCTION[axis])

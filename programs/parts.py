@@ -1,0 +1,104 @@
+"""Which part programs there are: the registry that the commands and the replay ask.
+
+A new part program is a file with a function `part(...)` and an entry here.
+
+Sources: thesis, Chapter 3 and Chapters 6 to 8.
+"""
+
+from collections.abc import Mapping
+from importlib import import_module
+from typing import Any, Final, NamedTuple, Protocol
+
+from tapes.errors import WorkError
+
+
+class Program(Protocol):
+    """A part program: its constants as keywords, each with a default; one may be positional."""
+
+    def __call__(self, *arguments: Any, **constants: Any) -> str:
+        """Return the printout."""
+
+
+class Part(NamedTuple):
+    """A part program: what it is, examples of its options, and what an inspection of the part needs.
+
+    `nominal` is the curve for the cutter's centre as `nc.curves.nominal` takes it; empty where inspection
+    finds the curve by itself. `instrument` is the one that the thesis used, or None. `tolerance` (half the
+    band) and `cutter` (diameter) are inches.
+    """
+
+    name: str
+    summary: str
+    examples: tuple[str, ...]
+    nominal: Mapping[str, Any] = {}
+    instrument: str | None = None
+    tolerance: float = 0.005
+    cutter: float = 0.5
+    has_defaults: bool = True
+
+    def program(self) -> Program:
+        """Import the part program."""
+        program: Program = import_module(f"programs.{self.name}").part
+        return program
+
+
+PARTS: Final = {
+    part.name: part
+    for part in (
+        Part(
+            "circle",
+            "The 4 in circle of Appendix C. Lengths are thousandths of an inch.",
+            ("> circle.asc", "--radius 1000 --tolerance 3", "--spindle 35 -o fast.asc"),
+            instrument="Talyrond",
+        ),
+        Part(
+            "ellipse",
+            "The 6 x 4 1/2 in ellipse of Appendix D. Lengths are thousandths of an inch.",
+            ("> ellipse.asc", "--arithmetic ge635", "--minor 1500 --technique piece"),
+        ),
+        Part(
+            "polynomial",
+            "The third degree polynomial of Chapters 6 and 7. Lengths are inches.",
+            ("> polynomial.asc", "--b 1.5 --c 5 --to 5", "--cutter 0.5 --side above --technique piece"),
+            nominal={"polynomial": (4, 6, 0.2, 2, 6)},
+            tolerance=0.01,
+        ),
+        Part(
+            "slope",
+            "A slope, by default that of Chapter 3: 30 degrees, 5 in long. Lengths are inches.",
+            ("> slope.asc", "--to-x 6 --to-y 9", "--technique piece --feed-error 0"),
+        ),
+        Part(
+            "curve",
+            "Any function of x. Lengths are inches.",
+            ("'sin(x)' --to 6.283 > sine.asc", "'x**2/4' --from -2 --to 2 --tolerance 0.01 --cutter 0.5"),
+            has_defaults=False,
+        ),
+        Part(
+            "die",
+            "The die of Chapter 7: ellipses of three sets of axes. Lengths are thousandths of an inch.",
+            ("> opening.asc", "--cut groove", "--technique piece --fastest 8"),
+        ),
+        Part(
+            "drill",
+            "The four-hole tape of Chapter 3, or other holes. Lengths are inches.",
+            ("> holes.asc", "--holes '1,1 2.5,1 4,1' --z-depth 3.25"),
+        ),
+        Part(
+            "fluidic",
+            "The fluidic element of Chapter 8, with our outline. Lengths are inches.",
+            ("> element.asc", "--program control --control 0.8", "--tolerance 0.005"),
+            instrument="Talysurf",
+            tolerance=0.003,
+            cutter=0.125,
+        ),
+    )
+}
+"""Every part by its name."""
+
+
+def find(name: str) -> Part:
+    """Return the part of that name. Raises WorkError with the names that there are."""
+    if name not in PARTS:
+        raise WorkError(f"{name}: no such part program; there are {', '.join(PARTS)}")
+    return PARTS[name]

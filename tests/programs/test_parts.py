@@ -1,0 +1,71 @@
+"""The registry: a new part program is its own file and an entry, and every command has it."""
+
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import programs
+from pdp8.replay import replay
+from programs.cli import part
+from programs.parts import PARTS, Part, find
+from tapes.errors import WorkError
+
+SQUARE = '''
+"""A square of 1 in."""
+
+from typing import Annotated
+
+from programs.header import THESIS, Header
+from programs.milling import SLOWEST, Milling
+from programs.printout import Printout
+from programs.stretches import Point, line
+
+CORNERS = (Point(1000, 1000), Point(2000, 1000), Point(2000, 2000), Point(1000, 2000), Point(1000, 1000))
+
+
+def part(
+    *,
+    tolerance: Annotated[float, "half the band"] = 5,
+    milling: Milling = SLOWEST,
+    header: Header = THESIS,
+) -> str:
+    printout = Printout()
+    printout.header(header, *CORNERS[0])
+    for start, stop in zip(CORNERS, CORNERS[1:]):
+        milling.print(printout, line(start, stop, tolerance))
+    return printout.text
+'''
+
+
+@pytest.fixture
+def square(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Add a part program as a user would: its file, and its entry in the registry."""
+    (tmp_path / "square.py").write_text(SQUARE)
+    monkeypatch.setattr(programs, "__path__", [*programs.__path__, str(tmp_path)])
+    monkeypatch.setitem(PARTS, "square", Part("square", "A square of 1 in.", ("> square.asc",)))
+
+
+@pytest.mark.usefixtures("square")
+def test_a_new_part_program_is_its_file_and_its_entry() -> None:
+    run = CliRunner()
+    assert "A square of 1 in" in run.invoke(part, ["--help"]).output
+    assert "--feed-error" in run.invoke(part, ["square", "--help"]).output
+    tape = run.invoke(part, ["square", "--parity", "none"]).stdout_bytes
+    assert tape.count(b"\r") == 6 + 4
+    afternoon = replay("square")
+    assert (len(afternoon.path), afternoon.path.gap) == (10, 0)
+
+
+def test_no_such_part() -> None:
+    with pytest.raises(WorkError, match="square: no such part program; there are circle, ellipse"):
+        find("square")
+
+
+@pytest.mark.parametrize("name", PARTS)
+def test_every_entry_is_a_part_program(name: str) -> None:
+    entry = PARTS[name]
+    program = entry.program()
+    assert program.__module__ == f"programs.{name}"
+    if entry.has_defaults:
+        assert program().endswith("\n")
