@@ -18,7 +18,8 @@ from types import FrameType
 import click
 
 from pdp8.computer.bus import NEVER
-from pdp8.computer.machine import TICKS_PER_SECOND, Machine, Stop
+from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.stop import Stop
 from pdp8.computer.teletype import printed
 
 ESCAPE = b"\x1d"

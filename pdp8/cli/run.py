@@ -12,26 +12,24 @@ from pdp8.cli.interrupt import ctrl_c
 from pdp8.cli.octal import octal
 from pdp8.cli.program import read_words
 from pdp8.cli.progress import Bar
-from pdp8.computer.bus import NEVER
-from pdp8.computer.machine import TICKS_PER_SECOND, Machine, Stop
+from pdp8.computer.machine import Machine
+from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.teletype import Punch, printed
 from tapes import command, shelf
 from tapes.errors import WorkError
 from tapes.frames import PARITIES
 
-# Seconds of machine time between two looks at the punch, at the clock and for Ctrl-C. A slice that took less
-# than _SOON is followed by a longer one, another by a shorter one.
-_SHORTEST, _FIRST, _LONGEST = 0.05, 1.0, 60.0
-_SOON = 0.05
+# The longest slices of a run in seconds of machine time: what is punched is passed on after each.
+_REALTIME, _TRACED, _LONGEST = 0.05, 1.0, 60.0
 _WHY = {
-    "halt": "HLT at {last:04o}",
-    "tape out": "the reader ran out of tape, and the program waits for it at {pc:04o}",
-    "idle": "an endless loop at {pc:04o} that nothing can end",
-    "limit": "still running at {pc:04o} when --max-time was over",
-    "stop key": "stopped before {pc:04o}",
-    "protect": "MEM PROT stopped a write at {last:04o}",
+    Reason.HALT: "HLT at {last:04o}",
+    Reason.TAPE_OUT: "the reader ran out of tape, and the program waits for it at {pc:04o}",
+    Reason.IDLE: "an endless loop at {pc:04o} that nothing can end",
+    Reason.LIMIT: "still running at {pc:04o} when --max-time was over",
+    Reason.STOP_KEY: "stopped before {pc:04o}",
+    Reason.PROTECT: "MEM PROT stopped a write at {last:04o}",
 }
-_DONE = ("halt", "tape out")
+_DONE = (Reason.HALT, Reason.TAPE_OUT)
 
 
 class _Output:
@@ -174,7 +172,7 @@ def run(
         ctx.exit(130)
     done = stop.reason in _DONE
     if not (quiet and done):
-        last = machine.ma if stop.reason == "halt" else stop.pc - 1 & 0o7777
+        last = machine.ma if stop.reason is Reason.HALT else stop.pc - 1 & 0o7777
         _say(_WHY[stop.reason].format(pc=stop.pc, last=last) + _counts(machine))
     ctx.exit(0 if done else 1)
 
@@ -203,27 +201,17 @@ def _run(
     """
     reader = machine.teletype.reader
     began = time.monotonic() - machine.elapsed
-    last = NEVER if max_time is None else machine.ticks + round(max_time * TICKS_PER_SECOND)
-    slice_ = _SHORTEST if realtime else _FIRST
+    longest = _REALTIME if realtime else _TRACED if machine.watch.observer else _LONGEST
     with Bar("reading tape", len(reader.tape), wanted=not quiet) as bar, ctrl_c() as interrupt:
-        while True:
-            looked = time.monotonic()
-            stop = machine.run(seconds=min(slice_, (last - machine.ticks) / TICKS_PER_SECOND))
-            if interrupt.pressed:
-                machine.bus.finish()
+        for stop in machine.slices(max_time, longest=longest):
             for output in outputs:
                 output.send()
             bar.show(reader.position)
-            if stop.reason != "limit" or machine.ticks >= last:
-                return stop
             if interrupt.pressed:
-                return None
-            if realtime:
+                machine.stop()
+            elif realtime and stop.reason is Reason.LIMIT:
                 time.sleep(max(0.0, machine.elapsed - (time.monotonic() - began)))
-            elif time.monotonic() < looked + _SOON:
-                slice_ = min(2 * slice_, _FIRST if machine.watch.observer else _LONGEST)
-            else:
-                slice_ = max(slice_ / 2, _SHORTEST)
+    return None if interrupt.pressed and stop.reason is Reason.STOP_KEY else stop
 
 
 def _typed(machine: Machine, outputs: list[_Output], max_time: float | None, realtime: bool) -> Stop | None:

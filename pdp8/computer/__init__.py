@@ -12,5 +12,6 @@ watch        breakpoints, words being written, observers
 trace        an instruction or a cycle a line, as in the listing
 machine      the one place that knows every part and wires it
 loaders      words into core; RIM and BIN as an operator loads them
+stop         why, where and when a run ended
 state        a whole machine as text, and back
 """

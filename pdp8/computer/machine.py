@@ -12,7 +12,7 @@ tapes and the same times. While a program only waits, time jumps (see waiting.py
 """
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple
+from time import monotonic
 
 from pal.isa import FETCH, halts
 from pdp8.computer.bus import NEVER, Bus
@@ -20,6 +20,7 @@ from pdp8.computer.engine import Engine
 from pdp8.computer.highspeed import HighSpeed
 from pdp8.computer.panel import Panel
 from pdp8.computer.processor import Processor
+from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.teletype import Teletype
 from pdp8.computer.waiting import Waiting
 from pdp8.computer.watch import Watch
@@ -28,21 +29,14 @@ from tapes.errors import WorkError
 TICKS_PER_SECOND = 20_000_000
 _AGES = 1e9
 """Seconds, 31 years: nobody waits longer."""
+_FIRST = 1.0
+"""Seconds of machine time in the first slice of a run; each one that took less than _SOON of ours is followed
+by a longer one, each other by a shorter one.
+"""
+_SOON = 0.05
+_WAITS = (Reason.TAPE_OUT, Reason.IDLE)
 _BREATH = 60 * TICKS_PER_SECOND
 """After so much machine time Python may take a signal; a compiled run takes none by itself."""
-
-
-class Stop(NamedTuple):
-    """Why, where and when a run ended.
-
-    reason: halt, tape out (the reader is empty and the program waits for it; all is punched), idle (a loop
-    that nothing can end), limit, stop key, breakpoint, protect. pc: the address of the next instruction.
-    elapsed: seconds of machine time since START.
-    """
-
-    reason: str
-    pc: int
-    elapsed: float
 
 
 class LoadError(WorkError):
@@ -169,12 +163,45 @@ class Machine:
             reason = self._run(until, last)
         left = self._registers()
         self.bus.advance(p.clock)
-        if not p.run and reason == "limit":  # who saw a frame just now pressed STOP
+        if not p.run and reason is Reason.LIMIT:  # who saw a frame just now pressed STOP
             reason = self._stopped()
-        if reason != "limit":
+        if reason is not Reason.LIMIT:
             self.bus.finish()
-        self._left = left if reason == "limit" else ()
+        self._left = left if reason is Reason.LIMIT else ()
         return Stop(reason, p.pc, self.elapsed)
+
+    def slices(
+        self,
+        seconds: float | None = None,
+        shortest: float = 0.05,
+        longest: float = 60.0,
+        through_waits: bool = False,
+    ) -> Iterator[Stop]:
+        """Run as `run` does, slice by slice; yield how the machine stands after each, the last time as the
+        run ended. Until then the reason is `limit`.
+
+        A slice takes some twentieth of a second of real time, but `shortest` to `longest` seconds of machine
+        time: whoever runs the machine can look at it in between, press keys, STOP too, or leave the loop. A
+        program that waits for what can never come ends the run, unless `through_waits`: then whoever presses
+        a key, or lets time pass with `wait`, has it go on.
+        """
+        last = NEVER if seconds is None else self.ticks + _ticks(seconds)
+        slice_ = min(max(_FIRST, shortest), longest)
+        while True:
+            began = monotonic()
+            stop = self.run(min(slice_, max(last - self.ticks, 0) / TICKS_PER_SECOND))
+            ended = stop.reason is not Reason.LIMIT or self.ticks >= last
+            if not ended and stop.pc in self.watch.breakpoints:
+                stop, ended = stop._replace(reason=Reason.BREAKPOINT), True
+            soon = monotonic() < began + _SOON
+            slice_ = min(2 * slice_, longest) if soon else max(slice_ / 2, shortest)
+            yield stop
+            if ended and not (through_waits and stop.reason in _WAITS and self.ticks < last):
+                return
+            if not self.processor.run:
+                self.bus.finish()
+                yield Stop(Reason.STOP_KEY, self.pc, self.elapsed)
+                return
 
     def _registers(self) -> tuple[int, ...]:
         """Return what a hand may have changed when a run goes on; what only waited then waits anew."""
@@ -189,7 +216,7 @@ class Machine:
             self.waiting.forget()
             self._minded = breakpoints
 
-    def _run(self, until: int, last: int) -> str:
+    def _run(self, until: int, last: int) -> Reason:
         """Let the engine run, as far as nobody looks closer than at breakpoints."""
         p, breakpoints = self.processor, self.watch.breakpoints
         while not self.engine.run(min(until, p.clock + _BREATH), last, breakpoints):
@@ -198,49 +225,49 @@ class Machine:
             if not p.run:
                 return self._stopped()
             if p.clock >= until or p.instructions >= last:
-                return "limit"
+                return Reason.LIMIT
             if p.pc in breakpoints:
                 break
-        return "breakpoint"
+        return Reason.BREAKPOINT
 
-    def _run_watched(self, until: int, last: int) -> str:
+    def _run_watched(self, until: int, last: int) -> Reason:
         """Run as `_run` does, instruction by instruction, and tell the watch of each cycle."""
         p, watch, waiting = self.processor, self.watch, self.waiting
         waiting.endless = False
         first = True
         while p.clock < until and p.instructions < last:
             if p.pc in watch.breakpoints and not first:
-                return "breakpoint"
+                return Reason.BREAKPOINT
             first = False
             watch.instruction(p)
             if not p.run:
                 return self._stopped()
             if watch.reached:
-                return "breakpoint"
+                return Reason.BREAKPOINT
             instructions, clock = p.instructions, p.clock
             waiting.look(until, last)
             if waiting.endless:
                 return self._endless()
             if watch.observer and p.clock > clock:
                 watch.observer.waited(p, p.instructions - instructions, p.clock - clock)
-        return "limit"
+        return Reason.LIMIT
 
-    def _endless(self) -> str:
+    def _endless(self) -> Reason:
         """Return why a loop will never end."""
-        return "tape out" if self._out_of_tape() else "idle"
+        return Reason.TAPE_OUT if self._out_of_tape() else Reason.IDLE
 
-    def _cycle(self) -> str:
+    def _cycle(self) -> Reason:
         """Do what CONT does under SING STEP, and say what the run came to."""
         self.processor.run = 0
         self.processor.cycle()
-        return "protect" if self.processor.protect else "stop key"
+        return Reason.PROTECT if self.processor.protect else Reason.STOP_KEY
 
-    def _stopped(self) -> str:
+    def _stopped(self) -> Reason:
         """Return why RUN went off."""
         p = self.processor
         if p.protect:
-            return "protect"
-        return "halt" if p.state == FETCH and halts(p.mb) else "stop key"
+            return Reason.PROTECT
+        return Reason.HALT if p.state == FETCH and halts(p.mb) else Reason.STOP_KEY
 
     def _out_of_tape(self) -> bool:
         """Tell whether the loop the program stands in waits for a reader whose tape has run out."""

@@ -20,9 +20,10 @@ from typing import NamedTuple
 from pal.isa import DEFER, EXECUTE, FETCH
 from pdp8.computer.bus import NEVER
 from pdp8.computer.loaders import RIM, RIM_START
-from pdp8.computer.machine import Machine, Stop
+from pdp8.computer.machine import Machine
 from pdp8.computer.panel import Lamps
 from pdp8.computer.processor import INTERRUPT
+from pdp8.computer.stop import Stop
 from tapes.frames import LEADER
 
 SPEEDS = (1, 10, 100, 1000)

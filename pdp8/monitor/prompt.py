@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from pdp8.computer import loaders, state
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.stop import Reason
 from pdp8.computer.teletype import Punch, printed
 from pdp8.computer.trace import Listing, Trace
 from tapes import rim, shelf
@@ -168,10 +169,10 @@ class Monitor:
                 break
             if self.stopping:
                 self.machine.stop()
-                stop = stop._replace(reason="stop key")
+                stop = stop._replace(reason=Reason.STOP_KEY)
                 break
             if stop.pc in self.machine.watch.breakpoints:
-                stop = stop._replace(reason="breakpoint")
+                stop = stop._replace(reason=Reason.BREAKPOINT)
                 break
         line = self.listing.line(stop.pc, self.machine.core[stop.pc])
         self._say(f"{stop.reason}; {stop.elapsed:,.6f} s; next {line}")

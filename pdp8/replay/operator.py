@@ -10,7 +10,8 @@ the reader's lever while the other presses START.
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from pdp8.computer.machine import TICKS_PER_SECOND, Machine, Stop
+from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.stop import Stop
 
 SETTING_SECONDS = 4
 PRESSING_SECONDS = 1

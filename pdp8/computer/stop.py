@@ -1,0 +1,30 @@
+"""Why, where and when a run ended."""
+
+from enum import StrEnum
+from typing import NamedTuple
+
+
+class Reason(StrEnum):
+    """Why a run ended."""
+
+    HALT = "halt"
+    """HLT."""
+    TAPE_OUT = "tape out"
+    """The program waits for a reader whose tape has run out; everything is punched."""
+    IDLE = "idle"
+    """The program is in a loop that no event will ever end."""
+    LIMIT = "limit"
+    """The time or the number of instructions the run was given is over."""
+    STOP_KEY = "stop key"
+    """STOP was pressed, or SING STEP stopped the machine after one cycle."""
+    BREAKPOINT = "breakpoint"
+    PROTECT = "protect"
+    """MEM PROT stopped a write."""
+
+
+class Stop(NamedTuple):
+    """The end of a run: `pc` is the address of the next instruction, `elapsed` the seconds since START."""
+
+    reason: Reason
+    pc: int
+    elapsed: float

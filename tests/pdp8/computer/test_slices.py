@@ -1,0 +1,84 @@
+"""A run in slices is the run at once, and whoever looks on in between can end it."""
+
+from itertools import islice
+
+import pytest
+
+from pdp8.computer.stop import Reason
+from tests.pdp8.computer.bench import octal, program
+
+COPY = octal("6031 5200 6036 6046 6041 5204 5200")
+COUNT = octal("7001 5200")
+
+
+def test_in_slices_as_at_once() -> None:
+    whole, sliced = program(*COPY), program(*COPY)
+    for machine in (whole, sliced):
+        machine.teletype.reader.load(bytes(range(1, 40)))
+    stops = list(sliced.slices(longest=0.5))
+    assert stops[-1] == whole.run()
+    assert {stop.reason for stop in stops[:-1]} == {Reason.LIMIT}
+    assert len(stops) > 5
+    assert (sliced.ticks, sliced.instructions) == (whole.ticks, whole.instructions)
+
+
+@pytest.mark.parametrize("longest", [0.01, 0.3, 60.0])
+def test_the_limit_is_that_of_all_slices_together(longest: float) -> None:
+    machine = program(*COUNT)
+    *_, stop = machine.slices(1.5, longest=longest)
+    assert stop.reason is Reason.LIMIT
+    assert machine.ticks == pytest.approx(30_000_000, abs=64)
+
+
+def test_stop_between_two_slices_ends_the_run() -> None:
+    machine = program(*COUNT)
+    reasons = []
+    for stop in machine.slices(longest=0.01):
+        reasons.append(str(stop.reason))
+        if len(reasons) == 3:
+            machine.stop()
+    assert reasons == ["limit", "limit", "limit", "stop key"]
+
+
+def test_a_frame_on_its_way_is_out_when_stop_has_ended_the_run() -> None:
+    machine = program(*octal("6046 7001 5201"))
+    for _ in machine.slices(longest=0.01):
+        machine.stop()
+    assert machine.teletype.punch.tape == b"\0"
+
+
+@pytest.mark.parametrize("first", [0o200, 0o201])
+def test_a_breakpoint_where_a_slice_ends(first: int) -> None:
+    """INC, JMP .-1 in slices of one instruction: a slice ends before each of both."""
+    machine = program(*COUNT)
+    machine.watch.breakpoints.add(first)
+    *_, stop = machine.slices(longest=1e-6, shortest=1e-6)
+    assert (stop.reason, stop.pc) == (Reason.BREAKPOINT, first)
+
+
+def test_a_wait_for_a_key_ends_the_run_or_is_waited_through() -> None:
+    machine = program(*octal("6031 5200 7402"))
+    assert [stop.reason for stop in machine.slices()] == [Reason.IDLE]
+    reasons = []
+    for stop in machine.slices(through_waits=True):
+        reasons.append(stop.reason)
+        if len(reasons) == 3:
+            machine.teletype.keyboard.press(b"\301")
+    assert reasons == [Reason.IDLE] * 3 + [Reason.HALT]
+
+
+def test_a_run_through_waits_ends_with_its_time() -> None:
+    machine = program(*octal("6031 5200 7402"))
+    seen = []
+    for stop in machine.slices(2.0, through_waits=True):
+        seen.append(stop)
+        machine.wait(0.3)
+    assert machine.elapsed == pytest.approx(2.1, abs=0.2)
+    assert len(seen) == 7
+
+
+def test_whoever_has_seen_enough_leaves_the_loop() -> None:
+    machine = program(*COUNT)
+    assert len(list(islice(machine.slices(longest=0.01), 4))) == 4
+    assert machine.elapsed == pytest.approx(0.04, abs=1e-5)
+    assert machine.run(seconds=0.01).reason is Reason.LIMIT
