@@ -6,8 +6,9 @@ BIN := .venv/bin
 
 # `make samples` makes the bundled tapes of tapes/ again; a test holds them against the chain.
 # `make evidence` makes the sources of programs/ and docs/restoration.md from pdp8/thesis/scan/; a test too.
+# `make lockstep N=1e9` runs random situations on the machine and on the reference, for so many instructions.
 
-.PHONY: demo samples evidence test lint format docs clean
+.PHONY: demo samples evidence test lockstep lint format docs clean
 
 demo: .venv/ready
 	mkdir -p demo
@@ -29,6 +30,11 @@ test: lint
 
 evidence: .venv/ready
 	$(BIN)/python -m pdp8.thesis.restoration
+
+N ?= 1e8
+SEED ?= 0
+lockstep: .venv/ready-dev
+	$(BIN)/python -m tests.pdp8.computer.lockstep $(N) $(SEED)
 
 lint: .venv/ready-dev
 	$(BIN)/ruff check .

@@ -45,15 +45,15 @@ class _Sources(MetaPathFinder):
         return None
 
 
-def _plain() -> ModuleType:
-    """Import the machine from sources alone, and leave the modules in use as they were."""
+def _plain() -> dict[str, ModuleType]:
+    """Import machine and state from sources alone, and leave the modules in use as they were."""
     used = {name: module for name, module in sys.modules.items() if _is_ours(name)}
     finder = _Sources()
     for name in used:
         del sys.modules[name]
     sys.meta_path.insert(0, finder)
     try:
-        return importlib.import_module("pdp8.computer.machine")
+        return {name: importlib.import_module(f"pdp8.computer.{name}") for name in ("machine", "state")}
     finally:
         sys.meta_path.remove(finder)
         for name in [name for name in sys.modules if _is_ours(name)]:
@@ -69,11 +69,20 @@ _PLAIN = _plain()
 
 def machine_module(form: str) -> ModuleType:
     """Return pdp8.computer.machine in one of the FORMS; skip the test if it was not built."""
+    return _module(form, "machine")
+
+
+def state_module(form: str) -> ModuleType:
+    """Return pdp8.computer.state in one of the FORMS; skip the test if it was not built."""
+    return _module(form, "state")
+
+
+def _module(form: str, name: str) -> ModuleType:
     if form == "plain":
-        return _PLAIN
+        return _PLAIN[name]
     missing = [name for name in COMPILED if extension(name) is None]
     if missing:
         import pytest  # the benchmarks, which come here too, do without
 
         pytest.skip(f"not compiled: {', '.join(missing)}")
-    return importlib.import_module("pdp8.computer.machine")
+    return importlib.import_module(f"pdp8.computer.{name}")

@@ -1,0 +1,259 @@
+"""Random situations: words in core, tapes, and what the operator does between pieces of a run.
+
+Three kinds of core, and what is laid over them:
+
+    nonsense   words by chance, everywhere
+    crowded    a loop of some twenty words that reads, writes and executes the same few cells in every way,
+               where a page or core ends, or in MEM PROT's page; from wherever it strays a pointer leads back
+    waiting    loops that wait for flags, interrupts and counters, with work between them
+
+The same seed gives the same situation.
+"""
+
+import random
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+BASES = (0o0200, 0o0371, 0o1760, 0o7600, 0o7770, 0o0010, 0o0160)
+INDEXES = range(0o10, 0o20)
+POINTERS = range(0o20, 0o27)
+BACK = 0o27
+EDGES = (0o0000, 0o0177, 0o0200, 0o0377, 0o0400, 0o7577, 0o7600, 0o7776, 0o7777)
+
+FLAG_IOTS = (0o6031, 0o6041, 0o6011, 0o6021)
+DEVICE_IOTS = (0o6032, 0o6034, 0o6036, 0o6042, 0o6044, 0o6046, 0o6012, 0o6014, 0o6016, 0o6022, 0o6024, 0o6026)
+ODD_IOTS = (
+    0o6000,
+    0o6003,
+    0o6005,
+    0o6033,
+    0o6035,
+    0o6037,
+    0o6043,
+    0o6045,
+    0o6047,
+    0o6013,
+    0o6027,
+    0o6214,
+    0o6171,
+)
+ION, IOF, SKP, JMP_I_0 = 0o6001, 0o6002, 0o7410, 0o5400
+
+
+class Act(NamedTuple):
+    """One thing an operator does: a method of both sides, and its arguments."""
+
+    name: str
+    values: tuple[Any, ...] = ()
+
+
+class Situation(NamedTuple):
+    """A machine switched on with `words` in core, with the PC8/L if `fast`, and what is done to it."""
+
+    fast: bool
+    words: dict[int, int]
+    acts: tuple[Act, ...]
+
+
+def situation(seed: int, longest: int = 100_000) -> Situation:
+    """Return the situation of `seed`; no piece of its run has more than `longest` instructions."""
+    draw = random.Random(seed)
+    base = draw.choice((*BASES, draw.randrange(0o10000)))
+    kind = draw.choice((_nonsense, _crowded, _crowded, _crowded, _waiting))
+    words = kind(draw, base)
+    if draw.random() < 0.6:
+        words |= _service(draw)
+    return Situation(draw.random() < 0.5, words, tuple(_acts(draw, base, longest)))
+
+
+def _nonsense(draw: random.Random, base: int) -> dict[int, int]:
+    return {address: _any_word(draw) for address in range(0o10000)}
+
+
+def _any_word(draw: random.Random) -> int:
+    """Return a word by chance, with more IOT, OPR and JMP in the page than chance alone would give."""
+    kind = draw.random()
+    if kind < 0.1:
+        return _iot(draw)
+    if kind < 0.3:
+        word = draw.randrange(0o7000, 0o10000)
+        return word if draw.random() < 0.05 else _running(word)
+    if kind < 0.5:
+        return 0o5200 | draw.randrange(0o200)
+    return _running(draw.randrange(0o10000))
+
+
+def _running(word: int) -> int:
+    """Return the word without its HLT bit."""
+    return word & ~2 if word & 0o7403 == 0o7402 else word
+
+
+def _iot(draw: random.Random) -> int:
+    return draw.choice(draw.choice((FLAG_IOTS, DEVICE_IOTS, ODD_IOTS, (ION, IOF))))
+
+
+def _crowded(draw: random.Random, base: int) -> dict[int, int]:
+    words = dict.fromkeys(range(0o10000), 0o5400 | BACK)
+    words |= {index: _target(draw, base) - 1 & 0o7777 for index in INDEXES}
+    words |= {pointer: _target(draw, base) for pointer in POINTERS}
+    words |= {BACK: base}
+    length = draw.randrange(6, 24)
+    share = draw.choice((0, 0, 0.02, 0.2))
+    for place in range(length):
+        location = base + place & 0o7777
+        words[location] = _iot(draw) if draw.random() < share else _busy_word(draw, location, base, length)
+    if draw.random() < 0.3:
+        words |= _delay(draw, base + draw.randrange(length) & 0o7777)
+    return words
+
+
+def _target(draw: random.Random, base: int) -> int:
+    """Return an address that a crowded program points to."""
+    return draw.choice(
+        (
+            base + draw.randrange(-4, 28) & 0o7777,
+            draw.choice(EDGES),
+            draw.choice(INDEXES),
+            draw.choice(POINTERS),
+            draw.randrange(0o10000),
+        )
+    )
+
+
+def _busy_word(draw: random.Random, location: int, base: int, length: int) -> int:
+    kind = draw.random()
+    if kind < 0.3:
+        return _running(draw.randrange(0o7000, 0o10000)) if draw.random() < 0.99 else draw.randrange(0o10000)
+    code = draw.choice((0, 1, 1, 2, 2, 3, 3, 4, 4, 5)) << 9
+    indirect = draw.choice((0, 0o400))
+    if draw.random() < 0.5:
+        cell = draw.choice((draw.choice(INDEXES), draw.choice(POINTERS), 0o177, draw.randrange(0o200)))
+        return code | indirect | cell
+    near = base + draw.randrange(length + 4) & 0o177
+    return code | indirect | 0o200 | draw.choice((near, near, 0o177, 0o176, 0, location & 0o177))
+
+
+def _delay(draw: random.Random, location: int) -> dict[int, int]:
+    """Return ISZ and JMP .-1 at `location`, counting a cell on page zero."""
+    counter = draw.choice((*POINTERS, *INDEXES))
+    count = draw.choice((0o7775, 0o7700, 0o6000, 0))
+    back = 0o5000 | location & 0o177 | (0o200 if location >= 0o200 else 0)
+    return {location: 0o2000 | counter, location + 1 & 0o7777: back, counter: count}
+
+
+def _waiting(draw: random.Random, base: int) -> dict[int, int]:
+    words = dict.fromkeys(range(0o10000), 0o5400 | BACK) | {BACK: base}
+    location = base
+    for _ in range(draw.randrange(2, 6)):
+        for word in _piece_of_waiting(draw, location):
+            words[location] = word
+            location = location + 1 & 0o7777
+    if draw.random() < 0.3:
+        words |= _delay(draw, location)
+    return words
+
+
+def _piece_of_waiting(draw: random.Random, location: int) -> list[int]:
+    """Return words for `location` that wait, or do what there is to wait for."""
+    page = 0o200 if location >= 0o200 else 0
+
+    def jump(to: int) -> int:
+        return 0o5000 | page | location + to & 0o177
+
+    flag, other = draw.choice(FLAG_IOTS), draw.choice(FLAG_IOTS)
+    return draw.choice(
+        (
+            [flag, jump(0)],
+            [flag, jump(0), draw.choice(DEVICE_IOTS)],
+            [flag, SKP, jump(4), jump(0)],
+            [flag, 0o7000, other, jump(0)],
+            [flag, SKP, jump(5), other, jump(0)],
+            [0o7000] * draw.randrange(4) + [flag] + [0o7000] * draw.randrange(4) + [jump(0)],
+            [draw.choice((0o6036, 0o6016, 0o6032, 0o6014)), draw.choice((0o6046, 0o6026, 0o6042))],
+            [ION, jump(1)],
+            [ION, 0o7000, jump(1)],
+            [0o6000] * draw.randrange(20) + [ION],
+            [0o7200, 0o1000 | draw.randrange(0o10, 0o27), 0o6046],
+            [0o2020, jump(0)],
+            [0o2020, flag, jump(0)],
+        )
+    )
+
+
+def _service(draw: random.Random) -> dict[int, int]:
+    """Return a service routine that returns: from 0001 on, some words, ION, JMP I 0."""
+    body = [draw.choice((*DEVICE_IOTS, *FLAG_IOTS, 0o7000, 0o2026, 0o1026)) for _ in range(draw.randrange(5))]
+    if draw.random() < 0.7:
+        body += [0o6032, 0o6042, 0o6012, 0o6022]
+    if draw.random() < 0.3:
+        body = [0o6031, SKP, 0o6036, 0o6041, SKP, 0o6046, *body[:1]]
+    end = [ION, JMP_I_0] if draw.random() < 0.9 else [JMP_I_0]
+    if len(body) + len(end) > 7:
+        return {0: 0, 1: 0o5030} | dict(enumerate(body + end, 0o30))
+    return {0: 0} | dict(enumerate(body + end, 1))
+
+
+def _acts(draw: random.Random, base: int, longest: int) -> Iterator[Act]:
+    for fast in (False, True):
+        if draw.random() < 0.7:
+            yield Act("load_tape", (fast, draw.randbytes(draw.choice((1, 5, 40)))))
+    yield Act("switches", (base,))
+    yield Act("mem_prot", (draw.random() < 0.3,))
+    yield Act("press", ("load_add",))
+    yield Act("press", ("start",))
+    if draw.random() < 0.5:
+        yield Act("set", ("ion", 1))
+    for _ in range(draw.randrange(5, 40)):
+        if draw.random() < 0.4:
+            yield from _hands(draw, base)
+        yield _run(draw, longest)
+
+
+def _run(draw: random.Random, longest: int) -> Act:
+    """Return a piece of the run, limited in ticks or in instructions, or in both."""
+    instructions = min(longest, draw.choice((1, 2, 3, 10, 100, 2000, 20_000, 100_000)))
+    ticks = draw.choice((None, draw.randrange(1, 2000), draw.randrange(50_000), draw.randrange(4_000_000)))
+    return Act("run", (ticks, instructions))
+
+
+def _hands(draw: random.Random, base: int) -> list[Act]:
+    """Return what is done between two pieces of a run; a key that is dead while RUN is on may be among it."""
+    fast = draw.random() < 0.5
+    word = _any_word(draw)
+    return draw.choice(
+        (
+            [Act("deposit", (draw.choice((base + draw.randrange(20) & 0o7777, draw.randrange(0o30))), word))],
+            [Act("deposit_at_pc", (draw.randrange(3), word))],
+            [Act("switches", (draw.randrange(0o10000),))],
+            [Act("mem_prot", (draw.random() < 0.5,))],
+            [Act("type", (draw.randbytes(draw.randrange(1, 4)),))],
+            [Act("load_tape", (fast, draw.randbytes(draw.randrange(30))))],
+            [Act("lever", (fast, draw.random() < 0.6))],
+            [Act("punch", (fast, draw.random() < 0.6))],
+            [Act("press", ("stop",))],
+            [Act("press", ("stop",)), Act("wait", (draw.randrange(3_000_000),))],
+            [Act("press", ("stop",)), Act("press", ("start",))],
+            [Act("press", ("stop",)), *_key_sequence(draw, base)],
+            [Act("press", (draw.choice(("start", "load_add", "exam", "dep")),))],
+            [Act("set", ("pc", base))],
+            [Act("set", ("ion", draw.randrange(2)))],
+            [Act("set", ("ac", draw.randrange(0o10000))), Act("set", ("link", draw.randrange(2)))],
+            [Act("save_and_restore")],
+            [Act("delays", (draw.random() < 0.5,))],
+            [Act("single_cycles", (draw.randrange(1, 6),))],
+            [Act("breakpoints", (frozenset(draw.sample(range(0o10000), draw.choice((0, 20, 300)))),))],
+            [Act("breakpoints", (frozenset(base + draw.randrange(24) & 0o7777 for _ in range(2)),))],
+            [Act("breakpoints", (frozenset(),)), Act("watch", (frozenset(), False))],
+            [Act("watch", (frozenset(draw.choices((*INDEXES, *POINTERS, 0, base), k=2)), False))],
+            [Act("watch", (frozenset(), draw.random() < 0.5))],
+        )
+    )
+
+
+def _key_sequence(draw: random.Random, base: int) -> list[Act]:
+    """Return LOAD ADD, some DEP or EXAM, and back to the base."""
+    place = draw.choice((base + draw.randrange(20) & 0o7777, draw.choice(EDGES)))
+    acts = [Act("switches", (place,)), Act("press", ("load_add",))]
+    for _ in range(draw.randrange(3)):
+        acts += [Act("switches", (_any_word(draw),)), Act("press", (draw.choice(("dep", "exam")),))]
+    return [*acts, Act("switches", (base,)), Act("press", ("load_add",))]

@@ -1,0 +1,39 @@
+"""The machine beside the reference in some situations; `make lockstep N=...` runs more."""
+
+import pytest
+
+from tests.pdp8.computer.lockstep.play import play
+from tests.pdp8.computer.lockstep.shrink import shrink
+from tests.pdp8.computer.lockstep.sides import ReferenceSide
+from tests.pdp8.computer.lockstep.situations import Act, Situation, situation
+from tests.reference.model import compiler
+
+pytestmark = pytest.mark.skipif(compiler() is None, reason="the reference needs a C compiler")
+
+SEEDS = 40
+"""Situations of one test: about a second."""
+LONGEST = {"plain": 3_000, "compiled": 100_000}
+
+
+@pytest.mark.parametrize("first", range(0, 6 * SEEDS, SEEDS))
+@pytest.mark.parametrize("form", LONGEST)
+def test_machine_and_reference_differ_in_nothing(form: str, first: int) -> None:
+    for seed in range(first, first + SEEDS):
+        played = play(situation(seed, LONGEST[form]), form)
+        assert not played.difference, f"seed {seed}: {played.difference}"
+
+
+def test_a_difference_is_shrunk_to_what_makes_it() -> None:
+    """Whatever stores AC at 0300 is taken for wrong: five words and one piece of a run are left."""
+    words = dict.fromkeys(range(0o200, 0o240), 0o7000) | {0o204: 0o7001, 0o210: 0o3300, 0o211: 0o7402}
+    acts = (Act("set", ("pc", 0o200)), Act("run", (None, 100)), Act("switches", (5,)), Act("run", (9, 2000)))
+    shrunk = shrink(Situation(True, words, acts), _stores)
+    assert shrunk.acts == (Act("set", ("pc", 0o200)), Act("run", (None, 10)))
+    assert shrunk.words == {0o204: 0o7001, 0o205: 0o7000, 0o206: 0o7000, 0o207: 0o7000, 0o210: 0o3300}
+
+
+def _stores(situation: Situation) -> bool:
+    side = ReferenceSide(situation.fast, situation.words)
+    for act in situation.acts:
+        getattr(side, act.name)(*act.values)
+    return bool(side.reference.core[0o300] == 1)

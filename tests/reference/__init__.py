@@ -1,0 +1,8 @@
+"""A plain PDP-8/L in C, written from the books: it shares nothing with the package, which is held against it.
+
+processor.c  the processor and the panel
+devices.c    the ASR-33 and its interface, the PC8/L
+parts.h      what these two know of each other
+pdp8l.h      the machine's state, and what can be done to it
+model.py     compiles it and calls it from Python
+"""

@@ -1,0 +1,158 @@
+"""The reference PDP-8/L, compiled and called from Python."""
+
+import ctypes
+import hashlib
+import os
+import shutil
+import subprocess
+import sysconfig
+import tempfile
+from collections.abc import Iterable
+from ctypes import POINTER, Structure, c_int, c_int32, c_int64, c_uint8, c_uint16
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+FOLDER = Path(__file__).parent
+SOURCES = (FOLDER / "processor.c", FOLDER / "devices.c")
+HEADERS = (FOLDER / "pdp8l.h", FOLDER / "parts.h")
+
+NEVER = (1 << 63) - 1
+REASONS = ("limit", "stopped", "breakpoint")
+
+
+def compiler() -> str | None:
+    """Return the C compiler, if there is one."""
+    named = os.environ.get("CC") or (sysconfig.get_config_var("CC") or "").split(" ")[0]
+    return shutil.which(named or "cc") or shutil.which("cc")
+
+
+def compile_c(program: Path, *arguments: str | Path) -> None:
+    """Compile to `program`. Raises CalledProcessError with the compiler's messages on standard error."""
+    cc = compiler()
+    assert cc is not None
+    options = ("-std=c11", "-O2", "-Wall", "-Wextra", "-Wno-parentheses", "-Werror")
+    subprocess.run([cc, *options, "-o", program, *arguments], check=True)
+
+
+@cache
+def library() -> ctypes.CDLL:
+    """Return the compiled reference; it is kept among the temporary files, named by its sources."""
+    made_from = hashlib.sha256(b"".join(path.read_bytes() for path in SOURCES + HEADERS)).hexdigest()[:16]
+    path = Path(tempfile.gettempdir()) / f"pdp8l-reference-{os.getuid()}-{made_from}.so"
+    if not path.exists():
+        new = path.with_suffix(f".{os.getpid()}")
+        compile_c(new, "-shared", "-fPIC", *SOURCES)
+        new.replace(path)
+    loaded = ctypes.CDLL(str(path))
+    loaded.pdp8l_run.argtypes = [POINTER(Reference), c_int64, c_int64, ctypes.c_char_p]
+    loaded.pdp8l_wait.argtypes = [POINTER(Reference), c_int64]
+    return loaded
+
+
+def _numbers(kind: Any, names: str) -> list[tuple[str, Any]]:
+    return [(name, kind) for name in names.split()]
+
+
+class _Reader(Structure):
+    _fields_ = [("tape", c_uint8 * 4096), *_numbers(c_int32, "length position lever")]
+
+
+class _Paper(Structure):
+    _fields_ = [("frames", c_uint8 * (1 << 16)), ("count", c_int32)]
+
+    def __bytes__(self) -> bytes:
+        return bytes(self.frames[: self.count])
+
+
+class _Receiver(Structure):
+    _fields_ = _numbers(c_int64, "at start free") + _numbers(c_int32, "flag buffer reader_run half character")
+
+
+class _Transmitter(Structure):
+    _fields_ = _numbers(c_int64, "at start free") + _numbers(c_int32, "flag shift_register shifts ahead")
+
+
+class _Printer(Structure):
+    _fields_ = _numbers(c_int32, "unit selected")
+
+
+class _FastReader(Structure):
+    _fields_ = [("at", c_int64), *_numbers(c_int32, "flag buffer fetching")]
+
+
+class _FastPunch(Structure):
+    _fields_ = [("at", c_int64), *_numbers(c_int32, "flag buffer ahead")]
+
+
+class Reference(Structure):
+    """The state of the reference, as pdp8l.h has it."""
+
+    _fields_ = [
+        ("core", c_uint16 * 4096),
+        *_numbers(c_int32, "ac link pc ma mb ir sr state next run ion ion_ready mem_prot protect fast"),
+        *_numbers(c_int64, "now instructions"),
+        ("receiver", _Receiver),
+        ("transmitter", _Transmitter),
+        ("printer", _Printer),
+        ("fast_reader", _FastReader),
+        ("fast_punch", _FastPunch),
+        *_numbers(c_int32, "keys keys_sent punch_on fast_punch_on"),
+        ("keyboard", c_uint8 * 4096),
+        ("tape", _Reader),
+        ("fast_tape", _Reader),
+        ("page", _Paper),
+        ("punched", _Paper),
+        ("fast_punched", _Paper),
+    ]
+
+    def __init__(self, fast: bool = False) -> None:
+        super().__init__()
+        self._call("power_up", c_int(fast))
+
+    def _call(self, name: str, *arguments: object) -> int:
+        result: int = getattr(library(), f"pdp8l_{name}")(ctypes.byref(self), *arguments)
+        return result
+
+    def press(self, key: str) -> None:
+        """Press START, STOP, LOAD ADD, EXAM or DEP: `start`, `stop`, `load_add`, `exam`, `dep`."""
+        self._call(key)
+
+    def cycle(self) -> None:
+        """Run one memory cycle."""
+        self._call("cycle")
+
+    def run_to(
+        self, until: int, last: int, breakpoints: Iterable[int] = (), writes: Iterable[int] = ()
+    ) -> str:
+        """Run to tick `until` or `last` instructions in all; return which of the REASONS ended it."""
+        marks = bytearray(4096)
+        for address in breakpoints:
+            marks[address] |= 1
+        for address in writes:
+            marks[address] |= 2
+        return REASONS[self._call("run", until, last, bytes(marks) if any(marks) else None)]
+
+    def endless(self) -> bool:
+        """Tell whether the program, left alone, goes round for ever and no device will do anything."""
+        return bool(self._call("endless"))
+
+    def wait(self, ticks: int) -> None:
+        """Let time pass while the processor stands still."""
+        self._call("wait", ticks)
+
+    def finish(self) -> None:
+        """Let the mechanisms finish what they have begun."""
+        self._call("finish")
+
+    def type(self, frames: bytes) -> None:
+        """Press the keys that send `frames`."""
+        self._call("type", frames, len(frames))
+
+    def load_tape(self, frames: bytes, fast: bool = False) -> None:
+        """Put a tape in one of the readers."""
+        self._call("tape", c_int(fast), frames, len(frames))
+
+    def throw_lever(self, start: bool, fast: bool = False) -> None:
+        """Put a reader's lever to START or STOP."""
+        self._call("lever", c_int(fast), c_int(start))

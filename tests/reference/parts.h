@@ -1,0 +1,20 @@
+/* What the processor and the devices of the reference know of each other. */
+
+#include "pdp8l.h"
+
+#define NEVER INT64_MAX
+
+enum { CYCLE = 32, IOT = 85, IOP1 = 29, IOP2 = 47, IOP4 = 65 }; /* the pulses from the beginning of an IOT */
+
+void initialize_devices(struct pdp8l *m);
+
+/* Let everything happen in the devices that happens up to and including tick `now`. */
+void devices(struct pdp8l *m, tick now);
+
+int request(const struct pdp8l *m);
+void skip(struct pdp8l *m);
+
+void receiver_iot(struct pdp8l *m, int word, tick began);
+void transmitter_iot(struct pdp8l *m, int word, tick began);
+void fast_reader_iot(struct pdp8l *m, int word, tick began);
+void fast_punch_iot(struct pdp8l *m, int word, tick began);

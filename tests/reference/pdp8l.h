@@ -1,0 +1,103 @@
+/* The reference PDP-8/L: its state, and what can be done to it. See pdp8l.c. */
+
+#ifndef PDP8L_H
+#define PDP8L_H
+
+#include <stdint.h>
+
+typedef int64_t tick; /* 0.05 us */
+
+enum { FETCH, DEFER, EXECUTE, INTERRUPT };
+enum { LIMIT, STOPPED, BREAKPOINT };
+enum { TAPE_FRAMES = 4096, PAPER_FRAMES = 1 << 16 };
+
+struct reader {
+    uint8_t tape[TAPE_FRAMES];
+    int32_t length, position; /* the frame under the head is tape[position] */
+    int32_t lever;            /* 1 at START */
+};
+
+struct paper {
+    uint8_t frames[PAPER_FRAMES];
+    int32_t count;
+};
+
+/* Every device has a flag, and `at`: the tick of the next thing that happens in it by itself. */
+
+struct receiver { /* 03, M706 */
+    tick at, start, free;
+    int32_t flag, buffer, reader_run;
+    int32_t half;      /* the next half unit of the character that counts; 0 while the line is idle */
+    int32_t character; /* its data units that are still to come */
+};
+
+struct transmitter { /* 04, M707 */
+    tick at, start, free;
+    int32_t flag, shift_register;
+    int32_t shifts;
+    int32_t ahead; /* the printer has already finished what the register still holds */
+};
+
+struct printer {
+    int32_t unit; /* the data unit that comes next; 0 while it waits for a start unit */
+    int32_t selected;
+};
+
+struct fast_reader { /* 01 */
+    tick at;
+    int32_t flag, buffer, fetching;
+};
+
+struct fast_punch { /* 02 */
+    tick at;
+    int32_t flag, buffer;
+    int32_t ahead;
+};
+
+struct pdp8l {
+    uint16_t core[4096];
+    int32_t ac, link, pc, ma, mb, ir, sr;
+    int32_t state, next; /* the major state of the last cycle, and of the next */
+    int32_t run, ion, ion_ready, mem_prot, protect;
+    int32_t fast; /* the PC8/L is fitted */
+    tick now, instructions;
+    struct receiver receiver;
+    struct transmitter transmitter;
+    struct printer printer;
+    struct fast_reader fast_reader;
+    struct fast_punch fast_punch;
+    int32_t keys, keys_sent, punch_on, fast_punch_on;
+    uint8_t keyboard[TAPE_FRAMES];
+    struct reader tape, fast_tape;
+    struct paper page, punched, fast_punched;
+};
+
+/* The machine as it is switched on; `fast` fits the PC8/L. */
+void pdp8l_power_up(struct pdp8l *m, int fast);
+
+/* One memory cycle; one instruction, or the cycle of an interrupt. */
+void pdp8l_cycle(struct pdp8l *m);
+void pdp8l_step(struct pdp8l *m);
+
+/* Run to tick `until` or `last` instructions in all, until RUN goes off, or to a mark: 1 at an address stops before
+   its instruction and after a JMS to it, 2 after the word was written. */
+int pdp8l_run(struct pdp8l *m, tick until, tick last, const uint8_t *marks);
+
+/* Whether the program, left alone, goes round for ever and no device will do anything. */
+int pdp8l_endless(const struct pdp8l *m);
+
+/* Keys and the rest of what an operator does. A key other than STOP is dead while RUN is on. */
+void pdp8l_start(struct pdp8l *m);
+void pdp8l_stop(struct pdp8l *m);
+void pdp8l_load_add(struct pdp8l *m);
+void pdp8l_exam(struct pdp8l *m);
+void pdp8l_dep(struct pdp8l *m);
+void pdp8l_type(struct pdp8l *m, const uint8_t *frames, int count);
+void pdp8l_tape(struct pdp8l *m, int fast, const uint8_t *frames, int count);
+void pdp8l_lever(struct pdp8l *m, int fast, int start);
+
+/* Let time pass while the processor stands still; let the mechanisms finish what they have begun. */
+void pdp8l_wait(struct pdp8l *m, tick ticks);
+void pdp8l_finish(struct pdp8l *m);
+
+#endif
