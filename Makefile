@@ -8,8 +8,7 @@ BIN := .venv/bin
 # `make evidence` makes the sources of programs/ and docs/restoration.md from pdp8/thesis/scan/; a test too.
 # `make lockstep N=1e9` runs random situations on the machine and on the reference, for so many instructions.
 
-.PHONY: demo samples evidence test lockstep lint format docs clean
-
+.PHONY: demo
 demo: .venv/ready
 	mkdir -p demo
 	$(BIN)/pdp8 part circle > demo/circle.asc
@@ -18,6 +17,7 @@ demo: .venv/ready
 	$(BIN)/pdp8 replay circle --out demo/afternoon --html demo/circle.html
 	@echo "Now open demo/circle.html in a browser, or sit down at the machine: $(BIN)/pdp8 panel"
 
+.PHONY: samples
 samples: .venv/ready
 	for part in circle ellipse; do \
 	    $(BIN)/pdp8 part $$part -o tapes/$$part.asc && \
@@ -25,31 +25,41 @@ samples: .venv/ready
 	done
 	$(BIN)/pal eia.pal -o tapes/eia.bin
 
+.PHONY: test
 test: lint
 	$(BIN)/pytest -q -n auto
 
+.PHONY: evidence
 evidence: .venv/ready
 	$(BIN)/python -m pdp8.thesis.restoration
 
 N ?= 1e8
 SEED ?= 0
+.PHONY: lockstep
 lockstep: .venv/ready-dev
 	$(BIN)/python -m tests.pdp8.computer.lockstep $(N) $(SEED)
 
+.PHONY: lint
 lint: .venv/ready-dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
+.PHONY: format
 format: .venv/ready-dev
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
-# Pages of every module from its docstrings, into build/api; of a package without an __all__ pdoc finds them itself.
-MODULES = $(shell find pal pdp8 nc -name '*.py' | grep -v 'cli\|console' | sed 's|/__init__||')
-
+# The documentation as a site in build/site, without a warning (mkdocs.yml).
+.PHONY: docs
 docs: .venv/ready-dev
-	$(BIN)/pdoc -o build/api tapes programs '!(tapes|programs).cli' $(subst /,.,$(MODULES:.py=))
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build -q --strict
+
+# The sdist and the wheels, each installed and tried, in dist/ (release/dist.py).
+.PHONY: dist
+dist: .venv/bin/pip
+	$(BIN)/pip install -q --disable-pip-version-check -e ".[release]"
+	$(BIN)/python release/dist.py
 
 # The compiled form of these sits beside its source and would hide what is changed there.
 COMPILED := $(wildcard pal/*.pxd pdp8/computer/*.pxd)
@@ -73,5 +83,6 @@ BYTECODE = $(BIN)/python -m compileall -q tapes pal pdp8 programs nc
 	$(BYTECODE)
 	touch .venv/ready $@
 
+.PHONY: clean
 clean:
 	rm -rf .venv demo build dist *.egg-info pal/*.so pdp8/computer/*.so

@@ -1,14 +1,21 @@
-"""Builds the compiled core where a C compiler and Cython are at hand; what is not built runs as Python."""
+"""Builds the compiled core; where it cannot be compiled, the same modules run as Python.
+
+PDP8_EXTENSIONS says what a build does about it:
+    auto      compile where Cython and a C compiler are at hand (the default)
+    require   fail if one module does not compile: a release for one platform
+    forbid    compile nothing: the wheel for every platform, py3-none-any
+"""
 
 import os
 import sysconfig
 
-from setuptools import setup
+from setuptools import Extension, setup
 
 MODULES = (
     "pal.isa",
     *(f"pdp8.computer.{name}" for name in ("bus", "processor", "teletype", "waiting", "engine")),
 )
+CHOICES = ("auto", "require", "forbid")
 FLAGS = ["-O3", "-g0"]
 if "gcc" in (os.environ.get("CC") or sysconfig.get_config_var("CC") or ""):
     # A tree of branches foretells what comes next in a PDP-8 program better than one jump through a table;
@@ -25,22 +32,30 @@ DIRECTIVES = {
 }
 
 
-def extensions() -> list[object]:
-    """Return the modules with types beside them as extensions; none without Cython."""
+def choice() -> str:
+    """Return PDP8_EXTENSIONS; exit if it is none of CHOICES."""
+    value = os.environ.get("PDP8_EXTENSIONS") or "auto"
+    if value not in CHOICES:
+        raise SystemExit(f"PDP8_EXTENSIONS={value}: it may be {', '.join(CHOICES)}")
+    return value
+
+
+def extensions(required: bool) -> list[Extension]:
+    """Return the modules with types beside them as extensions; none without Cython, unless `required`."""
     try:
         from Cython.Build import cythonize
     except ImportError:
+        if required:
+            raise
         return []
-    from setuptools import Extension
-
     built = cythonize(
         [Extension(name, [name.replace(".", "/") + ".py"], extra_compile_args=FLAGS) for name in MODULES],
         build_dir="build",
         compiler_directives=DIRECTIVES,
     )
     for extension in built:  # cythonize does not keep it
-        extension.optional = True
+        extension.optional = not required
     return list(built)
 
 
-setup(ext_modules=extensions())
+setup(ext_modules=[] if choice() == "forbid" else extensions(choice() == "require"))

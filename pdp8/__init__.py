@@ -1,40 +1,103 @@
-"""The machine room: a PDP-8/L, and what stands around it.
+"""The machine room, and the one name a script needs: what it uses is reachable from `import pdp8`.
 
 computer/   the machine itself: processor, engine, Teletype, panel, loaders
 monitor/    the operator's prompt, for people and scripts
 console/    the front panel in a terminal
 replay/     the whole 1971 afternoon in one call
+thesis/     its figures and tables made again, its programs line by line
 web/        pages for a browser
 cli/        the command; `python -m pdp8` is the same
 
-`Machine` and `Stop` are loaded when they are first asked for: most commands do without.
+    machine = pdp8.Machine()
+    machine.load(pdp8.assemble(pdp8.tape("eia.pal")).words)
+
+Each name is imported when it is first used, so that `import pdp8` alone is quick. The packages beside this
+one have plain names (`tapes`, `programs`); a script may have files of the same names, and ours are found
+first.
 """
 
+import os
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+from importlib.machinery import ModuleSpec, PathFinder
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from pdp8.computer.machine import Machine
-    from pdp8.computer.stop import Stop
+    from types import ModuleType
+
+    from nc import cut as cut
+    from pal import Assembly as Assembly
+    from pal import assemble as assemble
+    from pdp8.computer.machine import LoadError as LoadError
+    from pdp8.computer.machine import Machine as Machine
+    from pdp8.computer.stop import Stop as Stop
+    from programs.parts import part as part
+    from tapes import ascii as ascii
+    from tapes import binary as binary
+    from tapes import eia as eia
+    from tapes import rim as rim
+    from tapes import shelf
+
+    tape = shelf.read
 
     __version__: str
 
-__all__ = ["Machine", "Stop"]
-_MODULES = {"Machine": "pdp8.computer.machine", "Stop": "pdp8.computer.stop"}
+_PLACES = {
+    "Assembly": ("pal", "Assembly"),
+    "LoadError": ("pdp8.computer.machine", "LoadError"),
+    "Machine": ("pdp8.computer.machine", "Machine"),
+    "Stop": ("pdp8.computer.stop", "Stop"),
+    "ascii": ("tapes.ascii", ""),
+    "assemble": ("pal", "assemble"),
+    "binary": ("tapes.binary", ""),
+    "cut": ("nc", "cut"),
+    "eia": ("tapes.eia", ""),
+    "part": ("programs.parts", "part"),
+    "rim": ("tapes.rim", ""),
+    "tape": ("tapes.shelf", "read"),
+}
+"""Where each name is: a module, and the name there, or the module itself."""
+
+__all__ = list(_PLACES)
+
+_HOUSE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+_ROOMS = ("nc", "pal", "programs", "tapes")
+
+
+class _Rooms:
+    """Finds the packages beside this one before a file of the same name beside a script."""
+
+    @staticmethod
+    def find_spec(
+        name: str, path: Sequence[str] | None, target: "ModuleType | None" = None
+    ) -> ModuleSpec | None:
+        return PathFinder.find_spec(name, [_HOUSE]) if name in _ROOMS else None
+
+
+sys.meta_path.insert(0, _Rooms)
 
 
 def __getattr__(name: str) -> object:
-    """Return what is not loaded yet, or the version of the installed package."""
+    """Import what is asked for. Raises ImportError where a script took the name of one of our packages."""
     if name == "__version__":
         from importlib.metadata import version
 
         return version("pdp8")
-    if name not in _MODULES:
+    if name not in _PLACES:
         raise AttributeError(f"module 'pdp8' has no attribute {name!r}")
-    from importlib import import_module
-
-    return getattr(import_module(_MODULES[name]), name)
+    for room in _ROOMS:
+        taken = getattr(sys.modules.get(room), "__file__", None)
+        if taken and os.path.dirname(os.path.dirname(taken)) != _HOUSE:
+            raise ImportError(
+                f"{taken} was imported as {room!r}, the name of a package of pdp8: import pdp8 before it, "
+                "or give the file another name"
+            )
+    module, attribute = _PLACES[name]
+    found = import_module(module)
+    return getattr(found, attribute) if attribute else found
 
 
 def __dir__() -> list[str]:
     """Return the names of the package, those that are not loaded yet too."""
-    return sorted({*globals(), *__all__, "__version__"})
+    return sorted({*globals(), *_PLACES, "__version__"})

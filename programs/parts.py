@@ -102,3 +102,11 @@ def find(name: str) -> Part:
     if name not in PARTS:
         raise WorkError(f"{name}: no such part program; there are {', '.join(PARTS)}")
     return PARTS[name]
+
+
+def part(name: str, **constants: Any) -> str:
+    """Return the printout of the part program `name`: blocks of 19 characters, each ended by a line feed.
+
+    `constants` replace those of its listing, in its own units (`pdp8 part NAME --help`). Raises WorkError.
+    """
+    return find(name).program()(**constants)

@@ -53,8 +53,9 @@ def _show_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
 
     from pdp8.computer import engine
 
-    core = "interpreted" if str(engine.__file__).endswith(".py") else "compiled"
-    click.echo(f"pdp8, version {version('pdp8')}, {core} core")
+    path = str(engine.__file__)
+    form = "interpreted" if path.endswith(".py") else "compiled"
+    click.echo(f"pdp8, version {version('pdp8')}, {form} core: {path}")
     ctx.exit()
 
 
@@ -65,7 +66,7 @@ def _show_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
     is_eager=True,
     expose_value=False,
     callback=_show_version,
-    help="Show the version, and which core runs.",
+    help="Show the version, and which form of the core runs, from where.",
 )
 def pdp8() -> None:
     """A bit-exact PDP-8/L with its Teletype, PAL III, paper tapes and the N/C machine of one 1971 thesis.

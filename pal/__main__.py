@@ -1,0 +1,5 @@
+"""`python -m pal`: the command `pal`."""
+
+from pal.cli import main
+
+main()

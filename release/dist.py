@@ -1,0 +1,168 @@
+"""Build what a release consists of, install each wheel into an empty environment, and run it there.
+
+    dist/        pdp8-V.tar.gz, and the compiled wheel for this Python: pip install dist/*.whl
+    dist/other/  the compiled wheels for the other Pythons at hand, and py3-none-any, which compiles nothing
+
+Each wheel is built twice from the sdist and has to come out the same to the byte; SOURCE_DATE_EPOCH is the
+time of the last commit unless it is set. Wheels that PyPI takes for Linux, macOS and Windows are built by
+cibuildwheel (pyproject.toml) in .github/workflows/release.yml; they pass the same checks:
+
+    python release/dist.py                 build and check
+    python release/dist.py --check WHEEL…  check wheels that were built elsewhere
+
+Needs uv and twine: `pip install ".[release]"`.
+"""
+
+import argparse
+import filecmp
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from zipfile import ZipFile
+
+HOUSE = Path(__file__).parent.parent
+PYTHONS = ("3.11", "3.12", "3.13", "3.14")
+SCRIPT = Path(__file__).with_name("script.py")
+
+
+def run(*command: str | Path, env: dict[str, str] | None = None, **options: object) -> bytes:
+    """Run a command; return its standard output. Exits with the output where it fails."""
+    done = subprocess.run(
+        [str(word) for word in command],
+        env={**os.environ, **(env or {})},
+        capture_output=True,
+        check=False,
+        **options,  # type: ignore[call-overload]
+    )
+    if done.returncode:
+        sys.exit(
+            f"{' '.join(str(word) for word in command)}: status {done.returncode}\n{done.stderr.decode()}"
+        )
+    return bytes(done.stdout)
+
+
+def say(line: str) -> None:
+    """Print a line at once, between the lines of other programs."""
+    print(line, flush=True)
+
+
+def epoch() -> dict[str, str]:
+    """Return the environment that makes archives reproducible."""
+    if "SOURCE_DATE_EPOCH" in os.environ:
+        return {}
+    return {"SOURCE_DATE_EPOCH": run("git", "log", "-1", "--format=%ct", cwd=HOUSE).decode().strip()}
+
+
+def uv() -> str:
+    """Return the path of uv."""
+    beside = Path(sys.executable).with_name("uv")
+    found = str(beside) if beside.exists() else shutil.which("uv")
+    return found or sys.exit('uv is not installed: pip install ".[release]"')
+
+
+def pythons() -> dict[str, str]:
+    """Return the interpreters at hand, {version: path}, this one's version first."""
+    here = f"{sys.version_info.major}.{sys.version_info.minor}"
+    found = {here: sys.executable}
+    for version in PYTHONS:
+        asked = subprocess.run(
+            [uv(), "python", "find", "--no-python-downloads", version],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        if version not in found and asked.returncode == 0:
+            found[version] = asked.stdout.strip()
+    return found
+
+
+def build(kind: str, source: Path, out: Path, python: str, extensions: str) -> Path:
+    """Build a `kind`, sdist or wheel, of `source` into folder `out`; return the archive."""
+    with tempfile.TemporaryDirectory() as folder:
+        run(
+            *(uv(), "build", f"--{kind}", "--python", python, "--out-dir", folder, source),
+            env={"PDP8_EXTENSIONS": extensions, **epoch()},
+        )
+        (built,) = (path for path in Path(folder).iterdir() if path.suffix in (".whl", ".gz"))
+        out.mkdir(parents=True, exist_ok=True)
+        return Path(shutil.copy(built, out))
+
+
+def built_twice(source: Path, out: Path, python: str, extensions: str) -> Path:
+    """Build a wheel of `source` into `out`, and once more; exit if the two differ."""
+    wheel = build("wheel", source, out, python, extensions)
+    with tempfile.TemporaryDirectory() as folder:
+        again = build("wheel", source, Path(folder), python, extensions)
+        if not filecmp.cmp(wheel, again, shallow=False):
+            sys.exit(f"{wheel.name}: built twice, the bytes differ")
+    return wheel
+
+
+def check(wheel: Path, python: str) -> None:
+    """Install `wheel` into an empty environment of `python`; run the main job and a user's script there."""
+    pure = wheel.name.endswith("-py3-none-any.whl")
+    names = ZipFile(wheel).namelist()
+    count = sum(name.endswith((".so", ".pyd")) for name in names)
+    expected = 0 if pure else sum(name.endswith(".pxd") for name in names)
+    if count != expected:
+        sys.exit(f"{wheel.name}: {count} compiled modules, expected {expected}")
+    with tempfile.TemporaryDirectory() as folder:
+        room = Path(folder)
+        run(uv(), "venv", "-q", "--python", python, room / "venv")
+        bin_ = room / "venv" / ("Scripts" if os.name == "nt" else "bin")
+        run(uv(), "pip", "install", "-q", "--python", bin_ / "python", wheel, "mypy")
+        run(uv(), "pip", "check", "--python", bin_ / "python")
+        version = run(bin_ / "pdp8", "--version").decode().strip()
+        if ("interpreted" if pure else "compiled") not in version:
+            sys.exit(f"{wheel.name}: pdp8 --version says {version!r}")
+        tape = run(bin_ / "pdp8", "part", "circle")
+        cut = run(bin_ / "pdp8l", "run", "eia.pal", "--quiet", input=tape)
+        if cut != (HOUSE / "tapes" / "circle.eia").read_bytes():
+            sys.exit(f"{wheel.name}: the main job punches another tape than circle.eia")
+        check_script(room, bin_)
+    say(f"{wheel.name}: {count} compiled modules; {version}; circle.eia is right; types are right")
+
+
+def check_script(room: Path, bin_: Path) -> None:
+    """Run release/script.py, a user's script, beside files that bear the names of our packages; type it."""
+    for name in ("programs", "tapes", "nc", "pal"):
+        (room / f"{name}.py").write_text("raise SystemExit('a user\\'s own file was imported')\n")
+    script = shutil.copy(SCRIPT, room)
+    said = run(bin_ / "python", script, cwd=room)
+    if said.split() != [b"tape", b"out", b"13321"]:
+        sys.exit(f"{SCRIPT.name}: printed {said!r}")
+    typed = room / "typed"
+    typed.mkdir()
+    run(bin_ / "mypy", "--strict", shutil.copy(SCRIPT, typed), cwd=typed)
+
+
+def main() -> None:
+    """Build and check, or check the wheels that are named."""
+    parser = argparse.ArgumentParser(description="Build what a release consists of, and check it.")
+    parser.add_argument("--check", nargs="+", type=Path, metavar="WHEEL", help="only check these wheels")
+    wheels = parser.parse_args().check
+    if wheels:
+        for wheel in wheels:
+            check(wheel, sys.executable)
+        return
+    out, here = HOUSE / "dist", sys.executable
+    shutil.rmtree(out, ignore_errors=True)
+    sdist = build("sdist", HOUSE, out, here, "auto")
+    say(sdist.name)
+    archives = [sdist]
+    for version, python in pythons().items():
+        place = out if python == here else out / "other"
+        wheel = built_twice(sdist, place, python, "require")
+        check(wheel, python)
+        archives.append(wheel)
+        say(f"    Python {version}")
+    wheel = built_twice(sdist, out / "other", here, "forbid")
+    check(wheel, here)
+    archives.append(wheel)
+    say(run(sys.executable, "-m", "twine", "check", "--strict", *archives).decode().strip())
+
+
+main()

@@ -1,0 +1,83 @@
+"""What `import pdp8` gives a script, and what a script's own files may be called."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import pdp8
+
+HOUSE = Path(__file__).parents[2]
+ROOMS = ("nc", "pal", "programs", "tapes")
+
+
+def python(folder: Path, *arguments: str, stdin: bytes = b"") -> "subprocess.CompletedProcess[bytes]":
+    return subprocess.run(
+        [sys.executable, *arguments], input=stdin, capture_output=True, cwd=folder, check=False
+    )
+
+
+@pytest.fixture
+def shadowed(tmp_path: Path) -> Path:
+    """A folder whose files bear the names of all our packages but pdp8."""
+    for room in ROOMS:
+        (tmp_path / f"{room}.py").write_text("raise SystemExit('the file of the script was imported')\n")
+    return tmp_path
+
+
+def test_every_name_can_be_imported_and_is_listed() -> None:
+    assert set(pdp8.__all__) <= set(dir(pdp8))
+    assert all(getattr(pdp8, name) is not None for name in pdp8.__all__)
+    assert re.fullmatch(r"\d+\.\d+\.\d+", pdp8.__version__)
+    with pytest.raises(AttributeError, match="no attribute 'nothing'"):
+        pdp8.nothing  # noqa: B018
+
+
+def test_the_readme_s_script_runs_beside_files_with_our_packages_names(shadowed: Path) -> None:
+    script = re.search(r"```python\n(.*?)```", (HOUSE / "README.md").read_text(), re.DOTALL)
+    assert script
+    (shadowed / "script.py").write_text(script[1])
+    done = python(shadowed, "script.py")
+    assert done.stdout == b"tape out 13321\n", done.stderr.decode()
+
+
+def test_release_types_the_script_of_the_readme() -> None:
+    def code(text: str) -> list[str]:
+        return [line.split("#")[0].rstrip() for line in text.splitlines() if line.strip()]
+
+    shown = re.search(r"```python\n(.*?)```", (HOUSE / "README.md").read_text(), re.DOTALL)
+    assert shown
+    script = (HOUSE / "release" / "script.py").read_text()
+    assert code(script[script.index("import pdp8") :]) == code(shown[1])
+
+
+@pytest.mark.parametrize("module", ["pdp8", "pal"])
+def test_the_commands_run_as_modules(module: str, tmp_path: Path) -> None:
+    done = python(tmp_path, "-m", module, "--help")
+    assert done.returncode == 0
+    assert b"Usage: " + module.encode() in done.stdout
+
+
+def test_the_command_runs_beside_files_with_our_packages_names(shadowed: Path) -> None:
+    done = python(shadowed, "-m", "pdp8", "run", "hello.pal", "--quiet")
+    assert (done.returncode, b"HELLO" in bytes(frame & 0o177 for frame in done.stdout)) == (0, True), (
+        done.stderr
+    )
+
+
+def test_a_file_that_was_imported_under_our_name_is_named(tmp_path: Path) -> None:
+    (tmp_path / "programs.py").write_text("")
+    done = python(tmp_path, "-c", "import programs, pdp8; pdp8.part")
+    assert f"{tmp_path / 'programs.py'} was imported as 'programs'".encode() in done.stderr
+
+
+def test_importing_the_package_imports_nothing_heavy(tmp_path: Path) -> None:
+    done = python(tmp_path, "-c", "import sys, pdp8; print(*sys.modules)")
+    loaded = set(done.stdout.decode().split())
+    assert not loaded & {"click", "numpy", "rich", "tapes", "pal", "programs", "nc", "pdp8.computer"}
+
+
+def test_each_package_is_typed() -> None:
+    assert all((HOUSE / room / "py.typed").exists() for room in (*ROOMS, "pdp8"))

@@ -1,0 +1,68 @@
+"""The wheel for every platform runs the main job in Pyodide, CPython in WebAssembly, as in a browser."""
+
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import click
+import pytest
+
+from tests.conftest import assert_same_tape
+
+HOUSE = Path(__file__).parents[2]
+PYODIDE = HOUSE / "tests" / "node" / "node_modules" / "pyodide"
+NODE = shutil.which("node")
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(NODE is None, reason="node is not installed")
+@pytest.mark.skipif(not PYODIDE.is_dir(), reason="pyodide is not installed: npm install --prefix tests/node")
+def test_the_main_job_runs_in_pyodide(tmp_path: Path) -> None:
+    clicks = tmp_path / "click.zip"
+    with zipfile.ZipFile(clicks, "w") as archive:
+        for path in Path(click.__file__).parent.glob("*.py"):
+            archive.write(path, f"click/{path.name}")
+    done = subprocess.run(
+        [
+            str(NODE),
+            str(Path(__file__).with_name("pyodide.mjs")),
+            str(PYODIDE),
+            _plain_wheel(tmp_path),
+            clicks,
+        ],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert_same_tape(bytes.fromhex(done.stdout), (HOUSE / "tapes" / "circle.eia").read_bytes())
+
+
+def _plain_wheel(folder: Path) -> Path:
+    """Build py3-none-any from a copy of the sources, so that no other build is disturbed."""
+    source = folder / "source"
+    for name in ("tapes", "pal", "pdp8", "programs", "nc"):
+        shutil.copytree(HOUSE / name, source / name, ignore=shutil.ignore_patterns("__pycache__", "*.so"))
+    for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):
+        shutil.copy(HOUSE / name, source)
+    subprocess.run(
+        [
+            sys.executable,
+            "-m",
+            "pip",
+            "wheel",
+            "-q",
+            "--no-deps",
+            "--no-build-isolation",
+            "-w",
+            folder,
+            source,
+        ],
+        env={**os.environ, "PDP8_EXTENSIONS": "forbid"},
+        check=True,
+    )
+    (built,) = folder.glob("pdp8-*-py3-none-any.whl")
+    return built

@@ -1,0 +1,50 @@
+"""The documentation as a site: mkdocs.yml lets no warning pass, a broken link or anchor among them."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+HOUSE = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The site, built."""
+    pytest.importorskip("mkdocs", reason="mkdocs, of the extra `docs`, is not installed")
+    folder = tmp_path_factory.mktemp("site")
+    done = subprocess.run(
+        [sys.executable, "-m", "mkdocs", "build", "-q", "--strict", "-d", folder],
+        cwd=HOUSE,
+        env={**os.environ, "NO_MKDOCS_2_WARNING": "1"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
+    return folder
+
+
+@pytest.mark.slow
+def test_the_first_page_is_the_readme(site: Path) -> None:
+    page = (site / "index.html").read_text()
+    assert "Moses Wong" in page
+    assert 'href="pdp8.html"' in page
+
+
+@pytest.mark.slow
+def test_a_page_is_made_of_each_module(site: Path) -> None:
+    page = (site / "api" / "pdp8.computer.processor.html").read_text()
+    assert "Run one memory cycle." in page
+    assert "Not emulated" in page
+
+
+@pytest.mark.slow
+def test_every_page_of_docs_can_be_searched(site: Path) -> None:
+    index = json.loads((site / "search" / "search_index.json").read_text())
+    found = {entry["location"].split("#")[0] for entry in index["docs"]}
+    assert {page.with_suffix(".html").name for page in (HOUSE / "docs").glob("*.md")} <= found
