@@ -181,6 +181,18 @@ SPINDLE: Final = {code: rates.spindle for code, rates in TOOL_FUNCTION.items()} 
 """Spindle speed in revolutions a minute, by tool function code; both halves of Table 2.4."""
 
 
+FIELDS: Final = {
+    "sequence": 3,
+    "preparatory": 1,
+    "x": 5,
+    "y": 5,
+    "reserved": 1,
+    "tool": 2,
+    "miscellaneous": 2,
+}
+"""The fields of a block in their order, each with its rows; the last row is the end of block."""
+
+
 class Block(NamedTuple):
     """One block: what its 19 digits say. X and Y are thousandths of an inch."""
 

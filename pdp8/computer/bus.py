@@ -28,6 +28,7 @@ IOP1, IOP2, IOP4 = -3, 15, 33
 
 # Compiled, these are C numbers (bus.pxd); importers find them here.
 globals().update(NEVER=NEVER, AT_ONCE=AT_ONCE, SKIP=SKIP, CLEAR_AC=CLEAR_AC)
+globals().update(IOP1=IOP1, IOP2=IOP2, IOP4=IOP4)
 
 
 class Device:

@@ -53,6 +53,9 @@ IOP2_TO_IOP4 = 18
 START_CHECKED = half_units(1)
 RECEIVED = half_units(17)
 
+# Compiled, these are C numbers (teletype.pxd); importers find them here.
+globals().update(FRAME=FRAME, START_CHECKED=START_CHECKED, RECEIVED=RECEIVED, IOP2_TO_IOP4=IOP2_TO_IOP4)
+
 
 class Reader:
     """The tape reader: a tape, where it stands under the head, and the lever."""

@@ -1,9 +1,11 @@
 """Pages for a browser: HTML files with everything inside.
 
-page          the afternoon as one file, of which these are the pieces:
+facts         what the scripts know of times, codes and names, from the Python tables: facts.mjs
+bundle        modules, style and data in one file, and what that file may do
+page          the afternoon as one file, of which these are the pieces
 
 page.html     what stands where           page.css       how it looks
-machine.mjs   a small PDP-8/L             panel.mjs      its lamps and switches
+computer/     the PDP-8/L                 panel.mjs      its lamps and switches
 afternoon.mjs any instant again           paper.mjs      listing, printed page, blocks
 tape.mjs      tapes under their heads     cutter.mjs     the staircase in its band
 scene.mjs     all of it at one instant    written.mjs    how it is written

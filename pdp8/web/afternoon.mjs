@@ -6,11 +6,12 @@
 // the computer is run once from cold, a checkpoint kept every ten seconds, and an instant is the checkpoint before it
 // run forward. `now` is in ticks of 0.05 µs since the afternoon began.
 
-import { FETCH, FRAME, Machine } from "./machine.mjs";
+import { Machine } from "./computer/machine.mjs";
+import { grown, restore, snapshot } from "./computer/snapshot.mjs";
+import { ASCII, END_OF_BLOCK, ISA, ROWS, TIMES } from "./facts.mjs";
 
-export const SECOND = 20_000_000; // ticks
+const { FRAME, SECOND } = TIMES;
 const CHECKPOINT_EVERY = 10 * SECOND;
-const CARRIAGE_RETURN = 0o15;
 
 export class Afternoon {
   constructor(record) {
@@ -24,8 +25,13 @@ export class Afternoon {
     this.to(0);
   }
 
+  get processor() {
+    return this.machine.processor;
+  }
+
   #fromCold() {
-    this.machine = new Machine((event, tick) => this.#witness(event, tick));
+    this.machine = new Machine();
+    this.machine.teletype.receiver.onFrame = (frame, tick) => this.#received(frame, tick);
     this.now = 0;
     this.done = 0; // deeds done
     this.mounted = null;
@@ -45,6 +51,7 @@ export class Afternoon {
       this.checkpoints.push(this.#save());
     }
     this.rehearsing = false;
+    this.rolls = grown(this.machine);
     this.#rehearseTapes();
     this.characters = ordered(this.characters);
     this.blocks = ordered(this.blocks);
@@ -59,32 +66,31 @@ export class Afternoon {
         for (let frame = 0; frame < tape.length; frame++) {
           const tick = act.from + (frame + 1) * FRAME;
           this.characters.push(tick);
-          if ((tape[frame] & 0o177) === CARRIAGE_RETURN) this.blocks.push(tick);
+          if (endsLine(tape[frame], "ascii")) this.blocks.push(tick);
         }
       } else if (act.kind === "mill") {
         for (const block of this.record.mill.blocks) {
           this.blocks.push(block.at);
-          for (let row = 0; row < 20; row++) this.characters.push(block.at + Math.round(((row + 1) * block.reading) / 20));
+          for (let row = 0; row < ROWS; row++) this.characters.push(block.at + Math.round(((row + 1) * block.reading) / ROWS));
         }
       }
     }
   }
 
-  #witness(event, tick) {
-    if (!this.rehearsing || event !== "received") return;
+  #received(frame, tick) {
+    if (!this.rehearsing) return;
     this.characters.push(tick);
-    const { tape, received } = this.machine.teletype;
-    if (this.act(tick).kind === "translate" && (tape[received - 1] & 0o177) === CARRIAGE_RETURN) this.blocks.push(tick);
+    if (this.act(tick).kind === "translate" && endsLine(frame, "ascii")) this.blocks.push(tick);
   }
 
   #save() {
     const { now, done, mounted } = this;
-    return { now, done, mounted, machine: this.machine.save() };
+    return { now, done, mounted, machine: snapshot(this.machine) };
   }
 
   #restore({ machine, ...rest }) {
     Object.assign(this, rest);
-    this.machine.restore(machine);
+    restore(this.machine, machine, this.rolls);
   }
 
   /** Go to an instant. */
@@ -98,31 +104,33 @@ export class Afternoon {
   #advance(tick) {
     while (this.done < this.deeds.length && this.deeds[this.done].at <= tick) {
       const deed = this.deeds[this.done];
-      this.machine.runTo(deed.at);
+      this.machine.to(deed.at);
       this.done++;
       this.now = deed.at;
       this.#do(deed);
     }
-    this.machine.runTo(tick);
+    this.machine.to(tick);
     this.now = tick;
   }
 
   #do({ key, value }) {
-    const { machine } = this;
-    if (key === "sr") machine.sr = value;
-    else if (key === "load add") machine.loadAddress();
-    else if (key === "dep") machine.deposit();
-    else if (key === "exam") machine.examine();
-    else if (key === "stop") machine.stop();
+    const { panel, processor, teletype } = this.machine;
+    if (key === "sr") processor.sr = value;
+    else if (key === "load add") panel.loadAdd();
+    else if (key === "dep") panel.dep();
+    else if (key === "exam") panel.exam();
+    else if (key === "stop") panel.stop();
     else if (key === "mount") this.#mount(value);
-    else if (key === "lever") machine.teletype.pullLever(machine.ticks);
-    else if (key === "start") machine.start();
+    else if (key === "lever") teletype.reader.lever(true);
+    else if (key === "start") panel.start();
     else throw new Error(`no such deed: ${key}`);
   }
 
   #mount(name) {
     this.mounted = name;
-    this.machine.teletype.mount(this.tapes[name].frames);
+    const { reader } = this.machine.teletype;
+    reader.lever(false);
+    reader.load(this.tapes[name].frames);
   }
 
   act(tick = this.now) {
@@ -137,14 +145,14 @@ export class Afternoon {
   /** The next instant by "block", "character", "instruction" or "cycle". */
   next(unit) {
     if (unit === "block") return this.to(after(this.blocks, this.now, this.end));
-    if (unit === "character" || !this.machine.running) return this.to(after(this.characters, this.now, this.end));
+    if (unit === "character" || !this.processor.run) return this.to(after(this.characters, this.now, this.end));
     const done = this.done;
     do this.#nextCycle();
-    while (unit === "instruction" && this.machine.running && this.machine.next !== FETCH && this.done === done);
+    while (unit === "instruction" && this.processor.run && this.processor.next !== ISA.FETCH && this.done === done);
   }
 
   #nextCycle() {
-    const end = this.machine.ticks + this.machine.nextCycle();
+    const end = this.processor.clock + this.processor.nextCycle();
     const deed = this.done < this.deeds.length ? this.deeds[this.done].at : Infinity;
     this.to(Math.min(end, deed));
   }
@@ -152,10 +160,10 @@ export class Afternoon {
   /** The instant before by the same units. */
   previous(unit) {
     if (unit === "block") return this.to(before(this.blocks, this.now));
-    const fresh = this.machine.ticks <= this.#lastDeed(); // no cycle since the last deed
-    if (unit === "character" || !this.machine.running || fresh) return this.to(before(this.characters, this.now));
+    const fresh = this.processor.clock <= this.#lastDeed(); // no cycle since the last deed
+    if (unit === "character" || !this.processor.run || fresh) return this.to(before(this.characters, this.now));
     do this.#previousCycle();
-    while (unit === "instruction" && this.machine.next !== FETCH);
+    while (unit === "instruction" && this.processor.next !== ISA.FETCH);
   }
 
   #lastDeed() {
@@ -163,8 +171,8 @@ export class Afternoon {
   }
 
   #previousCycle() {
-    this.to(this.machine.ticks - 1);
-    this.now = Math.max(this.machine.ticks, this.#lastDeed());
+    this.to(this.processor.clock - 1);
+    this.now = Math.max(this.processor.clock, this.#lastDeed());
   }
 }
 
@@ -172,14 +180,18 @@ export class Afternoon {
 export function unpacked(record) {
   for (const tape of Object.values(record.tapes)) {
     tape.frames = Uint8Array.from(atob(tape.frames), (character) => character.charCodeAt(0));
-    const end = tape.code === "eia" ? (frame) => frame === 0o200 : (frame) => (frame & 0o177) === 0o15;
     tape.lines = [];
-    tape.frames.forEach((frame, index) => end(frame) && tape.lines.push(index));
+    tape.frames.forEach((frame, index) => endsLine(frame, tape.code) && tape.lines.push(index));
     tape.first = tape.frames.findIndex((frame) => frame !== 0);
   }
   record.acts.forEach((act, index) => (act.index = index));
   record.translation = record.acts.findIndex((act) => act.kind === "translate");
   return record;
+}
+
+/** Whether the frame ends a line of an ASCII tape, or a block of an EIA tape. */
+export function endsLine(frame, code) {
+  return code === "eia" ? frame === END_OF_BLOCK : (frame & 0o177) === ASCII.CR;
 }
 
 function ordered(instants) {

@@ -4,9 +4,9 @@
 // [tick, x, y, down] between which the cutter goes straight; `down` says that the way to the knot was milled.
 
 import { upper } from "./afternoon.mjs";
+import { ROWS } from "./facts.mjs";
 import { fit } from "./tape.mjs";
 
-const ROWS = 20;
 const PLATE = "#cfd2cf", GROOVE = "#8f979b", FLOOR = "#a9b0b2", LINE = "#20303a", BAND = "#2f6f5e", TOOL = "#b3401f", FAINT = "#57534a";
 
 export class Mill {

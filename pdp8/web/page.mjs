@@ -1,10 +1,12 @@
 // The page's controls: slider, buttons and keys, and the clock of a play.
 
-import { Afternoon, SECOND, unpacked } from "./afternoon.mjs";
-import { Machine } from "./machine.mjs";
+import { Afternoon, unpacked } from "./afternoon.mjs";
+import { Machine } from "./computer/machine.mjs";
+import { TIMES } from "./facts.mjs";
 import { Scene } from "./scene.mjs";
 import { escaped, find } from "./written.mjs";
 
+const { SECOND } = TIMES;
 const SPEEDS = [
   [1e-6, "1 : 1 000 000, a cycle in 1.6 s"],
   [1e-5, "1 : 100 000"],

@@ -1,20 +1,17 @@
 """The afternoon as one page: a self-contained HTML file in which every instant can be looked at.
 
     Afternoon ──► record (JSON: tapes, deeds, blocks)  ┐
-    machine.mjs afternoon.mjs ... page.mjs             ├──► page.html with everything inside
+    computer/*.mjs afternoon.mjs ... page.mjs          ├──► page.html with everything inside
     page.css                                           ┘
 
 The page is no film. Its record holds what was done and what was punched; a small PDP-8/L of its own
-(machine.mjs) makes every instant again, from the deeds, and is held in lockstep with the processor by tests.
+(computer/) makes every instant again, from the deeds, and is held in lockstep with the processor by tests.
 """
 
 import base64
-import json
-import re
 from collections.abc import Iterator
-from functools import cache
-from importlib.resources import files
-from typing import Any, Final
+from itertools import accumulate, pairwise
+from typing import Any
 
 import numpy as np
 
@@ -26,10 +23,9 @@ from nc.talysurf import talysurf
 from pdp8.computer.machine import TICKS_PER_SECOND
 from pdp8.replay.afternoon import OPENS, Act, Afternoon, Kind
 from pdp8.replay.figures import COLUMNS, compare
+from pdp8.web import bundle
 from programs.parts import PARTS
-
-MODULES: Final = ("machine", "afternoon", "written", "tape", "cutter", "panel", "paper", "scene", "page")
-"""The page's scripts, each after those it imports from."""
+from tapes.hydrapoint import FIELDS
 
 _CODES = {"asc": "ascii", "eia": "eia", "bin": "bin", "rim": "rim"}
 _CUTTING = (Move.MILL, Move.FEED_IN, Move.FEED_OUT)
@@ -38,32 +34,7 @@ _CURVE_POINTS = 1440
 
 def page(afternoon: Afternoon) -> str:
     """Return the whole page."""
-    html = _source("page.html")
-    html = html.replace("/* page.css */", _source("page.css"))
-    html = html.replace("/* page.mjs */", script())
-    data = json.dumps(record(afternoon), separators=(",", ":")).replace("</", "<\\/")
-    return html.replace('type="application/json">{}<', f'type="application/json">{data}<')
-
-
-@cache
-def _source(name: str) -> str:
-    return files(__package__).joinpath(name).read_text(encoding="utf-8")
-
-
-_IMPORT = re.compile(r'^import (\{.*\}) from "\./(\w+)\.mjs";$', re.MULTILINE)
-_EXPORT = re.compile(r"^export (?=(?:class|const|function) (\w+))", re.MULTILINE)
-
-
-def script() -> str:
-    """Return the modules in one script, for a page from disk can import none; each in its own scope."""
-    return "\n".join(_scope(name, _source(f"{name}.mjs")) for name in MODULES)
-
-
-def _scope(name: str, module: str) -> str:
-    """Return `module` as a constant that holds what it exports; its imports come from those before."""
-    exported = ", ".join(_EXPORT.findall(module))
-    body = _EXPORT.sub("", _IMPORT.sub(r"const \1 = \2_module;", module))
-    return f"const {name}_module = (() => {{\n{body}\nreturn {{ {exported} }};\n}})();"
+    return bundle.page("page.html", "page.css", "page", record(afternoon))
 
 
 def record(afternoon: Afternoon) -> dict[str, Any]:
@@ -151,8 +122,8 @@ def _graph(afternoon: Afternoon) -> dict[str, Any] | None:
 
 
 def _block(digits: str) -> str:
-    cuts = (3, 4, 9, 14, 15, 17, 19)
-    return " ".join(digits[start:end] for start, end in zip((0, *cuts), cuts, strict=False))
+    cuts = list(accumulate(FIELDS.values(), initial=0))
+    return " ".join(digits[start:end] for start, end in pairwise(cuts))
 
 
 def _listing(assembly: pal.Assembly) -> Iterator[list[Any]]:

@@ -5,11 +5,10 @@
 //
 // Source: PDP-8/L Users Handbook, chapter 2 (console).
 
-import { DEFER, EXECUTE, FETCH } from "./machine.mjs";
+import { ISA, STATES } from "./facts.mjs";
 import { octal } from "./written.mjs";
 
-export const STATES = ["FETCH", "DEFER", "EXECUTE", "WORD COUNT", "CURR ADDR", "BREAK"];
-const SIGNS = ["ION", "PARITY", "PROTECT", "RUN"];
+const SIGNS = ["FETCH", "DEFER", "EXECUTE", "WORD COUNT", "CURR ADDR", "BREAK", "ION", "PARITY", "PROTECT", "RUN"];
 const KEYS = ["START", "LOAD ADD", "DEP", "EXAM", "CONT", "STOP", "SING STEP"];
 
 export class Panel {
@@ -22,7 +21,7 @@ export class Panel {
         </div>
         <div class="signs">
           <div class="row" data-row="IR"><span class="legend">INSTR REG</span>${group(lamps("IR", [0, 1, 2]))}</div>
-          <div class="states">${STATES.concat(SIGNS).map(sign).join("")}</div>
+          <div class="states">${SIGNS.map(sign).join("")}</div>
         </div>
       </div>
       <div class="switches">
@@ -39,17 +38,16 @@ export class Panel {
 
   /** Show the machine, and the key that is being pressed, if any. */
   show(machine, pressed) {
-    this.#word("MA", machine.ma, 12);
-    this.#word("MB", machine.mb, 12);
+    const { processor } = machine;
+    this.#word("MA", processor.ma, 12);
+    this.#word("MB", processor.mb, 12);
     this.#word("AC", machine.ac, 12);
-    this.#word("IR", machine.ir, 3);
+    this.#word("IR", processor.ir, 3);
     this.#light("LINK", machine.link);
-    this.#light("FETCH", machine.state === FETCH);
-    this.#light("DEFER", machine.state === DEFER);
-    this.#light("EXECUTE", machine.state === EXECUTE);
-    this.#light("ION", machine.ion);
-    this.#light("RUN", machine.running);
-    this.rockers.forEach((rocker, bit) => rocker.classList.toggle("up", Boolean(machine.sr & (0o4000 >> bit))));
+    for (const name of ["FETCH", "DEFER", "EXECUTE"]) this.#light(name, processor.state === ISA[name]);
+    this.#light("ION", processor.ion);
+    this.#light("RUN", processor.run);
+    this.rockers.forEach((rocker, bit) => rocker.classList.toggle("up", Boolean(processor.sr & (0o4000 >> bit))));
     for (const [name, button] of this.keys) button.classList.toggle("pressed", name === pressed);
     this.spoken.textContent = spoken(machine);
   }
@@ -65,10 +63,15 @@ export class Panel {
   }
 }
 
-function spoken({ ma, mb, link, ac, ir, state, ion, running }) {
-  const cycle = ["fetch", "defer", "execute"][state];
+/** The name of a major state, as its lamp has it. */
+export function stateName(state) {
+  return STATES[state];
+}
+
+function spoken({ link, ac, processor: { ma, mb, ir, state, ion, run } }) {
+  const cycle = stateName(state).toLowerCase();
   return `memory address ${octal(ma)}, memory buffer ${octal(mb)}, link ${link}, accumulator ${octal(ac)}, `
-    + `instruction ${ir}, ${cycle}${ion ? ", interrupt on" : ""}, ${running ? "running" : "stopped"}`;
+    + `instruction ${ir}, ${cycle}${ion ? ", interrupt on" : ""}, ${run ? "running" : "stopped"}`;
 }
 
 /** A row of lamps under its legend; one may stand before it. */

@@ -1,7 +1,7 @@
 // The sheet on the desk: a program's listing with its current line lit, the Teletype's page, or the list of blocks.
 
 import { upper } from "./afternoon.mjs";
-import { FRAME } from "./machine.mjs";
+import { ASCII, TIMES } from "./facts.mjs";
 import { octal } from "./written.mjs";
 
 export class Paper {
@@ -57,10 +57,10 @@ export class Paper {
   /** The element of the line that is current. */
   #line(name, act, { now, machine }) {
     const sheet = this.sheets.get(name);
-    if (this.record.sheets[name].kind === "listing") return sheet.byAddress.get(machine.at) ?? null;
+    if (this.record.sheets[name].kind === "listing") return sheet.byAddress.get(machine.processor.at) ?? null;
     const tape = this.record.tapes.ascii;
     if (act.kind !== "terminal") return sheet.lines[Math.max(0, upper(this.starts(), now) - 1)];
-    const punched = Math.floor(now / FRAME);
+    const punched = Math.floor(now / TIMES.FRAME);
     const line = Math.min(upper(tape.lines, punched - 1), sheet.lines.length - 1);
     sheet.lines.forEach((element, index) => element.classList.toggle("blank", index > line));
     const begins = line ? tape.lines[line - 1] + 1 : 0;
@@ -72,7 +72,7 @@ export class Paper {
   #type(line, text, frames) {
     if (this.typing && this.typing.line !== line) this.typing.line.lastChild.textContent = this.typing.text;
     this.typing = { line, text };
-    const typed = frames.reduce((count, frame) => count + ((frame & 0o177) >= 0o40 && (frame & 0o177) !== 0o177), 0);
+    const typed = frames.reduce((count, frame) => count + ((frame & 0o177) >= ASCII.space && (frame & 0o177) !== ASCII.RUBOUT), 0);
     line.lastChild.textContent = text.slice(0, typed) || " ";
   }
 

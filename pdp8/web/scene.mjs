@@ -1,16 +1,18 @@
 // Everything on the page, shown as it was at one instant.
 
-import { SECOND, upper } from "./afternoon.mjs";
+import { endsLine, upper } from "./afternoon.mjs";
 import { drawClose, drawWhole, Mill } from "./cutter.mjs";
-import { FRAME } from "./machine.mjs";
-import { Panel, STATES } from "./panel.mjs";
+import { EIA, FIELDS, ISA, TIMES } from "./facts.mjs";
+import { Panel, stateName } from "./panel.mjs";
 import { Paper } from "./paper.mjs";
 import { drawTape, meaning } from "./tape.mjs";
 import { clock, escaped, find, grouped, octal, seconds } from "./written.mjs";
 
+const { FRAME, SECOND } = TIMES;
 const SAID = 8 * SECOND; // how long the operator's last deed is told
 const PRESSED = 0.4 * SECOND; // how long a key shows as pressed
-const FIELDS = [["sequence", 3], ["prep.", 1], ["X", 5], ["Y", 5], ["res.", 1], ["tool", 2], ["misc.", 2], ["end", 1]];
+const SHORT = { preparatory: "prep.", x: "X", y: "Y", reserved: "res.", miscellaneous: "misc." };
+const DIGITS = Object.values(FIELDS).reduce((sum, width) => sum + width);
 
 export class Scene {
   constructor(record, afternoon) {
@@ -53,12 +55,12 @@ export class Scene {
   /** The registers, while there is a program beside them. */
   #registers(act, machine) {
     find("registers").hidden = this.record.sheets[act.sheet].kind !== "listing";
-    const { teletype } = machine;
+    const { processor, teletype } = machine;
     const shown = [
-      ["L", machine.link], ["AC", octal(machine.ac)], ["MA", octal(machine.ma)], ["MB", octal(machine.mb)],
-      ["IR", machine.ir], ["PC", octal(machine.pc)], ["state", STATES[machine.state]],
-      ["reader flag", teletype.readerFlag ? "up" : "down"], ["punch flag", teletype.punchFlag ? "up" : "down"],
-      ["instructions", grouped(machine.instructions)], ["since START", machine.started ? seconds(machine.ticks - machine.started) : "–"],
+      ["L", machine.link], ["AC", octal(machine.ac)], ["MA", octal(processor.ma)], ["MB", octal(processor.mb)],
+      ["IR", processor.ir], ["PC", octal(processor.pc)], ["state", stateName(processor.state)],
+      ["reader flag", teletype.receiver.flag ? "up" : "down"], ["punch flag", teletype.transmitter.flag ? "up" : "down"],
+      ["instructions", grouped(processor.instructions)], ["since START", processor.started ? seconds(machine.ticks) : "–"],
     ];
     find("registers").innerHTML = shown.map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`).join("");
   }
@@ -81,22 +83,22 @@ export class Scene {
       return { ...tape, head: tape.first + this.mill.row(afternoon.now), title: "in the Hydra-Point's reader" };
     }
     if (!afternoon.mounted) return null;
-    const { taken } = afternoon.machine.teletype;
-    return { ...record.tapes[afternoon.mounted], head: Math.max(0, taken - 1), title: "in the ASR-33's reader" };
+    const { position } = afternoon.machine.teletype.reader;
+    return { ...record.tapes[afternoon.mounted], head: Math.max(0, position - 1), title: "in the ASR-33's reader" };
   }
 
   /** The tape that is being punched, or was last, where there is a punch. */
   #punch(act) {
     const { afternoon, record } = this;
-    const { teletype } = afternoon.machine;
+    const { frames } = afternoon.machine.teletype.punch;
     if (act.kind !== "terminal" && act.kind !== "toggle" && act.kind !== "translate") return null;
     if (act.index < record.translation) {
       const tape = record.tapes.ascii;
       const punched = Math.min(tape.frames.length, Math.floor(afternoon.now / FRAME));
       return { ...tape, head: punched - 1, punching: true, title: "in the terminal's punch" };
     }
-    const head = teletype.punched - 1;
-    return { ...record.tapes.eia, frames: teletype.paper, head, punching: true, title: "in the ASR-33's punch" };
+    const head = frames.length - 1;
+    return { ...record.tapes.eia, frames, head, punching: true, title: "in the ASR-33's punch" };
   }
 
   #label(which, tape) {
@@ -119,11 +121,11 @@ export class Scene {
     if (place.hidden) return;
     const { digits, read, number } = blockAt(tape);
     let at = 0;
-    const cells = FIELDS.map(([name, width]) => {
+    const cells = [...Object.entries(FIELDS), ["end", 1]].map(([name, width]) => {
       const shown = digits.slice(at, at + width).padEnd(width, "·");
       const passed = Math.max(0, read - at);
       at += width;
-      return `<span><b><i class="read">${shown.slice(0, passed)}</i>${shown.slice(passed)}</b><small>${name}</small></span>`;
+      return `<span><b><i class="read">${shown.slice(0, passed)}</i>${shown.slice(passed)}</b><small>${SHORT[name] ?? name}</small></span>`;
     });
     place.innerHTML = `<b>block ${number}</b><p>${cells.join("")}</p>`;
   }
@@ -144,9 +146,9 @@ export class Scene {
 }
 
 /** What a running machine is waiting for, in words. */
-function waits({ running, core, at }) {
-  if (!running) return "";
-  const word = core[at] >> 9 === 5 ? core[at - 1] : core[at];
+function waits({ core, processor: { run, at } }) {
+  if (!run) return "";
+  const word = core[at] >> 9 === ISA.JMP ? core[at - 1] : core[at];
   if (word === 0o6031) return "It waits for the reader.";
   if (word === 0o6041) return "It waits for the punch.";
   return "";
@@ -154,13 +156,12 @@ function waits({ running, core, at }) {
 
 /** The block at the tape's head: its digits as the translation makes them, how many have passed, its number. */
 function blockAt({ frames, head, code, lines }) {
-  const ended = (frame) => (code === "ascii" ? (frame & 0o177) === 0o15 : frame === 0o200);
   let from = Math.max(0, head);
-  while (from > 0 && !ended(frames[from - 1])) from--;
+  while (from > 0 && !endsLine(frames[from - 1], code)) from--;
   let digits = "";
   let read = 0;
-  for (let frame = from; frame < frames.length && digits.length < 20; frame++) {
-    const digit = ended(frames[frame]) ? "↵" : digitOf(frames[frame], code);
+  for (let frame = from; frame < frames.length && digits.length <= DIGITS; frame++) {
+    const digit = endsLine(frames[frame], code) ? "↵" : digitOf(frames[frame], code);
     digits += digit;
     if (frame <= head) read += digit.length;
     if (digit === "↵") break;
@@ -173,5 +174,5 @@ function digitOf(frame, code) {
     const character = String.fromCharCode(frame & 0o177);
     return character === " " ? "0" : /\d/.test(character) ? character : "";
   }
-  return frame === 0 ? "" : String(frame & 0o17);
+  return EIA[frame] ?? "";
 }

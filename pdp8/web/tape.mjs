@@ -5,6 +5,8 @@
 //
 // Sources: EIA RS-227; thesis (M. S. Wong, 1971), Chapter 2.
 
+import { ASCII, EIA, END_OF_BLOCK } from "./facts.mjs";
+
 const TRACKS = [8, 7, 6, 5, 4, 0, 3, 2, 1]; // 0 is the sprocket
 const WIDE = 10; // pitches
 const PAPER = { ascii: "#f1dfae", eia: "#e6e1cf", bin: "#d9e0cf", rim: "#d9e0cf" };
@@ -89,14 +91,14 @@ function drawChannels(context, { left, pitch }) {
   });
 }
 
-const SIGNS = { 0o12: "↓", 0o15: "↵", 0o40: "␣", 0o177: "×" };
+const SIGNS = new Map([[ASCII.LF, "↓"], [ASCII.CR, "↵"], [ASCII.space, "␣"], [ASCII.RUBOUT, "×"]]);
 const NAMES = { "↓": "line feed", "↵": "carriage return", "␣": "space", "×": "rubout", "": "blank" };
-const EIA = { 0o40: "0", 1: "1", 2: "2", 0o23: "3", 4: "4", 0o25: "5", 0o26: "6", 7: "7", 0o10: "8", 0o31: "9", 0o200: "↵", 0: "" };
+const EIA_SIGNS = { ...EIA, [END_OF_BLOCK]: "↵" };
 
 /** What one frame says in its code, as one sign; a binary frame as its octal digits. */
 export function sign(frame, code) {
-  if (code === "ascii") return SIGNS[frame & 0o177] ?? String.fromCharCode(frame & 0o177);
-  if (code === "eia") return EIA[frame] ?? "?";
+  if (code === "ascii") return SIGNS.get(frame & 0o177) ?? String.fromCharCode(frame & 0o177);
+  if (code === "eia") return frame === 0 ? "" : EIA_SIGNS[frame] ?? "?";
   return frame.toString(8).padStart(3, "0");
 }
 

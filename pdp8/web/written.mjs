@@ -1,6 +1,8 @@
 // How things are written on the page, and where.
 
-import { SECOND } from "./afternoon.mjs";
+import { TIMES } from "./facts.mjs";
+
+const { SECOND } = TIMES;
 
 /** The element with that id. */
 export const find = (id) => document.getElementById(id);

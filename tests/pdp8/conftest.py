@@ -75,7 +75,7 @@ _DRIVER = """
 import {{ readFileSync }} from "node:fs";
 import {{ Afternoon, unpacked }} from "{modules}/afternoon.mjs";
 const {{ record, given }} = JSON.parse(readFileSync(0, "utf8"));
-console.log(JSON.stringify(({function})(new Afternoon(unpacked(record)), given)));
+console.log(JSON.stringify(await ({function})(new Afternoon(unpacked(record)), given)));
 """
 
 

@@ -91,13 +91,11 @@ def state(machine: Machine) -> dict[str, int]:
     }
 
 
-STATE = """({
-  ticks: machine.ticks, instructions: machine.instructions, ac: machine.ac, link: machine.link,
-  pc: machine.pc, ma: machine.ma, mb: machine.mb, ir: machine.ir, sr: machine.sr,
-  state: machine.state, next: machine.next,
-  run: Number(machine.running), ion: Number(machine.ion), "reader flag": Number(machine.teletype.readerFlag),
-  "reader run": Number(machine.teletype.readerRun), taken: machine.teletype.taken,
-  "punch flag": Number(machine.teletype.punchFlag), "frame start": machine.teletype.frameStart,
-  "send start": machine.teletype.sendStart,
-})"""
+STATE = """(({ processor, teletype: { receiver, reader, transmitter } }) => ({
+  ticks: processor.clock, instructions: processor.instructions, ac: processor.lac & 0o7777,
+  link: processor.lac >> 12, pc: processor.pc, ma: processor.ma, mb: processor.mb, ir: processor.ir,
+  sr: processor.sr, state: processor.state, next: processor.next, run: processor.run, ion: processor.ion,
+  "reader flag": receiver.flag, "reader run": receiver.readerRun, taken: reader.position,
+  "punch flag": transmitter.flag, "frame start": receiver.start, "send start": transmitter.start,
+}))(machine)"""
 """The same of the page's machine, in JavaScript."""

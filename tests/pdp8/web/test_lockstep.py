@@ -16,7 +16,7 @@ _AT = f"""(afternoon, instants) => instants.map((tick) => {{
   const {{ machine }} = afternoon;
   const {{ teletype }} = machine;
   const sum = (numbers) => numbers.reduce((total, number) => (total * 31 + number) % 1000003, 0);
-  const punched = sum(teletype.paper.slice(0, teletype.punched));
+  const punched = sum(teletype.punch.frames);
   const core = sum(machine.core);
   return {{ ...{STATE}, core, punched }};
 }})"""
@@ -104,17 +104,16 @@ _RUN = f"""(afternoon, programs) => programs.map(({{ core, tape, every, samples 
   const machine = new afternoon.machine.constructor();
   const {{ teletype }} = machine;
   machine.core.set(core);
-  teletype.mount(Uint8Array.from(tape));
-  teletype.pullLever(0);
-  machine.pc = 0o200;
-  machine.start();
+  teletype.reader.load(tape);
+  machine.processor.pc = 0o200;
+  machine.panel.start();
   const states = [];
   for (let sample = 0; sample < samples; sample++) {{
-    for (let cycle = 0; cycle < every; cycle++) machine.cycle();
-    teletype.sync(machine.ticks);
+    for (let cycle = 0; cycle < every; cycle++) machine.processor.cycle();
+    machine.bus.advance(machine.processor.clock);
     states.push(Object.values({STATE}));
   }}
-  return {{ states, core: Array.from(machine.core), punched: teletype.paper.slice(0, teletype.punched) }};
+  return {{ states, core: Array.from(machine.core), punched: teletype.punch.frames }};
 }})"""
 _IOTS = [*range(0o6030, 0o6040), *range(0o6040, 0o6050), *range(0o6000, 0o6010), 0o6101, 0o6214]
 

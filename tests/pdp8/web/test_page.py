@@ -9,7 +9,7 @@ import pytest
 
 from pdp8.computer.machine import TICKS_PER_SECOND
 from pdp8.replay import Afternoon, clock
-from pdp8.web.page import MODULES, script
+from pdp8.web.bundle import script
 from tests.pdp8.web.follower import Follower
 
 if TYPE_CHECKING:
@@ -54,8 +54,8 @@ def test_the_file_is_small_and_whole(circle_page: Path) -> None:
     html = circle_page.read_text(encoding="utf-8")
     assert len(html) < 3_000_000
     assert not re.search(r"(?:src|href)=\"(?!data:)", html)
-    assert not re.search(r"^(?:import|export) ", script(), re.MULTILINE)
-    assert [name for name in MODULES if f"const {name}_module" not in html] == []
+    assert not re.search(r"^(?:import|export) ", script("page"), re.MULTILINE)
+    assert script("page") in html
 
 
 def test_it_opens_at_one_o_clock(page: "Page") -> None:
@@ -97,6 +97,17 @@ def test_the_lamps_are_the_processors(page: "Page", circle: Afternoon) -> None:
         _go(page, tick)
         meant = {**follower.machine.panel.lamps._asdict(), "sr": follower.machine.sr}
         assert page.evaluate(_LAMPS) == meant, f"at {clock(tick)}, tick {tick}"
+
+
+def test_a_block_is_shown_by_its_fields(page: "Page", circle: Afternoon) -> None:
+    """The first block under the head of the Hydra-Point: digits above their names."""
+    _go(page, circle.mill_starts + round(1.95 * TICKS_PER_SECOND))
+    cells = page.locator("#block p > span").all()
+    shown = {cell.locator("small").inner_text(): cell.locator("b").inner_text() for cell in cells}
+    assert list(shown.items()) == [
+        ("sequence", "001"), ("prep.", "0"), ("X", "19000"), ("Y", "00000"),
+        ("res.", "0"), ("tool", "00"), ("misc.", "02"), ("end", "↵"),
+    ]  # fmt: skip
 
 
 def test_registers_and_listing_stand_beside_the_lamps(page: "Page", circle: Afternoon) -> None:
@@ -220,7 +231,7 @@ def test_the_link_to_an_instant(browser: "Browser", circle_page: Path) -> None:
 def test_the_tapes_are_those_on_the_desk(page: "Page", circle: Afternoon) -> None:
     """The page's machine punches the very tape; the block and the frame under each head are named."""
     _go(page, circle.acts[4].ends - 1)
-    punched = page.evaluate("Array.from(replay.afternoon.machine.teletype.paper)")
+    punched = page.evaluate("replay.afternoon.machine.teletype.punch.frames")
     assert bytes(punched) == circle.tapes["circle.eia"]
     assert "13\u2009321 frames punched" in page.locator("#out-label").inner_text()
     named = page.locator("#in-tape").get_attribute("aria-label")

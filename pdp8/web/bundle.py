@@ -1,0 +1,94 @@
+"""A page in one file: its script of many modules, its style, and what it may do.
+
+    entry.mjs ──imports──► modules ──► one script, each module in a scope of its own
+                                       style, data as JSON, Content-Security-Policy
+
+A page from disk cannot import modules, so they stand in one script, each after those it imports from.
+"""
+
+import base64
+import hashlib
+import json
+import posixpath
+import re
+from collections.abc import Iterator
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from pdp8.web import facts
+
+_IMPORT = re.compile(r'^import (\{[^}]*\}) from "(\.[\w./-]+)\.mjs";$', re.MULTILINE)
+_EXPORT = re.compile(r"^export (?=(?:class|const|function\*?|async function) (\w+|\{[^}]*\}))", re.MULTILINE)
+
+
+@cache
+def source(name: str) -> str:
+    """Return the text of a file of this package."""
+    return files(__package__).joinpath(name).read_text(encoding="utf-8")
+
+
+def script(entry: str) -> str:
+    """Return the module `entry` and all it imports as one script."""
+    modules: dict[str, str] = {}
+    _collect(entry, modules)
+    return "\n".join(modules.values())
+
+
+def _collect(name: str, modules: dict[str, str]) -> None:
+    """Put the module into `modules`, after those it imports from."""
+    if name in modules:
+        return
+    text = facts.module() if name == "facts" else source(f"{name}.mjs")
+    for imported in _imported(name, text):
+        _collect(imported, modules)
+    modules[name] = _scope(name, text)
+
+
+def _imported(name: str, text: str) -> Iterator[str]:
+    """Yield the modules that `text` imports from, by their paths from this package."""
+    for _, path in _IMPORT.findall(text):
+        yield posixpath.normpath(posixpath.join(posixpath.dirname(name), path))
+
+
+def _scope(name: str, text: str) -> str:
+    """Return `text` as a constant that holds what it exports; its imports come from those before."""
+    exported = ", ".join(name.strip("{ }") for name in _EXPORT.findall(text))
+
+    def constant(match: re.Match[str]) -> str:
+        names = match[1].replace(" as ", ": ")
+        path = posixpath.normpath(posixpath.join(posixpath.dirname(name), match[2]))
+        return f"const {names} = {_identifier(path)};"
+
+    body = _EXPORT.sub("", _IMPORT.sub(constant, text))
+    return f"const {_identifier(name)} = (() => {{\n{body}\nreturn {{ {exported} }};\n}})();"
+
+
+def _identifier(name: str) -> str:
+    return re.sub(r"\W", "_", name) + "_module"
+
+
+def page(shell: str, style: str, entry: str, data: Any) -> str:
+    """Return the HTML file `shell` with its style, its script and its data inside, and the policy for them.
+
+    The policy lets the page run its own script and style, and ask for nothing.
+    """
+    code, css = f"\n{script(entry)}\n", source(style)
+    record = json.dumps(data, separators=(",", ":")).replace("</", "<\\/")
+    html = source(shell)
+    html = html.replace("<!-- policy -->", _policy(code))
+    html = html.replace("/* style */", css).replace("/* script */", code)
+    return html.replace('type="application/json">{}<', f'type="application/json">{record}<')
+
+
+def _policy(code: str) -> str:
+    digest = base64.b64encode(hashlib.sha256(code.encode()).digest()).decode("ascii")
+    rules = (
+        "default-src 'none'",
+        f"script-src 'sha256-{digest}'",
+        "style-src 'unsafe-inline'",
+        "img-src data: blob:",
+        "base-uri 'none'",
+        "form-action 'none'",
+    )
+    return f'<meta http-equiv="Content-Security-Policy" content="{"; ".join(rules)}">'

@@ -1,0 +1,95 @@
+"""The facts that the pages share with the rest: times, codes, names, a block's fields, a cutter.
+
+    tables of tapes/, nc/, pdp8/computer ──► facts() ──► facts.mjs ──► the pages' scripts
+
+The scripts hold no such number of their own. facts.mjs is made by `python -m pdp8.web.facts`, so that the
+scripts also run under Node.js as they are; a test holds that it is what this module makes, and a page gets it
+fresh.
+"""
+
+import json
+from importlib.resources import files
+from typing import Any, Final
+
+from pal import isa
+from pdp8.computer import bus, highspeed, loaders, processor, teletype
+from pdp8.computer.machine import TICKS_PER_SECOND
+from tapes import ascii, eia, frames, hydrapoint
+
+FILE: Final = "facts.mjs"
+
+_ASCII_CODES: Final = ("BELL", "LF", "CR", "space", "RUBOUT")
+
+
+def facts() -> dict[str, Any]:
+    """Return every fact, ready for JSON. Times are ticks of 0.05 µs, lengths thousandths of an inch."""
+    return {
+        "TIMES": _times(),
+        "ISA": {
+            name: value for name, value in vars(isa).items() if name.isupper() and isinstance(value, int)
+        },
+        "OPERATIONS": isa.OPERATIONS,
+        "STATES": isa.STATES,
+        "INTERRUPT": processor.INTERRUPT,
+        "PROTECTED": processor.PROTECTED,
+        "LOADERS": _loaders(),
+        "ASCII": {name: _ascii_code(name) for name in _ASCII_CODES},
+        "LEADER": frames.LEADER,
+        "EIA": {frame: character for character, frame in eia.CODES.items()},
+        "END_OF_BLOCK": eia.EOB,
+        "FIELDS": hydrapoint.FIELDS,
+        "ROWS": hydrapoint.ROWS,
+    }
+
+
+def _times() -> dict[str, int]:
+    return {
+        "SECOND": TICKS_PER_SECOND,
+        "CYCLE": processor.CYCLE,
+        "IO_TICKS": processor.IO_TICKS,
+        "IOP1": bus.IOP1,
+        "IOP2": bus.IOP2,
+        "IOP4": bus.IOP4,
+        "IOP2_TO_IOP4": teletype.IOP2_TO_IOP4,
+        "FRAME": teletype.FRAME,
+        "START_CHECKED": teletype.START_CHECKED,
+        "RECEIVED": teletype.RECEIVED,
+        "READ": highspeed.READ_TICKS,
+        "PUNCH": highspeed.PUNCH_TICKS,
+    }
+
+
+def _loaders() -> dict[str, Any]:
+    return {
+        "RIM": loaders.RIM,
+        "RIM_START": loaders.RIM_START,
+        "BIN_START": loaders.BIN_START,
+        "BIN_HALT": loaders.BIN_HALT,
+        "TELETYPE_READER": loaders.TELETYPE_READER,
+    }
+
+
+def _ascii_code(name: str) -> int:
+    return next(code for code in range(0o200) if ascii.name(code) == name)
+
+
+def module() -> str:
+    """Return the facts as a JavaScript module."""
+    lines = [
+        f"export const {name} = {json.dumps(fact, separators=(', ', ': '))};"
+        for name, fact in facts().items()
+    ]
+    return "\n".join(
+        ["// Made by `python -m pdp8.web.facts` from the Python tables. Change those.", "", *lines, ""]
+    )
+
+
+def main() -> None:
+    """Write facts.mjs beside the scripts."""
+    path = files("pdp8.web").joinpath(FILE)
+    with open(str(path), "w", encoding="utf-8") as file:
+        file.write(module())
+
+
+if __name__ == "__main__":
+    main()
