@@ -6,6 +6,7 @@ console/    the front panel in a terminal
 replay/     the whole 1971 afternoon in one call
 thesis/     its figures and tables made again, its programs line by line
 web/        pages for a browser
+lessons/    exercises, and the answers of a class marked
 cli/        the command; `python -m pdp8` is the same
 
     machine = pdp8.Machine()

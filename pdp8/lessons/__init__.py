@@ -1,0 +1,9 @@
+"""A teacher's room: exercises, and the answers of a class marked against them.
+
+exercise   an exercise's file: the task, the cases or questions, the solution, the usual mistakes
+answer     a student's file, whatever is in it, read within bounds
+trial      an answer run on one case: what it punched, printed and left in core
+marking    points and failures of an answer;   proof   that an exercise tells its mistakes from its solution
+report     marks as a table for people;   records   the same as JSON and JUnit
+exercises/ the bundled ones
+"""

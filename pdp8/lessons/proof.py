@@ -1,0 +1,35 @@
+"""That an exercise does its work: the solution has all points, and every mistake it knows is noticed."""
+
+from collections.abc import Iterator
+
+from pdp8.lessons import answer as answers
+from pdp8.lessons.exercise import Exercise, ExerciseError
+from pdp8.lessons.marking import Result, mark
+
+
+def solution(exercise: Exercise) -> Result:
+    """Return the marks of the exercise's own solution."""
+    return _marked(exercise, exercise.solution, "the solution")
+
+
+def mistakes(exercise: Exercise) -> Iterator[tuple[str, Result]]:
+    """Yield each wrong answer the exercise knows with its marks: the solution after one mistake, or a sheet
+    after one slip. Raises ExerciseError where a mistake does not change one place of the solution.
+    """
+    for what, (piece, instead) in exercise.mistakes.items():
+        if exercise.solution.count(piece) != 1 or piece == instead:
+            count = exercise.solution.count(piece)
+            raise ExerciseError(
+                f"{exercise.name}: mistake {what!r}: {piece!r} stands {count} times in the solution, not once"
+            )
+        yield what, _marked(exercise, exercise.solution.replace(piece, instead), what)
+    sheet = answers.of(exercise.solution.encode(), "the solution").lines()
+    for question in exercise.questions:
+        for slip in question.slips:
+            lines = {**sheet, question.name.lower(): slip}
+            text = "".join(f"{name}: {line}\n" for name, line in lines.items())
+            yield f"{question.name}: {slip}", _marked(exercise, text, slip)
+
+
+def _marked(exercise: Exercise, text: str, name: str) -> Result:
+    return mark(exercise, answers.of(text.encode(), name))

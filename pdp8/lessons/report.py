@@ -1,0 +1,110 @@
+"""Marks for people: one table for the class, and under it what failed, with carets and tapes as holes.
+
+answer     add 5 and 7   wraps at 12 bits   points
+ana.pal         2               2            4 / 4
+ben.pal         2               -            2 / 4
+
+ben.pal: wraps at 12 bits
+  SUM        expected 0001
+                  got 0000
+                      ---^
+"""
+
+from collections.abc import Iterator, Sequence
+from itertools import zip_longest
+from typing import TYPE_CHECKING
+
+from pdp8.lessons.exercise import Exercise
+from pdp8.lessons.marking import Failure, Mark, Result
+from tapes.frames import draw
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+_AROUND = 2
+"""Frames of a tape shown before the first wrong one, and twice as many after it."""
+_WIDEST = 60
+_CONTROLS = {code: chr(0x2400 + code) for code in range(0x20)} | {0x7F: "\u2421"}
+
+
+def table(exercise: Exercise, results: Sequence[Result]) -> "Table":
+    """Return the table of a class: a row an answer, a column a case or question, their points."""
+    from rich.table import Table
+    from rich.text import Text
+
+    made = Table(box=None, pad_edge=False)
+    made.add_column("answer", no_wrap=True)
+    for part in exercise.parts:
+        made.add_column(Text(part.name), justify="center")
+    made.add_column("points", justify="right", no_wrap=True)
+    for result in results:
+        cells = [Text(_cell(mark)) for mark in result.marks] or [Text("-")] * len(exercise.parts)
+        made.add_row(Text(result.answer), *cells, Text(f"{result.points} / {result.of}"))
+    return made
+
+
+def _cell(mark: Mark) -> str:
+    return "-" if mark.failures else f"{mark.points}"
+
+
+def details(result: Result) -> Iterator[str]:
+    """Yield the lines that say what failed, and the hints."""
+    if result.fault:
+        yield f"{result.answer}: no points"
+        yield from (f"  {line}" for line in fault(result))
+    for mark in result.marks:
+        if mark.failures:
+            yield f"{result.answer}: {mark.name}"
+        for failure in mark.failures:
+            yield from (f"  {line}" for line in lines(failure))
+        if mark.hint:
+            yield f"  hint: {mark.hint}"
+
+
+def fault(result: Result) -> Iterator[str]:
+    """Yield the lines of what kept an answer from being tried."""
+    return (visible(line.expandtabs(8)) for line in result.fault.splitlines())
+
+
+def lines(failure: Failure) -> Iterator[str]:
+    """Yield what was expected, what came, and a caret under the first difference; a tape as holes."""
+    if isinstance(failure.expected, bytes) and isinstance(failure.got, bytes):
+        yield from _tapes(failure.what, failure.expected, failure.got)
+        return
+    expected, got = visible(str(failure.expected)), visible(str(failure.got))
+    if not expected:
+        yield f"{failure.what:12} got {_cut(got, 0)}"
+        return
+    at = _first_difference(expected, got)
+    start = max(0, at - _WIDEST // 2)
+    yield f"{failure.what:12} expected {_cut(expected, start)}"
+    yield f"{'':17} got {_cut(got, start)}"
+    yield f"{'':21} {'-' * (at - start)}^"
+
+
+def visible(text: str) -> str:
+    """Return a text on one line, its control codes as pictures."""
+    return text.translate(_CONTROLS)
+
+
+def _cut(text: str, start: int) -> str:
+    return text[start : start + _WIDEST] + ("..." if len(text) > start + _WIDEST else "")
+
+
+def _first_difference(one: Sequence[object], other: Sequence[object]) -> int:
+    pairs = zip_longest(one, other)
+    return next((at for at, pair in enumerate(pairs) if pair[0] != pair[1]), len(one))
+
+
+def _tapes(what: str, expected: bytes, got: bytes) -> Iterator[str]:
+    at = _first_difference(expected, got)
+    start, stop = max(0, at - _AROUND), at + 2 * _AROUND + 1
+    yield f"{what}: {len(got):,} frames, {len(expected):,} expected; the first difference is frame {at}"
+    yield "   frame    expected               got"
+    for number in range(start, min(stop, max(len(expected), len(got)))):
+        mark = "  <--" if number == at else ""
+        yield f"{number:8}    {_frame(expected, number)}    {_frame(got, number)}{mark}".rstrip()
+
+
+def _frame(tape: bytes, number: int) -> str:
+    return f"|{draw(tape[number])}| {tape[number]:03o}  " if number < len(tape) else f"{'no frame':17}"

@@ -1,0 +1,1 @@
+"""Tests of the lessons: exercises, marks, and what hostile answers can do."""

@@ -1,0 +1,157 @@
+"""Marks: what each expectation notices, what a hostile answer can do, and how marks are written."""
+
+import json
+import time
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from pdp8.lessons import answer, marking, records, report
+from pdp8.lessons.exercise import Exercise, parse
+from pdp8.lessons.marking import Result
+from tests.conftest import Shell
+
+
+def exercise(case: str, program: str = "") -> Exercise:
+    head = f"title='t'\ntask='t'\nsolution='x'\n{program}\n[[case]]\nname='the case'\n"
+    return parse(head + case, "e")
+
+
+def mark(case: str, source: str, program: str = "") -> Result:
+    return marking.mark(exercise(case, program), answer.of(source.encode(), "a.pal"))
+
+
+def failed(case: str, source: str) -> list[tuple[str, str | bytes]]:
+    return [(failure.what, failure.got) for failure in mark(case, source).marks[0].failures]
+
+
+IAC = "*200\n\tCLA CLL IAC\n\tDCA A\n\tTAD A\n\tHLT\nA,\t0\n$\n"
+PUNCH = "*200\n\tTAD A\n\tTLS\n\tTSF\n\tJMP .-1\n\tHLT\nA,\t301\n$\n"
+LOOP = "*200\n\tJMP .\n$\n"
+
+
+@pytest.mark.parametrize(
+    ("case", "source", "wrong"),
+    [
+        ("ac=1", IAC, []),
+        ("ac=2", IAC, [("AC", "0001")]),
+        ("link=1", IAC, [("L", "0")]),
+        ("core={A=3}", IAC, [("A", "0001")]),
+        ('core={"0204"=3}', IAC, [("0204", "0001")]),
+        ('changed=["A", "0200"]', IAC, [("0200", "7301, as before")]),
+        ("stop='tape out'", IAC, [("the end", "halt, before 0204")]),
+        ("instructions=4", IAC, []),
+        ("instructions=3", IAC, [("instructions", "4")]),
+        ("tape=[0o301]\npage='A'", PUNCH, []),
+        ("tape='B'", PUNCH, [("the tape", b"\xc1")]),
+        ("page='AB'", PUNCH, [("the page", "A")]),
+        ("tape=''", PUNCH, [("the tape", b"\xc1")]),
+        ("stop='idle'", LOOP, []),
+        ("seconds=0.1\nstop='limit'", "*200\n\tISZ 300\n\tJMP 200\n\tJMP 200\n$\n", []),
+    ],
+)  # fmt: skip
+def test_an_expectation_notices_what_differs(
+    case: str, source: str, wrong: list[tuple[str, str | bytes]]
+) -> None:
+    assert failed(case, source) == wrong
+
+
+@pytest.mark.parametrize(
+    ("program", "fault"),
+    [
+        ("[program]\nwords=4", "5 words of core; at most 4 are allowed"),
+        ("[program]\nrequired=['ISZ']", "ISZ is to be used, and is not"),
+        ("[program]\nforbidden=['IAC']", "IAC is not to be used"),
+    ],
+)
+def test_a_source_that_breaks_a_rule_has_no_points(program: str, fault: str) -> None:
+    result = mark("ac=1", IAC, program)
+    assert (result.fault, result.points, result.right) == (fault, 0, False)
+
+
+def test_what_stands_in_a_comment_is_not_used() -> None:
+    assert mark("ac=1", IAC.replace("HLT", "HLT /ISZ"), "[program]\nrequired=['ISZ']").fault
+
+
+def test_a_missing_tag_is_named() -> None:
+    assert mark("core={SUM=1}", IAC).fault == "the tag SUM is missing; the exercise looks for it"
+
+
+HOSTILE = [
+    b"", b"\0" * 1000, b"\xff" * 16_000, (b"\xff" * 100 + b"\n") * 150, b"x" * 70_000, bytes(range(256)) * 60,
+    b"*200\n\tTLS\n\tJMP .-1\n$\n",  # punches for ever
+    b"*200\n\tJMS .\n\tJMP .-1\n$\n",
+    b"*0\n" + b"A,B;" * 12 + b"A" * 150 + b"\n$\n",
+    b"*200\n" + b"\tJMP Q\n" * 2000 + b"$\n",
+    b"*200\n" + b"".join(b"A%d,\tA%d+1\n" % (n, n + 1) for n in range(1000)) + b"$\n",
+    b"*200\n\tDCA I 10\n\tJMP .-1\n$\n",  # writes all of core, itself too
+    b"\x80" * 10 + b"\x41\x00\x02" + b"\x80" * 10,
+    "*200 \N{RIGHT-TO-LEFT OVERRIDE}\x1b[2J\n$".encode(),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("content", HOSTILE, ids=range(len(HOSTILE)))
+def test_a_hostile_answer_is_marked_like_any_other(content: bytes) -> None:
+    given = exercise("ac=1\nseconds=10\ntape='AB'\npage='x'")
+    began = time.process_time()
+    result = marking.mark(given, answer.of(content, "a\x1b[2J.pal"))
+    said = "\n".join(report.details(result))
+    ElementTree.fromstring(records.as_junit(given, [result]).partition("\n")[2])
+    json.loads(records.as_json(given, [result]))
+    assert time.process_time() - began < 5
+    assert not result.right
+    assert len(said) < 10_000
+    assert "\x1b" not in said.partition("\n")[2]
+
+
+def test_two_texts_have_a_caret_under_their_first_difference() -> None:
+    shown = list(report.lines(marking.Failure("the page", "HELLO\n", "HELP")))
+    assert shown[0].index("L", 24) + 1 == shown[1].index("P") == shown[2].index("^")
+
+
+def test_two_long_tapes_are_shown_where_they_differ() -> None:
+    good = bytes(5000)
+    shown = "\n".join(report.lines(marking.Failure("the tape", good, good[:4000] + b"\x01" + good)))
+    assert "the first difference is frame 4000" in shown
+    assert len(shown.splitlines()) < 12
+
+
+def test_marks_as_junit_are_what_they_are() -> None:
+    given = exercise("ac=2\nhint='look'")
+    results = [marking.mark(given, answer.of(text.encode(), text[-2:])) for text in (IAC, "\tJMP Q\n$")]
+    suites = ElementTree.fromstring(records.as_junit(given, results).partition("\n")[2])
+    assert [(suite.get("tests"), suite.get("failures")) for suite in suites] == [("1", "1")] * 2
+    messages = [failure.get("message") for failure in suites.iter("failure")]
+    assert messages == ["not as expected: AC", "not as expected: fault"]
+
+
+@pytest.mark.parametrize("name", ["/dev/zero", ".", "missing.pal"])
+def test_what_is_no_file_has_no_points(name: str, shell: Shell) -> None:
+    done = shell(f"pdp8 check add {name}")
+    assert done.returncode == 1
+    assert b"0 / 5" in done.stdout
+    assert b"Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "status", "says"),
+    [
+        ("", 2, "Give an EXERCISE"),
+        ("add", 2, "Give an ANSWER"),
+        ("nothing a.pal", 1, "nothing: no such file, and no bundled exercise (add, "),
+        ("bad.toml a.pal", 1, "bad.toml: byte 0: not UTF-8"),
+        ("loose.toml --prove", 1, "loose: taken for right: halts for the wrong reason"),
+    ],
+)
+def test_the_command_says_what_is_wrong(
+    arguments: str, status: int, says: str, shell: Shell, tmp_path: Path
+) -> None:
+    (tmp_path / "bad.toml").write_bytes(b"\xff")
+    (tmp_path / "loose.toml").write_text(
+        "title='t'\ntask='t'\nsolution='*200\\n\\tHLT\\n$'\n[[case]]\nname='a'\n[mistakes]\n"
+        "'halts for the wrong reason'=['HLT', 'CLA HLT']\n".replace("'*200", '"*200').replace("$'", '$"')
+    )
+    done = shell(f"pdp8 check {arguments}")
+    assert done.returncode == status
+    assert says in done.stderr.decode()
