@@ -10,6 +10,8 @@ kinds       the kind of a tape, from its frames
 hydrapoint  what the digits of an EIA tape mean to the Moog Hydra-Point
 captions    what each frame says, in a few letters
 picture     a tape as text and as SVG in true geometry
+sprockets   where a tape lies in a photograph
+photograph  a photograph of tape becomes frames
 notebook    a tape that a notebook draws
 measure     what can be said of a tape: its length, time, lines, checksum
 convert     from one code to another

@@ -1,5 +1,7 @@
 """`pdp8 tape`: a tape shown as holes, measured, converted to another code, punched from typed text."""
 
+from importlib.util import find_spec
+
 import click
 
 from tapes import ascii, captions, command, eia, frames, hydrapoint, kinds, measure, picture, shelf
@@ -188,6 +190,43 @@ def punch(
         else:
             punched = ascii.encode(text.replace(" ", "") if drop_spaces else text, parity, fill)
     shelf.write(output, frames.blank(leader) + punched + frames.blank(leader))
+
+
+@tape.command()
+@click.argument("photos", nargs=-1, required=True)
+@click.option("--underside", is_flag=True, help="The tape was photographed from below.")
+@_output
+def read(*, photos: tuple[str, ...], underside: bool, output: str) -> None:
+    """Read photographs or scans of a tape into frames, one picture after another.
+
+    A picture shows the whole width of the tape, in any direction: the sprocket holes, three channels on one
+    side and five on the other, say which way it is read. Frames that are doubtful are named on standard
+    error with their place in the picture, and what kind of tape it seems to be. Needs OpenCV, the extra
+    `vision`.
+
+    \b
+    Examples:
+      pdp8 tape read photo.png > photo.asc
+      pdp8 tape read left.jpg right.jpg -o found.bin
+    """
+    command.check_files(photos, [output])
+    if find_spec("cv2") is None:
+        raise TapeError("reading a picture needs OpenCV: pip install 'pdp8[vision]'")
+    from tapes import photograph
+
+    content = b""
+    for photo in photos:
+        picture = shelf.read(photo)
+        with naming(photo):
+            found = photograph.read(picture, underside)
+        for number, frame in enumerate(found, len(content)):
+            if frame.doubtful:
+                place = f"channel {frame.channel}, at {frame.x}, {frame.y} in {called(photo)}"
+                click.echo(f"frame {number}: {frame.holes:03o} is doubtful: {place}", err=True)
+        content += bytes(frame.holes for frame in found)
+    kind = dict(measure.report(content))["tape"]
+    click.echo(f"{len(content):,} frames: {kind}", err=True)
+    shelf.write(output, content)
 
 
 def _check(first: int, length: int) -> None:

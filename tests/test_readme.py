@@ -2,8 +2,9 @@
 
 In a fenced block marked `console` a line that begins with `$ ` is a command, and the lines after it are what
 it prints; `...` stands for anything, within a line or for any number of lines. All blocks of one file are one
-sitting in one folder; a block marked with a file's name, as in `toml shift.toml`, is that file there. What
-takes a terminal or makes the environment (`make`, `git`, `panel`) stands in blocks of `sh`.
+sitting in one folder; a block marked with a file's name, as in `toml shift.toml`, is that file there, and
+so are the photographs that the page shows. What takes a terminal or makes the environment (`make`, `git`,
+`panel`) stands in blocks of `sh`.
 """
 
 import re
@@ -17,6 +18,7 @@ from tests.conftest import Shell
 HOUSE = Path(__file__).parent.parent
 README = HOUSE / "README.md"
 PAGES = [README, *sorted((HOUSE / "docs").glob("**/*.md"))]
+PHOTOGRAPH = re.compile(r"^!\[.*\]\((\S+\.jpg)\)$", re.MULTILINE)
 FILE = re.compile(r"^```\w+ (\S+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 BLOCK = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 SHOWN = re.compile(r"^\$ (.*(?:\\\n.*)*)\n((?:(?!\$ ).*\n)*)", re.MULTILINE)
@@ -37,6 +39,8 @@ def _line(shown: str) -> str:
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(HOUSE)))
 def test_what_the_page_shows_is_what_happens(page: Path, shell: Shell, tmp_path: Path) -> None:
+    for photograph in PHOTOGRAPH.findall(page.read_text()):
+        (tmp_path / photograph).symlink_to(page.parent / photograph)
     for name, content in FILE.findall(page.read_text()):
         (tmp_path / name).write_text(content)
     for command, shown in sittings(page):
