@@ -22,7 +22,6 @@ from typing import NamedTuple
 from pal.assembler import FIELD, HIGH_SPEED_SYMBOLS, ORIGIN, START, WORD
 from pal.symbols import INPUT_OUTPUT, MEMORY_REFERENCE, PERMANENT
 from tapes import binary, kinds, rim
-from tapes.errors import TapeError
 
 _INDIRECT = 0o400
 _CURRENT_PAGE = 0o200
@@ -80,10 +79,11 @@ def _steps_on(frames: bytes) -> Iterator[Step]:
     location = START
     bank = 0
     silent = True
-    for section in binary.read(frames).sections:
-        if section.computed != section.punched:
-            message = f"checksum: computed {section.computed:04o}, punched {section.punched:04o}"
-            raise TapeError(message, section.frame)
+    reading = binary.read(frames)
+    damage = binary.find_damage(reading)
+    if damage:
+        raise damage
+    for section in reading.sections:
         if bank:
             bank = 0
             yield Step(FIELD, 0, 0)

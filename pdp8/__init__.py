@@ -1,6 +1,6 @@
 """The machine room, and the one name a script needs: what it uses is reachable from `import pdp8`.
 
-computer/   the machine itself: processor, engine, Teletype, panel, loaders
+computer/   the machine itself: processor, engine, Teletype, panel, operator
 monitor/    the operator's prompt, for people and scripts
 console/    the front panel in a terminal
 replay/     the whole 1971 afternoon in one call

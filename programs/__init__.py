@@ -32,3 +32,9 @@ parts            which part programs there are
 thesis           what the thesis says of each part
 cli              pdp8 part
 """
+
+import os
+
+from tapes import shelf
+
+shelf.add(os.path.dirname(os.path.abspath(__file__)), ".pal", ".for")

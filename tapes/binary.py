@@ -8,22 +8,25 @@
     0cc 0cc      checksum: the sum of the frames of all origins and words, as whole frames, modulo 2**12
     200 ...      trailer
 
-One tape may hold several such sections; after the first the loader halts, and CONT reads the next.
-Leader and trailer are 64 frames, as PAL III of 1967 (DEC-08-ASB1) punched them.
+One tape may hold several such sections; after each the loader halts, and CONT reads the next. What follows
+the last trailer and is no section (blank tape, rubouts, letters punched for the eye) is a label. Leader and
+trailer are 64 frames, as PAL III of 1967 (DEC-08-ASB1) punched them.
 
-Not emulated: what the loader makes of frames that are not BIN; such a tape is an error. Whether a field
+Not emulated: what the loader makes of frames that are not BIN; such a tape is damaged. Whether a field
 exists is for the machine to judge: addresses here have 15 bits, the field first.
 
 Sources: Small Computer Handbook (DEC), "Binary Loader"; the loader's documented tape format, DEC-08-LBAA-D.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from tapes.errors import TapeError
 from tapes.frames import BLANK, LEADER, RUBOUT, find_leader, leader
 
 FIELD, ORIGIN, WORD = "field", "origin", "word"
+
+_A_SECTION = 8  # items: fewer before a wrong frame are a label
 
 
 class Item(NamedTuple):
@@ -45,10 +48,14 @@ class Section(NamedTuple):
 
 
 class Reading(NamedTuple):
-    """A whole tape: its sections, and how many frames after the last trailer belong to none."""
+    """A tape as far as it can be read: its whole sections, the items of one that does not end, what is wrong
+    with it, and the frame at which its label begins. None where there is no damage or no label.
+    """
 
     sections: tuple[Section, ...]
-    unread: int
+    unended: tuple[Item, ...] = ()
+    damage: TapeError | None = None
+    label: int | None = None
 
 
 class Content(NamedTuple):
@@ -112,33 +119,72 @@ def decode(frames: bytes) -> Content:
     Raises TapeError naming the frame: an empty tape, no leader, a frame out of place, a word before any
     origin, a tape cut short, a checksum that is not the sum.
     """
-    content = Content({}, {})
-    for section in read(frames).sections:
+    reading = read(frames)
+    damage = find_damage(reading)
+    if damage:
+        raise damage
+    return content(reading)
+
+
+def find_damage(reading: Reading) -> TapeError | None:
+    """Return the first thing that is wrong with a tape, a wrong checksum included; None for a good one."""
+    for section in reading.sections:
         if section.computed != section.punched:
-            raise TapeError(
+            return TapeError(
                 f"checksum: computed {section.computed:04o}, punched {section.punched:04o}", section.frame
             )
-        _load(section, content)
-    return content
+    return reading.damage
+
+
+def content(reading: Reading) -> Content:
+    """Return what a tape puts into core, however damaged: of a section without its end all but the last word,
+    which may be a checksum. Raises TapeError for a word before any origin.
+    """
+    found = Content({}, {})
+    for section in reading.sections:
+        _load(section.items, found)
+    _load(reading.unended[:-1], found)
+    return found
 
 
 def read(frames: bytes) -> Reading:
-    """Return the tape section by section, its checksums unjudged. Raises TapeError as `decode` does."""
+    """Return the tape section by section, its checksums unjudged.
+
+    Raises TapeError where no BIN tape begins: an empty tape, no leader, nothing but leader.
+    """
     at = _skip(frames, find_leader(frames), LEADER)
     if at == len(frames):
         raise TapeError("nothing but leader", at)
     sections: list[Section] = []
-    while at < len(frames) and (not sections or frames[at] >> 6 in (1, 3)):
-        section, at = _section(frames, at)
-        sections.append(section)
-        at = _skip(frames, at, LEADER, BLANK)
-    return Reading(tuple(sections), len(frames) - at)
+    while at < len(frames):
+        items, end, damage = _items(frames, at)
+        if sections and _is_label(frames, at, items, end if damage else -1):
+            return Reading(tuple(sections), label=at)
+        if damage is None and (not items or items[-1].kind != WORD):
+            damage = TapeError("the trailer where a checksum was expected", end)
+        if damage is not None:
+            return Reading(tuple(sections), tuple(items), damage)
+        sections.append(_close(items))
+        at = _skip(frames, end, LEADER, BLANK)
+    return Reading(tuple(sections))
 
 
-def _load(section: Section, content: Content) -> None:
+def _is_label(frames: bytes, at: int, items: list[Item], wrong: int) -> bool:
+    """Tell whether what follows a trailer at frame `at` is a label: `items` is what it reads as, up to the
+    `wrong` frame, -1 if there is none.
+
+    A section comes after leader and begins with an origin or a field. Letters read so soon meet a frame that
+    is none; a section that is damaged goes on for longer, or to the end of the tape.
+    """
+    if frames[at - 1] != LEADER or not items or items[0].kind == WORD:
+        return True
+    return 0 <= wrong < len(frames) and len(items) < _A_SECTION
+
+
+def _load(items: Iterable[Item], content: Content) -> None:
     bank = 0
     address: int | None = None
-    for kind, value, frame in section.items:
+    for kind, value, frame in items:
         if kind == FIELD:
             bank = value << 12
             content.fields.setdefault(value, frame)
@@ -158,48 +204,48 @@ def _skip(frames: bytes, at: int, *codes: int) -> int:
     return at
 
 
-def _section(frames: bytes, at: int) -> tuple[Section, int]:
-    """Return the section whose first frame is `at`, and where its trailer begins."""
+def _items(frames: bytes, at: int) -> tuple[list[Item], int, TapeError | None]:
+    """Return what stands from frame `at` on, and the frame of the trailer or of what is wrong, if it is."""
     items: list[Item] = []
-    summed = 0
     while at < len(frames):
         frame = frames[at]
         if frame == LEADER:
-            return _close(items, summed, at), at
+            return items, at, None
         if frame == RUBOUT:
-            at = _after_rubouts(frames, at)
+            closing = frames.find(RUBOUT, at + 1)
+            if closing < 0:
+                message = "this rubout has no other to end it: the tape is cut short"
+                return items, at, TapeError(message, at)
+            at = closing + 1
         elif frame >> 6 == 3:
             items.append(Item(FIELD, frame >> 3 & 7, at))
             at += 1
         else:
-            _check_word(frames, at)
-            low = frames[at + 1]
-            items.append(Item(ORIGIN if frame >> 6 else WORD, (frame & 0o77) << 6 | low, at))
-            summed += frame + low
+            damage = _fault(frames, at)
+            if damage:
+                return items, damage.frame or 0, damage
+            items.append(Item(ORIGIN if frame >> 6 else WORD, (frame & 0o77) << 6 | frames[at + 1], at))
             at += 2
-    raise TapeError("the tape is cut short: it has no trailer", at)
+    return items, at, TapeError("the tape is cut short: it has no trailer", at)
 
 
-def _close(items: list[Item], summed: int, trailer: int) -> Section:
-    if not items or items[-1].kind != WORD:
-        raise TapeError("the trailer where a checksum was expected", trailer)
+def _close(items: list[Item]) -> Section:
+    """Return the section of `items`, the last of which is its checksum."""
     _, punched, frame = items.pop()
-    computed = summed - (punched >> 6) - (punched & 0o77) & 0o7777
-    return Section(tuple(items), computed, punched, frame)
+    computed = 0
+    for kind, value, _ in items:
+        if kind != FIELD:
+            computed += (value >> 6) + (value & 0o77) + (0o100 if kind == ORIGIN else 0)
+    return Section(tuple(items), computed & 0o7777, punched, frame)
 
 
-def _after_rubouts(frames: bytes, at: int) -> int:
-    closing = frames.find(RUBOUT, at + 1)
-    if closing < 0:
-        raise TapeError("this rubout has no other to end it: the tape is cut short", at)
-    return closing + 1
-
-
-def _check_word(frames: bytes, at: int) -> None:
+def _fault(frames: bytes, at: int) -> TapeError | None:
+    """Return what is wrong where a word or an origin should begin, None if nothing is."""
     frame = frames[at]
     if frame >> 6 == 2:
-        raise TapeError(f"{frame:03o} is no frame of a BIN tape", at)
+        return TapeError(f"{frame:03o} is no frame of a BIN tape", at)
     if at + 1 == len(frames):
-        raise TapeError("the tape is cut short inside a word", at + 1)
+        return TapeError("the tape is cut short inside a word", at + 1)
     if frames[at + 1] > 0o77:
-        raise TapeError(f"{frames[at + 1]:03o} where the second half of a word was expected", at + 1)
+        return TapeError(f"{frames[at + 1]:03o} where the second half of a word was expected", at + 1)
+    return None

@@ -6,7 +6,8 @@ code asked for is "?".
 
 from collections.abc import Callable
 
-from tapes import ascii, eia
+from tapes import ascii, binary, eia, rim
+from tapes.errors import TapeError
 from tapes.frames import BLANK, LEADER, RUBOUT
 
 _Captions = Callable[[bytes], list[str]]
@@ -25,6 +26,17 @@ def captions(frames: bytes, code: str) -> list[str]:
     return by_code.get(code, _none)(frames)
 
 
+def label_start(frames: bytes, code: str) -> int:
+    """Return the frame where the label of a BIN or RIM tape begins; the tape's length where it has none."""
+    if code not in ("bin", "rim"):
+        return len(frames)
+    try:
+        label = binary.read(frames).label if code == "bin" else rim.read(frames).label
+    except TapeError:
+        label = None
+    return len(frames) if label is None else label
+
+
 def _none(frames: bytes) -> list[str]:
     return [""] * len(frames)
 
@@ -33,7 +45,9 @@ def _binary(frames: bytes) -> list[str]:
     said = [_single(frame) for frame in frames]
     address = None
     at = 0
-    while at < len(frames):
+    end = label_start(frames, "bin")
+    said[end:] = ["label"] * len(said[end:])
+    while at < end:
         if frames[at] == RUBOUT:
             at = _message(frames, at, said)
         elif _is_pair(frames, at):
@@ -54,7 +68,9 @@ def _binary(frames: bytes) -> list[str]:
 def _rim(frames: bytes) -> list[str]:
     said = [_single(frame) for frame in frames]
     at = 0
-    while at < len(frames):
+    end = label_start(frames, "rim")
+    said[end:] = ["label"] * len(said[end:])
+    while at < end:
         group = frames[at : at + 4]
         if [frame >> 6 for frame in group] == [1, 0, 0, 0]:
             address = (group[0] & 0o77) << 6 | group[1]

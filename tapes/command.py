@@ -5,8 +5,11 @@ place; a closed pipe is no error, the reader had enough; a full disk is. No trac
 """
 
 import os
+import signal
 import sys
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
+from types import FrameType
 
 import click
 
@@ -17,11 +20,23 @@ from tapes.errors import WorkError
 def run(command: click.Command, name: str, arguments: Sequence[str] | None = None) -> None:
     """Run `command` as program `name` and end the process with its exit status."""
     _reopen_closed_streams()
-    sys.exit(_status(command, name, arguments))
+    signal.signal(signal.SIGTERM, _end)
+    sys.exit(_status(command, name, sys.argv[1:] if arguments is None else arguments))
+
+
+def _end(number: int, frame: FrameType | None) -> None:
+    """End as the signal asks, with every file that is being written cleaned up."""
+    sys.exit(128 + number)
+
+
+def say(message: str) -> None:
+    """Say on standard error how the work goes, after the name of the command."""
+    click.echo(f"{click.get_current_context().command_path}: {message}", err=True)
 
 
 def check_files(sources: Iterable[str | None], outputs: Iterable[str | None]) -> None:
-    """Raise a UsageError where standard input is to be read twice, two outputs are one, or one is a source.
+    """Raise a UsageError where standard input is to be read twice, two outputs are one, or one is a source;
+    a ShelfError where an output cannot be written. Nothing is opened. Say where a file hides a bundled one.
 
     Both are names as the commands take them, None for none.
     """
@@ -30,8 +45,14 @@ def check_files(sources: Iterable[str | None], outputs: Iterable[str | None]) ->
         raise click.UsageError("standard input can be read only once")
     files = [name for name in read if name != "-"]
     taken = {os.path.realpath(shelf.find(name)): f"{name} is the source; name another file" for name in files}
+    for source in files:
+        if shelf.hides(source):
+            say(f"{source} is the file in this folder, not the bundled one of that name")
     for name in outputs:
-        if name is None or (os.path.exists(name) and not os.path.isfile(name)):
+        if name is None:
+            continue
+        shelf.check_writable(name)
+        if os.path.exists(name) and not os.path.isfile(name):
             continue
         path = name if name == "-" else os.path.realpath(name)
         if path in taken:
@@ -49,31 +70,46 @@ def _reopen_closed_streams() -> None:
             setattr(sys, stream, os.fdopen(os.open(os.devnull, access), mode))
 
 
-def _status(command: click.Command, name: str, arguments: Sequence[str] | None) -> int:
+def _status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
     try:
-        status = command.main(args=arguments, prog_name=name, standalone_mode=False)
+        status = command.main(args=list(arguments), prog_name=name, standalone_mode=False)
         sys.stdout.flush()
     except WorkError as error:
-        return _complain(f"{name}: {error}", error.exit_status)
+        return _complain(f"{_path(command, name, arguments)}: {error}", error.exit_status)
     except click.exceptions.Exit as stop:
         return stop.exit_code
     except click.ClickException as error:
-        error.show()
-        return error.exit_code
+        path = error.ctx.command_path if isinstance(error, click.UsageError) and error.ctx else name
+        return _complain(
+            f"{path}: {error.format_message()}\n{path} --help shows what there is", error.exit_code
+        )
     except (click.Abort, KeyboardInterrupt):
-        return _complain(f"{name}: interrupted", 130)
+        return _complain(f"{_path(command, name, arguments)}: interrupted", 130)
     except BrokenPipeError:
         _silence(sys.stdout)
-        return 1
+        return 0
     except OSError as error:
         _silence(sys.stdout)
         where = error.filename or "standard output"  # every file's errors are named by the shelf
-        return _complain(f"{name}: {where}: {error.strerror or error}", 1)
+        return _complain(f"{_path(command, name, arguments)}: {where}: {error.strerror or error}", 1)
     return status if isinstance(status, int) else 0
 
 
+def _path(command: click.Command, name: str, arguments: Sequence[str]) -> str:
+    """Return the name of the command that was called, `pdp8 tape show`."""
+    for argument in arguments:
+        found = None
+        if isinstance(command, click.Group):
+            found = command.get_command(click.Context(command), argument)
+        if found is None:
+            break
+        command, name = found, f"{name} {argument}"
+    return name
+
+
 def _complain(message: str, status: int) -> int:
-    click.echo(message, err=True)
+    with suppress(BrokenPipeError):
+        click.echo(message, err=True)
     return status
 
 

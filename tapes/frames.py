@@ -87,24 +87,45 @@ def strip(frames: bytes, code: int = LEADER) -> Strip:
     return Strip(frames[:start], frames[start:end], frames[end:])
 
 
-def find_leader(frames: bytes) -> int:
-    """Return the first frame of a loader tape's leader, where an operator sets it; blank tape may precede it.
-
-    Raises TapeError: an empty tape, nothing but blank tape, another frame than 200.
+def leader_start(frames: bytes) -> int | None:
+    """Return the first frame of a loader tape's leader, where an operator sets the tape: 200 after any blank
+    tape. None for a tape that begins otherwise.
     """
+    start = len(frames) - len(frames.lstrip(b"\0"))
+    return start if frames[start : start + 1] == bytes([LEADER]) else None
+
+
+def find_leader(frames: bytes) -> int:
+    """Return `leader_start`. Raises TapeError: an empty tape, nothing but blank tape, another frame than
+    200.
+    """
+    start = leader_start(frames)
+    if start is not None:
+        return start
     if not frames:
         raise TapeError("empty tape", 0)
-    start = len(frames) - len(frames.lstrip(b"\0"))
-    if start == len(frames):
+    body = frames.lstrip(b"\0")
+    if not body:
         raise TapeError("nothing but blank tape", 0)
-    if frames[start] != LEADER:
-        raise TapeError(f"{frames[start]:03o} where the leader (200) was expected", start)
-    return start
+    raise TapeError(f"{body[0]:03o} where the leader (200) was expected", len(frames) - len(body))
 
 
 def channels(frame: int) -> tuple[int, ...]:
     """Return the numbers of the punched channels, 8 first."""
     return tuple(channel for channel in range(8, 0, -1) if frame >> channel - 1 & 1)
+
+
+def draw_label(frames: bytes, columns: int = 72) -> list[str]:
+    """Return letters punched for the eye as it reads them: a frame a column, channel 1 at the top, from the
+    first hole to the last; a line of rows for every so many columns.
+    """
+    holes = frames.strip(b"\0")
+    rows = []
+    for start in range(0, len(holes), columns):
+        piece = holes[start : start + columns]
+        lines = ("".join("o" if frame >> channel & 1 else " " for frame in piece) for channel in range(8))
+        rows += [line.rstrip() for line in lines]
+    return rows
 
 
 def draw(frame: int, hole: str = "o", paper: str = " ", sprocket: str = ".") -> str:

@@ -25,6 +25,8 @@ _TEXT = bytes([*range(0o007, 0o016), *range(0o040, 0o200)])  # BELL to CR, and a
 _WRITING = bytes(frame for frame in range(256) if frame & 0o177 in _TEXT)
 _EIA_CODES = bytes([*eia.CHARACTERS, eia.DELETE])
 _NO_WORD = bytes([BLANK, LEADER, RUBOUT])
+_FIGURES = b"0123456789 \r\n\0\x7f"
+_FIGURES += bytes(code | 0o200 for code in _FIGURES)  # with channel 8 too
 _SHORTEST_LEADER = 8  # fewer may be ends of block: no EIA tape begins with eight empty blocks
 
 
@@ -34,6 +36,11 @@ def classify(frames: bytes) -> str:
     if not body:
         return BLANK_TAPE
     return _whole_loader_tape(body) or _whole_eia_tape(body) or _likeliest(body)
+
+
+def only_figures(frames: bytes) -> bool:
+    """Tell whether an ASCII tape holds nothing but figures and line ends: data, and no program's source."""
+    return not frames.translate(None, _FIGURES)
 
 
 def _whole_loader_tape(body: bytes) -> str | None:

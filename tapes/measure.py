@@ -66,6 +66,13 @@ def inches(thousandths: float) -> str:
     return f"{sign}{'' if digits == '0' else digits}{point}{decimals}"
 
 
+def counted(number: int, unit: str) -> str:
+    """Return a number with its unit, a plural: "no frames", "1 frame", "13,321 frames"."""
+    if number == 1:
+        return f"1 {unit.removesuffix('s')}"
+    return f"{number:,} {unit}" if number else f"no {unit}"
+
+
 def _text(tape: bytes) -> Iterator[Row]:
     codes = tape.translate(frames.PARITIES["none"])
     returns, feeds = codes.count(ascii.CR), codes.count(ascii.LF)
@@ -96,8 +103,16 @@ def _sections(tape: bytes) -> Iterator[Row]:
     if fault:
         yield "damage", fault
         return
-    sections, unread = binary.read(tape)
-    for section in sections:
+    reading = binary.read(tape)
+    first = (reading.sections[0].items if reading.sections else ()) or reading.unended
+    if first and first[0].kind == binary.WORD:
+        yield (
+            "damage",
+            f"frame {first[0].frame}: a word before any origin. The BIN loader has no address for it; "
+            "an object tape of FORTRAN looks so",
+        )
+        return
+    for section in reading.sections:
         good = section.computed == section.punched
         verdict = "good" if good else f"WRONG, {section.computed:04o} computed"
         yield "checksum", f"{section.punched:04o} at frame {section.frame}: {verdict}"
@@ -106,21 +121,34 @@ def _sections(tape: bytes) -> Iterator[Row]:
             "holds",
             ", ".join(f"{kind}s {held[kind]}" for kind in (binary.WORD, binary.ORIGIN, binary.FIELD)),
         )
-    fault = _fault(binary.decode, tape)
-    if fault is None:
-        yield "core", _ranges(binary.decode(tape).words)
-    if unread:
-        yield "unread", f"{_count(unread, 'frames')} after the last trailer"
+    if reading.damage:
+        yield "damage", str(reading.damage)
+    if _fault(binary.decode, tape) is None:
+        yield "core", _ranges(binary.content(reading).words)
+    yield from _label(tape, reading.label)
 
 
 def _words(tape: bytes) -> Iterator[Row]:
-    fault = _fault(rim.decode, tape)
+    fault = _fault(rim.read, tape)
     if fault:
         yield "damage", fault
         return
-    words = rim.decode(tape)
-    yield "holds", f"{_count(len(words), 'words')}; RIM has no checksum"
+    words, damage, label = rim.read(tape)
+    yield "holds", f"{counted(len(words), 'words')}; RIM has no checksum"
     yield "core", _ranges(words)
+    if damage:
+        yield "damage", str(damage)
+    yield from _label(tape, label)
+
+
+def _label(tape: bytes, start: int | None) -> Iterator[Row]:
+    """Say where a label is, and draw it as the eye reads it."""
+    if start is None:
+        return
+    label = tape[start:]
+    yield "label", f"{counted(len(label), 'frames')} from frame {start} on"
+    for row in frames.draw_label(label):
+        yield "", row
 
 
 def _fault(read: Callable[[bytes], object], tape: bytes) -> str | None:
@@ -135,15 +163,11 @@ def _lengths(counts: Iterable[int], unit: str) -> str:
     found = sorted(set(counts))
     if not found:
         return ""
-    return f" of {_count(found[0], unit)}" if len(found) == 1 else f" of {found[0]} to {found[-1]} {unit}"
+    return f" of {counted(found[0], unit)}" if len(found) == 1 else f" of {found[0]} to {found[-1]} {unit}"
 
 
 def _unended(rest: str | bytes, unit: str) -> str:
-    return f", then {_count(len(rest), unit)} without an end" if rest else ""
-
-
-def _count(number: int, unit: str) -> str:
-    return f"{number} {unit if number != 1 else unit.removesuffix('s')}"
+    return f", then {counted(len(rest), unit)} without an end" if rest else ""
 
 
 def _ranges(addresses: Iterable[int]) -> str:

@@ -8,16 +8,17 @@ in.
     200 ...      trailer: there is no checksum, and nothing but the operator stops the loader
 
 Frames of 200 between the words are skipped, and blank frames before the leader: the operator sets the tape on
-its leader.
+its leader. What follows the trailer and is no word (letters punched for the eye) is a label.
 
-Not emulated: what the loader makes of frames that are not RIM (it stores them somewhere); such a tape is an
-error.
+Not emulated: what the loader makes of frames that are not RIM (it stores them somewhere); such a tape is
+damaged.
 
 Sources: Small Computer Handbook (DEC), "Readin Mode Loader"; the loader's instructions on DEC's instruction
 card.
 """
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from tapes.errors import TapeError
 from tapes.frames import LEADER, find_leader, leader
@@ -34,28 +35,51 @@ def encode(words: Mapping[int, int]) -> bytes:
     return leader() + bytes(body) + leader()
 
 
+class Reading(NamedTuple):
+    """A tape as far as it can be read: {address: word}, what is wrong with it, and the frame at which its
+    label begins. None where there is no damage or no label.
+    """
+
+    words: dict[int, int]
+    damage: TapeError | None = None
+    label: int | None = None
+
+
 def decode(frames: bytes) -> dict[int, int]:
     """Return {address: word}; where an address comes twice the later word stays, as in core.
 
     Raises TapeError naming the frame: an empty tape, no leader, a frame out of place, a tape cut short.
     """
-    start = find_leader(frames)
+    reading = read(frames)
+    if reading.damage:
+        raise reading.damage
+    return reading.words
+
+
+def read(frames: bytes) -> Reading:
+    """Return the tape as far as it can be read. Raises TapeError where no RIM tape begins: an empty tape, no
+    leader, nothing but leader.
+    """
+    at = start = find_leader(frames)
     end = _end(frames)
-    words = {}
-    at = start
+    words: dict[int, int] = {}
     while at < end:
         if frames[at] == LEADER:
             at += 1
             continue
         group = frames[at : at + 4]
-        _check(group, at, cut=at + 4 > end)
+        damage = _fault(group, at)
+        if damage and words and _after_trailer(frames, at):
+            return Reading(words, label=len(frames) - len(frames[at:].lstrip(b"\0")))
+        if damage:
+            return Reading(words, damage)
         words[(group[0] & 0o77) << 6 | group[1]] = group[2] << 6 | group[3]
         at += 4
     if not words:
         raise TapeError("nothing but leader", start)
     if frames[end - 1] != LEADER:
-        raise TapeError("the tape is cut short: it has no trailer", end)
-    return words
+        return Reading(words, TapeError("the tape is cut short: it has no trailer", end))
+    return Reading(words)
 
 
 def _end(frames: bytes) -> int:
@@ -64,16 +88,25 @@ def _end(frames: bytes) -> int:
     return end if frames[end - 1] == LEADER else len(frames)
 
 
-def _check(group: bytes, at: int, cut: bool) -> None:
-    """Raise TapeError unless the four frames have channels 8 and 7 as 01 00 00 00."""
-    expected = (
-        "the first half of an address",
-        "the second half of an address",
-        "a word",
-        "the second half of a word",
-    )
+def _after_trailer(frames: bytes, at: int) -> bool:
+    """Tell whether frame `at` follows a trailer: frames of 200, more than stand between two words."""
+    return frames[:at].rstrip(b"\0").endswith(_TRAILER)
+
+
+def _fault(group: bytes, at: int) -> TapeError | None:
+    """Return what is wrong unless the four frames have channels 8 and 7 as 01 00 00 00."""
     for place, frame in enumerate(group):
         if frame >> 6 != (place == 0):
-            raise TapeError(f"{frame:03o} where {expected[place]} was expected", at + place)
-    if cut:
-        raise TapeError("the tape is cut short inside a word", at + len(group))
+            return TapeError(f"{frame:03o} where {_EXPECTED[place]} was expected", at + place)
+    if len(group) < 4:
+        return TapeError("the tape is cut short inside a word", at + len(group))
+    return None
+
+
+_TRAILER = leader(8)
+_EXPECTED = (
+    "the first half of an address",
+    "the second half of an address",
+    "a word",
+    "the second half of a word",
+)

@@ -1,19 +1,30 @@
 """The shelf: where tapes and sources are found and where they are put.
 
-`-` is a standard stream. A name that is not in the current folder may be a bundled one: a program of
-programs/ or a sample tape of tapes/. A file is written whole or not at all; only a punch streams, and what it
-punched stays.
+`-` is a standard stream. A name that is not in the current folder may be a bundled one: a sample tape of this
+package, or what another package has laid on the shelf with `add`. A file is written whole or not at all; only
+a punch streams, and what it punched stays.
 """
 
 import os
+import stat
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from typing import BinaryIO
 
 from tapes.errors import WorkError
 
-_HERE = os.path.dirname(os.path.abspath(__file__))
-BUNDLED = (os.path.join(os.path.dirname(_HERE), "programs"), _HERE)
-_SHELVED = (".pal", ".for", ".asc", ".eia", ".bin", ".rim")
+_bundled: dict[str, str] = {}
+
+
+def add(folder: str, *endings: str) -> None:
+    """Lay on the shelf every file of `folder` whose name ends so; its package calls this."""
+    for name in os.listdir(folder):
+        if name.endswith(endings):
+            _bundled[name] = os.path.join(folder, name)
+
+
+add(os.path.dirname(os.path.abspath(__file__)), ".asc", ".eia", ".bin", ".rim")
 
 
 class ShelfError(WorkError):
@@ -22,7 +33,7 @@ class ShelfError(WorkError):
 
 def bundled() -> list[str]:
     """Return the names of everything on the shelf, sorted."""
-    return sorted(name for folder in BUNDLED for name in os.listdir(folder) if name.endswith(_SHELVED))
+    return sorted(_bundled)
 
 
 def find(name: str) -> str:
@@ -32,12 +43,23 @@ def find(name: str) -> str:
     """
     if os.path.exists(name):
         return name
-    if os.path.basename(name) == name and name.endswith(_SHELVED):
-        for folder in BUNDLED:
-            path = os.path.join(folder, name)
-            if os.path.exists(path):
-                return path
+    if name in _bundled:
+        return _bundled[name]
     raise ShelfError(f"{name}: no such file, here or among the bundled ones ({', '.join(bundled())})")
+
+
+def hides(name: str) -> bool:
+    """Tell whether the file called `name` hides a bundled one of other content."""
+    if name not in _bundled or not os.path.isfile(name):
+        return False
+    with open(name, "rb") as here, open(_bundled[name], "rb") as there:
+        return here.read() != there.read()
+
+
+def read_bundled(name: str) -> bytes:
+    """Return the content of a bundled file, whatever lies in the current folder. Raises KeyError."""
+    with open(_bundled[name], "rb") as file:
+        return file.read()
 
 
 def read(name: str) -> bytes:
@@ -62,18 +84,42 @@ def write(name: str, content: bytes) -> None:
     if os.path.exists(name) and not os.path.isfile(name):  # a device such as /dev/null, a directory
         _write_through(name, content)
         return
-    beside = f"{name}.{os.getpid()}.part"
     try:
-        try:
-            with open(beside, "wb") as file:
-                file.write(content)
-            os.replace(beside, name)
-        except BaseException:
-            if os.path.exists(beside):
-                os.unlink(beside)
-            raise
+        with replacing(name) as beside, open(beside, "wb") as file:
+            file.write(content)
     except OSError as error:
         raise ShelfError(f"{name}: {error.strerror}; nothing was written") from error
+
+
+@contextmanager
+def replacing(name: str) -> Iterator[str]:
+    """Give the name of a file beside `name` to write; it takes the place of `name`, with its mode, unless an
+    exception is raised. A link is followed. Raises OSError.
+    """
+    path = os.path.realpath(name)
+    beside = f"{path}.{os.getpid()}.part"
+    try:
+        yield beside
+        with suppress(FileNotFoundError):
+            os.chmod(beside, stat.S_IMODE(os.stat(path).st_mode))
+        os.replace(beside, path)
+    finally:
+        with suppress(FileNotFoundError):
+            os.unlink(beside)
+
+
+def check_writable(name: str) -> None:
+    """Raise ShelfError where file `name` cannot be written; nothing is opened, made or emptied."""
+    if name == "-":
+        return
+    if os.path.isdir(name):
+        raise ShelfError(f"{name}: Is a directory")
+    folder = os.path.dirname(os.path.realpath(name))
+    if not os.path.isdir(folder):
+        raise ShelfError(f"{name}: No such file or directory")
+    place = name if os.path.exists(name) else folder
+    if not os.access(place, os.W_OK):
+        raise ShelfError(f"{name}: Permission denied")
 
 
 def _write_through(name: str, content: bytes) -> None:

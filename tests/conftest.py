@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+import programs  # noqa: F401 - its files go on the shelf
+
 BIN = Path(sys.executable).parent
 
 Shell = Callable[..., "subprocess.CompletedProcess[bytes]"]

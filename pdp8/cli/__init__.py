@@ -5,22 +5,37 @@ check     the answers of a class
 run       a program and its tape in, the punched tape out;   boot, trace, saved states, keyboard
 monitor   the operator's prompt        replay   the afternoon of 1971        panel     the front panel
 thesis    what the scan shows, and the thesis's figures made again
-program, listed   a program by name becomes words, with its listing
-keyboard  the Teletype at a terminal   tracing  a trace into a file
-octal     words as they are typed      progress a bar on what lasts          interrupt Ctrl-C is the STOP key
+pacing    a run slice by slice         feed      the reader's tapes          outputs   the punches' tapes
+keyboard  the Teletype at a terminal   line      the Teletype on a line      tracing   a trace into a file
+parameters  what options take          progress  a bar on long work          interrupt Ctrl-C is the STOP key
 """
 
 import gc
 import sys
+from importlib import import_module
 
 _SELDOM = 50_000
 
 
 def main() -> None:
-    """Run the `pdp8` command; Ctrl-C is quiet from the first moment, while the rest is being imported too."""
+    """Run the `pdp8` command."""
+    _run("pdp8.cli.root")
+
+
+def pal() -> None:
+    """Run the `pal` command."""
+    _run("pal.cli")
+
+
+def _run(module: str) -> None:
+    """Run the command whose `main` is in `module`, with the bundled programs on the shelf; Ctrl-C is quiet
+    from the first moment, while the rest is being imported too.
+    """
     gc.set_threshold(_SELDOM)  # what a command imports is no garbage: a tenth of the start went into looking
     try:
-        from pdp8.cli.root import main as run
+        import programs  # noqa: F401
+
+        run = import_module(module).main
     except KeyboardInterrupt:
         sys.exit(130)
     try:

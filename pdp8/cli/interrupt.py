@@ -3,28 +3,30 @@ process.
 """
 
 import signal
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
 
 
 class CtrlC:
-    """Whether Ctrl-C was pressed."""
+    """Whether Ctrl-C was pressed; `on_press` is called as it is."""
 
-    def __init__(self) -> None:
+    def __init__(self, on_press: Callable[[], object]) -> None:
         self.pressed = False
+        self._on_press = on_press
 
     def press(self, number: int, frame: FrameType | None) -> None:
         """Take the signal; the second one raises KeyboardInterrupt, for whoever does not look."""
         if self.pressed:
             raise KeyboardInterrupt
         self.pressed = True
+        self._on_press()
 
 
 @contextmanager
-def ctrl_c() -> Iterator[CtrlC]:
+def ctrl_c(on_press: Callable[[], object] = lambda: None) -> Iterator[CtrlC]:
     """Note Ctrl-C instead of breaking off at once."""
-    noted = CtrlC()
+    noted = CtrlC(on_press)
     before = signal.signal(signal.SIGINT, noted.press)
     try:
         yield noted

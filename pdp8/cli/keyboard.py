@@ -1,7 +1,7 @@
-"""Sitting at the Teletype: what is typed is its keyboard, what it prints is the page.
+"""A terminal as the Teletype: what is typed is its keyboard (see computer/keys), what it prints is the page.
 
-A Model 33 has capitals only, sends channel 8 with every key, and prints nothing by itself. Ctrl-] gets up:
-the monitor takes over, with the machine as it stands. The terminal is put back as it was, however one leaves.
+A Model 33 prints nothing by itself. Ctrl-] leaves to the monitor, with the machine as it stands. The terminal
+is put back as it was, however the run ends.
 """
 
 import os
@@ -18,17 +18,22 @@ from types import FrameType
 import click
 
 from pdp8.computer.bus import NEVER
+from pdp8.computer.keys import sent
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
 from pdp8.computer.stop import Stop
 from pdp8.computer.teletype import printed
+from pdp8.computer.trace import Listing
 
 ESCAPE = b"\x1d"
 _SLICE = 0.05
-_RUBOUT_KEYS = bytes.maketrans(b"\n\x7f", b"\r\x7f")
 
 
 def sit_down(
-    machine: Machine, max_time: float | None, realtime: bool, pass_on: Callable[[], object]
+    machine: Machine,
+    listing: Listing | None,
+    max_time: float | None,
+    realtime: bool,
+    pass_on: Callable[[], object],
 ) -> Stop | None:
     """Run with the terminal as the Teletype until the machine stops or Ctrl-] is typed.
 
@@ -43,7 +48,7 @@ def sit_down(
         machine.teletype.printer.on_frame = None
     click.echo(err=True)
     if stop is None:
-        _to_the_monitor(machine)
+        _to_the_monitor(machine, listing)
     return stop
 
 
@@ -82,20 +87,16 @@ def _run(
             return None
         if waiting:
             machine.wait(max(_SLICE, time.monotonic() - began - machine.elapsed if realtime else 0.0))
-        machine.teletype.keyboard.press(frames(typed))
+        machine.teletype.keyboard.press(sent(typed.decode("utf-8", "ignore")))
 
 
 def _keys(seconds: float) -> bytes:
     """Return what is typed within `seconds`; the end of the terminal is as good as Ctrl-]."""
     ready, _, _ = select.select([sys.stdin], [], [], seconds)
     typed = os.read(sys.stdin.fileno(), 64) if ready else b""
+    if typed[:2] in (b"\x1b[", b"\x1bO"):
+        return b""  # an arrow or another key that a Model 33 has not; ESC alone is ALT MODE
     return ESCAPE if ready and not typed else typed
-
-
-def frames(typed: bytes) -> bytes:
-    """Return what the keys of a Model 33 send for what is typed at a terminal."""
-    keys = typed.upper().translate(_RUBOUT_KEYS)
-    return bytes(key | 0o200 for key in keys if key < 0o200)
 
 
 def _print(frame: int) -> None:
@@ -104,9 +105,8 @@ def _print(frame: int) -> None:
     sys.stdout.flush()
 
 
-def _to_the_monitor(machine: Machine) -> None:
-    from pdp8.cli.listed import open_program
+def _to_the_monitor(machine: Machine, listing: Listing | None) -> None:
     from pdp8.cli.monitor import converse
     from pdp8.monitor.prompt import Monitor
 
-    converse(Monitor(click.echo, open_program, machine))
+    converse(Monitor(click.echo, machine, listing))

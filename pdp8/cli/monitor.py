@@ -7,9 +7,10 @@ from collections.abc import Iterator
 
 import click
 
-from pdp8.cli.listed import open_program
 from pdp8.computer.machine import Machine
-from pdp8.monitor.prompt import COMMANDS, Monitor, MonitorError
+from pdp8.monitor.arguments import MonitorError
+from pdp8.monitor.commands import COMMANDS
+from pdp8.monitor.prompt import Monitor
 from tapes import shelf
 from tapes.errors import WorkError, called
 
@@ -31,7 +32,7 @@ def monitor(script: str | None, highspeed: bool, echo: bool) -> None:
       pdp8 monitor lesson.txt --echo
     """
     machine = Machine(highspeed)
-    made = Monitor(click.echo, open_program, machine)
+    made = Monitor(click.echo, machine)
     if script is None and sys.stdin.isatty():
         converse(made)
     else:

@@ -5,7 +5,7 @@ from importlib.util import find_spec
 
 import click
 
-from pdp8.cli.octal import octal
+from pdp8.cli.parameters import octal
 from tapes.errors import WorkError
 
 

@@ -5,12 +5,12 @@ written.
 import os
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager
 from typing import TextIO
 
 from pdp8.computer.machine import Machine
 from pdp8.computer.trace import Listing, Trace
-from tapes.shelf import ShelfError
+from tapes import shelf
 
 
 @contextmanager
@@ -20,28 +20,26 @@ def tracing(machine: Machine, name: str, listing: Listing, cycles: bool) -> Iter
     Raises ShelfError.
     """
     if name == "-":
-        with _told(machine, sys.stdout, listing, cycles):
+        with _observed(machine, sys.stdout, listing, cycles):
             yield
         return
-    if os.path.isdir(name):
-        raise ShelfError(f"{name}: Is a directory")
+    shelf.check_writable(name)
     special = os.path.exists(name) and not os.path.isfile(name)
-    beside = name if special else f"{name}.{os.getpid()}.part"
     try:
-        with open(beside, "w") as file, _told(machine, file, listing, cycles):
-            yield
-        if not special:
-            os.replace(beside, name)
+        with ExitStack() as stack:
+            path = name if special else stack.enter_context(shelf.replacing(name))
+            file = stack.enter_context(open(path, "w"))
+            with _observed(machine, file, listing, cycles):
+                yield
+            file.close()
+    except BrokenPipeError:
+        raise
     except OSError as error:
-        raise ShelfError(f"{name}: {error.strerror}; no trace was written") from error
-    finally:
-        if not special:
-            with suppress(FileNotFoundError):
-                os.unlink(beside)
+        raise shelf.ShelfError(f"{name}: {error.strerror}; no trace was written") from error
 
 
 @contextmanager
-def _told(machine: Machine, file: TextIO, listing: Listing, cycles: bool) -> Iterator[None]:
+def _observed(machine: Machine, file: TextIO, listing: Listing, cycles: bool) -> Iterator[None]:
     trace = Trace(lambda line: file.write(line + "\n"), listing, cycles)
     trace.begin(machine.processor)
     machine.watch.observer = trace

@@ -11,7 +11,9 @@ waiting      loops that only wait, passed over exactly
 watch        breakpoints, words being written, observers
 trace        an instruction or a cycle a line, as in the listing
 machine      the one place that knows every part and wires it
-loaders      words into core; RIM and BIN as an operator loads them
+keys         what a key of the Teletype sends
+program      a program from a tape's bytes: its kind, words, tape and listing
+operator     who sets switches, presses keys and loads tapes, at a pace
 stop         why, where and when a run ended
 state        a whole machine as text, and back
 """

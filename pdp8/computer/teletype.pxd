@@ -17,6 +17,7 @@ cdef class Reader:
     cdef public bytes tape
     cdef public Py_ssize_t position
     cdef public bint loaded, on
+    cdef public object more
 
     cpdef bint ready(self)
     cpdef bint empty(self)

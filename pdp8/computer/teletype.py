@@ -68,10 +68,13 @@ class Reader:
         self.loaded = False
         self.on = True
         """The lever: START, else STOP."""
+        self.more: Callable[[], bytes] | None = None
+        """Where the frames of a tape come from that is still being made; none at its end."""
 
     def load(self, frames: bytes) -> None:
         """Put a tape of `frames` in, its first frame under the head."""
         self.tape = bytes(frames)
+        self.more = None
         self.position = 0
         self.loaded = True
         self.device.look()
@@ -88,11 +91,20 @@ class Reader:
 
     def ready(self) -> bool:
         """Tell whether there is a frame under the head and the lever is at START."""
+        if self.more is not None and self.on and self.position >= len(self.tape):
+            self.take_more()
         return self.on and self.position < len(self.tape)
+
+    def take_more(self) -> None:
+        """Wait for further frames of a tape that is still being made."""
+        frames = self.more() if self.more is not None else b""
+        self.tape += frames
+        if not frames:
+            self.more = None
 
     def empty(self) -> bool:
         """Tell whether a tape was loaded, with the lever at START, and has run out."""
-        return self.loaded and self.on and self.position >= len(self.tape)
+        return self.loaded and self.on and self.more is None and self.position >= len(self.tape)
 
 
 class Keyboard:

@@ -8,7 +8,7 @@ microseconds since START; the lamps are as it left them. Loops that only wait ar
 """
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from pal.disassembler import microinstruction
 from pal.isa import DEFER, EXECUTE, FETCH, INDIRECT, IOT, JMP, OPERATIONS, STATES, refers_to
@@ -18,37 +18,42 @@ if TYPE_CHECKING:
     from pal import Assembly
 
 
-class Line(NamedTuple):
-    """The word a line of a listing gives, and its source."""
-
-    word: int
-    source: str
-
-
 class Listing:
-    """What is known of the words in core: the lines and symbols of an assembly, or nothing."""
+    """What is known of the words in core: an assembly's lines and symbols, or nothing.
 
-    def __init__(
-        self, lines: Mapping[int, Line] | None = None, symbols: Mapping[str, int] | None = None
-    ) -> None:
-        self.lines = dict(lines or {})
+    `lines` are as pass 3 typed them, TABs counted from where the source begins; `words` is {address: word},
+    `places` {address: number of its line}, `symbols` {name: value}.
+    """
+
+    def __init__(self, symbols: Mapping[str, int] | None = None) -> None:
+        self.lines: list[str] = []
+        self.words: dict[int, int] = {}
+        self.places: dict[int, int] = {}
         self.symbols = dict(symbols or {})
 
     @classmethod
     def of(cls, assembly: "Assembly") -> "Listing":
         """Return the listing of an assembly."""
-        lines = {
-            line.address: Line(line.word, line.source.expandtabs(8).rstrip())
-            for line in assembly.lines
-            if line.address is not None and line.word is not None
-        }
-        return cls(lines, assembly.symbols)
+        listing = cls(assembly.symbols)
+        for line in assembly.lines:
+            source = line.source.expandtabs(8)
+            if line.address is None or line.word is None:
+                listing.lines.append(f"{'':12}{source}".rstrip())
+            else:
+                listing.words[line.address] = line.word
+                listing.places[line.address] = len(listing.lines)
+                listing.lines.append(f"{line.address:04o}  {line.word:04o}  {source}".rstrip())
+        return listing
+
+    def fits(self, address: int, word: int) -> bool:
+        """Tell whether the listing has `word` at `address`."""
+        return self.words.get(address) == word
 
     def line(self, address: int, word: int) -> str:
         """Return the line of `word` at `address`: as assembled, or disassembled if it is another word now."""
-        known = self.lines.get(address)
-        source = known.source if known and known.word == word else " " * 8 + instruction(address, word)
-        return f"{address:04o}  {word:04o}  {source}".rstrip()
+        if self.fits(address, word):
+            return self.lines[self.places[address]]
+        return f"{address:04o}  {word:04o}  {' ' * 8}{instruction(address, word)}"
 
 
 def instruction(location: int, word: int) -> str:

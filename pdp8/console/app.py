@@ -17,11 +17,10 @@ from textual.binding import Binding, BindingType
 from textual.containers import Container, Horizontal
 from textual.widgets import Footer, Static
 
+from pdp8.computer.program import Program
 from pdp8.console.dialogs import ChooseTape, NameTape
-from pdp8.console.edges import write_above, write_below
 from pdp8.console.lamps import LampRows
-from pdp8.console.pages import Card, Core, Listing, Page, Paper
-from pdp8.console.programs import Program
+from pdp8.console.pages import Card, Core, ListingPage, Page, Paper, subtitle, title
 from pdp8.console.session import Session, Tape
 from pdp8.console.strips import PunchStrip, ReaderStrip, Strip
 from pdp8.console.switches import KEYS, LOCKING, Key, Rocker, SwitchRegister
@@ -102,7 +101,7 @@ class Room(App[None]):
             yield Paper(session, "paper")
         with Container(id="pages"):
             yield Card(session, "card", self.programs[0], self.programs[-1])
-            yield Listing(session, "listing", self.programs)
+            yield ListingPage(session, "listing", self.programs)
             yield Core(session, "core")
         yield Footer(compact=True)
 
@@ -142,8 +141,8 @@ class Room(App[None]):
         """Show everything as it is now."""
         screen = self.screen_stack[0]
         panel = screen.query_one("#panel")
-        write_above(panel, "digital · PDP-8/L")
-        write_below(panel, self._status())
+        title(panel, "digital · PDP-8/L")
+        subtitle(panel, self._status())
         screen.query_one(LampRows).show()
         screen.query_one(SwitchRegister).show()
         for key in LOCKING:

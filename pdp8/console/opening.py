@@ -4,11 +4,13 @@ from collections.abc import Callable
 from time import perf_counter
 from typing import NamedTuple
 
+from pdp8.computer import program as programs
 from pdp8.computer.machine import Machine
-from pdp8.console.programs import BIN, RIM, Program, read
+from pdp8.computer.program import Program
 from pdp8.console.session import Session, Tape
-from tapes import shelf
+from tapes import rim, shelf
 
+RIM, BIN = "rim.pal", "bin.pal"
 PROGRAM = "eia.pal"
 DATA = ("circle.asc", "ellipse.asc")
 
@@ -32,24 +34,25 @@ def opening(
     `reader` names the tape in the reader, `clock` tells the computer's own seconds. Raises WorkError for what
     cannot be read.
     """
-    programs = [read(RIM), read(BIN), read(program or PROGRAM)]
+    found = [programs.find(name) for name in (RIM, BIN, program or PROGRAM)]
     machine = Machine()
-    session = Session(machine, [Tape(name, frames) for name, frames in _at_hand(programs[1:])], clock)
+    session = Session(machine, [Tape(name, frames) for name, frames in _at_hand(found[1:])], clock)
     if reader:
         session.tapes.append(Tape(reader, shelf.read(reader)))
         session.mount(session.tapes[-1])
     if program and not cold:
-        machine.load(programs[-1].words)
+        machine.load(found[-1].words)
         machine.sr = start
         session.press("load_add")
-    return Opening(session, programs)
+    return Opening(session, found)
 
 
 def _at_hand(programs: list[Program]) -> list[tuple[str, bytes]]:
-    loaders = [(_tape_name(program.name), program.tape) for program in programs]
+    bin_loader, program = programs
+    loaders = [("bin.rim", rim.encode(bin_loader.words)), (_tape_name(program.name), program.tape)]
     return loaders + [(name, shelf.read(name)) for name in DATA]
 
 
 def _tape_name(program: str) -> str:
-    """Return what is written on a program's tape; BIN's is in RIM format."""
-    return "bin.rim" if program == BIN else program.removesuffix(".pal") + ".bin" * program.endswith(".pal")
+    """Return what is written on a program's tape."""
+    return f"{program.removesuffix('.pal')}.bin" if program.endswith(".pal") else program

@@ -7,12 +7,12 @@ from rich.style import Style
 from rich.text import Text
 from textual import events
 from textual.binding import Binding, BindingType
+from textual.content import Content
 from textual.widget import Widget
 
-from pdp8.computer.loaders import RIM, RIM_START
+from pdp8.computer.operator import RIM, RIM_START
+from pdp8.computer.program import Program
 from pdp8.computer.teletype import printed
-from pdp8.console.edges import write_above
-from pdp8.console.programs import Program, fitting
 from pdp8.console.session import Session
 
 _INK = Style(color="#2d2618")
@@ -22,12 +22,24 @@ _FAINT = Style(color="#9a876a")
 _HERE = Style(color="#1d160e", bgcolor="#ffc46b", bold=True)
 _LAST = Style(color="#ffd9a0", bold=True, underline=True)
 _KEYS = {
-    "enter": "\n",
+    "enter": "\r",
     "backspace": "\x7f",
     **{f"ctrl+{letter}": chr(ord(letter) & 0o37) for letter in ascii_lowercase},
 }
 COLUMNS = 72
 _CARD_WIDTH = 48
+
+
+def title(widget: Widget, words: str) -> None:
+    """Write `words` on the upper edge of the widget's frame: plain text, as a file may be called anything."""
+    if widget.border_title != Content(words).markup:
+        widget.border_title = Text(words)
+
+
+def subtitle(widget: Widget, words: str) -> None:
+    """Write `words` on its lower edge."""
+    if widget.border_subtitle != Content(words).markup:
+        widget.border_subtitle = Text(words)
 
 
 class Page(Widget):
@@ -95,7 +107,7 @@ class Paper(Page, can_focus=True):
 
     def look(self) -> object:
         """Look again, and say who the keys are for."""
-        write_above(
+        title(
             self,
             "Teletype: you type here, ESC goes back" if self.has_focus else "Teletype (TAB to type)",
         )
@@ -113,7 +125,7 @@ class Paper(Page, can_focus=True):
         return text
 
 
-class Listing(Page):
+class ListingPage(Page):
     """The listing that fits core where the PC points, the line of the PC lit."""
 
     def __init__(self, session: Session, name: str, programs: list[Program]) -> None:
@@ -125,22 +137,23 @@ class Listing(Page):
         """Find the listing that fits; one that still does stays."""
         address = self.session.address
         word = self.session.machine.core[address]
-        found = fitting([self.program, *self.programs], address, word)
+        fitting = (each for each in (self.program, *self.programs) if each.listing.fits(address, word))
+        found = next(fitting, None)
         self.program = found or self.program
         where = f"{address:04o}" if found else f"{address:04o} is not in it"
-        write_above(self, f"listing of {self.program.name} · PC {where}")
+        title(self, f"listing of {self.program.name} · PC {where}")
         return (self.program.name, address, found is None)
 
     def render(self) -> Text:
         """Show the lines about the PC's."""
         address = self.session.address
-        core = self.session.machine.core
-        here = self.program.places.get(address) if self.program.words.get(address) == core[address] else None
-        middle = self.program.places.get(address, 0)
+        listing = self.program.listing
+        middle = listing.places.get(address, 0)
+        here = middle if listing.fits(address, self.session.machine.core[address]) else None
         height, width = self.size.height, self.size.width
-        first = max(0, min(middle - height // 2, len(self.program.lines) - height))
+        first = max(0, min(middle - height // 2, len(listing.lines) - height))
         text = Text()
-        for number, line in enumerate(self.program.lines[first : first + height], first):
+        for number, line in enumerate(listing.lines[first : first + height], first):
             shown = f"{'▸' if number == here else ' '}{line}"[:width]
             text.append(f"{shown:<{width}}" if number == here else shown, _HERE if number == here else _LABEL)
             text.append("\n")
@@ -153,7 +166,7 @@ class Core(Page):
 
     def look(self) -> object:
         """Look again."""
-        write_above(self, f"core about the PC, {self.session.address:04o}")
+        title(self, f"core about the PC, {self.session.address:04o}")
         return list(self.session.machine.core), self.session.address, self.session.machine.ma
 
     def render(self) -> Text:
@@ -180,7 +193,8 @@ class Card(Page):
 
     def __init__(self, session: Session, name: str, rim: Program, program: Program) -> None:
         super().__init__(session, name)
-        self.statements = {address: _statement(rim.lines[place]) for address, place in rim.places.items()}
+        lines, places = rim.listing.lines, rim.listing.places
+        self.statements = {address: _statement(lines[place]) for address, place in places.items()}
         tape = f"{program.name.removesuffix('.pal')}.bin"
         self.steps = (
             "1 RIM: SR 7756 L, then each word D",
@@ -191,7 +205,7 @@ class Card(Page):
 
     def look(self) -> object:
         """Look again."""
-        write_above(self, "RIM loader · R toggles it in for you")
+        title(self, "RIM loader · R toggles it in for you")
         core = self.session.machine.core
         return [core[RIM_START + place] for place in range(len(RIM))], self.session.address
 

@@ -7,10 +7,7 @@ The machine stays what it is: everything here is done with its panel's keys, its
 keyboard. At speed 1 the room's second is the machine's; where Python is slower than that, the machine's time
 falls behind and nothing is left out.
 
-While the processor stands still the Teletype finishes what it has begun, in the room's own time. INITIALIZE
-sets READER RUN: a tape put in with the lever at START would move at once, and START would drop the frame on
-its way. So the operator puts a tape in with the lever at STOP, and throws it with the key that sets the
-machine going.
+While the processor stands still the Teletype finishes what it has begun, in the room's own time.
 """
 
 from collections.abc import Callable, Iterator
@@ -19,12 +16,12 @@ from typing import NamedTuple
 
 from pal.isa import DEFER, EXECUTE, FETCH
 from pdp8.computer.bus import NEVER
-from pdp8.computer.loaders import RIM, RIM_START
+from pdp8.computer.keys import sent
 from pdp8.computer.machine import Machine
+from pdp8.computer.operator import RIM, RIM_START, Operator
 from pdp8.computer.panel import Lamps
 from pdp8.computer.processor import INTERRUPT
 from pdp8.computer.stop import Stop
-from tapes.frames import LEADER
 
 SPEEDS = (1, 10, 100, 1000)
 KEY_SECONDS = 0.1
@@ -61,6 +58,7 @@ class Session:
         self, machine: Machine, tapes: list[Tape] | None = None, clock: Callable[[], float] = perf_counter
     ) -> None:
         self.machine = machine
+        self.operator = Operator(machine)
         self.tapes = tapes or []
         self.speed = 1
         self.behind = False
@@ -69,8 +67,6 @@ class Session:
         """What became of the machine, in words."""
         self.reader_tape = ""
         """The name of the tape in the reader."""
-        self.lever_waits = False
-        """Whether the reader's lever, at STOP, is to be thrown with START or CONT."""
         self.glow: dict[str, tuple[float, ...]] = {}
         """How bright each lamp is, 0 to 1, most significant first."""
         self._clock = clock
@@ -132,9 +128,7 @@ class Session:
     def press(self, key: str) -> None:
         """Press a momentary key, named as the Panel's method is: load_add, start, cont, stop, exam, dep."""
         panel = self.machine.panel
-        if key in ("start", "cont") and self.lever_waits:
-            self.throw_lever()
-        getattr(panel, key)()
+        self.operator.press(key)
         if key == "stop":
             self._hands = None
             self.said = f"stopped before {self.machine.pc:04o}"
@@ -167,14 +161,8 @@ class Session:
             self._rest = KEY_SECONDS
 
     def _rim(self) -> Iterator[None]:
-        panel = self.machine.panel
-        panel.sr = RIM_START
-        panel.load_add()
-        yield
-        for word in RIM:
-            panel.sr = word
-            panel.dep()
-            self.said = f"toggling RIM in: {word:04o} into {self.machine.ma:04o}"
+        for _ in self.operator.toggle(RIM_START, RIM):
+            self.said = f"toggling RIM in: {self.machine.mb:04o} into {self.machine.ma:04o}"
             yield
         self.said = "the RIM loader is in core"
 
@@ -192,25 +180,13 @@ class Session:
         return self._hands is not None
 
     def mount(self, tape: Tape) -> None:
-        """Put a tape into the reader; one for a loader on its leader, past what is blank.
-
-        While the machine stands still the lever is put to STOP, if it is not there, and waits for START or
-        CONT.
-        """
-        reader = self.machine.teletype.reader
-        if reader.on and not self.machine.panel.lamps.run:
-            reader.lever(False)
-            self.lever_waits = True
-        punched = tape.frames.lstrip(b"\0")
-        on_leader = punched.startswith(bytes([LEADER]))
+        """Put a tape into the reader, as Operator.mount does."""
         self.reader_tape = tape.name
-        reader.load(punched if on_leader else tape.frames)
+        self.operator.mount(tape.name, tape.frames)
 
     def throw_lever(self) -> None:
         """Throw the reader's lever to START, or to STOP; there it stays until it is thrown again."""
-        reader = self.machine.teletype.reader
-        reader.lever(not reader.on)
-        self.lever_waits = False
+        self.operator.throw_lever()
 
     def tear_off(self, name: str) -> Tape:
         """Tear off what was punched; it lies with the other tapes then, called `name`."""
@@ -221,9 +197,8 @@ class Session:
         return tape
 
     def type(self, characters: str) -> None:
-        """Type on the Teletype's keyboard, which has upper case only and sets channel 8; \\n is RETURN."""
-        typed = characters.upper().replace("\n", "\r").encode("ascii", "ignore")
-        self.machine.teletype.keyboard.press(bytes(code | 0o200 for code in typed))
+        """Type on the Teletype's keyboard."""
+        self.machine.teletype.keyboard.press(sent(characters))
 
     def change_speed(self) -> None:
         """Go on to the next speed of SPEEDS."""

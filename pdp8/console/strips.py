@@ -11,7 +11,7 @@ from rich.text import Text
 from textual.reactive import reactive
 from textual.widget import Widget
 
-from pdp8.console.edges import write_above, write_below
+from pdp8.console.pages import subtitle, title
 from pdp8.console.session import Session
 from tapes import kinds
 from tapes.captions import captions
@@ -71,8 +71,8 @@ class ReaderStrip(Strip):
             self.captions = captions(reader.tape, kinds.classify(reader.tape))
         self.state = (reader.tape, reader.position, reader.on)
         name = self.session.reader_tape if reader.loaded else "reader"
-        write_above(self, name if reader.on else f"STOP · {name}")
-        write_below(self, f"{reader.position:,} of {len(reader.tape):,}" if reader.loaded else "")
+        title(self, name if reader.on else f"STOP · {name}")
+        subtitle(self, f"{reader.position:,} of {len(reader.tape):,}" if reader.loaded else "")
 
     def render(self) -> Text:
         """Draw the tape about the head."""
@@ -94,8 +94,8 @@ class PunchStrip(Strip):
         """Look at the tape again."""
         punch = self.session.machine.teletype.punch
         self.state = (len(punch.frames), punch.on)
-        write_above(self, "punch" if punch.on else "punch OFF")
-        write_below(self, f"{len(punch.frames):,} punched" if punch.frames else "")
+        title(self, "punch" if punch.on else "punch OFF")
+        subtitle(self, f"{len(punch.frames):,} punched" if punch.frames else "")
 
     def render(self) -> Text:
         """Draw the last frames, the newest at the head."""

@@ -1,8 +1,11 @@
-"""The operator's prompt.
+"""The operator's prompt: one line in, what it says out. A script feeds it as well as a person.
 
-prompt    one line in, what it says out
+prompt       a machine at a prompt: a line becomes a command
+arguments    the words of a line: quotes and escapes, octal, seconds
+commands     every command by its name
+core         words, registers, switches and keys; breakpoints, steps, traces
+running      going on until something: a time, a text on the page, a value
+tapes        programs, tapes, the Teletype's keyboard and page, saved states
+
+Not here: the terminal with its history, and the script's file, are the command's (pdp8/cli/monitor).
 """
-
-from pdp8.monitor.prompt import Monitor
-
-__all__ = ["Monitor"]

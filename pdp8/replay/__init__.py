@@ -1,6 +1,5 @@
 """The whole 1971 afternoon, done again.
 
-operator      what the operator did at the PDP-8/L, tick by tick
 afternoon     from part program to milled part, in one call
 figures       the thesis's figures beside the afternoon's
 desk          what it leaves: tapes, listings, pictures

@@ -4,7 +4,7 @@
     ASCII tape      switches      RIM tape         BIN tape          EIA tape         path         deviations
 
 Times of the terminal, the Teletype, the processor and the Hydra-Point are the machines' own. What a man takes
-to carry a tape, mount it or set switches is nowhere recorded; those seconds are ours (see operator.py and the
+to carry a tape, mount it or set switches is nowhere recorded; those seconds are ours (see PACE and the
 constants here) and stand apart from the figures that are compared with the thesis.
 
 Not emulated: the GE time-sharing service's own delays, the telephone line, a misread switch.
@@ -20,8 +20,8 @@ import nc
 import pal
 from nc.curves import nominal
 from nc.inspection import Inspection, inspect
-from pdp8.computer.machine import TICKS_PER_SECOND
-from pdp8.replay.operator import Deed, Operator
+from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.operator import Action, Operator, Pace
 from programs.parts import find
 from tapes import ascii, frames, rim, shelf
 from tapes.errors import WorkError
@@ -29,8 +29,12 @@ from tapes.errors import WorkError
 OPENS: Final = 13 * 3600
 """The afternoon begins at one o'clock: seconds since midnight."""
 
-WALK_SECONDS, MOUNT_SECONDS, CLAMP_SECONDS, MEASURE_SECONDS = 60, 20, 180, 120
-"""To the next room; a tape into a reader; a plate onto the table; one turn of the Talyrond. Ours."""
+PACE: Final = Pace(setting=4, pressing=1, mounting=20, lever=0.25)
+"""The operator's: five seconds to set the twelve switches and press a key, and one hand on the reader's lever
+while the other presses START. Ours, not the thesis's."""
+
+WALK_SECONDS, CLAMP_SECONDS, MEASURE_SECONDS = 60, 180, 120
+"""To the next room; a plate onto the table; one turn of the Talyrond. Ours."""
 
 FRAMES_PER_SECOND = 10
 
@@ -89,7 +93,7 @@ class Afternoon:
     part: str
     text: str
     acts: tuple[Act, ...]
-    deeds: tuple[Deed, ...]
+    deeds: tuple[Action, ...]
     tapes: dict[str, bytes]
     programs: dict[str, pal.Assembly]
     path: nc.Path
@@ -113,7 +117,9 @@ class _Day:
         self.part = part
         self.entry = find(part)
         self.tell = tell
-        self.operator = Operator()
+        self.machine = Machine()
+        self.deeds: list[Action] = []
+        self.operator = Operator(self.machine, PACE, self.deeds.append)
         self.acts: list[Act] = []
         self.tapes: dict[str, bytes] = {}
         self.programs: dict[str, pal.Assembly] = {}
@@ -132,7 +138,7 @@ class _Day:
             self.part,
             self.text,
             tuple(self.acts),
-            tuple(self.operator.deeds),
+            tuple(self.deeds),
             self.tapes,
             self.programs,
             path,
@@ -141,10 +147,20 @@ class _Day:
             self.minutes,
         )
 
+    @property
+    def now(self) -> int:
+        """Ticks of 0.05 µs since the machine was switched on."""
+        return self.machine.processor.clock
+
+    def _elapsed(self, key: str) -> float:
+        """Return the seconds since the last action with `key`."""
+        at = next(deed.at for deed in reversed(self.deeds) if deed.key == key)
+        return (self.now - at) / TICKS_PER_SECOND
+
     def _act(self, kind: Kind, name: str, say: str, came: str, program: str = "") -> None:
         """Write down the act that has just ended."""
         starts = self.acts[-1].ends if self.acts else 0
-        act = Act(kind, name, program, say, starts, self.operator.now, came, perf_counter() - self.began)
+        act = Act(kind, name, program, say, starts, self.now, came, perf_counter() - self.began)
         self.acts.append(act)
         self.tell(act)
         self.began = perf_counter()
@@ -165,7 +181,8 @@ class _Day:
     def _toggle(self) -> None:
         self.operator.wait(WALK_SECONDS)
         assembly = self._assemble("rim.pal")
-        self.operator.toggle(assembly.words)
+        for _ in self.operator.toggle(min(assembly.words), list(assembly.words.values())):
+            pass
         self._act(
             Kind.TOGGLE,
             "RIM toggled in",
@@ -190,10 +207,10 @@ class _Day:
 
     def _load_program(self) -> None:
         assembly = self._assemble("eia.pal")
-        self._mount("eia.bin", assembly.tape[frames.find_leader(assembly.tape) :])
+        self._mount("eia.bin", assembly.tape[frames.leader_start(assembly.tape) or 0 :])
         stop = self.operator.start(0o7777)
         self._expect(stop.reason == "halt", f"BIN stopped at {stop.pc:04o}: {stop.reason}")
-        ac = self.operator.machine.ac
+        ac = self.machine.ac
         self._expect(ac == 0, f"BIN halted with AC {ac:04o}: the checksum of eia.bin is wrong")
         self._act(
             Kind.LOAD,
@@ -206,18 +223,18 @@ class _Day:
     def _translate(self) -> None:
         name = f"{self.part}.asc"
         self._mount(name, self.tapes[name])
-        punched = len(self.operator.machine.teletype.punch.tape)
+        punched = len(self.machine.teletype.punch.tape)
         stop = self.operator.start(0o200)
         self._expect(stop.reason == "tape out", f"eia.pal stopped at {stop.pc:04o}: {stop.reason}")
-        self.minutes["translate"] = self.operator.elapsed("lever") / 60
+        self.minutes["translate"] = self._elapsed("lever") / 60
         self.operator.stop()
-        tape = self.operator.machine.teletype.punch.tape[punched:]
+        tape = self.machine.teletype.punch.tape[punched:]
         self.tapes[f"{self.part}.eia"] = tape
         self._act(
             Kind.TRANSLATE,
             "Translation",
             "eia.pal reads ASCII and punches EIA: a space as a zero, a carriage return as end of block.",
-            f"{len(tape):,} frames, {self.operator.machine.instructions:,} instructions",
+            f"{len(tape):,} frames, {self.machine.instructions:,} instructions",
             "eia.pal",
         )
 
@@ -225,7 +242,7 @@ class _Day:
         path = nc.cut(self.tapes[f"{self.part}.eia"])
         times = path.times
         self.operator.wait(WALK_SECONDS + CLAMP_SECONDS)
-        mill_starts = self.operator.now
+        mill_starts = self.now
         self.operator.wait(times.total)
         self.minutes["cut"] = times.total / 60
         self._act(
@@ -252,13 +269,12 @@ class _Day:
         return inspection
 
     def _assemble(self, name: str) -> pal.Assembly:
-        assembly = self.programs[name] = pal.assemble(shelf.read(name), names=[name])
+        assembly = self.programs[name] = pal.assemble(shelf.read_bundled(name), names=[name])
         self._expect(assembly.ok, f"{name}: does not assemble")
         return assembly
 
     def _mount(self, name: str, tape: bytes) -> None:
         self.tapes[name] = tape
-        self.operator.wait(MOUNT_SECONDS)
         self.operator.mount(name, tape)
 
     def _expect(self, met: bool, otherwise: str) -> None:

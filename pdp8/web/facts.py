@@ -12,7 +12,7 @@ from importlib.resources import files
 from typing import Any, Final
 
 from pal import isa
-from pdp8.computer import bus, highspeed, loaders, processor, teletype
+from pdp8.computer import bus, highspeed, operator, processor, teletype
 from pdp8.computer.machine import TICKS_PER_SECOND
 from tapes import ascii, eia, frames, hydrapoint
 
@@ -61,11 +61,11 @@ def _times() -> dict[str, int]:
 
 def _loaders() -> dict[str, Any]:
     return {
-        "RIM": loaders.RIM,
-        "RIM_START": loaders.RIM_START,
-        "BIN_START": loaders.BIN_START,
-        "BIN_HALT": loaders.BIN_HALT,
-        "TELETYPE_READER": loaders.TELETYPE_READER,
+        "RIM": operator.RIM,
+        "RIM_START": operator.RIM_START,
+        "BIN_START": operator.BIN_START,
+        "BIN_HALT": operator.BIN_HALT,
+        "TELETYPE_READER": operator.TELETYPE_READER,
     }
 
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from tapes import binary
+from tapes import binary, kinds
 from tapes.errors import TapeError
 from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, assert_same, octal, palbart, refused, simh
 
@@ -93,10 +93,46 @@ def test_a_section_starts_in_field_0_again() -> None:
     assert binary.decode(binary.encode({0o10000: 4}) + binary.encode({0: 5})).words == {0o10000: 4, 0: 5}
 
 
-def test_junk_after_the_trailer_is_counted_and_not_read() -> None:
-    junk = FORMAT_BIN + octal("032 032 101")
-    assert binary.decode(junk).words == FORMAT_WORDS
-    assert binary.read(junk).unread == 3
+LABELS = {
+    "a word's frames": "032 032 101",
+    "rubouts": "377 377 377",
+    "one rubout": "377",
+    "blank tape, then letters": "000 000 000 177 011 011 001 000 076 101 101 076 000",
+    "letters at once": "177 011 011 001 000 076 101 101 076 000",
+    "seven rows high": "265 231 000 377",
+    "letters and leader": "000 177 011 011 001 000 200 200 200",
+}
+
+
+@pytest.mark.parametrize("label", LABELS.values(), ids=LABELS)
+def test_what_follows_a_good_tape_is_a_label(label: str) -> None:
+    labelled = FORMAT_BIN + octal(label)
+    assert binary.decode(labelled).words == FORMAT_WORDS
+    found = binary.read(labelled)
+    assert found.damage is None
+    assert found.label == len(FORMAT_BIN) + (len(octal(label)) - len(octal(label).lstrip(b"\0")))
+    assert kinds.classify(labelled) == kinds.BIN
+
+
+def test_a_damaged_second_section_is_no_label() -> None:
+    second = bytearray(binary.encode({0o400 + at: at for at in range(20)}))
+    for cut in (64 + 6, 64 + 7, len(second) - 64):
+        with pytest.raises(TapeError, match="cut short"):
+            binary.decode(FORMAT_BIN + second[:cut])
+    second[64 + 30] = 0o265
+    with pytest.raises(TapeError, match=r"frame \d+: 265 "):
+        binary.decode(FORMAT_BIN + second)
+
+
+def test_what_a_damaged_tape_holds() -> None:
+    tape = bytearray(binary.encode({0o200: 1, 0o201: 2, 0o202: 3}))
+    tape[67] ^= 0o004
+    reading = binary.read(bytes(tape))
+    assert "checksum: computed" in str(binary.find_damage(reading))
+    assert binary.content(reading).words == {0o200: 5, 0o201: 2, 0o202: 3}
+    cut = binary.read(bytes(tape[:-64]))
+    assert "no trailer" in str(cut.damage)
+    assert binary.content(cut).words == {0o200: 5, 0o201: 2, 0o202: 3}
 
 
 def test_origins_may_overlap_and_wrap() -> None:

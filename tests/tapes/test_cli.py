@@ -69,7 +69,7 @@ def test_the_spaces_of_the_thesis_are_for_clarity_and_others_are_codes() -> None
 def test_a_line_that_is_no_block_is_named() -> None:
     typed = DRILLING.replace("002 9 03000", "002 9 0300")
     said = complaint("tape", "punch", "--code", "eia", given=typed.encode())
-    assert said == "pdp8: standard input: line 2, column 1: a block of 18 digits; it has 19\n"
+    assert said == "pdp8 tape punch: standard input: line 2, column 1: a block of 18 digits; it has 19\n"
 
 
 def test_a_text_file_becomes_a_proper_tape(tmp_path: Path) -> None:
@@ -123,12 +123,16 @@ def test_every_help_has_worked_examples(command: str) -> None:
 @pytest.mark.parametrize(
     ("arguments", "given", "said"),
     [
-        (["show", "nowhere.asc"], b"", "pdp8: nowhere.asc: no such file, here or among the bundled ones"),
-        (["show", "."], b"", "pdp8: .: Is a directory"),
-        (["show"], b"", "pdp8: standard input: frame 0: empty tape"),
-        (["show", "--from", "9"], b"\0", "pdp8: standard input: frame 9: the tape has only 1"),
-        (["show", "--svg", "."], b"\0", "pdp8: .: Is a directory"),
-        (["convert", "--to", "text"], b"", "pdp8: standard input: frame 0: empty tape"),
+        (
+            ["show", "nowhere.asc"],
+            b"",
+            "pdp8 tape show: nowhere.asc: no such file, here or among the bundled ones",
+        ),
+        (["show", "."], b"", "pdp8 tape show: .: Is a directory"),
+        (["show"], b"", "pdp8 tape show: standard input: frame 0: empty tape"),
+        (["show", "--from", "9"], b"\0", "pdp8 tape show: standard input: frame 9: the tape has only 1"),
+        (["show", "--svg", "."], b"\0", "pdp8 tape show: .: Is a directory"),
+        (["convert", "--to", "text"], b"", "pdp8 tape convert: standard input: frame 0: empty tape"),
         (["convert", "--to", "text"], FORMAT_BIN, "bin cannot become text; octal takes any tape"),
         (["convert", "--to", "rim"], FORMAT_BIN[:100], "frame 100: the tape is cut short inside a word"),
         (
@@ -144,12 +148,12 @@ def test_every_help_has_worked_examples(command: str) -> None:
         (
             ["convert", "--to", "octal", "-o", "no/x"],
             FORMAT_BIN,
-            "pdp8: no/x: No such file or directory; nothing",
+            "pdp8 tape convert: no/x: No such file or directory",
         ),
         (["punch"], b"\xff\xfe", "standard input: line 1, column 1: byte 377 is no text"),
         (["punch"], "1\né".encode(), "standard input: line 2, column 1: 'é' is no ASCII character"),
         (["punch", "--code", "eia"], b"1!\n", "standard input: line 1, column 2: '!' has no EIA code"),
-        (["punch", "-o", "/dev/full"], b"C\n", "pdp8: /dev/full: No space left on device"),
+        (["punch", "-o", "/dev/full"], b"C\n", "pdp8 tape punch: /dev/full: No space left on device"),
     ],
 )
 def test_bad_input_in_one_line(arguments: list[str], given: bytes, said: str, tmp_path: Path) -> None:
@@ -170,7 +174,9 @@ def test_bad_input_in_one_line(arguments: list[str], given: bytes, said: str, tm
     ],
 )
 def test_misuse(arguments: list[str]) -> None:
-    assert "Usage: " in complaint("tape", *arguments, status=2)
+    said = complaint("tape", *arguments, status=2)
+    assert said.startswith("pdp8 tape")
+    assert "--help shows what there is" in said
 
 
 @pytest.mark.parametrize(
@@ -187,7 +193,7 @@ def test_a_full_disk_behind_standard_output(arguments: list[str]) -> None:
             check=False,
         )
     assert done.returncode == 1
-    assert done.stderr == b"pdp8: standard output: No space left on device\n"
+    assert done.stderr == f"pdp8 tape {arguments[0]}: standard output: No space left on device\n".encode()
 
 
 def test_a_closed_pipe_is_quiet() -> None:
@@ -200,7 +206,11 @@ def test_a_closed_pipe_is_quiet() -> None:
 
 @pytest.mark.parametrize(
     ("closed", "status", "said"),
-    [("<&-", 0, b""), (">&-", 1, b"pdp8: standard output: Bad file descriptor\n"), ("2>&-", 0, b"")],
+    [
+        ("<&-", 0, b""),
+        (">&-", 1, b"pdp8 tape info: standard output: Bad file descriptor\n"),
+        ("2>&-", 0, b""),
+    ],
 )
 def test_a_closed_standard_stream_is_no_traceback(closed: str, status: int, said: bytes) -> None:
     line = f'{sys.executable} -c "from pdp8.cli import main; main()" tape info - {closed}'
@@ -222,7 +232,7 @@ def test_ctrl_c(tmp_path: Path) -> None:
         assert waiting.stdout.readline() == b"a.bin\n", "so now it waits for the other tape"
         waiting.send_signal(signal.SIGINT)
         _, said = waiting.communicate(timeout=60)
-    assert (waiting.returncode, said.strip()) == (130, b"pdp8: interrupted")
+    assert (waiting.returncode, said.strip()) == (130, b"pdp8 tape info: interrupted")
 
 
 @pytest.mark.parametrize(
@@ -261,4 +271,6 @@ def test_a_data_tape_is_no_program(tmp_path: Path) -> None:
         [*COMMAND, "run", "circle.asc"], input=b"", capture_output=True, timeout=60, check=False
     )
     assert done.returncode == 1
-    assert done.stderr == b"pdp8: circle.asc: nothing but figures: no program, but a tape for the reader\n"
+    assert (
+        done.stderr == b"pdp8 run: circle.asc: nothing but figures: no program, but a tape for the reader\n"
+    )

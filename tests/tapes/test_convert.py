@@ -112,7 +112,7 @@ def test_a_bin_tape_measured() -> None:
     damaged[70] ^= 1
     assert rows(bytes(damaged), "checksum", "core") == ["1251 at frame 119: WRONG, 1250 computed"]
     assert rows(FORMAT_BIN[:101], "damage") == ["frame 101: the tape is cut short: it has no trailer"]
-    assert rows(FORMAT_BIN + b"\x01", "unread") == ["1 frame after the last trailer"]
+    assert rows(FORMAT_BIN + b"\x41", "label") == [f"1 frame from frame {len(FORMAT_BIN)} on"]
 
 
 def test_a_rim_tape_measured() -> None:

@@ -30,7 +30,7 @@ def test_boot_makes_the_same_tape_and_says_what_it_took(shell: Shell, eia: bytes
     assert_same_tape(ran.stdout, eia)
     said = ran.stderr.decode().splitlines()
     assert said[0] == "pdp8 run: RIM loader toggled in: 18 keys"
-    assert said[1].endswith("0 min 49 s")
+    assert said[1].endswith("492 frames, 91 words; 49.2 s")
     assert said[3].startswith("pdp8 run: loaded in 1 min 22.7 s")
     assert ran.returncode == 0
 
@@ -72,9 +72,12 @@ def test_the_pc8_reads_and_punches_files(shell: Shell, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("line", "status", "message"),
     [
-        ("run", 2, "Give a PROGRAM, or --restore"),
-        ("run hello.pal --restore x", 2, "Give a PROGRAM, or --restore"),
-        ("run --restore x --sr 0000", 2, "--sr means nothing beside --restore"),
+        ("run", 2, "give a PROGRAM, or --restore"),
+        ("run hello.pal --restore x", 2, "give a PROGRAM, or --restore"),
+        ("run --restore x --boot", 2, "--boot means nothing beside --restore"),
+        ("run hello.pal --loader x", 2, "--loader means nothing without --boot"),
+        ("run hello.pal --tty x --reader y", 2, "--tty is keyboard and reader"),
+        ("run hello.pal --tty /dev/null", 1, "/dev/null: not a line"),
         ("run hello.pal --start 9", 2, "not an octal number"),
         ("run hello.pal --sr 10000", 2, "not between 0000 and 7777"),
         ("run hello.pal --max-time nan", 2, "not between 0 and 1e9 seconds"),

@@ -3,7 +3,7 @@
 import pytest
 
 from pdp8.computer.machine import Machine
-from tests.pdp8.computer.test_loaders import assembly
+from tests.pdp8.computer.test_operator import assembly
 
 
 def started(name: str) -> Machine:

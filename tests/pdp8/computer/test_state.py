@@ -5,7 +5,7 @@ import pytest
 from pdp8.computer import state
 from pdp8.computer.machine import Machine
 from tests.pdp8.computer.bench import octal
-from tests.pdp8.computer.test_loaders import assembly
+from tests.pdp8.computer.test_operator import assembly
 
 LINE = bytes(0o200 | code for code in b"  76 2250 4133  185\r\n")
 

@@ -3,7 +3,7 @@
 from pdp8.computer.machine import Machine
 from pdp8.computer.trace import Listing, Trace, instruction
 from tests.pdp8.computer.bench import octal, program
-from tests.pdp8.computer.test_loaders import assembly
+from tests.pdp8.computer.test_operator import assembly
 
 
 def traced(machine: Machine, cycles: bool, listing: Listing | None = None) -> list[str]:

@@ -19,7 +19,10 @@ from tests.pdp8.computer.engine.forms import FORMS, HOUSE, machine_module
 def test_it_wants_a_terminal(shell: Shell) -> None:
     done = shell("pdp8 panel")
     assert done.returncode == 1
-    assert done.stderr == b"pdp8: the panel is drawn on a terminal, and this is none; `pdp8 run` needs none\n"
+    assert (
+        done.stderr
+        == b"pdp8 panel: the panel is drawn on a terminal, and this is none; `pdp8 run` needs none\n"
+    )
     assert done.stdout == b""
 
 
@@ -110,16 +113,16 @@ def test_it_opens_cold_and_closes() -> None:
 def test_without_textual_it_says_how_to_get_it() -> None:
     status, seen = at_a_terminal(before="import sys; sys.modules['textual'] = None")
     assert status == 1
-    assert seen.decode().strip() == "pdp8: the panel needs Textual: pip install textual"
+    assert seen.decode().strip() == "pdp8 panel: the panel needs Textual: pip install textual"
 
 
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("no.pal",), "pdp8: no.pal: no such file"),
-        (("eia.pal", "--reader", "no.asc"), "pdp8: no.asc: no such file"),
-        (("circle.eia",), "pdp8: circle.eia: "),
-        (("/",), "pdp8: /: Is a directory"),
+        (("no.pal",), "pdp8 panel: no.pal: no such file"),
+        (("eia.pal", "--reader", "no.asc"), "pdp8 panel: no.asc: no such file"),
+        (("circle.eia",), "pdp8 panel: circle.eia: "),
+        (("/",), "pdp8 panel: /: Is a directory"),
     ],
 )
 def test_what_cannot_be_loaded_is_named(arguments: tuple[str, ...], said: str) -> None:

@@ -4,10 +4,7 @@ import pytest
 
 from pdp8.computer.machine import Machine
 from pdp8.console.opening import opening
-from pdp8.console.programs import fitting, read
 from pdp8.console.session import LAMPS, Session, Tape
-from tapes import kinds
-from tapes.errors import WorkError
 from tests.conftest import assert_same_tape
 
 # The loader's words as DEC's instruction card has them.
@@ -194,7 +191,7 @@ def test_a_torn_off_tape_lies_with_the_others() -> None:
 
 def test_the_keyboard_has_upper_case_and_channel_8() -> None:
     session = at_rest()
-    session.type("aZ1\n")
+    session.type("aZ1\r")
     assert bytes(session.machine.teletype.keyboard.waiting) == bytes([0o301, 0o332, 0o261, 0o215])
 
 
@@ -220,7 +217,7 @@ def test_the_whole_morning_at_a_thousand_times_the_pace() -> None:
     read_by(session, tapes["eia.bin"], 0o7777)
     assert session.said == "HLT at 7700"
     assert session.machine.ac == 0
-    assert fitting(programs, 0o200, session.machine.core[0o200]) == programs[-1]
+    assert programs[-1].listing.fits(0o200, session.machine.core[0o200])
     short = tapes["circle.asc"].frames[:54]
     read_by(session, Tape("two lines", short), 0o200)
     expected = bytes([0, *(0o40, 0o40, 0o1, 0o40, 0o1, 0o31), *[0o40] * 12, 0o2, 0o200])
@@ -237,37 +234,6 @@ def read_by(session: Session, tape: Tape, start: int) -> None:
         session.advance(0.05)
         if session.said != "running":
             return
-
-
-@pytest.mark.parametrize("name", ["eia.pal", "eia.bin"])
-def test_a_program_is_listed_from_its_source_or_from_its_tape(name: str) -> None:
-    program = read(name)
-    assert program.lines[program.places[0o227]].startswith("0227  0000")
-    assert program.words[0o200] == 0o6046
-    assert kinds.classify(program.tape) == kinds.BIN
-
-
-def test_where_two_programs_could_be_core_decides() -> None:
-    rim, eia = read("rim.pal"), read("eia.pal")
-    assert fitting([rim, eia], 0o7756, 0o6032) == rim
-    assert fitting([rim, eia], 0o200, 0o6046) == eia
-    assert fitting([rim, eia], 0o200, 0) is None
-
-
-@pytest.mark.parametrize(
-    ("source", "said"),
-    [
-        (b"*200\n\tJMP 400\n$\n", "not loaded, it has errors"),
-        (b"", "no word in it goes into core"),
-        (b"\x80" * 16, "bad.pal: "),
-    ],
-)
-def test_what_is_no_program_is_refused_by_name(tmp_path: object, source: bytes, said: str) -> None:
-    path = f"{tmp_path}/bad.pal"
-    with open(path, "wb") as file:
-        file.write(source)
-    with pytest.raises(WorkError, match=said):
-        read(path)
 
 
 def test_sing_step_stops_a_running_machine_and_cont_goes_on() -> None:

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pdp8.cli.listed import open_program
-from pdp8.monitor.prompt import COMMANDS, Monitor
+from pdp8.monitor.commands import COMMANDS
+from pdp8.monitor.prompt import Monitor
 from tapes.errors import WorkError
 from tests.conftest import Shell
 
@@ -34,7 +34,7 @@ def test_a_pipe_is_a_script(shell: Shell) -> None:
     ("line", "message"),
     [
         ("frobnicate", "no such command"),
-        ("r", "registers, rim, reader, restore?"),
+        ("r", "registers, rim, run, reader, restore?"),
         ("examine", "an address expected"),
         ("examine 9", "neither an octal number nor a symbol"),
         ("examine 10000", "not between 0000 and 7777"),
@@ -45,7 +45,7 @@ def test_a_pipe_is_a_script(shell: Shell) -> None:
         ("load empty", "empty"),
         ("key kick", "the keys are"),
         ("cont soon", "seconds of machine time"),
-        ("cont nan", "no time a machine can run"),
+        ("cont nan", "not between 0 and 1e9 seconds"),
         ("trace maybe", "on, cycles or off"),
         ("reader nothing.asc", "no such file"),
         ("punch /nowhere/x", "No such file or directory"),
@@ -58,7 +58,7 @@ def test_misuse_is_one_line_that_names_it(shell: Shell, tmp_path: Path, line: st
     (tmp_path / "empty").write_bytes(b"")
     ran = shell("pdp8 monitor lesson.txt")
     said = ran.stderr.decode()
-    assert said.startswith("pdp8: lesson.txt, line 2: ")
+    assert said.startswith("pdp8 monitor: lesson.txt, line 2: ")
     assert message in said
     assert said.count("\n") == 1
     assert ran.returncode == 1
@@ -66,16 +66,16 @@ def test_misuse_is_one_line_that_names_it(shell: Shell, tmp_path: Path, line: st
 
 def test_help_names_every_command() -> None:
     said: list[str] = []
-    Monitor(said.append, open_program).do("help")
+    Monitor(said.append).do("help")
     assert [line.split()[0] for line in said if line[0] != " "] == list(COMMANDS)
     assert max(map(len, said)) < 80
     said.clear()
-    Monitor(said.append, open_program).do("HELP Set")
-    assert said == ["set REGISTER|SWITCH WORD    Set a register or a switch."]
+    Monitor(said.append).do("HELP Set")
+    assert said[0].startswith("set NAME WORD               Set a register, a switch (0 or 1)")
 
 
 def test_a_limit_that_is_no_round_number_of_ticks_ends() -> None:
-    monitor = Monitor(lambda line: None, open_program)
+    monitor = Monitor(lambda line: None)
     monitor.do("deposit 200 2210 5200 5200")
     monitor.do("go 200 0.7")
     for seconds in ("0.1", "0.0773", "1e-9", "0.333333333", "0"):
@@ -85,13 +85,13 @@ def test_a_limit_that_is_no_round_number_of_ticks_ends() -> None:
 
 def test_boot_and_the_page() -> None:
     said: list[str] = []
-    monitor = Monitor(said.append, open_program)
+    monitor = Monitor(said.append)
     for line in ("boot hello.pal", "go 200", "page", "trace on", "go 200", "trace off", "type abc", "quit"):
         monitor.do(line)
     assert said[0] == "RIM loader toggled in: 18 keys"
     assert "halt; 1.681854 s; next 0206  6046          TLS" in said
     assert "HELLO, WORLD." in said
-    assert monitor.machine.teletype.keyboard.waiting == b"\301\302\303\215"
+    assert monitor.machine.teletype.keyboard.waiting == b"\341\342\343\215"
     assert monitor.finished
 
 
@@ -111,7 +111,7 @@ LINES = st.one_of(
 @settings(max_examples=100, deadline=None)
 @given(st.lists(LINES, max_size=12))
 def test_no_line_does_more_than_complain(lines: list[str]) -> None:
-    monitor = Monitor(lambda line: None, open_program)
+    monitor = Monitor(lambda line: None)
     for line in lines:
         with suppress(WorkError):
             monitor.do(line)

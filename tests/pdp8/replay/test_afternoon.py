@@ -4,11 +4,11 @@ import pytest
 
 import pal
 from pdp8.computer.machine import TICKS_PER_SECOND
+from pdp8.computer.operator import Operator
 from pdp8.replay import Act, Afternoon, clock, replay
 from pdp8.replay.afternoon import Kind
 from pdp8.replay.desk import desk
 from pdp8.replay.figures import compare
-from pdp8.replay.operator import Operator
 from tapes import shelf
 from tapes.errors import WorkError
 from tests.pdp8.web.follower import Follower

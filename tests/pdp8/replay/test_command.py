@@ -38,10 +38,10 @@ def test_any_other_part(shell: Shell, part: str) -> None:
     [
         ("pdp8 replay", 2, "Missing argument 'PART'"),
         ("pdp8 replay square", 2, "'square' is not one of"),
-        ("touch desk; pdp8 replay drill --out desk", 1, "pdp8: desk: File exists"),
-        ("pdp8 replay drill --html /dev/full", 1, "pdp8: /dev/full: No space left on device"),
-        ("pdp8 replay drill --html .", 1, "pdp8: .: Is a directory"),
-        ("pdp8 replay drill --html no/page.html", 1, "pdp8: no/page.html: No such file or directory"),
+        ("touch desk; pdp8 replay drill --out desk", 1, "pdp8 replay: desk: File exists"),
+        ("pdp8 replay drill --html /dev/full", 1, "pdp8 replay: /dev/full: No space left on device"),
+        ("pdp8 replay drill --html .", 1, "pdp8 replay: .: Is a directory"),
+        ("pdp8 replay drill --html no/page.html", 1, "pdp8 replay: no/page.html: No such file or directory"),
         ("pdp8 replay drill > /dev/full", 1, "No space left on device"),
     ],
 )
@@ -77,7 +77,7 @@ def test_interrupted_at_real_pace(tmp_path: Path) -> None:
     running.send_signal(signal.SIGINT)
     _, said = running.communicate(timeout=20)
     assert running.returncode == 130
-    assert said.decode().strip().splitlines()[-1] == "pdp8: interrupted"
+    assert said.decode().strip().splitlines()[-1] == "pdp8 replay: interrupted"
     assert "FORTRAN" not in said.decode()
     assert len((tmp_path / "replay-drill" / "drill.eia").read_bytes()) == 121
 

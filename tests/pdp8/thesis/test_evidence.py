@@ -214,4 +214,4 @@ def test_the_command_makes_the_source(shell: Shell, tmp_path: Path) -> None:
 def test_the_command_refuses_what_it_does_not_know(shell: Shell) -> None:
     done = shell("pdp8 thesis evidence echo.pal")
     assert (done.returncode, done.stdout) == (1, b"")
-    assert done.stderr.startswith(b"pdp8: echo.pal: no evidence")
+    assert done.stderr.startswith(b"pdp8 thesis evidence: echo.pal: no evidence")

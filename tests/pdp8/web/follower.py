@@ -2,9 +2,9 @@
 
 from pal.isa import FETCH
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.operator import Action
 from pdp8.computer.processor import CYCLE
 from pdp8.replay import Afternoon
-from pdp8.replay.operator import Deed
 
 IO_CYCLE = 85
 _NEARLY = 4 * (IO_CYCLE + CYCLE)  # ticks before an instant from which on every cycle is done by itself
@@ -45,7 +45,7 @@ class Follower:
         iot = processor.next == FETCH and processor.core[processor.pc] >> 9 == 6
         return IO_CYCLE if iot else CYCLE
 
-    def _do(self, deed: Deed) -> None:
+    def _do(self, deed: Action) -> None:
         panel, reader = self.machine.panel, self.machine.teletype.reader
         if deed.key == "sr":
             assert isinstance(deed.value, int)

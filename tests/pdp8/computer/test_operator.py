@@ -1,4 +1,4 @@
-"""Loading from cold: RIM toggled in, BIN read by RIM, programs read by BIN, and tapes that are wrong."""
+"""The operator loads from cold: RIM toggled in, BIN read by RIM, programs read by BIN, and wrong tapes."""
 
 from functools import cache
 from pathlib import Path
@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 
 import pal
-from pdp8.computer import loaders
+from pdp8.computer import operator
 from pdp8.computer.machine import LoadError, Machine
+from pdp8.computer.operator import Operator, Step
 from tapes import binary, rim
 from tests.pdp8.computer.bench import octal
 
@@ -29,6 +30,10 @@ def bin_tape() -> bytes:
     return rim.encode(assembly("bin").words)
 
 
+def boot(machine: Machine, program: bytes, name: str = "program") -> list[Step]:
+    return list(Operator(machine).boot(bin_tape(), program, name))
+
+
 def bin_machine(highspeed: bool = False) -> Machine:
     """Return a machine that has only the BIN loader in core."""
     machine = Machine(highspeed)
@@ -37,20 +42,20 @@ def bin_machine(highspeed: bool = False) -> Machine:
 
 
 def test_rim_is_the_cards() -> None:
-    assert list(loaders.RIM) == octal(CARD)
-    assert list(loaders.RIM_HIGH_SPEED) == octal(CARD_HIGH_SPEED)
+    assert list(operator.RIM) == octal(CARD)
+    assert list(operator.RIM_HIGH_SPEED) == octal(CARD_HIGH_SPEED)
     assert list(assembly("rim").words.values()) == octal(CARD)
     assert min(assembly("rim").words) == 0o7756
 
 
 def test_bin_lives_below_rim() -> None:
-    assert set(assembly("bin").words) <= {*range(0o7600, 0o7756), 0o7777}
+    assert set(assembly("bin").words) <= {*range(0o7622, 0o7756), 0o7777}
     assert assembly("bin").words[0o7700] == 0o7402
 
 
 def test_toggling() -> None:
     machine = Machine()
-    assert loaders.toggle(machine.panel, 0o7756, loaders.RIM) == 18
+    assert sum(1 for _ in Operator(machine).toggle(0o7756, operator.RIM)) == 18
     assert [machine.core[address] for address in range(0o7756, 0o7777)] == octal(CARD)
 
 
@@ -58,10 +63,11 @@ def test_boot_from_cold() -> None:
     program = assembly("eia")
     machine = Machine()
     machine.panel.mem_prot = True
-    steps = loaders.boot(machine, bin_tape(), program.tape, "eia.bin")
+    steps = boot(machine, program.tape, "eia.bin")
     assert {address: machine.core[address] for address in program.words} == program.words
-    leader = program.tape.index(0o200)
-    assert [step.frames for step in steps] == [0, len(bin_tape()), len(program.tape) - leader]
+    trailer = len(program.tape.rstrip(b"\0").rstrip(b"\x80")) - program.tape.index(0o200)
+    assert [step.frames for step in steps] == [0, len(bin_tape()), trailer + 1]
+    assert [step.words for step in steps] == [0, 91, 131]
     assert steps[1].seconds == pytest.approx(len(bin_tape()) / 10, abs=0.1)
     assert [str(step).split(":")[0] for step in steps] == [
         "RIM loader toggled in",
@@ -73,14 +79,15 @@ def test_boot_from_cold() -> None:
 
 def test_a_rim_program_is_read_by_rim() -> None:
     machine = Machine()
-    loaders.boot(machine, bin_tape(), rim.encode({0o200: 0o7402}))
+    boot(machine, rim.encode({0o200: 0o7402}))
     assert machine.core[0o200] == 0o7402
 
 
 def test_cont_takes_the_next_tape_and_restarts_its_sum() -> None:
     machine = bin_machine()
-    loaders.read_bin(machine, binary.encode({0o200: 0o1111}))
-    machine.teletype.reader.load(binary.encode({0o300: 0o2222}))
+    Operator(machine).read_bin(binary.encode({0o200: 0o1111}))
+    Operator(machine).mount("next", binary.encode({0o300: 0o2222}))
+    machine.teletype.reader.lever(True)
     stop = machine.run()
     assert (stop.reason, machine.ma, machine.ac) == ("halt", 0o7700, 0)
     assert (machine.core[0o200], machine.core[0o300]) == (0o1111, 0o2222)
@@ -91,7 +98,7 @@ def test_words_to_the_end_of_core_and_messages_between_rubouts() -> None:
     at = len(tape) - 64 - 2  # before the checksum
     noisy = tape[:at] + b"\377 IR  0307\377" + tape[at:]
     machine = bin_machine()
-    loaders.read_bin(machine, noisy)
+    Operator(machine).read_bin(noisy)
     assert (machine.core[0o7577], machine.core[0o17], machine.core[0]) == (1, 0o7777, 0o4000)
 
 
@@ -99,7 +106,7 @@ def test_a_field_is_passed_over() -> None:
     tape = binary.encode({0o200: 0o1234})
     leader = len(tape) - len(tape.lstrip(b"\200"))
     machine = bin_machine()
-    loaders.read_bin(machine, tape[:leader] + b"\300" + tape[leader:])
+    Operator(machine).read_bin(tape[:leader] + b"\300" + tape[leader:])
     assert machine.core[0o200] == 0o1234
 
 
@@ -108,20 +115,20 @@ def test_a_wrong_hole_shows_in_the_checksum(frame: int) -> None:
     tape = bytearray(binary.encode({0o200: 0o1234, 0o201: 0o4321, 0o202: 0o7402}))
     tape[frame] ^= 0o001
     with pytest.raises(LoadError, match="wrong checksum"):
-        loaders.read_bin(bin_machine(), bytes(tape), "torn.bin")
+        Operator(bin_machine()).read_bin(bytes(tape), "torn.bin")
 
 
 def test_a_tape_cut_short() -> None:
     tape = binary.encode({0o200: 0o1234, 0o201: 0o4321})
     with pytest.raises(LoadError, match=r"torn.bin: the BIN loader ended with tape out"):
-        loaders.read_bin(bin_machine(), tape[:68], "torn.bin")
+        Operator(bin_machine()).read_bin(tape[:68], "torn.bin")
 
 
 def test_the_high_speed_reader_by_switch_0_down() -> None:
     machine = bin_machine(highspeed=True)
     machine.highspeed.reader.load(binary.encode({0o200: 0o1234}))
-    machine.sr = loaders.HIGH_SPEED_READER
-    machine.start(loaders.BIN_START)
+    machine.sr = operator.HIGH_SPEED_READER
+    machine.start(operator.BIN_START)
     assert machine.run().reason == "halt"
     assert (machine.ma, machine.ac, machine.core[0o200]) == (0o7700, 0, 0o1234)
     assert machine.elapsed < 1

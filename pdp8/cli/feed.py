@@ -1,0 +1,108 @@
+"""The tapes for the Teletype's reader: files read whole, a pipe frame by frame as it comes.
+
+A run asks for frames when the reader is to read one and has none. So a slow pipe makes the run wait and
+changes nothing else: the machine's time is that of the whole tape.
+"""
+
+import os
+import select
+import sys
+from collections.abc import Callable
+
+from pdp8.computer.teletype import Reader
+from tapes import command, kinds, shelf
+from tapes.errors import called
+from tapes.frames import PARITIES
+
+_LOOK = 0.2  # seconds between two looks for Ctrl-C while a pipe is silent
+_PIECE = 1 << 16
+
+
+class Feed:
+    """The tapes `names` for `reader`, one after another; the next goes in as the one before has run out.
+
+    While a pipe is silent, `idle` is called now and then; it returns whether to give up.
+    """
+
+    def __init__(self, reader: Reader, names: list[str], quiet: bool = False) -> None:
+        self.idle: Callable[[], bool] = lambda: False
+        self._reader = reader
+        self._names = names
+        self._quiet = quiet
+        self._file = -1
+        self._name = ""
+        self._passed = 0
+
+    @property
+    def read(self) -> int:
+        """How many frames were read of all tapes."""
+        return self._passed + self._reader.position
+
+    def next_tape(self) -> bool:
+        """Put the next tape in. Returns False if there is none. Raises ShelfError."""
+        if not self._names:
+            return False
+        name = self._name = self._names.pop(0)
+        self._passed += self._reader.position
+        self._file = _pipe(name)
+        self._reader.load(b"" if self._file >= 0 else shelf.read(name))
+        if self._file >= 0:
+            self._reader.more = self._more
+            self._reader.device.look()
+        elif not self._quiet:
+            _warn(name, self._reader.tape)
+        return True
+
+    def announce_next(self) -> bool:
+        """Put the next tape in and say so."""
+        name = self._names[0] if self._names else ""
+        if self.next_tape():
+            if not self._quiet:
+                command.say(f"{called(name)} goes into the reader after {self._passed:,} frames")
+            return True
+        return False
+
+    def _more(self) -> bytes:
+        """Return the next frames of the pipe, as soon as there are some; none at its end."""
+        try:
+            while not select.select([self._file], [], [], 0)[0]:
+                if self.idle():
+                    return b""
+                select.select([self._file], [], [], _LOOK)
+            frames = os.read(self._file, _PIECE)
+            if not self._reader.tape and not self._quiet:
+                _warn(self._name, frames)
+            return frames
+        except OSError:
+            return b""
+
+
+def _pipe(name: str) -> int:
+    """Return the file number of a tape that comes as it is made, -1 for one that is whole."""
+    if name == "-":
+        number = sys.stdin.fileno()
+    else:
+        path = shelf.find(name)
+        if os.path.isfile(path) or os.path.isdir(path):
+            return -1
+        try:
+            number = os.open(path, os.O_RDONLY)
+        except OSError as error:
+            raise shelf.ShelfError(f"{name}: {error.strerror}") from error
+    import stat
+
+    return -1 if stat.S_ISREG(os.fstat(number).st_mode) else number
+
+
+def _warn(name: str, tape: bytes) -> None:
+    """Say where a tape will not do what its owner expects."""
+    codes = tape.translate(PARITIES["none"])
+    if b"\r" in codes:
+        return
+    if b"\n" in codes:
+        command.say(
+            f"{called(name)} has line feeds but no carriage returns: no block will end. "
+            "A proper tape is made from text with: pdp8 tape punch FILE -o FILE.asc"
+        )
+    elif tape and kinds.classify(tape) == kinds.EIA:
+        command.say(f"{called(name)} is an EIA tape: a program for ASCII finds no character on it")

@@ -1,0 +1,100 @@
+"""The Teletype as a real line: a serial port or a pty, at 110 baud's pace.
+
+What comes over the line is its keyboard and its reader, frame by frame and unchanged; what the program
+prints or punches goes out. RTS follows READER RUN where the line has modem signals, so that a reader at the
+other end can wait for it.
+"""
+
+import fcntl
+import os
+import select
+import struct
+import sys
+import termios
+import time
+import tty
+from collections.abc import Callable
+from contextlib import suppress
+from types import TracebackType
+from typing import Self
+
+from pdp8.cli.interrupt import ctrl_c
+from pdp8.computer.machine import Machine
+from pdp8.computer.stop import Reason, Stop
+from tapes.shelf import ShelfError
+
+_SLICE = 0.02
+_GOING_ON = (Reason.LIMIT, Reason.TAPE_OUT, Reason.IDLE)
+
+
+class Line:
+    """A line at `path`, raw, at 110 baud where it has a speed; put back as it was at the end."""
+
+    def __init__(self, path: str) -> None:
+        try:
+            self._file = os.open(path, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
+        except OSError as error:
+            raise ShelfError(f"{path}: {error.strerror}") from error
+        if not os.isatty(self._file):
+            os.close(self._file)
+            raise ShelfError(f"{path}: not a line: a serial port or a pty is needed")
+        self._path = path
+        self._before = termios.tcgetattr(self._file)
+        tty.setraw(self._file)
+        settings = termios.tcgetattr(self._file)
+        settings[2] |= termios.CSTOPB
+        settings[4] = settings[5] = termios.B110
+        with suppress(termios.error):
+            termios.tcsetattr(self._file, termios.TCSANOW, settings)
+        self._modem = True
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        with suppress(termios.error, OSError):
+            termios.tcsetattr(self._file, termios.TCSADRAIN, self._before)
+        os.close(self._file)
+
+    def run(self, machine: Machine, max_time: float | None, pass_on: Callable[[], object]) -> Stop | None:
+        """Run at the pace of 1971 until the program halts; return how it ended, None if interrupted."""
+        machine.teletype.printer.on_frame = self._send
+        began = time.monotonic() - machine.elapsed
+        stop = None
+        with ctrl_c() as interrupt:
+            for stop in machine.slices(max_time, _SLICE, _SLICE, through_waits=True):
+                pass_on()
+                if interrupt.pressed:
+                    machine.stop()
+                elif stop.reason in _GOING_ON:
+                    self._reader_run(bool(machine.teletype.receiver.reader_run))
+                    self._receive(machine, machine.elapsed - (time.monotonic() - began))
+                    if stop.reason is not Reason.LIMIT:
+                        machine.wait(max(0.0, time.monotonic() - began - machine.elapsed))
+        return None if interrupt.pressed else stop
+
+    def _receive(self, machine: Machine, seconds: float) -> None:
+        """Take what comes over the line while the machine's clock is ahead of ours."""
+        if select.select([self._file], [], [], max(0.0, seconds))[0]:
+            try:
+                machine.teletype.keyboard.press(os.read(self._file, 256))
+            except OSError:
+                time.sleep(max(_SLICE, seconds))  # nobody is at the other end
+
+    def _send(self, frame: int) -> None:
+        """Send one frame; a line that takes none for a second has lost it."""
+        with suppress(OSError):
+            if select.select([], [self._file], [], 1.0)[1]:
+                os.write(self._file, bytes([frame]))
+
+    def _reader_run(self, on: bool) -> None:
+        """Let RTS follow READER RUN, as far as the line has such a signal."""
+        if not self._modem or sys.platform == "win32":
+            return
+        try:
+            request = termios.TIOCMBIS if on else termios.TIOCMBIC
+            fcntl.ioctl(self._file, request, struct.pack("I", termios.TIOCM_RTS))
+        except OSError:
+            self._modem = False

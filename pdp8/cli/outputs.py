@@ -1,0 +1,32 @@
+"""Where the frames of a punch go as they are punched; at a terminal, the printed page instead."""
+
+import sys
+from typing import BinaryIO
+
+from pdp8.computer.teletype import Punch, printed
+from tapes import shelf
+
+
+class Output:
+    """The tape of one punch on its way into file `name`, or to standard output without one."""
+
+    def __init__(self, punch: Punch, name: str | None) -> None:
+        self._punch = punch
+        self._name = name or "standard output"
+        self._sent = len(punch.frames)
+        self._page = name is None and sys.stdout.isatty()
+        self._stream: BinaryIO = sys.stdout.buffer if self._page else shelf.open_punch(name or "-")
+
+    def send(self) -> None:
+        """Pass on what was punched since the last time."""
+        fresh = bytes(self._punch.frames[self._sent :])
+        if not fresh:
+            return
+        try:
+            self._stream.write(printed(fresh) if self._page else fresh)
+            self._stream.flush()
+        except BrokenPipeError:
+            raise
+        except OSError as error:
+            raise shelf.ShelfError(f"{self._name}: {error.strerror} after {self._sent:,} frames") from error
+        self._sent += len(fresh)

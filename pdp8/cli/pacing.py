@@ -1,0 +1,100 @@
+"""A run at its pace: slice by slice, so that what is punched is seen as it is punched."""
+
+import sys
+import time
+from collections.abc import Sequence
+
+from pdp8.cli.feed import Feed
+from pdp8.cli.interrupt import ctrl_c
+from pdp8.cli.outputs import Output
+from pdp8.cli.progress import Bar
+from pdp8.computer.bus import NEVER
+from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.stop import Reason, Stop
+from tapes import command
+
+# Slices of a run in seconds of machine time, the shortest and the longest. A trace tells of a wait once a
+# slice: so that it is always the same, its slices are.
+_FREE, _REALTIME, _TRACED = (0.05, 60.0), (0.05, 0.05), (1.0, 1.0)
+_SILENT = 5.0
+"""Seconds of ours without a frame, after which a run at a terminal says where it is."""
+
+
+def run(
+    machine: Machine,
+    feed: Feed,
+    outputs: Sequence[Output],
+    max_time: float | None = None,
+    realtime: bool = False,
+    quiet: bool = False,
+) -> Stop | None:
+    """Run to the end; return how it ended, None if it was interrupted. What was punched is passed on."""
+    reader = machine.teletype.reader
+    began = time.monotonic() - machine.elapsed
+    last = NEVER if max_time is None else machine.ticks + round(max_time * TICKS_PER_SECOND)
+    traced = machine.watch.observer is not None
+    shortest, longest = _REALTIME if realtime else _TRACED if traced else _FREE
+    silence = _Silence(machine, feed, wanted=not quiet)
+
+    def stop() -> None:
+        if traced:  # a second of it takes too long to wait for its end
+            machine.stop()
+
+    def send() -> None:
+        for output in outputs:
+            output.send()
+
+    with Bar("reading tape", len(reader.tape), wanted=not quiet) as bar, ctrl_c(stop) as interrupt:
+
+        def idle() -> bool:
+            send()
+            return interrupt.pressed
+
+        feed.idle = idle
+        ended: Stop | None = None
+        while ended is None or (ended.reason is Reason.TAPE_OUT and feed.announce_next()):
+            for now in machine.slices((last - machine.ticks) / TICKS_PER_SECOND, shortest, longest):
+                ended = now
+                send()
+                bar.show(reader.position)
+                if interrupt.pressed:
+                    machine.stop()
+                elif now.reason is Reason.LIMIT:
+                    silence.look()
+                    if realtime:
+                        time.sleep(max(0.0, machine.elapsed - (time.monotonic() - began)))
+            if interrupt.pressed and ended and ended.reason in (Reason.STOP_KEY, Reason.TAPE_OUT):
+                send()
+                return None
+        return ended
+
+
+class _Silence:
+    """Says once, at a terminal, where a run is that reads and punches nothing for long, and how to end it."""
+
+    def __init__(self, machine: Machine, feed: Feed, wanted: bool) -> None:
+        self._machine = machine
+        self._feed = feed
+        self._wanted = wanted and sys.stderr.isatty()
+        self._frames = -1
+        self._since = 0.0
+
+    def look(self) -> None:
+        """Look whether a frame was read or punched since the last time."""
+        if not self._wanted:
+            return
+        machine = self._machine
+        frames = self._feed.read + len(machine.teletype.punch.frames)
+        if machine.highspeed.fitted:
+            frames += machine.highspeed.reader.position + len(machine.highspeed.punch.frames)
+        now = time.monotonic()
+        if frames != self._frames:
+            self._frames, self._since = frames, now
+        elif now > self._since + _SILENT:
+            from tapes.measure import duration
+
+            self._wanted = False
+            command.say(
+                f"at {machine.pc:04o} after {duration(machine.elapsed)} of machine time, and nothing is read "
+                "or punched; Ctrl-C ends the run, --max-time SECONDS limits one"
+            )

@@ -1,0 +1,25 @@
+"""What options take: octal words, seconds of machine time."""
+
+import click
+
+
+def octal(text: str) -> int:
+    """Return the word, 0000 to 7777. Raises click.BadParameter."""
+    try:
+        word = int(text, 8)
+    except ValueError:
+        raise click.BadParameter(f"{text!r} is not an octal number") from None
+    if not 0 <= word <= 0o7777:
+        raise click.BadParameter(f"{text} is not between 0000 and 7777")
+    return word
+
+
+def seconds(text: str) -> float:
+    """Return a machine time: 0 to a thousand million seconds, 31 years. Raises click.BadParameter."""
+    try:
+        time = float(text)
+    except ValueError:
+        raise click.BadParameter(f"{text!r} is not a number of seconds") from None
+    if not 0 <= time <= 1e9:
+        raise click.BadParameter(f"{text} is not between 0 and 1e9 seconds")
+    return time

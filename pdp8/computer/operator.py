@@ -1,0 +1,275 @@
+"""The operator at the panel: sets switches, presses keys, puts tapes in, each at a pace.
+
+    panel ──17 words──► RIM loader, 7756-7776
+    BIN loader's tape, RIM format ──► RIM loader ──► 7622-7755, 7777
+    program's tape, BIN format ──► BIN loader ──► core, checksum in AC
+
+`boot` is a morning's work: MEM PROT down, each tape on its leader, SR and LOAD ADD as the books say, CONT for
+each further section of a tape, STOP when RIM's tape has run through.
+
+INITIALIZE sets READER RUN: a tape put in with the lever at START would move at once, and START would drop the
+frame on its way. So a tape goes in with the lever at STOP, and START or CONT throws the lever too.
+
+Sources: PDP-8/I instruction card (the RIM loader's words); Small Computer Handbook 1970, "Loading programs".
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
+
+from pdp8.computer.machine import TICKS_PER_SECOND, LoadError, Machine
+from pdp8.computer.stop import Reason, Stop
+from tapes import binary, kinds
+from tapes.errors import TapeError
+from tapes.frames import leader_start
+from tapes.measure import counted, duration
+
+RIM_START = 0o7756
+BIN_START = 0o7777
+BIN_HALT = 0o7700
+TELETYPE_READER = 0o7777
+HIGH_SPEED_READER = 0o3777
+
+# The card's two versions; they differ in the reader's IOTs and in where the loop begins.
+RIM = (
+    *(0o6032, 0o6031, 0o5357, 0o6036, 0o7106, 0o7006, 0o7510, 0o5357),
+    *(0o7006, 0o6031, 0o5367, 0o6034, 0o7420, 0o3776, 0o3376, 0o5356, 0o0000),
+)
+RIM_HIGH_SPEED = (
+    *(0o6014, 0o6011, 0o5357, 0o6016, 0o7106, 0o7006, 0o7510, 0o5374),
+    *(0o7006, 0o6011, 0o5367, 0o6016, 0o7420, 0o3776, 0o3376, 0o5357, 0o0000),
+)
+
+
+class Pace(NamedTuple):
+    """Seconds of machine time: to set the switches, to press a key, to put a tape in, to move from the START
+    key to the reader's lever.
+    """
+
+    setting: float = 0.0
+    pressing: float = 0.0
+    mounting: float = 0.0
+    lever: float = 0.0
+
+
+AT_ONCE = Pace()
+
+
+class Action(NamedTuple):
+    """One thing the operator did: when, in ticks; to what; the word set or the tape's name; a sentence."""
+
+    at: int
+    key: str
+    value: int | str | None = None
+    say: str = ""
+
+
+class Step(NamedTuple):
+    """A part of the boot: so many keys pressed, or a tape of so many `frames`, `sections` and `words` read in
+    `seconds`.
+    """
+
+    what: str
+    keys: int
+    frames: int = 0
+    sections: int = 0
+    words: int = 0
+    seconds: float = 0.0
+
+    def __str__(self) -> str:
+        if not self.frames:
+            return f"{self.what}: {self.keys} keys"
+        counts = [counted(self.frames, "frames")]
+        if self.sections > 1:
+            counts.append(counted(self.sections, "sections"))
+        counts.append(counted(self.words, "words"))
+        return f"{self.what}: {', '.join(counts)}; {duration(self.seconds)}"
+
+
+class Operator:
+    """An operator at `machine`. `note` is called with each action as it is done."""
+
+    def __init__(
+        self,
+        machine: Machine,
+        pace: Pace = AT_ONCE,
+        note: Callable[[Action], object] = lambda action: None,
+    ) -> None:
+        self.machine = machine
+        self.panel = machine.panel
+        self.reader = machine.teletype.reader
+        self.pace = pace
+        self.note = note
+        self.lever_waits = False
+        """Whether the reader's lever, at STOP, is to be thrown with START or CONT."""
+
+    def wait(self, seconds: float) -> None:
+        """Let time pass while the machine stands still."""
+        self.machine.wait(seconds)
+
+    def set_switches(self, word: int) -> None:
+        """Set the switch register."""
+        self.wait(self.pace.setting)
+        self.panel.sr = word
+        self._note("sr", word, f"{word:04o} into the switches.")
+
+    def load_address(self, address: int) -> None:
+        """Set the switches to `address` and press LOAD ADD."""
+        self.set_switches(address)
+        self.wait(self.pace.pressing)
+        self.panel.load_add()
+        self._note("load add", None, f"{address:04o}, LOAD ADD.")
+
+    def deposit(self, word: int) -> None:
+        """Set the switches to `word` and press DEP."""
+        self.set_switches(word)
+        self.wait(self.pace.pressing)
+        self.panel.dep()
+        self._note("dep", None, f"{word:04o} into {self.machine.ma:04o}, DEP.")
+
+    def toggle(self, address: int, words: Sequence[int]) -> Iterator[None]:
+        """Put `words` into core from `address` on with the switches, a key at each step of the iterator."""
+        self.load_address(address)
+        yield
+        for word in words:
+            self.deposit(word)
+            yield
+
+    def mount(self, name: str, tape: bytes) -> None:
+        """Put a tape into the Teletype's reader: a loader's tape on its leader, any other on its first frame.
+
+        While the processor stands still the lever goes to STOP, to be thrown with START or CONT.
+        """
+        self.wait(self.pace.mounting)
+        if self.reader.on and not self.panel.lamps.run:
+            self.reader.lever(False)
+            self.lever_waits = True
+        self.reader.load(tape[leader_start(tape) or 0 :])
+        self._note("mount", name, f"{name} goes into the reader.")
+
+    def throw_lever(self) -> None:
+        """Put the reader's lever to START, or to STOP; there it stays until it is thrown again."""
+        self.reader.lever(not self.reader.on)
+        self.lever_waits = False
+        self._note("lever", None, f"The reader's lever to {'START' if self.reader.on else 'STOP'}.")
+
+    def press(self, key: str) -> None:
+        """Press a momentary key, named as the Panel's method is: load_add, start, cont, stop, exam, dep."""
+        if not self.panel.lamps.run:
+            self.wait(self.pace.pressing)
+        getattr(self.panel, key)()
+        if key in ("start", "cont") and self.lever_waits:
+            self._run_on(self.pace.lever)
+            self.throw_lever()
+
+    def start(self, address: int, switches: int | None = None) -> Stop:
+        """Start at `address`, with `switches` set then if they are another word; run until the program halts
+        or waits for a reader that has no more tape.
+        """
+        self.load_address(address)
+        if switches not in (None, address):
+            self.set_switches(int(switches or 0))
+        self.wait(self.pace.pressing)
+        self._note("start", None, f"START at {address:04o}.")
+        self.panel.start()
+        if self.lever_waits:
+            self._run_on(self.pace.lever)
+            self.throw_lever()
+        return self.machine.run()
+
+    def go_on(self) -> Stop:
+        """Press CONT and run as `start` does."""
+        self.press("cont")
+        return self.machine.run()
+
+    def stop(self) -> None:
+        """Press STOP, as the reader is empty."""
+        self.panel.stop()
+        self._note("stop", None, "The reader is empty: STOP.")
+
+    def boot(
+        self, loader: bytes, program: bytes, name: str = "program", force: bool = False
+    ) -> Iterator[Step]:
+        """Load `program`, a BIN or RIM tape, from cold through the Teletype; `loader` is BIN's RIM tape.
+
+        Yields each step as it is done. Leaves the machine standing still, the reader empty. Raises LoadError
+        where a loader ends as it should not; with `force` a wrong checksum is passed over.
+        """
+        self.panel.stop()
+        self.panel.mem_prot = self.panel.sing_step = False
+        yield Step("RIM loader toggled in", sum(1 for _ in self.toggle(RIM_START, RIM)))
+        yield self.read_rim(loader, "BIN loader")
+        if kinds.classify(program) == kinds.RIM:
+            yield self.read_rim(program, name)
+        else:
+            yield self.read_bin(program, name, force)
+        self.reader.remove()
+
+    def read_rim(self, tape: bytes, name: str = "tape") -> Step:
+        """Let the RIM loader read `tape`; press STOP when it has run through. Raises LoadError if it does
+        not.
+        """
+        began = self.machine.processor.clock
+        self.mount(name, tape)
+        stop = self.start(RIM_START)
+        if stop.reason is not Reason.TAPE_OUT:
+            raise LoadError(f"{name}: the RIM loader ended with {stop.reason} at {stop.pc:04o}")
+        self.stop()
+        return self._read(f"{name} read by RIM", began, 1, _rim_words(tape))
+
+    def read_bin(self, tape: bytes, name: str = "tape", force: bool = False) -> Step:
+        """Let the BIN loader read `tape` from the Teletype, with CONT for each section after the first.
+
+        Raises LoadError unless the loader halts after each, with AC = 0 or `force`.
+        """
+        sections, words = _bin_sections(tape)
+        began = self.machine.processor.clock
+        self.mount(name, tape)
+        stop = self.start(BIN_START, TELETYPE_READER)
+        self._judge(stop, name, force)
+        for _ in range(sections - 1):
+            self._judge(self.go_on(), name, force)
+        return self._read(f"{name} read by BIN", began, sections, words)
+
+    def _judge(self, stop: Stop, name: str, force: bool) -> None:
+        """Raise LoadError unless the BIN loader has halted with AC = 0."""
+        ac, read = self.machine.ac, counted(self.reader.position, "frames")
+        if stop.reason is not Reason.HALT:
+            self.reader.remove()
+            raise LoadError(f"{name}: the BIN loader ended with {stop.reason} at {stop.pc:04o} after {read}")
+        if ac and not force:
+            self.reader.remove()
+            raise LoadError(f"{name}: the BIN loader halted with AC = {ac:04o} after {read}: wrong checksum")
+
+    def _read(self, what: str, began: int, sections: int, words: int) -> Step:
+        seconds = (self.machine.processor.clock - began) / TICKS_PER_SECOND
+        return Step(what, 2, self.reader.position, sections, words, seconds)
+
+    def _run_on(self, seconds: float) -> None:
+        """Let the machine run for a while, though it waits for what only the operator will do."""
+        processor = self.machine.processor
+        until = processor.clock + round(seconds * TICKS_PER_SECOND)
+        while processor.clock < until:
+            processor.instruction()
+
+    def _note(self, key: str, value: int | str | None, say: str) -> None:
+        self.note(Action(self.machine.processor.clock, key, value, say))
+
+
+def _rim_words(tape: bytes) -> int:
+    from tapes import rim
+
+    try:
+        return len(rim.read(tape).words)
+    except TapeError:
+        return 0
+
+
+def _bin_sections(tape: bytes) -> tuple[int, int]:
+    """Return how often the loader will halt, as the operator sees from the tape, and how many words it
+    holds.
+    """
+    try:
+        reading = binary.read(tape)
+        return len(reading.sections) + bool(reading.unended), len(binary.content(reading).words)
+    except TapeError:
+        return 1, 0

@@ -1,0 +1,109 @@
+r"""The words of a line: separated by spaces, or quoted; `#` begins a comment.
+
+type "A    B\r"        ->  type, A    B RETURN        \r \n \f \t \a \e \\ \" and three octal digits
+"""
+
+from collections.abc import Sequence
+
+from tapes.errors import WorkError
+
+_ESCAPES = {"r": "\r", "n": "\n", "f": "\f", "t": "\t", "a": "\a", "e": "\xfd", "\\": "\\", '"': '"'}
+_MOST_SECONDS = 1e9
+
+
+class MonitorError(WorkError):
+    """A line that the monitor cannot carry out."""
+
+
+class Quoted(str):
+    """A word that stood in quotes, its escapes replaced; a character is a code of eight bits."""
+
+    __slots__ = ()
+
+
+def split(line: str) -> list[str]:
+    """Return the words of `line`. Raises MonitorError for a quote without its other, an unknown escape."""
+    words: list[str] = []
+    at = 0
+    while at < len(line):
+        if line[at].isspace():
+            at += 1
+        elif line[at] == "#":
+            break
+        elif line[at] == '"':
+            word, at = _quoted(line, at + 1)
+            words.append(word)
+        else:
+            start = at
+            while at < len(line) and not line[at].isspace() and line[at] != "#":
+                at += 1
+            words.append(line[start:at])
+    return words
+
+
+def _quoted(line: str, at: int) -> tuple[Quoted, int]:
+    text = ""
+    while at < len(line):
+        character = line[at]
+        at += 1
+        if character == '"':
+            return Quoted(text), at
+        if character == "\\":
+            code, at = _escape(line, at)
+            text += code
+        else:
+            text += character
+    raise MonitorError('a quote (") has no other to end it')
+
+
+def _escape(line: str, at: int) -> tuple[str, int]:
+    digits = line[at : at + 3]
+    if len(digits) == 3 and not digits.strip("01234567") and int(digits, 8) <= 0o377:
+        return chr(int(digits, 8)), at + 3
+    if line[at : at + 1] in _ESCAPES:
+        return _ESCAPES[line[at]], at + 1
+    raise MonitorError(
+        f'\\{line[at : at + 1]}: the escapes are \\r \\n \\f \\t \\a \\e \\\\ \\" and \\000 to \\377'
+    )
+
+
+def octal(text: str, most: int = 0o7777) -> int:
+    """Return the octal number, 0 to `most`. Raises MonitorError."""
+    try:
+        number = int(text, 8)
+    except ValueError:
+        raise MonitorError(f"{text}: neither an octal number nor a symbol of the program") from None
+    if not 0 <= number <= most:
+        width = len(f"{most:o}")
+        raise MonitorError(f"{text}: not between {0:0{width}o} and {most:o}")
+    return number
+
+
+def seconds(text: str) -> float:
+    """Return a time in seconds. Raises MonitorError."""
+    try:
+        number = float(text)
+    except ValueError:
+        raise MonitorError(f"{text}: seconds of machine time were expected") from None
+    if not 0 <= number <= _MOST_SECONDS:
+        raise MonitorError(f"{text}: not between 0 and 1e9 seconds of machine time")
+    return number
+
+
+def some(arguments: Sequence[str], what: str, least: int = 1) -> Sequence[str]:
+    """Return `arguments` if there are at least so many. Raises MonitorError."""
+    if len(arguments) < least:
+        raise MonitorError(f"{what} expected")
+    return arguments
+
+
+def exactly(arguments: Sequence[str], what: str, count: int) -> Sequence[str]:
+    """Return `arguments` if there are exactly so many. Raises MonitorError."""
+    return at_most(some(arguments, what, count), what, count)
+
+
+def at_most(arguments: Sequence[str], what: str, count: int) -> Sequence[str]:
+    """Return `arguments` if there are no more than so many. Raises MonitorError."""
+    if len(arguments) > count:
+        raise MonitorError(f"{what} expected, and no more: {' '.join(arguments[count:])}")
+    return arguments

@@ -1,0 +1,90 @@
+"""Every command of the monitor by its name."""
+
+from collections.abc import Callable, Sequence
+from textwrap import wrap
+from typing import NamedTuple
+
+from pdp8.monitor import core, running, tapes
+from pdp8.monitor.arguments import MonitorError
+from pdp8.monitor.prompt import Monitor
+
+_SHORT = {"e": "examine", "ex": "examine", "l": "load", "w": "watch"}
+"""Names that are the beginning of several and mean one."""
+
+
+class Command(NamedTuple):
+    """A command: its name, what comes after it, and what it does."""
+
+    name: str
+    arguments: str
+    action: Callable[[Monitor, Sequence[str]], None]
+
+
+def help_(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Say what the monitor knows, or one of its commands."""
+    for command in [find(name) for name in arguments] or COMMANDS.values():
+        said = f"{command.name + ' ' + command.arguments:28}{command.action.__doc__}"
+        for line in wrap(said, 79, subsequent_indent=" " * 28):
+            monitor.say(line)
+
+
+def quit_(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Leave."""
+    monitor.finished = True
+
+
+COMMANDS = {
+    command.name: command
+    for command in (
+        Command("examine", "A | A:B ...", core.examine),
+        Command("deposit", "A WORD ...", core.deposit),
+        Command("set", "NAME WORD", core.set_),
+        Command("registers", "", core.registers),
+        Command("load", "PROGRAM [force]", tapes.load),
+        Command("boot", "PROGRAM [force]", tapes.boot),
+        Command("listing", "PROGRAM", tapes.listing),
+        Command("rim", "", tapes.rim),
+        Command("key", "KEY ...", core.key),
+        Command("go", "[A] [SECONDS|until TEXT]", running.go),
+        Command("cont", "[SECONDS|until TEXT]", running.cont),
+        Command("run", "[SECONDS|until TEXT]", running.run),
+        Command("until", "TEXT [N times] [SECONDS]", running.until),
+        Command("expect", "TEXT [SECONDS]", running.expect),
+        Command("assert", "REGISTER|A WORD", running.assert_),
+        Command("wait", "SECONDS", running.wait),
+        Command("step", "[N]", core.step),
+        Command("cycle", "[N]", core.cycle),
+        Command("break", "[A ...]", core.break_),
+        Command("watch", "[A ...]", core.watch),
+        Command("forget", "[A ...]", core.forget),
+        Command("trace", "on|cycles|off", core.trace),
+        Command("reader", "TAPE ...|start|stop|none", tapes.reader),
+        Command("punch", "FILE|on|off", tapes.punch),
+        Command("fast-reader", "TAPE", tapes.fast_reader),
+        Command("fast-punch", "FILE|on|off", tapes.fast_punch),
+        Command("type", "TEXT", tapes.type_),
+        Command("page", "[more]", tapes.page),
+        Command("save", "FILE", tapes.save),
+        Command("restore", "FILE", tapes.restore),
+        Command("help", "[COMMAND]", help_),
+        Command("quit", "", quit_),
+        Command("exit", "", quit_),
+    )
+}
+
+
+def find(word: str) -> Command:
+    """Return the command that `word` names or begins. Raises MonitorError."""
+    word = word.lower()
+    if not word.isprintable():
+        raise MonitorError(f"{word!r}: no such command; help tells which there are")
+    if word in COMMANDS:
+        return COMMANDS[word]
+    found = [command for name, command in COMMANDS.items() if name.startswith(word)]
+    if word in _SHORT:
+        return COMMANDS[_SHORT[word]]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        raise MonitorError(f"{word}: {', '.join(command.name for command in found)}?")
+    raise MonitorError(f"{word}: no such command; help tells which there are")

@@ -1,0 +1,136 @@
+"""Commands that look at the machine and change it: words, registers, switches, keys, breakpoints, steps."""
+
+from collections.abc import Sequence
+
+from pdp8.computer.trace import Trace
+from pdp8.monitor.arguments import MonitorError, at_most, exactly, octal, seconds, some
+from pdp8.monitor.prompt import Monitor
+
+REGISTERS = {"ac": 0o7777, "link": 1, "pc": 0o7777, "ma": 0o7777, "mb": 0o7777, "ir": 7, "sr": 0o7777}
+"""Each register with its greatest value."""
+_SWITCHES = ("mem_prot", "sing_step")
+_NAMES = " ".join((*REGISTERS, *_SWITCHES, "hands"))
+_KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
+_STATES = ("FETCH", "DEFER", "EXECUTE")
+_POSITIONS = {"1": True, "on": True, "0": False, "off": False}
+_WHOLE_CORE = range(0o10000)
+
+
+def examine(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Say words of core, each with its line of the listing."""
+    for argument in some(arguments, "an address"):
+        for address in monitor.range(argument):
+            monitor.say(monitor.listing.line(address, monitor.machine.core[address]))
+
+
+def deposit(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Put words into core."""
+    first, *words = some(arguments, "an address and words", 2)
+    address = monitor.address(first)
+    for offset, word in enumerate([octal(word) for word in words]):
+        monitor.machine.core[address + offset & 0o7777] = word
+
+
+def set_(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Set a register, a switch (0 or 1), or the seconds that a key press takes (hands)."""
+    name, value = exactly(arguments, f"one of {_NAMES} and a word", 2)
+    name = register(name)
+    if name in REGISTERS:
+        word = monitor.address(value)
+        setattr(monitor.machine, name, octal(f"{word:o}", REGISTERS[name]))
+    elif name in _SWITCHES:
+        if value.lower() not in _POSITIONS:
+            raise MonitorError(f"{value}: {name} is 0 or 1, off or on")
+        setattr(monitor.machine.panel, name, _POSITIONS[value.lower()])
+    elif name == "hands":
+        monitor.operator.pace = monitor.operator.pace._replace(pressing=seconds(value))
+    else:
+        raise MonitorError(f"{name}: no register or switch; there are {_NAMES}")
+
+
+def register(name: str) -> str:
+    """Return a register's whole name."""
+    return {"l": "link"}.get(name.lower(), name.lower())
+
+
+def registers(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Say the lamps, the PC and the time."""
+    exactly(arguments, "nothing", 0)
+    m, lamps = monitor.machine, monitor.machine.panel.lamps
+    lit = [name for name in ("ion", "protect", "run") if getattr(lamps, name)]
+    monitor.say(
+        f"PC {m.pc:04o}  L {lamps.link}  AC {lamps.ac:04o}  MA {lamps.ma:04o}  MB {lamps.mb:04o}  "
+        f"IR {lamps.ir} {_STATES[m.processor.state]:7}  SR {m.sr:04o}  {m.elapsed * 1000:.5f} ms"
+        + "".join(f"  {name.upper()}" for name in lit)
+    )
+
+
+def key(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Press keys of the panel."""
+    names = [name.lower() for name in some(arguments, f"one or more of the keys {' '.join(_KEYS)}")]
+    for name in names:
+        if name not in _KEYS:
+            raise MonitorError(f"{name}: the keys are {' '.join(_KEYS)}")
+    for name in names:
+        monitor.operator.press(name)
+
+
+def step(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Run instructions, and say each."""
+    _traced(monitor, arguments, cycles=False)
+
+
+def cycle(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Run memory cycles, and say each."""
+    _traced(monitor, arguments, cycles=True)
+
+
+def _traced(monitor: Monitor, arguments: Sequence[str], cycles: bool) -> None:
+    at_most(arguments, "how many, octal,", 1)
+    count = octal(arguments[0]) if arguments else 1
+    processor = monitor.machine.processor
+    trace = Trace(monitor.say, monitor.listing, cycles)
+    trace.begin(processor)
+    processor.run = 1
+    for _ in range(count):
+        processor.cycle()
+        trace.cycle(processor)
+        while not cycles and processor.next in (1, 2):
+            processor.cycle()
+            trace.cycle(processor)
+        if not processor.run or monitor.stopping:
+            return
+
+
+def trace(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Say every instruction, or cycle, of the runs to come, or no longer."""
+    (what,) = exactly(arguments, "on, cycles or off", 1)
+    if what not in ("on", "cycles", "off"):
+        raise MonitorError(f"{what}: on, cycles or off")
+    tracer = Trace(monitor.say, monitor.listing, what == "cycles")
+    monitor.machine.watch.observer = None if what == "off" else tracer
+
+
+def break_(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Stop before instructions; without addresses, say where."""
+    _points(monitor, monitor.machine.watch.breakpoints, arguments)
+
+
+def watch(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Stop after words are written; without addresses, say which."""
+    _points(monitor, monitor.machine.watch.writes, arguments)
+
+
+def _points(monitor: Monitor, points: set[int], arguments: Sequence[str]) -> None:
+    points |= {address for argument in arguments for address in monitor.range(argument)}
+    if not arguments:
+        monitor.say(" ".join(f"{address:04o}" for address in sorted(points)) or "none")
+
+
+def forget(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Forget breakpoints and watched words at addresses, or all."""
+    points = monitor.machine.watch
+    gone = {address for argument in arguments for address in monitor.range(argument)}
+    gone = gone or set(_WHOLE_CORE)
+    points.breakpoints -= gone
+    points.writes -= gone

@@ -1,0 +1,191 @@
+"""Commands that let the machine run: for a time, until a text is on the page, until it ends.
+
+    expect "PROCEED." 60     until the page shows it, what was printed since the last `expect` included
+    run until BEL            until it is printed from now on;  until "04" 3 times 60
+    assert AC 0              fails, and ends a script with status 1, where it is not so
+
+Times are the machine's. The run stops at most a twentieth of a second after what it waits for.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from pdp8.computer.machine import TICKS_PER_SECOND
+from pdp8.computer.stop import Reason, Stop
+from pdp8.computer.teletype import printed
+from pdp8.monitor.arguments import MonitorError, Quoted, at_most, exactly, octal, seconds, some
+from pdp8.monitor.core import REGISTERS, register
+from pdp8.monitor.prompt import Monitor
+from tapes import shelf
+from tapes.measure import counted
+
+_SLICE = 0.5
+_GLANCE = 0.05
+_LONGEST = 1e9
+_DEFAULT = 60.0
+_CODES = {"BEL": "\a", "CR": "\r", "LF": "\n", "FF": "\f", "RUBOUT": "\x7f"}
+
+
+class Goal(NamedTuple):
+    """How long to run: until `text` has been printed so many `times`, "" for no text; at most `seconds`."""
+
+    text: str = ""
+    times: int = 1
+    seconds: float = _LONGEST
+
+
+def go(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """START, at an address if one is given, and run: for SECONDS, or until a text is printed."""
+    address = None
+    if arguments and arguments[0] != "until":
+        address = monitor.address(arguments[0])
+        arguments = arguments[1:]
+    goal = _goal(arguments)
+    monitor.operator.press("stop")
+    if address is not None:
+        monitor.machine.pc = address
+    monitor.operator.press("start")
+    _pursue(monitor, goal)
+
+
+def cont(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """CONT: go on, for SECONDS or until a text is printed."""
+    goal = _goal(arguments)
+    if not monitor.machine.panel.lamps.run:
+        monitor.operator.press("cont")
+    _pursue(monitor, goal)
+
+
+def run(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Go on without a key being pressed: for SECONDS, or until a text is printed."""
+    _pursue(monitor, _goal(arguments))
+
+
+def until(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Go on until TEXT, or BEL, is printed from now on, N times if given; fail after SECONDS (60)."""
+    _pursue(monitor, _goal(["until", *arguments]))
+
+
+def expect(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Go on until the page shows TEXT, or fail after SECONDS (60)."""
+    text, *rest = at_most(some(arguments, "a text and seconds"), "a text and seconds", 2)
+    _wait_for(monitor, Goal(_text(text), 1, seconds(rest[0]) if rest else _DEFAULT))
+
+
+def _goal(arguments: Sequence[str]) -> Goal:
+    """Return what [SECONDS] or until TEXT [N times] [SECONDS] asks for. Raises MonitorError."""
+    if arguments[:1] != ["until"]:
+        at_most(arguments, "seconds, or until TEXT,", 1)
+        return Goal(seconds=seconds(arguments[0])) if arguments else Goal()
+    text, *rest = some(arguments[1:], "a text, or BEL,")
+    times = 1
+    if rest[1:2] in (["times"], ["time"]):
+        if not rest[0].isdecimal() or not int(rest[0]):
+            raise MonitorError(f"{rest[0]}: how many times, a decimal number from 1")
+        times = int(rest[0])
+        rest = rest[2:]
+    at_most(rest, 'a text, a count and "times", seconds', 1)
+    return Goal(_text(text), times, seconds(rest[0]) if rest else _DEFAULT)
+
+
+def _text(word: str) -> str:
+    """Return the text that is looked for: a word, what stands in quotes, or a code by its name."""
+    text = word if isinstance(word, Quoted) else _CODES.get(word.upper(), word)
+    if not text:
+        raise MonitorError("a text expected, not an empty one")
+    return text
+
+
+def _pursue(monitor: Monitor, goal: Goal) -> None:
+    """Run as far as `goal` says; say how a run ended that no text was to end."""
+    if goal.text:
+        monitor.expected = len(monitor.machine.teletype.printer.frames)
+        _wait_for(monitor, goal)
+        return
+    *_, stop = _slices(monitor, goal.seconds)
+    line = monitor.listing.line(stop.pc, monitor.machine.core[stop.pc])
+    monitor.say(f"{stop.reason}; {stop.elapsed:,.6f} s; next {line}")
+
+
+def _wait_for(monitor: Monitor, goal: Goal) -> None:
+    """Run until the text has been printed so often since `monitor.expected`. Raises MonitorError."""
+    found = 0
+    while found < goal.times and _found(monitor, goal.text):
+        found += 1
+    why = "the machine stands still"
+    if found < goal.times and monitor.machine.panel.lamps.run:
+        for stop in _slices(monitor, goal.seconds, _GLANCE):
+            why = f"{goal.seconds:g} s have passed" if stop.reason is Reason.LIMIT else str(stop.reason)
+            while found < goal.times and _found(monitor, goal.text):
+                found += 1
+            if found == goal.times:
+                break
+    if found < goal.times:
+        raise MonitorError(_failure(monitor, goal, found, why))
+
+
+def _found(monitor: Monitor, text: str) -> bool:
+    """Tell whether the text has been printed since `monitor.expected`, and go past it."""
+    page = bytes(frame & 0o177 for frame in monitor.machine.teletype.printer.frames[monitor.expected :])
+    code = bytes(ord(character) & 0o177 for character in text)
+    at = page.find(code)
+    if at < 0:
+        return False
+    monitor.expected += at + len(code)
+    return True
+
+
+def _failure(monitor: Monitor, goal: Goal, found: int, why: str) -> str:
+    shown = printed(bytes(monitor.machine.teletype.printer.frames[monitor.expected :])).decode()
+    of = f" {counted(found, 'times')} of {goal.times}" if goal.times > 1 else ""
+    return f"{str(goal.text)!r} was {'' if of else 'not '}printed{of}: {why}; the page shows {shown!r}"
+
+
+def _slices(monitor: Monitor, limit: float, longest: float = _SLICE) -> Iterator[Stop]:
+    """Run for at most so many seconds; yield after each slice. Change tapes as the reader runs out; press
+    STOP when `monitor.stopping` is set.
+    """
+    machine = monitor.machine
+    end = machine.ticks + round(limit * TICKS_PER_SECOND)
+    monitor.stopping = False
+    tape_out = True
+    while tape_out:
+        tape_out = False
+        for stop in machine.slices((end - machine.ticks) / TICKS_PER_SECOND, min(longest, 0.05), longest):
+            tape_out = stop.reason is Reason.TAPE_OUT and bool(monitor.waiting_tapes)
+            if not tape_out:
+                yield stop
+            if monitor.stopping:
+                machine.stop()
+        if tape_out:
+            _change_tapes(monitor)
+
+
+def _change_tapes(monitor: Monitor) -> None:
+    name = monitor.waiting_tapes.pop(0)
+    monitor.operator.mount(name, shelf.read(name))
+    monitor.say(f"{name} goes into the reader")
+
+
+def wait(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Let time pass: the program runs on if RUN is lit, else the Teletype ends what it has begun."""
+    (time,) = exactly(arguments, "seconds", 1)
+    machine = monitor.machine
+    end = machine.ticks + round(seconds(time) * TICKS_PER_SECOND)
+    if machine.panel.lamps.run:
+        for _ in _slices(monitor, seconds(time)):
+            pass
+    if not monitor.stopping:
+        machine.wait(max(0, end - machine.ticks) / TICKS_PER_SECOND)
+
+
+def assert_(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Fail unless a register, or the word at an address, is so."""
+    name, value = exactly(arguments, f"one of {' '.join(REGISTERS)} or an address, and a word", 2)
+    wanted = octal(value) if value.isdecimal() else monitor.address(value)
+    if register(name) in REGISTERS:
+        found = getattr(monitor.machine, register(name))
+    else:
+        found = monitor.machine.core[monitor.address(name)]
+    if found != wanted:
+        raise MonitorError(f"{name.upper()} is {found:04o}, not {wanted:04o}")

@@ -1,0 +1,151 @@
+"""Commands about tapes: programs, the readers and punches, the Teletype's keyboard and page, saved states."""
+
+from collections.abc import Sequence
+
+from pdp8.computer import operator, program, state
+from pdp8.computer.teletype import Punch, printed
+from pdp8.monitor.arguments import MonitorError, Quoted, exactly, some
+from pdp8.monitor.prompt import Monitor
+from tapes import rim as rim_format
+from tapes import shelf
+from tapes.measure import counted
+
+_MARKS = {"\a": "<BEL>", "\x7f": "<RUBOUT>"}
+
+
+def load(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Put a program straight into core; `load PROGRAM force` takes a damaged tape too."""
+    name, force = _forced(arguments)
+    found = program.find(name, force)
+    monitor.machine.load(found.words)
+    monitor.listing = found.listing
+    monitor.say(f"{name}: {counted(len(found.words), 'words')}")
+    _say_notes(monitor, found)
+
+
+def boot(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Load a program from cold as an operator does; with force, whatever its checksum."""
+    name, force = _forced(arguments)
+    found = program.find(name, force=True)
+    loader = program.read(shelf.read_bundled("bin.pal"), "bin.pal")
+    for step in monitor.operator.boot(rim_format.encode(loader.words), found.tape, name, force):
+        monitor.say(str(step))
+    monitor.listing = found.listing
+    _say_notes(monitor, found)
+
+
+def _forced(arguments: Sequence[str]) -> tuple[str, bool]:
+    name, *force = some(arguments, "the name of a program")
+    if force not in ([], ["force"]):
+        raise MonitorError(f"{' '.join(force)}: after the name nothing but force")
+    return name, bool(force)
+
+
+def _say_notes(monitor: Monitor, found: program.Program) -> None:
+    for note in found.notes:
+        monitor.say(f"{found.name}: {note}")
+
+
+def listing(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Take the listing of a program that is in core already, as after `restore`."""
+    (name,) = exactly(arguments, "the name of a program", 1)
+    monitor.listing = program.find(name, force=True).listing
+
+
+def rim(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Toggle in the RIM loader."""
+    exactly(arguments, "nothing", 0)
+    keys = sum(1 for _ in monitor.operator.toggle(operator.RIM_START, operator.RIM))
+    monitor.say(f"RIM loader in {operator.RIM_START:04o}-7776, {keys} keys")
+
+
+def reader(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Put tapes into the Teletype's reader, each as the one before runs out; or its lever; or none."""
+    names = some(arguments, "names of tapes, or start, stop, or none")
+    teletype = monitor.machine.teletype
+    monitor.waiting_tapes = []
+    if len(names) == 1 and names[0] in ("start", "stop", "none"):
+        if names[0] == "none":
+            teletype.reader.remove()
+        elif teletype.reader.on != (names[0] == "start"):
+            monitor.operator.throw_lever()
+        return
+    tapes = [shelf.read(name) for name in names]
+    monitor.operator.mount(names[0], tapes[0])
+    monitor.waiting_tapes = list(names[1:])
+    for name, frames in zip(names, tapes, strict=True):
+        leader = "" if frames[:1] in (b"", b"\0", b"\x80") else "; no leader"
+        monitor.say(f"{name}: {counted(len(frames), 'frames')}{leader}")
+
+
+def fast_reader(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Put a tape into the high-speed reader."""
+    (name,) = exactly(arguments, "the name of a tape", 1)
+    _need_highspeed(monitor)
+    monitor.machine.highspeed.reader.load(shelf.read(name))
+
+
+def fast_punch(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Take the tape off the high-speed punch into a file; or switch it on or off."""
+    _need_highspeed(monitor)
+    _take_off(monitor, monitor.machine.highspeed.punch, arguments)
+
+
+def _need_highspeed(monitor: Monitor) -> None:
+    if not monitor.machine.highspeed.fitted:
+        raise MonitorError("no high-speed reader and punch are fitted: pdp8 monitor --highspeed fits them")
+
+
+def punch(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Take the tape off the Teletype's punch into a file; or switch it on or off."""
+    _take_off(monitor, monitor.machine.teletype.punch, arguments)
+
+
+def _take_off(monitor: Monitor, device: Punch, arguments: Sequence[str]) -> None:
+    (what,) = exactly(arguments, "the name of a file, or on, or off", 1)
+    if what in ("on", "off"):
+        device.on = what == "on"
+    else:
+        shelf.write(what, device.tape)
+        monitor.say(f"{what}: {counted(len(device.tape), 'frames')}")
+        device.frames.clear()
+
+
+def type_(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Press keys of the Teletype: words and RETURN; or exactly what stands in quotes."""
+    some(arguments, "a text")
+    exact = any(isinstance(argument, Quoted) for argument in arguments)
+    text = "".join(arguments) if exact else " ".join(arguments) + "\r"
+    for character in text:
+        if ord(character) > 0o377 or (0o240 <= ord(character) < 0o376 and not exact):
+            raise MonitorError(f"{character}: a Model 33 has no such key")
+    monitor.machine.teletype.keyboard.press(bytes(ord(character) | 0o200 for character in text))
+
+
+def page(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Say what the Teletype has printed; `page more` only what is new since the last time."""
+    if list(arguments) not in ([], ["more"]):
+        raise MonitorError("nothing, or more, expected")
+    frames = monitor.machine.teletype.printer.frames
+    since = monitor.shown if arguments else 0
+    monitor.shown = len(frames)
+    text = "".join(
+        _MARKS.get(chr(frame & 0o177)) or printed(bytes([frame])).decode() for frame in frames[since:]
+    )
+    for line in text.replace("\r", "").split("\n"):
+        monitor.say(line)
+
+
+def save(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Write the machine's state into a file."""
+    (name,) = exactly(arguments, "the name of a file", 1)
+    shelf.write(name, state.save(monitor.machine).encode())
+
+
+def restore(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Read the machine's state from a file; the listing stays."""
+    (name,) = exactly(arguments, "the name of a file", 1)
+    watch, pace = monitor.machine.watch, monitor.operator.pace
+    monitor.attend(state.restore(shelf.read(name).decode("ascii", "replace")))
+    monitor.machine.watch, monitor.operator.pace = watch, pace
+    monitor.expected = monitor.shown = 0
