@@ -1,370 +1,414 @@
-"""PAL III: source tapes to words, in three passes over the same statements.
+"""PAL III: the mechanism of DEC-08-ASB1, three passes over the same reading.
 
     pass 1    defines the symbols          messages IC RD DT ST, and UA in the symbol table at its end
     pass 2    punches the object tape      message  IR
     pass 3    types the listing            message  IR
 
-Each pass goes through every statement with the symbols as the last pass left them and does its assignments
-(=) again; so where a symbol is assigned from one that is assigned later, the three passes see three values.
-That is why pass 3 is run here, and not its result foretold.
+A statement is read item by item. Each item is looked up, and the character that ends it then does its work
+on the cells of the statement, which are cleared when a statement begins:
 
-What a statement does:
+    item         value of the item read last; a symbol not seen before leaves it as it is
+    refers       whether that item was a memory-reference symbol, or I
+    made         whether the statement makes a word
+    word         the memory-reference symbols and I, ORed; `referring`: there was one
+    address      the other items, from left to right by `operator`: OR (0), +1, -1
+    zeros        how often there was a Z, or an address on page zero
 
-    A,          pass 1: A is the location; passes 2 and 3: nothing. What was read before is dropped
-    A=          A takes the value of the rest of the statement; several in a row all take it
-    *           the location takes the value of the rest
-    FIELD       the rest is the number of a memory field
-    otherwise   one item or more make a word, none make nothing
+CR and ``;`` make a word of it. ``=``, ``*``, FIELD and FIXMRI read an expression, to its CR or ``;``, with
+the statement as it stands; they wait for it on a push-down list of seven places.
 
-A comma and an equals sign speak of the symbol read last, even if that was lines before (``1A,`` and ``,5``
-are DT of it); before any symbol at all, of one whose name is six blanks (inferred). An equals sign with no
-symbol in its own statement gives that symbol a value in pass 1 only: in passes 2 and 3 it is without effect
-(seen in one example; as if pass 1 looked for the symbol by its name, and the others took what they found when
-they read it).
+`pointer` is where in the symbol table the last look-up ended; ``,`` and ``=`` define what it points to,
+whatever that is. Other routines use the cell too and leave it pointing into page zero: words and origins as
+they are punched, lines without a word as they are typed.
 
-An undefined symbol is entered when first seen, with the location for a value that counts as zero during
-pass 1; at the end of pass 1 it gets the last address of that page. EXPUNGE, FIXTAB and FIXMRI act in pass
-1. ``$`` ends the pass where it stands: what precedes it in its own statement is read, but makes no word.
+Not emulated: what follows once PAL III has written over itself; `Stop` is raised then, as where it would
+never end. Waiting for ever for the rest of a source without ``$``: `pal.source` adds it. That the routine
+which types a form feed uses the pointer too.
 
-Not emulated: waiting for ever for the rest of a source without ``$`` (it is taken as if it were there);
-halting at PAUSE (the next tape just follows); what PAL III's own core holds before the first symbol is read.
-
-Sources: DEC-08-ASAC-D; the output of DEC-08-ASB1 (February 1967). Inferences are marked in docs/pal3.md.
+Sources: DEC-08-ASAC-D; DEC-08-ASB1 (February 1967) and its outputs in tests/pal/examples.
 """
 
-from collections.abc import Callable
+from operator import length_hint
 from typing import NamedTuple
 
-from pal import scanner
-from pal.expressions import Expression
-from pal.scanner import Line, Token
-from pal.symbols import PERMANENT, PSEUDO_OPERATORS, SIGNIFICANT, Permanent
+from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT, spelled, typed
+from pal.table import PSEUDO, UNDEFINED, VALUE, Stop, SymbolTable
 
 START = 0o200  # the origin before any other
-TELETYPE_SYMBOLS = 590  # room for symbols of the user's with the source in the ASR-33's reader
-HIGH_SPEED_SYMBOLS = 495  # and in the high-speed reader, whose buffer takes the rest
+TELETYPE_SYMBOLS = 585  # room for the source's symbols with the source in the ASR-33's reader
+HIGH_SPEED_SYMBOLS = 489  # and in the high-speed reader, whose buffer takes the rest
 
-WORD, ORIGIN, FIELD, NOTHING = "word", "origin", "field", ""
+WORD, ORIGIN, FIELD, CHECKSUM = "word", "origin", "field", "checksum"
 
+_MASK = 0o7777
+_PAGE = 0o7600
+_ON_PAGE = 0o177
+_CURRENT_PAGE = 0o200
+_INDIRECT = 0o400
 
-class Place(NamedTuple):
-    """Where in the source: a line, one of its statements, a token of that."""
-
-    line: int
-    statement: int
-    token: int
-
-
-class Symbol:
-    """An entry of the symbol table."""
-
-    __slots__ = ("defined", "first_seen", "memory_reference", "name", "permanent", "place", "value")
-
-    def __init__(self, name: str, first_seen: int, place: Place) -> None:
-        self.name = name
-        self.first_seen = first_seen
-        self.place = place
-        self.value = 0
-        self.defined = False
-        self.permanent = False
-        self.memory_reference = False
-
-
-class Entry(NamedTuple):
-    """A line of the symbol table as a pass prints it; not `defined`: a UA message in its place."""
-
-    name: str
-    value: int
-    defined: bool
-    place: Place
+_OPERATORS = {" ": 0, "\t": 0, "+": 1, "-": -1}
+_ENDS = frozenset("\r;")
+_ROUTINES = {address: name for name, address in PSEUDO_OPERATORS.items()}
+_PLACES = 7  # of the push-down list
+_PUSHED = {"=": 2, "*": 1, "FIELD": 2, "FIXMRI": 2}  # places that each takes while it waits
+_SAFE = {1: 0o17, 2: 0o17, 3: 0o12}  # up to here in page zero a pass does not mind what is stored
+_RESUMED = "!"  # a number that goes on after an illegal character begins so
 
 
 class Message(NamedTuple):
-    """A message of DEC's: its code, a name or four octal digits, the location; and where in the source."""
+    """A message of DEC's: its code, a name or four octal digits, the location; and the item it is at."""
 
     code: str
     subject: str
     location: int
-    place: Place
+    at: int
 
     def __str__(self) -> str:
         return f"{self.code}  {self.subject}  AT  {self.location:04o}"
 
 
-class Result(NamedTuple):
-    """What a statement of `lines[line]` came to.
+class Punched(NamedTuple):
+    """What pass 2 punches: a WORD, ORIGIN, FIELD or CHECKSUM, and the location."""
 
-    kind        WORD, ORIGIN, FIELD or NOTHING
-    location    where the statement stands, or where the origin put the location
-    value       the word, or the field's number
-    message     an IR message, which precedes it on the Teletype
-    """
-
-    line: int
-    last: bool
     kind: str
     location: int
     value: int
-    message: Message | None
 
 
-_NOWHERE = Place(-1, 0, 0)  # where a permanent symbol is defined
+class Listed(NamedTuple):
+    """A statement of the listing: its location, its word or None, and the item that ends it."""
+
+    location: int
+    word: int | None
+    at: int
 
 
-class TableFull(Exception):
-    """No room for a symbol: PAL III says ST and halts for good."""
+class Entry(NamedTuple):
+    """A symbol of the source in the symbol table; `at` is the item where it was first seen."""
+
+    name: str
+    value: int
+    defined: bool
+    at: int
 
 
 class Assembler:
-    """One run of PAL III over the lines of a source: `define`, then `assemble` for pass 2, and for pass 3."""
+    """One run of PAL III over the items of a source: `run` pass 1, 2 and 3, in this order.
 
-    def __init__(self, lines: list[Line], capacity: int) -> None:
-        self.lines = lines
-        self.messages: list[Message] = []
-        self.full = False
-        self._room = capacity + len(PERMANENT)
-        self._table = {symbol.mnemonic: _permanent(symbol) for symbol in PERMANENT}
-        self._tokens: dict[str, list[Token]] = {}
-        self._last = ""
-        self._begin(defining=True)
+    capacity  room for symbols of the source; the high-speed reader's, HIGH_SPEED_SYMBOLS, stands for that
+              reader, which at PAUSE loses what it has read ahead, the rest of the line
+    table     the symbols of the source as the last pass left them, in the order of the symbol table
+    lost      items that PAUSE lost in it, as pairs of the first and the one after the last
+    stopped   why it went no further, and at which item; None if it ended
+    """
 
-    def define(self) -> list[Entry]:
-        """Run pass 1 and return the symbol table it prints; its messages except UA are then in `messages`."""
-        try:
-            self._run()
-        except TableFull as full:
-            self._say("ST", f"{full!s:6}")
-            self.full = True
-        table = self.table()
-        for symbol in self._table.values():
-            if not symbol.defined:
-                symbol.value = symbol.first_seen | 0o177
-                symbol.defined = True
-        return table
+    def __init__(self, items: list[tuple[str, str]], capacity: int = TELETYPE_SYMBOLS) -> None:
+        self._items = items
+        self._reads_ahead = capacity == HIGH_SPEED_SYMBOLS
+        self._symbols = SymbolTable(capacity)
+        self._pointer = self._symbols.page_zero(0)
+        self._made = False
+        self._broken = ""  # the item in which there was an illegal character
+        self._letter = False  # whether there was one in the number being read
+        self._seen: dict[int, int] = {}
+        self.table: list[Entry] = []
+        self.lost: list[tuple[int, int]] = []
+        self.stopped: tuple[str, int] | None = None
 
-    def assemble(self) -> list[Result]:
-        """Run pass 2 or 3: what each statement came to, in source order."""
-        self._begin(defining=False)
-        return self._run()
-
-    def table(self) -> list[Entry]:
-        """Return the user's symbols as they stand, in no order."""
-        return [
-            Entry(
-                symbol.name,
-                symbol.value if symbol.defined else symbol.first_seen,
-                symbol.defined,
-                symbol.place,
-            )
-            for symbol in self._table.values()
-            if not symbol.permanent
-        ]
-
-    def values(self) -> dict[str, int]:
-        """Return {name: value} of all symbols as they stand."""
-        return {symbol.name: symbol.value for symbol in self._table.values()}
-
-    def _begin(self, defining: bool) -> None:
-        self._defining = defining
+    def run(self, number: int) -> list[Message | Punched | Listed]:
+        """Run pass `number`: its messages and what it punches or lists, in order."""
+        self._number = number
+        self._symbols.safe = _SAFE[number]
+        self._reader = iter(self._items)
+        self._output: list[Message | Punched | Listed] = []
         self._location = START
         self._radix = 8
-        self._expression = Expression()
-        self._targets: list[Symbol] = []
-        self._kind = WORD
-        self._fixing = False
-        self._named = False
-        self._statement = 0, 0
-        self._at = 0
-        self._instruction = 0
+        self._broken = ""
+        self._checksum = 0
+        self._pending: list[tuple[str, int]] = []
+        self._places = 1
+        self.table = []
+        self.lost = []
+        try:
+            if number == 2:
+                self._punch(ORIGIN, START)
+            self._read()
+            if number == 2:
+                self._punch(CHECKSUM, self._checksum & _MASK)
+            else:
+                self._list_symbols()
+        except Stop as stop:
+            self.stopped = str(stop), self._at
+        return self._output
 
-    def _run(self) -> list[Result]:
-        results: list[Result] = []
-        cache = self._tokens
-        for number, line in enumerate(self.lines):
-            final = len(line.statements) - 1
-            for index, statement in enumerate(line.statements):
-                tokens = cache.get(statement)
-                if tokens is None:
-                    tokens = cache[statement] = scanner.tokens(statement)
-                self._statement = number, index
-                for self._at, token in enumerate(tokens):
-                    self._read(token)
-                if index < final or line.complete:
-                    results.append(self._finish(index == final))
-        return results
+    def values(self) -> dict[str, int]:
+        """Return {name: value} of all symbols as they stand, the permanent ones included."""
+        return self._symbols.values()
 
-    def _read(self, token: Token) -> None:
-        symbol, number, illegal, mark = token
-        if illegal and self._defining:
-            for code in illegal:
-                self._say("IC", f"{code:04o}")
-        if symbol:
-            self._last = symbol
-            self._named = True
-            self._symbol(symbol)
-        elif not mark:
-            self._expression.item(_number(number, self._radix))
-        elif mark in "+- ":
-            self._expression.operate(mark)
-        elif mark == ".":
-            self._expression.item(self._location)
-        elif mark == ",":
-            self._tag()
-        elif mark == "=":
-            self._assign()
-        elif mark == "*":
-            self._expression.clear()
-            self._kind = ORIGIN
+    def _read(self) -> None:
+        """Read the source, to the first ``$``, and do what each character that ends an item says."""
+        self._clear()
+        for item, mark in self._reader:
+            name = self._go_on(item) if self._broken else item
+            if not name:
+                self._item = 0
+                self._refers = False
+            elif not self._look_up(name, mark):
+                continue
+            if mark in _OPERATORS:
+                if self._made:
+                    self._apply()
+                self._operator = _OPERATORS[mark]
+            elif mark in _ENDS:
+                if self._made:
+                    self._apply()
+                self._make_word()
+                if self._pending:
+                    self._finish()
+                self._write()
+                self._clear()
+            elif mark == ",":
+                self._tag()
+            elif mark == ".":
+                self._point()
+            elif mark == "=":
+                self._assign()
+            elif mark == "*":
+                self._wait("*", 0)
+            elif mark == "$":
+                break
+            else:
+                self._say("IC", f"{ord(mark) | 0o200:04o}")
+                self._broken = name
 
-    def _symbol(self, name: str) -> None:
-        symbol = self._table.get(name)
-        if symbol is None:
-            pseudo = _PSEUDO.get(name)
-            if pseudo is not None:
-                pseudo(self)
-                return
-            symbol = self._enter(name)
-        if symbol.memory_reference:
-            self._instruction = self._at
-            self._expression.instruction(symbol.value)
+    def _clear(self) -> None:
+        self._word = self._address = self._item = self._operator = self._zeros = 0
+        self._made = self._referring = False
+
+    def _look_up(self, name: str, mark: str) -> bool:
+        """Look an item up; return whether its mark is still to be acted upon."""
+        self._made = True
+        symbols = self._symbols
+        pointer = symbols.index.get(name)
+        if pointer is None:
+            if name[0] <= "9":
+                self._item = self._numeral(name)
+                self._refers = False
+                return True
+            pointer = symbols.index.get(name[:SIGNIFICANT])
+        if pointer is None:
+            self._pointer = self._enter(name[:SIGNIFICANT])
+            self._refers = False
+            return True
+        self._pointer = pointer
+        self._item = symbols.words[pointer + VALUE]
+        self._refers = pointer < symbols.boundary
+        return pointer >= PSEUDO or self._act(mark)
+
+    def _act(self, mark: str) -> bool:
+        """Do what the pseudo-operator just read says; return whether its mark is still to be acted upon."""
+        self._room_for(1)
+        self._made = False
+        routine = _ROUTINES.get(self._item)
+        if routine == "I":
+            self._item = _INDIRECT
+            self._made = True
+        elif routine == "Z":
+            self._zeros += 1
+        elif routine in {"FIELD", "FIXMRI"}:
+            self._wait(routine, 0)
+            return False
+        elif routine == "DECIMAL":
+            self._radix = 10
+        elif routine == "OCTAL":
+            self._radix = 8
+        elif routine == "PAUSE":
+            if self._reads_ahead and mark != "\r":
+                self._lose()
+        elif routine is None:
+            raise Stop(f"PAL III goes on at {self._item:04o}, where there is no routine")
+        elif self._number == 1:
+            self._symbols.expunge() if routine == "EXPUNGE" else self._symbols.fix()
+        return True
+
+    def _apply(self) -> None:
+        """Put the item where it belongs: into the word, or by the operator into the address."""
+        if self._places == _PLACES:
+            self._room_for(1)
+        if self._refers:
+            self._word |= self._item
+            self._referring = True
+        elif not self._operator:
+            self._address |= self._item
         else:
-            self._expression.item(symbol.value)
+            self._address = self._address + self._operator * self._item & _MASK
 
-    def _enter(self, name: str) -> Symbol:
-        """Enter a symbol; after pass 1 that is one which EXPUNGE forgot, and it is zero."""
-        if self._defining and len(self._table) >= self._room:
-            raise TableFull(name)
-        symbol = self._table[name] = Symbol(name, self._location, self._place())
-        symbol.defined = not self._defining
-        return symbol
+    def _point(self) -> None:
+        """``.``: the item is the location, after what was read; the operator stands for both."""
+        if self._made:
+            self._apply()
+        self._item, self._refers, self._made = self._location, False, True
+        self._apply()
+        self._operator = 0
+
+    def _finish(self) -> None:
+        """Give the word to those that wait for it, the last one first."""
+        self._room_for(1)
+        while self._pending:
+            kind, pointer = self._pending.pop()
+            self._places -= _PUSHED[kind]
+            self._made = False
+            if kind == "=":
+                self._symbols.store(pointer + VALUE, self._word)
+            elif kind == "*":
+                self._location = self._word
+                if self._number == 2:
+                    self._punch(ORIGIN, self._word)
+            else:
+                self._act_upon(kind)
+                self._make_word()
+
+    def _act_upon(self, routine: str) -> None:
+        """FIELD in pass 2, FIXMRI in pass 1: do it with the word."""
+        if routine == "FIELD" and self._number == 2:
+            self._output.append(Punched(FIELD, self._location, self._word & 7))
+        elif routine == "FIXMRI" and self._number == 1:
+            self._symbols.fix_reference()
+
+    def _make_word(self) -> None:
+        """Put word and address together."""
+        address = self._address
+        if not self._referring:
+            self._word = address
+            return
+        self._referring = False
+        page = address & _PAGE
+        if not page:
+            self._zeros += 1
+        elif self._number != 1 and page != self._location & _PAGE:
+            self._room_for(3)
+            self._output.append(Message("IR", f"{address:04o}", self._location, self._at))
+        self._address = address & _ON_PAGE
+        self._word = self._word + self._address + (0 if self._zeros else _CURRENT_PAGE) & _MASK
+
+    def _write(self) -> None:
+        """Punch or list the statement, and move on by a word if it makes one."""
+        if self._number == 3:
+            self._output.append(Listed(self._location, self._word if self._made else None, self._at))
+            if not self._made:
+                self._pointer = self._symbols.page_zero(0)
+        elif self._made and self._number == 2:
+            self._punch(WORD, self._word)
+        if self._made:
+            self._location = self._location + 1 & _MASK
+
+    def _punch(self, kind: str, value: int) -> None:
+        self._output.append(Punched(kind, self._location, value))
+        self._checksum += (value >> 6) + (value & 0o77) + (0o100 if kind == ORIGIN else 0)
+        self._pointer = self._symbols.page_zero(value & 0o77)
 
     def _tag(self) -> None:
-        self._expression.clear()
-        if not self._defining:
+        """``,``: define what the pointer points to as the location."""
+        self._made = False
+        if self._number != 1:
             return
-        symbol = self._spoken_of()
-        if symbol is None or symbol.defined:
-            self._say("DT", f"{self._last:6}")
-        if symbol is not None and not symbol.defined:
-            symbol.defined = True
-            symbol.value = self._location
+        pointer = self._pointer
+        first = self._symbols.word(pointer)
+        if not first & UNDEFINED:
+            self._say("DT", typed(spelled(self._symbols.name(pointer))))
+            return
+        self._symbols.store(pointer, first ^ UNDEFINED)
+        self._pointer += VALUE
+        self._symbols.store(self._pointer, self._location)
 
     def _assign(self) -> None:
-        self._expression.clear()
-        if not (self._defining or self._named):
-            return
-        symbol = self._spoken_of()
-        if self._defining and (symbol is None or symbol.defined):
-            self._say("RD", f"{self._last:6}")
-        if symbol is None:
-            return
-        symbol.defined = True
-        symbol.memory_reference |= self._fixing
-        self._targets.append(symbol)
-        self._kind = NOTHING
+        """``=``: what the pointer points to is defined, and waits for its value."""
+        pointer = self._pointer
+        first = self._symbols.word(pointer)
+        if not first & UNDEFINED:
+            self._say("RD", typed(spelled(self._symbols.name(pointer))))
+        self._symbols.store(pointer, first & ~UNDEFINED)
+        self._wait("=", pointer)
 
-    def _spoken_of(self) -> Symbol | None:
-        """Return the symbol read last, None if it is a pseudo-operator."""
-        name = self._last
-        symbol = self._table.get(name)
-        if symbol is None and name not in _PSEUDO:
-            symbol = self._enter(name)
-        return symbol
+    def _wait(self, kind: str, pointer: int) -> None:
+        self._room_for(_PUSHED[kind])
+        self._places += _PUSHED[kind]
+        self._pending.append((kind, pointer))
+
+    def _room_for(self, places: int) -> None:
+        if self._places + places > _PLACES:
+            raise Stop("expressions within expressions take more than the seven places of the push-down list")
 
     def _say(self, code: str, subject: str) -> None:
-        self.messages.append(Message(code, subject, self._location, self._place()))
+        """Type a message, in pass 1."""
+        self._room_for(2)
+        if self._number == 1:
+            self._output.append(Message(code, subject, self._location, self._at))
 
-    def _place(self) -> Place:
-        return Place(*self._statement, self._at)
+    def _go_on(self, rest: str) -> str:
+        """Read on after an illegal character in an item; return the item.
 
-    def _finish(self, last: bool) -> Result:
-        expression = self._expression
-        kind = self._kind
-        location = self._location
-        value = 0
-        message = None
-        if kind == WORD and expression.empty:
-            kind = NOTHING
-        else:
-            value = expression.word(location)
-            beyond = expression.illegal_reference(location)
-            if beyond is not None:
-                message = Message("IR", f"{beyond:04o}", location, Place(*self._statement, self._instruction))
-            if kind == WORD:
-                self._location = location + 1 & 0o7777
-            elif kind == ORIGIN:
-                self._location = location = value
-            for symbol in self._targets:
-                symbol.value = value
-        self._next_statement()
-        return Result(self._statement[0], last, kind, location, value, message)
+        A number begins again at 0. The rest of a name does not belong to it.
+        """
+        name, self._broken = self._broken, ""
+        if name[0] <= "9":
+            self._letter &= not name.isdigit()
+            return _RESUMED + rest
+        self._symbols.spill(rest)
+        return name
 
-    def _next_statement(self) -> None:
-        self._expression.clear()
-        self._targets = []
-        self._kind = WORD
-        self._fixing = False
-        self._named = False
+    def _numeral(self, name: str) -> int:
+        """Return the value of a number; 8 and 9 count as 8 and 9 in octal too, and letters are illegal."""
+        try:
+            return int(name, self._radix) & _MASK
+        except ValueError:
+            value = 0
+        if name[0] != _RESUMED:
+            self._letter = False
+        for character in name.lstrip(_RESUMED):
+            if character <= "9" and not self._letter:
+                value = value * self._radix + int(character) & _MASK
+                continue
+            if character > "9":
+                if self._letter:
+                    raise Stop("PAL III never ends at a second letter in a number")
+                self._letter = True
+            self._say("IC", f"{ord(character) & 0o77:04o}")
+        return value
 
-    def _decimal(self) -> None:
-        self._radix = 10
+    def _enter(self, name: str) -> int:
+        """Enter a symbol that is not in the table; return where."""
+        if self._symbols.full:
+            self._say("ST", typed(name))
+            raise Stop(f"the symbol table is full: there is no room for {name}")
+        entry = self._symbols.enter(name, self._location)
+        self._seen[entry] = self._at
+        return entry
 
-    def _octal(self) -> None:
-        self._radix = 8
+    def _lose(self) -> None:
+        """PAUSE: lose what the high-speed reader has read ahead."""
+        first = self._at + 1
+        after = first + next(number for number, (_, mark) in enumerate(self._reader, 1) if mark == "\r")
+        self.lost.append((first, after))
 
-    def _field(self) -> None:
-        self._expression.clear()
-        self._kind = FIELD
+    def _list_symbols(self) -> None:
+        """End the pass; pass 1 gives what is undefined the last address of its page."""
+        words = self._symbols.words
+        for entry in self._symbols.listed():
+            value = words[entry + VALUE]
+            undefined = words[entry] & UNDEFINED
+            name = spelled(self._symbols.name(entry))
+            self.table.append(Entry(name, value, not undefined, self._seen[entry]))
+            if undefined:
+                self._room_for(2)
+            if undefined and self._number == 1:
+                words[entry] ^= UNDEFINED
+                words[entry + VALUE] = value & _PAGE | _ON_PAGE
 
-    def _expunge(self) -> None:
-        if self._defining:
-            self._table.clear()
-
-    def _fixtab(self) -> None:
-        if self._defining:
-            for symbol in self._table.values():
-                symbol.permanent |= symbol.defined
-
-    def _fixmri(self) -> None:
-        self._fixing = self._defining
-
-    def _pause(self) -> None:
-        """Go on with the next tape: it is already there."""
-
-    def _i(self) -> None:
-        self._expression.indirect()
-
-    def _z(self) -> None:
-        self._expression.page_zero()
-
-
-_ACTIONS = (
-    Assembler._decimal,
-    Assembler._octal,
-    Assembler._field,
-    Assembler._expunge,
-    Assembler._fixtab,
-    Assembler._fixmri,
-    Assembler._pause,
-    Assembler._i,
-    Assembler._z,
-)
-_PSEUDO: dict[str, Callable[[Assembler], None]] = {
-    name[:SIGNIFICANT]: action for name, action in zip(PSEUDO_OPERATORS, _ACTIONS, strict=True)
-}
-
-
-def _permanent(known: Permanent) -> Symbol:
-    symbol = Symbol(known.mnemonic, 0, _NOWHERE)
-    symbol.value = known.octal
-    symbol.defined = symbol.permanent = True
-    symbol.memory_reference = known.memory_reference
-    return symbol
-
-
-def _number(digits: str, radix: int) -> int:
-    """Return the value of `digits` modulo 010000; 8 and 9 count as 8 and 9 in octal too."""
-    value = 0
-    for digit in digits:
-        value = value * radix + ord(digit) - 0o60 & 0o7777
-    return value
+    @property
+    def _at(self) -> int:
+        """The item read last; what PAUSE loses is not read."""
+        at = len(self._items) - length_hint(self._reader) - 1
+        if self.lost and at == self.lost[-1][1] - 1:
+            return self.lost[-1][0] - 1
+        return at

@@ -8,59 +8,75 @@ when it is asked for: the program that is to run starts the sooner.
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
-from pal import punch, scanner
-from pal.assembler import TELETYPE_SYMBOLS, Assembler, Entry, Message, Result
-from pal.scanner import Line
-from pal.symbols import internal_order
+from pal import punch
+from pal.assembler import TELETYPE_SYMBOLS, Assembler, Entry, Listed, Message, Punched
+from pal.source import Source
 
 if TYPE_CHECKING:
     from pal.diagnostics import Diagnostic
     from pal.listing import ListingLine, Teletype
 
 
+class _Third(NamedTuple):
+    """What pass 3 left."""
+
+    output: list[Message | Punched | Listed]
+    table: list[Entry]
+    lost: list[tuple[int, int]]
+    stopped: tuple[str, int] | None
+    values: dict[str, int]
+
+
 class Assembly:
     """What became of a source.
 
-    tape         the object tape as the high-speed punch made it, `bytes`; empty if the symbol table was full
+    tape         the object tape as the high-speed punch made it, `bytes`; empty if there is none
     words        {address: word} for loading, the field above the twelve bits of the address
-    diagnostics  what is wrong, in source order; `ok` if none of it is an error
-    symbols      {name: value} of the user's symbols, in the order of the symbol table
+    diagnostics  what is wrong, in source order; `ok` if there is no error on the way to the tape
+    stopped      why pass 1 or 2 went no further, and at which item of the source; None if both ended
+    symbols      {name: value} of the source's symbols, in the order of the symbol table
     listing      what pass 3 typed, without the codes that do not print
     lines        the same by statements
     """
 
-    def __init__(self, lines: list[Line], names: Sequence[str], assembler: Assembler) -> None:
-        self.source = lines
+    def __init__(self, source: Source, names: Sequence[str], capacity: int) -> None:
+        self.source = source
         self.names = names
-        self._assembler = assembler
-        self._entries: list[Entry] = assembler.define()
-        self._results: list[Result] = [] if assembler.full else assembler.assemble()
-        self.words = punch.words(self._results)
+        self._capacity = capacity
+        self._assembler = assembler = Assembler(source.items, capacity)
+        self._first = assembler.run(1)
+        self._table: list[Entry] = assembler.table
+        self._second: list[Message | Punched | Listed] = [] if assembler.stopped else assembler.run(2)
+        self.stopped = assembler.stopped
+        self.words = {} if self.stopped else punch.words(self._second)
 
     @property
     def ok(self) -> bool:
-        """Whether DEC's assembler would have had nothing to say."""
-        return not self._messages
+        """Whether passes 1 and 2 ended, and without a message."""
+        return not self.messages and not self.stopped
 
     @cached_property
     def tape(self) -> bytes:
-        """The object tape as the high-speed punch made it; empty if the symbol table was full."""
-        return b"" if self._assembler.full else punch.tape(self._results)
+        """The object tape as the high-speed punch made it; empty where pass 1 or 2 did not end."""
+        return b"" if self.stopped else punch.tape(self._second)
 
     @cached_property
     def diagnostics(self) -> list["Diagnostic"]:
         """What is wrong, and what to know besides."""
         from pal.diagnostics import diagnose
+        from pal.listing import overlong
+        from pal.notes import notes
 
-        return diagnose(self.source, self.names, self._messages)
+        stops = [stop for stop in (self.stopped or self._third.stopped, overlong(self.source)) if stop]
+        noted = notes(self.source, len(self.names), self._capacity)
+        return diagnose(self.source, self.names, self.messages, stops, noted)
 
     @cached_property
     def symbols(self) -> dict[str, int]:
-        """The user's symbols as pass 3 leaves them."""
-        table = sorted(self._third[1], key=lambda entry: internal_order(entry.name))
-        return {entry.name: entry.value for entry in table}
+        """The symbols of the source as pass 3 leaves them."""
+        return {entry.name: entry.value for entry in self._third.table if entry.defined}
 
     @property
     def symbol_table(self) -> str:
@@ -75,68 +91,62 @@ class Assembly:
     @cached_property
     def lines(self) -> list["ListingLine"]:
         """The listing by statements."""
-        from pal.listing import listing_line
+        from pal import listing
 
-        return [listing_line(self.source[result.line], result) for result in self._third[0]]
+        return list(listing.lines(self.source, self._third.output, self._third.lost))
 
     def printed(self, number: int) -> str:
         """Return what pass 1, 2 or 3 typed, without the codes that do not print."""
-        from pal.listing import printed
+        from pal import listing
 
-        return printed(self._typed(number))
+        if number == 2:
+            return listing.printed(listing.complaints(self._second))
+        return listing.printed(self.teletype[number - 1])
 
     @cached_property
     def teletype(self) -> "Teletype":
-        """The tapes of the three passes when the ASR-33 does it all."""
+        """The frames of the three passes when the ASR-33 does it all; a pass that was not run has none."""
         from pal import listing
 
-        return listing.Teletype(
-            listing.tape(self._typed(1), finished=not self._assembler.full),
-            listing.object_tape(self._results) if self.tape else b"",
-            listing.tape(self._typed(3)) if self.tape else b"",
-        )
-
-    def _typed(self, number: int) -> str:
-        from pal import listing
-
-        if number == 1 and self._assembler.full:
-            return listing.complaints(self._assembler.messages)
-        if number == 1:
-            return listing.definitions(self._assembler.messages, self._entries)
-        if not self.tape:
-            return ""
-        if number == 2:
-            return listing.complaints(self._referred)
-        return listing.listing(self.source, *self._third[:2])
+        first = listing.definitions(self._first)
+        if not self._second:
+            return listing.Teletype(first, b"", b"")
+        first += listing.symbol_table(self._table, 1)
+        second = listing.object_tape(self._second, not self.stopped)
+        if self.stopped:
+            return listing.Teletype(first, second, b"")
+        third = listing.listing(self.source, self._third.output, self._third.lost)
+        if not self._third.stopped:
+            third += listing.symbol_table(self._third.table, 3)
+        return listing.Teletype(first, second, third)
 
     @cached_property
     def values(self) -> dict[str, int]:
         """{name: value} of all symbols as pass 3 leaves them, the permanent ones included."""
-        return self._third[2]
-
-    @cached_property
-    def _third(self) -> tuple[list[Result], list[Entry], dict[str, int]]:
-        results = self._assembler.assemble() if self.tape else []
-        return results, self._assembler.table(), self._assembler.values()
+        return self._third.values
 
     def _repr_html_(self) -> str:
         """Return the listing as HTML, for a notebook."""
         from pal.notebook import html
 
-        return html(self)
-
-    @property
-    def _referred(self) -> list[Message]:
-        return [result.message for result in self._results if result.message]
+        return html(self.lines, self.names, self.diagnostics)
 
     @cached_property
-    def _messages(self) -> list[Message]:
+    def _third(self) -> _Third:
+        assembler = self._assembler
+        output = [] if self.stopped else assembler.run(3)
+        return _Third(output, assembler.table, assembler.lost, assembler.stopped, assembler.values())
+
+    @cached_property
+    def messages(self) -> list[Message]:
+        """The messages of passes 1 and 2, UA included."""
+        said = [piece for piece in (*self._first, *self._second) if isinstance(piece, Message)]
         undefined = [
-            Message("UA", f"{entry.name:6}", entry.value, entry.place)
-            for entry in self._entries
-            if not entry.defined
+            Message("UA", f"{entry.name:6}", entry.value, entry.at)
+            for entry in self._table
+            if self._second and not entry.defined
         ]
-        return self._assembler.messages + undefined + self._referred
+        return said + undefined
 
 
 def assemble(
@@ -150,11 +160,12 @@ def assemble(
     sources   frames, with channel 8 or without, or texts; in a text a character beyond ASCII is illegal
     names     what the diagnostics call each tape
     modern    fold lower case
-    capacity  room for symbols of the user's: TELETYPE_SYMBOLS, or HIGH_SPEED_SYMBOLS
+    capacity  room for symbols of the source, by its reader: TELETYPE_SYMBOLS, or HIGH_SPEED_SYMBOLS, which
+              reads ahead and at PAUSE loses the rest of the line
 
     Whatever is wrong with the source is a diagnostic; nothing is raised.
     """
     tapes = [source.encode("ascii", "replace") if isinstance(source, str) else source for source in sources]
-    lines = list(scanner.lines(tapes, modern))
+    read = Source(tapes, modern)
     called = names or [f"tape {number}" for number in range(1, len(tapes) + 1)]
-    return Assembly(lines, called, Assembler(lines, capacity))
+    return Assembly(read, called, capacity)

@@ -29,8 +29,14 @@ class AssemblyError(WorkError):
     "--tty", metavar="FOLDER", help="Write NAME.pass1, .pass2, .pass3: the raw frames of an ASR-33."
 )
 @click.option("--force", is_flag=True, help="Punch the tape in spite of errors, as DEC's assembler did.")
-@click.option("--modern", is_flag=True, help="Fold lower case.")
-@click.option("--high-speed-reader", is_flag=True, help="Room for 495 symbols instead of the ASR-33's 590.")
+@click.option("--strict", is_flag=True, help="Take notes for errors.")
+@click.option("--modern", is_flag=True, help="Read lower case as capitals; nothing else differs.")
+@click.option(
+    "--high-speed-reader",
+    is_flag=True,
+    help=f"Room for {HIGH_SPEED_SYMBOLS} symbols, not the ASR-33's {TELETYPE_SYMBOLS}; "
+    "PAUSE loses the rest of its line.",
+)
 def pal(
     *,
     sources: tuple[str, ...],
@@ -42,6 +48,7 @@ def pal(
     json: str | None,
     tty: str | None,
     force: bool,
+    strict: bool,
     modern: bool,
     high_speed_reader: bool,
 ) -> None:
@@ -49,7 +56,8 @@ def pal(
 
     SOURCE is a file, a bundled program's name, or - for standard input; several are read one after the
     other, as tapes parted by PAUSE were. Exit status 1 if there is any error; then no tape is written
-    without --force.
+    without --force, and nothing at all where DEC's assembler would never end or would destroy itself. Notes
+    say where a source means something else to PAL III than it seems to.
 
     \b
     Examples:
@@ -60,7 +68,7 @@ def pal(
       pal old.pal --force --tty tapes             what the Teletype punched in each pass
     """
     if not sources:
-        raise click.UsageError("what shall be assembled? Name a SOURCE, or - for standard input")
+        raise click.UsageError("no SOURCE: name a file, or - for standard input")
     tape = output or _beside(sources[0])
     command.check_files(sources, [tape, listing, symbols, xref, json])
     capacity = HIGH_SPEED_SYMBOLS if high_speed_reader else TELETYPE_SYMBOLS
@@ -72,6 +80,9 @@ def pal(
         _check_kinds(sources, contents)
     for diagnostic in assembly.diagnostics:
         click.echo(str(diagnostic), err=True)
+    errors = sum(diagnostic.error or strict for diagnostic in assembly.diagnostics)
+    if assembly.stopped:
+        raise AssemblyError(f"{_counted(errors)}: PAL III goes no further, nothing is written")
     if listing:
         _put_listing(listing, assembly)
     if symbols:
@@ -86,7 +97,7 @@ def pal(
         _put(json, as_json(assembly))
     if tty:
         _put_passes(tty, sources[0], assembly)
-    _punch(tape, rim, force, assembly)
+    _punch(tape, rim, force, errors, assembly)
 
 
 def _read(name: str) -> bytes:
@@ -106,13 +117,13 @@ def _check_kinds(names: tuple[str, ...], contents: list[bytes]) -> None:
             raise AssemblyError(f"{called(name)}: a tape in {kind.upper()}, not PAL source")
 
 
-def _punch(name: str, rim: bool, force: bool, assembly: Assembly) -> None:
-    errors = sum(diagnostic.error for diagnostic in assembly.diagnostics)
-    counted = f"{errors} error{'s' * (errors != 1)}"
-    if errors and (not force or not assembly.tape):
-        raise AssemblyError(
-            f"{counted}: no tape" + ("" if force else "; --force punches it as DEC's assembler did")
-        )
+def _counted(errors: int) -> str:
+    return f"{errors} error{'s' * (errors != 1)}"
+
+
+def _punch(name: str, rim: bool, force: bool, errors: int, assembly: Assembly) -> None:
+    if errors and not force:
+        raise AssemblyError(f"{_counted(errors)}: no tape; --force punches it as DEC's assembler did")
     if rim:
         from tapes.rim import encode
 
@@ -120,7 +131,7 @@ def _punch(name: str, rim: bool, force: bool, assembly: Assembly) -> None:
     else:
         shelf.write(name, assembly.tape)
     if errors:
-        raise AssemblyError(f"{counted}; {name} punched all the same")
+        raise AssemblyError(f"{_counted(errors)}; {name} punched all the same")
 
 
 def _beside(source: str) -> str:

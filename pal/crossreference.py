@@ -9,9 +9,8 @@ are left out.
 
 from typing import NamedTuple
 
-from pal import scanner
 from pal.assembly import Assembly
-from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT, internal_order
+from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT, codes
 
 _PSEUDO = {name[:SIGNIFICANT] for name in PSEUDO_OPERATORS}
 
@@ -38,15 +37,14 @@ def cross_reference(assembly: Assembly) -> list[Reference]:
     """Return the symbols that occur in the source, in the order of PAL III's symbol table."""
     defined: dict[str, list[Occurrence]] = {}
     used: dict[str, list[Occurrence]] = {}
-    for line in assembly.source:
-        for index, statement in enumerate(line.statements):
-            tokens = scanner.tokens(statement)
-            for at, token in enumerate(tokens):
-                if token.symbol and token.symbol not in _PSEUDO:
-                    follower = tokens[at + 1].mark if at + 1 < len(tokens) else ""
-                    column = scanner.columns(line, index, at)[0] + 1
-                    place = Occurrence(assembly.names[line.tape], line.number, column)
-                    (defined if follower in (",", "=") else used).setdefault(token.symbol, []).append(place)
+    for at, (item, mark) in enumerate(assembly.source.items):
+        name = item[:SIGNIFICANT]
+        if name[:1] > "9" and name not in _PSEUDO:
+            place = assembly.source.place(at)
+            occurrence = Occurrence(assembly.names[place.tape], place.line, place.start + 1)
+            (defined if mark in (",", "=") else used).setdefault(name, []).append(occurrence)
+        if mark == "$":
+            break
     return [
         Reference(
             name,
@@ -55,7 +53,7 @@ def cross_reference(assembly: Assembly) -> list[Reference]:
             tuple(defined.get(name, ())),
             tuple(used.get(name, ())),
         )
-        for name in sorted(defined.keys() | used.keys(), key=internal_order)
+        for name in sorted(defined.keys() | used.keys(), key=codes)
     ]
 
 

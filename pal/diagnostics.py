@@ -15,26 +15,33 @@ from collections.abc import Callable, Iterable, Sequence
 from operator import itemgetter
 from typing import NamedTuple
 
-from pal import scanner
-from pal.assembler import Message, Place
+from pal.assembler import Message
 from pal.dialects import hint
-from pal.notes import Note, notes
-from pal.scanner import Line
+from pal.notes import Note
+from pal.source import Source
+from pal.symbols import PERMANENT
+
+ERROR, NOTE = "error", "note"
 
 _CONTROLS = {code: "\N{MIDDLE DOT}" for code in (*range(0x20), 0x7F) if code != ord("\t")}
 """A terminal is shown no control codes of a source."""
 
 
+_REFERENCES = {symbol.mnemonic for symbol in PERMANENT if symbol.memory_reference}
+
+
 class Diagnostic(NamedTuple):
     """One thing that is wrong.
 
-    code        DEC's two letters; "" for a note of ours
-    message     what DEC's assembler types, or the note
+    severity    ERROR, what DEC's assembler says or where it goes no further; or NOTE, which is ours
+    code        DEC's two letters; "" for what it does not say
+    message     what DEC's assembler types, or what we say
     advice      what it means and what to do
     hint        what PAL III has for what another assembler's dialect says here, or ""
     file, line, column    the place, counted from 1; `source` is the line, `width` how much of it is meant
     """
 
+    severity: str
     code: str
     message: str
     advice: str
@@ -47,8 +54,8 @@ class Diagnostic(NamedTuple):
 
     @property
     def error(self) -> bool:
-        """Whether it is DEC's."""
-        return bool(self.code)
+        """Whether it is an error."""
+        return self.severity == ERROR
 
     def __str__(self) -> str:
         margin = "".join("\t" if character == "\t" else " " for character in self.source[: self.column - 1])
@@ -58,31 +65,50 @@ class Diagnostic(NamedTuple):
         return f"{self.file}:{self.line}:{self.column}: {self.message}\n{shown}{advice}".rstrip("\n")
 
 
-def diagnose(lines: list[Line], names: Sequence[str], messages: Iterable[Message]) -> list[Diagnostic]:
-    """Return the messages and our notes as diagnostics, in source order."""
-    if not lines:
+def diagnose(
+    source: Source,
+    names: Sequence[str],
+    messages: Iterable[Message],
+    stops: Iterable[tuple[str, int]],
+    notes: Iterable[Note],
+) -> list[Diagnostic]:
+    """Return the messages, why PAL III went no further, and our notes as diagnostics, in source order."""
+    if len(source.text) == 1:
         file = names[0] if names else "source"
-        return [Diagnostic("", "note: the source is empty", "there is not even a $", "", file, 1, 1, 1, "")]
-    found = [(message.place, _diagnostic(lines, names, message)) for message in messages]
-    found += [(note.place, _from_note(lines, names, note)) for note in notes(lines, len(names))]
+        return [
+            Diagnostic(NOTE, "", "note: the source is empty", "write at least a $", "", file, 1, 1, 1, "")
+        ]
+    found: list[tuple[int, Diagnostic]] = []
+
+    def add(severity: str, at: int, code: str, said: str, advice: str, sentence: str = "") -> None:
+        place = source.place(at)
+        where = names[place.tape], place.line, place.start + 1, place.end - place.start, place.text
+        found.append((at, Diagnostic(severity, code, said, advice, sentence, *where)))
+
+    full = False
+    for message in messages:
+        at = _reference(source, message.at) if message.code == "IR" else message.at
+        subject = message.subject.strip()
+        advice = _ADVICE[message.code](subject, message.location)
+        typed = str(message).translate(_CONTROLS)
+        add(ERROR, at, message.code, typed, advice, hint(message.code, subject))
+        full |= message.code == "ST"
+    for reason, at in stops:
+        if not full:
+            add(ERROR, at, "", f"error: {reason}", "")
+    for note in notes:
+        add(NOTE, note.at, "", f"note: {note.message}", note.advice)
     return [diagnostic for _, diagnostic in sorted(found, key=itemgetter(0))]
 
 
-def _diagnostic(lines: list[Line], names: Sequence[str], message: Message) -> Diagnostic:
-    subject = message.subject.strip()
-    advice = _ADVICE[message.code](subject, message.location)
-    place = _placed(lines, names, message.place)
-    return Diagnostic(message.code, str(message), advice, hint(message.code, subject), *place)
-
-
-def _from_note(lines: list[Line], names: Sequence[str], note: Note) -> Diagnostic:
-    return Diagnostic("", f"note: {note.message}", note.advice, "", *_placed(lines, names, note.place))
-
-
-def _placed(lines: list[Line], names: Sequence[str], place: Place) -> tuple[str, int, int, int, str]:
-    line = lines[place.line]
-    start, end = scanner.columns(line, place.statement, place.token)
-    return names[line.tape], line.number, start + 1, end - start, line.text
+def _reference(source: Source, end: int) -> int:
+    """Return the memory-reference symbol of the statement that ends there, or its end."""
+    for at in range(end, -1, -1):
+        if at < end and source.items[at][1] in "\r;":
+            break
+        if source.items[at][0] in _REFERENCES:
+            return at
+    return end
 
 
 def _undefined(name: str, location: int) -> str:
@@ -103,7 +129,7 @@ def _spelled(character: int) -> str:
     return chr(character) if 0o40 < character < 0o177 else f"(code {character | 0o200:04o})"
 
 
-def _reference(address: str, location: int) -> str:
+def _beyond(address: str, location: int) -> str:
     page = location & 0o7600
     low = int(address, 8) & 0o177
     return (
@@ -118,5 +144,5 @@ _ADVICE: dict[str, Callable[[str, int], str]] = {
     "DT": lambda name, _: f"duplicate tag: {name or 'it'} keeps the value it has; use another name",
     "ST": lambda name, _: f"symbol table full: no room for {name}, and no tape; use fewer symbols",
     "UA": _undefined,
-    "IR": _reference,
+    "IR": _beyond,
 }

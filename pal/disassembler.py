@@ -20,17 +20,21 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from pal.assembler import FIELD, HIGH_SPEED_SYMBOLS, ORIGIN, START, WORD
-from pal.symbols import INPUT_OUTPUT, MEMORY_REFERENCE, PERMANENT
+from pal.symbols import PERMANENT
 from tapes import binary, kinds, rim
+
+_BARE = binary.tape(binary.origin(START), sum(binary.origin(START)))
+"""What PAL III punches for a source without a word; its checksum would be a word of a RIM tape."""
 
 _INDIRECT = 0o400
 _CURRENT_PAGE = 0o200
 _JMP = 5
 _NONE = -1
 
-_BY_OCTAL = {symbol.octal: symbol.mnemonic for symbol in reversed(PERMANENT) if not symbol.memory_reference}
-_OPERATION = {symbol.octal >> 9: symbol.mnemonic for symbol in MEMORY_REFERENCE}
-_BY_NAME = {symbol.mnemonic: symbol.octal for symbol in PERMANENT}
+_PLAIN = [symbol for symbol in PERMANENT if not symbol.memory_reference]
+_BY_OCTAL = {symbol.octal: symbol.mnemonic for symbol in reversed(_PLAIN)}
+_OPERATION = {symbol.octal >> 9: symbol.mnemonic for symbol in PERMANENT[: _JMP + 1]}
+_BY_NAME = {symbol.mnemonic: symbol.octal for symbol in _PLAIN}
 _CLEAR = ("CLA",)
 _GROUP_1 = ("CLA", "CLL", "CMA", "CML", "RTR", "RTL", "RAR", "RAL", "IAC")
 _SKIPS = ("SMA", "SZA", "SNL")
@@ -54,7 +58,7 @@ def disassemble(words: Mapping[int, int]) -> str:
 
 def disassemble_tape(frames: bytes) -> str:
     """Return PAL source for a BIN or RIM tape. Raises TapeError: no such tape, a damaged one."""
-    if kinds.classify(frames) == kinds.RIM:
+    if kinds.classify(frames) == kinds.RIM and frames.strip(b"\0") != _BARE:
         words = rim.decode(frames)
         return _source(_steps_of(words, words))
     return _source(_steps_on(frames))
@@ -75,7 +79,7 @@ def _steps_of(addresses: Iterable[int], words: Mapping[int, int]) -> Iterator[St
 
 
 def _steps_on(frames: bytes) -> Iterator[Step]:
-    """Yield what is on a BIN tape but for the origins PAL III punches of itself, first and after FIELD."""
+    """Yield what is on a BIN tape but for the first origin, which PAL III punches of itself."""
     location = START
     bank = 0
     silent = True
@@ -91,7 +95,6 @@ def _steps_on(frames: bytes) -> Iterator[Step]:
             if kind == binary.FIELD:
                 bank = value
                 yield Step(FIELD, 0, value)
-                silent = True
                 continue
             if kind == binary.WORD:
                 yield Step(WORD, bank << 12 | location, value)
@@ -197,7 +200,7 @@ def microinstruction(word: int) -> str | None:
 
 def _candidates(word: int) -> Iterable[str]:
     if word >> 9 == 6:
-        return [symbol.mnemonic for symbol in INPUT_OUTPUT if symbol.octal >> 3 == word >> 3]
+        return [symbol.mnemonic for symbol in _PLAIN if symbol.octal >> 3 == word >> 3]
     if not word & 0o400:
         return _GROUP_1
     if word & 1:

@@ -1,40 +1,40 @@
-"""What the Teletype prints in each pass.
+"""What the Teletype types in each pass, frame for frame.
 
-    pass 1    messages, then the symbol table
-    pass 2    messages; by the ASR-33's punch they are on the object tape itself, between RUBOUTs
-    pass 3    the listing, messages among its lines, then the symbol table
+    pass 1    000, messages, the symbol table
+    pass 2    000, leader, the object tape with the messages among its frames, between RUBOUTs
+    pass 3    000, leader, the listing with the messages among its lines, the symbol table
 
     CR LF 0201  6032  <source>               a word: location, contents, the line as typed
     CR LF             <source>               a line without one: twelve blanks
     CR LF 0202  7200                         a statement ended by a semicolon
     RUBOUT CR LF IR  0400  AT  0201 RUBOUT   a message
-    CR LF CR LF, symbols, CR LF              the symbol table: each symbol is followed by CR LF, as is a UA
-                                             message in its place
+    CR LF, leader, RUBOUT,                   the symbol table: before each symbol, or the UA message in its
+      CR LF symbol, ..., CR LF,              place, CR LF; in pass 3 one that is not defined is an empty line
+      EOT, CR LF, RUBOUT, trailer
 
-Every line begins with its CR LF, so the first one is blank. A TAB is followed by a RUBOUT, the time it
-takes. The tape of each pass begins with the start-up frame and the leader; that of a symbol table ends with
-EOT (0204), CR, LF, RUBOUT and the trailer. (Leader, EOT and RUBOUTs of passes 1 and 3: from a later
-edition, with this one's leader of 64 frames.)
+A TAB is followed by a RUBOUT, the time it takes; a form feed stands between six blank frames and six more.
 
-Sources: the printed output of DEC-08-ASB1, from which the codes that do not print are removed;
-DEC-08-ASAC-D.
+Source: the frames of DEC-08-ASB1.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from pal import punch
-from pal.assembler import WORD, Entry, Message, Result
-from pal.scanner import Line
-from pal.symbols import internal_order
-from tapes import binary, frames
+from pal.assembler import Entry, Listed, Message, Punched
+from pal.source import Source
+from pal.symbols import typed
+from tapes import frames
 
 EOT = "\x04"
 RUBOUT = "\x7f"
 NEW_LINE = "\r\n"
+LONGEST = 222  # characters of a line that pass 3 has room for
 
-_SILENT = str.maketrans("", "", "\0\r" + EOT + RUBOUT)
 _UNNUMBERED = " " * 12
+_TYPED = str.maketrans({"\t": "\t" + RUBOUT, "\f": "\0" * 6 + "\f" + "\0" * 6, "\r": ""})
+_MARKED = bytes([0, *frames.PARITIES["mark"][1:]])
+_SILENT = bytes((0, 0o200, 0o204, 0o215, 0o377))
 
 
 class ListingLine(NamedTuple):
@@ -59,74 +59,115 @@ class Teletype(NamedTuple):
     pass3: bytes
 
 
-def printed(typed: str) -> str:
-    r"""Return what is to be read of `typed`: without codes that do not print, CR LF as ``\n``."""
-    return typed.translate(_SILENT)
+def printed(raw: bytes) -> str:
+    r"""Return what is to be read of typed frames: without codes that do not print, CR LF as ``\n``."""
+    return raw.translate(frames.PARITIES["none"], _SILENT).decode("ascii")
 
 
-def tape(typed: str, finished: bool = True) -> bytes:
-    """Return the frames of a pass in which the ASR-33 punched all it typed, from start-up to trailer.
-
-    A pass that is not `finished` has no trailer: the machine halted.
-    """
-    body = punch.START_UP + frames.leader() + _frames(typed)
-    return body + frames.leader() if finished else body
+def definitions(messages: Iterable[Message | Punched | Listed]) -> bytes:
+    """Return what pass 1 types before its symbol table."""
+    return punch.START_UP + complaints(messages)
 
 
-def _frames(typed: str) -> bytes:
-    return frames.with_parity(typed.encode("ascii"), "mark")
+def complaints(output: Iterable[Message | Punched | Listed]) -> bytes:
+    """Return the messages, which pass 2 types while the high-speed punch works."""
+    return _frames("".join(_message(str(piece)) for piece in output if isinstance(piece, Message)))
 
 
-def definitions(messages: Iterable[Message], table: Iterable[Entry]) -> str:
-    """Return what pass 1 types."""
-    return complaints(messages) + _symbols(table)
-
-
-def complaints(messages: Iterable[Message]) -> str:
-    """Return what pass 2 types while the high-speed punch works."""
-    return "".join(map(_message, messages))
-
-
-def object_tape(results: list[Result]) -> bytes:
+def object_tape(output: list[Message | Punched | Listed], finished: bool) -> bytes:
     """Return the tape of pass 2 as the ASR-33 punches it, messages and all."""
-    body, checksum = punch.body(results)
-    pieces = [body[:2]]
-    for result in results:
-        if result.message:
-            pieces.append(_frames(_message(result.message)))
-        pieces.append(punch.frames_of(result))
-    return punch.START_UP + binary.tape(b"".join(pieces), checksum)
-
-
-def listing(lines: list[Line], results: Iterable[Result], table: Iterable[Entry]) -> str:
-    """Return what pass 3 types."""
-    return "".join(_statement(lines[result.line], result) for result in results) + _symbols(table)
-
-
-def listing_line(line: Line, result: Result) -> ListingLine:
-    """Return one statement of the listing."""
-    address, word = (result.location, result.value) if result.kind == WORD else (None, None)
-    return ListingLine(address, word, line.text if result.last else "", line.tape, line.number)
-
-
-def _statement(line: Line, result: Result) -> str:
-    numbers = f"{result.location:04o}  {result.value:04o}  " if result.kind == WORD else _UNNUMBERED
-    source = line.text.replace("\t", "\t" + RUBOUT) if result.last else ""
-    return (_message(result.message) if result.message else "") + NEW_LINE + numbers + source
-
-
-def _message(message: Message) -> str:
-    return RUBOUT + NEW_LINE + str(message) + RUBOUT
-
-
-def _symbols(table: Iterable[Entry]) -> str:
-    lines = (
-        _symbol(entry) + NEW_LINE for entry in sorted(table, key=lambda entry: internal_order(entry.name))
+    body = b"".join(
+        punch.frames_of(piece) if isinstance(piece, Punched) else _frames(_message(str(piece)))
+        for piece in output
     )
-    return NEW_LINE + NEW_LINE + "".join(lines) + EOT + NEW_LINE + RUBOUT
+    return punch.START_UP + frames.leader() + body + (frames.leader() if finished else b"")
 
 
-def _symbol(entry: Entry) -> str:
+def listing(
+    source: Source, output: list[Message | Punched | Listed], lost: Iterable[tuple[int, int]]
+) -> bytes:
+    """Return what pass 3 types before its symbol table; `lost` are the items that PAUSE lost."""
+    texts = _texts(source, output, lost)
+    pieces = [
+        _statement(piece, next(texts)) if isinstance(piece, Listed) else _message(str(piece))
+        for piece in output
+    ]
+    return punch.START_UP + frames.leader() + _frames("".join(pieces))
+
+
+def lines(
+    source: Source, output: Iterable[Message | Punched | Listed], lost: Iterable[tuple[int, int]]
+) -> Iterator[ListingLine]:
+    """Yield the listing by statements."""
+    texts = _texts(source, output, lost)
+    for piece in output:
+        if isinstance(piece, Listed):
+            place = source.place(piece.at)
+            address = None if piece.word is None else piece.location
+            yield ListingLine(address, piece.word, next(texts), place.tape, place.line)
+
+
+def overlong(source: Source) -> tuple[str, int] | None:
+    """Return why pass 3 would not list the source, and the item at the end of the line; None if it would."""
+    if max(map(len, source.text.split("\r"))) <= LONGEST:
+        return None
+    start = 0
+    for at, (_, mark) in enumerate(source.items):
+        end = source.spans[at][1]
+        if mark == "$":
+            break
+        if mark == "\r" and end - start > LONGEST:
+            return f"a line of {end - start} characters: pass 3 has room for {LONGEST}", at
+        if mark == "\r":
+            start = end + 1
+    return None
+
+
+def symbol_table(table: Iterable[Entry], number: int) -> bytes:
+    """Return what ends pass 1 or 3."""
+    typed_lines = "".join(NEW_LINE + _symbol(entry, number) for entry in table)
+    return (
+        _frames(NEW_LINE)
+        + frames.leader()
+        + _frames(RUBOUT + typed_lines + NEW_LINE + EOT + NEW_LINE + RUBOUT)
+        + frames.leader()
+    )
+
+
+def _frames(text: str) -> bytes:
+    return text.encode("ascii").translate(_MARKED)
+
+
+def _texts(
+    source: Source, output: Iterable[Message | Punched | Listed], lost: Iterable[tuple[int, int]]
+) -> Iterator[str]:
+    """Yield the text of each statement: that of its line where CR ends it, else none."""
+    text = source.text
+    for first, after in lost:
+        start, end = source.spans[first - 1][1] + 1, source.spans[after - 1][1] + 1
+        text = text[:start] + "\r" * (end - start) + text[end:]
+    start = 0
+    for piece in output:
+        if not isinstance(piece, Listed):
+            continue
+        if source.items[piece.at][1] != "\r":
+            yield ""
+            continue
+        end = source.spans[piece.at][1]
+        yield text[start:end].replace("\r", "")
+        start = end + 1
+
+
+def _statement(listed: Listed, text: str) -> str:
+    numbers = _UNNUMBERED if listed.word is None else f"{listed.location:04o}  {listed.word:04o}  "
+    return NEW_LINE + numbers + text.translate(_TYPED)
+
+
+def _message(text: str) -> str:
+    return RUBOUT + NEW_LINE + text + RUBOUT
+
+
+def _symbol(entry: Entry, number: int) -> str:
     if entry.defined:
-        return f"{entry.name:6}  {entry.value:04o}"
-    return RUBOUT + NEW_LINE + f"UA  {entry.name:6}  AT  {entry.value:04o}" + RUBOUT
+        return f"{typed(entry.name)}  {entry.value:04o}"
+    return _message(f"UA  {typed(entry.name)}  AT  {entry.value:04o}") if number == 1 else ""

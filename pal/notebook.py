@@ -1,8 +1,9 @@
 """An assembly as a notebook shows it: the listing, wrong lines marked, and below it what is wrong."""
 
+from collections.abc import Sequence
 from html import escape
 
-from pal.assembly import Assembly
+from pal.diagnostics import Diagnostic
 from pal.listing import ListingLine
 
 _STYLE = (
@@ -11,11 +12,11 @@ _STYLE = (
 )
 
 
-def html(assembly: Assembly) -> str:
+def html(lines: Sequence[ListingLine], names: Sequence[str], diagnostics: Sequence[Diagnostic]) -> str:
     """Return address, word and source of every line as an HTML table, then the diagnostics."""
-    wrong = {(diagnostic.file, diagnostic.line) for diagnostic in assembly.diagnostics if diagnostic.error}
-    rows = [_row(line, (assembly.names[line.tape], line.number) in wrong) for line in assembly.lines]
-    said = "\n\n".join(str(diagnostic) for diagnostic in assembly.diagnostics)
+    wrong = {(diagnostic.file, diagnostic.line) for diagnostic in diagnostics if diagnostic.error}
+    rows = [_row(line, (names[line.tape], line.number) in wrong) for line in lines]
+    said = "\n\n".join(map(str, diagnostics))
     below = f"<pre>{escape(said)}</pre>" if said else ""
     return f'{_STYLE}<table class="pal">{"".join(rows)}</table>{below}'
 

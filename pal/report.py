@@ -27,9 +27,6 @@ def as_json(assembly: Assembly) -> str:
             }
             for line in assembly.lines
         ],
-        "diagnostics": [
-            diagnostic._asdict() | {"severity": "error" if diagnostic.error else "note"}
-            for diagnostic in assembly.diagnostics
-        ],
+        "diagnostics": [diagnostic._asdict() for diagnostic in assembly.diagnostics],
     }
     return json.dumps(content, indent=1) + "\n"

@@ -51,7 +51,7 @@ def folder(tmp_path: Path) -> Path:
 @pytest.mark.parametrize("name", sorted(path.stem for path in EXAMPLES.glob("*.pal")))
 def test_force_gives_decs_tape_and_decs_listing(name: str, folder: Path) -> None:
     source = EXAMPLES / f"{name}.pal"
-    run(source, "-o", "X.bin", "--listing", "X.lst", "--force", folder=folder)
+    run(source, "-o", "X.bin", "--listing", "X.lst", "--force", "--high-speed-reader", folder=folder)
     assert (folder / "X.bin").read_bytes() == (EXAMPLES / f"{name}.bin").read_bytes()
     assert (folder / "X.lst").read_text() == (EXAMPLES / f"{name}.pass3.txt").read_text()
 
@@ -133,8 +133,9 @@ def test_the_teletypes_tapes(folder: Path) -> None:
     assert (folder / "tapes" / "bad.pass2").read_bytes() == (
         start + b"\x42\x00" + b"\x42\x00" + message + b"\x2a\x00" + b"\x02\x2e" + end
     )
-    table = bytes(ord(character) | 0x80 for character in "\r\n\r\n\x04\r\n\x7f")
-    assert (folder / "tapes" / "bad.pass1").read_bytes() == start + table + end
+    end_of_table = bytes(ord(character) | 0x80 for character in "\x7f\r\n\x04\r\n\x7f")
+    table = b"\x8d\x8a" + leader + end_of_table
+    assert (folder / "tapes" / "bad.pass1").read_bytes() == b"\0" + table + end
     listing = "\r\n            *200" + "\x7f\r\nIR  0400  AT  0200\x7f" + "\r\n0200  5200  \t\x7fJMP 400"
     assert (folder / "tapes" / "bad.pass3").read_bytes() == (
         start + bytes(ord(character) | 0x80 for character in listing) + table + end
@@ -150,15 +151,40 @@ def test_modern_folds_small_letters_and_lists_them_as_typed(folder: Path) -> Non
 
 
 def test_the_symbol_table_is_full(folder: Path) -> None:
-    symbols = "".join(f"A{number}=1\n" for number in range(591))
+    symbols = "".join(f"A{number}=1\n" for number in range(586))
     (folder / "many.pal").write_text(symbols + "$\n")
     result = run("many.pal", "--force", folder=folder)
-    assert b"many.pal:591:1: ST  A590    AT  0200\n" in result.stderr
-    assert result.stderr.decode().endswith("pal: 1 error: no tape\n")
+    assert b"many.pal:586:1: ST  A585    AT  0200\n" in result.stderr
+    assert result.stderr.decode().endswith("pal: 1 error: PAL III goes no further, nothing is written\n")
     assert not (folder / "many.bin").exists()
-    (folder / "fits.pal").write_text("".join(symbols.splitlines(keepends=True)[:590]) + "$\n")
+    (folder / "fits.pal").write_text("".join(symbols.splitlines(keepends=True)[:585]) + "$\n")
     assert run("fits.pal", folder=folder).returncode == 0
-    assert b"ST  A495" in run("fits.pal", "--high-speed-reader", folder=folder).stderr
+    assert b"ST  A489" in run("fits.pal", "--high-speed-reader", folder=folder).stderr
+
+
+def test_strict_takes_notes_for_errors(folder: Path) -> None:
+    (folder / "space.pal").write_text("A ,5\n$\n")
+    assert run("space.pal", folder=folder).returncode == 0
+    (folder / "space.bin").unlink()
+    result = run("space.pal", "--strict", folder=folder)
+    assert result.returncode == 1
+    assert b"space.pal:1:3: note: what stands before this comma is part of the word" in result.stderr
+    assert not (folder / "space.bin").exists()
+
+
+def test_what_pal_iii_never_finishes_writes_nothing(folder: Path) -> None:
+    (folder / "deep.pal").write_text("A=B=C=5\n$\n")
+    result = run("deep.pal", "--force", "--listing", "deep.lst", "--tty", "tapes", folder=folder)
+    assert result.returncode == 1
+    assert b"deep.pal:1:7: error: " in result.stderr
+    assert sorted(path.name for path in folder.iterdir()) == ["bad.pal", "deep.pal", "good.pal"]
+
+
+def test_a_line_that_pass_3_has_no_room_for(folder: Path) -> None:
+    (folder / "long.pal").write_text("\tCLA\n/" + "X" * 222 + "\n$\n")
+    result = run("long.pal", folder=folder)
+    assert (result.returncode, (folder / "long.bin").exists()) == (1, False)
+    assert b"long.pal:2:224: error: a line of 223 characters: pass 3 has room for 222" in result.stderr
 
 
 def test_no_source_is_misuse(folder: Path) -> None:

@@ -25,8 +25,8 @@ def said(source: str, **options: bool) -> list[tuple[str, int, int, str]]:
 
 def test_one_error_of_every_kind_in_source_order() -> None:
     assert said(ONE_OF_EACH) == [
-        ("DT", 3, 2, "A,\t2"),
-        ("RD", 4, 2, "A=3"),
+        ("DT", 3, 1, "A,\t2"),
+        ("RD", 4, 1, "A=3"),
         ("UA", 5, 6, "\tTAD NOWHERE"),
         ("IR", 6, 2, "\tJMP 400"),
         ("IC", 7, 2, "\tA!A"),
@@ -74,9 +74,9 @@ def test_another_assemblers_dialect_is_recognised(statement: str, hint: str) -> 
     ("source", "line", "column", "message"),
     [
         ("\t1\n", 1, 2, "note: no $ at the end"),
-        ("\t1\n\n2;3$\n", 3, 3, "note: this makes no word"),
+        ("\t1\n\n2;3$\n", 3, 3, "note: what stands before this $ is lost"),
         ("A=5;\tA + 1\n$\n", 1, 9, "note: this makes an inclusive OR of it"),
-        ("1;,5\n$\n", 1, 3, "note: no symbol stands before this"),
+        ("\tB\n,5\n$\n", 2, 1, "note: no symbol stands before this comma"),
         ("", 1, 1, "note: the source is empty"),
     ],
 )

@@ -1,15 +1,18 @@
-"""What DEC-08-ASB1, DEC's own PAL III of February 1967, made of eight sources.
+"""What DEC-08-ASB1, DEC's own PAL III of February 1967, made of each source in examples/.
 
 NAME.bin is the tape of the high-speed punch, raw; NAME.passN.txt is what the Teletype printed in a pass,
-without the codes that do not print and with CR LF as one line end.
+without the codes that do not print and with CR LF as one line end. They were read by the high-speed reader,
+each PAUSE at the end of a tape. stops/ has sources that it never finishes.
 """
 
+import ast
 from itertools import zip_longest
 from pathlib import Path
 
 import pytest
 
 import pal
+from pal.assembler import HIGH_SPEED_SYMBOLS
 from pal.assembly import Assembly
 from tapes import binary
 from tapes.frames import draw
@@ -19,7 +22,7 @@ NAMES = sorted(path.stem for path in EXAMPLES.glob("*.pal"))
 
 
 def assembled(name: str) -> Assembly:
-    return pal.assemble((EXAMPLES / f"{name}.pal").read_bytes())
+    return pal.assemble((EXAMPLES / f"{name}.pal").read_bytes(), capacity=HIGH_SPEED_SYMBOLS)
 
 
 def assert_same_tape(ours: bytes, theirs: bytes) -> None:
@@ -38,7 +41,7 @@ def assert_same_print(ours: str, theirs: str) -> None:
 
 
 def test_there_are_examples() -> None:
-    assert len(NAMES) == 8
+    assert len(NAMES) == 56
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -52,13 +55,37 @@ def test_the_teletype_prints_what_it_printed(name: str, number: int) -> None:
     assert_same_print(assembled(name).printed(number), (EXAMPLES / f"{name}.pass{number}.txt").read_text())
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_the_asr_33_punches_the_same_print(name: str) -> None:
-    assembly = assembled(name)
-    for number in (1, 3):
-        frames = assembly.teletype[number - 1].translate(None, bytes((0, 0o200, 0o377, 0o204)))
-        text = bytes(frame & 0o177 for frame in frames).decode().replace("\r\n", "\n")
-        assert_same_print(text, (EXAMPLES / f"{name}.pass{number}.txt").read_text())
+def typed(text: str) -> bytes:
+    return bytes(ord(character) | 0o200 for character in text)
+
+
+LEADER = b"\x80" * 64
+
+
+def test_the_frames_of_pass_1() -> None:
+    """As facts of the edition of 1967 have them; a UA message stands for its symbol."""
+    frames = pal.assemble("A,A!\nJMP B\n$\n").teletype.pass1
+    assert frames == b"".join(
+        (
+            b"\0" + typed("\x7f\r\nIC  0241  AT  0200\x7f"),
+            typed("\r\n") + LEADER + typed("\x7f"),
+            typed("\r\nA       0200" + "\r\n\x7f\r\nUA  B       AT  0201\x7f"),
+            typed("\r\n\x04\r\n\x7f") + LEADER,
+        )
+    )
+
+
+def test_the_frames_of_pass_3() -> None:
+    frames = pal.assemble("\t1\f;JMP 400\n$\n").teletype.pass3
+    feed = bytes(6) + typed("\f") + bytes(6)
+    assert frames == b"".join(
+        (
+            b"\0" + LEADER + typed("\r\n0200  0001  "),
+            typed("\x7f\r\nIR  0400  AT  0201\x7f"),
+            typed("\r\n0201  5200  \t\x7f1") + feed + typed(";JMP 400"),
+            typed("\r\n") + LEADER + typed("\x7f\r\n\x04\r\n\x7f") + LEADER,
+        )
+    )
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -84,6 +111,37 @@ def test_the_form_of_the_source_tape_does_not_matter(name: str, form: str) -> No
         tape = bytes(frame | 0o200 * (frame.bit_count() % 2) for frame in tape)
     elif form == "leader and rubouts":
         tape = b"\0" * 5 + b"\x80" * 20 + tape + b"\x80" * 20
-    assembly = pal.assemble(tape)
+    assembly = pal.assemble(tape, capacity=HIGH_SPEED_SYMBOLS)
     assert_same_tape(assembly.tape, (EXAMPLES / f"{name}.bin").read_bytes())
     assert_same_print(assembly.listing, (EXAMPLES / f"{name}.pass3.txt").read_text())
+
+
+@pytest.mark.parametrize("name", ["chain3", "fieldchain2", "full490", "letters2"])
+def test_what_dec_never_finishes_is_an_error_and_makes_nothing(name: str) -> None:
+    source = (EXAMPLES / "stops" / f"{name}.pal").read_bytes()
+    assembly = pal.assemble(source, capacity=HIGH_SPEED_SYMBOLS)
+    assert (assembly.ok, assembly.tape, assembly.words, assembly.listing) == (False, b"", {}, "")
+    assert any(diagnostic.error for diagnostic in assembly.diagnostics)
+    before = ast.literal_eval(
+        (EXAMPLES / "stops" / f"{name}.stops.txt").read_text().split("typed ")[1].split(" ...")[0]
+    )
+    assert before.startswith(assembly.printed(1))
+
+
+def test_nested_expressions_of_seven_places_are_the_most() -> None:
+    assert pal.assemble("A=B=5\n\tA\n$\n").words == {0o200: 5}
+    assert pal.assemble("*A=B=300\n\t7\n$\n").words == {0o300: 7}
+    assert pal.assemble("A=B=TAD 400\n$\n").stopped  # IR takes three
+    assert pal.assemble("FIELD A=B=1\n$\n").stopped
+
+
+def test_pause_by_either_reader() -> None:
+    source = "\t1\nPAUSE;5\n\t2\n$\n"
+    assert pal.assemble(source).words == {0o200: 1, 0o201: 5, 0o202: 2}
+    assert pal.assemble(source, capacity=HIGH_SPEED_SYMBOLS).words == {0o200: 1, 0o201: 2}
+
+
+def test_a_tapes_end_ends_neither_a_symbol_nor_a_line() -> None:
+    assembly = pal.assemble("\tCL", "A\n$\n")
+    assert assembly.words == {0o200: 0o7200}
+    assert "0200  7200  \tCLA\n" in assembly.listing
