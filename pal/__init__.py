@@ -1,6 +1,7 @@
 """DEC's PAL III assembler of February 1967 (DEC-08-ASB1), frame for frame, and its inverse.
 
 isa            what the 4,096 words mean; everything else asks it
+models         what words do on the 8, 8/S, 8/I and 8/E that an 8/L does otherwise
 symbols        the permanent symbols: the one table, for both ways
 scanner        frames of source tapes to lines, statements and tokens
 expressions    items and operators to a word

@@ -2,6 +2,7 @@
 
 run monitor replay panel   the computer                        pdp8/cli
 thesis                     the thesis, page by page            pdp8/cli
+vectors                    what every word does, for emulators pdp8/cli
 pal dis                    the assembler and its inverse       pal/cli
 part                       the part programs                   programs/cli
 tape                       tapes as tapes                      tapes/cli
@@ -25,6 +26,7 @@ _COMMANDS = {
     "tape": ("tapes.cli", "tape", "Show, measure and convert paper tapes."),
     "panel": ("pdp8.cli.panel", "panel", "Sit down at the front panel, in the terminal."),
     "thesis": ("pdp8.cli.thesis", "thesis", "The thesis page by page: its programs line by line."),
+    "vectors": ("pdp8.cli.vectors", "vectors", "Write single-step vectors for any emulator."),
     "nc": ("nc.cli", "nc", "The Moog Hydra-Point: list, cut and inspect an EIA tape."),
 }
 

@@ -1,0 +1,9 @@
+"""Single-step vectors of the PDP-8/L, for any emulator.
+
+states      what the machine is before an instruction: about a hundred states, the same for every word
+record      one instruction of the processor, written down
+interrupts  instructions with flags up
+devices     the Teletype and the PC8/L against the clock
+folder      all files of a set: vectors, README, differences of the other models, runners
+runner.py   plays vectors on an emulator in Python; runner.c the same in C
+"""

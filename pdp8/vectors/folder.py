@@ -1,0 +1,69 @@
+"""A set of vectors as a folder: compressed vectors, what differs on other models, README and runners.
+
+The same version of the project always gives the same bytes.
+"""
+
+import gzip
+import io
+import json
+from collections.abc import Iterable, Iterator
+from importlib import resources
+from typing import Any
+
+from pal.isa import GROUP_2, GROUP_3, OPERATIONS, OPR
+from pal.models import MODELS, RULES
+from pdp8.vectors import devices, interrupts
+from pdp8.vectors.record import Recorder, Vector
+from pdp8.vectors.states import states
+
+COPIED = ("README.md", "runner.c", "emulator.h", "runner.py")
+GROUPS = {
+    **{name.lower(): list(range(code << 9, code + 1 << 9)) for code, name in enumerate(OPERATIONS[:OPR])},
+    "opr1": list(range(0o7000, 0o7400)),
+    "opr2": [word for word in range(0o7400, 0o10000) if word & GROUP_3 == GROUP_2],
+    "opr3": [word for word in range(0o7400, 0o10000) if word & GROUP_3 == GROUP_3],
+}
+"""The words of each file."""
+DEVICES = ("teletype", "pc8l")
+COUNT = len(GROUPS) + 1 + len(DEVICES) + 1 + len(COPIED)
+"""How many files there are."""
+
+
+def files(count: int) -> Iterator[tuple[str, bytes]]:
+    """Yield name and content of every file, with `count` states for every word."""
+    recorder = Recorder()
+    for name, words in GROUPS.items():
+        yield f"{name}.json.gz", _compressed(_single(recorder, words, count))
+    yield "interrupts.json.gz", _compressed(interrupts.vectors(recorder))
+    for name in DEVICES:
+        yield f"{name}.json.gz", _compressed(devices.vectors(name))
+    yield "differences.json", differences().encode()
+    for name in COPIED:
+        yield name, resources.files("pdp8.vectors").joinpath(name).read_bytes()
+
+
+def _single(recorder: Recorder, words: Iterable[int], count: int) -> Iterator[Vector]:
+    number = 0
+    for some in states(count):
+        for word in words:
+            for place, state in enumerate(some):
+                yield recorder.vector(f"{word:04o} {number + place}", state, word)
+        number += len(some)
+
+
+def _compressed(vectors: Iterable[dict[str, Any]]) -> bytes:
+    """Return a JSON list with one vector a line, compressed; no time and no name in the header."""
+    packed = io.BytesIO()
+    with gzip.GzipFile(filename="", mode="wb", compresslevel=9, fileobj=packed, mtime=0) as file:
+        before = "["
+        for vector in vectors:
+            file.write(f"{before}\n{json.dumps(vector, separators=(',', ':'))}".encode())
+            before = ","
+        file.write(b"\n]\n")
+    return packed.getvalue()
+
+
+def differences() -> str:
+    """Return what words do on which model, as JSON."""
+    rules = [{"mask": rule.mask, "value": rule.value, "does": rule.does} for rule in RULES]
+    return json.dumps({"models": MODELS, "rules": rules}, indent=1) + "\n"

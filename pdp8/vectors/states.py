@@ -1,0 +1,56 @@
+"""What the machine is before an instruction: the same states for every word.
+
+The first are edges: ends of pages and of core, autoindexes, MEM PROT's page, sums that carry; the others are
+by chance, from a fixed seed. Four states in a row differ in link and ION only, which keeps the files small.
+"""
+
+import random
+from collections.abc import Iterator
+from typing import NamedTuple
+
+LINK_AND_ION = ((0, 0), (1, 0), (1, 1), (0, 1))
+_SEED = 1971
+
+
+class State(NamedTuple):
+    """The registers and switches, and what an address leads to."""
+
+    pc: int
+    ac: int
+    sr: int
+    mem_prot: int
+    target: int
+    """What an indirect address leads to."""
+    operand: int
+    """The word an instruction reads."""
+    link: int = 0
+    ion: int = 0
+
+
+EDGES = (
+    State(pc=0o0377, ac=0o0001, sr=0o5252, mem_prot=1, target=0o7600, operand=0o7777),
+    State(pc=0o7777, ac=0o7777, sr=0o0001, mem_prot=0, target=0o0010, operand=0o0001),
+    State(pc=0o0177, ac=0o4000, sr=0o7777, mem_prot=1, target=0o7577, operand=0o7776),
+    State(pc=0o0010, ac=0o0000, sr=0o0000, mem_prot=0, target=0o7777, operand=0o7777),
+    State(pc=0o7600, ac=0o3777, sr=0o4000, mem_prot=1, target=0o0000, operand=0o4000),
+    State(pc=0o7577, ac=0o7776, sr=0o2525, mem_prot=0, target=0o0177, operand=0o0000),
+    State(pc=0o0000, ac=0o5252, sr=0o7000, mem_prot=1, target=0o7777, operand=0o2525),
+    State(pc=0o7770, ac=0o0100, sr=0o0377, mem_prot=0, target=0o7600, operand=0o3777),
+    State(pc=0o0371, ac=0o0010, sr=0o0020, mem_prot=1, target=0o0377, operand=0o7770),
+    State(pc=0o0017, ac=0o2000, sr=0o1000, mem_prot=0, target=0o0017, operand=0o6000),
+    State(pc=0o0400, ac=0o6001, sr=0o3777, mem_prot=1, target=0o7677, operand=0o1777),
+    State(pc=0o7776, ac=0o4001, sr=0o4001, mem_prot=1, target=0o7576, operand=0o7777),
+)
+
+
+def states(count: int) -> Iterator[list[State]]:
+    """Yield `count` states, or up to three more, in lists of four that differ in link and ION only."""
+    draw = random.Random(_SEED)
+    for number in range(-(-count // len(LINK_AND_ION))):
+        state = EDGES[number] if number < len(EDGES) else _by_chance(draw, number & 1)
+        yield [state._replace(link=link, ion=ion) for link, ion in LINK_AND_ION]
+
+
+def _by_chance(draw: random.Random, mem_prot: int) -> State:
+    pc, ac, sr, target, operand = (draw.getrandbits(12) for _ in range(5))
+    return State(pc, ac, sr, mem_prot, target, operand)
