@@ -4,10 +4,11 @@ facts         what the scripts know of times, codes and names, from the Python t
 bundle        modules, style and data in one file, and what that file may do
 page          the afternoon as one file, of which these are the pieces
 
-page.html     what stands where           page.css       how it looks
+page.html     what stands where           base.css, page.css   how it looks
 computer/     the PDP-8/L                 panel.mjs      its lamps and switches
 afternoon.mjs any instant again           paper.mjs      listing, printed page, blocks
 tape.mjs      tapes under their heads     cutter.mjs     the staircase in its band
-scene.mjs     all of it at one instant    written.mjs    how it is written
-page.mjs      slider, buttons and keys
+meaning.mjs   an instruction in words     brightness.mjs how bright a lamp is
+sheet.mjs     drawing what has changed    written.mjs    how it is written
+scene.mjs     all of it at one instant    page.mjs       slider, buttons and keys
 """

@@ -5,7 +5,6 @@
 
 import { upper } from "./afternoon.mjs";
 import { ROWS } from "./facts.mjs";
-import { fit } from "./tape.mjs";
 
 const PLATE = "#cfd2cf", GROOVE = "#8f979b", FLOOR = "#a9b0b2", LINE = "#20303a", BAND = "#2f6f5e", TOOL = "#b3401f", FAINT = "#57534a";
 
@@ -54,8 +53,7 @@ function bounds(knots, margin) {
 }
 
 /** The whole contour: the plate, the groove milled so far, what is still to come, the cutter. */
-export function drawWhole(canvas, mill, place, started) {
-  const { context, width, height } = fit(canvas);
+export function drawWhole(context, mill, place, started, width, height) {
   const { left, right, bottom, top } = mill.bounds;
   const margin = 300;
   const scale = Math.min(width / (right - left + 2 * margin), height / (top - bottom + 2 * margin));
@@ -75,8 +73,7 @@ export function drawWhole(canvas, mill, place, started) {
 }
 
 /** A close view: the band, the staircase in it, the cutter's axis. The width of the view is about .15 in. */
-export function drawClose(canvas, mill, place, started) {
-  const { context, width, height } = fit(canvas);
+export function drawClose(context, mill, place, started, width, height) {
   const scale = Math.min(width, height * 1.3) / 150;
   const view = viewport(width, height, place.x, place.y, scale);
   context.clearRect(0, 0, width, height);

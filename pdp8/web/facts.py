@@ -12,6 +12,7 @@ from importlib.resources import files
 from typing import Any, Final
 
 from pal import isa
+from pal.symbols import PERMANENT
 from pdp8.computer import bus, highspeed, operator, processor, teletype
 from pdp8.computer.machine import TICKS_PER_SECOND
 from tapes import ascii, eia, frames, hydrapoint
@@ -30,6 +31,7 @@ def facts() -> dict[str, Any]:
         },
         "OPERATIONS": isa.OPERATIONS,
         "STATES": isa.STATES,
+        "SYMBOLS": {symbol.mnemonic: (symbol.octal, symbol.meaning) for symbol in PERMANENT},
         "INTERRUPT": processor.INTERRUPT,
         "PROTECTED": processor.PROTECTED,
         "LOADERS": _loaders(),

@@ -1,6 +1,7 @@
 // The page's controls: slider, buttons and keys, and the clock of a play.
 
 import { Afternoon, unpacked } from "./afternoon.mjs";
+import { over } from "./brightness.mjs";
 import { Machine } from "./computer/machine.mjs";
 import { TIMES } from "./facts.mjs";
 import { Scene } from "./scene.mjs";
@@ -21,6 +22,10 @@ const SPEEDS = [
 ];
 const USUAL = 8;
 
+const PICTURE = 1000 / 30; // ms between two pictures of a play, at least
+const LONGEST = 250; // ms that a picture may stand for: a page that was asleep does not jump
+const TYPED_INTO = "input, select, textarea, [tabindex], a, summary"; // what has keys of its own
+
 class Page {
   constructor(record) {
     this.record = record;
@@ -32,9 +37,17 @@ class Page {
     this.#describe();
     this.#controls();
     this.#keys();
-    new ResizeObserver(() => this.scene.show()).observe(document.querySelector("main"));
-    const asked = /^#t=([\d.]+)$/.exec(location.hash);
-    this.go(asked ? Number(asked[1]) * SECOND : 0);
+    this.#panes();
+    document.addEventListener("visibilitychange", () => document.hidden && this.play(false));
+    addEventListener("hashchange", () => this.#goAsked());
+    if (!this.#goAsked()) this.go(0);
+  }
+
+  /** Go to the instant that the address names, #t=SECONDS; return whether it names one. */
+  #goAsked() {
+    const asked = /^#t=(\d+(?:\.\d+)?)$/.exec(location.hash);
+    if (asked && location.hash !== this.address) this.go(Number(asked[1]) * SECOND);
+    return Boolean(asked);
   }
 
   /** Go to an instant, in ticks, and show it. */
@@ -54,6 +67,17 @@ class Page {
   #arrived() {
     this.position = this.afternoon.now;
     this.scene.show();
+    if (!this.playing) this.#say();
+  }
+
+  /** The instant stands still: say it to who listens, and let the address name it. */
+  #say() {
+    clearTimeout(this.saying);
+    this.saying = setTimeout(() => {
+      this.scene.say();
+      this.address = `#t=${this.afternoon.now / SECOND}`;
+      history.replaceState(null, "", this.address);
+    }, 150);
   }
 
   play(on) {
@@ -64,15 +88,19 @@ class Page {
     find("play").setAttribute("aria-label", on ? "Pause" : "Play");
     if (on) this.#frame(performance.now());
     else cancelAnimationFrame(this.coming);
+    if (!on) this.#say();
   }
 
-  /** Show the next picture of a play, and ask for the one after. */
+  /** Show the next picture of a play when it is due, and ask for the one after. */
   #frame(before) {
     this.coming = requestAnimationFrame((now) => {
-      this.position += (Math.max(0, now - before) / 1000) * SECOND * this.speed;
-      this.afternoon.to(Math.floor(this.position));
-      this.scene.show();
-      if (this.position >= this.afternoon.end) this.play(false);
+      if (now - before < PICTURE) return this.#frame(before);
+      const passed = Math.min(now - before, LONGEST) / 1000;
+      this.position += passed * SECOND * this.speed;
+      const { afternoon } = this;
+      const brightness = over(afternoon.machine, afternoon.now, Math.floor(this.position), (tick) => afternoon.to(tick));
+      this.scene.show(brightness);
+      if (this.position >= afternoon.end) this.play(false);
       else this.#frame(now);
     });
   }
@@ -95,7 +123,9 @@ class Page {
 
   #controls() {
     find("slider").max = this.afternoon.end;
-    find("slider").addEventListener("input", (event) => this.go(Number(event.target.value)));
+    find("slider").addEventListener("input", (event) => this.#drag(Number(event.target.value)));
+    find("slider").addEventListener("change", () => this.#drop());
+    find("link").addEventListener("click", () => this.#copyLink());
     find("play").addEventListener("click", () => this.play(!this.playing));
     find("forward").addEventListener("click", () => this.step(1));
     find("back").addEventListener("click", () => this.step(-1));
@@ -106,6 +136,47 @@ class Page {
       const act = event.target.closest("[data-act]");
       if (act) this.go(this.record.acts[act.dataset.act].from);
     });
+  }
+
+  /** The slider is dragged: a play waits until it is let go. */
+  #drag(tick) {
+    this.dragged ??= this.playing;
+    this.play(false);
+    this.go(tick);
+  }
+
+  #drop() {
+    if (this.dragged) this.play(true);
+    this.dragged = undefined;
+  }
+
+  /** Copy the address of this instant; where the browser does not let a page do that, show it. */
+  async #copyLink() {
+    const link = location.href.replace(/#.*/, "") + `#t=${this.afternoon.now / SECOND}`;
+    try {
+      await navigator.clipboard.writeText(link);
+      find("link").textContent = "Copied";
+    } catch {
+      prompt("The address of this instant:", link);
+    }
+    setTimeout(() => (find("link").textContent = "Copy link"), 1500);
+  }
+
+  /** Each pane can be made as large as the page, for a projector. */
+  #panes() {
+    for (const pane of document.querySelectorAll("main > section")) {
+      const button = document.createElement("button");
+      button.className = "enlarge";
+      button.ariaLabel = `${pane.ariaLabel}: alone`;
+      button.title = "This alone, or all";
+      button.innerHTML = `<svg viewBox="0 0 20 20" aria-hidden="true"><path d="M3 3h6v2H5v4H3zM11 15h4v-4h2v6h-6z"/></svg>`;
+      button.addEventListener("click", () => {
+        const alone = pane.classList.toggle("alone");
+        document.querySelector("main").classList.toggle("one", alone);
+        button.ariaPressed = String(alone);
+      });
+      pane.append(button);
+    }
   }
 
   /** Go to the beginning of the act before (-1), or of this one if it is under way; or of the next (1). */
@@ -135,8 +206,8 @@ class Page {
     };
     document.addEventListener("keydown", (event) => {
       const action = keys[event.key];
-      const pressesButton = event.key === " " && event.target.matches("button");
-      if (!action || event.ctrlKey || event.altKey || event.metaKey || pressesButton) return;
+      const own = event.target.matches(TYPED_INTO) || (event.key === " " && event.target.matches("button"));
+      if (!action || own || event.ctrlKey || event.altKey || event.metaKey) return;
       event.preventDefault();
       action();
     });

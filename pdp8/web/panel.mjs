@@ -5,11 +5,14 @@
 //
 // Source: PDP-8/L Users Handbook, chapter 2 (console).
 
-import { ISA, STATES } from "./facts.mjs";
+import { lit } from "./brightness.mjs";
+import { STATES } from "./facts.mjs";
 import { octal } from "./written.mjs";
 
 const SIGNS = ["FETCH", "DEFER", "EXECUTE", "WORD COUNT", "CURR ADDR", "BREAK", "ION", "PARITY", "PROTECT", "RUN"];
 const KEYS = ["START", "LOAD ADD", "DEP", "EXAM", "CONT", "STOP", "SING STEP"];
+
+const LEVELS = 12; // of brightness
 
 export class Panel {
   constructor(place) {
@@ -28,7 +31,7 @@ export class Panel {
         <div class="row" data-row="SR"><span class="legend">SWITCH REGISTER</span>${groups(12, rocker)}</div>
         <div class="keys">${KEYS.map(key).join("")}</div>
       </div>
-      <p class="spoken" role="status" aria-live="off"></p>`;
+      <p class="spoken" aria-hidden="true"></p>`;
     this.lamps = new Map([...place.querySelectorAll("[data-lamp]")].map((lamp) => [lamp.dataset.lamp, lamp]));
     this.rockers = [...place.querySelectorAll(".rocker")];
     this.keys = new Map([...place.querySelectorAll(".key")].map((button) => [button.dataset.key, button]));
@@ -36,30 +39,34 @@ export class Panel {
     this.lit = new Map();
   }
 
-  /** Show the machine, and the key that is being pressed, if any. */
-  show(machine, pressed) {
-    const { processor } = machine;
-    this.#word("MA", processor.ma, 12);
-    this.#word("MB", processor.mb, 12);
-    this.#word("AC", machine.ac, 12);
-    this.#word("IR", processor.ir, 3);
-    this.#light("LINK", machine.link);
-    for (const name of ["FETCH", "DEFER", "EXECUTE"]) this.#light(name, processor.state === ISA[name]);
-    this.#light("ION", processor.ion);
-    this.#light("RUN", processor.run);
-    this.rockers.forEach((rocker, bit) => rocker.classList.toggle("up", Boolean(processor.sr & (0o4000 >> bit))));
-    for (const [name, button] of this.keys) button.classList.toggle("pressed", name === pressed);
-    this.spoken.textContent = spoken(machine);
+  /** Show the machine: its lamps as bright as they were, or as they are; the key that is being pressed, if any. */
+  show(machine, pressed, brightness = lit(machine)) {
+    for (const name in brightness) this.#light(name, Math.round(brightness[name] * LEVELS));
+    this.#switches(machine.processor.sr);
+    if (pressed !== this.pressed) {
+      this.pressed = pressed;
+      for (const [name, button] of this.keys) button.classList.toggle("pressed", name === pressed);
+    }
   }
 
-  #word(name, value, bits) {
-    for (let bit = 0; bit < bits; bit++) this.#light(name + bit, value & (1 << (bits - 1 - bit)));
+  /** What the lamps say, in words, for who cannot see them. */
+  say(machine) {
+    const words = spoken(machine);
+    if (this.spoken.textContent !== words) this.spoken.textContent = words;
   }
 
-  #light(name, on) {
-    if (this.lit.get(name) === Boolean(on)) return;
-    this.lit.set(name, Boolean(on));
-    this.lamps.get(name).classList.toggle("on", Boolean(on));
+  #switches(sr) {
+    if (sr === this.sr) return;
+    this.sr = sr;
+    this.rockers.forEach((rocker, bit) => rocker.classList.toggle("up", Boolean(sr & (0o4000 >> bit))));
+  }
+
+  #light(name, level) {
+    if (this.lit.get(name) === level) return;
+    this.lit.set(name, level);
+    const lamp = this.lamps.get(name);
+    lamp.classList.toggle("on", level > LEVELS / 2);
+    lamp.style.setProperty("--lit", level / LEVELS);
   }
 }
 

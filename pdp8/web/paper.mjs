@@ -23,8 +23,8 @@ export class Paper {
   /** Put one sheet on the desk. */
   #lay(name) {
     const { title, kind, svg } = this.record.sheets[name];
+    this.#light(null);
     this.shown = name;
-    this.lit = null;
     this.title.textContent = title;
     this.place.setAttribute("aria-label", title);
     this.place.scrollTop = 0;

@@ -1,11 +1,14 @@
 // Everything on the page, shown as it was at one instant.
 
 import { endsLine, upper } from "./afternoon.mjs";
+import { autoindexed } from "./computer/isa.mjs";
 import { drawClose, drawWhole, Mill } from "./cutter.mjs";
 import { EIA, FIELDS, ISA, TIMES } from "./facts.mjs";
+import { inWords } from "./meaning.mjs";
 import { Panel, stateName } from "./panel.mjs";
 import { Paper } from "./paper.mjs";
-import { drawTape, meaning } from "./tape.mjs";
+import { Sheet, Writer } from "./sheet.mjs";
+import { drawTape, meaning, tapeKey } from "./tape.mjs";
 import { clock, escaped, find, grouped, octal, seconds } from "./written.mjs";
 
 const { FRAME, SECOND } = TIMES;
@@ -21,48 +24,81 @@ export class Scene {
     this.mill = new Mill(record.mill);
     this.panel = new Panel(find("computer"));
     this.paper = new Paper(find("paper"), find("paper-title"), record);
+    this.writer = new Writer();
+    this.sheets = Object.fromEntries(
+      ["in-tape", "out-tape", "whole", "close"].map((id) => [id, new Sheet(find(id), () => this.show())]),
+    );
+    this.registers = new Map();
   }
 
-  show() {
+  /** Show the instant; `brightness` is that of the lamps since the last one, if time went on. */
+  show(brightness) {
     const { afternoon, record } = this;
     const { now, machine, deed } = afternoon;
     const act = afternoon.act();
     this.#time(act, now);
-    this.panel.show(machine, deed && now - deed.at < PRESSED ? deed.key : null);
+    this.panel.show(machine, deed && now - deed.at < PRESSED ? deed.key : null, brightness);
     this.#caption(act, deed);
-    document.querySelector("main").dataset.sheet = record.sheets[act.sheet].kind;
+    const { kind } = record.sheets[act.sheet];
+    if (this.kind !== kind) document.querySelector("main").dataset.sheet = this.kind = kind;
     this.#registers(act, machine);
     this.#tapes(act);
     this.paper.show(act, afternoon);
     this.#cutter();
   }
 
+  /** Say the instant in words, for who cannot see it. */
+  say() {
+    const { afternoon, panel } = this;
+    panel.say(afternoon.machine);
+    this.writer.text(find("said"), `${clock(this.record.opens, afternoon.now)}, ${afternoon.act().name}. ${panel.spoken.textContent}`);
+  }
+
   #time(act, now) {
     const time = clock(this.record.opens, now);
-    find("clock").textContent = time;
-    find("act-name").textContent = act.name;
+    this.writer.text(find("clock"), time);
+    this.writer.text(find("act-name"), act.name);
     find("slider").value = now;
-    find("slider").setAttribute("aria-valuetext", `${time}, ${act.name}`);
+    if (time !== this.time) find("slider").setAttribute("aria-valuetext", `${time}, ${act.name}`);
+    this.time = time;
+    if (this.act === act) return;
+    this.act = act;
     [...find("acts").children].forEach((mark, index) => mark.classList.toggle("now", index === act.index));
   }
 
   #caption(act, deed) {
     const fresh = deed && deed.at >= act.from && this.afternoon.now - deed.at < SAID;
     const doing = fresh ? deed.say : waits(this.afternoon.machine);
-    find("caption").innerHTML = `<b>${escaped(act.name)}.</b> ${escaped(act.say)} <em>${escaped(doing)}</em>`;
+    this.writer.html(find("caption"), `<b>${escaped(act.name)}.</b> ${escaped(act.say)} <em>${escaped(doing)}</em>`);
   }
 
   /** The registers, while there is a program beside them. */
   #registers(act, machine) {
-    find("registers").hidden = this.record.sheets[act.sheet].kind !== "listing";
+    const hidden = this.record.sheets[act.sheet].kind !== "listing";
+    if (find("registers").hidden !== hidden) find("registers").hidden = hidden;
+    if (hidden) return;
     const { processor, teletype } = machine;
     const shown = [
       ["L", machine.link], ["AC", octal(machine.ac)], ["MA", octal(processor.ma)], ["MB", octal(processor.mb)],
       ["IR", processor.ir], ["PC", octal(processor.pc)], ["state", stateName(processor.state)],
       ["reader flag", teletype.receiver.flag ? "up" : "down"], ["punch flag", teletype.transmitter.flag ? "up" : "down"],
       ["instructions", grouped(processor.instructions)], ["since START", processor.started ? seconds(machine.ticks) : "–"],
+      ["core", wrote(processor) ? `${octal(processor.ma)} ← ${octal(processor.mb)}` : "–"],
+      ["instruction", inWords(machine.core[processor.at], processor.at)],
     ];
-    find("registers").innerHTML = shown.map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`).join("");
+    for (const [name, value] of shown) this.writer.text(this.#register(name), String(value));
+  }
+
+  /** The element that shows a register. */
+  #register(name) {
+    if (!this.registers.has(name)) {
+      const cell = document.createElement("div");
+      cell.dataset.register = name;
+      cell.innerHTML = `<dt>${name}</dt><dd></dd>`;
+      find("registers").append(cell);
+      this.registers.set(name, cell.lastChild);
+    }
+    return this.registers.get(name);
   }
 
   #tapes(act) {
@@ -71,8 +107,8 @@ export class Scene {
     this.#label("in", reader);
     this.#label("out", punch);
     this.#block(act.kind === "terminal" ? punch : reader);
-    if (reader) drawTape(find("in-tape"), reader);
-    if (punch) drawTape(find("out-tape"), punch);
+    if (reader) this.sheets["in-tape"].draw(tapeKey(reader), (context, ...size) => drawTape(context, reader, ...size));
+    if (punch) this.sheets["out-tape"].draw(tapeKey(punch), (context, ...size) => drawTape(context, punch, ...size));
   }
 
   /** The tape that is being read: by the Teletype, or by the Hydra-Point. */
@@ -103,22 +139,25 @@ export class Scene {
 
   #label(which, tape) {
     const canvas = find(`${which}-tape`);
-    canvas.closest("figure").hidden = !tape;
+    const figure = canvas.closest("figure");
+    if (figure.hidden !== !tape) figure.hidden = !tape;
     if (!tape) return;
     const count = tape.punching
       ? `${grouped(tape.head + 1)} frames punched`
       : `frame ${grouped(tape.head)} of ${grouped(tape.frames.length)}`;
-    find(`${which}-label`).innerHTML = `<b>${escaped(tape.label)}</b><span>${tape.title}</span><span>${count}</span>`;
+    const label = `<b>${escaped(tape.label)}</b><span>${tape.title}</span><span>${count}</span>`;
+    this.writer.html(find(`${which}-label`), label);
     const frame = tape.frames[tape.head];
     const now = frame === undefined ? "nothing yet" : `${count}: ${octal(frame, 3)} ${meaning(frame, tape.code)}`;
-    canvas.setAttribute("aria-label", `${tape.label}, ${now}`);
+    this.writer.label(canvas, `${tape.label}, ${now}`);
   }
 
   /** The block that is passing: its fields, the digits read so far dark. */
   #block(tape) {
     const place = find("block");
-    place.hidden = !tape || (tape.code !== "ascii" && tape.code !== "eia");
-    if (place.hidden) return;
+    const hidden = !tape || (tape.code !== "ascii" && tape.code !== "eia");
+    if (place.hidden !== hidden) place.hidden = hidden;
+    if (hidden) return;
     const { digits, read, number } = blockAt(tape);
     let at = 0;
     const cells = [...Object.entries(FIELDS), ["end", 1]].map(([name, width]) => {
@@ -127,7 +166,7 @@ export class Scene {
       at += width;
       return `<span><b><i class="read">${shown.slice(0, passed)}</i>${shown.slice(passed)}</b><small>${SHORT[name] ?? name}</small></span>`;
     });
-    place.innerHTML = `<b>block ${number}</b><p>${cells.join("")}</p>`;
+    this.writer.html(place, `<b>block ${number}</b><p>${cells.join("")}</p>`);
   }
 
   #cutter() {
@@ -136,13 +175,21 @@ export class Scene {
     const where = started
       ? `X ${(place.x / 1000).toFixed(3)}  Y ${(place.y / 1000).toFixed(3)}`
       : `waiting for its tape: ${this.mill.blocks.length} blocks`;
-    find("whole-label").innerHTML = `<b>Hydra-Point</b><span>${where}</span>`;
-    find("close-label").innerHTML = `<b>${this.mill.band ? "In its band" : "Close by"}</b><span>squares of .010 in</span>`;
-    find("whole").setAttribute("aria-label", `the Hydra-Point's table, ${where}`);
-    find("close").setAttribute("aria-label", `the staircase close by, ${where}`);
-    drawWhole(find("whole"), this.mill, place, started);
-    drawClose(find("close"), this.mill, started ? place : this.mill.first(), started);
+    const close = started ? place : this.mill.first();
+    const key = `${place.knot} ${place.x} ${place.y} ${started}`;
+    this.writer.html(find("whole-label"), `<b>Hydra-Point</b><span>${where}</span>`);
+    this.writer.html(find("close-label"), `<b>${this.mill.band ? "In its band" : "Close by"}</b><span>squares of .010 in</span>`);
+    this.writer.label(find("whole"), `the Hydra-Point's table, ${where}`);
+    this.writer.label(find("close"), `the staircase close by, ${where}`);
+    this.sheets.whole.draw(key, (context, ...size) => drawWhole(context, this.mill, place, started, ...size));
+    this.sheets.close.draw(key, (context, ...size) => drawClose(context, this.mill, close, started, ...size));
   }
+}
+
+/** Whether the last cycle wrote the word at MA. */
+function wrote({ state, ir, ma, protect }) {
+  if (state === ISA.EXECUTE) return [ISA.ISZ, ISA.DCA, ISA.JMS].includes(ir) && !protect;
+  return state === ISA.DEFER && autoindexed(ma);
 }
 
 /** What a running machine is waiting for, in words. */

@@ -10,21 +10,22 @@ import { ASCII, EIA, END_OF_BLOCK } from "./facts.mjs";
 const TRACKS = [8, 7, 6, 5, 4, 0, 3, 2, 1]; // 0 is the sprocket
 const WIDE = 10; // pitches
 const PAPER = { ascii: "#f1dfae", eia: "#e6e1cf", bin: "#d9e0cf", rim: "#d9e0cf" };
-const INK = "#2a231c";
-const FAINT = "#62564a";
 const HOLE = "#3a3129";
-const HEAD = "#a3391b";
 const NUMBERS = 46; // room at the left, in pixels
 const MEANINGS = 34; // and at the right
 const TOP = 16; // for the channels' numbers
 
+/** What of a `view` is to be seen: two views with the same key look the same. */
+export function tapeKey(view) {
+  return `${view.label} ${view.head} ${view.frames.length} ${view.punching}`;
+}
+
 /** Draw `view` = {frames, head, code, punching}: `head` is the frame under the head; a punch shows nothing beyond it. */
-export function drawTape(canvas, view) {
-  const { context, width, height } = fit(canvas);
+export function drawTape(context, view, width, height, colours) {
   const pitch = Math.max(6, Math.min(15, (width - NUMBERS - MEANINGS) / WIDE));
   const left = Math.round(NUMBERS + Math.max(0, (width - NUMBERS - MEANINGS - WIDE * pitch) / 2));
   const headY = Math.round(TOP + (height - TOP) * (view.punching ? 0.7 : 0.5));
-  const place = { left, pitch, headY, width, height };
+  const place = { left, pitch, headY, width, height, ...colours };
   context.clearRect(0, 0, width, height);
   drawChannels(context, place);
   context.save();
@@ -52,7 +53,7 @@ function drawPaper(context, view, { left, pitch, headY, height }) {
   context.fillRect(left, top, pitch, tall);
 }
 
-function drawFrame(context, view, frame, { left, pitch, headY }) {
+function drawFrame(context, view, frame, { left, pitch, headY, ink, soft, rust }) {
   const holes = view.frames[frame];
   const y = headY + (frame - view.head) * pitch;
   const current = frame === view.head;
@@ -64,25 +65,25 @@ function drawFrame(context, view, frame, { left, pitch, headY }) {
     context.fill();
   });
   context.textBaseline = "middle";
-  context.fillStyle = current ? HEAD : INK;
-  context.font = `${current ? "bold " : ""}${Math.min(16, pitch * 1.15)}px "Courier New", Courier, "Liberation Mono", monospace`;
+  context.fillStyle = current ? rust : ink;
+  context.font = `${current ? "bold " : ""}${Math.min(16, pitch)}px "Courier New", Courier, "Liberation Mono", monospace`;
   context.textAlign = "left";
   context.fillText(sign(holes, view.code), left + WIDE * pitch + 8, y);
   if (!current && (frame % 10 || Math.abs(frame - view.head) === 1)) return;
-  context.fillStyle = current ? HEAD : FAINT;
+  context.fillStyle = current ? rust : soft;
   context.textAlign = "right";
   context.font = `${current ? "bold " : ""}11px Helvetica, Arial, "Liberation Sans", sans-serif`;
   context.fillText(String(frame), left - 5, y);
 }
 
-function drawHead(context, { left, pitch, headY }) {
-  context.strokeStyle = HEAD;
+function drawHead(context, { left, pitch, headY, rust }) {
+  context.strokeStyle = rust;
   context.lineWidth = 2;
   context.strokeRect(left - 1, headY - pitch * 0.55, WIDE * pitch + 2, pitch * 1.1);
 }
 
-function drawChannels(context, { left, pitch }) {
-  context.fillStyle = FAINT;
+function drawChannels(context, { left, pitch, soft }) {
+  context.fillStyle = soft;
   context.font = `${Math.min(11, pitch)}px Helvetica, Arial, "Liberation Sans", sans-serif`;
   context.textAlign = "center";
   context.textBaseline = "alphabetic";
@@ -106,17 +107,4 @@ export function sign(frame, code) {
 export function meaning(frame, code) {
   const said = sign(frame, code);
   return NAMES[said] ?? said;
-}
-
-/** Size the canvas's pixels to its box; return a context that draws in CSS pixels. */
-export function fit(canvas) {
-  const ratio = window.devicePixelRatio || 1;
-  const { clientWidth: width, clientHeight: height } = canvas;
-  if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
-    canvas.width = Math.round(width * ratio);
-    canvas.height = Math.round(height * ratio);
-  }
-  const context = canvas.getContext("2d");
-  context.setTransform(ratio, 0, 0, ratio, 0, 0);
-  return { context, width, height };
 }

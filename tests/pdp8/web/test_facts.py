@@ -67,13 +67,11 @@ def test_every_frame_is_written_in_its_code() -> None:
 
 _TRACKS = """async () => {
   const { drawTape } = await import("%s/tape.mjs");
-  globalThis.window = { devicePixelRatio: 1 };
   return [...Array(8).keys()].map((bit) => {
     const holes = [];
     const arc = (x, y, radius) => holes.push([radius, x]);
     const context = new Proxy({}, { get: (at, name) => (name === "arc" ? arc : () => {}), set: () => true });
-    const canvas = { clientWidth: 230, clientHeight: 330, getContext: () => context };
-    drawTape(canvas, { frames: [1 << bit], head: 0, code: "bin" });
+    drawTape(context, { frames: [1 << bit], head: 0, code: "bin" }, 230, 330, {});
     const [[, sprocket], [, hole]] = holes.sort(([one], [other]) => one - other);
     return (hole - sprocket) / 15;
   });
@@ -99,7 +97,7 @@ def test_the_blocks_of_the_sheet_are_cut_into_their_fields(ask: Ask) -> None:
     assert diameter == 500
 
 
-_HELD = {"tape.mjs": {"TRACKS"}}
+_HELD = {"tape.mjs": {"TRACKS"}, "brightness.mjs": {"WORDS"}}
 
 
 def test_no_script_has_a_table_of_numbers_but_the_picture_of_a_tape() -> None:
@@ -111,6 +109,30 @@ def test_no_script_has_a_table_of_numbers_but_the_picture_of_a_tape() -> None:
             else _TABLE.findall(_STRING.sub("", path.read_text(encoding="utf-8")))
         )
         assert set(tables) <= _HELD.get(path.name, set()), path.name
+
+
+_MNEMONICS = """async () => {
+  const { mnemonic, inWords } = await import("%s/meaning.mjs");
+  return [0o1102, 0o1777, 0o5776, 0o7300, 0o7640, 0o7012, 0o7401, 0o6036, 0o6502, 0o7402].map(
+    (word) => [mnemonic(word, 0o400), inWords(word, 0o400)]);
+}"""
+
+
+@pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
+def test_an_instruction_in_words() -> None:
+    """As PAL III names it, and what the table of symbols says that it does."""
+    assert _run(_MNEMONICS % MODULES.as_uri()) == [
+        ["TAD 0102", "add the word to the AC, two's complement: 0102"],
+        ["TAD I 0577", "add the word to the AC, two's complement: address in 0577"],
+        ["JMP I 0576", "jump: address in 0576"],
+        ["CLA CLL", "clear the AC, clear the link"],
+        ["SZA CLA", "skip on zero AC, clear the AC"],
+        ["RTR", "rotate AC and link right twice"],
+        ["7401", "no operation"],
+        ["KRB", "read the keyboard's buffer, run the reader"],
+        ["6502", "no operation"],
+        ["HLT", "halt"],
+    ]
 
 
 def test_the_times_are_those_of_the_books() -> None:

@@ -40,6 +40,15 @@ def _now(page: "Page") -> int:
     return int(page.evaluate("replay.afternoon.now"))
 
 
+def _until(page: "Page", condition: str) -> None:
+    """Wait until it holds; Playwright's own way evaluates a string, which the page's policy forbids."""
+    for _ in range(200):
+        if page.evaluate(condition):
+            return
+        page.wait_for_timeout(50)
+    raise AssertionError(condition)
+
+
 def _go(page: "Page", tick: int) -> None:
     page.evaluate("(tick) => replay.page.go(tick)", tick)
 
@@ -152,9 +161,14 @@ def test_every_button_and_choice_works(page: "Page", circle: Afternoon) -> None:
     page.locator("#forward").click()
     assert _now(page) - before > 27 * 2_000_000
     before = _now(page)
-    page.keyboard.press("ArrowLeft")  # steps, though the focus is on the units
-    assert _now(page) < before
-    assert page.locator("#units input:checked").get_attribute("value") == "block"
+    before = _now(page)
+    page.locator("#units input[value=block]").focus()
+    page.keyboard.press("ArrowRight")  # the units have the arrows while the focus is on them
+    assert _now(page) == before
+    assert page.locator("#units input:checked").get_attribute("value") == "character"
+    page.locator("#back").click()
+    page.keyboard.press("ArrowRight")
+    assert _now(page) > before - 27 * 2_000_000
     page.locator("#next-act").click()
     assert _now(page) == circle.acts[5].starts
     page.locator("#previous-act").click()
@@ -167,7 +181,7 @@ def test_every_button_and_choice_works(page: "Page", circle: Afternoon) -> None:
     assert _now(page) == 10**10
     page.locator("#speed").select_option(index=9)
     page.locator("#play").click()
-    page.wait_for_function("replay.afternoon.now > 1e10 + 20e6 * 10")
+    _until(page, "replay.afternoon.now > 1e10 + 20e6 * 10")
     page.locator("#play").click()
     stopped = _now(page)
     page.wait_for_timeout(200)
@@ -203,7 +217,7 @@ def test_every_key_works(page: "Page", circle: Afternoon) -> None:
     assert page.locator("#speed").evaluate("(select) => select.selectedIndex") == chosen - 1
     before = _now(page)
     press(" ")
-    page.wait_for_function("(before) => replay.afternoon.now > before", arg=before)
+    _until(page, f"replay.afternoon.now > {before}")
     press(" ")
     assert not page.evaluate("replay.page.playing")
 
@@ -251,13 +265,12 @@ def test_nothing_hangs_over_the_edge(page: "Page", circle: Afternoon, size: tupl
         box = page.locator("#transport").bounding_box()
         assert box is not None
         assert box["y"] + box["height"] <= size[1] + 1
-        assert not page.evaluate(_CLIPPED), act.name
+        assert page.evaluate(_CLIPPED) == [], act.name
 
 
 _CLIPPED = """() => [...document.querySelectorAll("#registers dd, #block span, .key small, #units span")]
   .filter((element) => element.checkVisibility() && element.scrollWidth > element.clientWidth + 1)
-  .map((element) => element.textContent)
-  .length"""
+  .map((element) => element.textContent)"""
 
 _CONTRASTS = """() => {
   const parts = (colour) => colour.match(/[\\d.]+/g).map(Number);
@@ -307,3 +320,88 @@ def test_everything_has_a_name(page: "Page", circle: Afternoon) -> None:
     assert re.match(
         r"memory address [0-7]{4}, memory buffer [0-7]{4}, link [01], accumulator [0-7]{4}", spoken
     )
+
+
+def test_one_line_is_current_whatever_sheet_comes_back(page: "Page", circle: Afternoon) -> None:
+    """Act after act and back: a line that was lit when its sheet was put away is not lit when it returns."""
+    ends = [act.ends - 1 for act in circle.acts[:-1]]
+    for tick in [*ends, *reversed(ends), *ends]:
+        _go(page, tick)
+        assert page.locator("#paper .now").count() <= 1
+        assert page.locator("#paper [aria-current]").count() == page.locator("#paper .now").count()
+
+
+def test_the_address_names_the_instant(page: "Page") -> None:
+    """It follows the instant, leads to it when it is changed, and nonsense in it does no harm."""
+    _go(page, 10**10)
+    page.wait_for_url("**#t=500")
+    page.evaluate("location.hash = '#t=1000.5'")
+    page.wait_for_timeout(50)
+    assert _now(page) == 1000.5 * TICKS_PER_SECOND
+    page.evaluate("location.hash = '#t=1.2.3'")
+    page.wait_for_timeout(50)
+    assert _now(page) == 1000.5 * TICKS_PER_SECOND
+    assert "memory address" in page.locator("#said").inner_text()
+
+
+def test_a_page_that_slept_does_not_jump(page: "Page") -> None:
+    """A picture stands for a quarter of a second at most, and a page that is hidden pauses."""
+    page.evaluate(
+        """() => {
+          const request = window.requestAnimationFrame.bind(window);
+          window.requestAnimationFrame = (then) => request((now) => then(now + 20_000));
+        }"""
+    )
+    page.locator("#speed").select_option(index=8)
+    page.evaluate("replay.page.play(true)")
+    _until(page, "replay.afternoon.now > 0")
+    page.evaluate("replay.page.play(false)")
+    assert _now(page) <= 60 * 60 * TICKS_PER_SECOND / 4
+    page.evaluate("replay.page.play(true)")
+    page.evaluate(
+        """() => {
+          Object.defineProperty(document, "hidden", { get: () => true });
+          document.dispatchEvent(new Event("visibilitychange"));
+        }"""
+    )
+    assert not page.evaluate("replay.page.playing")
+
+
+def test_lamps_are_as_bright_as_they_were_often_lit(page: "Page", circle: Afternoon) -> None:
+    """While a character is awaited RUN is full, WORD COUNT dark, and some lamp of KSF, JMP .-1 between."""
+    _go(page, _translating(circle))
+    page.locator("#speed").select_option(index=6)
+    page.evaluate("replay.page.play(true)")
+    page.wait_for_timeout(400)
+    page.evaluate("replay.page.play(false)")
+    levels = page.evaluate(
+        """() => Object.fromEntries([...document.querySelectorAll("[data-lamp]")].map((lamp) =>
+          [lamp.dataset.lamp, Number(lamp.style.getPropertyValue("--lit"))]))"""
+    )
+    assert levels["RUN"] == 1
+    assert levels["WORD COUNT"] == 0
+    assert any(0 < level < 1 for level in levels.values())
+
+
+def test_nothing_is_drawn_while_nothing_changes(page: "Page") -> None:
+    """Standing still, the page asks for no picture and changes no element."""
+    page.wait_for_timeout(400)
+    changes = page.evaluate(
+        """() => new Promise((done) => {
+          let changes = 0;
+          new MutationObserver((records) => (changes += records.length))
+            .observe(document, { subtree: true, childList: true, attributes: true, characterData: true });
+          const request = window.requestAnimationFrame;
+          window.requestAnimationFrame = (then) => { changes++; return request(then); };
+          setTimeout(() => done(changes), 500);
+        })"""
+    )
+    assert changes == 0
+
+
+def test_a_pane_alone_for_a_projector(page: "Page") -> None:
+    """Its button shows it alone, as large as the page, and all again."""
+    page.locator("#computer .enlarge").click()
+    assert page.locator("main > section:visible").count() == 1
+    page.locator("#computer .enlarge").click()
+    assert page.locator("main > section:visible").count() == 4
