@@ -10,6 +10,7 @@ punch          the object tape
 listing        what the Teletype typed
 assembly       all of it in one call: `assemble`
 diagnostics    the messages for people: place, line, caret, advice
+portable       what a source does otherwise on another model
 notes          what PAL III does in silence and a person would rather know
 dialects       what PAL III has for what other assemblers know
 crossreference where each symbol is defined and used

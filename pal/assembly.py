@@ -41,8 +41,9 @@ class Assembly:
     lines        the same by statements
     """
 
-    def __init__(self, source: Source, names: Sequence[str], capacity: int) -> None:
+    def __init__(self, source: Source, names: Sequence[str], capacity: int, model: str | None = None) -> None:
         self.source = source
+        self.model = model
         self.names = names
         self._capacity = capacity
         self._assembler = assembler = Assembler(source.items, capacity)
@@ -71,6 +72,10 @@ class Assembly:
 
         stops = [stop for stop in (self.stopped or self._third.stopped, overlong(self.source)) if stop]
         noted = notes(self.source, len(self.names), self._capacity)
+        if self.model:
+            from pal.portable import portability
+
+            noted += portability(self.source, self._third.output, self.model)
         return diagnose(self.source, self.names, self.messages, stops, noted)
 
     @cached_property
@@ -154,6 +159,7 @@ def assemble(
     names: Sequence[str] | None = None,
     modern: bool = False,
     capacity: int = TELETYPE_SYMBOLS,
+    model: str | None = None,
 ) -> Assembly:
     """Assemble the source tapes, read one after the other.
 
@@ -162,10 +168,11 @@ def assemble(
     modern    fold lower case
     capacity  room for symbols of the source, by its reader: TELETYPE_SYMBOLS, or HIGH_SPEED_SYMBOLS, which
               reads ahead and at PAUSE loses the rest of the line
+    model     one of models.MODELS: the diagnostics note what other models do otherwise
 
     Whatever is wrong with the source is a diagnostic; nothing is raised.
     """
     tapes = [source.encode("ascii", "replace") if isinstance(source, str) else source for source in sources]
     read = Source(tapes, modern)
     called = names or [f"tape {number}" for number in range(1, len(tapes) + 1)]
-    return Assembly(read, called, capacity)
+    return Assembly(read, called, capacity, model)

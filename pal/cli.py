@@ -7,6 +7,7 @@ import click
 
 from pal.assembler import HIGH_SPEED_SYMBOLS, TELETYPE_SYMBOLS
 from pal.assembly import Assembly, assemble
+from pal.models import MODELS
 from tapes import command, shelf
 from tapes.errors import WorkError, called, naming
 
@@ -32,6 +33,12 @@ class AssemblyError(WorkError):
 @click.option("--strict", is_flag=True, help="Take notes for errors.")
 @click.option("--modern", is_flag=True, help="Read lower case as capitals; nothing else differs.")
 @click.option(
+    "--for",
+    "model",
+    type=click.Choice(MODELS),
+    help="Note each word that another model of the PDP-8 does not do as this one does.",
+)
+@click.option(
     "--high-speed-reader",
     is_flag=True,
     help=f"Room for {HIGH_SPEED_SYMBOLS} symbols, not the ASR-33's {TELETYPE_SYMBOLS}; "
@@ -50,6 +57,7 @@ def pal(
     force: bool,
     strict: bool,
     modern: bool,
+    model: str | None,
     high_speed_reader: bool,
 ) -> None:
     """Assemble PAL III source as DEC's assembler of 1967 did: the same tape, the same listing.
@@ -66,6 +74,7 @@ def pal(
       pal eia.pal --listing -                     Appendix B again
       pal one.pal two.pal -o both.bin --symbols both.sym
       pal old.pal --force --tty tapes             what the Teletype punched in each pass
+      pal eia.pal --for 8/L                       what an 8/I or an 8/E would do otherwise
     """
     if not sources:
         raise click.UsageError("no SOURCE: name a file, or - for standard input")
@@ -74,7 +83,7 @@ def pal(
     capacity = HIGH_SPEED_SYMBOLS if high_speed_reader else TELETYPE_SYMBOLS
     contents = [_read(source) for source in sources]
     assembly = assemble(
-        *contents, names=[called(source) for source in sources], modern=modern, capacity=capacity
+        *contents, names=[called(source) for source in sources], modern=modern, capacity=capacity, model=model
     )
     if not assembly.ok:
         _check_kinds(sources, contents)

@@ -18,8 +18,8 @@ A=3
 """
 
 
-def said(source: str, **options: bool) -> list[tuple[str, int, int, str]]:
-    found = pal.assemble(source, names=["x.pal"], **options).diagnostics
+def said(source: str, modern: bool = False) -> list[tuple[str, int, int, str]]:
+    found = pal.assemble(source, names=["x.pal"], modern=modern).diagnostics
     return [(diagnostic.code, diagnostic.line, diagnostic.column, diagnostic.source) for diagnostic in found]
 
 

@@ -1,0 +1,42 @@
+"""What a source does otherwise on another model of the PDP-8: a note at each such word.
+
+Only what is written as an instruction is looked at: a statement with a symbol other than a tag.
+"""
+
+from collections.abc import Iterable
+
+from pal.assembler import Listed, Message, Punched
+from pal.models import differs
+from pal.notes import Note
+from pal.source import Source
+
+_ENDS = ("\r", ";", "$")
+
+
+def portability(source: Source, output: Iterable[Message | Punched | Listed], model: str) -> list[Note]:
+    """Return a note for each word in the output of pass 3 that another model than `model` does otherwise.
+
+    Raises ValueError for a model that is not one of models.MODELS.
+    """
+    tags = {name for name, mark in source.items if mark == ","}
+    notes = []
+    for piece in output:
+        if not isinstance(piece, Listed) or piece.word is None:
+            continue
+        difference = differs(piece.word, model)
+        at = _instruction(source, piece.at, tags) if difference else None
+        if at is not None:
+            notes.append(Note(at, f"{piece.word:04o} {difference}", "a program for all models does without"))
+    return notes
+
+
+def _instruction(source: Source, end: int, tags: set[str]) -> int | None:
+    """Return the first symbol that is not a tag in the statement that ends there, if there is one."""
+    begin = end
+    while begin and source.items[begin - 1][1] not in _ENDS:
+        begin -= 1
+    for at in range(begin, end + 1):
+        name = source.items[at][0]
+        if name[:1] > "9" and name not in tags:
+            return at
+    return None
