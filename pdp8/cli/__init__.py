@@ -1,7 +1,7 @@
 """The command line of the house; root hangs every package's commands together as `pdp8`.
 
 root      the `pdp8` command: its subcommands, each loaded only when it is called
-check     the answers of a class
+check     the answers of a class           cards    to print
 run       a program and its tape in, the punched tape out;   boot, trace, saved states, keyboard
 monitor   the operator's prompt        replay   the afternoon of 1971        panel     the front panel
 thesis    what the scan shows, and the thesis's figures made again

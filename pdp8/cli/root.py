@@ -17,6 +17,7 @@ from tapes import command
 
 _COMMANDS = {
     "run": ("pdp8.cli.run", "run", "Run a program on the PDP-8/L."),
+    "cards": ("pdp8.cli.cards", "cards", "Draw cards to print: loader, instructions, codes, timetable."),
     "check": ("pdp8.cli.check", "check", "Mark the answers of a class to an exercise."),
     "monitor": ("pdp8.cli.monitor", "monitor", "The operator's prompt: examine, step, break, trace."),
     "replay": ("pdp8.cli.replay", "replay", "Do the whole afternoon of 1971 again, or make a page of it."),

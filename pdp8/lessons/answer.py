@@ -11,7 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import pal
-from tapes import binary, kinds, rim
+from pdp8.computer import program
+from tapes import kinds
 from tapes.errors import WorkError, called
 
 LARGEST = 16 * 1024
@@ -72,10 +73,8 @@ def of(content: bytes, name: str) -> Answer:
         return Answer(name, fault=f"more than {LARGEST:,} bytes")
     kind = kinds.classify(content)
     try:
-        if kind == kinds.BIN:
-            return Answer(name, _in_core(binary.decode(content).words))
-        if kind == kinds.RIM:
-            return Answer(name, rim.decode(content))
+        if kind in (kinds.BIN, kinds.RIM):
+            return Answer(name, program.read(content, name).words)
     except WorkError as error:
         return Answer(name, fault=str(error))
     source = content.decode("ascii", "replace").replace("\r\n", "\n")

@@ -1,0 +1,102 @@
+"""The lesson kit: the notebook's cells run, and the cards say what the machine does."""
+
+import json
+import re
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import pytest
+
+from pdp8.cli.cards import cards
+from pdp8.lessons import cards as drawn
+from tapes import ascii, eia
+from tests.conftest import Shell
+
+DOCS = Path(__file__).parent.parent / "docs"
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def test_the_notebook_runs_from_top_to_bottom() -> None:
+    notebook = json.loads((DOCS / "afternoon.ipynb").read_text())
+    names: dict[str, Any] = {}
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "code":
+            assert cell["outputs"] == []
+            exec("".join(cell["source"]), names)
+    assert names["stop"].reason == "tape out"
+
+
+def test_the_notebook_shows_what_ends_a_cell() -> None:
+    notebook = json.loads((DOCS / "afternoon.ipynb").read_text())
+    shown = [cell["source"][-1] for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    assert shown[1:4:2] == ["tape[162:189]", 'assert stop.reason == "tape out"']
+    assert shown[-1] == "path"
+
+
+def card(name: str) -> ElementTree.Element:
+    return ElementTree.fromstring(drawn.CARDS[name]())
+
+
+def texts(card: ElementTree.Element) -> list[str]:
+    return [text.text or "" for text in card.iter(f"{SVG}text")]
+
+
+@pytest.mark.parametrize("name", list(drawn.CARDS))
+def test_everything_lies_on_the_card(name: str) -> None:
+    for text in card(name).iter(f"{SVG}text"):
+        wide = {"title": 11.5, "list": 5.5, "list head": 5.5, "small": 5.5}.get(text.get("class", ""), 6.7)
+        assert float(text.get("x", 0)) + wide * len(text.text or "") < drawn.WIDTH, text.text
+        assert float(text.get("y", 0)) < drawn.HEIGHT
+    for circle in card(name).iter(f"{SVG}circle"):
+        assert float(circle.get("cx", 0)) < drawn.WIDTH - 10
+
+
+def test_the_rim_card_has_the_words_of_the_book_as_switches() -> None:
+    # PDP-8/I instruction card, the loader for the low-speed reader
+    book = [
+        *(0o6032, 0o6031, 0o5357, 0o6036, 0o7106, 0o7006, 0o7510, 0o5357, 0o7006),
+        *(0o6031, 0o5367, 0o6034, 0o7420, 0o3776, 0o3376, 0o5356, 0o0000),
+    ]
+    rim = card("rim")
+    rows = [found for text in texts(rim) if (found := re.match(r"(77\d\d) +(\d{4})", text))]
+    assert [int(row[2], 8) for row in rows] == book
+    assert (rows[0][1], rows[-1][1]) == ("7756", "7776")
+    switches = [circle.get("class") == "up" for circle in rim.iter(f"{SVG}circle")]
+    assert switches == [bit == "1" for word in book for bit in f"{word:012b}"]
+
+
+@pytest.mark.parametrize(
+    ("name", "digits"), [("ascii", ascii.encode("0123456789")), ("eia", eia.encode("0123456789"))]
+)
+def test_a_code_card_has_a_hole_for_each_bit(name: str, digits: bytes) -> None:
+    shown = card(name)
+    frames = [int(text, 8) for text in texts(shown) if re.fullmatch("[0-3][0-7]{2}", text)]
+    assert set(digits) <= set(frames)
+    holes = [circle.get("class") for circle in shown.iter(f"{SVG}circle")]
+    assert holes.count("hole") == sum(frame.bit_count() for frame in frames)
+    assert holes.count("sprocket") == len(frames)
+
+
+def test_the_instruction_card_has_what_an_8l_executes() -> None:
+    said = " ".join(texts(card("instructions")))
+    assert all(
+        f"{name} " in said
+        for name in ("AND 0000", "JMS 4000", "RTL 7006", "SPA 7510", "TLS 6046", "RFC 6014")
+    )
+    assert "DECtape" not in said
+
+
+@pytest.mark.skipif(find_spec("cairosvg") is None, reason="CairoSVG is not installed")
+def test_a_card_as_pdf_is_seven_by_five_inches(shell: Shell, tmp_path: Path) -> None:
+    done = shell("pdp8 cards rim --pdf --out handout")
+    assert (done.returncode, done.stdout) == (0, b"handout/rim.pdf\n")
+    pdf = (tmp_path / "handout" / "rim.pdf").read_bytes()
+    assert pdf.startswith(b"%PDF")
+    assert re.search(rb"MediaBox\s*\[\s*0 0 504 360\s*\]", pdf)
+
+
+def test_the_command_asks_for_a_card(shell: Shell) -> None:
+    assert cards.name == "cards"
+    assert b"Give a card's name: rim" in shell("pdp8 cards").stderr
