@@ -6,6 +6,7 @@ BIN := .venv/bin
 
 # `make samples` makes the bundled tapes of tapes/ again; a test holds them against the chain.
 # `make evidence` makes the sources of programs/ and docs/restoration.md from pdp8/thesis/scan/; a test too.
+# `make figures` makes every figure, table and listing of the thesis, with a page of them, in figures/.
 # `make lockstep N=1e9` runs random situations on the machine and on the reference, for so many instructions.
 
 .PHONY: demo
@@ -32,6 +33,10 @@ test: lint
 .PHONY: evidence
 evidence: .venv/ready
 	$(BIN)/python -m pdp8.thesis.restoration
+
+.PHONY: figures
+figures: .venv/ready
+	$(BIN)/pdp8 thesis make all --out figures
 
 N ?= 1e8
 SEED ?= 0
@@ -85,4 +90,4 @@ BYTECODE = $(BIN)/python -m compileall -q tapes pal pdp8 programs nc
 
 .PHONY: clean
 clean:
-	rm -rf .venv demo build dist *.egg-info pal/*.so pdp8/computer/*.so
+	rm -rf .venv demo figures build dist *.egg-info pal/*.so pdp8/computer/*.so

@@ -165,7 +165,7 @@ def runs(deviation: Floats, closed: bool, every: int = 10) -> list[NDArray[np.in
     there = np.flatnonzero(~np.isnan(deviation))
     turns = np.zeros(len(deviation), dtype=np.bool_)
     steps = np.diff(deviation[there])
-    turns[there[1:-1][steps[:-1] * steps[1:] <= 0]] = True
+    turns[there[1:-1][np.sign(steps[:-1]) != np.sign(steps[1:])]] = True
     turns[::every] = True
     stretches = np.split(there, np.flatnonzero(np.diff(there) > 1) + 1)
     kept = [stretch[turns[stretch] | _ends(stretch)] for stretch in stretches if len(stretch)]

@@ -4,8 +4,8 @@ root      the `pdp8` command: its subcommands, each loaded only when it is calle
 check     the answers of a class           cards    to print
 run       a program and its tape in, the punched tape out;   boot, trace, saved states, keyboard
 monitor   the operator's prompt        replay   the afternoon of 1971        panel     the front panel
-thesis    what the scan shows, and the thesis's figures made again
 vectors   what every word does, for tests of any emulator
+thesis    the thesis's figures and tables, and its programs line by line
 pacing    a run slice by slice         feed      the reader's tapes          outputs   the punches' tapes
 keyboard  the Teletype at a terminal   line      the Teletype on a line      tracing   a trace into a file
 parameters  what options take          progress  a bar on long work          interrupt Ctrl-C is the STOP key

@@ -26,8 +26,8 @@ _COMMANDS = {
     "part": ("programs.cli", "part", "Run a FORTRAN part program: an ASCII tape for the translation."),
     "tape": ("tapes.cli", "tape", "Show, measure and convert paper tapes."),
     "panel": ("pdp8.cli.panel", "panel", "Sit down at the front panel, in the terminal."),
-    "thesis": ("pdp8.cli.thesis", "thesis", "The thesis page by page: its programs line by line."),
     "vectors": ("pdp8.cli.vectors", "vectors", "Write single-step vectors for any emulator."),
+    "thesis": ("pdp8.cli.thesis", "thesis", "The thesis page by page: its figures, tables and programs."),
     "nc": ("nc.cli", "nc", "The Moog Hydra-Point: list, cut and inspect an EIA tape."),
 }
 

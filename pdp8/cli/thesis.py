@@ -1,27 +1,97 @@
-"""`pdp8 thesis`: the thesis's programs line by line, and its figures, tables and listings made again."""
+"""`pdp8 thesis`: the thesis's programs line by line, and its figures, tables and listings reproduced."""
 
+import os
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import click
 
 from tapes import shelf
 
 if TYPE_CHECKING:
-    from pdp8.thesis.evidence import Row
+    from pdp8.thesis.table import Table
 
-_HEADINGS = ("page", "evidence", "scan", "ours", "reason")
+_EVIDENCE: Final = ("page", "evidence", "scan", "ours", "reason")
+_CATALOGUE: Final = ("number", "kind", "state", "title")
+_STYLES: Final = {
+    "damaged": "yellow",
+    "implied": "cyan",
+    "conjecture": "red",
+    "reconstructed": "cyan",
+    "inferred": "yellow",
+    "lost": "red",
+}
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})
 def thesis() -> None:
-    """The thesis, page by page: what the scan shows, and what was made again.
+    """The thesis, page by page: its figures, tables and listings reproduced, its programs line by line.
 
     \b
     Examples:
+      pdp8 thesis list
+      pdp8 thesis make 7.2 --out figures
+      pdp8 thesis make all --out figures
       pdp8 thesis evidence eia.pal
-      pdp8 thesis evidence circle.for --source -o circle.for
     """
+
+
+@thesis.command("list")
+def list_() -> None:
+    """Name every figure, table, listing and program of the thesis, and say what there is of it here.
+
+    It works as in the thesis; it is reconstructed (the original is lost, the text says what it shows); it is
+    inferred (some of it is not in the thesis); or it is lost.
+
+    \b
+    Examples:
+      pdp8 thesis list
+      pdp8 thesis list | grep lost
+    """
+    from pdp8.thesis.catalogue import catalogue
+    from pdp8.thesis.table import Table
+
+    rows = tuple((item.number, item.kind, item.state, item.title) for item in catalogue())
+    _show(Table(_CATALOGUE, rows), "The thesis", coloured_by=2)
+
+
+@thesis.command()
+@click.argument("number", metavar="NUMBER|all")
+@click.option(
+    "--out", metavar="FOLDER", default="thesis", show_default=True, help="Where the files are written."
+)
+def make(number: str, out: str) -> None:
+    """Make figure, table, listing or program NUMBER; or all, with a page that sets them beside the thesis.
+
+    A figure is an SVG, anything else a text; each has its number and caption.
+
+    \b
+    Examples:
+      pdp8 thesis make 7.2
+      pdp8 thesis make 10.1 --out tables
+      pdp8 thesis make all --out figures
+    """
+    from pdp8.cli.progress import Bar
+    from pdp8.thesis.catalogue import catalogue, find
+    from pdp8.thesis.making import Made, make
+
+    whole = number == "all"
+    items = [item for item in catalogue() if item.maker] if whole else [find(number)]
+    made: dict[str, Made] = {}
+    with Bar("figures", len(items)) as bar:
+        for item in items:
+            made[item.number] = make(item)
+            bar.show(len(made))
+    files = dict(file for one in made.values() for file in one.files)
+    if whole:
+        from pdp8.thesis.gallery import page
+
+        files["index.html"] = page(made).encode()
+    os.makedirs(out, exist_ok=True)
+    for name, content in files.items():
+        shelf.write(os.path.join(out, name), content)
+    said = f"{len(files)} files, begin with {out}/index.html" if whole else ", ".join(files)
+    click.echo(f"{said} in {out}" if not whole else said, err=True)
 
 
 @thesis.command()
@@ -41,39 +111,25 @@ def evidence(file: str, as_source: bool, output: str) -> None:
       pdp8 thesis evidence eia.pal --source -o eia.pal
     """
     from pdp8.thesis import evidence as known
+    from pdp8.thesis.table import Table
 
     if as_source:
         shelf.write(output, known.source(file).encode())
-    elif output == "-" and sys.stdout.isatty():
-        _show(file, list(known.table(file)))
-    else:
-        shelf.write(output, _plain(list(known.table(file))).encode())
+        return
+    rows = tuple((row.page, row.kind, row.scan, row.ours, row.reason) for row in known.table(file))
+    _show(Table(_EVIDENCE, rows), file, coloured_by=1, output=output)
 
 
-def _cells(row: "Row") -> tuple[str, str, str, str, str]:
-    return row.page, row.kind, row.scan, row.ours, row.reason
-
-
-def _plain(rows: "list[Row]") -> str:
-    """Return the rows as columns of text, two spaces between them."""
-    lines = [_HEADINGS, *map(_cells, rows)]
-    widths = [max(len(line[column]) for line in lines) for column in range(len(_HEADINGS))]
-    return "".join(
-        "  ".join(f"{cell:{width}}" for cell, width in zip(line, widths, strict=True)).rstrip() + "\n"
-        for line in lines
-    )
-
-
-def _show(file: str, rows: "list[Row]") -> None:
-    """Print the rows as a table, each class in its colour."""
+def _show(table: "Table", title: str, coloured_by: int, output: str = "-") -> None:
+    """Print a table, at a terminal with the colours of one column; in a pipe or a file, as plain text."""
+    if output != "-" or not sys.stdout.isatty():
+        shelf.write(output, table.text().encode())
+        return
     from rich.console import Console
     from rich.markup import escape
-    from rich.table import Table
+    from rich.table import Table as Shown
 
-    styles = {"damaged": "yellow", "implied": "cyan", "conjecture": "red"}
-    shown = Table(title=file)
-    for heading in _HEADINGS:
-        shown.add_column(heading)
-    for row in rows:
-        shown.add_row(*map(escape, _cells(row)), style=styles.get(row.kind))
+    shown = Shown(*table.headings, title=title)
+    for row in table.rows:
+        shown.add_row(*map(escape, row), style=_STYLES.get(row[coloured_by]))
     Console().print(shown)

@@ -1,6 +1,17 @@
-"""The thesis page by page: its figures, tables and listings made again, its programs line by line.
+"""The thesis page by page: its figures, tables and listings reproduced, its programs line by line.
 
-evidence    the surviving programs line by line: scan, ours, why; scan/ has the tables
-restoration the sources in programs/ and the tables of docs/restoration.md, made from it
-reading     what a legible line of the scan says: five rules
+catalogue    every figure, table, listing and program: its words, what there is here, what makes it
+making       an item of it made: a sheet or a text, with its caption
+gallery      the page that sets all of them beside the thesis
+
+evidence     the surviving programs line by line: scan, ours, why; scan/ has the tables
+reading      what a legible line of the scan says: five rules
+restoration  the sources of programs/ and the tables of docs/restoration.md, made from the evidence
+
+The makers:
+slopes       the two techniques            flowcharts  the five charts, drawn by flow
+codes        tapes and codes               diagrams    machine, construction, element, test
+work         parts, polar graphs, traces   tables      the tables, computed
+listings     the listings and programs     chain       a part program's tape, translated and cut
+paper        a figure on its sheet         table       text in columns
 """

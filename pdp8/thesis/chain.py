@@ -1,0 +1,42 @@
+"""The chain of 1971 for one tape: a part program's printout, through eia.pal, to the cut path.
+
+Each tape is made once in a run; a part is named as `pdp8 part` names it, with its constants.
+"""
+
+from functools import cache
+from typing import Any
+
+import nc
+import pal
+import pdp8
+from programs import parts
+from tapes import ascii, eia, shelf
+
+
+@cache
+def printout(part: str, **constants: Any) -> str:
+    """Return what the part program prints."""
+    return parts.find(part).program()(**constants)
+
+
+@cache
+def translated(text: str, program: str = "eia.pal") -> bytes:
+    """Return the EIA tape of a printout, translated on the PDP-8/L by a conversion program."""
+    machine = pdp8.Machine()
+    machine.load(pal.assemble(shelf.read(program)).words)
+    machine.start(0o200)
+    machine.teletype.reader.load(ascii.encode(text))
+    machine.run()
+    return machine.teletype.punch.tape
+
+
+@cache
+def path(part: str, **constants: Any) -> nc.Path:
+    """Return the path of a part's tape at the Hydra-Point."""
+    return nc.cut(translated(printout(part, **constants)))
+
+
+def typed(*blocks: str) -> nc.Path:
+    """Return the path of blocks as the thesis prints them, their digits apart."""
+    lines = "".join(block.replace(" ", "") + "\n" for block in blocks)
+    return nc.cut(eia.encode(lines))

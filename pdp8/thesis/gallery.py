@@ -1,0 +1,111 @@
+"""The page of all items: what the thesis says of each, beside what was made. One file, without scripts.
+
+Pictures are inside the page, so that it can be sent alone; long printouts are cut short and name their file.
+"""
+
+from base64 import b64encode
+from collections.abc import Mapping
+from html import escape
+from importlib.resources import files
+from itertools import groupby
+
+from pdp8.thesis.catalogue import STATES, Item, catalogue
+from pdp8.thesis.making import Made
+from pdp8.thesis.table import Table
+
+_LONGEST = 180
+_EXCERPT = 24
+
+
+def page(made: Mapping[str, Made]) -> str:
+    """Return the page; `made` has everything that is not lost, by its number."""
+    items = catalogue()
+    template = (files("pdp8.thesis") / "gallery.html").read_text(encoding="utf-8")
+    chapters = [(chapter, list(group)) for chapter, group in groupby(items, key=_chapter)]
+    return (
+        template.replace("{{counts}}", _counts(items))
+        .replace("{{contents}}", "".join(_contents(chapter, group) for chapter, group in chapters))
+        .replace("{{chapters}}", "".join(_section(chapter, group, made) for chapter, group in chapters))
+    )
+
+
+def _chapter(item: Item) -> str:
+    number = item.number.removeprefix("ch").split(".")[0].split("-")[0]
+    return f"Chapter {number}" if number.isdigit() else "Appendices"
+
+
+def _counts(items: tuple[Item, ...]) -> str:
+    counts = ((state, sum(item.state == state for item in items)) for state in STATES)
+    return "".join(f"<li>{_badge(state)} {count}</li>" for state, count in counts)
+
+
+def _badge(state: str) -> str:
+    return f'<span class="state {state.split(maxsplit=1)[0]}">{state}</span>'
+
+
+def _contents(chapter: str, items: list[Item]) -> str:
+    links = " ".join(f'<a href="#{_anchor(item)}">{escape(item.number)}</a>' for item in items)
+    return f"<li>{chapter}: {links}</li>\n"
+
+
+def _anchor(item: Item) -> str:
+    return f"{item.kind}-{item.number}"
+
+
+def _section(chapter: str, items: list[Item], made: Mapping[str, Made]) -> str:
+    articles = "".join(_article(item, made.get(item.number)) for item in items)
+    return f"<section>\n<h2>{chapter}</h2>\n{articles}</section>\n"
+
+
+def _article(item: Item, made: Made | None) -> str:
+    shown = _shown(made) if made else '<p class="lost-item">Lost.</p>'
+    return (
+        f'<article id="{_anchor(item)}">\n'
+        f"<h3>{item.name}. {escape(item.title)} {_badge(item.state)}</h3>\n"
+        f'<div class="words">\n<h4>The thesis</h4>\n<blockquote>{escape(item.says)}</blockquote>\n'
+        f"<h4>Here</h4>\n<p>{_with_code(item.note)}</p>\n{_links(made)}</div>\n"
+        f"{shown}</article>\n"
+    )
+
+
+def _with_code(text: str) -> str:
+    """Return text as HTML, what stands between back quotes as code."""
+    parts = escape(text).split("`")
+    return "".join(f"<code>{part}</code>" if number % 2 else part for number, part in enumerate(parts))
+
+
+def _links(made: Made | None) -> str:
+    if made is None:
+        return ""
+    links = ", ".join(f'<a href="{name}">{name}</a>' for name, _ in made.files)
+    return f'<p class="files">{links}</p>\n'
+
+
+def _shown(made: Made) -> str:
+    if made.is_drawn:
+        data = b64encode(made.text.encode()).decode()
+        said = escape(f"{made.item.name}: {made.item.title}. {made.item.note}", quote=True)
+        return f'<figure><img src="data:image/svg+xml;base64,{data}" alt="{said}" loading="lazy"></figure>\n'
+    if made.table:
+        return _table(made.item, made.table)
+    return _text(made)
+
+
+def _table(item: Item, table: Table) -> str:
+    heads = "".join(f'<th scope="col">{escape(cell)}</th>' for cell in table.headings)
+    rows = "".join(
+        "<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>\n" for row in table.rows
+    )
+    caption = f"<caption>{item.name}. {escape(item.title)}</caption>"
+    return f'<div class="wide" tabindex="0"><table>{caption}<tr>{heads}</tr>\n{rows}</table></div>\n'
+
+
+def _text(made: Made) -> str:
+    lines = made.text.splitlines()[3:]
+    more = ""
+    if len(lines) > _LONGEST:
+        more = f"<p>{len(lines) - _EXCERPT} more lines in {made.name}.</p>"
+        lines = lines[:_EXCERPT]
+    text = escape("\n".join(lines))
+    label = escape(f"{made.item.name}: {made.item.title}", quote=True)
+    return f'<div><pre tabindex="0" role="region" aria-label="{label}">{text}</pre>{more}</div>\n'

@@ -1,0 +1,65 @@
+"""An item of the catalogue made: a sheet with its pictures and caption, or a text with its caption.
+
+figure-7.2.svg   table-10.1.txt   listing-B.txt   program-ch5-1.txt   figure-7.4.eia
+"""
+
+from collections.abc import Callable, Iterator
+from importlib import import_module
+from typing import Any, NamedTuple
+
+from pdp8.thesis.catalogue import Item
+from pdp8.thesis.paper import framed
+from pdp8.thesis.table import Table
+from tapes.errors import WorkError
+
+
+class Made(NamedTuple):
+    """What was made of an item: its file, the table it is if it is one, and its tape if it has one."""
+
+    item: Item
+    name: str
+    text: str
+    table: Table | None = None
+    tape: bytes = b""
+
+    @property
+    def files(self) -> Iterator[tuple[str, bytes]]:
+        """Yield the names and contents of all its files."""
+        yield self.name, self.text.encode()
+        if self.tape:
+            yield f"{_stem(self.item)}.eia", self.tape
+
+    @property
+    def is_drawn(self) -> bool:
+        """Whether it is a picture."""
+        return self.name.endswith(".svg")
+
+
+def make(item: Item) -> Made:
+    """Make an item. Raises WorkError if it is lost."""
+    if not item.maker:
+        raise WorkError(f"{item.name}: {item.state}. {item.note}")
+    product = _function(item.maker)()
+    tape: bytes = _function(item.tape)() if item.tape else b""
+    if isinstance(product, Table):
+        return Made(item, f"{_stem(item)}.txt", _captioned(item, product.text()), product, tape)
+    pictures = product if isinstance(product, list) else [product]
+    if pictures[0].startswith("<svg"):
+        note = f"{item.state.capitalize()}. {item.note}"
+        sheet = framed(pictures, item.name.upper(), item.title, note, across=item.across)
+        return Made(item, f"{_stem(item)}.svg", sheet, None, tape)
+    return Made(item, f"{_stem(item)}.txt", _captioned(item, product), None, tape)
+
+
+def _function(name: str) -> Callable[[], Any]:
+    module, function = name.split(".")
+    found: Callable[[], Any] = getattr(import_module(f"pdp8.thesis.{module}"), function)
+    return found
+
+
+def _stem(item: Item) -> str:
+    return f"{item.kind}-{item.number}"
+
+
+def _captioned(item: Item, text: str) -> str:
+    return f"{item.name.upper()}  {item.title}\n{item.state.capitalize()}. {item.note}\n\n{text}"

@@ -1,0 +1,151 @@
+"""The tables of the thesis, computed: 2.3, 2.4, 10.1 and those without a number in Chapters 2, 3 and 4."""
+
+from collections.abc import Callable
+from itertools import pairwise
+from typing import Final
+
+import nc
+import pal
+from pdp8.thesis import chain
+from pdp8.thesis.table import Table
+from programs.milling import Milling
+from programs.thesis import TABLE_10_1, Timed
+from tapes import hydrapoint
+from tapes.hydrapoint import MISCELLANEOUS, PREPARATORY, SPINDLE, TOOL_FUNCTION
+
+
+def specifications() -> Table:
+    """Chapter 2: what the machine can do, and how much of it is emulated."""
+    travel = f'{hydrapoint.X_TRAVEL // 1000}" by {hydrapoint.Y_TRAVEL // 1000}"'
+    speed = f'{hydrapoint.POSITIONING_SPEED:.0f}"/min'
+    error = f"±{hydrapoint.FEED_TOLERANCE:.0%}"
+    xy = [rates.xy_feed for rates in TOOL_FUNCTION.values()]
+    z = [rates.z_feed for rates in TOOL_FUNCTION.values()]
+    return Table(
+        ("", "thesis", "here"),
+        (
+            ("absolute positioning accuracy", '±.001"', "not emulated"),
+            ("precision", '±.0003"', "not emulated"),
+            ("resolution", '.001"', f'{hydrapoint.RESOLUTION:.3f}"'.lstrip("0")),
+            ("X-Y travel", '20" by 10"', travel),
+            ("positioning speed", '300"/min', speed),
+            ("X-Y feed rates", '1 to 40"/min ±20%', f'{min(xy):g} to {max(xy):g}"/min, {error} if asked'),
+            ("Z feed rates", '1 to 64"/min ±20%', f'{min(z):g} to {max(z):g}"/min, {error} if asked'),
+            ("zero adjustment", '±.02"', "not emulated"),
+        ),
+    )
+
+
+def block_format() -> Table:
+    """Chapter 2: the 20 digits of a block."""
+    return Table(
+        ("digits", "what"),
+        (
+            ("1 to 3", "sequence number, not operational"),
+            ("4", "preparatory function"),
+            ("5 to 9", "X, three places after the point; after READ Z, the Z feed point"),
+            ("10 to 14", "Y; after READ Z, the final depth"),
+            ("15", "reserved, always zero"),
+            ("16, 17", "tool function"),
+            ("18, 19", "miscellaneous function"),
+            ("20", "end of block: carriage return, channel 8"),
+        ),
+    )
+
+
+def functions() -> Table:
+    """Table 2.3."""
+    preparatory = [("preparatory", str(int(code)), what) for code, what in PREPARATORY.items()]
+    miscellaneous = [("miscellaneous", f"{code:02}", what) for code, what in MISCELLANEOUS.items()]
+    return Table(("function", "code", "what"), (*preparatory, *miscellaneous))
+
+
+def rates() -> Table:
+    """Table 2.4: two halves side by side, as the thesis has them."""
+    left = [
+        (f"{code:02}", f"{row.xy_feed:.1f}", f"{row.z_feed:g}", str(row.spindle))
+        for code, row in TOOL_FUNCTION.items()
+    ]
+    right = [(str(code), str(speed)) for code, speed in SPINDLE.items() if code not in TOOL_FUNCTION]
+    return Table(
+        ("code", "X, Y feed in/min", "Z feed in/min", "spindle rpm", "code", "spindle rpm"),
+        tuple((*one, *other) for one, other in zip(left, right, strict=True)),
+    )
+
+
+def drilling() -> Table:
+    """Chapter 3: the program for four holes, from its part program."""
+    blocks = [line.replace(" ", "0") for line in chain.printout("drill").splitlines()]
+    cuts = (0, 3, 4, 9, 14, 15, 17, 19)
+    rows = tuple(tuple(block[at:end] for at, end in pairwise(cuts)) for block in blocks)
+    return Table(("seq", "P", "X", "Y", "res", "tool", "misc"), rows)
+
+
+MEMORY_REFERENCE: Final = (
+    ("logical AND", "AND"), ("two's complement add", "TAD"), ("increment and skip if zero", "ISZ"),
+    ("deposit and clear accumulator", "DCA"), ("jump to subroutine", "JMS"), ("jump", "JMP"),
+)  # fmt: skip
+MICROINSTRUCTIONS: Final = (
+    ("clear the accumulator", "CLA"), ("complement the accumulator", "CMA"),
+    ("rotate accumulator and link right once", "RAR"), ("increment the accumulator", "IAC"),
+    ("skip on zero accumulator", "SZA"), ("halt the program", "HLT"),
+)  # fmt: skip
+INPUT_OUTPUT: Final = (
+    ("skip if keyboard/reader flag = 1", "KSF"), ("clear AC, read keyboard buffer, clear flag", "KRB"),
+    ("skip if printer/punch flag = 1", "TSF"), ("load printer/punch buffer, print, clear flag", "TLS"),
+)  # fmt: skip
+
+
+def memory_reference() -> Table:
+    """Chapter 4: the six instructions that name an address; their first octal digit."""
+    return _instructions(MEMORY_REFERENCE, lambda word: f"{word >> 9:o}")
+
+
+def microinstructions() -> Table:
+    """Chapter 4: some that work on the accumulator."""
+    return _instructions(MICROINSTRUCTIONS, lambda word: f"{word:04o}")
+
+
+def input_output() -> Table:
+    """Chapter 4: those of the Teletype."""
+    return _instructions(INPUT_OUTPUT, lambda word: f"{word:04o}")
+
+
+def _instructions(listed: tuple[tuple[str, str], ...], shown: Callable[[int], str]) -> Table:
+    """Return a table of instructions, each value from the assembler."""
+    rows = []
+    for what, mnemonic in listed:
+        operand = "" if listed is not MEMORY_REFERENCE else " 0"
+        (word,) = pal.assemble(f"*200\n\t{mnemonic}{operand}\n$\n").words.values()
+        rows.append((what, mnemonic, shown(word)))
+    return Table(("instruction", "mnemonic", "octal value"), tuple(rows))
+
+
+PASSES: Final = {"die": 5}
+"""Passes through the whole depth: 200 minutes at 40 a pass, through 2 in of steel."""
+
+
+def comparison() -> Table:
+    """Table 10.1, the thesis's figures beside those of our tapes at their programmed feeds."""
+    rows: list[tuple[str, ...]] = []
+    for part, row in TABLE_10_1.items():
+        rows.append((row.part, "step-wise", *_compared(part, row.step, Milling())))
+        if row.piece:
+            rows.append(("", "piece-wise", *_compared(part, row.piece, Milling("piece"))))
+    headings = ("part", "technique", "blocks", "ours", "min/pass", "ours", "min in all", "ours")
+    return Table(headings, tuple(rows))
+
+
+def _compared(part: str, thesis: Timed, milling: Milling) -> tuple[str, ...]:
+    constants = {"milling": milling} if milling.technique == "piece" else {}
+    path = chain.path(part, **constants)
+    minutes = contour_minutes(path)
+    total = minutes * PASSES.get(part, 1)
+    figures = (thesis.blocks, len(path), thesis.minutes, minutes, thesis.total, total)
+    return tuple(f"{figure:.1f}" if isinstance(figure, float) else str(figure) for figure in figures)
+
+
+def contour_minutes(path: nc.Path) -> float:
+    """Return the minutes of the contour alone: its blocks read, and its moves milled."""
+    blocks = sum(step.block.preparatory == hydrapoint.Preparatory.MILL for step in path.steps)
+    return (blocks * path.read_seconds + path.times.milling) / 60

@@ -1,0 +1,115 @@
+"""The catalogue against the text of the scan: what it numbers, its words and its tables.
+
+ocr/mentions.txt has every paragraph that names a figure, a table, an appendix or a program by number, or from
+which the catalogue quotes; ocr/tables.txt the tables. Both are the scan's text as it came.
+"""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from pdp8.thesis import tables
+from pdp8.thesis.catalogue import KINDS, STATES, Item, catalogue, find
+from pdp8.thesis.table import Table
+from tapes.errors import WorkError
+
+OCR = Path(__file__).parent / "ocr"
+MENTIONS = " ".join((OCR / "mentions.txt").read_text().split())
+ESSAY = "A"
+"""Appendix A lists nothing: the advantages of numerical control."""
+
+items = pytest.mark.parametrize("item", catalogue(), ids=lambda item: item.number)
+
+
+def numbers(pattern: str) -> set[str]:
+    return set(re.findall(pattern, MENTIONS))
+
+
+def listed(kind: str) -> set[str]:
+    return {item.number for item in catalogue() if item.kind == kind and not item.number.startswith("ch")}
+
+
+def scanned_lines(first: str, last: str) -> list[list[str]]:
+    """Return the cells of the scan's tables from the line that begins with `first` to that with `last`."""
+    lines = (OCR / "tables.txt").read_text().splitlines()
+    start = next(number for number, line in enumerate(lines) if line.startswith(first))
+    end = next(number for number, line in enumerate(lines) if number >= start and line.startswith(last))
+    return [line.split("\t") for line in lines[start : end + 1]]
+
+
+def test_every_figure_the_thesis_names_is_listed() -> None:
+    assert listed("figure") == numbers(r"F(?:igure|IGURE) (\d+\.\d)")
+
+
+def test_every_table_the_thesis_names_is_listed() -> None:
+    assert listed("table") == numbers(r"T(?:able|ABLE) (\d+\.\d)")
+
+
+def test_every_listing_the_thesis_names_is_listed() -> None:
+    assert listed("listing") | {ESSAY} == numbers(r"A(?:ppendix|PPENDIX) ([A-D])\b")
+
+
+def test_every_program_of_chapter_5_is_listed() -> None:
+    own = {item.number[-1] for item in catalogue() if item.number.startswith("ch5-")}
+    assert own | {"3"} == numbers(r"Program \((\d)\)")  # the third is Appendix B
+
+
+@items
+def test_the_words_are_the_thesis_s(item: Item) -> None:
+    assert item.says in MENTIONS
+
+
+@items
+def test_an_item_is_whole(item: Item) -> None:
+    assert item.kind in KINDS
+    assert item.state in STATES
+    assert item.title
+    assert item.note.endswith(".")
+    assert bool(item.maker) == (item.state != "lost")
+
+
+def test_numbers_are_unique() -> None:
+    assert len({item.number.casefold() for item in catalogue()}) == len(catalogue())
+
+
+def test_what_the_thesis_does_not_have_is_refused() -> None:
+    with pytest.raises(WorkError, match=r"7\.9: no such figure"):
+        find("7.9")
+
+
+def test_table_2_4_is_the_scan_s() -> None:
+    shown = [[float(cell.strip(" ._")) for cell in line] for line in scanned_lines("01\t", "18\t")]
+    assert [[float(cell) for cell in row] for row in tables.rates().rows] == shown
+
+
+def test_the_codes_of_table_2_3_are_the_scan_s() -> None:
+    text = (OCR / "tables.txt").read_text().partition("TABLE 2.3")[0]
+    shown = re.findall(r"(\d+) (?:--- )?[A-Z\"]", text)
+    assert [row[1] for row in tables.functions().rows] == shown
+
+
+@pytest.mark.parametrize(
+    ("made", "first", "last"),
+    [
+        (tables.memory_reference(), "Logical AND", "Jump\t"),
+        (tables.microinstructions(), "Clear the Accumulator", "Halt"),
+        (tables.input_output(), "Skip if Keyboard", "Load Printer"),
+    ],
+    ids=["memory reference", "microinstructions", "input-output"],
+)
+def test_the_instructions_are_those_of_chapter_4(made: Table, first: str, last: str) -> None:
+    shown = [(cells[1].split()[-1], cells[2]) for cells in scanned_lines(first, last)]
+    assert [row[1:] for row in made.rows] == shown
+
+
+def test_the_thesis_s_figures_of_table_10_1_are_the_scan_s() -> None:
+    shown = [
+        [found[0] for cell in cells[1:] if (found := re.match(r"\d+", cell))]
+        for cells in scanned_lines('4" DIA', "FLUIDIC")
+    ]
+    made: list[list[str]] = []
+    for part, _, *figures in tables.comparison().rows:
+        made += [[]] if part else []
+        made[-1] += figures[::2]
+    assert made == shown
