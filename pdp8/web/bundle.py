@@ -18,7 +18,7 @@ from typing import Any
 
 from pdp8.web import facts
 
-_IMPORT = re.compile(r'^import (\{[^}]*\}) from "(\.[\w./-]+)\.mjs";$', re.MULTILINE)
+_IMPORT = re.compile(r'^import (\{[^}]*\}|\* as \w+) from "(\.[\w./-]+)\.mjs";$', re.MULTILINE)
 _EXPORT = re.compile(r"^export (?=(?:class|const|function\*?|async function) (\w+|\{[^}]*\}))", re.MULTILINE)
 
 
@@ -56,7 +56,7 @@ def _scope(name: str, text: str) -> str:
     exported = ", ".join(name.strip("{ }") for name in _EXPORT.findall(text))
 
     def constant(match: re.Match[str]) -> str:
-        names = match[1].replace(" as ", ": ")
+        names = match[1].removeprefix("* as ").replace(" as ", ": ")
         path = posixpath.normpath(posixpath.join(posixpath.dirname(name), match[2]))
         return f"const {names} = {_identifier(path)};"
 

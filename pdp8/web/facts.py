@@ -11,8 +11,8 @@ import json
 from importlib.resources import files
 from typing import Any, Final
 
-from pal import isa
-from pal.symbols import PERMANENT
+from pal import assembler, isa, table
+from pal.symbols import PERMANENT, PSEUDO_OPERATORS
 from pdp8.computer import bus, highspeed, operator, processor, teletype
 from pdp8.computer.machine import TICKS_PER_SECOND
 from tapes import ascii, eia, frames, hydrapoint
@@ -31,7 +31,11 @@ def facts() -> dict[str, Any]:
         },
         "OPERATIONS": isa.OPERATIONS,
         "STATES": isa.STATES,
-        "SYMBOLS": {symbol.mnemonic: (symbol.octal, symbol.meaning) for symbol in PERMANENT},
+        "SYMBOLS": {
+            symbol.mnemonic: (symbol.octal, symbol.meaning, symbol.memory_reference) for symbol in PERMANENT
+        },
+        "PSEUDO_OPERATORS": PSEUDO_OPERATORS,
+        "PAL_III": _pal(),
         "INTERRUPT": processor.INTERRUPT,
         "PROTECTED": processor.PROTECTED,
         "LOADERS": _loaders(),
@@ -41,6 +45,22 @@ def facts() -> dict[str, Any]:
         "END_OF_BLOCK": eia.EOB,
         "FIELDS": hydrapoint.FIELDS,
         "ROWS": hydrapoint.ROWS,
+    }
+
+
+def _pal() -> dict[str, Any]:
+    """Return the numbers of PAL III's mechanism; `pal` names them."""
+    return {
+        "START": assembler.START,
+        "TELETYPE_SYMBOLS": assembler.TELETYPE_SYMBOLS,
+        "HIGH_SPEED_SYMBOLS": assembler.HIGH_SPEED_SYMBOLS,
+        "PLACES": assembler._PLACES,
+        "PUSHED": assembler._PUSHED,
+        "SAFE": assembler._SAFE,
+        "CORE": table._CORE,
+        "SPILL": table._SPILL,
+        "LEFT_THERE": table._LEFT_THERE,
+        "LEADER_LENGTH": frames.LEADER_LENGTH,
     }
 
 

@@ -1,0 +1,123 @@
+"""The assembler in the page and the package's: the same tape, words, listing and passes, byte for byte."""
+
+import base64
+import json
+import random
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import pal
+from tests.pdp8.conftest import MODULES, NODE
+
+HOUSE = Path(__file__).parents[3]
+pytestmark = pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
+
+_ASSEMBLE = """
+import { readFileSync } from "node:fs";
+import { assemble } from "%s/pal.mjs";
+const bytes = (text) => Uint8Array.from(Buffer.from(text, "base64"));
+const text = (frames) => Buffer.from(frames).toString("base64");
+const found = JSON.parse(readFileSync(0, "utf8")).map((tapes) => {
+  const { tape, words, passes, listing, symbols, messages } = assemble(...tapes.map(bytes));
+  return {
+    tape: text(tape), passes: passes.map(text), listing, symbols: Object.entries(symbols),
+    words: Object.entries(words).map(([address, word]) => [Number(address), word]),
+    messages: messages.map(({ text }) => text),
+  };
+});
+console.log(JSON.stringify(found));
+"""
+
+
+def _in_the_page(sources: list[list[bytes]]) -> list[dict[str, Any]]:
+    done = subprocess.run(
+        [str(NODE), "--input-type=module", "--eval", _ASSEMBLE % MODULES.as_uri()],
+        input=json.dumps([[base64.b64encode(tape).decode() for tape in tapes] for tapes in sources]),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    found: list[dict[str, Any]] = json.loads(done.stdout)
+    return found
+
+
+def _here(tapes: list[bytes]) -> dict[str, Any]:
+    assembly = pal.assemble(*tapes)
+    stopped = [assembly.stopped[0]] if assembly.stopped else []
+    return {
+        "tape": base64.b64encode(assembly.tape).decode(),
+        "words": sorted([address, word] for address, word in assembly.words.items()),
+        "passes": [base64.b64encode(frames).decode() for frames in assembly.teletype],
+        "listing": assembly.printed(3),
+        "symbols": [[name, value] for name, value in assembly.symbols.items()],
+        "messages": [str(message) for message in assembly.messages] + stopped,
+    }
+
+
+def _compare(sources: list[list[bytes]]) -> None:
+    for tapes, shown in zip(sources, _in_the_page(sources), strict=True):
+        assert shown == _here(tapes), tapes
+
+
+def test_every_source_of_the_project() -> None:
+    """The bundled programs, and every source that the assembler's own tests have."""
+    paths = [*HOUSE.glob("programs/*.pal"), *HOUSE.glob("tests/**/*.pal")]
+    assert len(paths) > 40
+    _compare([[path.read_bytes()] for path in paths])
+
+
+_PIECES = (
+    *"+-.; \t\n($IZAB*5,=/!?",
+    *("TAD", "CLA", "A,", "B=", "FIELD", "FIXMRI", "EXPUNGE", "FIXTAB", "DECIMAL", "OCTAL", "PAUSE"),
+    *(
+        "189",
+        "7777",
+        "400",
+        "1A",
+        "/X\n",
+        "DCA I ",
+        "JMP .-1\n",
+        "LOOP,",
+        "*200\n",
+        "\n",
+        "\n",
+        "\f",
+        "LONGNAME",
+    ),
+)
+
+
+def _random_source(draw: random.Random) -> bytes:
+    text = "".join(draw.choice(_PIECES) + draw.choice(("", " ", "\t")) for _ in range(draw.randrange(60)))
+    code = text.encode("ascii")
+    return bytes(frame | 0o200 for frame in code) if draw.random() < 0.2 else code
+
+
+def test_two_thousand_random_sources() -> None:
+    """Statements good and bad, with channel 8 and without, on one tape or two; and bytes of any kind."""
+    draw = random.Random(33)
+    sources = [[_random_source(draw) for _ in range(draw.choice((1, 1, 1, 2)))] for _ in range(1800)]
+    sources += [[draw.randbytes(draw.randrange(120))] for _ in range(200)]
+    _compare(sources)
+
+
+def test_a_string_is_a_source_too() -> None:
+    """`assemble(...sources)` takes strings, as the editor has them; what is not ASCII is illegal."""
+    source = "*200\n\tCLA É\n\tHLT\n$\n"
+    script = (
+        f'import {{ assemble }} from "{MODULES.as_uri()}/pal.mjs";'
+        f"const {{ words, messages }} = assemble({json.dumps(source)});"
+        "console.log(JSON.stringify([words, messages]));"
+    )
+    done = subprocess.run(
+        [str(NODE), "--input-type=module", "--eval", script], capture_output=True, text=True, check=True
+    )
+    words, messages = json.loads(done.stdout)
+    expected = pal.assemble(source)
+    assert {int(address): word for address, word in words.items()} == expected.words
+    assert [message["text"] for message in messages] == [str(message) for message in expected.messages]
+    assert (messages[0]["line"], messages[0]["start"]) == (2, 5)
