@@ -3,15 +3,15 @@
 isa            what the 4,096 words mean; everything else asks it
 models         what words do on the 8, 8/S, 8/I and 8/E that an 8/L does otherwise
 symbols        the permanent symbols: the one table, for both ways
-scanner        frames of source tapes to lines, statements and tokens
-expressions    items and operators to a word
-assembler      three passes over the statements: symbols, results, DEC's messages
+source         frames of source tapes to the items that PAL III reads
+table          the symbol table as it stands in core
+assembler      the mechanism: three passes over the same reading
 punch          the object tape
 listing        what the Teletype typed
 assembly       all of it in one call: `assemble`
 diagnostics    the messages for people: place, line, caret, advice
 portable       what a source does otherwise on another model
-notes          what PAL III does in silence and a person would rather know
+notes          where a source means something else to PAL III than it says
 dialects       what PAL III has for what other assemblers know
 crossreference where each symbol is defined and used
 report         an assembly as JSON

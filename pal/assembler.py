@@ -19,11 +19,10 @@ the statement as it stands; they wait for it on a push-down list of seven places
 
 `pointer` is where in the symbol table the last look-up ended; ``,`` and ``=`` define what it points to,
 whatever that is. Other routines use the cell too and leave it pointing into page zero: words and origins as
-they are punched, lines without a word as they are typed.
+they are punched, lines without a word and form feeds as they are typed.
 
 Not emulated: what follows once PAL III has written over itself; `Stop` is raised then, as where it would
-never end. Waiting for ever for the rest of a source without ``$``: `pal.source` adds it. That the routine
-which types a form feed uses the pointer too.
+never end. Waiting for ever for the rest of a source without ``$``: `pal.source` adds it.
 
 Sources: DEC-08-ASAC-D; DEC-08-ASB1 (February 1967) and its outputs in tests/pal/examples.
 """
@@ -31,6 +30,8 @@ Sources: DEC-08-ASAC-D; DEC-08-ASB1 (February 1967) and its outputs in tests/pal
 from operator import length_hint
 from typing import NamedTuple
 
+from pal.isa import ADDRESS, CURRENT_PAGE, INDIRECT, PAGE
+from pal.source import Source
 from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT, spelled, typed
 from pal.table import PSEUDO, UNDEFINED, VALUE, Stop, SymbolTable
 
@@ -41,11 +42,6 @@ HIGH_SPEED_SYMBOLS = 489  # and in the high-speed reader, whose buffer takes the
 WORD, ORIGIN, FIELD, CHECKSUM = "word", "origin", "field", "checksum"
 
 _MASK = 0o7777
-_PAGE = 0o7600
-_ON_PAGE = 0o177
-_CURRENT_PAGE = 0o200
-_INDIRECT = 0o400
-
 _OPERATORS = {" ": 0, "\t": 0, "+": 1, "-": -1}
 _ENDS = frozenset("\r;")
 _ROUTINES = {address: name for name, address in PSEUDO_OPERATORS.items()}
@@ -93,7 +89,7 @@ class Entry(NamedTuple):
 
 
 class Assembler:
-    """One run of PAL III over the items of a source: `run` pass 1, 2 and 3, in this order.
+    """One run of PAL III over a source: `run` pass 1, 2 and 3, in this order.
 
     capacity  room for symbols of the source; the high-speed reader's, HIGH_SPEED_SYMBOLS, stands for that
               reader, which at PAUSE loses what it has read ahead, the rest of the line
@@ -102,8 +98,9 @@ class Assembler:
     stopped   why it went no further, and at which item; None if it ended
     """
 
-    def __init__(self, items: list[tuple[str, str]], capacity: int = TELETYPE_SYMBOLS) -> None:
-        self._items = items
+    def __init__(self, source: Source, capacity: int = TELETYPE_SYMBOLS) -> None:
+        self._items = source.items
+        self._feeds = source.feeds
         self._reads_ahead = capacity == HIGH_SPEED_SYMBOLS
         self._symbols = SymbolTable(capacity)
         self._pointer = self._symbols.page_zero(0)
@@ -125,6 +122,7 @@ class Assembler:
         self._radix = 8
         self._broken = ""
         self._checksum = 0
+        self._line = 0  # the first item of the line
         self._pending: list[tuple[str, int]] = []
         self._places = 1
         self.table = []
@@ -211,7 +209,7 @@ class Assembler:
         self._made = False
         routine = _ROUTINES.get(self._item)
         if routine == "I":
-            self._item = _INDIRECT
+            self._item = INDIRECT
             self._made = True
         elif routine == "Z":
             self._zeros += 1
@@ -282,25 +280,32 @@ class Assembler:
             self._word = address
             return
         self._referring = False
-        page = address & _PAGE
+        page = address & PAGE
         if not page:
             self._zeros += 1
-        elif self._number != 1 and page != self._location & _PAGE:
+        elif self._number != 1 and page != self._location & PAGE:
             self._room_for(3)
             self._output.append(Message("IR", f"{address:04o}", self._location, self._at))
-        self._address = address & _ON_PAGE
-        self._word = self._word + self._address + (0 if self._zeros else _CURRENT_PAGE) & _MASK
+        self._address = address & ADDRESS
+        self._word = self._word + self._address + (0 if self._zeros else CURRENT_PAGE) & _MASK
 
     def _write(self) -> None:
         """Punch or list the statement, and move on by a word if it makes one."""
         if self._number == 3:
-            self._output.append(Listed(self._location, self._word if self._made else None, self._at))
-            if not self._made:
-                self._pointer = self._symbols.page_zero(0)
+            self._list(self._at)
         elif self._made and self._number == 2:
             self._punch(WORD, self._word)
         if self._made:
             self._location = self._location + 1 & _MASK
+
+    def _list(self, at: int) -> None:
+        self._output.append(Listed(self._location, self._word if self._made else None, at))
+        fed = False
+        if self._items[at][1] == "\r":
+            fed = any(self._line <= feed <= at for feed in self._feeds)
+            self._line = at + 1
+        if fed or not self._made:
+            self._pointer = self._symbols.page_zero(0)
 
     def _punch(self, kind: str, value: int) -> None:
         self._output.append(Punched(kind, self._location, value))
@@ -388,8 +393,10 @@ class Assembler:
     def _lose(self) -> None:
         """PAUSE: lose what the high-speed reader has read ahead."""
         first = self._at + 1
-        after = first + next(number for number, (_, mark) in enumerate(self._reader, 1) if mark == "\r")
-        self.lost.append((first, after))
+        for _, mark in self._reader:
+            if mark == "\r":
+                break
+        self.lost.append((first, len(self._items) - length_hint(self._reader)))
 
     def _list_symbols(self) -> None:
         """End the pass; pass 1 gives what is undefined the last address of its page."""
@@ -403,7 +410,7 @@ class Assembler:
                 self._room_for(2)
             if undefined and self._number == 1:
                 words[entry] ^= UNDEFINED
-                words[entry + VALUE] = value & _PAGE | _ON_PAGE
+                words[entry + VALUE] = value & PAGE | ADDRESS
 
     @property
     def _at(self) -> int:

@@ -46,7 +46,7 @@ class Assembly:
         self.model = model
         self.names = names
         self._capacity = capacity
-        self._assembler = assembler = Assembler(source.items, capacity)
+        self._assembler = assembler = Assembler(source, capacity)
         self._first = assembler.run(1)
         self._table: list[Entry] = assembler.table
         self._second: list[Message | Punched | Listed] = [] if assembler.stopped else assembler.run(2)

@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 from pal.assembler import Message
 from pal.dialects import hint
+from pal.isa import ADDRESS, PAGE
 from pal.notes import Note
 from pal.source import Source
 from pal.symbols import PERMANENT
@@ -112,7 +113,7 @@ def _reference(source: Source, end: int) -> int:
 
 
 def _undefined(name: str, location: int) -> str:
-    value = f"{location | 0o177:04o}"
+    value = f"{location | ADDRESS:04o}"
     where = "the last address of its page"
     return f"undefined: {name} is taken as {value}, {where}; define it with {name}, or {name}="
 
@@ -130,8 +131,8 @@ def _spelled(character: int) -> str:
 
 
 def _beyond(address: str, location: int) -> str:
-    page = location & 0o7600
-    low = int(address, 8) & 0o177
+    page = location & PAGE
+    low = int(address, 8) & ADDRESS
     return (
         f"illegal reference: {address} is neither on page zero nor on the page of {location:04o}; "
         f"{page | low:04o} is used; go through a pointer on this page, with I"

@@ -20,20 +20,17 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from pal.assembler import FIELD, HIGH_SPEED_SYMBOLS, ORIGIN, START, WORD
+from pal.isa import CURRENT_PAGE, INDIRECT, IOT, JMP, OPERATIONS, PAGE, refers_to
 from pal.symbols import PERMANENT
 from tapes import binary, kinds, rim
 
 _BARE = binary.tape(binary.origin(START), sum(binary.origin(START)))
 """What PAL III punches for a source without a word; its checksum would be a word of a RIM tape."""
 
-_INDIRECT = 0o400
-_CURRENT_PAGE = 0o200
-_JMP = 5
 _NONE = -1
 
 _PLAIN = [symbol for symbol in PERMANENT if not symbol.memory_reference]
 _BY_OCTAL = {symbol.octal: symbol.mnemonic for symbol in reversed(_PLAIN)}
-_OPERATION = {symbol.octal >> 9: symbol.mnemonic for symbol in PERMANENT[: _JMP + 1]}
 _BY_NAME = {symbol.mnemonic: symbol.octal for symbol in _PLAIN}
 _CLEAR = ("CLA",)
 _GROUP_1 = ("CLA", "CLL", "CMA", "CML", "RTR", "RTL", "RAR", "RAL", "IAC")
@@ -136,7 +133,7 @@ class _Labels:
         for step in tape:
             target = _target(step)
             if target in words:
-                jump = step.value >> 9 == _JMP and not step.value & _INDIRECT
+                jump = step.value >> 9 == JMP and not step.value & INDIRECT
                 (self._jumped_to if jump else self._handled).add(target)
         claims = sorted(self._jumped_to) + sorted(self._handled - self._jumped_to)
         self._tagged = frozenset(claims[:HIGH_SPEED_SYMBOLS])
@@ -154,14 +151,14 @@ class _Labels:
         number = f"{step.value:o}"
         if step.address in self._handled and step.address not in self._jumped_to:
             return number
-        if step.value >> 9 > _JMP:
+        if step.value >> 9 > JMP:
             return microinstruction(step.value) or number
         target = _target(step)
         if target == _NONE:
             return number
-        indirect = "I " if step.value & _INDIRECT else ""
+        indirect = "I " if step.value & INDIRECT else ""
         address = _tag(target) if target in self._tagged else f"{target & 0o7777:o}"
-        return f"{_OPERATION[step.value >> 9]} {indirect}{address}"
+        return f"{OPERATIONS[step.value >> 9]} {indirect}{address}"
 
 
 def _tag(address: int) -> str:
@@ -173,14 +170,11 @@ def _target(step: Step) -> int:
 
     One on page zero that has the current page bit counts as none: PAL III would leave that bit out.
     """
-    if step.kind != WORD or step.value >> 9 > _JMP:
+    if step.kind != WORD or step.value >> 9 > JMP:
         return _NONE
-    page = step.address & 0o7600
-    if not step.value & _CURRENT_PAGE:
-        page = 0
-    elif not page:
+    if step.value & CURRENT_PAGE and not step.address & PAGE:
         return _NONE
-    return step.address & 0o70000 | page | step.value & 0o177
+    return step.address & 0o70000 | refers_to(step.value, step.address & 0o7777)
 
 
 def microinstruction(word: int) -> str | None:
@@ -199,7 +193,7 @@ def microinstruction(word: int) -> str | None:
 
 
 def _candidates(word: int) -> Iterable[str]:
-    if word >> 9 == 6:
+    if word >> 9 == IOT:
         return [symbol.mnemonic for symbol in _PLAIN if symbol.octal >> 3 == word >> 3]
     if not word & 0o400:
         return _GROUP_1

@@ -7,6 +7,7 @@ itself, run once more, which notes what it comes across.
 from typing import NamedTuple
 
 from pal.assembler import WORD, Assembler, Listed, Message, Punched
+from pal.isa import ADDRESS, PAGE
 from pal.source import Source
 from pal.symbols import PSEUDO_OPERATORS, spelled
 from pal.table import ENTRY, PSEUDO, UNDEFINED, VALUE
@@ -25,7 +26,7 @@ class Note(NamedTuple):
 
 def notes(source: Source, tapes: int, capacity: int) -> list[Note]:
     """Return what is to be noted of a source of so many tapes."""
-    watched = Watched(source.items, capacity)
+    watched = Watched(source, capacity)
     for number in (1, 2, 3):
         watched.run(number)
         if watched.stopped:
@@ -56,8 +57,8 @@ def _of_the_end(source: Source, tapes: int, ended: int) -> list[Note]:
 class Watched(Assembler):
     """The assembler with an eye on what it makes of a source: `notes`, and the item where it `ended`."""
 
-    def __init__(self, items: list[tuple[str, str]], capacity: int) -> None:
-        super().__init__(items, capacity)
+    def __init__(self, source: Source, capacity: int) -> None:
+        super().__init__(source, capacity)
         self.notes: list[Note] = []
         self.ended = 0
         self._twice: set[int] = set()
@@ -180,9 +181,9 @@ class Watched(Assembler):
         if self._referring and not self._operated:
             message = "I without a memory-reference symbol makes an AND"
             self._note(message, "write the instruction before I")
-        page = self._address & 0o7600
-        if self._referring and self._zeros and page == self._location & 0o7600 != 0:
-            message = f"Z makes this refer to {self._address & 0o177:04o} on page zero"
+        page = self._address & PAGE
+        if self._referring and self._zeros and page == self._location & PAGE != 0:
+            message = f"Z makes this refer to {self._address & ADDRESS:04o} on page zero"
             self._note(message, f"for {self._address:04o}, on this page, leave out Z")
         super()._make_word()
 

@@ -43,6 +43,7 @@ class Source:
 
     text     what is on them, each line ended by CR; a CR and a `$` are added at the end
     items    [(letters and digits, the character that ends them), ...]
+    feeds    the items in which, or in the comment after which, there is a form feed
     """
 
     def __init__(self, tapes: Sequence[bytes], modern: bool = False) -> None:
@@ -52,8 +53,10 @@ class Source:
         self.text = text + ("$" if text.endswith("\r") or not text else "\r$")
         self._code = self.text.upper() if modern else self.text
         self.items: list[tuple[str, str]] = _ITEM.findall(self._code)
+        self.feeds: list[int] = []
         if "\f" in text:
             self.items = [(item.replace("\f", ""), mark) for item, mark in self.items]
+            self.feeds = [at for at, span in enumerate(self.spans) if "\f" in self.text[slice(*span)]]
 
     @cached_property
     def spans(self) -> list[tuple[int, int]]:

@@ -4,22 +4,22 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import pal
+from pal.assembler import HIGH_SPEED_SYMBOLS
 from pal.crossreference import cross_reference, text
 from pal.report import as_json
 from tapes import binary
 
-CHARACTERS = "AB19 \t+-,=*;$./!a\n\r"
+CHARACTERS = "AB19 \t+-,=*;$./!a\f\n\r"
+NAMES = ["A", "B", "LONGNAME", "TAD", "JMP", "CLA", "FADD", "I", "Z", "5", "189", "7777", "400", "1A", ""]
+PSEUDO = ["FIELD", "FIXMRI", "EXPUNGE", "FIXTAB", "DECIMAL", "OCTAL", "PAUSE", "DECIMAL;", "OCTAL;"]
+MARKS = ["\t", "+", "-", ",", "=", "*", ".", ";", "\n", "/X\n", " ,", " =", "$", "(", "!", "a", "\f"]
 statements = st.text(CHARACTERS, max_size=80)
 pieces = st.lists(
-    st.sampled_from(
-        [
-            *"+-.; \t\n($IZAB*5",
-            *("TAD", "CLA", "A,", "B=", "FIELD", "FIXMRI", "EXPUNGE", "FIXTAB", "DECIMAL", "OCTAL", "PAUSE"),
-            *("189", "7777", "400", "1A", "/X\n"),
-        ]
+    st.tuples(st.sampled_from(NAMES * 3 + PSEUDO), st.sampled_from([" "] * 8 + ["\n"] * 4 + MARKS)).map(
+        "".join
     ),
     max_size=60,
-).map(" ".join)
+).map("".join)
 
 
 def look_at_everything(assembly: pal.Assembly) -> None:
@@ -62,7 +62,14 @@ def test_messages_of_the_three_passes_are_the_diagnostics(source: str) -> None:
 
 @given(pieces, pieces)
 def test_two_tapes_are_one_after_the_other(first: str, second: str) -> None:
-    assert pal.assemble(first + "\n", second).tape == pal.assemble(first + "\n" + second).tape
+    assert pal.assemble(first, second).tape == pal.assemble(first + second).tape
+
+
+@given(pieces, st.sampled_from([1, 3, HIGH_SPEED_SYMBOLS]))
+def test_any_reader_and_any_room_come_to_an_end(source: str, capacity: int) -> None:
+    assembly = pal.assemble(source, capacity=capacity)
+    look_at_everything(assembly)
+    assert len(assembly.symbols) <= capacity + 75
 
 
 @given(pieces)
