@@ -11,9 +11,12 @@ waiting      loops that only wait, passed over exactly
 watch        breakpoints, words being written, observers
 trace        an instruction or a cycle a line, as in the listing
 machine      the one place that knows every part and wires it
+core         the words of core, examined and deposited from outside
 keys         what a key of the Teletype sends
 program      a program from a tape's bytes: its kind, words, tape and listing
 operator     who sets switches, presses keys and loads tapes, at a pace
 stop         why, where and when a run ended
+fields       how a part says what a saved state holds of it
 state        a whole machine as text, and back
+oldstate     states as they were written before version 2
 """

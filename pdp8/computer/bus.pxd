@@ -1,7 +1,7 @@
 # The types with which Cython compiles bus.py; Python itself never reads this.
 
 cimport cython
-from libc.stdint cimport int64_t
+from libc.stdint cimport int64_t, uint64_t
 
 cdef int64_t NEVER, AT_ONCE
 cdef int SKIP, CLEAR_AC, IOP1, IOP2, IOP4
@@ -12,6 +12,7 @@ cdef class Device:
     cdef public Device behind
     cdef public int64_t due
 
+    cpdef void plan(self) noexcept
     cpdef int pulse(self, int iop, int ac, int64_t now) except? -1
     cpdef advance(self, int64_t now)
     cpdef initialize(self, int64_t now)
@@ -23,11 +24,12 @@ cdef class Device:
 @cython.final
 cdef class Bus:
     cdef public Device first
-    cdef public int64_t asked, told
+    cdef public uint64_t tested
+    cdef public int64_t actions
 
     @cython.locals(device=Device)
     cpdef Device device(self, int code)
-    @cython.locals(device=Device, tested=int64_t)
+    @cython.locals(device=Device, bit=uint64_t)
     cpdef int transfer(self, int word, int lac, int64_t clock) except -1
     @cython.locals(device=Device)
     cpdef bint request(self, int64_t now) except -1

@@ -7,14 +7,19 @@
 
 A device sees three separate pulses and nothing of the instruction, so that every combined IOT works of
 itself. Its flag is its interrupt request: an 8/L has no masks. Between pulses a device knows the tick at
-which its flag moves next; it is brought up to date when somebody looks at it. Time is in ticks of 0.05 us
+which its flag changes next; it is brought up to date when its state is needed. Time is in ticks of 0.05 us
 since power-up.
+
+A new device is a class derived from Device, in a file of its own: it says in `fields` what a saved state
+holds of it, and Bus.fit connects it.
 
 Not emulated: data break (three-cycle or single-cycle).
 Source: Small Computer Handbook 1970, chapter 9 (I/O bus).
 """
 
 from collections.abc import Iterator
+
+from pdp8.computer.fields import BIT, COUNT, TICK, saved
 
 NEVER = 1 << 62
 AT_ONCE = -1
@@ -32,7 +37,10 @@ globals().update(IOP1=IOP1, IOP2=IOP2, IOP4=IOP4)
 
 
 class Device:
-    """One device code: a flag, and `due`, the tick at which it moves next."""
+    """One device code: a flag, and `due`, the tick at which it changes next."""
+
+    fields = saved(flag=BIT, due=TICK)
+    """What a saved state holds of the device: its attributes, and how each is written (see fields.py)."""
 
     def __init__(self) -> None:
         self.code = 0
@@ -44,9 +52,12 @@ class Device:
     def pulse(self, iop: int, ac: int, now: int) -> int:
         """Take pulse IOP1, IOP2 or IOP4 (1, 2, 4) at tick `now`; return the answer.
 
-        IOP1 may only test the flag: a loop that does no more is passed over until a flag moves.
+        IOP1 may only test the flag: a loop that does no more is passed over until a flag changes.
         """
         raise NotImplementedError
+
+    def plan(self) -> None:
+        """Set `due` from the other fields, where a saved state did not give it."""
 
     def advance(self, now: int) -> None:
         """Let everything happen that happens up to and including tick `now`."""
@@ -57,7 +68,7 @@ class Device:
         raise NotImplementedError
 
     def look(self) -> None:
-        """Look again at tape, key or lever, as soon as time goes on: a hand touched it."""
+        """Note that a tape, a key or a lever has changed; the device acts on it as soon as time goes on."""
 
     def finish(self) -> None:
         """Let the mechanism finish what it has begun, because the processor stands still; the flag keeps its
@@ -72,12 +83,14 @@ class Device:
 class Bus:
     """The devices that are fitted, one behind the other on the cable; unused codes answer nothing."""
 
+    fields = saved(tested=(1 << 64) - 1, actions=COUNT)
+
     def __init__(self) -> None:
         self.first: Device | None = None
-        self.asked = 0
-        """The codes whose skip was tested since somebody set this to 0, one bit each."""
-        self.told = 0
-        """How often a device, or the interrupt, was told something rather than asked."""
+        self.tested = 0
+        """The codes that were sent IOP1 since this was last set to 0, one bit each."""
+        self.actions = 0
+        """How many pulses other than IOP1, and how many INITIALIZE, ION and IOF, there have been."""
 
     def __iter__(self) -> Iterator[Device]:
         device = self.first
@@ -112,14 +125,14 @@ class Bus:
         if device is None:
             return lac
         if word & 1:
-            tested = 1  # compiled, of 64 bits
-            self.asked |= tested << device.code
+            bit = 1  # compiled, of 64 bits
+            self.tested |= bit << device.code
             lac = _pulse(device, 1, lac, clock + IOP1)
         if word & 2:
-            self.told += 1
+            self.actions += 1
             lac = _pulse(device, 2, lac, clock + IOP2)
         if word & 4:
-            self.told += 1
+            self.actions += 1
             lac = _pulse(device, 4, lac, clock + IOP4)
         return lac
 
@@ -140,7 +153,7 @@ class Bus:
         return False
 
     def next_event(self, now: int) -> int:
-        """Return the tick after `now` at which a flag moves next, NEVER if none will."""
+        """Return the tick after `now` at which a flag changes next, NEVER if none will."""
         event = NEVER
         device = self.first
         while device is not None:
@@ -157,7 +170,7 @@ class Bus:
 
     def initialize(self, now: int) -> None:
         """INITIALIZE on every device."""
-        self.told += 1
+        self.actions += 1
         for device in self:
             device.initialize(now)
 

@@ -19,15 +19,12 @@ cdef class Engine:
     cdef bint watched
     cdef unsigned short[::1] core
     cdef int wall
-    cdef object known
     cdef frozenset breakpoints
     cdef bytes conditions
     # Stores into bytes may alias everything, so that C would fetch its pointers anew after each; and arrays
     # should not lie a multiple of 4096 bytes apart, as the same indices would then be taken for one place.
-    cdef unsigned short ops[4098]
-    cdef unsigned short apart1[480]
     cdef unsigned short arg[4098]
-    cdef unsigned short apart2[480]
+    cdef unsigned short apart[480]
     cdef unsigned short keep[256]
     cdef unsigned short flip[256]
     cdef unsigned short plus[256]
@@ -37,10 +34,7 @@ cdef class Engine:
     cdef bint _called(self) except -1
     cdef bint _at_breakpoint(self, int64_t until, int64_t last) except -1
     @cython.locals(address=int)
-    cdef _know(self, object breakpoints)
-    cpdef forget(self, int address)
-    @cython.locals(address=int)
-    cdef _forget_written(self)
+    cdef _prepare(self, object breakpoints)
     @cython.locals(room=int64_t)
     cdef int64_t _room(self, int64_t until, int64_t last) except? -1
     @cython.locals(word=int, operand=int, op=int)

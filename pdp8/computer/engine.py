@@ -1,18 +1,18 @@
 """The same PDP-8/L for long runs: core is decoded once, then executed from its decoded form.
 
     core      7300  1205  5201 ...        words, shared with the processor
-    ops         6     1     4  ...        what to do, 0 where the word is not decoded yet
+    forms       6     1     4  ...        what to do, 0 where the word is not decoded
     arg       300   205   201  ...        its operand: an effective address, or OPR bits
 
 The engine keeps no state of its own but the decoded forms. It works on the registers and the core of the
-processor one can read, and leaves to it whatever is rare or reaches outside: IOT, HLT, OSR, what MEM PROT
+processor in processor.py, and leaves to it whatever is rare or reaches outside: IOT, HLT, OSR, what MEM PROT
 stops, interrupts, and the last instruction before a run ends, which lights the lamps. So a run is
 
-    piece ─► look whether the program only waits ─► one instruction of the processor ─► look ─► piece ...
+    piece ─► does the program only wait? ─► one instruction of the processor ─► does it wait? ─► piece ...
 
 where a piece goes on until something is due (a flag under ION, the end of the run) or such an instruction
-comes. A store undoes the decoded form of its word. ISZ X, JMP .-1 is counted down at once, as far as the
-piece goes.
+comes. Every store, whoever does it, clears the decoded form of its word. ISZ X, JMP .-1 is counted down at
+once, as far as the piece goes.
 
 This file runs as it is; Cython compiles it with the types in engine.pxd beside it. The loop is written for
 both: plain locals, numbers for operations, and one number `time` for ticks and instructions together, small
@@ -58,7 +58,7 @@ _SKIPS = {0: 5, 0o10: 9, 0o200: 18, 0o210: 19}
 
 
 class Engine:
-    """Runs a processor in pieces; `delays` tells whether delay loops are counted down at once."""
+    """Runs a processor in pieces; `delays` says whether delay loops are counted down at once."""
 
     def __init__(self, processor: Processor, waiting: Waiting, delays: bool = True) -> None:
         self.processor = processor
@@ -67,14 +67,12 @@ class Engine:
         self.core = processor.core
         self.wall = 0o10000
         """The first address that may not be written: MEM PROT's, or that after the end of core."""
-        self.known = processor.core[:]
-        """Core as it was when the last run ended."""
         self.breakpoints: Set[int] = frozenset()
         self.watched = False
         """Whether there are any."""
         self.conditions = CONDITIONS
         # Two words past the end wrap the PC, which can overrun by a skip.
-        self.ops = [0] * 0o10000 + [_WRAP] * 2
+        self.processor.forms[0o10000] = self.processor.forms[0o10001] = _WRAP
         self.arg = [0] * 0o10002
         # Group 1 without its rotate, by its low 8 bits: {L, AC} & keep ^ flip, + plus.
         self.keep = [
@@ -88,10 +86,9 @@ class Engine:
         or comes, after its first instruction, to one of the `breakpoints` or from a JMS to one: only then
         return True.
         """
-        self._know(breakpoints)
+        self._prepare(breakpoints)
         self.waiting.endless = False
         called = self._run_pieces(until, last)
-        self.known = self.processor.core[:]
         return self.processor.run == 1 and (called or self._at_breakpoint(until, last))
 
     def _called(self) -> bool:
@@ -104,39 +101,27 @@ class Engine:
         reached = p.clock >= until or p.instructions >= last
         return p.pc in self.breakpoints and not self.waiting.endless and not reached
 
-    def _know(self, breakpoints: Set[int]) -> None:
-        """Forget the decoded forms if a hand touched core, MEM PROT or the breakpoints since the last run."""
+    def _prepare(self, breakpoints: Set[int]) -> None:
+        """Clear the decoded forms if MEM PROT or the breakpoints are others than in the last run."""
         wall = _wall(self.processor.mem_prot)
-        if wall == self.wall and breakpoints == self.breakpoints and self.processor.core == self.known:
+        if wall == self.wall and breakpoints == self.breakpoints:
             return
         self.wall = wall
         self.breakpoints = frozenset(breakpoints)
         self.watched = len(breakpoints) > 0
         for address in range(0o10000):
-            self.core[address] &= 0o7777
-            self.ops[address] = 0
-
-    def forget(self, address: int) -> None:
-        """Forget the decoded form of the word at `address`, and what waited: a hand put another one there."""
-        self.ops[address] = 0
-        self.waiting.forget()
-
-    def _forget_written(self) -> None:
-        """Forget the words that an instruction of the processor may have written."""
-        self.ops[self.processor.ma] = 0
-        for address in range(0o10, 0o20):
-            self.ops[address] = 0
+            self.processor.forms[address] = 0
 
     def _room(self, until: int, last: int) -> int:
-        """Return the ticks of the next piece, none if the processor has to do the next instruction: also when
-        somebody who saw a frame pressed STOP or threw MEM PROT.
+        """Return the ticks of the next piece, 0 if the processor has to do the next instruction: also when
+        STOP was pressed or MEM PROT changed as a frame was printed.
         """
         p = self.processor
-        if p.next != FETCH or self.waiting.hunting:
+        if p.next != FETCH or self.waiting.stepping:
             return 0
         if self.wall != _wall(p.mem_prot):
             return 0
-        room = min(PIECE, self.waiting.strike - p.clock, until - p.clock - LONGEST)
+        room = min(PIECE, self.waiting.next_look - p.clock, until - p.clock - LONGEST)
         if last - p.instructions <= PIECE // CYCLE:
             room = min(room, (last - p.instructions - 1) * CYCLE)
         if p.ion:
@@ -160,7 +145,7 @@ class Engine:
         if self.watched and self._may_lead_to_one(word, operand, address):
             op = _LEFT
         self.arg[address] = operand
-        self.ops[address] = op
+        self.processor.forms[address] = op
 
     def _memory_reference(self, word: int, operand: int, address: int) -> int:
         code = word >> 9
@@ -181,7 +166,7 @@ class Engine:
         return jumps_to(address, self.core[address + 1], address + 1)
 
     def _may_lead_to_one(self, word: int, operand: int, address: int) -> bool:
-        """Tell whether a breakpoint may come after the instruction; the lamps must be right there."""
+        """Tell whether a breakpoint may follow the instruction: the lamps must be right there."""
         after = {address + 1 & 0o7777, address + 2 & 0o7777}
         if word >> 9 in (JMS, JMP):
             if word & INDIRECT:
@@ -198,7 +183,7 @@ class Engine:
         for it in every turn.
         """
         p, waiting = self.processor, self.waiting
-        core, ops, arg = self.core, self.ops, self.arg
+        core, ops, arg = self.core, p.forms, self.arg
         keep, flip, plus, conditions = self.keep, self.flip, self.plus, self.conditions
         wall = self.wall
         while p.clock < until and p.instructions < last:
@@ -394,11 +379,9 @@ class Engine:
                 p.clock += time >> 12
                 p.instructions += time & 0o7777
                 p.protect = 0
-                p.written |= written
+                p.writes += written
             else:
                 p.instruction()
-                if p.state != FETCH:
-                    self._forget_written()
                 if self.watched and self._called():
                     return True
                 if not p.run:

@@ -14,6 +14,7 @@ switch. Sources: Small Computer Handbook 1970, PC8 reader and punch; PDP-8/I ins
 """
 
 from pdp8.computer.bus import AT_ONCE, NEVER, SKIP, Bus, Device
+from pdp8.computer.fields import BIT, PART, TICK, saved
 from pdp8.computer.teletype import Punch, Reader
 
 READ_TICKS = 66_667
@@ -22,6 +23,8 @@ PUNCH_TICKS = 400_000
 
 class ReaderControl(Device):
     """Device 01."""
+
+    fields = saved(flag=BIT, due=TICK, buffer="377", fetching=BIT, reader=PART)
 
     def __init__(self) -> None:
         super().__init__()
@@ -78,6 +81,8 @@ class ReaderControl(Device):
 
 class PunchControl(Device):
     """Device 02."""
+
+    fields = saved(flag=BIT, due=TICK, buffer="377", punched=BIT, punch=PART)
 
     def __init__(self) -> None:
         super().__init__()

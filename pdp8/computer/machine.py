@@ -11,11 +11,12 @@ The machine is a discrete-event simulation: nothing here sleeps, and the same co
 tapes and the same times. While a program only waits, time jumps (see waiting.py).
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from time import monotonic
 
 from pal.isa import FETCH, halts
-from pdp8.computer.bus import NEVER, Bus
+from pdp8.computer.bus import NEVER, Bus, Device
+from pdp8.computer.core import SIZE, Core
 from pdp8.computer.engine import Engine
 from pdp8.computer.highspeed import HighSpeed
 from pdp8.computer.panel import Panel
@@ -27,61 +28,27 @@ from pdp8.computer.watch import Watch
 from tapes.errors import WorkError
 
 TICKS_PER_SECOND = 20_000_000
-_AGES = 1e9
-"""Seconds, 31 years: nobody waits longer."""
+_LONGEST = 1e9
+"""Seconds, 31 years: more is no limit."""
 _FIRST = 1.0
 """Seconds of machine time in the first slice of a run; each one that took less than _SOON of ours is followed
 by a longer one, each other by a shorter one.
 """
 _SOON = 0.05
 _WAITS = (Reason.TAPE_OUT, Reason.IDLE)
-_BREATH = 60 * TICKS_PER_SECOND
-"""After so much machine time Python may take a signal; a compiled run takes none by itself."""
+_UNINTERRUPTED = 60 * TICKS_PER_SECOND
+"""After so much machine time Python may take a signal; compiled code takes none by itself."""
 
 
 class LoadError(WorkError):
-    """Words that do not go into 4K of core, or a tape that did not load."""
-
-
-class Core:
-    """The 4096 words of core, as they are examined and deposited from outside: checked and masked."""
-
-    def __init__(self, processor: Processor, engine: Engine) -> None:
-        self._processor = processor
-        self._engine = engine
-
-    def __getitem__(self, address: int) -> int:
-        return self._processor.core[_checked(address)]
-
-    def __setitem__(self, address: int, word: int) -> None:
-        self._processor.core[_checked(address)] = word & 0o7777
-        self._processor.written = 1
-        self._engine.forget(address)
-
-    def __len__(self) -> int:
-        return len(self._processor.core)
-
-    def __iter__(self) -> Iterator[int]:
-        return iter(self._processor.core)
+    """Words that lie outside 4K of core, or a tape that did not load."""
 
 
 def _ticks(seconds: float) -> int:
-    return round(min(seconds, _AGES) * TICKS_PER_SECOND)
-
-
-def _checked(address: int) -> int:
-    if not 0 <= address <= 0o7777:
-        raise IndexError(f"core has addresses 0000 to 7777, not {address:o}")
-    return address
-
-
-def _check_words(words: Mapping[int, int]) -> None:
-    """Raise LoadError unless every address of `words` lies in 4K of core and every word has 12 bits."""
-    for address, word in words.items():
-        if not 0 <= address <= 0o7777:
-            raise LoadError(f"address {address:05o}: a PDP-8/L with 4K of core ends at 07777")
-        if not 0 <= word <= 0o7777:
-            raise LoadError(f"address {address:04o}: {word:o} is no word of 12 bits")
+    """Return `seconds` in ticks. Raises ValueError for a negative time and for NaN."""
+    if not seconds >= 0:
+        raise ValueError(f"a time of {seconds} seconds: 0 or more is allowed")
+    return round(min(seconds, _LONGEST) * TICKS_PER_SECOND)
 
 
 class Machine:
@@ -97,15 +64,31 @@ class Machine:
         self.processor = Processor(self.bus)
         self.waiting = Waiting(self.processor)
         self.engine = Engine(self.processor, self.waiting)
-        self.core = Core(self.processor, self.engine)
+        self.core = Core(self.processor)
         self.panel = Panel(self.processor)
         self.watch = Watch()
-        self._minded = frozenset[int]()
+        self._breakpoints = frozenset[int]()
+        """Those of the last run."""
         self._left: tuple[int, ...] = ()
+        """The registers as the last run left them, if it ended with its limit."""
         self.highspeed = HighSpeed()
         if highspeed:
             self.highspeed.connect(self.bus)
+        self._own = frozenset(device.code for device in self.bus)
+        """The codes of the devices fitted here."""
         self.power_up()
+
+    def __repr__(self) -> str:
+        p = self.processor
+        stands = "running" if p.run else "stopped"
+        return f"<Machine at {self.pc:04o}: L {self.link} AC {self.ac:04o}, {stands}, {self.elapsed:.6f} s>"
+
+    def __reduce__(self) -> tuple[Callable[..., "Machine"], tuple[str, dict[int, type[Device]]]]:
+        """Copy by the saved state: breakpoints, observers and `on_frame` stay with the original."""
+        from pdp8.computer import state
+
+        others = [device for device in self.bus if device.code not in self._own]
+        return state.restore, (state.save(self), {device.code: type(device) for device in reversed(others)})
 
     def power_up(self) -> None:
         """Do what the power switch does: INITIALIZE, and stand still."""
@@ -113,57 +96,64 @@ class Machine:
         self.processor.run = 0
 
     def load(self, words: Mapping[int, int] | Iterable[tuple[int, int]]) -> None:
-        """Put `words`, {address: word}, into core. Raises LoadError if one lies outside it, and then loads
-        none.
+        """Put `words`, {address: word}, into core. Raises LoadError if an address is not one of 0000 to 7777,
+        and then loads nothing.
         """
         words = dict(words)
-        _check_words(words)
+        for address in words:
+            if not 0 <= address < SIZE:
+                raise LoadError(f"address {address:05o}: a PDP-8/L with 4K of core ends at 07777")
         for address, word in words.items():
             self.core[address] = word
 
     def start(self, address: int | None = None) -> None:
-        """Press START, after LOAD ADD of `address` if one is given; time counts from here."""
+        """Press STOP, LOAD ADD with `address` in the switches if one is given, and START; time counts from
+        here. The switch register is left as it is.
+        """
+        self.panel.stop()
         if address is not None:
-            self.pc = address
-        self.processor.initialize()
-        self.processor.run = 1
+            self.panel.load_address(address)
+        self.panel.start()
 
     def stop(self) -> None:
-        """Press STOP: the run ends with the instruction."""
+        """Press STOP: the instruction ends, and the run with it."""
         self.panel.stop()
 
     def wait(self, seconds: float) -> None:
-        """Let time pass while the processor stands still: the Teletype goes on with what it has begun.
+        """Let time pass while the processor stands still: the Teletype goes on, and takes what came since.
 
-        Raises ValueError for less than nothing.
+        Raises ValueError for a negative time and for NaN.
         """
-        if seconds < 0:
-            raise ValueError("time does not go back")
-        self.processor.clock += _ticks(seconds)
+        ticks = _ticks(seconds)
+        self.bus.advance(self.processor.clock)
+        self.processor.clock += ticks
         self.bus.advance(self.processor.clock)
 
     def run(self, seconds: float | None = None, instructions: int | None = None) -> Stop:
         """Run until the program stops or only waits for what can never come; return why.
 
         `seconds` of machine time and number of `instructions` limit this run. From a standstill this is CONT.
+        Raises ValueError for a negative limit and for NaN.
         """
         p = self.processor
+        if instructions is not None and instructions < 0:
+            raise ValueError(f"a limit of {instructions} instructions: 0 or more is allowed")
         until = NEVER if seconds is None else min(NEVER, p.clock + _ticks(seconds))
         last = NEVER if instructions is None else min(NEVER, p.instructions + instructions)
         p.run = 1
         self.bus.advance(p.clock)
-        if self._left != self._registers():
+        if not self.continues():
             self.waiting.forget()
-        self._mind_breakpoints()
+        self._take_breakpoints()
         if p.sing_step:
             reason = self._cycle()
-        elif self.watch.watchful():
+        elif self.watch.each_cycle():
             reason = self._run_watched(until, last)
         else:
             reason = self._run(until, last)
         left = self._registers()
         self.bus.advance(p.clock)
-        if not p.run and reason is Reason.LIMIT:  # who saw a frame just now pressed STOP
+        if not p.run and reason is Reason.LIMIT:  # STOP was pressed as a frame was seen just now
             reason = self._stopped()
         if reason is not Reason.LIMIT:
             self.bus.finish()
@@ -203,23 +193,31 @@ class Machine:
                 yield Stop(Reason.STOP_KEY, self.pc, self.elapsed)
                 return
 
+    def continues(self) -> bool:
+        """Tell whether the last run ended with its limit and no register was set since."""
+        return self._left == self._registers()
+
+    def left(self) -> None:
+        """Take the registers as they are for those the last run left, its limit reached."""
+        self._left = self._registers()
+
     def _registers(self) -> tuple[int, ...]:
-        """Return what a hand may have changed when a run goes on; what only waited then waits anew."""
+        """Return what may be set from outside between two runs: if it was, no turn of a loop is known."""
         p = self.processor
         return p.clock, p.instructions, p.pc, p.lac, p.next, p.ion, p.ion_delayed, p.sr, p.mem_prot
 
-    def _mind_breakpoints(self) -> None:
-        """Have no turn of a loop passed over in which a breakpoint lies or a watched word is written."""
+    def _take_breakpoints(self) -> None:
+        """Let no turn of a loop be passed over that has a breakpoint in it or writes a watched word."""
         breakpoints = frozenset(self.watch.breakpoints)
-        self.waiting.watched = self.watch.watchful() or len(breakpoints) > 0
-        if self.watch.writes or self.processor.pc in breakpoints or breakpoints != self._minded:
+        self.waiting.watched = self.watch.each_cycle() or len(breakpoints) > 0
+        if self.watch.writes or self.processor.pc in breakpoints or breakpoints != self._breakpoints:
             self.waiting.forget()
-            self._minded = breakpoints
+            self._breakpoints = breakpoints
 
     def _run(self, until: int, last: int) -> Reason:
-        """Let the engine run, as far as nobody looks closer than at breakpoints."""
+        """Let the engine run: breakpoints are all that is watched."""
         p, breakpoints = self.processor, self.watch.breakpoints
-        while not self.engine.run(min(until, p.clock + _BREATH), last, breakpoints):
+        while not self.engine.run(min(until, p.clock + _UNINTERRUPTED), last, breakpoints):
             if self.waiting.endless:
                 return self._endless()
             if not p.run:
@@ -231,7 +229,7 @@ class Machine:
         return Reason.BREAKPOINT
 
     def _run_watched(self, until: int, last: int) -> Reason:
-        """Run as `_run` does, instruction by instruction, and tell the watch of each cycle."""
+        """Run as `_run` does, instruction by instruction, the watch looking at each cycle."""
         p, watch, waiting = self.processor, self.watch, self.waiting
         waiting.endless = False
         first = True
@@ -273,7 +271,7 @@ class Machine:
         """Tell whether the loop the program stands in waits for a reader whose tape has run out."""
         p = self.processor
         return any(
-            device.out_of_tape() and (p.ion or self.bus.asked >> device.code & 1) for device in self.bus
+            device.out_of_tape() and (p.ion or self.bus.tested >> device.code & 1) for device in self.bus
         )
 
     @property

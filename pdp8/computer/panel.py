@@ -6,7 +6,7 @@
     SR  ____________  MEM PROT   LOAD ADD   START CONT STOP   SING STEP   EXAM DEP
 
 An 8/L has no lamps for the PC, and its IR shows the op code as three bits. LOAD ADD does a memory cycle, so
-that MB shows the word. All keys but STOP are dead while RUN is on. SING STEP stops the machine after every
+that MB shows the word. All keys but STOP do nothing while RUN is on. SING STEP stops the machine after every
 memory cycle; interrupts wait while it is down.
 
 Not emulated: the data and instruction field switches and EMA (they belong to the MC8/L), the power and lock
@@ -20,7 +20,7 @@ project.
 from typing import NamedTuple
 
 from pal.isa import DEFER, EXECUTE, FETCH
-from pdp8.computer.processor import INTERRUPT, PROTECTED, Processor
+from pdp8.computer.processor import PROTECTED, Processor
 
 
 class Lamps(NamedTuple):
@@ -100,16 +100,19 @@ class Panel:
 
     def load_add(self) -> None:
         """LOAD ADD: the switches into PC and MA, and MB shows the word there."""
-        p = self.processor
-        if not p.run:
-            p.pc = p.sr
-            self._look()
+        self.load_address(self.processor.sr)
+
+    def load_address(self, address: int) -> None:
+        """Do what LOAD ADD does with `address` in the switches."""
+        if not self.processor.run:
+            self.processor.pc = address & 0o7777
+            self._read()
 
     def exam(self) -> None:
         """EXAM: MB shows the word at PC, and PC goes on."""
         p = self.processor
         if not p.run:
-            self._look()
+            self._read()
             p.pc = p.pc + 1 & 0o7777
 
     def dep(self) -> None:
@@ -117,15 +120,15 @@ class Panel:
         p = self.processor
         if p.run:
             return
-        self._look()
+        self._read()
         if p.mem_prot and p.ma >= PROTECTED:
             p.protect = 1
         else:
-            p.mb = p.core[p.ma] = p.sr
-            p.written = 1
+            p.mb = p.sr
+            p.deposit(p.ma, p.sr)
         p.pc = p.pc + 1 & 0o7777
 
-    def _look(self) -> None:
+    def _read(self) -> None:
         p = self.processor
         p.protect = 0
         p.ma = p.pc
@@ -150,8 +153,8 @@ class Panel:
             self.processor.run = 1
 
     def stop(self) -> None:
-        """STOP: RUN goes off at the end of the instruction, before an interrupt that is due."""
+        """STOP: the instruction ends and RUN goes off, before an interrupt that is due."""
         p = self.processor
-        p.run = 0
-        if p.next == INTERRUPT:
-            p.next = FETCH
+        p.stop()
+        while p.stopping:
+            p.cycle()

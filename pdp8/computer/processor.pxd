@@ -17,10 +17,13 @@ cdef class Processor:
     cdef public object core
     cdef unsigned short[::1] _core
     cdef public int lac, pc, ma, mb, ir, state, next, run
-    cdef public int ion, ion_delayed, sr, mem_prot, sing_step, protect, written
-    cdef public int64_t clock, started, instructions
+    cdef public int ion, ion_delayed, sr, mem_prot, sing_step, protect, stopping
+    cdef public int64_t clock, started, instructions, writes
+    cdef unsigned short forms[4098]
 
     cpdef initialize(self)
+    cpdef void deposit(self, int address, int word) noexcept
+    cpdef stop(self)
     cpdef int cycle(self) except -1
     cpdef int instruction(self) except -1
     @cython.locals(word=int, code=int)
@@ -33,4 +36,4 @@ cdef class Processor:
     @cython.locals(answer=int)
     cdef int _input_output(self, int word) except -1
     cdef void _interrupt_enable(self, int word) noexcept
-    cdef int _strobe(self) except -1
+    cdef int _end(self) except -1

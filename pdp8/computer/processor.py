@@ -54,6 +54,7 @@ from pal.isa import (
     refers_to,
 )
 from pdp8.computer.bus import Bus
+from pdp8.computer.fields import BIT, COUNT, TICK, saved
 from pdp8.computer.operate import group1, group2, skips
 
 INTERRUPT = 3
@@ -71,9 +72,21 @@ globals().update(INTERRUPT=INTERRUPT, PROTECTED=PROTECTED, CYCLE=CYCLE, IO_TICKS
 class Processor:
     """The registers, the core, and what one memory cycle does to them."""
 
+    fields = saved(
+        **dict.fromkeys(("pc", "ma", "mb", "sr"), "7777"),
+        **dict.fromkeys(("run", "stopping", "ion", "ion_delayed", "mem_prot", "sing_step", "protect"), BIT),
+        **dict.fromkeys(("instructions", "writes"), COUNT),
+        **dict.fromkeys(("clock", "started"), TICK),
+        lac="17777",
+        ir="7",
+        state=EXECUTE,
+        next=INTERRUPT,
+    )
+
     def __init__(self, bus: Bus) -> None:
         self.bus = bus
         self.core = array("H", bytes(2 * 0o10000))
+        """To be read; `deposit` writes."""
         self._core = self.core
         """The same; compiled, a view that is read without asking Python."""
         self.lac = 0
@@ -88,6 +101,8 @@ class Processor:
         self.next = FETCH
         """The major state of the next one."""
         self.run = 0
+        self.stopping = 0
+        """Set by STOP in the middle of an instruction, whose end clears RUN."""
         self.ion = 0
         self.ion_delayed = 0
         """Interrupts are taken when this is set too, one instruction after ION."""
@@ -102,15 +117,31 @@ class Processor:
         """The clock at the last INITIALIZE."""
         self.instructions = 0
         """Instructions fetched since power-up."""
-        self.written = 0
-        """Set when a word of core is written; who asks clears it."""
+        self.writes = 0
+        """A count that rises whenever words of core are written."""
+        self.forms = [0] * 0o10002
+        """The engine's decoded form of each word; writing the word sets it to 0."""
 
     def initialize(self) -> None:
         """INITIALIZE: clear AC, L and the interrupt, and every device; core and PC stay."""
-        self.lac = self.ion = self.ion_delayed = 0
+        self.lac = self.ion = self.ion_delayed = self.stopping = 0
         self.state = self.next = FETCH
         self.started = self.clock
         self.bus.initialize(self.clock)
+
+    def deposit(self, address: int, word: int) -> None:
+        """Write `word`, of 12 bits, into core at `address`."""
+        self._core[address] = word
+        self.forms[address] = 0
+        self.writes += 1
+
+    def stop(self) -> None:
+        """STOP: clear RUN at the end of the instruction, before an interrupt that is due."""
+        if self.next in (DEFER, EXECUTE):
+            self.stopping = self.run
+        else:
+            self.run = 0
+            self.next = FETCH
 
     def cycle(self) -> None:
         """Run one memory cycle."""
@@ -123,8 +154,8 @@ class Processor:
             self._execute()
         else:
             self._interrupt()
-        if self.ion and self.next == FETCH:
-            self._strobe()
+        if self.next == FETCH:
+            self._end()
 
     def instruction(self) -> None:
         """Run cycles to the end of the instruction, or the one of an interrupt that is due."""
@@ -138,8 +169,7 @@ class Processor:
                 self._defer()
             if self.next == EXECUTE:
                 self._execute()
-            if self.ion:
-                self._strobe()
+            self._end()
 
     def _fetch(self) -> None:
         self.state = FETCH
@@ -211,8 +241,7 @@ class Processor:
             self.run = 0
             return
         self.mb = word
-        self._core[self.ma] = word
-        self.written = 1
+        self.deposit(self.ma, word)
 
     def _operate(self, word: int) -> None:
         if not word & GROUP_2:
@@ -234,16 +263,19 @@ class Processor:
         self.clock += IO_TICKS
 
     def _interrupt_enable(self, word: int) -> None:
-        self.bus.told += 1
+        self.bus.actions += 1
         if word & 1:
             self.ion = 1
         if word & 2:
             self.ion = self.ion_delayed = 0
 
-    def _strobe(self) -> None:
-        """End an instruction with ION set: take an interrupt that is requested, unless the machine stops
-        here.
+    def _end(self) -> None:
+        """End an instruction: stop if STOP was pressed in it; else, with ION set, take an interrupt that is
+        requested, unless the machine stops here.
         """
-        if self.ion_delayed and self.run and self.bus.request(self.clock):
-            self.next = INTERRUPT
-        self.ion_delayed = 1
+        if self.stopping:
+            self.run = self.stopping = 0
+        if self.ion:
+            if self.ion_delayed and self.run and self.bus.request(self.clock):
+                self.next = INTERRUPT
+            self.ion_delayed = 1

@@ -1,186 +1,215 @@
-"""A machine's whole state as a text that a person can read, and back.
+"""A machine's whole state as JSON that a person can read, and back.
 
-A run saved in the middle goes on as if nothing had happened.
+A run saved at any instant goes on as if nothing had happened.
 
-    pdp8 state 1
-    processor.lac 00017          words are octal
-    processor.clock 1234567      flags, counts and ticks of 0.05 us are decimal; "never" is no time
-    core 0200 7200 1205 ...      eight words a line; words not named are 0000
-    teletype.reader.tape 215 ... frames are octal
-    end                          what comes before is whole
+    {"format": "pdp8 state", "version": 2,
+     "continues": true,                          the machine is as its last run left it
+     "processor": {"pc": "0200", "clock": 85},   words are octal strings; counts, flags and ticks are numbers
+     "core": {"0200": "7200 1205 ..."},          eight words a line; words not named are 0000
+     "bus": {...}, "waiting": {...},
+     "devices": {"03": {"device": "Receiver", "flag": 1, "reader": {"tape": ["215 212 ..."], ...}, ...}}}
 
-Breakpoints and observers are not part of the machine, and not saved.
+What is saved of a part is what its class declares in `fields` (see fields.py). Breakpoints and observers are
+not part of the machine, and not saved. Files of version 1 are read too (see oldstate.py).
 """
 
-from collections.abc import Iterator
-from typing import NamedTuple
+import json
+from array import array
+from collections.abc import Iterator, Mapping
+from typing import Any
 
-from pdp8.computer.bus import AT_ONCE, NEVER
+from pdp8.computer.bus import AT_ONCE, NEVER, Device
+from pdp8.computer.fields import CORE, FRAMES, PART, TICK
 from pdp8.computer.machine import Machine
+from pdp8.computer.oldstate import TITLE, modern
 from tapes.errors import WorkError
 
-_TITLE = "pdp8 state 1"
-_END = "end"
-
-
-class Part(NamedTuple):
-    """A part of the machine: where it is, its words (octal), numbers (decimal), tapes (octal frames)."""
-
-    path: str
-    words: str = ""
-    numbers: str = ""
-    tapes: str = ""
-
-
-_CONSOLE = (
-    Part(
-        "processor",
-        "lac pc ma mb ir sr",
-        "state next run ion ion_delayed mem_prot sing_step protect clock started instructions",
-    ),
-    Part("teletype.receiver", "buffer frame", "flag now reader_run start stage free"),
-    Part("teletype.reader", "", "position loaded on", "tape"),
-    Part("teletype.keyboard", tapes="waiting"),
-    Part("teletype.transmitter", "register selected", "flag start shifts free unit printed"),
-    Part("teletype.printer", tapes="frames"),
-    Part("teletype.punch", "", "on", "frames"),
-)
-_HIGH_SPEED = (
-    Part("highspeed.reader_control", "buffer", "flag due fetching"),
-    Part("highspeed.reader", "", "position loaded on", "tape"),
-    Part("highspeed.punch_control", "buffer", "flag due punched"),
-    Part("highspeed.punch", "", "on", "frames"),
-)
-_MOST = {"lac": 0o17777, "register": 0o777, "ir": 7, "buffer": 0o377, "frame": 0o377, "selected": 0o377}
-_MOST |= {"state": 2, "next": 3, "stage": 2, "unit": 8, "shifts": 1 << 30}
-_MOST |= dict.fromkeys(("run", "ion", "ion_delayed", "mem_prot", "sing_step", "protect", "on", "loaded"), 1)
-_MOST |= dict.fromkeys(("flag", "reader_run", "printed", "fetching", "punched"), 1)
+_HEAD = {"format": "pdp8 state", "version": 2}
 _LATEST = 1 << 60
 _ROW = 8
 _FRAMES = 24
+_NEVER = "never"
 
 
 class StateError(WorkError):
-    """A text that is no saved state; the message names the line."""
+    """A text that is not a saved state; the message names the place."""
 
 
 def save(machine: Machine) -> str:
     """Return the state of `machine` as text."""
-    machine.bus.advance(machine.processor.clock)
-    return "\n".join([_TITLE, *_registers(machine), *_core(machine), _END, ""])
+    words = machine.processor.core
+    state = {
+        **_HEAD,
+        "continues": machine.continues(),
+        "processor": _written(machine.processor, words),
+        "core": _rows(words),
+        "bus": _written(machine.bus, words),
+        "waiting": _written(machine.waiting, words),
+        "devices": {
+            f"{device.code:02o}": {"device": type(device).__name__, **_written(device, words)}
+            for device in machine.bus
+        },
+    }
+    return json.dumps(state, indent=1) + "\n"
 
 
-def _registers(machine: Machine) -> Iterator[str]:
-    parts = _CONSOLE + (_HIGH_SPEED if machine.highspeed.fitted else ())
-    for part in parts:
-        for name in part.words.split():
-            yield f"{part.path}.{name} {_get(machine, part.path, name):04o}"
-        for name in part.numbers.split():
-            number = int(_get(machine, part.path, name))
-            yield f"{part.path}.{name} {'never' if number == NEVER else number}"
-        for name in part.tapes.split():
-            frames: bytes = _get(machine, part.path, name)
-            for at in range(0, len(frames), _FRAMES):
-                row = frames[at : at + _FRAMES]
-                yield f"{part.path}.{name} {' '.join(f'{frame:03o}' for frame in row)}"
+def _written(part: Any, core: "array[int]") -> dict[str, object]:
+    """Return the fields of a part as JSON has them."""
+    return {name: _value(kind, getattr(part, name), core) for name, kind in part.fields.items()}
 
 
-def _core(machine: Machine) -> Iterator[str]:
-    core = list(machine.core)
-    for address in range(0, len(core), _ROW):
-        row = core[address : address + _ROW]
-        if any(row):
-            yield f"core {address:04o} {' '.join(f'{word:04o}' for word in row)}"
+def _value(kind: int | str, value: Any, core: "array[int]") -> object:
+    if kind == PART:
+        return _written(value, core)
+    if kind == TICK:
+        return _NEVER if value == NEVER else value
+    if kind == FRAMES:
+        rows = (value[at : at + _FRAMES] for at in range(0, len(value), _FRAMES))
+        return [" ".join(f"{frame:03o}" for frame in row) for row in rows]
+    if kind == CORE:
+        return None if value is None else _rows(value, core)
+    return f"{value:0{len(kind)}o}" if isinstance(kind, str) else int(value)
 
 
-def restore(text: str) -> Machine:
-    """Return the machine whose state `text` is. Raises StateError."""
-    title, *lines = text.rstrip().splitlines() or [""]
-    if title.strip() != _TITLE:
-        raise StateError(f"line 1: a saved state begins with {_TITLE!r}")
-    if not lines or lines.pop().strip() != _END:
-        raise StateError(f"the saved state is cut short: its last line is not {_END!r}")
-    machine = Machine(highspeed=any(line.startswith("highspeed.") for line in lines))
-    known = _known(machine)
-    tapes: dict[str, bytearray] = {}
-    for number, line in enumerate(lines, 2):
-        if not line.strip() or line.startswith("#"):
-            continue
-        try:
-            _take(machine, line.split(), known, tapes)
-        except (ValueError, IndexError, KeyError) as error:
-            raise StateError(f"line {number}: {_reason(error)}: {line.strip()[:60]}") from error
-    for path, frames in tapes.items():
-        part, name = path.rsplit(".", 1)
-        old = _get(machine, part, name)
-        _set(machine, part, name, bytes(frames) if isinstance(old, bytes) else frames)
-    _check_readers(machine)
-    machine.teletype.receiver.plan()
-    machine.teletype.transmitter.plan()
+def _rows(words: "array[int]", usual: "array[int] | None" = None) -> dict[str, str]:
+    """Return rows of words, {address: words}, but for those that are as `usual`, or 0."""
+    usual = usual or array("H", bytes(2 * len(words)))
+    return {
+        f"{address:04o}": " ".join(f"{word:04o}" for word in words[address : address + _ROW])
+        for address in range(0, len(words), _ROW)
+        if words[address : address + _ROW] != usual[address : address + _ROW]
+    }
+
+
+def restore(text: str, others: Mapping[int, type[Device]] | None = None) -> Machine:
+    """Return the machine whose state `text` is; what the text does not name is as at power-up. Raises
+    StateError.
+
+    `others` are the classes of devices that are fitted beside the Teletype and the PC8/L, by their codes.
+    """
+    state = _parsed(text)
+    devices = _object(state.get("devices", {}), "devices")
+    machine = Machine(highspeed="01" in devices)
+    for code, device in (others or {}).items():
+        machine.bus.fit(code, device())
+    for address, word in _words(state.get("core", {}), "core"):
+        machine.core[address] = word
+    for name in ("processor", "bus", "waiting"):
+        _take(getattr(machine, name), state.get(name, {}), name, machine)
+    for number, fields in devices.items():
+        _take_device(machine, number, fields)
+    _check(machine)
+    if state.get("continues"):
+        machine.left()
     return machine
 
 
-def _take(machine: Machine, fields: list[str], known: dict[str, str], tapes: dict[str, bytearray]) -> None:
-    """Set what one line says."""
-    name, *values = fields
-    if name == "core":
-        address = int(values[0], 8)
-        for offset, word in enumerate(values[1:]):
-            machine.core[address + offset] = _limited(int(word, 8), 0o7777)
-        return
-    part, attribute = name.rsplit(".", 1) if "." in name else ("", name)
-    kind = known[name]
-    if kind == "tape":
-        tapes.setdefault(name, bytearray()).extend(_limited(int(frame, 8), 0o377) for frame in values)
-        return
-    (value,) = values
-    if kind == "word":
-        _set(machine, part, attribute, _limited(int(value, 8), _MOST.get(attribute, 0o7777)))
-    else:
-        number = _time(value) if attribute == "due" else _limited(int(value), _MOST.get(attribute, _LATEST))
-        old = _get(machine, part, attribute)
-        _set(machine, part, attribute, bool(number) if isinstance(old, bool) else number)
+def _parsed(text: str) -> dict[str, Any]:
+    try:
+        if text.startswith(TITLE):
+            return modern(text)
+        state = json.loads(text)
+    except ValueError as error:
+        raise StateError(f"not a whole saved state: {error}") from error
+    if not isinstance(state, dict) or {name: state.get(name) for name in _HEAD} != _HEAD:
+        head = ", ".join(f'"{name}": {json.dumps(value)}' for name, value in _HEAD.items())
+        raise StateError(f"not a saved state: one begins with {{{head}}} or {TITLE!r}")
+    return state
 
 
-def _time(value: str) -> int:
-    """Return the tick of an event: AT_ONCE, a number or never."""
-    return NEVER if value == "never" else _limited(int(value) - AT_ONCE, _LATEST) + AT_ONCE
+def _take_device(machine: Machine, code: str, fields: object) -> None:
+    """Set the fields of the device that is fitted under `code`."""
+    place = f"devices {code}"
+    device = machine.bus.device(_octal(code, 0o77, place))
+    if device is None:
+        raise StateError(f"{place}: this machine has no such device")
+    named = dict(_object(fields, place))
+    kind = named.pop("device", type(device).__name__)
+    if kind != type(device).__name__:
+        raise StateError(f"{place}: {kind!r} was saved, but {type(device).__name__!r} is fitted")
+    _take(device, named, place, machine)
+    if "due" not in named:
+        device.plan()
 
 
-def _limited(value: int, most: int) -> int:
-    if not 0 <= value <= most:
-        raise ValueError(f"{value:o} is out of range")
+def _take(part: Any, fields: object, place: str, machine: Machine) -> None:
+    """Set the fields of a part."""
+    for name, value in _object(fields, place).items():
+        where = f"{place} {name}"
+        if name not in part.fields:
+            raise StateError(f"{where}: the fields are {' '.join(part.fields)}")
+        kind = part.fields[name]
+        if kind == PART:
+            _take(getattr(part, name), value, where, machine)
+        elif kind == FRAMES:
+            setattr(part, name, type(getattr(part, name))(_frames(value, where)))
+        elif kind == CORE:
+            setattr(part, name, None if value is None else _copy(value, where, machine))
+        elif isinstance(kind, int):
+            setattr(part, name, type(getattr(part, name))(_number(value, 0, kind, where)))
+        else:
+            setattr(part, name, _tick(value, where) if kind == TICK else _octal(value, int(kind, 8), where))
+
+
+def _object(value: object, place: str) -> dict[str, Any]:
+    if not isinstance(value, dict):
+        raise StateError(f"{place}: {_short(value)} is not an object with fields")
     return value
 
 
-def _reason(error: Exception) -> str:
-    return "no part of a PDP-8/L" if isinstance(error, KeyError) else "not understood"
+def _number(value: object, least: int, most: int, place: str) -> int:
+    if not isinstance(value, int) or not least <= value <= most:
+        raise StateError(f"{place}: {_short(value)} is not a number from {least} to {most}")
+    return value
 
 
-def _known(machine: Machine) -> dict[str, str]:
-    """Return what each name of a line is: a word, a number or a tape."""
-    kinds: dict[str, str] = {}
-    for part in _CONSOLE + (_HIGH_SPEED if machine.highspeed.fitted else ()):
-        for kind, names in (("word", part.words), ("number", part.numbers), ("tape", part.tapes)):
-            kinds |= {f"{part.path}.{name}": kind for name in names.split()}
-    return kinds
+def _octal(value: object, most: int, place: str) -> int:
+    """Return an octal number written as a string."""
+    digits = isinstance(value, str) and value.isascii() and value.isdigit() and not set(value) & {"8", "9"}
+    if not digits or int(str(value), 8) > most:
+        raise StateError(f"{place}: {_short(value)} is not an octal number from 0 to {most:o}")
+    return int(str(value), 8)
 
 
-def _check_readers(machine: Machine) -> None:
+def _tick(value: object, place: str) -> int:
+    return NEVER if value == _NEVER else _number(value, AT_ONCE, _LATEST, place)
+
+
+def _frames(value: object, place: str) -> Iterator[int]:
+    if not isinstance(value, list):
+        raise StateError(f"{place}: {_short(value)} is not a list of rows of frames")
+    for row in value:
+        for frame in str(row).split():
+            yield _octal(frame, 0o377, place)
+
+
+def _words(value: object, place: str) -> Iterator[tuple[int, int]]:
+    """Yield the addresses and words of {address: words}."""
+    for first, words in _object(value, place).items():
+        for offset, word in enumerate(str(words).split()):
+            address = _octal(first, 0o7777, place) + offset
+            if address > 0o7777:
+                raise StateError(f"{place} {first}: the words go beyond 7777")
+            yield address, _octal(word, 0o7777, f"{place} {first}")
+
+
+def _copy(value: object, place: str, machine: Machine) -> "array[int]":
+    """Return a copy of core that differs from it in the words given."""
+    copy = machine.processor.core[:]
+    for address, word in _words(value, place):
+        copy[address] = word
+    return copy
+
+
+def _check(machine: Machine) -> None:
+    """Raise StateError for fields that contradict each other."""
     for reader in (machine.teletype.reader, machine.highspeed.reader):
-        if not 0 <= reader.position <= len(reader.tape):
+        if reader.position > len(reader.tape):
             raise StateError(f"the reader stands at frame {reader.position} of a tape of {len(reader.tape)}")
+    p, waiting = machine.processor, machine.waiting
+    if waiting.clock > p.clock or waiting.instructions > p.instructions:
+        raise StateError("waiting: its clock and instructions lie after those of the processor")
 
 
-def _get(machine: Machine, path: str, name: str):  # type: ignore[no-untyped-def]
-    part: object = machine
-    for step in path.split("."):
-        part = getattr(part, step)
-    return getattr(part, name)
-
-
-def _set(machine: Machine, path: str, name: str, value: object) -> None:
-    part: object = machine
-    for step in path.split("."):
-        part = getattr(part, step)
-    setattr(part, name, value)
+def _short(value: object) -> str:
+    return json.dumps(value)[:60]

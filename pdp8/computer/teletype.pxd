@@ -34,10 +34,9 @@ cdef class Receiver(Device):
     cdef public Reader reader
     cdef public Keyboard keyboard
     cdef public int reader_run, buffer, frame, stage
-    cdef public int64_t now, start, free, step, asked
+    cdef public int64_t now, start, free, step, requested
 
     @cython.locals(start=int64_t)
-    cpdef void plan(self) noexcept
     cpdef int begin(self) except -1
     @cython.locals(bits=int)
     cpdef int shifted(self, int64_t now) except -1
@@ -67,7 +66,6 @@ cdef class Transmitter(Device):
     cdef public int register, shifts, unit, selected, printed
     cdef public int64_t start, free
 
-    cpdef void plan(self) noexcept
     @cython.locals(units=int)
     cdef int left(self) except -1
     cpdef int end(self) except -1

@@ -2,7 +2,7 @@
 
       tape ─► reader ─┐                                        ┌─► printer ─► page
                       ├─ line, 110 baud ─► M706     M707 ─ line ┤
-    fingers ► keyboard┘   READER RUN ◄───  (03)     (04)       └─► punch ─► tape
+       keys ► keyboard┘   READER RUN ◄───  (03)     (04)       └─► punch ─► tape
 
 A character on the line is 11 units: a start unit (space), 8 data units, channel 1 first, 2 stop units (mark).
 
@@ -18,12 +18,12 @@ Transmitter: loading it while it is busy ors into what is left of the character 
 behind it, which makes one longer, garbled character.
 
 By convention: a transmission from idle starts with the pulse itself (the 220 Hz clock of the real one runs
-free, 0 to 4.5 ms of delay); the reader starts as soon as READER RUN lets it, but a start unit that a pulse
-brings on is not in the buffer before the pulse's IOT is over (a real receiver sees it up to 1/8 unit later),
-so that KRB reads its character however late it comes; a key pressed while the line is busy waits for it; the
-printer takes a space after its eighth data unit for a new start unit, and finishes with marks what a line
-that fell silent has begun. INITIALIZE silences the transmitter so, and the receiver drops what it has half
-received.
+free, 0 to 4.5 ms of delay); the reader starts as soon as READER RUN lets it, but a start unit between the
+pulses of the IOT that set READER RUN is not in the buffer before that IOT is over (a real receiver sees it up
+to 1/8 unit later), so that KRB reads its character however late it comes; a key pressed while the line is
+busy waits for it; the printer takes a space after its eighth data unit for a new start unit, and finishes
+with marks what a line that fell silent has begun. INITIALIZE silences the transmitter so, and the receiver
+drops what it has half received.
 
 Not emulated: LOCAL, BREAK, answer-back, the reader's trip latency; a START key pressed in the middle of an
 incoming character makes a real receiver take one of its later spaces for a start unit.
@@ -35,6 +35,7 @@ instruction card.
 from collections.abc import Callable
 
 from pdp8.computer.bus import AT_ONCE, CLEAR_AC, NEVER, SKIP, Bus, Device
+from pdp8.computer.fields import BIT, COUNT, FRAMES, PART, TICK, saved
 
 # A unit of the line is 1/110 s, 181 818.18 ticks of 0.05 us.
 FRAME = 2_000_000
@@ -59,6 +60,8 @@ globals().update(FRAME=FRAME, START_CHECKED=START_CHECKED, RECEIVED=RECEIVED, IO
 
 class Reader:
     """The tape reader: a tape, where it stands under the head, and the lever."""
+
+    fields = saved(tape=FRAMES, position=COUNT, loaded=BIT, on=BIT)
 
     def __init__(self, device: Device) -> None:
         self.device = device
@@ -110,6 +113,8 @@ class Reader:
 class Keyboard:
     """The keyboard: the keys pressed that are not yet on the line."""
 
+    fields = saved(waiting=FRAMES)
+
     def __init__(self, device: Device) -> None:
         self.device = device
         self.waiting = bytearray()
@@ -122,6 +127,15 @@ class Keyboard:
 
 class Receiver(Device):
     """M706, device 03: takes characters off the line that the reader and the keyboard share."""
+
+    fields = saved(
+        **dict.fromkeys(("flag", "reader_run"), BIT),
+        **dict.fromkeys(("buffer", "frame"), "377"),
+        **dict.fromkeys(("due", "step", "now", "start", "free", "requested"), TICK),
+        stage=2,
+        reader=PART,
+        keyboard=PART,
+    )
 
     def __init__(self) -> None:
         super().__init__()
@@ -139,10 +153,10 @@ class Receiver(Device):
         """What the receiver has noticed of it: 0 idle, 1 its start unit, 2 that it is no false start."""
         self.free = 0
         """The tick from which the line is free."""
-        self.asked = -1
+        self.requested = NEVER
         """The tick of the last pulse that set READER RUN."""
         self.step = NEVER
-        """The tick of the next thing that happens here; `due` is the next that moves the flag."""
+        """The tick of the next thing that happens here; `due` is the next that changes the flag."""
 
     def look(self) -> None:
         """Look whether something waits for the idle line."""
@@ -150,7 +164,7 @@ class Receiver(Device):
             self.step = self.due = AT_ONCE
 
     def plan(self) -> None:
-        """Set `step` to the next thing that happens here, and `due` to the next that moves the flag."""
+        """Set `step` to the next thing that happens here, and `due` to the next that changes the flag."""
         if self.stage == 2:
             self.step = self.due = self.start + RECEIVED
             return
@@ -187,7 +201,7 @@ class Receiver(Device):
         """See the start unit of the next character."""
         if self.keyboard.waiting:
             self.frame = self.keyboard.waiting.pop(0)
-        else:
+        elif self.reader.ready():
             self.frame = self.reader.tape[self.reader.position]
             self.reader.position += 1
         self.reader_run = 0
@@ -197,7 +211,7 @@ class Receiver(Device):
 
     def shifted(self, now: int) -> int:
         """Return the buffer as it reads at tick `now`: 377 shifted down, the character coming in above."""
-        if self.stage == 0 or (self.start == self.asked and now - self.start <= IOP2_TO_IOP4):
+        if self.stage == 0 or (self.start >= self.requested and now - self.requested <= IOP2_TO_IOP4):
             return self.buffer
         bits = 0
         while bits < 8 and now >= self.start + half_units(2 * bits + 3):
@@ -212,7 +226,7 @@ class Receiver(Device):
         if iop == 2:
             self.flag = 0
             self.reader_run = 1
-            self.asked = now
+            self.requested = now
             self.plan()
             return CLEAR_AC
         return self.shifted(now)
@@ -239,13 +253,15 @@ _TYPES = bytes(code - 0o40 if code >= 0o140 else code for code in range(0o200)) 
 
 def printed(frames: bytes) -> bytes:
     """Return what a Model 33 acts on of the frames: 64 characters, BELL, line feed and return; no other code
-    does anything. Channel 8 is not looked at, and lower case is struck as upper case.
+    does anything. Channel 8 is not looked at, and lower case is printed as upper case.
     """
     return frames.translate(_TYPES, _PASSED_OVER)
 
 
 class Printer:
     """The printer: every frame it was sent, and `on_frame`, called with each as it is printed."""
+
+    fields = saved(frames=FRAMES)
 
     def __init__(self) -> None:
         self.frames = bytearray()
@@ -260,6 +276,8 @@ class Printer:
 
 class Punch:
     """The tape punch: while it is `on` it punches all 8 channels of every frame it is sent."""
+
+    fields = saved(frames=FRAMES, on=BIT)
 
     def __init__(self) -> None:
         self.frames = bytearray()
@@ -282,6 +300,17 @@ class Punch:
 
 class Transmitter(Device):
     """M707, device 04: puts characters on the line, where the printer's selector takes them off."""
+
+    fields = saved(
+        **dict.fromkeys(("flag", "printed"), BIT),
+        **dict.fromkeys(("due", "start", "free"), TICK),
+        register="777",
+        selected="377",
+        shifts=1 << 30,
+        unit=8,
+        printer=PART,
+        punch=PART,
+    )
 
     def __init__(self) -> None:
         super().__init__()

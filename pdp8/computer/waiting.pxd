@@ -8,29 +8,27 @@ from pdp8.computer.bus cimport Device
 from pdp8.computer.processor cimport Processor
 
 cdef int64_t NEVER, PERIOD, _FLAG_TICKS
-cdef int CYCLE, FETCH, IO_TICKS, _TESTS, _STEPS
+cdef int CYCLE, FETCH, IO_TICKS, _TESTS, _STEPS, _FORGOTTEN
 
 
 @cython.final
 cdef class Waiting:
     cdef public Processor processor
-    cdef public bint endless, hunting, watched
-    cdef public int64_t strike
-    cdef int pc, lac, patience, sr, mem_prot, ion
-    cdef unsigned short[::1] core
-    cdef object seen
-    cdef int64_t told, clock, instructions, quiet_until
+    cdef public bint endless, stepping, watched
+    cdef public int pc, lac, tries, sr, mem_prot, ion
+    cdef public int64_t next_look, actions, clock, instructions, quiet_until, writes
+    cdef public object core
+    cdef unsigned short[::1] _words
 
     cdef int _remember(self) except -1
     cpdef forget(self)
     cpdef int look(self, int64_t until, int64_t last) except -1
     @cython.locals(word=int)
-    cdef bint _jumps_to(self, int target, int address) except -1
-    @cython.locals(word=int, code=int, event=int64_t, device=Device)
+    @cython.locals(word=int, code=int, behind=int, event=int64_t, device=Device)
     cdef bint _waits_for_flag(self, int64_t until, int64_t last) except -1
     @cython.locals(still=bint)
-    cdef int _strike(self) except -1
-    cdef bint _unwritten(self) except -1
+    cdef int _look_anywhere(self) except -1
+    cdef bint _unchanged(self) except -1
     cdef int _compare(self, int64_t until, int64_t last) except -1
     @cython.locals(ticks=int64_t, count=int64_t, event=int64_t)
     cdef int _pass_turns(self, int64_t until, int64_t last) except -1

@@ -1,7 +1,7 @@
-"""What somebody who looks over a running machine's shoulder wants to know of it.
+"""What can be watched while a machine runs.
 
-Breakpoints at addresses, breakpoints on words being written, and an observer who is told of every memory
-cycle and of every wait that was passed over.
+Breakpoints at addresses, breakpoints on words being written, and an observer that is called after every
+memory cycle and for every wait that was passed over.
 """
 
 from typing import Protocol
@@ -11,13 +11,13 @@ from pdp8.computer.processor import Processor
 
 
 class Observer(Protocol):
-    """Who is told of what a processor does."""
+    """What is called with what a processor does. To end the run it calls `Processor.stop`."""
 
     def cycle(self, processor: Processor) -> None:
-        """Look at the lamps: a memory cycle has ended."""
+        """Take notice that a memory cycle has ended; the lamps show it."""
 
     def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
-        """Hear that `instructions` of a waiting loop, taking `ticks`, were passed over."""
+        """Take notice that `instructions` of a waiting loop, taking `ticks`, were passed over."""
 
 
 class Watch:
@@ -32,8 +32,8 @@ class Watch:
         self.reached = False
         """Set when the last instruction wrote one of them, or was a JMS to a breakpoint."""
 
-    def watchful(self) -> bool:
-        """Tell whether every cycle is to be looked at; breakpoints alone do not need it."""
+    def each_cycle(self) -> bool:
+        """Tell whether every cycle has to be looked at; breakpoints alone do not need it."""
         return bool(self.writes or self.observer)
 
     def instruction(self, processor: Processor) -> None:

@@ -1,6 +1,9 @@
 """The machine as a whole: what may be looked at and set, and that nothing an operator does makes it raise."""
 
+import subprocess
+import sys
 from functools import partial
+from importlib.metadata import version
 
 import pytest
 from hypothesis import given, settings
@@ -202,3 +205,88 @@ def test_a_breakpoint_in_a_waiting_loop_stops_every_turn() -> None:
         assert machine.run().reason == "breakpoint"
         ticks.append(machine.ticks)
     assert ticks == [117, 234, 351, 468, 585]
+
+
+@pytest.mark.parametrize("seconds", [-5.0, -1e-9, float("nan"), float("-inf")])
+def test_no_time_is_less_than_nothing(seconds: float) -> None:
+    machine = program(*octal("7001 5200"))
+    for act in (machine.wait, machine.run, lambda seconds: next(machine.slices(seconds))):
+        with pytest.raises(ValueError, match="seconds: 0 or more is allowed"):
+            act(seconds)
+    with pytest.raises(ValueError, match="a limit of -1 instructions: 0 or more is allowed"):
+        machine.run(instructions=-1)
+    assert (machine.ticks, machine.instructions) == (0, 0)
+
+
+def test_a_time_without_end_is_one_of_31_years() -> None:
+    assert program(*octal("7402")).run(seconds=float("inf")).reason == "halt"
+
+
+def test_load_and_core_take_a_word_in_the_same_way() -> None:
+    loaded, deposited = Machine(), Machine()
+    for word in (0o12345, -1, 0o7777, 1 << 40):
+        loaded.load({0o200: word})
+        deposited.core[0o200] = word
+        assert loaded.core[0o200] == deposited.core[0o200] == word % 0o10000
+
+
+def test_core_in_slices() -> None:
+    core = Machine().core
+    core[0o200:0o204] = [1, 2, 3, 0o10004]
+    assert core[0o177:0o205] == [0, 1, 2, 3, 4, 0]
+    assert core[0o7776:] == [0, 0]
+    assert core[0o200:0o204:2] == [1, 3]
+    assert len(core[:]) == 4096
+    for words in ([1], [1, 2, 3]):
+        with pytest.raises(ValueError, match=f"{len(words)} words for 2 addresses"):
+            core[0:2] = words
+    for bounds in (slice(-1, None), slice(0, 0o10001), slice(0o20000, None)):
+        with pytest.raises(IndexError, match="0000 to 7777"):
+            core[bounds]
+    assert core[0] == 0
+
+
+@pytest.mark.parametrize("sing_step", [False, True])
+def test_start_is_load_add_and_start_at_the_panel(sing_step: bool) -> None:
+    called, pressed = Machine(), Machine()
+    for m in (called, pressed):
+        m.load({0o200: 0o1250, 0o250: 0o1111})
+        m.panel.sing_step = sing_step
+    called.start(0o200)
+    pressed.sr = 0o200
+    pressed.panel.load_add()
+    pressed.panel.start()
+    assert called.panel.lamps == pressed.panel.lamps
+    assert (called.pc, called.ticks, called.ma) == (pressed.pc, pressed.ticks, 0o200)
+    assert called.panel.lamps.run == (not sing_step)
+    assert called.sr == 0
+
+
+def test_start_of_a_running_machine_stops_it_first() -> None:
+    machine = program(*octal("1210 5200"))
+    machine.run(instructions=3)
+    machine.processor.cycle()
+    machine.start(0o201)
+    assert (machine.pc, machine.ac, machine.ticks, machine.processor.run) == (0o201, 0, 0, 1)
+
+
+def test_repr_says_where_it_stands() -> None:
+    machine = program(*octal("7001 7402"))
+    assert (
+        repr(machine) == "<Machine at 0200: L 0 AC 0000, running, 0.000000 s>"
+    )
+    machine.run()
+    assert (
+        repr(machine) == "<Machine at 0202: L 0 AC 0001, stopped, 0.000003 s>"
+    )
+
+
+def test_the_names_of_the_package() -> None:
+    assert {"Machine", "Stop", "__version__"} <= set(dir(pdp8))
+    assert pdp8.__version__ == version("pdp8")
+    with pytest.raises(AttributeError, match="no attribute 'Mill'"):
+        pdp8.Mill  # noqa: B018
+    run = subprocess.run(
+        [sys.executable, "-m", "pdp8", "--version"], capture_output=True, text=True, check=True
+    )
+    assert run.stdout.startswith(f"pdp8, version {pdp8.__version__}, ")

@@ -134,7 +134,7 @@ def test_the_high_speed_reader_by_switch_0_down() -> None:
     assert machine.elapsed < 1
 
 
-@pytest.mark.parametrize("words", [{0o10000: 0}, {-1: 0}, {0o200: 0o10000}])
+@pytest.mark.parametrize("words", [{0o10000: 0}, {-1: 0}])
 def test_what_does_not_fit_into_core(words: dict[int, int]) -> None:
     machine = Machine()
     with pytest.raises(LoadError):

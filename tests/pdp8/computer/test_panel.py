@@ -4,6 +4,7 @@ import pytest
 
 from pdp8.computer.machine import Machine
 from pdp8.computer.panel import Panel
+from pdp8.computer.processor import Processor
 
 
 @pytest.fixture
@@ -157,3 +158,76 @@ def test_mem_prot_stops_dep() -> None:
     machine.panel.sr = 0o1234
     machine.panel.dep()
     assert (machine.core[0o7600], machine.panel.lamps.protect, machine.pc) == (0, 1, 0o7601)
+
+
+@pytest.mark.parametrize("cycles", [1, 2, 3])
+def test_stop_ends_the_instruction_when_cycles_are_stepped(machine: Machine, cycles: int) -> None:
+    """DCA I 250 takes three cycles: FETCH, DEFER, EXECUTE."""
+    machine.start(0o201)
+    machine.ac = 0o1234
+    for _ in range(cycles):
+        machine.processor.cycle()
+    machine.panel.stop()
+    assert (machine.panel.lamps.run, machine.processor.next) == (0, 0)
+    assert (machine.pc, machine.core[0o300], machine.ac, machine.ticks) == (0o202, 0o1234, 0, 96)
+
+
+def test_stop_does_nothing_between_the_cycles_of_sing_step(machine: Machine) -> None:
+    """SING STEP has cleared RUN already."""
+    machine.panel.sing_step = True
+    load_address(machine.panel, 0o201)
+    machine.panel.start()
+    before = machine.panel.lamps, machine.ticks
+    machine.panel.stop()
+    assert (machine.panel.lamps, machine.ticks) == before
+    machine.panel.cont()
+    assert machine.panel.lamps.defer == 1
+
+
+@pytest.mark.parametrize("stepped", [0, 1, 2, 3])
+def test_stop_comes_before_an_interrupt_of_the_same_instruction(stepped: int) -> None:
+    """ION, then TAD I 20 in 3 cycles; the flag is up: STOP in any of them leaves 0000 as it was."""
+    machine = Machine()
+    machine.load({0o200: 0o6001, 0o201: 0o1420, 0o202: 0o7001, 1: 0o7402, 0o20: 0o30, 0o30: 0o1111})
+    machine.start(0o200)
+    machine.processor.instruction()
+    machine.teletype.transmitter.flag = 1
+    for _ in range(stepped):
+        machine.processor.cycle()
+    machine.panel.stop()
+    done = stepped > 0
+    assert (machine.panel.lamps.run, machine.pc, machine.ac) == (0, 0o202 if done else 0o201, 0o1111 * done)
+    assert (machine.core[0], machine.ion) == (0, 1)
+    machine.panel.cont()
+    machine.processor.instruction()
+    assert (machine.core[0], machine.ac) == (0, 0o1112 if done else 0o1111)
+    machine.processor.instruction()
+    assert machine.core[0] == (0o203 if done else 0o202)
+
+
+def test_stop_of_an_observer_ends_the_instruction_and_the_run(machine: Machine) -> None:
+    class Stopper:
+        def cycle(self, processor: Processor) -> None:
+            if processor.state == 1:
+                processor.stop()
+
+        def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
+            pass
+
+    machine.watch.observer = Stopper()
+    machine.start(0o200)
+    stop = machine.run()
+    assert (stop.reason, stop.pc, machine.core[0o300], machine.ticks) == ("stop key", 0o202, 0o300, 64 + 96)
+
+
+def test_a_word_deposited_by_the_panel_is_executed(machine: Machine) -> None:
+    machine.load({0o210: 0o7001, 0o211: 0o5210})
+    machine.start(0o210)
+    machine.run(instructions=100)
+    machine.stop()
+    load_address(machine.panel, 0o211)
+    machine.panel.sr = 0o7402
+    machine.panel.dep()
+    load_address(machine.panel, 0o210)
+    machine.panel.cont()
+    assert machine.run(instructions=100).reason == "halt"

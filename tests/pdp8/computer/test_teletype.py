@@ -263,3 +263,59 @@ def test_what_a_model_33_prints() -> None:
     rows = printed(bytes(range(0o400))).decode()
     figures, letters = " !\"#$%&'()*+,-./0123456789:;<=>?", "@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_"
     assert rows == ("\a\n\r" + figures + letters + letters[:29]) * 2
+
+
+@pytest.mark.parametrize("before", [(), (0.0,)])
+@pytest.mark.parametrize("source", ["key", "tape", "fast tape"])
+def test_a_frame_begins_when_it_comes_not_when_the_wait_ends(source: str, before: tuple[float, ...]) -> None:
+    machine = Machine(highspeed=True)
+    machine.load({0o200: 0o6014, 0o201: 0o7402})
+    machine.start(0o200)
+    machine.run()
+    if source == "key":
+        machine.teletype.keyboard.press(b"\301")
+    elif source == "tape":
+        machine.teletype.reader.load(b"\301")
+    else:
+        machine.highspeed.reader.load(b"\301")
+    device = machine.bus.device(0o01 if source == "fast tape" else 0o03)
+    assert device is not None
+    rises = 66_667 if source == "fast tape" else 1_545_455  # 1/300 s; 8.5 units of 1/110 s
+    for seconds in before:
+        machine.wait(seconds)
+    machine.wait((rises - 1) / 20e6)
+    assert device.flag == 0
+    machine.wait(1 / 20e6)
+    assert device.flag == 1
+
+
+def test_krb_reads_its_character_around_the_edge_at_which_the_line_falls_free() -> None:
+    """The next frame begins with KRB's own second pulse, or up to the third: IOP4 comes 18 ticks later."""
+    for offset in range(-90, 90):
+        machine = Machine()
+        machine.load({0o200: 0o7402, 0o201: 0o6036})
+        machine.teletype.reader.load(b"\301\302")
+        machine.start(0o200)
+        machine.run()
+        machine.wait(0.08)  # the first frame is in, the line falls free at 2,000,000
+        machine.processor.clock = 2_000_000 + offset - 47  # IOP2 comes 47 ticks into an IOT
+        machine.processor.instruction()
+        assert f"{machine.ac:04o}" == "0301", f"IOP2 {offset} ticks after the line fell free"
+        machine.processor.clock = 4_000_000 - 47
+        machine.pc = 0o201
+        machine.processor.instruction()
+        assert f"{machine.ac:04o}" == "0302", f"IOP2 {offset} ticks after the line fell free"
+
+
+def test_a_character_that_comes_in_reads_as_a_mixture_a_little_later() -> None:
+    """KRS a hundred ticks after the start unit: the shift register has been set to 377."""
+    machine = Machine()
+    machine.load({0o200: 0o7402, 0o201: 0o6032, 0o202: 0o6034})
+    machine.teletype.reader.load(b"\301\302")
+    machine.start(0o200)
+    machine.run()
+    machine.wait(0.08)
+    machine.processor.clock = 2_000_000 - 50
+    machine.processor.instruction()
+    machine.processor.instruction()
+    assert f"{machine.ac:04o}" == "0377"
