@@ -35,8 +35,8 @@ def modern(text: str) -> dict[str, Any]:
     """Return a state of version 1 as the object of version 2. Raises ValueError naming the line."""
     lines = text.rstrip().splitlines()
     if lines[-1].strip() != _END:
-        raise ValueError(f"the saved state is cut short: its last line is not {_END!r}")
-    state: dict[str, Any] = {"core": {}, "devices": {}}
+        raise ValueError(f"its last line is not {_END!r}")
+    state: dict[str, Any] = {"format": "pdp8 state", "version": 2, "core": {}, "devices": {}}
     for number, line in enumerate(lines[1:-1], 2):
         if line.strip() and not line.startswith("#"):
             try:

@@ -105,15 +105,16 @@ def restore(text: str, others: Mapping[int, type[Device]] | None = None) -> Mach
 
 
 def _parsed(text: str) -> dict[str, Any]:
+    """Return the object that a state of either version is."""
+    begins = f"a saved state begins with {json.dumps(_HEAD)[:-1]}"
+    if not text.startswith((TITLE, "{")):
+        raise StateError(begins)
     try:
-        if text.startswith(TITLE):
-            return modern(text)
-        state = json.loads(text)
+        state: dict[str, Any] = modern(text) if text.startswith(TITLE) else {**json.loads(text)}
     except ValueError as error:
-        raise StateError(f"not a whole saved state: {error}") from error
-    if not isinstance(state, dict) or {name: state.get(name) for name in _HEAD} != _HEAD:
-        head = ", ".join(f'"{name}": {json.dumps(value)}' for name, value in _HEAD.items())
-        raise StateError(f"not a saved state: one begins with {{{head}}} or {TITLE!r}")
+        raise StateError(f"the saved state is cut short or damaged: {error}") from error
+    if {name: state.get(name) for name in _HEAD} != _HEAD:
+        raise StateError(begins)
     return state
 
 

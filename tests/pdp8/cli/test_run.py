@@ -84,7 +84,7 @@ def test_the_pc8_reads_and_punches_files(shell: Shell, tmp_path: Path) -> None:
         ("run hello.pal --max-time soon", 2, "not a number of seconds"),
         ("run hello.pal --keyboard", 2, "needs a terminal"),
         ("run --restore nothing", 1, "nothing: no such file"),
-        ("run --restore empty", 1, "empty: line 1: a saved state begins with"),
+        ("run --restore empty", 1, "empty: a saved state begins with"),
         ("run hello.pal --fast-reader nothing", 1, "nothing: no such file"),
         ("run hello.pal --trace /dev/full", 1, "/dev/full: No space left on device"),
         ("run hello.pal --trace .", 1, ".: Is a directory"),

@@ -272,13 +272,9 @@ def test_start_of_a_running_machine_stops_it_first() -> None:
 
 def test_repr_says_where_it_stands() -> None:
     machine = program(*octal("7001 7402"))
-    assert (
-        repr(machine) == "<Machine at 0200: L 0 AC 0000, running, 0.000000 s>"
-    )
+    assert repr(machine) == "<Machine at 0200: L 0 AC 0000, running, 0.000000 s>"
     machine.run()
-    assert (
-        repr(machine) == "<Machine at 0202: L 0 AC 0001, stopped, 0.000003 s>"
-    )
+    assert repr(machine) == "<Machine at 0202: L 0 AC 0001, stopped, 0.000003 s>"
 
 
 def test_the_names_of_the_package() -> None:

@@ -131,11 +131,12 @@ def test_a_file_of_version_1() -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "not a whole saved state"),
-        ("hello", "not a whole saved state"),
-        ("[]", "not a saved state: one begins with"),
-        ('{"format": "pdp8 state", "version": 3}', "not a saved state: one begins with"),
-        ("pdp8 state 1\nprocessor.pc 0200\ncore 0200 72", "cut short"),
+        ("", 'a saved state begins with {"format": "pdp8 state", "version": 2'),
+        ("hello", "a saved state begins with"),
+        ("[]", "a saved state begins with"),
+        ('{"format": "pdp8 state", "version": 3}', "a saved state begins with"),
+        ('{"format": "pdp8 state", "version": 2, ', "cut short or damaged: .* line 1"),
+        ("pdp8 state 1\nprocessor.pc 0200\ncore 0200 72", "cut short or damaged: its last line is not 'end'"),
         ("pdp8 state 1\nprocessor.mq 0000\nend", "processor mq: the fields are pc"),
         ("pdp8 state 1\nprinter.mq 0000\nend", "line 2: not part of a state: printer.mq 0000"),
         ("pdp8 state 1\ncore\nend", "line 2: not part of a state"),
