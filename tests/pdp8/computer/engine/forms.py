@@ -58,6 +58,8 @@ def _plain() -> dict[str, ModuleType]:
         sys.meta_path.remove(finder)
         for name in [name for name in sys.modules if _is_ours(name)]:
             del sys.modules[name]
+            package, _, own = name.rpartition(".")
+            delattr(sys.modules[package], own)
         sys.modules.update(used)
         for name, module in used.items():
             package, _, own = name.rpartition(".")
