@@ -13,7 +13,7 @@ from pdp8.thesis.catalogue import STATES, Item, catalogue
 from pdp8.thesis.making import Made
 from pdp8.thesis.table import Table
 
-_LONGEST = 180
+_LONGEST = 300
 _EXCERPT = 24
 
 
@@ -85,7 +85,7 @@ def _shown(made: Made) -> str:
     if made.is_drawn:
         data = b64encode(made.text.encode()).decode()
         said = escape(f"{made.item.name}: {made.item.title}. {made.item.note}", quote=True)
-        return f'<figure><img src="data:image/svg+xml;base64,{data}" alt="{said}" loading="lazy"></figure>\n'
+        return f'<figure><img src="data:image/svg+xml;base64,{data}" alt="{said}"></figure>\n'
     if made.table:
         return _table(made.item, made.table)
     return _text(made)

@@ -132,7 +132,9 @@ def comparison() -> Table:
         rows.append((row.part, "step-wise", *_compared(part, row.step, Milling())))
         if row.piece:
             rows.append(("", "piece-wise", *_compared(part, row.piece, Milling("piece"))))
-    headings = ("part", "technique", "blocks", "ours", "min/pass", "ours", "min in all", "ours")
+    measures = ("blocks", "minutes a pass", "minutes in all")
+    figures = (f"{measure}, {whose}" for measure in measures for whose in ("thesis", "ours"))
+    headings = ("part", "technique", *figures)
     return Table(headings, tuple(rows))
 
 
