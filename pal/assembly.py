@@ -106,24 +106,27 @@ class Assembly:
 
         if number == 2:
             return listing.printed(listing.complaints(self._second))
-        return listing.printed(self.teletype[number - 1])
+        return listing.printed(self._typed(number))
 
     @cached_property
     def teletype(self) -> "Teletype":
         """The frames of the three passes when the ASR-33 does it all; a pass that was not run has none."""
+        from pal.listing import Teletype
+
+        return Teletype(*map(self._typed, (1, 2, 3)))
+
+    def _typed(self, number: int) -> bytes:
         from pal import listing
 
-        first = listing.definitions(self._first)
-        if not self._second:
-            return listing.Teletype(first, b"", b"")
-        first += listing.symbol_table(self._table, 1)
-        second = listing.object_tape(self._second, not self.stopped)
+        if number == 1:
+            table = listing.symbol_table(self._table, 1) if self._second else b""
+            return listing.definitions(self._first) + table
+        if number == 2:
+            return listing.object_tape(self._second, not self.stopped) if self._second else b""
         if self.stopped:
-            return listing.Teletype(first, second, b"")
-        third = listing.listing(self.source, self._third.output, self._third.lost)
-        if not self._third.stopped:
-            third += listing.symbol_table(self._third.table, 3)
-        return listing.Teletype(first, second, third)
+            return b""
+        table = b"" if self._third.stopped else listing.symbol_table(self._third.table, 3)
+        return listing.listing(self.source, self._third.output, self._third.lost) + table
 
     @cached_property
     def values(self) -> dict[str, int]:

@@ -39,7 +39,7 @@ class Diagnostic(NamedTuple):
     message     what DEC's assembler types, or what we say
     advice      what it means and what to do
     hint        what PAL III has for what another assembler's dialect says here, or ""
-    file, line, column    the place, counted from 1; `source` is the line, `width` how much of it is meant
+    file, line, column    the place, counted from 1; `source` is the line, `width` how much of it is marked
     """
 
     severity: str

@@ -166,7 +166,7 @@ def _tag(address: int) -> str:
 
 
 def _target(step: Step) -> int:
-    """Return the address of a memory-reference instruction, in its own field; _NONE if it is none.
+    """Return the address of a memory-reference instruction, in its own field; _NONE for other words.
 
     One on page zero that has the current page bit counts as none: PAL III would leave that bit out.
     """
@@ -178,7 +178,7 @@ def _target(step: Step) -> int:
 
 
 def microinstruction(word: int) -> str | None:
-    """Return an IOT or OPR as the symbol, or symbols, that give it; None if there are none."""
+    """Return an IOT or OPR as the symbol, or symbols, that give it; None where no symbols give it."""
     if word in _BY_OCTAL:
         return _BY_OCTAL[word]
     names = _candidates(word)

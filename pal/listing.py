@@ -143,19 +143,18 @@ def _texts(
 ) -> Iterator[str]:
     """Yield the text of each statement: that of its line where CR ends it, else none."""
     text = source.text
-    for first, after in lost:
-        start, end = source.spans[first - 1][1] + 1, source.spans[after - 1][1] + 1
-        text = text[:start] + "\r" * (end - start) + text[end:]
-    start = 0
+    for first, after in reversed(list(lost)):
+        text = text[: source.spans[first - 1][1] + 1] + text[source.spans[after - 1][1] :]
+    texts = text.split("\r")
+    ends = [at for at, (_, mark) in enumerate(source.items) if mark == "\r"]
+    line = 0
     for piece in output:
         if not isinstance(piece, Listed):
             continue
-        if source.items[piece.at][1] != "\r":
-            yield ""
-            continue
-        end = source.spans[piece.at][1]
-        yield text[start:end].replace("\r", "")
-        start = end + 1
+        begun = line
+        if source.items[piece.at][1] == "\r":
+            line = ends.index(piece.at, begun) + 1
+        yield "".join(texts[begun:line])
 
 
 def _statement(listed: Listed, text: str) -> str:

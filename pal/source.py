@@ -15,7 +15,6 @@ Sources: DEC-08-ASAC-D, "Characters"; the output of DEC-08-ASB1.
 """
 
 import re
-from bisect import bisect_right
 from collections.abc import Sequence
 from contextlib import suppress
 from functools import cached_property
@@ -69,7 +68,7 @@ class Source:
         end = start + len(self.items[at][0])
         if start == end:
             start, end = mark, mark + 1
-        tape = max(bisect_right(self._starts, start) - 1, 0)
+        tape = max(sum(begin <= start for begin in self._starts) - 1, 0)
         number = self.text.count("\r", self._starts[tape], start) + 1
         first = self.text.rfind("\r", 0, start) + 1
         text = self.text[first : self.text.find("\r", first)]

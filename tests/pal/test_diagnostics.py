@@ -1,4 +1,4 @@
-"""What a person is told: every message of DEC's, ours beside it, in the order of the source."""
+"""The messages for people: every message of DEC's, ours beside it, in the order of the source."""
 
 import pytest
 
