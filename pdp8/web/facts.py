@@ -11,10 +11,11 @@ import json
 from importlib.resources import files
 from typing import Any, Final
 
+from nc import blocks, machine
 from pal import assembler, isa, table
 from pal.symbols import PERMANENT, PSEUDO_OPERATORS
-from pdp8.computer import bus, highspeed, operator, processor, teletype
-from pdp8.computer.machine import TICKS_PER_SECOND
+from pdp8.computer import bus, fields, highspeed, operator, processor, state, teletype
+from pdp8.computer.machine import TICKS_PER_SECOND, Machine
 from tapes import ascii, eia, frames, hydrapoint
 
 FILE: Final = "facts.mjs"
@@ -45,6 +46,8 @@ def facts() -> dict[str, Any]:
         "END_OF_BLOCK": eia.EOB,
         "FIELDS": hydrapoint.FIELDS,
         "ROWS": hydrapoint.ROWS,
+        "HYDRA_POINT": _hydra_point(),
+        "STATE": _state(),
     }
 
 
@@ -61,6 +64,48 @@ def _pal() -> dict[str, Any]:
         "SPILL": table._SPILL,
         "LEFT_THERE": table._LEFT_THERE,
         "LEADER_LENGTH": frames.LEADER_LENGTH,
+    }
+
+
+def _hydra_point() -> dict[str, Any]:
+    settings = machine.Settings()
+    return {
+        "PREPARATORY": hydrapoint.PREPARATORY,
+        "MISCELLANEOUS": hydrapoint.MISCELLANEOUS,
+        "PREPARATORY_CODES": {code.name: code.value for code in hydrapoint.Preparatory},
+        "MISCELLANEOUS_CODES": {code.name: code.value for code in hydrapoint.Miscellaneous},
+        "READ_Z": hydrapoint.Preparatory.READ_Z,
+        "TOOL_CODES": {
+            int(code): (name, sorted(codes)) for code, (name, codes) in blocks._TOOL_CODES.items()
+        },
+        "TRAVEL": (hydrapoint.X_TRAVEL, hydrapoint.Y_TRAVEL, hydrapoint.Z_TRAVEL),
+        "XY_FEED": hydrapoint.XY_FEED,
+        "Z_FEED": hydrapoint.Z_FEED,
+        "POSITIONING_SPEED": hydrapoint.POSITIONING_SPEED,
+        "READ_SECONDS": machine.READ_SECONDS,
+        "PECK": settings.peck,
+    }
+
+
+def _state() -> dict[str, Any]:
+    """Return what begins a state file, the kinds of fields, and the fields of each part."""
+    computer = Machine(highspeed=True)
+    devices = {
+        f"{device.code:02o}": (type(device).__name__, _saved_fields(device)) for device in computer.bus
+    }
+    return {
+        "HEAD": state._HEAD,
+        "KINDS": {"TICK": fields.TICK, "FRAMES": fields.FRAMES},
+        "PROCESSOR": _saved_fields(computer.processor),
+        "DEVICES": devices,
+    }
+
+
+def _saved_fields(part: Any) -> dict[str, Any]:
+    """Return the fields of a part; those of a part within it in their place."""
+    return {
+        name: _saved_fields(getattr(part, name)) if kind == fields.PART else kind
+        for name, kind in part.fields.items()
     }
 
 

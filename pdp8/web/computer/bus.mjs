@@ -27,6 +27,8 @@ export class Device {
 
   look() {}
 
+  plan() {}
+
   finish() {}
 
   outOfTape() {
@@ -38,8 +40,8 @@ export class Device {
 export class Bus {
   constructor() {
     this.first = null;
-    this.asked = new Uint8Array(0o100); // the codes whose skip was tested since somebody cleared this
-    this.told = 0; // how often a device, or the interrupt, got more than a question
+    this.tested = new Uint8Array(0o100); // the codes whose skip was tested since somebody cleared this
+    this.actions = 0; // how often a device, or the interrupt, was changed rather than tested
   }
 
   *[Symbol.iterator]() {
@@ -63,15 +65,15 @@ export class Bus {
     const device = this.device((word >> 3) & 0o77);
     if (device === null) return lac;
     if (word & 1) {
-      this.asked[device.code] = 1;
+      this.tested[device.code] = 1;
       lac = pulse(device, 1, lac, clock + IOP1);
     }
     if (word & 2) {
-      this.told++;
+      this.actions++;
       lac = pulse(device, 2, lac, clock + IOP2);
     }
     if (word & 4) {
-      this.told++;
+      this.actions++;
       lac = pulse(device, 4, lac, clock + IOP4);
     }
     return lac;
@@ -104,7 +106,7 @@ export class Bus {
   }
 
   initialize(now) {
-    this.told++;
+    this.actions++;
     for (const device of this) device.initialize(now);
   }
 }

@@ -56,7 +56,7 @@ export class Machine {
 
   /** Put `words`, [address, word] each, into core. */
   load(words) {
-    for (const [address, word] of words) this.core[address] = word & 0o7777;
+    for (const [address, word] of words) this.processor.deposit(Number(address), word & 0o7777);
   }
 
   /** Go on to the last cycle that ends at or before tick `until`; standing still, just let time pass. */
@@ -114,6 +114,6 @@ export class Machine {
   outOfTape() {
     const p = this.processor;
     if (!this.waiting.endless) return false;
-    return [...this.bus].some((device) => device.outOfTape() && (p.ion || this.bus.asked[device.code]));
+    return [...this.bus].some((device) => device.outOfTape() && (p.ion || this.bus.tested[device.code]));
   }
 }

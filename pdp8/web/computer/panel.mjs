@@ -3,7 +3,6 @@
 // All keys but STOP are dead while RUN is on. SING STEP stops the machine after every memory cycle.
 
 import { PROTECTED } from "../facts.mjs";
-import { DEFER, EXECUTE, FETCH } from "./isa.mjs";
 
 export class Panel {
   constructor(processor) {
@@ -12,17 +11,21 @@ export class Panel {
 
   /** LOAD ADD: the switches into PC and MA, and MB shows the word there. */
   loadAdd() {
-    const p = this.processor;
-    if (p.run) return;
-    p.pc = p.sr;
-    this.#look();
+    this.loadAddress(this.processor.sr);
+  }
+
+  /** What LOAD ADD does with `address` in the switches. */
+  loadAddress(address) {
+    if (this.processor.run) return;
+    this.processor.pc = address & 0o7777;
+    this.#read();
   }
 
   /** EXAM: MB shows the word at PC, and PC goes on. */
   exam() {
     const p = this.processor;
     if (p.run) return;
-    this.#look();
+    this.#read();
     p.pc = (p.pc + 1) & 0o7777;
   }
 
@@ -30,17 +33,17 @@ export class Panel {
   dep() {
     const p = this.processor;
     if (p.run) return;
-    this.#look();
+    this.#read();
     if (p.memProt && p.ma >= PROTECTED) {
       p.protect = 1;
     } else {
-      p.mb = p.core[p.ma] = p.sr;
-      p.written = 1;
+      p.mb = p.sr;
+      p.deposit(p.ma, p.sr);
     }
     p.pc = (p.pc + 1) & 0o7777;
   }
 
-  #look() {
+  #read() {
     const p = this.processor;
     p.protect = 0;
     p.ma = p.at = p.pc;
@@ -67,10 +70,7 @@ export class Panel {
 
   /** STOP: RUN goes off at the end of the instruction, before an interrupt that is due. */
   stop() {
-    const p = this.processor;
-    if (!p.run) return;
-    p.run = 0;
-    while (p.next === DEFER || p.next === EXECUTE) p.cycle();
-    p.next = FETCH;
+    this.processor.stop();
+    while (this.processor.stopping) this.processor.cycle();
   }
 }

@@ -33,6 +33,7 @@ export class Processor {
     this.state = FETCH; // the major state of the last cycle, as the lamps show it
     this.next = FETCH; // and of the next one
     this.run = 0;
+    this.stopping = 0; // set by STOP until the instruction ends
     this.ion = 0;
     this.ionDelayed = 0; // interrupts are taken when this is set too, one instruction after ION
     this.sr = 0;
@@ -42,16 +43,32 @@ export class Processor {
     this.clock = 0; // ticks since power-up
     this.started = 0; // the clock at the last INITIALIZE
     this.instructions = 0; // fetched since power-up
-    this.written = 0; // set when a word of core is written; who asks clears it
+    this.writes = 0; // how often a word of core was written
     this.at = 0; // the address of the last FETCH: the line of a listing. The page's own
   }
 
   /** INITIALIZE: clear AC, L and the interrupt, and every device; core and PC stay. */
   initialize() {
-    this.lac = this.ion = this.ionDelayed = 0;
+    this.lac = this.ion = this.ionDelayed = this.stopping = 0;
     this.state = this.next = FETCH;
     this.started = this.clock;
     this.bus.initialize(this.clock);
+  }
+
+  /** Write `word` into core at `address`, whoever does it. */
+  deposit(address, word) {
+    this.core[address] = word;
+    this.writes++;
+  }
+
+  /** STOP: RUN goes off as the instruction ends, before an interrupt that is due. */
+  stop() {
+    if (this.next === DEFER || this.next === EXECUTE) {
+      this.stopping = this.run;
+    } else {
+      this.run = 0;
+      this.next = FETCH;
+    }
   }
 
   /** Run one memory cycle. */
@@ -61,7 +78,7 @@ export class Processor {
     else if (this.next === DEFER) this.#defer();
     else if (this.next === EXECUTE) this.#execute();
     else this.#interrupt();
-    if (this.ion && this.next === FETCH) this.#strobe();
+    if (this.next === FETCH) this.#end();
   }
 
   /** Run cycles to the end of the instruction, or the one of an interrupt that is due. */
@@ -74,7 +91,7 @@ export class Processor {
     if (this.next === FETCH) this.#fetch();
     if (this.next === DEFER) this.#defer();
     if (this.next === EXECUTE) this.#execute();
-    if (this.ion) this.#strobe();
+    this.#end();
   }
 
   /** The ticks that the next cycle takes. */
@@ -154,8 +171,7 @@ export class Processor {
       return;
     }
     this.mb = word;
-    this.core[this.ma] = word;
-    this.written = 1;
+    this.deposit(this.ma, word);
   }
 
   #operate(word) {
@@ -180,14 +196,17 @@ export class Processor {
   }
 
   #interruptEnable(word) {
-    this.bus.told++;
+    this.bus.actions++;
     if (word & 1) this.ion = 1;
     if (word & 2) this.ion = this.ionDelayed = 0;
   }
 
-  /** End an instruction with ION set: take an interrupt that is requested, unless the machine stops here. */
-  #strobe() {
-    if (this.ionDelayed && this.run && this.bus.request(this.clock)) this.next = INTERRUPT;
-    this.ionDelayed = 1;
+  /** End an instruction: stop if STOP was pressed; with ION set take an interrupt that is requested. */
+  #end() {
+    if (this.stopping) this.run = this.stopping = 0;
+    if (this.ion) {
+      if (this.ionDelayed && this.run && this.bus.request(this.clock)) this.next = INTERRUPT;
+      this.ionDelayed = 1;
+    }
   }
 }

@@ -79,7 +79,7 @@ export class Receiver extends Device {
     this.start = 0; // the tick at which its start unit began
     this.stage = 0; // what the receiver has noticed of it: 0 idle, 1 its start unit, 2 that it is no false start
     this.free = 0; // the tick from which the line is free
-    this.asked = -1; // the tick of the last pulse that set READER RUN
+    this.requested = NEVER; // the tick of the last pulse that set READER RUN
     this.step = NEVER; // the tick of the next thing that happens here; `due` is the next that moves the flag
     this.onFrame = null; // called with each frame and its tick as the flag rises
   }
@@ -130,7 +130,7 @@ export class Receiver extends Device {
 
   begin() {
     if (this.keyboard.waiting.length) this.frame = this.keyboard.waiting.shift();
-    else this.frame = this.reader.tape[this.reader.position++];
+    else if (this.reader.ready()) this.frame = this.reader.tape[this.reader.position++];
     this.readerRun = 0;
     this.start = this.now;
     this.free = this.now + FRAME;
@@ -139,7 +139,7 @@ export class Receiver extends Device {
 
   /** The buffer as it reads at tick `now`: 377 shifted down, the character coming in above. */
   shifted(now) {
-    if (this.stage === 0 || (this.start === this.asked && now - this.start <= IOP2_TO_IOP4)) return this.buffer;
+    if (this.stage === 0 || (this.start >= this.requested && now - this.requested <= IOP2_TO_IOP4)) return this.buffer;
     let bits = 0;
     while (bits < 8 && now >= this.start + halfUnits(2 * bits + 3)) bits++;
     return ((this.frame << (8 - bits)) | (0o377 >> bits)) & 0o377;
@@ -151,7 +151,7 @@ export class Receiver extends Device {
     if (iop === 2) {
       this.flag = 0;
       this.readerRun = 1;
-      this.asked = now;
+      this.requested = now;
       this.plan();
       return CLEAR_AC;
     }

@@ -38,20 +38,20 @@ export class Waiting {
     this.sr = p.sr;
     this.memProt = p.memProt;
     this.ion = p.ion;
-    this.told = p.bus.told;
+    this.actions = p.bus.actions;
     this.clock = p.clock;
     this.instructions = p.instructions;
     this.left = TESTS;
     this.comparing = false;
     this.seen = null;
     this.endless = false;
-    p.written = 0;
-    p.bus.asked.fill(0);
+    this.writes = p.writes;
+    p.bus.tested.fill(0);
   }
 
   /** Remember nothing: the operator has touched something, or what is passed over next has to be seen first. */
   forget() {
-    this.told = -1;
+    this.actions = -1;
   }
 
   /** Look at the processor between two instructions; pass over what it would only wait through, up to `until`. */
@@ -92,8 +92,7 @@ export class Waiting {
     const end = p.ion ? Math.min(until, p.bus.nextEvent(p.clock)) : until;
     const turns = Math.min(0o7776 - p.core[counter], Math.floor((end - 1 - p.clock) / DELAY_TICKS));
     if (turns <= 0) return;
-    p.core[counter] += turns;
-    p.written = 1;
+    p.deposit(counter, p.core[counter] + turns);
     p.clock += turns * DELAY_TICKS;
     p.instructions += turns * 2;
   }
@@ -115,7 +114,7 @@ export class Waiting {
   #lookAtCore() {
     const p = this.processor;
     this.nextLook = p.clock - (p.clock % PERIOD) + PERIOD;
-    const still = p.bus.told === this.told && p.clock < this.quietUntil && this.#unwritten();
+    const still = p.bus.actions === this.actions && p.clock < this.quietUntil && this.#unwritten();
     this.#remember();
     if (still) {
       this.comparing = true;
@@ -126,12 +125,12 @@ export class Waiting {
 
   #unwritten() {
     const p = this.processor;
-    return !p.written || (this.seen !== null && same(p.core, this.seen));
+    return p.writes === this.writes || (this.seen !== null && same(p.core, this.seen));
   }
 
   #compare(until) {
     const p = this.processor;
-    if (p.bus.told !== this.told || p.clock >= this.quietUntil) {
+    if (p.bus.actions !== this.actions || p.clock >= this.quietUntil) {
       this.#remember();
     } else if (p.pc !== this.pc || p.lac !== this.lac || p.next !== FETCH) {
       if (--this.left === 0) this.#remember();

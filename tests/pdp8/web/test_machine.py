@@ -5,7 +5,6 @@ from typing import Any
 
 import pytest
 
-from pal.isa import DEFER, EXECUTE
 from pdp8.computer.machine import Machine
 from pdp8.computer.teletype import half_units
 from tests.pdp8.conftest import MODULES, Ask
@@ -13,9 +12,9 @@ from tests.pdp8.conftest import MODULES, Ask
 _NUMBERS = (
     (
         "processor",
-        "lac pc ma mb ir state next run ion ion_delayed sr mem_prot sing_step protect clock started",
+        "lac pc ma mb ir state next run stopping ion ion_delayed sr mem_prot sing_step protect clock started",
     ),
-    ("processor", "instructions"),
+    ("processor", "instructions writes"),
     ("teletype.receiver", "flag reader_run frame start stage free"),
     ("teletype.reader", "position"),
     ("teletype.transmitter", "flag register start shifts free unit selected printed"),
@@ -115,10 +114,7 @@ def _do(machine: Machine, what: str, value: Any) -> None:
     panel, teletype, processor = machine.panel, machine.teletype, machine.processor
     match what:
         case "key":
-            running = processor.run
             getattr(panel, _KEYS[value])()
-            while value == "stop" and running and processor.next in (DEFER, EXECUTE):
-                processor.cycle()
         case "switches":
             panel.sr = value
         case "memProt":

@@ -1,0 +1,88 @@
+"""The Hydra-Point in the page and the package's: the same moves and times, and the same refusals."""
+
+import json
+import random
+import subprocess
+from typing import Any
+
+import pytest
+
+import nc
+from nc.machine import CutError
+from tapes import shelf
+from tapes.errors import TapeError
+from tests.pdp8.conftest import MODULES, NODE
+
+pytestmark = pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
+
+_CUT = """
+import { readFileSync } from "node:fs";
+import { cut, pictured } from "%s/mill/machine.mjs";
+const found = JSON.parse(readFileSync(0, "utf8")).map((frames) => {
+  const path = cut(Uint8Array.from(frames));
+  const { circle } = pictured(path, 1, 500);
+  return {
+    steps: path.steps.map(({ at, seconds, moves }) => [at.x, at.y, at.z, seconds, moves.length]),
+    error: path.error && path.error.message,
+    circle: circle && [circle.x, circle.y, circle.radius, circle.lowest, circle.highest],
+  };
+});
+console.log(JSON.stringify(found));
+"""
+
+
+def _in_the_page(tapes: list[bytes]) -> list[dict[str, Any]]:
+    done = subprocess.run(
+        [str(NODE), "--input-type=module", "--eval", _CUT % MODULES.as_uri()],
+        input=json.dumps([list(tape) for tape in tapes]),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    found: list[dict[str, Any]] = json.loads(done.stdout)
+    return found
+
+
+def _here(tape: bytes) -> tuple[list[list[float]], str | None]:
+    error = None
+    try:
+        path = nc.cut(tape)
+    except CutError as refused:
+        path, error = refused.path, str(refused)
+    except TapeError as refused:
+        return [], str(refused)
+    steps = [
+        [*step.at, sum((move.seconds for move in step.moves), path.read_seconds), len(step.moves)]
+        for step in path.steps
+    ]
+    return steps, error
+
+
+def _damaged(draw: random.Random, tape: bytes) -> bytes:
+    """Return the tape with a frame lost, doubled or with other holes."""
+    frame = draw.randrange(len(tape))
+    middle = draw.choice([b"", tape[frame : frame + 1] * 2, draw.randbytes(1)])
+    return tape[:frame] + middle + tape[frame + 1 :]
+
+
+def test_tapes_good_and_damaged() -> None:
+    """The circle, the ellipse, 60 damaged ones, a blank one and an empty one."""
+    draw = random.Random(1971)
+    whole = [shelf.read_bundled(name) for name in ("circle.eia", "ellipse.eia")]
+    tapes = [*whole, *(_damaged(draw, draw.choice(whole)) for _ in range(60)), b"\0\0", b""]
+    for tape, shown in zip(tapes, _in_the_page(tapes), strict=True):
+        steps, error = _here(tape)
+        assert shown["error"] == error
+        assert len(shown["steps"]) == len(steps)
+        for number, (one, other) in enumerate(zip(shown["steps"], steps, strict=True), 1):
+            assert one == pytest.approx(other), f"block {number}"
+
+
+def test_the_circle_is_found() -> None:
+    """Centre 4.000, 4.000, radius 1.750, the cutter's centre within .005: as the thesis has it."""
+    (shown,) = _in_the_page([shelf.read_bundled("circle.eia")])
+    x, y, radius, lowest, highest = shown["circle"]
+    assert (x, y, radius) == (4000, 4000, 1750)
+    assert -5.5 < lowest < -4
+    assert 4 < highest < 5.5

@@ -1,0 +1,69 @@
+"""A state saved by `pdp8 run` and by the page: each takes the other's."""
+
+import json
+import subprocess
+
+import pytest
+
+from pdp8.computer import state
+from pdp8.computer.machine import Machine
+from tests.pdp8.conftest import MODULES, NODE
+
+pytestmark = pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
+
+_THROUGH = """
+import { readFileSync } from "node:fs";
+import { restore, save } from "%s/computer/state.mjs";
+try {
+  const machine = restore(readFileSync(0, "utf8"));
+  machine.run(machine.processor.clock + CLOCK);
+  process.stdout.write(save(machine));
+} catch (error) { process.stdout.write(error.message); }
+"""
+
+
+def _through(text: str, ticks: int = 0) -> str:
+    """Return the state after the page has restored it, run it for so long, and saved it."""
+    script = _THROUGH.replace("CLOCK", str(ticks)) % MODULES.as_uri()
+    done = subprocess.run(
+        [str(NODE), "--input-type=module", "--eval", script],
+        input=text,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return done.stdout
+
+
+def _echo() -> Machine:
+    machine = Machine(highspeed=True)
+    program = [0o6032, 0o6046, 0o6031, 0o5202, 0o6036, 0o6041, 0o5205, 0o6046, 0o5202]
+    machine.load(enumerate(program, 0o200))
+    machine.teletype.reader.load(bytes(range(0o200, 0o377)))
+    machine.start(0o200)
+    machine.run(seconds=1.2345)
+    return machine
+
+
+def test_a_run_goes_on_in_the_page_and_comes_back() -> None:
+    """Saved here in the middle, run on there, restored here: as if it had never left."""
+    machine = _echo()
+    there = state.restore(_through(state.save(machine), 30_000_000))
+    machine.run(seconds=(there.processor.clock - machine.processor.clock) / 20e6)
+    assert machine.processor.clock == there.processor.clock
+    assert machine.teletype.punch.tape == there.teletype.punch.tape
+    assert (list(machine.core), machine.ac, machine.pc) == (list(there.core), there.ac, there.pc)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "cut short or damaged"),
+        ("{}", 'begins with {"format"'),
+        (json.dumps({"format": "pdp8 state", "version": 2, "core": {"0200": "9"}}), "not an octal number"),
+        (json.dumps({"format": "pdp8 state", "version": 2, "processor": {"xyz": 1}}), "the fields are"),
+    ],
+)
+def test_what_is_no_state(text: str, message: str) -> None:
+    """The page says what is wrong with it."""
+    assert message in _through(text)
