@@ -19,7 +19,7 @@ export class BlockError extends Error {
 /** Yield [{number, frame}, block] of each block in order; throw BlockError at the first that is bad. */
 export function* read(frames) {
   const start = frames.findIndex((frame) => frame !== 0);
-  if (start < 0) throw new Error("no row is punched: there is no tape to read");
+  if (start < 0) throw new Error("no row is punched: the tape is empty or blank");
   const end = frames.findLastIndex((frame) => frame !== 0) + 1;
   for (let number = 1, frame = start; frame < end; number++, frame += ROWS) {
     const place = { number, frame };
@@ -33,7 +33,7 @@ function parsed(place, rows) {
   rows.forEach((frame, index) => {
     const value = frame & HEAD;
     if (value > END_OF_BLOCK) throw new BlockError(`an end of block with digit holes beside it: ${octal(frame)}`, place, index + 1);
-    if (value !== END_OF_BLOCK && value > 9) throw new BlockError(`${value} is no decimal digit: ${octal(frame)}`, place, index + 1);
+    if (value !== END_OF_BLOCK && value > 9) throw new BlockError(`${octal(frame)} is ${value}, not a decimal digit`, place, index + 1);
     if (value === END_OF_BLOCK && index + 1 < ROWS) {
       throw new BlockError(`the block ends in row ${index + 1}; a block has ${ROWS} rows`, place, index + 1);
     }
@@ -54,7 +54,7 @@ function parsed(place, rows) {
 function check(place, block) {
   const { preparatory, reserved, miscellaneous, tool, x, y } = block;
   if (!(preparatory in PREPARATORY)) throw new BlockError(`unknown preparatory function ${preparatory}`, place, 4);
-  if (reserved) throw new BlockError(`the reserved digit is ${reserved}; it is always zero`, place, 15);
+  if (reserved) throw new BlockError(`the reserved digit is ${reserved}; it must be 0`, place, 15);
   if (!(miscellaneous in MISCELLANEOUS)) throw new BlockError(`unknown miscellaneous function ${two(miscellaneous)}`, place, 18);
   const [selects, codes] = TOOL_CODES[miscellaneous];
   if (!codes.includes(tool)) throw new BlockError(`unknown ${selects} code ${two(tool)}`, place, 16);
@@ -70,7 +70,7 @@ function depths(place, feedPoint, finalDepth) {
   within(place, 5, "Z feed point", feedPoint, TRAVEL[2]);
   within(place, 10, "final depth", finalDepth, TRAVEL[2]);
   if (finalDepth < feedPoint) {
-    throw new BlockError(`final depth ${inches(finalDepth)} lies above the Z feed point ${inches(feedPoint)}`, place, 10);
+    throw new BlockError(`final depth ${inches(finalDepth)} is above the Z feed point ${inches(feedPoint)}`, place, 10);
   }
 }
 

@@ -68,8 +68,8 @@ class Motion {
 
   *mill() {
     const { xFeed, yFeed } = this.modes;
-    if (this.block.x !== this.at.x && !xFeed) throw new BlockError("X is to be milled, but no X feed has been given", this.place, 4);
-    if (this.block.y !== this.at.y && !yFeed) throw new BlockError("Y is to be milled, but no Y feed has been given", this.place, 4);
+    if (this.block.x !== this.at.x && !xFeed) throw new BlockError("milling along X needs an X feed (miscellaneous function 84); no block has set one", this.place, 4);
+    if (this.block.y !== this.at.y && !yFeed) throw new BlockError("milling along Y needs a Y feed (miscellaneous function 85); no block has set one", this.place, 4);
     const [feedPoint, finalDepth] = this.depths();
     if (this.at.z !== finalDepth) {
       yield* this.quill("approach", Math.max(this.at.z, feedPoint));
@@ -98,8 +98,8 @@ class Motion {
 
   depths() {
     const { feedPoint, finalDepth, zFeed } = this.modes;
-    if (feedPoint === undefined) throw new BlockError("the quill is to go down, but no block has read Z", this.place, 4);
-    if (!zFeed) throw new BlockError("the quill is to go down, but no Z feed has been given", this.place, 4);
+    if (feedPoint === undefined) throw new BlockError("the quill needs depths (preparatory function 9); no block has set them", this.place, 4);
+    if (!zFeed) throw new BlockError("the quill needs a Z feed (miscellaneous function 89); no block has set one", this.place, 4);
     return [feedPoint, finalDepth];
   }
 

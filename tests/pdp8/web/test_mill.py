@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 import nc
+from nc.inspection import inspect
 from nc.machine import CutError
 from tapes import shelf
 from tapes.errors import TapeError
@@ -47,7 +48,7 @@ def _in_the_page(tapes: list[bytes]) -> list[dict[str, Any]]:
 def _here(tape: bytes) -> tuple[list[list[float]], str | None]:
     error = None
     try:
-        path = nc.cut(tape)
+        path: nc.Path = nc.cut(tape)
     except CutError as refused:
         path, error = refused.path, str(refused)
     except TapeError as refused:
@@ -80,9 +81,9 @@ def test_tapes_good_and_damaged() -> None:
 
 
 def test_the_circle_is_found() -> None:
-    """Centre 4.000, 4.000, radius 1.750, the cutter's centre within .005: as the thesis has it."""
-    (shown,) = _in_the_page([shelf.read_bundled("circle.eia")])
+    """Centre 4.000, 4.000, radius 1.750; the cutter's centre inside and outside as inspection has it."""
+    tape = shelf.read_bundled("circle.eia")
+    (shown,) = _in_the_page([tape])
     x, y, radius, lowest, highest = shown["circle"]
     assert (x, y, radius) == (4000, 4000, 1750)
-    assert -5.5 < lowest < -4
-    assert 4 < highest < 5.5
+    assert (lowest, highest) == pytest.approx(inspect(nc.cut(tape)).centre)
