@@ -219,7 +219,7 @@ def _beside(tape: str, suffix: str) -> str:
 
 def _put(text: str, output: str) -> None:
     if output == "-":
-        click.echo(text, nl=False)
+        click.echo(text.encode(), nl=False)
         return
     shelf.write(output, text.encode())
     click.echo(f"wrote {output}", err=True)

@@ -31,6 +31,13 @@ class AssemblyError(WorkError):
 )
 @click.option("--force", is_flag=True, help="Punch the tape in spite of errors, as DEC's assembler did.")
 @click.option("--strict", is_flag=True, help="Take notes for errors.")
+@click.option(
+    "--max-errors",
+    type=click.IntRange(1),
+    default=100,
+    show_default=True,
+    help="Print so many errors and notes, and count the rest.",
+)
 @click.option("--modern", is_flag=True, help="Read lower case as capitals; nothing else differs.")
 @click.option(
     "--for",
@@ -56,6 +63,7 @@ def pal(
     tty: str | None,
     force: bool,
     strict: bool,
+    max_errors: int,
     modern: bool,
     model: str | None,
     high_speed_reader: bool,
@@ -85,10 +93,12 @@ def pal(
     assembly = assemble(
         *contents, names=[called(source) for source in sources], modern=modern, capacity=capacity, model=model
     )
-    if not assembly.ok:
-        _check_kinds(sources, contents)
-    for diagnostic in assembly.diagnostics:
+    _check_kinds(sources, contents, assembly.ok)
+    for diagnostic in assembly.diagnostics[:max_errors]:
         click.echo(str(diagnostic), err=True)
+    more = len(assembly.diagnostics) - max_errors
+    if more > 0:
+        click.echo(f"and {more:,} more", err=True)
     errors = sum(diagnostic.error or strict for diagnostic in assembly.diagnostics)
     if assembly.stopped:
         raise AssemblyError(f"{_counted(errors)}: PAL III goes no further, nothing is written")
@@ -116,11 +126,17 @@ def _read(name: str) -> bytes:
     return content
 
 
-def _check_kinds(names: tuple[str, ...], contents: list[bytes]) -> None:
-    """Raise an AssemblyError where a file that cannot be assembled is a tape of another kind."""
+def _check_kinds(names: tuple[str, ...], contents: list[bytes], ok: bool) -> None:
+    """Raise an AssemblyError where a file is a tape of data, or cannot be assembled and is a tape of another
+    kind.
+    """
     from tapes import kinds
 
     for name, content in zip(names, contents, strict=True):
+        if kinds.only_figures(content):
+            raise AssemblyError(f"{called(name)}: nothing but figures: data, and no PAL source")
+        if ok:
+            continue
         kind = kinds.classify(content)
         if kind in (kinds.BIN, kinds.RIM, kinds.EIA):
             raise AssemblyError(f"{called(name)}: a tape in {kind.upper()}, not PAL source")
@@ -178,7 +194,7 @@ def _put_passes(folder: str, source: str, assembly: Assembly) -> None:
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
-@click.argument("tape")
+@click.argument("tape", default="-")
 @click.option("-o", "--output", metavar="FILE", default="-", help="Where to; standard output if not given.")
 def dis(*, tape: str, output: str) -> None:
     """Disassemble a BIN or RIM tape to PAL III source that assembles to the same words and fields.

@@ -28,7 +28,23 @@ _CONTROLS = {code: "\N{MIDDLE DOT}" for code in (*range(0x20), 0x7F) if code != 
 """A terminal is shown no control codes of a source."""
 
 
-_REFERENCES = {symbol.mnemonic for symbol in PERMANENT if symbol.memory_reference}
+def _excerpt(source: str, place: int) -> tuple[int, int]:
+    """Return which part of a line is shown: all of it, or of a long one a screen's width about the place."""
+    if len(source) <= _WIDTH:
+        return 0, len(source)
+    start = max(0, min(place - _WIDTH // 2, len(source) - _WIDTH))
+    return start, start + _WIDTH
+
+
+def diagnose(
+    source: Source,
+    names: Sequence[str],
+    messages: Iterable[Message],
+    stops: Iterable[tuple[str, int]],
+    notes: Iterable[Note],
+) -> list[Diagnostic]:
+    """Return the messages, why PAL III went no further, and our notes as diagnostics, in source order."""
+    if len(source.text) == 1:
 
 
 class Diagnostic(NamedTuple):
@@ -59,11 +75,22 @@ class Diagnostic(NamedTuple):
         return self.severity == ERROR
 
     def __str__(self) -> str:
-        margin = "".join("\t" if character == "\t" else " " for character in self.source[: self.column - 1])
-        source = self.source.translate(_CONTROLS)
-        shown = f"    {source}\n    {margin}{'^' * max(1, self.width)}\n" if source.strip() else ""
+        start, end = _excerpt(self.source, self.column - 1)
+        before = self.source[start : self.column - 1]
+        margin = "".join("\t" if character == "\t" else " " for character in before)
+        source = self.source[start:end].translate(_CONTROLS)
+        carets = "^" * max(1, min(self.width, end - self.column + 1))
+        shown = f"    {source}\n    {margin}{carets}\n" if source.strip() else ""
         advice = "".join(f"  {sentence}\n" for sentence in (self.advice, self.hint) if sentence)
         return f"{self.file}:{self.line}:{self.column}: {self.message}\n{shown}{advice}".rstrip("\n")
+
+
+def _excerpt(source: str, place: int) -> tuple[int, int]:
+    """Return which part of a line is shown: all of it, or of a long one a screen's width about the place."""
+    if len(source) <= _WIDTH:
+        return 0, len(source)
+    start = max(0, min(place - _WIDTH // 2, len(source) - _WIDTH))
+    return start, start + _WIDTH
 
 
 def diagnose(

@@ -82,6 +82,9 @@ def show(
     code = kinds.classify(content) if code == _AUTO else code
     if svg is None:
         click.echo(picture.text(content, code, first, stop), nl=False)
+        label = content[max(first, captions.label_start(content, code)) : stop]
+        for row in frames.draw_label(label):
+            click.echo(f"   label    {row}".rstrip())
     else:
         _put_text(svg, picture.svg(content, code, first, stop, strip).encode())
 
@@ -121,7 +124,9 @@ def info(files: tuple[str, ...]) -> None:
     help="The code to make of it.",
 )
 @_parity
-@click.option("--fill", type=click.IntRange(0), help="RUBOUTs after CR LF; 6, or as an ASCII tape has them.")
+@click.option(
+    "--fill", type=click.IntRange(0, 1000), help="RUBOUTs after CR LF; 6, or as an ASCII tape has them."
+)
 @_output
 def convert(*, file: str, source: str, target: str, parity: str, fill: int | None, output: str) -> None:
     """Convert a tape: characters (text, ascii, eia), words (bin, rim), or any to octal digits and back to
@@ -153,10 +158,18 @@ def convert(*, file: str, source: str, target: str, parity: str, fill: int | Non
 )
 @_parity
 @click.option(
-    "--fill", type=click.IntRange(0), default=6, show_default=True, help="RUBOUTs after each CR LF (ascii)."
+    "--fill",
+    type=click.IntRange(0, 1000),
+    default=6,
+    show_default=True,
+    help="RUBOUTs after each CR LF (ascii).",
 )
 @click.option(
-    "--leader", type=click.IntRange(0), default=0, show_default=True, help="Blank frames before and after."
+    "--leader",
+    type=click.IntRange(0, 100_000),
+    default=0,
+    show_default=True,
+    help="Blank frames before and after.",
 )
 @click.option(
     "--drop-spaces/--keep-spaces",
@@ -170,21 +183,20 @@ def punch(
     """Punch a tape from typed text: each end of line becomes CR LF and fill, or EIA's end of block.
 
     A Hydra-Point program may be typed as a book prints it, its 19 digits apart: 001 0 00000 00000 0 35 88.
-    Such spaces are not punched, and a line that has not 19 digits is named.
+    Such spaces and blank lines are not punched, and a line that has not 19 digits is named.
 
     \b
     Examples:
       pdp8 tape punch typed.txt > typed.asc
-      pdp8 tape punch eia.pal --parity even --leader 100 -o eia.asc
+      pdp8 tape punch eia.pal --parity even --leader 100 -o eia.asc     leader: PAL III needs some
       echo "001 0 00000 00000 0 35 88" | pdp8 tape punch --code eia -o drill.eia
     """
     command.check_files([file], [output])
     content = shelf.read(file)
     with naming(file):
         text = codes.typed(content)
-        if drop_spaces is None and hydrapoint.is_printed(text):
-            hydrapoint.check_printed(text)
-            drop_spaces = True
+        if drop_spaces is None:
+            text = hydrapoint.typed(text) or text
         if code == "eia":
             punched = eia.encode(text, skip=" " if drop_spaces else "")
         else:

@@ -9,6 +9,7 @@ import signal
 import sys
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
+from io import TextIOWrapper
 from types import FrameType
 
 import click
@@ -20,6 +21,7 @@ from tapes.errors import WorkError
 def run(command: click.Command, name: str, arguments: Sequence[str] | None = None) -> None:
     """Run `command` as program `name` and end the process with its exit status."""
     _reopen_closed_streams()
+    _take_any_character()
     signal.signal(signal.SIGTERM, _end)
     sys.exit(_status(command, name, sys.argv[1:] if arguments is None else arguments))
 
@@ -51,6 +53,8 @@ def check_files(sources: Iterable[str | None], outputs: Iterable[str | None]) ->
     for name in outputs:
         if name is None:
             continue
+        if name in files:
+            raise click.UsageError(f"{name} is the name of a source; name another file")
         shelf.check_writable(name)
         if os.path.exists(name) and not os.path.isfile(name):
             continue
@@ -58,6 +62,13 @@ def check_files(sources: Iterable[str | None], outputs: Iterable[str | None]) ->
         if path in taken:
             raise click.UsageError(taken[path])
         taken[path] = f"two outputs go to {'standard output' if name == '-' else name}"
+
+
+def _take_any_character() -> None:
+    """Let standard output and error show a question mark for a character that their encoding has not."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper) and stream.errors == "strict":
+            stream.reconfigure(errors="replace")
 
 
 def _reopen_closed_streams() -> None:

@@ -245,18 +245,24 @@ def corner(
     )
 
 
-def is_printed(text: str) -> bool:
-    """Return whether `text` is a program as the thesis prints one, a block's digits apart for clarity."""
-    lines = text.splitlines()
-    digits_alone = all(line.replace(" ", "").isdecimal() for line in lines)
-    return digits_alone and any(len(line) > DIGITS == len(line.replace(" ", "")) for line in lines)
+def typed(text: str) -> str | None:
+    """Return a program as it is punched, None for text that is no program.
 
-
-def check_printed(text: str) -> None:
-    """Raise TextError naming the first line of a printed program that does not have the digits of a block."""
+    A program is lines of digits and spaces, at least one of them a block of 19 digits. Where a block's digits
+    stand apart, as the thesis prints them, the spaces are for clarity and are left out; else each is a zero.
+    Blank lines mean nothing. Raises TextError naming the first other line that is no block.
+    """
+    lines = text.splitlines(keepends=True)
+    blocks = [line.rstrip("\n") for line in lines if line.strip()]
+    if not all(block.replace(" ", "").isdecimal() for block in blocks):
+        return None
+    if not any(len(block.replace(" ", "")) == DIGITS for block in blocks):
+        return None
+    printed = any(len(block) > DIGITS == len(block.replace(" ", "")) for block in blocks)
     at = 0
-    for line in text.splitlines(keepends=True):
-        digits = len(line.replace(" ", "").rstrip("\n"))
-        if digits != DIGITS:
-            raise TextError(f"a block of {digits} digits; it has {DIGITS}", text, at)
+    for line in lines:
+        digits = line.rstrip("\n").replace(" ", "") if printed else line.rstrip("\n")
+        if line.strip() and len(digits) != DIGITS:
+            raise TextError(f"a block of {len(digits)} digits; it has {DIGITS}", text, at)
         at += len(line)
+    return "".join(f"{block.replace(' ', '') if printed else block}\n" for block in blocks)

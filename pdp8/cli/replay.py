@@ -8,7 +8,7 @@ import click
 
 from pdp8.cli.progress import Bar
 from programs.parts import PARTS
-from tapes import shelf
+from tapes import command, shelf
 
 if TYPE_CHECKING:
     from pdp8.replay import Act, Afternoon
@@ -48,20 +48,21 @@ def replay(part: str, out: str | None, html: str | None, realtime: bool) -> None
 
     folder = out or f"replay-{part}"
     os.makedirs(folder, exist_ok=True)
-    afternoon = whole(part, _keep_quiet if realtime else _tell)
+    command.check_files([], [html])
+    afternoon = whole(part, _keep_quiet if realtime else _say_act)
     _leave(afternoon, folder, html)
     if realtime:
         for act in afternoon.acts:
             _pass(act)
-            _tell(act)
-    _show(afternoon)
+            _say_act(act)
+    _show(afternoon, aside=html == "-")
 
 
 def _keep_quiet(act: "Act") -> None:
-    """Say nothing yet: the act is told when its time has passed."""
+    """Say nothing yet: the act is said when its time has passed."""
 
 
-def _tell(act: "Act") -> None:
+def _say_act(act: "Act") -> None:
     """Say the act in a line."""
     from pdp8.replay import clock
 
@@ -89,19 +90,22 @@ def _leave(afternoon: "Afternoon", folder: str, html: str | None) -> None:
     from pdp8.replay.desk import desk
 
     files = desk(afternoon)
+    taken = {os.path.realpath(os.path.join(folder, name)) for name in files}
+    if html and os.path.realpath(html) in taken:
+        raise click.UsageError(f"--html {html} is the name of another file of the replay; name another")
     for name, content in files.items():
         shelf.write(os.path.join(folder, name), content)
-    click.echo(f"{len(files)} tapes, listings and pictures in {folder}", err=True)
+    command.say(f"{len(files)} tapes, listings and pictures in {folder}")
     if html:
         from pdp8.web.page import page
 
         shelf.write(html, page(afternoon).encode())
         if html != "-":
-            click.echo(f"the afternoon as a page in {html}", err=True)
+            command.say(f"the afternoon as a page in {html}")
 
 
-def _show(afternoon: "Afternoon") -> None:
-    """Print the thesis's figures beside the replay's."""
+def _show(afternoon: "Afternoon", aside: bool) -> None:
+    """Print the thesis's figures beside the replay's; on standard error if the page is on the other."""
     from rich.console import Console
     from rich.table import Table
 
@@ -112,4 +116,4 @@ def _show(afternoon: "Afternoon") -> None:
         table.add_column(column)
     for line in compare(afternoon):
         table.add_row(*line)
-    Console().print(table)
+    Console(stderr=aside).print(table)

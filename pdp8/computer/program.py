@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from pdp8.computer.trace import Listing
 
 
+_MOST_ERRORS = 100
+
+
 class Program:
     """A program that goes into 4K of core.
 
@@ -97,7 +100,9 @@ def _assembled(source: bytes, name: str) -> Program:
         raise WorkError("nothing but figures: no program, but a tape for the reader")
     assembly = pal.assemble(source, names=[name])
     if not assembly.ok:
-        report = "\n".join(str(diagnostic) for diagnostic in assembly.diagnostics)
+        shown = [str(diagnostic) for diagnostic in assembly.diagnostics[:_MOST_ERRORS]]
+        more = len(assembly.diagnostics) - _MOST_ERRORS
+        report = "\n".join(shown + [f"and {more:,} more"] * (more > 0))
         raise WorkError(f"not loaded, it has errors\n{report}")
     for address in assembly.words:
         if address > 0o7777:

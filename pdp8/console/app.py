@@ -18,7 +18,7 @@ from textual.containers import Container, Horizontal
 from textual.widgets import Footer, Static
 
 from pdp8.computer.program import Program
-from pdp8.console.dialogs import ChooseTape, NameTape
+from pdp8.console.dialogs import AskToLeave, ChooseTape, NameTape
 from pdp8.console.lamps import LampRows
 from pdp8.console.pages import Card, Core, ListingPage, Page, Paper, subtitle, title
 from pdp8.console.session import Session, Tape
@@ -244,6 +244,19 @@ class Room(App[None]):
         tape = self.session.tear_off(name)
         self.notify(f"{name}: {len(tape.frames):,} frames", markup=False)
         self.look()
+
+    async def action_quit(self) -> None:
+        """Leave; ask first if a punched tape would be lost."""
+        count = len(self.session.machine.teletype.punch.frames)
+        if not count:
+            self.exit()
+            return
+
+        def leave(yes: bool | None) -> None:
+            if yes:
+                self.exit()
+
+        self.push_screen(AskToLeave(count), leave)
 
     def action_pace(self) -> None:
         """Go on to the next pace."""

@@ -1,4 +1,4 @@
-"""What the operator is asked: which tape goes into the reader, what a torn-off tape is to be called.
+"""What the operator is asked: which tape goes into the reader, a torn-off tape's name, whether to leave.
 
 The keyboard is the name's: ENTER takes what stands on its line, whether it was typed, or written there by the
 arrows that go up and down the list. ESC and Ctrl-C leave without an answer.
@@ -15,7 +15,7 @@ from textual.widgets import Input, Label, OptionList
 from pdp8.console.session import Tape
 from tapes import shelf
 from tapes.errors import WorkError
-from tapes.measure import length
+from tapes.measure import counted, length
 
 _LEAVE = Binding("escape,ctrl+c", "dismiss(None)", "back", priority=True)
 
@@ -83,6 +83,27 @@ class ChooseTape(ModalScreen[Tape | None]):
             raise WorkError("-: the keyboard is no tape")
         at_hand = (tape for tape in self.tapes if tape.name == name)
         return next(at_hand, None) or Tape(name, shelf.read(name))
+
+
+class AskToLeave(ModalScreen[bool]):
+    """Whether to leave with a tape in the punch that nobody has torn off."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        _LEAVE,
+        Binding("y,Y,q,Q", "dismiss(True)", "leave"),
+        Binding("n,N", "dismiss(False)", "stay"),
+    ]
+
+    def __init__(self, frames: int) -> None:
+        super().__init__()
+        self.frames = frames
+
+    def compose(self) -> ComposeResult:
+        """Ask."""
+        with Vertical(classes="dialog"):
+            yield Label(
+                f"{counted(self.frames, 'frames')} punched and not torn off. Leave all the same? y or n"
+            )
 
 
 class NameTape(ModalScreen[str | None]):

@@ -74,7 +74,7 @@ def page(shell: str, style: str, entry: str, data: Any) -> str:
     The policy lets the page run its own script and style, and ask for nothing.
     """
     code, css = f"\n{script(entry)}\n", "".join(map(source, ("base.css", style)))
-    record = json.dumps(data, separators=(",", ":")).replace("</", "<\\/")
+    record = json.dumps(data, separators=(",", ":")).replace("<", "\\u003c")
     html = source(shell)
     html = html.replace("<!-- policy -->", _policy(code))
     html = html.replace("/* style */", css).replace("/* script */", code)
