@@ -28,23 +28,11 @@ _CONTROLS = {code: "\N{MIDDLE DOT}" for code in (*range(0x20), 0x7F) if code != 
 """A terminal is shown no control codes of a source."""
 
 
-def _excerpt(source: str, place: int) -> tuple[int, int]:
-    """Return which part of a line is shown: all of it, or of a long one a screen's width about the place."""
-    if len(source) <= _WIDTH:
-        return 0, len(source)
-    start = max(0, min(place - _WIDTH // 2, len(source) - _WIDTH))
-    return start, start + _WIDTH
+_REFERENCES = {symbol.mnemonic for symbol in PERMANENT if symbol.memory_reference}
 
 
-def diagnose(
-    source: Source,
-    names: Sequence[str],
-    messages: Iterable[Message],
-    stops: Iterable[tuple[str, int]],
-    notes: Iterable[Note],
-) -> list[Diagnostic]:
-    """Return the messages, why PAL III went no further, and our notes as diagnostics, in source order."""
-    if len(source.text) == 1:
+_WIDTH = 100
+"""Characters of a line that are shown."""
 
 
 class Diagnostic(NamedTuple):

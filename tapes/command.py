@@ -54,7 +54,7 @@ def check_files(sources: Iterable[str | None], outputs: Iterable[str | None]) ->
         if name is None:
             continue
         if name in files:
-            raise click.UsageError(f"{name} is the name of a source; name another file")
+            raise click.UsageError(f"{name} is the source; name another file")
         shelf.check_writable(name)
         if os.path.exists(name) and not os.path.isfile(name):
             continue
