@@ -62,16 +62,24 @@ class Source:
         """For each item where in `text` it begins and where the character that ends it stands."""
         return [(match.start(), match.start(2)) for match in _ITEM.finditer(self._code)]
 
+    @cached_property
+    def _ends(self) -> list[int]:
+        """Where in `text` each line ends."""
+        return [match.start() for match in re.finditer("\r", self.text)]
+
     def place(self, at: int) -> Place:
         """Return where item `at` stands; for an empty one, the character that ends it."""
         start, mark = self.spans[at]
         end = start + len(self.items[at][0])
         if start == end:
             start, end = mark, mark + 1
+        from bisect import bisect_left
+
         tape = max(sum(begin <= start for begin in self._starts) - 1, 0)
-        number = self.text.count("\r", self._starts[tape], start) + 1
-        first = self.text.rfind("\r", 0, start) + 1
-        text = self.text[first : self.text.find("\r", first)]
+        line = bisect_left(self._ends, start)
+        number = line - bisect_left(self._ends, self._starts[tape]) + 1
+        first = self._ends[line - 1] + 1 if line else 0
+        text = self.text[first : self._ends[line]] if line < len(self._ends) else self.text[first:-1]
         return Place(tape, number, text, start - first, end - first)
 
 
