@@ -105,6 +105,7 @@ def _sections(tape: bytes) -> Iterator[Row]:
         return
     reading = binary.read(tape)
     first = (reading.sections[0].items if reading.sections else ()) or reading.unended
+    first = tuple(item for item in first if item.kind != binary.FIELD)
     if first and first[0].kind == binary.WORD:
         yield (
             "damage",

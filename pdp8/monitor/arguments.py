@@ -7,7 +7,19 @@ from collections.abc import Sequence
 
 from tapes.errors import WorkError
 
-_ESCAPES = {"r": "\r", "n": "\n", "f": "\f", "t": "\t", "a": "\a", "e": "\xfd", "\\": "\\", '"': '"'}
+FRAME = 0xF700
+"""An escape for a code that no character has is this character, and so many more: \\375 is FRAME + 0o375."""
+
+_ESCAPES = {
+    "r": "\r",
+    "n": "\n",
+    "f": "\f",
+    "t": "\t",
+    "a": "\a",
+    "e": chr(FRAME + 0o375),
+    "\\": "\\",
+    '"': '"',
+}
 _MOST_SECONDS = 1e9
 
 
@@ -16,7 +28,7 @@ class MonitorError(WorkError):
 
 
 class Quoted(str):
-    """A word that stood in quotes, its escapes replaced; a character is a code of eight bits."""
+    """A word that stood in quotes, its escapes replaced."""
 
     __slots__ = ()
 
@@ -59,7 +71,8 @@ def _quoted(line: str, at: int) -> tuple[Quoted, int]:
 def _escape(line: str, at: int) -> tuple[str, int]:
     digits = line[at : at + 3]
     if len(digits) == 3 and not digits.strip("01234567") and int(digits, 8) <= 0o377:
-        return chr(int(digits, 8)), at + 3
+        code = int(digits, 8)
+        return chr(code if code < 0o200 else FRAME + code), at + 3
     if line[at : at + 1] in _ESCAPES:
         return _ESCAPES[line[at]], at + 1
     raise MonitorError(

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from pdp8.computer import operator, program, state
 from pdp8.computer.teletype import Punch, printed
-from pdp8.monitor.arguments import MonitorError, Quoted, exactly, some
+from pdp8.monitor.arguments import FRAME, MonitorError, Quoted, exactly, some
 from pdp8.monitor.prompt import Monitor
 from tapes import rim as rim_format
 from tapes import shelf
@@ -117,9 +117,9 @@ def type_(monitor: Monitor, arguments: Sequence[str]) -> None:
     exact = any(isinstance(argument, Quoted) for argument in arguments)
     text = "".join(arguments) if exact else " ".join(arguments) + "\r"
     for character in text:
-        if ord(character) > 0o377 or (0o240 <= ord(character) < 0o376 and not exact):
+        if 0o200 <= ord(character) < FRAME or ord(character) > FRAME + 0o377:
             raise MonitorError(f"{character}: a Model 33 has no such key")
-    monitor.machine.teletype.keyboard.press(bytes(ord(character) | 0o200 for character in text))
+    monitor.machine.teletype.keyboard.press(bytes(ord(character) & 0o377 | 0o200 for character in text))
 
 
 def page(monitor: Monitor, arguments: Sequence[str]) -> None:

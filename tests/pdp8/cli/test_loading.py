@@ -1,0 +1,131 @@
+"""Tapes as they are: of several sections, with labels, damaged, for another loader; through every way of
+loading them.
+"""
+
+from pathlib import Path
+
+import pytest
+
+import pal
+from tapes import binary, rim, shelf
+from tests.conftest import Shell
+
+FIRST = {0o200: 0o7001, 0o201: 0o7402}
+SECOND = {0o300: 0o1234, 0o301: 0o4321}
+LABEL = bytes(8) + bytes([0o265, 0o011, 0o377, 0o001, 0, 0o176, 0o101, 0o101, 0o076])
+HIGH = {0o200: 0o7402} | {address: address for address in (*range(0o7602, 0o7612), *range(0o7617, 0o7622))}
+
+
+@pytest.fixture(autouse=True)
+def tapes(tmp_path: Path) -> None:
+    sections = binary.encode(FIRST) + binary.encode(SECOND)
+    damaged = bytearray(binary.encode(FIRST | SECOND))
+    damaged[67] ^= 0o002
+    (tmp_path / "two.bin").write_bytes(sections + LABEL)
+    (tmp_path / "high.bin").write_bytes(binary.encode(HIGH))
+    (tmp_path / "bad.bin").write_bytes(damaged)
+    (tmp_path / "cut.bin").write_bytes(binary.encode(FIRST | SECOND)[:74])
+
+
+def core(shell: Shell, script: str, *addresses: str) -> list[str]:
+    """Return the words at `addresses` after a monitor's script."""
+    done = shell(f"printf '%s\\n' {script} 'examine {' '.join(addresses)}' | pdp8 monitor")
+    assert done.returncode == 0, done.stderr
+    return [line.split()[1] for line in done.stdout.decode().splitlines()[-len(addresses) :]]
+
+
+@pytest.mark.parametrize("way", ["load", "boot"])
+def test_a_tape_of_two_sections_and_a_label(shell: Shell, way: str) -> None:
+    assert core(shell, f"'{way} two.bin'", "200", "201", "300", "301") == ["7001", "7402", "1234", "4321"]
+
+
+@pytest.mark.parametrize("way", ["load", "boot"])
+def test_words_between_our_loader_and_decs(shell: Shell, way: str) -> None:
+    places = [f"{address:o}" for address in HIGH]
+    assert core(shell, f"'{way} high.bin'", *places) == [f"{word:04o}" for word in HIGH.values()]
+
+
+def test_run_loads_all_of_it_and_says_so(shell: Shell) -> None:
+    for option in ("", "--boot"):
+        done = shell(f"pdp8 run two.bin {option} --save x < /dev/null > out; grep -E 'core 0(2|3)00' x")
+        said = done.stderr.decode()
+        assert b"core 0200 7001 7402" in done.stdout, said
+        assert b"core 0300 1234 4321" in done.stdout
+        assert "a label of 9 frames from frame" in said
+        assert "HLT at 0201" in said
+    assert "two.bin read by BIN: 209 frames, 2 sections, 4 words; 20.9 s" in said
+
+
+def test_a_damaged_tape_stops_run_and_load_and_is_judged_by_the_loader(shell: Shell) -> None:
+    done = shell("pdp8 run bad.bin < /dev/null")
+    assert done.returncode == 1
+    assert b"pdp8 run: bad.bin: frame 76: checksum: computed" in done.stderr
+    done = shell("pdp8 run bad.bin --boot < /dev/null")
+    assert done.returncode == 1
+    assert b"bad.bin: the BIN loader halted with AC = 0002 after 79 frames: wrong checksum" in done.stderr
+    done = shell("pdp8 run cut.bin --boot < /dev/null")
+    assert b"cut.bin: the BIN loader ended with tape out at" in done.stderr
+    for command in ("load", "boot"):
+        done = shell(f"echo {command} bad.bin | pdp8 monitor")
+        assert done.returncode == 1
+        assert b"checksum" in done.stderr
+
+
+@pytest.mark.parametrize("option", ["", "--boot"])
+def test_force_loads_it_and_says_so(shell: Shell, option: str) -> None:
+    done = shell(f"pdp8 run bad.bin --force {option} < /dev/null")
+    assert done.returncode == 0, done.stderr
+    assert b"bad.bin: frame 76: checksum" in done.stderr
+    assert b"HLT at 0201" in done.stderr
+
+
+def test_another_loader(shell: Shell, tmp_path: Path) -> None:
+    words = pal.assemble(shelf.read_bundled("bin.pal")).words
+    (tmp_path / "ours.rim").write_bytes(rim.encode(words))
+    done = shell("pdp8 run two.bin --boot --loader ours.rim < /dev/null")
+    assert done.returncode == 0, done.stderr
+    (tmp_path / "halts.rim").write_bytes(rim.encode({0o7777: 0o7402}))
+    done = shell("pdp8 run two.bin --boot --loader halts.rim < /dev/null")
+    assert b"HLT at 0200" not in done.stderr
+
+
+def test_a_file_of_ours_is_not_replaced_by_one_of_the_same_name(shell: Shell, tmp_path: Path) -> None:
+    (tmp_path / "bin.pal").write_text("nonsense\n")
+    done = shell("pdp8 run two.bin --boot < /dev/null")
+    assert done.returncode == 0, done.stderr
+    (tmp_path / "hello.pal").write_text("*200\n\tHLT\n$\n")
+    done = shell("pdp8 run hello.pal < /dev/null")
+    assert b"hello.pal is the file in this folder, not the bundled one of that name" in done.stderr
+
+
+def test_info_and_show_say_label(shell: Shell) -> None:
+    said = shell("pdp8 tape info two.bin").stdout.decode()
+    assert "label      9 frames from frame 280 on" in said
+    assert "\n               o" in said
+    shown = shell("pdp8 tape show two.bin --from 279").stdout.decode()
+    assert shown.splitlines()[2].endswith("|  label")
+    assert shell("pdp8 dis two.bin").returncode == 0
+    assert shell("pdp8 tape convert two.bin --to rim -o two.rim").returncode == 0
+
+
+def test_an_object_tape_of_fortran_is_no_bin_tape(shell: Shell, tmp_path: Path) -> None:
+    (tmp_path / "object.tape").write_bytes(
+        b"\x80" * 64 + bytes([0o300, 0o12, 0o34, 0o56, 0o70]) * 9 + b"\x80" * 64
+    )
+    said = shell("pdp8 tape info object.tape").stdout.decode()
+    assert "a word before any origin" in said
+    assert "WRONG" not in said
+
+
+@pytest.mark.parametrize("command", ["run", "pal", "dis"])
+def test_data_is_no_program(shell: Shell, command: str) -> None:
+    done = shell(f"pdp8 {command} circle.asc < /dev/null")
+    assert done.returncode == 1
+    assert done.stderr.decode().startswith(f"pdp8 {command}: circle.asc: ")
+
+
+@pytest.mark.parametrize("command", ["load", "boot"])
+def test_data_is_no_program_for_the_monitor(shell: Shell, command: str) -> None:
+    done = shell(f"echo {command} circle.asc | pdp8 monitor")
+    assert done.returncode == 1
+    assert b"nothing but figures" in done.stderr

@@ -1,0 +1,165 @@
+"""Scripts that wait for prompts, type, and fail where a program does not behave."""
+
+from pathlib import Path
+
+import pytest
+
+from pdp8.computer import program
+from pdp8.monitor.arguments import MonitorError
+from pdp8.monitor.prompt import Monitor
+from tests.conftest import Shell
+
+SOURCE = Path(__file__).parent / "dialogue.pal"
+
+
+@pytest.fixture
+def said() -> list[str]:
+    return []
+
+
+@pytest.fixture
+def monitor(said: list[str]) -> Monitor:
+    """A monitor with the dialogue in core."""
+    made = Monitor(said.append)
+    made.machine.load(program.find(str(SOURCE)).words)
+    return made
+
+
+def do(monitor: Monitor, *lines: str) -> None:
+    for line in lines:
+        monitor.do(line)
+
+
+DIALOGUE = r"""
+load dialogue.pal
+go 200 until "PROCEED."
+type "SET X = 3\r"
+expect "X = 3" 5
+expect BEL 5
+assert pc 223
+cont 0.01
+type "TYPE X\r"
+expect "DONE"
+wait 1
+assert 200 7300
+"""
+
+
+def test_a_dialogue_is_a_test(shell: Shell, tmp_path: Path) -> None:
+    (tmp_path / "dialogue.pal").write_text(SOURCE.read_text())
+    (tmp_path / "script").write_text(DIALOGUE)
+    done = shell("pdp8 monitor script")
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == b""
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ('expect "READY" 5', "'READY' was not printed: idle; the page shows 'PROCEED.'"),
+        ("assert pc 0", "PC is 02"),
+        ("assert 200 1", "200 is 7300, not 0001"),
+        ('until "04" 3 times 5', "'04' was printed no times of 3: idle; the page shows ''"),
+    ],
+)
+def test_what_fails_ends_a_script_with_status_1(
+    shell: Shell, tmp_path: Path, line: str, message: str
+) -> None:
+    (tmp_path / "dialogue.pal").write_text(SOURCE.read_text())
+    (tmp_path / "script").write_text(f"load dialogue.pal\ngo 200 1\n{line}\npage\n")
+    done = shell("pdp8 monitor script")
+    assert done.returncode == 1
+    assert done.stderr.decode().startswith(f"pdp8 monitor: script, line 3: {message}")
+
+
+def test_a_diagnostic_that_rings_the_bell_at_each_pass(monitor: Monitor) -> None:
+    words = "7300 1210 6046 6041 5203 5200 7402 0000 0207"  # CLA CLL; TAD BELL; TLS; TSF; JMP .-1; again
+    monitor.machine.load({0o200 + at: int(word, 8) for at, word in enumerate(words.split())})
+    do(monitor, "go 200 until BEL 3 times 5")
+    assert list(monitor.machine.teletype.printer.frames) == [0o207] * 3
+    do(monitor, "run until BEL 5", "until BEL 2 times")
+    assert len(monitor.machine.teletype.printer.frames) == 6
+
+
+def test_a_key_press_takes_its_time(monitor: Monitor) -> None:
+    monitor.machine.load({0o200: 0o7402, 0o201: 0o7402})
+    do(monitor, "go 200")
+    before = monitor.machine.ticks
+    do(monitor, "cont")
+    assert monitor.machine.ticks - before == 2_000_000 + 32
+    do(monitor, "set hands 0.5", "key cont")
+    assert monitor.machine.ticks - before == 2_000_000 + 32 + 10_000_000
+
+
+def test_a_tape_put_in_at_a_standstill_loses_no_frame(monitor: Monitor, tmp_path: Path) -> None:
+    (tmp_path / "a").write_bytes(b"\x81\x82")
+    (tmp_path / "b c").write_bytes(b"\x83")
+    echo = {0o200: 0o6031, 0o201: 0o5200, 0o202: 0o6036, 0o203: 0o3410, 0o204: 0o5200}
+    monitor.machine.load(echo)
+    monitor.machine.core[0o10] = 0o277
+    do(monitor, f'reader "{tmp_path}/a" "{tmp_path}/b c"', "wait 1", "go 200")
+    assert [monitor.machine.core[0o300 + at] for at in range(4)] == [0o201, 0o202, 0o203, 0]
+
+
+@pytest.mark.parametrize(
+    ("line", "frames"),
+    [
+        ("type abc", [0o341, 0o342, 0o343, 0o215]),
+        ('type "A    B\\r"', [0o301, *[0o240] * 4, 0o302, 0o215]),
+        (r'type "\n\f\177\e\a"', [0o212, 0o214, 0o377, 0o375, 0o207]),
+        (r'type "\"" "\\"', [0o242, 0o334]),
+        ("type A   # a comment", [0o301, 0o215]),
+    ],
+)
+def test_type_sends_exactly_what_it_is_given(monitor: Monitor, line: str, frames: list[int]) -> None:
+    do(monitor, line)
+    assert list(monitor.machine.teletype.keyboard.waiting) == frames
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("type É", "É: a Model 33 has no such key"),
+        ('type "É"', "É: a Model 33 has no such key"),
+        ('type "A', 'a quote (") has no other to end it'),
+        (r'type "\x"', r"\x: the escapes are"),
+        ("type", "a text expected"),
+        ("set mem_prot yes", "yes: mem_prot is 0 or 1, off or on"),
+        ("set ir 77", "77: not between 0 and 7"),
+        ("set link 2", "2: not between 0 and 1"),
+        ("go 200 1 2", "seconds, or until TEXT, expected, and no more: 2"),
+        ("cont 1 2", "expected, and no more"),
+        ("step 1 2", "expected, and no more"),
+        ("fast-reader circle.asc", "no high-speed reader and punch are fitted"),
+        ("fast-punch x", "no high-speed reader and punch are fitted"),
+        ("load eia.pal twice", "twice: after the name nothing but force"),
+        ('expect ""', "a text expected"),
+        ("until X no times", "no: how many times"),
+        ("page all", "nothing, or more, expected"),
+        ("wait -1", "-1: not between 0 and 1e9 seconds"),
+    ],
+)
+def test_what_is_wrong_is_an_error_and_changes_nothing(monitor: Monitor, line: str, message: str) -> None:
+    with pytest.raises(MonitorError) as raised:
+        do(monitor, line)
+    assert message in str(raised.value)
+    assert monitor.machine.ticks == 0
+
+
+def test_the_page_shows_marks_and_goes_on(monitor: Monitor, said: list[str]) -> None:
+    do(monitor, "go 200 1", "page", 'type "AB\\177\\r"', "run 2")
+    said.clear()
+    do(monitor, "page more")
+    assert said == ["AB<RUBOUT>", "DONE<BEL>"]
+    said.clear()
+    do(monitor, "page")
+    assert said == ["PROCEED.AB<RUBOUT>", "DONE<BEL>"]
+
+
+def test_the_listing_stays_and_can_be_taken(monitor: Monitor, said: list[str], tmp_path: Path) -> None:
+    do(monitor, "load eia.pal", f"save {tmp_path}/state", f"restore {tmp_path}/state", "e CHK")
+    assert said[-1].startswith("0227  0000  CHK,")
+    other = Monitor(said.append)
+    do(other, f"restore {tmp_path}/state", "listing eia.pal", "e CHK", "exit")
+    assert said[-1].startswith("0227  0000  CHK,")
+    assert other.finished
