@@ -13,6 +13,7 @@ tapes and the same times. While a program only waits, time jumps (see waiting.py
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from time import monotonic
+from typing import TYPE_CHECKING
 
 from pal.isa import FETCH, halts
 from pdp8.computer.bus import NEVER, Bus, Device
@@ -26,6 +27,9 @@ from pdp8.computer.teletype import Teletype
 from pdp8.computer.waiting import Waiting
 from pdp8.computer.watch import Watch
 from tapes.errors import WorkError
+
+if TYPE_CHECKING:
+    from pdp8.computer.history import History
 
 TICKS_PER_SECOND = 20_000_000
 _LONGEST = 1e9
@@ -67,6 +71,8 @@ class Machine:
         self.core = Core(self.processor)
         self.panel = Panel(self.processor)
         self.watch = Watch()
+        self.recorder: "History | None" = None
+        """Who records what happens, so that it can be undone."""
         self._breakpoints = frozenset[int]()
         """Those of the last run."""
         self._left: tuple[int, ...] = ()
@@ -140,6 +146,8 @@ class Machine:
             raise ValueError(f"a limit of {instructions} instructions: 0 or more is allowed")
         until = NEVER if seconds is None else min(NEVER, p.clock + _ticks(seconds))
         last = NEVER if instructions is None else min(NEVER, p.instructions + instructions)
+        if self.recorder is not None:
+            self.recorder.begins()
         p.run = 1
         self.bus.advance(p.clock)
         if not self.continues():
@@ -158,7 +166,18 @@ class Machine:
         if reason is not Reason.LIMIT:
             self.bus.finish()
         self._left = left if reason is Reason.LIMIT else ()
+        if self.recorder is not None:
+            self.recorder.ended(reason)
         return Stop(reason, p.pc, self.elapsed)
+
+    def history(self, memory: int | None = None) -> "History":
+        """Record from now on what happens, so that it can be undone: see history.py and rewind.py.
+
+        `memory` is about how many bytes it may take: 64 MiB if nothing is said.
+        """
+        from pdp8.computer.history import MEMORY, History
+
+        return History(self, MEMORY if memory is None else memory)
 
     def slices(
         self,
@@ -197,9 +216,9 @@ class Machine:
         """Tell whether the last run ended with its limit and no register was set since."""
         return self._left == self._registers()
 
-    def left(self) -> None:
-        """Take the registers as they are for those the last run left, its limit reached."""
-        self._left = self._registers()
+    def left(self, continues: bool = True) -> None:
+        """Take the registers as they are for those the last run left, its limit reached; or for others."""
+        self._left = self._registers() if continues else ()
 
     def _registers(self) -> tuple[int, ...]:
         """Return what may be set from outside between two runs: if it was, no turn of a loop is known."""
