@@ -16,6 +16,9 @@ keys         what a key of the Teletype sends
 program      a program from a tape's bytes: its kind, words, tape and listing
 operator     who sets switches, presses keys and loads tapes, at a pace
 stop         why, where and when a run ended
+snapshot     a machine's state in memory, taken and put back
+history      what a machine has done, kept so that it can be undone
+rewind       undoing it, in instructions, cycles, seconds, characters, to an event
 fields       how a part says what a saved state holds of it
 state        a whole machine as text, and back
 oldstate     states as they were written before version 2

@@ -5,9 +5,9 @@
                                  └── run again ─────┘ as far as the moment wanted
 
 A run depends on nothing but the machine's state as it begins: so a moment is had again, exactly, by running
-again from a snapshot. What is set between two runs (a word deposited, a switch, a key of the Teletype, a tape)
-is kept as a change at its tick, and made again there. Snapshots are some seconds apart, farther when there are
-many; when the memory allowed is full, the oldest past is forgotten.
+again from a snapshot. What is set between two runs (a word deposited, a switch, a key, a tape) is kept as a
+change at its tick, and made again there. Snapshots are some seconds apart, farther when there are many; when
+the memory allowed is full, the oldest past is forgotten.
 
 Not undone: what has left the machine, such as a frame that an `on_frame` passed on. Not recorded: what an
 `on_frame` changes while a run goes on.
@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from pdp8.computer import snapshot
 from pdp8.computer.snapshot import Values
 from pdp8.computer.stop import Reason
+from pdp8.computer.teletype import Printer, Punch
 from pdp8.computer.watch import Watch
 from tapes.errors import WorkError
 
@@ -115,7 +116,9 @@ class History:
         self._stands = self._moment()
         if reason is not Reason.LIMIT:
             left = self._left.items()
-            self._add({name: value for name, value in left if name in changed or not isinstance(value, bytes)})
+            self._add(
+                {name: value for name, value in left if name in changed or not isinstance(value, bytes)}
+            )
 
     def _note(self, now: Values) -> None:
         stepped = self.machine.instructions != self._stands[1]
@@ -158,14 +161,18 @@ class History:
 
     @contextmanager
     def going_back(self) -> Iterator[None]:
-        """Let the machine run without being watched or recorded; forget what comes after where it stands then.
+        """Let the machine run without being watched or recorded; forget what comes after where it ends up.
 
         After an error it stands where it stood.
         """
         machine, watch = self.machine, self.machine.watch
         now = snapshot.take(machine)
         self._note(now)
-        heard = [machine.teletype.printer, machine.teletype.punch, machine.highspeed.punch]
+        heard: list[Printer | Punch] = [
+            machine.teletype.printer,
+            machine.teletype.punch,
+            machine.highspeed.punch,
+        ]
         callbacks = [device.on_frame for device in heard]
         machine.recorder, machine.watch = None, Watch()
         for device in heard:
@@ -190,8 +197,12 @@ class History:
     def go_to_instruction(self, number: int) -> None:
         """Go to the last moment at which the machine had done so many instructions."""
         self._go(sum(mark.instructions <= number for mark in self._marks))
-        if self.machine.instructions < number:
-            self.machine.run(instructions=number - self.machine.instructions)
+        machine = self.machine
+        in_cycles = self._next < len(self._marks) and self._marks[self._next].jump
+        while in_cycles and machine.instructions < number:
+            machine.processor.instruction()
+        if machine.instructions < number:
+            machine.run(instructions=number - machine.instructions)
 
     def go_to_tick(self, clock: int) -> None:
         """Go to the first end of an instruction at tick `clock` or after it."""

@@ -71,7 +71,7 @@ class Machine:
         self.core = Core(self.processor)
         self.panel = Panel(self.processor)
         self.watch = Watch()
-        self.recorder: "History | None" = None
+        self.recorder: History | None = None
         """Who records what happens, so that it can be undone."""
         self._breakpoints = frozenset[int]()
         """Those of the last run."""

@@ -66,18 +66,13 @@ def blocks(history: History, count: int = 1) -> None:
     _before(history, lambda machine: machine.teletype.punch.frames.count(EOB), count, "blocks")
 
 
-def _check(count: float, most: float, what: str) -> None:
-    if not 0 <= count <= most:
-        raise HistoryError(f"{count:,} {what} cannot be undone: the history goes back {most:,}")
-
-
 def until_left(history: History, address: int) -> None:
-    """Undo as far as before the last instruction that was executed at `address`."""
+    """Undo as far as before `address` was last executed, or after the last JMS to it."""
 
     def step(machine: "Machine", clock: int) -> int | None:
         machine.watch.breakpoints.add(address)
-        _run_to(machine, clock)
-        return machine.instructions if machine.pc == address and machine.processor.next == FETCH else None
+        here = machine.instructions if machine.pc == address and machine.processor.next == FETCH else None
+        return machine.instructions if _run_to(machine, clock) is Reason.BREAKPOINT else here
 
     _search(history, step, f"nothing was executed at {address:04o}")
 
@@ -112,7 +107,7 @@ _Step = Callable[["Machine", int], int | None]
 def _search(history: History, step: _Step, otherwise: str) -> None:
     """Go to the last moment that `step` finds.
 
-    A step runs a machine to a tick at most, and returns the number of instructions of what it found on the way.
+    A step runs a machine to a tick at most, and returns the number of instructions at what it found.
     """
     machine = history.machine
     now, end = machine.instructions, machine.processor.clock

@@ -4,11 +4,11 @@ from collections.abc import Callable, Sequence
 from textwrap import wrap
 from typing import NamedTuple
 
-from pdp8.monitor import core, running, tapes
+from pdp8.monitor import core, past, running, tapes
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
 
-_SHORT = {"e": "examine", "ex": "examine", "l": "load", "w": "watch"}
+_SHORT = {"b": "break", "e": "examine", "ex": "examine", "l": "load", "w": "watch"}
 """Names that are the beginning of several and mean one."""
 
 
@@ -54,6 +54,7 @@ COMMANDS = {
         Command("wait", "SECONDS", running.wait),
         Command("step", "[N]", core.step),
         Command("cycle", "[N]", core.cycle),
+        Command("back", "[N] [UNIT] | until A ...", past.back),
         Command("break", "[A ...]", core.break_),
         Command("watch", "[A ...]", core.watch),
         Command("forget", "[A ...]", core.forget),

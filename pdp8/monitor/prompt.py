@@ -38,6 +38,8 @@ class Monitor:
     def attend(self, machine: Machine) -> None:
         """Turn to `machine`."""
         self.machine = machine
+        self.history = machine.history()
+        """What can be undone: all since then."""
         self.operator = Operator(machine, Pace(pressing=HANDS))
 
     def do(self, line: str) -> None:

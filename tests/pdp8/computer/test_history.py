@@ -13,7 +13,9 @@ from pdp8.computer.history import History, HistoryError
 from pdp8.computer.machine import Machine
 from tapes import ascii, shelf
 
-PROGRAMS = {name: dict(pal.assemble(shelf.read(name)).words) for name in ("eia.pal", "echo.pal", "counter.pal")}
+PROGRAMS = {
+    name: dict(pal.assemble(shelf.read(name)).words) for name in ("eia.pal", "echo.pal", "counter.pal")
+}
 TAPE = ascii.encode("  76 2250 4133  185\n 123\n")
 
 

@@ -1,0 +1,62 @@
+"""Commands about what the machine has done: undoing it.
+
+    back                     the last instruction          back 20 cycles, 3 characters, 2 blocks, 3.5 seconds
+    back until NEXT          to before NEXT was last executed, or after the last JMS to it
+    back until HOLD written  to before HOLD was last written
+    back until 03 flag       to when the flag of device 03 last rose
+
+Words, keys, switches and tapes set since go back too. Counts are octal, as everywhere here; seconds are not.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+
+from pdp8.computer import rewind
+from pdp8.computer.history import History
+from pdp8.monitor.arguments import MonitorError, at_most, octal, seconds
+from pdp8.monitor.prompt import Monitor
+
+_MEASURES: Mapping[str, Callable[[History, int], None]] = {
+    "instructions": rewind.instructions,
+    "cycles": rewind.cycles,
+    "characters": rewind.characters,
+    "blocks": rewind.blocks,
+}
+_MOST = (1 << 36) - 1
+_WHAT = "[N] [instructions|cycles|characters|blocks|seconds], or until A [written|flag],"
+
+
+def back(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Undo N instructions (1), cycles, characters, blocks, seconds; or until A was executed or written."""
+    if arguments[:1] == ["until"]:
+        _until(monitor, arguments[1:])
+    else:
+        _measured(monitor, arguments)
+    frames = len(monitor.machine.teletype.printer.frames)
+    monitor.expected = min(monitor.expected, frames)
+    monitor.shown = min(monitor.shown, frames)
+    machine = monitor.machine
+    line = monitor.listing.line(machine.pc, machine.core[machine.pc])
+    monitor.say(f"back; {machine.elapsed:,.6f} s; next {line}")
+
+
+def _measured(monitor: Monitor, arguments: Sequence[str]) -> None:
+    count, unit = [*at_most(arguments, _WHAT, 2), *("1", "instructions")[len(arguments) :]]
+    if unit in ("seconds", "second"):
+        rewind.seconds(monitor.history, seconds(count))
+        return
+    undo = _MEASURES.get(unit if unit.endswith("s") else f"{unit}s")
+    if undo is None:
+        raise MonitorError(f"{unit}: there are {', '.join(_MEASURES)} and seconds")
+    undo(monitor.history, octal(count, _MOST))
+
+
+def _until(monitor: Monitor, arguments: Sequence[str]) -> None:
+    place, how = [*at_most(arguments, _WHAT, 2), *("", "left")[len(arguments) :]]
+    if how == "flag":
+        rewind.until_flag(monitor.history, octal(place, 0o77))
+    elif how == "written":
+        rewind.until_written(monitor.history, monitor.address(place))
+    elif how == "left" and place:
+        rewind.until_left(monitor.history, monitor.address(place))
+    else:
+        raise MonitorError(f"{_WHAT} expected")
