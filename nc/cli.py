@@ -58,7 +58,10 @@ def list_(modes: bool, **options: Any) -> None:
 
 @nc.command()
 @tape_options
-def cut(**options: Any) -> None:
+@click.option(
+    "--passes", type=click.IntRange(1), default=1, show_default=True, help="How many times the tape is run."
+)
+def cut(passes: int, **options: Any) -> None:
     """Cut the tape and report what was done and the time it took.
 
     \b
@@ -66,11 +69,12 @@ def cut(**options: Any) -> None:
       pdp8 nc cut circle.eia
       pdp8 nc cut ellipse.eia --feed-code 1
       pdp8 nc cut ellipse.eia --feed-code 1 --feed-error 20
+      pdp8 nc cut ellipse.eia --feed-code 1 --read-seconds 0.1 --passes 5
     """
     from nc.report import cut_report
 
     path, error = cut_so_far(**options)
-    click.echo("\n".join(cut_report(path)))
+    click.echo("\n".join(cut_report(path, passes)))
     if error is not None:
         raise error
 

@@ -55,6 +55,9 @@ class Curve(Protocol):
     def stations(self, count: int) -> Stations:
         """Return `count` stations, evenly spread over its parameter."""
 
+    def limit(self, stations: Stations, tolerance: float) -> Floats:
+        """Return the limit of a band at the stations, (n, 2), outside of (left of) the curve for +."""
+
     def deviations(self, points: Floats) -> Floats:
         """Return how far outside (left of) the curve each of the points (n, 2) lies, to first order."""
 
@@ -91,6 +94,10 @@ class Ellipse:
         normals = np.column_stack([self.b * cos, self.a * sin])
         normals /= np.hypot(normals[:, 0], normals[:, 1])[:, None]
         return Stations(points, normals, _along(points))
+
+    def limit(self, stations: Stations, tolerance: float) -> Floats:
+        """Return the points at a distance of `tolerance` along the normals."""
+        return stations.points + tolerance * stations.normals
 
     def deviations(self, points: Floats) -> Floats:
         """Return the distance outside the ellipse: exact for a circle, else to first order near the curve."""
@@ -135,6 +142,10 @@ class StraightLine:
         normals = np.tile(self._normal(), (count, 1))
         return Stations(points, normals, _along(points))
 
+    def limit(self, stations: Stations, tolerance: float) -> Floats:
+        """Return the points at a distance of `tolerance` along the normals."""
+        return stations.points + tolerance * stations.normals
+
     def deviations(self, points: Floats) -> Floats:
         """Return the distance to the left of the line, seen along it."""
         start = np.array([self.x1, self.y1])
@@ -154,10 +165,7 @@ class StraightLine:
 
 @dataclass(frozen=True)
 class Graph:
-    """y = f(x) from x = `first` to `last`, all in inches; (`x`, `y`) is its origin on the table, thousandths.
-
-    Its band is measured along Y (thesis, Chapter 6).
-    """
+    """y = f(x), x from `first` to `last`, inches; its origin is at `x`, `y` of the table, thousandths."""
 
     x: float
     y: float
@@ -184,6 +192,10 @@ class Graph:
         normals = np.column_stack([-slope, np.ones(count)]) / np.hypot(slope, 1)[:, None]
         return Stations(points, normals, _along(points))
 
+    def limit(self, stations: Stations, tolerance: float) -> Floats:
+        """Return the points at a distance of `tolerance` along Y (thesis, Chapter 6)."""
+        return np.asarray(stations.points + np.array([0.0, tolerance]))
+
     def deviations(self, points: Floats) -> Floats:
         """Return the distance above the curve, to first order near it; beyond its ends, above the tangent."""
         x = (points[:, 0] - self.x) / 1000
@@ -202,7 +214,7 @@ class Graph:
 
     def __str__(self) -> str:
         return (
-            f"y = {self.expression}, x from {self.first:g} to {self.last:g}, "
+            f"curve y = {self.expression}, x from {self.first:g} to {self.last:g}, "
             f"origin X {self.x / 1000:.3f} Y {self.y / 1000:.3f}"
         )
 

@@ -68,13 +68,15 @@ class Reading:
 class Inspection:
     """A path measured against its nominal curve; the cutter's diameter is in thousandths.
 
-    `centre` is the furthest that the cutter's centre went inside and outside the curve.
+    `centre` is the furthest that the cutter's centre went inside and outside the curve near it. `stepwise`:
+    each cut is along one axis.
     """
 
     curve: Curve
     cutter: float
     walls: Walls
     centre: tuple[float, float]
+    stepwise: bool
     readings: tuple[Reading, ...]
 
     @property
@@ -110,9 +112,18 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
     measured = walls(cuts, curve.stations(count), cutter / 2)
     if np.isnan(measured.outer).all():
         raise WorkError(f"the cutter did not reach the curve: {curve}")
-    centre = curve.deviations(corners)
+    centre = curve.deviations(corners[_beside(corners, measured.stations, cutter)])
     readings = tuple(_readings(curve, measured))
-    return Inspection(curve, cutter, measured, (float(centre.min()), float(centre.max())), readings)
+    stepwise = bool((cuts[:, :2] == cuts[:, 2:]).any(axis=1).all())
+    return Inspection(curve, cutter, measured, (float(centre.min()), float(centre.max())), stepwise, readings)
+
+
+def _beside(corners: Floats, stations: Stations, reach: float) -> NDArray[np.bool_]:
+    """Return which of the corners (n, 2) lie within reach of the curve; all of them if none does."""
+    some = stations.points[:: max(1, len(stations) // 500)]
+    apart = np.hypot(*(corners[:, None, :] - some).transpose(2, 0, 1)).min(axis=1)
+    near = np.asarray(apart <= reach)
+    return near if near.any() else np.ones(len(corners), dtype=np.bool_)
 
 
 def followed(path: Path, tolerance: float) -> Curve | None:

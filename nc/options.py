@@ -87,6 +87,15 @@ def tape_options(command: Callable[..., Any]) -> Callable[..., Any]:
             metavar="SECONDS",
             help="Time of an automatic tool change; not in the thesis.",
         ),
+        click.option(
+            "--read-seconds",
+            type=float,
+            callback=within(0, 3600),
+            default=2.0,
+            show_default=True,
+            metavar="SECONDS",
+            help="Time to read a block; an electronic reader takes less (Chapter 10).",
+        ),
     )
     for option in reversed(options):
         command = option(command)
@@ -179,6 +188,7 @@ def cut_so_far(
     feed_code: int | None,
     peck: float,
     tool_change: float,
+    read_seconds: float,
     **_: Any,
 ) -> tuple["Path", WorkError | None]:
     """Return the path and the error that stopped the machine, if any; raise it if the path is empty."""
@@ -188,7 +198,9 @@ def cut_so_far(
     if not all(abs(error) <= 20 for error in feed_error):
         raise click.BadParameter("must be within -20 to 20 %", param_hint="--feed-error")
     frames = shelf.read(tape)
-    settings = machine.Settings((x / 100, y / 100, z / 100), feed_code, tool_change, round(peck * 1000))
+    settings = machine.Settings(
+        (x / 100, y / 100, z / 100), feed_code, tool_change, round(peck * 1000), read_seconds
+    )
     with naming(tape):
         try:
             return machine.cut(frames, strict=strict, settings=settings), None

@@ -15,7 +15,7 @@ from functools import cached_property
 from math import dist
 from typing import NamedTuple
 
-from tapes.hydrapoint import HOLE_MAKING, Block
+from tapes.hydrapoint import HOLE_MAKING, Block, Preparatory
 
 
 class Position(NamedTuple):
@@ -102,8 +102,8 @@ class Times:
 
     @property
     def efficiency(self) -> float:
-        """The part of the time, 0 to 1, in which the cutter is fed (Chapter 10); 0 if no time was taken."""
-        return (self.milling + self.z_feed) / self.total if self.total else 0.0
+        """The part of the time, 0 to 1, spent milling (Chapter 10); 0 if no time was taken."""
+        return self.milling / self.total if self.total else 0.0
 
 
 _SPENT = {
@@ -151,6 +151,16 @@ class Path:
             tool_changes=self.tool_change_seconds * sum(step.tool_changed for step in self.steps),
             **spent,
         )
+
+    @property
+    def milling_blocks(self) -> int:
+        """How many blocks mill."""
+        return sum(step.block.preparatory == Preparatory.MILL for step in self.steps)
+
+    @property
+    def contour(self) -> Times:
+        """The time of the contour alone, which Chapter 7 gives: its blocks read, and milled."""
+        return Times(reading=self.read_seconds * self.milling_blocks, milling=self.times.milling)
 
     def clock(self) -> Iterator[float]:
         """Yield for each step the second at which it ends."""

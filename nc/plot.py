@@ -159,14 +159,15 @@ def _draw_metal(view: View, moves: list[Move], cutter: float) -> None:
 def _draw_band(view: View, curve: Curve, cutter: float, tolerance: float) -> None:
     """Draw the curve, the band's two limits, and the walls that a cutter exactly on the curve leaves."""
     stations, reach = curve.stations(7_200), view.window.grown(10)
-    for offset, dashes in (
-        (-tolerance, "none"),
-        (0.0, "8 4"),
-        (tolerance, "none"),
-        (-cutter / 2, "2 3"),
-        (cutter / 2, "2 3"),
+    wall = cutter / 2 * stations.normals
+    for line, dashes in (
+        (curve.limit(stations, -tolerance), "none"),
+        (stations.points, "8 4"),
+        (curve.limit(stations, tolerance), "none"),
+        (stations.points - wall, "2 3"),
+        (stations.points + wall, "2 3"),
     ):
-        places = (stations.points + offset * stations.normals).tolist()
+        places = line.tolist()
         if curve.closed:
             places.append(places[0])
         for seen, run in groupby(places, key=lambda place: reach.holds(*place)):

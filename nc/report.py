@@ -7,30 +7,28 @@ depends on them.
 from collections.abc import Iterator
 
 from nc.curves import Ellipse
-from nc.inspection import Inspection
+from nc.inspection import Inspection, Reading
 from nc.listing import place
 from nc.path import Path, Position
-from tapes.hydrapoint import POSITIONING_SPEED, Preparatory
+from tapes.hydrapoint import POSITIONING_SPEED
 from tapes.measure import inches
 
 THESIS_CIRCLE = (Ellipse(4000, 4000, 1750, 1750), 500)
 """The test circle of Chapter 7: 4 in across, 1/2 in cutter."""
 
-_TALYROND_1971 = {
-    90: ".009",
-    270: ".009",
-    45: "about .001",
-    135: "about .001",
-    225: "about .001",
-    315: "about .001",
-}
+_WORST_1971 = ".009"
+_DIAGONALS_1971 = "about .001"
+"""What the Talyrond showed of it (Chapter 7): the maximum, at the apexes, and the roughness at 45 degrees."""
 
 
-def cut_report(path: Path) -> Iterator[str]:
-    """Yield what the machine did with the tape, and the time it took, line by line."""
+def cut_report(path: Path, passes: int = 1) -> Iterator[str]:
+    """Yield what the machine did with the tape, and the time of `passes` of it, line by line."""
     yield from _what(path)
     yield ""
     yield from _times(path)
+    if passes > 1:
+        total = path.times.total
+        yield f"{passes} passes".ljust(14) + f"{_minutes(passes * total)}   {total / 60:.1f} each"
 
 
 def _what(path: Path) -> Iterator[str]:
@@ -42,7 +40,7 @@ def _what(path: Path) -> Iterator[str]:
         yield f"holes         {len(path.holes)}"
     if path.cuts:
         length = sum(move.length for move in path.cuts)
-        yield f"milled        {length / 1000:.3f} in, {_milling_blocks(path)} blocks"
+        yield f"milled        {length / 1000:.3f} in, {path.milling_blocks} blocks"
         low, high = _extent(path)
         yield f"extent        {place(low)} to {place(high)}"
         closes = f"{path.gap / 1000:.3f} in from its start" if path.gap else "at its start"
@@ -67,10 +65,11 @@ def _times(path: Path) -> Iterator[str]:
     yield f"tool changes  {_minutes(times.tool_changes)}   {each}"
     yield f"machining     {_minutes(times.total)}"
     if path.cuts:
-        reading = _milling_blocks(path) * path.read_seconds
+        contour = path.contour
         yield (
-            f"contour alone {_minutes(reading + times.milling)}   {_milling_blocks(path)} milling blocks: "
-            f"reading {reading / 60:.1f}, cutting {times.milling / 60:.1f}"
+            f"contour alone {_minutes(contour.total)}   {path.milling_blocks} milling blocks: "
+            f"reading {contour.reading / 60:.1f}, cutting {contour.milling / 60:.1f}, "
+            f"efficiency {contour.efficiency:.0%}"
         )
 
 
@@ -78,10 +77,6 @@ def _extent(path: Path) -> tuple[Position, Position]:
     """Return the lower left and upper right corner of the milled path."""
     xs, ys, zs = zip(*(at for move in path.cuts for at in (move.start, move.end)), strict=True)
     return Position(min(xs), min(ys), min(zs)), Position(max(xs), max(ys), max(zs))
-
-
-def _milling_blocks(path: Path) -> int:
-    return sum(step.block.preparatory == Preparatory.MILL for step in path.steps)
 
 
 def _feeds(path: Path) -> str:
@@ -113,17 +108,18 @@ def inspection_report(inspection: Inspection) -> Iterator[str]:
     yield (
         f"worst trough to peak {inches(worst.trough_to_peak)} in: {worst.wall} wall, {worst.place}, "
         f"from {_signed(worst.lowest)} to {_signed(worst.highest)}"
+        + (f"; thesis {_WORST_1971}" if _is_the_thesiss(inspection) else "")
     )
     yield from _diagonals(inspection)
 
 
 def _readings(inspection: Inspection) -> Iterator[str]:
-    is_thesis = (inspection.curve, inspection.cutter) == THESIS_CIRCLE
+    is_thesis = _is_the_thesiss(inspection)
     yield f"{'place':14}{'wall':7}{'lowest':>9}{'highest':>9}  trough to peak" + (
         "   thesis" if is_thesis else ""
     )
     for reading in inspection.readings:
-        figure = _TALYROND_1971.get(int(reading.angle), "") if is_thesis and reading.angle is not None else ""
+        figure = _DIAGONALS_1971 if is_thesis and _is_diagonal(reading) else ""
         line = (
             f"{reading.place:14}{reading.wall:7}{_signed(reading.lowest):>9}{_signed(reading.highest):>9}"
             f"{inches(reading.trough_to_peak):>16}   {figure}"
@@ -133,9 +129,18 @@ def _readings(inspection: Inspection) -> Iterator[str]:
 
 def _diagonals(inspection: Inspection) -> Iterator[str]:
     """Yield the roughness at 45 degrees, where the steps are closest."""
-    diagonal = [r.trough_to_peak for r in inspection.readings if r.angle is not None and r.angle % 90 == 45]
+    diagonal = [r.trough_to_peak for r in inspection.readings if _is_diagonal(r)]
     if diagonal:
         yield f"at 45 degrees {inches(min(diagonal))} to {inches(max(diagonal))} in"
+
+
+def _is_diagonal(reading: Reading) -> bool:
+    return reading.angle is not None and reading.angle % 90 == 45
+
+
+def _is_the_thesiss(inspection: Inspection) -> bool:
+    """Whether this is the circle that the thesis measured: cut step-wise, by its cutter."""
+    return inspection.stepwise and (inspection.curve, inspection.cutter) == THESIS_CIRCLE
 
 
 def _signed(deviation: float) -> str:

@@ -28,6 +28,8 @@ header           the six blocks that open a tape
 printout         blocks as lines of 19 characters
 format           FORMAT fields
 options          a part's keywords as options of its command
+least_squares    a function from measured points
+mirror           the other hand of a part
 parts            which part programs there are
 thesis           what the thesis says of each part
 cli              pdp8 part

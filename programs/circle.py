@@ -14,8 +14,13 @@ the one that comes down reaches 0, and the next starts where it stopped. The tes
 The numbering is the listing's: AS starts at 7; quadrant 1 prints its Y-points with AS as it is and steps it
 before and after each X-point; the other quadrants step it before each print.
 
-Chapter 7 speaks of a centre diameter of 3.75 in. The header positions to X 2.250, which is a radius of 1.750
-about 4.000: a four inch circle cut from within by a half inch cutter. The listing is followed.
+Chapter 7 gives a centre diameter of 3.75 in, and Chapter 6 its rule: the radius less half the radius of the
+tool, 2 - .125. A cutter of radius .25 in a 4 in circle needs 2 - .25. The header positions to X 2.250 and the
+inner limit is 1745: a radius of 1.750 about 4.000. The listing is followed. RAD itself, line 300, is restored
+by inference: the output is the same for any RAD of 1745 or more.
+
+`close` prints one block more, the point at which quadrant 4 ends, where AY is 0: 6676 2251 4000  185. The
+listing does not print it.
 
 Sources: thesis, Appendix C; lines 235 to 315, damaged in the scan, as circle.for restores them.
 """
@@ -48,6 +53,7 @@ def part(
     preparatory: Annotated[int, "AP: preparatory function of the contour"] = Preparatory.MILL,
     x_feed: Annotated[int, "AMX: miscellaneous function of a cut in X"] = Miscellaneous.X_FEED,
     y_feed: Annotated[int, "AMY: miscellaneous function of a cut in Y"] = Miscellaneous.Y_FEED,
+    close: Annotated[bool, "print the last point too, where the contour comes back to its start"] = False,
     milling: Milling = SLOWEST,
     header: Header = THESIS,
     arithmetic: Arithmetic = EXACT,
@@ -66,7 +72,7 @@ def part(
     printout = Printout(overflow)
     printout.header(header, centre_x - start_x, centre_y + start_y)
 
-    if milling.technique == "piece":
+    if not milling.is_of_the_listings:
         curve = oval(Point(centre_x, centre_y), radius, (inner, inner), (outer, outer))
         milling.print(printout, curve)
         return printout.text
@@ -100,4 +106,6 @@ def part(
             sequence += 1 if first else 0
             if rad - at[up] <= 0:
                 break
+    if close:
+        cut_to_here(sequence + 1, east, north, function[down])
     return printout.text

@@ -2,7 +2,7 @@
 
 from inspect import signature
 from itertools import zip_longest
-from typing import Any
+from typing import Any, Literal
 
 import click
 
@@ -10,6 +10,7 @@ from programs import options
 from programs.arithmetic import ARITHMETICS
 from programs.parts import PARTS, Part
 from tapes import ascii, frames, shelf
+from tapes.hydrapoint import RESOLUTION
 
 _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
@@ -132,6 +133,63 @@ def _comparison(part: Part) -> click.Command:
         help=_help(f"The blocks of {part.name} that differ between two arithmetics.", examples),
         context_settings=_SETTINGS,
     )
+
+
+@part.command(short_help="A function from measured points")
+@click.argument("points", metavar="POINTS", default="-")
+@click.option("--degree", type=click.IntRange(0), default=3, show_default=True, help="Of the polynomial.")
+def fit(points: str, degree: int) -> None:
+    """Reduce measured points to a polynomial by least squares, for `pdp8 part curve`.
+
+    POINTS is a file with x and y of a point on each line, inches. The polynomial goes to standard output, its
+    greatest distance from a point to standard error.
+
+    \b
+    Examples:
+      pdp8 part fit points.txt --degree 3
+      pdp8 part curve "$(pdp8 part fit points.txt)" --to 4 -o curve.asc
+    """
+    from programs import least_squares
+    from tapes import convert
+    from tapes.errors import naming
+
+    with naming(points):
+        found = least_squares.fit(least_squares.read(convert.typed(shelf.read(points))), degree)
+    click.echo(found.expression)
+    click.echo(f"at most {found.worst:.4f} in from a point", err=True)
+
+
+@part.command(short_help="The other hand of a part")
+@click.argument("tape", metavar="FILE.asc", default="-")
+@click.option(
+    "--across", type=click.Choice(["x", "y"]), default="x", show_default=True, help="The axis to reflect."
+)
+@click.option(
+    "--about", type=float, metavar="INCHES", help="Where the mirror is; the middle of the part by default."
+)
+def mirror(
+    tape: str, across: Literal["x", "y"], about: float | None, fill: int, parity: str, output: str
+) -> None:
+    """Mirror a part: the same blocks, X or Y reflected (Appendix A). FILE.asc is the tape of a part program.
+
+    \b
+    Examples:
+      pdp8 part slope | pdp8 part mirror > other.asc
+      pdp8 part mirror part.asc --across y --about 5 -o other.asc
+    """
+    from programs.mirror import mirrored
+    from tapes import kinds
+    from tapes.convert import convert
+    from tapes.errors import naming
+
+    content = shelf.read(tape)
+    with naming(tape):
+        text = convert(content, kinds.classify(content), "text").decode()
+        other = mirrored(text, across, None if about is None else about / RESOLUTION)
+    shelf.write(output, ascii.encode(other, parity, fill))
+
+
+mirror.params += _TAPE_OPTIONS
 
 
 def _help(line: str, examples: list[str]) -> str:

@@ -50,6 +50,7 @@ def part(
     preparatory: Annotated[int, "AP: preparatory function of the contour"] = Preparatory.MILL,
     x_feed: Annotated[int, "AMX: miscellaneous function of a cut in X"] = Miscellaneous.X_FEED,
     y_feed: Annotated[int, "AMY: miscellaneous function of a cut in Y"] = Miscellaneous.Y_FEED,
+    close: Annotated[bool, "print the last point too, where the contour comes back to its start"] = False,
     milling: Milling = MILLING,
     header: Header = THESIS,
     arithmetic: Arithmetic = EXACT,
@@ -71,7 +72,7 @@ def part(
     printout = Printout(overflow)
     printout.header(header, centre_x - start_x, centre_y + start_y)
 
-    if milling.technique == "piece":
+    if not milling.is_of_the_listings:
         limits = (inner_major, inner_minor), (outer_major, outer_minor)
         milling.print(printout, oval(Point(centre_x, centre_y), major, *limits))
         return printout.text
@@ -105,4 +106,6 @@ def part(
             cut_to_here(sequence, east, north, function[down])
             if last[up] - at[up] <= 0:
                 break
+    if close:
+        cut_to_here(sequence + 1, east, north, function[down])
     return printout.text

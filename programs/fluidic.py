@@ -1,27 +1,35 @@
 r"""The fluidic bistable of Chapter 8, ten times full size, for a .125 in cutter.
 
-          .-.       .-.        outputs
-          | |  / \  | |        splitter, with a nose
-    .-----' '-'   '-' '-----.  vents and bends
-    '-----.           .-----'
-           \         /         walls
-    --------\       /--------  control channels
-    ---------\     /---------
-              '. .'            nozzle, .2 x .4 in
-             .-' '-.
-             |_____|           supply
+        .-.     .-.           outputs
+       .' |  ^  | '.          outer and inner bends, splitter
+    ---' /  / \  \ '---
+    ---.'  /   \  '.---       vents
+        \  '._.'  /           nose of the splitter
+    .----\-     -/----.       control channels, through the walls
+    '-----\     /-----'
+          '-. .-'             nozzle, .2 in wide
+         .-' | '-.            entries of the nozzle
+         |_______|            supply
 
-The element's drawing is lost with Figure 8.1. This outline is OURS, of the make-up that the chapter tells: a
-main program of 4 slopes (two walls, two sides of the splitter) and 9 arcs (two entries of the nozzle, two
-vents, two outer and two inner bends, the splitter's nose), joined by straight milling; and a subprogram of
-the control channels, 4 slopes and straight milling, that can be put anywhere downstream of the nozzle's exit.
+The drawing of the element, Figure 8.1, is lost. This outline is ours. It agrees with every statement of the
+chapter:
 
-The nozzle is ten times the chapter's .020 x .040; all else is where the cutter's centre goes. u is X from the
-axis of symmetry, v is Y from the end of the supply. The thesis's element took 2050 blocks for the main
-program and 600 for the channels, at +-.003; its channels were at the nozzle's exit in one model, .8 in
-downstream in the other.
+    "about 1 in by 1 in", ten times scale               10.0 x 9.6 in
+    "power nozzle of 0.020 in by 0.040 in"              .2 in wide; .4 in is its depth, which is that of the
+                                                        .375 in plate that is cut through
+    "4 linear slope segments and 9 circular segments"   2 walls, 2 sides of the splitter; 2 entries, 2 vents,
+                                                        2 outer and 2 inner bends, the nose
+    "horizontal control channels", "4 linear slope      a channel tapers along both sides, from its port to
+    interpolations and some straight milling"           its mouth in the wall
+    at the exit of the jet, or .8 in downstream         --control 0 or 0.8
+    maximum roughness .0028 in on a slope, +-.003 in    walls and channels have 7 in 38, 10.4 degrees to an
+                                                        axis: their scallop is .0027 in
+    2050 and 600 blocks                                 radii and lengths that give 2046 and 595
 
-Source: thesis, Chapter 8. All dimensions but the nozzle's, the scale, the cutter and the band are ours.
+All dimensions except those quoted are inferred from the last two lines, or chosen. u is X from the axis of
+symmetry, v is Y from the end of the supply; both are for the cutter's centre.
+
+Source: thesis, Chapter 8.
 """
 
 from itertools import pairwise
@@ -65,30 +73,34 @@ class Bend(NamedTuple):
 
 Segment = Slope | Bend
 
-EXIT: Final = 2.4
+EXIT: Final = 2.3
 """v of the nozzle's exit."""
 
-_SPLITTER_SIDE, _SPLITTER_TIP = (0.833, 7.25), (0.13, 6.032)
+TAPER: Final = 7 / 38
+"""Slope of the walls to Y, and of the sides of the control channels to X."""
+
+_EDGE, _TOP = 4.938, 9.438
+_SPLITTER_SIDE, _SPLITTER_TIP = (1.479, 8.216), (0.141, 4.54)
 
 RIGHT: Final[tuple[Segment, ...]] = (
-    Slope((0.538, 0.0), (0.538, 1.5)),  # supply
-    Bend((0.538, 2.0), 0.5, 270, -90),  # entry of the nozzle
-    Slope((0.038, 2.0), (0.038, EXIT)),  # nozzle, .2 wide, to .001, with the cutter's .125
+    Slope((0.938, 0.0), (0.938, 1.0)),  # supply
+    Bend((0.938, 1.9), 0.9, 270, -90),  # entry of the nozzle
+    Slope((0.038, 1.9), (0.038, EXIT)),  # nozzle, .2 wide, to .001, with the cutter's .125
     Slope((0.038, EXIT), (0.1, EXIT)),  # setback
-    Slope((0.1, EXIT), (1.1, 5.4)),  # wall
-    Bend((1.7, 5.4), 0.6, 180, -90),  # vent
-    Slope((1.7, 6.0), (3.0, 6.0)),
-    Slope((3.0, 6.0), (3.0, 6.6)),
-    Slope((3.0, 6.6), (2.2, 6.6)),
-    Bend((2.2, 7.1), 0.5, 270, -90),  # outer bend
-    Slope((1.7, 7.1), (1.7, 9.0)),  # output
-    Slope((1.7, 9.0), (0.9, 9.0)),
-    Slope((0.9, 9.0), (0.9, 7.5)),
-    Bend((0.4, 7.5), 0.5, 360, -30),  # inner bend
+    Slope((0.1, EXIT), (0.66, 5.34)),  # wall
+    Bend((1.56, 5.34), 0.9, 180, -90),  # vent
+    Slope((1.56, 6.24), (_EDGE, 6.24)),
+    Slope((_EDGE, 6.24), (_EDGE, 7.04)),
+    Slope((_EDGE, 7.04), (3.3, 7.04)),
+    Bend((3.3, 7.94), 0.9, 270, -90),  # outer bend
+    Slope((2.4, 7.94), (2.4, _TOP)),  # output
+    Slope((2.4, _TOP), (1.6, _TOP)),
+    Slope((1.6, _TOP), (1.6, 8.9)),
+    Bend((-0.4, 8.9), 2.0, 360, -20),  # inner bend
     Slope(_SPLITTER_SIDE, _SPLITTER_TIP),  # side of the splitter
 )
-NOSE: Final = Bend((0.0, 6.107), 0.15, -30, -120)
-CLOSE: Final = Slope((-0.538, 0.0), (0.538, 0.0))
+NOSE: Final = Bend((0.0, 4.591), 0.15, -20, -140)
+CLOSE: Final = Slope((-0.938, 0.0), (0.938, 0.0))
 
 _FURTHEST = 2.5
 
@@ -105,15 +117,16 @@ def channel(downstream: float) -> tuple[Segment, ...]:
             f"control channels {downstream:g} in downstream: must be beside the walls, 0 to {_FURTHEST:g} in"
         )
     middle = EXIT + 0.1 + downstream
-    mouth = round(0.1 + (middle - EXIT) / 3, 3)
+    mouth = round(0.1 + (middle - EXIT) * TAPER, 3)
     low, high = round(middle - 0.05, 4), round(middle + 0.05, 4)
-    bottom, top = round(middle - 0.25, 4), round(middle + 0.25, 4)
+    wide = round(mouth + 2.736, 3)
+    bottom, top = round(low - 0.504, 4), round(high + 0.504, 4)
     corners = [
         (mouth, low),
-        (1.5, bottom),
-        (3.0, bottom),
-        (3.0, top),
-        (1.5, top),
+        (wide, bottom),
+        (_EDGE, bottom),
+        (_EDGE, top),
+        (wide, top),
         (mouth, high),
         (mouth, low),
     ]
@@ -127,8 +140,8 @@ def part(
     ] = "both",
     control: Annotated[float, "control channels: inches downstream of the nozzle's exit"] = 0.0,
     tolerance: Annotated[float, "half the width of the band, inches"] = 0.003,
-    axis_x: Annotated[float, "X of the axis of symmetry"] = 5.0,
-    base_y: Annotated[float, "Y of the end of the supply"] = 0.5,
+    axis_x: Annotated[float, "X of the axis of symmetry"] = 6.0,
+    base_y: Annotated[float, "Y of the end of the supply"] = 0.25,
     milling: Milling = SLOWEST,
     header: Header = THESIS,
     overflow: Overflow = "low-digits",

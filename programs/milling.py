@@ -24,11 +24,19 @@ class Milling:
     technique: Annotated[Literal["step", "piece"], "step-wise or piece-wise linear technique"] = "step"
     feed: Annotated[int, "feed code of Table 2.4, step-wise technique (AT)"] = 1
     fastest: Annotated[int, "fastest feed code used, piece-wise technique"] = 5
+    stop: Annotated[stepwise.Stop, "where a cut stops, step-wise technique: at the limit, or just inside"] = (
+        "boundary"
+    )
     feed_error: Annotated[float, "fraction by which feeds may be wrong, piece-wise technique"] = 0.2
 
     def __post_init__(self) -> None:
         check_feed(self.feed)
         Technique(self.fastest, self.feed_error)
+
+    @property
+    def is_of_the_listings(self) -> bool:
+        """Whether it is that of Appendices C and D: step-wise, each cut to its limit."""
+        return (self.technique, self.stop) == ("step", "boundary")
 
     def print(self, printout: Printout, curve: Curve) -> None:
         """Print the blocks that mill along `curve`; the cutter is at its start.
@@ -36,7 +44,7 @@ class Milling:
         Raises WorkError where the curve leaves the table or the technique cannot follow it.
         """
         if self.technique == "step":
-            for cut in stepwise.cuts(curve):
+            for cut in stepwise.cuts(curve, self.stop):
                 _print(printout, cut.stop, self.feed, cut.axis)
         else:
             _print_piecewise(printout, curve, Technique(self.fastest, self.feed_error))

@@ -19,10 +19,10 @@ import click
 
 from programs.arithmetic import ARITHMETICS, Arithmetic
 from programs.drill import Holes
-from programs.parts import Program
+from programs.parts import PartProgram
 
 
-def parameters(part: Program) -> list[click.Parameter]:
+def parameters(part: PartProgram) -> list[click.Parameter]:
     """Return the click parameters of `part`, in the order of its signature."""
     hints = get_type_hints(part, include_extras=True)
     found: list[click.Parameter] = []
@@ -37,7 +37,7 @@ def parameters(part: Program) -> list[click.Parameter]:
     return found
 
 
-def arguments(part: Program, values: Mapping[str, Any]) -> dict[str, Any]:
+def arguments(part: PartProgram, values: Mapping[str, Any]) -> dict[str, Any]:
     """Return the keywords to call `part` with, for the `values` that click has of its parameters."""
     hints = get_type_hints(part)
     keywords = {name: values[name] for name in hints if name in values}
@@ -58,9 +58,15 @@ def _options(default: Any) -> Iterator[click.Parameter]:
 
 def _option(name: str, hint: Any, default: Any) -> click.Parameter:
     kind, help_line = get_args(hint)
+    if kind is bool:
+        return _flag(name, default, help_line[0])
     if default is inspect.Parameter.empty:
         return click.Argument([name], type=_type(kind))
     return _named(name, _type(kind), default, f"{help_line[0].upper()}{help_line[1:]}.")
+
+
+def _flag(name: str, default: bool, help_line: str) -> click.Option:
+    return click.Option([f"--{name}"], is_flag=True, default=default, help=f"{help_line.capitalize()}.")
 
 
 def _named(name: str, kind: Any, default: Any, help_line: str) -> click.Option:

@@ -12,7 +12,7 @@ from typing import Any, Final, NamedTuple, Protocol
 from tapes.errors import WorkError
 
 
-class Program(Protocol):
+class PartProgram(Protocol):
     """A part program: its constants as keywords, each with a default; one may be positional."""
 
     def __call__(self, *arguments: Any, **constants: Any) -> str:
@@ -36,9 +36,9 @@ class Part(NamedTuple):
     cutter: float = 0.5
     has_defaults: bool = True
 
-    def program(self) -> Program:
+    def program(self) -> PartProgram:
         """Import the part program."""
-        program: Program = import_module(f"programs.{self.name}").part
+        program: PartProgram = import_module(f"programs.{self.name}").part
         return program
 
 
@@ -60,7 +60,7 @@ PARTS: Final = {
             "polynomial",
             "The third degree polynomial of Chapters 6 and 7. Lengths are inches.",
             ("> polynomial.asc", "--b 1.5 --c 5 --to 5", "--cutter 0.5 --side above --technique piece"),
-            nominal={"polynomial": (4, 6, 0.2, 2, 6)},
+            nominal={"polynomial": (4, 6, 0.2, 2, 6), "range_": (-0.75, 6.25)},
             tolerance=0.01,
         ),
         Part(
@@ -88,6 +88,7 @@ PARTS: Final = {
             "fluidic",
             "The fluidic element of Chapter 8, with our outline. Lengths are inches.",
             ("> element.asc", "--program control --control 0.8", "--tolerance 0.005"),
+            nominal={"line": (6.17, 2.93, 6.59, 5.21)},
             instrument="Talysurf",
             tolerance=0.003,
             cutter=0.125,

@@ -6,14 +6,16 @@
       |               next; the last one ends in B itself, by a cut along each axis if need be.
       A
 
-Every stop lies inside the band. The listings of the circle and the ellipse stop at the first thousandth that
-reaches a limit instead, which may be outside by less than one; a Stretch says which of the two it wants.
+A cut stops at the first thousandth that reaches its limit or passes it: "the points which lie on the
+boundaries of the error band will be taken" (Chapter 6), and so do the listings of the circle and the ellipse.
+A stop may be outside the band by less than .001 in. With `Stop.INSIDE` a cut stops at the last thousandth in
+the band, which is our own rule.
 
 Source: thesis, Chapter 3, Figures 3.3 to 3.5.
 """
 
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from programs.stretches import Axis, Curve, Point, Stretch
 from tapes.errors import WorkError
@@ -28,11 +30,14 @@ class Cut(NamedTuple):
     stop: Point
 
 
-def cuts(curve: Curve) -> Iterator[Cut]:
+Stop = Literal["boundary", "inside"]
+
+
+def cuts(curve: Curve, rule: Stop = "boundary") -> Iterator[Cut]:
     """Yield the cuts along `curve`, from its start to its very end."""
     at = curve.start
     axis: Axis = "Y"
-    for cut in staircase(at, axis, curve.stretches):
+    for cut in staircase(at, axis, curve.stretches, rule):
         yield cut
         at, axis = cut.stop, _OTHER[cut.axis]
     for last in (axis, _OTHER[axis]):
@@ -42,17 +47,20 @@ def cuts(curve: Curve) -> Iterator[Cut]:
         at = stop
 
 
-def staircase(start: Point, axis: Axis, stretches: Iterable[Stretch]) -> Iterator[Cut]:
+def staircase(
+    start: Point, axis: Axis, stretches: Iterable[Stretch], rule: Stop = "boundary"
+) -> Iterator[Cut]:
     """Yield the cuts from `start`, the first along `axis`, until the last of `stretches` ends.
 
     The cut in which the last stretch ends is left out. Raises WorkError where a band is too narrow for a
     cut.
     """
+    cut = _to_the_limit if rule == "boundary" else _inside
     at = done = start
     for stretch in stretches:
         idle = False
         while True:
-            at, ended = _cut(stretch, axis, at)
+            at, ended = cut(stretch, axis, at)
             if ended:
                 break
             if at == done and idle:
@@ -66,19 +74,30 @@ def staircase(start: Point, axis: Axis, stretches: Iterable[Stretch]) -> Iterato
             axis = _OTHER[axis]
 
 
-def _cut(stretch: Stretch, axis: Axis, at: Point) -> tuple[Point, bool]:
-    """Return where a cut along `axis` from `at` stops, and whether the stretch ended there."""
+def _to_the_limit(stretch: Stretch, axis: Axis, at: Point) -> tuple[Point, bool]:
+    """Return where a cut along `axis` from `at` reaches its limit, and whether the stretch ended before."""
     x, y = at
-    taken = 0
     while not stretch.ends(axis, x, y):
-        if taken >= stretch.at_least and stretch.over(axis, x, y):
+        if (x, y) != at and stretch.reached(axis, x, y):
             return Point(x, y), False
-        if axis == "X":
-            x += stretch.dx
-        else:
-            y += stretch.dy
-        taken += 1
+        x, y = _next(stretch, axis, x, y)
+        if (x, y) == at:  # the stretch has no direction along this axis
+            return at, False
     return Point(x, y), True
+
+
+def _inside(stretch: Stretch, axis: Axis, at: Point) -> tuple[Point, bool]:
+    """Return the last point in the band of a cut along `axis`, and whether the stretch ended before."""
+    x, y = at
+    while not stretch.ends(axis, x, y):
+        if stretch.leaves(axis, x, y):
+            return Point(x, y), False
+        x, y = _next(stretch, axis, x, y)
+    return Point(x, y), True
+
+
+def _next(stretch: Stretch, axis: Axis, x: int, y: int) -> tuple[int, int]:
+    return (x + stretch.dx, y) if axis == "X" else (x, y + stretch.dy)
 
 
 def _along(axis: Axis, at: Point, end: Point) -> Point:

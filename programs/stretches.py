@@ -17,8 +17,9 @@ Sources: thesis, Chapter 3, Figures 3.3 to 3.5, and Chapter 6.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from enum import IntEnum
 from itertools import pairwise
-from math import ceil, cos, dist, floor, hypot, radians, sin
+from math import ceil, cos, dist, hypot, radians, sin
 from typing import Any, Literal, NamedTuple
 
 from tapes.errors import WorkError
@@ -34,28 +35,47 @@ class Point(NamedTuple):
     y: int
 
 
+class Side(IntEnum):
+    """The side of a band that a point is on."""
+
+    BELOW = -2
+    LOWER_LIMIT = -1
+    INSIDE = 0
+    UPPER_LIMIT = 1
+    ABOVE = 2
+
+
 @dataclass(frozen=True)
 class Stretch:
     """A piece of a curve along which X has one direction (`dx`: 1, -1 or 0) and Y has one (`dy`).
 
-    It ends where a cut along X reaches `last_x`, or one along Y reaches `last_y`.
+    `side` returns the side of the band that a point is on; cuts along the axis `upward` lead to the upper
+    limit, those along the other axis to the lower one. The stretch ends where a cut along X reaches `last_x`,
+    or one along Y reaches `last_y`.
     """
 
     dx: int
     dy: int
-    inside: Callable[[float, float], bool]
+    side: Callable[[float, float], Side]
+    upward: Axis
     last_x: int | None = None
     last_y: int | None = None
-
-    at_least = 0
-    """The shortest cut, thousandths."""
 
     def ends(self, axis: Axis, x: int, y: int) -> bool:
         """Whether the stretch ends where a cut along `axis` has reached `x`, `y`."""
         return x == self.last_x if axis == "X" else y == self.last_y
 
-    def over(self, axis: Axis, x: int, y: int) -> bool:
-        """Whether a cut along `axis` stops at `x`, `y`: the next thousandth is outside."""
+    def inside(self, x: float, y: float) -> bool:
+        """Whether a point is in the band, its limits included."""
+        return abs(self.side(x, y)) <= Side.UPPER_LIMIT
+
+    def reached(self, axis: Axis, x: int, y: int) -> bool:
+        """Whether a cut along `axis` has reached its limit at `x`, `y`, or passed it."""
+        side = self.side(x, y)
+        return side >= Side.UPPER_LIMIT if axis == self.upward else side <= Side.LOWER_LIMIT
+
+    def leaves(self, axis: Axis, x: int, y: int) -> bool:
+        """Whether the next thousandth of a cut along `axis` from `x`, `y` is outside the band."""
         if axis == "X":
             return not self.dx or not self.inside(x + self.dx, y)
         return not self.dy or not self.inside(x, y + self.dy)
@@ -77,10 +97,12 @@ def line(start: Point, end: Point, tolerance: float) -> Curve:
         return Curve(start, (), end)
     limit = tolerance * hypot(across, up)
 
-    def inside(x: float, y: float) -> bool:
-        return -limit <= across * (y - start.y) - up * (x - start.x) <= limit
+    def side(x: float, y: float) -> Side:
+        off = across * (y - start.y) - up * (x - start.x)
+        return _side(off, -limit, limit)
 
-    return Curve(start, (Stretch(_sign(across), _sign(up), inside, end.x, end.y),), end)
+    upward: Axis = "Y" if across * up > 0 else "X"
+    return Curve(start, (Stretch(_sign(across), _sign(up), side, upward, end.x, end.y),), end)
 
 
 def arc(centre: Point, radius: float, start: float, sweep: float, tolerance: float) -> Curve:
@@ -93,8 +115,8 @@ def arc(centre: Point, radius: float, start: float, sweep: float, tolerance: flo
     check_tolerance(tolerance, radius)
     inner, outer = (radius - tolerance) ** 2, (radius + tolerance) ** 2
 
-    def inside(x: float, y: float) -> bool:
-        return inner <= (x - centre.x) ** 2 + (y - centre.y) ** 2 <= outer
+    def side(x: float, y: float) -> Side:
+        return _side((x - centre.x) ** 2 + (y - centre.y) ** 2, inner, outer)
 
     def at(angle: float) -> Point:
         return Point(
@@ -105,11 +127,12 @@ def arc(centre: Point, radius: float, start: float, sweep: float, tolerance: flo
         middle = radians((angle + until) / 2)
         way = _sign(sweep)
         dx, dy = -_sign(sin(middle)) * way, _sign(cos(middle)) * way
+        upward: Axis = "X" if dx * cos(middle) > 0 else "Y"
         if until == last:
-            return Stretch(dx, dy, inside, *at(until))
+            return Stretch(dx, dy, side, upward, *at(until))
         if until % 180:
-            return Stretch(dx, dy, inside, last_x=centre.x)
-        return Stretch(dx, dy, inside, last_y=centre.y)
+            return Stretch(dx, dy, side, upward, last_x=centre.x)
+        return Stretch(dx, dy, side, upward, last_y=centre.y)
 
     last = start + sweep
     angles = [start, *_right_angles_between(start, last), last]
@@ -129,16 +152,23 @@ def oval(centre: Point, major: int, inner: Limits, outer: Limits) -> Curve:
     Each limit is an ellipse's semi-axes along X and Y.
     """
 
-    def inside(x: float, y: float) -> bool:
-        across, up = (x - centre.x) ** 2, (y - centre.y) ** 2
-        return across / inner[0] ** 2 + up / inner[1] ** 2 >= 1 >= across / outer[0] ** 2 + up / outer[1] ** 2
+    def beyond(x: float, y: float, limit: Limits) -> float:
+        a, b = limit[0] ** 2, limit[1] ** 2
+        return (x - centre.x) ** 2 * b + (y - centre.y) ** 2 * a - a * b
+
+    def side(x: float, y: float) -> Side:
+        if (within := beyond(x, y, inner)) <= 0:
+            return Side.BELOW if within else Side.LOWER_LIMIT
+        if (without := beyond(x, y, outer)) >= 0:
+            return Side.ABOVE if without else Side.UPPER_LIMIT
+        return Side.INSIDE
 
     start = Point(centre.x - major, centre.y)
     quadrants = (
-        Stretch(+1, +1, inside, last_x=centre.x),
-        Stretch(+1, -1, inside, last_y=centre.y),
-        Stretch(-1, -1, inside, last_x=centre.x),
-        Stretch(-1, +1, inside, start.x, start.y),
+        Stretch(+1, +1, side, "Y", last_x=centre.x),
+        Stretch(+1, -1, side, "X", last_y=centre.y),
+        Stretch(-1, -1, side, "Y", last_x=centre.x),
+        Stretch(-1, +1, side, "X", start.x, start.y),
     )
     return Curve(start, quadrants, start)
 
@@ -153,29 +183,26 @@ def graph(first_x: int, lower: Sequence[Any], upper: Sequence[Any]) -> Curve:
     tolerance = round((float(upper[0]) - float(lower[0])) / 2, 6)
     check_tolerance(tolerance, max(len(middle) - 1, max(middle) - min(middle)))
     _check_steepness(first_x, middle, tolerance)
-    bottom: list[int] = [ceil(low) for low in lower]
-    top: list[int] = [floor(high) for high in upper]
+    limits = [(float(low), float(high)) for low, high in zip(lower, upper, strict=True)]
 
-    def inside(x: float, y: float) -> bool:
+    def side(x: float, y: float) -> Side:
         place = int(x) - first_x
-        if not 0 <= place < len(middle):
-            return False
         part = x - int(x)
-        if not part:
-            return bottom[place] <= y <= top[place]
-        if place + 1 == len(middle):
-            return False
-        low = float(lower[place]) * (1 - part) + float(lower[place + 1]) * part
-        high = float(upper[place]) * (1 - part) + float(upper[place + 1]) * part
-        return bool(low <= y <= high)
+        if not 0 <= place < len(limits) - (part > 0):
+            return Side.BELOW
+        low, high = limits[place]
+        if part:
+            low = low + (limits[place + 1][0] - low) * part
+            high = high + (limits[place + 1][1] - high) * part
+        return _side(y, low, high)
 
     places = [0, *turning_points(middle), len(middle) - 1]
-    stretches = tuple(
-        Stretch(1, _sign(middle[there] - middle[here]), inside, last_x=first_x + there)
-        for here, there in pairwise(places)
-    )
+    stretches = []
+    for here, there in pairwise(places):
+        dy = _sign(middle[there] - middle[here])
+        stretches.append(Stretch(1, dy, side, "Y" if dy > 0 else "X", last_x=first_x + there))
     last_x = first_x + len(middle) - 1
-    return Curve(Point(first_x, round(middle[0])), stretches, Point(last_x, round(middle[-1])))
+    return Curve(Point(first_x, round(middle[0])), tuple(stretches), Point(last_x, round(middle[-1])))
 
 
 def turning_points(heights: Sequence[float]) -> list[int]:
@@ -210,6 +237,15 @@ def _check_steepness(first_x: int, heights: Sequence[float], tolerance: float) -
                 f"the curve is too steep for a tolerance of {tolerance / 1000:g} in: at X {x / 1000:.3f} "
                 f"of the table it moves {abs(there - here) / 1000:.3g} in along Y in a thousandth of X"
             )
+
+
+def _side(value: float, low: float, high: float) -> Side:
+    """Return the side of a band that `value` is on, `low` and `high` its limits."""
+    if value <= low:
+        return Side.BELOW if value < low else Side.LOWER_LIMIT
+    if value >= high:
+        return Side.ABOVE if value > high else Side.UPPER_LIMIT
+    return Side.INSIDE
 
 
 def _sign(number: float) -> int:

@@ -152,6 +152,23 @@ def convert(*, file: str, source: str, target: str, parity: str, fill: int | Non
 
 
 @tape.command()
+@click.argument("file", metavar="FILE.eia", default="-")
+@_output
+def clean(*, file: str, output: str) -> None:
+    """Keep only the digits and ends of block of an EIA tape, as a second pass through a Flexowriter did.
+
+    The thesis's second conversion program passes line feeds and rubouts on as other codes; its tapes need
+    this before the Hydra-Point can read them (Chapter 5).
+
+    \b
+    Examples:
+      pdp8 run eia2.pal < circle.asc | pdp8 tape clean > circle.eia
+    """
+    command.check_files([file], [output])
+    shelf.write(output, eia.clean(shelf.read(file)))
+
+
+@tape.command()
 @click.argument("file", default="-")
 @click.option(
     "--code", type=click.Choice(["ascii", "eia"]), default="ascii", show_default=True, help="The tape's code."

@@ -44,6 +44,7 @@ _NAMES = {
 
 _NO_CODE = 0o377  # even, so never an EIA code; the mark of one that is none in both tables
 _BLANK = 0o000
+_NOT_OF_A_BLOCK = bytes(code for code in range(256) if CHARACTERS.get(code, "") not in tuple("0123456789\n"))
 _TO_FRAME = bytes(CODES.get(chr(code).upper(), _NO_CODE) for code in range(128)).ljust(256, bytes([_NO_CODE]))
 _TO_CHARACTER = bytes(
     code if code in (_BLANK, DELETE) else ord(CHARACTERS[code]) if code in CHARACTERS else _NO_CODE
@@ -80,6 +81,16 @@ def decode(frames: bytes, blank: str | None = None) -> str:
         raise TapeError("blank frame inside the data", start + gap)
     text = characters.translate(None, bytes([DELETE])).decode("ascii")
     return text if blank is None else text.replace("\0", blank)
+
+
+def clean(frames: bytes) -> bytes:
+    """Return the digits and EOBs of a tape, and the blank frames before them.
+
+    A second pass through a Flexowriter did this with the tapes of the thesis's second conversion program
+    (Chapter 5): it left out the characters that the program had passed on.
+    """
+    leader = len(frames) - len(frames.lstrip(bytes([_BLANK])))
+    return frames[:leader] + frames[leader:].translate(None, _NOT_OF_A_BLOCK)
 
 
 def name(frame: int) -> str:

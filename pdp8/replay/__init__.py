@@ -2,6 +2,7 @@
 
 afternoon     from part program to milled part, in one call
 figures       the thesis's figures beside the afternoon's
+implied       what the thesis's figures imply: feed, range, size, allowance
 desk          what it leaves: tapes, listings, pictures
 """
 

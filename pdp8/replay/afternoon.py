@@ -25,6 +25,7 @@ from pdp8.computer.operator import Action, Operator, Pace
 from programs.parts import find
 from tapes import ascii, frames, rim, shelf
 from tapes.errors import WorkError
+from tapes.measure import inches
 
 OPENS: Final = 13 * 3600
 """The afternoon begins at one o'clock: seconds since midnight."""
@@ -260,12 +261,13 @@ class _Day:
                 path, nominal(**self.entry.nominal), self.entry.cutter * 1000, self.entry.tolerance * 1000
             )
         except WorkError as error:
-            self._act(Kind.INSPECT, "Inspection", f"No instrument for this shape: {error}.", "not inspected")
+            self._act(Kind.INSPECT, "Inspection", f"Not inspected: {error}.", "not inspected")
             return None
         worst = inspection.worst
-        came = f"worst trough to peak {worst.trough_to_peak / 1000:.4f} in, {worst.wall} wall, {worst.place}"
-        name = "Talyrond" if inspection.curve.closed else "Talysurf"
-        self._act(Kind.INSPECT, name, f"The stylus goes along the walls: {came}.", came)
+        found = f"worst trough to peak {inches(worst.trough_to_peak)} in, {worst.wall} wall, {worst.place}"
+        instrument = self.entry.instrument
+        done = "The stylus follows the walls" if instrument else "The thesis measured no such part; computed"
+        self._act(Kind.INSPECT, instrument or "Inspection", f"{done}: {found}.", found)
         return inspection
 
     def _assemble(self, name: str) -> pal.Assembly:

@@ -43,7 +43,6 @@ def _pictures(afternoon: Afternoon) -> Iterator[tuple[str, str]]:
         f"{part}.svg",
         plot(afternoon.path, curve, cutter=made.cutter * 1000, tolerance=made.tolerance * 1000),
     )
-    if inspection and inspection.curve.closed:
-        yield "talyrond.svg", talyrond(inspection)
-    elif inspection:
-        yield "talysurf.svg", talysurf(inspection)
+    if inspection:
+        draw = talyrond if inspection.curve.closed else talysurf
+        yield f"{(made.instrument or 'inspection').lower()}.svg", draw(inspection)

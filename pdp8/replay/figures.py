@@ -4,6 +4,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 import nc
+from nc.inspection import Inspection, inspect
+from pdp8.replay.implied import machined
+from programs import circle
 from programs.thesis import THESIS, Thesis
 from tapes.hydrapoint import FEED_TOLERANCE, Preparatory
 from tapes.measure import inches
@@ -45,7 +48,7 @@ def _machining(afternoon: "Afternoon", said: Thesis) -> Iterator[Figure]:
     yield Figure("  of these reading the tape", said.reading or NOT_SAID, f"{times.reading / 60:.1f}")
     milled = [step for step in afternoon.path.steps if step.block.preparatory == Preparatory.MILL]
     if milled:
-        contour = len(milled) * afternoon.path.read_seconds + times.milling
+        contour = afternoon.path.contour.total
         yield Figure("  of these the contour alone", NOT_SAID, f"{contour / 60:.1f}")
     if any(step.block.tool != _SLOWEST for step in milled):
         for error, name in ((0.0, "1.0"), (FEED_TOLERANCE, "1.2")):
@@ -54,22 +57,30 @@ def _machining(afternoon: "Afternoon", said: Thesis) -> Iterator[Figure]:
             yield Figure(f"  the pass at {name} in/min", said.cut or NOT_SAID, f"{slower / 60:.1f}")
 
 
-def _errors(afternoon: "Afternoon", said: Thesis) -> list[Figure]:
-    """Return the lines of the walls' errors, trough to peak, of the outer wall and the inner."""
-    inspection = afternoon.inspection
-    if inspection is None:
-        return []
-    lines = []
+def _errors(afternoon: "Afternoon", said: Thesis) -> Iterator[Figure]:
+    """Yield the walls' errors, trough to peak, and of the circle those with its contour closed."""
+    if afternoon.inspection is None:
+        return
+    yield _worst("inches off at most", afternoon.inspection, said.worst)
+    if afternoon.part == "circle":
+        closed = inspect(machined(circle.part(close=True)))
+        yield _worst("  with one block that closes the contour", closed, said.worst)
     for name, thesis, mark in (
-        ("inches off at +X +Y -X -Y", said.apexes, "apex"),
+        ("inches off at +X +Y -X -Y", None, "apex"),
         ("inches off at 45°", said.diagonals, "45°"),
     ):
         for wall in ("outer", "inner"):
             spans = [
                 inches(reading.trough_to_peak)
-                for reading in inspection.readings
+                for reading in afternoon.inspection.readings
                 if mark in reading.place and reading.wall == wall
             ]
             if spans:
-                lines.append(Figure(f"{name}, {wall} wall", thesis or NOT_SAID, " ".join(spans)))
-    return lines
+                yield Figure(f"{name}, {wall} wall", thesis or NOT_SAID, " ".join(spans))
+
+
+def _worst(name: str, inspection: Inspection, thesis: str | None) -> Figure:
+    worst = inspection.worst
+    return Figure(
+        name, thesis or NOT_SAID, f"{inches(worst.trough_to_peak)}, {worst.wall} wall, {worst.place}"
+    )

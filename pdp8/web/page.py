@@ -13,10 +13,8 @@ from collections.abc import Iterator
 from itertools import accumulate, pairwise
 from typing import Any
 
-import numpy as np
-
 import pal
-from nc.curves import Curve, Graph
+from nc.curves import Curve
 from nc.path import MoveKind as Move
 from nc.talyrond import talyrond
 from nc.talysurf import talysurf
@@ -117,8 +115,10 @@ def _graph(afternoon: Afternoon) -> dict[str, Any] | None:
     inspection = afternoon.inspection
     if inspection is None:
         return None
-    name, draw = ("Talyrond", talyrond) if inspection.curve.closed else ("Talysurf", talysurf)
-    return {"title": f"The {name}'s graph", "kind": "picture", "svg": draw(inspection)}
+    instrument = PARTS[afternoon.part].instrument
+    draw = talyrond if inspection.curve.closed else talysurf
+    title = f"The {instrument}'s graph" if instrument else "The walls, computed"
+    return {"title": title, "kind": "picture", "svg": draw(inspection)}
 
 
 def _block(digits: str) -> str:
@@ -170,11 +170,9 @@ def _band(curve: Curve | None, tolerance: float) -> dict[str, Any] | None:
     if curve is None:
         return None
     stations = curve.stations(_CURVE_POINTS)
-    # A function's band is measured along Y (thesis, Chapter 6), any other square to the curve.
-    way = np.array([0.0, 1.0]) if isinstance(curve, Graph) else stations.normals
     outlines = {}
     for name, offset in (("inner", -tolerance), ("nominal", 0), ("outer", tolerance)):
-        points = (stations.points + offset * way).round(1).tolist()
+        points = curve.limit(stations, offset).round(1).tolist()
         outlines[name] = [*points, points[0]] if curve.closed else points
     return outlines
 

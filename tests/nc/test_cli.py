@@ -100,7 +100,7 @@ def test_the_polynomial_against_its_band(shell: Shell) -> None:
     frames = tape(*printed.replace(" ", "0").split())
     line = "pdp8 nc inspect --polynomial 4,6,0.2,2,6 --tolerance 0.01 --cutter 0.125"
     said = product(shell, line, frames)
-    assert "y = 0.2*x*(x-2)*(x-6), x from 0 to 6, origin X 4.000 Y 6.000" in said
+    assert "curve y = 0.2*x*(x-2)*(x-6), x from 0 to 6, origin X 4.000 Y 6.000" in said
     assert float(said.split("worst trough to peak ")[1].split()[0]) < 0.0215
 
 

@@ -91,7 +91,7 @@ def test_the_day_with_the_circle() -> None:
         "milling          13.9 min   at 1 in/min",
         "tool changes      0.0 min   1, time not counted",
         "machining        36.7 min",
-        "contour alone    35.9 min   660 milling blocks: reading 22.0, cutting 13.9",
+        "contour alone    35.9 min   660 milling blocks: reading 22.0, cutting 13.9, efficiency 39%",
     ):
         assert sentence in said
 
@@ -108,10 +108,10 @@ def test_the_inspection_stands_beside_the_thesis() -> None:
     said = "\n".join(inspection_report(inspect(nc.cut(CIRCLE))))
     for line in (
         "place         wall      lowest  highest  trough to peak   thesis",
-        "+Y apex       outer     -.0046   +.0060           .0106   .009",
+        "+Y apex       outer     -.0046   +.0060           .0106",
         "-X apex       outer     -.0114   +.0059           .0173",
         "45° +X+Y      outer     +.0048   +.0055           .0007   about .001",
-        "worst trough to peak .0173 in: outer wall, -X apex, from -.0114 to +.0059",
+        "worst trough to peak .0173 in: outer wall, -X apex, from -.0114 to +.0059; thesis .009",
         "at 45 degrees .0007 to .0009 in",
     ):
         assert line in said

@@ -259,3 +259,20 @@ def test_a_tool_change_without_a_tool_takes_the_next_of_the_carousel() -> None:
 
 def test_a_path_is_one_line_to_look_at() -> None:
     assert repr(nc.cut(CIRCLE)) == "<DrawnPath: 666 blocks, 36.7 min>"
+
+
+def test_chapter_10s_efficiency() -> None:
+    """About 33 of 50 minutes of the ellipse are reading: 17 minutes of work, an efficiency of about 33 %."""
+    fast = Settings(feed_error=(0.2, 0.2, 0), feed_code=1)
+    contour = nc.cut(shelf.read("ellipse.eia"), settings=fast).contour
+    assert contour.reading / 60 == pytest.approx(33, abs=1)
+    assert contour.total / 60 == pytest.approx(50, abs=0.5)
+    assert round(contour.efficiency, 2) == 0.35
+
+
+def test_an_electronic_reader() -> None:
+    quick = nc.cut(CIRCLE, settings=Settings(read_seconds=0.01))
+    assert quick.contour.total == pytest.approx(660 * 0.01 + quick.times.milling)
+    assert quick.contour.efficiency > 0.99
+    with pytest.raises(WorkError, match="must be 0 or more"):
+        Settings(read_seconds=float("nan"))

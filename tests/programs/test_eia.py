@@ -7,6 +7,8 @@ import pytest
 import pal
 import pdp8
 import programs
+from tapes import shelf
+from tests.conftest import Shell, assert_same_tape
 
 SOURCES = Path(programs.__file__).parent
 
@@ -101,3 +103,9 @@ def test_the_first_program_converts_everything_else_into_meaningless_codes() -> 
 def test_the_second_program_adds_parity_and_lets_the_rest_pass_masked_and_reduced() -> None:
     reduced = bytes((frame & 0o177) - 0o60 & 0o377 for frame in EXTRANEOUS)
     assert translated("eia2.pal", ASCII + EXTRANEOUS) == b"\0" + EIA + reduced
+
+
+def test_a_second_pass_makes_program_2s_tape_that_of_program_3(shell: Shell) -> None:
+    """Chapter 5: the Flexowriter leaves out the characters that program 2 passed on."""
+    done = shell("pdp8 run eia2.pal --quiet | pdp8 tape clean", shelf.read("circle.asc"))
+    assert_same_tape(done.stdout, shelf.read("circle.eia"))

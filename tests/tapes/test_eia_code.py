@@ -117,3 +117,9 @@ def test_skipped_characters_are_not_punched_and_still_counted_in_columns() -> No
 def test_a_long_tape_there_and_back() -> None:
     text = ("0" * 19 + "\n") * 1000
     assert eia.decode(eia.encode(text)) == text
+
+
+def test_a_clean_tape_has_digits_and_ends_of_block_alone() -> None:
+    """The codes that program 2 passes on: LF as 332, RUBOUT as 117 (Chapter 5)."""
+    frames = bytes([0, 0, 0o040, 0o332, 0o031, 0o117, 0o117, 0, 0o020, eia.EOB])
+    assert eia.clean(frames) == bytes([0, 0, 0o040, 0o031, eia.EOB])

@@ -1,0 +1,63 @@
+"""The other hand of a part: its printout mirrored.
+
+"Make mirror image of parts (left-hand or right-hand parts) with minimal effort" (Appendix A): the blocks
+stay, one of their two coordinates is reflected.
+
+        .--.   |   .--.        across X: X becomes 2 x middle - X
+        '---   |   ---'        across Y: Y becomes 2 x middle - Y
+
+Blocks of the header stay as they are, except the one that positions to the start of the contour.
+
+Source: thesis, Appendix A, Flexibility.
+"""
+
+from typing import Literal
+
+from tapes.errors import WorkError
+from tapes.hydrapoint import (
+    DIGITS,
+    HOLE_MAKING,
+    X_TRAVEL,
+    Y_TRAVEL,
+    Block,
+    Miscellaneous,
+    Preparatory,
+    block,
+)
+
+
+def mirrored(printout: str, across: Literal["x", "y"], middle: float | None = None) -> str:
+    """Return the printout with X or Y reflected about `middle`, thousandths, by default the part's middle.
+
+    Raises WorkError for a line that is not a block, and for a block that would leave the table.
+    """
+    lines = printout.splitlines()
+    blocks = [_block(line, number) for number, line in enumerate(lines, 1)]
+    places = [found.x if across == "x" else found.y for found in blocks if _is_of_the_part(found)]
+    if not places:
+        raise WorkError("no block mills or makes a hole: there is no part to mirror")
+    twice = min(places) + max(places) if middle is None else round(2 * middle)
+    start, stop, travel = (4, 9, X_TRAVEL) if across == "x" else (9, 14, Y_TRAVEL)
+    for number, (line, found) in enumerate(zip(lines, blocks, strict=True)):
+        if _is_of_the_part(found):
+            place = twice - (found.x if across == "x" else found.y)
+            if not 0 <= place <= travel:
+                raise WorkError(
+                    f"block {number + 1}: {across.upper()} {place} leaves the table: 0 to {travel} "
+                    "thousandths of an inch"
+                )
+            lines[number] = f"{line[:start]}{place:05}{line[stop:]}"
+    return "".join(f"{line}\n" for line in lines)
+
+
+def _block(line: str, number: int) -> Block:
+    digits = line.replace(" ", "0")
+    if len(digits) != DIGITS or not digits.isdecimal():
+        raise WorkError(f"line {number}: {line!r} is not a block of {DIGITS} digits")
+    return block(digits)
+
+
+def _is_of_the_part(found: Block) -> bool:
+    if found.preparatory == Preparatory.POSITION:
+        return found.miscellaneous == Miscellaneous.NO_CHANGE
+    return found.preparatory == Preparatory.MILL or found.preparatory in HOLE_MAKING

@@ -1,0 +1,67 @@
+"""Curves from measured points, and the other hand of a part."""
+
+import pytest
+
+from programs import circle, drill, slope
+from programs.least_squares import fit, read
+from programs.mirror import mirrored
+from tapes.errors import WorkError
+from tapes.expression import function
+from tests.programs.printouts import blocks
+
+
+def test_points_of_a_polynomial_give_it_back() -> None:
+    points = [(x / 4, 0.2 * (x / 4) * (x / 4 - 2) * (x / 4 - 6)) for x in range(26)]
+    found = fit(points, 3)
+    assert found.worst < 1e-9
+    assert function(found.expression)(3.3) == pytest.approx(0.2 * 3.3 * 1.3 * -2.7)
+
+
+def test_a_line_through_three_points() -> None:
+    """Least squares by hand: slope 1/2, height 1/6 at 0; the middle point is 1/3 off."""
+    found = fit([(0, 0), (1, 1), (2, 1)], 1)
+    assert found.worst == pytest.approx(1 / 3)
+    assert function(found.expression)(0) == pytest.approx(1 / 6)
+    assert function(found.expression)(2) == pytest.approx(7 / 6)
+
+
+@pytest.mark.parametrize("degree", [-1, 3])
+def test_a_degree_that_the_points_do_not_determine(degree: int) -> None:
+    with pytest.raises(WorkError, match="with 3 different x: must be 0 to 2"):
+        fit([(0, 0), (1, 1), (2, 1), (2, 2)], degree)
+
+
+def test_points_are_read_with_their_comments() -> None:
+    assert read("# x y\n0 1\n\n2, 3.5  # last\n") == [(0, 1), (2, 3.5)]
+
+
+@pytest.mark.parametrize(("text", "said"), [("", "no points"), ("1 2\n3\n", "line 2"), ("1 nan\n", "line 1")])
+def test_what_is_not_a_point(text: str, said: str) -> None:
+    with pytest.raises(WorkError, match=said):
+        read(text)
+
+
+@pytest.mark.parametrize(("across", "index"), [("x", 2), ("y", 3)])
+def test_a_mirrored_part_has_the_other_hand(across: str, index: int) -> None:
+    printout = slope.part()
+    other = blocks(mirrored(printout, across))  # type: ignore[arg-type]
+    twice = {2: 4000 + 8330, 3: 4000 + 6500}[index]
+    for before, after in zip(blocks(printout), other, strict=True):
+        of_the_part = before.preparatory == 6 or before.function == 80
+        expected = twice - before[index] if of_the_part else before[index]
+        assert after[index] == expected
+        assert after[:index] + after[index + 1 :] == before[:index] + before[index + 1 :]
+
+
+def test_a_mirror_at_a_place() -> None:
+    assert [block.x for block in blocks(mirrored(drill.part(), "x", 5000))][2:] == [9000, 9000, 6000, 6000]
+    assert mirrored(mirrored(circle.part(), "y"), "y").replace(" ", "0") == circle.part().replace(" ", "0")
+
+
+@pytest.mark.parametrize(
+    ("printout", "said"),
+    [("12\n", "line 1"), ("  1019   0    0   2\n", "no block mills"), (drill.part(), "block 3: X -2000")],
+)
+def test_what_cannot_be_mirrored(printout: str, said: str) -> None:
+    with pytest.raises(WorkError, match=said):
+        mirrored(printout, "x", -500)
