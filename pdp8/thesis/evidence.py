@@ -17,7 +17,7 @@ A blank line is one in the artefact, # opens a comment.
     implied      shows another thing that leaves no choice      /W or /R         RESTORED
     conjecture   does not settle it                             /C               CONJECTURE
     ours         has no such line: a comment of ours
-    none         has a line that is none of the listing's: a heading, a page number, dirt
+    none         has a line that does not belong to the listing: a heading, a page number, dirt
 
 /W is implied by the word that stands there, /R by a twin, a header or a pattern.
 Source: the thesis, Appendices B to D, pages 105 to 113; Chapter 5, pages 44 and 45.
@@ -35,7 +35,7 @@ from tapes.errors import WorkError
 ARTEFACTS = ("eia.pal", "eia1.pal", "eia2.pal", "circle.for", "ellipse.for")
 CLASSES = ("legible", "damaged", "implied", "conjecture", "ours", "none")
 
-_ABOVE, _AS_READ, _ELSEWHERE = "^", "=", " ¦ "
+_AS_READ = "="
 _FORTRAN_MARKS = {"damaged": "DAMAGED", "implied": "RESTORED", "conjecture": "CONJECTURE"}
 _NOTE_COLUMN, _MARK_COLUMN, _PAL_NOTE_COLUMN, _TAB = 40, 72, 24, 8
 

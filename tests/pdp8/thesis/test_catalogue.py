@@ -1,7 +1,7 @@
 """The catalogue against the text of the scan: what it numbers, its words and its tables.
 
 ocr/mentions.txt has every paragraph that names a figure, a table, an appendix or a program by number, or from
-which the catalogue quotes; ocr/tables.txt the tables. Both are the scan's text as it came.
+which the catalogue quotes; ocr/tables.txt the tables. Both are the scan's text, unchanged.
 """
 
 import re

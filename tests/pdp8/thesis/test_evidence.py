@@ -1,6 +1,6 @@
 """The tables of evidence against the text of the scan; sources and docs/restoration.md against the tables.
 
-ocr/ holds the scan's text of Appendices B, C and D as it came, headings, dirt and all.
+ocr/ holds the scan's text of Appendices B, C and D unchanged, with headings and dirt.
 """
 
 import re
