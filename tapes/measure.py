@@ -125,7 +125,7 @@ def _sections(tape: bytes) -> Iterator[Row]:
     if reading.damage:
         yield "damage", str(reading.damage)
     if _fault(binary.decode, tape) is None:
-        yield "core", _ranges(binary.content(reading).words)
+        yield "core", ranges(binary.content(reading).words)
     yield from _label(tape, reading.label)
 
 
@@ -136,7 +136,7 @@ def _words(tape: bytes) -> Iterator[Row]:
         return
     words, damage, label = rim.read(tape)
     yield "holds", f"{counted(len(words), 'words')}; RIM has no checksum"
-    yield "core", _ranges(words)
+    yield "core", ranges(words)
     if damage:
         yield "damage", str(damage)
     yield from _label(tape, label)
@@ -171,7 +171,7 @@ def _unended(rest: str | bytes, unit: str) -> str:
     return f", then {counted(len(rest), unit)} without an end" if rest else ""
 
 
-def _ranges(addresses: Iterable[int]) -> str:
+def ranges(addresses: Iterable[int]) -> str:
     """Return runs of addresses, 0200-0351, joined by commas."""
     runs: list[list[int]] = []
     for address in sorted(addresses):

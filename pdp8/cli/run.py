@@ -59,6 +59,9 @@ _DONE = (Reason.HALT, Reason.TAPE_OUT)
 @click.option("--force", is_flag=True, help="Load a damaged tape as far as it can be read.")
 @click.option("--trace", metavar="FILE", help="Write each instruction: time, L AC, MA MB, its listing.")
 @click.option("--cycles", is_flag=True, help="Let --trace write each memory cycle.")
+@click.option("--count", is_flag=True, help="Count instructions, cycles, waiting; a table as the run ends.")
+@click.option("--annotate", metavar="FILE", help="Write the listing with each word's count in its margin.")
+@click.option("--count-json", metavar="FILE", help="Write what was counted as JSON.")
 @click.option("--save", metavar="FILE", help="Write the machine's state as the run ends.")
 @click.option(
     "--restore",
@@ -85,6 +88,9 @@ def run(
     force: bool,
     trace: str | None,
     cycles: bool,
+    count: bool,
+    annotate: str | None,
+    count_json: str | None,
     save: str | None,
     restore: str | None,
     quiet: bool,
@@ -106,15 +112,15 @@ def run(
       pdp8 run echo.pal --keyboard --realtime
       pdp8 run echo.pal --tty /dev/ttyUSB0
       pdp8 run eia.pal --trace eia.trace --max-time 1 < circle.asc > some.eia
+      pdp8 run eia.pal --count --annotate eia.counts < circle.asc > circle.eia
       pdp8 run eia.pal --save noon.state --max-time 60 < circle.asc > first.eia
       pdp8 run --restore noon.state > rest.eia
       pdp8 run mine.bin --start 400 --sr 7777 --fast-reader in.tape --fast-punch out.tape
     """
     _check_options(ctx, program, restore)
     page = None if keyboard or tty else "-"
-    command.check_files(
-        [program, *reader, fast_reader, restore, loader], [punch or page, fast_punch, trace, save]
-    )
+    written = [punch or page, fast_punch, trace, annotate, count_json, save]
+    command.check_files([program, *reader, fast_reader, restore, loader], written)
     if keyboard and not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise click.UsageError("--keyboard needs a terminal to type and print at.")
     highspeed = fast_reader is not None or fast_punch is not None
@@ -138,6 +144,8 @@ def run(
     with ExitStack() as stack:
         if trace is not None:
             stack.enter_context(_traced(machine, trace, found, cycles))
+        if count or annotate or count_json:
+            stack.enter_context(_counted(machine, found, count, annotate, count_json))
         if keyboard:
             stop = _typed(machine, found, outputs, max_time, realtime)
         elif tty is not None:
@@ -166,6 +174,9 @@ def _check_options(ctx: click.Context, program: str | None, restore: str | None)
     for option, needed in (("cycles", "trace"), ("loader", "boot")):
         if ctx.params[option] and not ctx.params[needed]:
             raise click.UsageError(f"--{option} means nothing without --{needed}.")
+    counted = [name for name in ("count", "annotate", "count_json") if ctx.params[name]]
+    if counted and ctx.params["trace"]:
+        raise click.UsageError(f"--{counted[0].replace('_', '-')} and --trace: one run does one of them.")
     if restore is not None and ctx.params["boot"]:
         raise click.UsageError("--boot means nothing beside --restore.")
     if ctx.params["tty"] and (ctx.params["keyboard"] or ctx.params["reader"]):
@@ -227,6 +238,15 @@ def _traced(
     from pdp8.computer.trace import Listing
 
     return tracing(machine, name, found.listing if found else Listing(), cycles)
+
+
+def _counted(
+    machine: Machine, found: "Program | None", table: bool, annotate: str | None, record: str | None
+) -> AbstractContextManager[None]:
+    from pdp8.cli.counting import counting
+    from pdp8.computer.trace import Listing
+
+    return counting(machine, found.listing if found else Listing(), table, annotate, record)
 
 
 def _save(machine: Machine, name: str) -> None:

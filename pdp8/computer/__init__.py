@@ -10,6 +10,7 @@ panel        lamps, switches and keys
 waiting      loops that only wait, passed over exactly
 watch        breakpoints, words being written, observers
 trace        an instruction or a cycle a line, as in the listing
+count        how often words were executed and written
 machine      the one place that knows every part and wires it
 core         the words of core, examined and deposited from outside
 keys         what a key of the Teletype sends

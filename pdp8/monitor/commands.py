@@ -59,6 +59,7 @@ COMMANDS = {
         Command("watch", "[A ...]", core.watch),
         Command("forget", "[A ...]", core.forget),
         Command("trace", "on|cycles|off", core.trace),
+        Command("count", "[on|off|listing]", core.count),
         Command("reader", "TAPE ...|start|stop|none", tapes.reader),
         Command("punch", "FILE|on|off", tapes.punch),
         Command("fast-reader", "TAPE", tapes.fast_reader),

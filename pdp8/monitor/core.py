@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from pdp8.computer.count import Count
 from pdp8.computer.trace import Trace
 from pdp8.monitor.arguments import MonitorError, at_most, exactly, octal, seconds, some
 from pdp8.monitor.prompt import Monitor
@@ -109,6 +110,21 @@ def trace(monitor: Monitor, arguments: Sequence[str]) -> None:
         raise MonitorError(f"{what}: on, cycles or off")
     tracer = Trace(monitor.say, monitor.listing, what == "cycles")
     monitor.machine.watch.observer = None if what == "off" else tracer
+
+
+def count(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Count, from now on, what is done; say it, or the listing with its counts; or count no longer."""
+    (what,) = at_most(arguments, "on, off or listing, or nothing", 1) or ("",)
+    observer = monitor.machine.watch.observer
+    if what in ("on", "off"):
+        monitor.machine.watch.observer = Count() if what == "on" else None
+    elif what not in ("", "listing"):
+        raise MonitorError(f"{what}: on, off or listing, or nothing")
+    elif not isinstance(observer, Count):
+        raise MonitorError("nothing is counted: count on begins")
+    else:
+        for line in observer.annotated(monitor.listing) if what else observer.table(monitor.listing):
+            monitor.say(line)
 
 
 def break_(monitor: Monitor, arguments: Sequence[str]) -> None:
