@@ -9,6 +9,7 @@ thesis    the thesis's figures and tables, and its programs line by line
 pacing    a run slice by slice         feed      the reader's tapes          outputs   the punches' tapes
 counting  what a run did, counted
 keyboard  the Teletype at a terminal   line      the Teletype on a line      tracing   a trace into a file
+terminal  a terminal key by key, on every system
 parameters  what options take          progress  a bar on long work          interrupt Ctrl-C is the STOP key
 """
 

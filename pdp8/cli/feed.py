@@ -78,7 +78,12 @@ class Feed:
 
 
 def _pipe(name: str) -> int:
-    """Return the file number of a tape that comes as it is made, -1 for one that is whole."""
+    """Return the file number of a tape that comes as it is made, -1 for one that is whole.
+
+    Windows cannot wait for a pipe: there every tape is read whole.
+    """
+    if sys.platform == "win32":
+        return -1
     if name == "-":
         number = sys.stdin.fileno()
     else:

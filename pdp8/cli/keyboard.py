@@ -1,22 +1,15 @@
 """A terminal as the Teletype: what is typed is its keyboard (see computer/keys), what it prints is the page.
 
-A Model 33 prints nothing by itself. Ctrl-] leaves to the monitor, with the machine as it stands. The terminal
-is put back as it was, however the run ends.
+A Model 33 prints nothing by itself. Ctrl-] leaves to the monitor, with the machine as it stands.
 """
 
-import os
-import select
-import signal
 import sys
-import termios
 import time
-import tty
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from types import FrameType
+from collections.abc import Callable
 
 import click
 
+from pdp8.cli.terminal import Terminal
 from pdp8.computer.bus import NEVER
 from pdp8.computer.keys import sent
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
@@ -24,7 +17,7 @@ from pdp8.computer.stop import Stop
 from pdp8.computer.teletype import printed
 from pdp8.computer.trace import Listing
 
-ESCAPE = b"\x1d"
+ESCAPE = "\x1d"
 _SLICE = 0.05
 
 
@@ -39,11 +32,12 @@ def sit_down(
 
     `pass_on` is called after each slice of the run. Returns how the run ended, or None after the monitor.
     """
-    machine.teletype.printer.on_frame = _print
+    machine.teletype.printer.on_frame = _Page().print
+    terminal = Terminal()
     try:
-        with raw_terminal():
+        with terminal.raw():
             click.echo("Teletype on line; Ctrl-] leaves to the monitor.\r", err=True)
-            stop = _run(machine, max_time, realtime, pass_on)
+            stop = _run(machine, terminal, max_time, realtime, pass_on)
     finally:
         machine.teletype.printer.on_frame = None
     click.echo(err=True)
@@ -52,26 +46,12 @@ def sit_down(
     return stop
 
 
-@contextmanager
-def raw_terminal() -> Iterator[None]:
-    """Take every key as it is typed, Ctrl-C too; put the terminal back as it was, whoever ends the run."""
-    before = termios.tcgetattr(sys.stdin)
-    handlers = {number: signal.signal(number, _end) for number in (signal.SIGTERM, signal.SIGHUP)}
-    try:
-        tty.setraw(sys.stdin, termios.TCSADRAIN)
-        yield
-    finally:
-        termios.tcsetattr(sys.stdin, termios.TCSADRAIN, before)
-        for number, handler in handlers.items():
-            signal.signal(number, handler)
-
-
-def _end(number: int, frame: FrameType | None) -> None:
-    sys.exit(128 + number)
-
-
 def _run(
-    machine: Machine, max_time: float | None, realtime: bool, pass_on: Callable[[], object]
+    machine: Machine,
+    terminal: Terminal,
+    max_time: float | None,
+    realtime: bool,
+    pass_on: Callable[[], object],
 ) -> Stop | None:
     began = time.monotonic() - machine.elapsed
     last = NEVER if max_time is None else machine.ticks + round(max_time * TICKS_PER_SECOND)
@@ -82,27 +62,31 @@ def _run(
         if (stop.reason != "limit" and not waiting) or machine.ticks >= last:
             return stop
         ahead = machine.elapsed - (time.monotonic() - began) if realtime else 0.0
-        typed = _keys(_SLICE if waiting else max(0.0, ahead))
-        if ESCAPE in typed:
+        typed = terminal.typed(_SLICE if waiting else max(0.0, ahead))
+        if ESCAPE in typed or terminal.closed:
             return None
         if waiting:
             machine.wait(max(_SLICE, time.monotonic() - began - machine.elapsed if realtime else 0.0))
-        machine.teletype.keyboard.press(sent(typed.decode("utf-8", "ignore")))
+        machine.teletype.keyboard.press(sent(typed))
 
 
-def _keys(seconds: float) -> bytes:
-    """Return what is typed within `seconds`; the end of the terminal is as good as Ctrl-]."""
-    ready, _, _ = select.select([sys.stdin], [], [], seconds)
-    typed = os.read(sys.stdin.fileno(), 64) if ready else b""
-    if typed[:2] in (b"\x1b[", b"\x1bO"):
-        return b""  # an arrow or another key that a Model 33 has not; ESC alone is ALT MODE
-    return ESCAPE if ready and not typed else typed
+class _Page:
+    """The terminal as the page: a line feed goes straight down, as on a Model 33."""
 
+    def __init__(self) -> None:
+        self._column = 0
 
-def _print(frame: int) -> None:
-    """Print a frame as a Model 33 does."""
-    sys.stdout.write(printed(bytes([frame])).decode())
-    sys.stdout.flush()
+    def print(self, frame: int) -> None:
+        """Print a frame as a Model 33 does."""
+        character = printed(bytes([frame])).decode()
+        if character == "\r":
+            self._column = 0
+        elif character >= " ":
+            self._column += 1
+        elif character == "\n" and self._column:  # a terminal may return the carriage too
+            character = f"\n\x1b[{self._column + 1}G"
+        sys.stdout.write(character)
+        sys.stdout.flush()
 
 
 def _to_the_monitor(machine: Machine, listing: Listing | None) -> None:

@@ -179,6 +179,8 @@ def _check_options(ctx: click.Context, program: str | None, restore: str | None)
         raise click.UsageError(f"--{counted[0].replace('_', '-')} and --trace: one run does one of them.")
     if restore is not None and ctx.params["boot"]:
         raise click.UsageError("--boot means nothing beside --restore.")
+    if ctx.params["tty"] and sys.platform == "win32":
+        raise click.UsageError("--tty needs the serial lines of Linux, macOS or another POSIX system.")
     if ctx.params["tty"] and (ctx.params["keyboard"] or ctx.params["reader"]):
         raise click.UsageError("--tty is keyboard and reader: it goes with neither --keyboard nor --reader.")
 

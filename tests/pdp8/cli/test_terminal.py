@@ -1,0 +1,87 @@
+"""The terminal key by key: prompt_toolkit's raw mode on a pipe, and what differs on Windows."""
+
+import signal
+import sys
+import time
+from collections.abc import Iterator
+
+import pytest
+from click.testing import CliRunner
+from prompt_toolkit.input import PipeInput, create_pipe_input
+from prompt_toolkit.key_binding import KeyPress
+from prompt_toolkit.keys import Keys
+
+from pdp8.cli.feed import Feed
+from pdp8.cli.run import run
+from pdp8.cli.terminal import Terminal, characters
+from pdp8.computer.keys import sent
+from pdp8.computer.machine import Machine
+
+
+@pytest.fixture
+def keys() -> Iterator[PipeInput]:
+    """What is typed comes from here."""
+    with create_pipe_input() as pipe:
+        yield pipe
+
+
+@pytest.mark.parametrize(
+    ("typed", "frames"),
+    [
+        ("a", "301"),
+        ("\r", "215"),
+        ("\n", "212"),
+        ("\f", "214"),
+        ("\x7f", "377"),
+        ("\x1b", "375"),
+        ("\x03", "203"),
+        ("\x1c", " ".join(["000"] * 20)),
+        ("\x1b[A", ""),
+        ("\x1bOP", ""),
+        ("é{", ""),
+    ],
+)
+def test_a_key_sends_what_the_table_says(keys: PipeInput, typed: str, frames: str) -> None:
+    keys.send_text(typed)
+    seen = Terminal(keys).typed(1 if frames else 0.05)
+    assert " ".join(f"{frame:03o}" for frame in sent(seen)) == frames
+
+
+def test_typing_waits_no_longer_than_it_may(keys: PipeInput) -> None:
+    began = time.monotonic()
+    assert Terminal(keys).typed(0.05) == ""
+    assert 0.05 <= time.monotonic() - began < 1
+
+
+def test_the_end_of_the_terminal_is_seen_at_once() -> None:
+    with create_pipe_input() as pipe:
+        terminal = Terminal(pipe)
+        pipe.close()
+        assert terminal.typed(5) == ""
+        assert terminal.closed
+
+
+def test_backspace_is_rubout_on_windows_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "platform", "win32")
+    presses = [KeyPress(Keys.ControlH, "\b"), KeyPress("x", "x"), KeyPress(Keys.Up, "")]
+    assert characters(presses) == "\x7fx"
+
+
+def test_a_system_without_hangups_needs_none(keys: PipeInput, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delattr(signal, "SIGHUP")
+    with Terminal(keys).raw():
+        assert signal.getsignal(signal.SIGTERM) is not signal.SIG_DFL
+
+
+def test_windows_reads_a_tape_whole(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "platform", "win32")
+    reader = Machine().teletype.reader
+    assert Feed(reader, ["circle.asc"]).next_tape()
+    assert len(reader.tape) == 17982
+
+
+def test_windows_has_no_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "platform", "win32")
+    ran = CliRunner().invoke(run, ["hello.pal", "--tty", "COM1"])
+    assert ran.exit_code == 2
+    assert "--tty needs the serial lines" in ran.output
