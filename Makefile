@@ -9,7 +9,7 @@ BIN := .venv/bin
 # `make figures` makes every figure, table and listing of the thesis, with a page of them, in figures/.
 # `make lockstep N=1e9` runs random situations on the machine and on the reference, for so many instructions.
 
-.PHONY: demo
+.PHONY: fuzz demo
 demo: .venv/ready
 	mkdir -p demo
 	$(BIN)/pdp8 part circle > demo/circle.asc
@@ -51,6 +51,12 @@ lint: .venv/ready-dev
 	$(BIN)/mypy
 
 .PHONY: format
+# `make fuzz COUNT=1000000` calls every command with hostile inputs, from SEED on.
+COUNT ?= 100000
+SEED ?= 0
+fuzz: .venv/ready-dev
+	$(BIN)/python -m tests.fuzz.fuzzer --count $(COUNT) --seed $(SEED)
+
 format: .venv/ready-dev
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .

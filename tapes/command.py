@@ -23,7 +23,7 @@ def run(command: click.Command, name: str, arguments: Sequence[str] | None = Non
     _reopen_closed_streams()
     _take_any_character()
     signal.signal(signal.SIGTERM, _end)
-    sys.exit(_status(command, name, sys.argv[1:] if arguments is None else arguments))
+    sys.exit(status(command, name, sys.argv[1:] if arguments is None else arguments))
 
 
 def _end(number: int, frame: FrameType | None) -> None:
@@ -81,9 +81,10 @@ def _reopen_closed_streams() -> None:
             setattr(sys, stream, os.fdopen(os.open(os.devnull, access), mode))
 
 
-def _status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
+def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
+    """Run `command` as program `name`; say what is wrong with it, and return its exit status."""
     try:
-        status = command.main(args=list(arguments), prog_name=name, standalone_mode=False)
+        ended = command.main(args=list(arguments), prog_name=name, standalone_mode=False)
         sys.stdout.flush()
     except WorkError as error:
         return _complain(f"{_path(command, name, arguments)}: {error}", error.exit_status)
@@ -103,7 +104,7 @@ def _status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
         _silence(sys.stdout)
         where = error.filename or "standard output"  # every file's errors are named by the shelf
         return _complain(f"{_path(command, name, arguments)}: {where}: {error.strerror or error}", 1)
-    return status if isinstance(status, int) else 0
+    return ended if isinstance(ended, int) else 0
 
 
 def _path(command: click.Command, name: str, arguments: Sequence[str]) -> str:

@@ -1,0 +1,321 @@
+"""Call every command with hostile inputs, in this process, and see that it ends as a command may.
+
+    python -m tests.fuzz.fuzzer --count 1000000 --seed 1
+
+A call is a failure where it raises anything but an exit, says "Traceback", ends with a status other than 0,
+1, 2 or 130, takes longer than ten seconds, changes a source, or leaves a file it was still writing. Each
+failure is printed with the seed that makes it again: `--seed SEED --count 1`.
+"""
+
+import argparse
+import io
+import os
+import random
+import resource
+import signal
+import sys
+import tempfile
+import time
+import traceback
+from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from pdp8.cli.root import pdp8
+from tapes import ascii, binary, command, rim, shelf
+
+SECONDS = 10
+MEMORY = 2 << 30
+STATUSES = (0, 1, 2, 130)
+LONGEST = 3000
+
+WORDS = {0o200 + at: word for at, word in enumerate((0o7300, 0o1205, 0o6046, 0o6041, 0o5203, 0o7402))}
+NUMBERS = (
+    "0",
+    "1",
+    "-1",
+    "7777",
+    "10000",
+    "9",
+    "1e9",
+    "1e308",
+    "nan",
+    "inf",
+    "-inf",
+    "0.001",
+    "",
+    "1,1",
+    "é",
+)
+SCRIPT = (
+    *(
+        "go 200 0.1",
+        "cont 0.1",
+        "step 3",
+        "cycle 5",
+        "registers",
+        "page",
+        "page more",
+        "rim",
+        "help",
+        "forget",
+    ),
+    *(
+        "examine 200:210",
+        "deposit 200 7402",
+        "set ac 7777",
+        "set hands 0",
+        "break 203",
+        "watch 200",
+        "trace on",
+    ),
+    *(
+        'expect "A" 0.1',
+        "until BEL 2 times 0.1",
+        "assert ac 0",
+        "wait 0.5",
+        'type "A\\r"',
+        "type abc",
+        "key stop",
+    ),
+    *(
+        "reader tape",
+        "load tape",
+        "load tape force",
+        "boot tape",
+        "listing tape",
+        "restore tape",
+        "save state",
+    ),
+    *("punch out", "punch off", "reader none", "reader stop", "fast-reader tape", "quit", "exit", "run 0.1"),
+)
+OPTIONS = {
+    "run": ("--start", "--sr", "--quiet", "--boot", "--force", "--cycles", "--realtime"),
+    "tape show": ("--from", "--to", "--frames", "--strip", "--code"),
+    "tape punch": ("--fill", "--leader", "--code", "--parity", "--drop-spaces", "--keep-spaces"),
+    "tape convert": ("--parity", "--fill", "--from"),
+    "nc list": ("--modes", "--strict", "--feed-error", "--feed-code", "--peck", "--tool-change"),
+    "nc cut": ("--strict", "--feed-error", "--feed-code", "--peck", "--tool-change"),
+    "nc plot": ("--block", "--at", "--zoom", "--cutter", "--tolerance", "--circle", "--ellipse", "--line"),
+    "nc inspect": ("--cutter", "--tolerance", "--circle", "--polynomial", "--magnification"),
+    "nc export": ("--gcode", "--dxf", "--cutter", "--tolerance"),
+    "pal": ("--rim", "--force", "--modern", "--high-speed-reader", "--max-errors", "--strict"),
+}
+FLAGS = {
+    *("--quiet", "--boot", "--force", "--cycles", "--drop-spaces", "--keep-spaces", "--modes", "--strict"),
+    *("--gcode", "--dxf", "--rim", "--modern", "--high-speed-reader"),
+}
+EXPRESSIONS = (
+    "sin(x)",
+    "x**2/4",
+    "1/x",
+    "x",
+    "((x",
+    "x**x**x",
+    "exp(x**9)",
+    "__import__('os')",
+    "1e999",
+    "0*x",
+)
+
+
+class TooLong(BaseException):
+    """A call that takes too long."""
+
+
+def seeds() -> list[bytes]:
+    """Return the good inputs that the others are made from."""
+    import programs  # noqa: F401 - its files go on the shelf
+
+    section = binary.encode(WORDS)
+    names = ("eia.pal", "hello.pal", "echo.pal", "circle.asc", "circle.eia", "eia.bin", "circle.for")
+    from pdp8.computer import state
+    from pdp8.computer.machine import Machine
+
+    return [
+        *(shelf.read_bundled(name)[:LONGEST] for name in names),
+        section + section,
+        section + bytes(9) + b"\x7f\x11\x11\x7f",
+        rim.encode(WORDS),
+        ascii.encode("001 0 00000 00000 0 35 88\n002 9 03000 00000 0 00 00\n"),
+        b"001 0 00000 00000 0 35 88\n\n002 9 03000 00000 0 00 00\n",
+        b"*200\n\tCLA CLL\nL,\tISZ 10\n\tJMP L\n\tHLT\n$\n",
+        state.save(Machine()).encode(),
+        b"",
+    ]
+
+
+def mutated(content: bytes, chance: random.Random) -> bytes:
+    """Return `content` cut, doubled, with holes added, pieces moved, or something random instead."""
+    frames = bytearray(content)
+    for _ in range(chance.choice((0, 1, 1, 2, 5))):
+        at = chance.randrange(len(frames) + 1)
+        match chance.randrange(8):
+            case 0:
+                del frames[at:]
+            case 1:
+                frames = frames + frames
+            case 2 if at < len(frames):
+                frames[at] ^= 1 << chance.randrange(8)
+            case 3:
+                frames[at:at] = chance.randbytes(chance.randrange(20))
+            case 4:
+                del frames[at : at + chance.randrange(50)]
+            case 5:
+                frames[at:at] = bytes(
+                    [chance.choice((0, 0o177, 0o200, 0o377, 10, 13, 0o44))]
+                ) * chance.randrange(99)
+            case 6:
+                return chance.randbytes(chance.randrange(400))
+            case _:
+                frames = frames[at:] + frames[:at]
+    return bytes(frames[: 2 * LONGEST])
+
+
+def arguments(chance: random.Random) -> list[str]:
+    """Return a command line whose input is the file `tape`."""
+    name = chance.choice((*OPTIONS, "tape info", "dis", "monitor", "part", "curve", "run"))
+    if name == "monitor":
+        return ["monitor", "script"]
+    if name == "curve":
+        line = ["part", "curve", chance.choice(EXPRESSIONS)]
+        return line + _options(chance, ("--from", "--to", "--tolerance", "--cutter", "--technique"))
+    if name == "part":
+        part = chance.choice(("circle", "drill", "slope", "nothing", "--help"))
+        return ["part", part, *_options(chance, ("--radius", "--tolerance", "--fill", "--parity", "--holes"))]
+    line = [*name.split(), "tape", *_options(chance, OPTIONS.get(name, ()))]
+    if name == "run":
+        line = ["run", "tape", "--max-time", "0.2", *line[2:]]
+        line += chance.choice(([], ["--reader", "reader"], ["--reader", "reader", "--reader", "tape"]))
+        line += chance.choice(
+            ([], ["--trace", "out.trace"], ["--save", "out.state"], ["--fast-punch", "out.fast"])
+        )
+        if chance.random() < 0.1:
+            line[1:2] = ["--restore", "tape"]
+    if name == "tape convert":
+        line += ["--to", chance.choice(("text", "ascii", "eia", "bin", "rim", "octal", "frames"))]
+    if name == "nc export" and chance.random() < 0.7:
+        line += ["--gcode"]
+    if name in ("pal", "tape punch", "nc plot", "tape convert") and chance.random() < 0.8:
+        line += ["-o", chance.choice(("out", "out", "tape", "no/out", "/dev/full", "."))]
+    return line
+
+
+def _options(chance: random.Random, options: tuple[str, ...]) -> list[str]:
+    line: list[str] = []
+    for option in chance.sample(options, min(len(options), chance.choice((0, 0, 1, 2)))):
+        line += [option] if option in FLAGS or chance.random() < 0.02 else [option, chance.choice(NUMBERS)]
+    return [word for word in line if word != "--realtime"]
+
+
+def prepare(chance: random.Random, good: list[bytes]) -> dict[str, bytes]:
+    """Return the files of one call."""
+    lines = "\n".join(chance.choice(SCRIPT) for _ in range(chance.randrange(8)))
+    if chance.random() < 0.3:
+        lines += "\n" + "".join(
+            chr(chance.choice((chance.randrange(128), 0o42, 0o134, 0xE9))) for _ in range(30)
+        )
+    return {
+        "tape": mutated(chance.choice(good), chance),
+        "reader": mutated(chance.choice(good), chance),
+        "script": lines.encode("utf-8", "replace"),
+    }
+
+
+@contextmanager
+def limited() -> Iterator[None]:
+    """Raise TooLong inside after SECONDS."""
+
+    def over(*_: object) -> None:
+        raise TooLong
+
+    before = signal.signal(signal.SIGALRM, over)
+    signal.setitimer(signal.ITIMER_REAL, SECONDS)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def called(line: list[str]) -> tuple[int | str, str]:
+    """Call the command; return its status, or what it raised, and what it said."""
+    streams = sys.stdin, sys.stdout, sys.stderr
+    out, said = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8", write_through=True) for _ in range(2))
+    status: int | str
+    with open("reader") as stdin, limited():
+        sys.stdin, sys.stdout, sys.stderr = stdin, out, said
+        try:
+            status = command.status(pdp8, "pdp8", line)
+        except TooLong:
+            status = f"longer than {SECONDS} s"
+        except BaseException:
+            status = traceback.format_exc()
+        finally:
+            sys.stdin, sys.stdout, sys.stderr = streams
+    return status, said.buffer.getvalue().decode("utf-8", "replace")
+
+
+def fault(seed: int, good: list[bytes]) -> str:
+    """Make the call of `seed` in the current, empty folder; return what is wrong with it, "" for nothing."""
+    chance = random.Random(seed)
+    files = prepare(chance, good)
+    for name, content in files.items():
+        Path(name).write_bytes(content)
+    line = arguments(chance)
+    status, said = called(line)
+    wrong = ""
+    if status not in STATUSES or "Traceback" in said:
+        wrong = f"ended with {status}\n{said[-500:]}"
+    for name in os.listdir():
+        if name.endswith(".part"):
+            wrong += f"\nleaves {name}"
+        if name not in files:
+            os.unlink(name)
+    for name, content in files.items():
+        if Path(name).read_bytes() != content:
+            wrong += f"\nchanges {name}"
+    return f"seed {seed}: pdp8 {' '.join(line)}: {wrong}" if wrong else ""
+
+
+def fuzz(count: int, seed: int, say: Callable[[str], object]) -> int:
+    """Make `count` calls from `seed` on; `say` each failure; return how many there were."""
+    good = seeds()
+    home, failures = os.getcwd(), 0
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        try:
+            for number in range(seed, seed + count):
+                wrong = fault(number, good)
+                if wrong:
+                    failures += 1
+                    say(wrong)
+        finally:
+            os.chdir(home)
+    return failures
+
+
+def main() -> None:
+    """Fuzz from the command line."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--count", type=int, default=10_000)
+    parser.add_argument("--seed", type=int, default=0)
+    given = parser.parse_args()
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    began = time.monotonic()
+    kinds: Counter[str] = Counter()
+
+    def say(wrong: str) -> None:
+        kinds[wrong.strip().splitlines()[-1][:100]] += 1
+        print(wrong, flush=True)
+
+    failures = fuzz(given.count, given.seed, say)
+    print(f"{given.count:,} calls in {time.monotonic() - began:.0f} s: {failures} failures")
+    for kind, times in kinds.most_common(20):
+        print(f"{times:7}  {kind}")
+    sys.exit(bool(failures))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,208 @@
+"""The Teletype at a terminal, on a line, and from slow pipes: what each special key sends, frame by frame."""
+
+import os
+import pty
+import select
+import signal
+import subprocess
+import termios
+import time
+import tty
+from pathlib import Path
+
+import pytest
+
+from pdp8.computer.keys import sent
+from tests.conftest import BIN, Shell, assert_same_tape
+from tests.pdp8.cli.test_run import LINE, Terminal
+
+KEEP = """*200
+	KCC
+L,	KSF
+	JMP .-1
+	KRB
+	DCA I 10
+	JMP L
+*10
+	277
+$
+"""
+"""Each frame that comes goes into core, from 300 on."""
+
+
+@pytest.mark.parametrize(
+    ("typed", "frames"),
+    [
+        ("aZ1", [0o301, 0o332, 0o261]),
+        ("\r", [0o215]),
+        ("\n", [0o212]),
+        ("\f", [0o214]),
+        ("\x7f", [0o377]),
+        ("\x1b", [0o375]),
+        ("\x1c", [0] * 20),
+        ("\x01\x1a", [0o201, 0o232]),
+        ("É{|}~`", []),
+    ],
+)
+def test_what_a_key_sends(typed: str, frames: list[int]) -> None:
+    assert list(sent(typed)) == frames
+
+
+def test_each_special_key_through_a_terminal(tmp_path: Path) -> None:
+    (tmp_path / "keep.pal").write_text(KEEP)
+    terminal = Terminal(str(tmp_path / "keep.pal"), "--keyboard")
+    terminal.until(b"Ctrl-]")
+    for key in (b"a", b"\r", b"\n", b"\f", b"\x7f", b"\x1b", b"\x1b[A", b"\x1c"):
+        terminal.type(key)
+        time.sleep(0.3)
+    time.sleep(1)
+    terminal.type(b"\x1d")
+    terminal.until(b"quit leaves")
+    terminal.type(b"e 300:305 L\r")
+    shown = terminal.until(b"L,      KSF").decode()
+    keys = (0o301, 0o215, 0o212, 0o214, 0o377, 0o375)
+    words = [f"{0o300 + at:04o}  {key:04o}" for at, key in enumerate(keys)]
+    assert all(word in shown for word in words), shown
+    terminal.type(b"quit\r")
+    assert terminal.ended() == 0
+
+
+class Other:
+    """The other end of a line."""
+
+    def __init__(self) -> None:
+        self.end, self.line = pty.openpty()
+        tty.setraw(self.line)
+        self.name = os.ttyname(self.line)
+
+    def read(self, count: int, seconds: float = 20) -> bytes:
+        frames = b""
+        give_up = time.monotonic() + seconds
+        while len(frames) < count and time.monotonic() < give_up:
+            if select.select([self.end], [], [], 0.1)[0]:
+                frames += os.read(self.end, 100)
+        return frames
+
+
+def test_the_teletype_is_a_line() -> None:
+    """echo.pal prints what comes over the line, seven or eight bits as they are, at ten frames a second."""
+    other = Other()
+    before = termios.tcgetattr(other.line)
+    run = subprocess.Popen(
+        [BIN / "pdp8", "run", "echo.pal", "--tty", other.name], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    )
+    time.sleep(1.0)
+    began = time.monotonic()
+    os.write(other.end, b"\xd0\xc1\xcc\x01\xc1\xd0")
+    assert other.read(6) == b"\xd0\xc1\xcc\x01\xc1\xd0"
+    assert time.monotonic() - began > 0.5
+    run.send_signal(signal.SIGINT)
+    said = run.communicate(timeout=20)[1]
+    assert b"interrupted at" in said
+    assert run.returncode == 130
+    assert termios.tcgetattr(other.line)[:4] == before[:4]
+
+
+def test_a_pipe_that_stays_open_is_read_as_it_comes(tmp_path: Path) -> None:
+    run = subprocess.Popen(
+        [BIN / "pdp8", "run", "eia.pal"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+    assert run.stdin
+    assert run.stdout
+    os.write(run.stdin.fileno(), LINE[:6])
+    first = os.read(run.stdout.fileno(), 100)
+    assert first
+    time.sleep(0.5)
+    os.write(run.stdin.fileno(), LINE[6:])
+    rest, said = run.communicate(timeout=20)
+    assert_same_tape(first + rest, whole(tmp_path))
+    assert b"21 frames read, 21 frames punched; 2.1 s in 1971" in said
+    assert run.returncode == 0
+
+
+def whole(folder: Path) -> bytes:
+    """Return what eia.pal makes of LINE from a file."""
+    (folder / "line.asc").write_bytes(LINE)
+    done = subprocess.run(
+        [BIN / "pdp8", "run", "eia.pal", "--reader", folder / "line.asc"], capture_output=True, check=True
+    )
+    return done.stdout
+
+
+def test_a_program_that_reads_no_tape_does_not_wait_for_an_open_pipe() -> None:
+    with subprocess.Popen(
+        [BIN / "pdp8", "run", "hello.pal"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    ) as run:
+        assert run.stdin
+        os.write(run.stdin.fileno(), b"\x81\x82")
+        assert run.stdout
+        assert b"\xc8" in run.stdout.read()
+        assert run.wait(timeout=20) == 0
+
+
+def test_a_named_pipe_and_ctrl_c_while_it_is_silent(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    run = subprocess.Popen(
+        [BIN / "pdp8", "run", "eia.pal", "--reader", tmp_path / "pipe"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+    with open(tmp_path / "pipe", "wb", buffering=0) as pipe:
+        pipe.write(LINE[:9])
+        assert run.stdout
+        seen = b""
+        while len(seen) < 5:
+            seen += os.read(run.stdout.fileno(), 100)
+        run.send_signal(signal.SIGINT)
+        said = run.communicate(timeout=20)[1]
+    assert run.returncode == 130
+    assert b"9 frames read" in said
+
+
+def test_several_tapes_one_after_another(shell: Shell, tmp_path: Path) -> None:
+    (tmp_path / "a.asc").write_bytes(LINE[:11])
+    (tmp_path / "b.asc").write_bytes(LINE[11:])
+    done = shell("pdp8 run eia.pal --reader a.asc --reader b.asc")
+    assert_same_tape(done.stdout, whole(tmp_path))
+    assert b"b.asc goes into the reader after 11 frames" in done.stderr
+    assert b"21 frames read, 21 frames punched" in done.stderr
+
+
+def test_switches_and_start_beside_a_restored_state(shell: Shell, tmp_path: Path) -> None:
+    (tmp_path / "halt.pal").write_text("*200\n\tHLT\n\tLAS\n\tTLS\n\tTSF\n\tJMP .-1\n\tHLT\n*300\n\tHLT\n$\n")
+    assert shell("pdp8 run halt.pal --save s </dev/null >/dev/null").returncode == 0
+    assert shell("pdp8 run --restore s --sr 0301").stdout == b"\xc1"
+    assert b"HLT at 0300" in shell("pdp8 run --restore s --start 300").stderr
+    done = shell("pdp8 run --restore s --fast-reader halt.pal --sr 0301")
+    assert b"no frames read, no frames punched at high speed" in done.stderr
+
+
+def test_a_tape_of_another_code_is_noted(shell: Shell) -> None:
+    done = shell("pdp8 run eia.pal --reader circle.eia --max-time 1 > /dev/null")
+    assert b"circle.eia is an EIA tape: a program for ASCII finds no character on it" in done.stderr
+
+
+def test_a_long_silence_says_once_where_the_run_is(tmp_path: Path) -> None:
+    (tmp_path / "loop.pal").write_text("*200\n\tISZ 10\n\tJMP .-1\n\tISZ 11\n\tJMP 200\n\tJMP 200\n$\n")
+    keyboard, terminal = pty.openpty()
+    with subprocess.Popen(
+        [BIN / "pdp8", "run", tmp_path / "loop.pal"],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=terminal,
+    ) as run:
+        os.close(terminal)
+        seen, end = b"", time.monotonic() + 30
+        while b"--max-time" not in seen and time.monotonic() < end:
+            if select.select([keyboard], [], [], 0.2)[0]:
+                seen += os.read(keyboard, 4096)
+        run.send_signal(signal.SIGINT)
+        assert run.wait(timeout=20) == 130
+    assert b"of machine time, and nothing is read or punched; Ctrl-C ends the run" in seen
+    os.close(keyboard)
