@@ -7,6 +7,7 @@ other. `pdp8/computer` imports no front end. `pdp8` itself names what a script u
 """
 
 import ast
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -63,6 +64,30 @@ def test_imports_point_one_way(path: Path) -> None:
 def test_the_computer_imports_no_front_end(path: Path) -> None:
     for name in imports(path):
         assert not name.startswith("pdp8.") or name.startswith("pdp8.computer"), f"{path}: {name}"
+
+
+def reached(path: Path) -> Iterator[str]:
+    """Yield the packages that a file's strings name as folders, beside its own docstrings."""
+    tree = ast.parse(path.read_text())
+    docstrings = {
+        id(node.value)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+    }
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in docstrings:
+            first = re.split(r"[/.]", node.value)[0]
+            if first in PACKAGES and not node.value.endswith((" ", ":")):
+                yield first
+
+
+@pytest.mark.parametrize(
+    "path", [path for path in sources() if module(path).split(".")[0] in ("tapes", "pal", "nc")], ids=module
+)
+def test_no_path_string_leads_where_no_import_may(path: Path) -> None:
+    here = module(path).split(".", maxsplit=1)[0]
+    for package in reached(path):
+        assert package in ALLOWED[here], f"{module(path)} names the folder {package}"
 
 
 def test_the_rooms_exist() -> None:

@@ -2,9 +2,10 @@
 
     python -m tests.fuzz.fuzzer --count 1000000 --seed 1
 
-A call is a failure where it raises anything but an exit, says "Traceback", ends with a status other than 0,
-1, 2 or 130, takes longer than ten seconds, changes a source, or leaves a file it was still writing. Each
-failure is printed with the seed that makes it again: `--seed SEED --count 1`.
+A call is a failure where it raises anything but an exit, shows a traceback or a warning of Python's, ends
+with a status other than 0, 1, 2 or 130, takes ten seconds of processor time or two minutes, changes a source,
+or leaves a file it was still writing. Each failure is printed with the seed that makes it again:
+`--seed SEED --count 1`.
 """
 
 import argparse
@@ -225,18 +226,24 @@ def prepare(chance: random.Random, good: list[bytes]) -> dict[str, bytes]:
 
 @contextmanager
 def limited() -> Iterator[None]:
-    """Raise TooLong inside after SECONDS."""
+    """Raise TooLong inside after SECONDS of processor time, or of silence twelve times as long."""
 
     def over(*_: object) -> None:
         raise TooLong
 
-    before = signal.signal(signal.SIGALRM, over)
-    signal.setitimer(signal.ITIMER_REAL, SECONDS)
+    timers = (
+        (signal.SIGPROF, signal.ITIMER_PROF, SECONDS),
+        (signal.SIGALRM, signal.ITIMER_REAL, 12 * SECONDS),
+    )
+    before = [signal.signal(number, over) for number, _, _ in timers]
+    for _, timer, seconds in timers:
+        signal.setitimer(timer, seconds)
     try:
         yield
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+        for (number, timer, _), handler in zip(timers, before, strict=True):
+            signal.setitimer(timer, 0)
+            signal.signal(number, handler)
 
 
 def called(line: list[str]) -> tuple[int | str, str]:
@@ -266,7 +273,7 @@ def fault(seed: int, good: list[bytes]) -> str:
     line = arguments(chance)
     status, said = called(line)
     wrong = ""
-    if status not in STATUSES or "Traceback" in said:
+    if status not in STATUSES or "Traceback" in said or "Warning: " in said:
         wrong = f"ended with {status}\n{said[-500:]}"
     for name in os.listdir():
         if name.endswith(".part"):

@@ -32,6 +32,25 @@ def test_everything_bundled_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyP
         assert shelf.read(name)
 
 
+def test_a_package_lays_its_own_files_on_the_shelf(tmp_path: Path) -> None:
+    (tmp_path / "ours.tape").write_bytes(b"x")
+    (tmp_path / "ours.txt").write_bytes(b"y")
+    shelf.add(str(tmp_path), ".tape")
+    assert shelf.read("ours.tape") == b"x"
+    assert "ours.txt" not in shelf.bundled()
+    shelf._bundled.pop("ours.tape")
+
+
+def test_a_file_that_hides_a_bundled_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert not shelf.hides("eia.pal")
+    (tmp_path / "eia.pal").write_bytes(shelf.read_bundled("eia.pal"))
+    assert not shelf.hides("eia.pal")
+    (tmp_path / "eia.pal").write_bytes(b"$\n")
+    assert shelf.hides("eia.pal")
+    assert shelf.read_bundled("eia.pal") != b"$\n"
+
+
 def test_a_file_is_replaced_whole(tmp_path: Path) -> None:
     path = tmp_path / "x.bin"
     shelf.write(str(path), b"one")

@@ -238,6 +238,22 @@ def test_tearing_off_and_reading_again(tmp_path: Path) -> None:
     play(scene, program="eia.pal", reader="circle.asc")
 
 
+def test_leaving_asks_for_a_tape_that_is_not_torn_off() -> None:
+    async def scene(room: Room, pilot: Pilot[None]) -> None:
+        room.session.machine.teletype.punch.frames += b"12"
+        await press(pilot, "q")
+        assert "2 frames punched and not torn off" in shown(room)
+        await press(pilot, "n")
+        await pilot.pause()
+        assert len(room.screen_stack) == 1
+        assert room.is_running
+        await press(pilot, "q y")
+        await pilot.pause()
+        assert not room.is_running or room._exit
+
+    play(scene)
+
+
 def test_a_tape_that_is_not_there_is_named() -> None:
     async def scene(room: Room, pilot: Pilot[None]) -> None:
         await press(pilot, "o n o enter")

@@ -1,0 +1,174 @@
+"""What all commands do alike: outputs proven first, files kept, streams and names not shared, long input."""
+
+import os
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+
+from pdp8.web.bundle import page
+from tapes import binary, shelf
+from tests.conftest import BIN, Shell
+
+DRILL = "001 0 00000 00000 0 35 88\n002 9 03000 00000 0 00 00\n"
+DIGITS = b"0010000000000003588\n0029030000000000000\n"
+
+
+@pytest.mark.parametrize("option", ["--trace", "--save", "--fast-punch"])
+def test_outputs_are_proven_before_anything_is_emptied(shell: Shell, tmp_path: Path, option: str) -> None:
+    (tmp_path / "out.tape").write_bytes(b"kept")
+    done = shell(f"pdp8 run hello.pal --punch out.tape {option} /nowhere/x < /dev/null")
+    assert done.returncode == 1
+    assert done.stderr == b"pdp8 run: /nowhere/x: No such file or directory\n"
+    assert (tmp_path / "out.tape").read_bytes() == b"kept"
+
+
+def test_a_file_keeps_its_mode_and_a_link_its_place(shell: Shell, tmp_path: Path) -> None:
+    (tmp_path / "real.bin").write_bytes(b"")
+    (tmp_path / "real.bin").chmod(0o640)
+    (tmp_path / "link.bin").symlink_to("real.bin")
+    assert shell("pal hello.pal -o link.bin").returncode == 0
+    assert (tmp_path / "link.bin").is_symlink()
+    assert binary.decode((tmp_path / "real.bin").read_bytes()).words
+    assert (tmp_path / "real.bin").stat().st_mode & 0o777 == 0o640
+
+
+def test_sigterm_leaves_no_file_half_written(tmp_path: Path) -> None:
+    run = subprocess.Popen(
+        [BIN / "pdp8", "run", "counter.pal", "--realtime", "--trace", "x.trace"],
+        cwd=tmp_path,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+    )
+    end = time.monotonic() + 20
+    while not list(tmp_path.glob("*.part")) and time.monotonic() < end:
+        time.sleep(0.05)
+    run.send_signal(signal.SIGTERM)
+    said = run.communicate(timeout=20)[1]
+    assert run.returncode == 128 + signal.SIGTERM
+    assert b"Traceback" not in said
+    assert not list(tmp_path.iterdir())
+
+
+def test_ctrl_c_ends_a_traced_run_soon(tmp_path: Path) -> None:
+    (tmp_path / "busy.pal").write_text("*200\nL,\tISZ 10\n\tJMP L\n\tJMP L\n$\n")
+    run = subprocess.Popen(
+        [BIN / "pdp8", "run", "busy.pal", "--trace", "x.trace"],
+        cwd=tmp_path,
+        stdin=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+    )
+    end = time.monotonic() + 20
+    while not list(tmp_path.glob("*.part")) and time.monotonic() < end:
+        time.sleep(0.05)
+    time.sleep(0.5)
+    began = time.monotonic()
+    run.send_signal(signal.SIGINT)
+    said = run.communicate(timeout=20)[1]
+    assert time.monotonic() - began < 3
+    assert b"interrupted at" in said
+    assert run.returncode == 130
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "\n" + DRILL,
+        DRILL.replace("\n", "\n\n", 1),
+        DRILL + "\n",
+        DRILL + "   \n",
+        DRILL.replace(" ", "") + "\n",
+    ],
+    ids=["first", "middle", "last", "spaces", "unspaced"],
+)
+def test_a_blank_line_in_a_typed_program_means_nothing(shell: Shell, text: str) -> None:
+    done = shell("pdp8 tape punch --code eia | pdp8 tape convert - --to text", text.encode())
+    assert done.stdout == DIGITS
+
+
+@pytest.mark.parametrize("line", ["002 9 03000 00000 0 00 0", "002 9 03000 00000 0 00 000"])
+@pytest.mark.parametrize("spaced", [True, False])
+def test_every_other_line_has_19_digits(shell: Shell, line: str, spaced: bool) -> None:
+    text = DRILL + line + "\n"
+    done = shell("pdp8 tape punch --code eia > x", (text if spaced else text.replace(" ", "")).encode())
+    assert done.returncode == 1
+    count = len(line.replace(" ", ""))
+    assert f"line 3, column 1: a block of {count} digits; it has 19".encode() in done.stderr
+
+
+def test_a_tape_is_not_written_over_the_name_of_a_source(shell: Shell) -> None:
+    done = shell("pal eia.pal -o eia.pal; ls")
+    assert b"eia.pal is the source; name another file" in done.stderr
+    assert done.stdout == b""
+
+
+def test_page_and_table_share_no_stream_and_no_name(shell: Shell, tmp_path: Path) -> None:
+    done = shell("pdp8 replay drill --html - --out desk")
+    assert done.stdout.startswith(b"<!DOCTYPE html>")
+    assert b"thesis beside replay" not in done.stdout
+    assert b"thesis beside replay" in done.stderr
+    done = shell("pdp8 replay drill --html desk/drill.eia --out desk")
+    assert done.returncode == 2
+    assert b"is the name of another file of the replay" in done.stderr
+    assert not (tmp_path / "desk" / "drill.eia").read_bytes().startswith(b"<!")
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "latin-1"])
+def test_a_stream_that_is_not_utf8_takes_any_message(shell: Shell, encoding: str) -> None:
+    done = shell(f"printf '*200\\n\\tCLÄ\\n$\\n' > x.pal; PYTHONIOENCODING={encoding} pal x.pal -o y")
+    assert b"Traceback" not in done.stderr
+    done = shell(f"PYTHONIOENCODING={encoding} pdp8 nc plot circle.eia")
+    assert done.returncode == 0
+    done.stdout.decode("utf-8")
+
+
+def test_errors_on_one_long_line_are_excerpts_and_counted(shell: Shell, tmp_path: Path) -> None:
+    (tmp_path / "long.pal").write_text(
+        "*200\n" + ";".join(f"JMP {at * 128 % 4096:o}" for at in range(8000)) + "\n$\n"
+    )
+    done = shell("pal long.pal")
+    assert done.returncode == 1
+    assert len(done.stderr) < 60_000
+    assert max(map(len, done.stderr.decode().splitlines())) < 200
+    assert b"more\n" in done.stderr
+    few = shell("pal long.pal --max-errors 2").stderr.decode()
+    assert few.count("illegal reference") == 2
+
+
+@pytest.mark.parametrize("option", ["--leader", "--fill"])
+@pytest.mark.parametrize("count", ["100000000000000000000", "1000000000"])
+def test_a_tape_of_miles_is_refused(shell: Shell, option: str, count: str) -> None:
+    done = shell(f"echo A | pdp8 tape punch {option} {count} > x")
+    assert done.returncode == 2
+    assert b"Traceback" not in done.stderr
+
+
+def test_dis_reads_standard_input(shell: Shell) -> None:
+    assert shell("pdp8 dis", shelf.read_bundled("eia.bin")).stdout.startswith(b"*200\n")
+    assert shell("pdp8 dis", b"").stderr.startswith(b"pdp8 dis: standard input: ")
+
+
+@pytest.mark.parametrize("kind", ["bash", "zsh", "fish"])
+def test_completion(shell: Shell, kind: str) -> None:
+    done = shell(f"_PDP8_COMPLETE={kind}_source pdp8")
+    if kind == "bash" and done.returncode:
+        pytest.skip("this bash is too old for completion")
+    assert b"_PDP8_COMPLETE" in done.stdout
+
+
+@pytest.mark.parametrize("columns", ["20", "40"])
+def test_narrow_terminals_and_no_colour(columns: str, tmp_path: Path) -> None:
+    environment = {**os.environ, "COLUMNS": columns, "NO_COLOR": "1", "TERM": "xterm-256color"}
+    line = ["script", "-qec", f"{BIN}/pdp8 run --help; {BIN}/pal hello.pal -o x.bin --listing -", "/dev/null"]
+    done = subprocess.run(line, capture_output=True, env=environment, check=False, cwd=tmp_path)
+    assert b"Traceback" not in done.stdout
+    assert b"\x1b[3" not in done.stdout
+    assert b"--max-time" in done.stdout
+
+
+def test_a_comment_with_markup_does_not_end_the_pages_script() -> None:
+    made = page("page.html", "page.css", "page", {"listing": "/ <!-- <script> </script>"})
+    assert "<!-- <script>" not in made
