@@ -84,6 +84,10 @@ def centre_path(
     )
 
 
+_WIDEST = 10
+"""Inches: no cutter of the machine is wider."""
+
+
 def offset_path(
     function: Callable[[float], float], where: Range, tolerance: float, cutter: float, side: str
 ) -> Curve:
@@ -93,8 +97,8 @@ def offset_path(
     """
     import numpy as np  # only the exact cutter path needs it
 
-    if not cutter > 0:
-        raise WorkError(f"cutter of diameter {cutter:g} in: must be greater than 0")
+    if not 0 < cutter <= _WIDEST:
+        raise WorkError(f"cutter of diameter {cutter:g} in: must be greater than 0, and {_WIDEST} at most")
     across, up = where.origin
     radius = cutter * 500 * (1 if side == "above" else -1)
     x1 = np.array(where.tabulated, dtype=float)

@@ -12,6 +12,7 @@ import inspect
 import types
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
+from math import isfinite
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 import click
@@ -86,16 +87,13 @@ def _type(hint: Any) -> Any:
     return _FINITE if hint is float else hint
 
 
-_LARGEST = 1_000_000
-
-
 class _Finite(click.types.FloatParamType):
-    """A number with a decimal point, within a million either way: no machine tool is as long."""
+    """A finite number with a decimal point."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         number = super().convert(value, param, ctx)
-        if not abs(number) <= _LARGEST:
-            self.fail(f"{value!r} is not a number from -{_LARGEST:,} to {_LARGEST:,}.", param, ctx)
+        if not isfinite(number):
+            self.fail(f"{value!r} is not a finite number.", param, ctx)
         return number
 
 

@@ -59,6 +59,7 @@ REFUSED = [
     ("curve 1 --from 30 --to 40", "block 005: X 34000 leaves the table"),
     ("polynomial --cutter 4", "too big: at x ="),
     ("polynomial --cutter -1", "cutter of diameter -1 in: must be greater than 0"),
+    ("curve x --cutter 1e308", "cutter of diameter 1e+308 in: must be greater than 0, and 10 at most"),
     ("slope --to-x 4 --to-y 4", "two different ends"),
     ("slope --tolerance -0.005", "must be .001 in, the machine's resolution"),
     ("slope --to-x 21", "leaves the table"),
@@ -76,6 +77,8 @@ REFUSED = [
 MISUSED = [
     ("circle --radius x", "--radius"),
     ("circle --tolerance nan", "not a finite number"),
+    ("curve x --cutter inf", "not a finite number"),
+    ("curve x --cutter nan", "not a finite number"),
     ("circle --arithmetic pdp8", "--arithmetic"),
     ("circle --fill -1", "--fill"),
     ("curve", "EXPRESSION"),
