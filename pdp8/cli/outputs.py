@@ -17,6 +17,11 @@ class Output:
         self._page = name is None and sys.stdout.isatty()
         self._stream: BinaryIO = sys.stdout.buffer if self._page else shelf.open_punch(name or "-")
 
+    def close(self) -> None:
+        """Close the file; standard output stays open."""
+        if self._stream is not sys.stdout.buffer:
+            self._stream.close()
+
     def send(self) -> None:
         """Pass on what was punched since the last time."""
         fresh = bytes(self._punch.frames[self._sent :])

@@ -142,6 +142,8 @@ def run(
         machine.start(start)
     outputs = _outputs(machine, punch, fast_punch, page is None)
     with ExitStack() as stack:
+        for output in outputs:
+            stack.callback(output.close)
         if trace is not None:
             stack.enter_context(_traced(machine, trace, found, cycles))
         if count or annotate or count_json:
