@@ -2,11 +2,17 @@
 
 import sys
 from importlib.util import find_spec
+from typing import TYPE_CHECKING
 
 import click
 
 from pdp8.cli.parameters import octal
+from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, Tapes, find
 from tapes.errors import WorkError
+
+if TYPE_CHECKING:
+    from pdp8.computer.program import Program
+    from pdp8.console.session import Session
 
 
 @click.command()
@@ -14,8 +20,18 @@ from tapes.errors import WorkError
 @click.option("--reader", metavar="FILE", help="Tape in the Teletype's reader to begin with.")
 @click.option("--start", type=octal, default="0200", show_default=True, help="Where PROGRAM starts, octal.")
 @click.option("--sr", type=octal, help="Switch register to begin with, octal.  [default: --start]")
+@click.option("--drill", type=click.Choice(NAMES), help="Follow a card key by key; what is wrong is named.")
+@click.option("--kiosk", is_flag=True, help="Begin the drill again when it is left alone for a minute.")
 @click.option("--cold", is_flag=True, help="Leave core empty: PROGRAM is a tape at hand, to be loaded.")
-def panel(program: str | None, reader: str | None, start: int, sr: int | None, cold: bool) -> None:
+def panel(
+    program: str | None,
+    reader: str | None,
+    start: int,
+    sr: int | None,
+    drill: str | None,
+    kiosk: bool,
+    cold: bool,
+) -> None:
     """Sit down at the PDP-8/L: lamps, switches and keys, its Teletype and tapes, in the terminal.
 
     PROGRAM is PAL III source, a BIN or a RIM tape, or a bundled name; it is in core, the PC at its start.
@@ -26,12 +42,21 @@ def panel(program: str | None, reader: str | None, start: int, sr: int | None, c
     Teletype, O puts a tape into the reader, W tears off what was punched, P changes the pace, Q goes home.
     Ctrl-C is the STOP key.
 
+    A drill is a card to follow: a key that is not the next one, or with a wrong switch, is not pressed, and
+    the first wrong switch is named. X begins again. A kiosk is left with Ctrl-Q.
+
     \b
     Examples:
       pdp8 panel
+      pdp8 panel --drill rim
+      pdp8 panel --drill boot --kiosk
       pdp8 panel eia.pal --reader circle.asc
       pdp8 panel --cold mine.pal
     """
+    if kiosk and drill is None:
+        raise click.UsageError("--kiosk means nothing without --drill.")
+    if drill is not None and (program, reader, sr) != (None, None, None):
+        raise click.UsageError("--drill has its own core: it goes with no PROGRAM, --reader, --sr.")
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise WorkError("the panel is drawn on a terminal, and this is none; `pdp8 run` needs none")
     if find_spec("textual") is None:
@@ -43,4 +68,12 @@ def panel(program: str | None, reader: str | None, start: int, sr: int | None, c
         session.machine.sr = sr
     from pdp8.console.app import Room
 
-    Room(session, programs).run()
+    coach = None if drill is None else _coach(drill, kiosk, session, programs)
+    Room(session, programs, coach=coach).run()
+
+
+def _coach(drill: str, kiosk: bool, session: "Session", programs: list["Program"]) -> Coach:
+    _, bin_loader, program = programs
+    bin_tape, program_tape = session.tapes[:2]
+    tapes = Tapes(bin_tape.name, bin_loader.words, program_tape.name, program.words)
+    return Coach(find(drill, tapes), session.machine, LEFT_ALONE if kiosk else None)

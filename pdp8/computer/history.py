@@ -64,6 +64,8 @@ class History:
         self._apart = _APART
         self._marks: list[_Mark] = []
         self._size = 0
+        self._newest = 0
+        """The tick of the newest snapshot."""
         self._next = 0
         """The first mark that was not come to, while the machine goes back."""
         self._left = self._began = snapshot.take(machine)
@@ -97,8 +99,7 @@ class History:
         """Note what was set since the last run, because a run begins."""
         now = snapshot.take(self.machine)
         self._note(now)
-        newest = next(mark.clock for mark in reversed(self._marks) if mark.whole)
-        if self.machine.processor.clock >= newest + self._apart:
+        if self.machine.processor.clock >= self._newest + self._apart:
             self._add(now, whole=True)
         self._began, self._stands = now, self._moment()
 
@@ -132,6 +133,8 @@ class History:
     def _add(self, values: Values, whole: bool = False, jump: bool = False) -> None:
         self._marks.append(_Mark(*self._stands, values, whole, jump))
         self._size += _MARK + snapshot.size(values)
+        if whole:
+            self._newest = self._stands[0]
         if whole and sum(mark.whole for mark in self._marks) > _MOST:
             self._thin_out()
         while self._size > self._memory and self._forget_the_oldest():
@@ -157,6 +160,7 @@ class History:
 
     def _keep(self, marks: list[_Mark]) -> None:
         self._marks = marks
+        self._newest = next((mark.clock for mark in reversed(marks) if mark.whole), 0)
         self._size = sum(_MARK + snapshot.size(mark.values) for mark in marks)
 
     @contextmanager

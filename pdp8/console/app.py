@@ -19,11 +19,13 @@ from textual.widgets import Footer, Static
 
 from pdp8.computer.program import Program
 from pdp8.console.dialogs import AskToLeave, ChooseTape, NameTape
+from pdp8.console.drill import DrillCard
 from pdp8.console.lamps import LampRows
 from pdp8.console.pages import Card, Core, ListingPage, Page, Paper, subtitle, title
 from pdp8.console.session import Session, Tape
 from pdp8.console.strips import PunchStrip, ReaderStrip, Strip
 from pdp8.console.switches import KEYS, LOCKING, Key, Rocker, SwitchRegister
+from pdp8.lessons.drill import Coach
 from tapes import shelf
 from tapes.errors import WorkError
 from tapes.measure import duration
@@ -59,6 +61,9 @@ class PanelFace(Container, can_focus=True):
         *_letter("p", "app.pace", "pace"),
         *_letter("g", "app.page", "page"),
         Binding("ctrl+c", "app.key('stop')", "STOP"),
+        *_letter("b", "app.undo(0)", "back", False),
+        *_letter("z", "app.undo(1)", "1 s back", False),
+        *_letter("x", "app.again", "again", False),
         *_letter("q", "app.quit", "quit"),
         Binding("tab", "app.turn_round", "Teletype"),
     ]
@@ -71,14 +76,17 @@ class Room(App[None]):
     TITLE = "PDP-8/L"
     ENABLE_COMMAND_PALETTE = False
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("ctrl+q", "quit", show=False),
+        Binding("ctrl+q", "leave", show=False),
         Binding("ctrl+c", "key('stop')", show=False),
     ]
     HORIZONTAL_BREAKPOINTS = [*_WIDTHS]  # noqa: RUF012
     VERTICAL_BREAKPOINTS = [*_HEIGHTS]  # noqa: RUF012
 
-    def __init__(self, session: Session, programs: list[Program], ticking: bool = True) -> None:
+    def __init__(
+        self, session: Session, programs: list[Program], ticking: bool = True, coach: Coach | None = None
+    ) -> None:
         super().__init__()
+        self.coach = coach
         self.session = session
         self.programs = programs
         self.ticking = ticking
@@ -100,7 +108,10 @@ class Room(App[None]):
                 yield PunchStrip(session, "punch")
             yield Paper(session, "paper")
         with Container(id="pages"):
-            yield Card(session, "card", self.programs[0], self.programs[-1])
+            if self.coach is not None:
+                yield DrillCard(session, "card", self.coach)
+            else:
+                yield Card(session, "card", self.programs[0], self.programs[-1])
             yield ListingPage(session, "listing", self.programs)
             yield Core(session, "core")
         yield Footer(compact=True)
@@ -135,7 +146,17 @@ class Room(App[None]):
     def turn(self, seconds: float) -> None:
         """Let `seconds` pass in the room, and look."""
         self.session.advance(seconds)
+        if self.coach is not None and self.coach.advance(seconds):
+            self._welcome()
         self.look()
+
+    def _welcome(self) -> None:
+        """Clear the room for the next visitor at a kiosk."""
+        while len(self.screen_stack) > 1:
+            self.pop_screen()
+        self.session.clear()
+        self.query_one(Paper).clear()
+        self.query_one("#panel").focus()
 
     def look(self) -> None:
         """Show everything as it is now."""
@@ -163,6 +184,9 @@ class Room(App[None]):
 
     def action_key(self, name: str) -> None:
         """Press a key, or throw a locking switch."""
+        if self.coach is not None and name not in LOCKING and not self.coach.allows(name):
+            self.look()
+            return
         if name in LOCKING:
             panel = self.session.machine.panel
             setattr(panel, name, not getattr(panel, name))
@@ -199,7 +223,10 @@ class Room(App[None]):
         self.look()
 
     def action_rim(self) -> None:
-        """Toggle the RIM loader in."""
+        """Toggle the RIM loader in; in a drill that is left to whoever drills."""
+        if self.coach is not None:
+            self.notify("in a drill you toggle it in yourself")
+            return
         self.shown_page = "card"
         self._turn_pages()
         self.session.toggle_rim()
@@ -245,8 +272,24 @@ class Room(App[None]):
         self.notify(f"{name}: {len(tape.frames):,} frames", markup=False)
         self.look()
 
+    async def action_leave(self) -> None:
+        """Leave a kiosk at once; else leave as Q does."""
+        if self.coach is not None and self.coach.left_alone is not None:
+            self.exit()
+        else:
+            await self.action_quit()
+
+    async def on_event(self, event: events.Event) -> None:
+        """Note that somebody is there, before anything else is done with a key or the mouse."""
+        if self.coach is not None and isinstance(event, events.Key | events.MouseDown):
+            self.coach.touched()
+        await super().on_event(event)
+
     async def action_quit(self) -> None:
-        """Leave; ask first if a punched tape would be lost."""
+        """Leave; ask first if a punched tape would be lost. A kiosk begins again, and Ctrl-Q leaves it."""
+        if self.coach is not None and self.coach.left_alone is not None:
+            self.action_again()
+            return
         count = len(self.session.machine.teletype.punch.frames)
         if not count:
             self.exit()
@@ -257,6 +300,23 @@ class Room(App[None]):
                 self.exit()
 
         self.push_screen(AskToLeave(count), leave)
+
+    def action_undo(self, seconds: int) -> None:
+        """Undo an instruction, or that many seconds; not in a drill, which is done forwards."""
+        if self.coach is None:
+            self.session.back(seconds)
+            paper = self.query_one(Paper)
+            paper.clear()
+            for frame in self.session.machine.teletype.printer.frames:
+                paper.take(frame)
+            self.look()
+
+    def action_again(self) -> None:
+        """Begin the drill again."""
+        if self.coach is not None:
+            self.coach.again()
+            self._welcome()
+            self.look()
 
     def action_pace(self) -> None:
         """Go on to the next pace."""

@@ -84,6 +84,12 @@ class Paper(Page, can_focus=True):
             self.session.type(typed)
             event.stop()
 
+    def clear(self) -> None:
+        """Tear the page off."""
+        self.lines = [""]
+        self.column = 0
+        self.struck += 1
+
     def take(self, frame: int) -> None:
         """Print one frame as a Model 33 does: it has no lower case, and stays at the last column."""
         self.struck += 1

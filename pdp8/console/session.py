@@ -15,6 +15,7 @@ from time import perf_counter
 from typing import NamedTuple
 
 from pal.isa import DEFER, EXECUTE, FETCH
+from pdp8.computer import rewind
 from pdp8.computer.bus import NEVER
 from pdp8.computer.keys import sent
 from pdp8.computer.machine import Machine
@@ -59,6 +60,8 @@ class Session:
     ) -> None:
         self.machine = machine
         self.operator = Operator(machine)
+        self.history = machine.history()
+        """What can be undone."""
         self.tapes = tapes or []
         self.speed = 1
         self.behind = False
@@ -144,6 +147,17 @@ class Session:
             self.said = f"{self.machine.ma:04o} holds {self.machine.mb:04o}"
         self._look()
 
+    def back(self, seconds: float = 0) -> None:
+        """Undo one instruction, or that much machine time, or all there is; the machine stands still then."""
+        self._hands = None
+        if seconds:
+            rewind.seconds(self.history, min(seconds, self.history.seconds))
+        else:
+            rewind.instructions(self.history, min(1, self.history.instructions))
+        self.machine.panel.stop()
+        self.said = f"back before {self.machine.pc:04o}"
+        self._look()
+
     def throw(self, bit: int) -> None:
         """Throw switch `bit` of the switch register, 0 the leftmost."""
         self.machine.sr ^= 0o4000 >> bit
@@ -199,6 +213,15 @@ class Session:
     def type(self, characters: str) -> None:
         """Type on the Teletype's keyboard."""
         self.machine.teletype.keyboard.press(sent(characters))
+
+    def clear(self) -> None:
+        """Say and do nothing more of what was before, as the next operator comes."""
+        self._hands = None
+        self.operator = Operator(self.machine)
+        self.speed = 1
+        self.reader_tape = ""
+        self.said = "standing still"
+        self._look()
 
     def change_speed(self) -> None:
         """Go on to the next speed of SPEEDS."""

@@ -5,6 +5,6 @@ answer     a student's file, whatever is in it, read within bounds
 trial      an answer run on one case: what it punched, printed and left in core
 marking    points and failures of an answer;   proof   that an exercise tells its mistakes from its solution
 report     marks as a table for people;   records   the same as JSON and JUnit
-cards      cards to print
+cards      cards to print             drill      drills at the panel, and their coach
 exercises/ the bundled ones
 """

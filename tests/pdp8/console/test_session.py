@@ -262,3 +262,23 @@ def test_mem_prot_is_said() -> None:
     session.press("dep")
     assert session.said == "MEM PROT stopped a write at 7600"
     assert session.glow["protect"] == (1,)
+
+
+def test_time_runs_back_by_an_instruction_and_by_a_second() -> None:
+    session, _ = opening("eia.pal", "circle.asc", clock=lambda: 0.0)
+    session.press("start")
+    for _ in range(100):
+        session.advance(0.05)
+    punched = session.machine.teletype.punch.tape
+    before = session.machine.instructions
+    session.back()
+    assert session.machine.instructions == before - 1
+    assert not session.machine.panel.lamps.run
+    session.back(4)
+    assert len(session.machine.teletype.punch.tape) < len(punched)
+    session.press("cont")
+    for _ in range(100):
+        session.advance(0.05)
+    assert session.machine.teletype.punch.tape.startswith(punched)
+    session.back(1000)
+    assert session.machine.teletype.punch.tape == b""

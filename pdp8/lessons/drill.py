@@ -1,0 +1,222 @@
+"""Drills at the panel: a card to follow key by key, and a coach who names the first wrong switch.
+
+    rim       the RIM loader, 17 words        deposit   five words, a program that counts
+    examine   a chain: each word is the address of the next
+    boot      a morning from cold: RIM, BIN, the program, and AC 0000
+
+A key that is not the card's next one is not pressed: the coach says what is wrong, and the machine stays as
+it is. So nobody gets stuck; whoever wants to can begin again at any time. At a kiosk, a drill that is left
+alone begins again by itself.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from pdp8.computer import snapshot
+from pdp8.computer.machine import Machine
+from pdp8.computer.operator import BIN_HALT, BIN_START, RIM, RIM_START, TELETYPE_READER
+from tapes.measure import counted, duration
+
+LEFT_ALONE = 60.0
+"""Seconds without a key or a switch after which a kiosk begins again."""
+
+_KEYS = {
+    "load_add": "LOAD ADD", "exam": "EXAM", "dep": "DEP", "start": "START", "cont": "CONT", "stop": "STOP",
+}  # fmt: skip
+_LOCKING = {"mem_prot": "MEM PROT", "sing_step": "SING STEP"}
+
+
+class Step(NamedTuple):
+    """A line of the card: a key to press with `sr` in the switches, None for any; or a state to come to."""
+
+    say: str
+    key: str = ""
+    sr: int | None = None
+    come: Callable[[Machine], bool] | None = None
+
+
+class Drill(NamedTuple):
+    """A drill: its name, what it is about, its card, and the words that are in core as it begins."""
+
+    name: str
+    title: str
+    steps: tuple[Step, ...]
+    words: Mapping[int, int] = {}
+
+
+class Tapes(NamedTuple):
+    """What the drill `boot` needs: the tapes of the BIN loader and of a program, and their words."""
+
+    bin_name: str
+    bin_words: Mapping[int, int]
+    program_name: str
+    program_words: Mapping[int, int]
+
+
+def _words(address: int, words: Sequence[int]) -> Iterator[Step]:
+    yield Step(f"{address:04o}  LOAD ADD", "load_add", address)
+    for offset, word in enumerate(words):
+        yield Step(f"{word:04o}  DEP       into {address + offset:04o}", "dep", word)
+
+
+_CHAIN = (0o300, 0o345, 0o1234, 0o4571, 0o7402)
+_COUNTING = (0o7200, 0o7001, 0o2206, 0o5202, 0o5201)
+"""CLA; IAC; ISZ 206; JMP .-1; JMP .-3: a count that can be watched in the AC."""
+
+
+def _chain() -> Iterator[Step]:
+    yield Step(f"{_CHAIN[0]:04o}  LOAD ADD", "load_add", _CHAIN[0])
+    yield Step("EXAM: MB shows an address", "exam")
+    for address in _CHAIN[1:-1]:
+        yield Step("set the address that MB shows, LOAD ADD", "load_add", address)
+        yield Step("EXAM", "exam")
+
+
+def _boot(tapes: Tapes) -> Iterator[Step]:
+    yield from _words(RIM_START, RIM)
+    yield Step(f"O: {tapes.bin_name} into the reader", come=_at_its_beginning)
+    yield Step(f"{RIM_START:04o}  LOAD ADD", "load_add", RIM_START)
+    yield Step("START: RIM reads BIN (P: faster)", "start")
+    yield Step("wait until the tape has run through", come=lambda machine: _holds(machine, tapes.bin_words))
+    yield Step("STOP", "stop")
+    yield Step(f"O: {tapes.program_name} into the reader", come=_at_its_beginning)
+    yield Step(f"{BIN_START:04o}  LOAD ADD", "load_add", BIN_START)
+    yield Step("START: BIN reads the program", "start", TELETYPE_READER)
+    yield Step("it halts; AC 0000: checksum right", come=lambda machine: _loaded(machine, tapes))
+
+
+def _at_its_beginning(machine: Machine) -> bool:
+    reader = machine.teletype.reader
+    return bool(reader.tape) and reader.position == 0
+
+
+def _holds(machine: Machine, words: Mapping[int, int]) -> bool:
+    reader = machine.teletype.reader
+    return reader.position == len(reader.tape) and _in_core(machine, words)
+
+
+def _loaded(machine: Machine, tapes: Tapes) -> bool:
+    halted = not machine.panel.lamps.run and machine.ma == BIN_HALT
+    return halted and machine.ac == 0 and _in_core(machine, tapes.program_words)
+
+
+def _in_core(machine: Machine, words: Mapping[int, int]) -> bool:
+    return all(machine.core[address] == word for address, word in words.items())
+
+
+NAMES = ("rim", "deposit", "examine", "boot")
+
+
+def find(name: str, tapes: Tapes) -> Drill:
+    """Return the drill called `name`, one of NAMES."""
+    if name == "rim":
+        return Drill(name, "Toggle the RIM loader in", tuple(_words(RIM_START, RIM)))
+    if name == "deposit":
+        return Drill(name, "Deposit five words", tuple(_words(0o200, _COUNTING)))
+    if name == "examine":
+        chain = dict(zip(_CHAIN, (*_CHAIN[1:], 0), strict=True))
+        return Drill(name, "Examine a chain of addresses", tuple(_chain()), chain)
+    return Drill(name, "Boot from cold", tuple(_boot(tapes)))
+
+
+class Coach:
+    """Who looks on while a drill is done at a machine; with `left_alone` seconds, at a kiosk."""
+
+    def __init__(self, drill: Drill, machine: Machine, left_alone: float | None = None) -> None:
+        self.drill = drill
+        self.machine = machine
+        self.left_alone = left_alone
+        machine.load(drill.words)
+        self._cold = snapshot.take(machine)
+        self._begin()
+
+    def _begin(self) -> None:
+        self.at = 0
+        """The step that is to be done."""
+        self.wrong = 0
+        """Keys that were not the card's."""
+        self.seconds = 0.0
+        """How long it has taken, since the first key."""
+        self.said = "Follow the card. The clock begins with your first key."
+        self._begun = False
+        self._still = 0.0
+
+    def again(self) -> None:
+        """Begin again: the machine is as it was at first."""
+        snapshot.put(self.machine, self._cold)
+        self._begin()
+
+    @property
+    def done(self) -> bool:
+        """Whether the card is done."""
+        return self.at == len(self.drill.steps)
+
+    @property
+    def begun(self) -> bool:
+        """Whether a key was pressed."""
+        return self._begun
+
+    def touched(self) -> None:
+        """Note that somebody is there: a key or a switch moved."""
+        self._still = 0.0
+
+    def allows(self, key: str) -> bool:
+        """Tell whether `key` is the card's next one, with the switches right; if not, say what is wrong.
+
+        What is allowed must then be pressed.
+        """
+        self.touched()
+        self._begun = True
+        if self.done:
+            return True
+        step = self.drill.steps[self.at]
+        fault = self._fault(step, key)
+        if fault:
+            self.wrong += 1
+            self.said = fault
+            return False
+        self._go_on(f"right: {step.say}")
+        return True
+
+    def _fault(self, step: Step, key: str) -> str:
+        panel = self.machine.panel
+        for name, label in _LOCKING.items():
+            if getattr(panel, name):
+                return f"{label} is {'up' if name == 'mem_prot' else 'on'}: put it back first"
+        if not step.key:
+            return f"not {_KEYS[key]} yet: {step.say}"
+        if step.sr is not None and panel.sr != step.sr and key == step.key:
+            return _switch(panel.sr, step.sr)
+        return "" if key == step.key else f"{_KEYS[step.key]} is next, not {_KEYS[key]}"
+
+    def _go_on(self, said: str) -> None:
+        self.at += 1
+        self.said = said
+        if self.done:
+            mistakes = counted(self.wrong, "mistakes") if self.wrong else "no mistake"
+            self.said = f"Done in {duration(self.seconds)}, {mistakes}."
+
+    def advance(self, seconds: float) -> bool:
+        """Let `seconds` pass; return whether a kiosk has begun again."""
+        if self._begun and not self.done:
+            self.seconds += seconds
+        self._still += seconds
+        if self.left_alone is not None and self._still >= self.left_alone and self._moved():
+            self.again()
+            return True
+        if not self.done:
+            step = self.drill.steps[self.at]
+            if step.come is not None and step.come(self.machine):
+                self._go_on(f"right: {step.say}")
+        return False
+
+    def _moved(self) -> bool:
+        """Tell whether anything is not as it was at first."""
+        return self._begun or bool(snapshot.changed(self._cold, snapshot.take(self.machine)))
+
+
+def _switch(found: int, wanted: int) -> str:
+    """Name the first wrong switch, from the left, 0 first."""
+    bit = next(bit for bit in range(12) if (found ^ wanted) >> 11 - bit & 1)
+    way = "up" if wanted >> 11 - bit & 1 else "down"
+    return f"switch {bit} should be {way}: {wanted:04o}, not {found:04o}"

@@ -1,0 +1,158 @@
+"""Drills: who follows the card is done; who does not is told the first wrong switch; nobody gets stuck."""
+
+import random
+
+import pytest
+
+from pdp8.console.opening import opening
+from pdp8.console.session import Session, Tape
+from pdp8.lessons.drill import NAMES, Coach, Tapes, find
+
+# PDP-8/I instruction card, the loader for the low-speed reader
+RIM = (
+    *(0o6032, 0o6031, 0o5357, 0o6036, 0o7106, 0o7006, 0o7510, 0o5357, 0o7006),
+    *(0o6031, 0o5367, 0o6034, 0o7420, 0o3776, 0o3376, 0o5356, 0o0000),
+)
+KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
+
+
+def room(name: str, left_alone: float | None = None) -> tuple[Session, Coach]:
+    session, programs = opening(clock=lambda: 0.0)
+    bin_tape, program_tape = session.tapes[:2]
+    tapes = Tapes(bin_tape.name, programs[1].words, program_tape.name, programs[2].words)
+    return session, Coach(find(name, tapes), session.machine, left_alone)
+
+
+def press(session: Session, coach: Coach, key: str, sr: int | None = None) -> bool:
+    if sr is not None:
+        session.machine.sr = sr
+    allowed = coach.allows(key)
+    if allowed:
+        session.press(key)
+    return allowed
+
+
+def advance(session: Session, coach: Coach, seconds: float) -> None:
+    session.advance(seconds)
+    if coach.advance(seconds):
+        session.clear()
+
+
+def tape(session: Session, name: str) -> Tape:
+    return next(tape for tape in session.tapes if tape.name == name)
+
+
+def follow(session: Session, coach: Coach) -> None:
+    """Do what the card says, as far as its end."""
+    session.speed = 1000
+    while not coach.done:
+        step = coach.drill.steps[coach.at]
+        session.machine.panel.mem_prot = session.machine.panel.sing_step = False
+        if step.key:
+            assert press(session, coach, step.key, step.sr), (step, coach.said)
+        elif step.say.startswith("O:"):
+            session.mount(tape(session, step.say.split()[1]))
+        advance(session, coach, 0.1)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_who_follows_the_card_is_done(name: str) -> None:
+    session, coach = room(name)
+    follow(session, coach)
+    assert coach.said.startswith("Done in ")
+    assert coach.said.endswith("no mistake.")
+
+
+def test_rim_by_the_book() -> None:
+    session, coach = room("rim")
+    press(session, coach, "load_add", 0o7756)
+    for word in RIM:
+        advance(session, coach, 2)
+        assert press(session, coach, "dep", word)
+    assert coach.done
+    assert [session.machine.core[0o7756 + at] for at in range(17)] == list(RIM)
+    assert coach.said == "Done in 34.0 s, no mistake."
+
+
+def test_boot_leaves_the_program_in_core() -> None:
+    session, coach = room("boot")
+    follow(session, coach)
+    assert (session.machine.core[0o200], session.machine.ac) == (0o6046, 0)
+
+
+@pytest.mark.parametrize(
+    ("key", "sr", "said"),
+    [
+        ("load_add", 0o7656, "switch 5 should be up: 7756, not 7656"),
+        ("load_add", 0o7757, "switch 11 should be down: 7756, not 7757"),
+        ("load_add", 0o0001, "switch 0 should be up: 7756, not 0001"),
+        ("dep", 0o7756, "LOAD ADD is next, not DEP"),
+        ("start", 0o7756, "LOAD ADD is next, not START"),
+    ],
+)
+def test_the_first_wrong_switch_is_named_and_the_key_not_pressed(key: str, sr: int, said: str) -> None:
+    session, coach = room("rim")
+    assert not press(session, coach, key, sr)
+    assert (coach.said, coach.wrong, coach.at) == (said, 1, 0)
+    assert press(session, coach, "load_add", 0o7756)
+
+
+def test_a_locking_switch_that_is_wrong_is_named() -> None:
+    session, coach = room("rim")
+    session.machine.panel.mem_prot = True
+    assert not press(session, coach, "load_add", 0o7756)
+    assert coach.said == "MEM PROT is up: put it back first"
+
+
+def test_a_kiosk_begins_again_when_it_is_left_alone() -> None:
+    session, coach = room("deposit", left_alone=60)
+    press(session, coach, "load_add", 0o200)
+    press(session, coach, "dep", 0o7200)
+    advance(session, coach, 59)
+    assert coach.at == 2
+    advance(session, coach, 2)
+    assert (coach.at, session.machine.core[0o200], session.machine.pc, session.machine.sr) == (0, 0, 0, 0)
+
+
+def visit(session: Session, coach: Coach, draw: random.Random) -> None:
+    """Do anything that a visitor may do."""
+    choice = draw.randrange(10)
+    coach.touched()
+    if choice < 4:
+        press(session, coach, draw.choice(KEYS), draw.choice([None, 0o7756, draw.randrange(0o10000)]))
+    elif choice == 4 and not coach.done and coach.drill.steps[coach.at].key:
+        step = coach.drill.steps[coach.at]
+        press(session, coach, step.key, step.sr)
+    elif choice == 5:
+        session.mount(draw.choice(session.tapes))
+    elif choice == 6:
+        session.throw_lever()
+    elif choice == 7:
+        setattr(session.machine.panel, draw.choice(["mem_prot", "sing_step"]), draw.random() < 0.5)
+    elif choice == 8:
+        session.type(draw.choice(["A", "\r"]))
+    else:
+        session.change_speed()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_eight_hours_at_a_kiosk_and_the_next_visitor_can_do_it(name: str) -> None:
+    draw = random.Random(name)
+    session, coach = room(name, left_alone=60)
+    hours = 0.0
+    while hours < 8 * 3600:
+        for _ in range(draw.randrange(30)):
+            visit(session, coach, draw)
+            seconds = draw.choice([0.3, 2, 5])
+            advance(session, coach, seconds)
+            hours += seconds
+        gone = draw.choice([10, 59, 61, 600])
+        for _ in range(gone // 10):
+            advance(session, coach, 10.25)
+        hours += gone
+        if gone > 60:
+            assert (coach.at, coach.begun) == (0, False)
+    for _ in range(7):
+        advance(session, coach, 10)
+    follow(session, coach)
+    assert coach.done
