@@ -16,7 +16,8 @@ demo: .venv/ready
 	$(BIN)/pdp8 run eia.pal < demo/circle.asc > demo/circle.eia
 	$(BIN)/pdp8 tape info demo/circle.asc demo/circle.eia
 	$(BIN)/pdp8 replay circle --out demo/afternoon --html demo/circle.html
-	@echo "Now open demo/circle.html in a browser, or sit down at the machine: $(BIN)/pdp8 panel"
+	$(BIN)/pdp8 workbench -o demo/pdp8.html
+	@echo "Now open demo/circle.html and demo/pdp8.html in a browser, or sit down at the machine: $(BIN)/pdp8 panel"
 
 .PHONY: samples
 samples: .venv/ready

@@ -6,7 +6,8 @@ vectors                    what every word does, for emulators pdp8/cli
 pal dis                    the assembler and its inverse       pal/cli
 part                       the part programs                   programs/cli
 tape                       tapes as tapes                      tapes/cli
-nc                         the Hydra-Point                     nc/cli
+nc                         the Hydra-Point                     nc/cli, pdp8/cli
+workbench                  the live machine in one page        pdp8/cli
 """
 
 from importlib import import_module
@@ -28,7 +29,8 @@ _COMMANDS = {
     "panel": ("pdp8.cli.panel", "panel", "Sit down at the front panel, in the terminal."),
     "vectors": ("pdp8.cli.vectors", "vectors", "Write single-step vectors for any emulator."),
     "thesis": ("pdp8.cli.thesis", "thesis", "The thesis page by page: its figures, tables and programs."),
-    "nc": ("nc.cli", "nc", "The Moog Hydra-Point: list, cut and inspect an EIA tape."),
+    "workbench": ("pdp8.cli.workbench", "workbench", "Write the live machine as one page for a browser."),
+    "nc": ("pdp8.cli.nc", "nc", "The Moog Hydra-Point: list, cut and inspect an EIA tape."),
 }
 
 

@@ -5,6 +5,7 @@ bundle        modules, style and data in one file, and what that file may do
 page          the afternoon as one file, of which these are the pieces
 
 pal.mjs       the assembler, its parts in pal/
+workbench     the live machine as one file: workbench.mjs, its panes in bench/, the milling machine in mill/
 page.html     what stands where           base.css, page.css   how it looks
 computer/     the PDP-8/L                 panel.mjs      its lamps and switches
 afternoon.mjs any instant again           paper.mjs      listing, printed page, blocks

@@ -51,9 +51,14 @@ def _imported(name: str, text: str) -> Iterator[str]:
         yield posixpath.normpath(posixpath.join(posixpath.dirname(name), path))
 
 
+def exports(text: str) -> list[str]:
+    """Return the names that a module exports, each declared by itself."""
+    return [name for names in _EXPORT.findall(text) for name in re.findall(r"\w+", names)]
+
+
 def _scope(name: str, text: str) -> str:
     """Return `text` as a constant that holds what it exports; its imports come from those before."""
-    exported = ", ".join(name.strip("{ }") for name in _EXPORT.findall(text))
+    exported = ", ".join(exports(text))
 
     def constant(match: re.Match[str]) -> str:
         names = match[1].removeprefix("* as ").replace(" as ", ": ")

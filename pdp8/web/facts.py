@@ -14,11 +14,13 @@ from typing import Any, Final
 from nc import blocks, machine
 from pal import assembler, isa, table
 from pal.symbols import PERMANENT, PSEUDO_OPERATORS
-from pdp8.computer import bus, fields, highspeed, operator, processor, state, teletype
+from pdp8.computer import bus, fields, highspeed, keys, operator, processor, state, teletype
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
 from tapes import ascii, eia, frames, hydrapoint
 
 FILE: Final = "facts.mjs"
+
+_KEYBOARD: Final = [chr(code) for code in range(0o200) if len(keys.sent(chr(code))) == 1]
 
 _ASCII_CODES: Final = ("BELL", "LF", "CR", "space", "RUBOUT")
 
@@ -41,6 +43,7 @@ def facts() -> dict[str, Any]:
         "PROTECTED": processor.PROTECTED,
         "LOADERS": _loaders(),
         "ASCII": {name: _ascii_code(name) for name in _ASCII_CODES},
+        "KEYS": {character: keys.sent(character)[0] for character in _KEYBOARD},
         "LEADER": frames.LEADER,
         "EIA": {frame: character for character, frame in eia.CODES.items()},
         "END_OF_BLOCK": eia.EOB,

@@ -15,7 +15,11 @@ const KEYS = ["START", "LOAD ADD", "DEP", "EXAM", "CONT", "STOP", "SING STEP"];
 const LEVELS = 12; // of brightness
 
 export class Panel {
-  constructor(place) {
+  /** In `place`; `live` switches and keys are buttons, with MEM PROT among them. */
+  constructor(place, live = false) {
+    const rockerOf = live ? liveRocker : rocker;
+    const keyOf = live ? liveKey : key;
+    const keys = live ? ["MEM PROT", ...KEYS] : KEYS;
     place.innerHTML = `
       <div class="brand"><b>digital</b><span>programmed data processor <i>PDP-8/L</i></span></div>
       <div class="lamps">
@@ -28,8 +32,8 @@ export class Panel {
         </div>
       </div>
       <div class="switches">
-        <div class="row" data-row="SR"><span class="legend">SWITCH REGISTER</span>${groups(12, rocker)}</div>
-        <div class="keys">${KEYS.map(key).join("")}</div>
+        <div class="row" data-row="SR"><span class="legend">SWITCH REGISTER</span>${groups(12, rockerOf)}</div>
+        <div class="keys">${keys.map(keyOf).join("")}</div>
       </div>
       <p class="spoken" aria-hidden="true"></p>`;
     this.lamps = new Map([...place.querySelectorAll("[data-lamp]")].map((lamp) => [lamp.dataset.lamp, lamp]));
@@ -58,7 +62,11 @@ export class Panel {
   #switches(sr) {
     if (sr === this.sr) return;
     this.sr = sr;
-    this.rockers.forEach((rocker, bit) => rocker.classList.toggle("up", Boolean(sr & (0o4000 >> bit))));
+    this.rockers.forEach((rocker, bit) => {
+      const up = Boolean(sr & (0o4000 >> bit));
+      rocker.classList.toggle("up", up);
+      if (rocker.ariaChecked !== null) rocker.ariaChecked = String(up);
+    });
   }
 
   #light(name, level) {
@@ -111,6 +119,16 @@ function sign(name) {
 
 function rocker(bit) {
   return `<span class="rocker" aria-hidden="true"><i></i><small>${bit}</small></span>`;
+}
+
+function liveRocker(bit) {
+  return `<button class="rocker" role="switch" aria-checked="false" aria-label="switch ${bit}"><i></i><small>${bit}</small></button>`;
+}
+
+function liveKey(name) {
+  const locking = name === "MEM PROT" || name === "SING STEP";
+  const role = locking ? ` role="switch" aria-checked="false"` : "";
+  return `<button class="key" data-key="${name.toLowerCase()}"${role} aria-label="${name}"><i></i><small>${name}</small></button>`;
 }
 
 function key(name) {

@@ -26,6 +26,7 @@ export class Machine {
     this.waiting = new Waiting(this.processor);
     this.panel = new Panel(this.processor);
     this.breakpoints = new Set(); // addresses before whose instruction a run stops
+    this.until = null; // a question that is asked after every instruction; a run stops when the answer is true
     this.highspeed = new HighSpeed();
     if (highspeed) this.highspeed.connect(this.bus);
     this.powerUp();
@@ -77,13 +78,14 @@ export class Machine {
     const p = this.processor;
     const { breakpoints, waiting } = this;
     const last = p.instructions + most;
-    waiting.watched = breakpoints.size > 0 || most < Infinity;
+    waiting.watched = breakpoints.size > 0 || most < Infinity || this.until !== null;
     this.#goOn();
     let first = true;
     while (p.run && p.clock < until && p.instructions < last) {
       if (!first && breakpoints.size && breakpoints.has(p.pc) && p.next === FETCH) return "breakpoint";
       first = false;
       p.instruction();
+      if (this.until !== null && this.until()) return "reached";
       if (p.run && p.next === FETCH) waiting.look(until);
     }
     if (p.run) return "";

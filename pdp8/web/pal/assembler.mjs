@@ -7,7 +7,10 @@ import { PAL_III, PSEUDO_OPERATORS } from "../facts.mjs";
 import { SIGNIFICANT, spelled, typed } from "./symbols.mjs";
 import { PSEUDO, Stop, SymbolTable, UNDEFINED, VALUE } from "./table.mjs";
 
-export const WORD = "word", ORIGIN = "origin", FIELD = "field", CHECKSUM = "checksum";
+export const WORD = "word";
+export const ORIGIN = "origin";
+export const FIELD = "field";
+const CHECKSUM = "checksum";
 const { START, PLACES, PUSHED, SAFE } = PAL_III;
 const MASK = 0o7777, PAGE = 0o7600, ON_PAGE = 0o177, CURRENT_PAGE = 0o200, INDIRECT = 0o400;
 const OPERATORS = new Map([[" ", 0], ["\t", 0], ["+", 1], ["-", -1]]);

@@ -97,7 +97,7 @@ def test_the_blocks_of_the_sheet_are_cut_into_their_fields(ask: Ask) -> None:
     assert diameter == 500
 
 
-_HELD = {"tape.mjs": {"TRACKS"}, "brightness.mjs": {"WORDS"}}
+_HELD = {"tape.mjs": {"TRACKS"}, "brightness.mjs": {"WORDS"}, "clock.mjs": {"SPEEDS"}}
 
 
 def test_no_script_has_a_table_of_numbers_but_the_picture_of_a_tape() -> None:

@@ -1,0 +1,45 @@
+"""`pdp8 workbench` and `pdp8 nc view`: the live machine in one page, and a tape at the machine tool in it."""
+
+from os.path import basename
+
+import click
+
+from tapes import shelf
+
+
+@click.command()
+@click.option("-o", "--output", metavar="PAGE", default="pdp8.html", show_default=True, help="The page.")
+def workbench(output: str) -> None:
+    """Write the workbench: a live PDP-8/L with Teletype, assembler, debugger and Hydra-Point, in one page.
+
+    The page needs no network and nothing beside it: a browser opens it from disk.
+
+    \b
+    Examples:
+      pdp8 workbench
+      pdp8 workbench -o lesson.html
+    """
+    from pdp8.web.workbench import page
+
+    _write(output, page())
+
+
+@click.command()
+@click.argument("tape", metavar="FILE.eia")
+@click.option("-o", "--output", metavar="PAGE", required=True, help="The page.")
+def view(tape: str, output: str) -> None:
+    """Write a page that cuts a tape: path, band, blocks, and where the machine refuses it.
+
+    \b
+    Examples:
+      pdp8 nc view circle.eia -o circle.html
+    """
+    from pdp8.web.workbench import page
+
+    _write(output, page((basename(tape), shelf.read(tape))))
+
+
+def _write(output: str, html: str) -> None:
+    shelf.write(output, html.encode())
+    if output != "-":
+        click.echo(f"the page is {output}", err=True)

@@ -1,0 +1,155 @@
+// The editor: PAL III source in colour, assembled in the page, its messages under the places they are at.
+
+import { assemble } from "../pal.mjs";
+import { LOADERS, PSEUDO_OPERATORS, SYMBOLS } from "../facts.mjs";
+import { escaped, find, grouped, octal } from "../written.mjs";
+
+const TOKENS = /(\/[^\n]*)|([A-Za-z][A-Za-z0-9]*)(,|=)?|([0-9]+)/g;
+
+export class Editor {
+  constructor(bench, text) {
+    this.bench = bench;
+    this.area = find("source");
+    this.behind = this.area.previousElementSibling;
+    this.assembly = null;
+    this.area.value = text;
+    this.area.addEventListener("input", () => this.#changed());
+    this.area.addEventListener("scroll", () => this.#scroll());
+    this.area.addEventListener("keydown", (event) => this.#key(event));
+    find("assemble").addEventListener("click", () => this.assemble());
+    find("load").addEventListener("click", () => this.load());
+    find("boot").addEventListener("click", () => this.boot());
+    find("sources").addEventListener("change", (event) => this.#open(event.target));
+    bench.shelf.changed.push(() => this.#sources());
+    this.#sources();
+    this.#changed();
+  }
+
+  get text() {
+    return this.area.value;
+  }
+
+  set text(text) {
+    this.area.value = text;
+    this.#changed();
+  }
+
+  #sources() {
+    const names = this.bench.shelf.names().filter((name) => name.endsWith(".pal"));
+    find("sources").replaceChildren(new Option("Open a program …", ""), ...names.map((name) => new Option(name, name)));
+  }
+
+  #open(select) {
+    if (select.value) this.text = new TextDecoder("ascii").decode(this.bench.shelf.get(select.value).frames);
+    select.value = "";
+  }
+
+  #changed() {
+    this.behind.innerHTML = `${coloured(this.text)}\n`;
+    this.#scroll();
+    find("load").disabled = find("boot").disabled = true;
+    this.bench.remember();
+  }
+
+  #scroll() {
+    this.behind.scrollTop = this.area.scrollTop;
+    this.behind.scrollLeft = this.area.scrollLeft;
+  }
+
+  /** TAB is a tabulator here; Escape, then Tab, leaves the editor. */
+  #key(event) {
+    if (event.key === "Escape") this.leaving = true;
+    else if (event.key === "Tab" && !event.shiftKey && !this.leaving) {
+      event.preventDefault();
+      this.area.setRangeText("\t", this.area.selectionStart, this.area.selectionEnd, "end");
+      this.#changed();
+    } else this.leaving = false;
+    if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) this.assemble();
+  }
+
+  /** Assemble what is there; return whether it has no errors. */
+  assemble() {
+    this.assembly = assemble(this.text);
+    const { messages, ok, tape, words } = this.assembly;
+    const said = messages.map((message) => `<li><button class="text" data-line="${message.line}" data-start="${message.start}" data-end="${message.end}">${escaped(message.text.replace(/[\n\r]/g, "·"))}</button><pre>${escaped(message.source)}\n${caret(message)}</pre></li>`);
+    const summary = `${grouped(Object.keys(words).length)} words, a tape of ${grouped(tape.length)} frames${ok ? "" : `; ${messages.length} ${messages.length === 1 ? "message" : "messages"}`}.`;
+    find("messages").innerHTML = `<p>${summary}</p><ol>${said.join("")}</ol>`;
+    for (const button of find("messages").querySelectorAll("button")) button.addEventListener("click", () => this.#goTo(button.dataset));
+    find("load").disabled = find("boot").disabled = tape.length === 0;
+    return ok;
+  }
+
+  #goTo({ line, start, end }) {
+    const begins = this.text.split("\n").slice(0, line - 1).join("\n").length + (line > 1 ? 1 : 0);
+    this.area.focus();
+    this.area.setSelectionRange(begins + Number(start), begins + Number(end));
+  }
+
+  /** Put the words into core, and the switches and PC on the first of them from 0200 on. */
+  load() {
+    const { machine } = this.bench;
+    machine.panel.stop();
+    machine.load(Object.entries(this.assembly.words).filter(([address]) => address < machine.core.length));
+    this.bench.debug.list(this.assembly.lines);
+    this.#ready();
+  }
+
+  /** Load as an operator does: RIM toggled in, RIM reads BIN, BIN reads the program's tape; at full speed. */
+  boot() {
+    const { bench } = this;
+    const { machine } = bench;
+    const { reader } = machine.teletype;
+    machine.panel.stop();
+    machine.processor.memProt = machine.processor.singStep = 0;
+    reader.on = true;
+    const kept = machine.teletype.punch.on;
+    LOADERS.RIM.forEach((word, index) => machine.processor.deposit(LOADERS.RIM_START + index, word));
+    this.#read(LOADERS.RIM_START, LOADERS.RIM_START, bench.record.loader, () => machine.outOfTape());
+    machine.panel.stop();
+    const tape = this.assembly.tape.slice(this.assembly.tape.indexOf(0o200));
+    this.#read(LOADERS.BIN_START, LOADERS.TELETYPE_READER, tape, () => !machine.processor.run);
+    machine.teletype.punch.on = kept;
+    const wrong = machine.ac !== 0 || machine.processor.ma !== LOADERS.BIN_HALT;
+    bench.say(wrong ? `BIN stopped at ${octal(machine.processor.ma)} with AC ${octal(machine.ac)}` : "loaded by BIN, checksum right");
+    reader.remove();
+    bench.debug.list(this.assembly.lines);
+    this.#ready();
+  }
+
+  /** Start a loader on a tape, run until `done`. */
+  #read(start, switches, tape, done) {
+    const { machine } = this.bench;
+    const { panel, processor, teletype } = machine;
+    teletype.reader.load(typeof tape === "string" ? Uint8Array.from(atob(tape), (character) => character.charCodeAt(0)) : tape);
+    panel.loadAddress(start);
+    processor.sr = switches;
+    panel.start();
+    while (processor.run && !done()) machine.run(processor.clock + 20_000_000);
+  }
+
+  #ready() {
+    const { machine } = this.bench;
+    const addresses = Object.keys(this.assembly.words).map(Number);
+    const start = addresses.includes(0o200) ? 0o200 : Math.min(...addresses);
+    machine.processor.sr = start & 0o7777;
+    machine.panel.loadAdd();
+    this.bench.touched();
+  }
+}
+
+function coloured(text) {
+  let html = "";
+  let at = 0;
+  for (const match of text.matchAll(TOKENS)) {
+    const [token, comment, name, mark] = match;
+    const known = name && (name in SYMBOLS || name in PSEUDO_OPERATORS);
+    const kind = comment ? "comment" : name ? (mark ? "tag" : known ? "known" : "name") : "number";
+    html += `${escaped(text.slice(at, match.index))}<span class="${kind}">${escaped(token)}</span>`;
+    at = match.index + token.length;
+  }
+  return html + escaped(text.slice(at));
+}
+
+function caret({ source, start, end }) {
+  return source.slice(0, start).replace(/[^\t]/g, " ") + "^".repeat(Math.max(1, end - start));
+}

@@ -1,0 +1,94 @@
+// The Hydra-Point on the bench: an EIA tape is cut, its path and band drawn, its blocks listed, its refusal said.
+
+import { drawClose, drawWhole, Mill as Drawing } from "../cutter.mjs";
+import { FIELDS, TIMES } from "../facts.mjs";
+import { inches } from "../mill/blocks.mjs";
+import { cut, pictured } from "../mill/machine.mjs";
+import { Sheet } from "../sheet.mjs";
+import { escaped, find, grouped } from "../written.mjs";
+
+const PICTURE = 1000 / 30; // ms
+const TAKES = 20; // seconds in which a whole tape is cut on the page
+
+export class Mill {
+  constructor(bench) {
+    this.bench = bench;
+    this.drawing = null;
+    this.sheets = { whole: new Sheet(find("whole"), () => this.show()), close: new Sheet(find("close"), () => this.show()) };
+    find("eia").addEventListener("change", ({ target }) => target.value && this.cut(target.value));
+    find("at").addEventListener("input", ({ target }) => this.#go(Number(target.value)));
+    find("run-mill").addEventListener("click", () => this.#run());
+    bench.shelf.changed.push(() => this.#names());
+    this.#names();
+  }
+
+  #names() {
+    const names = this.bench.shelf.names().filter((name) => this.bench.shelf.get(name).code === "eia");
+    find("eia").replaceChildren(new Option("Cut a tape …", ""), ...names.map((name) => new Option(name, name)));
+    find("eia").value = this.name ?? "";
+  }
+
+  /** Put a tape of the shelf under the head, and show the whole of what it does. */
+  cut(name) {
+    this.name = name;
+    const path = cut(this.bench.shelf.get(name).frames);
+    this.steps = path.steps;
+    find("refusal").textContent = path.error ? `Refused: ${path.error.message}` : "";
+    this.drawing = path.steps.length ? new Drawing(pictured(path, TIMES.SECOND, this.bench.record.cutter)) : null;
+    find("eia").value = name;
+    find("blocks").innerHTML = `<ol>${path.steps.map((step) => row(step)).join("")}</ol>`;
+    this.rows = [...find("blocks").querySelectorAll("li")];
+    this.bench.tabs.open("mill");
+    this.#go(1);
+  }
+
+  /** Go to a part, 0 to 1, of the time that the tape takes. */
+  #go(part) {
+    this.part = part;
+    find("at").value = String(part);
+    this.show();
+  }
+
+  #run() {
+    cancelAnimationFrame(this.coming);
+    let before = performance.now();
+    if (this.part >= 1) this.part = 0;
+    const frame = (now) => {
+      if (now - before >= PICTURE) {
+        this.#go(Math.min(1, this.part + Math.min(now - before, 250) / 1000 / TAKES));
+        before = now;
+      }
+      if (this.part < 1) this.coming = requestAnimationFrame(frame);
+    };
+    this.coming = requestAnimationFrame(frame);
+  }
+
+  show() {
+    const { drawing, sheets, bench } = this;
+    if (!drawing) return;
+    const place = drawing.at(Math.floor(drawing.end * this.part));
+    const key = `${this.name} ${place.knot} ${place.x} ${place.y}`;
+    const { circle } = drawing;
+    bench.writer.text(find("whole-label"), `${this.name}, block ${place.block + 1} of ${this.steps.length}: X ${inches(place.x)} Y ${inches(place.y)}, ${grouped(Math.round((drawing.end * this.part) / TIMES.SECOND / 60))} min`);
+    bench.writer.text(find("close-label"), circle ? `circle of ${inches(circle.radius)} in about ${inches(circle.x)}, ${inches(circle.y)}; centre within ${signed(circle.lowest)} and ${signed(circle.highest)}` : "close by, squares of .010 in");
+    sheets.whole.draw(key, (context, ...size) => drawWhole(context, drawing, place, true, ...size));
+    sheets.close.draw(key, (context, ...size) => drawClose(context, drawing, place, true, ...size));
+    if (this.lit !== this.rows[place.block]) {
+      this.lit?.classList.remove("now");
+      this.lit = this.rows[place.block];
+      this.lit?.classList.add("now");
+      const list = find("blocks");
+      if (this.lit) list.scrollTop = this.lit.offsetTop - list.clientHeight / 2;
+    }
+  }
+}
+
+function row({ block, at }) {
+  let from = 0;
+  const fields = Object.values(FIELDS).map((width) => block.digits.slice(from, (from += width)));
+  return `<li>${escaped(fields.join(" "))} <span>X ${inches(at.x)} Y ${inches(at.y)} Z ${inches(at.z)}</span></li>`;
+}
+
+function signed(length) {
+  return `${length < 0 ? "−" : "+"}${Math.abs(length / 1000).toFixed(4)}`;
+}

@@ -1,0 +1,43 @@
+// The tabs of the desk: one pane at a time, by mouse and by arrow keys.
+
+export class Tabs {
+  constructor() {
+    this.list = document.querySelector("[role=tablist]");
+    this.panes = new Map([...document.querySelectorAll("[data-tab]")].map((pane) => [pane.id, pane]));
+    this.changed = () => {};
+    for (const [id, pane] of this.panes) {
+      const tab = document.createElement("button");
+      tab.role = "tab";
+      tab.textContent = pane.dataset.tab;
+      tab.dataset.opens = id;
+      tab.setAttribute("aria-controls", id);
+      tab.addEventListener("click", () => this.open(id));
+      this.list.append(tab);
+    }
+    this.list.addEventListener("keydown", (event) => this.#key(event));
+    this.open(this.panes.keys().next().value);
+  }
+
+  has(id) {
+    return this.panes.has(id);
+  }
+
+  open(opened) {
+    for (const [id, pane] of this.panes) pane.hidden = id !== opened;
+    for (const tab of this.list.children) {
+      const chosen = tab.dataset.opens === opened;
+      tab.ariaSelected = String(chosen);
+      tab.tabIndex = chosen ? 0 : -1;
+    }
+    this.changed();
+  }
+
+  #key(event) {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (!step) return;
+    const tabs = [...this.list.children];
+    const next = tabs[(tabs.indexOf(event.target) + step + tabs.length) % tabs.length];
+    this.open(next.dataset.opens);
+    next.focus();
+  }
+}

@@ -1,0 +1,179 @@
+// The Teletype on the bench: its page and keyboard, its reader and punch with their levers, and the shelf of tapes.
+
+import { ASCII, KEYS } from "../facts.mjs";
+import { printed } from "../computer/teletype.mjs";
+import { Sheet } from "../sheet.mjs";
+import { drawTape, meaning, tapeKey } from "../tape.mjs";
+import { find, grouped, octal } from "../written.mjs";
+
+const COLUMNS = 72; // of a Model 33
+const LINES = 400; // kept on the page
+const TYPED = { return: "\r", linefeed: "\n", rubout: "\x7f" };
+const NAMED = { Enter: "\r", Backspace: "\x7f", Escape: "\x1b" };
+
+export class Teletype {
+  constructor(bench) {
+    this.bench = bench;
+    this.sheets = { reader: new Sheet(canvas("reader"), () => this.#tapes()), punch: new Sheet(canvas("punch"), () => this.#tapes()) };
+    this.name = "";
+    this.code = "ascii";
+    this.#clear();
+    this.#keyboard();
+    this.#levers();
+  }
+
+  show() {
+    this.#page();
+    this.#tapes();
+  }
+
+  #clear() {
+    this.lines = [""];
+    this.column = 0;
+    this.taken = 0;
+  }
+
+  /** Type what has been printed since the last look. */
+  #page() {
+    const { frames } = this.bench.machine.teletype.printer;
+    if (frames.length < this.taken) this.#clear();
+    else if (frames.length === this.taken && this.drawn === this.taken) return;
+    for (; this.taken < frames.length; this.taken++) this.#type(printed(frames[this.taken]));
+    this.drawn = this.taken;
+    this.lines = this.lines.slice(-LINES);
+    find("paper").firstElementChild.textContent = this.lines.join("\n");
+    find("paper").scrollTop = find("paper").scrollHeight;
+  }
+
+  #type(character) {
+    const code = character.charCodeAt(0);
+    if (code === ASCII.CR) this.column = 0;
+    else if (code === ASCII.LF) this.lines.push(" ".repeat(this.column));
+    else if (code === ASCII.BELL || !character) this.bench.sound.ring(character !== "");
+    else {
+      const line = this.lines.at(-1).padEnd(this.column);
+      this.lines[this.lines.length - 1] = line.slice(0, this.column) + character + line.slice(this.column + 1);
+      this.column = Math.min(this.column + 1, COLUMNS - 1);
+      this.bench.sound.click();
+    }
+  }
+
+  #keyboard() {
+    const press = (frame) => {
+      if (frame === undefined) return;
+      this.bench.machine.teletype.keyboard.press([frame]);
+      this.bench.touched();
+    };
+    find("paper").addEventListener("keydown", (event) => {
+      if (event.altKey || event.metaKey || event.key === "Tab") return;
+      const control = event.ctrlKey && /^[a-z]$/i.test(event.key);
+      if (event.ctrlKey && !control) return;
+      const frame = control ? KEYS[String.fromCharCode(event.key.charCodeAt(0) & 0o37)] : KEYS[NAMED[event.key] ?? event.key];
+      if (frame === undefined) return;
+      event.preventDefault();
+      press(frame);
+    });
+    find("typed").addEventListener("input", (event) => {
+      for (const character of event.target.value) press(KEYS[character]);
+      event.target.value = "";
+    });
+    find("typed").addEventListener("keydown", (event) => {
+      if (event.key !== "Enter") return;
+      event.preventDefault();
+      press(KEYS[NAMED.Enter]);
+    });
+    for (const button of document.querySelectorAll("[data-key]:not(.key)")) button.addEventListener("click", () => press(KEYS[TYPED[button.dataset.key]]));
+  }
+
+  #levers() {
+    const { bench } = this;
+    find("lever").addEventListener("click", () => {
+      const { reader } = bench.machine.teletype;
+      reader.lever(!reader.on);
+      this.leverWaits = false;
+      bench.touched();
+    });
+    find("punch-on").addEventListener("click", () => {
+      const { punch } = bench.machine.teletype;
+      punch.on = !punch.on;
+      bench.touched();
+    });
+    find("shelf").addEventListener("change", (event) => {
+      if (event.target.value) this.mount(event.target.value);
+      event.target.value = "";
+    });
+    find("tear").addEventListener("click", () => this.tear());
+    find("store").addEventListener("click", () => bench.download("punched.tape", Uint8Array.from(bench.machine.teletype.punch.frames)));
+    find("to-mill").addEventListener("click", () => bench.mill.cut(this.tear()));
+    bench.shelf.changed.push(() => this.#shelf());
+    this.#shelf();
+  }
+
+  #shelf() {
+    const names = this.bench.shelf.names().filter((name) => !name.endsWith(".pal"));
+    find("shelf").replaceChildren(new Option("Put a tape in …", ""), ...names.map((name) => new Option(name, name)));
+  }
+
+  /** Put a tape from the shelf into the reader. READER RUN is set while the processor stands still, and START would
+   *  drop the frame on its way: so the lever goes to STOP, to be thrown with START.
+   */
+  mount(name) {
+    const { code, frames } = this.bench.shelf.get(name);
+    const { reader } = this.bench.machine.teletype;
+    this.name = name;
+    this.code = code;
+    if (reader.on && !this.bench.machine.processor.run) {
+      reader.lever(false);
+      this.leverWaits = true;
+    }
+    reader.load(frames);
+    this.bench.touched();
+  }
+
+  /** START or CONT was pressed: throw the lever that waits, as an operator does with the other hand. */
+  started() {
+    if (this.leverWaits) this.bench.machine.teletype.reader.lever(true);
+    this.leverWaits = false;
+  }
+
+  /** Tear the punched tape off; it goes onto the shelf. Return its name. */
+  tear() {
+    const { punch } = this.bench.machine.teletype;
+    const name = this.bench.shelf.put("punched", Uint8Array.from(punch.frames));
+    punch.frames = [];
+    this.bench.touched();
+    return name;
+  }
+
+  #tapes() {
+    const { reader, punch } = this.bench.machine.teletype;
+    const head = Math.max(0, reader.position - 1);
+    this.#tape("reader", { frames: reader.tape, head, code: this.code, label: this.name }, reader.loaded);
+    const code = this.bench.shelf.codeOf(punch.frames);
+    this.#tape("punch", { frames: punch.frames, head: punch.frames.length - 1, code, label: "", punching: true }, true);
+    this.#switch("lever", reader.on, "START", "STOP");
+    this.#switch("punch-on", punch.on, "ON", "OFF");
+    for (const id of ["tear", "store", "to-mill"]) if (find(id).disabled !== !punch.frames.length) find(id).disabled = !punch.frames.length;
+  }
+
+  #switch(id, on, up, down) {
+    const button = find(id);
+    if (button.ariaChecked === String(on)) return;
+    button.ariaChecked = String(on);
+    button.textContent = on ? up : down;
+  }
+
+  #tape(which, view, loaded) {
+    const caption = !loaded ? "no tape" : view.punching ? `${grouped(view.frames.length)} frames` : `${view.label} ${grouped(this.bench.machine.teletype.reader.position)} of ${grouped(view.frames.length)}`;
+    this.bench.writer.text(find(which).querySelector(".name"), caption);
+    const frame = view.frames[view.head];
+    const says = frame === undefined ? "nothing" : `${octal(frame, 3)} ${meaning(frame, view.code)}`;
+    this.bench.writer.label(canvas(which), `the ${which}'s tape, under the head: ${says}`);
+    const draw = (context, ...size) => loaded ? drawTape(context, view, ...size) : context.clearRect(0, 0, ...size);
+    this.sheets[which].draw(`${tapeKey(view)} ${view.code} ${loaded}`, draw);
+  }
+}
+
+function canvas(which) {
+  return find(which).querySelector("canvas");
+}

@@ -1,0 +1,208 @@
+// The workbench: a whole PDP-8/L with its Teletype, assembler, debugger and milling machine, live.
+
+import { Clock, SPEEDS } from "./bench/clock.mjs";
+import { Debugger } from "./bench/debugger.mjs";
+import { Editor } from "./bench/editor.mjs";
+import { Exercises } from "./bench/exercises.mjs";
+import { History } from "./bench/history.mjs";
+import { Mill } from "./bench/mill.mjs";
+import { address, opened } from "./bench/sharing.mjs";
+import { Shelf } from "./bench/shelf.mjs";
+import { Sound } from "./bench/sound.mjs";
+import { Switches } from "./bench/switches.mjs";
+import { Tabs } from "./bench/tabs.mjs";
+import { Teletype } from "./bench/teletype.mjs";
+import { Machine } from "./computer/machine.mjs";
+import { restore, save } from "./computer/state.mjs";
+import { TIMES } from "./facts.mjs";
+import { Writer } from "./sheet.mjs";
+import { find, octal } from "./written.mjs";
+
+const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT", reached: "reached" };
+const KEPT = "pdp8 workbench";
+
+class Bench {
+  constructor(record) {
+    this.record = record;
+    this.machine = new Machine(true);
+    this.writer = new Writer();
+    this.shelf = new Shelf(record.tapes);
+    this.sound = new Sound(find("sound"));
+    this.history = new History(this);
+    this.tabs = new Tabs();
+    this.switches = new Switches(this);
+    this.teletype = new Teletype(this);
+    this.debug = new Debugger(this);
+    this.mill = new Mill(this);
+    this.editor = new Editor(this, record.source);
+    this.exercises = new Exercises(this);
+    this.clock = new Clock(this, (brightness, reason) => this.#pictured(brightness, reason));
+    this.#controls();
+    this.tabs.changed = () => this.show();
+    this.show();
+  }
+
+  /** The machine was touched: keep it, show it, let it go on. */
+  touched() {
+    const { machine } = this;
+    machine.bus.advance(machine.processor.clock);
+    machine.waiting.endless = false;
+    if (machine.processor.run) this.why = "";
+    this.history.keep();
+    this.show();
+    this.clock.wake();
+  }
+
+  #pictured(brightness, reason) {
+    this.history.keep();
+    if (reason) {
+      this.machine.until = null;
+      if (this.machine.processor.run) this.machine.processor.run = 0;
+      this.why = `${REASONS[reason] ?? reason} at ${octal(this.machine.processor.at)}`;
+    }
+    this.show(reason ? undefined : brightness);
+  }
+
+  show(brightness) {
+    const { machine, writer } = this;
+    const waits = machine.processor.run && machine.waiting.endless;
+    this.switches.show(brightness);
+    this.teletype.show();
+    this.debug.show();
+    writer.text(find("clock"), `${(machine.ticks / TIMES.SECOND).toFixed(3)} s`);
+    writer.text(find("why"), machine.processor.run ? (waits ? (machine.outOfTape() ? "waits for tape" : "waits") : "runs") : this.why ?? "stands still");
+  }
+
+  say(words) {
+    this.why = words;
+    this.show();
+  }
+
+  /** Load eia.pal with a tape in the reader, and an empty punch: what the exercises begin with. */
+  translate(name) {
+    const { machine } = this;
+    this.editor.text = new TextDecoder("ascii").decode(this.shelf.get("eia.pal").frames);
+    this.editor.assemble();
+    machine.panel.stop();
+    machine.teletype.punch.frames = [];
+    this.editor.load();
+    this.teletype.mount(name);
+  }
+
+  get symbols() {
+    return this.editor.assembly.symbols;
+  }
+
+  #controls() {
+    find("speed").replaceChildren(...SPEEDS.map(([, label]) => new Option(label)));
+    find("speed").addEventListener("change", ({ target }) => {
+      this.clock.speed = SPEEDS[target.selectedIndex][0];
+      this.clock.wake();
+    });
+    find("share").addEventListener("click", () => this.#share());
+    find("save").addEventListener("click", () => this.download("pdp8.state", save(this.machine)));
+    find("open").addEventListener("click", () => find("file").click());
+    find("file").addEventListener("change", ({ target }) => [...target.files].forEach((file) => this.take(file)));
+    document.addEventListener("dragover", (event) => event.preventDefault());
+    document.addEventListener("drop", (event) => {
+      event.preventDefault();
+      [...event.dataTransfer.files].forEach((file) => this.take(file));
+    });
+  }
+
+  /** Take a file: a saved state, a program's source, or a tape, which goes into the reader or to the mill. */
+  async take(file) {
+    const frames = new Uint8Array(await file.arrayBuffer());
+    if (frames[0] === 0o173) {
+      this.#restore(new TextDecoder().decode(frames));
+    } else if (file.name.endsWith(".pal")) {
+      this.editor.text = new TextDecoder("ascii").decode(frames).replaceAll("\r\n", "\n");
+    } else {
+      const name = this.shelf.put(file.name, frames);
+      if (this.shelf.get(name).code === "eia") this.mill.cut(name);
+      else this.teletype.mount(name);
+    }
+  }
+
+  #restore(text) {
+    try {
+      this.machine = restore(text);
+    } catch (error) {
+      this.say(error.message);
+      return;
+    }
+    this.history.forget();
+    this.touched();
+  }
+
+  download(name, content) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([content]));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
+
+  async #share() {
+    const link = await address({ source: this.editor.text, state: save(this.machine) });
+    history.replaceState(null, "", link);
+    try {
+      await navigator.clipboard.writeText(link);
+      this.say("the link is copied");
+    } catch {
+      this.say("the address of this page is the link now");
+    }
+  }
+
+  /** Keep the program in this browser. */
+  remember() {
+    clearTimeout(this.remembering);
+    this.remembering = setTimeout(() => {
+      try {
+        localStorage.setItem(KEPT, this.editor.text);
+      } catch {
+        // a browser that keeps nothing for a page from disk
+      }
+    }, 500);
+  }
+
+  /** Open what the address holds, or what this browser has kept. */
+  async open() {
+    try {
+      const shared = await opened();
+      if (shared) {
+        this.editor.text = String(shared.source);
+        if (shared.state) this.#restore(String(shared.state));
+        return;
+      }
+    } catch (error) {
+      this.say(`the link is damaged: ${error.message}`);
+      return;
+    }
+    const kept = this.#kept();
+    if (kept) this.editor.text = kept;
+    if (this.record.view) this.mill.cut(this.record.view);
+  }
+
+  #kept() {
+    try {
+      return localStorage.getItem(KEPT);
+    } catch {
+      return null;
+    }
+  }
+}
+
+/** ?embed=PANE shows one pane alone, for a frame in another page. */
+function embed(pane) {
+  document.body.classList.add("embed");
+  for (const section of document.querySelectorAll("[data-pane]")) section.classList.toggle("out", section.dataset.pane !== pane);
+}
+
+const bench = new Bench(JSON.parse(find("record").textContent));
+const asked = new URLSearchParams(location.search).get("embed");
+if (asked !== null) embed(asked || "panel");
+if (asked && bench.tabs.has(asked)) bench.tabs.open(asked);
+bench.open();
+// For the curious, at the browser's console: workbench.machine.core[0o200] ...
+window.workbench = bench;

@@ -1,0 +1,309 @@
+"""The workbench in a real browser, opened from disk, the network off."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+import pal
+from pdp8.computer.operator import RIM, RIM_START
+from pdp8.web.workbench import page as workbench
+from tapes import shelf
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
+
+AXE = Path(__file__).parents[2] / "node" / "node_modules" / "axe-core" / "axe.min.js"
+
+
+@pytest.fixture(scope="session")
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The page on disk."""
+    path = tmp_path_factory.mktemp("workbench") / "pdp8.html"
+    path.write_text(workbench(), encoding="utf-8")
+    return path
+
+
+@pytest.fixture
+def page(browser: "Browser", file: Path) -> "Iterator[Page]":
+    """The page, offline; the test fails if it complains or asks for anything."""
+    context = browser.new_context(viewport={"width": 1366, "height": 768}, has_touch=True, offline=True)
+    opened = context.new_page()
+    complaints: list[str] = []
+    opened.on("console", lambda message: complaints.append(message.text))
+    opened.on("pageerror", lambda error: complaints.append(str(error)))
+    opened.goto(file.as_uri())
+    yield opened
+    context.close()
+    assert complaints == []
+
+
+def _until(page: "Page", condition: str) -> None:
+    """Wait until it holds; Playwright's own way evaluates a string, which the page's policy forbids."""
+    for _ in range(400):
+        if page.evaluate(condition):
+            return
+        page.wait_for_timeout(25)
+    raise AssertionError(condition)
+
+
+def _write(page: "Page", source: str) -> None:
+    page.locator("#source").fill(source)
+    page.locator("#assemble").click()
+
+
+def _fast(page: "Page") -> None:
+    page.locator("#speed").select_option(index=3)
+
+
+def test_the_file_is_small_and_whole(file: Path) -> None:
+    """Under 1 MB; nothing to fetch; what it may do is said."""
+    html = file.read_text(encoding="utf-8")
+    assert len(html) < 1_000_000
+    assert not re.search(r"(?:src|href)=\"(?!data:)", html)
+    assert "default-src 'none'" in html
+
+
+def test_a_program_is_typed_assembled_and_run(page: "Page") -> None:
+    """Its tape is pal's; START runs it to its HLT, and what it left in core is there."""
+    source = "*200\nSTART,\tCLA\n\tTAD A\n\tTAD B\n\tDCA SUM\n\tHLT\nA,\t1234\nB,\t0321\nSUM,\t0\n$\n"
+    _write(page, source)
+    assert page.evaluate("[...workbench.editor.assembly.tape]") == list(pal.assemble(source).tape)
+    assert "8 words" in page.locator("#messages").inner_text()
+    page.locator("#load").click()
+    page.locator("[data-key=start]").click()
+    _until(page, "!workbench.machine.processor.run")
+    assert page.evaluate("workbench.machine.core[0o207]") == 0o1555
+    assert page.locator("#why").inner_text() == "HLT at 0204"
+
+
+def test_messages_have_their_places(page: "Page") -> None:
+    """Each is DEC's, with the line and a caret; a click selects the place."""
+    _write(page, "*200\n\tJMP LOOP\n\tCLA!\n$\n")
+    said = page.locator("#messages").text_content() or ""
+    assert "UA  LOOP    AT  0200" in said
+    assert "IC  0241  AT  0201" in said
+    page.locator("#messages button").first.click()
+    assert page.evaluate("getSelection().toString() || document.activeElement.id") in ("CLA", "LOOP")
+
+
+def test_echo_is_typed_at_the_keyboard(page: "Page") -> None:
+    """By keyboard on the page of the Teletype, and in the line for a phone: echo.pal prints it."""
+    page.locator("#sources").select_option("echo.pal")
+    page.locator("#assemble").click()
+    page.locator("#load").click()
+    page.locator("[data-key=start]").click()
+    _fast(page)
+    page.locator("#paper").focus()
+    page.keyboard.type("PDP")
+    page.locator("#typed").fill("-8/l")
+    _until(page, "document.querySelector('#paper pre').textContent.includes('PDP-8/L')")
+
+
+def test_the_circle_is_translated(page: "Page") -> None:
+    """eia.pal reads circle.asc from the shelf; the punched tape is circle.eia, and the mill cuts it."""
+    page.locator("#sources").select_option("eia.pal")
+    page.locator("#assemble").click()
+    page.locator("#load").click()
+    page.locator("#shelf").select_option("circle.asc")
+    _fast(page)
+    page.locator("[data-key=start]").click()
+    _until(page, "workbench.machine.outOfTape()")
+    page.wait_for_timeout(200)
+    assert bytes(page.evaluate("workbench.machine.teletype.punch.frames")) == shelf.read_bundled("circle.eia")
+    page.locator("#to-mill").click()
+    assert "circle of 1.750 in about 4.000, 4.000" in page.locator("#close-label").inner_text()
+    assert page.locator("#blocks li").count() == 666
+
+
+def test_rim_is_toggled_in_by_clicks_and_a_tape_is_loaded(page: "Page") -> None:
+    """18 keys, by mouse and by touch; then BIN through RIM and eia through BIN, checksum right."""
+    locate = page.locator
+    for number, word in enumerate((RIM_START, *RIM)):
+        now = page.evaluate("workbench.machine.processor.sr")
+        for bit in range(12):
+            if (now ^ word) & 0o4000 >> bit:
+                switch = locate("#computer .rocker").nth(bit)
+                switch.tap() if bit % 2 else switch.click()
+        locate("#computer [data-key='dep']" if number else "#computer [data-key='load add']").click()
+    assert page.evaluate(f"[...workbench.machine.core.slice({RIM_START}, {RIM_START + 17})]") == list(RIM)
+    locate("#sources").select_option("eia.pal")
+    locate("#assemble").click()
+    locate("#boot").click()
+    assert locate("#why").inner_text() == "loaded by BIN, checksum right"
+    words = pal.assemble(shelf.read_bundled("eia.pal")).words
+    assert page.evaluate("[...workbench.machine.core]")[0o200 : 0o200 + 20] == [
+        words[address] for address in range(0o200, 0o200 + 20)
+    ]
+    assert page.evaluate("workbench.machine.processor.ma") == 0o200
+
+
+def test_the_drill_names_the_wrong_switch(page: "Page") -> None:
+    """Set 7757 for 7756: switch 11 should be down."""
+    page.locator("#card summary").click()
+    page.locator("#drill").click()
+    page.locator("#computer").locator(".rocker").first.focus()
+    page.keyboard.type("7757l")
+    assert "switch 11 should be down" in page.locator("#drill-says").inner_text()
+    page.keyboard.type("7756l")
+    assert page.locator("#drill-says").inner_text() == f"Now {RIM[0]:04o} and DEP."
+
+
+def test_every_key_of_the_panel(page: "Page") -> None:
+    """DEP, EXAM, LOAD ADD, START, CONT, STOP, SING STEP and MEM PROT, by mouse and keyboard."""
+    state = (
+        "(({ pc, ma, mb, run, singStep, memProt, protect }) => [pc, ma, mb, run, singStep, memProt, protect])"
+    )
+    look = f"{state}(workbench.machine.processor)"
+    page.locator("#computer .rocker").first.focus()
+    page.keyboard.type("0200l7001d5200d0200l")
+    assert page.evaluate("[...workbench.machine.core.slice(0o200, 0o202)]") == [0o7001, 0o5200]
+    page.keyboard.type("e")
+    assert page.evaluate(look)[:3] == [0o201, 0o200, 0o7001]
+    page.keyboard.type("0200l")
+    page.locator("[data-key='sing step']").click()
+    page.locator("[data-key='start']").click()
+    assert page.evaluate(look)[:5] == [0o201, 0o200, 0o7001, 0, 1]
+    page.locator("[data-key='sing step']").tap()
+    page.locator("[data-key='cont']").click()
+    assert page.evaluate(look)[3] == 1
+    page.locator("[data-key='stop']").click()
+    assert page.evaluate(look)[3] == 0
+    page.locator("[data-key='mem prot']").click()
+    page.locator("#computer .rocker").first.focus()
+    page.keyboard.type("7700ld")
+    assert page.evaluate(look)[5:] == [1, 1]
+
+
+def test_steps_lead_forward_and_back(page: "Page") -> None:
+    """By cycle, instruction and character; back leads where forward came from."""
+    page.locator("#sources").select_option("hello.pal")
+    page.locator("#assemble").click()
+    page.locator("#load").click()
+    page.locator("[data-opens=debugger]").click()
+    clock = "workbench.machine.processor.clock"
+    seen = [page.evaluate(clock)]
+    for unit in ("cycle", "cycle", "instruction", "instruction", "character", "character"):
+        page.locator(f"[data-forward={unit}]").click()
+        seen.append(page.evaluate(clock))
+    assert seen == sorted(set(seen))
+    page.locator("[data-back=cycle]").click()
+    assert 0 < seen[-1] - page.evaluate(clock) <= 85
+    page.locator("[data-back=character]").click()
+    assert page.evaluate(clock) < seen[-1]
+
+
+def test_breakpoints_and_run_until(page: "Page") -> None:
+    """A click on a line's address stops there; so does an address, a word that changes, a frame."""
+    page.locator("#sources").select_option("hello.pal")
+    page.locator("#assemble").click()
+    page.locator("#load").click()
+    page.locator("[data-opens=debugger]").click()
+    page.locator("#lines button", has_text="0203").click()
+    page.locator("#run").click()
+    _until(page, "!workbench.machine.processor.run")
+    assert page.evaluate("workbench.machine.processor.pc") == 0o203
+    page.locator("#lines button", has_text="0203").click()
+    page.locator("#kind").select_option("word")
+    page.locator("#where").fill("10")
+    page.locator("#until button").click()
+    _until(page, "!workbench.machine.processor.run")
+    assert page.evaluate("workbench.machine.processor.ma") == 0o10 or page.evaluate(
+        "workbench.machine.processor.instructions"
+    )
+    page.locator("#kind").select_option("frame")
+    page.locator("#until button").click()
+    _until(page, "!workbench.machine.processor.run")
+    assert page.evaluate("workbench.machine.teletype.punch.frames.length") == 1
+    cell = page.locator("#core input").first
+    cell.fill("1234")
+    cell.press("Enter")
+    page.locator("#core th").first.click()
+    assert page.evaluate("workbench.machine.core[0o200]") == 0o1234
+
+
+def test_a_link_holds_program_and_machine(page: "Page", browser: "Browser", file: Path) -> None:
+    """Share puts both into the address; another browser opens it; foreign text stays text."""
+    _write(page, "*200\n\tHLT\n/<img src=x onerror=alert(1)>&\n$\n")
+    page.locator("#load").click()
+    page.locator("#share").click()
+    _until(page, "location.hash.startsWith('#s=')")
+    other = browser.new_page()
+    other.goto(page.url)
+    _until(other, "workbench.editor.text.includes('onerror')")
+    assert other.evaluate("workbench.machine.core[0o200]") == 0o7402
+    assert other.locator("img").count() == 0
+    other.close()
+
+
+def test_an_embedded_pane(browser: "Browser", file: Path) -> None:
+    """?embed=panel shows the panel alone, ?embed=debugger the debugger."""
+    opened = browser.new_page()
+    for pane, shown in (("panel", "#computer"), ("debugger", "#debugger"), ("teletype", "#teletype")):
+        opened.goto(f"{file.as_uri()}?embed={pane}")
+        assert opened.locator(shown).is_visible()
+        assert not opened.locator("#program").is_visible()
+    opened.close()
+
+
+def test_an_exercise_looks_at_the_machine(page: "Page") -> None:
+    """The fourth: MSP must hold 1, and the tape have no zeros of spaces."""
+    page.locator("[data-opens=exercises]").click()
+    page.locator("[data-prepare='3']").click()
+    page.locator("[data-check='3']").click()
+    assert "holds 0020, not 0001" in page.locator("[data-verdict='3']").inner_text()
+    page.evaluate("workbench.machine.core[workbench.symbols.MSP] = 1")
+    _fast(page)
+    page.locator("[data-key=start]").click()
+    _until(page, "workbench.machine.outOfTape()")
+    page.locator("[data-check='3']").click()
+    assert page.locator("[data-verdict='3']").inner_text() == "Right."
+
+
+def test_idle_costs_nothing(page: "Page") -> None:
+    """A machine that stands still, or waits for a key that nobody presses, draws no picture."""
+    _write(page, "*200\n\tKSF\n\tJMP .-1\n\tHLT\n$\n")
+    page.locator("#load").click()
+    page.locator("[data-key=start]").click()
+    _fast(page)
+    _until(page, "workbench.machine.waiting.endless")
+    page.wait_for_timeout(300)
+    asked = page.evaluate(
+        """() => new Promise((done) => {
+          let asked = 0;
+          const request = window.requestAnimationFrame;
+          window.requestAnimationFrame = (then) => { asked++; return request(then); };
+          setTimeout(() => done(asked), 400);
+        })"""
+    )
+    assert asked == 0
+
+
+@pytest.mark.parametrize("size", [(1920, 1080), (1366, 768), (768, 1024), (390, 844)])
+def test_nothing_hangs_over_the_edge(page: "Page", size: tuple[int, int]) -> None:
+    """At every width, with every tab open, the page needs no scrolling sideways."""
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    for tab in ("program", "debugger", "mill", "exercises"):
+        page.locator(f"[data-opens={tab}]").click()
+        assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), tab
+
+
+@pytest.mark.skipif(not AXE.exists(), reason="axe-core is not installed: npm install --prefix tests/node")
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_serious(browser: "Browser", file: Path, scheme: str) -> None:
+    """Roles, names, contrast: axe-core's serious and critical rules, on every tab."""
+    context = browser.new_context(color_scheme=scheme, bypass_csp=True)  # type: ignore[arg-type]
+    opened = context.new_page()
+    opened.goto(file.as_uri())
+    opened.add_script_tag(path=AXE)
+    for tab in ("program", "debugger", "mill", "exercises"):
+        opened.locator(f"[data-opens={tab}]").click()
+        found = opened.evaluate(
+            """async () => (await axe.run()).violations
+              .filter(({ impact }) => impact === "serious" || impact === "critical")
+              .map(({ id, nodes }) => [id, nodes.slice(0, 3).map(({ html }) => html.slice(0, 120))])"""
+        )
+        assert found == [], tab
+    context.close()
