@@ -94,6 +94,8 @@ def __getattr__(name: str) -> object:
                 f"{taken} was imported as {room!r}, the name of a package of pdp8: import pdp8 before it, "
                 "or give the file another name"
             )
+    if name == "tape":
+        import_module("programs")  # its files are on the shelf too
     module, attribute = _PLACES[name]
     found = import_module(module)
     return getattr(found, attribute) if attribute else found

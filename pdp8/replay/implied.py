@@ -90,7 +90,7 @@ def table_10_1() -> Iterator[list[str]]:
     """Yield Table 10.1, the thesis's figures beside ours, both techniques; minutes at the feeds that fit."""
     for name, row in TABLE_10_1.items():
         printout = PARTS[name].program()()
-        step = machined(printout, *FITTING_FEEDS.get(name, (1, 0.2)))
+        step = machined(printout, *fitting_feed(name))
         yield [row.part, "step-wise", *_cells(row.step, step, PASSES.get(name, 1))]
         if row.piece is not None:
             piece = machined(PARTS[name].program()(milling=FITTING_PIECES[name]))
@@ -101,7 +101,13 @@ PASSES: Final = {"die": 5}
 """Passes through the 2 in of the die: 200 minutes of 40."""
 
 FITTING_FEEDS: Final = {"circle": (2, 0.0), "fluidic": (1, -0.2)}
-"""The feed code, and its error, that fit the minutes of a part; for the others code 01, 20 % fast."""
+"""The feed code, and its error, that fit the minutes of a part, where it is not code 01, 20 % fast."""
+
+
+def fitting_feed(part: str) -> tuple[int, float]:
+    """Return the feed code, and its error, that fit the minutes of a part."""
+    return FITTING_FEEDS.get(part, (1, 0.2))
+
 
 FITTING_PIECES: Final = {
     "circle": Milling("piece", feed_error=0.1, fastest=5),

@@ -1,11 +1,12 @@
 """The tables of the thesis, computed: 2.3, 2.4, 10.1 and those without a number in Chapters 2, 3 and 4."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from itertools import pairwise
 from typing import Final
 
 import nc
 import pal
+from pdp8.replay.implied import FITTING_PIECES, PASSES, fitting_feed
 from pdp8.thesis import chain
 from pdp8.thesis.table import Table
 from programs.milling import Milling
@@ -121,33 +122,26 @@ def _instructions(listed: tuple[tuple[str, str], ...], shown: Callable[[int], st
     return Table(("instruction", "mnemonic", "octal value"), tuple(rows))
 
 
-PASSES: Final = {"die": 5}
-"""Passes through the whole depth: 200 minutes at 40 a pass, through 2 in of steel."""
-
-
 def comparison() -> Table:
-    """Table 10.1, the thesis's figures beside those of our tapes at their programmed feeds."""
+    """Table 10.1: the thesis's figures, those of our tapes as programmed, and with the feeds that fit."""
     rows: list[tuple[str, ...]] = []
     for part, row in TABLE_10_1.items():
-        rows.append((row.part, "step-wise", *_compared(part, row.step, Milling())))
+        passes = PASSES.get(part, 1)
+        programmed, fitting = chain.path(part), chain.cut(chain.printout(part), *fitting_feed(part))
+        rows.append((row.part, "step-wise", *_compared(row.step, programmed, fitting, passes)))
         if row.piece:
-            rows.append(("", "piece-wise", *_compared(part, row.piece, Milling("piece"))))
+            programmed = chain.path(part, milling=Milling("piece"))
+            fitting = chain.path(part, milling=FITTING_PIECES[part])
+            rows.append(("", "piece-wise", *_compared(row.piece, programmed, fitting, passes)))
     measures = ("blocks", "minutes a pass", "minutes in all")
-    figures = (f"{measure}, {whose}" for measure in measures for whose in ("thesis", "ours"))
-    headings = ("part", "technique", *figures)
-    return Table(headings, tuple(rows))
+    figures = (f"{measure}, {whose}" for measure in measures for whose in ("thesis", "ours", "fitting"))
+    return Table(("part", "technique", *figures, "efficiency"), tuple(rows))
 
 
-def _compared(part: str, thesis: Timed, milling: Milling) -> tuple[str, ...]:
-    constants = {"milling": milling} if milling.technique == "piece" else {}
-    path = chain.path(part, **constants)
-    minutes = contour_minutes(path)
-    total = minutes * PASSES.get(part, 1)
-    figures = (thesis.blocks, len(path), thesis.minutes, minutes, thesis.total, total)
-    return tuple(f"{figure:.1f}" if isinstance(figure, float) else str(figure) for figure in figures)
-
-
-def contour_minutes(path: nc.Path) -> float:
-    """Return the minutes of the contour alone: its blocks read, and its moves milled."""
-    blocks = sum(step.block.preparatory == hydrapoint.Preparatory.MILL for step in path.steps)
-    return (blocks * path.read_seconds + path.times.milling) / 60
+def _compared(thesis: Timed, ours: nc.Path, fitting: nc.Path, passes: int) -> Iterator[str]:
+    """Yield the cells of a row: thesis, programmed and fitting for each measure; then the efficiency."""
+    minutes = [path.contour.total / 60 for path in (ours, fitting)]
+    yield from (str(thesis.blocks), str(len(ours)), str(len(fitting)))
+    yield from (str(thesis.minutes), *(f"{figure:.1f}" for figure in minutes))
+    yield from (str(thesis.total), *(f"{passes * figure:.0f}" for figure in minutes))
+    yield f"{fitting.contour.efficiency:.0%}"

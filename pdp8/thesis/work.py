@@ -5,7 +5,7 @@ nc/. Everything comes from tapes that went through eia.pal.
 """
 
 from math import hypot
-from typing import Any, Final
+from typing import Any
 
 import nc
 from nc.curves import Curve, StraightLine, nominal
@@ -15,9 +15,6 @@ from nc.talyrond import talyrond
 from nc.talysurf import talysurf
 from pdp8.thesis import chain
 from programs import fluidic, parts
-
-CLOSING_BLOCK: Final = "6676 2251 4000  185"
-"""One block after the circle's last, in Y, to where the contour began."""
 
 _CUTTER = 125
 _DOWNSTREAM = 0.8
@@ -54,9 +51,7 @@ def die_tape() -> bytes:
 
 def polar_graphs() -> list[str]:
     """Figure 7.2: the circle of the listing, and with one more block that closes the contour."""
-    as_listed = chain.printout("circle")
-    closed = f"{as_listed}{CLOSING_BLOCK}\n"
-    return [talyrond(inspect(nc.cut(chain.translated(text)))) for text in (as_listed, closed)]
+    return [talyrond(inspect(chain.path("circle", close=close))) for close in (False, True)]
 
 
 def at_the_exit() -> str:

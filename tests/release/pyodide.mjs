@@ -8,6 +8,7 @@ const { loadPyodide } = await import(pathToFileURL(`${folder}/pyodide.mjs`));
 const python = await loadPyodide({ indexURL: `${folder}/` });
 for (const archive of archives) python.unpackArchive(new Uint8Array(readFileSync(archive)).buffer, "zip");
 console.log(python.runPython(`
+import programs  # its files are on the shelf
 from click.testing import CliRunner
 from pdp8.cli.root import pdp8
 
