@@ -8,6 +8,7 @@ BIN := .venv/bin
 # `make evidence` makes the sources of programs/ and docs/restoration.md from pdp8/thesis/scan/; a test too.
 # `make figures` makes every figure, table and listing of the thesis, with a page of them, in figures/.
 # `make lockstep N=1e9` runs random situations on the machine and on the reference, for so many instructions.
+# `make faults` puts every fault of tests/faults/ into a copy of the sources and says which test finds it.
 
 .PHONY: fuzz demo
 demo: .venv/ready
@@ -46,6 +47,10 @@ lockstep: .venv/ready-dev
 	$(BIN)/python -m tests.pdp8.computer.lockstep $(N) $(SEED)
 
 .PHONY: lint
+.PHONY: faults
+faults: .venv/ready-dev
+	$(BIN)/python -m tests.faults -j $(shell nproc)
+
 lint: .venv/ready-dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .

@@ -75,7 +75,7 @@ def _teletype() -> Iterator[tuple[str, list[Input]]]:
         [(0, "iot", KCC, 0), (500_000, "key", 0o240, 0), *reading(5_000_000)[1:]],
     )
     yield "START while a character comes in", [(0, "iot", KCC, 0), (900_000, "start", 0, 0)]
-    for late in range(8):
+    for late in range(-24, 8):
         yield f"KRB {late} ticks from where the line falls free", [(FRAME - IOP2 + late, "iot", KRB, 0)]
         again: list[Input] = [(FLAG_03 + 100, "iot", KCC, 0), (FRAME - IOP2 + late, "iot", KRB, 0)]
         yield f"KRB {late} ticks from where the line falls free, after a KCC", again

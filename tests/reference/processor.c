@@ -271,6 +271,7 @@ void pdp8l_start(struct pdp8l *m)
 
 void pdp8l_stop(struct pdp8l *m)
 {
+    while (m->run && (m->next == DEFER || m->next == EXECUTE)) pdp8l_cycle(m);
     m->run = 0;
     if (m->next == INTERRUPT) m->next = FETCH;
 }

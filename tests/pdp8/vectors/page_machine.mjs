@@ -1,17 +1,20 @@
 // The page's machine plays a folder of vectors: node page_machine.mjs FOLDER. Prints {file: [played, differences]}.
+// Instructions are played cycle by cycle; devices IOT by IOT, looked at whenever one has moved.
 
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { gunzipSync } from "node:zlib";
+import { NEVER } from "../../../pdp8/web/computer/bus.mjs";
 import { Machine } from "../../../pdp8/web/computer/machine.mjs";
+import { halfUnits } from "../../../pdp8/web/computer/teletype.mjs";
 
 const machine = new Machine(true);
 const p = machine.processor;
 const STATES = ["FETCH", "DEFER", "EXECUTE"];
 const same = (one, other) => JSON.stringify(one) === JSON.stringify(other);
 
-/** Play one vector; return what it came to, in the form of the vector. */
-function play({ name, initial, cycles }) {
+/** Play the vector of an instruction; return what it came to, in the form of the vector. */
+function step({ name, initial, cycles }) {
   machine.powerUp();
   p.pc = initial.pc;
   p.lac = (initial.link << 12) | initial.ac;
@@ -34,11 +37,77 @@ function play({ name, initial, cycles }) {
   return { name, initial, final, ticks: p.clock - clock, cycles: done };
 }
 
+/** Play the vector of a device. */
+function play({ name, initial, final, ticks, events }) {
+  const machine = new Machine(true);
+  const { processor: p, teletype, highspeed } = machine;
+  teletype.reader.load(Uint8Array.from(initial.tape));
+  highspeed.reader.load(Uint8Array.from(initial.tape));
+  const done = [];
+  const see = () => ({
+    read: [[1, highspeed.reader.position], [3, teletype.reader.position]],
+    flag: [...machine.bus].map((device) => [device.code, device.flag]).sort(([one], [other]) => one - other),
+    print: teletype.printer.frames.length,
+    punch: highspeed.punch.frames.length,
+  });
+  let seen = see();
+  const look = (tick) => {
+    const before = seen;
+    seen = see();
+    seen.read.forEach(([device, count], i) => {
+      if (count !== before.read[i][1]) done.push({ tick, read: initial.tape[count - 1], device });
+    });
+    seen.flag.forEach(([device, flag], i) => {
+      if (flag !== before.flag[i][1]) done.push({ tick, flag: device, is: flag });
+    });
+    if (seen.print !== before.print) done.push({ tick, print: teletype.printer.frames.at(-1) });
+    if (seen.punch !== before.punch) done.push({ tick, punch: highspeed.punch.frames.at(-1) });
+  };
+  const next = () => {
+    const { register, start, shifts } = teletype.transmitter;
+    const shift = register ? start + halfUnits(2 * shifts + 2) : NEVER;
+    return Math.min(shift, teletype.receiver.step, highspeed.readerControl.due, highspeed.punchControl.due);
+  };
+  const to = (tick) => {
+    for (let due = next(); due <= tick; due = next()) {
+      machine.bus.advance(Math.max(due, p.clock));
+      look(Math.max(due, p.clock));
+    }
+    machine.bus.advance(tick);
+    p.clock = tick;
+  };
+  const iot = (tick, word, ac) => {
+    p.pc = 0o200;
+    p.lac = ac;
+    p.core[0o200] = word;
+    p.cycle();
+    machine.bus.advance(p.clock);
+    done.push({ tick, iot: word, ac, final: { ac: machine.ac, skip: p.pc - 0o201 } });
+    look(p.clock);
+  };
+  to(0);
+  for (const event of events) {
+    if (!("iot" in event || "key" in event || "start" in event)) continue;
+    to(event.tick);
+    if ("iot" in event) {
+      iot(event.tick, event.iot, event.ac);
+    } else {
+      done.push({ ...event });
+      if ("key" in event) teletype.keyboard.press([event.key]);
+      else machine.bus.initialize(event.tick);
+      if ("start" in event) look(event.tick);
+    }
+    to(p.clock);
+  }
+  to(ticks);
+  return { name, initial, final: { flags: seen.flag.filter(([, flag]) => flag).map(([code]) => code) }, ticks, events: done };
+}
+
 const folder = process.argv[2];
 const results = {};
 for (const file of readdirSync(folder).filter((name) => name.endsWith(".json.gz")).sort()) {
-  const vectors = JSON.parse(gunzipSync(readFileSync(join(folder, file)))).filter((vector) => vector.cycles);
-  const wrong = vectors.map((vector) => [play(vector), vector]).filter(([got, meant]) => !same(got, meant));
-  if (vectors.length) results[file] = [vectors.length, wrong.slice(0, 3)];
+  const vectors = JSON.parse(gunzipSync(readFileSync(join(folder, file))));
+  const wrong = vectors.map((vector) => [vector.cycles ? step(vector) : play(vector), vector]).filter(([got, meant]) => !same(got, meant));
+  results[file] = [vectors.length, wrong.slice(0, 3)];
 }
 console.log(JSON.stringify(results));

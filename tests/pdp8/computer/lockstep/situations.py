@@ -94,6 +94,7 @@ def _iot(draw: random.Random) -> int:
 
 def _crowded(draw: random.Random, base: int) -> dict[int, int]:
     words = dict.fromkeys(range(0o10000), 0o5400 | BACK)
+    words |= {page: _running(draw.randrange(0o7000, 0o10000)) for page in range(0, 0o10000, 0o200)}
     words |= {index: _target(draw, base) - 1 & 0o7777 for index in INDEXES}
     words |= {pointer: _target(draw, base) for pointer in POINTERS}
     words |= {BACK: base}
@@ -112,6 +113,7 @@ def _target(draw: random.Random, base: int) -> int:
     return draw.choice(
         (
             base + draw.randrange(-4, 28) & 0o7777,
+            base + draw.randrange(-2, 12) & 0o7777,
             draw.choice(EDGES),
             draw.choice(INDEXES),
             draw.choice(POINTERS),

@@ -1,0 +1,6 @@
+"""Faults that the tests have to find: `make faults` puts each into a copy of the sources and runs its tests.
+
+catalogue  reads the faults: a file of them a room, *.toml
+workshop   a copy of the sources, a fault in it, its tests run
+__main__   the table
+"""
