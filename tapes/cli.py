@@ -103,7 +103,7 @@ def info(files: tuple[str, ...]) -> None:
         report = measure.report(shelf.read(file))
         click.echo(called(file))
         for name, value in report:
-            click.echo(f"    {name:10} {value}")
+            click.echo(f"    {name:10} {value}".rstrip())
 
 
 @tape.command()

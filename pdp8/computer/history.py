@@ -63,12 +63,13 @@ class History:
         self._memory = memory
         self._apart = _APART
         self._marks: list[_Mark] = []
+        self._parts = snapshot.Parts(machine)
         self._size = 0
         self._newest = 0
         """The tick of the newest snapshot."""
         self._next = 0
         """The first mark that was not come to, while the machine goes back."""
-        self._left = self._began = snapshot.take(machine)
+        self._left = self._began = self._parts.take()
         """The machine as the last run left it, and as that run began."""
         self._stands = self._moment()
         """When the last run ended."""
@@ -97,7 +98,7 @@ class History:
 
     def begins(self) -> None:
         """Note what was set since the last run, because a run begins."""
-        now = snapshot.take(self.machine)
+        now = self._parts.take()
         self._note(now)
         if self.machine.processor.clock >= self._newest + self._apart:
             self._add(now, whole=True)
@@ -108,15 +109,12 @@ class History:
 
         One that ended by itself leaves things that no run as far as its tick leaves: these are noted.
         """
-        self._left = snapshot.take(self.machine)
-        changed = snapshot.changed(self._began, self._left)
-        if self._stands == self._moment() or self.machine.panel.sing_step:
-            self._stands = self._moment()
-            self._add(changed, jump=True)
-            return
-        self._stands = self._moment()
-        if reason is not Reason.LIMIT:
-            left = self._left.items()
+        self._left = self._parts.take()
+        began, self._stands = self._stands, self._moment()
+        if began == self._stands or self.machine.panel.sing_step:
+            self._add(snapshot.changed(self._began, self._left), jump=True)
+        elif reason is not Reason.LIMIT:
+            changed, left = snapshot.changed(self._began, self._left), self._left.items()
             self._add(
                 {name: value for name, value in left if name in changed or not isinstance(value, bytes)}
             )
@@ -170,7 +168,7 @@ class History:
         After an error it stands where it stood.
         """
         machine, watch = self.machine, self.machine.watch
-        now = snapshot.take(machine)
+        now = self._parts.take()
         self._note(now)
         heard: list[Printer | Punch] = [
             machine.teletype.printer,
@@ -190,7 +188,7 @@ class History:
             machine.recorder, machine.watch = self, watch
             for device, callback in zip(heard, callbacks, strict=True):
                 device.on_frame = callback
-            self._left, self._stands = snapshot.take(machine), self._moment()
+            self._left, self._stands = self._parts.take(), self._moment()
             clock, number = self._stands
             self._keep([mark for mark in self._marks if mark.clock <= clock and mark.instructions <= number])
 

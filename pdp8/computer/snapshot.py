@@ -6,6 +6,7 @@ position` and `core`; and `continues`, whether the last run may go on as if it h
 
 from array import array
 from collections.abc import Iterator, Mapping
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from pdp8.computer.fields import CORE, FRAMES, PART
@@ -18,24 +19,47 @@ _VALUE = 100
 """About what a value that is no tape takes, in bytes."""
 
 
-def take(machine: "Machine") -> Values:
-    """Return all values of the machine at its clock."""
-    machine.bus.advance(machine.processor.clock)
-    values: Values = {"core": array("H", machine.processor.core).tobytes(), "continues": machine.continues()}
-    for path, part, fields in _parts(machine):
-        for name, kind in fields.items():
+class Parts:
+    """The parts of a machine with their values, looked up once: to take snapshots of it quickly."""
+
+    def __init__(self, machine: "Machine") -> None:
+        self._machine = machine
+        self._plain: list[tuple[Any, tuple[str, ...], attrgetter[Any]]] = []
+        self._copied: list[tuple[str, Any, str, int | str]] = []
+        for path, part, fields in _parts(machine):
+            plain = [name for name, kind in fields.items() if kind not in (FRAMES, CORE)]
+            if len(plain) > 1:
+                self._plain.append((part, tuple(f"{path} {name}" for name in plain), attrgetter(*plain)))
+            for name, kind in fields.items():
+                if kind in (FRAMES, CORE) or len(plain) == 1:
+                    self._copied.append((f"{path} {name}", part, name, kind))
+
+    def take(self) -> Values:
+        """Return all values of the machine at its clock."""
+        machine = self._machine
+        machine.bus.advance(machine.processor.clock)
+        core = array("H", machine.processor.core).tobytes()
+        values: Values = {"core": core, "continues": machine.continues()}
+        for part, keys, values_of in self._plain:
+            values.update(zip(keys, values_of(part), strict=True))
+        for key, part, name, kind in self._copied:
             value = getattr(part, name)
             if kind == FRAMES:
                 value = bytes(value)
             elif kind == CORE and value is not None:
                 value = value.tobytes()
-            values[f"{path} {name}"] = value
-    return values
+            values[key] = value
+        return values
+
+
+def take(machine: "Machine") -> Values:
+    """Return all values of the machine at its clock."""
+    return Parts(machine).take()
 
 
 def changed(before: Mapping[str, object], now: Mapping[str, object]) -> Values:
     """Return the values of `now` that were others `before`."""
-    return {name: value for name, value in now.items() if before[name] != value}
+    return {name: value for name, value in now.items() if before.get(name) != value}
 
 
 def put(machine: "Machine", values: Mapping[str, object]) -> None:
