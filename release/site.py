@@ -1,4 +1,5 @@
-"""What mkdocs.yml adds to docs/: README, CONTRIBUTING and CHANGELOG, and a page for each module.
+"""What mkdocs.yml adds to docs/: README, CONTRIBUTING and CHANGELOG, a page for each module,
+and the workbench itself.
 
 README and its like stand at the top of the repository, where a forge shows them; their links are rewritten
 for the site, the first page of which is the README.
@@ -9,6 +10,8 @@ from pathlib import Path
 
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
+
+from pdp8.web import workbench
 
 HOUSE = Path(__file__).parent.parent
 TOP = {"README.md": "index.md", "CONTRIBUTING.md": "CONTRIBUTING.md", "CHANGELOG.md": "CHANGELOG.md"}
@@ -29,6 +32,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
         files.append(File.generated(config, place, content=(HOUSE / name).read_text(encoding="utf-8")))
     for module in modules():
         files.append(File.generated(config, f"api/{module}.md", content=f"# `{module}`\n\n::: {module}\n"))
+    files.append(File.generated(config, "workbench-live.html", content=workbench.page()))
     return files
 
 
