@@ -5,7 +5,7 @@
 
 import { ISA } from "./facts.mjs";
 
-const SAMPLES = 24; // of one picture
+const SAMPLES = 16; // of one picture
 const WORDS = { MA: 12, MB: 12, AC: 12, IR: 3 };
 
 /** The lamps that are lit now: every bit of the words by name and number, and the single ones. */

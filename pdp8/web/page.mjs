@@ -22,7 +22,7 @@ const SPEEDS = [
 ];
 const USUAL = 8;
 
-const PICTURE = 1000 / 30; // ms between two pictures of a play, at least
+const PICTURE = 1000 / 20; // ms between two pictures of a play, at least
 const LONGEST = 250; // ms that a picture may stand for: a page that was asleep does not jump
 const TYPED_INTO = "input, select, textarea, [tabindex], a, summary"; // what has keys of its own
 
