@@ -52,5 +52,5 @@ def _afternoon(part: str) -> str:
     from pdp8.replay import replay
     from pdp8.replay.afternoon import clock
 
-    slots = [drawn.Slot(clock(act.starts), act.name, act.came) for act in replay(part).acts]
+    slots = [drawn.Slot(clock(act.starts), act.name, act.outcome) for act in replay(part).acts]
     return drawn.afternoon(slots, f"The afternoon: {part}")

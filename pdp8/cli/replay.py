@@ -35,7 +35,7 @@ def replay(part: str, out: str | None, html: str | None, realtime: bool) -> None
 
     Every constant is as the thesis has it. FORTRAN's output is punched, RIM toggled in, BIN loaded, eia.pal
     loaded, the tape translated, the part milled and inspected. Each act is said in a line: its time of day,
-    how long it took in 1971 and takes today, and what came of it. The table at the end sets the thesis's
+    how long it took in 1971 and takes today, and its outcome. The table at the end sets the thesis's
     figures beside the replay's; tapes, listings and pictures stay in a folder.
 
     \b
@@ -67,7 +67,7 @@ def _say_act(act: "Act") -> None:
     from pdp8.replay import clock
 
     took = f"{_span(act.seconds):>6} in 1971, {act.real:5.2f} s today"
-    click.echo(f"{clock(act.starts):>11}  {act.name:<14} {took}  {act.came}", err=True)
+    click.echo(f"{clock(act.starts):>11}  {act.name:<14} {took}  {act.outcome}", err=True)
 
 
 def _pass(act: "Act") -> None:

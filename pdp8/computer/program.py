@@ -4,7 +4,7 @@
     BIN tape    ── decoded   ──┼──► Program ──► core, or the reader; trace and listing
     RIM tape    ── decoded   ──┘
 
-A tape is told by its frames. A damaged tape is refused, or loaded by force as far as it can be read.
+Its frames say what a tape is. A damaged tape is refused, or loaded by force as far as it can be read.
 """
 
 from functools import cached_property

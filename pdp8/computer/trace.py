@@ -4,7 +4,7 @@
        81.80   us  0 0000  0204 1102  0204  1102          TAD M60
 
 An instruction a line, or a memory cycle a line with its major state. The time is when it began, in
-microseconds since START; the lamps are as it left them. Loops that only wait are told in one line.
+microseconds since START; the lamps are as it left them. Loops that only wait take one line.
 """
 
 from collections.abc import Callable, Mapping

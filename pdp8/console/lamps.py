@@ -60,7 +60,7 @@ class LampRows(Widget):
 
     def show(self) -> None:
         """Look again, and draw what has changed."""
-        now = (self.session.glow, self.session.machine.panel.lamps)
+        now = (self.session.brightness, self.session.machine.panel.lamps)
         if now != self.seen:
             self.seen = now
             self.refresh()
@@ -84,27 +84,27 @@ class LampRows(Widget):
         label = long if wide else short
         if field == "ac":
             row.append(f"{label:<{label_width(wide) - 4}}", _LABEL)
-            row.append("L ", _FAINT).append(*lamp(self.session.glow["link"][0])).append(" ")
+            row.append("L ", _FAINT).append(*lamp(self.session.brightness["link"][0])).append(" ")
         else:
             row.append(f"{label:<{label_width(wide)}}", _LABEL)
-        for bit, brightness in enumerate(self.session.glow[field]):
+        for bit, brightness in enumerate(self.session.brightness[field]):
             row.append(*lamp(brightness)).append(" " * (pitch(wide) - 1 + (bit % 3 == 2)))
         running = self.session.machine.panel.lamps.run
         row.append("     " if running else f"{getattr(self.session.machine, field):04o} ", _OCTAL)
         for place, (name, full, brief) in enumerate(_STATES[number]):
             text = full if wide else brief
-            row.append(*lamp(self.session.glow[name][0]))
+            row.append(*lamp(self.session.brightness[name][0]))
             row.append(f" {text:<{_widths(wide)[place]}}", _LABEL)
         return row
 
     def _last(self, wide: bool) -> Text:
         row = Text(f"{'INSTRUCTION' if wide else 'INSTR':<{label_width(wide)}}", _LABEL)
-        for brightness in self.session.glow["ir"]:
+        for brightness in self.session.brightness["ir"]:
             row.append(*lamp(brightness)).append(" " * (pitch(wide) - 1))
         lamps = self.session.machine.panel.lamps
         row.append(" ").append("   " if lamps.run else _MNEMONICS[lamps.ir], _OCTAL)
         row.append(" " * (9 * pitch(wide) + 5 + sum(_widths(wide)[:2]) + 4))
-        row.append(*lamp(self.session.glow["run"][0])).append(" RUN", _LABEL)
+        row.append(*lamp(self.session.brightness["run"][0])).append(" RUN", _LABEL)
         return row
 
 

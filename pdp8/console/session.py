@@ -70,7 +70,7 @@ class Session:
         """What became of the machine, in words."""
         self.reader_tape = ""
         """The name of the tape in the reader."""
-        self.glow: dict[str, tuple[float, ...]] = {}
+        self.brightness: dict[str, tuple[float, ...]] = {}
         """How bright each lamp is, 0 to 1, most significant first."""
         self._clock = clock
         self._slice = _SHORTEST
@@ -120,7 +120,9 @@ class Session:
         """See the lamps: at a standstill as they are, else each as often as it was on."""
         lamps = self.machine.panel.lamps
         seen = samples if samples and lamps.run else [lamps]
-        self.glow = {name: _mean([getattr(at, name) for at in seen], width) for name, width in LAMPS.items()}
+        self.brightness = {
+            name: _mean([getattr(at, name) for at in seen], width) for name, width in LAMPS.items()
+        }
 
     @property
     def address(self) -> int:

@@ -32,11 +32,11 @@ text { font-family: "DejaVu Sans Mono", Menlo, monospace; font-size: 11px; fill:
 
 
 class Slot(NamedTuple):
-    """A line of the timetable: when, what, and what came of it."""
+    """A line of the timetable: when, what, and its outcome."""
 
     time: str
     what: str
-    came: str
+    outcome: str
 
 
 class _Card:
@@ -195,7 +195,7 @@ def afternoon(slots: Sequence[Slot], title: str) -> str:
         y = 72 + number * step
         card.text(_MARGIN, y, f"{slot.time:>11}", "head")
         card.text(_MARGIN + 92, y, slot.what)
-        card.text(_MARGIN + 92, y + 16, slot.came, "small")
+        card.text(_MARGIN + 92, y + 16, slot.outcome, "small")
     return card.svg()
 
 

@@ -63,7 +63,7 @@ class Kind(StrEnum):
 class Act:
     """A part of the afternoon, in ticks since it began.
 
-    `program` is the one that runs in the PDP-8/L, or ""; `came` says what came of it; `real` is in seconds of
+    `program` is the one that runs in the PDP-8/L, or ""; `outcome` is its result; `real` is in seconds of
     today.
     """
 
@@ -73,7 +73,7 @@ class Act:
     say: str
     starts: int
     ends: int
-    came: str
+    outcome: str
     real: float
 
     @property
@@ -94,7 +94,7 @@ class Afternoon:
     part: str
     text: str
     acts: tuple[Act, ...]
-    deeds: tuple[Action, ...]
+    actions: tuple[Action, ...]
     tapes: dict[str, bytes]
     programs: dict[str, pal.Assembly]
     path: nc.Path
@@ -119,8 +119,8 @@ class _Day:
         self.entry = find(part)
         self.tell = tell
         self.machine = Machine()
-        self.deeds: list[Action] = []
-        self.operator = Operator(self.machine, PACE, self.deeds.append)
+        self.actions: list[Action] = []
+        self.operator = Operator(self.machine, PACE, self.actions.append)
         self.acts: list[Act] = []
         self.tapes: dict[str, bytes] = {}
         self.programs: dict[str, pal.Assembly] = {}
@@ -139,7 +139,7 @@ class _Day:
             self.part,
             self.text,
             tuple(self.acts),
-            tuple(self.deeds),
+            tuple(self.actions),
             self.tapes,
             self.programs,
             path,
@@ -155,13 +155,13 @@ class _Day:
 
     def _elapsed(self, key: str) -> float:
         """Return the seconds since the last action with `key`."""
-        at = next(deed.at for deed in reversed(self.deeds) if deed.key == key)
+        at = next(action.at for action in reversed(self.actions) if action.key == key)
         return (self.now - at) / TICKS_PER_SECOND
 
-    def _act(self, kind: Kind, name: str, say: str, came: str, program: str = "") -> None:
+    def _act(self, kind: Kind, name: str, say: str, outcome: str, program: str = "") -> None:
         """Write down the act that has just ended."""
         starts = self.acts[-1].ends if self.acts else 0
-        act = Act(kind, name, program, say, starts, self.now, came, perf_counter() - self.began)
+        act = Act(kind, name, program, say, starts, self.now, outcome, perf_counter() - self.began)
         self.acts.append(act)
         self.tell(act)
         self.began = perf_counter()

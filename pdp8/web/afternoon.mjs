@@ -2,7 +2,7 @@
 //
 //     terminal ──► RIM toggled ──► BIN loaded ──► program loaded ──► translation ──► Hydra-Point
 //
-// The record holds only the tapes, the operator's deeds and the blocks as they were cut. Everything else follows:
+// The record holds only the tapes, the operator's actions and the blocks as they were cut. Everything else follows:
 // the computer is run once from cold, a checkpoint kept every ten seconds, and an instant is the checkpoint before it
 // run forward. `now` is in ticks of 0.05 µs since the afternoon began.
 
@@ -17,7 +17,7 @@ export class Afternoon {
   constructor(record) {
     this.record = record;
     this.acts = record.acts;
-    this.deeds = record.deeds;
+    this.actions = record.actions;
     this.tapes = record.tapes;
     this.end = this.acts.at(-1).to;
     this.#fromCold();
@@ -33,19 +33,19 @@ export class Afternoon {
     this.machine = new Machine();
     this.machine.teletype.receiver.onFrame = (frame, tick) => this.#received(frame, tick);
     this.now = 0;
-    this.done = 0; // deeds done
+    this.done = 0; // actions done
     this.mounted = null;
   }
 
   /** Run the whole afternoon once: checkpoints, and the instants a step can go to. */
   #rehearse() {
     const starts = this.acts.map((act) => act.from).concat(this.end);
-    const deeds = this.deeds.map((deed) => deed.at);
-    this.characters = starts.concat(deeds);
+    const actions = this.actions.map((action) => action.at);
+    this.characters = starts.concat(actions);
     this.blocks = starts.slice();
     this.checkpoints = [];
     this.rehearsing = true;
-    const computing = this.deeds.length ? this.deeds.at(-1).at : 0;
+    const computing = this.actions.length ? this.actions.at(-1).at : 0;
     for (let tick = 0; tick < computing + CHECKPOINT_EVERY; tick += CHECKPOINT_EVERY) {
       this.#advance(tick);
       this.checkpoints.push(this.#save());
@@ -55,7 +55,7 @@ export class Afternoon {
     this.#rehearseTapes();
     this.characters = ordered(this.characters);
     this.blocks = ordered(this.blocks);
-    this.moments = ordered(starts.concat(deeds));
+    this.moments = ordered(starts.concat(actions));
   }
 
   /** The instants of the terminal's punch and of the Hydra-Point's reader, which no computer decides. */
@@ -102,12 +102,12 @@ export class Afternoon {
   }
 
   #advance(tick) {
-    while (this.done < this.deeds.length && this.deeds[this.done].at <= tick) {
-      const deed = this.deeds[this.done];
-      this.machine.to(deed.at);
+    while (this.done < this.actions.length && this.actions[this.done].at <= tick) {
+      const action = this.actions[this.done];
+      this.machine.to(action.at);
       this.done++;
-      this.now = deed.at;
-      this.#do(deed);
+      this.now = action.at;
+      this.#do(action);
     }
     this.machine.to(tick);
     this.now = tick;
@@ -123,7 +123,7 @@ export class Afternoon {
     else if (key === "mount") this.#mount(value);
     else if (key === "lever") teletype.reader.lever(true);
     else if (key === "start") panel.start();
-    else throw new Error(`no such deed: ${key}`);
+    else throw new Error(`no such action: ${key}`);
   }
 
   #mount(name) {
@@ -137,9 +137,9 @@ export class Afternoon {
     return this.acts.findLast((act) => act.from <= tick);
   }
 
-  /** The last deed done, or null. */
-  get deed() {
-    return this.done ? this.deeds[this.done - 1] : null;
+  /** The last action done, or null. */
+  get action() {
+    return this.done ? this.actions[this.done - 1] : null;
   }
 
   /** The next instant by "block", "character", "instruction" or "cycle". */
@@ -153,26 +153,26 @@ export class Afternoon {
 
   #nextCycle() {
     const end = this.processor.clock + this.processor.nextCycle();
-    const deed = this.done < this.deeds.length ? this.deeds[this.done].at : Infinity;
-    this.to(Math.min(end, deed));
+    const action = this.done < this.actions.length ? this.actions[this.done].at : Infinity;
+    this.to(Math.min(end, action));
   }
 
   /** The instant before by the same units. */
   previous(unit) {
     if (unit === "block") return this.to(before(this.blocks, this.now));
-    const fresh = this.processor.clock <= this.#lastDeed(); // no cycle since the last deed
+    const fresh = this.processor.clock <= this.#lastActionAt(); // no cycle since the last action
     if (unit === "character" || !this.processor.run || fresh) return this.to(before(this.characters, this.now));
     do this.#previousCycle();
     while (unit === "instruction" && this.processor.next !== ISA.FETCH);
   }
 
-  #lastDeed() {
-    return this.deed ? this.deed.at : 0;
+  #lastActionAt() {
+    return this.action ? this.action.at : 0;
   }
 
   #previousCycle() {
     this.to(this.processor.clock - 1);
-    this.now = Math.max(this.processor.clock, this.#lastDeed());
+    this.now = Math.max(this.processor.clock, this.#lastActionAt());
   }
 }
 

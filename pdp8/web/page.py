@@ -1,11 +1,11 @@
 """The afternoon as one page: a self-contained HTML file in which every instant can be looked at.
 
-    Afternoon ──► record (JSON: tapes, deeds, blocks)  ┐
+    Afternoon ──► record (JSON: tapes, actions, blocks)  ┐
     computer/*.mjs afternoon.mjs ... page.mjs          ├──► page.html with everything inside
     page.css                                           ┘
 
 The page is no film. Its record holds what was done and what was punched; a small PDP-8/L of its own
-(computer/) makes every instant again, from the deeds, and is held in lockstep with the processor by tests.
+(computer/) makes every instant again, from the actions, and is held in lockstep with the processor by tests.
 """
 
 import base64
@@ -44,7 +44,7 @@ def record(afternoon: Afternoon) -> dict[str, Any]:
         "about": _ABOUT,
         "opens": OPENS,
         "acts": [_act(act) for act in afternoon.acts],
-        "deeds": [_without_none(deed._asdict()) for deed in afternoon.deeds],
+        "actions": [_without_none(action._asdict()) for action in afternoon.actions],
         "tapes": {_key(name): _tape(name, frames) for name, frames in afternoon.tapes.items()},
         "sheets": _sheets(afternoon),
         "mill": _mill(afternoon),

@@ -12,7 +12,7 @@ import { drawTape, meaning, tapeKey } from "./tape.mjs";
 import { clock, escaped, find, grouped, octal, seconds } from "./written.mjs";
 
 const { FRAME, SECOND } = TIMES;
-const SAID = 8 * SECOND; // how long the operator's last deed is told
+const SAID = 8 * SECOND; // how long the operator's last action is shown
 const PRESSED = 0.4 * SECOND; // how long a key shows as pressed
 const SHORT = { preparatory: "prep.", x: "X", y: "Y", reserved: "res.", miscellaneous: "misc." };
 const DIGITS = Object.values(FIELDS).reduce((sum, width) => sum + width);
@@ -34,11 +34,11 @@ export class Scene {
   /** Show the instant; `brightness` is that of the lamps since the last one, if time went on. */
   show(brightness) {
     const { afternoon, record } = this;
-    const { now, machine, deed } = afternoon;
+    const { now, machine, action } = afternoon;
     const act = afternoon.act();
     this.#time(act, now);
-    this.panel.show(machine, deed && now - deed.at < PRESSED ? deed.key : null, brightness);
-    this.#caption(act, deed);
+    this.panel.show(machine, action && now - action.at < PRESSED ? action.key : null, brightness);
+    this.#caption(act, action);
     const { kind } = record.sheets[act.sheet];
     if (this.kind !== kind) document.querySelector("main").dataset.sheet = this.kind = kind;
     this.#registers(act, machine);
@@ -66,9 +66,9 @@ export class Scene {
     [...find("acts").children].forEach((mark, index) => mark.classList.toggle("now", index === act.index));
   }
 
-  #caption(act, deed) {
-    const fresh = deed && deed.at >= act.from && this.afternoon.now - deed.at < SAID;
-    const doing = fresh ? deed.say : waits(this.afternoon.machine);
+  #caption(act, action) {
+    const fresh = action && action.at >= act.from && this.afternoon.now - action.at < SAID;
+    const doing = fresh ? action.say : waits(this.afternoon.machine);
     this.writer.html(find("caption"), `<b>${escaped(act.name)}.</b> ${escaped(act.say)} <em>${escaped(doing)}</em>`);
   }
 

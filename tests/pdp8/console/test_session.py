@@ -84,10 +84,10 @@ def test_lamps_at_a_standstill_are_the_panels() -> None:
     session.machine.core[0o1234] = 0o4321
     session.machine.sr = 0o1234
     session.press("load_add")
-    assert session.glow["ma"] == (0, 0, 1, 0, 1, 0, 0, 1, 1, 1, 0, 0)
-    assert session.glow["mb"] == (1, 0, 0, 0, 1, 1, 0, 1, 0, 0, 0, 1)
-    assert session.glow["run"] == (0,)
-    assert {name: len(bits) for name, bits in session.glow.items()} == LAMPS
+    assert session.brightness["ma"] == (0, 0, 1, 0, 1, 0, 0, 1, 1, 1, 0, 0)
+    assert session.brightness["mb"] == (1, 0, 0, 0, 1, 1, 0, 1, 0, 0, 0, 1)
+    assert session.brightness["run"] == (0,)
+    assert {name: len(bits) for name, bits in session.brightness.items()} == LAMPS
 
 
 def test_lamps_of_a_running_machine_are_as_bright_as_they_were_often_on() -> None:
@@ -95,9 +95,9 @@ def test_lamps_of_a_running_machine_are_as_bright_as_they_were_often_on() -> Non
     session.machine.load({0o200: 0o7001, 0o201: 0o5200})
     session.machine.start(0o200)
     session.advance(0.05)
-    assert session.glow["run"] == (1,)
-    assert any(0 < brightness < 1 for brightness in session.glow["ac"])
-    assert all(0 <= brightness <= 1 for bits in session.glow.values() for brightness in bits)
+    assert session.brightness["run"] == (1,)
+    assert any(0 < brightness < 1 for brightness in session.brightness["ac"])
+    assert all(0 <= brightness <= 1 for bits in session.brightness.values() for brightness in bits)
 
 
 def test_the_teletype_goes_on_while_the_processor_stands_still() -> None:
@@ -261,7 +261,7 @@ def test_mem_prot_is_said() -> None:
     session.press("load_add")
     session.press("dep")
     assert session.said == "MEM PROT stopped a write at 7600"
-    assert session.glow["protect"] == (1,)
+    assert session.brightness["protect"] == (1,)
 
 
 def test_time_runs_back_by_an_instruction_and_by_a_second() -> None:

@@ -92,7 +92,7 @@ def test_a_part_that_no_instrument_fits() -> None:
     drilled = replay("drill")
     assert drilled.inspection is None
     assert "talyrond.svg" not in desk(drilled)
-    assert drilled.acts[-1].came == "not inspected"
+    assert drilled.acts[-1].outcome == "not inspected"
 
 
 def test_no_such_part() -> None:

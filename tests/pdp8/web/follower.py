@@ -1,4 +1,4 @@
-"""The processor of the package, led through the operator's deeds to any instant: what the page must show."""
+"""The processor of the package, led through the operator's actions to any instant: what the page must show."""
 
 from pal.isa import FETCH
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
@@ -16,15 +16,15 @@ class Follower:
     def __init__(self, afternoon: Afternoon) -> None:
         self.afternoon = afternoon
         self.machine = Machine()
-        self.deeds = list(afternoon.deeds)
+        self.actions = list(afternoon.actions)
 
     def to(self, tick: int) -> None:
         """Go on to the last cycle that ends at or before `tick`."""
-        while self.deeds and self.deeds[0].at <= tick:
-            deed = self.deeds.pop(0)
-            self._run(deed.at)
-            assert self.machine.processor.clock == deed.at
-            self._do(deed)
+        while self.actions and self.actions[0].at <= tick:
+            action = self.actions.pop(0)
+            self._run(action.at)
+            assert self.machine.processor.clock == action.at
+            self._do(action)
         self._run(tick)
 
     def _run(self, tick: int) -> None:
@@ -45,19 +45,19 @@ class Follower:
         iot = processor.next == FETCH and processor.core[processor.pc] >> 9 == 6
         return IO_CYCLE if iot else CYCLE
 
-    def _do(self, deed: Action) -> None:
+    def _do(self, action: Action) -> None:
         panel, reader = self.machine.panel, self.machine.teletype.reader
-        if deed.key == "sr":
-            assert isinstance(deed.value, int)
-            panel.sr = deed.value
-        elif deed.key == "mount":
+        if action.key == "sr":
+            assert isinstance(action.value, int)
+            panel.sr = action.value
+        elif action.key == "mount":
             reader.lever(False)
-            reader.load(self.afternoon.tapes[str(deed.value)])
-        elif deed.key == "lever":
+            reader.load(self.afternoon.tapes[str(action.value)])
+        elif action.key == "lever":
             reader.lever(True)
         else:
             keys = {"load add": panel.load_add, "dep": panel.dep, "start": panel.start, "stop": panel.stop}
-            keys[deed.key]()
+            keys[action.key]()
 
     def state(self) -> dict[str, int]:
         """Return everything that can be seen of the machine."""

@@ -40,7 +40,7 @@ def test_random_instants_of_the_afternoon(circle: Afternoon, ask: Ask) -> None:
     instants = [draw.randrange(circle.acts[-1].ends) for _ in range(40)]
     instants += [draw.randrange(*_computing(circle)) for _ in range(360)]
     instants += [circle.acts[2].starts + draw.randrange(120 * TICKS_PER_SECOND) for _ in range(60)]
-    instants += [deed.at for deed in circle.deeds]
+    instants += [action.at for action in circle.actions]
     shown = dict(zip(instants, ask(_AT, instants), strict=True))
     follower = Follower(circle)
     for tick in sorted(shown):
@@ -80,7 +80,7 @@ def _follow(follower: Follower, start: int, end: int, by: str) -> list[list[int]
 @pytest.mark.parametrize(("unit", "characters"), [("cycle", 1), ("instruction", 2)])
 def test_every_step_of_the_first_characters(circle: Afternoon, ask: Ask, unit: str, characters: int) -> None:
     """From START on, step by step: none is left out, none differs."""
-    start = next(deed.at for deed in reversed(circle.deeds) if deed.key == "lever")
+    start = next(action.at for action in reversed(circle.actions) if action.key == "lever")
     end = start + characters * TICKS_PER_SECOND // 10
     shown = ask(_STEPS, {"from": start, "to": end, "unit": unit})
     meant = _follow(Follower(circle), start, end, unit)
@@ -91,7 +91,7 @@ def test_every_step_of_the_first_characters(circle: Afternoon, ask: Ask, unit: s
 
 def test_every_cycle_that_translates_a_character(circle: Afternoon, ask: Ask) -> None:
     """The three milliseconds after each of the first forty characters has come, two blocks' worth."""
-    lever = next(deed.at for deed in reversed(circle.deeds) if deed.key == "lever")
+    lever = next(action.at for action in reversed(circle.actions) if action.key == "lever")
     follower = Follower(circle)
     starts = [lever + character * 2_000_000 + 1_545_000 for character in range(40)]
     windows = [{"from": start, "to": start + 60_000, "unit": "cycle"} for start in starts]

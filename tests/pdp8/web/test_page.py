@@ -54,7 +54,7 @@ def _go(page: "Page", tick: int) -> None:
 
 
 def _translating(circle: Afternoon, seconds: float = 100.05) -> int:
-    lever = next(deed.at for deed in reversed(circle.deeds) if deed.key == "lever")
+    lever = next(action.at for action in reversed(circle.actions) if action.key == "lever")
     return lever + round(seconds * TICKS_PER_SECOND)
 
 
@@ -92,7 +92,7 @@ def test_the_lamps_are_the_processors(page: "Page", circle: Afternoon) -> None:
     """While RIM is toggled in, tapes load, characters are translated and afterwards."""
     ends = [act.ends for act in circle.acts]
     instants = sorted(
-        [deed.at for deed in circle.deeds[::7]]
+        [action.at for action in circle.actions[::7]]
         + [_translating(circle, seconds) for seconds in (0.0771, 0.0773, 0.0774, 0.1775, 99.97728, 1234.5678)]
         + [
             _translating(circle, 50 + 0.1 * character + 0.07730 + 0.00001 * character)

@@ -23,7 +23,7 @@ _THERE_AND_BACK = """(afternoon, walks) => walks.map(({ from, unit, steps }) => 
 
 def _start(afternoon: Afternoon) -> int:
     """Return the tick of the translation's START."""
-    return next(deed.at for deed in reversed(afternoon.deeds) if deed.key == "start")
+    return next(action.at for action in reversed(afternoon.actions) if action.key == "start")
 
 
 def _walk(ask: Ask, begin: int, unit: str, steps: int) -> list[int]:
@@ -34,7 +34,9 @@ def _walk(ask: Ask, begin: int, unit: str, steps: int) -> list[int]:
 
 def test_steps_back_lead_where_steps_forward_came_from(circle: Afternoon, ask: Ask) -> None:
     """By every unit, from the beginning of every act and from every START."""
-    begins = [act.starts for act in circle.acts] + [deed.at for deed in circle.deeds if deed.key == "start"]
+    begins = [act.starts for act in circle.acts] + [
+        action.at for action in circle.actions if action.key == "start"
+    ]
     walks = [
         {"from": begin, "unit": unit, "steps": 60}
         for begin in begins
