@@ -9,7 +9,7 @@ know too. A comment, from ``/`` to CR, is not read.
 Channel 8 is set on every frame of a tape of DEC's and not in a file of a text editor; here it does not
 matter. Blank frames, leader (0200), RUBOUT, line feed and form feed are passed over; a form feed stays in
 `text`, since pass 3 types it. A line feed without channel 8 is the end of a line in a text file, so it counts
-as CR, LF, unless a CR came just before.
+as CR, LF, unless a CR is just before.
 
 Sources: DEC-08-ASAC-D, "Characters"; the output of DEC-08-ASB1.
 """

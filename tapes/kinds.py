@@ -1,12 +1,12 @@
-"""What a tape is, told by its frames alone.
+"""What a tape is, by its frames alone.
 
     bin, rim   leader, then frames of the loader formats' classes
     eia        frames with an odd number of holes, of RS-244, with ends of block
     ascii      characters and line ends, with channel 8 or without
     blank      no holes (or no frames) at all;   unknown   none of these
 
-A damaged tape is still what it was: it is told by what most of its frames say, so that the reader that is
-then chosen can name the frame which is wrong.
+A damaged tape keeps its kind: what most of its frames say decides, so that the reader of that kind can name
+the frame which is wrong.
 
 A RIM tape's groups are address, word; a BIN tape of single words at scattered addresses is origin, word too,
 and differs in what stands before the trailer: its checksum. So a tape that reads as both is BIN when its

@@ -274,7 +274,7 @@ class Machine:
         return Reason.TAPE_OUT if self._out_of_tape() else Reason.IDLE
 
     def _cycle(self) -> Reason:
-        """Do what CONT does under SING STEP, and say what the run came to."""
+        """Do what CONT does under SING STEP, and return why it ended."""
         self.processor.run = 0
         self.processor.cycle()
         return Reason.PROTECT if self.processor.protect else Reason.STOP_KEY

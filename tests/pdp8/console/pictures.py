@@ -1,7 +1,8 @@
 """What a terminal shows of the panel, as text: a picture that can be compared line by line."""
 
 import asyncio
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Coroutine
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -30,7 +31,13 @@ def play(
             await pilot.pause()
             await scene(room, pilot)
 
-    asyncio.run(perform())
+    run(perform())
+
+
+def run(scene: Coroutine[None, None, None]) -> None:
+    """Run a scene in a thread of its own: the tests of the pages keep an event loop in this one."""
+    with ThreadPoolExecutor(1) as thread:
+        thread.submit(asyncio.run, scene).result()
 
 
 def shown(room: Room) -> str:

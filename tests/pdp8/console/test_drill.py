@@ -1,6 +1,5 @@
 """A drill at the panel in a terminal: the card, what the coach says, and the kiosk that clears the room."""
 
-import asyncio
 from collections.abc import Awaitable, Callable
 
 import pytest
@@ -14,6 +13,7 @@ from pdp8.console.drill import DrillCard
 from pdp8.console.opening import opening
 from pdp8.lessons.drill import Coach, Tapes, find
 from tests.conftest import Shell
+from tests.pdp8.console import pictures
 
 
 def drilled(name: str, left_alone: float | None = None) -> tuple[Room, Coach]:
@@ -81,7 +81,7 @@ def run(room: Room, scene: Callable[[Pilot[None]], Awaitable[None]]) -> None:
         async with room.run_test(size=(160, 45)) as pilot:
             await scene(pilot)
 
-    asyncio.run(play())
+    pictures.run(play())
 
 
 @pytest.mark.parametrize(

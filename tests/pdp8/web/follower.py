@@ -1,4 +1,4 @@
-"""The processor of the package, led through the operator's actions to any instant: what the page must show."""
+"""The processor of the package, led through the operator's actions to any instant of the page."""
 
 from pal.isa import FETCH
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
