@@ -142,3 +142,19 @@ def test_a_key_pressed_between_two_runs_is_not_waited_past(after: int) -> None:
     assert fast.run(seconds=1).reason == "halt"
     alone(plain, lambda: True)
     assert seen(fast) == seen(plain)
+
+
+def test_a_ring_that_writes_the_same_word_again_is_idle() -> None:
+    """JMS 210, JMP .-1; at 0210 the return address, JMP I 210."""
+    words = dict(enumerate(octal("4210 5200"), 0o200)) | {0o211: 0o5610}
+    assert pair(words)[0].run(seconds=10).reason == "idle"
+
+
+def test_a_flag_that_is_up_is_not_waited_for() -> None:
+    """NOP, NOP, TLS, NOP, KSF, JMP .-1, HLT with the keyboard's flag up: the printer's is the next event."""
+    fast, plain = pair(dict(enumerate(octal("7000 7000 6046 7000 6031 5204 7402"), 0o200)))
+    for machine in (fast, plain):
+        machine.teletype.receiver.flag = 1
+    assert fast.run(seconds=1).reason == "halt"
+    alone(plain, lambda: True)
+    assert seen(fast)["clock"] == seen(plain)["clock"]

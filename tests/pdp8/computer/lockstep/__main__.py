@@ -32,8 +32,8 @@ def main(instructions: int, seed: int) -> int:
         if time.monotonic() > shown + EVERY:
             shown = time.monotonic()
             print(f"{done:,} instructions, {seed - first:,} situations, {shown - began:.0f} s", flush=True)
-    seconds = time.monotonic() - began
-    print(f"{done:,} instructions in {seed - first:,} situations, {seconds:.0f} s: 0 differences")
+    print(f"{done:,} instructions in {seed - first:,} situations: 0 differences")
+    print(f"{time.process_time():.0f} s of processor time")
     return 0
 
 
