@@ -40,7 +40,7 @@ _REVERSED = 0o010
 _SWITCHES_AND_HALT = ("OSR", "HLT")
 
 
-class Step(NamedTuple):
+class Piece(NamedTuple):
     """One thing on a tape: WORD or ORIGIN with its value at `address`, FIELD with its number."""
 
     kind: str
@@ -61,21 +61,21 @@ def disassemble_tape(frames: bytes) -> str:
     return _source(_steps_on(frames))
 
 
-def _steps_of(addresses: Iterable[int], words: Mapping[int, int]) -> Iterator[Step]:
+def _steps_of(addresses: Iterable[int], words: Mapping[int, int]) -> Iterator[Piece]:
     following = -1
     bank = 0
     for address in addresses:
         if address >> 12 != bank:
             bank = address >> 12
-            yield Step(FIELD, 0, bank)
+            yield Piece(FIELD, 0, bank)
             following = -1
         if address != following:
-            yield Step(ORIGIN, address & 0o7777, address & 0o7777)
-        yield Step(WORD, address, words[address])
+            yield Piece(ORIGIN, address & 0o7777, address & 0o7777)
+        yield Piece(WORD, address, words[address])
         following = address + 1
 
 
-def _steps_on(frames: bytes) -> Iterator[Step]:
+def _steps_on(frames: bytes) -> Iterator[Piece]:
     """Yield what is on a BIN tape but for the first origin, which PAL III punches of itself."""
     location = START
     bank = 0
@@ -87,29 +87,29 @@ def _steps_on(frames: bytes) -> Iterator[Step]:
     for section in reading.sections:
         if bank:
             bank = 0
-            yield Step(FIELD, 0, 0)
+            yield Piece(FIELD, 0, 0)
         for kind, value, _ in section.items:
             if kind == binary.FIELD:
                 bank = value
-                yield Step(FIELD, 0, value)
+                yield Piece(FIELD, 0, value)
                 continue
             if kind == binary.WORD:
-                yield Step(WORD, bank << 12 | location, value)
+                yield Piece(WORD, bank << 12 | location, value)
                 location = location + 1 & 0o7777
             elif not silent or value != location:
-                yield Step(ORIGIN, value, value)
+                yield Piece(ORIGIN, value, value)
             if kind == binary.ORIGIN:
                 location = value
             silent = False
 
 
-def _source(steps: Iterable[Step]) -> str:
+def _source(steps: Iterable[Piece]) -> str:
     tape = list(steps)
     labels = _Labels(tape)
     return "".join(_line(step, labels) for step in tape) + "$\n"
 
 
-def _line(step: Step, labels: "_Labels") -> str:
+def _line(step: Piece, labels: "_Labels") -> str:
     if step.kind == FIELD:
         return f"FIELD {step.value}\n"
     if step.kind == ORIGIN:
@@ -126,7 +126,7 @@ class _Labels:
     There are no more tags than PAL III's symbol table has room for; jumps have the first claim to them.
     """
 
-    def __init__(self, tape: list[Step]) -> None:
+    def __init__(self, tape: list[Piece]) -> None:
         words = {step.address for step in tape if step.kind == WORD}
         self._jumped_to: set[int] = set()
         self._handled: set[int] = set()
@@ -146,7 +146,7 @@ class _Labels:
         self._undefined.remove(address)
         return _tag(address) + ","
 
-    def text(self, step: Step) -> str:
+    def text(self, step: Piece) -> str:
         """Return the word as source."""
         number = f"{step.value:o}"
         if step.address in self._handled and step.address not in self._jumped_to:
@@ -165,7 +165,7 @@ def _tag(address: int) -> str:
     return f"L{address:04o}"
 
 
-def _target(step: Step) -> int:
+def _target(step: Piece) -> int:
     """Return the address of a memory-reference instruction, in its own field; _NONE for other words.
 
     One on page zero that has the current page bit counts as none: PAL III would leave that bit out.

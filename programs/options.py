@@ -12,6 +12,7 @@ import inspect
 import types
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
+from enum import IntEnum
 from math import isfinite
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
@@ -59,18 +60,20 @@ def _options(default: Any) -> Iterator[click.Parameter]:
 def _option(name: str, hint: Any, default: Any) -> click.Parameter:
     kind, help_line = get_args(hint)
     if kind is bool:
-        return _flag(name, default, help_line[0])
+        return _flag(name, default, help_line)
     if default is inspect.Parameter.empty:
         return click.Argument([name], type=_type(kind))
     return _named(name, _type(kind), default, f"{help_line[0].upper()}{help_line[1:]}.")
 
 
 def _flag(name: str, default: bool, help_line: str) -> click.Option:
-    return click.Option([f"--{name}"], is_flag=True, default=default, help=f"{help_line.capitalize()}.")
+    help_line = f"{help_line[0].upper()}{help_line[1:]}."
+    return click.Option([f"--{name}"], is_flag=True, default=default, help=help_line)
 
 
 def _named(name: str, kind: Any, default: Any, help_line: str) -> click.Option:
     spelling = "--" + name.strip("_").replace("_", "-")
+    default = int(default) if isinstance(default, IntEnum) else default  # as a number in the help
     shown: bool | str = default is not None
     if isinstance(kind, _Places):
         shown = " ".join(f"{x:g},{y:g}" for x, y in default)

@@ -63,7 +63,7 @@ class Action(NamedTuple):
     say: str = ""
 
 
-class Step(NamedTuple):
+class Loading(NamedTuple):
     """A part of the boot: so many keys pressed, or a tape of so many `frames`, `sections` and `words` read in
     `seconds`.
     """
@@ -188,7 +188,7 @@ class Operator:
 
     def boot(
         self, loader: bytes, program: bytes, name: str = "program", force: bool = False
-    ) -> Iterator[Step]:
+    ) -> Iterator[Loading]:
         """Load `program`, a BIN or RIM tape, from cold through the Teletype; `loader` is BIN's RIM tape.
 
         Yields each step as it is done. Leaves the machine standing still, the reader empty. Raises LoadError
@@ -196,7 +196,7 @@ class Operator:
         """
         self.panel.stop()
         self.panel.mem_prot = self.panel.sing_step = False
-        yield Step("RIM loader toggled in", sum(1 for _ in self.toggle(RIM_START, RIM)))
+        yield Loading("RIM loader toggled in", sum(1 for _ in self.toggle(RIM_START, RIM)))
         yield self.read_rim(loader, "BIN loader")
         if kinds.classify(program) == kinds.RIM:
             yield self.read_rim(program, name)
@@ -204,7 +204,7 @@ class Operator:
             yield self.read_bin(program, name, force)
         self.reader.remove()
 
-    def read_rim(self, tape: bytes, name: str = "tape") -> Step:
+    def read_rim(self, tape: bytes, name: str = "tape") -> Loading:
         """Let the RIM loader read `tape`; press STOP when it has run through. Raises LoadError if it does
         not.
         """
@@ -216,7 +216,7 @@ class Operator:
         self.stop()
         return self._read(f"{name} read by RIM", began, 1, _rim_words(tape))
 
-    def read_bin(self, tape: bytes, name: str = "tape", force: bool = False) -> Step:
+    def read_bin(self, tape: bytes, name: str = "tape", force: bool = False) -> Loading:
         """Let the BIN loader read `tape` from the Teletype, with CONT for each section after the first.
 
         Raises LoadError unless the loader halts after each, with AC = 0 or `force`.
@@ -240,9 +240,9 @@ class Operator:
             self.reader.remove()
             raise LoadError(f"{name}: the BIN loader halted with AC = {ac:04o} after {read}: wrong checksum")
 
-    def _read(self, what: str, began: int, sections: int, words: int) -> Step:
+    def _read(self, what: str, began: int, sections: int, words: int) -> Loading:
         seconds = (self.machine.processor.clock - began) / TICKS_PER_SECOND
-        return Step(what, 2, self.reader.position, sections, words, seconds)
+        return Loading(what, 2, self.reader.position, sections, words, seconds)
 
     def _run_on(self, seconds: float) -> None:
         """Let the machine run for a while, though it waits for what only the operator will do."""

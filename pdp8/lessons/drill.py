@@ -26,7 +26,7 @@ _KEYS = {
 _LOCKING = {"mem_prot": "MEM PROT", "sing_step": "SING STEP"}
 
 
-class Step(NamedTuple):
+class DrillStep(NamedTuple):
     """A line of the card: a key to press with `sr` in the switches, None for any; or a state to come to."""
 
     say: str
@@ -40,7 +40,7 @@ class Drill(NamedTuple):
 
     name: str
     title: str
-    steps: tuple[Step, ...]
+    steps: tuple[DrillStep, ...]
     words: Mapping[int, int] = {}
 
 
@@ -53,10 +53,10 @@ class Tapes(NamedTuple):
     program_words: Mapping[int, int]
 
 
-def _words(address: int, words: Sequence[int]) -> Iterator[Step]:
-    yield Step(f"{address:04o}  LOAD ADD", "load_add", address)
+def _words(address: int, words: Sequence[int]) -> Iterator[DrillStep]:
+    yield DrillStep(f"{address:04o}  LOAD ADD", "load_add", address)
     for offset, word in enumerate(words):
-        yield Step(f"{word:04o}  DEP       into {address + offset:04o}", "dep", word)
+        yield DrillStep(f"{word:04o}  DEP       into {address + offset:04o}", "dep", word)
 
 
 _CHAIN = (0o300, 0o345, 0o1234, 0o4571, 0o7402)
@@ -64,25 +64,27 @@ _COUNTING = (0o7200, 0o7001, 0o2206, 0o5202, 0o5201)
 """CLA; IAC; ISZ 206; JMP .-1; JMP .-3: a count that can be watched in the AC."""
 
 
-def _chain() -> Iterator[Step]:
-    yield Step(f"{_CHAIN[0]:04o}  LOAD ADD", "load_add", _CHAIN[0])
-    yield Step("EXAM: MB shows an address", "exam")
+def _chain() -> Iterator[DrillStep]:
+    yield DrillStep(f"{_CHAIN[0]:04o}  LOAD ADD", "load_add", _CHAIN[0])
+    yield DrillStep("EXAM: MB shows an address", "exam")
     for address in _CHAIN[1:-1]:
-        yield Step("set the address that MB shows, LOAD ADD", "load_add", address)
-        yield Step("EXAM", "exam")
+        yield DrillStep("set the address that MB shows, LOAD ADD", "load_add", address)
+        yield DrillStep("EXAM", "exam")
 
 
-def _boot(tapes: Tapes) -> Iterator[Step]:
+def _boot(tapes: Tapes) -> Iterator[DrillStep]:
     yield from _words(RIM_START, RIM)
-    yield Step(f"O: {tapes.bin_name} into the reader", come=_at_its_beginning)
-    yield Step(f"{RIM_START:04o}  LOAD ADD", "load_add", RIM_START)
-    yield Step("START: RIM reads BIN (P: faster)", "start")
-    yield Step("wait until the tape has run through", come=lambda machine: _holds(machine, tapes.bin_words))
-    yield Step("STOP", "stop")
-    yield Step(f"O: {tapes.program_name} into the reader", come=_at_its_beginning)
-    yield Step(f"{BIN_START:04o}  LOAD ADD", "load_add", BIN_START)
-    yield Step("START: BIN reads the program", "start", TELETYPE_READER)
-    yield Step("it halts; AC 0000: checksum right", come=lambda machine: _loaded(machine, tapes))
+    yield DrillStep(f"O: {tapes.bin_name} into the reader", come=_at_its_beginning)
+    yield DrillStep(f"{RIM_START:04o}  LOAD ADD", "load_add", RIM_START)
+    yield DrillStep("START: RIM reads BIN (P: faster)", "start")
+    yield DrillStep(
+        "wait until the tape has run through", come=lambda machine: _holds(machine, tapes.bin_words)
+    )
+    yield DrillStep("STOP", "stop")
+    yield DrillStep(f"O: {tapes.program_name} into the reader", come=_at_its_beginning)
+    yield DrillStep(f"{BIN_START:04o}  LOAD ADD", "load_add", BIN_START)
+    yield DrillStep("START: BIN reads the program", "start", TELETYPE_READER)
+    yield DrillStep("it halts; AC 0000: checksum right", come=lambda machine: _loaded(machine, tapes))
 
 
 def _at_its_beginning(machine: Machine) -> bool:
@@ -178,7 +180,7 @@ class Coach:
         self._go_on(f"right: {step.say}")
         return True
 
-    def _fault(self, step: Step, key: str) -> str:
+    def _fault(self, step: DrillStep, key: str) -> str:
         panel = self.machine.panel
         for name, label in _LOCKING.items():
             if getattr(panel, name):

@@ -8,7 +8,7 @@ import pytest
 import pal
 from pdp8.computer import operator
 from pdp8.computer.machine import LoadError, Machine
-from pdp8.computer.operator import Operator, Step
+from pdp8.computer.operator import Loading, Operator
 from tapes import binary, rim
 from tests.pdp8.computer.bench import octal
 
@@ -30,7 +30,7 @@ def bin_tape() -> bytes:
     return rim.encode(assembly("bin").words)
 
 
-def boot(machine: Machine, program: bytes, name: str = "program") -> list[Step]:
+def boot(machine: Machine, program: bytes, name: str = "program") -> list[Loading]:
     return list(Operator(machine).boot(bin_tape(), program, name))
 
 
