@@ -29,9 +29,9 @@ class State(NamedTuple):
 
 EDGES = (
     State(pc=0o0377, ac=0o0001, sr=0o5252, mem_prot=1, target=0o7600, operand=0o7777),
-    State(pc=0o7777, ac=0o7777, sr=0o0001, mem_prot=0, target=0o0010, operand=0o0001),
+    State(pc=0o7777, ac=0o0000, sr=0o0001, mem_prot=0, target=0o0010, operand=0o0001),
     State(pc=0o0177, ac=0o4000, sr=0o7777, mem_prot=1, target=0o7577, operand=0o7776),
-    State(pc=0o0010, ac=0o0000, sr=0o0000, mem_prot=0, target=0o7777, operand=0o7777),
+    State(pc=0o0010, ac=0o7777, sr=0o0000, mem_prot=0, target=0o7777, operand=0o7777),
     State(pc=0o7600, ac=0o3777, sr=0o4000, mem_prot=1, target=0o0000, operand=0o4000),
     State(pc=0o7577, ac=0o7776, sr=0o2525, mem_prot=0, target=0o0177, operand=0o0000),
     State(pc=0o0000, ac=0o5252, sr=0o7000, mem_prot=1, target=0o7777, operand=0o2525),
