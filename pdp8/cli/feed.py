@@ -8,6 +8,7 @@ import os
 import select
 import sys
 from collections.abc import Callable
+from io import UnsupportedOperation
 
 from pdp8.computer.teletype import Reader
 from tapes import command, kinds, shelf
@@ -85,7 +86,10 @@ def _pipe(name: str) -> int:
     if sys.platform == "win32":
         return -1
     if name == "-":
-        number = sys.stdin.fileno()
+        try:
+            number = sys.stdin.fileno()
+        except UnsupportedOperation:  # a stream of Python's own, as in a browser
+            return -1
     else:
         path = shelf.find(name)
         if os.path.isfile(path) or os.path.isdir(path):

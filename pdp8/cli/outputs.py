@@ -1,6 +1,7 @@
 """Where the frames of a punch go as they are punched; at a terminal, the printed page instead."""
 
 import sys
+from contextlib import suppress
 from typing import BinaryIO
 
 from pdp8.computer.teletype import Punch, printed
@@ -18,9 +19,10 @@ class Output:
         self._stream: BinaryIO = sys.stdout.buffer if self._page else shelf.open_punch(name or "-")
 
     def close(self) -> None:
-        """Close the file; standard output stays open."""
+        """Close the file; standard output stays open. What `send` could not write is lost."""
         if self._stream is not sys.stdout.buffer:
-            self._stream.close()
+            with suppress(OSError):
+                self._stream.close()
 
     def send(self) -> None:
         """Pass on what was punched since the last time."""
