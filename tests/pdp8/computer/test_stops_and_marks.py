@@ -163,3 +163,12 @@ def test_a_tape_put_in_after_rfc_takes_its_time_from_then() -> None:
     m.highspeed.reader.load(b"a")
     assert m.run().reason == "halt"
     assert 66_667 <= m.ticks - at < 66_667 + 300
+
+
+@pytest.mark.parametrize("skip", ["7410", "7440", "2020", "7610"])
+def test_a_breakpoint_after_a_skip_stops(skip: str) -> None:
+    """NOPs, the skip, and past the word it skips the breakpoint; then a loop."""
+    m = machine(f"7000 7000 7000 {skip} 7001 7001 5205", at_20=0o7777)
+    m.watch.breakpoints = {0o205}
+    assert m.run(seconds=0.01).reason == "breakpoint"
+    assert (m.pc, m.instructions, m.ac) == (0o205, 4, 0)
