@@ -12,7 +12,7 @@ cdef class Device:
     cdef public Device behind
     cdef public int64_t due
 
-    cpdef void plan(self) noexcept
+    cpdef restored(self)
     cpdef int pulse(self, int iop, int ac, int64_t now) except? -1
     cpdef advance(self, int64_t now)
     cpdef initialize(self, int64_t now)

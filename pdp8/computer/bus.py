@@ -56,8 +56,8 @@ class Device:
         """
         raise NotImplementedError
 
-    def plan(self) -> None:
-        """Set `due` from the other fields, where a saved state did not give it."""
+    def restored(self) -> None:
+        """Set `due` from the other fields, because a saved state did not give it."""
 
     def advance(self, now: int) -> None:
         """Let everything happen that happens up to and including tick `now`."""

@@ -130,7 +130,7 @@ def _take_device(machine: Machine, code: str, fields: object) -> None:
         raise StateError(f"{place}: {kind!r} was saved, but {type(device).__name__!r} is fitted")
     _take(device, named, place, machine)
     if "due" not in named:
-        device.plan()
+        device.restored()
 
 
 def _take(part: Any, fields: object, place: str, machine: Machine) -> None:

@@ -37,6 +37,7 @@ cdef class Receiver(Device):
     cdef public int64_t now, start, free, step, requested
 
     @cython.locals(start=int64_t)
+    cpdef void plan(self) noexcept
     cpdef int begin(self) except -1
     @cython.locals(bits=int)
     cpdef int shifted(self, int64_t now) except -1
@@ -66,6 +67,7 @@ cdef class Transmitter(Device):
     cdef public int register, shifts, unit, selected, printed
     cdef public int64_t start, free
 
+    cpdef void plan(self) noexcept
     @cython.locals(units=int)
     cdef int left(self) except -1
     cpdef int end(self) except -1

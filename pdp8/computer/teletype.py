@@ -163,6 +163,10 @@ class Receiver(Device):
         if self.stage == 0:
             self.step = self.due = AT_ONCE
 
+    def restored(self) -> None:
+        """Set what happens next."""
+        self.plan()
+
     def plan(self) -> None:
         """Set `step` to the next thing that happens here, and `due` to the next that changes the flag."""
         if self.stage == 2:
@@ -330,6 +334,10 @@ class Transmitter(Device):
         """The data units it has taken."""
         self.printed = 0
         """Set while the register sends what the printer was let finish ahead of its time."""
+
+    def restored(self) -> None:
+        """Set what happens next."""
+        self.plan()
 
     def plan(self) -> None:
         """Set `due` to the next event: a raised flag falls at the first shift and rises at the last."""
