@@ -316,6 +316,7 @@ def test_everything_has_a_name(page: "Page", circle: Afternoon) -> None:
           .map((element) => element.outerHTML.slice(0, 80))"""
     )
     assert nameless == []
+    page.locator("#computer .spoken", has_text="memory").wait_for(state="attached")  # a frame later
     spoken = page.locator("#computer .spoken").inner_text()
     assert re.match(
         r"memory address [0-7]{4}, memory buffer [0-7]{4}, link [01], accumulator [0-7]{4}", spoken
