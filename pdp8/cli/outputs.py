@@ -1,6 +1,7 @@
 """Where the frames of a punch go as they are punched; at a terminal, the printed page instead."""
 
 import sys
+from collections.abc import Iterable
 from contextlib import suppress
 from typing import BinaryIO
 
@@ -37,3 +38,9 @@ class Output:
         except OSError as error:
             raise shelf.ShelfError(f"{self._name}: {error.strerror} after {self._sent:,} frames") from error
         self._sent += len(fresh)
+
+
+def send(outputs: Iterable[Output]) -> None:
+    """Pass on what each punch has punched since the last time."""
+    for output in outputs:
+        output.send()

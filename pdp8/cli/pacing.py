@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from pdp8.cli.feed import Feed
 from pdp8.cli.interrupt import ctrl_c
-from pdp8.cli.outputs import Output
+from pdp8.cli.outputs import Output, send
 from pdp8.cli.progress import Bar
 from pdp8.computer.bus import NEVER
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
@@ -40,14 +40,10 @@ def run(
         if traced:  # a second of it takes too long to wait for its end
             machine.stop()
 
-    def send() -> None:
-        for output in outputs:
-            output.send()
-
     with Bar("reading tape", len(reader.tape), wanted=not quiet) as bar, ctrl_c(stop) as interrupt:
 
         def idle() -> bool:
-            send()
+            send(outputs)
             return interrupt.pressed
 
         feed.idle = idle
@@ -55,7 +51,7 @@ def run(
         while ended is None or (ended.reason is Reason.TAPE_OUT and feed.announce_next()):
             for now in machine.slices((last - machine.ticks) / TICKS_PER_SECOND, shortest, longest):
                 ended = now
-                send()
+                send(outputs)
                 bar.show(reader.position)
                 if interrupt.pressed:
                     machine.stop()
@@ -64,7 +60,7 @@ def run(
                     if realtime:
                         time.sleep(max(0.0, machine.elapsed - (time.monotonic() - began)))
             if interrupt.pressed and ended and ended.reason in (Reason.STOP_KEY, Reason.TAPE_OUT):
-                send()
+                send(outputs)
                 return None
         return ended
 

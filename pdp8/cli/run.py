@@ -2,6 +2,7 @@
 
 import sys
 from contextlib import AbstractContextManager, ExitStack
+from functools import partial
 from typing import TYPE_CHECKING
 
 import click
@@ -9,7 +10,7 @@ from click.core import ParameterSource
 
 from pdp8.cli import pacing
 from pdp8.cli.feed import Feed
-from pdp8.cli.outputs import Output
+from pdp8.cli.outputs import Output, send
 from pdp8.cli.parameters import octal, seconds
 from pdp8.computer import program as programs
 from pdp8.computer.machine import Machine
@@ -217,22 +218,14 @@ def _typed(
 ) -> Stop | None:
     from pdp8.cli.keyboard import sit_down
 
-    def pass_on() -> None:
-        for output in outputs:
-            output.send()
-
-    return sit_down(machine, found.listing if found else None, max_time, realtime, pass_on)
+    return sit_down(machine, found.listing if found else None, max_time, realtime, partial(send, outputs))
 
 
 def _on_line(machine: Machine, path: str, outputs: list[Output], max_time: float | None) -> Stop | None:
     from pdp8.cli.line import Line
 
-    def pass_on() -> None:
-        for output in outputs:
-            output.send()
-
     with Line(path) as line:
-        return line.run(machine, max_time, pass_on)
+        return line.run(machine, max_time, partial(send, outputs))
 
 
 def _traced(
