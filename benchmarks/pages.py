@@ -1,0 +1,110 @@
+"""How fast the machine of the pages is: in Node.js, in headless Chromium, in headless Firefox.
+
+    mixed      checksum, software multiplication and sieve (mixed.pal)
+    counter    a counter whose loop does something, so that no turn of it is passed over
+
+Each is run for some seconds of machine time by the workbench's own `machine.run`, after one run that lets the
+engine compile it; the least of the repeats counts, by `performance.now()`.
+
+    python -m benchmarks.pages [--repeat 9]
+"""
+
+import json
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import click
+from rich.console import Console
+from rich.table import Table
+
+import pal
+from benchmarks.kernels import kernel
+from pdp8.web.workbench import page
+from tests.pdp8.conftest import CHROMIUM, MODULES, NODE, QUIET
+from tests.pdp8.web.firefox import FIREFOX, opened
+
+COUNTER = (
+    "*200\nLOOP,\tTAD SUM\n\tIAC\n\tDCA SUM\n\tISZ COUNT\n\tJMP LOOP\n\tJMP LOOP\nCOUNT,\t0\nSUM,\t0\n$\n"
+)
+SECONDS = 4.0
+"""Machine time of one run: some 50 ms, short enough to be left alone on a busy machine."""
+
+_RUN = """(Machine, kernels, seconds, repeat) => Object.entries(kernels).map(([name, words]) => {
+  const times = [];
+  for (let run = 0; run <= repeat; run++) {
+    const machine = new Machine();
+    machine.load(words);
+    machine.processor.pc = 0o200;
+    machine.panel.start();
+    const began = performance.now();
+    machine.run(seconds * 20e6);
+    if (run) times.push(performance.now() - began);
+    if (machine.ticks < seconds * 20e6) throw new Error(`${name} ended`);
+  }
+  return [name, Math.min(...times) / 1000];
+})"""
+
+
+def kernels() -> dict[str, list[tuple[int, int]]]:
+    """Return the words of each kernel."""
+    return {"mixed": list(kernel("mixed").items()), "counter": list(pal.assemble(COUNTER).words.items())}
+
+
+def in_node(call: str) -> Any:
+    """Return what `call` returns in Node.js, with the page's modules as they are."""
+    driver = f'import {{ Machine }} from "{(MODULES / "computer" / "machine.mjs").as_uri()}";\n'
+    driver += f"console.log(JSON.stringify({call}));"
+    command = [str(NODE), "--input-type=module", "--eval", driver]
+    return json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+
+
+def in_chromium(call: str) -> Any:
+    """Return what `call` returns in the workbench in Chromium."""
+    from playwright.sync_api import sync_playwright
+
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        file = Path(folder) / "pdp8.html"
+        file.write_text(page(), encoding="utf-8")
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(QUIET))
+        tab = browser.new_page()
+        tab.goto(file.as_uri())
+        return tab.evaluate(f"() => {{ const Machine = workbench.machine.constructor; return {call}; }}")
+
+
+def in_firefox(call: str) -> Any:
+    """Return what `call` returns in the workbench in Firefox."""
+    with tempfile.TemporaryDirectory() as folder, opened(Path(folder), page()) as firefox:
+        return firefox.run(f"const Machine = window.workbench.machine.constructor; return {call};")
+
+
+def measured(repeat: int) -> Iterator[tuple[str, str, float]]:
+    """Yield where, which kernel, and how many times as fast as a real 8/L."""
+    call = f"({_RUN})(Machine, {json.dumps(kernels())}, {SECONDS}, {repeat})"
+    places: tuple[tuple[str, str | None, Callable[[str], Any]], ...] = (
+        ("Node.js", NODE, in_node),
+        ("Chromium", CHROMIUM, in_chromium),
+        ("Firefox", FIREFOX, in_firefox),
+    )
+    for name, installed, run in places:
+        if installed:
+            yield from ((name, label, SECONDS / taken) for label, taken in run(call))
+
+
+@click.command()
+@click.option("--repeat", type=click.IntRange(min=1), default=9, show_default=True, help="Runs of each.")
+def main(repeat: int) -> None:
+    """Run the kernels on the pages' machine."""
+    table = Table(title=f"the pages' machine, least of {repeat}")
+    for column in ("", "kernel", "× a real 8/L"):
+        table.add_column(column, justify="right" if column.startswith("×") else "left")
+    for place, name, ratio in measured(repeat):
+        table.add_row(place, name, f"{ratio:,.0f}")
+    Console(width=None if sys.stdout.isatty() else 120).print(table)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,91 @@
+"""A headless Firefox, driven by Marionette, the protocol that Firefox speaks."""
+
+import json
+import shutil
+import socket
+import subprocess
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+FIREFOX = shutil.which("firefox-esr") or shutil.which("firefox")
+_START_SECONDS = 60
+
+
+class Firefox:
+    """A headless Firefox; `call` sends one command of the WebDriver protocol over Marionette's socket."""
+
+    def __init__(self, port: int) -> None:
+        self._number = 0
+        self._socket = self._connected(port)
+        self._read()  # it says hello
+
+    @staticmethod
+    def _connected(port: int) -> socket.socket:
+        """Return a socket to Marionette, as soon as it listens."""
+        end = time.monotonic() + _START_SECONDS
+        while True:
+            try:
+                return socket.create_connection(("127.0.0.1", port), timeout=60)
+            except OSError:
+                if time.monotonic() > end:
+                    raise
+                time.sleep(0.25)
+
+    def call(self, name: str, **parameters: Any) -> Any:
+        """Return what the command answers."""
+        self._number += 1
+        message = json.dumps([0, self._number, name, parameters])
+        self._socket.sendall(f"{len(message)}:{message}".encode())
+        _, _, error, result = self._read()
+        assert error is None, error
+        return result
+
+    def run(self, script: str) -> Any:
+        """Return what a script in the page returns."""
+        answer = self.call("WebDriver:ExecuteScript", script=script, args=[], sandbox=None, newSandbox=False)
+        return answer["value"]
+
+    def until(self, condition: str) -> None:
+        """Wait until it holds."""
+        for _ in range(600):
+            if self.run(f"return {condition}"):
+                return
+            time.sleep(0.1)
+        raise AssertionError(condition)
+
+    def close(self) -> None:
+        """Hang up."""
+        self._socket.close()
+
+    def _read(self) -> Any:
+        length = b""
+        while not length.endswith(b":"):
+            length += self._socket.recv(1)
+        text = b""
+        while len(text) < int(length[:-1]):
+            text += self._socket.recv(int(length[:-1]) - len(text))
+        return json.loads(text)
+
+
+@contextmanager
+def opened(folder: Path, html: str) -> Iterator[Firefox]:
+    """A Firefox with its profile in `folder`, at a page opened from disk."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    (folder / "user.js").write_text(f'user_pref("marionette.port", {port});\n')
+    file = folder / "page.html"
+    file.write_text(html, encoding="utf-8")
+    command = [str(FIREFOX), "--headless", "--marionette", "--no-remote", "--profile", str(folder)]
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+        try:
+            driver = Firefox(port)
+            driver.call("WebDriver:NewSession")
+            driver.call("WebDriver:Navigate", url=file.as_uri())
+            yield driver
+            driver.close()
+        finally:
+            process.terminate()
