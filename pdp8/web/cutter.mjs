@@ -61,12 +61,13 @@ export function drawWhole(context, mill, place, started, width, height) {
   context.clearRect(0, 0, width, height);
   context.fillStyle = PLATE;
   context.fillRect(0, 0, width, height);
-  context.lineJoin = context.lineCap = "round";
+  context.lineJoin = "bevel"; // round ones cost more, and no step is as wide as the groove
+  context.lineCap = "round";
   if (started) {
     trace(context, mill, place, view, GROOVE, mill.diameter * scale + 1.5);
     trace(context, mill, place, view, FLOOR, mill.diameter * scale);
   }
-  rest(context, mill, view);
+  rest(context, mill, place, view);
   if (started) trace(context, mill, place, view, LINE, 1.3);
   drawInches(context, view, width, height);
   if (started) drawTool(context, view, place, (mill.diameter / 2) * scale);
@@ -80,7 +81,7 @@ export function drawClose(context, mill, place, started, width, height) {
   context.fillStyle = "#f7f3e9";
   context.fillRect(0, 0, width, height);
   drawGrid(context, view, width, height);
-  drawBand(context, mill, view);
+  drawBand(context, mill, place, view, Math.hypot(width, height) / scale);
   context.lineJoin = "miter";
   context.lineCap = "butt";
   corners(context, mill, place, view, width, height);
@@ -115,12 +116,13 @@ function segment(context, path, knot, view) {
 }
 
 /** What is still to come, faintly. */
-function rest(context, mill, view) {
+function rest(context, mill, place, view) {
   context.strokeStyle = "rgba(32,48,58,.45)";
   context.lineWidth = 1;
   context.setLineDash([3, 4]);
   context.beginPath();
-  for (let knot = 1; knot < mill.path.length; knot++) segment(context, mill.path, knot, view);
+  if (place.down) context.moveTo(view.x(place.x), view.y(place.y));
+  for (let knot = place.knot + 1; knot < mill.path.length; knot++) segment(context, mill.path, knot, view);
   context.stroke();
   context.setLineDash([]);
 }
@@ -147,31 +149,46 @@ function corners(context, mill, place, view, width, height) {
   }
 }
 
-function drawBand(context, mill, view) {
+/** The band, as far as it is near `place`: what is drawn costs time where nobody sees it, too. */
+function drawBand(context, mill, place, view, reach) {
   if (!mill.band) return;
-  context.fillStyle = "rgba(47,111,94,.13)";
-  context.beginPath();
-  outline(context, mill.band.outer, view);
-  if (mill.closed) outline(context, mill.band.inner, view);
-  else outline(context, mill.band.inner.toReversed(), view, true);
-  context.fill("evenodd");
-  context.strokeStyle = BAND;
-  context.lineWidth = 1.4;
-  context.beginPath();
-  outline(context, mill.band.outer, view);
-  outline(context, mill.band.inner, view);
-  context.stroke();
-  context.setLineDash([8, 4, 2, 4]);
-  context.lineWidth = 1;
-  context.beginPath();
-  outline(context, mill.band.nominal, view);
-  context.stroke();
-  context.setLineDash([]);
+  const { inner, nominal, outer } = mill.band;
+  for (const [from, to] of stretches(nominal, ([x, y]) => Math.hypot(x - place.x, y - place.y) < reach)) {
+    const [below, middle, above] = [inner, nominal, outer].map((points) => points.slice(from, to));
+    context.fillStyle = "rgba(47,111,94,.13)";
+    context.beginPath();
+    outline(context, above.concat(below.toReversed()), view);
+    context.fill();
+    context.strokeStyle = BAND;
+    context.lineWidth = 1.4;
+    context.beginPath();
+    outline(context, above, view);
+    outline(context, below, view);
+    context.stroke();
+    context.setLineDash([8, 4, 2, 4]);
+    context.lineWidth = 1;
+    context.beginPath();
+    outline(context, middle, view);
+    context.stroke();
+    context.setLineDash([]);
+  }
 }
 
-function outline(context, points, view, goOn = false) {
+/** The stretches of `points` that are near, [from, to), each with the point before it and the one behind. */
+function stretches(points, near) {
+  const found = [];
+  points.forEach((point, index) => {
+    if (!near(point)) return;
+    const last = found.at(-1);
+    if (last && last[1] >= index) last[1] = index + 2;
+    else found.push([Math.max(0, index - 1), index + 2]);
+  });
+  return found;
+}
+
+function outline(context, points, view) {
   points.forEach(([x, y], index) => {
-    if (index || goOn) context.lineTo(view.x(x), view.y(y));
+    if (index) context.lineTo(view.x(x), view.y(y));
     else context.moveTo(view.x(x), view.y(y));
   });
 }

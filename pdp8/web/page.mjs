@@ -4,6 +4,7 @@ import { Afternoon, unpacked } from "./afternoon.mjs";
 import { over } from "./brightness.mjs";
 import { Machine } from "./computer/machine.mjs";
 import { TIMES } from "./facts.mjs";
+import { Pictures } from "./pictures.mjs";
 import { Scene } from "./scene.mjs";
 import { escaped, find } from "./written.mjs";
 
@@ -22,8 +23,6 @@ const SPEEDS = [
 ];
 const USUAL = 8;
 
-const PICTURE = 1000 / 20; // ms between two pictures of a play, at least
-const LONGEST = 250; // ms that a picture may stand for: a page that was asleep does not jump
 const TYPED_INTO = "input, select, textarea, [tabindex], a, summary"; // what has keys of its own
 
 class Page {
@@ -32,6 +31,7 @@ class Page {
     this.afternoon = new Afternoon(record);
     this.scene = new Scene(record, this.afternoon);
     this.playing = false;
+    this.pictures = new Pictures((passed) => this.#picture(passed));
     this.position = 0; // the instant in ticks and, in slow motion, parts of them
     this.unit = "character";
     this.#describe();
@@ -86,23 +86,20 @@ class Page {
     this.playing = on;
     document.body.classList.toggle("playing", on);
     find("play").setAttribute("aria-label", on ? "Pause" : "Play");
-    if (on) this.#frame(performance.now());
-    else cancelAnimationFrame(this.coming);
+    if (on) this.pictures.start();
+    else this.pictures.stop();
     if (!on) this.#say();
   }
 
-  /** Show the next picture of a play when it is due, and ask for the one after. */
-  #frame(before) {
-    this.coming = requestAnimationFrame((now) => {
-      if (now - before < PICTURE) return this.#frame(before);
-      const passed = Math.min(now - before, LONGEST) / 1000;
-      this.position += passed * SECOND * this.speed;
-      const { afternoon } = this;
-      const brightness = over(afternoon.machine, afternoon.now, Math.floor(this.position), (tick) => afternoon.to(tick));
-      this.scene.show(brightness);
-      if (this.position >= afternoon.end) this.play(false);
-      else this.#frame(now);
-    });
+  /** Show the next picture of a play; return whether it goes on. */
+  #picture(passed) {
+    const speed = (this.pictures.speed = this.speed);
+    this.position += (passed / 1000) * SECOND * speed;
+    const { afternoon } = this;
+    const brightness = over(afternoon.machine, afternoon.now, Math.floor(this.position), (tick) => afternoon.to(tick));
+    this.scene.show(brightness);
+    if (this.position >= afternoon.end) this.play(false);
+    return this.playing;
   }
 
   get speed() {

@@ -160,7 +160,6 @@ def _mill(afternoon: Afternoon) -> dict[str, Any]:
         "blocks": blocks,
         "path": knots,
         "diameter": made.cutter * 1000,
-        "closed": curve is not None and curve.closed,
         "band": _band(curve, made.tolerance * 1000),
     }
 

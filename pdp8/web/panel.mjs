@@ -13,6 +13,7 @@ const SIGNS = ["FETCH", "DEFER", "EXECUTE", "WORD COUNT", "CURR ADDR", "BREAK", 
 const KEYS = ["START", "LOAD ADD", "DEP", "EXAM", "CONT", "STOP", "SING STEP"];
 
 const LEVELS = 12; // of brightness
+const INERTIA = 0.6; // what a filament keeps of its brightness from one picture to the next
 
 export class Panel {
   /** In `place`; `live` switches and keys are buttons, with MEM PROT among them. */
@@ -40,12 +41,15 @@ export class Panel {
     this.rockers = [...place.querySelectorAll(".rocker")];
     this.keys = new Map([...place.querySelectorAll(".key")].map((button) => [button.dataset.key, button]));
     this.spoken = place.querySelector(".spoken");
-    this.lit = new Map();
+    this.shares = {}; // of the time in which each lamp was lit, as a filament keeps them
+    this.levels = new Map();
   }
 
   /** Show the machine: its lamps as bright as they were, or as they are; the key that is being pressed, if any. */
-  show(machine, pressed, brightness = lit(machine)) {
-    for (const name in brightness) this.#light(name, Math.round(brightness[name] * LEVELS));
+  show(machine, pressed, brightness) {
+    const inertia = brightness ? INERTIA : 0;
+    const now = brightness ?? lit(machine);
+    for (const name in now) this.#light(name, (this.shares[name] = now[name] + ((this.shares[name] ?? now[name]) - now[name]) * inertia));
     this.#switches(machine.processor.sr);
     if (pressed !== this.pressed) {
       this.pressed = pressed;
@@ -69,9 +73,11 @@ export class Panel {
     });
   }
 
-  #light(name, level) {
-    if (this.lit.get(name) === level) return;
-    this.lit.set(name, level);
+  /** A lamp keeps its level while it is within one of it: nobody sees less. */
+  #light(name, share) {
+    if (Math.abs(share * LEVELS - this.levels.get(name)) < 1) return;
+    const level = Math.round(share * LEVELS);
+    this.levels.set(name, level);
     const lamp = this.lamps.get(name);
     lamp.classList.toggle("on", level > LEVELS / 2);
     lamp.style.setProperty("--lit", level / LEVELS);

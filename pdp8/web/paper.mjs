@@ -1,6 +1,7 @@
 // The sheet on the desk: a program's listing with its current line lit, the Teletype's page, or the list of blocks.
 
 import { upper } from "./afternoon.mjs";
+import { Current } from "./current.mjs";
 import { ASCII, TIMES } from "./facts.mjs";
 import { octal } from "./written.mjs";
 
@@ -11,19 +12,19 @@ export class Paper {
     this.record = record;
     this.sheets = new Map();
     this.shown = null;
-    this.lit = null;
+    this.current = new Current(place);
   }
 
   show(act, afternoon) {
     const sheet = act.sheet;
     if (this.shown !== sheet) this.#lay(sheet);
-    if (this.record.sheets[sheet].kind !== "picture") this.#light(this.#line(sheet, act, afternoon));
+    if (this.record.sheets[sheet].kind !== "picture") this.current.light(this.#line(sheet, act, afternoon));
   }
 
   /** Put one sheet on the desk. */
   #lay(name) {
     const { title, kind, svg } = this.record.sheets[name];
-    this.#light(null);
+    this.current.light(null);
     this.shown = name;
     this.title.textContent = title;
     this.place.setAttribute("aria-label", title);
@@ -79,18 +80,5 @@ export class Paper {
   starts() {
     this.blockStarts ??= Float64Array.from(this.record.mill.blocks, (block) => block.at);
     return this.blockStarts;
-  }
-
-  #light(line) {
-    if (line === this.lit) return;
-    this.lit?.classList.remove("now");
-    this.lit?.removeAttribute("aria-current");
-    this.lit = line;
-    if (!line) return;
-    line.classList.add("now");
-    line.setAttribute("aria-current", "true");
-    const { place } = this;
-    const above = line.offsetTop - place.scrollTop;
-    if (above < 40 || above > place.clientHeight - 60) place.scrollTop = line.offsetTop - place.clientHeight / 2;
   }
 }

@@ -14,6 +14,8 @@ import { clock, escaped, find, grouped, octal, seconds } from "./written.mjs";
 const { FRAME, SECOND } = TIMES;
 const SAID = 8 * SECOND; // how long the operator's last action is shown
 const PRESSED = 0.4 * SECOND; // how long a key shows as pressed
+const FINE = 4000; // steps of the slider: about half a pixel
+const READABLE = 200; // ms between two writings of registers that run
 const SHORT = { preparatory: "prep.", x: "X", y: "Y", reserved: "res.", miscellaneous: "misc." };
 const DIGITS = Object.values(FIELDS).reduce((sum, width) => sum + width);
 
@@ -29,6 +31,8 @@ export class Scene {
       ["in-tape", "out-tape", "whole", "close"].map((id) => [id, new Sheet(find(id), () => this.show())]),
     );
     this.registers = new Map();
+    this.written = 0; // when the registers were written last, in ms
+    this.instructions = 0; // the count that they had then
   }
 
   /** Show the instant; `brightness` is that of the lamps since the last one, if time went on. */
@@ -36,15 +40,32 @@ export class Scene {
     const { afternoon, record } = this;
     const { now, machine, action } = afternoon;
     const act = afternoon.act();
+    const [reader, punch] = [this.#reader(act), this.#punch(act)];
+    const place = this.mill.at(now);
+    this.#pictures(reader, punch, place);
     this.#time(act, now);
     this.panel.show(machine, action && now - action.at < PRESSED ? action.key : null, brightness);
     this.#caption(act, action);
     const { kind } = record.sheets[act.sheet];
     if (this.kind !== kind) document.querySelector("main").dataset.sheet = this.kind = kind;
-    this.#registers(act, machine);
-    this.#tapes(act);
+    this.#registers(act, machine, Boolean(brightness));
+    this.#tapes(act, reader, punch);
+    this.#cutter(place);
     this.paper.show(act, afternoon);
-    this.#cutter();
+  }
+
+  /** Draw the tapes and the table, before any text is written: a canvas that sets a font, and a list that is scrolled,
+   *  has the browser work out at once what has changed so far.
+   */
+  #pictures(reader, punch, place) {
+    const { mill, sheets } = this;
+    const started = place.block >= 0;
+    const close = started ? place : mill.first();
+    const key = `${place.knot} ${place.x} ${place.y} ${started}`;
+    if (reader) sheets["in-tape"].draw(tapeKey(reader), (context, ...size) => drawTape(context, reader, ...size));
+    if (punch) sheets["out-tape"].draw(tapeKey(punch), (context, ...size) => drawTape(context, punch, ...size));
+    sheets.whole.draw(key, (context, ...size) => drawWhole(context, mill, place, started, ...size));
+    sheets.close.draw(key, (context, ...size) => drawClose(context, mill, close, started, ...size));
   }
 
   /** Say the instant in words, for who cannot see it. */
@@ -58,7 +79,7 @@ export class Scene {
     const time = clock(this.record.opens, now);
     this.writer.text(find("clock"), time);
     this.writer.text(find("act-name"), act.name);
-    find("slider").value = now;
+    if (Math.abs(find("slider").value - now) > this.afternoon.end / FINE) find("slider").value = now;
     if (time !== this.time) find("slider").setAttribute("aria-valuetext", `${time}, ${act.name}`);
     this.time = time;
     if (this.act === act) return;
@@ -72,11 +93,15 @@ export class Scene {
     this.writer.html(find("caption"), `<b>${escaped(act.name)}.</b> ${escaped(act.say)} <em>${escaped(doing)}</em>`);
   }
 
-  /** The registers, while there is a program beside them. */
-  #registers(act, machine) {
+  /** The registers, while there is a program beside them; those that run faster than they can be read, less often. */
+  #registers(act, machine, running) {
     const hidden = this.record.sheets[act.sheet].kind !== "listing";
     if (find("registers").hidden !== hidden) find("registers").hidden = hidden;
-    if (hidden) return;
+    const { instructions } = machine.processor;
+    const soon = performance.now() - this.written < READABLE && Math.abs(instructions - this.instructions) > 1;
+    if (hidden || (running && soon)) return;
+    this.written = performance.now();
+    this.instructions = instructions;
     const { processor, teletype } = machine;
     const shown = [
       ["L", machine.link], ["AC", octal(machine.ac)], ["MA", octal(processor.ma)], ["MB", octal(processor.mb)],
@@ -101,14 +126,10 @@ export class Scene {
     return this.registers.get(name);
   }
 
-  #tapes(act) {
-    const reader = this.#reader(act);
-    const punch = this.#punch(act);
+  #tapes(act, reader, punch) {
     this.#label("in", reader);
     this.#label("out", punch);
     this.#block(act.kind === "terminal" ? punch : reader);
-    if (reader) this.sheets["in-tape"].draw(tapeKey(reader), (context, ...size) => drawTape(context, reader, ...size));
-    if (punch) this.sheets["out-tape"].draw(tapeKey(punch), (context, ...size) => drawTape(context, punch, ...size));
   }
 
   /** The tape that is being read: by the Teletype, or by the Hydra-Point. */
@@ -169,20 +190,14 @@ export class Scene {
     this.writer.html(place, `<b>block ${number}</b><p>${cells.join("")}</p>`);
   }
 
-  #cutter() {
-    const place = this.mill.at(this.afternoon.now);
-    const started = place.block >= 0;
-    const where = started
+  #cutter(place) {
+    const where = place.block >= 0
       ? `X ${(place.x / 1000).toFixed(3)}  Y ${(place.y / 1000).toFixed(3)}`
       : `waiting for its tape: ${this.mill.blocks.length} blocks`;
-    const close = started ? place : this.mill.first();
-    const key = `${place.knot} ${place.x} ${place.y} ${started}`;
     this.writer.html(find("whole-label"), `<b>Hydra-Point</b><span>${where}</span>`);
     this.writer.html(find("close-label"), `<b>${this.mill.band ? "In its band" : "Close by"}</b><span>squares of .010 in</span>`);
     this.writer.label(find("whole"), `the Hydra-Point's table, ${where}`);
     this.writer.label(find("close"), `the staircase close by, ${where}`);
-    this.sheets.whole.draw(key, (context, ...size) => drawWhole(context, this.mill, place, started, ...size));
-    this.sheets.close.draw(key, (context, ...size) => drawClose(context, this.mill, close, started, ...size));
   }
 }
 

@@ -1,12 +1,11 @@
 // The bench's time: the machine runs while the page is looked at, and nothing is drawn while nothing can change.
 //
-//     awake ──► a picture at most 30 times a second: run, sample the lamps, show ──► asleep when all stands still
+//     awake ──► a picture, some times a second: run, sample the lamps, show ──► asleep when all stands still
 
 import { lit } from "../brightness.mjs";
 import { ISA, TIMES } from "../facts.mjs";
+import { Pictures } from "../pictures.mjs";
 
-const PICTURE = 1000 / 30; // ms
-const LONGEST = 250; // ms that a picture may stand for
 const BUDGET = 24; // ms of computing for a picture at full speed
 const SLICES = 12; // of a picture, each with a look at the lamps
 export const SPEEDS = [[1, "as it was"], [10, "10 times"], [100, "100 times"], [Infinity, "as fast as it goes"]];
@@ -16,30 +15,29 @@ export class Clock {
   constructor(bench, show) {
     this.bench = bench;
     this.show = show;
-    this.speed = 1;
-    this.before = 0;
-    this.coming = 0;
+    this.pictures = new Pictures((passed, now) => this.#picture(passed, now), 1);
     document.addEventListener("visibilitychange", () => document.hidden || this.wake());
+  }
+
+  get speed() {
+    return this.pictures.speed;
+  }
+
+  set speed(speed) {
+    this.pictures.speed = speed;
   }
 
   /** Something was touched: go on, from now. */
   wake() {
-    if (this.coming) return;
-    this.before = performance.now();
-    this.coming = requestAnimationFrame((now) => this.#frame(now));
+    this.pictures.start();
   }
 
-  #frame(now) {
-    this.coming = 0;
-    if (now - this.before < PICTURE) {
-      this.coming = requestAnimationFrame((later) => this.#frame(later));
-      return;
-    }
-    const ticks = (Math.min(now - this.before, LONGEST) / 1000) * TIMES.SECOND * Math.min(this.speed, 1e6);
-    this.before = now;
+  /** Show what the machine does in some milliseconds; return whether it goes on. */
+  #picture(passed, now) {
+    const ticks = (passed / 1000) * TIMES.SECOND * Math.min(this.speed, 1e6);
     const { brightness, reason } = this.#run(ticks, now);
     this.show(brightness, reason);
-    if (!document.hidden && this.#moves()) this.coming = requestAnimationFrame((later) => this.#frame(later));
+    return !document.hidden && this.#moves();
   }
 
   /** Whether anything can change of itself. */

@@ -1,5 +1,6 @@
 // The debugger: the listing with its line lit, breakpoints, steps forward and back, run until, registers and core.
 
+import { Current } from "../current.mjs";
 import { END_OF_BLOCK, STATES } from "../facts.mjs";
 import { inWords, mnemonic } from "../meaning.mjs";
 import { escaped, find, grouped, octal, seconds } from "../written.mjs";
@@ -12,6 +13,7 @@ export class Debugger {
   constructor(bench) {
     this.bench = bench;
     this.lines = new Map(); // {address: element}
+    this.current = new Current(find("lines"));
     this.page = 1;
     this.cells = [];
     this.#tools();
@@ -76,6 +78,7 @@ export class Debugger {
   list(lines) {
     const place = find("lines");
     this.lines.clear();
+    this.current.light(null);
     place.replaceChildren();
     for (const { address, word, source } of lines) {
       const row = document.createElement("div");
@@ -128,8 +131,8 @@ export class Debugger {
   show() {
     if (find("debugger").hidden) return;
     this.#registers();
-    this.#light();
-    const { core } = this.bench.machine;
+    const { core, processor } = this.bench.machine;
+    this.current.light(this.lines.get(processor.run ? processor.at : processor.pc) ?? null);
     const first = this.page * PAGE;
     if (this.shown !== first) this.heads.forEach((head, row) => (head.textContent = octal(first + row * WIDE)));
     this.cells.forEach((cell, index) => {
@@ -142,19 +145,6 @@ export class Debugger {
       cell.ariaLabel = `core ${octal(first + index)}`;
     });
     this.shown = first;
-  }
-
-  #light() {
-    const { processor } = this.bench.machine;
-    const row = this.lines.get(processor.run ? processor.at : processor.pc);
-    if (row === this.lit) return;
-    this.lit?.classList.remove("now");
-    this.lit?.removeAttribute("aria-current");
-    this.lit = row;
-    if (!row) return;
-    row.classList.add("now");
-    row.setAttribute("aria-current", "true");
-    row.scrollIntoView({ block: "nearest" });
   }
 
   #registers() {

@@ -1,19 +1,22 @@
 // The Hydra-Point on the bench: an EIA tape is cut, its path and band drawn, its blocks listed, its refusal said.
 
+import { Current } from "../current.mjs";
 import { drawClose, drawWhole, Mill as Drawing } from "../cutter.mjs";
 import { FIELDS, TIMES } from "../facts.mjs";
 import { inches } from "../mill/blocks.mjs";
 import { cut, pictured } from "../mill/machine.mjs";
+import { Pictures } from "../pictures.mjs";
 import { Sheet } from "../sheet.mjs";
 import { escaped, find, grouped } from "../written.mjs";
 
-const PICTURE = 1000 / 30; // ms
 const TAKES = 20; // seconds in which a whole tape is cut on the page
 
 export class Mill {
   constructor(bench) {
     this.bench = bench;
     this.drawing = null;
+    this.current = new Current(find("blocks"));
+    this.pictures = new Pictures((passed) => this.#picture(passed));
     this.sheets = { whole: new Sheet(find("whole"), () => this.show()), close: new Sheet(find("close"), () => this.show()) };
     find("eia").addEventListener("change", ({ target }) => target.value && this.cut(target.value));
     find("at").addEventListener("input", ({ target }) => this.#go(Number(target.value)));
@@ -37,6 +40,7 @@ export class Mill {
     this.drawing = path.steps.length ? new Drawing(pictured(path, TIMES.SECOND, this.bench.record.cutter)) : null;
     find("eia").value = name;
     find("blocks").innerHTML = `<ol>${path.steps.map((step) => row(step)).join("")}</ol>`;
+    this.current.light(null);
     this.rows = [...find("blocks").querySelectorAll("li")];
     this.bench.tabs.open("mill");
     this.#go(1);
@@ -50,17 +54,14 @@ export class Mill {
   }
 
   #run() {
-    cancelAnimationFrame(this.coming);
-    let before = performance.now();
     if (this.part >= 1) this.part = 0;
-    const frame = (now) => {
-      if (now - before >= PICTURE) {
-        this.#go(Math.min(1, this.part + Math.min(now - before, 250) / 1000 / TAKES));
-        before = now;
-      }
-      if (this.part < 1) this.coming = requestAnimationFrame(frame);
-    };
-    this.coming = requestAnimationFrame(frame);
+    this.pictures.start();
+  }
+
+  /** Cut on; return whether there is more to cut. */
+  #picture(passed) {
+    this.#go(Math.min(1, this.part + passed / 1000 / TAKES));
+    return this.part < 1;
   }
 
   show() {
@@ -73,13 +74,7 @@ export class Mill {
     bench.writer.text(find("close-label"), circle ? `circle of ${inches(circle.radius)} in about ${inches(circle.x)}, ${inches(circle.y)}; centre within ${signed(circle.lowest)} and ${signed(circle.highest)}` : "close by, squares of .010 in");
     sheets.whole.draw(key, (context, ...size) => drawWhole(context, drawing, place, true, ...size));
     sheets.close.draw(key, (context, ...size) => drawClose(context, drawing, place, true, ...size));
-    if (this.lit !== this.rows[place.block]) {
-      this.lit?.classList.remove("now");
-      this.lit = this.rows[place.block];
-      this.lit?.classList.add("now");
-      const list = find("blocks");
-      if (this.lit) list.scrollTop = this.lit.offsetTop - list.clientHeight / 2;
-    }
+    this.current.light(this.rows[place.block] ?? null);
   }
 }
 

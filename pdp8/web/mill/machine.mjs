@@ -155,7 +155,7 @@ export function pictured({ steps }, second, cutter) {
     }
   }
   const circle = followed(steps);
-  return { blocks, path, diameter: cutter, closed: circle !== null, band: circle && band(circle), circle, end: now };
+  return { blocks, path, diameter: cutter, band: circle && band(circle), circle, end: now };
 }
 
 const TOLERANCE = 5; // thousandths, half the width of the band

@@ -1,0 +1,44 @@
+// A row of pictures: each some time after the one before, and none while the page is hidden.
+//
+// The browser is asked for its next frame only when a picture is due: asked for every frame, it works for each.
+
+const FRAME = 1000 / 60; // ms
+const LONGEST = 250; // ms that a picture may stand for: a page that was asleep does not jump
+
+const CALM = 1000 / 12; // ms from picture to picture as it was, where ten characters pass in a second
+const QUICK = 1000 / 20; // and where more passes
+
+export class Pictures {
+  /** `show(milliseconds, now)` shows what has changed in that time; the row goes on while it returns true. */
+  constructor(show, speed = Infinity) {
+    this.speed = speed; // how many times as fast as it was
+    this.show = show;
+    this.running = false;
+  }
+
+  start() {
+    if (this.running) return;
+    this.running = true;
+    this.before = performance.now();
+    this.#wait();
+  }
+
+  stop() {
+    this.running = false;
+    clearTimeout(this.due);
+    cancelAnimationFrame(this.coming);
+  }
+
+  #wait() {
+    const each = this.speed > 1 ? QUICK : CALM;
+    const due = this.before + each - FRAME / 2 - performance.now();
+    this.due = setTimeout(() => (this.coming = requestAnimationFrame((now) => this.#picture(now))), due);
+  }
+
+  #picture(now) {
+    const passed = Math.min(now - this.before, LONGEST);
+    this.before = now;
+    this.running = this.show(passed, now) && this.running;
+    if (this.running) this.#wait();
+  }
+}
