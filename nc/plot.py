@@ -18,7 +18,7 @@ from nc.drawing import FAINT, INK, Sheet, View, Window, around
 from nc.listing import does, in_force, spaced
 from nc.path import Move, MoveKind, Path, Position
 from tapes.errors import WorkError
-from tapes.hydrapoint import Preparatory
+from tapes.hydrapoint import HOLE_MAKING, Preparatory
 
 _LEFT, _WIDTH, _TALLEST = 60.0, 720.0, 620.0
 _SCALES = (4.0, 2.0, 1.0, 0.5, 0.25)
@@ -111,10 +111,7 @@ def _draw_part(view: View, path: Path, current: int, cutter: float) -> None:
     done = [move for step in path.steps[:current] for move in step.moves]
     to_come = [move for step in path.steps[current:] for move in step.moves]
     _draw_metal(view, done, cutter)
-    for hole in path.holes:
-        view.circle(hole.x, hole.y, cutter / 2, fill=_METAL, stroke=FAINT)
-        view.line([(hole.x - cutter / 3, hole.y), (hole.x + cutter / 3, hole.y)], stroke=FAINT)
-        view.line([(hole.x, hole.y - cutter / 3), (hole.x, hole.y + cutter / 3)], stroke=FAINT)
+    _draw_holes(view, path, current, cutter)
     for moves, colour in ((to_come, _TO_COME), (done, _PATH)):
         for run in _runs(moves, milling=False):
             view.line(run, stroke=colour, stroke_dasharray="5 4", stroke_width=0.8)
@@ -132,6 +129,7 @@ def _draw_close(
         for steps in (path.steps[:current], path.steps[current:])
     )
     _draw_metal(view, done, cutter)
+    _draw_holes(view, path, current, cutter)
     if curve is not None:
         _draw_band(view, curve, cutter, tolerance)
     for moves, colour in ((to_come, _TO_COME), (done, _PATH)):
@@ -154,6 +152,18 @@ def _draw_metal(view: View, moves: list[Move], cutter: float) -> None:
     wide = {"stroke_width": cutter * view.unit, "stroke_linecap": "round", "stroke_linejoin": "round"}
     for run in _runs(moves, milling=True):
         view.line(run, stroke=_METAL, **wide)
+
+
+def _draw_holes(view: View, path: Path, current: int, cutter: float) -> None:
+    """Draw the holes whose middle is in view: filled up to the current block, pale later ones."""
+    for step in path.steps:
+        x, y = step.at[:2]
+        if step.block.preparatory not in HOLE_MAKING or not view.window.holds(x, y):
+            continue
+        done = step.number <= current
+        view.circle(x, y, cutter / 2, fill=_METAL if done else "none", stroke=FAINT if done else _TO_COME)
+        view.line([(x - cutter / 3, y), (x + cutter / 3, y)], stroke=FAINT)
+        view.line([(x, y - cutter / 3), (x, y + cutter / 3)], stroke=FAINT)
 
 
 def _draw_band(view: View, curve: Curve, cutter: float, tolerance: float) -> None:

@@ -155,3 +155,12 @@ def test_a_wall_with_a_gap_is_drawn_in_parts() -> None:
 
 def test_a_path_shows_itself_in_a_notebook() -> None:
     assert nc.cut(CIRCLE)._repr_svg_().startswith("<svg")
+
+
+def test_a_hole_is_removed_metal_once_it_is_drilled() -> None:
+    """Two of the four after the third block: filled in both views; the later ones are not."""
+    path = nc.cut(tape(*FOUR_HOLES))
+    second = [step.number for step in path.steps if step.block.preparatory == 5][1]
+    filled = [circle.get("fill") for circle in elements(plot(path, block=second), "circle")]
+    assert filled.count("#dfe3e8") == 3  # two on the part, and the second again in the close view
+    assert [float(circle.get("r", "0")) for circle in elements(plot(path), "circle")].count(250) == 2
