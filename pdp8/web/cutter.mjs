@@ -6,7 +6,8 @@
 import { upper } from "./afternoon.mjs";
 import { ROWS } from "./facts.mjs";
 
-const PLATE = "#cfd2cf", GROOVE = "#8f979b", FLOOR = "#a9b0b2", LINE = "#20303a", BAND = "#2f6f5e", TOOL = "#b3401f", FAINT = "#57534a";
+const PLATE = "#cfd2cf", RULER = "#e8e4d8", GROOVE = "#8f979b", FLOOR = "#a9b0b2", LINE = "#20303a", BAND = "#2f6f5e", TOOL = "#b3401f", FAINT = "#57534a";
+const LEFT = 22, BELOW = 18; // the rulers, in pixels
 
 export class Mill {
   constructor(mill) {
@@ -56,8 +57,9 @@ function bounds(knots, margin) {
 export function drawWhole(context, mill, place, started, width, height) {
   const { left, right, bottom, top } = mill.bounds;
   const margin = 300;
-  const scale = Math.min(width / (right - left + 2 * margin), height / (top - bottom + 2 * margin));
-  const view = viewport(width, height, (left + right) / 2, (bottom + top) / 2, scale);
+  const [wide, tall] = [width - LEFT, height - BELOW];
+  const scale = Math.min(wide / (right - left + 2 * margin), tall / (top - bottom + 2 * margin));
+  const view = viewport(LEFT + wide / 2, tall / 2, (left + right) / 2, (bottom + top) / 2, scale);
   context.clearRect(0, 0, width, height);
   context.fillStyle = PLATE;
   context.fillRect(0, 0, width, height);
@@ -69,14 +71,14 @@ export function drawWhole(context, mill, place, started, width, height) {
   }
   rest(context, mill, place, view);
   if (started) trace(context, mill, place, view, LINE, 1.3);
-  drawInches(context, view, width, height);
   if (started) drawTool(context, view, place, (mill.diameter / 2) * scale);
+  drawInches(context, view, width, height);
 }
 
 /** A close view: the band, the staircase in it, the cutter's axis. The width of the view is about .15 in. */
 export function drawClose(context, mill, place, started, width, height) {
   const scale = Math.min(width, height * 1.3) / 150;
-  const view = viewport(width, height, place.x, place.y, scale);
+  const view = viewport(width / 2, height / 2, place.x, place.y, scale);
   context.clearRect(0, 0, width, height);
   context.fillStyle = "#f7f3e9";
   context.fillRect(0, 0, width, height);
@@ -90,8 +92,9 @@ export function drawClose(context, mill, place, started, width, height) {
   drawScaleBar(context, width, height, scale);
 }
 
-function viewport(width, height, x, y, scale) {
-  return { x: (at) => width / 2 + (at - x) * scale, y: (at) => height / 2 - (at - y) * scale, scale };
+/** Where the place (x, y) stands in the middle, and a thousandth of an inch is `scale` pixels. */
+function viewport(middleX, middleY, x, y, scale) {
+  return { x: (at) => middleX + (at - x) * scale, y: (at) => middleY - (at - y) * scale, scale };
 }
 
 /** Draw the way milled up to `place`; only its last `knots` knots if given. */
@@ -205,22 +208,30 @@ function drawGrid(context, view, width, height) {
   context.stroke();
 }
 
+/** The axes' inches, in rulers of their own at the left and below. */
 function drawInches(context, view, width, height) {
+  const floor = height - BELOW;
+  context.fillStyle = RULER;
+  context.fillRect(0, 0, LEFT, height);
+  context.fillRect(0, floor, width, BELOW);
   context.fillStyle = FAINT;
   context.strokeStyle = "rgba(70,66,60,.55)";
   context.lineWidth = 1;
   context.font = "11px Helvetica, Arial, sans-serif";
   context.textAlign = "center";
+  context.textBaseline = "middle";
   context.beginPath();
   for (let inch = 0; inch <= 20; inch++) {
     const x = view.x(inch * 1000);
     const y = view.y(inch * 1000);
-    line(context, x, height, x, height - 6);
-    line(context, 0, y, 6, y);
-    context.textBaseline = "alphabetic";
-    if (x > 24 && x < width - 8) context.fillText(`${inch}`, x, height - 9);
-    context.textBaseline = "middle";
-    if (y > 10 && y < height - 20) context.fillText(`${inch}`, 13, y);
+    if (x > LEFT + 4 && x < width - 8) {
+      line(context, x, floor, x, floor + 4);
+      context.fillText(`${inch}`, x, floor + BELOW / 2 + 2);
+    }
+    if (y > 8 && y < floor - 4) {
+      line(context, LEFT - 4, y, LEFT, y);
+      context.fillText(`${inch}`, LEFT / 2 - 2, y);
+    }
   }
   context.stroke();
 }

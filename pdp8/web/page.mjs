@@ -18,8 +18,8 @@ const SPEEDS = [
   [1e-1, "1 : 10"],
   [1, "as it was"],
   [10, "10 times"],
-  [60, "a minute in a second"],
-  [300, "5 minutes in a second"],
+  [60, "a minute a second"],
+  [300, "5 minutes a second"],
 ];
 const USUAL = 8;
 

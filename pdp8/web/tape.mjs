@@ -11,8 +11,8 @@ const TRACKS = [8, 7, 6, 5, 4, 0, 3, 2, 1]; // 0 is the sprocket
 const WIDE = 10; // pitches
 const PAPER = { ascii: "#f1dfae", eia: "#e6e1cf", bin: "#d9e0cf", rim: "#d9e0cf" };
 const HOLE = "#3a3129";
-const NUMBERS = 46; // room at the left, in pixels
-const MEANINGS = 34; // and at the right
+const NUMBERS = 36; // room at the left, in pixels
+const MEANINGS = 24; // and at the right
 const TOP = 16; // for the channels' numbers
 
 /** What of a `view` is to be seen: two views with the same key look the same. */
@@ -68,7 +68,8 @@ function drawFrame(context, view, frame, { left, pitch, headY, ink, soft, rust }
   context.fillStyle = current ? rust : ink;
   context.font = `${current ? "bold " : ""}${Math.min(16, pitch)}px "Courier New", Courier, "Liberation Mono", monospace`;
   context.textAlign = "left";
-  context.fillText(sign(holes, view.code), left + WIDE * pitch + 8, y);
+  const said = sign(holes, view.code);
+  context.fillText(said, left + WIDE * pitch + 6, said === SPACE ? y - 0.25 * pitch : y);
   if (!current && (frame % 10 || Math.abs(frame - view.head) === 1)) return;
   context.fillStyle = current ? rust : soft;
   context.textAlign = "right";
@@ -92,8 +93,9 @@ function drawChannels(context, { left, pitch, soft }) {
   });
 }
 
-const SIGNS = new Map([[ASCII.LF, "↓"], [ASCII.CR, "↵"], [ASCII.space, "␣"], [ASCII.RUBOUT, "×"]]);
-const NAMES = { "↓": "line feed", "↵": "carriage return", "␣": "space", "×": "rubout", "": "blank" };
+const SPACE = "␣"; // hangs below its line: drawn a little higher, it stays off the next
+const SIGNS = new Map([[ASCII.LF, "↓"], [ASCII.CR, "↵"], [ASCII.space, SPACE], [ASCII.RUBOUT, "×"]]);
+const NAMES = { "↓": "line feed", "↵": "carriage return", [SPACE]: "space", "×": "rubout", "": "blank" };
 const EIA_SIGNS = { ...EIA, [END_OF_BLOCK]: "↵" };
 
 /** What one frame says in its code, as one sign; a binary frame as its octal digits. */

@@ -70,7 +70,7 @@ class Bench {
     this.teletype.show();
     this.debug.show();
     writer.text(find("clock"), `${(machine.ticks / TIMES.SECOND).toFixed(3)} s`);
-    writer.text(find("why"), machine.processor.run ? (waits ? (machine.outOfTape() ? "waits for tape" : "waits") : "runs") : this.why ?? "stands still");
+    writer.text(find("why"), machine.processor.run ? (waits ? (machine.outOfTape() ? "waits for tape" : "waits") : "runs") : this.why || "stands still");
   }
 
   say(words) {
