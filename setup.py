@@ -16,7 +16,7 @@ MODULES = (
     *(f"pdp8.computer.{name}" for name in ("bus", "processor", "teletype", "waiting", "engine")),
 )
 CHOICES = ("auto", "require", "forbid")
-FLAGS = ["-O3", "-g0"]
+FLAGS = ["-O2", "-g0"]
 if "gcc" in (os.environ.get("CC") or sysconfig.get_config_var("CC") or ""):
     # A tree of branches foretells what comes next in a PDP-8 program better than one jump through a table;
     # and a skip that is foretold is not waited for, as one that is computed would be.

@@ -48,7 +48,7 @@ cdef class Engine:
         keep="unsigned short *", flip="unsigned short *", plus="unsigned short *",
         conditions="const unsigned char *",
         lac="unsigned int", pc="Py_ssize_t", x="Py_ssize_t", address="Py_ssize_t", word="unsigned int",
-        counter="Py_ssize_t", count="unsigned int", op=int, wall=int, written=int,
+        op=int, wall=int,
         time=int64_t, limit=int64_t, turns=int64_t,
     )
     cdef bint _run_pieces(self, int64_t until, int64_t last) except -1

@@ -15,8 +15,7 @@ comes. Every store, whoever does it, clears the decoded form of its word. ISZ X,
 once, as far as the piece goes.
 
 This file runs as it is; Cython compiles it with the types in engine.pxd beside it. The loop is written for
-both: plain locals, numbers for operations, and one number `time` for ticks and instructions together, small
-enough to be quick in either.
+both: plain locals, numbers for operations, and one number `time` for ticks, writes and instructions together.
 
 Sources: those of processor.py, which tests hold this in lockstep with.
 """
@@ -175,83 +174,93 @@ class Engine:
         return not self.breakpoints.isdisjoint(after)
 
     def _run_pieces(self, until: int, last: int) -> bool:
-        """Run piece by piece; return whether it ended with a JMS to a breakpoint. `time` has the ticks of a
-        piece above, its instructions in the low 12 bits; the piece ends with the first instruction that ends
-        at or after `limit`, or before one that is left to the processor.
+        """Run piece by piece; return whether it ended with a JMS to a breakpoint. A piece ends with the first
+        instruction that ends at or after `limit`, or before one that is left to the processor.
 
-        `count` is the word at `counter`, which ISZ stored last: a loop that read it back from core would wait
-        for it in every turn.
+        `time` has, from the lowest, 12 bits that count instructions, 12 that count those that write, and the
+        ticks of the piece. What mostly follows an instruction is executed with it, without a turn of the loop
+        of its own.
         """
         p, waiting = self.processor, self.waiting
         core, ops, arg = self.core, p.forms, self.arg
         keep, flip, plus, conditions = self.keep, self.flip, self.plus, self.conditions
         wall = self.wall
         while p.clock < until and p.instructions < last:
-            limit = 0 if ops[p.pc & 0o7777] == _LEFT else self._room(until, last) << 12
+            limit = 0 if ops[p.pc & 0o7777] == _LEFT else self._room(until, last) << 24
             lac = p.lac & 0o17777
             pc = p.pc & 0o7777
-            written = 0
-            counter = -1
-            count = 0
             time = 0
             while time < limit:
                 op = ops[pc]
                 x = arg[pc]
-                if op == 1:  # TAD
+                if op == 1:  # TAD, and the TAD or DCA that mostly follows
                     lac = lac + core[x] & 0o17777
-                    time += 64 << 12 | 1
+                    time += 64 << 24 | 1
                     pc += 1
-                elif op == 2:  # DCA
+                    if ops[pc] == 1 and time < limit:
+                        lac = lac + core[arg[pc]] & 0o17777
+                        time += 64 << 24 | 1
+                        pc += 1
+                    if ops[pc] == 2 and time < limit:
+                        x = arg[pc]
+                        core[x] = lac & 0o7777
+                        ops[x] = 0
+                        lac &= 0o10000
+                        time += 64 << 24 | 1 << 12 | 1
+                        pc += 1
+                elif op == 2:  # DCA, and the TAD that mostly follows
                     core[x] = lac & 0o7777
                     ops[x] = 0
-                    written = 1
-                    counter = -1
                     lac &= 0o10000
-                    time += 64 << 12 | 1
+                    time += 64 << 24 | 1 << 12 | 1
                     pc += 1
+                    if ops[pc] == 1 and time < limit:
+                        lac = lac + core[arg[pc]] & 0o17777
+                        time += 64 << 24 | 1
+                        pc += 1
                 elif op == 3:  # ISZ, and the JMP that mostly follows
-                    if x != counter:
-                        counter = x
-                        count = core[x]
-                    count = count + 1 & 0o7777
-                    core[x] = count
+                    word = core[x] + 1 & 0o7777
+                    core[x] = word
                     ops[x] = 0
-                    written = 1
-                    time += 64 << 12 | 1
+                    time += 64 << 24 | 1 << 12 | 1
                     pc += 1
-                    if count == 0:
+                    if word == 0:
                         pc += 1
                     elif ops[pc] == 4 and time < limit:
                         pc = arg[pc]
-                        time += 32 << 12 | 1
-                elif op == 4:  # JMP
+                        time += 32 << 24 | 1
+                elif op == 4:  # JMP, and the TAD that mostly follows
                     pc = x
-                    time += 32 << 12 | 1
+                    time += 32 << 24 | 1
+                    if ops[pc] == 1 and time < limit:
+                        lac = lac + core[arg[pc]] & 0o17777
+                        time += 64 << 24 | 1
+                        pc += 1
                 elif op == 5:  # SMA SZA SNL
-                    time += 32 << 12 | 1
+                    time += 32 << 24 | 1
                     pc += 1
                     if x & conditions[lac]:
                         pc += 1
                 elif op == 6:  # group 1 without a rotate
                     lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
-                    time += 32 << 12 | 1
+                    time += 32 << 24 | 1
                     pc += 1
                 elif op == 7:  # RAL
                     lac = lac << 1 & 0o17777 | lac >> 12
-                    time += 32 << 12 | 1
+                    time += 32 << 24 | 1
                     pc += 1
                 elif op == 8:  # RAR
                     lac = lac >> 1 | (lac & 1) << 12
-                    time += 32 << 12 | 1
+                    time += 32 << 24 | 1
                     pc += 1
                 elif op == 9:  # SPA SNA SZL
-                    time += 32 << 12 | 1
+                    time += 32 << 24 | 1
                     pc += 1
                     if x & conditions[lac] == 0:
                         pc += 1
                 elif op == 10:  # TAD I
                     lac = lac + core[core[x]] & 0o17777
-                    time += 96 << 12 | 1
+                    time += 96 << 24 | 1
                     pc += 1
                 elif op == 11:  # DCA I
                     address = core[x]
@@ -259,22 +268,18 @@ class Engine:
                         break
                     core[address] = lac & 0o7777
                     ops[address] = 0
-                    written = 1
-                    counter = -1
                     lac &= 0o10000
-                    time += 96 << 12 | 1
+                    time += 96 << 24 | 1 << 12 | 1
                     pc += 1
                 elif op == 12:  # JMP I
                     pc = core[x]
-                    time += 64 << 12 | 1
+                    time += 64 << 24 | 1
                 elif op == 13:  # TAD I, autoindexed
                     address = core[x] + 1 & 0o7777
                     core[x] = address
                     ops[x] = 0
-                    written = 1
-                    counter = -1
                     lac = lac + core[address] & 0o17777
-                    time += 96 << 12 | 1
+                    time += 96 << 24 | 1 << 12 | 1
                     pc += 1
                 elif op == 14:  # DCA I, autoindexed
                     address = core[x] + 1 & 0o7777
@@ -284,18 +289,14 @@ class Engine:
                     ops[x] = 0
                     core[address] = lac & 0o7777
                     ops[address] = 0
-                    written = 1
-                    counter = -1
                     lac &= 0o10000
-                    time += 96 << 12 | 1
+                    time += 96 << 24 | 1 << 12 | 1
                     pc += 1
                 elif op == 15:  # JMS
                     core[x] = pc + 1 & 0o7777
                     ops[x] = 0
-                    written = 1
-                    counter = -1
                     pc = x + 1
-                    time += 64 << 12 | 1
+                    time += 64 << 24 | 1 << 12 | 1
                 elif op == 16:  # group 1 with a rotate
                     lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
                     x &= 0o16
@@ -307,20 +308,20 @@ class Engine:
                         lac = lac << 2 & 0o17777 | lac >> 11
                     else:
                         lac = lac >> 2 | (lac & 3) << 11
-                    time += 32 << 12 | 1
+                    time += 32 << 24 | 1
                     pc += 1
                 elif op == 17:  # AND
                     lac &= core[x] | 0o10000
-                    time += 64 << 12 | 1
+                    time += 64 << 24 | 1
                     pc += 1
                 elif op == 18:  # SMA SZA SNL, CLA
-                    time += 32 << 12 | 1
+                    time += 32 << 24 | 1
                     pc += 1
                     if x & conditions[lac]:
                         pc += 1
                     lac &= 0o10000
                 elif op == 19:  # SPA SNA SZL, CLA
-                    time += 32 << 12 | 1
+                    time += 32 << 24 | 1
                     pc += 1
                     if x & conditions[lac] == 0:
                         pc += 1
@@ -332,9 +333,7 @@ class Engine:
                     word = core[address] + 1 & 0o7777
                     core[address] = word
                     ops[address] = 0
-                    written = 1
-                    counter = -1
-                    time += 96 << 12 | 1
+                    time += 96 << 24 | 1 << 12 | 1
                     pc += 1
                     if word == 0:
                         pc += 1
@@ -344,26 +343,22 @@ class Engine:
                         break
                     core[address] = pc + 1 & 0o7777
                     ops[address] = 0
-                    written = 1
-                    counter = -1
                     pc = address + 1
-                    time += 96 << 12 | 1
+                    time += 96 << 24 | 1 << 12 | 1
                 elif op == 22:  # AND I
                     lac &= core[core[x]] | 0o10000
-                    time += 96 << 12 | 1
+                    time += 96 << 24 | 1
                     pc += 1
                 elif op == 23:  # ISZ X of a delay loop: all turns of ISZ X, JMP .-1 that fit but the last
                     if ops[pc + 1] == 4 and arg[pc + 1] == pc:
-                        turns = ((limit >> 12) - 1 - (time >> 12)) // LONGEST
+                        turns = ((limit >> 24) - 1 - (time >> 24)) // LONGEST
                         turns = min(turns, 0o7777 - core[x])
                         core[x] += turns
-                        time += turns * (96 << 12 | 2)
+                        time += turns * (96 << 24 | 1 << 12 | 2)
                     word = core[x] + 1 & 0o7777
                     core[x] = word
                     ops[x] = 0
-                    written = 1
-                    counter = -1
-                    time += 64 << 12 | 1
+                    time += 64 << 24 | 1 << 12 | 1
                     pc += 1
                     if word == 0:
                         pc += 1
@@ -376,10 +371,10 @@ class Engine:
             p.pc = pc & 0o7777
             if time:
                 p.lac = lac
-                p.clock += time >> 12
+                p.clock += time >> 24
                 p.instructions += time & 0o7777
                 p.protect = 0
-                p.writes += written
+                p.writes += time >> 12 & 0o7777
             else:
                 p.instruction()
                 if self.watched and self._called():
