@@ -1,18 +1,21 @@
-"""How fast the machine is, beside SIMH: the same programs in the same run, medians and ratios.
+"""How fast the machine is, beside SIMH: the same programs in the same run, least times, spread and ratios.
 
     counter      two nested counters, ISZ and JMP alone
+    body         nested counters with an IAC in each turn
     mixed        checksum, software multiplication and sieve
+    sort         an insertion sort
+    calls        three-word arithmetic in subroutines, as a floating-point package has it
+    interrupt    a count, and characters printed under interrupt
     translation  the thesis's character translation, a tape of 18,000 frames at 10 a second
 
 A time is that of the processor, inside the run: SIMH's is its whole process less that of one that only starts
-and ends. SIMH is run as it is installed; its Teletype is not timed as a real one, so it has no part in the
-translation.
+and ends. Runs of ours and of SIMH alternate. SIMH is run as it is installed; its Teletype is not timed as a
+real one, so it has no part in interrupt and translation.
 
-    python -m benchmarks.kernels [--repeat 5] [--form plain]
+    python -m benchmarks.kernels [--repeat 9] [--form plain]
 """
 
 import resource
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -37,13 +40,13 @@ TIMEOUT = 600
 
 
 class Row(NamedTuple):
-    """A kernel as it was run: instructions and machine seconds, then seconds of our run and of SIMH's."""
+    """A kernel as it was run: instructions and machine seconds, then seconds of our runs and of SIMH's."""
 
     name: str
     instructions: int
     machine_time: float
-    ours: float
-    simh: float | None
+    ours: list[float]
+    simh: list[float]
 
 
 def kernel(name: str) -> dict[int, int]:
@@ -87,22 +90,18 @@ def simh(words: dict[int, int] | None) -> float:
     return children() - began
 
 
-def computed(form: ModuleType, name: str, label: str, repeat: int, delays: bool) -> Row:
-    """Run a kernel that only computes, in turns with SIMH."""
+def computed(
+    form: ModuleType, name: str, label: str, repeat: int, delays: bool = True, beside: bool = True
+) -> Row:
+    """Run a kernel, in turns with SIMH if it is to be `beside`."""
     words = kernel(name)
     ours, theirs = [], []
     for _ in range(repeat):
         made = machine(form, words, delays)
         ours.append(timed(made.run))
-        if SIMH:
+        if SIMH and beside:
             theirs.append(simh(words) - simh(None))
-    return Row(
-        label,
-        made.instructions,
-        made.elapsed,
-        statistics.median(ours),
-        statistics.median(theirs) if theirs else None,
-    )
+    return Row(label, made.instructions, made.elapsed, ours, theirs)
 
 
 def translated(form: ModuleType, label: str, frames: int, repeat: int) -> Row:
@@ -114,40 +113,46 @@ def translated(form: ModuleType, label: str, frames: int, repeat: int) -> Row:
     for _ in range(repeat):
         made = machine(form, words, True, tape)
         ours.append(timed(made.run))
-    return Row(label, made.instructions, made.elapsed, statistics.median(ours), None)
+    return Row(label, made.instructions, made.elapsed, ours, [])
 
 
 def rows(form: ModuleType, repeat: int) -> Iterator[Row]:
     """Run every kernel."""
     yield computed(form, "counter", "counter, every turn", repeat, delays=False)
     yield computed(form, "counter", "counter, delays passed over", repeat, delays=True)
-    yield computed(form, "mixed", "mixed", repeat, delays=True)
+    for name in ("body", "mixed", "sort", "calls"):
+        yield computed(form, name, name, repeat)
+    yield computed(form, "interrupt", "interrupt", repeat, beside=False)
     yield translated(form, "translation, 18,000 frames", 18_000, repeat)
     yield translated(form, "translation, 8 hours", 8 * 3600 * 10, repeat)
 
 
 def table(form: str, results: list[Row]) -> Table:
     """Return the results as a table."""
-    shown = Table(title=f"{form} core, Python {sys.version.split()[0]}, medians")
+    shown = Table(title=f"{form} core, Python {sys.version.split()[0]}, least of each")
     shown.add_column("kernel")
-    for column in ("instructions", "in 1971", "seconds", "million/s", "× a real 8/L", "× SIMH"):
+    for column in ("instructions", "in 1971", "seconds", "to", "million/s", "× a real 8/L", "× SIMH", "to"):
         shown.add_column(column, justify="right")
     for row in results:
+        least = min(row.ours)
+        ratios = sorted(theirs / ours for ours, theirs in zip(row.ours, row.simh, strict=False))
         shown.add_row(
             row.name,
             f"{row.instructions:,}",
             f"{row.machine_time:,.1f} s",
-            f"{row.ours:.4f}",
-            f"{row.instructions / row.ours / 1e6:,.0f}",
-            f"{row.machine_time / row.ours:,.0f}",
-            "" if row.simh is None else f"{row.simh / row.ours:.2f}",
+            f"{least:.4f}",
+            f"{max(row.ours):.4f}",
+            f"{row.instructions / least / 1e6:,.0f}",
+            f"{row.machine_time / least:,.0f}",
+            f"{min(row.simh) / least:.2f}" if row.simh else "",
+            f"{ratios[0]:.2f}-{ratios[-1]:.2f}" if ratios else "",
         )
     return shown
 
 
 @click.command()
 @click.option("--form", type=click.Choice(FORMS), default="compiled", show_default=True, help="Which core.")
-@click.option("--repeat", type=click.IntRange(min=1), default=5, show_default=True, help="Runs of each.")
+@click.option("--repeat", type=click.IntRange(min=1), default=9, show_default=True, help="Runs of each.")
 def main(form: str, repeat: int) -> None:
     """Run the kernels and show them beside SIMH."""
     console = Console(width=None if sys.stdout.isatty() else 120)

@@ -15,7 +15,8 @@ comes. Every store, whoever does it, clears the decoded form of its word. ISZ X,
 once, as far as the piece goes.
 
 This file runs as it is; Cython compiles it with the types in engine.pxd beside it. The loop is written for
-both: plain locals, numbers for operations, and one number `time` for ticks, writes and instructions together.
+both: plain locals, numbers for operations, and one number `time` that counts cycles, writes and instructions
+at once.
 
 Sources: those of processor.py, which tests hold this in lockstep with.
 """
@@ -39,8 +40,8 @@ from pal.isa import (
 from pdp8.computer.processor import CYCLE, PROTECTED, Processor
 from pdp8.computer.waiting import Waiting
 
-LONGEST = 3 * CYCLE
-"""The ticks of the longest instruction a piece executes."""
+LONGEST = 3
+"""The cycles of the longest instruction a piece executes."""
 PIECE = 100_000
 """The ticks of the longest piece: so many cycles can be counted in the low 12 bits of `time`."""
 
@@ -112,7 +113,7 @@ class Engine:
             self.processor.forms[address] = 0
 
     def _room(self, until: int, last: int) -> int:
-        """Return the ticks of the next piece, 0 if the processor has to do the next instruction: also when
+        """Return the cycles of the next piece, 0 if the processor has to do the next instruction: also when
         STOP was pressed or MEM PROT changed as a frame was printed.
         """
         p = self.processor
@@ -120,14 +121,14 @@ class Engine:
             return 0
         if self.wall != _wall(p.mem_prot):
             return 0
-        room = min(PIECE, self.waiting.next_look - p.clock, until - p.clock - LONGEST)
+        room = min(PIECE, self.waiting.next_look - p.clock, until - p.clock - LONGEST * CYCLE)
         if last - p.instructions <= PIECE // CYCLE:
             room = min(room, (last - p.instructions - 1) * CYCLE)
         if p.ion:
             if not p.ion_delayed or p.bus.request(p.clock):
                 return 0
-            room = min(room, p.bus.next_event(p.clock) - p.clock - LONGEST)
-        return max(room, 0) if p.run else 0
+            room = min(room, p.bus.next_event(p.clock) - p.clock - LONGEST * CYCLE)
+        return max(room + CYCLE - 1, 0) // CYCLE if p.run else 0
 
     def _decode(self, address: int) -> None:
         """Fill in the operation of the word at `address`, and its operand."""
@@ -178,8 +179,8 @@ class Engine:
         instruction that ends at or after `limit`, or before one that is left to the processor.
 
         `time` has, from the lowest, 12 bits that count instructions, 12 that count those that write, and the
-        ticks of the piece. What mostly follows an instruction is executed with it, without a turn of the loop
-        of its own.
+        cycles of the piece: counted in cycles, it grows by small numbers, which x86 adds faster. What mostly
+        follows an instruction is executed with it, without a turn of the loop of its own.
         """
         p, waiting = self.processor, self.waiting
         core, ops, arg = self.core, p.forms, self.arg
@@ -195,72 +196,72 @@ class Engine:
                 x = arg[pc]
                 if op == 1:  # TAD, and the TAD or DCA that mostly follows
                     lac = lac + core[x] & 0o17777
-                    time += 64 << 24 | 1
+                    time += 2 << 24 | 1
                     pc += 1
                     if ops[pc] == 1 and time < limit:
                         lac = lac + core[arg[pc]] & 0o17777
-                        time += 64 << 24 | 1
+                        time += 2 << 24 | 1
                         pc += 1
                     if ops[pc] == 2 and time < limit:
                         x = arg[pc]
                         core[x] = lac & 0o7777
                         ops[x] = 0
                         lac &= 0o10000
-                        time += 64 << 24 | 1 << 12 | 1
+                        time += 2 << 24 | 1 << 12 | 1
                         pc += 1
                 elif op == 2:  # DCA, and the TAD that mostly follows
                     core[x] = lac & 0o7777
                     ops[x] = 0
                     lac &= 0o10000
-                    time += 64 << 24 | 1 << 12 | 1
+                    time += 2 << 24 | 1 << 12 | 1
                     pc += 1
                     if ops[pc] == 1 and time < limit:
                         lac = lac + core[arg[pc]] & 0o17777
-                        time += 64 << 24 | 1
+                        time += 2 << 24 | 1
                         pc += 1
                 elif op == 3:  # ISZ, and the JMP that mostly follows
                     word = core[x] + 1 & 0o7777
                     core[x] = word
                     ops[x] = 0
-                    time += 64 << 24 | 1 << 12 | 1
+                    time += 2 << 24 | 1 << 12 | 1
                     pc += 1
                     if word == 0:
                         pc += 1
                     elif ops[pc] == 4 and time < limit:
                         pc = arg[pc]
-                        time += 32 << 24 | 1
+                        time += 1 << 24 | 1
                 elif op == 4:  # JMP, and the TAD that mostly follows
                     pc = x
-                    time += 32 << 24 | 1
+                    time += 1 << 24 | 1
                     if ops[pc] == 1 and time < limit:
                         lac = lac + core[arg[pc]] & 0o17777
-                        time += 64 << 24 | 1
+                        time += 2 << 24 | 1
                         pc += 1
                 elif op == 5:  # SMA SZA SNL
-                    time += 32 << 24 | 1
+                    time += 1 << 24 | 1
                     pc += 1
                     if x & conditions[lac]:
                         pc += 1
                 elif op == 6:  # group 1 without a rotate
                     lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
-                    time += 32 << 24 | 1
+                    time += 1 << 24 | 1
                     pc += 1
                 elif op == 7:  # RAL
                     lac = lac << 1 & 0o17777 | lac >> 12
-                    time += 32 << 24 | 1
+                    time += 1 << 24 | 1
                     pc += 1
                 elif op == 8:  # RAR
                     lac = lac >> 1 | (lac & 1) << 12
-                    time += 32 << 24 | 1
+                    time += 1 << 24 | 1
                     pc += 1
                 elif op == 9:  # SPA SNA SZL
-                    time += 32 << 24 | 1
+                    time += 1 << 24 | 1
                     pc += 1
                     if x & conditions[lac] == 0:
                         pc += 1
                 elif op == 10:  # TAD I
                     lac = lac + core[core[x]] & 0o17777
-                    time += 96 << 24 | 1
+                    time += 3 << 24 | 1
                     pc += 1
                 elif op == 11:  # DCA I
                     address = core[x]
@@ -269,17 +270,17 @@ class Engine:
                     core[address] = lac & 0o7777
                     ops[address] = 0
                     lac &= 0o10000
-                    time += 96 << 24 | 1 << 12 | 1
+                    time += 3 << 24 | 1 << 12 | 1
                     pc += 1
                 elif op == 12:  # JMP I
                     pc = core[x]
-                    time += 64 << 24 | 1
+                    time += 2 << 24 | 1
                 elif op == 13:  # TAD I, autoindexed
                     address = core[x] + 1 & 0o7777
                     core[x] = address
                     ops[x] = 0
                     lac = lac + core[address] & 0o17777
-                    time += 96 << 24 | 1 << 12 | 1
+                    time += 3 << 24 | 1 << 12 | 1
                     pc += 1
                 elif op == 14:  # DCA I, autoindexed
                     address = core[x] + 1 & 0o7777
@@ -290,13 +291,13 @@ class Engine:
                     core[address] = lac & 0o7777
                     ops[address] = 0
                     lac &= 0o10000
-                    time += 96 << 24 | 1 << 12 | 1
+                    time += 3 << 24 | 1 << 12 | 1
                     pc += 1
                 elif op == 15:  # JMS
                     core[x] = pc + 1 & 0o7777
                     ops[x] = 0
                     pc = x + 1
-                    time += 64 << 24 | 1 << 12 | 1
+                    time += 2 << 24 | 1 << 12 | 1
                 elif op == 16:  # group 1 with a rotate
                     lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
                     x &= 0o16
@@ -308,20 +309,20 @@ class Engine:
                         lac = lac << 2 & 0o17777 | lac >> 11
                     else:
                         lac = lac >> 2 | (lac & 3) << 11
-                    time += 32 << 24 | 1
+                    time += 1 << 24 | 1
                     pc += 1
                 elif op == 17:  # AND
                     lac &= core[x] | 0o10000
-                    time += 64 << 24 | 1
+                    time += 2 << 24 | 1
                     pc += 1
                 elif op == 18:  # SMA SZA SNL, CLA
-                    time += 32 << 24 | 1
+                    time += 1 << 24 | 1
                     pc += 1
                     if x & conditions[lac]:
                         pc += 1
                     lac &= 0o10000
                 elif op == 19:  # SPA SNA SZL, CLA
-                    time += 32 << 24 | 1
+                    time += 1 << 24 | 1
                     pc += 1
                     if x & conditions[lac] == 0:
                         pc += 1
@@ -333,7 +334,7 @@ class Engine:
                     word = core[address] + 1 & 0o7777
                     core[address] = word
                     ops[address] = 0
-                    time += 96 << 24 | 1 << 12 | 1
+                    time += 3 << 24 | 1 << 12 | 1
                     pc += 1
                     if word == 0:
                         pc += 1
@@ -344,21 +345,21 @@ class Engine:
                     core[address] = pc + 1 & 0o7777
                     ops[address] = 0
                     pc = address + 1
-                    time += 96 << 24 | 1 << 12 | 1
+                    time += 3 << 24 | 1 << 12 | 1
                 elif op == 22:  # AND I
                     lac &= core[core[x]] | 0o10000
-                    time += 96 << 24 | 1
+                    time += 3 << 24 | 1
                     pc += 1
                 elif op == 23:  # ISZ X of a delay loop: all turns of ISZ X, JMP .-1 that fit but the last
                     if ops[pc + 1] == 4 and arg[pc + 1] == pc:
                         turns = ((limit >> 24) - 1 - (time >> 24)) // LONGEST
                         turns = min(turns, 0o7777 - core[x])
                         core[x] += turns
-                        time += turns * (96 << 24 | 1 << 12 | 2)
+                        time += turns * (3 << 24 | 1 << 12 | 2)
                     word = core[x] + 1 & 0o7777
                     core[x] = word
                     ops[x] = 0
-                    time += 64 << 24 | 1 << 12 | 1
+                    time += 2 << 24 | 1 << 12 | 1
                     pc += 1
                     if word == 0:
                         pc += 1
@@ -371,7 +372,7 @@ class Engine:
             p.pc = pc & 0o7777
             if time:
                 p.lac = lac
-                p.clock += time >> 24
+                p.clock += (time >> 24) * CYCLE
                 p.instructions += time & 0o7777
                 p.protect = 0
                 p.writes += time >> 12 & 0o7777
