@@ -350,9 +350,9 @@ class Engine:
                     lac &= core[core[x]] | 0o10000
                     time += 3 << 24 | 1
                     pc += 1
-                elif op == 23:  # ISZ X of a delay loop: all turns of ISZ X, JMP .-1 that fit but the last
+                elif op == 23:  # ISZ X of a delay loop: all turns of 3 cycles that fit but the last
                     if ops[pc + 1] == 4 and arg[pc + 1] == pc:
-                        turns = ((limit >> 24) - 1 - (time >> 24)) // LONGEST
+                        turns = ((limit >> 24) - 1 - (time >> 24)) // 3
                         turns = min(turns, 0o7777 - core[x])
                         core[x] += turns
                         time += turns * (3 << 24 | 1 << 12 | 2)

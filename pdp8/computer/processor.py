@@ -154,7 +154,7 @@ class Processor:
             self._execute()
         else:
             self._interrupt()
-        if self.next == FETCH:
+        if self.next == FETCH and (self.ion or self.stopping):
             self._end()
 
     def instruction(self) -> None:
@@ -169,7 +169,8 @@ class Processor:
                 self._defer()
             if self.next == EXECUTE:
                 self._execute()
-            self._end()
+            if self.ion or self.stopping:
+                self._end()
 
     def _fetch(self) -> None:
         self.state = FETCH
@@ -270,8 +271,8 @@ class Processor:
             self.ion = self.ion_delayed = 0
 
     def _end(self) -> None:
-        """End an instruction: stop if STOP was pressed in it; else, with ION set, take an interrupt that is
-        requested, unless the machine stops here.
+        """End an instruction in which STOP was pressed, or with ION set: take an interrupt that is requested,
+        unless the machine stops here.
         """
         if self.stopping:
             self.run = self.stopping = 0

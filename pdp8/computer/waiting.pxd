@@ -8,7 +8,7 @@ from pdp8.computer.bus cimport Device
 from pdp8.computer.processor cimport Processor
 
 cdef int64_t NEVER, PERIOD, _FLAG_TICKS
-cdef int CYCLE, FETCH, IO_TICKS, _TESTS, _STEPS, _FORGOTTEN
+cdef int CYCLE, FETCH, IOT, IO_TICKS, JMP, _TESTS, _STEPS, _FORGOTTEN
 
 
 @cython.final
@@ -22,6 +22,7 @@ cdef class Waiting:
 
     cdef int _remember(self) except -1
     cpdef forget(self)
+    @cython.locals(word=int)
     cpdef int look(self, int64_t until, int64_t last) except -1
     @cython.locals(word=int)
     @cython.locals(word=int, code=int, behind=int, event=int64_t, device=Device)

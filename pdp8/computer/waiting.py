@@ -15,7 +15,7 @@ instructions and of ticks stays exact.
 
 from array import array
 
-from pal.isa import FETCH, jumps_to, tests_flag
+from pal.isa import FETCH, IOT, JMP, jumps_to, tests_flag
 from pdp8.computer.bus import NEVER
 from pdp8.computer.fields import BIT, CORE, COUNT, TICK, saved
 from pdp8.computer.processor import CYCLE, IO_TICKS, Processor
@@ -92,11 +92,13 @@ class Waiting:
             self._compare(until, last)
         elif p.clock >= self.next_look:
             self._look_anywhere()
-        elif tests_flag(self._words[p.pc]):
-            if not self._waits_for_flag(until, last):
+        else:
+            word = self._words[p.pc]
+            if word >> 9 == IOT:
+                if tests_flag(word) and not self._waits_for_flag(until, last):
+                    self._compare(until, last)
+            elif word >> 9 == JMP and jumps_to(p.pc, word, p.pc):
                 self._compare(until, last)
-        elif jumps_to(p.pc, self._words[p.pc], p.pc):
-            self._compare(until, last)
 
     def _waits_for_flag(self, until: int, last: int) -> bool:
         """Tell whether KSF, JMP .-1 or one of its kin is here, which is recognized without a second turn;
