@@ -81,7 +81,7 @@ dist: .venv/bin/pip
 # The compiled form of these sits beside its source and would hide what is changed there.
 COMPILED := $(wildcard pal/*.pxd pdp8/computer/*.pxd)
 
-BUILT_FROM := pyproject.toml setup.py $(COMPILED) $(COMPILED:.pxd=.py)
+BUILT_FROM := pyproject.toml setup.py release/threaded.py $(COMPILED) $(COMPILED:.pxd=.py)
 
 # What pip does to whatever it copies; the sources of an editable installation are compiled by nobody where
 # PYTHONDONTWRITEBYTECODE is set, and then at every start.

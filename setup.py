@@ -7,9 +7,14 @@ PDP8_EXTENSIONS says what a build does about it:
 """
 
 import os
+import sys
 import sysconfig
+from pathlib import Path
 
 from setuptools import Extension, setup
+
+HOUSE = Path(__file__).parent
+BUILD = Path("build")
 
 MODULES = (
     "pal.isa",
@@ -18,9 +23,9 @@ MODULES = (
 CHOICES = ("auto", "require", "forbid")
 FLAGS = ["-O2", "-g0"]
 if "gcc" in (os.environ.get("CC") or sysconfig.get_config_var("CC") or ""):
-    # A tree of branches foretells what comes next in a PDP-8 program better than one jump through a table;
-    # and a skip that is foretold is not waited for, as one that is computed would be.
-    FLAGS += ["-fno-jump-tables", "-fno-if-conversion", "-fno-if-conversion2"]
+    # A skip that is predicted is not waited for, as one that is computed would be; and each operation keeps a
+    # jump of its own to the next.
+    FLAGS += ["-fno-if-conversion", "-fno-if-conversion2", "-fno-gcse", "-fno-crossjumping"]
 DIRECTIVES = {
     "annotation_typing": False,
     "boundscheck": False,
@@ -40,6 +45,15 @@ def choice() -> str:
     return value
 
 
+def translate_piece() -> None:
+    """Write the C of pdp8/computer/piece.py, which piece.pxd asks for."""
+    sys.path.insert(0, str(HOUSE))
+    from release.threaded import translate
+
+    BUILD.mkdir(exist_ok=True)
+    (BUILD / "piece.h").write_text(translate(HOUSE / "pdp8/computer/piece.py"))
+
+
 def extensions(required: bool) -> list[Extension]:
     """Return the modules with types beside them as extensions; none without Cython, unless `required`."""
     try:
@@ -48,9 +62,19 @@ def extensions(required: bool) -> list[Extension]:
         if required:
             raise
         return []
+    translate_piece()
     built = cythonize(
-        [Extension(name, [name.replace(".", "/") + ".py"], extra_compile_args=FLAGS) for name in MODULES],
-        build_dir="build",
+        [
+            Extension(
+                name,
+                [name.replace(".", "/") + ".py"],
+                include_dirs=[str(BUILD)],
+                depends=["pdp8/computer/piece.py", "release/threaded.py"],
+                extra_compile_args=FLAGS,
+            )
+            for name in MODULES
+        ],
+        build_dir=str(BUILD),
         compiler_directives=DIRECTIVES,
     )
     for extension in built:  # cythonize does not keep it

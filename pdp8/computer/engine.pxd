@@ -4,6 +4,7 @@ cimport cython
 from libc.stdint cimport int64_t
 
 from pal.isa cimport autoindexed, jumps_to, refers_to
+cimport pdp8.computer.piece as piece
 from pdp8.computer.processor cimport Processor
 from pdp8.computer.waiting cimport Waiting
 
@@ -28,6 +29,7 @@ cdef class Engine:
     cdef unsigned short keep[256]
     cdef unsigned short flip[256]
     cdef unsigned short plus[256]
+    cdef int64_t registers[3]
 
     @cython.locals(called=bint)
     cpdef run(self, int64_t until, int64_t last, object breakpoints = *)
@@ -43,15 +45,11 @@ cdef class Engine:
     cdef int _memory_reference(self, int word, int operand, int address) except -1
     cdef bint _may_delay(self, int counter, int address) except -1
     @cython.locals(
-        p=Processor, waiting=Waiting,
-        core="unsigned short[::1]", ops="unsigned short *", arg="unsigned short *",
-        keep="unsigned short *", flip="unsigned short *", plus="unsigned short *",
-        conditions="const unsigned char *",
-        lac="unsigned int", pc="Py_ssize_t", x="Py_ssize_t", address="Py_ssize_t", word="unsigned int",
-        op=int, wall=int,
-        time=int64_t, limit=int64_t, turns=int64_t,
+        p=Processor, waiting=Waiting, ops="unsigned short *", registers="int64_t *",
+        time=int64_t, limit=int64_t,
     )
     cdef bint _run_pieces(self, int64_t until, int64_t last) except -1
+    cdef int _execute(self, int64_t limit) noexcept
 
 
 cdef int _wall(int mem_prot) noexcept

@@ -10,13 +10,11 @@ stops, interrupts, and the last instruction before a run ends, which lights the 
 
     piece ─► does the program only wait? ─► one instruction of the processor ─► does it wait? ─► piece ...
 
-where a piece goes on until something is due (a flag under ION, the end of the run) or such an instruction
-comes. Every store, whoever does it, clears the decoded form of its word. ISZ X, JMP .-1 is counted down at
-once, as far as the piece goes.
+where a piece (piece.py) goes on until something is due (a flag under ION, the end of the run) or such an
+instruction comes. Every store, whoever does it, clears the decoded form of its word. ISZ X, JMP .-1 is
+counted down at once, as far as the piece goes.
 
-This file runs as it is; Cython compiles it with the types in engine.pxd beside it. The loop is written for
-both: plain locals, numbers for operations, and one number `time` that counts cycles, writes and instructions
-at once.
+This file runs as it is; Cython compiles it with the types in engine.pxd beside it.
 
 Sources: those of processor.py, which tests hold this in lockstep with.
 """
@@ -37,18 +35,19 @@ from pal.isa import (
     jumps_to,
     refers_to,
 )
+from pdp8.computer import piece
 from pdp8.computer.processor import CYCLE, PROTECTED, Processor
 from pdp8.computer.waiting import Waiting
 
 LONGEST = 3
 """The cycles of the longest instruction a piece executes."""
-PIECE = 100_000
-"""The ticks of the longest piece: so many cycles can be counted in the low 12 bits of `time`."""
+PIECE = 200_000
+"""The ticks of the longest piece: as many cycles can be counted in 13 bits of its `time`."""
 
 # The conditions of every {L, AC} by the bits of the skips that look for them: SMA 100, SZA 40, SNL 20.
 CONDITIONS = b"\x20" + bytes(2047) + b"\x40" * 2048 + b"\x30" + b"\x10" * 2047 + b"\x50" * 2048
 
-# The operations of a piece by their numbers there; 0 is a word that is not decoded.
+# The operations by their numbers in piece.py; 0 is a word that is not decoded.
 _JMP, _NO_ROTATE, _ROTATE, _DELAY, _WRAP, _LEFT = 4, 6, 16, 23, 24, 25
 _DIRECT = (17, 1, 3, 2, 15, _JMP)
 _INDIRECT = (22, 10, 20, 11, 21, 12)
@@ -74,6 +73,7 @@ class Engine:
         # Two words past the end wrap the PC, which can overrun by a skip.
         self.processor.forms[0o10000] = self.processor.forms[0o10001] = _WRAP
         self.arg = [0] * 0o10002
+        self.registers = [0, 0, 0]
         # Group 1 without its rotate, by its low 8 bits: {L, AC} & keep ^ flip, + plus.
         self.keep = [
             (0o10000 if i & 0o200 else 0o17777) & (0o7777 if i & 0o100 else 0o17777) for i in range(256)
@@ -175,207 +175,24 @@ class Engine:
         return not self.breakpoints.isdisjoint(after)
 
     def _run_pieces(self, until: int, last: int) -> bool:
-        """Run piece by piece; return whether it ended with a JMS to a breakpoint. A piece ends with the first
-        instruction that ends at or after `limit`, or before one that is left to the processor.
-
-        `time` has, from the lowest, 12 bits that count instructions, 12 that count those that write, and the
-        cycles of the piece: counted in cycles, it grows by small numbers, which x86 adds faster. What mostly
-        follows an instruction is executed with it, without a turn of the loop of its own.
-        """
+        """Run piece by piece; return whether it ended with a JMS to a breakpoint."""
         p, waiting = self.processor, self.waiting
-        core, ops, arg = self.core, p.forms, self.arg
-        keep, flip, plus, conditions = self.keep, self.flip, self.plus, self.conditions
-        wall = self.wall
+        ops, registers = p.forms, self.registers
         while p.clock < until and p.instructions < last:
-            limit = 0 if ops[p.pc & 0o7777] == _LEFT else self._room(until, last) << 24
-            lac = p.lac & 0o17777
-            pc = p.pc & 0o7777
-            time = 0
-            while time < limit:
-                op = ops[pc]
-                x = arg[pc]
-                if op == 1:  # TAD, and the TAD or DCA that mostly follows
-                    lac = lac + core[x] & 0o17777
-                    time += 2 << 24 | 1
-                    pc += 1
-                    if ops[pc] == 1 and time < limit:
-                        lac = lac + core[arg[pc]] & 0o17777
-                        time += 2 << 24 | 1
-                        pc += 1
-                    if ops[pc] == 2 and time < limit:
-                        x = arg[pc]
-                        core[x] = lac & 0o7777
-                        ops[x] = 0
-                        lac &= 0o10000
-                        time += 2 << 24 | 1 << 12 | 1
-                        pc += 1
-                elif op == 2:  # DCA, and the TAD that mostly follows
-                    core[x] = lac & 0o7777
-                    ops[x] = 0
-                    lac &= 0o10000
-                    time += 2 << 24 | 1 << 12 | 1
-                    pc += 1
-                    if ops[pc] == 1 and time < limit:
-                        lac = lac + core[arg[pc]] & 0o17777
-                        time += 2 << 24 | 1
-                        pc += 1
-                elif op == 3:  # ISZ, and the JMP that mostly follows
-                    word = core[x] + 1 & 0o7777
-                    core[x] = word
-                    ops[x] = 0
-                    time += 2 << 24 | 1 << 12 | 1
-                    pc += 1
-                    if word == 0:
-                        pc += 1
-                    elif ops[pc] == 4 and time < limit:
-                        pc = arg[pc]
-                        time += 1 << 24 | 1
-                elif op == 4:  # JMP, and the TAD that mostly follows
-                    pc = x
-                    time += 1 << 24 | 1
-                    if ops[pc] == 1 and time < limit:
-                        lac = lac + core[arg[pc]] & 0o17777
-                        time += 2 << 24 | 1
-                        pc += 1
-                elif op == 5:  # SMA SZA SNL
-                    time += 1 << 24 | 1
-                    pc += 1
-                    if x & conditions[lac]:
-                        pc += 1
-                elif op == 6:  # group 1 without a rotate
-                    lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
-                    time += 1 << 24 | 1
-                    pc += 1
-                elif op == 7:  # RAL
-                    lac = lac << 1 & 0o17777 | lac >> 12
-                    time += 1 << 24 | 1
-                    pc += 1
-                elif op == 8:  # RAR
-                    lac = lac >> 1 | (lac & 1) << 12
-                    time += 1 << 24 | 1
-                    pc += 1
-                elif op == 9:  # SPA SNA SZL
-                    time += 1 << 24 | 1
-                    pc += 1
-                    if x & conditions[lac] == 0:
-                        pc += 1
-                elif op == 10:  # TAD I
-                    lac = lac + core[core[x]] & 0o17777
-                    time += 3 << 24 | 1
-                    pc += 1
-                elif op == 11:  # DCA I
-                    address = core[x]
-                    if address >= wall:
-                        break
-                    core[address] = lac & 0o7777
-                    ops[address] = 0
-                    lac &= 0o10000
-                    time += 3 << 24 | 1 << 12 | 1
-                    pc += 1
-                elif op == 12:  # JMP I
-                    pc = core[x]
-                    time += 2 << 24 | 1
-                elif op == 13:  # TAD I, autoindexed
-                    address = core[x] + 1 & 0o7777
-                    core[x] = address
-                    ops[x] = 0
-                    lac = lac + core[address] & 0o17777
-                    time += 3 << 24 | 1 << 12 | 1
-                    pc += 1
-                elif op == 14:  # DCA I, autoindexed
-                    address = core[x] + 1 & 0o7777
-                    if address >= wall:
-                        break
-                    core[x] = address
-                    ops[x] = 0
-                    core[address] = lac & 0o7777
-                    ops[address] = 0
-                    lac &= 0o10000
-                    time += 3 << 24 | 1 << 12 | 1
-                    pc += 1
-                elif op == 15:  # JMS
-                    core[x] = pc + 1 & 0o7777
-                    ops[x] = 0
-                    pc = x + 1
-                    time += 2 << 24 | 1 << 12 | 1
-                elif op == 16:  # group 1 with a rotate
-                    lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
-                    x &= 0o16
-                    if x == 0o4:
-                        lac = lac << 1 & 0o17777 | lac >> 12
-                    elif x == 0o10:
-                        lac = lac >> 1 | (lac & 1) << 12
-                    elif x == 0o6:
-                        lac = lac << 2 & 0o17777 | lac >> 11
-                    else:
-                        lac = lac >> 2 | (lac & 3) << 11
-                    time += 1 << 24 | 1
-                    pc += 1
-                elif op == 17:  # AND
-                    lac &= core[x] | 0o10000
-                    time += 2 << 24 | 1
-                    pc += 1
-                elif op == 18:  # SMA SZA SNL, CLA
-                    time += 1 << 24 | 1
-                    pc += 1
-                    if x & conditions[lac]:
-                        pc += 1
-                    lac &= 0o10000
-                elif op == 19:  # SPA SNA SZL, CLA
-                    time += 1 << 24 | 1
-                    pc += 1
-                    if x & conditions[lac] == 0:
-                        pc += 1
-                    lac &= 0o10000
-                elif op == 20:  # ISZ I
-                    address = core[x]
-                    if address >= wall:
-                        break
-                    word = core[address] + 1 & 0o7777
-                    core[address] = word
-                    ops[address] = 0
-                    time += 3 << 24 | 1 << 12 | 1
-                    pc += 1
-                    if word == 0:
-                        pc += 1
-                elif op == 21:  # JMS I
-                    address = core[x]
-                    if address >= wall:
-                        break
-                    core[address] = pc + 1 & 0o7777
-                    ops[address] = 0
-                    pc = address + 1
-                    time += 3 << 24 | 1 << 12 | 1
-                elif op == 22:  # AND I
-                    lac &= core[core[x]] | 0o10000
-                    time += 3 << 24 | 1
-                    pc += 1
-                elif op == 23:  # ISZ X of a delay loop: all turns of 3 cycles that fit but the last
-                    if ops[pc + 1] == 4 and arg[pc + 1] == pc:
-                        turns = ((limit >> 24) - 1 - (time >> 24)) // 3
-                        turns = min(turns, 0o7777 - core[x])
-                        core[x] += turns
-                        time += turns * (3 << 24 | 1 << 12 | 2)
-                    word = core[x] + 1 & 0o7777
-                    core[x] = word
-                    ops[x] = 0
-                    time += 2 << 24 | 1 << 12 | 1
-                    pc += 1
-                    if word == 0:
-                        pc += 1
-                elif op == 24:  # past the end of core
-                    pc -= 0o10000
-                elif op == 0:  # not decoded
-                    self._decode(pc)
-                else:  # left to the processor
-                    break
-            p.pc = pc & 0o7777
+            registers[0] = p.pc & 0o7777
+            registers[1] = p.lac & 0o17777
+            registers[2] = 0
+            limit = 0 if ops[registers[0]] == _LEFT else self._room(until, last) << 26
+            while self._execute(limit) == 0:
+                self._decode(registers[0])
+            p.pc = registers[0] & 0o7777
+            time = registers[2]
             if time:
-                p.lac = lac
-                p.clock += (time >> 24) * CYCLE
-                p.instructions += time & 0o7777
+                p.lac = registers[1]
+                p.clock += (time >> 26) * CYCLE
+                p.instructions += time & 0o17777
+                p.writes += time >> 13 & 0o17777
                 p.protect = 0
-                p.writes += time >> 12 & 0o7777
             else:
                 p.instruction()
                 if self.watched and self._called():
@@ -386,6 +203,20 @@ class Engine:
             if waiting.endless or (self.watched and p.pc in self.breakpoints):
                 return False
         return False
+
+    def _execute(self, limit: int) -> int:
+        return piece.execute(
+            self.core,
+            self.processor.forms,
+            self.arg,
+            self.keep,
+            self.flip,
+            self.plus,
+            self.conditions,
+            self.registers,
+            self.wall,
+            limit,
+        )
 
 
 def _wall(mem_prot: int) -> int:

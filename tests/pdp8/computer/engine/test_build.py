@@ -21,9 +21,21 @@ def test_no_extension_hides_a_newer_source(name: str) -> None:
         )
 
 
+def test_no_compiled_piece_hides_a_newer_source() -> None:
+    built = extension("pdp8.computer.engine")
+    if built is None:
+        pytest.skip("not compiled")
+    for source in (beside("pdp8.computer.piece", ".py"), HOUSE / "release/threaded.py"):
+        assert source.stat().st_mtime <= built.stat().st_mtime, f"{source.name} is newer: run `make`"
+
+
 def test_whatever_has_types_beside_it_is_compiled() -> None:
     typed = [*HOUSE.glob("pal/*.pxd"), *HOUSE.glob("pdp8/**/*.pxd")]
-    assert {".".join(path.relative_to(HOUSE).with_suffix("").parts) for path in typed} == set(COMPILED)
+    names = {".".join(path.relative_to(HOUSE).with_suffix("").parts) for path in typed}
+    assert names == {
+        *COMPILED,
+        "pdp8.computer.piece",
+    }  # the piece is translated, and compiled with the engine
 
 
 @pytest.mark.parametrize("name", COMPILED)
