@@ -150,6 +150,27 @@ def test_a_ring_that_writes_the_same_word_again_is_idle() -> None:
     assert pair(words)[0].run(seconds=10).reason == "idle"
 
 
+COUNTING = {
+    "ISZ": "2020",
+    "ISZ I": "2421",
+    "DCA": "7201 1020 3020",
+    "DCA I": "7201 1020 3421",
+    "TAD I, autoindexed": "1410 7200",
+    "DCA I, autoindexed": "3410",
+}
+"""Instructions that leave AC 0 and another core each time, whether they skip or not."""
+
+
+@pytest.mark.parametrize("counting", COUNTING.values(), ids=COUNTING)
+def test_a_ring_that_counts_does_not_only_wait(counting: str) -> None:
+    """CLA, then KSF, SKP, HLT, a word that is counted, NOP, JMP 201, until the reader's second character."""
+    words = octal(f"7200 6031 7410 7402 {counting} 7000 5201")
+    fast, plain = pair(dict(enumerate(words, 0o200)) | {0o10: 0o1000, 0o21: 0o20}, b"ab")
+    assert fast.run(seconds=1).reason == "halt"
+    alone(plain, lambda: True)
+    assert seen(fast) == seen(plain)
+
+
 def test_a_flag_that_is_up_is_not_waited_for() -> None:
     """NOP, NOP, TLS, NOP, KSF, JMP .-1, HLT with the keyboard's flag up: the printer's is the next event."""
     fast, plain = pair(dict(enumerate(octal("7000 7000 6046 7000 6031 5204 7402"), 0o200)))
