@@ -2,6 +2,7 @@
 
 processor    AC L PC MA MB IR, one memory cycle at a time: the one to read
 engine       the same for long runs: core decoded once, compiled where it can be
+piece        the engine's inner loop, which setup.py translates to C
 operate      the OPR groups as pure functions
 bus          IOP pulses, SKIP, interrupt request: what processor and devices say to each other
 teletype     ASR-33: keyboard and reader (03), printer and punch (04)
