@@ -87,6 +87,11 @@ def strip(frames: bytes, code: int = LEADER) -> Strip:
     return Strip(frames[:start], frames[start:end], frames[end:])
 
 
+def has_leader(frames: bytes) -> bool:
+    """Tell whether a tape begins with a frame that may be lost: blank, or leader of DEC's loader formats."""
+    return frames[:1] in (bytes([BLANK]), bytes([LEADER]))
+
+
 def leader_start(frames: bytes) -> int | None:
     """Return the first frame of a loader tape's leader, where an operator sets the tape: 200 after any blank
     tape. None for a tape that begins otherwise.

@@ -10,10 +10,10 @@ import sys
 from collections.abc import Callable
 from io import UnsupportedOperation
 
-from pdp8.computer.teletype import Reader
+from pdp8.computer.teletype import Reader, Receiver
 from tapes import command, kinds, shelf
 from tapes.errors import called
-from tapes.frames import PARITIES
+from tapes.frames import PARITIES, has_leader
 
 _LOOK = 0.2  # seconds between two looks for Ctrl-C while a pipe is silent
 _PIECE = 1 << 16
@@ -33,6 +33,7 @@ class Feed:
         self._file = -1
         self._name = ""
         self._passed = 0
+        self._looked = not names
 
     @property
     def read(self) -> int:
@@ -53,6 +54,23 @@ class Feed:
         elif not self._quiet:
             _warn(name, self._reader.tape)
         return True
+
+    def look(self, now: int, halted: bool) -> None:
+        """Say once where the first frame of a tape without leader has come in by tick `now` and is not taken:
+        START sets READER RUN, and a program that clears the reader first never sees that frame.
+        """
+        reader, receiver = self._reader, self._reader.device
+        if self._looked or reader.position != 1 or not isinstance(receiver, Receiver):
+            return
+        if receiver.flag or (receiver.stage and (halted or receiver.due <= now)):
+            self._looked = True
+            if self._quiet or has_leader(reader.tape):
+                return
+            command.say(
+                f"the first frame of {called(self._name)} came in with START, before the program asked; "
+                "a program that clears the reader first loses it. A tape with leader loses none: "
+                "pdp8 tape punch --leader 100"
+            )
 
     def announce_next(self) -> bool:
         """Put the next tape in and say so."""

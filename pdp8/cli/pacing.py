@@ -2,7 +2,7 @@
 
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from pdp8.cli.feed import Feed
 from pdp8.cli.interrupt import ctrl_c
@@ -16,6 +16,8 @@ from tapes import command
 # Slices of a run in seconds of machine time, the shortest and the longest. A trace tells of a wait once a
 # slice: so that it is always the same, its slices are.
 _FREE, _REALTIME, _TRACED = (0.05, 60.0), (0.05, 0.05), (1.0, 1.0)
+_FIRST_FRAME = 0.0775
+"""Seconds after START: the reader's first frame has been in for .2 ms, a program that waits has taken it."""
 _SILENT = 5.0
 """Seconds of ours without a frame, after which a run at a terminal says where it is."""
 
@@ -49,9 +51,10 @@ def run(
         feed.idle = idle
         ended: Stop | None = None
         while ended is None or (ended.reason is Reason.TAPE_OUT and feed.announce_next()):
-            for now in machine.slices((last - machine.ticks) / TICKS_PER_SECOND, shortest, longest):
+            for now in _slices(machine, last, shortest, longest, () if traced else (_FIRST_FRAME,)):
                 ended = now
                 send(outputs)
+                feed.look(machine.ticks, now.reason is Reason.HALT)
                 bar.show(reader.position)
                 if interrupt.pressed:
                     machine.stop()
@@ -63,6 +66,18 @@ def run(
                 send(outputs)
                 return None
         return ended
+
+
+def _slices(
+    machine: Machine, last: int, shortest: float, longest: float, first: Iterable[float]
+) -> Iterator[Stop]:
+    """Yield how the machine stands after each slice until tick `last`; the first take `first` seconds."""
+    for seconds in first:
+        for now in machine.slices(min(seconds, (last - machine.ticks) / TICKS_PER_SECOND)):
+            yield now
+        if now.reason is not Reason.LIMIT or machine.ticks >= last:
+            return
+    yield from machine.slices((last - machine.ticks) / TICKS_PER_SECOND, shortest, longest)
 
 
 class _Silence:

@@ -57,7 +57,13 @@ class Monitor:
             if found and name:
                 return self.address(name) + factor * octal(offset) & 0o7777
         symbol = self.listing.symbols.get(text.upper()[:6])
-        return octal(text) if symbol is None else symbol
+        if symbol is not None:
+            return symbol
+        if not self.listing.symbols and not text.isdecimal():
+            raise MonitorError(
+                f"{text}: no octal number, and no program is named: `listing PROGRAM` names one"
+            )
+        return octal(text)
 
     def range(self, text: str) -> range:
         """Return the addresses of A or A:B."""

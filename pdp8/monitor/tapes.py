@@ -8,6 +8,7 @@ from pdp8.monitor.arguments import FRAME, MonitorError, Quoted, exactly, some
 from pdp8.monitor.prompt import Monitor
 from tapes import rim as rim_format
 from tapes import shelf
+from tapes.frames import has_leader
 from tapes.measure import counted
 
 _MARKS = {"\a": "<BEL>", "\x7f": "<RUBOUT>"}
@@ -74,7 +75,7 @@ def reader(monitor: Monitor, arguments: Sequence[str]) -> None:
     monitor.operator.mount(names[0], tapes[0])
     monitor.waiting_tapes = list(names[1:])
     for name, frames in zip(names, tapes, strict=True):
-        leader = "" if frames[:1] in (b"", b"\0", b"\x80") else "; no leader"
+        leader = "; no leader" if frames and not has_leader(frames) else ""
         monitor.say(f"{name}: {counted(len(frames), 'frames')}{leader}")
 
 

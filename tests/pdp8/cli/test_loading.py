@@ -131,3 +131,29 @@ def test_data_is_no_program_for_the_monitor(shell: Shell, command: str) -> None:
     done = shell(f"echo {command} circle.asc | pdp8 monitor")
     assert done.returncode == 1
     assert b"nothing but figures" in done.stderr
+
+
+LATE = "*200\n\tTLS\n\tTSF\n\tJMP .-1\n\tKCC\nL,\tKSF\n\tJMP .-1\n\tKRB\n\tTLS\n\tJMP L\n$\n"
+"""Clears the reader only when a character is typed, as PAL III does: READER RUN is set since START."""
+ASKS = "*200\nL,\tKSF\n\tJMP .-1\n\tKRB\n\tTLS\n\tJMP L\n$\n"
+
+
+@pytest.mark.parametrize(
+    ("source", "leader", "warned", "punched"),
+    [
+        (LATE, "0", True, b"\0BC"),
+        (LATE, "3", False, b"\0\0\0ABC\0\0\0"),
+        ("*200\n\tHLT\n$\n", "0", True, b""),
+        ("*200\n\tHLT\n$\n", "3", False, b""),
+        (ASKS, "0", False, b"ABC"),
+    ],
+)
+def test_a_first_frame_that_may_be_lost_is_named(
+    shell: Shell, tmp_path: Path, source: str, leader: str, warned: bool, punched: bytes
+) -> None:
+    (tmp_path / "p.pal").write_text(source)
+    shell(f"printf ABC | pdp8 tape punch --parity none --leader {leader} -o abc.asc")
+    done = shell("pdp8 run p.pal --reader abc.asc")
+    assert (b"the first frame of abc.asc came in with START" in done.stderr) == warned
+    assert done.stdout.replace(b"\0\0\0\0", b"\0\0\0") == punched
+    assert b"first frame" not in shell("pdp8 run p.pal --reader abc.asc --quiet").stderr
