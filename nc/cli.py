@@ -59,7 +59,12 @@ def list_(modes: bool, **options: Any) -> None:
 @nc.command()
 @tape_options
 @click.option(
-    "--passes", type=click.IntRange(1), default=1, show_default=True, help="How many times the tape is run."
+    "--passes",
+    type=click.IntRange(1),
+    metavar="NUMBER",
+    default=1,
+    show_default=True,
+    help="How many times the tape is run.",
 )
 def cut(passes: int, **options: Any) -> None:
     """Cut the tape and report what was done and the time it took.
@@ -82,12 +87,14 @@ def cut(passes: int, **options: Any) -> None:
 @nc.command()
 @tape_options
 @curve_options
-@click.option("--block", type=click.IntRange(1), help="The current block; the last by default.")
+@click.option(
+    "--block", type=click.IntRange(1), metavar="NUMBER", help="The current block; the last by default."
+)
 @click.option(
     "--at",
     callback=numbers("X,Y"),
     metavar="X,Y",
-    help="Centre of the close view; the current block by default.",
+    help="Centre of the close view, inches; the current block by default.",
 )
 @click.option(
     "--zoom",
@@ -98,7 +105,7 @@ def cut(passes: int, **options: Any) -> None:
     show_default=True,
     help="Scale of the close view.",
 )
-@click.option("-o", "--output", metavar="FILE.svg", help="Output file.")
+@command.output("FILE.svg", None, "Where to.")
 def plot(
     output: str | None, block: int | None, at: tuple[float, float] | None, zoom: float, **options: Any
 ) -> None:
@@ -134,7 +141,10 @@ def plot(
 @curve_options
 @click.option("--talyrond", metavar="FILE.svg", help="Draw the polar graph of both walls.")
 @click.option(
-    "--magnification", type=click.IntRange(1), help="Of the polar graph; 100 by default, or what fits."
+    "--magnification",
+    type=click.IntRange(1),
+    metavar="TIMES",
+    help="Of the polar graph; 100 by default, or what fits.",
 )
 @click.option("--talysurf", metavar="FILE.svg", help="Draw both walls laid out straight.")
 @click.option(
@@ -191,7 +201,7 @@ def inspect(
 @curve_options
 @click.option("--gcode", is_flag=True, help="RS-274, one linear move a block, for today's controllers.")
 @click.option("--dxf", is_flag=True, help="A drawing of the path (needs ezdxf: pip install ezdxf).")
-@click.option("-o", "--output", metavar="FILE", default="-", help="Output file; standard output by default.")
+@command.output()
 def export(gcode: bool, dxf: bool, output: str, **options: Any) -> None:
     """Write the path as G-code or DXF, in inches.
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from tapes import shelf
+from tapes.command import Option
 from tapes.errors import WorkError, named, naming
 
 if TYPE_CHECKING:
@@ -67,7 +68,10 @@ def tape_options(command: Callable[..., Any]) -> Callable[..., Any]:
         ),
         click.option(
             "--feed-code",
+            cls=Option,
+            also=("--feed",),
             type=click.IntRange(1, 18),
+            metavar="CODE",
             help="Mill at this code of Table 2.4 in place of the tape's.",
         ),
         click.option(
@@ -109,7 +113,7 @@ def curve_options(command: Callable[..., Any]) -> Callable[..., Any]:
             "--circle",
             callback=numbers("X,Y,RADIUS"),
             metavar="X,Y,RADIUS",
-            help="Nominal curve of the cutter's centre.",
+            help="Nominal curve of the cutter's centre, inches.",
         ),
         click.option(
             "--ellipse",
@@ -140,14 +144,14 @@ def curve_options(command: Callable[..., Any]) -> Callable[..., Any]:
             metavar="X,Y",
             default="4,5",
             show_default=True,
-            help="Origin of --function on the table.",
+            help="Origin of --function on the table, inches.",
         ),
         click.option(
             "--range",
             "range_",
             callback=numbers("FROM,TO"),
             metavar="FROM,TO",
-            help="Range of x of --function or --polynomial.",
+            help="Range of x of --function or --polynomial, inches.",
         ),
         click.option(
             "--cutter",

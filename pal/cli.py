@@ -20,7 +20,7 @@ class AssemblyError(WorkError):
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
 @click.argument("sources", nargs=-1, metavar="SOURCE...")
-@click.option("-o", "--output", metavar="FILE", help="The tape; without it SOURCE's name with .bin.")
+@command.output("FILE", None, "The tape; without it SOURCE's name with .bin.")
 @click.option("--rim", is_flag=True, help="Punch a RIM tape instead of DEC's BIN tape.")
 @click.option("--listing", metavar="FILE", help="Write what pass 3 typed, with its symbol table.")
 @click.option("--symbols", metavar="FILE", help="Write the symbol table.")
@@ -34,6 +34,7 @@ class AssemblyError(WorkError):
 @click.option(
     "--max-errors",
     type=click.IntRange(1),
+    metavar="NUMBER",
     default=100,
     show_default=True,
     help="Print so many errors and notes, and count the rest.",
@@ -195,7 +196,7 @@ def _put_passes(folder: str, source: str, assembly: Assembly) -> None:
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
 @click.argument("tape", default="-")
-@click.option("-o", "--output", metavar="FILE", default="-", help="Where to; standard output if not given.")
+@command.output()
 def dis(*, tape: str, output: str) -> None:
     """Disassemble a BIN or RIM tape to PAL III source that assembles to the same words and fields.
 

@@ -33,6 +33,7 @@ from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
 from programs.printout import Printout, check_band, check_codes, check_start
 from programs.stretches import Point, oval
+from programs.units import CODE, NUMBER, THOUSANDTHS
 from tapes.hydrapoint import Miscellaneous, Preparatory
 
 _QUADRANTS = ((-1, +1, "AY", "AX"), (+1, +1, "AX", "AY"), (+1, -1, "AY", "AX"), (-1, -1, "AX", "AY"))
@@ -41,18 +42,20 @@ _QUADRANTS = ((-1, +1, "AY", "AX"), (+1, +1, "AX", "AY"), (+1, -1, "AY", "AX"), 
 
 def part(
     *,
-    radius: Annotated[int, "RAD: radius of the cutter's path"] = 1750,
-    tolerance: Annotated[float, "half the width of the band"] = 5,
-    outer: Annotated[float | None, "ARL: outer limit, else radius + tolerance"] = None,
-    inner: Annotated[float | None, "ARS: inner limit, else radius - tolerance"] = None,
-    centre_x: Annotated[int, "X of the centre, 4000. in line 320"] = 4000,
-    centre_y: Annotated[int, "Y of the centre, 4000. in line 325"] = 4000,
-    start_x: Annotated[int | None, "AX: first distance from the centre in X, else the radius"] = None,
-    start_y: Annotated[int, "AY: first distance from the centre in Y"] = 0,
-    sequence: Annotated[int, "AS: starting sequence number"] = 7,
-    preparatory: Annotated[int, "AP: preparatory function of the contour"] = Preparatory.MILL,
-    x_feed: Annotated[int, "AMX: miscellaneous function of a cut in X"] = Miscellaneous.X_FEED,
-    y_feed: Annotated[int, "AMY: miscellaneous function of a cut in Y"] = Miscellaneous.Y_FEED,
+    radius: Annotated[int, "RAD: radius of the cutter's path", THOUSANDTHS] = 1750,
+    tolerance: Annotated[float, "half the width of the band", THOUSANDTHS.below(1)] = 5,
+    outer: Annotated[float | None, "ARL: outer limit, else radius + tolerance", THOUSANDTHS] = None,
+    inner: Annotated[float | None, "ARS: inner limit, else radius - tolerance", THOUSANDTHS] = None,
+    centre_x: Annotated[int, "X of the centre, 4000. in line 320", THOUSANDTHS] = 4000,
+    centre_y: Annotated[int, "Y of the centre, 4000. in line 325", THOUSANDTHS] = 4000,
+    start_x: Annotated[
+        int | None, "AX: first distance from the centre in X, else the radius", THOUSANDTHS
+    ] = None,
+    start_y: Annotated[int, "AY: first distance from the centre in Y", THOUSANDTHS] = 0,
+    sequence: Annotated[int, "AS: starting sequence number", NUMBER] = 7,
+    preparatory: Annotated[int, "AP: preparatory function of the contour", CODE] = Preparatory.MILL,
+    x_feed: Annotated[int, "AMX: miscellaneous function of a cut in X", CODE] = Miscellaneous.X_FEED,
+    y_feed: Annotated[int, "AMY: miscellaneous function of a cut in Y", CODE] = Miscellaneous.Y_FEED,
     close: Annotated[bool, "print the last point too, where the contour comes back to its start"] = False,
     milling: Milling = SLOWEST,
     header: Header = THESIS,
@@ -85,7 +88,7 @@ def part(
 
     def cut_to_here(sequence: int, east: int, north: int, function: int) -> None:
         x, y = centre_x + east * int(at["AX"]), centre_y + north * int(at["AY"])
-        printout.print_30(sequence, preparatory, x, y, milling.feed, function)
+        printout.print_30(sequence, preparatory, x, y, milling.feed_code, function)
 
     function = {"AX": x_feed, "AY": y_feed}
     for east, north, up, down in _QUADRANTS:

@@ -9,8 +9,8 @@ import click
 from programs import options
 from programs.arithmetic import ARITHMETICS
 from programs.parts import PARTS, Part
-from tapes import ascii, frames, shelf
-from tapes.hydrapoint import RESOLUTION
+from programs.units import THOUSANDTHS
+from tapes import ascii, command, frames, shelf
 
 _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
@@ -18,6 +18,7 @@ _TAPE_OPTIONS: list[click.Parameter] = [
     click.Option(
         ["--fill"],
         type=click.IntRange(0, 1000),
+        metavar="FRAMES",
         default=6,
         show_default=True,
         help="RUBOUTs after each line.",
@@ -28,9 +29,6 @@ _TAPE_OPTIONS: list[click.Parameter] = [
         default="mark",
         show_default=True,
         help="Channel 8.",
-    ),
-    click.Option(
-        ["-o", "--output"], metavar="FILE", default="-", help="Where to; standard output if not given."
     ),
 ]
 
@@ -57,6 +55,8 @@ class _Parts(click.Group):
 def part() -> None:
     """Run a part program of the thesis: an ASCII tape of blocks, ready for the translation.
 
+    Every length at a command is in inches; a listing counts the same in thousandths.
+
     \b
     Examples:
       pdp8 part circle > circle.asc
@@ -72,13 +72,17 @@ def _command(part: Part) -> click.Command:
         text = program(**options.arguments(program, values))
         shelf.write(output, ascii.encode(text, parity, fill))
 
-    return click.Command(
+    made = click.Command(
         part.name,
         callback=punch,
         params=[*options.parameters(program), *_TAPE_OPTIONS],
-        help=_help(part.summary, [f"pdp8 part {part.name} {example}" for example in part.examples]),
+        help=_help(
+            f"{part.summary} Lengths are inches.",
+            [f"pdp8 part {part.name} {example}" for example in part.examples],
+        ),
         context_settings=_SETTINGS,
     )
+    return command.output()(made)
 
 
 class _Compared(_Parts):
@@ -99,7 +103,7 @@ def compare() -> None:
     Examples:
       pdp8 part compare ellipse
       pdp8 part compare ellipse --arithmetic ge635 --with cdc6400
-      pdp8 part compare circle --radius 3000 --with ieee32
+      pdp8 part compare circle --radius 3 --with ieee32
     """
 
 
@@ -130,14 +134,23 @@ def _comparison(part: Part) -> click.Command:
         part.name,
         callback=show,
         params=[other, *options.parameters(program)],
-        help=_help(f"The blocks of {part.name} that differ between two arithmetics.", examples),
+        help=_help(
+            f"The blocks of {part.name} that differ between two arithmetics. Lengths are inches.", examples
+        ),
         context_settings=_SETTINGS,
     )
 
 
 @part.command(short_help="A function from measured points")
 @click.argument("points", metavar="POINTS", default="-")
-@click.option("--degree", type=click.IntRange(0), default=3, show_default=True, help="Of the polynomial.")
+@click.option(
+    "--degree",
+    type=click.IntRange(0),
+    metavar="NUMBER",
+    default=3,
+    show_default=True,
+    help="Of the polynomial.",
+)
 def fit(points: str, degree: int) -> None:
     """Reduce measured points to a polynomial by least squares, for `pdp8 part curve`.
 
@@ -165,8 +178,12 @@ def fit(points: str, degree: int) -> None:
     "--across", type=click.Choice(["x", "y"]), default="x", show_default=True, help="The axis to reflect."
 )
 @click.option(
-    "--about", type=float, metavar="INCHES", help="Where the mirror is; the middle of the part by default."
+    "--about",
+    type=options.Number(THOUSANDTHS),
+    metavar="INCHES",
+    help="Where the mirror is; the middle of the part by default.",
 )
+@command.output()
 def mirror(
     tape: str, across: Literal["x", "y"], about: float | None, fill: int, parity: str, output: str
 ) -> None:
@@ -185,7 +202,7 @@ def mirror(
     content = shelf.read(tape)
     with naming(tape):
         text = convert(content, kinds.classify(content), "text").decode()
-        other = mirrored(text, across, None if about is None else about / RESOLUTION)
+        other = mirrored(text, across, about)
     shelf.write(output, ascii.encode(other, parity, fill))
 
 

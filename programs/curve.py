@@ -10,19 +10,22 @@ from programs.function import Range, Side, centre_path, offset_path
 from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
 from programs.printout import Printout
+from programs.units import INCHES
 from tapes.expression import function
 
 
 def part(
     expression: Annotated[str, "y as a function of x, inches"],
     *,
-    from_: Annotated[float, "X where it starts, inches"] = 0.0,
-    to: Annotated[float, "X where it ends"] = 4.0,
-    tolerance: Annotated[float, "half the height of the band"] = 0.005,
-    origin_x: Annotated[float, "X of the table where x is 0"] = 4.0,
-    origin_y: Annotated[float, "Y of the table where y is 0"] = 5.0,
+    from_: Annotated[float, "X where it starts", INCHES] = 0.0,
+    to: Annotated[float, "X where it ends", INCHES] = 4.0,
+    tolerance: Annotated[float, "half the height of the band", INCHES.below(1)] = 0.005,
+    origin_x: Annotated[float, "X of the table where x is 0", INCHES] = 4.0,
+    origin_y: Annotated[float, "Y of the table where y is 0", INCHES] = 5.0,
     cutter: Annotated[
-        float | None, "diameter of the cutter, if the curve is the surface and not the path of its centre"
+        float | None,
+        "diameter of the cutter, if the curve is the surface and not the path of its centre",
+        INCHES,
     ] = None,
     side: Side = "above",
     milling: Milling = SLOWEST,

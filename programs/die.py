@@ -20,6 +20,7 @@ from programs.arithmetic import EXACT, Arithmetic
 from programs.format import Overflow
 from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
+from programs.units import THOUSANDTHS
 
 AXES: Final = {"opening": (3000, 1500), "rounding": (3125, 1625), "groove": (3750, 2250)}
 """Semi-axes of the three programs, thousandths of an inch."""
@@ -28,11 +29,11 @@ AXES: Final = {"opening": (3000, 1500), "rounding": (3125, 1625), "groove": (375
 def part(
     *,
     cut: Annotated[Literal["opening", "rounding", "groove"], "which of the three"] = "opening",
-    major: Annotated[int | None, "semi-major axis, else that of the cut, thousandths"] = None,
-    minor: Annotated[int | None, "semi-minor axis, else that of the cut"] = None,
-    tolerance: Annotated[float, "half the width of the band"] = 5,
-    centre_x: Annotated[int, "X of the centre"] = 6000,
-    centre_y: Annotated[int, "Y of the centre"] = 4000,
+    major: Annotated[int | None, "semi-major axis, else that of the cut", THOUSANDTHS] = None,
+    minor: Annotated[int | None, "semi-minor axis, else that of the cut", THOUSANDTHS] = None,
+    tolerance: Annotated[float, "half the width of the band", THOUSANDTHS.below(1)] = 5,
+    centre_x: Annotated[int, "X of the centre", THOUSANDTHS] = 6000,
+    centre_y: Annotated[int, "Y of the centre", THOUSANDTHS] = 4000,
     milling: Milling = SLOWEST,
     header: Header = THESIS,
     arithmetic: Arithmetic = EXACT,

@@ -16,7 +16,7 @@ from typing import Annotated
 
 from programs.header import Header
 from programs.printout import Printout
-from programs.units import thousandths
+from programs.units import CODE, INCHES, thousandths
 from tapes.errors import WorkError
 from tapes.hydrapoint import Block, Miscellaneous, Preparatory
 
@@ -28,10 +28,10 @@ THE_FOUR: Holes = ((1.0, 1.0), (1.0, 2.0), (4.0, 2.0), (4.0, 1.0))
 def part(
     *,
     holes: Annotated[Holes, "X,Y of each hole in inches"] = THE_FOUR,
-    spindle: Annotated[int, "spindle speed code of Table 2.4"] = 35,
-    z_feed_point: Annotated[float, "Z where the feed begins, inches"] = 3.0,
-    z_depth: Annotated[float, "final depth of Z"] = 3.5,
-    z_feed: Annotated[int, "Z feed code of Table 2.4"] = 1,
+    spindle: Annotated[int, "spindle speed code of Table 2.4", CODE] = 35,
+    z_feed_point: Annotated[float, "Z where the feed begins", INCHES] = 3.0,
+    z_depth: Annotated[float, "final depth of Z", INCHES] = 3.5,
+    z_feed: Annotated[int, "Z feed code of Table 2.4", CODE] = 1,
 ) -> str:
     """Return the printout of a drilling tape.
 

@@ -24,9 +24,10 @@ from programs.header import THESIS, Header
 from programs.milling import Milling
 from programs.printout import Printout, check_band, check_codes, check_start
 from programs.stretches import Point, oval
+from programs.units import CODE, NUMBER, THOUSANDTHS
 from tapes.hydrapoint import Miscellaneous, Preparatory
 
-MILLING: Final = Milling(feed=5)
+MILLING: Final = Milling(feed_code=5)
 """AT = 5."""
 
 _QUADRANTS = ((-1, +1, "AY", "AX"), (+1, +1, "AX", "AY"), (+1, -1, "AY", "AX"), (-1, -1, "AX", "AY"))
@@ -35,21 +36,23 @@ _QUADRANTS = ((-1, +1, "AY", "AX"), (+1, +1, "AX", "AY"), (+1, -1, "AY", "AX"), 
 
 def part(
     *,
-    major: Annotated[int, "AC: semi-major axis, along X"] = 3000,
-    minor: Annotated[int, "BC: semi-minor axis, along Y"] = 2250,
-    tolerance: Annotated[float, "half the width of the band"] = 5,
-    outer_major: Annotated[float | None, "AA: outer major limit, else major + tolerance"] = None,
-    outer_minor: Annotated[float | None, "BB: outer minor limit, else minor + tolerance"] = None,
-    inner_major: Annotated[float | None, "A: inner major limit, else major - tolerance"] = None,
-    inner_minor: Annotated[float | None, "B: inner minor limit, else minor - tolerance"] = None,
-    centre_x: Annotated[int, "CX: X of the centre"] = 4000,
-    centre_y: Annotated[int, "CY: Y of the centre"] = 4000,
-    start_x: Annotated[int | None, "AX: first distance from the centre in X, else the major axis"] = None,
-    start_y: Annotated[int, "AY: first distance from the centre in Y"] = 0,
-    sequence: Annotated[int, "AS: starting sequence number, stepped before each print"] = 6,
-    preparatory: Annotated[int, "AP: preparatory function of the contour"] = Preparatory.MILL,
-    x_feed: Annotated[int, "AMX: miscellaneous function of a cut in X"] = Miscellaneous.X_FEED,
-    y_feed: Annotated[int, "AMY: miscellaneous function of a cut in Y"] = Miscellaneous.Y_FEED,
+    major: Annotated[int, "AC: semi-major axis, along X", THOUSANDTHS] = 3000,
+    minor: Annotated[int, "BC: semi-minor axis, along Y", THOUSANDTHS] = 2250,
+    tolerance: Annotated[float, "half the width of the band", THOUSANDTHS.below(1)] = 5,
+    outer_major: Annotated[float | None, "AA: outer major limit, else major + tolerance", THOUSANDTHS] = None,
+    outer_minor: Annotated[float | None, "BB: outer minor limit, else minor + tolerance", THOUSANDTHS] = None,
+    inner_major: Annotated[float | None, "A: inner major limit, else major - tolerance", THOUSANDTHS] = None,
+    inner_minor: Annotated[float | None, "B: inner minor limit, else minor - tolerance", THOUSANDTHS] = None,
+    centre_x: Annotated[int, "CX: X of the centre", THOUSANDTHS] = 4000,
+    centre_y: Annotated[int, "CY: Y of the centre", THOUSANDTHS] = 4000,
+    start_x: Annotated[
+        int | None, "AX: first distance from the centre in X, else the major axis", THOUSANDTHS
+    ] = None,
+    start_y: Annotated[int, "AY: first distance from the centre in Y", THOUSANDTHS] = 0,
+    sequence: Annotated[int, "AS: starting sequence number, stepped before each print", NUMBER] = 6,
+    preparatory: Annotated[int, "AP: preparatory function of the contour", CODE] = Preparatory.MILL,
+    x_feed: Annotated[int, "AMX: miscellaneous function of a cut in X", CODE] = Miscellaneous.X_FEED,
+    y_feed: Annotated[int, "AMY: miscellaneous function of a cut in Y", CODE] = Miscellaneous.Y_FEED,
     close: Annotated[bool, "print the last point too, where the contour comes back to its start"] = False,
     milling: Milling = MILLING,
     header: Header = THESIS,
@@ -87,7 +90,7 @@ def part(
 
     def cut_to_here(sequence: int, east: int, north: int, function: int) -> None:
         x, y = centre_x + east * int(at["AX"]), centre_y + north * int(at["AY"])
-        printout.print_30(sequence, preparatory, x, y, milling.feed, function)
+        printout.print_30(sequence, preparatory, x, y, milling.feed_code, function)
 
     function = {"AX": x_feed, "AY": y_feed}
     for east, north, up, down in _QUADRANTS:

@@ -40,7 +40,7 @@ from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling, position
 from programs.printout import Printout
 from programs.stretches import Curve, Point, arc, line
-from programs.units import thousandths, tolerance_units
+from programs.units import INCHES, thousandths, tolerance_units
 from tapes.errors import WorkError
 
 Place = tuple[float, float]
@@ -138,10 +138,10 @@ def part(
     program: Annotated[
         Literal["both", "main", "control"], "main program, control channels, or both"
     ] = "both",
-    control: Annotated[float, "control channels: inches downstream of the nozzle's exit"] = 0.0,
-    tolerance: Annotated[float, "half the width of the band, inches"] = 0.003,
-    axis_x: Annotated[float, "X of the axis of symmetry"] = 6.0,
-    base_y: Annotated[float, "Y of the end of the supply"] = 0.25,
+    control: Annotated[float, "control channels, downstream of the nozzle's exit", INCHES] = 0.0,
+    tolerance: Annotated[float, "half the width of the band", INCHES.below(1)] = 0.003,
+    axis_x: Annotated[float, "X of the axis of symmetry", INCHES] = 6.0,
+    base_y: Annotated[float, "Y of the end of the supply", INCHES] = 0.25,
     milling: Milling = SLOWEST,
     header: Header = THESIS,
     overflow: Overflow = "low-digits",

@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated
 
+from programs.units import CODE, NUMBER, THOUSANDTHS
 from tapes.errors import WorkError
 from tapes.hydrapoint import (
     CAROUSEL,
@@ -36,14 +37,14 @@ class Header:
     Raises WorkError for a value that the machine does not have.
     """
 
-    park_x: Annotated[int, "A1: X to park at, for loading, thousandths"] = 19000
-    park_y: Annotated[int, "A2: Y to park at, thousandths"] = 0
-    tool: Annotated[int, "B4: tool of the carousel, 1 to 24"] = 1
-    coolant: Annotated[int, "C4: 7 flood, 8 mist, 9 off"] = Miscellaneous.MIST_COOLANT
-    spindle: Annotated[int, "D4: spindle speed code of Table 2.4"] = 31
-    z_feed_point: Annotated[int, "G1: Z where the feed begins, thousandths"] = 3000
-    z_depth: Annotated[int, "G3: final depth of Z, thousandths"] = 3500
-    z_feed: Annotated[int, "G4: Z feed code of Table 2.4"] = 1
+    park_x: Annotated[int, "A1: X to park at, for loading", THOUSANDTHS] = 19000
+    park_y: Annotated[int, "A2: Y to park at", THOUSANDTHS] = 0
+    tool: Annotated[int, "B4: tool of the carousel, 1 to 24", NUMBER] = 1
+    coolant: Annotated[int, "C4: 7 flood, 8 mist, 9 off", CODE] = Miscellaneous.MIST_COOLANT
+    spindle: Annotated[int, "D4: spindle speed code of Table 2.4", CODE] = 31
+    z_feed_point: Annotated[int, "G1: Z where the feed begins", THOUSANDTHS] = 3000
+    z_depth: Annotated[int, "G3: final depth of Z", THOUSANDTHS] = 3500
+    z_feed: Annotated[int, "G4: Z feed code of Table 2.4", CODE] = 1
 
     def __post_init__(self) -> None:
         for name, value, limit in (
@@ -53,9 +54,12 @@ class Header:
             ("final Z depth", self.z_depth, Z_TRAVEL),
         ):
             if not 0 <= value <= limit:
-                raise WorkError(f"{name} {value} is outside the travel: 0 to {limit} thousandths of an inch")
+                raise WorkError(f"{name} {value / 1000:g} in is outside the travel: 0 to {limit / 1000:g} in")
         if self.z_depth < self.z_feed_point:
-            raise WorkError(f"final Z depth {self.z_depth} is above the Z feed point {self.z_feed_point}")
+            raise WorkError(
+                f"final Z depth {self.z_depth / 1000:g} in is above the Z feed point, "
+                f"{self.z_feed_point / 1000:g} in"
+            )
         if self.tool not in CAROUSEL:
             raise WorkError(f"tool {self.tool} is not in the carousel: 1 to {CAROUSEL[-1]}")
         if self.coolant not in COOLANT:

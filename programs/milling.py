@@ -12,6 +12,7 @@ from programs import stepwise
 from programs.piecewise import Feeds, Technique
 from programs.printout import Printout, check_feed
 from programs.stretches import Axis, Curve, Point
+from programs.units import CODE, FRACTION
 from tapes.hydrapoint import Miscellaneous, Preparatory
 
 _FEED_FUNCTION: Final[dict[Axis, Miscellaneous]] = {"X": Miscellaneous.X_FEED, "Y": Miscellaneous.Y_FEED}
@@ -22,15 +23,15 @@ class Milling:
     """How a contour is milled. Raises WorkError for feeds that the machine does not have."""
 
     technique: Annotated[Literal["step", "piece"], "step-wise or piece-wise linear technique"] = "step"
-    feed: Annotated[int, "feed code of Table 2.4, step-wise technique (AT)"] = 1
-    fastest: Annotated[int, "fastest feed code used, piece-wise technique"] = 5
+    feed_code: Annotated[int, "feed code of Table 2.4, step-wise technique (AT)", CODE] = 1
+    fastest: Annotated[int, "fastest feed code used, piece-wise technique", CODE] = 5
     stop: Annotated[stepwise.Stop, "where a cut stops, step-wise technique: at the limit, or just inside"] = (
         "boundary"
     )
-    feed_error: Annotated[float, "fraction by which feeds may be wrong, piece-wise technique"] = 0.2
+    feed_error: Annotated[float, "how far feeds may be wrong, piece-wise technique", FRACTION] = 0.2
 
     def __post_init__(self) -> None:
-        check_feed(self.feed)
+        check_feed(self.feed_code)
         Technique(self.fastest, self.feed_error)
 
     @property
@@ -45,7 +46,7 @@ class Milling:
         """
         if self.technique == "step":
             for cut in stepwise.cuts(curve, self.stop):
-                _print(printout, cut.stop, self.feed, cut.axis)
+                _print(printout, cut.stop, self.feed_code, cut.axis)
         else:
             _print_piecewise(printout, curve, Technique(self.fastest, self.feed_error))
 

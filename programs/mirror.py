@@ -36,18 +36,24 @@ def mirrored(printout: str, across: Literal["x", "y"], middle: float | None = No
     places = [found.x if across == "x" else found.y for found in blocks if _is_of_the_part(found)]
     if not places:
         raise WorkError("no block mills or makes a hole: there is no part to mirror")
-    twice = min(places) + max(places) if middle is None else round(2 * middle)
+    twice = min(places) + max(places) if middle is None else _doubled(middle)
     start, stop, travel = (4, 9, X_TRAVEL) if across == "x" else (9, 14, Y_TRAVEL)
     for number, (line, found) in enumerate(zip(lines, blocks, strict=True)):
         if _is_of_the_part(found):
             place = twice - (found.x if across == "x" else found.y)
             if not 0 <= place <= travel:
                 raise WorkError(
-                    f"block {number + 1}: {across.upper()} {place} leaves the table: 0 to {travel} "
-                    "thousandths of an inch"
+                    f"block {number + 1}: {across.upper()} {place / 1000:.3f} leaves the table: "
+                    f"0 to {travel / 1000:g} in"
                 )
             lines[number] = f"{line[:start]}{place:05}{line[stop:]}"
     return "".join(f"{line}\n" for line in lines)
+
+
+def _doubled(middle: float) -> int:
+    if 2 * middle != round(2 * middle):
+        raise WorkError(f"mirror about {middle / 1000!r} in: must be a whole number of half thousandths")
+    return round(2 * middle)
 
 
 def _block(line: str, number: int) -> Block:

@@ -1,19 +1,19 @@
 """A part program's keyword parameters as options of its command: declared once, in its signature.
 
-signature                                     command
-radius: Annotated[int, "RAD: ..."] = 1750     --radius INTEGER, its help and default
-expression: Annotated[str, "..."]             EXPRESSION, an argument
-header: Header = THESIS                       an option for each field, its default from THESIS
-milling: Milling = Milling()                  the same
-arithmetic: Arithmetic                        --arithmetic, by name
+signature                                                  command
+radius: Annotated[int, "RAD: ...", THOUSANDTHS] = 1750     --radius INCHES, its help and default, 1.75
+expression: Annotated[str, "..."]                          EXPRESSION, an argument
+header: Header = THESIS                                    an option for each field, its default from THESIS
+milling: Milling = Milling()                               the same
+arithmetic: Arithmetic                                     --arithmetic, by name
+
+A number has a unit, the second note of its annotation: units.py says what the command asks for.
 """
 
 import inspect
 import types
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
-from enum import IntEnum
-from math import isfinite
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 import click
@@ -21,6 +21,8 @@ import click
 from programs.arithmetic import ARITHMETICS, Arithmetic
 from programs.drill import Holes
 from programs.parts import PartProgram
+from programs.units import INCHES, Unit, UnitError
+from tapes.command import Option
 
 
 def parameters(part: PartProgram) -> list[click.Parameter]:
@@ -58,61 +60,83 @@ def _options(default: Any) -> Iterator[click.Parameter]:
 
 
 def _option(name: str, hint: Any, default: Any) -> click.Parameter:
-    kind, help_line = get_args(hint)
-    if kind is bool:
-        return _flag(name, default, help_line)
-    if default is inspect.Parameter.empty:
-        return click.Argument([name], type=_type(kind))
-    return _named(name, _type(kind), default, f"{help_line[0].upper()}{help_line[1:]}.")
-
-
-def _flag(name: str, default: bool, help_line: str) -> click.Option:
+    kind, help_line, *unit = get_args(hint)
     help_line = f"{help_line[0].upper()}{help_line[1:]}."
-    return click.Option([f"--{name}"], is_flag=True, default=default, help=help_line)
+    if kind is bool:
+        return click.Option([f"--{name}"], is_flag=True, default=default, help=help_line)
+    if default is inspect.Parameter.empty:
+        return click.Argument([name], type=kind)
+    return _named(name, _type(kind, *unit), default, help_line)
 
 
-def _named(name: str, kind: Any, default: Any, help_line: str) -> click.Option:
+def _named(name: str, kind: click.ParamType[Any], default: Any, help_line: str) -> click.Option:
     spelling = "--" + name.strip("_").replace("_", "-")
-    default = int(default) if isinstance(default, IntEnum) else default  # as a number in the help
-    shown: bool | str = default is not None
-    if isinstance(kind, _Places):
-        shown = " ".join(f"{x:g},{y:g}" for x, y in default)
-    return click.Option([spelling, name], type=kind, default=default, show_default=shown, help=help_line)
+    if default is not None and isinstance(kind, Number | _Places):
+        default = kind.written(default)
+    return Option(
+        [spelling, name],
+        also=_ALSO.get(name, ()),
+        type=kind,
+        default=default,
+        show_default=default is not None,
+        metavar=None if isinstance(kind, click.Choice) else kind.name,
+        help=help_line,
+    )
 
 
-def _type(hint: Any) -> Any:
+_ALSO = {"feed_code": ("--feed",)}
+"""Other spellings."""
+
+
+def _type(hint: Any, unit: Unit | None = None) -> click.ParamType[Any]:
     if get_origin(hint) is Literal:
         return click.Choice(list(get_args(hint)))
-    if get_origin(hint) is types.UnionType:
-        return _type(next(kind for kind in get_args(hint) if kind is not types.NoneType))
     if hint == Holes:
         return _Places()
-    return _FINITE if hint is float else hint
+    kinds = get_args(hint) if get_origin(hint) is types.UnionType else (hint,)
+    assert unit is not None, "a number has a unit"
+    return Number(unit, whole=int in kinds)
 
 
-class _Finite(click.types.FloatParamType):
-    """A finite number with a decimal point."""
+class Number(click.ParamType[float]):
+    """A number in the unit that a command asks for; its value is as the part program keeps it."""
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        number = super().convert(value, param, ctx)
-        if not isfinite(number):
-            self.fail(f"{value!r} is not a finite number.", param, ctx)
-        return number
+    def __init__(self, unit: Unit, whole: bool = False) -> None:
+        self.name = unit.metavar
+        self._unit = unit
+        self._whole = whole
+
+    def written(self, kept: float) -> str:
+        """Return what to write for the value `kept`."""
+        return self._unit.ask(int(kept) if self._whole else kept)
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        try:
+            number = self._unit.keep(value)
+        except UnitError as error:
+            self.fail(f"{error}.", param, ctx)
+        if not self._whole:
+            return float(number)
+        if number != number.to_integral_value():
+            of = " of thousandths of an inch" if self._unit.places else ""
+            self.fail(f"{value} is not a whole number{of}.", param, ctx)
+        return int(number)
 
 
 class _Places(click.ParamType[Holes]):
-    """Places on the table, "1,1 1,2 4,2": X and Y of each with a comma between."""
+    """Places on the table, "1,1 1,2 4,2": X and Y of each, inches, with a comma between."""
 
-    name = "places"
+    name = "X,Y ..."
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Holes:
-        if not isinstance(value, str):
-            return tuple(value)
+    def written(self, places: Holes) -> str:
+        """Return what to write for `places`."""
+        return " ".join(f"{x:g},{y:g}" for x, y in places)
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> Holes:
         try:
-            places = tuple((float(x), float(y)) for x, y in (place.split(",") for place in value.split()))
+            pairs = [place.split(",") for place in value.split()]
+            return tuple((float(INCHES.keep(x)), float(INCHES.keep(y))) for x, y in pairs)
+        except UnitError as error:
+            self.fail(f"{error}.", param, ctx)
         except ValueError:
             self.fail(f"{value!r} is not a list of places such as '1,1 1,2 4,2'.", param, ctx)
-        return places
-
-
-_FINITE = _Finite()

@@ -47,46 +47,46 @@ PARTS: Final = {
     for part in (
         Part(
             "circle",
-            "The 4 in circle of Appendix C. Lengths are thousandths of an inch.",
-            ("> circle.asc", "--radius 1000 --tolerance 3", "--spindle 35 -o fast.asc"),
+            "The 4 in circle of Appendix C.",
+            ("> circle.asc", "--radius 1 --tolerance 0.003", "--spindle 35 -o fast.asc"),
             instrument="Talyrond",
         ),
         Part(
             "ellipse",
-            "The 6 x 4 1/2 in ellipse of Appendix D. Lengths are thousandths of an inch.",
-            ("> ellipse.asc", "--arithmetic ge635", "--minor 1500 --technique piece"),
+            "The 6 x 4 1/2 in ellipse of Appendix D.",
+            ("> ellipse.asc", "--arithmetic ge635", "--minor 1.5 --technique piece"),
         ),
         Part(
             "polynomial",
-            "The third degree polynomial of Chapters 6 and 7. Lengths are inches.",
+            "The third degree polynomial of Chapters 6 and 7.",
             ("> polynomial.asc", "--b 1.5 --c 5 --to 5", "--cutter 0.5 --side above --technique piece"),
             nominal={"polynomial": (4, 6, 0.2, 2, 6), "range_": (-0.75, 6.25)},
             tolerance=0.01,
         ),
         Part(
             "slope",
-            "A slope, by default that of Chapter 3: 30 degrees, 5 in long. Lengths are inches.",
-            ("> slope.asc", "--to-x 6 --to-y 9", "--technique piece --feed-error 0"),
+            "A slope, by default that of Chapter 3: 30 degrees, 5 in long.",
+            ("> slope.asc", "--to-x 6 --to-y 9", "--technique piece --feed-error 10"),
         ),
         Part(
             "curve",
-            "Any function of x. Lengths are inches.",
+            "Any function of x.",
             ("'sin(x)' --to 6.283 > sine.asc", "'x**2/4' --from -2 --to 2 --tolerance 0.01 --cutter 0.5"),
             has_defaults=False,
         ),
         Part(
             "die",
-            "The die of Chapter 7: ellipses of three sets of axes. Lengths are thousandths of an inch.",
+            "The die of Chapter 7: ellipses of three sets of axes.",
             ("> opening.asc", "--cut groove", "--technique piece --fastest 8"),
         ),
         Part(
             "drill",
-            "The four-hole tape of Chapter 3, or other holes. Lengths are inches.",
+            "The four-hole tape of Chapter 3, or other holes.",
             ("> holes.asc", "--holes '1,1 2.5,1 4,1' --z-depth 3.25"),
         ),
         Part(
             "fluidic",
-            "The fluidic element of Chapter 8, with our outline. Lengths are inches.",
+            "The fluidic element of Chapter 8, with our outline.",
             ("> element.asc", "--program control --control 0.8", "--tolerance 0.005"),
             nominal={"line": (6.17, 2.93, 6.59, 5.21)},
             instrument="Talysurf",
@@ -108,6 +108,7 @@ def find(name: str) -> Part:
 def part(name: str, **constants: Any) -> str:
     """Return the printout of the part program `name`: blocks of 19 characters, each ended by a line feed.
 
-    `constants` replace those of its listing, in its own units (`pdp8 part NAME --help`). Raises WorkError.
+    `constants` replace those of its listing, in the units that their annotations name (programs/units.py).
+    Raises WorkError.
     """
     return find(name).program()(**constants)

@@ -23,20 +23,23 @@ from programs.function import Range, Side, centre_path, offset_path
 from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
 from programs.printout import Printout
+from programs.units import INCHES, PER_SQUARE_INCH
 
 
 def part(
     *,
-    a: Annotated[float, "A"] = 0.2,
-    b: Annotated[float, "B, second crossing of the X axis, inches"] = 2.0,
-    c: Annotated[float, "C, third crossing"] = 6.0,
-    tolerance: Annotated[float, "E, half the height of the band, inches"] = 0.01,
-    from_: Annotated[float, "X where it starts"] = -0.75,
-    to: Annotated[float, "X where it ends"] = 6.25,
-    origin_x: Annotated[float, "X of the table where x is 0"] = 4.0,
-    origin_y: Annotated[float, "Y of the table where y is 0"] = 6.0,
+    a: Annotated[float, "A", PER_SQUARE_INCH] = 0.2,
+    b: Annotated[float, "B, second crossing of the X axis", INCHES] = 2.0,
+    c: Annotated[float, "C, third crossing", INCHES] = 6.0,
+    tolerance: Annotated[float, "E, half the height of the band", INCHES.below(1)] = 0.01,
+    from_: Annotated[float, "X where it starts", INCHES] = -0.75,
+    to: Annotated[float, "X where it ends", INCHES] = 6.25,
+    origin_x: Annotated[float, "X of the table where x is 0", INCHES] = 4.0,
+    origin_y: Annotated[float, "Y of the table where y is 0", INCHES] = 6.0,
     cutter: Annotated[
-        float | None, "diameter of the cutter, if the curve is the surface and not the path of its centre"
+        float | None,
+        "diameter of the cutter, if the curve is the surface and not the path of its centre",
+        INCHES,
     ] = None,
     side: Side = "above",
     milling: Milling = SLOWEST,

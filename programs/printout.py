@@ -78,8 +78,8 @@ class Printout:
         for axis, value, travel in (("X", x, X_TRAVEL), ("Y", y, Y_TRAVEL)):
             if not 0 <= value <= travel:
                 raise WorkError(
-                    f"block {sequence:03}: {axis} {value} leaves the table: 0 to {travel} thousandths of an "
-                    "inch"
+                    f"block {sequence:03}: {axis} {value / 1000:.3f} leaves the table: "
+                    f"0 to {travel / 1000:g} in"
                 )
         return x, y
 
@@ -104,19 +104,22 @@ def check_codes(sequence: int, preparatory: int, *functions: int) -> None:
 def check_band(name: str, size: float, inner: float, outer: float) -> None:
     """Raise WorkError unless `size` is positive and its limits are two thousandths or more apart."""
     if not (isfinite(size) and isfinite(inner) and isfinite(outer)):
-        raise WorkError(f"{name} {size:g} between {inner:g} and {outer:g}: must be finite numbers")
+        raise WorkError(f"{name} {_inches(size)} between {inner:g} and {outer:g}: must be finite numbers")
     if size <= 0:
-        raise WorkError(f"{name} {size:g}: must be greater than 0")
+        raise WorkError(f"{name} {_inches(size)}: must be greater than 0")
     if inner <= 0:
         raise WorkError(
-            f"{name} {size:g} has an inner limit of {inner:g}: the tolerance must be smaller than the curve"
+            f"{name} {_inches(size)} has an inner limit of {_inches(inner)}: the tolerance must be smaller "
+            "than the curve"
         )
     if outer > X_TRAVEL:
-        raise WorkError(f"{name} {size:g} has an outer limit of {outer:g}: the table is {X_TRAVEL}")
+        raise WorkError(
+            f"{name} {_inches(size)} has an outer limit of {_inches(outer)}: the table is {_inches(X_TRAVEL)}"
+        )
     if outer - inner < 2:
         raise WorkError(
-            f"{name} {size:g} between {inner:g} and {outer:g}: a tolerance must be 1 or more, the machine's "
-            "resolution (lengths here are thousandths of an inch)"
+            f"{name} {_inches(size)} between {_inches(inner)} and {_inches(outer)}: a tolerance must be "
+            ".001 in, the machine's resolution, or more"
         )
 
 
@@ -124,6 +127,10 @@ def check_start(x: float, y: float, furthest_x: float, furthest_y: float) -> Non
     """Raise WorkError for a contour that starts outside its first quadrant, or outside its outer limit."""
     if not (0 <= x <= furthest_x and 0 <= y <= furthest_y):
         raise WorkError(
-            f"start {x:g}, {y:g} from the centre: must be in the first quadrant, at most {furthest_x:g}, "
-            f"{furthest_y:g}"
+            f"start X {_inches(x)}, Y {_inches(y)} from the centre: must be in the first quadrant, at most "
+            f"X {_inches(furthest_x)}, Y {_inches(furthest_y)}"
         )
+
+
+def _inches(thousandths: float) -> str:
+    return f"{thousandths / 1000:.7g} in"

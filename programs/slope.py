@@ -13,17 +13,19 @@ from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
 from programs.printout import Printout
 from programs.stretches import Point, line
-from programs.units import thousandths, tolerance_units
+from programs.units import INCHES, thousandths, tolerance_units
 from tapes.errors import WorkError
 
 
 def part(
     *,
-    from_x: Annotated[float, "X where it starts, inches"] = 4.0,
-    from_y: Annotated[float, "Y where it starts"] = 4.0,
-    to_x: Annotated[float, "X where it ends"] = 8.33,
-    to_y: Annotated[float, "Y where it ends"] = 6.5,
-    tolerance: Annotated[float, "half the width of the band, at right angles to the slope"] = 0.005,
+    from_x: Annotated[float, "X where it starts", INCHES] = 4.0,
+    from_y: Annotated[float, "Y where it starts", INCHES] = 4.0,
+    to_x: Annotated[float, "X where it ends", INCHES] = 8.33,
+    to_y: Annotated[float, "Y where it ends", INCHES] = 6.5,
+    tolerance: Annotated[
+        float, "half the width of the band, at right angles to the slope", INCHES.below(1)
+    ] = 0.005,
     milling: Milling = SLOWEST,
     header: Header = THESIS,
     overflow: Overflow = "low-digits",

@@ -9,9 +9,7 @@ from tapes import convert as codes
 from tapes.errors import TapeError, called, naming
 
 _AUTO = "auto"
-_output = click.option(
-    "-o", "--output", metavar="FILE", default="-", help="Where to; standard output if not given."
-)
+_output = command.output()
 _parity = click.option(
     "--parity",
     type=click.Choice(list(frames.PARITIES)),
@@ -42,11 +40,12 @@ def tape() -> None:
     "--from",
     "first",
     type=click.IntRange(0),
+    metavar="FRAME",
     default=0,
     help="The first frame to show; the tape's first is 0.",
 )
-@click.option("--to", "last", type=click.IntRange(0), help="The last frame to show.")
-@click.option("--frames", "count", type=click.IntRange(1), help="How many frames to show.")
+@click.option("--to", "last", type=click.IntRange(0), metavar="FRAME", help="The last frame to show.")
+@click.option("--frames", "count", type=click.IntRange(1), metavar="NUMBER", help="How many frames to show.")
 @click.option(
     "--code",
     type=click.Choice([_AUTO, *captions.CODES, "none"]),
@@ -56,7 +55,12 @@ def tape() -> None:
 )
 @click.option("--svg", metavar="FILE", help="Draw it in true size as SVG into FILE (- for standard output).")
 @click.option(
-    "--strip", type=click.IntRange(1), default=80, show_default=True, help="Frames a strip of the SVG."
+    "--strip",
+    type=click.IntRange(1),
+    metavar="FRAMES",
+    default=80,
+    show_default=True,
+    help="Frames a strip of the SVG.",
 )
 def show(
     *, file: str, first: int, last: int | None, count: int | None, code: str, svg: str | None, strip: int
@@ -109,8 +113,9 @@ def info(files: tuple[str, ...]) -> None:
 @tape.command()
 @click.argument("file", default="-")
 @click.option(
-    "--from",
-    "source",
+    "--code",
+    cls=command.Option,
+    also=("--from",),
     type=click.Choice([_AUTO, *codes.CODES]),
     default=_AUTO,
     show_default=True,
@@ -125,10 +130,13 @@ def info(files: tuple[str, ...]) -> None:
 )
 @_parity
 @click.option(
-    "--fill", type=click.IntRange(0, 1000), help="RUBOUTs after CR LF; 6, or as an ASCII tape has them."
+    "--fill",
+    type=click.IntRange(0, 1000),
+    metavar="FRAMES",
+    help="RUBOUTs after CR LF; 6, or as an ASCII tape has them.",
 )
 @_output
-def convert(*, file: str, source: str, target: str, parity: str, fill: int | None, output: str) -> None:
+def convert(*, file: str, code: str, target: str, parity: str, fill: int | None, output: str) -> None:
     """Convert a tape: characters (text, ascii, eia), words (bin, rim), or any to octal digits and back to
     frames.
 
@@ -138,11 +146,11 @@ def convert(*, file: str, source: str, target: str, parity: str, fill: int | Non
       pdp8 tape convert circle.asc --to ascii --parity even -o even.asc
       pdp8 tape convert eia.bin --to rim -o eia.rim
       pdp8 tape convert eia.bin --to octal > eia.txt
-      pdp8 tape convert eia.txt --from octal --to frames -o eia.bin
+      pdp8 tape convert eia.txt --code octal --to frames -o eia.bin
     """
     command.check_files([file], [output])
     content = shelf.read(file)
-    found = kinds.classify(content) if source == _AUTO else source
+    found = kinds.classify(content) if code == _AUTO else code
     with naming(file):
         converted = codes.convert(content, found, target, parity, fill)
     if target in ("text", "octal"):
@@ -177,6 +185,7 @@ def clean(*, file: str, output: str) -> None:
 @click.option(
     "--fill",
     type=click.IntRange(0, 1000),
+    metavar="FRAMES",
     default=6,
     show_default=True,
     help="RUBOUTs after each CR LF (ascii).",
@@ -184,6 +193,7 @@ def clean(*, file: str, output: str) -> None:
 @click.option(
     "--leader",
     type=click.IntRange(0, 100_000),
+    metavar="FRAMES",
     default=0,
     show_default=True,
     help="Blank frames before and after.",

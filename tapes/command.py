@@ -7,15 +7,45 @@ place; a closed pipe is no error, the reader had enough; a full disk is. No trac
 import os
 import signal
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from io import TextIOWrapper
 from types import FrameType
+from typing import Any, TypeVar
 
 import click
 
 from tapes import shelf
 from tapes.errors import WorkError
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+
+
+class Option(click.Option):
+    """An option that also answers to other names, which its help leaves out."""
+
+    def __init__(self, names: Sequence[str], *, also: Sequence[str] = (), **settings: Any) -> None:
+        super().__init__(names, **settings)
+        self._also = also
+
+    def add_to_parser(self, parser: Any, ctx: click.Context) -> None:
+        """Let the parser know all names."""
+        shown, self.opts = self.opts, [*self.opts, *self._also]
+        super().add_to_parser(parser, ctx)
+        self.opts = shown
+
+
+def output(
+    metavar: str = "FILE",
+    default: str | None = "-",
+    help: str = "Where to; standard output if not given.",
+    **settings: Any,
+) -> Callable[[_Function], _Function]:
+    """Return the decorator that adds `-o`, `--out`: where a command's product goes, a file or a folder."""
+    names = "-o", "--out", "output"
+    return click.option(
+        *names, cls=Option, also=("--output",), metavar=metavar, default=default, help=help, **settings
+    )
 
 
 def run(command: click.Command, name: str, arguments: Sequence[str] | None = None) -> None:

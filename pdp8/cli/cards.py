@@ -6,7 +6,7 @@ from importlib.util import find_spec
 import click
 
 from pdp8.lessons import cards as drawn
-from tapes import shelf
+from tapes import command, shelf
 from tapes.errors import WorkError
 
 _AFTERNOON = "afternoon"
@@ -15,10 +15,10 @@ _NAMES = (*drawn.CARDS, _AFTERNOON)
 
 @click.command()
 @click.argument("names", nargs=-1, type=click.Choice([*_NAMES, "all"]), metavar="NAME...")
-@click.option("--out", metavar="FOLDER", default=".", help="Where to.  [default: this folder]")
-@click.option("--part", default="circle", show_default=True, help="Whose afternoon it is.")
+@command.output("FOLDER", ".", "Where to.  [default: this folder]")
+@click.option("--part", metavar="PART", default="circle", show_default=True, help="Whose afternoon it is.")
 @click.option("--pdf", is_flag=True, help="Write PDF; needs CairoSVG, the extra `print`.")
-def cards(names: tuple[str, ...], out: str, part: str, pdf: bool) -> None:
+def cards(names: tuple[str, ...], output: str, part: str, pdf: bool) -> None:
     """Draw cards of 7 by 5 inches, NAME.svg each: rim, instructions, ascii, eia, afternoon, or all.
 
     The afternoon's timetable is that of a replay: `pdp8 replay` shows it too.
@@ -34,10 +34,10 @@ def cards(names: tuple[str, ...], out: str, part: str, pdf: bool) -> None:
         raise click.UsageError(f"Give a card's name: {', '.join(_NAMES)}, or all.")
     if pdf and find_spec("cairosvg") is None:
         raise WorkError("PDF needs CairoSVG: pip install 'pdp8[print]'; a browser prints the SVG as well")
-    os.makedirs(out, exist_ok=True)
+    os.makedirs(output, exist_ok=True)
     for name in _NAMES if "all" in names else dict.fromkeys(names):
         svg = _afternoon(part) if name == _AFTERNOON else drawn.CARDS[name]()
-        path = os.path.join(out, f"{name}.{'pdf' if pdf else 'svg'}")
+        path = os.path.join(output, f"{name}.{'pdf' if pdf else 'svg'}")
         shelf.write(path, _pdf(svg) if pdf else svg.encode())
         click.echo(path)
 

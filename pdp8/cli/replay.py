@@ -19,9 +19,7 @@ _GLANCE = 0.25  # seconds between two looks at the clock
 
 @click.command()
 @click.argument("part", type=click.Choice(REPLAYED), metavar="PART")
-@click.option(
-    "--out", metavar="FOLDER", help="Where tapes, listings and pictures go.  [default: replay-PART]"
-)
+@command.output("FOLDER", None, "Where tapes, listings and pictures go.  [default: replay-PART]")
 @click.option(
     "--html", metavar="FILE", help="Write the afternoon as a page too: any instant of it, in one file."
 )
@@ -30,7 +28,7 @@ _GLANCE = 0.25  # seconds between two looks at the clock
     is_flag=True,
     help="Take as long as it took in 1971, most of two hours.",
 )
-def replay(part: str, out: str | None, html: str | None, realtime: bool) -> None:
+def replay(part: str, output: str | None, html: str | None, realtime: bool) -> None:
     """Do the afternoon of 1971 again for PART: circle, ellipse, polynomial, slope, die, drill or fluidic.
 
     Every constant is as the thesis has it. FORTRAN's output is punched, RIM toggled in, BIN loaded, eia.pal
@@ -46,7 +44,7 @@ def replay(part: str, out: str | None, html: str | None, realtime: bool) -> None
     """
     from pdp8.replay import replay as whole
 
-    folder = out or f"replay-{part}"
+    folder = output or f"replay-{part}"
     os.makedirs(folder, exist_ok=True)
     command.check_files([], [html])
     afternoon = whole(part, _keep_quiet if realtime else _say_act)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 import click
 
-from tapes import shelf
+from tapes import command, shelf
 
 if TYPE_CHECKING:
     from pdp8.thesis.table import Table
@@ -57,10 +57,8 @@ def list_() -> None:
 
 @thesis.command()
 @click.argument("number", metavar="NUMBER|all")
-@click.option(
-    "--out", metavar="FOLDER", default="thesis", show_default=True, help="Where the files are written."
-)
-def make(number: str, out: str) -> None:
+@command.output("FOLDER", "thesis", "Where the files are written.", show_default=True)
+def make(number: str, output: str) -> None:
     """Make figure, table, listing or program NUMBER; or all, with a page that sets them beside the thesis.
 
     A figure is an SVG, anything else a text; each has its number and caption.
@@ -87,17 +85,17 @@ def make(number: str, out: str) -> None:
         from pdp8.thesis.gallery import page
 
         files["index.html"] = page(made).encode()
-    os.makedirs(out, exist_ok=True)
+    os.makedirs(output, exist_ok=True)
     for name, content in files.items():
-        shelf.write(os.path.join(out, name), content)
-    said = f"{len(files)} files, begin with {out}/index.html" if whole else ", ".join(files)
-    click.echo(f"{said} in {out}" if not whole else said, err=True)
+        shelf.write(os.path.join(output, name), content)
+    said = f"{len(files)} files, begin with {output}/index.html" if whole else ", ".join(files)
+    click.echo(f"{said} in {output}" if not whole else said, err=True)
 
 
 @thesis.command()
 @click.argument("file", metavar="FILE")
 @click.option("--source", "as_source", is_flag=True, help="Make FILE itself, as it is in programs/.")
-@click.option("-o", "--output", metavar="FILE", default="-", help="Where to; standard output if not given.")
+@command.output()
 def evidence(file: str, as_source: bool, output: str) -> None:
     """Show for every line of FILE the page, the scan's reading, ours, its evidence and the reason.
 

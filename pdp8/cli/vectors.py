@@ -5,11 +5,11 @@ import os
 import click
 
 from pdp8.cli.progress import Bar
-from tapes import shelf
+from tapes import command, shelf
 
 
 @click.command()
-@click.option("--out", metavar="FOLDER", required=True, help="Where the files go.")
+@command.output("FOLDER", None, "Where the files go.", required=True)
 @click.option(
     "--states",
     metavar="NUMBER",
@@ -18,7 +18,7 @@ from tapes import shelf
     show_default=True,
     help="States of each word, in steps of four.",
 )
-def vectors(out: str, states: int) -> None:
+def vectors(output: str, states: int) -> None:
     """Write what each of the 4,096 words does, in a hundred states each, for tests of any emulator.
 
     Beside them go interrupts, the Teletype and the PC8/L against the clock, what other models of the PDP-8 do
@@ -31,11 +31,11 @@ def vectors(out: str, states: int) -> None:
     """
     from pdp8.vectors import folder
 
-    os.makedirs(out, exist_ok=True)
+    os.makedirs(output, exist_ok=True)
     size = 0
     with Bar("vectors", folder.COUNT) as bar:
         for number, (name, content) in enumerate(folder.files(states), 1):
-            shelf.write(os.path.join(out, name), content)
+            shelf.write(os.path.join(output, name), content)
             size += len(content)
             bar.show(number)
-    click.echo(f"{folder.COUNT} files in {out}, {size / 1e6:.1f} MB", err=True)
+    click.echo(f"{folder.COUNT} files in {output}, {size / 1e6:.1f} MB", err=True)

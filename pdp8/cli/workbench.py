@@ -4,11 +4,11 @@ from os.path import basename
 
 import click
 
-from tapes import shelf
+from tapes import command, shelf
 
 
 @click.command()
-@click.option("-o", "--output", metavar="PAGE", default="pdp8.html", show_default=True, help="The page.")
+@command.output("PAGE", "pdp8.html", "The page.", show_default=True)
 def workbench(output: str) -> None:
     """Write the workbench: a live PDP-8/L with Teletype, assembler, debugger and Hydra-Point, in one page.
 
@@ -26,7 +26,7 @@ def workbench(output: str) -> None:
 
 @click.command()
 @click.argument("tape", metavar="FILE.eia")
-@click.option("-o", "--output", metavar="PAGE", required=True, help="The page.")
+@command.output("PAGE", None, "The page.", required=True)
 def view(tape: str, output: str) -> None:
     """Write a page that cuts a tape: path, band, blocks, and where the machine refuses it.
 

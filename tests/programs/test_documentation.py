@@ -95,16 +95,16 @@ def test_the_minutes_at_another_feed(command: str, code: int, error: float, minu
 
 @pytest.mark.parametrize("row", list(rows("The piece-wise technique")), ids=lambda row: row[0])
 def test_the_blocks_and_minutes_of_the_piece_wise_technique(row: list[str]) -> None:
-    counts = [count(row[1], "--feed-error", error) for error in ("0.2", "0.1", "0")]
+    counts = [count(row[1], "--feed-error", error) for error in ("20", "10", "0")]
     assert counts == [int(cell) for cell in row[3:6]]
     if row[7] != "–":
-        path = machined(printout(f"{row[1].strip('`')} --feed-error 0.2"))
+        path = machined(printout(f"{row[1].strip('`')} --feed-error 20"))
         assert f"{path.contour.total / 60:.1f}" == row[7]
 
 
 @pytest.mark.parametrize(("name", "blocks"), [("ellipse", 406), ("die", 345)])
 def test_an_allowance_of_15_percent(name: str, blocks: int) -> None:
-    options = ["--technique", "piece", "--feed-error", "0.15", "--fastest", "4"]
+    options = ["--technique", "piece", "--feed-error", "15", "--fastest", "4"]
     assert count(f"pdp8 part {name}", *options) == blocks
     assert f"{blocks} blocks for the {name}" in PAGE or f"{blocks} for the {name}" in PAGE
 

@@ -53,9 +53,9 @@ def test_the_six_blocks_of_the_header_decoded() -> None:
         ({"tool": 25}, "tool 25"),
         ({"coolant": 5}, "coolant 5"),
         ({"z_feed": 0}, "Z feed code 0"),
-        ({"z_depth": 5001}, "final Z depth 5001"),
+        ({"z_depth": 5001}, "final Z depth 5.001 in"),
         ({"z_depth": 2999}, "above the Z feed point"),
-        ({"park_x": -1}, "park X -1"),
+        ({"park_x": -1}, "park X -0.001 in"),
     ],
 )
 def test_a_header_that_the_machine_does_not_have(keywords: dict[str, int], named: str) -> None:
@@ -76,7 +76,7 @@ def test_the_drilling_tape_is_chapter_3s() -> None:
 
 
 def test_a_hole_off_the_table_is_refused_with_its_block() -> None:
-    with pytest.raises(WorkError, match="block 004: Y 10001"):
+    with pytest.raises(WorkError, match=r"block 004: Y 10\.001"):
         drill.part(holes=((1, 1), (2, 10.001)))
 
 

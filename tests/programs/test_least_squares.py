@@ -60,7 +60,7 @@ def test_a_mirror_at_a_place() -> None:
 
 @pytest.mark.parametrize(
     ("printout", "said"),
-    [("12\n", "line 1"), ("  1019   0    0   2\n", "no block mills"), (drill.part(), "block 3: X -2000")],
+    [("12\n", "line 1"), ("  1019   0    0   2\n", "no block mills"), (drill.part(), "block 3: X -2.000")],
 )
 def test_what_cannot_be_mirrored(printout: str, said: str) -> None:
     with pytest.raises(WorkError, match=said):

@@ -58,7 +58,7 @@ def test_changed_constants_change_both_alike(tmp_path: Path) -> None:
         major=1000,
         minor=700,
         tolerance=3,
-        milling=Milling(feed=2),
+        milling=Milling(feed_code=2),
         centre_x=5000,
         arithmetic=ARITHMETICS["ieee32"],
     )

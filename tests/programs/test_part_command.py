@@ -5,6 +5,7 @@ import shlex
 import pytest
 
 from pdp8.cli.root import pdp8
+from programs.units import THOUSANDTHS
 from tapes import command
 from tests.conftest import Shell
 
@@ -20,62 +21,73 @@ PARTS = [
 """Parts to send through the whole chain; the circle and the ellipse go there in tests/test_chain.py."""
 
 REFUSED = [
-    ("circle --radius -5", "radius -5: must be greater than 0"),
-    ("circle --radius 0", "radius 0: must be greater than 0"),
-    ("circle --tolerance 0", "tolerance must be 1 or more"),
-    ("circle --tolerance 0.005", "thousandths of an inch"),
-    ("circle --tolerance 2000", "the tolerance must be smaller than the curve"),
-    ("circle --radius 5000", "block 005: X -1000 leaves the table"),
-    ("circle --centre-x 19000", "block 226: X 20002 leaves the table"),
-    ("circle --centre-y 9000", "leaves the table"),
+    ("circle --radius -5", "radius -5 in: must be greater than 0"),
+    ("circle --radius 0", "radius 0 in: must be greater than 0"),
+    ("circle --tolerance 0", "a tolerance must be .001 in, the machine's resolution, or more"),
+    ("circle --tolerance 0.0005", "radius 1.75 in between 1.7495 in and 1.7505 in"),
+    ("circle --radius 0.5 --tolerance 0.6", "the tolerance must be smaller than the curve"),
+    ("circle --radius 5", "block 005: X -1.000 leaves the table: 0 to 20 in"),
+    ("circle --centre-x 19", "block 226: X 20.002 leaves the table"),
+    ("circle --centre-y 9", "leaves the table"),
     ("circle --feed 19", "feed code 19 is not in Table 2.4"),
     ("circle --sequence -1", "sequence number -1"),
     ("circle --preparatory 3", "preparatory function 3"),
     ("circle --x-feed 99", "miscellaneous function 99"),
-    ("circle --start-x 9000", "must be in the first quadrant"),
+    ("circle --start-x 9", "must be in the first quadrant"),
     ("circle --spindle 20", "spindle code 20"),
-    ("circle --outer 1e300", "the table is 20000"),
-    ("polynomial --tolerance 1000", "must be smaller than the curve"),
-    ("polynomial --tolerance 1e308", "tolerance 1e+308 in: must be a finite number"),
-    ("polynomial --a 1e308", "off the table"),
-    ("polynomial --a 1e308 --cutter 0.1", "off the table"),
-    ("polynomial --a 1e308 --arithmetic ge635", "off the table"),
-    ("slope --tolerance 6", "must be smaller than the curve"),
-    ("slope --to-x 1e308", "must be a whole number of thousandths"),
+    ("circle --outer 90", "the table is 20 in"),
+    ("polynomial --from 0 --to 0.1 --tolerance 0.9", "must be smaller than the curve"),
+    ("polynomial --a 999999", "off the table"),
+    ("polynomial --a 999999 --cutter 0.1", "off the table"),
+    ("polynomial --a 999999 --arithmetic ge635", "off the table"),
+    ("slope --to-x 4.1 --to-y 4.1 --tolerance 0.6", "must be smaller than the curve"),
     ("curve 'exp(x)*1e300'", "must be within 1e+06"),
-    ("curve x --tolerance 5", "must be smaller than the curve"),
-    ("drill --holes nan,1", "must be a whole number of thousandths"),
+    ("curve x --to 0.5 --tolerance 0.8", "must be smaller than the curve"),
+    ("drill --holes 1.0005,1", "X 1.0005 in: must be a whole number of thousandths"),
     ("fluidic --tolerance 0.2", "must be smaller than the curve"),
     ("ellipse --minor -1", "semi-minor axis -1"),
-    ("ellipse --tolerance 2250", "the tolerance must be smaller than the curve"),
-    ("die --cut groove --centre-y 1000", "leaves the table"),
+    ("ellipse --minor 0.5 --tolerance 0.6", "the tolerance must be smaller than the curve"),
+    ("die --cut groove --centre-y 1", "leaves the table"),
     ("polynomial --tolerance 0", "must be .001 in, the machine's resolution"),
     ("polynomial --tolerance 0.001", "too steep"),
     ("polynomial --from 6 --to 0", "must go from less to more"),
     ("polynomial --to 7.5", "leaves the table"),
-    ("curve 1 --from 0 --to 1e6", "block 007: X 24000 leaves the table"),
-    ("curve 1 --from -1e6 --to 0", "block 005: X -16000 leaves the table"),
-    ("curve 1 --from -1e6 --to -1e5", "block 005: X "),
-    ("curve 1 --from 30 --to 40", "block 005: X 34000 leaves the table"),
+    ("curve 1 --from 0 --to 99", "block 007: X 24.000 leaves the table"),
+    ("curve 1 --from -99 --to 0", "block 005: X -16.000 leaves the table"),
+    ("curve 1 --from -99 --to -50", "block 005: X "),
+    ("curve 1 --from 30 --to 40", "block 005: X 34.000 leaves the table"),
     ("polynomial --cutter 4", "too big: at x ="),
     ("polynomial --cutter -1", "cutter of diameter -1 in: must be greater than 0"),
-    ("curve x --cutter 1e308", "cutter of diameter 1e+308 in: must be greater than 0, and 10 at most"),
+    ("curve x --cutter 11", "cutter of diameter 11 in: must be greater than 0, and 10 at most"),
     ("slope --to-x 4 --to-y 4", "two different ends"),
     ("slope --tolerance -0.005", "must be .001 in, the machine's resolution"),
     ("slope --to-x 21", "leaves the table"),
-    ("slope --to-x 4.00001", "must be a whole number of thousandths"),
+    ("slope --to-x 4.0000000001", "X 4.0000000001 in: must be a whole number of thousandths"),
     ("curve 1/x", "at x = 0 the expression"),
     ("curve 'tan(x)' --to 3", "too steep"),
     ("curve 'import os'", "not an expression in x"),
-    ("curve x --technique piece --feed-error 2", "feed error 2: must be a fraction"),
+    ("curve x --technique piece --feed-error -5", "feed error -5%: must be from 0 to less than 100 %"),
     ("drill --holes ''", "no holes are given"),
-    ("drill --holes 21,1", "block 003: X 21000 leaves the table"),
+    ("drill --holes 21,1", "block 003: X 21.000 leaves the table"),
     ("fluidic --control 3", "must be beside the walls"),
     ("fluidic --axis-x 1", "leaves the table"),
 ]
 
 MISUSED = [
     ("circle --radius x", "--radius"),
+    ("circle --radius 1750", "1750 in: must be less than 100 in; for 1750 thousandths write 1.75"),
+    ("circle --radius 1.7505", "1.7505 is not a whole number of thousandths of an inch"),
+    ("circle --tolerance 5", "for 5 thousandths write 0.005"),
+    ("circle --outer 1e999999999", "1e999999999 in: must be less than 100 in."),
+    ("circle --sequence 7.5", "7.5 is not a whole number."),
+    ("circle --sequence 1e999999999", "must be less than 1,000,000"),
+    ("slope --park-x 19000", "for 19000 thousandths write 19"),
+    ("slope --z-depth 3.4995", "3.4995 is not a whole number of thousandths of an inch"),
+    ("slope --z-depth 3.5000000000000000000000000000000000001", "is not a whole number of thousandths"),
+    ("slope --feed-error 0.2", "0.2 %: must be 0, or at least 1 %; for 0.2 as a fraction write 20"),
+    ("polynomial --tolerance 1000", "must be less than 1 in"),
+    ("drill --holes 1000,1000", "for 1000 thousandths write 1"),
+    ("drill --holes nan,1", "not a finite number"),
     ("circle --tolerance nan", "not a finite number"),
     ("curve x --cutter inf", "not a finite number"),
     ("curve x --cutter nan", "not a finite number"),
@@ -144,6 +156,37 @@ def test_misuse_is_exit_2(capfd: pytest.CaptureFixture[str], part: str, said: st
     status, output, message = ended(capfd, f"part {part}")
     assert (status, output) == (2, "")
     assert said in message
+
+
+@pytest.mark.parametrize(
+    ("inches", "digits"), [("3.5", "03500"), ("3.4", "03400"), ("4.001", "04001"), ("3.0010", "03001")]
+)
+def test_every_command_takes_lengths_in_inches(
+    capfd: pytest.CaptureFixture[str], inches: str, digits: str
+) -> None:
+    depths = []
+    for part in ("circle", "slope", "curve 0", "drill"):
+        _, tape, _ = ended(capfd, f"part {part} --z-depth {inches} --parity none --fill 0")
+        depths += [line[9:14] for line in tape.replace(" ", "0").splitlines() if line.endswith("189")][:1]
+    assert depths == [digits] * 4
+
+
+def test_no_digit_of_a_length_is_lost() -> None:
+    for thousandths in range(1, 20_001, 7):
+        text = f"{thousandths // 1000}.{thousandths % 1000:03}"
+        assert THOUSANDTHS.keep(text) == thousandths
+        assert THOUSANDTHS.keep(THOUSANDTHS.ask(thousandths)) == thousandths
+    assert str(THOUSANDTHS.keep("0.12345678901234567890123456789012345")) == (
+        "123.45678901234567890123456789012345"
+    )
+
+
+@pytest.mark.parametrize(
+    "spelling", ["--feed-code 5 -o x.asc", "--feed 5 --output x.asc", "--feed 5 --out x.asc"]
+)
+def test_other_spellings_of_an_option(shell: Shell, spelling: str) -> None:
+    assert shell(f"pdp8 part circle {spelling}").returncode == 0
+    assert shell("pdp8 part circle --feed-code 5 | cmp - x.asc").returncode == 0
 
 
 def test_the_circles_tape_is_27_frames_a_line(shell: Shell) -> None:

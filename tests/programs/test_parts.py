@@ -20,13 +20,14 @@ from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
 from programs.printout import Printout
 from programs.stretches import Point, line
+from programs.units import THOUSANDTHS
 
 CORNERS = (Point(1000, 1000), Point(2000, 1000), Point(2000, 2000), Point(1000, 2000), Point(1000, 1000))
 
 
 def part(
     *,
-    tolerance: Annotated[float, "half the band"] = 5,
+    tolerance: Annotated[float, "half the band", THOUSANDTHS] = 5,
     milling: Milling = SLOWEST,
     header: Header = THESIS,
 ) -> str:

@@ -4,10 +4,13 @@ import os
 import signal
 import subprocess
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
+import click
 import pytest
 
+from pdp8.cli.root import pdp8
 from pdp8.web.bundle import page
 from tapes import binary, shelf
 from tests.conftest import BIN, Shell
@@ -172,3 +175,54 @@ def test_narrow_terminals_and_no_colour(columns: str, tmp_path: Path) -> None:
 def test_a_comment_with_markup_does_not_end_the_pages_script() -> None:
     made = page("page.html", "page.css", "page", {"listing": "/ <!-- <script> </script>"})
     assert "<!-- <script>" not in made
+
+
+def commands(group: click.Group, path: str = "pdp8") -> Iterator[tuple[str, click.Command]]:
+    """Yield each command with its name, `pdp8 tape show`."""
+    context = click.Context(group)
+    for name in group.list_commands(context):
+        command = group.get_command(context, name)
+        assert command
+        if isinstance(command, click.Group):
+            yield from commands(command, f"{path} {name}")
+        else:
+            yield f"{path} {name}", command
+
+
+def options(name: str) -> list[tuple[str, click.Option]]:
+    """Return each option that takes a value and answers to `name`, or every one, with its command."""
+    return [
+        (path, option)
+        for path, command in commands(pdp8)
+        for option in command.params
+        if isinstance(option, click.Option) and not option.is_flag and (not name or name in option.opts)
+    ]
+
+
+def test_every_option_tells_what_it_takes_in_its_metavar() -> None:
+    for path, option in options(""):
+        metavar = option.make_metavar(click.Context(pdp8))
+        assert not metavar.startswith(("INTEGER", "FLOAT", "TEXT")), f"{path} {option.opts}: {metavar}"
+
+
+def test_an_option_means_the_same_in_every_command() -> None:
+    assert {option.metavar for _, option in options("--feed-code")} == {"CODE"}
+    assert {option.metavar for _, option in options("--feed-error")} == {"PERCENT"}
+    assert {option.metavar for _, option in options("--cutter")} == {"INCHES"}
+    assert {option.metavar for _, option in options("--from")} == {"FRAME", "INCHES"}
+    assert [option.opts for _, option in options("--out")] == [["-o", "--out"]] * len(options("-o"))
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "pdp8 tape convert --from eia --to text circle.eia --output x",
+        "pdp8 nc cut circle.eia --feed 1",
+        "pal hello.pal --output x",
+        "pdp8 cards rim --output .",
+    ],
+)
+def test_other_spellings_are_taken_and_not_shown(shell: Shell, line: str) -> None:
+    assert shell(line).returncode == 0
+    name = line.split(" --", maxsplit=1)[0]
+    assert b"--output" not in shell(f"{name} --help").stdout
