@@ -77,7 +77,7 @@ def _command(part: Part) -> click.Command:
         callback=punch,
         params=[*options.parameters(program), *_TAPE_OPTIONS],
         help=_help(
-            f"{part.summary} Lengths are inches.",
+            f"{part.summary} Lengths are inches. {options.explained(program)}".strip(),
             [f"pdp8 part {part.name} {example}" for example in part.examples],
         ),
         context_settings=_SETTINGS,

@@ -11,11 +11,11 @@ from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
 from programs.printout import Printout
 from programs.units import INCHES
-from tapes.expression import function
+from tapes.expression import LANGUAGE, function
 
 
 def part(
-    expression: Annotated[str, "y as a function of x, inches"],
+    expression: Annotated[str, f"y as a function of x, inches: {LANGUAGE}; capitals are the same"],
     *,
     from_: Annotated[float, "X where it starts", INCHES] = 0.0,
     to: Annotated[float, "X where it ends", INCHES] = 4.0,

@@ -40,6 +40,17 @@ def parameters(part: PartProgram) -> list[click.Parameter]:
     return found
 
 
+def explained(part: PartProgram) -> str:
+    """Return what the arguments of `part` are, a sentence each: "EXPRESSION is y as a function of x"."""
+    hints = get_type_hints(part, include_extras=True)
+    positional = [
+        name
+        for name, parameter in inspect.signature(part).parameters.items()
+        if parameter.default is inspect.Parameter.empty
+    ]
+    return " ".join(f"{name.upper()} is {get_args(hints[name])[1]}." for name in positional)
+
+
 def arguments(part: PartProgram, values: Mapping[str, Any]) -> dict[str, Any]:
     """Return the keywords to call `part` with, for the `values` that click has of its parameters."""
     hints = get_type_hints(part)

@@ -1,6 +1,6 @@
 """y = f(x) as a command takes it: sin(x)/x, 0.2*x*(x-2)*(x-6).
 
-It has numbers, x, pi, e, + - * / **, parentheses, and the functions of FUNCTIONS. Python's parser makes a
+LANGUAGE says what it has; capitals, as FORTRAN writes them, are the same. Python's parser makes a
 tree of it; each node of the tree that is listed here becomes a function, any other is refused with its
 column. Nothing is evaluated as Python.
 """
@@ -18,6 +18,7 @@ FUNCTIONS: Final[dict[str, Callable[[float], float]]] = {
     for name in ("sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh")
 } | {"abs": abs}
 CONSTANTS: Final = {"pi": math.pi, "e": math.e}
+LANGUAGE: Final = f"numbers, x, {', '.join(CONSTANTS)}, + - * / ** ( ) and {', '.join(FUNCTIONS)}"
 
 _OPERATORS: Final[dict[type[ast.operator], Callable[[float, float], float]]] = {
     ast.Add: operator.add,
@@ -40,7 +41,8 @@ def function(text: str) -> Function:
     if len(text) > _LONGEST:
         raise WorkError(f"expression of {len(text)} characters: at most {_LONGEST} are allowed")
     try:
-        inner = _node(_tree(text.strip()), text.strip())
+        text = text.strip()
+        inner = _node(_tree(text), text)
     except OverflowError:
         raise WorkError(f"a number of {text[:20]!r}... is too large") from None
     except (RecursionError, MemoryError):
@@ -60,10 +62,10 @@ def function(text: str) -> Function:
 
 def _tree(text: str) -> ast.expr:
     try:
-        return ast.parse(text, mode="eval").body
+        return ast.parse(text.lower() if text.isascii() else text, mode="eval").body
     except (SyntaxError, ValueError) as error:
         column = getattr(error, "offset", None) or 1
-        raise WorkError(f"column {column}: {text!r} is not an expression in x") from None
+        raise WorkError(f"column {column}: {text!r} is not an expression in x: {LANGUAGE}") from None
 
 
 def _node(node: ast.expr, text: str) -> Function:
@@ -91,4 +93,6 @@ def _node(node: ast.expr, text: str) -> Function:
     hint = (
         "; a power is written **" if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitXor) else ""
     )
-    raise WorkError(f"column {node.col_offset + 1}: {said!r} is not in the language of expressions{hint}")
+    raise WorkError(
+        f"column {node.col_offset + 1}: {said!r} is not in the language of expressions: {LANGUAGE}{hint}"
+    )

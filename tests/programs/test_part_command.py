@@ -189,6 +189,21 @@ def test_other_spellings_of_an_option(shell: Shell, spelling: str) -> None:
     assert shell("pdp8 part circle --feed-code 5 | cmp - x.asc").returncode == 0
 
 
+def test_what_a_curve_knows_stands_in_its_help_and_in_its_message(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    _, shown, _ = ended(capfd, "part curve --help")
+    _, _, unknown = ended(capfd, "part curve 'sinus(x)'")
+    _, _, broken = ended(capfd, "part curve 'x +'")
+    for text in (" ".join(shown.split()), unknown, broken):
+        assert "x, pi, e, + - * / ** ( ) and sqrt, exp, log, sin, cos, tan" in text
+
+
+def test_capitals_are_fortrans(capfd: pytest.CaptureFixture[str]) -> None:
+    tapes = [ended(capfd, f"part curve '{y}' --to 2")[1] for y in ("SIN(X)**2*1E0", "sin(x)**2*1e0")]
+    assert tapes[0] == tapes[1] != ""
+
+
 def test_the_circles_tape_is_27_frames_a_line(shell: Shell) -> None:
     tape = shell("pdp8 part circle").stdout
     assert len(tape) == 17982 == 27 * 666
