@@ -4,14 +4,20 @@ PDP8_EXTENSIONS says what a build does about it:
     auto      compile where Cython and a C compiler are at hand (the default)
     require   fail if one module does not compile: a release for one platform
     forbid    compile nothing: the wheel for every platform, py3-none-any
+
+With SOURCE_DATE_EPOCH the same sources give the same archives, byte for byte: wheels by setuptools itself,
+the sdist by the class below.
 """
 
+import gzip
 import os
 import sys
 import sysconfig
+import tarfile
 from pathlib import Path
 
 from setuptools import Extension, setup
+from setuptools.command.sdist import sdist
 
 HOUSE = Path(__file__).parent
 BUILD = Path("build")
@@ -82,4 +88,30 @@ def extensions(required: bool) -> list[Extension]:
     return list(built)
 
 
-setup(ext_modules=[] if choice() == "forbid" else extensions(choice() == "require"))
+class ReproducibleSdist(sdist):
+    """An sdist that keeps no times, owners or modes of the folder it was made in."""
+
+    def make_archive(self, base_name: str, format: str, *rest: object, **options: object) -> str:
+        epoch = os.environ.get("SOURCE_DATE_EPOCH")
+        if not epoch:
+            return super().make_archive(base_name, format, *rest, **options)
+
+        def entry(info: tarfile.TarInfo) -> tarfile.TarInfo:
+            info.mtime, info.uid, info.gid, info.uname, info.gname = int(epoch), 0, 0, "", ""
+            info.mode = 0o755 if info.isdir() else 0o644
+            return info
+
+        path = f"{base_name}.tar.gz"
+        with (
+            open(path, "wb") as file,
+            gzip.GzipFile("", "wb", fileobj=file, mtime=int(epoch)) as zipped,
+            tarfile.open(fileobj=zipped, mode="w") as archive,
+        ):
+            archive.add(str(options["base_dir"]), filter=entry)
+        return path
+
+
+setup(
+    ext_modules=[] if choice() == "forbid" else extensions(choice() == "require"),
+    cmdclass={"sdist": ReproducibleSdist},
+)

@@ -36,3 +36,8 @@ def __getattr__(name: str) -> object:
     from pal import assembly
 
     return getattr(assembly, name)
+
+
+def __dir__() -> list[str]:
+    """Return the names of the package, those that are not loaded yet too."""
+    return sorted({*globals(), *__all__})

@@ -52,6 +52,7 @@ class AssemblyError(WorkError):
     help=f"Room for {HIGH_SPEED_SYMBOLS} symbols, not the ASR-33's {TELETYPE_SYMBOLS}; "
     "PAUSE loses the rest of its line.",
 )
+@click.version_option(package_name="pdp8", prog_name="pal", message="%(prog)s, version %(version)s")
 def pal(
     *,
     sources: tuple[str, ...],

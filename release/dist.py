@@ -3,9 +3,11 @@
     dist/        pdp8-V.tar.gz, and the compiled wheel for this Python: pip install dist/*.whl
     dist/other/  the compiled wheels for the other Pythons at hand, and py3-none-any, which compiles nothing
 
-Each wheel is built twice from the sdist and has to come out the same to the byte; SOURCE_DATE_EPOCH is the
-time of the last commit unless it is set. Wheels that PyPI takes for Linux, macOS and Windows are built by
-cibuildwheel (pyproject.toml) in .github/workflows/release.yml; they pass the same checks:
+The sdist is built from the sources, each wheel from the sdist, and each of them twice: the bytes have to be
+the same. SOURCE_DATE_EPOCH is the time of the last commit unless it is set. Pythons at hand are those that uv
+finds on the PATH; with pyenv: `PYENV_VERSION=3.11.7:3.12.1:3.13.0 make dist`. Wheels that PyPI takes for
+Linux, macOS and Windows are built by cibuildwheel (pyproject.toml) in .github/workflows/release.yml; they pass
+the same checks:
 
     python release/dist.py                 build and check
     python release/dist.py --check WHEEL…  check wheels that were built elsewhere
@@ -91,14 +93,14 @@ def build(kind: str, source: Path, out: Path, python: str, extensions: str) -> P
         return Path(shutil.copy(built, out))
 
 
-def built_twice(source: Path, out: Path, python: str, extensions: str) -> Path:
-    """Build a wheel of `source` into `out`, and once more; exit if the two differ."""
-    wheel = build("wheel", source, out, python, extensions)
+def built_twice(kind: str, source: Path, out: Path, python: str, extensions: str) -> Path:
+    """Build a `kind` of `source` into `out`, and once more; exit if the two differ."""
+    archive = build(kind, source, out, python, extensions)
     with tempfile.TemporaryDirectory() as folder:
-        again = build("wheel", source, Path(folder), python, extensions)
-        if not filecmp.cmp(wheel, again, shallow=False):
-            sys.exit(f"{wheel.name}: built twice, the bytes differ")
-    return wheel
+        again = build(kind, source, Path(folder), python, extensions)
+        if not filecmp.cmp(archive, again, shallow=False):
+            sys.exit(f"{archive.name}: built twice, the bytes differ")
+    return archive
 
 
 def check(wheel: Path, python: str) -> None:
@@ -150,16 +152,16 @@ def main() -> None:
         return
     out, here = HOUSE / "dist", sys.executable
     shutil.rmtree(out, ignore_errors=True)
-    sdist = build("sdist", HOUSE, out, here, "auto")
+    sdist = built_twice("sdist", HOUSE, out, here, "forbid")
     say(sdist.name)
     archives = [sdist]
     for version, python in pythons().items():
         place = out if python == here else out / "other"
-        wheel = built_twice(sdist, place, python, "require")
+        wheel = built_twice("wheel", sdist, place, python, "require")
         check(wheel, python)
         archives.append(wheel)
         say(f"    Python {version}")
-    wheel = built_twice(sdist, out / "other", here, "forbid")
+    wheel = built_twice("wheel", sdist, out / "other", here, "forbid")
     check(wheel, here)
     archives.append(wheel)
     say(run(sys.executable, "-m", "twine", "check", "--strict", *archives).decode().strip())
