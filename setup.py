@@ -44,7 +44,7 @@ DIRECTIVES = {
 
 
 def choice() -> str:
-    """Return PDP8_EXTENSIONS; exit if it is none of CHOICES."""
+    """Return PDP8_EXTENSIONS; exit if it is not one of CHOICES."""
     value = os.environ.get("PDP8_EXTENSIONS") or "auto"
     if value not in CHOICES:
         raise SystemExit(f"PDP8_EXTENSIONS={value}: it may be {', '.join(CHOICES)}")

@@ -107,7 +107,7 @@ class SymbolTable:
         self._rename()
 
     def fix(self) -> None:
-        """List none of what is in the table now."""
+        """Leave what is in the table now out of the listing."""
         self.first = self.end
 
     def fix_reference(self) -> None:

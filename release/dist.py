@@ -4,10 +4,10 @@
     dist/other/  the compiled wheels for the other Pythons at hand, and py3-none-any, which compiles nothing
 
 The sdist is built from the sources, each wheel from the sdist, and each of them twice: the bytes have to be
-the same. SOURCE_DATE_EPOCH is the time of the last commit unless it is set. Pythons at hand are those that uv
-finds on the PATH; with pyenv: `PYENV_VERSION=3.11.7:3.12.1:3.13.0 make dist`. Wheels that PyPI takes for
-Linux, macOS and Windows are built by cibuildwheel (pyproject.toml) in .github/workflows/release.yml; they pass
-the same checks:
+the same. SOURCE_DATE_EPOCH is the time of the last commit unless it is set. The Pythons at hand are those
+that uv finds on the PATH; with pyenv, `PYENV_VERSION=3.11.7:3.12.1:3.13.0 make dist`. Wheels that PyPI takes
+for Linux, macOS and Windows are built by cibuildwheel (pyproject.toml) in .github/workflows/release.yml; they
+pass the same checks:
 
     python release/dist.py                 build and check
     python release/dist.py --check WHEEL…  check wheels that were built elsewhere

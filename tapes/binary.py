@@ -198,7 +198,7 @@ def _load(items: Iterable[Item], content: Content) -> None:
 
 
 def _skip(frames: bytes, at: int, *codes: int) -> int:
-    """Return the first frame from `at` on that is none of `codes`, or the tape's length."""
+    """Return the first frame from `at` on that is not one of `codes`, or the tape's length."""
     while at < len(frames) and frames[at] in codes:
         at += 1
     return at
@@ -243,7 +243,7 @@ def _fault(frames: bytes, at: int) -> TapeError | None:
     """Return what is wrong where a word or an origin should begin, None if nothing is."""
     frame = frames[at]
     if frame >> 6 == 2:
-        return TapeError(f"{frame:03o} is no frame of a BIN tape", at)
+        return TapeError(f"{frame:03o} is not a frame of a BIN tape", at)
     if at + 1 == len(frames):
         return TapeError("the tape is cut short inside a word", at + 1)
     if frames[at + 1] > 0o77:

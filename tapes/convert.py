@@ -4,7 +4,7 @@
     bin, rim            words
     octal               the frames themselves, spelled out; they come back by the target "frames"
 
-Channel 8 of a tape that stays ASCII is punched anew and nothing else is touched, unless the fill is given too
+Channel 8 of a tape that stays ASCII is punched again and nothing else changes, unless the fill is given too
 or it has LF without CR, as a text file has.
 """
 
@@ -18,7 +18,7 @@ FRAMES = "frames"
 
 
 def convert(content: bytes, source: str, target: str, parity: str = "mark", fill: int | None = None) -> bytes:
-    """Return the tape or file `content`, in the code `source`, anew in the code `target`, FRAMES or of CODES.
+    """Convert the tape or file `content` from the code `source` to `target`, which is FRAMES or of CODES.
 
     `parity` and `fill` say how ASCII is punched. Raises TapeError or TextError: characters cannot become
     words.

@@ -53,7 +53,7 @@ _TO_CHARACTER = bytes(
 
 
 def encode(text: str, skip: str = "") -> bytes:
-    r"""Punch `text`, each "\n" as an EOB, none of the characters in `skip`; a small letter as its capital.
+    r"""Punch `text`, each "\n" as an EOB, without the characters in `skip`; a small letter as its capital.
 
     Raises TextError for a character that has no EIA code, naming its line and column.
     """

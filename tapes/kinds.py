@@ -3,7 +3,7 @@
     bin, rim   leader, then frames of the loader formats' classes
     eia        frames with an odd number of holes, of RS-244, with ends of block
     ascii      characters and line ends, with channel 8 or without
-    blank      no holes (or no frames) at all;   unknown   none of these
+    blank      no holes (or no frames) at all;   unknown   anything else
 
 A damaged tape keeps its kind: what most of its frames say decides, so that the reader of that kind can name
 the frame which is wrong.

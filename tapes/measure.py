@@ -18,7 +18,7 @@ _KINDS = {
     kinds.EIA: "EIA RS-244",
     kinds.ASCII: "ASCII",
     kinds.BLANK_TAPE: "blank",
-    kinds.UNKNOWN: "none of ASCII, EIA, BIN or RIM",
+    kinds.UNKNOWN: "unknown: not ASCII, EIA, BIN or RIM",
 }
 
 

@@ -1,31 +1,20 @@
-"""What the tests of several packages share: the installed commands, and how two tapes are compared."""
+"""What the tests of several packages share: a shell, and how two tapes are compared."""
 
-import os
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 import programs  # noqa: F401 - its files go on the shelf
+from tests import commands
 
-BIN = Path(sys.executable).parent
-
-Shell = Callable[..., "subprocess.CompletedProcess[bytes]"]
+Shell = Callable[..., commands.Done]
 
 
 @pytest.fixture
 def shell(tmp_path: Path) -> Shell:
     """Run a command line in an empty folder, our commands first on the PATH; return the finished process."""
-    environment = {**os.environ, "PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "100"}
-
-    def run(line: str, stdin: bytes = b"") -> "subprocess.CompletedProcess[bytes]":
-        return subprocess.run(
-            ["bash", "-c", line], input=stdin, capture_output=True, cwd=tmp_path, env=environment, check=False
-        )
-
-    return run
+    return lambda line, stdin=b"": commands.run("bash", "-c", line, stdin=stdin, folder=tmp_path)
 
 
 def holes(frame: int | None) -> str:

@@ -67,15 +67,15 @@ def test_the_computer_imports_no_front_end(path: Path) -> None:
 
 
 def reached(path: Path) -> Iterator[str]:
-    """Yield the packages that a file's strings name as folders, beside its own docstrings."""
+    """Yield the packages that a file's strings name as folders: not docstrings, nor the release's name."""
     tree = ast.parse(path.read_text())
-    docstrings = {
+    others = {
         id(node.value)
         for node in ast.walk(tree)
-        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+        if isinstance(node, ast.Expr) or (isinstance(node, ast.keyword) and node.arg == "package_name")
     }
     for node in ast.walk(tree):
-        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in docstrings:
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in others:
             first = re.split(r"[/.]", node.value)[0]
             if first in PACKAGES and not node.value.endswith((" ", ":")):
                 yield first

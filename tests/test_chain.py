@@ -1,14 +1,14 @@
 """The main job: the 1971 chain from part program to EIA tape, through the commands as a user types them."""
 
 import signal
-import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
 
-from tests.conftest import BIN, Shell, assert_same_tape
+from tests import commands
+from tests.commands import BIN
+from tests.conftest import Shell, assert_same_tape
 
 # The thesis, Appendix B: P0 to P9, PCR; a space is an EIA zero. Everything else punches nothing.
 EIA = {
@@ -157,16 +157,12 @@ def test_a_closed_pipe_is_quiet(shell: Shell) -> None:
 
 
 def test_ctrl_c_keeps_what_was_punched(tmp_path: Path) -> None:
-    running = subprocess.Popen(
-        [BIN / "pdp8", "run", "eia.pal", "--reader", "circle.asc", "--punch", "out.eia", "--realtime"],
-        stderr=subprocess.PIPE,
-        cwd=tmp_path,
+    running = commands.start(
+        *("pdp8", "run", "eia.pal", "--reader", "circle.asc", "--punch", "out.eia", "--realtime"),
+        folder=tmp_path,
     )
     out = tmp_path / "out.eia"
-    for _ in range(200):
-        time.sleep(0.05)
-        if out.exists() and out.stat().st_size > 10:
-            break
+    assert commands.eventually(lambda: out.exists() and out.stat().st_size > 10)
     running.send_signal(signal.SIGINT)
     _, said = running.communicate(timeout=20)
     assert running.returncode == 130
@@ -178,10 +174,8 @@ def test_ctrl_c_keeps_what_was_punched(tmp_path: Path) -> None:
 
 def test_output_appears_as_it_is_punched() -> None:
     """Read the pipe while the machine still runs: it is paced, so the whole tape would take 22 minutes."""
-    with subprocess.Popen(
-        [BIN / "pdp8", "run", "eia.pal", "--reader", "circle.asc", "--realtime", "--quiet"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
+    with commands.start(
+        "pdp8", "run", "eia.pal", "--reader", "circle.asc", "--realtime", "--quiet"
     ) as running:
         assert running.stdout is not None
         first = running.stdout.read(5)

@@ -58,7 +58,7 @@ def panel(
     if drill is not None and (program, reader, sr) != (None, None, None):
         raise click.UsageError("--drill has its own core: it goes with no PROGRAM, --reader, --sr.")
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
-        raise WorkError("the panel is drawn on a terminal, and this is none; `pdp8 run` needs none")
+        raise WorkError("the panel needs a terminal; `pdp8 run` works without one")
     if find_spec("textual") is None:
         raise WorkError("the panel needs Textual: pip install textual")
     from pdp8.console.opening import opening

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Self
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
-_PATIENCE = 1.0
+_DELAY = 1.0
 
 
 class Bar:
@@ -17,7 +17,7 @@ class Bar:
     def __init__(self, label: str, total: int, wanted: bool = True) -> None:
         self._label = label
         self._total = total
-        self._begin = time.monotonic() + _PATIENCE if wanted and total and sys.stderr.isatty() else None
+        self._begin = time.monotonic() + _DELAY if wanted and total and sys.stderr.isatty() else None
         self._shown: tuple[Progress, TaskID] | None = None
 
     def __enter__(self) -> Self:

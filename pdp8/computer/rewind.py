@@ -1,4 +1,4 @@
-"""Undoing what a machine has done, in the measure that somebody thinks in.
+"""Undo what a machine has done, by a number of instructions, seconds or frames, or to an event.
 
     instructions, cycles    so many of them
     seconds                 so much machine time

@@ -126,7 +126,7 @@ class Room(App[None]):
             self.set_interval(TURN, self._tick)
 
     def on_resize(self, event: events.Resize) -> None:
-        """Lay out anew."""
+        """Lay out again."""
         small = event.size.width < SMALLEST[0] or event.size.height < SMALLEST[1]
         self.screen.set_class(small, "-cramped")
         self._turn_pages(event.size.width, event.size.height)
@@ -280,7 +280,7 @@ class Room(App[None]):
             await self.action_quit()
 
     async def on_event(self, event: events.Event) -> None:
-        """Note that somebody is there, before anything else is done with a key or the mouse."""
+        """Note that the panel is in use, before anything else is done with a key or the mouse."""
         if self.coach is not None and isinstance(event, events.Key | events.MouseDown):
             self.coach.touched()
         await super().on_event(event)

@@ -192,7 +192,7 @@ class Session:
 
     @property
     def hands_busy(self) -> bool:
-        """Whether somebody is toggling something in."""
+        """Whether words are being toggled in."""
         return self._hands is not None
 
     def mount(self, tape: Tape) -> None:

@@ -159,7 +159,7 @@ class Coach:
         return self._begun
 
     def touched(self) -> None:
-        """Note that somebody is there: a key or a switch moved."""
+        """Note that a key or a switch moved: the machine is not left alone."""
         self._still = 0.0
 
     def allows(self, key: str) -> bool:

@@ -232,7 +232,7 @@ def _seconds(value: Any) -> float:
 
 def _stop(value: Any) -> str:
     if value not in STOPS:
-        raise ValueError(f"{value!r} is none of {', '.join(STOPS)}")
+        raise ValueError(f"{value!r} is not one of {', '.join(STOPS)}")
     return str(value)
 
 

@@ -67,7 +67,7 @@ def fault(result: Result) -> Iterator[str]:
 
 
 def lines(failure: Failure) -> Iterator[str]:
-    """Yield what was expected, what came, and a caret under the first difference; a tape as holes."""
+    """Yield what was expected, what was found, and a caret under the first difference; a tape as holes."""
     if isinstance(failure.expected, bytes) and isinstance(failure.got, bytes):
         yield from _tapes(failure.what, failure.expected, failure.got)
         return

@@ -31,18 +31,18 @@ def play(vector: dict[str, Any], emulator: Any) -> str | None:
     return None if got is None else first_difference(got, vector, "")
 
 
-def first_difference(got: Any, meant: Any, where: str) -> str:
-    """Return where `got` differs from `meant`, as far as it says anything."""
-    if isinstance(got, dict) and isinstance(meant, dict):
+def first_difference(got: Any, expected: Any, where: str) -> str:
+    """Return where `got` differs from `expected`, as far as it says anything."""
+    if isinstance(got, dict) and isinstance(expected, dict):
         for name in got:
-            found = first_difference(got[name], meant.get(name), f"{where} {name}")
+            found = first_difference(got[name], expected.get(name), f"{where} {name}")
             if found:
                 return found
         return ""
-    if isinstance(got, list | tuple) and isinstance(meant, list | tuple) and len(got) == len(meant):
-        all_found = (first_difference(one, meant[i], f"{where} {i}") for i, one in enumerate(got))
+    if isinstance(got, list | tuple) and isinstance(expected, list | tuple) and len(got) == len(expected):
+        all_found = (first_difference(one, expected[i], f"{where} {i}") for i, one in enumerate(got))
         return next(filter(None, all_found), "")
-    return "" if got == meant else f"{where.strip()} is {got}, not {meant}"
+    return "" if got == expected else f"{where.strip()} is {got}, not {expected}"
 
 
 def passed_over(vector: dict[str, Any], rules: list[dict[str, Any]], model: str) -> bool:

@@ -61,12 +61,12 @@ def _try(fault: Fault, free: "Queue[Workshop]") -> Found:
 
 
 def _shown(fault: Fault, found: Found) -> bool:
-    """Print a line of the table; return whether the fault came to what it should."""
-    meant = "passes" if fault.changes_nothing else "caught"
-    mark = " " if found.verdict == meant else "!"
+    """Print a line of the table; return whether the verdict is the expected one."""
+    expected = "passes" if fault.changes_nothing else "caught"
+    mark = " " if found.verdict == expected else "!"
     why = fault.changes_nothing if found.verdict == "passes" else found.by
     print(f"{mark} {fault.room:10} {fault.name:56} {found.verdict:8} {why}", flush=True)
-    return found.verdict == meant
+    return found.verdict == expected
 
 
 if __name__ == "__main__":

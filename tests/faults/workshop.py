@@ -18,7 +18,7 @@ LONGEST = 300
 
 
 class Found(NamedTuple):
-    """What came of a fault: "caught" or "passes", and the test that failed first."""
+    """The outcome of a fault: "caught" or "passes", and the test that failed first."""
 
     verdict: str
     by: str

@@ -88,7 +88,9 @@ def test_drawings_go_where_they_are_told(shell: Shell) -> None:
     assert b"worst trough to peak" in done.stderr
 
 
-@pytest.mark.skipif(shutil.which("script") is None, reason="script, which lends a terminal, is not installed")
+@pytest.mark.skipif(
+    shutil.which("script") is None, reason="script, which provides a terminal, is not installed"
+)
 def test_at_a_terminal_the_drawing_goes_beside_the_tape(shell: Shell) -> None:
     done = shell("script -qec 'pdp8 nc plot circle.eia' /dev/null; head -c4 circle.svg")
     assert done.stdout.decode().replace("\r", "") == "wrote circle.svg\n<svg"

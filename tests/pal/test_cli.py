@@ -1,39 +1,28 @@
 """The commands `pal` and `dis` as processes: what they write, what they say, how they end."""
 
 import json
-import os
-import pty
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 import pal
+from tests import commands
 
 EXAMPLES = Path(__file__).parent / "examples"
 GOOD = "*200\nA,\tCLA\n\tTAD A\n\tHLT\n$\n"
 BAD = "*200\n\tJMP 400\n$\n"
 
-Result = subprocess.CompletedProcess[bytes]
+
+def run(*arguments: str | Path, folder: Path, source: bytes = b"") -> commands.Done:
+    return commands.run("pal", *arguments, folder=folder, stdin=source)
 
 
-def run(*arguments: str | Path, folder: Path, source: bytes | None = None, module: str = "pal.cli") -> Result:
-    command = [sys.executable, "-m", module, *map(str, arguments)]
-    environment = os.environ | {"PYTHONPATH": str(Path(__file__).parents[2])}
-    return subprocess.run(
-        command, cwd=folder, input=source or b"", capture_output=True, check=False, env=environment
-    )
+def dis(*arguments: str | Path, folder: Path) -> commands.Done:
+    return commands.run("pdp8", "dis", *arguments, folder=folder)
 
 
-def dis(*arguments: str | Path, folder: Path) -> Result:
-    code = "import sys; from tapes import command; from pal.cli import dis; command.run(dis, 'dis')"
-    command = [sys.executable, "-c", code, *map(str, arguments)]
-    return subprocess.run(command, cwd=folder, capture_output=True, check=False)
-
-
-def assert_one_line(result: Result, status: int, saying: str) -> None:
+def assert_one_line(result: commands.Done, status: int, saying: str) -> None:
     error = result.stderr.decode()
     assert result.returncode == status, error
     assert saying in error
@@ -251,14 +240,11 @@ def test_dis_of_a_damaged_tape(content: bytes, saying: str, folder: Path) -> Non
 
 
 def test_a_listing_at_a_terminal_is_coloured(folder: Path) -> None:
-    terminal, other_end = pty.openpty()
-    environment = os.environ | {"PYTHONPATH": str(Path(__file__).parents[2]), "TERM": "xterm-256color"}
-    environment.pop("NO_COLOR", None)
-    command = [sys.executable, "-m", "pal.cli", "good.pal", "--listing", "-"]
-    subprocess.run(command, cwd=folder, stdout=other_end, check=True, env=environment)
-    os.close(other_end)
-    shown = os.read(terminal, 10_000).decode()
-    os.close(terminal)
+    terminal = commands.Terminal(
+        "env", "-u", "NO_COLOR", "pal", "good.pal", "--listing", "-", folder=folder, TERM="xterm-256color"
+    )
+    assert terminal.ended() == 0
+    shown = terminal.seen.decode()
     assert "\x1b[" in shown
     plain = re.sub(r"\x1b\[[0-9;]*m", "", shown).replace("\r\n", "\n")
     assert plain.rstrip() == pal.assemble(GOOD).listing.expandtabs(8).rstrip()
@@ -266,11 +252,7 @@ def test_a_listing_at_a_terminal_is_coloured(folder: Path) -> None:
 
 def test_a_pipe_that_is_closed_early_is_no_catastrophe(folder: Path) -> None:
     (folder / "long.pal").write_text("\tCLA\n" * 20_000 + "$\n")
-    command = [sys.executable, "-m", "pal.cli", "long.pal", "--listing", "-"]
-    environment = os.environ | {"PYTHONPATH": str(Path(__file__).parents[2])}
-    process = subprocess.Popen(
-        command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment
-    )
+    process = commands.start("pal", "long.pal", "--listing", "-", folder=folder)
     assert process.stdout
     assert process.stderr
     process.stdout.close()

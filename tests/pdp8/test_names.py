@@ -1,22 +1,20 @@
 """What `import pdp8` gives a script, and what a script's own files may be called."""
 
 import re
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
 import pdp8
+from tests import commands
 
 HOUSE = Path(__file__).parents[2]
 ROOMS = ("nc", "pal", "programs", "tapes")
 
 
-def python(folder: Path, *arguments: str, stdin: bytes = b"") -> "subprocess.CompletedProcess[bytes]":
-    return subprocess.run(
-        [sys.executable, *arguments], input=stdin, capture_output=True, cwd=folder, check=False
-    )
+def python(folder: Path, *arguments: str) -> commands.Done:
+    return commands.run(sys.executable, *arguments, folder=folder)
 
 
 @pytest.fixture

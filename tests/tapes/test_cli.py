@@ -3,15 +3,14 @@
 import re
 import signal
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 from tapes import ascii, binary, eia
+from tests import commands
+from tests.conftest import Shell
 from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, assert_same
-
-COMMAND = [sys.executable, "-c", "from pdp8.cli import main; main()"]
 
 DRILLING = """\
 001 0 00000 00000 0 35 88
@@ -24,10 +23,8 @@ DRILLING = """\
 """The four holes of the thesis's chapter 3, spaces "used for clarity only"."""
 
 
-def pdp8(*arguments: str, given: bytes = b"", cwd: Path | None = None) -> subprocess.CompletedProcess[bytes]:
-    return subprocess.run(
-        [*COMMAND, *arguments], input=given, capture_output=True, cwd=cwd, timeout=60, check=False
-    )
+def pdp8(*arguments: str, given: bytes = b"", cwd: Path | None = None) -> commands.Done:
+    return commands.run("pdp8", *arguments, stdin=given, folder=cwd)
 
 
 def product(*arguments: str, given: bytes = b"", cwd: Path | None = None) -> bytes:
@@ -184,22 +181,13 @@ def test_misuse(arguments: list[str]) -> None:
 )
 def test_a_full_disk_behind_standard_output(arguments: list[str]) -> None:
     with open("/dev/full", "wb") as full:
-        done = subprocess.run(
-            [*COMMAND, "tape", *arguments],
-            input=ascii.encode("12\n" * 9000),
-            stdout=full,
-            stderr=subprocess.PIPE,
-            timeout=60,
-            check=False,
-        )
+        done = commands.run("pdp8", "tape", *arguments, stdin=ascii.encode("12\n" * 9000), stdout=full)
     assert done.returncode == 1
     assert done.stderr == f"pdp8 tape {arguments[0]}: standard output: No space left on device\n".encode()
 
 
-def test_a_closed_pipe_is_quiet() -> None:
-    line = f'{sys.executable} -c "from pdp8.cli import main; main()" tape show | head -2'
-    given = ascii.encode("12\n" * 9000)
-    done = subprocess.run(line, shell=True, input=given, capture_output=True, timeout=60, check=False)
+def test_a_closed_pipe_is_quiet(shell: Shell) -> None:
+    done = shell("pdp8 tape show | head -2", ascii.encode("12\n" * 9000))
     assert done.stdout.count(b"\n") == 2
     assert done.stderr == b""
 
@@ -212,21 +200,18 @@ def test_a_closed_pipe_is_quiet() -> None:
         ("2>&-", 0, b""),
     ],
 )
-def test_a_closed_standard_stream_is_no_traceback(closed: str, status: int, said: bytes) -> None:
-    line = f'{sys.executable} -c "from pdp8.cli import main; main()" tape info - {closed}'
-    done = subprocess.run(line, shell=True, input=b"", capture_output=True, timeout=60, check=False)
+def test_a_closed_standard_stream_is_no_traceback(
+    shell: Shell, closed: str, status: int, said: bytes
+) -> None:
+    done = shell(f"pdp8 tape info - {closed}")
     assert done.returncode == status
     assert done.stderr == said
 
 
 def test_ctrl_c(tmp_path: Path) -> None:
     (tmp_path / "a.bin").write_bytes(FORMAT_BIN)
-    with subprocess.Popen(
-        [*COMMAND, "tape", "info", "a.bin", "-"],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        cwd=tmp_path,
+    with commands.start(
+        "pdp8", "tape", "info", "a.bin", "-", folder=tmp_path, stdin=subprocess.PIPE
     ) as waiting:
         assert waiting.stdout is not None
         assert waiting.stdout.readline() == b"a.bin\n", "so now it waits for the other tape"
@@ -255,9 +240,7 @@ def test_ctrl_c(tmp_path: Path) -> None:
 def test_no_output_is_a_source(line: str, message: str, tmp_path: Path) -> None:
     (tmp_path / "a.bin").write_bytes(FORMAT_BIN)
     (tmp_path / "a.asc").write_bytes(b"12\r\n")
-    done = subprocess.run(
-        [*COMMAND, *line.split()], input=b"", capture_output=True, timeout=60, check=False, cwd=tmp_path
-    )
+    done = pdp8(*line.split(), cwd=tmp_path)
     assert done.returncode == 2
     assert message in done.stderr.decode()
     assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == {
@@ -267,9 +250,7 @@ def test_no_output_is_a_source(line: str, message: str, tmp_path: Path) -> None:
 
 
 def test_a_data_tape_is_no_program(tmp_path: Path) -> None:
-    done = subprocess.run(
-        [*COMMAND, "run", "circle.asc"], input=b"", capture_output=True, timeout=60, check=False
-    )
+    done = pdp8("run", "circle.asc")
     assert done.returncode == 1
     assert (
         done.stderr == b"pdp8 run: circle.asc: nothing but figures: no program, but a tape for the reader\n"

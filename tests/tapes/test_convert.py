@@ -34,7 +34,7 @@ def test_parity_alone_leaves_leader_and_fill_as_they_are() -> None:
     assert_same(convert(tape, "ascii", "ascii", "even"), LEADER + octal("101 215 012 377 000 303") + bytes(3))
 
 
-def test_fill_anew() -> None:
+def test_the_fill_is_punched_again() -> None:
     assert_same(convert(ascii.encode(TEXT), "ascii", "ascii", "none", 1), ascii.encode(TEXT, "none", 1))
 
 

@@ -86,7 +86,7 @@ export class SymbolTable {
     this.#rename();
   }
 
-  /** List none of what is in the table now. */
+  /** Leave what is in the table now out of the listing. */
   fix() {
     this.first = this.end;
   }

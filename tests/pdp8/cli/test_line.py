@@ -13,8 +13,10 @@ from pathlib import Path
 import pytest
 
 from pdp8.computer.keys import sent
-from tests.conftest import BIN, Shell, assert_same_tape
-from tests.pdp8.cli.test_run import LINE, Terminal
+from tests import commands
+from tests.commands import Terminal
+from tests.conftest import Shell, assert_same_tape
+from tests.pdp8.cli.test_run import LINE
 
 KEEP = """*200
 	KCC
@@ -50,7 +52,7 @@ def test_what_a_key_sends(typed: str, frames: list[int]) -> None:
 
 def test_each_special_key_through_a_terminal(tmp_path: Path) -> None:
     (tmp_path / "keep.pal").write_text(KEEP)
-    terminal = Terminal(str(tmp_path / "keep.pal"), "--keyboard")
+    terminal = Terminal("pdp8", "run", tmp_path / "keep.pal", "--keyboard")
     terminal.until(b"Ctrl-]")
     for key in (b"a", b"\r", b"\n", b"\f", b"\x7f", b"\x1b", b"\x1b[A", b"\x1c"):
         terminal.type(key)
@@ -88,9 +90,7 @@ def test_the_teletype_is_a_line() -> None:
     """echo.pal prints what comes over the line, seven or eight bits as they are, at ten frames a second."""
     other = Other()
     before = termios.tcgetattr(other.line)
-    run = subprocess.Popen(
-        [BIN / "pdp8", "run", "echo.pal", "--tty", other.name], stdout=subprocess.PIPE, stderr=subprocess.PIPE
-    )
+    run = commands.start("pdp8", "run", "echo.pal", "--tty", other.name)
     time.sleep(1.0)
     began = time.monotonic()
     os.write(other.end, b"\xd0\xc1\xcc\x01\xc1\xd0")
@@ -104,12 +104,7 @@ def test_the_teletype_is_a_line() -> None:
 
 
 def test_a_pipe_that_stays_open_is_read_as_it_comes(tmp_path: Path) -> None:
-    run = subprocess.Popen(
-        [BIN / "pdp8", "run", "eia.pal"],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-    )
+    run = commands.start("pdp8", "run", "eia.pal", stdin=subprocess.PIPE)
     assert run.stdin
     assert run.stdout
     os.write(run.stdin.fileno(), LINE[:6])
@@ -126,19 +121,11 @@ def test_a_pipe_that_stays_open_is_read_as_it_comes(tmp_path: Path) -> None:
 def whole(folder: Path) -> bytes:
     """Return what eia.pal makes of LINE from a file."""
     (folder / "line.asc").write_bytes(LINE)
-    done = subprocess.run(
-        [BIN / "pdp8", "run", "eia.pal", "--reader", folder / "line.asc"], capture_output=True, check=True
-    )
-    return done.stdout
+    return commands.run("pdp8", "run", "eia.pal", "--reader", folder / "line.asc").stdout
 
 
 def test_a_program_that_reads_no_tape_does_not_wait_for_an_open_pipe() -> None:
-    with subprocess.Popen(
-        [BIN / "pdp8", "run", "hello.pal"],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-    ) as run:
+    with commands.start("pdp8", "run", "hello.pal", stdin=subprocess.PIPE) as run:
         assert run.stdin
         os.write(run.stdin.fileno(), b"\x81\x82")
         assert run.stdout
@@ -148,11 +135,7 @@ def test_a_program_that_reads_no_tape_does_not_wait_for_an_open_pipe() -> None:
 
 def test_a_named_pipe_and_ctrl_c_while_it_is_silent(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
-    run = subprocess.Popen(
-        [BIN / "pdp8", "run", "eia.pal", "--reader", tmp_path / "pipe"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-    )
+    run = commands.start("pdp8", "run", "eia.pal", "--reader", tmp_path / "pipe")
     with open(tmp_path / "pipe", "wb", buffering=0) as pipe:
         pipe.write(LINE[:9])
         assert run.stdout
@@ -190,19 +173,8 @@ def test_a_tape_of_another_code_is_noted(shell: Shell) -> None:
 
 def test_a_long_silence_says_once_where_the_run_is(tmp_path: Path) -> None:
     (tmp_path / "loop.pal").write_text("*200\n\tISZ 10\n\tJMP .-1\n\tISZ 11\n\tJMP 200\n\tJMP 200\n$\n")
-    keyboard, terminal = pty.openpty()
-    with subprocess.Popen(
-        [BIN / "pdp8", "run", tmp_path / "loop.pal"],
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=terminal,
-    ) as run:
-        os.close(terminal)
-        seen, end = b"", time.monotonic() + 30
-        while b"--max-time" not in seen and time.monotonic() < end:
-            if select.select([keyboard], [], [], 0.2)[0]:
-                seen += os.read(keyboard, 4096)
-        run.send_signal(signal.SIGINT)
-        assert run.wait(timeout=20) == 130
+    terminal = Terminal("bash", "-c", "pdp8 run loop.pal < /dev/null > /dev/null", folder=tmp_path)
+    seen = terminal.until(b"--max-time")
     assert b"of machine time, and nothing is read or punched; Ctrl-C ends the run" in seen
-    os.close(keyboard)
+    terminal.type(b"\x03")
+    assert terminal.ended() == 130

@@ -1,8 +1,6 @@
 """What all commands do alike: outputs proven first, files kept, streams and names not shared, long input."""
 
-import os
 import signal
-import subprocess
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -13,7 +11,8 @@ import pytest
 from pdp8.cli.root import pdp8
 from pdp8.web.bundle import page
 from tapes import binary, shelf
-from tests.conftest import BIN, Shell
+from tests import commands
+from tests.conftest import Shell
 
 DRILL = "001 0 00000 00000 0 35 88\n002 9 03000 00000 0 00 00\n"
 DIGITS = b"0010000000000003588\n0029030000000000000\n"
@@ -39,16 +38,8 @@ def test_a_file_keeps_its_mode_and_a_link_its_place(shell: Shell, tmp_path: Path
 
 
 def test_sigterm_leaves_no_file_half_written(tmp_path: Path) -> None:
-    run = subprocess.Popen(
-        [BIN / "pdp8", "run", "counter.pal", "--realtime", "--trace", "x.trace"],
-        cwd=tmp_path,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE,
-    )
-    end = time.monotonic() + 20
-    while not list(tmp_path.glob("*.part")) and time.monotonic() < end:
-        time.sleep(0.05)
+    run = commands.start("pdp8", "run", "counter.pal", "--realtime", "--trace", "x.trace", folder=tmp_path)
+    assert commands.eventually(lambda: list(tmp_path.glob("*.part")))
     run.send_signal(signal.SIGTERM)
     said = run.communicate(timeout=20)[1]
     assert run.returncode == 128 + signal.SIGTERM
@@ -58,15 +49,8 @@ def test_sigterm_leaves_no_file_half_written(tmp_path: Path) -> None:
 
 def test_ctrl_c_ends_a_traced_run_soon(tmp_path: Path) -> None:
     (tmp_path / "busy.pal").write_text("*200\nL,\tISZ 10\n\tJMP L\n\tJMP L\n$\n")
-    run = subprocess.Popen(
-        [BIN / "pdp8", "run", "busy.pal", "--trace", "x.trace"],
-        cwd=tmp_path,
-        stdin=subprocess.DEVNULL,
-        stderr=subprocess.PIPE,
-    )
-    end = time.monotonic() + 20
-    while not list(tmp_path.glob("*.part")) and time.monotonic() < end:
-        time.sleep(0.05)
+    run = commands.start("pdp8", "run", "busy.pal", "--trace", "x.trace", folder=tmp_path)
+    assert commands.eventually(lambda: list(tmp_path.glob("*.part")))
     time.sleep(0.5)
     began = time.monotonic()
     run.send_signal(signal.SIGINT)
@@ -164,12 +148,13 @@ def test_completion(shell: Shell, kind: str) -> None:
 
 @pytest.mark.parametrize("columns", ["20", "40"])
 def test_narrow_terminals_and_no_colour(columns: str, tmp_path: Path) -> None:
-    environment = {**os.environ, "COLUMNS": columns, "NO_COLOR": "1", "TERM": "xterm-256color"}
-    line = ["script", "-qec", f"{BIN}/pdp8 run --help; {BIN}/pal hello.pal -o x.bin --listing -", "/dev/null"]
-    done = subprocess.run(line, capture_output=True, env=environment, check=False, cwd=tmp_path)
-    assert b"Traceback" not in done.stdout
-    assert b"\x1b[3" not in done.stdout
-    assert b"--max-time" in done.stdout
+    line = "pdp8 run --help; pal hello.pal -o x.bin --listing -"
+    variables = {"COLUMNS": columns, "NO_COLOR": "1", "TERM": "xterm-256color"}
+    terminal = commands.Terminal("bash", "-c", line, folder=tmp_path, **variables)
+    assert terminal.ended() == 0
+    assert b"Traceback" not in terminal.seen
+    assert b"\x1b[3" not in terminal.seen
+    assert b"--max-time" in terminal.seen
 
 
 def test_a_comment_with_markup_does_not_end_the_pages_script() -> None:

@@ -2,18 +2,15 @@
 misuse.
 """
 
-import os
-import pty
-import select
 import signal
-import subprocess
-import termios
 import time
 from pathlib import Path
 
 import pytest
 
-from tests.conftest import BIN, Shell, assert_same_tape
+from tests import commands
+from tests.commands import Terminal
+from tests.conftest import Shell, assert_same_tape
 
 LINE = bytes(0o200 | code for code in b"  76 2250 4133  185\r\n")
 
@@ -102,43 +99,8 @@ def test_misuse(shell: Shell, tmp_path: Path, line: str, status: int, message: s
     assert not (tmp_path / "hello.trace").exists()
 
 
-class Terminal:
-    """`pdp8 run`, or another `command`, at a terminal of its own."""
-
-    def __init__(self, *arguments: str, command: str = "run") -> None:
-        self.pid, self.file = pty.fork()
-        if self.pid == 0:
-            os.environ["TERM"] = "dumb"
-            os.execv(str(BIN / "pdp8"), ["pdp8", command, *arguments])
-        self.before = termios.tcgetattr(self.file)
-        self.seen = b""
-
-    def until(self, text: bytes, seconds: float = 20) -> bytes:
-        """Read until `text` appears; return all since the last time."""
-        end = time.monotonic() + seconds
-        while text not in self.seen and time.monotonic() < end:
-            if select.select([self.file], [], [], 0.1)[0]:
-                try:
-                    self.seen += os.read(self.file, 4096)
-                except OSError:
-                    break
-        assert text in self.seen, self.seen
-        seen, self.seen = self.seen, b""
-        return seen
-
-    def type(self, keys: bytes) -> None:
-        os.write(self.file, keys)
-
-    def restored(self) -> bool:
-        """Tell whether the terminal is as it was."""
-        return termios.tcgetattr(self.file)[:4] == self.before[:4]
-
-    def ended(self) -> int:
-        return os.waitstatus_to_exitcode(os.waitpid(self.pid, 0)[1])
-
-
 def test_the_live_teletype_and_the_way_to_the_monitor() -> None:
-    terminal = Terminal("echo.pal", "--keyboard")
+    terminal = Terminal("pdp8", "run", "echo.pal", "--keyboard")
     terminal.until(b"Ctrl-]")
     terminal.type(b"pal iii")
     terminal.until(b"PAL III")
@@ -153,11 +115,11 @@ def test_the_live_teletype_and_the_way_to_the_monitor() -> None:
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
 def test_the_terminal_is_restored_whatever_ends_the_run(number: int) -> None:
-    terminal = Terminal("echo.pal", "--keyboard", "--realtime")
+    terminal = Terminal("pdp8", "run", "echo.pal", "--keyboard", "--realtime")
     terminal.until(b"Ctrl-]")
     terminal.type(b"x")
     terminal.until(b"X")
-    os.kill(terminal.pid, number)
+    terminal.process.send_signal(number)
     status = terminal.ended()
     assert status == 128 + number
     assert terminal.restored()
@@ -166,13 +128,10 @@ def test_the_terminal_is_restored_whatever_ends_the_run(number: int) -> None:
 def test_ctrl_c_keeps_what_was_punched_and_says_where(tmp_path: Path) -> None:
     (tmp_path / "line.asc").write_bytes(LINE * 10)
     with open(tmp_path / "line.eia", "wb") as tape:
-        run = subprocess.Popen(
-            [str(BIN / "pdp8"), "run", "eia.pal", "--realtime", "--reader", str(tmp_path / "line.asc")],
-            stdout=tape,
-            stderr=subprocess.PIPE,
+        run = commands.start(
+            "pdp8", "run", "eia.pal", "--realtime", "--reader", "line.asc", folder=tmp_path, stdout=tape
         )
-        while not (tmp_path / "line.eia").stat().st_size > 3:
-            time.sleep(0.05)
+        assert commands.eventually(lambda: (tmp_path / "line.eia").stat().st_size > 3)
         run.send_signal(signal.SIGINT)
         said = run.communicate(timeout=20)[1].decode()
     assert run.returncode == 130
@@ -182,7 +141,7 @@ def test_ctrl_c_keeps_what_was_punched_and_says_where(tmp_path: Path) -> None:
 
 
 def test_ctrl_c_stops_a_run_of_the_monitor() -> None:
-    terminal = Terminal(command="monitor")
+    terminal = Terminal("pdp8", "monitor")
     terminal.until(b"quit leaves")
     terminal.type(b"load echo.pal\r")
     terminal.until(b"66 words")
@@ -195,7 +154,7 @@ def test_ctrl_c_stops_a_run_of_the_monitor() -> None:
 
 
 def test_no_more_than_ten_characters_a_second_live() -> None:
-    terminal = Terminal("hello.pal", "--keyboard", "--realtime")
+    terminal = Terminal("pdp8", "run", "hello.pal", "--keyboard", "--realtime")
     terminal.until(b"Ctrl-]")
     began = time.monotonic()
     terminal.until(b"HLT at")
@@ -204,6 +163,6 @@ def test_no_more_than_ten_characters_a_second_live() -> None:
 
 
 def test_a_halt_ends_the_live_teletype() -> None:
-    terminal = Terminal("hello.pal", "--keyboard")
+    terminal = Terminal("pdp8", "run", "hello.pal", "--keyboard")
     assert b"HELLO, WORLD." in terminal.until(b"HLT at")
     assert terminal.ended() == 0

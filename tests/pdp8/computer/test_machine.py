@@ -1,6 +1,5 @@
 """The machine as a whole: what may be looked at and set, and that nothing an operator does makes it raise."""
 
-import subprocess
 import sys
 from functools import partial
 from importlib.metadata import version
@@ -12,6 +11,7 @@ from hypothesis import strategies as st
 import pdp8
 from pdp8.computer import state
 from pdp8.computer.machine import Machine
+from tests import commands
 from tests.pdp8.computer.bench import octal, program
 
 
@@ -64,7 +64,7 @@ def test_setting_the_pc_begins_a_new_instruction() -> None:
     assert (m.ma, m.ac) == (0o400, 0)
 
 
-def test_start_counts_time_anew_and_switches_stay() -> None:
+def test_start_counts_time_from_zero_and_switches_stay() -> None:
     m = program(*octal("7604 7402"))
     m.sr = 0o1234
     m.run()
@@ -145,7 +145,7 @@ WORD = st.integers(0, 0o7777)
 LIKELY = st.sampled_from(
     octal("6001 6002 6031 6032 6036 6041 6046 6014 6012 6024 5200 5600 2300 7402 4200 3410")
 )
-DEEDS = st.one_of(
+ACTIONS = st.one_of(
     st.builds(partial, st.just(press), st.sampled_from(["load_add", "exam", "dep", "start", "cont", "stop"])),
     st.builds(partial, st.just(switches), WORD),
     st.builds(partial, st.just(deposit), st.sampled_from([0, 1, 0o200, 0o201, 0o202, 0o203]), LIKELY | WORD),
@@ -161,12 +161,12 @@ DEEDS = st.one_of(
 
 
 @settings(max_examples=150, deadline=None)
-@given(st.lists(DEEDS, max_size=25))
-def test_nothing_an_operator_does_makes_it_raise(deeds: "list[partial[None]]") -> None:
+@given(st.lists(ACTIONS, max_size=25))
+def test_nothing_an_operator_does_makes_it_raise(actions: "list[partial[None]]") -> None:
     m = Machine(highspeed=True)
     m.start(0o200)
-    for deed in deeds:
-        deed(m)
+    for action in actions:
+        action(m)
         assert 0 <= m.processor.lac <= 0o17777
         assert 0 <= m.pc <= 0o7777
         assert all(word <= 0o7777 for word in m.core)
@@ -282,7 +282,5 @@ def test_the_names_of_the_package() -> None:
     assert pdp8.__version__ == version("pdp8")
     with pytest.raises(AttributeError, match="no attribute 'Mill'"):
         pdp8.Mill  # noqa: B018
-    run = subprocess.run(
-        [sys.executable, "-m", "pdp8", "--version"], capture_output=True, text=True, check=True
-    )
-    assert run.stdout.startswith(f"pdp8, version {pdp8.__version__}, ")
+    done = commands.run(sys.executable, "-m", "pdp8", "--version")
+    assert done.stdout.decode().startswith(f"pdp8, version {pdp8.__version__}, ")

@@ -1,4 +1,4 @@
-"""The pulses of an IOT, and a flag that rises in the very tick in which somebody looks."""
+"""The pulses of an IOT, and a flag that rises in the very tick in which it is tested."""
 
 import pytest
 

@@ -45,7 +45,7 @@ def random_word(source: random.Random) -> int:
 
 
 class Script:
-    """What SIMH is told, and what it must say, for one program."""
+    """The commands for SIMH, and the output expected of it, for one program."""
 
     def __init__(self, seed: int, folder: Path) -> None:
         source = random.Random(seed)

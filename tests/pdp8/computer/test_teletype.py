@@ -259,7 +259,7 @@ def test_a_program_too_slow_by_two_and_a_half_units_loses_characters(turns: int,
 
 
 def test_what_a_model_33_prints() -> None:
-    """64 characters; the codes of lower case strike them too, ALT MODE and ESCAPE (175, 176) nothing."""
+    """64 characters; the codes of lower case print them too, ALT MODE and ESCAPE (175, 176) print nothing."""
     rows = printed(bytes(range(0o400))).decode()
     figures, letters = " !\"#$%&'()*+,-./0123456789:;<=>?", "@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_"
     assert rows == ("\a\n\r" + figures + letters + letters[:29]) * 2

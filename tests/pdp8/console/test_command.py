@@ -1,28 +1,20 @@
 """`pdp8 panel` as it is typed: what it wants, and what it says where it cannot be."""
 
-import os
-import pty
-import re
-import select
-import subprocess
 import sys
-import time
 from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
 
-from tests.conftest import BIN, Shell, assert_same_tape
+from tests.commands import BIN, Terminal
+from tests.conftest import Shell, assert_same_tape
 from tests.pdp8.computer.engine.forms import FORMS, HOUSE, machine_module
 
 
 def test_it_wants_a_terminal(shell: Shell) -> None:
     done = shell("pdp8 panel")
     assert done.returncode == 1
-    assert (
-        done.stderr
-        == b"pdp8 panel: the panel is drawn on a terminal, and this is none; `pdp8 run` needs none\n"
-    )
+    assert done.stderr == b"pdp8 panel: the panel needs a terminal; `pdp8 run` works without one\n"
     assert done.stdout == b""
 
 
@@ -48,32 +40,15 @@ def at_a_terminal(
 ) -> tuple[int, bytes]:
     """Run `pdp8 panel` at a terminal, Python `before` it; take the steps; return status and output."""
     code = f"{before}\nimport sys; from pdp8.cli import main; sys.argv[0] = 'pdp8'; main()"
-    keyboard, terminal = pty.openpty()
-    process = subprocess.Popen(
-        [sys.executable, "-c", code, "panel", *arguments],
-        stdin=terminal,
-        stdout=terminal,
-        stderr=terminal,
-        env={**os.environ, "TERM": "xterm-256color", "COLUMNS": "100", "LINES": "30"},
-        cwd=folder,
+    terminal = Terminal(
+        *(sys.executable, "-c", code, "panel", *arguments), folder=folder, TERM="xterm-256color", LINES="30"
     )
-    os.close(terminal)
-    waiting = list(steps)
-    seen, looked = b"", 0
-    end = time.monotonic() + 30
-    while time.monotonic() < end:
-        if select.select([keyboard], [], [], 0.2)[0]:
-            try:
-                seen += os.read(keyboard, 65536)
-            except OSError:
-                break
-        if waiting and waiting[0][0] in re.sub(rb"\x1b\[[\d;?]*[ -~]", b"", seen[looked:]):
-            looked = len(seen)
-            os.write(keyboard, waiting.pop(0)[1])
-    if process.poll() is None and time.monotonic() >= end:
-        process.kill()
-    os.close(keyboard)
-    return process.wait(), seen
+    seen = b""
+    for shown, keys in steps:
+        seen += terminal.until(shown)
+        terminal.type(keys)
+    status = terminal.ended()
+    return status, seen + terminal.seen
 
 
 @pytest.mark.parametrize("form", FORMS)

@@ -60,7 +60,7 @@ PROGRAM = 'title="t"\ntask="t"\nsolution="*200\\n\\tHLT\\n$\\n"\n'
         (PROGRAM + '[[case]]\nname="a"\nac=0o10000', r"case 1: ac: a number from -2048 to 4095"),
         (PROGRAM + '[[case]]\nname="a"\nseconds=1e9', r"seconds up to 3600 are wanted"),
         (PROGRAM + '[[case]]\nname="a"\ncore={ "9"=1 }', r"9 is no octal address"),
-        (PROGRAM + '[[case]]\nname="a"\nstop="never"', r"'never' is none of halt, tape out"),
+        (PROGRAM + '[[case]]\nname="a"\nstop="never"', r"'never' is not one of halt, tape out"),
         (PROGRAM + '[[case]]\nname="a"\ntape=[400]', r"a number from 0 to 255"),
         (PROGRAM + '[mistakes]\nx=["a"]\n[[case]]\nname="a"', r"\[piece of the solution, what is written"),
     ],

@@ -15,7 +15,7 @@ from tests.pdp8.web.follower import Follower
 
 
 def test_the_acts_follow_one_another(circle: Afternoon) -> None:
-    """Seven acts without a gap, from one o'clock on, told as they are done."""
+    """Seven acts without a gap, from one o'clock on, announced as they are done."""
     assert [act.kind for act in circle.acts] == [
         Kind.TERMINAL,
         Kind.TOGGLE,
@@ -27,8 +27,8 @@ def test_the_acts_follow_one_another(circle: Afternoon) -> None:
     ]
     assert circle.acts[0].starts == 0
     assert [act.starts for act in circle.acts[1:]] == [act.ends for act in circle.acts[:-1]]
-    told: list[Act] = []
-    assert list(replay("drill", told.append).acts) == told
+    announced: list[Act] = []
+    assert list(replay("drill", announced.append).acts) == announced
 
 
 def test_its_tapes_are_those_of_the_chain(circle: Afternoon) -> None:

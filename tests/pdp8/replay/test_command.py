@@ -1,15 +1,14 @@
 """`pdp8 replay` as a user runs it."""
 
-import os
 import signal
-import subprocess
 import time
 from pathlib import Path
 
 import pytest
 
 from pdp8.cli.replay import REPLAYED
-from tests.conftest import BIN, Shell
+from tests import commands
+from tests.conftest import Shell
 
 
 def test_the_acts_are_said_and_the_table_printed(shell: Shell, tmp_path: Path) -> None:
@@ -65,17 +64,8 @@ def test_a_reader_who_had_enough(shell: Shell) -> None:
 
 def test_interrupted_at_real_pace(tmp_path: Path) -> None:
     """Ctrl-C in the middle of the first act: status 130; the files were left at once and are whole."""
-    running = subprocess.Popen(
-        [BIN / "pdp8", "replay", "drill", "--realtime"],
-        cwd=tmp_path,
-        stderr=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        env=os.environ,
-    )
-    left = tmp_path / "replay-drill" / "figures.txt"
-    give_up = time.monotonic() + 30
-    while not left.exists() and time.monotonic() < give_up:
-        time.sleep(0.05)
+    running = commands.start("pdp8", "replay", "drill", "--realtime", folder=tmp_path)
+    assert commands.eventually((tmp_path / "replay-drill" / "figures.txt").exists)
     time.sleep(1)
     running.send_signal(signal.SIGINT)
     _, said = running.communicate(timeout=20)

@@ -13,7 +13,7 @@ const p = machine.processor;
 const STATES = ["FETCH", "DEFER", "EXECUTE"];
 const same = (one, other) => JSON.stringify(one) === JSON.stringify(other);
 
-/** Play the vector of an instruction; return what it came to, in the form of the vector. */
+/** Play the vector of an instruction; return its result, in the form of the vector. */
 function step({ name, initial, cycles }) {
   machine.powerUp();
   p.pc = initial.pc;
@@ -107,7 +107,7 @@ const folder = process.argv[2];
 const results = {};
 for (const file of readdirSync(folder).filter((name) => name.endsWith(".json.gz")).sort()) {
   const vectors = JSON.parse(gunzipSync(readFileSync(join(folder, file))));
-  const wrong = vectors.map((vector) => [vector.cycles ? step(vector) : play(vector), vector]).filter(([got, meant]) => !same(got, meant));
+  const wrong = vectors.map((vector) => [vector.cycles ? step(vector) : play(vector), vector]).filter(([got, expected]) => !same(got, expected));
   results[file] = [vectors.length, wrong.slice(0, 3)];
 }
 console.log(JSON.stringify(results));

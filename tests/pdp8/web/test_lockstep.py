@@ -45,10 +45,10 @@ def test_random_instants_of_the_afternoon(circle: Afternoon, ask: Ask) -> None:
     follower = Follower(circle)
     for tick in sorted(shown):
         follower.to(tick)
-        meant = follower.state()
-        meant["core"] = _sum(follower.machine.core)
-        meant["punched"] = _sum(follower.machine.teletype.punch.tape)
-        assert shown[tick] == meant, f"at tick {tick}, {tick / TICKS_PER_SECOND:.8f} s"
+        expected = follower.state()
+        expected["core"] = _sum(follower.machine.core)
+        expected["punched"] = _sum(follower.machine.teletype.punch.tape)
+        assert shown[tick] == expected, f"at tick {tick}, {tick / TICKS_PER_SECOND:.8f} s"
 
 
 _STEPS = f"""(afternoon, {{ from, to, unit }}) => {{
@@ -83,9 +83,9 @@ def test_every_step_of_the_first_characters(circle: Afternoon, ask: Ask, unit: s
     start = next(action.at for action in reversed(circle.actions) if action.key == "lever")
     end = start + characters * TICKS_PER_SECOND // 10
     shown = ask(_STEPS, {"from": start, "to": end, "unit": unit})
-    meant = _follow(Follower(circle), start, end, unit)
+    expected = _follow(Follower(circle), start, end, unit)
     names = list(Follower(circle).state())
-    for index, (one, other) in enumerate(zip(shown, meant, strict=True)):
+    for index, (one, other) in enumerate(zip(shown, expected, strict=True)):
         assert dict(zip(names, one, strict=True)) == dict(zip(names, other, strict=True)), f"{unit} {index}"
 
 
@@ -145,8 +145,8 @@ def _check(program: dict[str, Any], shown: dict[str, Any]) -> None:
         for _ in range(program["every"]):
             machine.processor.cycle()
         machine.bus.advance(machine.processor.clock)
-        meant = state(machine)
-        assert dict(zip(meant, one, strict=True)) == meant, f"sample {sample}"
+        expected = state(machine)
+        assert dict(zip(expected, one, strict=True)) == expected, f"sample {sample}"
     assert shown["core"] == list(machine.core)
     assert bytes(shown["punched"]) == machine.teletype.punch.tape
 

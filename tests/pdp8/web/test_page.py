@@ -104,8 +104,8 @@ def test_the_lamps_are_the_processors(page: "Page", circle: Afternoon) -> None:
     for tick in instants:
         follower.to(tick)
         _go(page, tick)
-        meant = {**follower.machine.panel.lamps._asdict(), "sr": follower.machine.sr}
-        assert page.evaluate(_LAMPS) == meant, f"at {clock(tick)}, tick {tick}"
+        expected = {**follower.machine.panel.lamps._asdict(), "sr": follower.machine.sr}
+        assert page.evaluate(_LAMPS) == expected, f"at {clock(tick)}, tick {tick}"
 
 
 def test_a_block_is_shown_by_its_fields(page: "Page", circle: Afternoon) -> None:

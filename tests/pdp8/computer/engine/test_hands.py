@@ -109,7 +109,7 @@ def test_stop_between_two_slices(form: ModuleType) -> None:
 
 
 @pytest.mark.parametrize("act", ["stop", "deposit", "jump"])
-def test_a_flag_test_that_somebody_interferes_with(form: ModuleType, act: str) -> None:
+def test_a_flag_test_that_the_operator_interrupts(form: ModuleType, act: str) -> None:
     """TLS, KSF, JMP .-1: the printer's frame comes while it waits, and is seen in front of the KSF."""
     machine = started(
         form, TLS, KSF, 0o5201, 0o6036, 0o5201, tape=b"ab", ac=0o301, at_300=0o2310, at_301=0o5300

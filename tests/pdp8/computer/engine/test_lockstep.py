@@ -27,7 +27,7 @@ def form(request: pytest.FixtureRequest) -> ModuleType:
 
 
 class Observer:
-    """Somebody who watches every cycle, so that the engine is not used."""
+    """Watches every cycle, so that the engine is not used."""
 
     def cycle(self, processor: object) -> None:
         """See a cycle."""
@@ -47,8 +47,8 @@ def state(machine: Any) -> dict[str, object]:
 
 
 def same(fast: Any, readable: Any, where: str) -> None:
-    ours, meant = state(fast), state(readable)
-    different = {name: (ours[name], meant[name]) for name in meant if ours[name] != meant[name]}
+    ours, expected = state(fast), state(readable)
+    different = {name: (ours[name], expected[name]) for name in expected if ours[name] != expected[name]}
     assert not different, f"{where}: (engine, processor) {different}"
     for address, (engine, processor) in enumerate(zip(fast.core, readable.core, strict=True)):
         assert engine == processor, f"{where}: {address:04o} holds {engine:04o}, not {processor:04o}"
@@ -216,5 +216,5 @@ def test_every_iot(form: ModuleType, ion: int) -> None:
                 machine.processor.lac = 0o11234
                 machine.run(instructions=6)
             fast, readable = machines
-            ours, meant = state(fast), state(readable)
-            assert ours == meant, f"{word:04o}, flags {'up' if tape else 'down'}, ION {ion}"
+            ours, expected = state(fast), state(readable)
+            assert ours == expected, f"{word:04o}, flags {'up' if tape else 'down'}, ION {ion}"

@@ -58,24 +58,28 @@ def test_delays_can_be_left_to_run(form: ModuleType) -> None:
 @pytest.mark.parametrize("slice_of", [1e-4, 0.013, 1.0])
 def test_a_run_in_slices_is_the_run_at_once(form: ModuleType, slice_of: float) -> None:
     whole, sliced = started(form, COPY, b"AB"), started(form, COPY, b"AB")
-    meant = whole.run()
+    expected = whole.run()
     stop = sliced.run(seconds=slice_of)
     while stop.reason == "limit":
         stop = sliced.run(seconds=slice_of)
-    assert meant.reason == "tape out"
-    assert (stop, sliced.instructions, sliced.ticks) == (meant, whole.instructions, whole.ticks)
+    assert expected.reason == "tape out"
+    assert (stop, sliced.instructions, sliced.ticks) == (expected, whole.instructions, whole.ticks)
     assert sliced.teletype.punch.tape == whole.teletype.punch.tape
 
 
 def test_switching_between_engine_and_processor_in_the_middle_changes_nothing(form: ModuleType) -> None:
     whole, switched = started(form, COPY, b"AB"), started(form, COPY, b"AB")
-    meant = whole.run()
+    expected = whole.run()
     reason, turn = "limit", 0
     while reason == "limit":
         turn += 1
         switched.watch.writes = {0o7777} if turn % 2 else set()
         reason = switched.run(seconds=0.01).reason
-    assert (reason, switched.instructions, switched.ticks) == (meant.reason, whole.instructions, whole.ticks)
+    assert (reason, switched.instructions, switched.ticks) == (
+        expected.reason,
+        whole.instructions,
+        whole.ticks,
+    )
 
 
 def test_words_poked_between_runs_are_executed(form: ModuleType) -> None:

@@ -42,18 +42,18 @@ def _run(machine: MachineSide, reference: ReferenceSide, ticks: int | None, inst
     if reason in ENDLESS:
         endless = reference.run_endless(machine.machine.instructions)
         return "" if endless else f"the machine says {reason!r}, but the program goes on"
-    meant = reference.run(ticks, instructions)
-    if AS_REFERENCE_SAYS.get(reason, reason) != meant:
-        return f"the machine ended with {reason!r}, the reference with {meant!r}"
+    expected = reference.run(ticks, instructions)
+    if AS_REFERENCE_SAYS.get(reason, reason) != expected:
+        return f"the machine ended with {reason!r}, the reference with {expected!r}"
     return ""
 
 
-def _difference(ours: dict[str, Any], meant: dict[str, Any]) -> str:
-    return ", ".join(_differences(ours, meant)) if ours != meant else ""
+def _difference(ours: dict[str, Any], expected: dict[str, Any]) -> str:
+    return ", ".join(_differences(ours, expected)) if ours != expected else ""
 
 
-def _differences(ours: dict[str, Any], meant: dict[str, Any]) -> Iterator[str]:
-    for name, value in meant.items():
+def _differences(ours: dict[str, Any], expected: dict[str, Any]) -> Iterator[str]:
+    for name, value in expected.items():
         if ours[name] == value:
             continue
         if name == "core":
@@ -66,10 +66,10 @@ def _differences(ours: dict[str, Any], meant: dict[str, Any]) -> Iterator[str]:
             yield f"{name} {ours[name]:o}, not {value:o}"
 
 
-def _words(ours: bytes, meant: bytes) -> Iterator[str]:
-    for address, (our, mean) in enumerate(zip(array("H", ours), array("H", meant), strict=True)):
-        if our != mean:
-            yield f"{address:04o} holds {our:04o}, not {mean:04o}"
+def _words(ours: bytes, expected: bytes) -> Iterator[str]:
+    for address, (our, other) in enumerate(zip(array("H", ours), array("H", expected), strict=True)):
+        if our != other:
+            yield f"{address:04o} holds {our:04o}, not {other:04o}"
 
 
 def listing(situation: Situation) -> str:

@@ -1,0 +1,139 @@
+"""Commands run as a user runs them: in a folder, ours first on the PATH; to their end, or at a terminal.
+
+run("pdp8", "nc", "cut", "circle.eia")        to its end
+start("pdp8", "run", "echo.pal")              goes on; the test reads, signals and waits
+shell("pdp8 part circle | pdp8 run eia.pal")  a line for bash (the fixture of conftest.py)
+Terminal("pdp8", "run", "echo.pal")           at a terminal of its own
+"""
+
+import os
+import pty
+import re
+import select
+import subprocess
+import sys
+import termios
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import IO
+
+BIN = Path(sys.executable).parent
+LONGEST = 300
+"""Seconds after which a command that does not end fails its test."""
+
+Word = str | Path
+Done = subprocess.CompletedProcess[bytes]
+Stream = int | IO[bytes]
+
+
+def environment(**variables: str) -> dict[str, str]:
+    """Return the environment of a command: ours, with `variables`."""
+    path = f"{BIN}{os.pathsep}{os.environ['PATH']}"
+    return {**os.environ, "PATH": path, "COLUMNS": "100", **variables}
+
+
+def run(
+    *words: Word, stdin: bytes = b"", folder: Path | None = None, stdout: Stream = -1, **variables: str
+) -> Done:
+    """Run a command to its end."""
+    return subprocess.run(
+        [str(word) for word in words],
+        input=stdin,
+        stdout=stdout,
+        stderr=subprocess.PIPE,
+        cwd=folder,
+        env=environment(**variables),
+        timeout=LONGEST,
+        check=False,
+    )
+
+
+def start(
+    *words: Word,
+    folder: Path | None = None,
+    stdin: Stream = subprocess.DEVNULL,
+    stdout: Stream = subprocess.PIPE,
+    stderr: Stream = subprocess.PIPE,
+) -> "subprocess.Popen[bytes]":
+    """Start a command."""
+    return subprocess.Popen(
+        [str(word) for word in words],
+        stdin=stdin,
+        stdout=stdout,
+        stderr=stderr,
+        cwd=folder,
+        env=environment(),
+    )
+
+
+def eventually(condition: Callable[[], object], seconds: float = 30) -> bool:
+    """Wait until `condition` holds; return whether it did within `seconds`."""
+    end = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() > end:
+            return False
+        time.sleep(0.02)
+    return True
+
+
+_ESCAPE = re.compile(rb"\x1b\[[\d;?]*[ -~]")
+_CONTROLLING = """
+import fcntl, os, sys, termios
+fcntl.ioctl(0, termios.TIOCSCTTY, 0)
+os.execvp(sys.argv[1], sys.argv[1:])
+"""
+"""Makes standard input the controlling terminal, so that Ctrl-C there is a signal; then the command."""
+
+
+class Terminal:
+    """A command at a terminal of its own; `seen` is what it has shown since `until` returned."""
+
+    def __init__(self, *words: Word, folder: Path | None = None, **variables: str) -> None:
+        self.file, terminal = pty.openpty()
+        self.before = termios.tcgetattr(self.file)
+        self.seen = b""
+        self.process = subprocess.Popen(
+            [sys.executable, "-c", _CONTROLLING, *(str(word) for word in words)],
+            stdin=terminal,
+            stdout=terminal,
+            stderr=terminal,
+            cwd=folder,
+            env=environment(**{"TERM": "dumb", **variables}),
+            start_new_session=True,
+        )
+        os.close(terminal)
+
+    def until(self, text: bytes, seconds: float = 30) -> bytes:
+        """Read until `text` appears, escape sequences left out; return all since the last time."""
+        self._read(lambda: text in _ESCAPE.sub(b"", self.seen), seconds)
+        assert text in _ESCAPE.sub(b"", self.seen), self.seen
+        seen, self.seen = self.seen, b""
+        return seen
+
+    def type(self, keys: bytes) -> None:
+        """Press keys."""
+        os.write(self.file, keys)
+
+    def restored(self) -> bool:
+        """Return whether the terminal has the modes it had before."""
+        return termios.tcgetattr(self.file)[:4] == self.before[:4]
+
+    def ended(self, seconds: float = 30) -> int:
+        """Read to the end; return the exit status."""
+        self._read(lambda: False, seconds)
+        if self.process.poll() is None and not eventually(lambda: self.process.poll() is not None, 5):
+            self.process.kill()
+        return self.process.wait()
+
+    def _read(self, enough: Callable[[], bool], seconds: float) -> None:
+        end = time.monotonic() + seconds
+        while not enough() and time.monotonic() < end:
+            if select.select([self.file], [], [], 0.1)[0]:
+                try:
+                    read = os.read(self.file, 65536)
+                except OSError:  # Linux: nobody has the terminal open
+                    return
+                if not read:
+                    return
+                self.seen += read
