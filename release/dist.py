@@ -107,10 +107,11 @@ def check(wheel: Path, python: str) -> None:
     """Install `wheel` into an empty environment of `python`; run the main job and a user's script there."""
     pure = wheel.name.endswith("-py3-none-any.whl")
     names = ZipFile(wheel).namelist()
-    count = sum(name.endswith((".so", ".pyd")) for name in names)
-    expected = 0 if pure else sum(name.endswith(".pxd") for name in names)
-    if count != expected:
-        sys.exit(f"{wheel.name}: {count} compiled modules, expected {expected}")
+    compiled = {name.split(".")[0] for name in names if name.endswith((".so", ".pyd"))}
+    typed = {name.removesuffix(".pxd") for name in names if name.endswith(".pxd")}
+    expected = set() if pure else typed - {"pdp8/computer/piece"}  # that is compiled with the engine
+    if compiled != expected:
+        sys.exit(f"{wheel.name}: compiled modules {sorted(compiled)}, expected {sorted(expected)}")
     with tempfile.TemporaryDirectory() as folder:
         room = Path(folder)
         run(uv(), "venv", "-q", "--python", python, room / "venv")
@@ -125,7 +126,7 @@ def check(wheel: Path, python: str) -> None:
         if cut != (HOUSE / "tapes" / "circle.eia").read_bytes():
             sys.exit(f"{wheel.name}: the main job punches another tape than circle.eia")
         check_script(room, bin_)
-    say(f"{wheel.name}: {count} compiled modules; {version}; circle.eia is right; types are right")
+    say(f"{wheel.name}: {len(compiled)} compiled modules; {version}; circle.eia is right; types are right")
 
 
 def check_script(room: Path, bin_: Path) -> None:

@@ -1,0 +1,75 @@
+"""The bar on long work: at a terminal, after a second, and gone when the work is done."""
+
+import io
+import signal
+import time
+
+import pytest
+
+from pdp8.cli.progress import Bar
+from tests.commands import Terminal
+
+
+class Screen(io.StringIO):
+    """Standard error at a terminal, or not."""
+
+    def __init__(self, terminal: bool) -> None:
+        super().__init__()
+        self._terminal = terminal
+
+    def isatty(self) -> bool:
+        return self._terminal
+
+
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
+    """The time, in seconds, which the test sets."""
+    now = [100.0]
+    monkeypatch.setattr("pdp8.cli.progress.time.monotonic", lambda: now[0])
+    return now
+
+
+def screen(monkeypatch: pytest.MonkeyPatch, terminal: bool = True) -> Screen:
+    shown = Screen(terminal)
+    monkeypatch.setattr("sys.stderr", shown)
+    monkeypatch.setenv("TERM", "xterm")
+    return shown
+
+
+def test_it_appears_after_a_second_and_says_how_far_the_work_is(
+    monkeypatch: pytest.MonkeyPatch, clock: list[float]
+) -> None:
+    shown = screen(monkeypatch)
+    with Bar("reading tape", 8) as bar:
+        clock[0] += 0.9
+        bar.show(1)
+        assert shown.getvalue() == ""
+        clock[0] += 0.2
+        bar.show(2)
+        bar.show(4)
+    assert "reading tape" in shown.getvalue()
+    assert "50%" in shown.getvalue()
+    assert shown.getvalue().endswith("\x1b[1A\x1b[2K")  # the line is erased
+
+
+@pytest.mark.parametrize(
+    ("terminal", "wanted", "total"), [(False, True, 8), (True, False, 8), (True, True, 0)]
+)
+def test_it_stays_away(
+    terminal: bool, wanted: bool, total: int, monkeypatch: pytest.MonkeyPatch, clock: list[float]
+) -> None:
+    shown = screen(monkeypatch, terminal)
+    with Bar("reading tape", total, wanted) as bar:
+        clock[0] += 5
+        bar.show(4)
+    assert shown.getvalue() == ""
+
+
+def test_a_run_shows_it_and_ctrl_c_takes_it_away() -> None:
+    line = "pdp8 run eia.pal --reader circle.asc --realtime > /dev/null"
+    terminal = Terminal("bash", "-c", f"exec {line}", TERM="xterm")
+    terminal.until(b"reading tape")
+    time.sleep(0.2)
+    terminal.process.send_signal(signal.SIGINT)
+    assert terminal.ended() == 130
+    assert b"interrupted at" in terminal.seen.split(b"\x1b[2K")[-1]

@@ -1,0 +1,44 @@
+"""The top of the command line: --version, --help, and a command that does not exist."""
+
+import pytest
+
+import pdp8
+from pdp8.cli import root
+from pdp8.computer import engine
+from tests.conftest import Shell
+
+
+@pytest.mark.parametrize("command", ["pdp8", "pdp8l"])
+def test_the_version_says_which_core_runs_and_where(command: str, shell: Shell) -> None:
+    path = str(engine.__file__)
+    form = "interpreted" if path.endswith(".py") else "compiled"
+    done = shell(f"{command} --version")
+    assert done.stdout.decode() == f"pdp8, version {pdp8.__version__}, {form} core: {path}\n"
+    assert (done.returncode, done.stderr) == (0, b"")
+
+
+def test_the_version_of_the_assembler(shell: Shell) -> None:
+    assert shell("pal --version").stdout.decode() == f"pal, version {pdp8.__version__}\n"
+
+
+@pytest.mark.parametrize("option", ["--help", "-h"])
+def test_the_help_names_every_command_in_one_line_each(option: str, shell: Shell) -> None:
+    done = shell(f"pdp8 {option}")
+    shown = done.stdout.decode()
+    assert "pdp8 run eia.pal < circle.asc > circle.eia" in shown
+    lines = shown[shown.index("Commands:") :].splitlines()
+    named = [line.split()[0] for line in lines[1:] if line.startswith("  ") and line[2] != " "]
+    assert named == root.pdp8.list_commands(None)  # type: ignore[arg-type]
+    assert len(lines) == len(named) + 1
+
+
+def test_no_command_is_misuse_and_shows_them_all(shell: Shell) -> None:
+    done = shell("pdp8")
+    assert done.returncode == 2
+    assert b"Commands:" in done.stdout + done.stderr
+
+
+def test_a_command_that_does_not_exist_is_misuse(shell: Shell) -> None:
+    done = shell("pdp8 rum")
+    assert done.returncode == 2
+    assert b"'rum'" in done.stderr
