@@ -162,14 +162,14 @@ def test_a_comment_with_markup_does_not_end_the_pages_script() -> None:
     assert "<!-- <script>" not in made
 
 
-def commands(group: click.Group, path: str = "pdp8") -> Iterator[tuple[str, click.Command]]:
+def every_command(group: click.Group, path: str = "pdp8") -> Iterator[tuple[str, click.Command]]:
     """Yield each command with its name, `pdp8 tape show`."""
     context = click.Context(group)
     for name in group.list_commands(context):
         command = group.get_command(context, name)
         assert command
         if isinstance(command, click.Group):
-            yield from commands(command, f"{path} {name}")
+            yield from every_command(command, f"{path} {name}")
         else:
             yield f"{path} {name}", command
 
@@ -178,7 +178,7 @@ def options(name: str) -> list[tuple[str, click.Option]]:
     """Return each option that takes a value and answers to `name`, or every one, with its command."""
     return [
         (path, option)
-        for path, command in commands(pdp8)
+        for path, command in every_command(pdp8)
         for option in command.params
         if isinstance(option, click.Option) and not option.is_flag and (not name or name in option.opts)
     ]
