@@ -46,6 +46,12 @@ SEED ?= 0
 lockstep: .venv/ready-dev
 	$(BIN)/python -m tests.pdp8.computer.lockstep $(N) $(SEED)
 
+# `make leak SECONDS=600` translates the circle on the workbench at full speed, and compares the heap before and after.
+SECONDS ?= 600
+.PHONY: leak
+leak: .venv/ready-dev
+	$(BIN)/python -m tests.pdp8.web.leak $(SECONDS)
+
 .PHONY: lint
 .PHONY: faults
 faults: .venv/ready-dev

@@ -12,9 +12,9 @@ from importlib.resources import files
 from typing import Any, Final
 
 from nc import blocks, machine
-from pal import assembler, isa, table
+from pal import assembler, dialects, isa, table
 from pal.symbols import PERMANENT, PSEUDO_OPERATORS
-from pdp8.computer import bus, fields, highspeed, keys, operator, processor, state, teletype
+from pdp8.computer import bus, fields, highspeed, keys, oldstate, operator, processor, state, teletype
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
 from tapes import ascii, eia, frames, hydrapoint
 
@@ -39,6 +39,7 @@ def facts() -> dict[str, Any]:
         },
         "PSEUDO_OPERATORS": PSEUDO_OPERATORS,
         "PAL_III": _pal(),
+        "DIALECTS": _dialects(),
         "INTERRUPT": processor.INTERRUPT,
         "PROTECTED": processor.PROTECTED,
         "LOADERS": _loaders(),
@@ -70,6 +71,16 @@ def _pal() -> dict[str, Any]:
     }
 
 
+def _dialects() -> dict[str, Any]:
+    """Return what other assemblers know and PAL III does not."""
+    return {
+        "UNKNOWN": dialects._UNKNOWN,
+        "LATER": dialects._LATER.split(),
+        "GROUPS": dialects._GROUPS,
+        "CHARACTERS": dialects._CHARACTERS,
+    }
+
+
 def _hydra_point() -> dict[str, Any]:
     settings = machine.Settings()
     return {
@@ -98,6 +109,7 @@ def _state() -> dict[str, Any]:
     }
     return {
         "HEAD": state._HEAD,
+        "OLD_TITLE": oldstate.TITLE,
         "KINDS": {"TICK": fields.TICK, "FRAMES": fields.FRAMES},
         "PROCESSOR": _saved_fields(computer.processor),
         "DEVICES": devices,

@@ -6,6 +6,7 @@
 
 import { PAL_III } from "./facts.mjs";
 import { Assembler } from "./pal/assembler.mjs";
+import { diagnose } from "./pal/diagnostics.mjs";
 import * as listing from "./pal/listing.mjs";
 import { Source } from "./pal/source.mjs";
 
@@ -14,7 +15,9 @@ import { Source } from "./pal/source.mjs";
  * tape      the object tape as the high-speed punch made it; empty if pass 1 or 2 did not end
  * words     {address: word}, the field above the twelve bits of the address
  * passes    the frames of the three passes when the ASR-33 does it all; a pass that was not run has none
- * messages  what passes 1 and 2 complain of, each with its text and its place in the source; `ok` if of nothing
+ * messages  what passes 1 and 2 complain of, as DEC's assembler types it
+ * ok        whether they ended, and complained of nothing
+ * diagnostics  the same for a person, and why a pass went no further: with places, and what to do
  * listing   what pass 3 typed, without the codes that do not print; `lines`, the same by statements
  * symbols   {name: value} as pass 3 leaves them
  */
@@ -41,15 +44,15 @@ class Assembly {
     ].map((frames) => Uint8Array.from(frames));
     this.listing = listing.printed([...this.passes[2]]);
     this.lines = listing.lines(source, third, lost);
-    this.messages = messages(source, first, second, firstTable);
-    if (this.stopped) this.messages.push({ text: this.stopped[0], ...source.place(this.stopped[1]) });
-    this.ok = this.messages.length === 0;
+    const said = messages(first, second, firstTable);
+    this.messages = said.map(listing.messageText);
+    this.ok = this.messages.length === 0 && !this.stopped;
+    this.diagnostics = diagnose(source, said, [assembler.stopped, listing.overlong(source)].filter(Boolean));
   }
 }
 
-function messages(source, first, second, table) {
+function messages(first, second, table) {
   const said = [...first, ...second].filter(({ code }) => code);
   const undefinedOnes = second.length ? table.filter(({ defined }) => !defined) : [];
-  const all = [...said, ...undefinedOnes.map(({ name, value, at }) => ({ code: "UA", subject: name.padEnd(6), location: value, at }))];
-  return all.map((message) => ({ code: message.code, text: listing.messageText(message), ...source.place(message.at) }));
+  return [...said, ...undefinedOnes.map(({ name, value, at }) => ({ code: "UA", subject: name.padEnd(6), location: value, at }))];
 }

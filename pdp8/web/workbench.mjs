@@ -13,7 +13,7 @@ import { Switches } from "./bench/switches.mjs";
 import { Tabs } from "./bench/tabs.mjs";
 import { Teletype } from "./bench/teletype.mjs";
 import { Machine } from "./computer/machine.mjs";
-import { restore, save } from "./computer/state.mjs";
+import { isState, restore, save } from "./computer/state.mjs";
 import { TIMES } from "./facts.mjs";
 import { Writer } from "./sheet.mjs";
 import { find, octal } from "./written.mjs";
@@ -81,7 +81,7 @@ class Bench {
   /** Load eia.pal with a tape in the reader, and an empty punch: what the exercises begin with. */
   translate(name) {
     const { machine } = this;
-    this.editor.text = new TextDecoder("ascii").decode(this.shelf.get("eia.pal").frames);
+    this.editor.open("eia.pal", this.shelf.get("eia.pal").frames);
     this.editor.assemble();
     machine.panel.stop();
     machine.teletype.punch.frames = [];
@@ -113,10 +113,11 @@ class Bench {
   /** Take a file: a saved state, a program's source, or a tape, which goes into the reader or to the mill. */
   async take(file) {
     const frames = new Uint8Array(await file.arrayBuffer());
-    if (frames[0] === 0o173) {
-      this.#restore(new TextDecoder().decode(frames));
+    const text = new TextDecoder().decode(frames);
+    if (isState(text)) {
+      this.#restore(text);
     } else if (file.name.endsWith(".pal")) {
-      this.editor.text = new TextDecoder("ascii").decode(frames).replaceAll("\r\n", "\n");
+      this.editor.open(file.name, frames);
     } else {
       const name = this.shelf.put(file.name, frames);
       if (this.shelf.get(name).code === "eia") this.mill.cut(name);

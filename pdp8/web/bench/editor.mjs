@@ -1,6 +1,7 @@
 // The editor: PAL III source in colour, assembled in the page, its messages under the places they are at.
 
 import { assemble } from "../pal.mjs";
+import { printed } from "../pal/diagnostics.mjs";
 import { LOADERS, PSEUDO_OPERATORS, SYMBOLS } from "../facts.mjs";
 import { escaped, find, grouped, octal } from "../written.mjs";
 
@@ -12,6 +13,7 @@ export class Editor {
     this.area = find("source");
     this.behind = this.area.previousElementSibling;
     this.assembly = null;
+    this.name = "program.pal";
     this.area.value = text;
     this.area.addEventListener("input", () => this.#changed());
     this.area.addEventListener("scroll", () => this.#scroll());
@@ -40,8 +42,14 @@ export class Editor {
   }
 
   #open(select) {
-    if (select.value) this.text = new TextDecoder("ascii").decode(this.bench.shelf.get(select.value).frames);
+    if (select.value) this.open(select.value, this.bench.shelf.get(select.value).frames);
     select.value = "";
+  }
+
+  /** Open the source that a tape or a file holds. */
+  open(name, frames) {
+    this.name = name;
+    this.text = new TextDecoder("ascii").decode(frames).replaceAll("\r\n", "\n");
   }
 
   #changed() {
@@ -70,13 +78,20 @@ export class Editor {
   /** Assemble what is there; return whether it has no errors. */
   assemble() {
     this.assembly = assemble(this.text);
-    const { messages, ok, tape, words } = this.assembly;
-    const said = messages.map((message) => `<li><button class="text" data-line="${message.line}" data-start="${message.start}" data-end="${message.end}">${escaped(message.text.replace(/[\n\r]/g, "·"))}</button><pre>${escaped(message.source)}\n${caret(message)}</pre></li>`);
-    const summary = `${grouped(Object.keys(words).length)} words, a tape of ${grouped(tape.length)} frames${ok ? "" : `; ${messages.length} ${messages.length === 1 ? "message" : "messages"}`}.`;
-    find("messages").innerHTML = `<p>${summary}</p><ol>${said.join("")}</ol>`;
+    const { diagnostics, ok, tape, words } = this.assembly;
+    const errors = diagnostics.length ? `; ${diagnostics.length} ${diagnostics.length === 1 ? "error" : "errors"}` : "";
+    const summary = `${grouped(Object.keys(words).length)} words, a tape of ${grouped(tape.length)} frames${errors}.`;
+    find("messages").innerHTML = `<p>${summary}</p><ol>${diagnostics.map((diagnostic) => this.#item(diagnostic)).join("")}</ol>`;
     for (const button of find("messages").querySelectorAll("button")) button.addEventListener("click", () => this.#goTo(button.dataset));
     find("load").disabled = find("boot").disabled = tape.length === 0;
     return ok;
+  }
+
+  /** A diagnostic as `pal` prints it; its first line leads to the place. */
+  #item(diagnostic) {
+    const [first, ...rest] = printed(diagnostic, this.name).split("\n");
+    const { line, start, end } = diagnostic;
+    return `<li><button class="text" data-line="${line}" data-start="${start}" data-end="${end}">${escaped(first)}</button><pre>${escaped(rest.join("\n"))}</pre></li>`;
   }
 
   #goTo({ line, start, end }) {
@@ -148,8 +163,4 @@ function coloured(text) {
     at = match.index + token.length;
   }
   return html + escaped(text.slice(at));
-}
-
-function caret({ source, start, end }) {
-  return source.slice(0, start).replace(/[^\t]/g, " ") + "^".repeat(Math.max(1, end - start));
 }

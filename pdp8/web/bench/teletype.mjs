@@ -8,6 +8,7 @@ import { find, grouped, octal } from "../written.mjs";
 
 const COLUMNS = 72; // of a Model 33
 const LINES = 400; // kept on the page
+const ROLL = 100_000; // frames on the paper, until it is torn off behind the page
 const TYPED = { return: "\r", linefeed: "\n", rubout: "\x7f" };
 const NAMED = { Enter: "\r", Backspace: "\x7f", Escape: "\x1b" };
 
@@ -43,6 +44,14 @@ export class Teletype {
     this.lines = this.lines.slice(-LINES);
     find("paper").firstElementChild.textContent = this.lines.join("\n");
     find("paper").scrollTop = find("paper").scrollHeight;
+    if (this.taken > ROLL) this.#tearPaper();
+  }
+
+  /** Tear off the paper that has been shown, or hours of printing would fill the memory. No step leads back to it. */
+  #tearPaper() {
+    this.bench.machine.teletype.printer.frames = [];
+    this.taken = this.drawn = 0;
+    this.bench.history.forget();
   }
 
   #type(character) {

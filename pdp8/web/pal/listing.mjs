@@ -8,6 +8,7 @@ const START_UP = [0];
 const LEADER_FRAMES = new Array(PAL_III.LEADER_LENGTH).fill(LEADER);
 const RUBOUT = "\x7f", NEW_LINE = "\r\n", EOT = "\x04", UNNUMBERED = " ".repeat(12);
 const TYPED = { "\t": `\t${RUBOUT}`, "\f": `${"\0".repeat(6)}\f${"\0".repeat(6)}`, "\r": "" };
+const LONGEST = 222; // characters of a line that pass 3 has room for
 const SILENT = new Set([0, 0o200, 0o204, 0o215, 0o377]);
 
 /** The object tape of pass 2, as the high-speed punch has it. */
@@ -77,6 +78,19 @@ function symbolTable(table, number) {
 function symbol({ name, value, defined }, number) {
   if (defined) return `${typed(name)}  ${value.toString(8).padStart(4, "0")}`;
   return number === 1 ? message({ code: "UA", subject: typed(name), location: value }) : "";
+}
+
+/** Why pass 3 would not list the source, and the item at the end of the line; null if it would. */
+export function overlong({ items, spans }) {
+  let start = 0;
+  for (const [at, [, mark]] of items.entries()) {
+    const end = spans[at][1];
+    if (mark === "$") break;
+    if (mark !== "\r") continue;
+    if (end - start > LONGEST) return [`a line of ${end - start} characters: pass 3 has room for ${LONGEST}`, at];
+    start = end + 1;
+  }
+  return null;
 }
 
 function frames(text) {

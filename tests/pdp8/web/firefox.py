@@ -51,7 +51,7 @@ class Firefox:
     def until(self, condition: str) -> None:
         """Wait until it holds."""
         for _ in range(600):
-            if self.run(f"return {condition}"):
+            if self.run(f"return Boolean({condition})"):
                 return
             time.sleep(0.1)
         raise AssertionError(condition)

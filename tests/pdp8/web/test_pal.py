@@ -18,14 +18,16 @@ pytestmark = pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
 _ASSEMBLE = """
 import { readFileSync } from "node:fs";
 import { assemble } from "%s/pal.mjs";
+import { printed } from "%s/pal/diagnostics.mjs";
 const bytes = (text) => Uint8Array.from(Buffer.from(text, "base64"));
 const text = (frames) => Buffer.from(frames).toString("base64");
 const found = JSON.parse(readFileSync(0, "utf8")).map((tapes) => {
-  const { tape, words, passes, listing, symbols, messages } = assemble(...tapes.map(bytes));
+  const { tape, words, passes, listing, symbols, messages, diagnostics } = assemble(...tapes.map(bytes));
   return {
     tape: text(tape), passes: passes.map(text), listing, symbols: Object.entries(symbols),
     words: Object.entries(words).map(([address, word]) => [Number(address), word]),
-    messages: messages.map(({ text }) => text),
+    messages,
+    diagnostics: diagnostics.map((diagnostic) => printed(diagnostic, `tape ${diagnostic.tape + 1}`)),
   };
 });
 console.log(JSON.stringify(found));
@@ -34,7 +36,7 @@ console.log(JSON.stringify(found));
 
 def _in_the_page(sources: list[list[bytes]]) -> list[dict[str, Any]]:
     done = subprocess.run(
-        [str(NODE), "--input-type=module", "--eval", _ASSEMBLE % MODULES.as_uri()],
+        [str(NODE), "--input-type=module", "--eval", _ASSEMBLE % ((MODULES.as_uri(),) * 2)],
         input=json.dumps([[base64.b64encode(tape).decode() for tape in tapes] for tapes in sources]),
         capture_output=True,
         text=True,
@@ -46,15 +48,16 @@ def _in_the_page(sources: list[list[bytes]]) -> list[dict[str, Any]]:
 
 
 def _here(tapes: list[bytes]) -> dict[str, Any]:
-    assembly = pal.assemble(*tapes)
-    stopped = [assembly.stopped[0]] if assembly.stopped else []
+    names = [f"tape {number}" for number in range(1, len(tapes) + 1)]
+    assembly = pal.assemble(*tapes, names=names)
     return {
         "tape": base64.b64encode(assembly.tape).decode(),
         "words": sorted([address, word] for address, word in assembly.words.items()),
         "passes": [base64.b64encode(frames).decode() for frames in assembly.teletype],
         "listing": assembly.printed(3),
         "symbols": [[name, value] for name, value in assembly.symbols.items()],
-        "messages": [str(message) for message in assembly.messages] + stopped,
+        "messages": [str(message) for message in assembly.messages],
+        "diagnostics": [str(diagnostic) for diagnostic in assembly.diagnostics if diagnostic.error],
     }
 
 
@@ -110,14 +113,14 @@ def test_a_string_is_a_source_too() -> None:
     source = "*200\n\tCLA É\n\tHLT\n$\n"
     script = (
         f'import {{ assemble }} from "{MODULES.as_uri()}/pal.mjs";'
-        f"const {{ words, messages }} = assemble({json.dumps(source)});"
-        "console.log(JSON.stringify([words, messages]));"
+        f"const {{ words, messages, diagnostics }} = assemble({json.dumps(source)});"
+        "console.log(JSON.stringify([words, messages, diagnostics]));"
     )
     done = subprocess.run(
         [str(NODE), "--input-type=module", "--eval", script], capture_output=True, text=True, check=True
     )
-    words, messages = json.loads(done.stdout)
+    words, messages, diagnostics = json.loads(done.stdout)
     expected = pal.assemble(source)
     assert {int(address): word for address, word in words.items()} == expected.words
-    assert [message["text"] for message in messages] == [str(message) for message in expected.messages]
-    assert (messages[0]["line"], messages[0]["start"]) == (2, 5)
+    assert messages == [str(message) for message in expected.messages]
+    assert (diagnostics[0]["line"], diagnostics[0]["start"]) == (2, 5)

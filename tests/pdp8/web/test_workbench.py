@@ -1,7 +1,6 @@
 """The workbench in a real browser, opened from disk, the network off."""
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -9,44 +8,13 @@ import pytest
 
 import pal
 from pdp8.computer.operator import RIM, RIM_START
-from pdp8.web.workbench import page as workbench
 from tapes import shelf
+from tests.pdp8.web.browsing import until
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
 AXE = Path(__file__).parents[2] / "node" / "node_modules" / "axe-core" / "axe.min.js"
-
-
-@pytest.fixture(scope="session")
-def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The page on disk."""
-    path = tmp_path_factory.mktemp("workbench") / "pdp8.html"
-    path.write_text(workbench(), encoding="utf-8")
-    return path
-
-
-@pytest.fixture
-def page(browser: "Browser", file: Path) -> "Iterator[Page]":
-    """The page, offline; the test fails if it complains or asks for anything."""
-    context = browser.new_context(viewport={"width": 1366, "height": 768}, has_touch=True, offline=True)
-    opened = context.new_page()
-    complaints: list[str] = []
-    opened.on("console", lambda message: complaints.append(message.text))
-    opened.on("pageerror", lambda error: complaints.append(str(error)))
-    opened.goto(file.as_uri())
-    yield opened
-    context.close()
-    assert complaints == []
-
-
-def _until(page: "Page", condition: str) -> None:
-    """Wait until it holds; Playwright's own way evaluates a string, which the page's policy forbids."""
-    for _ in range(400):
-        if page.evaluate(condition):
-            return
-        page.wait_for_timeout(25)
-    raise AssertionError(condition)
 
 
 def _write(page: "Page", source: str) -> None:
@@ -74,7 +42,7 @@ def test_a_program_is_typed_assembled_and_run(page: "Page") -> None:
     assert "8 words" in page.locator("#messages").inner_text()
     page.locator("#load").click()
     page.locator("[data-key=start]").click()
-    _until(page, "!workbench.machine.processor.run")
+    until(page, "!workbench.machine.processor.run")
     assert page.evaluate("workbench.machine.core[0o207]") == 0o1555
     assert page.locator("#why").inner_text() == "HLT at 0204"
 
@@ -99,7 +67,7 @@ def test_echo_is_typed_at_the_keyboard(page: "Page") -> None:
     page.locator("#paper").focus()
     page.keyboard.type("PDP")
     page.locator("#typed").fill("-8/l")
-    _until(page, "document.querySelector('#paper pre').textContent.includes('PDP-8/L')")
+    until(page, "document.querySelector('#paper pre').textContent.includes('PDP-8/L')")
 
 
 def test_the_circle_is_translated(page: "Page") -> None:
@@ -110,7 +78,7 @@ def test_the_circle_is_translated(page: "Page") -> None:
     page.locator("#shelf").select_option("circle.asc")
     _fast(page)
     page.locator("[data-key=start]").click()
-    _until(page, "workbench.machine.outOfTape()")
+    until(page, "workbench.machine.outOfTape()")
     page.wait_for_timeout(200)
     assert bytes(page.evaluate("workbench.machine.teletype.punch.frames")) == shelf.read_bundled("circle.eia")
     page.locator("#to-mill").click()
@@ -195,7 +163,7 @@ def test_steps_lead_forward_and_back(page: "Page") -> None:
     assert page.evaluate(clock) < seen[-1]
 
 
-def test_breakpoints_and_run_until(page: "Page") -> None:
+def test_breakpoints_and_rununtil(page: "Page") -> None:
     """A click on a line's address stops there; so does an address, a word that changes, a frame."""
     page.locator("#sources").select_option("hello.pal")
     page.locator("#assemble").click()
@@ -203,19 +171,19 @@ def test_breakpoints_and_run_until(page: "Page") -> None:
     page.locator("[data-opens=debugger]").click()
     page.locator("#lines button", has_text="0203").click()
     page.locator("#run").click()
-    _until(page, "!workbench.machine.processor.run")
+    until(page, "!workbench.machine.processor.run")
     assert page.evaluate("workbench.machine.processor.pc") == 0o203
     page.locator("#lines button", has_text="0203").click()
     page.locator("#kind").select_option("word")
     page.locator("#where").fill("10")
     page.locator("#until button").click()
-    _until(page, "!workbench.machine.processor.run")
+    until(page, "!workbench.machine.processor.run")
     assert page.evaluate("workbench.machine.processor.ma") == 0o10 or page.evaluate(
         "workbench.machine.processor.instructions"
     )
     page.locator("#kind").select_option("frame")
     page.locator("#until button").click()
-    _until(page, "!workbench.machine.processor.run")
+    until(page, "!workbench.machine.processor.run")
     assert page.evaluate("workbench.machine.teletype.punch.frames.length") == 1
     cell = page.locator("#core input").first
     cell.fill("1234")
@@ -229,10 +197,10 @@ def test_a_link_holds_program_and_machine(page: "Page", browser: "Browser", file
     _write(page, "*200\n\tHLT\n/<img src=x onerror=alert(1)>&\n$\n")
     page.locator("#load").click()
     page.locator("#share").click()
-    _until(page, "location.hash.startsWith('#s=')")
+    until(page, "location.hash.startsWith('#s=')")
     other = browser.new_page()
     other.goto(page.url)
-    _until(other, "workbench.editor.text.includes('onerror')")
+    until(other, "workbench.editor.text.includes('onerror')")
     assert other.evaluate("workbench.machine.core[0o200]") == 0o7402
     assert other.locator("img").count() == 0
     other.close()
@@ -257,7 +225,7 @@ def test_an_exercise_looks_at_the_machine(page: "Page") -> None:
     page.evaluate("workbench.machine.core[workbench.symbols.MSP] = 1")
     _fast(page)
     page.locator("[data-key=start]").click()
-    _until(page, "workbench.machine.outOfTape()")
+    until(page, "workbench.machine.outOfTape()")
     page.locator("[data-check='3']").click()
     assert page.locator("[data-verdict='3']").inner_text() == "Right."
 
@@ -268,7 +236,7 @@ def test_idle_costs_nothing(page: "Page") -> None:
     page.locator("#load").click()
     page.locator("[data-key=start]").click()
     _fast(page)
-    _until(page, "workbench.machine.waiting.endless")
+    until(page, "workbench.machine.waiting.endless")
     page.wait_for_timeout(300)
     asked = page.evaluate(
         """() => new Promise((done) => {

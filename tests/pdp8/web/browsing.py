@@ -1,0 +1,40 @@
+"""What the tests of the pages do in a browser, whichever it is."""
+
+from typing import TYPE_CHECKING, Any, Protocol
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
+
+
+class Tab(Protocol):
+    """A page that is opened in some browser."""
+
+    def run(self, script: str) -> Any:
+        """Return what a script in the page returns."""
+
+    def until(self, condition: str) -> None:
+        """Wait until an expression of the page is true."""
+
+
+class ChromiumTab:
+    """A page in Chromium."""
+
+    def __init__(self, page: "Page") -> None:
+        self.page = page
+
+    def run(self, script: str) -> Any:
+        """Return what a script in the page returns."""
+        return self.page.evaluate(f"() => {{ {script} }}")
+
+    def until(self, condition: str) -> None:
+        """Wait until an expression of the page is true."""
+        until(self.page, condition)
+
+
+def until(page: "Page", condition: str) -> None:
+    """Wait until it holds; Playwright's own way evaluates a string, which the page's policy forbids."""
+    for _ in range(400):
+        if page.evaluate(condition):
+            return
+        page.wait_for_timeout(25)
+    raise AssertionError(condition)

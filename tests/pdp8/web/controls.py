@@ -1,0 +1,129 @@
+"""The workbench's controls by their selectors, and what each is seen to do by mouse, touch and keyboard."""
+
+from typing import NamedTuple
+
+
+class Control(NamedTuple):
+    """How a control is tried.
+
+    watch   an expression of the page: when its value becomes another one, the control works
+    before  statements that bring the page to where it can be used
+    keys    what works it by keyboard; lists, texts and regions get them after the pointer, too
+    focus   what has the focus for that, if not the control
+    """
+
+    watch: str
+    before: str = ""
+    keys: str = "Enter"
+    focus: str = ""
+
+
+P, TTY, EDITOR, MACHINE = (
+    "workbench.machine.processor",
+    "workbench.machine.teletype",
+    "workbench.editor",
+    "workbench.machine",
+)
+SENT = f"[{TTY}.keyboard.waiting.length, {TTY}.receiver.frame, {TTY}.receiver.start]"
+STAND = f"{MACHINE}.core.fill(0o7000); Object.assign({P}, {{ run: 0, pc: 0o200, next: 0, lac: 0 }});"
+OPEN = "document.querySelector('#card details').open = true;"
+PUNCHED = f"{TTY}.punch.frames = [0o60, 0o200, 0o61]; workbench.touched();"
+SAVED = "window.saved = 0; URL.createObjectURL = () => `data:,${window.saved++}`;"
+CHOSEN = "window.chosen = 0; document.getElementById('file').click = () => { window.chosen++; };"
+WRITTEN = f"workbench.tabs.open('program'); {EDITOR}.open('a.pal', workbench.shelf.get('hello.pal').frames);"
+ASSEMBLED = f"{WRITTEN} {EDITOR}.assemble(); {MACHINE}.core.fill(0);"
+WRONG = f"workbench.tabs.open('program'); {EDITOR}.text = '*200\\n\\tJMP X\\n$\\n'; {EDITOR}.assemble();"
+LOADED = f"{STAND} {ASSEMBLED} {EDITOR}.load(); workbench.tabs.open('debugger');"
+STEPPED = f"{LOADED} workbench.history.forget(); workbench.history.keep();" + "".join(
+    f" workbench.history.forward('{unit}');" for unit in ("character", "character", "instruction")
+)
+UNTIL = f"{LOADED} document.getElementById('where').value = '0203';"
+LONG = f"{EDITOR}.text = '*200\\n' + '7000\\n'.repeat(90) + '$\\n'; {EDITOR}.assemble(); {EDITOR}.load();"
+CUT = "workbench.mill.cut('circle.eia');"
+EXERCISES = "workbench.tabs.open('exercises');"
+
+
+def tab(name: str, neighbour: str, key: str) -> Control:
+    """Return a tab: by keyboard an arrow leads to it from its neighbour."""
+    watch = f"document.getElementById('{name}').hidden"
+    return Control(watch, f"workbench.tabs.open('{neighbour}');", key, "[role=tab][aria-selected=true]")
+
+
+def value(selector: str) -> str:
+    """Return the expression of what a field holds."""
+    return f'document.querySelector("{selector}").value'
+
+
+def scrolled(selector: str) -> str:
+    """Return the expression of how far a region is scrolled."""
+    return f"document.querySelector('{selector}').scrollTop"
+
+
+CONTROLS = {
+    ".rocker": Control(f"{P}.sr"),
+    "[data-key='mem prot']": Control(f"{P}.memProt"),
+    "[data-key='sing step']": Control(f"{P}.singStep"),
+    "[data-key='start']": Control(f"{P}.started", f"{STAND} {P}.clock += 1; {P}.singStep = 0;"),
+    "[data-key='load add']": Control(f"{P}.pc", f"{STAND} {P}.sr = 0o1234;"),
+    "[data-key='dep']": Control(f"{MACHINE}.core[0o200]", f"{STAND} {P}.memProt = 0; {P}.sr = 0o1234;"),
+    "[data-key='exam']": Control(f"{P}.pc", STAND),
+    "[data-key='cont']": Control(f"{P}.clock", STAND),
+    "[data-key='stop']": Control(f"{P}.run", f"{STAND} {P}.run = 1;"),
+    "#card summary": Control("document.querySelector('#card details').open"),
+    "#toggle-rim": Control(f"{MACHINE}.core[0o7756]", STAND + OPEN),
+    "#drill": Control("document.getElementById('drill').ariaPressed", OPEN),
+    "#paper": Control(SENT, keys="a"),
+    "#typed": Control(SENT, keys="a"),
+    "[data-key='return']": Control(SENT),
+    "[data-key='linefeed']": Control(SENT),
+    "[data-key='rubout']": Control(SENT),
+    "#sound": Control("workbench.sound.on", keys="Space"),
+    "#lever": Control(f"{TTY}.reader.on"),
+    "#shelf": Control(f"{TTY}.reader.tape.length", f"{TTY}.reader.remove();", "c"),
+    "#punch-on": Control(f"{TTY}.punch.on"),
+    "#tear": Control(f"{TTY}.punch.frames.length", PUNCHED),
+    "#store": Control("window.saved", PUNCHED + SAVED),
+    "#to-mill": Control(f"{TTY}.punch.frames.length", PUNCHED),
+    "#speed": Control(
+        "workbench.clock.speed", "document.getElementById('speed').selectedIndex = 0;", "ArrowDown"
+    ),
+    "#share": Control("location.hash", "history.replaceState(null, '', '#');"),
+    "#save": Control("window.saved", SAVED),
+    "#open": Control("window.chosen", CHOSEN),
+    "[data-opens='program']": tab("program", "debugger", "ArrowLeft"),
+    "[data-opens='debugger']": tab("debugger", "mill", "ArrowLeft"),
+    "[data-opens='mill']": tab("mill", "debugger", "ArrowRight"),
+    "[data-opens='exercises']": tab("exercises", "mill", "ArrowRight"),
+    "#sources": Control(f"{EDITOR}.name", WRITTEN, "e"),
+    "#assemble": Control(f"{EDITOR}.assembly !== null", f"{WRITTEN} {EDITOR}.assembly = null;"),
+    "#load": Control(f"{MACHINE}.core[0o200]", ASSEMBLED),
+    "#boot": Control(f"{MACHINE}.core[0o200]", ASSEMBLED),
+    "#source": Control(f"{EDITOR}.text", WRITTEN, "a"),
+    "#messages button": Control("document.getElementById('source').selectionStart", WRONG),
+    "[data-forward='cycle']": Control(f"{P}.clock", LOADED),
+    "[data-forward='instruction']": Control(f"{P}.clock", LOADED),
+    "[data-forward='character']": Control(f"{P}.clock", LOADED),
+    "[data-back='cycle']": Control(f"{P}.clock", STEPPED),
+    "[data-back='instruction']": Control(f"{P}.clock", STEPPED),
+    "[data-back='character']": Control(f"{P}.clock", STEPPED),
+    "#run": Control(f"{P}.clock", LOADED),
+    "#halt": Control(f"{P}.run", f"{LOADED} {P}.run = 1;"),
+    "#kind": Control(value("#kind"), "workbench.tabs.open('debugger');", "ArrowDown"),
+    "#where": Control(value("#where"), "workbench.tabs.open('debugger');", "7"),
+    "#until button": Control(f"{P}.clock", UNTIL),
+    "#registers input": Control(f"{P}.pc", LOADED, "Control+a 7 Enter"),
+    "#lines button": Control(f"{MACHINE}.breakpoints.size", LOADED),
+    "#lines": Control(scrolled("#lines"), f"{LOADED} {LONG}", "PageDown"),
+    "#core": Control(scrolled("#core"), LOADED, "PageDown"),
+    "#core input": Control(f"{MACHINE}.core[0o200]", LOADED, "Control+a 7 Enter"),
+    "#page": Control("workbench.debug.page", "workbench.tabs.open('debugger');", "ArrowDown"),
+    "#eia": Control("workbench.mill.name", CUT, "e"),
+    "#at": Control("workbench.mill.part", CUT, "ArrowLeft"),
+    "#run-mill": Control("workbench.mill.part", CUT),
+    "#blocks": Control(
+        scrolled("#blocks"), f"{CUT} document.getElementById('blocks').scrollTop = 0;", "PageDown"
+    ),
+    "[data-prepare]": Control(f"{TTY}.reader.loaded", f"{EXERCISES} {TTY}.reader.remove();"),
+    "[data-answer]": Control(value("[data-answer]"), EXERCISES, "8"),
+    "[data-check]": Control("document.querySelector('[data-verdict]').textContent", EXERCISES),
+}

@@ -1,0 +1,235 @@
+"""What a class does on the workbench, in Chromium and in Firefox: tapes, files, sound, the six exercises.
+
+Both are asked in the same words: a script of the page, and a condition to wait for.
+"""
+
+import base64
+import subprocess
+import sys
+from pathlib import Path
+
+from pdp8.computer import state
+from pdp8.computer.machine import Machine
+from tapes import shelf
+from tests.pdp8.web.browsing import Tab
+
+_ECHO = [0o6032, 0o6046, 0o6031, 0o5202, 0o6036, 0o6041, 0o5205, 0o6046, 0o5202]
+
+
+def click(tab: Tab, *selectors: str) -> None:
+    """Click the elements, one after the other."""
+    for selector in selectors:
+        tab.run(f'document.querySelector("{selector}").click()')
+
+
+def choose(tab: Tab, selector: str, value: str) -> None:
+    """Choose from a list, or write into a field."""
+    tab.run(
+        f'const field = document.querySelector("{selector}"); field.value = "{value}";'
+        'field.dispatchEvent(new Event("change", { bubbles: true }));'
+    )
+
+
+def fast(tab: Tab) -> None:
+    """As fast as it goes."""
+    choose(tab, "#speed", "as fast as it goes")
+
+
+def drop(tab: Tab, name: str, content: bytes) -> None:
+    """Drop a file on the page."""
+    text = base64.b64encode(content).decode()
+    tab.run(
+        f"const bytes = Uint8Array.from(atob('{text}'), (character) => character.charCodeAt(0));"
+        f"const data = new DataTransfer(); data.items.add(new File([bytes], '{name}'));"
+        "const options = { dataTransfer: data, bubbles: true, cancelable: true };"
+        "document.body.dispatchEvent(new DragEvent('drop', options));"
+    )
+
+
+def saved(tab: Tab, button: str) -> bytes:
+    """Click a button that saves a file, and return what is in the file."""
+    tab.run(
+        "const make = URL.createObjectURL; window.file = null;"
+        "URL.createObjectURL = (blob) => {"
+        "  blob.arrayBuffer().then((bytes) => { window.file = [...new Uint8Array(bytes)]; });"
+        "  return make.call(URL, blob); };"
+    )
+    click(tab, button)
+    tab.until("window.file")
+    return bytes(tab.run("return window.file"))
+
+
+def punched(tab: Tab) -> bytes:
+    """Return the tape in the punch."""
+    return bytes(tab.run("return workbench.machine.teletype.punch.frames"))
+
+
+def translate(tab: Tab) -> None:
+    """Let eia.pal translate circle.asc to its end."""
+    choose(tab, "#sources", "eia.pal")
+    click(tab, "#assemble", "#load")
+    choose(tab, "#shelf", "circle.asc")
+    fast(tab)
+    click(tab, "[data-key=start]")
+    tab.until("workbench.machine.outOfTape()")
+    tab.until(f"workbench.machine.teletype.punch.frames.length === {len(shelf.read_bundled('circle.eia'))}")
+
+
+def test_the_circle_is_translated_and_cut(tab: Tab) -> None:
+    """Assembled, loaded and started by its buttons; the tape is circle.eia, and the mill cuts it."""
+    translate(tab)
+    assert punched(tab) == shelf.read_bundled("circle.eia")
+    click(tab, "#to-mill")
+    label = tab.run("return document.getElementById('close-label').textContent")
+    assert "circle of 1.750 in about 4.000, 4.000" in label
+
+
+def test_a_punched_tape_is_saved_torn_off_and_read(tab: Tab) -> None:
+    """The file has its frames; torn off, it goes from the shelf into the reader, and the punch is empty."""
+    tab.run("workbench.machine.teletype.punch.frames = [0o301, 0o302, 0o215]; workbench.touched();")
+    assert saved(tab, "#store") == b"\xc1\xc2\x8d"
+    click(tab, "#tear")
+    assert punched(tab) == b""
+    choose(tab, "#shelf", "punched")
+    assert tab.run("return [...workbench.machine.teletype.reader.tape]") == [0o301, 0o302, 0o215]
+
+
+def test_a_file_dropped_on_the_page(tab: Tab) -> None:
+    """ASCII goes into the reader, EIA to the mill, a source into the editor; their names are only text."""
+    drop(tab, "<b>mine.asc", b"\xb1\xb2\xb3\x8d\x8a")
+    tab.until("workbench.machine.teletype.reader.tape.length === 5")
+    assert "<b>mine.asc" in tab.run("return document.querySelector('#reader .name').textContent")
+    assert tab.run("return document.querySelectorAll('#reader .name b').length") == 0
+    drop(tab, "mine.eia", shelf.read_bundled("circle.eia"))
+    tab.until("workbench.mill.name === 'mine.eia'")
+    drop(tab, "mine.pal", b"*200\r\n\tHLT\r\n$\r\n")
+    tab.until("workbench.editor.name === 'mine.pal'")
+    assert tab.run("return workbench.editor.text") == "*200\n\tHLT\n$\n"
+
+
+def test_a_state_goes_in_and_out(tab: Tab, tmp_path: Path) -> None:
+    """A state of `pdp8 run --save` dropped in; saved out again, `pdp8 run --restore` goes on from it."""
+    machine = Machine(highspeed=True)
+    machine.load(enumerate(_ECHO, 0o200))
+    machine.teletype.reader.load(b"\xc1\xc2\xc3")
+    machine.start(0o200)
+    machine.run(seconds=0.15)
+    machine.stop()
+    drop(tab, "noon.state", state.save(machine).encode())
+    tab.until("workbench.machine.teletype.reader.tape.length === 3")
+    assert tab.run("return workbench.machine.processor.clock") == machine.processor.clock
+    file = tmp_path / "page.state"
+    file.write_bytes(saved(tab, "#save"))
+    command = [sys.executable, "-m", "pdp8", "run", "--restore", str(file)]
+    done = subprocess.run(command, capture_output=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout == b"\xc1\xc2\xc3"
+
+
+def test_an_old_state_is_refused_in_words(tab: Tab) -> None:
+    """Version 1 is not read here, and the page says what reads it."""
+    drop(tab, "old.state", (Path(__file__).parents[1] / "computer" / "version1.state").read_bytes())
+    tab.until("document.getElementById('why').textContent.includes('a state of version 1')")
+
+
+def test_sound_is_made_on_request_only(tab: Tab) -> None:
+    """While hello.pal prints, no AudioContext is asked for until the box is ticked."""
+    tab.run(
+        "window.contexts = 0; const Real = AudioContext;"
+        "window.AudioContext = class extends Real { constructor() { super(); window.contexts++; } };"
+    )
+    choose(tab, "#sources", "hello.pal")
+    click(tab, "#assemble", "#load")
+    fast(tab)
+    click(tab, "[data-key=start]")
+    tab.until("workbench.machine.teletype.printer.frames.length > 3")
+    assert tab.run("return window.contexts") == 0
+    click(tab, "#sound")
+    assert tab.run("return window.contexts") == 1
+
+
+def test_what_the_assembler_says_is_what_pal_prints(tab: Tab, tmp_path: Path) -> None:
+    """Place, message, line, carets, advice and hint, in the words of the command."""
+    (tmp_path / "far.pal").write_text("*200\n\tJMP 400\n\tCLA!\n\tTAD FOO\n$\n")
+    command = [sys.executable, "-m", "pal", "far.pal"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path)
+    drop(tab, "far.pal", (tmp_path / "far.pal").read_bytes())
+    tab.until("workbench.editor.name === 'far.pal'")
+    click(tab, "#assemble")
+    items = "[...document.querySelectorAll('#messages li')]"
+    text = "(item) => [...item.children].map(({ textContent }) => textContent).join('\\n')"
+    shown = "\n".join(tab.run(f"return {items}.map({text})"))
+    assert shown == done.stderr.rpartition("\npal: ")[0]
+
+
+def check(tab: Tab, number: int, answer: str = "") -> str:
+    """Write an answer, press Check, return the verdict."""
+    choose(tab, f"[data-answer='{number}']", answer)
+    click(tab, f"[data-check='{number}']")
+    return str(tab.run(f"return document.querySelector(\"[data-verdict='{number}']\").textContent"))
+
+
+def prepare(tab: Tab, number: int) -> None:
+    """Press the exercise's Prepare, and let the machine go as fast as it can."""
+    click(tab, "[data-opens=exercises]", f"[data-prepare='{number}']")
+    fast(tab)
+
+
+def write_core(tab: Tab, address: int, word: int) -> None:
+    """Write a word in the debugger's table of core."""
+    click(tab, "[data-opens=debugger]")
+    choose(tab, "#page", str(address >> 7))
+    tab.run(
+        f"const cell = document.querySelectorAll('#core input')[{address & 0o177}];"
+        f"cell.value = '{word:04o}';"
+        "cell.dispatchEvent(new Event('change'));"
+    )
+
+
+def test_exercise_1_reads_a_frame(tab: Tab) -> None:
+    prepare(tab, 0)
+    assert "the reader has read 0 frames" in check(tab, 0, "8")
+    click(tab, "[data-key=start]")
+    tab.until("workbench.machine.teletype.reader.position > 180")
+    assert "look at the holes" in check(tab, 0, "5")
+    assert check(tab, 0, "8") == "Right."
+
+
+def test_exercise_2_follows_a_digit(tab: Tab) -> None:
+    prepare(tab, 1)
+    assert "count the cycles" in check(tab, 1, "40")
+    assert check(tab, 1, "43.2") == "Right."
+
+
+def test_exercise_3_leaves_kcc_out(tab: Tab) -> None:
+    prepare(tab, 2)
+    assert "0201 holds 6032, not 7000" in check(tab, 2)
+    write_core(tab, 0o201, 0o7000)
+    click(tab, "[data-key=start]")
+    assert "frames are punched" in check(tab, 2)
+    tab.until("workbench.machine.outOfTape()")
+    tab.until(f"workbench.machine.teletype.punch.frames.length === {len(shelf.read_bundled('circle.eia'))}")
+    assert check(tab, 2) == "Right."
+
+
+def test_exercise_4_has_no_spaces(tab: Tab) -> None:
+    prepare(tab, 3)
+    assert "holds 0020, not 0001" in check(tab, 3)
+    write_core(tab, int(tab.run("return workbench.symbols.MSP")), 1)
+    click(tab, "[data-key=start]")
+    tab.until("workbench.machine.outOfTape()")
+    assert check(tab, 3) == "Right."
+
+
+def test_exercise_5_finds_the_block(tab: Tab) -> None:
+    prepare(tab, 4)
+    assert "look among the blocks" in check(tab, 4, "586")
+    assert check(tab, 4, "587") == "Right."
+
+
+def test_exercise_6_breaks_a_tape(tab: Tab) -> None:
+    prepare(tab, 5)
+    assert "torn.eia has not been cut" in check(tab, 5, "100")
+    choose(tab, "#eia", "torn.eia")
+    assert "Refused" in tab.run("return document.getElementById('refusal').textContent")
+    assert check(tab, 5, "100") == "Right."
