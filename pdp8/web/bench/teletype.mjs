@@ -160,16 +160,17 @@ export class Teletype {
     this.#tape("reader", { frames: reader.tape, head, code: this.code, label: this.name }, reader.loaded);
     const code = this.bench.shelf.codeOf(punch.frames);
     this.#tape("punch", { frames: punch.frames, head: punch.frames.length - 1, code, label: "", punching: true }, true);
-    this.#switch("lever", reader.on, "START", "STOP");
-    this.#switch("punch-on", punch.on, "ON", "OFF");
+    this.#switch("lever", "Reader", reader.on ? "START" : "STOP", reader.on);
+    this.#switch("punch-on", "Punch", punch.on ? "ON" : "OFF", punch.on);
     for (const id of ["tear", "store", "to-mill"]) if (find(id).disabled !== !punch.frames.length) find(id).disabled = !punch.frames.length;
   }
 
-  #switch(id, on, up, down) {
+  #switch(id, whose, position, on) {
     const button = find(id);
-    if (button.ariaChecked === String(on)) return;
+    if (button.textContent === position) return;
+    button.textContent = position;
+    button.ariaLabel = `${whose} ${position}`;
     button.ariaChecked = String(on);
-    button.textContent = on ? up : down;
   }
 
   #tape(which, view, loaded) {

@@ -78,7 +78,7 @@ export class Processor {
     else if (this.next === DEFER) this.#defer();
     else if (this.next === EXECUTE) this.#execute();
     else this.#interrupt();
-    if (this.next === FETCH) this.#end();
+    if (this.next === FETCH && (this.ion || this.stopping)) this.#end();
   }
 
   /** Run cycles to the end of the instruction, or the one of an interrupt that is due. */
@@ -91,7 +91,7 @@ export class Processor {
     if (this.next === FETCH) this.#fetch();
     if (this.next === DEFER) this.#defer();
     if (this.next === EXECUTE) this.#execute();
-    this.#end();
+    if (this.ion || this.stopping) this.#end();
   }
 
   /** The ticks that the next cycle takes. */
@@ -201,7 +201,7 @@ export class Processor {
     if (word & 2) this.ion = this.ionDelayed = 0;
   }
 
-  /** End an instruction: stop if STOP was pressed; with ION set take an interrupt that is requested. */
+  /** End an instruction in which STOP was pressed, or with ION set: take an interrupt that is requested. */
   #end() {
     if (this.stopping) this.run = this.stopping = 0;
     if (this.ion) {

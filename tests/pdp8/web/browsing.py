@@ -1,6 +1,9 @@
 """What the tests of the pages do in a browser, whichever it is."""
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
+
+import pytest
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
@@ -29,6 +32,21 @@ class ChromiumTab:
     def until(self, condition: str) -> None:
         """Wait until an expression of the page is true."""
         until(self.page, condition)
+
+
+AXE = Path(__file__).parents[2] / "node" / "node_modules" / "axe-core" / "axe.min.js"
+needs_axe = pytest.mark.skipif(
+    not AXE.exists(), reason="axe-core is not installed: npm install --prefix tests/node"
+)
+
+
+def serious(page: "Page") -> Any:
+    """Return what axe-core finds that is serious or critical: roles, names, contrast."""
+    return page.evaluate(
+        """async () => (await axe.run()).violations
+          .filter(({ impact }) => impact === "serious" || impact === "critical")
+          .map(({ id, nodes }) => [id, nodes.slice(0, 3).map(({ html }) => html.slice(0, 120))])"""
+    )
 
 
 def until(page: "Page", condition: str) -> None:

@@ -4,13 +4,12 @@ Both are asked in the same words: a script of the page, and a condition to wait 
 """
 
 import base64
-import subprocess
-import sys
 from pathlib import Path
 
 from pdp8.computer import state
 from pdp8.computer.machine import Machine
 from tapes import shelf
+from tests.commands import run
 from tests.pdp8.web.browsing import Tab
 
 _ECHO = [0o6032, 0o6046, 0o6031, 0o5202, 0o6036, 0o6041, 0o5205, 0o6046, 0o5202]
@@ -120,8 +119,7 @@ def test_a_state_goes_in_and_out(tab: Tab, tmp_path: Path) -> None:
     assert tab.run("return workbench.machine.processor.clock") == machine.processor.clock
     file = tmp_path / "page.state"
     file.write_bytes(saved(tab, "#save"))
-    command = [sys.executable, "-m", "pdp8", "run", "--restore", str(file)]
-    done = subprocess.run(command, capture_output=True, check=False)
+    done = run("pdp8", "run", "--restore", file)
     assert done.returncode == 0, done.stderr
     assert done.stdout == b"\xc1\xc2\xc3"
 
@@ -151,15 +149,14 @@ def test_sound_is_made_on_request_only(tab: Tab) -> None:
 def test_what_the_assembler_says_is_what_pal_prints(tab: Tab, tmp_path: Path) -> None:
     """Place, message, line, carets, advice and hint, in the words of the command."""
     (tmp_path / "far.pal").write_text("*200\n\tJMP 400\n\tCLA!\n\tTAD FOO\n$\n")
-    command = [sys.executable, "-m", "pal", "far.pal"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path)
+    done = run("pal", "far.pal", folder=tmp_path)
     drop(tab, "far.pal", (tmp_path / "far.pal").read_bytes())
     tab.until("workbench.editor.name === 'far.pal'")
     click(tab, "#assemble")
     items = "[...document.querySelectorAll('#messages li')]"
     text = "(item) => [...item.children].map(({ textContent }) => textContent).join('\\n')"
     shown = "\n".join(tab.run(f"return {items}.map({text})"))
-    assert shown == done.stderr.rpartition("\npal: ")[0]
+    assert shown == done.stderr.decode().rpartition("\npal: ")[0]
 
 
 def check(tab: Tab, number: int, answer: str = "") -> str:

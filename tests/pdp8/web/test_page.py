@@ -10,6 +10,7 @@ import pytest
 from pdp8.computer.machine import TICKS_PER_SECOND
 from pdp8.replay import Afternoon, clock
 from pdp8.web.bundle import script
+from tests.pdp8.web.browsing import AXE, needs_axe, serious
 from tests.pdp8.web.follower import Follower
 
 if TYPE_CHECKING:
@@ -406,3 +407,34 @@ def test_a_pane_alone_for_a_projector(page: "Page") -> None:
     assert page.locator("main > section:visible").count() == 1
     page.locator("#computer .enlarge").click()
     assert page.locator("main > section:visible").count() == 4
+
+
+def test_a_play_waits_while_the_slider_is_dragged(page: "Page") -> None:
+    """Held, it stays where it was put; let go, it plays on from there."""
+    page.evaluate("replay.page.play(true)")
+    box = page.locator("#slider").bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + box["width"] / 4, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    held = _now(page)
+    page.wait_for_timeout(200)
+    assert _now(page) == held > 0
+    page.mouse.up()
+    _until(page, f"replay.page.playing && replay.afternoon.now > {held}")
+
+
+@needs_axe
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_serious(
+    browser: "Browser", circle_page: Path, circle: Afternoon, scheme: str
+) -> None:
+    """In every act, in both forms."""
+    context = browser.new_context(color_scheme=scheme, bypass_csp=True)  # type: ignore[arg-type]
+    opened = context.new_page()
+    opened.goto(circle_page.as_uri())
+    opened.add_script_tag(path=AXE)
+    for act in circle.acts:
+        _go(opened, (act.starts + act.ends) // 2)
+        assert serious(opened) == [], act.name
+    context.close()

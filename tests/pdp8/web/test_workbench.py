@@ -9,12 +9,10 @@ import pytest
 import pal
 from pdp8.computer.operator import RIM, RIM_START
 from tapes import shelf
-from tests.pdp8.web.browsing import until
+from tests.pdp8.web.browsing import AXE, needs_axe, serious, until
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
-
-AXE = Path(__file__).parents[2] / "node" / "node_modules" / "axe-core" / "axe.min.js"
 
 
 def _write(page: "Page", source: str) -> None:
@@ -258,20 +256,15 @@ def test_nothing_hangs_over_the_edge(page: "Page", size: tuple[int, int]) -> Non
         assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), tab
 
 
-@pytest.mark.skipif(not AXE.exists(), reason="axe-core is not installed: npm install --prefix tests/node")
+@needs_axe
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing_serious(browser: "Browser", file: Path, scheme: str) -> None:
-    """Roles, names, contrast: axe-core's serious and critical rules, on every tab."""
+    """On every tab, in both forms."""
     context = browser.new_context(color_scheme=scheme, bypass_csp=True)  # type: ignore[arg-type]
     opened = context.new_page()
     opened.goto(file.as_uri())
     opened.add_script_tag(path=AXE)
     for tab in ("program", "debugger", "mill", "exercises"):
         opened.locator(f"[data-opens={tab}]").click()
-        found = opened.evaluate(
-            """async () => (await axe.run()).violations
-              .filter(({ impact }) => impact === "serious" || impact === "critical")
-              .map(({ id, nodes }) => [id, nodes.slice(0, 3).map(({ html }) => html.slice(0, 120))])"""
-        )
-        assert found == [], tab
+        assert serious(opened) == [], tab
     context.close()
