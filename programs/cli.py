@@ -199,6 +199,7 @@ def mirror(
     from tapes.convert import convert
     from tapes.errors import naming
 
+    command.check_files([tape], [output])
     content = shelf.read(tape)
     with naming(tape):
         text = convert(content, kinds.classify(content), "text").decode()

@@ -36,6 +36,7 @@ def view(tape: str, output: str) -> None:
     """
     from pdp8.web.workbench import page
 
+    command.check_files([tape], [output])
     _write(output, page((basename(tape), shelf.read(tape))))
 
 
