@@ -248,7 +248,8 @@ def corner(
 def typed(text: str) -> str | None:
     """Return a program as it is punched, None for text that is no program.
 
-    A program is lines of digits and spaces, at least one of them a block of 19 digits. Where a block's digits
+    A program is lines of digits and spaces, at least one of them a block of 19 digits, or one too few or too
+    many. Where a block's digits
     stand apart, as the thesis prints them, the spaces are for clarity and are left out; else each is a zero.
     Blank lines mean nothing. Raises TextError naming the first other line that is no block.
     """
@@ -256,9 +257,10 @@ def typed(text: str) -> str | None:
     blocks = [line.rstrip("\n") for line in lines if line.strip()]
     if not all(block.replace(" ", "").isdecimal() for block in blocks):
         return None
-    if not any(len(block.replace(" ", "")) == DIGITS for block in blocks):
+    near = [block for block in blocks if abs(len(block.replace(" ", "")) - DIGITS) <= 1]
+    if not near:
         return None
-    printed = any(len(block) > DIGITS == len(block.replace(" ", "")) for block in blocks)
+    printed = any(len(block) > DIGITS and " " in block for block in near)
     at = 0
     for line in lines:
         digits = line.rstrip("\n").replace(" ", "") if printed else line.rstrip("\n")
