@@ -55,6 +55,11 @@ class Feed:
             _warn(name, self._reader.tape)
         return True
 
+    @property
+    def left(self) -> str:
+        """The names of the tapes that did not go in."""
+        return ", ".join(map(called, self._names))
+
     def look(self, now: int, halted: bool) -> None:
         """Say once where the first frame of a tape without leader has come in by tick `now` and is not taken:
         START sets READER RUN, and a program that clears the reader first never sees that frame.

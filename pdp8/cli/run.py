@@ -160,6 +160,8 @@ def run(
     if stop is None and keyboard:
         ctx.exit(0)
     counts = _counts(machine, feed.read)
+    if feed.left and not quiet:
+        command.say(f"{feed.left} did not go into the reader: the program did not wait for it")
     if stop is None:
         command.say(f"interrupted at {machine.pc:04o}{counts}")
         ctx.exit(130)

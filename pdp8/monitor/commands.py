@@ -5,7 +5,7 @@ from textwrap import wrap
 from typing import NamedTuple
 
 from pdp8.monitor import core, past, running, tapes
-from pdp8.monitor.arguments import MonitorError
+from pdp8.monitor.arguments import MonitorError, exactly
 from pdp8.monitor.prompt import Monitor
 
 _SHORT = {"b": "break", "e": "examine", "ex": "examine", "l": "load", "w": "watch"}
@@ -30,6 +30,7 @@ def help_(monitor: Monitor, arguments: Sequence[str]) -> None:
 
 def quit_(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Leave."""
+    exactly(arguments, "nothing", 0)
     monitor.finished = True
 
 

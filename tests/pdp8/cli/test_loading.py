@@ -157,3 +157,9 @@ def test_a_first_frame_that_may_be_lost_is_named(
     assert (b"the first frame of abc.asc came in with START" in done.stderr) == warned
     assert done.stdout.replace(b"\0\0\0\0", b"\0\0\0") == punched
     assert b"first frame" not in shell("pdp8 run p.pal --reader abc.asc --quiet").stderr
+
+
+def test_a_tape_that_never_went_in_is_named(shell: Shell) -> None:
+    shell("printf A | pdp8 tape punch -o a.asc")
+    done = shell("pdp8 run echo.pal --reader a.asc --reader a.asc --max-time 2")
+    assert b"a.asc did not go into the reader: the program did not wait for it" in done.stderr

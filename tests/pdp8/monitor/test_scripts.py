@@ -136,6 +136,8 @@ def test_type_sends_exactly_what_it_is_given(monitor: Monitor, line: str, frames
         ('expect ""', "a text expected"),
         ("until X no times", "no: how many times"),
         ("page all", "nothing, or more, expected"),
+        ("quit now", "nothing expected, and no more: now"),
+        ("examine NOPE", "NOPE: no octal number, and no program is named: `listing PROGRAM` names one"),
         ("wait -1", "-1: not between 0 and 1e9 seconds"),
     ],
 )
