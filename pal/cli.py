@@ -10,7 +10,10 @@ from pal.assembly import Assembly, assemble
 from pal.models import MODELS
 from tapes import command, shelf
 from tapes.errors import WorkError, called, naming
+from tapes.progress import Busy
 
+_LONG = 500_000
+"""Bytes of source that take a second or so."""
 _PASSES = ("pass1", "pass2", "pass3")
 
 
@@ -92,16 +95,17 @@ def pal(
     command.check_files(sources, [tape, listing, symbols, xref, json])
     capacity = HIGH_SPEED_SYMBOLS if high_speed_reader else TELETYPE_SYMBOLS
     contents = [_read(source) for source in sources]
-    assembly = assemble(
-        *contents, names=[called(source) for source in sources], modern=modern, capacity=capacity, model=model
-    )
+    names = [called(source) for source in sources]
+    with Busy("assembling", sum(map(len, contents)) > _LONG):
+        assembly = assemble(*contents, names=names, modern=modern, capacity=capacity, model=model)
+        diagnostics = assembly.diagnostics
     _check_kinds(sources, contents, assembly.ok)
-    for diagnostic in assembly.diagnostics[:max_errors]:
+    for diagnostic in diagnostics[:max_errors]:
         click.echo(str(diagnostic), err=True)
-    more = len(assembly.diagnostics) - max_errors
+    more = len(diagnostics) - max_errors
     if more > 0:
         click.echo(f"and {more:,} more", err=True)
-    errors = sum(diagnostic.error or strict for diagnostic in assembly.diagnostics)
+    errors = sum(diagnostic.error or strict for diagnostic in diagnostics)
     if assembly.stopped:
         raise AssemblyError(f"{_counted(errors)}: PAL III goes no further, nothing is written")
     if listing:

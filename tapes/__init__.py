@@ -17,6 +17,7 @@ measure     what can be said of a tape: its length, time, lines, checksum
 convert     from one code to another
 shelf       where files are found, read and written
 command     how every command ends
+progress    a bar on work that lasts
 expression  y = f(x) as a command takes it
 errors      what is raised when the work given is wrong
 cli         pdp8 tape

@@ -28,20 +28,50 @@ class Bar:
         if self._begin is None or time.monotonic() < self._begin:
             return
         if self._shown is None:
-            self._shown = self._open()
+            self._shown = _open(self._label, self._total)
         progress, task = self._shown
         progress.update(task, completed=done)
-
-    def _open(self) -> "tuple[Progress, TaskID]":
-        from rich.console import Console
-        from rich.progress import Progress
-
-        progress = Progress(console=Console(stderr=True), transient=True)
-        progress.start()
-        return progress, progress.add_task(self._label, total=self._total)
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         if self._shown:
             self._shown[0].stop()
+
+
+class Busy:
+    """A bar that only moves, for `wanted` work without steps."""
+
+    def __init__(self, label: str, wanted: bool) -> None:
+        self._label = label
+        self._wanted = wanted and sys.stderr.isatty()
+        self._shown: tuple[Progress, TaskID] | None = None
+
+    def __enter__(self) -> Self:
+        if self._wanted:
+            from threading import Timer
+
+            self._timer = Timer(_DELAY, self._show)
+            self._timer.start()
+        return self
+
+    def _show(self) -> None:
+        self._shown = _open(self._label, None)
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._wanted:
+            self._timer.cancel()
+            self._timer.join()
+        if self._shown:
+            self._shown[0].stop()
+
+
+def _open(label: str, total: int | None) -> "tuple[Progress, TaskID]":
+    from rich.console import Console
+    from rich.progress import Progress
+
+    progress = Progress(console=Console(stderr=True), transient=True)
+    progress.start()
+    return progress, progress.add_task(label, total=total)

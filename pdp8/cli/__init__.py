@@ -11,7 +11,7 @@ pacing    a run slice by slice         feed      the reader's tapes          out
 counting  what a run did, counted
 keyboard  the Teletype at a terminal   line      the Teletype on a line      tracing   a trace into a file
 terminal  a terminal key by key, on every system
-parameters  what options take          progress  a bar on long work          interrupt Ctrl-C is the STOP key
+parameters  what options take          interrupt Ctrl-C is the STOP key
 """
 
 import gc

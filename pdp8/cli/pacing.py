@@ -7,11 +7,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from pdp8.cli.feed import Feed
 from pdp8.cli.interrupt import ctrl_c
 from pdp8.cli.outputs import Output, send
-from pdp8.cli.progress import Bar
 from pdp8.computer.bus import NEVER
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
 from pdp8.computer.stop import Reason, Stop
 from tapes import command
+from tapes.progress import Bar
 
 # Slices of a run in seconds of machine time, the shortest and the longest. A trace tells of a wait once a
 # slice: so that it is always the same, its slices are.

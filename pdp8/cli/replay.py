@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pdp8.cli.progress import Bar
 from programs.parts import PARTS
 from tapes import command, shelf
+from tapes.progress import Bar
 
 if TYPE_CHECKING:
     from pdp8.replay import Act, Afternoon

@@ -69,9 +69,9 @@ def make(number: str, output: str) -> None:
       pdp8 thesis make 10.1 --out tables
       pdp8 thesis make all --out figures
     """
-    from pdp8.cli.progress import Bar
     from pdp8.thesis.catalogue import catalogue, find
     from pdp8.thesis.making import Made, make
+    from tapes.progress import Bar
 
     whole = number == "all"
     items = [item for item in catalogue() if item.maker] if whole else [find(number)]

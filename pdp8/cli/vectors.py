@@ -4,8 +4,8 @@ import os
 
 import click
 
-from pdp8.cli.progress import Bar
 from tapes import command, shelf
+from tapes.progress import Bar
 
 
 @click.command()

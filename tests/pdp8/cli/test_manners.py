@@ -86,10 +86,30 @@ def test_every_other_line_has_19_digits(shell: Shell, line: str, spaced: bool) -
     assert f"line 3, column 1: a block of {count} digits; it has 19".encode() in done.stderr
 
 
+@pytest.mark.parametrize("line", ["001 0 00000 00000 0 35 8", "001 0 00000 00000 0 35 888"])
+@pytest.mark.parametrize("code", ["ascii", "eia"])
+def test_a_program_of_one_wrong_line_is_named_too(shell: Shell, line: str, code: str) -> None:
+    for text in (line, line.replace(" ", "")):
+        done = shell(f"pdp8 tape punch --code {code} > x", text.encode())
+        assert done.returncode == 1
+        assert b"line 1, column 1: a block of " in done.stderr
+
+
 def test_a_tape_is_not_written_over_the_name_of_a_source(shell: Shell) -> None:
     done = shell("pal eia.pal -o eia.pal; ls")
     assert b"eia.pal is the source; name another file" in done.stderr
     assert done.stdout == b""
+
+
+@pytest.mark.parametrize("command", ["part mirror", "tape clean", "nc view", "tape convert --to octal"])
+def test_an_output_is_not_written_over_its_source(shell: Shell, tmp_path: Path, command: str) -> None:
+    (tmp_path / "own.eia").write_bytes(shelf.read_bundled("circle.eia"))
+    done = shell(f"pdp8 {command} own.eia -o own.eia")
+    assert (done.returncode, done.stderr.splitlines()[0][-40:]) == (
+        2,
+        b"own.eia is the source; name another file",
+    )
+    assert (tmp_path / "own.eia").read_bytes() == shelf.read_bundled("circle.eia")
 
 
 def test_page_and_table_share_no_stream_and_no_name(shell: Shell, tmp_path: Path) -> None:
@@ -123,6 +143,13 @@ def test_errors_on_one_long_line_are_excerpts_and_counted(shell: Shell, tmp_path
     assert b"more\n" in done.stderr
     few = shell("pal long.pal --max-errors 2").stderr.decode()
     assert few.count("illegal reference") == 2
+
+
+def test_a_long_source_shows_a_bar_at_a_terminal(tmp_path: Path) -> None:
+    (tmp_path / "long.pal").write_text("*200\n" + "\tTAD 10\n" * 100_000 + "$\n")
+    terminal = commands.Terminal("pal", "long.pal", folder=tmp_path, TERM="xterm")
+    terminal.until(b"assembling")
+    assert terminal.ended() == 0
 
 
 @pytest.mark.parametrize("option", ["--leader", "--fill"])

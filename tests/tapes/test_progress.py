@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from pdp8.cli.progress import Bar
+from tapes.progress import Bar
 from tests.commands import Terminal
 
 
@@ -25,7 +25,7 @@ class Screen(io.StringIO):
 def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """The time, in seconds, which the test sets."""
     now = [100.0]
-    monkeypatch.setattr("pdp8.cli.progress.time.monotonic", lambda: now[0])
+    monkeypatch.setattr("tapes.progress.time.monotonic", lambda: now[0])
     return now
 
 
