@@ -91,7 +91,8 @@ export class Editor {
   #item(diagnostic) {
     const [first, ...rest] = printed(diagnostic, this.name).split("\n");
     const { line, start, end } = diagnostic;
-    return `<li><button class="text" data-line="${line}" data-start="${start}" data-end="${end}">${escaped(first)}</button><pre>${escaped(rest.join("\n"))}</pre></li>`;
+    const place = `data-line="${line}" data-start="${start}" data-end="${end}"`;
+    return `<li><button class="text" ${place}>${escaped(first)}</button><pre>${escaped(rest.join("\n"))}</pre></li>`;
   }
 
   #goTo({ line, start, end }) {
@@ -105,7 +106,7 @@ export class Editor {
     const { machine } = this.bench;
     machine.panel.stop();
     machine.load(Object.entries(this.assembly.words).filter(([address]) => address < machine.core.length));
-    this.bench.debug.list(this.assembly.lines);
+    this.bench.debug.listing.lay(this.assembly.lines);
     this.#ready();
   }
 
@@ -127,7 +128,7 @@ export class Editor {
     const wrong = machine.ac !== 0 || machine.processor.ma !== LOADERS.BIN_HALT;
     bench.say(wrong ? `BIN stopped at ${octal(machine.processor.ma)} with AC ${octal(machine.ac)}` : "loaded by BIN, checksum right");
     reader.remove();
-    bench.debug.list(this.assembly.lines);
+    bench.debug.listing.lay(this.assembly.lines);
     this.#ready();
   }
 

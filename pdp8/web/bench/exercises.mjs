@@ -71,10 +71,19 @@ const EXERCISES = [
   },
 ];
 
+function item({ title, text }, index) {
+  return `<li><h3>${escaped(title)}</h3><p>${escaped(text)}</p>
+    <div class="tools">
+      <button class="text" data-prepare="${index}">Prepare</button>
+      <label>Answer <input type="text" size="8" data-answer="${index}"></label>
+      <button class="text" data-check="${index}">Check</button>
+      <span role="status" data-verdict="${index}"></span>
+    </div></li>`;
+}
+
 export class Exercises {
   constructor(bench) {
-    const items = EXERCISES.map(({ title, text }, index) => `<li><h3>${escaped(title)}</h3><p>${escaped(text)}</p><div class="tools"><button class="text" data-prepare="${index}">Prepare</button><label>Answer <input type="text" size="8" data-answer="${index}"></label><button class="text" data-check="${index}">Check</button><span role="status" data-verdict="${index}"></span></div></li>`);
-    find("exercises").innerHTML = `<ol>${items.join("")}</ol>`;
+    find("exercises").innerHTML = `<ol>${EXERCISES.map(item).join("")}</ol>`;
     find("exercises").addEventListener("click", ({ target }) => {
       const { prepare, check } = target.dataset;
       if (prepare !== undefined) EXERCISES[prepare].prepare(bench);

@@ -64,18 +64,27 @@ export class Mill {
     return this.part < 1;
   }
 
+  #where({ block, x, y }) {
+    const minutes = grouped(Math.round((this.drawing.end * this.part) / TIMES.SECOND / 60));
+    return `${this.name}, block ${block + 1} of ${this.steps.length}: X ${inches(x)} Y ${inches(y)}, ${minutes} min`;
+  }
+
   show() {
     const { drawing, sheets, bench } = this;
     if (!drawing) return;
     const place = drawing.at(Math.floor(drawing.end * this.part));
     const key = `${this.name} ${place.knot} ${place.x} ${place.y}`;
-    const { circle } = drawing;
-    bench.writer.text(find("whole-label"), `${this.name}, block ${place.block + 1} of ${this.steps.length}: X ${inches(place.x)} Y ${inches(place.y)}, ${grouped(Math.round((drawing.end * this.part) / TIMES.SECOND / 60))} min`);
-    bench.writer.text(find("close-label"), circle ? `circle of ${inches(circle.radius)} in about ${inches(circle.x)}, ${inches(circle.y)}; centre within ${signed(circle.lowest)} and ${signed(circle.highest)}` : "close by, squares of .010 in");
+    bench.writer.text(find("whole-label"), this.#where(place));
+    bench.writer.text(find("close-label"), drawing.circle ? roundness(drawing.circle) : "close by, squares of .010 in");
     sheets.whole.draw(key, (context, ...size) => drawWhole(context, drawing, place, true, ...size));
     sheets.close.draw(key, (context, ...size) => drawClose(context, drawing, place, true, ...size));
     this.current.light(this.rows[place.block] ?? null);
   }
+}
+
+function roundness({ radius, x, y, lowest, highest }) {
+  const ideal = `circle of ${inches(radius)} in about ${inches(x)}, ${inches(y)}`;
+  return `${ideal}; centre within ${signed(lowest)} and ${signed(highest)}`;
 }
 
 function row({ block, at }) {

@@ -174,8 +174,9 @@ export class Teletype {
   }
 
   #tape(which, view, loaded) {
-    const caption = !loaded ? "no tape" : view.punching ? `${grouped(view.frames.length)} frames` : `${view.label} ${grouped(this.bench.machine.teletype.reader.position)} of ${grouped(view.frames.length)}`;
-    this.bench.writer.text(find(which).querySelector(".name"), caption);
+    const count = `${grouped(view.frames.length)}${view.punching ? " frames" : ""}`;
+    const caption = view.punching ? count : `${view.label} ${grouped(this.bench.machine.teletype.reader.position)} of ${count}`;
+    this.bench.writer.text(find(which).querySelector(".name"), loaded ? caption : "no tape");
     const frame = view.frames[view.head];
     const says = frame === undefined ? "nothing" : `${octal(frame, 3)} ${meaning(frame, view.code)}`;
     this.bench.writer.label(canvas(which), `the ${which}'s tape, under the head: ${says}`);

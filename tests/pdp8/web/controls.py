@@ -116,7 +116,7 @@ CONTROLS = {
     "#lines": Control(scrolled("#lines"), f"{LOADED} {LONG}", "PageDown"),
     "#core": Control(scrolled("#core"), LOADED, "PageDown"),
     "#core input": Control(f"{MACHINE}.core[0o200]", LOADED, "Control+a 7 Enter"),
-    "#page": Control("workbench.debug.page", "workbench.tabs.open('debugger');", "ArrowDown"),
+    "#page": Control("workbench.debug.core.page", "workbench.tabs.open('debugger');", "ArrowDown"),
     "#eia": Control("workbench.mill.name", CUT, "e"),
     "#at": Control("workbench.mill.part", CUT, "ArrowLeft"),
     "#run-mill": Control("workbench.mill.part", CUT),

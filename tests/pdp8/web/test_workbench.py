@@ -183,6 +183,10 @@ def test_breakpoints_and_rununtil(page: "Page") -> None:
     page.locator("#until button").click()
     until(page, "!workbench.machine.processor.run")
     assert page.evaluate("workbench.machine.teletype.punch.frames.length") == 1
+    page.locator("#kind").select_option("flag")
+    page.locator("#until button").click()
+    until(page, "!workbench.machine.processor.run")
+    assert page.evaluate("workbench.machine.teletype.transmitter.flag") == 1
     cell = page.locator("#core input").first
     cell.fill("1234")
     cell.press("Enter")

@@ -1,0 +1,57 @@
+// The registers in octal, the flags and the time; PC, L and AC can be written. And what comes next, in words.
+
+import { ISA, STATES } from "../facts.mjs";
+import { inWords, mnemonic } from "../meaning.mjs";
+import { find, grouped, octal, seconds } from "../written.mjs";
+
+export class Registers {
+  constructor(bench) {
+    this.bench = bench;
+    this.cells = new Map([...find("registers").children].map((row) => [row.dataset.register, row.lastElementChild]));
+    for (const input of find("registers").querySelectorAll("input")) {
+      input.addEventListener("change", () => this.#write(input));
+    }
+  }
+
+  show() {
+    for (const [name, value] of Object.entries(this.#values())) {
+      const cell = this.cells.get(name);
+      const input = cell.querySelector("input");
+      if (!input) this.bench.writer.text(cell, String(value));
+      else if (document.activeElement !== input && input.value !== String(value)) input.value = value;
+    }
+  }
+
+  #values() {
+    const { machine } = this.bench;
+    const { processor, teletype } = machine;
+    const next = machine.core[processor.pc];
+    return {
+      PC: octal(processor.pc),
+      L: machine.link,
+      AC: octal(machine.ac),
+      MA: octal(processor.ma),
+      MB: octal(processor.mb),
+      state: STATES[processor.state],
+      ION: processor.ion ? "on" : "off",
+      "reader flag": teletype.receiver.flag ? "up" : "down",
+      "printer flag": teletype.transmitter.flag ? "up" : "down",
+      instructions: grouped(processor.instructions),
+      "since START": seconds(machine.ticks),
+      next: `${mnemonic(next, processor.pc)}: ${inWords(next, processor.pc)}`,
+    };
+  }
+
+  #write(input) {
+    if (/^[0-7]{1,4}$/.test(input.value)) this.#set(input.ariaLabel, parseInt(input.value, 8));
+    input.blur();
+    this.bench.touched();
+  }
+
+  #set(name, word) {
+    const { processor } = this.bench.machine;
+    if (name === "PC") Object.assign(processor, { pc: word, next: ISA.FETCH });
+    else if (name === "AC") processor.lac = (processor.lac & 0o10000) | word;
+    else processor.lac = (processor.lac & 0o7777) | ((word & 1) << 12);
+  }
+}
