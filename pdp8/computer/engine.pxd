@@ -44,11 +44,10 @@ cdef class Engine:
     @cython.locals(code=int)
     cdef int _memory_reference(self, int word, int operand, int address) except -1
     cdef bint _may_delay(self, int counter, int address) except -1
-    @cython.locals(
-        p=Processor, waiting=Waiting, ops="unsigned short *", registers="int64_t *",
-        time=int64_t, limit=int64_t,
-    )
+    @cython.locals(p=Processor, waiting=Waiting)
     cdef bint _run_pieces(self, int64_t until, int64_t last) except -1
+    @cython.locals(p=Processor, registers="int64_t *", time=int64_t)
+    cdef bint _run_piece(self, int64_t limit) except -1
     cdef int _execute(self, int64_t limit) noexcept
 
 

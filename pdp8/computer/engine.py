@@ -177,23 +177,8 @@ class Engine:
     def _run_pieces(self, until: int, last: int) -> bool:
         """Run piece by piece; return whether it ended with a JMS to a breakpoint."""
         p, waiting = self.processor, self.waiting
-        ops, registers = p.forms, self.registers
         while p.clock < until and p.instructions < last:
-            registers[0] = p.pc & 0o7777
-            registers[1] = p.lac & 0o17777
-            registers[2] = 0
-            limit = 0 if ops[registers[0]] == _LEFT else self._room(until, last) << 26
-            while self._execute(limit) == 0:
-                self._decode(registers[0])
-            p.pc = registers[0] & 0o7777
-            time = registers[2]
-            if time:
-                p.lac = registers[1]
-                p.clock += (time >> 26) * CYCLE
-                p.instructions += time & 0o17777
-                p.writes += time >> 13 & 0o17777
-                p.protect = 0
-            else:
+            if p.forms[p.pc & 0o7777] == _LEFT or not self._run_piece(self._room(until, last) << 26):
                 p.instruction()
                 if self.watched and self._called():
                     return True
@@ -203,6 +188,22 @@ class Engine:
             if waiting.endless or (self.watched and p.pc in self.breakpoints):
                 return False
         return False
+
+    def _run_piece(self, limit: int) -> bool:
+        """Run a piece of `limit`; return whether it executed anything."""
+        p, registers = self.processor, self.registers
+        registers[0], registers[1], registers[2] = p.pc & 0o7777, p.lac & 0o17777, 0
+        while self._execute(limit) == 0:
+            self._decode(registers[0])
+        time = registers[2]
+        if time == 0:
+            return False
+        p.pc, p.lac = registers[0] & 0o7777, registers[1]
+        p.clock += (time >> 26) * CYCLE
+        p.instructions += time & 0o17777
+        p.writes += time >> 13 & 0o17777
+        p.protect = 0
+        return True
 
     def _execute(self, limit: int) -> int:
         return piece.execute(
