@@ -37,6 +37,7 @@ def _line(shown: str) -> str:
     return ".*".join(re.escape(piece) for piece in shown.split("..."))
 
 
+@pytest.mark.slow("each command of a page is a process")
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(HOUSE)))
 def test_what_the_page_shows_is_what_happens(page: Path, shell: Shell, tmp_path: Path) -> None:
     for photograph in PHOTOGRAPH.findall(page.read_text()):

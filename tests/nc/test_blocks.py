@@ -130,6 +130,7 @@ def test_a_frame_dropped_or_doubled_anywhere_is_found_in_its_block(change: str) 
         assert error.row in (1, 19, 20)
 
 
+@pytest.mark.slow("reads 6,400 damaged tapes")
 def test_a_frame_changed_anywhere_is_named_or_changes_just_its_block() -> None:
     """Every hole of every row, put in or taken out."""
     true = nc.cut(FORTY)

@@ -93,6 +93,7 @@ def test_the_minutes_at_another_feed(command: str, code: int, error: float, minu
     )
 
 
+@pytest.mark.slow("the piece-wise technique tries every pair of feeds, three times a part")
 @pytest.mark.parametrize("row", list(rows("The piece-wise technique")), ids=lambda row: row[0])
 def test_the_blocks_and_minutes_of_the_piece_wise_technique(row: list[str]) -> None:
     counts = [count(row[1], "--feed-error", error) for error in ("20", "10", "0")]
@@ -102,6 +103,7 @@ def test_the_blocks_and_minutes_of_the_piece_wise_technique(row: list[str]) -> N
         assert f"{path.contour.total / 60:.1f}" == row[7]
 
 
+@pytest.mark.slow("the piece-wise technique tries every pair of feeds")
 @pytest.mark.parametrize(("name", "blocks"), [("ellipse", 406), ("die", 345)])
 def test_an_allowance_of_15_percent(name: str, blocks: int) -> None:
     options = ["--technique", "piece", "--feed-error", "15", "--fastest", "4"]

@@ -17,7 +17,7 @@ PYODIDE = HOUSE / "tests" / "node" / "node_modules" / "pyodide"
 NODE = shutil.which("node")
 
 
-@pytest.mark.slow
+@pytest.mark.slow("starts a Python in WebAssembly")
 @pytest.mark.skipif(NODE is None, reason="node is not installed")
 @pytest.mark.skipif(not PYODIDE.is_dir(), reason="pyodide is not installed: npm install --prefix tests/node")
 def test_the_main_job_runs_in_pyodide(tmp_path: Path) -> None:

@@ -10,6 +10,8 @@ import pytest
 
 HOUSE = Path(__file__).parents[2]
 
+pytestmark = pytest.mark.slow("a page is made of each module")
+
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -29,21 +31,18 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@pytest.mark.slow
 def test_the_first_page_is_the_readme(site: Path) -> None:
     page = (site / "index.html").read_text()
     assert "Moses Wong" in page
     assert 'href="pdp8.html"' in page
 
 
-@pytest.mark.slow
 def test_a_page_is_made_of_each_module(site: Path) -> None:
     page = (site / "api" / "pdp8.computer.processor.html").read_text()
     assert "Run one memory cycle." in page
     assert "Not emulated" in page
 
 
-@pytest.mark.slow
 def test_every_page_of_docs_can_be_searched(site: Path) -> None:
     index = json.loads((site / "search" / "search_index.json").read_text())
     found = {entry["location"].split("#")[0] for entry in index["docs"]}

@@ -40,6 +40,7 @@ def turn(room: Room, seconds: float) -> None:
         room.turn(0.05)
 
 
+@pytest.mark.slow("hundreds of keys, each of which draws the panel")
 def test_a_morning_by_keys_rim_bin_program_and_tape() -> None:
     async def scene(room: Room, pilot: Pilot[None]) -> None:
         machine = room.session.machine

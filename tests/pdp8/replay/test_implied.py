@@ -21,15 +21,16 @@ def test_feeds(part: str) -> None:
     assert shown(f"feed, {part}") == list(implied.rows(implied.feeds(part)))
 
 
+@pytest.mark.slow("cuts the polynomial twelve times")
 def test_the_range_is_the_only_one_within_2_percent() -> None:
     found = list(implied.ranges())
     assert shown("range") == list(implied.rows(found))
     assert [candidate.assumption for candidate in found if candidate.off <= 0.02] == ["-0.75 to 6.25"]
 
 
+@pytest.mark.slow("the piece-wise technique tries every pair of feeds, for each allowance")
 @pytest.mark.parametrize("part", implied.FITTING_PIECES)
 def test_allowances(part: str) -> None:
-    """Slow: six contours by the piece-wise technique."""
     assert shown(f"allowance, {part}") == list(implied.rows(implied.allowances(part)))
 
 
@@ -37,5 +38,6 @@ def test_the_element() -> None:
     assert shown("element") == list(implied.rows(implied.element()))
 
 
+@pytest.mark.slow("cuts all parts of the table, by both techniques")
 def test_table_10_1() -> None:
     assert shown("Table 10.1") == list(implied.table_10_1())

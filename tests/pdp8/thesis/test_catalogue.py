@@ -103,6 +103,7 @@ def test_the_instructions_are_those_of_chapter_4(made: Table, first: str, last: 
     assert [row[1:] for row in made.rows] == shown
 
 
+@pytest.mark.slow("cuts all parts of the table, by both techniques")
 def test_the_thesis_s_figures_of_table_10_1_are_the_scan_s() -> None:
     shown = [
         [found[0] for cell in cells[1:] if (found := re.match(r"\d+", cell))]

@@ -70,6 +70,7 @@ def test_a_vector_has_the_form_that_the_readme_says(folder: Path) -> None:
     )
 
 
+@pytest.mark.slow("every vector of a folder")
 @pytest.mark.parametrize("emulator", [ProcessorEmulator, EngineEmulator])
 def test_our_machines_pass(folder: Path, emulator: type, capsys: pytest.CaptureFixture[str]) -> None:
     assert runner.main(folder, emulator()) == 0, capsys.readouterr().out
