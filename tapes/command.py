@@ -113,6 +113,7 @@ def _reopen_closed_streams() -> None:
 
 def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
     """Run `command` as program `name`; say what is wrong with it, and return its exit status."""
+    stdout = sys.stdout
     try:
         ended = command.main(args=list(arguments), prog_name=name, standalone_mode=False)
         sys.stdout.flush()
@@ -130,6 +131,10 @@ def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
     except BrokenPipeError:
         _silence(sys.stdout)
         return 0
+    except SystemExit:
+        if sys.stdout is not stdout:  # click puts a silent one there as it meets a closed pipe
+            return 0
+        raise
     except OSError as error:
         _silence(sys.stdout)
         where = error.filename or "standard output"  # every file's errors are named by the shelf

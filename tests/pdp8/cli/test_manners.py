@@ -123,6 +123,16 @@ def test_page_and_table_share_no_stream_and_no_name(shell: Shell, tmp_path: Path
     assert not (tmp_path / "desk" / "drill.eia").read_bytes().startswith(b"<!")
 
 
+@pytest.mark.parametrize(
+    "line",
+    ["run eia.pal --reader circle.asc", "part ellipse", "nc list circle.eia", "cards all", "thesis list"],
+)
+def test_a_closed_pipe_is_no_error(shell: Shell, line: str) -> None:
+    line = f"pdp8 {line} 2> said | head -c 1 > /dev/null; echo ${{PIPESTATUS[0]}}"
+    done = shell(f"{line}; grep -i pipe said")
+    assert done.stdout == b"0\n"
+
+
 @pytest.mark.parametrize("encoding", ["ascii", "latin-1"])
 def test_a_stream_that_is_not_utf8_takes_any_message(shell: Shell, encoding: str) -> None:
     done = shell(f"printf '*200\\n\\tCLÄ\\n$\\n' > x.pal; PYTHONIOENCODING={encoding} pal x.pal -o y")
