@@ -34,7 +34,7 @@ def opening(
     `reader` names the tape in the reader, `clock` tells the computer's own seconds. Raises WorkError for what
     cannot be read.
     """
-    found = [programs.find(name) for name in (RIM, BIN, program or PROGRAM)]
+    found = [_bundled(RIM), _bundled(BIN), programs.find(program) if program else _bundled(PROGRAM)]
     machine = Machine()
     session = Session(machine, [Tape(name, frames) for name, frames in _at_hand(found[1:])], clock)
     if reader:
@@ -47,10 +47,14 @@ def opening(
     return Opening(session, found)
 
 
+def _bundled(name: str) -> Program:
+    return programs.read(shelf.read_bundled(name), name)
+
+
 def _at_hand(programs: list[Program]) -> list[tuple[str, bytes]]:
     bin_loader, program = programs
     loaders = [("bin.rim", rim.encode(bin_loader.words)), (_tape_name(program.name), program.tape)]
-    return loaders + [(name, shelf.read(name)) for name in DATA]
+    return loaders + [(name, shelf.read_bundled(name)) for name in DATA]
 
 
 def _tape_name(program: str) -> str:

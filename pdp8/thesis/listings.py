@@ -8,27 +8,27 @@ from tapes import shelf
 
 def first_conversion() -> str:
     """Program 1 of Chapter 5."""
-    return shelf.read("eia1.pal").decode()
+    return shelf.read_bundled("eia1.pal").decode()
 
 
 def second_conversion() -> str:
     """Program 2 of Chapter 5."""
-    return shelf.read("eia2.pal").decode()
+    return shelf.read_bundled("eia2.pal").decode()
 
 
 def third_conversion() -> str:
     """Appendix B: address, word and source, as PAL's third pass prints them."""
-    return pal.assemble(shelf.read("eia.pal"), names=["eia.pal"]).listing
+    return pal.assemble(shelf.read_bundled("eia.pal"), names=["eia.pal"]).listing
 
 
 def circle() -> str:
     """Appendix C."""
-    return shelf.read("circle.for").decode()
+    return shelf.read_bundled("circle.for").decode()
 
 
 def ellipse() -> str:
     """Appendix D."""
-    return shelf.read("ellipse.for").decode()
+    return shelf.read_bundled("ellipse.for").decode()
 
 
 def piecewise_circle() -> str:

@@ -1,10 +1,13 @@
 """The operator's time, without a terminal: hands, paces, lamps, tapes."""
 
+from pathlib import Path
+
 import pytest
 
 from pdp8.computer.machine import Machine
 from pdp8.console.opening import opening
 from pdp8.console.session import LAMPS, Session, Tape
+from tapes import shelf
 from tests.conftest import assert_same_tape
 
 # The loader's words as DEC's instruction card has them.
@@ -282,3 +285,25 @@ def test_time_runs_back_by_an_instruction_and_by_a_second() -> None:
     assert session.machine.teletype.punch.tape.startswith(punched)
     session.back(1000)
     assert session.machine.teletype.punch.tape == b""
+
+
+def test_a_tape_that_is_none_for_ascii_is_said(tmp_path: Path) -> None:
+    session = at_rest()
+    session.mount(Tape("circle.eia", shelf.read_bundled("circle.eia")))
+    assert session.said == "circle.eia is an EIA tape: a program for ASCII finds no character on it"
+    session = at_rest()
+    for name in ("circle.asc", "eia.bin"):
+        session.mount(Tape(name, shelf.read_bundled(name)))
+    assert session.said == "standing still"
+
+
+def test_files_of_the_same_names_change_nothing_in_the_room(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    there = opening(clock=lambda: 0.0)
+    for name in ("rim.pal", "bin.pal", "eia.pal", "circle.asc"):
+        (tmp_path / name).write_text("*200\n\tHLT\n$\n")
+    monkeypatch.chdir(tmp_path)
+    here = opening(clock=lambda: 0.0)
+    assert here.session.tapes == there.session.tapes
+    assert [program.words for program in here.programs] == [program.words for program in there.programs]
