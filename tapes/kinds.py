@@ -38,6 +38,20 @@ def classify(frames: bytes) -> str:
     return _whole_loader_tape(body) or _whole_eia_tape(body) or _likeliest(body)
 
 
+def doubt(frames: bytes) -> str:
+    """Say why a program for ASCII may not do with this tape what its owner expects; "" if it may."""
+    kind = classify(frames)
+    if kind == EIA:
+        return "is an EIA tape: a program for ASCII finds no character on it"
+    codes = frames.translate(PARITIES["none"])
+    if kind not in (BIN, RIM) and b"\n" in codes and b"\r" not in codes:
+        return (
+            "has line feeds but no carriage returns: no block will end. "
+            "A proper tape is made from text with: pdp8 tape punch FILE -o FILE.asc"
+        )
+    return ""
+
+
 def only_figures(frames: bytes) -> bool:
     """Tell whether an ASCII tape holds nothing but figures and line ends: data, and no program's source."""
     return not frames.translate(None, _FIGURES)

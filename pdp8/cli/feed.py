@@ -13,7 +13,7 @@ from io import UnsupportedOperation
 from pdp8.computer.teletype import Reader, Receiver
 from tapes import command, kinds, shelf
 from tapes.errors import called
-from tapes.frames import PARITIES, has_leader
+from tapes.frames import has_leader
 
 _LOOK = 0.2  # seconds between two looks for Ctrl-C while a pipe is silent
 _PIECE = 1 << 16
@@ -128,13 +128,5 @@ def _pipe(name: str) -> int:
 
 def _warn(name: str, tape: bytes) -> None:
     """Say where a tape will not do what its owner expects."""
-    codes = tape.translate(PARITIES["none"])
-    if b"\r" in codes:
-        return
-    if b"\n" in codes:
-        command.say(
-            f"{called(name)} has line feeds but no carriage returns: no block will end. "
-            "A proper tape is made from text with: pdp8 tape punch FILE -o FILE.asc"
-        )
-    elif tape and kinds.classify(tape) == kinds.EIA:
-        command.say(f"{called(name)} is an EIA tape: a program for ASCII finds no character on it")
+    if doubt := kinds.doubt(tape):
+        command.say(f"{called(name)} {doubt}")

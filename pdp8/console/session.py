@@ -23,6 +23,7 @@ from pdp8.computer.operator import RIM, RIM_START, Operator
 from pdp8.computer.panel import Lamps
 from pdp8.computer.processor import INTERRUPT
 from pdp8.computer.stop import Stop
+from tapes import kinds
 
 SPEEDS = (1, 10, 100, 1000)
 KEY_SECONDS = 0.1
@@ -196,7 +197,9 @@ class Session:
         return self._hands is not None
 
     def mount(self, tape: Tape) -> None:
-        """Put a tape into the reader, as Operator.mount does."""
+        """Put a tape into the reader, as Operator.mount does; say what ASCII programs do not find on it."""
+        if doubt := kinds.doubt(tape.frames):
+            self.said = f"{tape.name} {doubt}"
         self.reader_tape = tape.name
         self.operator.mount(tape.name, tape.frames)
 

@@ -6,8 +6,8 @@ from pdp8.computer import operator, program, state
 from pdp8.computer.teletype import Punch, printed
 from pdp8.monitor.arguments import FRAME, MonitorError, Quoted, exactly, some
 from pdp8.monitor.prompt import Monitor
+from tapes import kinds, shelf
 from tapes import rim as rim_format
-from tapes import shelf
 from tapes.frames import has_leader
 from tapes.measure import counted
 
@@ -77,6 +77,8 @@ def reader(monitor: Monitor, arguments: Sequence[str]) -> None:
     for name, frames in zip(names, tapes, strict=True):
         leader = "; no leader" if frames and not has_leader(frames) else ""
         monitor.say(f"{name}: {counted(len(frames), 'frames')}{leader}")
+        if doubt := kinds.doubt(frames):
+            monitor.say(f"{name} {doubt}")
 
 
 def fast_reader(monitor: Monitor, arguments: Sequence[str]) -> None:

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from tapes import ascii, binary, eia, rim
+from tapes import ascii, binary, eia, kinds, rim, shelf
 from tapes.kinds import classify
 from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, octal
 
@@ -108,3 +108,18 @@ def test_an_eia_tape_with_a_wrong_hole_is_still_eia() -> None:
 @given(st.binary())
 def test_anything_has_an_answer(tape: bytes) -> None:
     assert classify(tape) in ("bin", "rim", "eia", "ascii", "blank", "unknown")
+
+
+@pytest.mark.parametrize(
+    ("tape", "said"),
+    [
+        (shelf.read_bundled("circle.eia"), "is an EIA tape"),
+        (b"A\nB\n", "has line feeds but no carriage returns"),
+        (b"A\r\nB\r\n", ""),
+        (binary.encode({0o12: 0o1212, 0o1212: 0o12}), ""),
+        (b"", ""),
+    ],
+)
+def test_what_a_program_for_ascii_does_not_find(tape: bytes, said: str) -> None:
+    assert kinds.doubt(tape).startswith(said)
+    assert bool(kinds.doubt(tape)) == bool(said)
