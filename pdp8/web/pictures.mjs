@@ -5,7 +5,7 @@
 const FRAME = 1000 / 60; // ms
 const LONGEST = 250; // ms that a picture may stand for: a page that was asleep does not jump
 
-const CALM = 1000 / 12; // ms from picture to picture as it was, where ten characters pass in a second
+const CALM = 1000 / 10; // ms from picture to picture as it was, where ten characters pass in a second
 const QUICK = 1000 / 20; // and where more passes
 
 export class Pictures {

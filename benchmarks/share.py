@@ -1,0 +1,104 @@
+"""What the pages cost while they are looked at: the share of a processor that headless Chromium takes.
+
+The renderer's processor time over some seconds, everything in it: scripts, layout, painting in software.
+
+    python -m benchmarks.share [--seconds 20]
+"""
+
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+from rich.console import Console
+from rich.table import Table
+
+from pdp8.replay import replay
+from pdp8.web import page, workbench
+from tests.pdp8.conftest import CHROMIUM, QUIET
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, CDPSession
+
+_GO = """([kind, speed]) => {
+  const act = replay.afternoon.acts.find((act) => act.kind === kind);
+  replay.page.go(act.from + 100 * replay.SECOND);
+  document.getElementById("speed").selectedIndex = speed;
+  replay.page.play(speed >= 0);
+}"""
+_TRANSLATE = """(tab) => {
+  workbench.tabs.open(tab);
+  workbench.translate("circle.asc");
+  workbench.switches.press("start");
+}"""
+_WAIT = """() => {
+  workbench.editor.text = "*200\\n\\tKSF\\n\\tJMP .-1\\n$\\n";
+  workbench.editor.assemble();
+  workbench.editor.load();
+  workbench.switches.press("start");
+}"""
+_PAUSED, _AS_IT_WAS, _QUICKEST = -1, 6, 9
+
+CASES: dict[str, tuple[str, str, object]] = {
+    "replay, paused": ("circle", _GO, ["translate", _PAUSED]),
+    "replay as it was, translation": ("circle", _GO, ["translate", _AS_IT_WAS]),
+    "replay as it was, Hydra-Point": ("circle", _GO, ["mill", _AS_IT_WAS]),
+    "replay at its quickest, translation": ("circle", _GO, ["translate", _QUICKEST]),
+    "replay at its quickest, Hydra-Point": ("circle", _GO, ["mill", _QUICKEST]),
+    "workbench, standing still": ("workbench", "() => {}", None),
+    "workbench, waiting for a key": ("workbench", _WAIT, None),
+    "workbench as it was, translation": ("workbench", _TRANSLATE, "program"),
+    "workbench as it was, with its debugger": ("workbench", _TRANSLATE, "debugger"),
+}
+
+
+def rendering(session: "CDPSession") -> float:
+    """Return the processor's seconds that the renderers have taken."""
+    processes = session.send("SystemInfo.getProcessInfo")["processInfo"]
+    return sum(process["cpuTime"] for process in processes if process["type"] == "renderer")
+
+
+def share(browser: "Browser", file: Path, script: str, given: object, seconds: float) -> float:
+    """Return the share of a processor that a page takes after `script`, a second after it."""
+    session = browser.new_browser_cdp_session()
+    tab = browser.new_page(viewport={"width": 1366, "height": 768})
+    tab.goto(file.as_uri())
+    tab.evaluate(script, given)
+    tab.wait_for_timeout(1000)
+    used, began = rendering(session), time.monotonic()
+    tab.wait_for_timeout(seconds * 1000)
+    used, passed = rendering(session) - used, time.monotonic() - began
+    tab.close()
+    return used / passed
+
+
+def measured(seconds: float) -> Iterator[tuple[str, float]]:
+    """Yield what was done and its share."""
+    from playwright.sync_api import sync_playwright
+
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        files = {"circle": page.page(replay("circle")), "workbench": workbench.page()}
+        for name, html in files.items():
+            (Path(folder) / f"{name}.html").write_text(html, encoding="utf-8")
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(QUIET))
+        for label, (name, script, given) in CASES.items():
+            yield label, share(browser, Path(folder) / f"{name}.html", script, given, seconds)
+
+
+@click.command()
+@click.option("--seconds", type=click.FloatRange(min=1), default=20, show_default=True, help="Of each.")
+def main(seconds: float) -> None:
+    """Measure each case and show the shares."""
+    table = Table(title=f"share of a processor, Chromium's renderer, {seconds:g} s")
+    table.add_column("page")
+    table.add_column("share", justify="right")
+    for label, part in measured(seconds):
+        table.add_row(label, f"{part:.1%}")
+    Console(width=None if sys.stdout.isatty() else 120).print(table)
+
+
+if __name__ == "__main__":
+    main()
