@@ -18,6 +18,7 @@ from typing import NamedTuple
 
 from pdp8.computer.machine import TICKS_PER_SECOND, LoadError, Machine
 from pdp8.computer.stop import Reason, Stop
+from pdp8.computer.teletype import FRAME
 from tapes import binary, kinds
 from tapes.errors import TapeError
 from tapes.frames import leader_start
@@ -161,9 +162,9 @@ class Operator:
             self._run_on(self.pace.lever)
             self.throw_lever()
 
-    def start(self, address: int, switches: int | None = None) -> Stop:
+    def start(self, address: int, switches: int | None = None, seconds: float | None = None) -> Stop:
         """Start at `address`, with `switches` set then if they are another word; run until the program halts
-        or waits for a reader that has no more tape.
+        or waits for a reader that has no more tape, or for `seconds` of machine time.
         """
         self.load_address(address)
         if switches not in (None, address):
@@ -174,12 +175,12 @@ class Operator:
         if self.lever_waits:
             self._run_on(self.pace.lever)
             self.throw_lever()
-        return self.machine.run()
+        return self.machine.run(seconds)
 
-    def go_on(self) -> Stop:
+    def go_on(self, seconds: float | None = None) -> Stop:
         """Press CONT and run as `start` does."""
         self.press("cont")
-        return self.machine.run()
+        return self.machine.run(seconds)
 
     def stop(self) -> None:
         """Press STOP, as the reader is empty."""
@@ -210,9 +211,9 @@ class Operator:
         """
         began = self.machine.processor.clock
         self.mount(name, tape)
-        stop = self.start(RIM_START)
+        stop = self.start(RIM_START, seconds=_longest(tape))
         if stop.reason is not Reason.TAPE_OUT:
-            raise LoadError(f"{name}: the RIM loader ended with {stop.reason} at {stop.pc:04o}")
+            raise LoadError(f"{name}: the RIM loader {_ended(stop)}")
         self.stop()
         return self._read(f"{name} read by RIM", began, 1, _rim_words(tape))
 
@@ -224,10 +225,10 @@ class Operator:
         sections, words = _bin_sections(tape)
         began = self.machine.processor.clock
         self.mount(name, tape)
-        stop = self.start(BIN_START, TELETYPE_READER)
+        stop = self.start(BIN_START, TELETYPE_READER, _longest(tape))
         self._judge(stop, name, force)
         for _ in range(sections - 1):
-            self._judge(self.go_on(), name, force)
+            self._judge(self.go_on(_longest(tape)), name, force)
         return self._read(f"{name} read by BIN", began, sections, words)
 
     def _judge(self, stop: Stop, name: str, force: bool) -> None:
@@ -235,7 +236,7 @@ class Operator:
         ac, read = self.machine.ac, counted(self.reader.position, "frames")
         if stop.reason is not Reason.HALT:
             self.reader.remove()
-            raise LoadError(f"{name}: the BIN loader ended with {stop.reason} at {stop.pc:04o} after {read}")
+            raise LoadError(f"{name}: the BIN loader {_ended(stop)} after {read}")
         if ac and not force:
             self.reader.remove()
             raise LoadError(f"{name}: the BIN loader halted with AC = {ac:04o} after {read}: wrong checksum")
@@ -253,6 +254,17 @@ class Operator:
 
     def _note(self, key: str, value: int | str | None, say: str) -> None:
         self.note(Action(self.machine.processor.clock, key, value, say))
+
+
+def _longest(tape: bytes) -> float:
+    """Return the seconds that no loader takes for a tape: twice as long as the reader, and a minute."""
+    return 60 + 2 * len(tape) * FRAME / TICKS_PER_SECOND
+
+
+def _ended(stop: Stop) -> str:
+    if stop.reason is Reason.LIMIT:
+        return f"did not end; STOP was pressed at {stop.pc:04o}"
+    return f"ended with {stop.reason} at {stop.pc:04o}"
 
 
 def _rim_words(tape: bytes) -> int:

@@ -163,3 +163,11 @@ def test_a_tape_that_never_went_in_is_named(shell: Shell) -> None:
     shell("printf A | pdp8 tape punch -o a.asc")
     done = shell("pdp8 run echo.pal --reader a.asc --reader a.asc --max-time 2")
     assert b"a.asc did not go into the reader: the program did not wait for it" in done.stderr
+
+
+def test_a_tape_that_overwrites_the_loader_ends_the_boot(shell: Shell, tmp_path: Path) -> None:
+    instead_of_ksf = {0o7757: 0o2010}  # ISZ 10: the RIM loader reads for ever
+    (tmp_path / "over.rim").write_bytes(rim.encode({0o200: 0o7402, 0o300: 1} | instead_of_ksf))
+    done = shell("pdp8 run over.rim --boot < /dev/null")
+    assert done.returncode == 1
+    assert b"over.rim: the RIM loader did not end; STOP was pressed at 7760" in done.stderr
