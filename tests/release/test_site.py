@@ -41,6 +41,7 @@ def test_a_page_is_made_of_each_module(site: Path) -> None:
     page = (site / "api" / "pdp8.computer.processor.html").read_text()
     assert "Run one memory cycle." in page
     assert "Not emulated" in page
+    assert "__pyx" not in page  # the sources are read, not what is compiled of them
 
 
 def test_every_page_of_docs_can_be_searched(site: Path) -> None:
