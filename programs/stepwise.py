@@ -40,6 +40,8 @@ def cuts(curve: Curve, rule: Stop = "boundary") -> Iterator[Cut]:
     for cut in staircase(at, axis, curve.stretches, rule):
         yield cut
         at, axis = cut.stop, _OTHER[cut.axis]
+    if rule == "inside" and curve.stretches and not curve.stretches[-1].inside(*_along(axis, at, curve.end)):
+        axis = _OTHER[axis]
     for last in (axis, _OTHER[axis]):
         stop = _along(last, at, curve.end)
         if stop != at:

@@ -5,7 +5,7 @@ from itertools import pairwise
 from math import dist, hypot, sin
 
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from programs import circle, curve, ellipse, fluidic, polynomial, slope, stepwise
@@ -84,6 +84,7 @@ def test_every_stop_of_a_line_is_in_its_band(start: Point, end: Point, tolerance
     st.floats(-360, 360, allow_nan=False),
     st.sampled_from([1.0, 3.0, 5.0]),
 )
+@example(267, 261.0, 2.0, 1.0)  # ends within its first cut
 def test_every_stop_of_an_arc_is_in_its_band(
     radius: int, start: float, sweep: float, tolerance: float
 ) -> None:
