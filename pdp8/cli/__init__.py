@@ -1,4 +1,4 @@
-"""The command line of the house; root hangs every package's commands together as `pdp8`.
+"""The command line of the project; root hangs every package's commands together as `pdp8`.
 
 root      the `pdp8` command: its subcommands, each loaded only when it is called
 check     the answers of a class           cards    to print
