@@ -203,7 +203,7 @@ class Machine:
             if not ended and stop.pc in self.watch.breakpoints:
                 stop, ended = stop._replace(reason=Reason.BREAKPOINT), True
             soon = monotonic() < began + _SOON
-            slice_ = min(2 * slice_, longest) if soon else max(slice_ / 2, shortest)
+            slice_ = min(2 * slice_ if soon else max(slice_ / 2, shortest), longest)
             yield stop
             if ended and not (through_waits and stop.reason in _WAITS and self.ticks < last):
                 return

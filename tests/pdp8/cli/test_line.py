@@ -91,7 +91,8 @@ def test_the_teletype_is_a_line() -> None:
     other = Other()
     before = termios.tcgetattr(other.line)
     run = commands.start("pdp8", "run", "echo.pal", "--tty", other.name)
-    time.sleep(1.0)
+    assert commands.eventually(lambda: termios.tcgetattr(other.line)[:6] != before[:6])
+    time.sleep(0.2)
     began = time.monotonic()
     os.write(other.end, b"\xd0\xc1\xcc\x01\xc1\xd0")
     assert other.read(6) == b"\xd0\xc1\xcc\x01\xc1\xd0"

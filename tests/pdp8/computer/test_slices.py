@@ -1,6 +1,6 @@
 """A run in slices is the run at once, and whoever looks on in between can end it."""
 
-from itertools import islice
+from itertools import count, islice
 
 import pytest
 
@@ -28,6 +28,14 @@ def test_the_limit_is_that_of_all_slices_together(longest: float) -> None:
     *_, stop = machine.slices(1.5, longest=longest)
     assert stop.reason is Reason.LIMIT
     assert machine.ticks == pytest.approx(30_000_000, abs=64)
+
+
+def test_a_slow_slice_makes_none_longer_than_the_longest(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The clock of the real time jumps a second at each look, so that every slice is a slow one."""
+    monkeypatch.setattr("pdp8.computer.machine.monotonic", count().__next__)
+    machine = program(*COUNT)
+    assert len(list(islice(machine.slices(shortest=0.05, longest=0.01), 4))) == 4
+    assert machine.elapsed == pytest.approx(0.04, abs=1e-5)
 
 
 def test_stop_between_two_slices_ends_the_run() -> None:
