@@ -12,5 +12,6 @@ afternoon.mjs any instant again           paper.mjs      listing, printed page, 
 tape.mjs      tapes under their heads     cutter.mjs     the staircase in its band
 meaning.mjs   an instruction in words     brightness.mjs how bright a lamp is
 sheet.mjs     drawing what has changed    written.mjs    how it is written
+current.mjs   a list's current line       pictures.mjs   when the next picture is due
 scene.mjs     all of it at one instant    page.mjs       slider, buttons and keys
 """
