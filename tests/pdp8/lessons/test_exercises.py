@@ -7,6 +7,7 @@ import pytest
 
 from pdp8.lessons import answer, exercise, proof
 from pdp8.lessons.exercise import ExerciseError, parse
+from tapes import shelf
 
 TUTORIAL = (
     "read-a-frame", "follow-a-digit", "no-character-lost", "spaces-are-zeros", "truncation", "break-a-tape",
@@ -68,6 +69,25 @@ PROGRAM = 'title="t"\ntask="t"\nsolution="*200\\n\\tHLT\\n$\\n"\n'
 def test_a_wrong_file_is_named_with_its_place(text: str, complaint: str) -> None:
     with pytest.raises(ExerciseError, match=complaint):
         parse(text, "e")
+
+
+@pytest.mark.parametrize(
+    ("tape", "frames"),
+    [
+        ("[1, 0o377]", b"\1\377"),
+        ('{ eia = "12\\n" }', b"\1\2\200"),
+        ('{ file = "eia.bin" }', shelf.read("eia.bin")),
+        ('"A"', b"\301"),
+    ],
+)
+def test_a_tape_is_a_text_or_frames_or_eia_or_a_file(tape: str, frames: bytes) -> None:
+    (case,) = parse(f'{PROGRAM}[[case]]\nname="a"\ntape={tape}', "e").cases
+    assert case.tape == frames
+
+
+def test_another_tape_is_refused() -> None:
+    with pytest.raises(ExerciseError, match="a list of frames"):
+        parse(f'{PROGRAM}[[case]]\nname="a"\ntape=1', "e")
 
 
 def test_a_mistake_must_change_one_place_of_the_solution() -> None:
