@@ -14,7 +14,7 @@ from pathlib import Path
 from queue import Queue
 
 from tests.faults.catalogue import Fault, catalogue
-from tests.faults.workshop import Found, Workshop
+from tests.faults.workshop import LONGEST, Found, Workshop
 
 
 def main(names: list[str], jobs: int) -> int:
@@ -40,10 +40,10 @@ def main(names: list[str], jobs: int) -> int:
 
 
 def _without_a_fault(faults: list[Fault], free: "Queue[Workshop]") -> bool:
-    """Run all tests of the faults on the sources as they are."""
+    """Run all tests of the faults on the sources as they are; return whether they pass."""
     tests = sorted({test for fault in faults for test in fault.tests})
     workshop = free.get()
-    found = workshop.run(tuple(tests))
+    found = workshop.run(tuple(tests), LONGEST * len(tests))
     free.put(workshop)
     if found.verdict != "passes":
         print(f"without a fault: {found.by} fails")
