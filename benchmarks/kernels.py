@@ -95,13 +95,14 @@ def computed(
 ) -> Row:
     """Run a kernel, in turns with SIMH if it is to be `beside`."""
     words = kernel(name)
-    ours, theirs = [], []
+    ours, theirs, empty = [], [], []
     for _ in range(repeat):
         made = machine(form, words, delays)
         ours.append(timed(made.run))
         if SIMH and beside:
-            theirs.append(simh(words) - simh(None))
-    return Row(label, made.instructions, made.elapsed, ours, theirs)
+            theirs.append(simh(words))
+            empty.append(simh(None))
+    return Row(label, made.instructions, made.elapsed, ours, [seconds - min(empty) for seconds in theirs])
 
 
 def translated(form: ModuleType, label: str, frames: int, repeat: int) -> Row:
