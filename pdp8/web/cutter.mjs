@@ -60,7 +60,6 @@ export function drawWhole(context, mill, place, started, width, height) {
   const [wide, tall] = [width - LEFT, height - BELOW];
   const scale = Math.min(wide / (right - left + 2 * margin), tall / (top - bottom + 2 * margin));
   const view = viewport(LEFT + wide / 2, tall / 2, (left + right) / 2, (bottom + top) / 2, scale);
-  context.clearRect(0, 0, width, height);
   context.fillStyle = PLATE;
   context.fillRect(0, 0, width, height);
   context.lineJoin = "bevel"; // round ones cost more, and no step is as wide as the groove
@@ -79,7 +78,6 @@ export function drawWhole(context, mill, place, started, width, height) {
 export function drawClose(context, mill, place, started, width, height) {
   const scale = Math.min(width, height * 1.3) / 150;
   const view = viewport(width / 2, height / 2, place.x, place.y, scale);
-  context.clearRect(0, 0, width, height);
   context.fillStyle = "#f7f3e9";
   context.fillRect(0, 0, width, height);
   drawGrid(context, view, width, height);

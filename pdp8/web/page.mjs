@@ -88,7 +88,7 @@ class Page {
     find("play").setAttribute("aria-label", on ? "Pause" : "Play");
     if (on) this.pictures.start();
     else this.pictures.stop();
-    if (!on) this.#say();
+    if (!on) this.#arrived();
   }
 
   /** Show the next picture of a play; return whether it goes on. */

@@ -75,7 +75,7 @@ export class Panel {
 
   /** A lamp keeps its level while it is within one of it: nobody sees less. */
   #light(name, share) {
-    if (Math.abs(share * LEVELS - this.levels.get(name)) < 1) return;
+    if (Math.abs(share * LEVELS - this.levels.get(name)) < 1.5) return;
     const level = Math.round(share * LEVELS);
     this.levels.set(name, level);
     const lamp = this.lamps.get(name);

@@ -1,12 +1,14 @@
 // A row of pictures: each some time after the one before, and none while the page is hidden.
 //
-// The browser is asked for its next frame only when a picture is due: asked for every frame, it works for each.
+// The browser is asked for its next frame only when a picture is due: asked for every frame, it works for each. Asked a
+// little early, it gives the one before.
 
-const FRAME = 1000 / 60; // ms
+const LATE = 1; // ms, so that the frame is there
 const LONGEST = 250; // ms that a picture may stand for: a page that was asleep does not jump
 
 const CALM = 1000 / 10; // ms from picture to picture as it was, where ten characters pass in a second
 const QUICK = 1000 / 20; // and where more passes
+export const READABLE = 250; // ms between two writings of what runs faster than it can be read
 
 export class Pictures {
   /** `show(milliseconds, now)` shows what has changed in that time; the row goes on while it returns true. */
@@ -31,7 +33,7 @@ export class Pictures {
 
   #wait() {
     const each = this.speed > 1 ? QUICK : CALM;
-    const due = this.before + each - FRAME / 2 - performance.now();
+    const due = this.before + each + LATE - performance.now();
     this.due = setTimeout(() => (this.coming = requestAnimationFrame((now) => this.#picture(now))), due);
   }
 

@@ -7,6 +7,7 @@ import { EIA, FIELDS, ISA, TIMES } from "./facts.mjs";
 import { inWords } from "./meaning.mjs";
 import { Panel, stateName } from "./panel.mjs";
 import { Paper } from "./paper.mjs";
+import { READABLE } from "./pictures.mjs";
 import { Sheet, Writer } from "./sheet.mjs";
 import { drawTape, meaning, tapeKey } from "./tape.mjs";
 import { clock, escaped, find, grouped, octal, seconds } from "./written.mjs";
@@ -15,9 +16,13 @@ const { FRAME, SECOND } = TIMES;
 const SAID = 8 * SECOND; // how long the operator's last action is shown
 const PRESSED = 0.4 * SECOND; // how long a key shows as pressed
 const FINE = 4000; // steps of the slider: about half a pixel
-const READABLE = 200; // ms between two writings of registers that run
 const SHORT = { preparatory: "prep.", x: "X", y: "Y", reserved: "res.", miscellaneous: "misc." };
+const CELLS = Object.entries({ ...FIELDS, end: 1 }); // of a block
 const DIGITS = Object.values(FIELDS).reduce((sum, width) => sum + width);
+
+const LABEL = `<b data-text></b><span data-text></span><span data-text></span>`;
+const PLACE = `<b data-text></b><span data-text></span>`;
+const BLOCK = `<b data-text></b><p>${CELLS.map(cell).join("")}</p>`;
 
 export class Scene {
   constructor(record, afternoon) {
@@ -31,7 +36,7 @@ export class Scene {
       ["in-tape", "out-tape", "whole", "close"].map((id) => [id, new Sheet(find(id), () => this.show())]),
     );
     this.registers = new Map();
-    this.written = 0; // when the registers were written last, in ms
+    this.written = 0; // when the registers and their line were written last, in ms
     this.instructions = 0; // the count that they had then
   }
 
@@ -43,15 +48,22 @@ export class Scene {
     const [reader, punch] = [this.#reader(act), this.#punch(act)];
     const place = this.mill.at(now);
     this.#pictures(reader, punch, place);
+    const another = this.act !== act;
     this.#time(act, now);
     this.panel.show(machine, action && now - action.at < PRESSED ? action.key : null, brightness);
-    this.#caption(act, action);
     const { kind } = record.sheets[act.sheet];
     if (this.kind !== kind) document.querySelector("main").dataset.sheet = this.kind = kind;
-    this.#registers(act, machine, Boolean(brightness));
     this.#tapes(act, reader, punch);
     this.#cutter(place);
+    if (brightness && !another && kind === "listing" && !this.#readable(machine.processor)) return;
+    this.#caption(act, action);
+    this.#registers(kind, machine);
     this.paper.show(act, afternoon);
+  }
+
+  /** Whether the last writing of the registers has stood long enough, or the next instruction is all that changed. */
+  #readable({ instructions }) {
+    return performance.now() - this.written >= READABLE || Math.abs(instructions - this.instructions) <= 1;
   }
 
   /** Draw the tapes and the table, before any text is written: a canvas that sets a font, and a list that is scrolled,
@@ -93,15 +105,13 @@ export class Scene {
     this.writer.html(find("caption"), `<b>${escaped(act.name)}.</b> ${escaped(act.say)} <em>${escaped(doing)}</em>`);
   }
 
-  /** The registers, while there is a program beside them; those that run faster than they can be read, less often. */
-  #registers(act, machine, running) {
-    const hidden = this.record.sheets[act.sheet].kind !== "listing";
+  /** The registers, while there is a program beside them. */
+  #registers(kind, machine) {
+    const hidden = kind !== "listing";
     if (find("registers").hidden !== hidden) find("registers").hidden = hidden;
-    const { instructions } = machine.processor;
-    const soon = performance.now() - this.written < READABLE && Math.abs(instructions - this.instructions) > 1;
-    if (hidden || (running && soon)) return;
+    if (hidden) return;
     this.written = performance.now();
-    this.instructions = instructions;
+    this.instructions = machine.processor.instructions;
     const { processor, teletype } = machine;
     const shown = [
       ["L", machine.link], ["AC", octal(machine.ac)], ["MA", octal(processor.ma)], ["MB", octal(processor.mb)],
@@ -166,8 +176,7 @@ export class Scene {
     const count = tape.punching
       ? `${grouped(tape.head + 1)} frames punched`
       : `frame ${grouped(tape.head)} of ${grouped(tape.frames.length)}`;
-    const label = `<b>${escaped(tape.label)}</b><span>${tape.title}</span><span>${count}</span>`;
-    this.writer.html(find(`${which}-label`), label);
+    this.writer.fill(find(`${which}-label`), LABEL, tape.label, tape.title, count);
     const frame = tape.frames[tape.head];
     const now = frame === undefined ? "nothing yet" : `${count}: ${octal(frame, 3)} ${meaning(frame, tape.code)}`;
     this.writer.label(canvas, `${tape.label}, ${now}`);
@@ -181,24 +190,29 @@ export class Scene {
     if (hidden) return;
     const { digits, read, number } = blockAt(tape);
     let at = 0;
-    const cells = [...Object.entries(FIELDS), ["end", 1]].map(([name, width]) => {
+    const parts = CELLS.flatMap(([, width]) => {
       const shown = digits.slice(at, at + width).padEnd(width, "·");
       const passed = Math.max(0, read - at);
       at += width;
-      return `<span><b><i class="read">${shown.slice(0, passed)}</i>${shown.slice(passed)}</b><small>${SHORT[name] ?? name}</small></span>`;
+      return [shown.slice(0, passed), shown.slice(passed)];
     });
-    this.writer.html(place, `<b>block ${number}</b><p>${cells.join("")}</p>`);
+    this.writer.fill(place, BLOCK, `block ${number}`, ...parts);
   }
 
   #cutter(place) {
     const where = place.block >= 0
       ? `X ${(place.x / 1000).toFixed(3)}  Y ${(place.y / 1000).toFixed(3)}`
       : `waiting for its tape: ${this.mill.blocks.length} blocks`;
-    this.writer.html(find("whole-label"), `<b>Hydra-Point</b><span>${where}</span>`);
-    this.writer.html(find("close-label"), `<b>${this.mill.band ? "In its band" : "Close by"}</b><span>squares of .010 in</span>`);
+    this.writer.fill(find("whole-label"), PLACE, "Hydra-Point", where);
+    this.writer.fill(find("close-label"), PLACE, this.mill.band ? "In its band" : "Close by", "squares of .010 in");
     this.writer.label(find("whole"), `the Hydra-Point's table, ${where}`);
     this.writer.label(find("close"), `the staircase close by, ${where}`);
   }
+}
+
+/** A field of a block: the digits that are read, those that are not, and its name. */
+function cell([name]) {
+  return `<span><b><i class="read" data-text></i><i data-text></i></b><small>${SHORT[name] ?? name}</small></span>`;
 }
 
 /** Whether the last cycle wrote the word at MA. */

@@ -3,7 +3,8 @@
 /** Writes into elements, each text only when it is another one. */
 export class Writer {
   constructor() {
-    this.written = new Map();
+    this.written = new WeakMap();
+    this.places = new WeakMap();
   }
 
   text(element, text) {
@@ -16,6 +17,15 @@ export class Writer {
     if (this.written.get(element) === html) return;
     this.written.set(element, html);
     element.innerHTML = html;
+  }
+
+  /** Write `texts` into those elements of `html` that have `data-text`, in their order: the elements are made once. */
+  fill(element, html, ...texts) {
+    if (this.written.get(element) !== html) {
+      this.html(element, html);
+      this.places.set(element, element.querySelectorAll("[data-text]"));
+    }
+    this.places.get(element).forEach((place, index) => this.text(place, texts[index]));
   }
 
   label(element, label) {
@@ -33,7 +43,7 @@ export class Sheet {
       const style = getComputedStyle(canvas);
       this.width = canvas.clientWidth;
       this.height = canvas.clientHeight;
-      this.colours = Object.fromEntries(["ink", "soft", "rust"].map((name) => [name, style.getPropertyValue(`--${name}`)]));
+      this.colours = Object.fromEntries(["sheet", "ink", "soft", "rust"].map((name) => [name, style.getPropertyValue(`--${name}`)]));
       this.key = null;
       changed();
     };
@@ -41,7 +51,9 @@ export class Sheet {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", look);
   }
 
-  /** Let `draw(context, width, height, colours)` draw in CSS pixels, unless `key` says that it would be the same. */
+  /** Let `draw(context, width, height, {sheet, ink, soft, rust, ratio})` draw in CSS pixels, `ratio` of the screen's
+   *  each, unless `key` says that it would be the same.
+   */
   draw(key, draw) {
     const { canvas, width, height } = this;
     if (this.key === key || width === 0 || height === 0) return;
@@ -49,8 +61,10 @@ export class Sheet {
     const ratio = window.devicePixelRatio || 1;
     const [wide, tall] = [Math.round(width * ratio), Math.round(height * ratio)];
     if (canvas.width !== wide || canvas.height !== tall) Object.assign(canvas, { width: wide, height: tall });
-    const context = canvas.getContext("2d");
+    const context = canvas.getContext("2d", { alpha: false }); // nothing shines through: the browser has less to do
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    draw(context, width, height, this.colours);
+    context.fillStyle = this.colours.sheet;
+    context.fillRect(0, 0, width, height);
+    draw(context, width, height, { ...this.colours, ratio });
   }
 }

@@ -14,6 +14,9 @@ const HOLE = "#3a3129";
 const NUMBERS = 36; // room at the left, in pixels
 const MEANINGS = 24; // and at the right
 const TOP = 16; // for the channels' numbers
+const ROW = 13; // pitches: the paper and three signs
+const ROWS = 600; // pictures of rows that are kept
+const rows = new Map();
 
 /** What of a `view` is to be seen: two views with the same key look the same. */
 export function tapeKey(view) {
@@ -21,12 +24,13 @@ export function tapeKey(view) {
 }
 
 /** Draw `view` = {frames, head, code, punching}: `head` is the frame under the head; a punch shows nothing beyond it. */
-export function drawTape(context, view, width, height, colours) {
-  const pitch = Math.max(6, Math.min(15, (width - NUMBERS - MEANINGS) / WIDE));
-  const left = Math.round(NUMBERS + Math.max(0, (width - NUMBERS - MEANINGS - WIDE * pitch) / 2));
-  const headY = Math.round(TOP + (height - TOP) * (view.punching ? 0.7 : 0.5));
-  const place = { left, pitch, headY, width, height, ...colours };
-  context.clearRect(0, 0, width, height);
+export function drawTape(context, view, width, height, look) {
+  const { ratio } = look;
+  const whole = (pixels) => Math.floor(pixels * ratio) / ratio; // of the screen
+  const pitch = whole(Math.max(6, Math.min(15, (width - NUMBERS - MEANINGS) / WIDE)));
+  const left = whole(NUMBERS + Math.max(0, (width - NUMBERS - MEANINGS - WIDE * pitch) / 2));
+  const headY = whole(TOP + (height - TOP) * (view.punching ? 0.7 : 0.5));
+  const place = { left, pitch, headY, height, ...look };
   drawChannels(context, place);
   context.save();
   context.beginPath();
@@ -53,10 +57,39 @@ function drawPaper(context, view, { left, pitch, headY, height }) {
   context.fillRect(left, top, pitch, tall);
 }
 
-function drawFrame(context, view, frame, { left, pitch, headY, ink, soft, rust }) {
-  const holes = view.frames[frame];
+function drawFrame(context, view, frame, place) {
+  const { left, pitch, headY, soft, rust } = place;
   const y = headY + (frame - view.head) * pitch;
   const current = frame === view.head;
+  if (current) {
+    drawRow(context, view.frames[frame], view.code, left, y, pitch, rust, "bold ");
+  } else {
+    context.drawImage(row(view.frames[frame], view.code, place), left, y - pitch, ROW * pitch, 2 * pitch);
+    if (frame % 10 || Math.abs(frame - view.head) === 1) return;
+  }
+  context.fillStyle = current ? rust : soft;
+  context.textAlign = "right";
+  context.textBaseline = "middle";
+  context.font = `${current ? "bold " : ""}11px Helvetica, Arial, "Liberation Sans", sans-serif`;
+  context.fillText(String(frame), left - 5, y);
+}
+
+/** The picture of a row, which looks the same wherever it stands: drawn once, as drawing it costs most. */
+function row(holes, code, { pitch, ratio, ink }) {
+  const key = `${holes} ${code} ${pitch} ${ratio} ${ink}`;
+  if (!rows.has(key)) {
+    if (rows.size === ROWS) rows.clear();
+    const picture = new OffscreenCanvas(Math.round(ROW * pitch * ratio), Math.round(2 * pitch * ratio));
+    const context = picture.getContext("2d");
+    context.scale(ratio, ratio);
+    drawRow(context, holes, code, 0, pitch, pitch, ink, "");
+    rows.set(key, picture);
+  }
+  return rows.get(key);
+}
+
+/** The holes of a frame from `left` on, and what it says beside them. */
+function drawRow(context, holes, code, left, y, pitch, colour, weight) {
   context.fillStyle = HOLE;
   TRACKS.forEach((channel, track) => {
     if (channel && !(holes & (1 << (channel - 1)))) return;
@@ -64,17 +97,12 @@ function drawFrame(context, view, frame, { left, pitch, headY, ink, soft, rust }
     context.arc(left + (track + 1) * pitch, y, pitch * (channel ? 0.36 : 0.23), 0, 2 * Math.PI);
     context.fill();
   });
-  context.textBaseline = "middle";
-  context.fillStyle = current ? rust : ink;
-  context.font = `${current ? "bold " : ""}${Math.min(16, pitch)}px "Courier New", Courier, "Liberation Mono", monospace`;
+  context.fillStyle = colour;
   context.textAlign = "left";
-  const said = sign(holes, view.code);
+  context.textBaseline = "middle";
+  context.font = `${weight}${Math.min(16, pitch)}px "Courier New", Courier, "Liberation Mono", monospace`;
+  const said = sign(holes, code);
   context.fillText(said, left + WIDE * pitch + 6, said === SPACE ? y - 0.25 * pitch : y);
-  if (!current && (frame % 10 || Math.abs(frame - view.head) === 1)) return;
-  context.fillStyle = current ? rust : soft;
-  context.textAlign = "right";
-  context.font = `${current ? "bold " : ""}11px Helvetica, Arial, "Liberation Sans", sans-serif`;
-  context.fillText(String(frame), left - 5, y);
 }
 
 function drawHead(context, { left, pitch, headY, rust }) {

@@ -68,7 +68,7 @@ class Bench {
     const waits = machine.processor.run && machine.waiting.endless;
     this.switches.show(brightness);
     this.teletype.show();
-    this.debug.show();
+    this.debug.show(brightness && machine.processor.run && !waits);
     writer.text(find("clock"), `${(machine.ticks / TIMES.SECOND).toFixed(3)} s`);
     writer.text(find("why"), machine.processor.run ? (waits ? (machine.outOfTape() ? "waits for tape" : "waits") : "runs") : this.why || "stands still");
   }

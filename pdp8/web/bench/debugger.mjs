@@ -1,6 +1,7 @@
 // The debugger: steps forward and back, run until; beside them the listing, the registers and core.
 
 import { END_OF_BLOCK } from "../facts.mjs";
+import { READABLE } from "../pictures.mjs";
 import { find } from "../written.mjs";
 import { Core } from "./core.mjs";
 import { Listing } from "./listing.mjs";
@@ -14,6 +15,7 @@ export class Debugger {
     this.listing = new Listing(bench);
     this.registers = new Registers(bench);
     this.core = new Core(bench);
+    this.written = 0; // when, in ms
     document.querySelector("#debugger .steps").addEventListener("click", ({ target: { dataset } }) => {
       if (dataset.forward) this.#step(dataset.forward);
       if (dataset.back) this.#back(dataset.back);
@@ -60,8 +62,10 @@ export class Debugger {
     }[kind];
   }
 
-  show() {
-    if (find("debugger").hidden) return;
+  /** Show the machine; while it is `running`, no more often than can be read. */
+  show(running) {
+    if (find("debugger").hidden || (running && performance.now() - this.written < READABLE)) return;
+    this.written = performance.now();
     this.registers.show();
     this.listing.show();
     this.core.show();

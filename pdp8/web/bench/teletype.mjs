@@ -180,7 +180,7 @@ export class Teletype {
     const frame = view.frames[view.head];
     const says = frame === undefined ? "nothing" : `${octal(frame, 3)} ${meaning(frame, view.code)}`;
     this.bench.writer.label(canvas(which), `the ${which}'s tape, under the head: ${says}`);
-    const draw = (context, ...size) => loaded ? drawTape(context, view, ...size) : context.clearRect(0, 0, ...size);
+    const draw = (context, ...size) => loaded && drawTape(context, view, ...size);
     this.sheets[which].draw(`${tapeKey(view)} ${view.code} ${loaded}`, draw);
   }
 }

@@ -71,7 +71,7 @@ _TRACKS = """async () => {
     const holes = [];
     const arc = (x, y, radius) => holes.push([radius, x]);
     const context = new Proxy({}, { get: (at, name) => (name === "arc" ? arc : () => {}), set: () => true });
-    drawTape(context, { frames: [1 << bit], head: 0, code: "bin" }, 230, 330, {});
+    drawTape(context, { frames: [1 << bit], head: 0, code: "bin" }, 230, 330, { ratio: 1 });
     const [[, sprocket], [, hole]] = holes.sort(([one], [other]) => one - other);
     return (hole - sprocket) / 15;
   });

@@ -369,20 +369,35 @@ def test_a_page_that_slept_does_not_jump(page: "Page") -> None:
     assert not page.evaluate("replay.page.playing")
 
 
+_LEVELS = """() => Object.fromEntries([...document.querySelectorAll("[data-lamp]")].map((lamp) =>
+  [lamp.dataset.lamp, Number(lamp.style.getPropertyValue("--lit"))]))"""
+
+
 def test_lamps_are_as_bright_as_they_were_often_lit(page: "Page", circle: Afternoon) -> None:
     """While a character is awaited RUN is full, WORD COUNT dark, and some lamp of KSF, JMP .-1 between."""
     _go(page, _translating(circle))
     page.locator("#speed").select_option(index=6)
     page.evaluate("replay.page.play(true)")
     page.wait_for_timeout(400)
-    page.evaluate("replay.page.play(false)")
-    levels = page.evaluate(
-        """() => Object.fromEntries([...document.querySelectorAll("[data-lamp]")].map((lamp) =>
-          [lamp.dataset.lamp, Number(lamp.style.getPropertyValue("--lit"))]))"""
-    )
+    levels = page.evaluate(_LEVELS)
     assert levels["RUN"] == 1
     assert levels["WORD COUNT"] == 0
     assert any(0 < level < 1 for level in levels.values())
+
+
+def test_all_is_of_one_instant_when_a_play_is_halted(page: "Page", circle: Afternoon) -> None:
+    """Lamps, registers and line, which are written less often while they run, then agree."""
+    _go(page, _translating(circle))
+    page.locator("#speed").select_option(index=6)
+    for _ in range(3):
+        page.evaluate("replay.page.play(true)")
+        page.wait_for_timeout(330)
+        page.evaluate("replay.page.play(false)")
+        word, at = page.evaluate("(({ ma, at }) => [ma, at])(replay.afternoon.machine.processor)")
+        levels = page.evaluate(_LEVELS)
+        assert [levels[f"MA{bit}"] for bit in range(12)] == [word >> (11 - bit) & 1 for bit in range(12)]
+        assert page.locator("[data-register=MA] dd").inner_text() == f"{word:04o}"
+        assert page.locator("#paper .now .address").inner_text() == f"{at:04o}"
 
 
 def test_nothing_is_drawn_while_nothing_changes(page: "Page") -> None:
