@@ -9,7 +9,7 @@ import signal
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
-from io import TextIOWrapper
+from io import TextIOWrapper, UnsupportedOperation
 from types import FrameType
 from typing import Any, TypeVar
 
@@ -43,9 +43,9 @@ def output(
 ) -> Callable[[_Function], _Function]:
     """Return the decorator that adds `-o`, `--out`: where a command's product goes, a file or a folder."""
     names = "-o", "--out", "output"
-    return click.option(
-        *names, cls=Option, also=("--output",), metavar=metavar, default=default, help=help, **settings
-    )
+    if default is not None:  # click takes a given None for an answer, even where one is required
+        settings["default"] = default
+    return click.option(*names, cls=Option, also=("--output",), metavar=metavar, help=help, **settings)
 
 
 def run(command: click.Command, name: str, arguments: Sequence[str] | None = None) -> None:
@@ -161,6 +161,10 @@ def _complain(message: str, status: int) -> int:
 
 
 def _silence(stream: object) -> None:
-    """Point the closed stream at nothing, so that Python's own flush at exit stays quiet."""
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, stream.fileno())  # type: ignore[attr-defined]
+    """Point the closed stream at nothing, so that Python's own flush at exit stays quiet.
+
+    A notebook's stream has no file, and needs none of it.
+    """
+    with suppress(UnsupportedOperation):
+        where = stream.fileno()  # type: ignore[attr-defined]
+        os.dup2(os.open(os.devnull, os.O_WRONLY), where)

@@ -3,7 +3,8 @@
     python -m tests.fuzz.fuzzer --count 1000000 --seed 1
 
 Every 10,000 calls it says how many there were, and how many failures. Parts are called with options alone,
-never as they are: a whole circle costs as much as a hundred other calls.
+never as they are: a whole circle costs as much as a hundred other calls. `replay` takes a second and calls
+what these call; `panel` needs a terminal, and has its own tests.
 
 A call is a failure where it raises anything but an exit, shows a traceback or a warning of Python's, ends
 with a status other than 0, 1, 2 or 130, takes ten seconds of processor time or two minutes, changes a source,
@@ -16,6 +17,7 @@ import io
 import os
 import random
 import resource
+import shutil
 import signal
 import sys
 import tempfile
@@ -112,7 +114,26 @@ OPTIONS = {
     "part fit": ("--degree",),
     "part mirror": ("--across", "--about", "--fill", "--parity"),
     "pal": ("--rim", "--force", "--modern", "--high-speed-reader", "--max-errors", "--strict"),
+    "nc view": (),
+    "check": ("--json", "--junit", "--prove", "--show"),
+    "cards": ("--part", "--pdf"),
+    "thesis make": (),
+    "thesis evidence": ("--source",),
+    "part compare": ("--major", "--outer", "--cut", "--degree"),
+    "vectors": ("--states",),  # of numbers that it refuses: what it writes takes half a minute
 }
+NAMES = {  # what stands before the tape, or in its place
+    "check": ("add", "read-a-frame", "loader", "nothing"),
+    "cards": ("rim", "ascii", "afternoon", "nothing"),
+    "thesis make": ("2.2", "5.3", "ch2-block", "all.", ""),
+    "part compare": ("circle", "polynomial", "nothing"),
+}
+WRITES = (
+    *("pal", "tape punch", "nc plot", "tape convert", "tape clean", "part mirror", "nc view", "cards"),
+    *("thesis make", "thesis evidence", "vectors"),
+)
+SLOW = ("check", "cards", "nc view", "thesis make", "part compare")  # tenths of a second each
+NO_TAPE = ("cards", "part compare", "vectors")
 PARTS = {
     "circle": ("--radius", "--outer", "--inner", "--start-x", "--centre-y", "--sequence", "--arithmetic"),
     "ellipse": ("--major", "--minor", "--outer-major", "--start-y", "--x-feed"),
@@ -128,6 +149,7 @@ MILLING = ("--tolerance", "--technique", "--feed-code", "--fastest", "--feed-err
 FLAGS = {
     *("--quiet", "--boot", "--force", "--cycles", "--drop-spaces", "--keep-spaces", "--modes", "--strict"),
     *("--gcode", "--dxf", "--rim", "--modern", "--high-speed-reader"),
+    *("--json", "--prove", "--pdf", "--source"),
 }
 EXPRESSIONS = (
     "sin(x)",
@@ -199,6 +221,8 @@ def mutated(content: bytes, chance: random.Random) -> bytes:
 def arguments(chance: random.Random) -> list[str]:
     """Return a command line whose input is the file `tape`."""
     name = chance.choice((*OPTIONS, "monitor", "part", "curve", "run"))
+    if name in SLOW and chance.random() > 0.1:
+        name = "run"
     if name == "monitor":
         return ["monitor", "script"]
     if name == "curve":
@@ -207,7 +231,9 @@ def arguments(chance: random.Random) -> list[str]:
     if name == "part":
         part = chance.choice(list(PARTS))
         return ["part", part, *_options(chance, (*PARTS[part], *MILLING), at_least=1)]
-    line = [*name.split(), "tape", *_options(chance, OPTIONS.get(name, ()))]
+    tape = [] if name in NO_TAPE else ["tape"]
+    options = _options(chance, OPTIONS.get(name, ()), at_least=name == "vectors")
+    line = [*name.split(), *_named(chance, name), *tape, *options]
     if name == "run":
         line = ["run", "tape", "--max-time", "0.2", *line[2:]]
         line += chance.choice(([], ["--reader", "reader"], ["--reader", "reader", "--reader", "tape"]))
@@ -220,12 +246,13 @@ def arguments(chance: random.Random) -> list[str]:
         line += ["--to", chance.choice(("text", "ascii", "eia", "bin", "rim", "octal", "frames"))]
     if name == "nc export" and chance.random() < 0.7:
         line += ["--gcode"]
-    if (
-        name in ("pal", "tape punch", "nc plot", "tape convert", "tape clean", "part mirror")
-        and chance.random() < 0.8
-    ):
+    if name in WRITES and chance.random() < 0.8:
         line += ["-o", chance.choice(("out", "out", "tape", "no/out", "/dev/full", "."))]
     return line
+
+
+def _named(chance: random.Random, name: str) -> list[str]:
+    return [chance.choice(NAMES[name])] if name in NAMES else []
 
 
 def _options(chance: random.Random, options: tuple[str, ...], at_least: int = 0) -> list[str]:
@@ -303,7 +330,9 @@ def fault(seed: int, good: list[bytes]) -> str:
     for name in os.listdir():
         if name.endswith(".part"):
             wrong += f"\nleaves {name}"
-        if name not in files:
+        if os.path.isdir(name):
+            shutil.rmtree(name)
+        elif name not in files:
             os.unlink(name)
     for name, content in files.items():
         if Path(name).read_bytes() != content:

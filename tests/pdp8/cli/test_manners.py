@@ -236,6 +236,17 @@ def test_an_option_means_the_same_in_every_command() -> None:
 
 
 @pytest.mark.parametrize(
+    "path",
+    [path for path, each in every_command(pdp8) for option in each.params if option.required]
+    + ["pdp8 nc view circle.eia"],
+)
+def test_what_is_required_is_asked_for(shell: Shell, path: str) -> None:
+    done = shell(path)
+    assert done.returncode == 2
+    assert b": Missing " in done.stderr
+
+
+@pytest.mark.parametrize(
     "line",
     [
         "pdp8 tape convert --from eia --to text circle.eia --output x",
