@@ -24,8 +24,8 @@ from rich.table import Table
 import pal
 from benchmarks.kernels import kernel
 from pdp8.web.workbench import page
-from tests.pdp8.conftest import CHROMIUM, MODULES, NODE, QUIET
-from tests.pdp8.web.firefox import FIREFOX, opened
+from tests.pdp8.conftest import MODULES, NODE
+from tests.pdp8.web import chromium, firefox
 
 COUNTER = (
     "*200\nLOOP,\tTAD SUM\n\tIAC\n\tDCA SUM\n\tISZ COUNT\n\tJMP LOOP\n\tJMP LOOP\nCOUNT,\t0\nSUM,\t0\n$\n"
@@ -64,21 +64,14 @@ def in_node(call: str) -> Any:
 
 def in_chromium(call: str) -> Any:
     """Return what `call` returns in the workbench in Chromium."""
-    from playwright.sync_api import sync_playwright
-
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        file = Path(folder) / "pdp8.html"
-        file.write_text(page(), encoding="utf-8")
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(QUIET))
-        tab = browser.new_page()
-        tab.goto(file.as_uri())
+    with tempfile.TemporaryDirectory() as folder, chromium.opened(Path(folder), page()) as tab:
         return tab.evaluate(f"() => {{ const Machine = workbench.machine.constructor; return {call}; }}")
 
 
 def in_firefox(call: str) -> Any:
     """Return what `call` returns in the workbench in Firefox."""
-    with tempfile.TemporaryDirectory() as folder, opened(Path(folder), page()) as firefox:
-        return firefox.run(f"const Machine = window.workbench.machine.constructor; return {call};")
+    with tempfile.TemporaryDirectory() as folder, firefox.opened(Path(folder), page()) as tab:
+        return tab.run(f"const Machine = window.workbench.machine.constructor; return {call};")
 
 
 def measured(repeat: int) -> Iterator[tuple[str, str, float]]:
@@ -86,8 +79,8 @@ def measured(repeat: int) -> Iterator[tuple[str, str, float]]:
     call = f"({_RUN})(Machine, {json.dumps(kernels())}, {SECONDS}, {repeat})"
     places: tuple[tuple[str, str | None, Callable[[str], Any]], ...] = (
         ("Node.js", NODE, in_node),
-        ("Chromium", CHROMIUM, in_chromium),
-        ("Firefox", FIREFOX, in_firefox),
+        ("Chromium", chromium.CHROMIUM, in_chromium),
+        ("Firefox", firefox.FIREFOX, in_firefox),
     )
     for name, installed, run in places:
         if installed:

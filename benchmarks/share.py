@@ -18,7 +18,7 @@ from rich.table import Table
 
 from pdp8.replay import replay
 from pdp8.web import page, workbench
-from tests.pdp8.conftest import CHROMIUM, QUIET
+from tests.pdp8.web.chromium import launched
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, CDPSession
@@ -77,13 +77,10 @@ def share(browser: "Browser", file: Path, script: str, given: object, seconds: f
 
 def measured(seconds: float) -> Iterator[tuple[str, float]]:
     """Yield what was done and its share."""
-    from playwright.sync_api import sync_playwright
-
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+    with tempfile.TemporaryDirectory() as folder, launched() as browser:
         files = {"circle": page.page(replay("circle")), "workbench": workbench.page()}
         for name, html in files.items():
             (Path(folder) / f"{name}.html").write_text(html, encoding="utf-8")
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(QUIET))
         for label, (name, script, given) in CASES.items():
             yield label, share(browser, Path(folder) / f"{name}.html", script, given, seconds)
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from pdp8.web.workbench import page
-from tests.pdp8.conftest import CHROMIUM, QUIET
+from tests.pdp8.web.chromium import opened
 
 if TYPE_CHECKING:
     from playwright.sync_api import CDPSession, Page
@@ -57,14 +57,7 @@ def count(session: "CDPSession") -> Count:
 
 def measure(seconds: float) -> tuple[Count, Count, int]:
     """Return the counts before and after, and how often the circle was translated."""
-    from playwright.sync_api import sync_playwright
-
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        file = Path(folder) / "pdp8.html"
-        file.write_text(page(), encoding="utf-8")
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(QUIET))
-        tab = browser.new_page()
-        tab.goto(file.as_uri())
+    with tempfile.TemporaryDirectory() as folder, opened(Path(folder), page()) as tab:
         tab.locator("#speed").select_option(index=3)
         session = tab.context.new_cdp_session(tab)
         session.send("Performance.enable")
