@@ -50,18 +50,18 @@ class Piece(NamedTuple):
 
 def disassemble(words: Mapping[int, int]) -> str:
     """Return PAL source for {address: word}; the field is above the twelve bits of an address."""
-    return _source(_steps_of(sorted(words), words))
+    return _source(_pieces_of(sorted(words), words))
 
 
 def disassemble_tape(frames: bytes) -> str:
     """Return PAL source for a BIN or RIM tape. Raises TapeError: no such tape, a damaged one."""
     if kinds.classify(frames) == kinds.RIM and frames.strip(b"\0") != _BARE:
         words = rim.decode(frames)
-        return _source(_steps_of(words, words))
+        return _source(_pieces_of(words, words))
     return _source(_steps_on(frames))
 
 
-def _steps_of(addresses: Iterable[int], words: Mapping[int, int]) -> Iterator[Piece]:
+def _pieces_of(addresses: Iterable[int], words: Mapping[int, int]) -> Iterator[Piece]:
     following = -1
     bank = 0
     for address in addresses:
@@ -103,21 +103,21 @@ def _steps_on(frames: bytes) -> Iterator[Piece]:
             silent = False
 
 
-def _source(steps: Iterable[Piece]) -> str:
-    tape = list(steps)
+def _source(pieces: Iterable[Piece]) -> str:
+    tape = list(pieces)
     labels = _Labels(tape)
-    return "".join(_line(step, labels) for step in tape) + "$\n"
+    return "".join(_line(piece, labels) for piece in tape) + "$\n"
 
 
-def _line(step: Piece, labels: "_Labels") -> str:
-    if step.kind == FIELD:
-        return f"FIELD {step.value}\n"
-    if step.kind == ORIGIN:
-        return f"*{step.value:o}\n"
-    tag = labels.define(step.address)
-    text = labels.text(step)
+def _line(piece: Piece, labels: "_Labels") -> str:
+    if piece.kind == FIELD:
+        return f"FIELD {piece.value}\n"
+    if piece.kind == ORIGIN:
+        return f"*{piece.value:o}\n"
+    tag = labels.define(piece.address)
+    text = labels.text(piece)
     tabs = "\t" * (1 if len(text) >= 8 else 2)
-    return f"{tag}\t{text}{tabs}/{step.address:04o} {step.value:04o}\n"
+    return f"{tag}\t{text}{tabs}/{piece.address:04o} {piece.value:04o}\n"
 
 
 class _Labels:
@@ -127,13 +127,13 @@ class _Labels:
     """
 
     def __init__(self, tape: list[Piece]) -> None:
-        words = {step.address for step in tape if step.kind == WORD}
+        words = {piece.address for piece in tape if piece.kind == WORD}
         self._jumped_to: set[int] = set()
         self._handled: set[int] = set()
-        for step in tape:
-            target = _target(step)
+        for piece in tape:
+            target = _target(piece)
             if target in words:
-                jump = step.value >> 9 == JMP and not step.value & INDIRECT
+                jump = piece.value >> 9 == JMP and not piece.value & INDIRECT
                 (self._jumped_to if jump else self._handled).add(target)
         claims = sorted(self._jumped_to) + sorted(self._handled - self._jumped_to)
         self._tagged = frozenset(claims[:HIGH_SPEED_SYMBOLS])
@@ -146,35 +146,35 @@ class _Labels:
         self._undefined.remove(address)
         return _tag(address) + ","
 
-    def text(self, step: Piece) -> str:
+    def text(self, piece: Piece) -> str:
         """Return the word as source."""
-        number = f"{step.value:o}"
-        if step.address in self._handled and step.address not in self._jumped_to:
+        number = f"{piece.value:o}"
+        if piece.address in self._handled and piece.address not in self._jumped_to:
             return number
-        if step.value >> 9 > JMP:
-            return microinstruction(step.value) or number
-        target = _target(step)
+        if piece.value >> 9 > JMP:
+            return microinstruction(piece.value) or number
+        target = _target(piece)
         if target == _NONE:
             return number
-        indirect = "I " if step.value & INDIRECT else ""
+        indirect = "I " if piece.value & INDIRECT else ""
         address = _tag(target) if target in self._tagged else f"{target & 0o7777:o}"
-        return f"{OPERATIONS[step.value >> 9]} {indirect}{address}"
+        return f"{OPERATIONS[piece.value >> 9]} {indirect}{address}"
 
 
 def _tag(address: int) -> str:
     return f"L{address:04o}"
 
 
-def _target(step: Piece) -> int:
+def _target(piece: Piece) -> int:
     """Return the address of a memory-reference instruction, in its own field; _NONE for other words.
 
     One on page zero that has the current page bit counts as none: PAL III would leave that bit out.
     """
-    if step.kind != WORD or step.value >> 9 > JMP:
+    if piece.kind != WORD or piece.value >> 9 > JMP:
         return _NONE
-    if step.value & CURRENT_PAGE and not step.address & PAGE:
+    if piece.value & CURRENT_PAGE and not piece.address & PAGE:
         return _NONE
-    return step.address & 0o70000 | refers_to(step.value, step.address & 0o7777)
+    return piece.address & 0o70000 | refers_to(piece.value, piece.address & 0o7777)
 
 
 def microinstruction(word: int) -> str | None:
