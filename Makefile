@@ -10,7 +10,7 @@ BIN := .venv/bin
 # `make lockstep N=1e9` runs random situations on the machine and on the reference, for so many instructions.
 # `make faults` puts every fault of tests/faults/ into a copy of the sources and says which test finds it.
 
-.PHONY: fuzz demo
+.PHONY: demo
 demo: .venv/ready
 	mkdir -p demo
 	$(BIN)/pdp8 part circle > demo/circle.asc
@@ -62,23 +62,23 @@ SECONDS ?= 600
 leak: .venv/ready-dev
 	$(BIN)/python -m tests.pdp8.web.leak $(SECONDS)
 
-.PHONY: lint
 .PHONY: faults
 faults: .venv/ready-dev
 	$(BIN)/python -m tests.faults -j $(shell nproc)
 
+# `make fuzz COUNT=1000000` calls every command with hostile inputs, from SEED on.
+COUNT ?= 100000
+.PHONY: fuzz
+fuzz: .venv/ready-dev
+	$(BIN)/python -m tests.fuzz.fuzzer --count $(COUNT) --seed $(SEED)
+
+.PHONY: lint
 lint: .venv/ready-dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
 .PHONY: format
-# `make fuzz COUNT=1000000` calls every command with hostile inputs, from SEED on.
-COUNT ?= 100000
-SEED ?= 0
-fuzz: .venv/ready-dev
-	$(BIN)/python -m tests.fuzz.fuzzer --count $(COUNT) --seed $(SEED)
-
 format: .venv/ready-dev
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .

@@ -13,12 +13,11 @@ Source: thesis, Appendix A, Flexibility.
 
 from typing import Literal
 
+from programs.printout import check_on_table
 from tapes.errors import WorkError
 from tapes.hydrapoint import (
     DIGITS,
     HOLE_MAKING,
-    X_TRAVEL,
-    Y_TRAVEL,
     Block,
     Miscellaneous,
     Preparatory,
@@ -37,16 +36,12 @@ def mirrored(printout: str, across: Literal["x", "y"], middle: float | None = No
     if not places:
         raise WorkError("no block mills or makes a hole: there is no part to mirror")
     twice = min(places) + max(places) if middle is None else _doubled(middle)
-    start, stop, travel = (4, 9, X_TRAVEL) if across == "x" else (9, 14, Y_TRAVEL)
-    for number, (line, found) in enumerate(zip(lines, blocks, strict=True)):
+    start, stop = (4, 9) if across == "x" else (9, 14)
+    for number, (line, found) in enumerate(zip(lines, blocks, strict=True), 1):
         if _is_of_the_part(found):
             place = twice - (found.x if across == "x" else found.y)
-            if not 0 <= place <= travel:
-                raise WorkError(
-                    f"block {number + 1}: {across.upper()} {place / 1000:.3f} leaves the table: "
-                    f"0 to {travel / 1000:g} in"
-                )
-            lines[number] = f"{line[:start]}{place:05}{line[stop:]}"
+            check_on_table(str(number), across.upper(), place)
+            lines[number - 1] = f"{line[:start]}{place:05}{line[stop:]}"
     return "".join(f"{line}\n" for line in lines)
 
 

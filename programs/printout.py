@@ -19,6 +19,8 @@ from tapes.hydrapoint import MISCELLANEOUS, PREPARATORY, X_TRAVEL, XY_FEED, Y_TR
 
 LAST_SEQUENCE = 999
 
+_TRAVEL = {"X": X_TRAVEL, "Y": Y_TRAVEL}
+
 FORMAT_10 = Format("1X,I5,I4,I5,I4")
 FORMAT_30 = Format("I3,I1,I5,I5,I3,I2")
 
@@ -75,13 +77,17 @@ class Printout:
     @staticmethod
     def _on_table(x: SupportsInt, y: SupportsInt, sequence: int) -> tuple[int, int]:
         x, y = int(x), int(y)
-        for axis, value, travel in (("X", x, X_TRAVEL), ("Y", y, Y_TRAVEL)):
-            if not 0 <= value <= travel:
-                raise WorkError(
-                    f"block {sequence:03}: {axis} {value / 1000:.3f} leaves the table: "
-                    f"0 to {travel / 1000:g} in"
-                )
+        check_on_table(f"{sequence:03}", "X", x)
+        check_on_table(f"{sequence:03}", "Y", y)
         return x, y
+
+
+def check_on_table(block: str, axis: str, place: int) -> None:
+    """Raise a WorkError where the block's place on axis X or Y, in thousandths, is off the table."""
+    if not 0 <= place <= _TRAVEL[axis]:
+        raise WorkError(
+            f"block {block}: {axis} {place / 1000:.3f} leaves the table: 0 to {_TRAVEL[axis] / 1000:g} in"
+        )
 
 
 def check_feed(code: int) -> None:
