@@ -10,7 +10,7 @@ import pytest
 from pdp8.computer.machine import TICKS_PER_SECOND
 from pdp8.replay import Afternoon, clock
 from pdp8.web.bundle import script
-from tests.pdp8.web.browsing import AXE, needs_axe, serious
+from tests.pdp8.web.browsing import AXE, needs_axe, serious, until
 from tests.pdp8.web.follower import Follower
 
 if TYPE_CHECKING:
@@ -39,15 +39,6 @@ def _outside(url: str) -> bool:
 
 def _now(page: "Page") -> int:
     return int(page.evaluate("replay.afternoon.now"))
-
-
-def _until(page: "Page", condition: str) -> None:
-    """Wait until it holds; Playwright's own way evaluates a string, which the page's policy forbids."""
-    for _ in range(200):
-        if page.evaluate(condition):
-            return
-        page.wait_for_timeout(50)
-    raise AssertionError(condition)
 
 
 def _go(page: "Page", tick: int) -> None:
@@ -182,7 +173,7 @@ def test_every_button_and_choice_works(page: "Page", circle: Afternoon) -> None:
     assert _now(page) == 10**10
     page.locator("#speed").select_option(index=9)
     page.locator("#play").click()
-    _until(page, "replay.afternoon.now > 1e10 + 20e6 * 10")
+    until(page, "replay.afternoon.now > 1e10 + 20e6 * 10")
     page.locator("#play").click()
     stopped = _now(page)
     page.wait_for_timeout(200)
@@ -218,7 +209,7 @@ def test_every_key_works(page: "Page", circle: Afternoon) -> None:
     assert page.locator("#speed").evaluate("(select) => select.selectedIndex") == chosen - 1
     before = _now(page)
     press(" ")
-    _until(page, f"replay.afternoon.now > {before}")
+    until(page, f"replay.afternoon.now > {before}")
     press(" ")
     assert not page.evaluate("replay.page.playing")
 
@@ -356,7 +347,7 @@ def test_a_page_that_slept_does_not_jump(page: "Page") -> None:
     )
     page.locator("#speed").select_option(index=8)
     page.evaluate("replay.page.play(true)")
-    _until(page, "replay.afternoon.now > 0")
+    until(page, "replay.afternoon.now > 0")
     page.evaluate("replay.page.play(false)")
     assert _now(page) <= 60 * 60 * TICKS_PER_SECOND / 4
     page.evaluate("replay.page.play(true)")
@@ -436,7 +427,7 @@ def test_a_play_waits_while_the_slider_is_dragged(page: "Page") -> None:
     page.wait_for_timeout(200)
     assert _now(page) == held > 0
     page.mouse.up()
-    _until(page, f"replay.page.playing && replay.afternoon.now > {held}")
+    until(page, f"replay.page.playing && replay.afternoon.now > {held}")
 
 
 @needs_axe
