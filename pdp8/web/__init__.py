@@ -6,7 +6,8 @@ page          the afternoon as one file, of which these are the pieces
 
 pal.mjs       the assembler, its parts in pal/
 workbench     the live machine as one file: workbench.mjs, its panes in bench/, the milling machine in mill/
-page.html     what stands where           base.css, page.css   how it looks
+shell.html    what is around every page   base.css             how it looks
+page.html     what stands where           page.css             how that looks
 computer/     the PDP-8/L                 panel.mjs      its lamps and switches
 afternoon.mjs any instant again           paper.mjs      listing, printed page, blocks
 tape.mjs      tapes under their heads     cutter.mjs     the staircase in its band

@@ -73,14 +73,14 @@ def _identifier(name: str) -> str:
     return re.sub(r"\W", "_", name) + "_module"
 
 
-def page(shell: str, style: str, entry: str, data: Any) -> str:
-    """Return the HTML file `shell` with its style, its script and its data inside, and the policy for them.
+def page(title: str, body: str, style: str, entry: str, data: Any) -> str:
+    """Return the page with the HTML file `body`, its style, script and data inside, and the policy for them.
 
     The policy lets the page run its own script and style, and ask for nothing.
     """
     code, css = f"\n{script(entry)}\n", "".join(map(source, ("base.css", style)))
     record = json.dumps(data, separators=(",", ":")).replace("<", "\\u003c")
-    html = source(shell)
+    html = source("shell.html").replace("<!-- title -->", title).replace("<!-- body -->", source(body))
     html = html.replace("<!-- policy -->", _policy(code))
     html = html.replace("/* style */", css).replace("/* script */", code)
     return html.replace('type="application/json">{}<', f'type="application/json">{record}<')

@@ -18,7 +18,7 @@ _OPENS_WITH = "hello.pal"
 
 def page(view: tuple[str, bytes] | None = None) -> str:
     """Return the whole page; with `view`, the name and frames of an EIA tape, opened at the Hydra-Point."""
-    return bundle.page("bench.html", "workbench.css", "workbench", record(view))
+    return bundle.page("PDP-8/L workbench", "bench.html", "workbench.css", "workbench", record(view))
 
 
 def record(view: tuple[str, bytes] | None = None) -> dict[str, Any]:

@@ -195,7 +195,7 @@ def test_narrow_terminals_and_no_colour(columns: str, tmp_path: Path) -> None:
 
 
 def test_a_comment_with_markup_does_not_end_the_pages_script() -> None:
-    made = page("page.html", "page.css", "page", {"listing": "/ <!-- <script> </script>"})
+    made = page("", "page.html", "page.css", "page", {"listing": "/ <!-- <script> </script>"})
     assert "<!-- <script>" not in made
 
 
