@@ -113,7 +113,7 @@ def diagnose(
         if not full:
             add(ERROR, at, "", f"error: {reason}", "")
     for note in notes:
-        add(NOTE, note.at, "", f"note: {note.message}", note.advice)
+        add(NOTE, note.at, "", f"note: {note.message}".translate(_CONTROLS), note.advice)
     return [diagnostic for _, diagnostic in sorted(found, key=itemgetter(0))]
 
 

@@ -112,6 +112,7 @@ def test_a_byte_order_mark_is_no_character() -> None:
     assert pal.assemble(b"\xef\xbb\xbf*200\n\tCLA\n$\n").diagnostics == []
 
 
-def test_a_terminal_is_shown_no_control_codes_of_a_source() -> None:
-    for diagnostic in pal.assemble("*200\n\tCLA \033[31mX\x07\n$\n").diagnostics:
+@pytest.mark.parametrize("statement", ["CLA \033[31mX\x07", "FIELD\0331"])
+def test_a_terminal_is_shown_no_control_codes_of_a_source(statement: str) -> None:
+    for diagnostic in pal.assemble(f"*200\n\t{statement}\n$\n").diagnostics:
         assert not any(ord(character) < 0o40 and character not in "\t\n" for character in str(diagnostic))
