@@ -27,7 +27,7 @@ export function assemble(...sources) {
 
 class Assembly {
   constructor(source) {
-    const assembler = new Assembler(source.items, PAL_III.TELETYPE_SYMBOLS);
+    const assembler = new Assembler(source, PAL_III.TELETYPE_SYMBOLS);
     const first = assembler.run(1);
     const firstTable = assembler.table;
     const second = assembler.stopped ? [] : assembler.run(2);

@@ -17,10 +17,11 @@ const OPERATORS = new Map([[" ", 0], ["\t", 0], ["+", 1], ["-", -1]]);
 const ROUTINES = new Map(Object.entries(PSEUDO_OPERATORS).map(([name, address]) => [address, name]));
 const RESUMED = "!"; // a number that goes on after an illegal character begins so
 
-/** One run of PAL III over the items of a source: `run` pass 1, 2 and 3, in this order. */
+/** One run of PAL III over a source: `run` pass 1, 2 and 3, in this order. */
 export class Assembler {
-  constructor(items, capacity) {
-    this.items = items;
+  constructor(source, capacity) {
+    this.items = source.items;
+    this.feeds = source.feeds;
     this.readsAhead = capacity === PAL_III.HIGH_SPEED_SYMBOLS;
     this.symbols = new SymbolTable(capacity);
     this.pointer = SymbolTable.pageZero(0);
@@ -42,6 +43,7 @@ export class Assembler {
     this.radix = 8;
     this.broken = ""; // the item in which there was an illegal character
     this.checksum = 0;
+    this.line = 0; // the first item of the line
     this.pending = [];
     this.places = 1;
     this.table = [];
@@ -225,12 +227,21 @@ export class Assembler {
   /** Punch or list the statement, and move on by a word if it makes one. */
   #write() {
     if (this.number === 3) {
-      this.output.push({ listed: this.location, word: this.made ? this.word : null, at: this.#at() });
-      if (!this.made) this.pointer = SymbolTable.pageZero(0);
+      this.#list(this.#at());
     } else if (this.made && this.number === 2) {
       this.#punch(WORD, this.word);
     }
     if (this.made) this.location = (this.location + 1) & MASK;
+  }
+
+  #list(at) {
+    this.output.push({ listed: this.location, word: this.made ? this.word : null, at });
+    let fed = false;
+    if (this.items[at][1] === "\r") {
+      fed = this.feeds.some((feed) => this.line <= feed && feed <= at);
+      this.line = at + 1;
+    }
+    if (fed || !this.made) this.pointer = SymbolTable.pageZero(0);
   }
 
   #punch(kind, value) {

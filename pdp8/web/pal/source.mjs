@@ -15,8 +15,10 @@ export class Source {
     this.starts = texts.map((each) => (length += each.length) - each.length);
     this.text = text + (text.endsWith("\r") || !text ? "$" : "\r$");
     this.items = [];
+    this.feeds = []; // the items in which, or in the comment after which, there is a form feed
     this.spans = []; // where each item begins, and where the character that ends it stands
     for (const match of this.text.matchAll(ITEM)) {
+      if (match[0].includes("\f")) this.feeds.push(this.items.length);
       this.items.push([match[1].replaceAll("\f", ""), match[2]]);
       this.spans.push([match.index, match.index + match[0].length - 1]);
     }

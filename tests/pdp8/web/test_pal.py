@@ -73,6 +73,11 @@ def test_every_source_of_the_project() -> None:
     _compare([[path.read_bytes()] for path in paths])
 
 
+def test_a_form_feed_moves_the_pointer() -> None:
+    """In pass 3, as it is typed; the = after it defines nothing."""
+    _compare([[source] for source in (b"B=3\nTAD B\f\n=5\nB\n$\n", b"B=3\n7;TAD B /\f\n=5\nB\n$\n")])
+
+
 _PIECES = (
     *"+-.; \t\n($IZAB*5,=/!?",
     *("TAD", "CLA", "A,", "B=", "FIELD", "FIXMRI", "EXPUNGE", "FIXTAB", "DECIMAL", "OCTAL", "PAUSE"),
