@@ -14,6 +14,8 @@ from tapes.progress import Busy
 
 _LONG = 500_000
 """Bytes of source that take a second or so."""
+_MOST = 100
+"""Errors and notes that are printed."""
 _PASSES = ("pass1", "pass2", "pass3")
 
 
@@ -38,7 +40,7 @@ class AssemblyError(WorkError):
     "--max-errors",
     type=click.IntRange(1),
     metavar="NUMBER",
-    default=100,
+    default=_MOST,
     show_default=True,
     help="Print so many errors and notes, and count the rest.",
 )

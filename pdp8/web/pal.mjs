@@ -8,6 +8,7 @@ import { PAL_III } from "./facts.mjs";
 import { Assembler } from "./pal/assembler.mjs";
 import { diagnose } from "./pal/diagnostics.mjs";
 import * as listing from "./pal/listing.mjs";
+import { notes } from "./pal/notes.mjs";
 import { Source } from "./pal/source.mjs";
 
 /** Assemble the source tapes, read one after the other; each is a string, or frames in a Uint8Array.
@@ -17,7 +18,7 @@ import { Source } from "./pal/source.mjs";
  * passes    the frames of the three passes when the ASR-33 does it all; a pass that was not run has none
  * messages  what passes 1 and 2 complain of, as DEC's assembler types it
  * ok        whether they ended, and complained of nothing
- * diagnostics  the same for a person, and why a pass went no further: with places, and what to do
+ * diagnostics  the same for a person, why a pass went no further, and notes of ours: with places, and what to do
  * listing   what pass 3 typed, without the codes that do not print; `lines`, the same by statements
  * symbols   {name: value} as pass 3 leaves them
  */
@@ -47,7 +48,8 @@ class Assembly {
     const said = messages(first, second, firstTable);
     this.messages = said.map(listing.messageText);
     this.ok = this.messages.length === 0 && !this.stopped;
-    this.diagnostics = diagnose(source, said, [assembler.stopped, listing.overlong(source)].filter(Boolean));
+    const noted = notes(source, source.starts.length, PAL_III.TELETYPE_SYMBOLS);
+    this.diagnostics = diagnose(source, said, [assembler.stopped, listing.overlong(source)].filter(Boolean), noted);
   }
 }
 

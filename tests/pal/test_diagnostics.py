@@ -70,16 +70,17 @@ def test_another_assemblers_dialect_is_recognised(statement: str, hint: str) -> 
     assert any(hint in sentence for sentence in hints), hints
 
 
-@pytest.mark.parametrize(
-    ("source", "line", "column", "message"),
-    [
-        ("\t1\n", 1, 2, "note: no $ at the end"),
-        ("\t1\n\n2;3$\n", 3, 3, "note: what stands before this $ is lost"),
-        ("A=5;\tA + 1\n$\n", 1, 9, "note: this makes an inclusive OR of it"),
-        ("\tB\n,5\n$\n", 2, 1, "note: no symbol stands before this comma"),
-        ("", 1, 1, "note: the source is empty"),
-    ],
-)
+NOTED = [
+    ("\t1\n", 1, 2, "note: no $ at the end"),
+    ("\n", 1, 1, "note: no $ at the end"),
+    ("\t1\n\n2;3$\n", 3, 3, "note: what stands before this $ is lost"),
+    ("A=5;\tA + 1\n$\n", 1, 9, "note: this makes an inclusive OR of it"),
+    ("\tB\n,5\n$\n", 2, 1, "note: no symbol stands before this comma"),
+    ("", 1, 1, "note: the source is empty"),
+]
+
+
+@pytest.mark.parametrize(("source", "line", "column", "message"), NOTED)
 def test_notes_are_no_errors(source: str, line: int, column: int, message: str) -> None:
     assembly = pal.assemble(source)
     assert assembly.ok

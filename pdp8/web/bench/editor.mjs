@@ -1,8 +1,8 @@
 // The editor: PAL III source in colour, assembled in the page, its messages under the places they are at.
 
 import { assemble } from "../pal.mjs";
-import { printed } from "../pal/diagnostics.mjs";
-import { LOADERS, PSEUDO_OPERATORS, SYMBOLS } from "../facts.mjs";
+import { ERROR, printed } from "../pal/diagnostics.mjs";
+import { LOADERS, PAL_III, PSEUDO_OPERATORS, SYMBOLS } from "../facts.mjs";
 import { escaped, find, grouped, octal } from "../written.mjs";
 
 const TOKENS = /(\/[^\n]*)|([A-Za-z][A-Za-z0-9]*)(,|=)?|([0-9]+)/g;
@@ -78,10 +78,11 @@ export class Editor {
   /** Assemble what is there; return whether it has no errors. */
   assemble() {
     this.assembly = assemble(this.text);
-    const { diagnostics, ok, tape, words } = this.assembly;
-    const errors = diagnostics.length ? `; ${diagnostics.length} ${diagnostics.length === 1 ? "error" : "errors"}` : "";
-    const summary = `${grouped(Object.keys(words).length)} words, a tape of ${grouped(tape.length)} frames${errors}.`;
-    find("messages").innerHTML = `<p>${summary}</p><ol>${diagnostics.map((diagnostic) => this.#item(diagnostic)).join("")}</ol>`;
+    const { diagnostics, ok, tape } = this.assembly;
+    const items = diagnostics.slice(0, PAL_III.MOST).map((diagnostic) => this.#item(diagnostic));
+    const more = diagnostics.length - items.length;
+    const rest = more ? `<p>and ${more.toLocaleString("en")} more</p>` : "";
+    find("messages").innerHTML = `<p>${summary(this.assembly)}</p><ol>${items.join("")}</ol>${rest}`;
     for (const button of find("messages").querySelectorAll("button")) button.addEventListener("click", () => this.#goTo(button.dataset));
     find("load").disabled = find("boot").disabled = tape.length === 0;
     return ok;
@@ -90,9 +91,9 @@ export class Editor {
   /** A diagnostic as `pal` prints it; its first line leads to the place. */
   #item(diagnostic) {
     const [first, ...rest] = printed(diagnostic, this.name).split("\n");
-    const { line, start, end } = diagnostic;
+    const { line, start, end, severity } = diagnostic;
     const place = `data-line="${line}" data-start="${start}" data-end="${end}"`;
-    return `<li><button class="text" ${place}>${escaped(first)}</button><pre>${escaped(rest.join("\n"))}</pre></li>`;
+    return `<li class="${severity}"><button class="text" ${place}>${escaped(first)}</button><pre>${escaped(rest.join("\n"))}</pre></li>`;
   }
 
   #goTo({ line, start, end }) {
@@ -151,6 +152,18 @@ export class Editor {
     machine.panel.loadAdd();
     this.bench.touched();
   }
+}
+
+/** What became of a source: its words, its tape, how many errors and notes. */
+function summary({ diagnostics, tape, words }) {
+  const errors = diagnostics.filter(({ severity }) => severity === ERROR).length;
+  const made = `${counted(Object.keys(words).length, "word")}, a tape of ${counted(tape.length, "frame")}`;
+  const said = [[errors, "error"], [diagnostics.length - errors, "note"]].filter(([number]) => number);
+  return `${made}${said.length ? "; " : ""}${said.map(([number, what]) => counted(number, what)).join(", ")}.`;
+}
+
+function counted(number, what) {
+  return `${grouped(number)} ${what}${number === 1 ? "" : "s"}`;
 }
 
 function coloured(text) {

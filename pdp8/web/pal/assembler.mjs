@@ -1,9 +1,10 @@
 // PAL III: the mechanism of DEC-08-ASB1, three passes over the same reading: pal/assembler.py in JavaScript.
 //
 // The Python module is the authority and says how it works. Names and order are the same here; a test holds both
-// together, byte for byte.
+// together, byte for byte. A method without # is one that notes.mjs extends.
 
 import { PAL_III, PSEUDO_OPERATORS } from "../facts.mjs";
+import { octal } from "../written.mjs";
 import { SIGNIFICANT, spelled, typed } from "./symbols.mjs";
 import { PSEUDO, Stop, SymbolTable, UNDEFINED, VALUE } from "./table.mjs";
 
@@ -55,13 +56,13 @@ export class Assembler {
       else this.#listSymbols();
     } catch (error) {
       if (!(error instanceof Stop)) throw error;
-      this.stopped = [error.message, this.#at()];
+      this.stopped = [error.message, this.at];
     }
     return this.output;
   }
 
   #read() {
-    this.#clear();
+    this.clear();
     while (this.consumed < this.items.length) {
       const [item, mark] = this.items[this.consumed++];
       const name = this.broken ? this.#goOn(item) : item;
@@ -72,32 +73,32 @@ export class Assembler {
         continue;
       }
       if (OPERATORS.has(mark)) {
-        if (this.made) this.#apply();
+        if (this.made) this.apply();
         this.operator = OPERATORS.get(mark);
       } else if (mark === "\r" || mark === ";") {
-        if (this.made) this.#apply();
-        this.#makeWord();
+        if (this.made) this.apply();
+        this.makeWord();
         if (this.pending.length) this.#finish();
-        this.#write();
-        this.#clear();
+        this.write();
+        this.clear();
       } else if (mark === ",") {
-        this.#tag();
+        this.tag();
       } else if (mark === ".") {
-        this.#point();
+        this.point();
       } else if (mark === "=") {
-        this.#assign();
+        this.assign();
       } else if (mark === "*") {
-        this.#wait("*", 0);
+        this.wait("*", 0);
       } else if (mark === "$") {
         break;
       } else {
-        this.#say("IC", octal(mark.charCodeAt(0) | 0o200));
+        this.say("IC", octal(mark.charCodeAt(0) | 0o200));
         this.broken = name;
       }
     }
   }
 
-  #clear() {
+  clear() {
     this.word = this.address = this.item = this.operator = this.zeros = 0;
     this.made = this.referring = false;
   }
@@ -123,11 +124,11 @@ export class Assembler {
     this.pointer = pointer;
     this.item = symbols.words[pointer + VALUE];
     this.refers = pointer < symbols.boundary;
-    return pointer >= PSEUDO || this.#act(mark);
+    return pointer >= PSEUDO || this.act(mark);
   }
 
   /** Do what the pseudo-operator just read says; return whether its mark is still to be acted upon. */
-  #act(mark) {
+  act(mark) {
     this.#roomFor(1);
     this.made = false;
     const routine = ROUTINES.get(this.item);
@@ -137,14 +138,14 @@ export class Assembler {
     } else if (routine === "Z") {
       this.zeros++;
     } else if (routine === "FIELD" || routine === "FIXMRI") {
-      this.#wait(routine, 0);
+      this.wait(routine, 0);
       return false;
     } else if (routine === "DECIMAL") {
       this.radix = 10;
     } else if (routine === "OCTAL") {
       this.radix = 8;
     } else if (routine === "PAUSE") {
-      if (this.readsAhead && mark !== "\r") this.#lose();
+      if (this.readsAhead && mark !== "\r") this.lose();
     } else if (routine === undefined) {
       throw new Stop(`PAL III goes on at ${octal(this.item)}, where there is no routine`);
     } else if (this.number === 1) {
@@ -155,7 +156,7 @@ export class Assembler {
   }
 
   /** Put the item where it belongs: into the word, or by the operator into the address. */
-  #apply() {
+  apply() {
     if (this.places === PLACES) this.#roomFor(1);
     if (this.refers) {
       this.word |= this.item;
@@ -168,12 +169,12 @@ export class Assembler {
   }
 
   /** `.`: the item is the location, after what was read; the operator stands for both. */
-  #point() {
-    if (this.made) this.#apply();
+  point() {
+    if (this.made) this.apply();
     this.item = this.location;
     this.refers = false;
     this.made = true;
-    this.#apply();
+    this.apply();
     this.operator = 0;
   }
 
@@ -190,14 +191,14 @@ export class Assembler {
         this.location = this.word;
         if (this.number === 2) this.#punch(ORIGIN, this.word);
       } else {
-        this.#actUpon(kind);
-        this.#makeWord();
+        this.actUpon(kind);
+        this.makeWord();
       }
     }
   }
 
   /** FIELD in pass 2, FIXMRI in pass 1: do it with the word. */
-  #actUpon(routine) {
+  actUpon(routine) {
     if (routine === "FIELD" && this.number === 2) {
       this.output.push({ punched: FIELD, location: this.location, value: this.word & 7 });
     } else if (routine === "FIXMRI" && this.number === 1) {
@@ -206,7 +207,7 @@ export class Assembler {
   }
 
   /** Put word and address together. */
-  #makeWord() {
+  makeWord() {
     const { address } = this;
     if (!this.referring) {
       this.word = address;
@@ -218,16 +219,16 @@ export class Assembler {
       this.zeros++;
     } else if (this.number !== 1 && page !== (this.location & PAGE)) {
       this.#roomFor(3);
-      this.output.push({ code: "IR", subject: octal(address), location: this.location, at: this.#at() });
+      this.output.push({ code: "IR", subject: octal(address), location: this.location, at: this.at });
     }
     this.address = address & ON_PAGE;
     this.word = (this.word + this.address + (this.zeros ? 0 : CURRENT_PAGE)) & MASK;
   }
 
   /** Punch or list the statement, and move on by a word if it makes one. */
-  #write() {
+  write() {
     if (this.number === 3) {
-      this.#list(this.#at());
+      this.#list(this.at);
     } else if (this.made && this.number === 2) {
       this.#punch(WORD, this.word);
     }
@@ -251,13 +252,13 @@ export class Assembler {
   }
 
   /** `,`: define what the pointer points to as the location. */
-  #tag() {
+  tag() {
     this.made = false;
     if (this.number !== 1) return;
     const { pointer, symbols } = this;
     const first = symbols.word(pointer);
     if (!(first & UNDEFINED)) {
-      this.#say("DT", typed(spelled(symbols.name(pointer))));
+      this.say("DT", typed(spelled(symbols.name(pointer))));
       return;
     }
     symbols.store(pointer, first ^ UNDEFINED);
@@ -266,15 +267,15 @@ export class Assembler {
   }
 
   /** `=`: what the pointer points to is defined, and waits for its value. */
-  #assign() {
+  assign() {
     const { pointer, symbols } = this;
     const first = symbols.word(pointer);
-    if (!(first & UNDEFINED)) this.#say("RD", typed(spelled(symbols.name(pointer))));
+    if (!(first & UNDEFINED)) this.say("RD", typed(spelled(symbols.name(pointer))));
     symbols.store(pointer, first & ~UNDEFINED);
-    this.#wait("=", pointer);
+    this.wait("=", pointer);
   }
 
-  #wait(kind, pointer) {
+  wait(kind, pointer) {
     this.#roomFor(PUSHED[kind]);
     this.places += PUSHED[kind];
     this.pending.push([kind, pointer]);
@@ -287,9 +288,9 @@ export class Assembler {
   }
 
   /** Type a message, in pass 1. */
-  #say(code, subject) {
+  say(code, subject) {
     this.#roomFor(2);
-    if (this.number === 1) this.output.push({ code, subject, location: this.location, at: this.#at() });
+    if (this.number === 1) this.output.push({ code, subject, location: this.location, at: this.at });
   }
 
   /** Read on after an illegal character in an item; return the item. */
@@ -318,7 +319,7 @@ export class Assembler {
         if (this.letter) throw new Stop("PAL III never ends at a second letter in a number");
         this.letter = true;
       }
-      this.#say("IC", octal(character.charCodeAt(0) & 0o77));
+      this.say("IC", octal(character.charCodeAt(0) & 0o77));
     }
     return value;
   }
@@ -326,16 +327,16 @@ export class Assembler {
   /** Enter a symbol that is not in the table; return where. */
   #enter(name) {
     if (this.symbols.full) {
-      this.#say("ST", typed(name));
+      this.say("ST", typed(name));
       throw new Stop(`the symbol table is full: there is no room for ${name}`);
     }
     const entry = this.symbols.enter(name, this.location);
-    this.seen.set(entry, this.#at());
+    this.seen.set(entry, this.at);
     return entry;
   }
 
   /** PAUSE: lose what the high-speed reader has read ahead. */
-  #lose() {
+  lose() {
     const first = this.consumed;
     while (this.items[this.consumed++][1] !== "\r");
     this.lost.push([first, this.consumed]);
@@ -357,13 +358,9 @@ export class Assembler {
   }
 
   /** The item read last; what PAUSE loses is not read. */
-  #at() {
+  get at() {
     const at = this.consumed - 1;
     const last = this.lost.at(-1);
     return last && at === last[1] - 1 ? last[0] - 1 : at;
   }
-}
-
-function octal(value) {
-  return value.toString(8).padStart(4, "0");
 }

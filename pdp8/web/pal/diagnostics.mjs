@@ -5,25 +5,36 @@
 //           ^^^^
 //     undefined: LOOP is taken as 0377, the last address of its page; define it with LOOP, or LOOP=
 //
-// The errors are all here. The notes of pal/notes.py, on what PAL III is silent about, are `pal`'s alone.
+// The errors are DEC's. Besides, there are notes of ours, of things at which PAL III is silent.
 
 import { DIALECTS, SYMBOLS } from "../facts.mjs";
+import { octal } from "../written.mjs";
 import { messageText } from "./listing.mjs";
+
+export const ERROR = "error";
+export const NOTE = "note";
 
 const PAGE = 0o7600, ADDRESS = 0o177, WIDTH = 100; // characters of a line that are shown
 const REFERENCES = new Set(Object.keys(SYMBOLS).filter((name) => SYMBOLS[name][2]));
 
-/** The messages, and why PAL III went no further, in source order, each with its place and what to do. */
-export function diagnose(source, messages, stops) {
+/** The messages, why PAL III went no further, and our notes, in source order: each with its severity, ERROR or NOTE, its place
+ * and what to do. */
+export function diagnose(source, messages, stops, notes) {
+  if (source.text.length === 1) {
+    const place = { tape: 0, line: 1, source: "", start: 0, end: 1 };
+    return [{ severity: NOTE, message: "note: the source is empty", advice: "write at least a $", hint: "", ...place }];
+  }
   const full = messages.some(({ code }) => code === "ST");
   const said = messages.map((message) => {
     const at = message.code === "IR" ? reference(source, message.at) : message.at;
     const subject = message.subject.trim();
     const advice = ADVICE[message.code](subject, message.location);
-    return { at, message: visible(messageText(message)), advice, hint: hint(message.code, subject) };
+    return { severity: ERROR, at, message: visible(messageText(message)), advice, hint: hint(message.code, subject) };
   });
-  const ended = full ? [] : stops.map(([reason, at]) => ({ at, message: `error: ${reason}`, advice: "", hint: "" }));
-  return [...said, ...ended].sort((one, other) => one.at - other.at).map((found) => ({ ...found, ...source.place(found.at) }));
+  const ended = full ? [] : stops.map(([reason, at]) => ({ severity: ERROR, at, message: `error: ${reason}`, advice: "", hint: "" }));
+  const noted = notes.map(({ at, message, advice }) => ({ severity: NOTE, at, message: visible(`note: ${message}`), advice, hint: "" }));
+  const found = [...said, ...ended, ...noted].sort((one, other) => one.at - other.at);
+  return found.map((each) => ({ ...each, ...source.place(each.at) }));
 }
 
 /** A diagnostic as `pal` prints it, of the source tape that is called `file`. */
@@ -105,8 +116,4 @@ function hintOfCharacter(code) {
   const character = String.fromCharCode(code & 0o177);
   if (/[a-z]/.test(character)) return "PAL III knows capital letters only; --modern folds lower case";
   return DIALECTS.CHARACTERS[character] ?? "";
-}
-
-function octal(value) {
-  return value.toString(8).padStart(4, "0");
 }

@@ -32,7 +32,7 @@ export class Source {
     if (start === end) [start, end] = [mark, mark + 1];
     const tape = Math.max(this.starts.findLastIndex((begins) => begins <= start), 0);
     const line = this.text.slice(this.starts[tape] ?? 0, start).split("\r").length;
-    const first = this.text.lastIndexOf("\r", start - 1) + 1;
+    const first = this.text.slice(0, start).lastIndexOf("\r") + 1;
     return { tape, line, source: this.text.slice(first, this.text.indexOf("\r", first)), start: start - first, end: end - first };
   }
 }

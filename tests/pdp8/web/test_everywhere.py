@@ -6,6 +6,8 @@ Both are asked in the same words: a script of the page, and a condition to wait 
 import base64
 from pathlib import Path
 
+import pytest
+
 from pdp8.computer import state
 from pdp8.computer.machine import Machine
 from tapes import shelf
@@ -147,17 +149,25 @@ def test_sound_is_made_on_request_only(tab: Tab) -> None:
     assert tab.run("return window.contexts") == 1
 
 
-def test_what_the_assembler_says_is_what_pal_prints(tab: Tab, tmp_path: Path) -> None:
-    """Place, message, line, carets, advice and hint, in the words of the command."""
-    (tmp_path / "far.pal").write_text("*200\n\tJMP 400\n\tCLA!\n\tTAD FOO\n$\n")
+@pytest.mark.parametrize(
+    "source",
+    [
+        "*200\n\tJMP 400\n\tCLA!\n\tTAD FOO\n\t5 + 3\n$\n",
+        "*200\n\tTAD A + 1\nA,\t5\n",
+        "*200\n" + "\t5 + 3\n" * 1200 + "$\n",
+    ],
+    ids=["errors and a note", "notes", "many"],
+)
+def test_what_the_assembler_says_is_what_pal_prints(tab: Tab, tmp_path: Path, source: str) -> None:
+    """Place, message, line, carets, advice and hint, in the words of the command; notes among the errors."""
+    (tmp_path / "far.pal").write_text(source)
     done = run("pal", "far.pal", folder=tmp_path)
     drop(tab, "far.pal", (tmp_path / "far.pal").read_bytes())
     tab.until("workbench.editor.name === 'far.pal'")
     click(tab, "#assemble")
-    items = "[...document.querySelectorAll('#messages li')]"
-    text = "(item) => [...item.children].map(({ textContent }) => textContent).join('\\n')"
-    shown = "\n".join(tab.run(f"return {items}.map({text})"))
-    assert shown == done.stderr.decode().rpartition("\npal: ")[0]
+    said = "[...document.querySelectorAll('#messages li > *, #messages ol + p')]"
+    shown = tab.run(f"return {said}.map(({{ textContent }}) => textContent).join('\\n')")
+    assert shown == done.stderr.decode().partition("\npal: ")[0].rstrip("\n")
 
 
 def check(tab: Tab, number: int, answer: str = "") -> str:

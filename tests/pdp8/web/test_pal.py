@@ -10,6 +10,10 @@ from typing import Any
 import pytest
 
 import pal
+from pal.assembler import HIGH_SPEED_SYMBOLS
+from pal.notes import notes
+from pal.source import Source
+from tests.pal import test_diagnostics, test_notes
 from tests.pdp8.conftest import MODULES, NODE
 
 HOUSE = Path(__file__).parents[3]
@@ -57,7 +61,7 @@ def _here(tapes: list[bytes]) -> dict[str, Any]:
         "listing": assembly.printed(3),
         "symbols": [[name, value] for name, value in assembly.symbols.items()],
         "messages": [str(message) for message in assembly.messages],
-        "diagnostics": [str(diagnostic) for diagnostic in assembly.diagnostics if diagnostic.error],
+        "diagnostics": [str(diagnostic) for diagnostic in assembly.diagnostics],
     }
 
 
@@ -71,6 +75,32 @@ def test_every_source_of_the_project() -> None:
     paths = [*HOUSE.glob("programs/*.pal"), *HOUSE.glob("tests/**/*.pal")]
     assert len(paths) > 40
     _compare([[path.read_bytes()] for path in paths])
+
+
+def test_every_source_with_a_note() -> None:
+    """All that the tests of the notes have, tapes after the end, empty tapes."""
+    sources = [f"{source}\n$\n" for source, *_ in test_notes.NOTED]
+    sources += [source for source, *_ in test_diagnostics.NOTED]
+    several = [[b"1\n$\n", b"2\n"], [b"1\n", b"2\n$\n", b"3\n", b"4\n"], [b"", b""], [b"FIELD\0331\n$\n"]]
+    _compare([[source.encode("ascii")] for source in sources] + several)
+
+
+_NOTES = """
+import { notes } from "%s/pal/notes.mjs";
+import { Source } from "%s/pal/source.mjs";
+console.log(JSON.stringify(notes(new Source([%s]), 1, %d)));
+"""
+
+
+@pytest.mark.parametrize("source", ["PAUSE;5\n$\n", "PAUSE;+\n$\n", "PAUSE \t/5\n$\n", "PAUSE,5 +\n+ 1\n$\n"])
+def test_notes_with_the_high_speed_reader(source: str) -> None:
+    """Which the page has not: what PAUSE loses of its line is no item of the source."""
+    script = _NOTES % (MODULES.as_uri(), MODULES.as_uri(), json.dumps(source), HIGH_SPEED_SYMBOLS)
+    done = subprocess.run(
+        [str(NODE), "--input-type=module", "--eval", script], capture_output=True, text=True, check=True
+    )
+    expected = notes(Source([source.encode("ascii")]), 1, HIGH_SPEED_SYMBOLS)
+    assert [tuple(note.values()) for note in json.loads(done.stdout)] == expected
 
 
 def test_a_form_feed_moves_the_pointer() -> None:

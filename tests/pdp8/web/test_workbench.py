@@ -55,6 +55,20 @@ def test_messages_have_their_places(page: "Page") -> None:
     assert page.evaluate("getSelection().toString() || document.activeElement.id") in ("CLA", "LOOP")
 
 
+def test_a_note_is_no_error(page: "Page") -> None:
+    """It is counted by itself, in a colour of its own, with its caret; the program loads."""
+    _write(page, "*200\n\tCLA!\n\t5 + 3\n$\n")
+    colours = page.evaluate(
+        "[...document.querySelectorAll('#messages button')].map((button) => getComputedStyle(button).color)"
+    )
+    assert len(set(colours)) == len(colours) == 2
+    _write(page, "*200\n\t5 + 3\n\tHLT\n$\n")
+    assert page.locator("#messages p").inner_text() == "2 words, a tape of 139 frames; 1 note."
+    assert (page.locator("#messages pre").text_content() or "").startswith("    \t5 + 3\n    \t   ^\n")
+    page.locator("#load").click()
+    assert page.evaluate("[...workbench.machine.core.slice(0o200, 0o202)]") == [0o7, 0o7402]
+
+
 def test_echo_is_typed_at_the_keyboard(page: "Page") -> None:
     """By keyboard on the page of the Teletype, and in the line for a phone: echo.pal prints it."""
     page.locator("#sources").select_option("echo.pal")
