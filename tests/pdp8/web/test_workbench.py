@@ -277,11 +277,12 @@ def test_nothing_hangs_over_the_edge(page: "Page", size: tuple[int, int]) -> Non
 @needs_axe
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing_serious(browser: "Browser", file: Path, scheme: str) -> None:
-    """On every tab, in both forms."""
+    """On every tab, in both forms, an error and a note among what is there."""
     context = browser.new_context(color_scheme=scheme, bypass_csp=True)  # type: ignore[arg-type]
     opened = context.new_page()
     opened.goto(file.as_uri())
     opened.add_script_tag(path=AXE)
+    _write(opened, "\tCLA!\n\t5 + 3\n$\n")
     for tab in ("program", "debugger", "mill", "exercises"):
         opened.locator(f"[data-opens={tab}]").click()
         assert serious(opened) == [], tab
