@@ -32,6 +32,8 @@ if TYPE_CHECKING:
     from pdp8.computer.history import History
 
 TICKS_PER_SECOND = 20_000_000
+SETTABLE = ("pc", "lac", "next", "ion", "ion_delayed", "sr", "mem_prot")
+"""The registers that may be set from outside between two runs."""
 _LONGEST = 1e9
 """Seconds, 31 years: more is no limit."""
 _FIRST = 1.0
@@ -216,14 +218,25 @@ class Machine:
         """Tell whether the last run ended with its limit and no register was set since."""
         return self._left == self._registers()
 
-    def left(self, continues: bool = True) -> None:
-        """Take the registers as they are for those the last run left, its limit reached; or for others."""
-        self._left = self._registers() if continues else ()
+    def left(self) -> dict[str, int] | None:
+        """Return what the last run left in the registers set since: the next continues it if these are set
+        back. None if it did not end with its limit, or time has gone on.
+        """
+        now, times = self._registers(), len(SETTABLE)
+        if self._left[times:] != now[times:]:
+            return None
+        before_and_now = zip(SETTABLE, self._left, now, strict=False)
+        return {name: before for name, before, value in before_and_now if before != value}
+
+    def leave(self, left: Mapping[str, int] | None) -> None:
+        """Let the next run continue the last, once the registers are as they are but for `left`."""
+        now = self._registers()
+        self._left = () if left is None else (*map(left.get, SETTABLE, now), *now[len(SETTABLE) :])
 
     def _registers(self) -> tuple[int, ...]:
-        """Return what may be set from outside between two runs: if it was, no turn of a loop is known."""
+        """Return SETTABLE, clock and instructions: where one is another, no turn of a loop is known."""
         p = self.processor
-        return p.clock, p.instructions, p.pc, p.lac, p.next, p.ion, p.ion_delayed, p.sr, p.mem_prot
+        return p.pc, p.lac, p.next, p.ion, p.ion_delayed, p.sr, p.mem_prot, p.clock, p.instructions
 
     def _take_breakpoints(self) -> None:
         """Let no turn of a loop be passed over that has a breakpoint in it or writes a watched word."""

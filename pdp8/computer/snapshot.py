@@ -1,13 +1,13 @@
 """A machine's state as values in memory, taken and put back in some microseconds.
 
 What is taken is what a saved state holds (see fields.py), under names such as `processor pc`, `03 reader
-position` and `core`; and `continues`, whether the last run may go on as if it had not ended.
+position` and `core`; and `left`, the registers to be set back for the next run to continue the last.
 """
 
 from array import array
 from collections.abc import Iterator, Mapping
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from pdp8.computer.fields import CORE, FRAMES, PART
 
@@ -39,7 +39,7 @@ class Parts:
         machine = self._machine
         machine.bus.advance(machine.processor.clock)
         core = array("H", machine.processor.core).tobytes()
-        values: Values = {"core": core, "continues": machine.continues()}
+        values: Values = {"core": core, "left": machine.left()}
         for part, keys, values_of in self._plain:
             values.update(zip(keys, values_of(part), strict=True))
         for key, part, name, kind in self._copied:
@@ -71,8 +71,8 @@ def put(machine: "Machine", values: Mapping[str, object]) -> None:
             key = f"{path} {name}"
             if key in values:
                 _put(part, name, kind, values[key])
-    if "continues" in values:
-        machine.left(bool(values["continues"]))
+    if "left" in values:
+        machine.leave(cast("dict[str, int] | None", values["left"]))
 
 
 def size(values: Mapping[str, object]) -> int:

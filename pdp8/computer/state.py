@@ -3,7 +3,8 @@
 A run saved at any instant goes on as if nothing had happened.
 
     {"format": "pdp8 state", "version": 2,
-     "continues": true,                          the machine is as its last run left it
+     "left": {},                                 the machine is as its last run left it, ended by its limit;
+                                                 {"sr": "0200"}: it is once SR is 0200 again; null: it is not
      "processor": {"pc": "0200", "clock": 85},   words are octal strings; counts, flags and ticks are numbers
      "core": {"0200": "7200 1205 ..."},          eight words a line; words not named are 0000
      "bus": {...}, "waiting": {...},
@@ -20,7 +21,7 @@ from typing import Any
 
 from pdp8.computer.bus import AT_ONCE, NEVER, Device
 from pdp8.computer.fields import CORE, FRAMES, PART, TICK
-from pdp8.computer.machine import Machine
+from pdp8.computer.machine import SETTABLE, Machine
 from pdp8.computer.oldstate import TITLE, modern
 from tapes.errors import WorkError
 
@@ -40,7 +41,7 @@ def save(machine: Machine) -> str:
     words = machine.processor.core
     state = {
         **_HEAD,
-        "continues": machine.continues(),
+        "left": _left(machine),
         "processor": _written(machine.processor, words),
         "core": _rows(words),
         "bus": _written(machine.bus, words),
@@ -51,6 +52,14 @@ def save(machine: Machine) -> str:
         },
     }
     return json.dumps(state, indent=1) + "\n"
+
+
+def _left(machine: Machine) -> dict[str, object] | None:
+    """Return the registers set since the last run as JSON has them."""
+    left, kinds = machine.left(), machine.processor.fields
+    if left is None:
+        return None
+    return {name: _value(kinds[name], value, machine.processor.core) for name, value in left.items()}
 
 
 def _written(part: Any, core: "array[int]") -> dict[str, object]:
@@ -99,8 +108,9 @@ def restore(text: str, others: Mapping[int, type[Device]] | None = None) -> Mach
     for number, fields in devices.items():
         _take_device(machine, number, fields)
     _check(machine)
-    if state.get("continues"):
-        machine.left()
+    left = state.get("left", {} if state.get("continues") else None)  # the name was once `continues`
+    if left is not None:
+        machine.leave(_registers(left, machine))
     return machine
 
 
@@ -146,10 +156,25 @@ def _take(part: Any, fields: object, place: str, machine: Machine) -> None:
             setattr(part, name, type(getattr(part, name))(_frames(value, where)))
         elif kind == CORE:
             setattr(part, name, None if value is None else _copy(value, where, machine))
-        elif isinstance(kind, int):
-            setattr(part, name, type(getattr(part, name))(_number(value, 0, kind, where)))
         else:
-            setattr(part, name, _tick(value, where) if kind == TICK else _octal(value, int(kind, 8), where))
+            setattr(part, name, type(getattr(part, name))(_plain(value, kind, where)))
+
+
+def _plain(value: object, kind: int | str, place: str) -> int:
+    """Return the value of a field that is no tape, no part and no copy of core."""
+    if isinstance(kind, int):
+        return _number(value, 0, kind, place)
+    return _tick(value, place) if kind == TICK else _octal(value, int(kind, 8), place)
+
+
+def _registers(left: object, machine: Machine) -> dict[str, int]:
+    """Return the registers set since the last run, {name: value}."""
+    registers = {}
+    for name, value in _object(left, "left").items():
+        if name not in SETTABLE:
+            raise StateError(f"left {name}: the registers are {' '.join(SETTABLE)}")
+        registers[name] = _plain(value, machine.processor.fields[name], f"left {name}")
+    return registers
 
 
 def _object(value: object, place: str) -> dict[str, Any]:

@@ -6,10 +6,11 @@ and each loop waits for.
 
 import copy
 import json
+import re
 from collections.abc import Callable
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from pdp8.computer import state
@@ -30,6 +31,16 @@ PROGRAMS = {
 }
 
 Act = Callable[[Machine], object]
+
+
+def protect(up: bool) -> Act:
+    return lambda machine: setattr(machine.panel, "mem_prot", up)
+
+
+def run_nothing(machine: Machine) -> object:
+    return machine.run(seconds=1, instructions=0)
+
+
 FRAMES = st.binary(max_size=3)
 ACTS = st.one_of(
     st.builds(lambda frames: lambda m: m.teletype.keyboard.press(frames), FRAMES),
@@ -44,7 +55,7 @@ ACTS = st.one_of(
     st.builds(lambda: lambda m: m.panel.stop()),
     st.builds(lambda: lambda m: m.panel.cont()),
     st.builds(lambda: lambda m: m.panel.start()),
-    st.builds(lambda up: lambda m: setattr(m.panel, "mem_prot", up), st.booleans()),
+    st.builds(protect, st.booleans()),
 )
 
 
@@ -57,6 +68,7 @@ def started(words: dict[int, str]) -> Machine:
 
 
 @settings(max_examples=400, deadline=None)
+@example("echo", [protect(True), run_nothing, protect(False)], [protect(True)])
 @given(st.sampled_from(list(PROGRAMS)), st.lists(ACTS, max_size=8), st.lists(ACTS, max_size=8))
 def test_the_same_future(name: str, before: list[Act], after: list[Act]) -> None:
     machine = started(PROGRAMS[name])
@@ -68,6 +80,43 @@ def test_the_same_future(name: str, before: list[Act], after: list[Act]) -> None
     for act in after:
         assert act(machine) == act(restored)
     assert json.loads(state.save(restored)) == json.loads(state.save(machine))
+
+
+def test_a_switch_set_back_is_as_the_last_run_left_it_in_the_restored_machine_too() -> None:
+    machine = started(PROGRAMS["echo"])
+    machine.run(instructions=5)
+    for name, other in (("mem_prot", 1), ("sr", 0o7070)):
+        setattr(machine.processor, name, other)
+    text = state.save(machine)
+    restored = state.restore(text)
+    assert json.loads(text)["left"] == {"sr": "0000", "mem_prot": 0}
+    for each in (machine, restored):
+        assert not each.continues()
+        each.processor.mem_prot = each.processor.sr = 0
+        assert each.continues()
+
+
+@pytest.mark.parametrize(
+    ("left", "said"),
+    [
+        ({"ac": "0000"}, "left ac: the registers are pc lac"),
+        ({"sr": "9"}, 'left sr: "9" is not an octal number from 0 to 7777'),
+        ([], "left: [] is not an object"),
+    ],
+)
+def test_what_no_run_left_is_refused(left: object, said: str) -> None:
+    text = json.dumps(json.loads(state.save(started({}))) | {"left": left})
+    with pytest.raises(state.StateError, match=re.escape(said)):
+        state.restore(text)
+
+
+def test_a_state_that_says_continues_is_read() -> None:
+    machine = started(PROGRAMS["echo"])
+    machine.run(instructions=5)
+    saved = json.loads(state.save(machine))
+    assert saved.pop("left") == {}
+    assert state.restore(json.dumps({**saved, "continues": True})).continues()
+    assert not state.restore(json.dumps({**saved, "continues": False})).continues()
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
