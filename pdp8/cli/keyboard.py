@@ -56,7 +56,7 @@ def _run(
     began = time.monotonic() - machine.elapsed
     last = NEVER if max_time is None else machine.ticks + round(max_time * TICKS_PER_SECOND)
     while True:
-        stop = machine.run(seconds=min(_SLICE, (last - machine.ticks) / TICKS_PER_SECOND))
+        stop = machine.run(seconds=min(_SLICE, max(last - machine.ticks, 0) / TICKS_PER_SECOND))
         pass_on()
         waiting = stop.reason in ("tape out", "idle")
         if (stop.reason != "limit" and not waiting) or machine.ticks >= last:

@@ -45,6 +45,8 @@ def replay(part: str, output: str | None, html: str | None, realtime: bool) -> N
     from pdp8.replay import replay as whole
 
     folder = output or f"replay-{part}"
+    if html is not None:
+        _check_page(html, folder, part)
     os.makedirs(folder, exist_ok=True)
     command.check_files([], [html])
     afternoon = whole(part, _keep_quiet if realtime else _say_act)
@@ -54,6 +56,15 @@ def replay(part: str, output: str | None, html: str | None, realtime: bool) -> N
             _pass(act)
             _say_act(act)
     _show(afternoon, aside=html == "-")
+
+
+def _check_page(html: str, folder: str, part: str) -> None:
+    """Raise UsageError if the page is to have the name of another file of the replay."""
+    from pdp8.replay.desk import names
+
+    taken = {os.path.realpath(os.path.join(folder, name)) for name in names(part)}
+    if os.path.realpath(html) in taken:
+        raise click.UsageError(f"--html {html} is the name of another file of the replay; name another")
 
 
 def _keep_quiet(act: "Act") -> None:
@@ -88,9 +99,6 @@ def _leave(afternoon: "Afternoon", folder: str, html: str | None) -> None:
     from pdp8.replay.desk import desk
 
     files = desk(afternoon)
-    taken = {os.path.realpath(os.path.join(folder, name)) for name in files}
-    if html and os.path.realpath(html) in taken:
-        raise click.UsageError(f"--html {html} is the name of another file of the replay; name another")
     for name, content in files.items():
         shelf.write(os.path.join(folder, name), content)
     command.say(f"{len(files)} tapes, listings and pictures in {folder}")

@@ -40,6 +40,11 @@ RIM_HIGH_SPEED = (
     *(0o7006, 0o6011, 0o5367, 0o6016, 0o7420, 0o3776, 0o3376, 0o5357, 0o0000),
 )
 
+_SLOWER = (
+    "; a loader that takes longer has no limit as a program of its own: "
+    "pdp8 run LOADER --start 7777 --sr 7777 --reader TAPE --save FILE"
+)
+
 
 class Pace(NamedTuple):
     """Seconds of machine time: to set the switches, to press a key, to put a tape in, to move from the START
@@ -193,7 +198,7 @@ class Operator:
         """Load `program`, a BIN or RIM tape, from cold through the Teletype; `loader` is BIN's RIM tape.
 
         Yields each step as it is done. Leaves the machine standing still, the reader empty. Raises LoadError
-        where a loader ends as it should not; with `force` a wrong checksum is passed over.
+        where a loader ends as it should not; with `force` a wrong checksum or a missing end is passed over.
         """
         self.panel.stop()
         self.panel.mem_prot = self.panel.sing_step = False
@@ -213,30 +218,37 @@ class Operator:
         self.mount(name, tape)
         stop = self.start(RIM_START, seconds=_longest(tape))
         if stop.reason is not Reason.TAPE_OUT:
-            raise LoadError(f"{name}: the RIM loader {_ended(stop)}")
+            raise LoadError(f"{name}: the RIM loader {_ended(stop, tape)}")
         self.stop()
         return self._read(f"{name} read by RIM", began, 1, _rim_words(tape))
 
     def read_bin(self, tape: bytes, name: str = "tape", force: bool = False) -> Loading:
         """Let the BIN loader read `tape` from the Teletype, with CONT for each section after the first.
 
-        Raises LoadError unless the loader halts after each, with AC = 0 or `force`.
+        Raises LoadError unless the loader halts after each with AC = 0. With `force` AC may be anything, and
+        STOP is pressed where the tape has run out and the loader has not halted.
         """
         sections, words = _bin_sections(tape)
         began = self.machine.processor.clock
         self.mount(name, tape)
         stop = self.start(BIN_START, TELETYPE_READER, _longest(tape))
-        self._judge(stop, name, force)
+        self._judge(stop, tape, name, force)
         for _ in range(sections - 1):
-            self._judge(self.go_on(_longest(tape)), name, force)
-        return self._read(f"{name} read by BIN", began, sections, words)
+            self._judge(self.go_on(_longest(tape)), tape, name, force)
+        core = self.machine.core
+        loaded = sum(core[address & 0o7777] == word for address, word in words.items())
+        return self._read(f"{name} read by BIN", began, sections, loaded)
 
-    def _judge(self, stop: Stop, name: str, force: bool) -> None:
+    def _judge(self, stop: Stop, tape: bytes, name: str, force: bool) -> None:
         """Raise LoadError unless the BIN loader has halted with AC = 0."""
         ac, read = self.machine.ac, counted(self.reader.position, "frames")
+        if stop.reason is Reason.TAPE_OUT and force:
+            self.stop()
+            return
         if stop.reason is not Reason.HALT:
             self.reader.remove()
-            raise LoadError(f"{name}: the BIN loader {_ended(stop)} after {read}")
+            advice = _SLOWER if stop.reason is Reason.LIMIT else ""
+            raise LoadError(f"{name}: the BIN loader {_ended(stop, tape)} after {read}{advice}")
         if ac and not force:
             self.reader.remove()
             raise LoadError(f"{name}: the BIN loader halted with AC = {ac:04o} after {read}: wrong checksum")
@@ -257,13 +269,14 @@ class Operator:
 
 
 def _longest(tape: bytes) -> float:
-    """Return the seconds that no loader takes for a tape: twice as long as the reader, and a minute."""
+    """Return the seconds given to a loader for a tape: twice as long as the reader takes, and a minute."""
     return 60 + 2 * len(tape) * FRAME / TICKS_PER_SECOND
 
 
-def _ended(stop: Stop) -> str:
+def _ended(stop: Stop, tape: bytes) -> str:
     if stop.reason is Reason.LIMIT:
-        return f"did not end; STOP was pressed at {stop.pc:04o}"
+        limit = f"{duration(_longest(tape))}, a minute and twice what its tape takes"
+        return f"did not end within {limit}; STOP was pressed at {stop.pc:04o}"
     return f"ended with {stop.reason} at {stop.pc:04o}"
 
 
@@ -276,12 +289,10 @@ def _rim_words(tape: bytes) -> int:
         return 0
 
 
-def _bin_sections(tape: bytes) -> tuple[int, int]:
-    """Return how often the loader will halt, as the operator sees from the tape, and how many words it
-    holds.
-    """
+def _bin_sections(tape: bytes) -> tuple[int, dict[int, int]]:
+    """Return how often the loader will halt, as the operator sees from the tape, and the words it holds."""
     try:
         reading = binary.read(tape)
-        return len(reading.sections) + bool(reading.unended), len(binary.content(reading).words)
+        return len(reading.sections) + bool(reading.unended), binary.content(reading).words
     except TapeError:
-        return 1, 0
+        return 1, {}

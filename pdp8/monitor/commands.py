@@ -23,7 +23,7 @@ class Command(NamedTuple):
 def help_(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Say what the monitor knows, or one of its commands."""
     for command in [find(name) for name in arguments] or COMMANDS.values():
-        said = f"{command.name + ' ' + command.arguments:28}{command.action.__doc__}"
+        said = f"{command.name + ' ' + command.arguments:27} {command.action.__doc__}"
         for line in wrap(said, 79, subsequent_indent=" " * 28):
             monitor.say(line)
 

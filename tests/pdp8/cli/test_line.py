@@ -69,6 +69,14 @@ def test_each_special_key_through_a_terminal(tmp_path: Path) -> None:
     assert terminal.ended() == 0
 
 
+def test_the_time_limit_of_a_program_that_waits_for_a_key(tmp_path: Path) -> None:
+    (tmp_path / "keep.pal").write_text(KEEP)
+    terminal = Terminal("pdp8", "run", tmp_path / "keep.pal", "--keyboard", "--max-time", "1.01")
+    seen = terminal.until(b"1971")
+    assert b"when --max-time was over" in seen
+    assert terminal.ended() == 1
+
+
 class Other:
     """The other end of a line."""
 

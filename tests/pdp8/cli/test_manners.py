@@ -117,10 +117,11 @@ def test_page_and_table_share_no_stream_and_no_name(shell: Shell, tmp_path: Path
     assert done.stdout.startswith(b"<!DOCTYPE html>")
     assert b"thesis beside replay" not in done.stdout
     assert b"thesis beside replay" in done.stderr
-    done = shell("pdp8 replay drill --html desk/drill.eia --out desk")
+    done = shell("pdp8 replay drill --html again/drill.eia --out again")
     assert done.returncode == 2
     assert b"is the name of another file of the replay" in done.stderr
-    assert not (tmp_path / "desk" / "drill.eia").read_bytes().startswith(b"<!")
+    assert b"FORTRAN" not in done.stderr, "refused only after the first act"
+    assert not (tmp_path / "again").exists()
 
 
 @pytest.mark.parametrize(

@@ -124,6 +124,33 @@ def test_a_tape_cut_short() -> None:
         Operator(bin_machine()).read_bin(tape[:68], "torn.bin")
 
 
+@pytest.mark.parametrize(
+    ("frames", "loaded"),
+    [(72, 2), (70, 1), (66, 0)],
+    ids=["no trailer", "no checksum", "no word"],
+)
+def test_a_tape_cut_short_is_loaded_as_far_as_the_loader_got_if_forced(frames: int, loaded: int) -> None:
+    """The loader keeps a word back until the frames after it show that it is not the checksum."""
+    tape = binary.encode({0o200: 0o1234, 0o201: 0o4321})
+    machine = bin_machine()
+    done = Operator(machine).read_bin(tape[:frames], "torn.bin", force=True)
+    assert (done.frames, done.words) == (frames, loaded)
+    assert not machine.panel.lamps.run
+    assert list(machine.core)[0o200:0o202] == [0o1234, 0o4321][:loaded] + [0] * (2 - loaded)
+
+
+def test_a_loader_slower_than_its_limit_is_named_with_the_limit_and_the_way_on() -> None:
+    tape = binary.encode({0o200: 0o1234})
+    machine = Machine()
+    machine.load({0o7777: 0o5300, 0o7700: 0o2010, 0o7701: 0o5300, 0o7702: 0o5300})
+    with pytest.raises(LoadError) as error:
+        Operator(machine).read_bin(tape, "slow.bin")
+    seconds = 60 + 2 * len(tape) / 10
+    said = str(error.value)
+    assert f"did not end within 1 min {seconds - 60:.1f} s, a minute and twice what its tape takes" in said
+    assert "pdp8 run LOADER --start 7777 --sr 7777 --reader TAPE --save FILE" in said
+
+
 def test_the_high_speed_reader_by_switch_0_down() -> None:
     machine = bin_machine(highspeed=True)
     machine.highspeed.reader.load(binary.encode({0o200: 0o1234}))

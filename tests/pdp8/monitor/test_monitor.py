@@ -69,6 +69,7 @@ def test_help_names_every_command() -> None:
     Monitor(said.append).do("help")
     assert [line.split()[0] for line in said if line[0] != " "] == list(COMMANDS)
     assert max(map(len, said)) < 80
+    assert "until TEXT [N times] [SECONDS] Go on until TEXT" in "\n".join(said)
     said.clear()
     Monitor(said.append).do("HELP Set")
     assert said[0].startswith("set NAME WORD               Set a register, a switch (0 or 1)")
