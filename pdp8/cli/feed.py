@@ -101,6 +101,30 @@ class Feed:
             return b""
 
 
+def say_unread() -> None:
+    """Say that frames on standard input were not read, as a restored machine has its own tape, if so."""
+    if _unread():
+        command.say(
+            "standard input was not read: a restored machine goes on with the tape in its reader; "
+            "--reader - takes standard input instead"
+        )
+
+
+def _unread() -> bool:
+    """Tell whether standard input is a file or a pipe that holds frames which nobody has read."""
+    if sys.platform == "win32":
+        return False
+    import fcntl
+    import termios
+
+    try:
+        number = sys.stdin.fileno()
+        count = fcntl.ioctl(number, termios.FIONREAD, bytes(4))
+    except (OSError, UnsupportedOperation):
+        return False
+    return not os.isatty(number) and any(count)
+
+
 def _pipe(name: str) -> int:
     """Return the file number of a tape that comes as it is made, -1 for one that is whole.
 

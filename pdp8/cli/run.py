@@ -9,7 +9,7 @@ import click
 from click.core import ParameterSource
 
 from pdp8.cli import pacing
-from pdp8.cli.feed import Feed
+from pdp8.cli.feed import Feed, say_unread
 from pdp8.cli.outputs import Output, send
 from pdp8.cli.parameters import octal, seconds
 from pdp8.computer import program as programs
@@ -67,7 +67,8 @@ _DONE = (Reason.HALT, Reason.TAPE_OUT)
 @click.option(
     "--restore",
     metavar="FILE",
-    help="Go on from a saved state, as CONT does; with --start, START there. --sr and --reader set the rest.",
+    help="Go on from a saved state and the tape in its reader, as CONT does; with --start, START there. "
+    "--sr sets the switches, --reader changes the tape (- for standard input).",
 )
 @click.option("--quiet", is_flag=True, help="Do not say how the run ended, unless it failed.")
 @click.pass_context
@@ -162,6 +163,8 @@ def run(
     counts = _counts(machine, feed.read)
     if feed.left and not quiet:
         command.say(f"{feed.left} did not go into the reader: the program did not wait for it")
+    if restore and not (reader or quiet):
+        say_unread()
     if stop is None:
         command.say(f"interrupted at {machine.pc:04o}{counts}")
         ctx.exit(130)

@@ -11,7 +11,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from tapes import kinds, shelf
-from tapes.errors import TapeError, WorkError, naming
+from tapes.errors import TapeError, WorkError, called, naming
 from tapes.measure import counted
 
 if TYPE_CHECKING:
@@ -98,7 +98,7 @@ def _assembled(source: bytes, name: str) -> Program:
 
     if kinds.only_figures(source):
         raise WorkError("nothing but figures: no program, but a tape for the reader")
-    assembly = pal.assemble(source, names=[name])
+    assembly = pal.assemble(source, names=[called(name)])
     if not assembly.ok:
         shown = [str(diagnostic) for diagnostic in assembly.diagnostics[:_MOST_ERRORS]]
         more = len(assembly.diagnostics) - _MOST_ERRORS

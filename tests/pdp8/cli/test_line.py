@@ -175,6 +175,22 @@ def test_switches_and_start_beside_a_restored_state(shell: Shell, tmp_path: Path
     assert b"no frames read, no frames punched at high speed" in done.stderr
 
 
+@pytest.mark.parametrize("given", ["< b.asc", "< <(cat b.asc)"])
+def test_a_restored_machine_keeps_its_tape_and_names_an_input_that_it_does_not_read(
+    shell: Shell, tmp_path: Path, given: str
+) -> None:
+    (tmp_path / "a.asc").write_bytes(LINE[:11])
+    (tmp_path / "b.asc").write_bytes(LINE[11:])
+    assert shell("pdp8 run eia.pal --reader a.asc --max-time 0.5 --save s > first").returncode == 1
+    unread = b"standard input was not read: a restored machine goes on with the tape in its reader"
+    done = shell(f"pdp8 run --restore s {given} > rest")
+    assert unread in done.stderr
+    assert done.returncode == 0
+    assert unread not in shell("pdp8 run --restore s < /dev/null > rest").stderr
+    done = shell(f"pdp8 run --restore s --reader a.asc --reader - {given}")
+    assert unread not in done.stderr
+
+
 def test_a_tape_of_another_code_is_noted(shell: Shell) -> None:
     done = shell("pdp8 run eia.pal --reader circle.eia --max-time 1 > /dev/null")
     assert b"circle.eia is an EIA tape: a program for ASCII finds no character on it" in done.stderr

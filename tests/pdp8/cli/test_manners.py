@@ -101,6 +101,12 @@ def test_a_tape_is_not_written_over_the_name_of_a_source(shell: Shell) -> None:
     assert done.stdout == b""
 
 
+def test_standard_input_has_one_name_in_the_errors_of_a_source(shell: Shell) -> None:
+    for command in ("run - --max-time 1", "pal - -o x.bin"):
+        done = shell(f"printf '*200\\n\\tQQ\\n$\\n' | pdp8 {command}")
+        assert b"\nstandard input:2:2: " in b"\n" + done.stderr, command
+
+
 @pytest.mark.parametrize("command", ["part mirror", "tape clean", "nc view", "tape convert --to octal"])
 def test_an_output_is_not_written_over_its_source(shell: Shell, tmp_path: Path, command: str) -> None:
     (tmp_path / "own.eia").write_bytes(shelf.read_bundled("circle.eia"))
