@@ -199,8 +199,9 @@ def cut_so_far(
     from nc import machine
 
     x, y, z = feed_error
-    if not all(abs(error) <= 20 for error in feed_error):
-        raise click.BadParameter("must be within -20 to 20 %", param_hint="--feed-error")
+    for error in feed_error:
+        if not abs(error) <= 20:
+            raise click.BadParameter(f"{error:g} %: -20 to 20 is allowed", param_hint="--feed-error")
     frames = shelf.read(tape)
     settings = machine.Settings(
         (x / 100, y / 100, z / 100), feed_code, tool_change, round(peck * 1000), read_seconds

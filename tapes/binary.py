@@ -27,6 +27,7 @@ from tapes.frames import BLANK, LEADER, RUBOUT, find_leader, leader
 FIELD, ORIGIN, WORD = "field", "origin", "word"
 
 _A_SECTION = 8  # items: fewer before a wrong frame are a label
+_LEAST_LEADER = bytes([LEADER]) * 8  # more than any letter has side by side
 
 
 class Item(NamedTuple):
@@ -167,6 +168,19 @@ def read(frames: bytes) -> Reading:
         sections.append(_close(items))
         at = _skip(frames, end, LEADER, BLANK)
     return Reading(tuple(sections))
+
+
+def find_section(frames: bytes, at: int) -> int | None:
+    """Return the frame at which the leader of a good section begins, at frame `at` or later; None if there is
+    none.
+    """
+    while (start := frames.find(_LEAST_LEADER, at)) >= 0:
+        items, at, damage = _items(frames, _skip(frames, start, LEADER))
+        if damage is None and items and items[0].kind != WORD and items[-1].kind == WORD:
+            section = _close(items)
+            if section.items and section.computed == section.punched:
+                return start
+    return None
 
 
 def _is_label(frames: bytes, at: int, items: list[Item], wrong: int) -> bool:

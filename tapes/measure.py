@@ -127,6 +127,8 @@ def _sections(tape: bytes) -> Iterator[Row]:
     if _fault(binary.decode, tape) is None:
         yield "core", ranges(binary.content(reading).words)
     yield from _label(tape, reading.label)
+    if reading.label is not None and (start := binary.find_section(tape, reading.label)) is not None:
+        yield "apart", f"a good section from frame {start} on, after the label: a tape of its own"
 
 
 def _words(tape: bytes) -> Iterator[Row]:

@@ -111,12 +111,18 @@ def _assembled(source: bytes, name: str) -> Program:
 
 
 def _loaded(frames: bytes, name: str, kind: str, force: bool) -> Program:
+    from tapes import binary
+
     words, damage, label = (_bin if kind == kinds.BIN else _rim)(frames, force)
     if damage and not force:
         raise damage
     notes = [f"{damage}; loaded as far as it can be read"] if damage else []
     if label is not None:
         notes.append(f"a label of {counted(len(frames) - label, 'frames')} from frame {label} on, not loaded")
+        if kind == kinds.BIN and (start := binary.find_section(frames, label)) is not None:
+            notes.append(
+                f"after the label, from frame {start} on, a good section: a tape of its own, not loaded"
+            )
     return Program(name, kind, words, frames, tuple(notes))
 
 

@@ -138,7 +138,8 @@ def _found(monitor: Monitor, text: str) -> bool:
 def _failure(monitor: Monitor, goal: Goal, found: int, why: str) -> str:
     shown = printed(bytes(monitor.machine.teletype.printer.frames[monitor.expected :])).decode()
     of = f" {counted(found, 'times')} of {goal.times}" if goal.times > 1 else ""
-    return f"{str(goal.text)!r} was {'' if of else 'not '}printed{of}: {why}; the page shows {shown!r}"
+    text = "BEL" if goal.text == "\a" else repr(str(goal.text))
+    return f"{text} was {'' if of else 'not '}printed{of}: {why}; the page shows {shown!r}"
 
 
 def _slices(monitor: Monitor, limit: float, longest: float = _SLICE) -> Iterator[Stop]:

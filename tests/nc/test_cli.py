@@ -172,6 +172,11 @@ def test_misuse(line: str) -> None:
     assert done.output.splitlines()[-1].startswith("Error: ")
 
 
+def test_a_feed_error_that_is_too_large_is_named() -> None:
+    done = CliRunner().invoke(nc, ["cut", "circle.eia", "--feed-error", "5,-21,0"])
+    assert "Invalid value for --feed-error: -21 %: -20 to 20 is allowed" in done.output
+
+
 def test_misuse_from_the_shell(shell: Shell) -> None:
     assert (
         complaint(shell, "pdp8 nc export circle.eia", status=2)

@@ -114,6 +114,19 @@ def test_what_follows_a_good_tape_is_a_label(label: str) -> None:
     assert kinds.classify(labelled) == kinds.BIN
 
 
+@pytest.mark.parametrize("label", LABELS.values(), ids=LABELS)
+def test_a_section_after_a_label_is_found(label: str) -> None:
+    other = tape("102 000 074 002 002 000")  # 102+000+074+002, octal
+    labelled = FORMAT_BIN + octal(label) + bytes(3)
+    assert binary.find_section(labelled, len(FORMAT_BIN)) is None
+    assert binary.find_section(labelled + other, len(FORMAT_BIN)) == len(labelled)
+    wrong = tape("102 000 074 003 002 000")
+    assert binary.find_section(labelled + wrong, len(FORMAT_BIN)) is None
+    assert binary.find_section(labelled + wrong + bytes(3) + other, len(FORMAT_BIN)) == len(
+        labelled + wrong + bytes(3)
+    )
+
+
 def test_a_damaged_second_section_is_no_label() -> None:
     second = bytearray(binary.encode({0o400 + at: at for at in range(20)}))
     for cut in (64 + 6, 64 + 7, len(second) - 64):

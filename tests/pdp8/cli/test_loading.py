@@ -100,6 +100,17 @@ def test_a_file_of_ours_is_not_replaced_by_one_of_the_same_name(shell: Shell, tm
     assert b"hello.pal is the file in this folder, not the bundled one of that name" in done.stderr
 
 
+def test_a_section_after_a_label_is_named(shell: Shell, tmp_path: Path) -> None:
+    first, other = (binary.encode({address: 0o7402}) for address in (0o200, 0o400))
+    (tmp_path / "apart.bin").write_bytes(first + bytes.fromhex("007f09090100") + other)
+    start = len(first) + 6
+    said = f"after the label, from frame {start} on, a good section: a tape of its own, not loaded"
+    for line in ("pdp8 run apart.bin", "pdp8 run apart.bin --boot", "echo load apart.bin | pdp8 monitor"):
+        done = shell(f"{line} < /dev/null" if "run" in line else line)
+        assert said.encode() in done.stdout + done.stderr, line
+    assert f"a good section from frame {start} on" in shell("pdp8 tape info apart.bin").stdout.decode()
+
+
 def test_info_and_show_say_label(shell: Shell) -> None:
     said = shell("pdp8 tape info two.bin").stdout.decode()
     assert "label      9 frames from frame 280 on" in said

@@ -57,6 +57,7 @@ def test_a_dialogue_is_a_test(shell: Shell, tmp_path: Path) -> None:
     ("line", "message"),
     [
         ('expect "READY" 5', "'READY' was not printed: idle; the page shows 'PROCEED.'"),
+        ("expect BEL 5", "BEL was not printed: idle; the page shows 'PROCEED.'"),
         ("assert pc 0", "PC is 02"),
         ("assert 200 1", "200 is 7300, not 0001"),
         ('until "04" 3 times 5', "'04' was printed no times of 3: idle; the page shows ''"),
