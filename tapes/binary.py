@@ -29,6 +29,8 @@ FIELD, ORIGIN, WORD = "field", "origin", "word"
 _A_SECTION = 8  # items: fewer before a wrong frame are a label
 _LEAST_LEADER = bytes([LEADER]) * 8  # more than any letter has side by side
 
+_NO_ORIGIN = "a word before any origin"
+
 
 class Item(NamedTuple):
     """One field setting, origin or word of a tape and the frame at which it begins."""
@@ -130,6 +132,9 @@ def decode(frames: bytes) -> Content:
 def find_damage(reading: Reading) -> TapeError | None:
     """Return the first thing that is wrong with a tape, a wrong checksum included; None for a good one."""
     for section in reading.sections:
+        first = next((item for item in section.items if item.kind != FIELD), None)
+        if first and first.kind == WORD:
+            return TapeError(_NO_ORIGIN, first.frame)
         if section.computed != section.punched:
             return TapeError(
                 f"checksum: computed {section.computed:04o}, punched {section.punched:04o}", section.frame
@@ -205,7 +210,7 @@ def _load(items: Iterable[Item], content: Content) -> None:
         elif kind == ORIGIN:
             address = value
         elif address is None:
-            raise TapeError("a word before any origin", frame)
+            raise TapeError(_NO_ORIGIN, frame)
         else:
             content.words[bank | address] = value
             address = address + 1 & 0o7777

@@ -168,6 +168,7 @@ def test_origins_may_overlap_and_wrap() -> None:
         (tape("102 000 073 102"), 67, "102 where the second half of a word was expected"),
         (tape("102 000 073 200"), 67, "200 where the second half of a word was expected"),
         (tape("073 000 074 002 001 071"), 64, "a word before any origin"),
+        (tape("073 000 074 002 000 000"), 64, "a word before any origin"),
         (tape("102 000 215 000"), 66, "215 is not a frame of a BIN tape"),
         (FORMAT_BIN[:60], 60, "nothing but leader"),
         (LEADER + bytes(4) + FORMAT_BIN[65:], 64, "a word before any origin"),
