@@ -50,6 +50,8 @@ def _binary(frames: bytes) -> list[str]:
     while at < end:
         if frames[at] == RUBOUT:
             at = _message(frames, at, said)
+        elif frames[at] == BLANK and address is None and frames[at - 1] in (BLANK, LEADER):
+            at += 1
         elif _is_pair(frames, at):
             value = (frames[at] & 0o77) << 6 | frames[at + 1]
             if frames[at] >> 6:
@@ -86,6 +88,8 @@ def _single(frame: int) -> str:
         return "leader"
     if frame == RUBOUT:
         return "rubout"
+    if frame == BLANK:
+        return "blank"
     return f"field {frame >> 3 & 7}" if frame >> 6 == 3 else "?"
 
 

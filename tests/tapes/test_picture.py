@@ -49,6 +49,13 @@ def test_captions_of_fields_and_of_a_typed_message() -> None:
     assert captions.captions(tape, "bin") == said.split("|")
 
 
+def test_captions_of_blank_tape_between_a_trailer_and_a_label() -> None:
+    letters = holes("000 000 000 177 011 000")
+    said = ["leader", "blank", "blank", "blank", "label", "label", "label"]
+    assert captions.captions(FORMAT_BIN.rstrip(b"\0") + letters, "bin")[-7:] == said
+    assert captions.captions(rim.encode({0o200: 0o7402}) + letters, "rim")[-7:] == said
+
+
 def test_captions_of_a_rim_tape() -> None:
     said = captions.captions(rim.encode({0o200: 0o7402})[62:70], "rim")
     assert said == ["leader", "leader", "address 0200", '"', "7402", '"', "leader", "leader"]
