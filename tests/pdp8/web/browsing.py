@@ -18,6 +18,12 @@ class Tab(Protocol):
     def until(self, condition: str) -> None:
         """Wait until an expression of the page is true."""
 
+    def press(self, keys: str) -> None:
+        """Press a key, "a" or "ArrowDown", or some at once, "Control+a"."""
+
+    def point(self, selector: str, which: int, pointer: str) -> None:
+        """Click or tap one of the elements that a selector finds; the pointer is "mouse" or "touch"."""
+
 
 class ChromiumTab:
     """A page in Chromium."""
@@ -32,6 +38,15 @@ class ChromiumTab:
     def until(self, condition: str) -> None:
         """Wait until an expression of the page is true."""
         until(self.page, condition)
+
+    def press(self, keys: str) -> None:
+        """Press a key, or some at once."""
+        self.page.keyboard.press(keys)
+
+    def point(self, selector: str, which: int, pointer: str) -> None:
+        """Click or tap one of the elements that a selector finds."""
+        target = self.page.locator(selector).nth(which)
+        target.click() if pointer == "mouse" else target.tap()
 
 
 AXE = Path(__file__).parents[2] / "node" / "node_modules" / "axe-core" / "axe.min.js"

@@ -8,14 +8,17 @@ class Control(NamedTuple):
 
     watch   an expression of the page: when its value becomes another one, the control works
     before  statements that bring the page to where it can be used
-    keys    what works it by keyboard; lists, texts and regions get them after the pointer, too
+    keys    what works it by keyboard; lists, texts and regions get them after the pointer, too; a list gets a
+            letter, which works it whether or not the pointer has opened it
     focus   what has the focus for that, if not the control
+    within  what in it is pointed at, where its middle is another control
     """
 
     watch: str
     before: str = ""
     keys: str = "Enter"
     focus: str = ""
+    within: str = ""
 
 
 P, TTY, EDITOR, MACHINE = (
@@ -40,6 +43,7 @@ STEPPED = f"{LOADED} workbench.history.forget(); workbench.history.keep();" + ""
 UNTIL = f"{LOADED} document.getElementById('where').value = '0203';"
 LONG = f"{EDITOR}.text = '*200\\n' + '7000\\n'.repeat(90) + '$\\n'; {EDITOR}.assemble(); {EDITOR}.load();"
 CUT = "workbench.mill.cut('circle.eia');"
+PREPARED = f"[{TTY}.reader.loaded, workbench.mill.name, document.getElementById('mill').hidden]"
 EXERCISES = "workbench.tabs.open('exercises');"
 
 
@@ -52,6 +56,11 @@ def tab(name: str, neighbour: str, key: str) -> Control:
 def value(selector: str) -> str:
     """Return the expression of what a field holds."""
     return f'document.querySelector("{selector}").value'
+
+
+def every(selector: str, of: str) -> str:
+    """Return the expression of what the elements of a family hold or say."""
+    return f"[...document.querySelectorAll('{selector}')].map((each) => each.{of})"
 
 
 def scrolled(selector: str) -> str:
@@ -84,9 +93,7 @@ CONTROLS = {
     "#tear": Control(f"{TTY}.punch.frames.length", PUNCHED),
     "#store": Control("window.saved", PUNCHED + SAVED),
     "#to-mill": Control(f"{TTY}.punch.frames.length", PUNCHED),
-    "#speed": Control(
-        "workbench.clock.speed", "document.getElementById('speed').selectedIndex = 0;", "ArrowDown"
-    ),
+    "#speed": Control("workbench.clock.speed", "document.getElementById('speed').selectedIndex = 0;", "1"),
     "#share": Control("location.hash", "history.replaceState(null, '', '#');"),
     "#save": Control("window.saved", SAVED),
     "#open": Control("window.chosen", CHOSEN),
@@ -108,22 +115,22 @@ CONTROLS = {
     "[data-back='character']": Control(f"{P}.clock", STEPPED),
     "#run": Control(f"{P}.clock", LOADED),
     "#halt": Control(f"{P}.run", f"{LOADED} {P}.run = 1;"),
-    "#kind": Control(value("#kind"), "workbench.tabs.open('debugger');", "ArrowDown"),
+    "#kind": Control(value("#kind"), "workbench.tabs.open('debugger');", "w"),
     "#where": Control(value("#where"), "workbench.tabs.open('debugger');", "7"),
     "#until button": Control(f"{P}.clock", UNTIL),
-    "#registers input": Control(f"{P}.pc", LOADED, "Control+a 7 Enter"),
+    "#registers input": Control(f"[{P}.pc, {P}.lac]", LOADED, "Control+a 7 Enter"),
     "#lines button": Control(f"{MACHINE}.breakpoints.size", LOADED),
     "#lines": Control(scrolled("#lines"), f"{LOADED} {LONG}", "PageDown"),
-    "#core": Control(scrolled("#core"), LOADED, "PageDown"),
-    "#core input": Control(f"{MACHINE}.core[0o200]", LOADED, "Control+a 7 Enter"),
-    "#page": Control("workbench.debug.core.page", "workbench.tabs.open('debugger');", "ArrowDown"),
+    "#core": Control(scrolled("#core"), LOADED, "PageDown", within=" th"),
+    "#core input": Control(f"[...{MACHINE}.core]", LOADED, "Control+a 7 Enter"),
+    "#page": Control("workbench.debug.core.page", "workbench.tabs.open('debugger');", "0"),
     "#eia": Control("workbench.mill.name", CUT, "e"),
     "#at": Control("workbench.mill.part", CUT, "ArrowLeft"),
     "#run-mill": Control("workbench.mill.part", CUT),
     "#blocks": Control(
         scrolled("#blocks"), f"{CUT} document.getElementById('blocks').scrollTop = 0;", "PageDown"
     ),
-    "[data-prepare]": Control(f"{TTY}.reader.loaded", f"{EXERCISES} {TTY}.reader.remove();"),
-    "[data-answer]": Control(value("[data-answer]"), EXERCISES, "8"),
-    "[data-check]": Control("document.querySelector('[data-verdict]').textContent", EXERCISES),
+    "[data-prepare]": Control(PREPARED, f"{CUT} {EXERCISES} {TTY}.reader.remove();"),
+    "[data-answer]": Control(every("[data-answer]", "value"), EXERCISES, "8"),
+    "[data-check]": Control(every("[data-verdict]", "textContent"), EXERCISES),
 }

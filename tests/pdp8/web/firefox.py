@@ -12,6 +12,14 @@ from typing import Any
 
 FIREFOX = shutil.which("firefox-esr") or shutil.which("firefox")
 _START_SECONDS = 60
+_KEYS = {  # of the WebDriver protocol
+    "Enter": "\ue007",
+    "Space": " ",
+    "Control": "\ue009",
+    "PageDown": "\ue00f",
+    "ArrowLeft": "\ue012",
+    "ArrowRight": "\ue014",
+}
 
 
 class Firefox:
@@ -56,6 +64,33 @@ class Firefox:
             time.sleep(0.1)
         raise AssertionError(condition)
 
+    def press(self, keys: str) -> None:
+        """Press a key, or some at once."""
+        codes = [_KEYS.get(key, key) for key in keys.split("+")]
+        down = [{"type": "keyDown", "value": code} for code in codes]
+        up = [{"type": "keyUp", "value": code} for code in reversed(codes)]
+        self._act({"type": "key", "id": "keyboard", "actions": [*down, *up]})
+
+    def point(self, selector: str, which: int, pointer: str) -> None:
+        """Click or tap the middle of one of the elements that a selector finds."""
+        element = self.call("WebDriver:FindElements", using="css selector", value=selector)[which]
+        found = f"document.querySelectorAll({json.dumps(selector)})[{which}]"
+        self.run(f"{found}.scrollIntoView({{ block: 'center' }})")
+        to = {"type": "pointerMove", "x": 0, "y": 0, "origin": element}
+        down, up = ({"type": kind, "button": 0} for kind in ("pointerDown", "pointerUp"))
+        self._act(
+            {
+                "type": "pointer",
+                "id": pointer,
+                "parameters": {"pointerType": pointer},
+                "actions": [to, down, up],
+            }
+        )
+
+    def _act(self, actions: dict[str, Any]) -> None:
+        self.call("WebDriver:PerformActions", actions=[actions])
+        self.call("WebDriver:ReleaseActions")
+
     def close(self) -> None:
         """Hang up."""
         self._socket.close()
@@ -76,7 +111,10 @@ def opened(folder: Path, html: str) -> Iterator[Firefox]:
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
-    (folder / "user.js").write_text(f'user_pref("marionette.port", {port});\n')
+    (folder / "user.js").write_text(
+        f'user_pref("marionette.port", {port});\n'
+        'user_pref("browser.download.alwaysOpenPanel", false);\n'  # it would take the keyboard's focus
+    )
     file = folder / "page.html"
     file.write_text(html, encoding="utf-8")
     command = [str(FIREFOX), "--headless", "--marionette", "--no-remote", "--profile", str(folder)]
