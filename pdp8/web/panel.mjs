@@ -13,6 +13,7 @@ const SIGNS = ["FETCH", "DEFER", "EXECUTE", "WORD COUNT", "CURR ADDR", "BREAK", 
 const KEYS = ["START", "LOAD ADD", "DEP", "EXAM", "CONT", "STOP", "SING STEP"];
 
 const LEVELS = 12; // of brightness
+const SLACK = 1.5; // levels by which a lamp may be off while a machine runs: nobody sees less
 const INERTIA = 0.6; // what a filament keeps of its brightness from one picture to the next
 
 export class Panel {
@@ -47,9 +48,12 @@ export class Panel {
 
   /** Show the machine: its lamps as bright as they were, or as they are; the key that is being pressed, if any. */
   show(machine, pressed, brightness) {
-    const inertia = brightness ? INERTIA : 0;
+    const [inertia, slack] = brightness ? [INERTIA, SLACK] : [0, 0];
     const now = brightness ?? lit(machine);
-    for (const name in now) this.#light(name, (this.shares[name] = now[name] + ((this.shares[name] ?? now[name]) - now[name]) * inertia));
+    for (const name in now) {
+      this.shares[name] = now[name] + ((this.shares[name] ?? now[name]) - now[name]) * inertia;
+      this.#light(name, this.shares[name], slack);
+    }
     this.#switches(machine.processor.sr);
     if (pressed !== this.pressed) {
       this.pressed = pressed;
@@ -73,9 +77,9 @@ export class Panel {
     });
   }
 
-  /** A lamp keeps its level while it is within one of it: nobody sees less. */
-  #light(name, share) {
-    if (Math.abs(share * LEVELS - this.levels.get(name)) < 1.5) return;
+  /** A lamp keeps its level while that is within `slack` of its share. */
+  #light(name, share, slack) {
+    if (Math.abs(share * LEVELS - this.levels.get(name)) <= slack) return;
     const level = Math.round(share * LEVELS);
     this.levels.set(name, level);
     const lamp = this.lamps.get(name);

@@ -380,7 +380,7 @@ def test_all_is_of_one_instant_when_a_play_is_halted(page: "Page", circle: After
     """Lamps, registers and line, which are written less often while they run, then agree."""
     _go(page, _translating(circle))
     page.locator("#speed").select_option(index=6)
-    for _ in range(3):
+    for _ in range(5):
         page.evaluate("replay.page.play(true)")
         page.wait_for_timeout(330)
         page.evaluate("replay.page.play(false)")
@@ -389,6 +389,25 @@ def test_all_is_of_one_instant_when_a_play_is_halted(page: "Page", circle: After
         assert [levels[f"MA{bit}"] for bit in range(12)] == [word >> (11 - bit) & 1 for bit in range(12)]
         assert page.locator("[data-register=MA] dd").inner_text() == f"{word:04o}"
         assert page.locator("#paper .now .address").inner_text() == f"{at:04o}"
+
+
+def test_a_lamp_is_full_or_dark_where_the_machine_stands(page: "Page", circle: Afternoon) -> None:
+    """However bright it was before: nearly full is near enough only while a machine runs."""
+    _go(page, _translating(circle))
+    page.evaluate(
+        """() => {
+          const { panel } = replay.page.scene;
+          for (const [name, lamp] of panel.lamps) {
+            panel.levels.set(name, 11);
+            lamp.style.setProperty("--lit", 11 / 12);
+          }
+          replay.page.scene.show();
+        }"""
+    )
+    names = "MA MB AC IR LINK FETCH DEFER EXECUTE ION PROTECT RUN"
+    levels = page.evaluate(_LEVELS)
+    shown = {name: level for name, level in levels.items() if name.rstrip("0123456789") in names.split()}
+    assert set(shown.values()) == {0, 1}
 
 
 def test_nothing_is_drawn_while_nothing_changes(page: "Page") -> None:
