@@ -58,7 +58,7 @@ def disassemble_tape(frames: bytes) -> str:
     if kinds.classify(frames) == kinds.RIM and frames.strip(b"\0") != _BARE:
         words = rim.decode(frames)
         return _source(_pieces_of(words, words))
-    return _source(_steps_on(frames))
+    return _source(_pieces_on(frames))
 
 
 def _pieces_of(addresses: Iterable[int], words: Mapping[int, int]) -> Iterator[Piece]:
@@ -75,7 +75,7 @@ def _pieces_of(addresses: Iterable[int], words: Mapping[int, int]) -> Iterator[P
         following = address + 1
 
 
-def _steps_on(frames: bytes) -> Iterator[Piece]:
+def _pieces_on(frames: bytes) -> Iterator[Piece]:
     """Yield what is on a BIN tape but for the first origin, which PAL III punches of itself."""
     location = START
     bank = 0
