@@ -12,6 +12,7 @@ tapes and the same times. While a program only waits, time jumps (see waiting.py
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from operator import attrgetter
 from time import monotonic
 from typing import TYPE_CHECKING
 
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
 TICKS_PER_SECOND = 20_000_000
 SETTABLE = ("pc", "lac", "next", "ion", "ion_delayed", "sr", "mem_prot")
 """The registers that may be set from outside between two runs."""
+_REGISTERS: Callable[[Processor], tuple[int, ...]] = attrgetter(*SETTABLE, "clock", "instructions")
 _LONGEST = 1e9
 """Seconds, 31 years: more is no limit."""
 _FIRST = 1.0
@@ -235,8 +237,7 @@ class Machine:
 
     def _registers(self) -> tuple[int, ...]:
         """Return SETTABLE, clock and instructions: where one is another, no turn of a loop is known."""
-        p = self.processor
-        return p.pc, p.lac, p.next, p.ion, p.ion_delayed, p.sr, p.mem_prot, p.clock, p.instructions
+        return _REGISTERS(self.processor)
 
     def _take_breakpoints(self) -> None:
         """Let no turn of a loop be passed over that has a breakpoint in it or writes a watched word."""
