@@ -163,7 +163,7 @@ def _complain(message: str, status: int) -> int:
 def _silence(stream: object) -> None:
     """Point the closed stream at nothing, so that Python's own flush at exit stays quiet.
 
-    A notebook's stream has no file, and needs none of it.
+    A notebook's stream has no file, and is left alone.
     """
     with suppress(UnsupportedOperation):
         where = stream.fileno()  # type: ignore[attr-defined]

@@ -94,7 +94,7 @@ console.log(JSON.stringify(notes(new Source([%s]), 1, %d)));
 
 @pytest.mark.parametrize("source", ["PAUSE;5\n$\n", "PAUSE;+\n$\n", "PAUSE \t/5\n$\n", "PAUSE,5 +\n+ 1\n$\n"])
 def test_notes_with_the_high_speed_reader(source: str) -> None:
-    """Which the page has not: what PAUSE loses of its line is no item of the source."""
+    """Which the page has not: PAUSE takes the rest of its line from the source."""
     script = _NOTES % (MODULES.as_uri(), MODULES.as_uri(), json.dumps(source), HIGH_SPEED_SYMBOLS)
     done = subprocess.run(
         [str(NODE), "--input-type=module", "--eval", script], capture_output=True, text=True, check=True
