@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from pal.diagnostics import Diagnostic
     from pal.listing import ListingLine, Teletype
 
+MOST = 100
+"""Diagnostics that are printed, unless another number is asked for."""
+
 
 class _Third(NamedTuple):
     """What pass 3 left."""

@@ -6,7 +6,7 @@ import sys
 import click
 
 from pal.assembler import HIGH_SPEED_SYMBOLS, TELETYPE_SYMBOLS
-from pal.assembly import Assembly, assemble
+from pal.assembly import MOST, Assembly, assemble
 from pal.models import MODELS
 from tapes import command, shelf
 from tapes.errors import WorkError, called, naming
@@ -14,8 +14,6 @@ from tapes.progress import Busy
 
 _LONG = 500_000
 """Bytes of source that take a second or so."""
-_MOST = 100
-"""Errors and notes that are printed."""
 _PASSES = ("pass1", "pass2", "pass3")
 
 
@@ -40,7 +38,7 @@ class AssemblyError(WorkError):
     "--max-errors",
     type=click.IntRange(1),
     metavar="NUMBER",
-    default=_MOST,
+    default=MOST,
     show_default=True,
     help="Print so many errors and notes, and count the rest.",
 )

@@ -19,9 +19,6 @@ if TYPE_CHECKING:
     from pdp8.computer.trace import Listing
 
 
-_MOST_ERRORS = 100
-
-
 class Program:
     """A program that goes into 4K of core.
 
@@ -95,13 +92,14 @@ def read(frames: bytes, name: str, force: bool = False) -> Program:
 
 def _assembled(source: bytes, name: str) -> Program:
     import pal
+    from pal.assembly import MOST
 
     if kinds.only_figures(source):
         raise WorkError("nothing but figures: no program, but a tape for the reader")
     assembly = pal.assemble(source, names=[called(name)])
     if not assembly.ok:
-        shown = [str(diagnostic) for diagnostic in assembly.diagnostics[:_MOST_ERRORS]]
-        more = len(assembly.diagnostics) - _MOST_ERRORS
+        shown = [str(diagnostic) for diagnostic in assembly.diagnostics[:MOST]]
+        more = len(assembly.diagnostics) - MOST
         report = "\n".join(shown + [f"and {more:,} more"] * (more > 0))
         raise WorkError(f"not loaded, it has errors\n{report}")
     for address in assembly.words:

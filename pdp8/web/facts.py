@@ -12,7 +12,7 @@ from importlib.resources import files
 from typing import Any, Final
 
 from nc import blocks, machine
-from pal import assembler, cli, dialects, isa, table
+from pal import assembler, assembly, dialects, isa, table
 from pal.symbols import PERMANENT, PSEUDO_OPERATORS
 from pdp8.computer import bus, fields, highspeed, keys, oldstate, operator, processor, state, teletype
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
@@ -70,7 +70,7 @@ def _pal() -> dict[str, Any]:
         "SPILL": table._SPILL,
         "LEFT_THERE": table._LEFT_THERE,
         "LEADER_LENGTH": frames.LEADER_LENGTH,
-        "MOST": cli._MOST,
+        "MOST": assembly.MOST,
     }
 
 
