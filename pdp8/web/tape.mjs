@@ -62,7 +62,7 @@ function drawFrame(context, view, frame, place) {
   const y = headY + (frame - view.head) * pitch;
   const current = frame === view.head;
   if (current) {
-    drawRow(context, view.frames[frame], view.code, left, y, pitch, rust, "bold ");
+    drawRow(context, view.frames[frame], view.code, { left, y, pitch, colour: rust, weight: "bold " });
   } else {
     context.drawImage(row(view.frames[frame], view.code, place), left, y - pitch, ROW * pitch, 2 * pitch);
     if (frame % 10 || Math.abs(frame - view.head) === 1) return;
@@ -82,14 +82,14 @@ function row(holes, code, { pitch, ratio, ink }) {
     const picture = new OffscreenCanvas(Math.round(ROW * pitch * ratio), Math.round(2 * pitch * ratio));
     const context = picture.getContext("2d");
     context.scale(ratio, ratio);
-    drawRow(context, holes, code, 0, pitch, pitch, ink, "");
+    drawRow(context, holes, code, { left: 0, y: pitch, pitch, colour: ink, weight: "" });
     rows.set(key, picture);
   }
   return rows.get(key);
 }
 
 /** The holes of a frame from `left` on, and what it says beside them. */
-function drawRow(context, holes, code, left, y, pitch, colour, weight) {
+function drawRow(context, holes, code, { left, y, pitch, colour, weight }) {
   context.fillStyle = HOLE;
   TRACKS.forEach((channel, track) => {
     if (channel && !(holes & (1 << (channel - 1)))) return;
