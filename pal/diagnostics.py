@@ -99,21 +99,21 @@ def diagnose(
     def add(severity: str, at: int, code: str, said: str, advice: str, sentence: str = "") -> None:
         place = source.place(at)
         where = names[place.tape], place.line, place.start + 1, place.end - place.start, place.text
-        found.append((at, Diagnostic(severity, code, said, advice, sentence, *where)))
+        message = said.translate(_CONTROLS)
+        found.append((at, Diagnostic(severity, code, message, advice, sentence, *where)))
 
     full = False
     for message in messages:
         at = _reference(source, message.at) if message.code == "IR" else message.at
         subject = message.subject.strip()
         advice = _ADVICE[message.code](subject, message.location)
-        typed = str(message).translate(_CONTROLS)
-        add(ERROR, at, message.code, typed, advice, hint(message.code, subject))
+        add(ERROR, at, message.code, str(message), advice, hint(message.code, subject))
         full |= message.code == "ST"
     for reason, at in stops:
         if not full:
             add(ERROR, at, "", f"error: {reason}", "")
     for note in notes:
-        add(NOTE, note.at, "", f"note: {note.message}".translate(_CONTROLS), note.advice)
+        add(NOTE, note.at, "", f"note: {note.message}", note.advice)
     return [diagnostic for _, diagnostic in sorted(found, key=itemgetter(0))]
 
 

@@ -29,12 +29,12 @@ export function diagnose(source, messages, stops, notes) {
     const at = message.code === "IR" ? reference(source, message.at) : message.at;
     const subject = message.subject.trim();
     const advice = ADVICE[message.code](subject, message.location);
-    return { severity: ERROR, at, message: visible(messageText(message)), advice, hint: hint(message.code, subject) };
+    return { severity: ERROR, at, message: messageText(message), advice, hint: hint(message.code, subject) };
   });
   const ended = full ? [] : stops.map(([reason, at]) => ({ severity: ERROR, at, message: `error: ${reason}`, advice: "", hint: "" }));
-  const noted = notes.map(({ at, message, advice }) => ({ severity: NOTE, at, message: visible(`note: ${message}`), advice, hint: "" }));
+  const noted = notes.map(({ at, message, advice }) => ({ severity: NOTE, at, message: `note: ${message}`, advice, hint: "" }));
   const found = [...said, ...ended, ...noted].sort((one, other) => one.at - other.at);
-  return found.map((each) => ({ ...each, ...source.place(each.at) }));
+  return found.map((each) => ({ ...each, message: visible(each.message), ...source.place(each.at) }));
 }
 
 /** A diagnostic as `pal` prints it, of the source tape that is called `file`. */
