@@ -3,8 +3,8 @@
     python -m tests.fuzz.fuzzer --count 1000000 --seed 1
 
 Every 10,000 calls it says how many there were, and how many failures. Parts are called with options alone,
-never as they are: a whole circle costs as much as a hundred other calls. `replay` takes a second and calls
-what these call; `panel` needs a terminal, and has its own tests.
+never as they are: a whole circle costs as much as a hundred other calls. What takes long is called seldom, as
+RARE says. `panel` has no terminal here: only its arguments are tried, and its own tests sit down at it.
 
 A call is a failure where it raises anything but an exit, shows a traceback or a warning of Python's, ends
 with a status other than 0, 1, 2 or 130, takes ten seconds of processor time or two minutes, changes a source,
@@ -121,19 +121,29 @@ OPTIONS = {
     "thesis evidence": ("--source",),
     "part compare": ("--major", "--outer", "--cut", "--degree"),
     "vectors": ("--states",),  # of numbers that it refuses: what it writes takes half a minute
+    "replay": (),
+    "workbench": (),
+    "panel": ("--start", "--sr", "--drill", "--kiosk", "--cold"),
 }
 NAMES = {  # what stands before the tape, or in its place
     "check": ("add", "read-a-frame", "loader", "nothing"),
     "cards": ("rim", "ascii", "afternoon", "nothing"),
     "thesis make": ("2.2", "5.3", "ch2-block", "all.", ""),
+    "thesis evidence": ("eia.pal", "circle.for", "tape", "nothing"),
     "part compare": ("circle", "polynomial", "nothing"),
+    "replay": ("slope", "drill", "circle", "nothing"),
 }
+INSTEAD = ("-", ".", "nowhere", "no/where", "hello.pal", "/dev/null", "")  # of the tape, one call in twenty
+OUTPUTS = ("out", "out", "tape", "no/out", "/dev/full", ".")
 WRITES = (
     *("pal", "tape punch", "nc plot", "tape convert", "tape clean", "part mirror", "nc view", "cards"),
-    *("thesis make", "thesis evidence", "vectors"),
+    *("thesis make", "thesis evidence", "vectors", "replay", "workbench"),
 )
-SLOW = ("check", "cards", "nc view", "thesis make", "part compare")  # tenths of a second each
-NO_TAPE = ("cards", "part compare", "vectors")
+RARE = {  # which part of their calls is made
+    **dict.fromkeys(("check", "cards", "nc view", "thesis make", "part compare", "vectors"), 0.1),
+    **{"workbench": 0.03, "replay": 0.01},
+}
+NO_TAPE = ("cards", "part compare", "vectors", "replay", "workbench", "thesis make", "thesis evidence")
 PARTS = {
     "circle": ("--radius", "--outer", "--inner", "--start-x", "--centre-y", "--sequence", "--arithmetic"),
     "ellipse": ("--major", "--minor", "--outer-major", "--start-y", "--x-feed"),
@@ -149,7 +159,7 @@ MILLING = ("--tolerance", "--technique", "--feed-code", "--fastest", "--feed-err
 FLAGS = {
     *("--quiet", "--boot", "--force", "--cycles", "--drop-spaces", "--keep-spaces", "--modes", "--strict"),
     *("--gcode", "--dxf", "--rim", "--modern", "--high-speed-reader"),
-    *("--json", "--prove", "--pdf", "--source"),
+    *("--json", "--prove", "--pdf", "--source", "--kiosk", "--cold"),
 }
 EXPRESSIONS = (
     "sin(x)",
@@ -221,7 +231,7 @@ def mutated(content: bytes, chance: random.Random) -> bytes:
 def arguments(chance: random.Random) -> list[str]:
     """Return a command line whose input is the file `tape`."""
     name = chance.choice((*OPTIONS, "monitor", "part", "curve", "run"))
-    if name in SLOW and chance.random() > 0.1:
+    if chance.random() > RARE.get(name, 1):
         name = "run"
     if name == "monitor":
         return ["monitor", "script"]
@@ -231,23 +241,30 @@ def arguments(chance: random.Random) -> list[str]:
     if name == "part":
         part = chance.choice(list(PARTS))
         return ["part", part, *_options(chance, (*PARTS[part], *MILLING), at_least=1)]
-    tape = [] if name in NO_TAPE else ["tape"]
+    tape = [] if name in NO_TAPE else [chance.choice(INSTEAD) if chance.random() < 0.05 else "tape"]
+    outputs = [path for path in OUTPUTS if path != "tape" or path in tape]  # no source, no damage
     options = _options(chance, OPTIONS.get(name, ()), at_least=name == "vectors")
     line = [*name.split(), *_named(chance, name), *tape, *options]
     if name == "run":
-        line = ["run", "tape", "--max-time", "0.2", *line[2:]]
+        line = ["run", *tape, "--max-time", "0.2", *line[2:]]
         line += chance.choice(([], ["--reader", "reader"], ["--reader", "reader", "--reader", "tape"]))
         line += chance.choice(
-            ([], ["--trace", "out.trace"], ["--save", "out.state"], ["--fast-punch", "out.fast"])
+            (
+                *([], [], ["--trace", "out.trace"], ["--save", "out.state"], ["--fast-punch", "out.fast"]),
+                *(["--fast-reader", "reader"], ["--annotate", "out.counts"], ["--count-json", "out.json"]),
+                *(["--count"], ["--loader", "reader"], ["--tty", chance.choice(outputs)]),
+            )
         )
         if chance.random() < 0.1:
-            line[1:2] = ["--restore", "tape"]
+            line[1:2] = ["--restore", *tape]
     if name == "tape convert":
         line += ["--to", chance.choice(("text", "ascii", "eia", "bin", "rim", "octal", "frames"))]
     if name == "nc export" and chance.random() < 0.7:
         line += ["--gcode"]
     if name in WRITES and chance.random() < 0.8:
-        line += ["-o", chance.choice(("out", "out", "tape", "no/out", "/dev/full", "."))]
+        line += ["-o", chance.choice(outputs)]
+    if name == "replay":
+        line += chance.choice(([], ["--html", chance.choice(outputs)]))
     return line
 
 
