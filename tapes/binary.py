@@ -9,8 +9,9 @@
     200 ...      trailer
 
 One tape may hold several such sections; after each the loader halts, and CONT reads the next. What follows
-the last trailer and is no section (blank tape, rubouts, letters punched for the eye) is a label. Leader and
-trailer are 64 frames, as PAL III of 1967 (DEC-08-ASB1) punched them.
+the last trailer and is no section (blank tape, rubouts, letters punched for the eye) is a label, and so are
+letters before the leader, with blank tape between. Leader and trailer are 64 frames, as PAL III of 1967
+(DEC-08-ASB1) punched them.
 
 Not emulated: what the loader makes of frames that are not BIN; such a tape is damaged. Whether a field
 exists is for the machine to judge: addresses here have 15 bits, the field first.
@@ -22,12 +23,11 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from tapes.errors import TapeError
-from tapes.frames import BLANK, LEADER, RUBOUT, find_leader, leader
+from tapes.frames import BLANK, LEADER, LEAST_LEADER, RUBOUT, find_leader, label_before, leader
 
 FIELD, ORIGIN, WORD = "field", "origin", "word"
 
 _A_SECTION = 8  # items: fewer before a wrong frame are a label
-_LEAST_LEADER = bytes([LEADER]) * 8  # more than any letter has side by side
 
 _NO_ORIGIN = "a word before any origin"
 
@@ -52,13 +52,13 @@ class Section(NamedTuple):
 
 class Reading(NamedTuple):
     """A tape as far as it can be read: its whole sections, the items of one that does not end, what is wrong
-    with it, and the frame at which its label begins. None where there is no damage or no label.
+    with it, None if nothing is, and the frames of its labels: before the leader, after the last trailer.
     """
 
     sections: tuple[Section, ...]
     unended: tuple[Item, ...] = ()
     damage: TapeError | None = None
-    label: int | None = None
+    labels: tuple[range, ...] = ()
 
 
 class Content(NamedTuple):
@@ -161,25 +161,29 @@ def read(frames: bytes) -> Reading:
     at = _skip(frames, find_leader(frames), LEADER)
     if at == len(frames):
         raise TapeError("nothing but leader", at)
+    labels = label_before(frames)
     sections: list[Section] = []
     while at < len(frames):
         items, end, damage = _items(frames, at)
         if sections and _is_label(frames, at, items, end if damage else -1):
-            return Reading(tuple(sections), label=at)
+            return Reading(tuple(sections), labels=(*labels, range(at, len(frames))))
         if damage is None and (not items or items[-1].kind != WORD):
             damage = TapeError("the trailer where a checksum was expected", end)
         if damage is not None:
-            return Reading(tuple(sections), tuple(items), damage)
+            return Reading(tuple(sections), tuple(items), damage, labels)
         sections.append(_close(items))
         at = _skip(frames, end, LEADER, BLANK)
-    return Reading(tuple(sections))
+    return Reading(tuple(sections), labels=labels)
 
 
-def find_section(frames: bytes, at: int) -> int | None:
-    """Return the frame at which the leader of a good section begins, at frame `at` or later; None if there is
-    none.
+def find_apart(frames: bytes, reading: Reading) -> int | None:
+    """Return the frame at which the leader of a good section begins after the label at the tape's end, None
+    if there is none: it is a tape of its own.
     """
-    while (start := frames.find(_LEAST_LEADER, at)) >= 0:
+    if not reading.labels or reading.labels[-1].stop < len(frames):
+        return None
+    at = reading.labels[-1].start
+    while (start := frames.find(LEAST_LEADER, at)) >= 0:
         items, at, damage = _items(frames, _skip(frames, start, LEADER))
         if damage is None and items and items[0].kind != WORD and items[-1].kind == WORD:
             section = _close(items)

@@ -20,21 +20,20 @@ def captions(frames: bytes, code: str) -> list[str]:
     by_code: dict[str, _Captions] = {
         "ascii": lambda frames: [ascii.name(frame) for frame in frames],
         "eia": lambda frames: [eia.name(frame) for frame in frames],
-        "bin": lambda frames: _between_blanks(frames, _binary),
-        "rim": lambda frames: _between_blanks(frames, _rim),
+        "bin": lambda frames: _between_labels(frames, code, _binary),
+        "rim": lambda frames: _between_labels(frames, code, _rim),
     }
     return by_code.get(code, _none)(frames)
 
 
-def label_start(frames: bytes, code: str) -> int:
-    """Return the frame where the label of a BIN or RIM tape begins; the tape's length where it has none."""
+def labels(frames: bytes, code: str) -> tuple[range, ...]:
+    """Return the frames of the labels of a BIN or RIM tape, () for any other."""
     if code not in ("bin", "rim"):
-        return len(frames)
+        return ()
     try:
-        label = binary.read(frames).label if code == "bin" else rim.read(frames).label
+        return binary.read(frames).labels if code == "bin" else rim.read(frames).labels
     except TapeError:
-        label = None
-    return len(frames) if label is None else label
+        return ()
 
 
 def _none(frames: bytes) -> list[str]:
@@ -45,9 +44,7 @@ def _binary(frames: bytes) -> list[str]:
     said = [_single(frame) for frame in frames]
     address = None
     at = 0
-    end = label_start(frames, "bin")
-    said[end:] = ["label"] * len(said[end:])
-    while at < end:
+    while at < len(frames):
         if frames[at] == RUBOUT:
             at = _message(frames, at, said)
         elif frames[at] == BLANK and address is None and frames[at - 1] in (BLANK, LEADER):
@@ -70,9 +67,7 @@ def _binary(frames: bytes) -> list[str]:
 def _rim(frames: bytes) -> list[str]:
     said = [_single(frame) for frame in frames]
     at = 0
-    end = label_start(frames, "rim")
-    said[end:] = ["label"] * len(said[end:])
-    while at < end:
+    while at < len(frames):
         group = frames[at : at + 4]
         if [frame >> 6 for frame in group] == [1, 0, 0, 0]:
             address = (group[0] & 0o77) << 6 | group[1]
@@ -104,6 +99,13 @@ def _message(frames: bytes, at: int, said: list[str]) -> int:
         return at + 1
     said[at + 1 : closing] = [f"({ascii.name(frame)})" for frame in frames[at + 1 : closing]]
     return closing + 1
+
+
+def _between_labels(frames: bytes, code: str, body: _Captions) -> list[str]:
+    said: list[str] = []
+    for label in (*labels(frames, code), range(len(frames), len(frames))):
+        said += _between_blanks(frames[len(said) : label.start], body) + ["label"] * len(label)
+    return said
 
 
 def _between_blanks(frames: bytes, body: _Captions) -> list[str]:

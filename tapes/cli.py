@@ -86,9 +86,10 @@ def show(
     code = kinds.classify(content) if code == _AUTO else code
     if svg is None:
         click.echo(picture.text(content, code, first, stop), nl=False)
-        label = content[max(first, captions.label_start(content, code)) : stop]
-        for row in frames.draw_label(label):
-            click.echo(f"   label    {row}".rstrip())
+        for label in captions.labels(content, code):
+            shown = content[max(first, label.start) : label.stop if stop is None else min(stop, label.stop)]
+            for row in frames.draw_label(shown):
+                click.echo(f"   label    {row}".rstrip())
     else:
         _put_text(svg, picture.svg(content, code, first, stop, strip).encode())
 

@@ -23,8 +23,12 @@ CHANNEL_8 = 0o200
 FRAMES_PER_INCH = 10
 
 LEADER_LENGTH = 64  # what PAL III (DEC-08-ASB1) punches before and after a binary tape
+LEAST_LEADER = bytes([LEADER]) * 8
+"""More frames of 200 than letters, words or ends of block have side by side."""
 
+_GAP = bytes([BLANK]) * 3  # between a label and the leader; what was torn off a tape ends at its trailer
 
+_NO_LETTERS = bytes([BLANK, LEADER])
 _CODES = bytes(range(0o200)) * 2  # of every frame, without its channel 8
 
 PARITIES = {
@@ -94,10 +98,22 @@ def has_leader(frames: bytes) -> bool:
 
 def leader_start(frames: bytes) -> int | None:
     """Return the first frame of a loader tape's leader, where an operator sets the tape: 200 after any blank
-    tape. None for a tape that begins otherwise.
+    tape, or after letters for the eye and blank tape. None for a tape that begins otherwise.
     """
     start = len(frames) - len(frames.lstrip(b"\0"))
-    return start if frames[start : start + 1] == bytes([LEADER]) else None
+    if frames[start : start + 1] == bytes([LEADER]):
+        return start
+    letters, leader, rest = frames[start:].partition(LEAST_LEADER)
+    return start + len(letters) if letters.endswith(_GAP) and leader and rest.strip(_NO_LETTERS) else None
+
+
+def label_before(frames: bytes) -> tuple[range, ...]:
+    """Return the frames of the letters before a loader tape's leader, blank tape apart; () if there are
+    none.
+    """
+    before = frames[: leader_start(frames) or 0]
+    end = len(before.rstrip(b"\0"))
+    return (range(len(before) - len(before.lstrip(b"\0")), end),) if end else ()
 
 
 def find_leader(frames: bytes) -> int:

@@ -1,6 +1,6 @@
 """What a tape is, by its frames alone.
 
-    bin, rim   leader, then frames of the loader formats' classes
+    bin, rim   leader, then frames of the loader formats' classes; letters for the eye may stand before it
     eia        frames with an odd number of holes, of RS-244, with ends of block
     ascii      characters and line ends, with channel 8 or without
     blank      no holes (or no frames) at all;   unknown   anything else
@@ -17,7 +17,7 @@ from itertools import pairwise
 
 from tapes import ascii, binary, eia, rim
 from tapes.errors import TapeError
-from tapes.frames import BLANK, LEADER, PARITIES, RUBOUT, strip
+from tapes.frames import BLANK, LEADER, LEAST_LEADER, PARITIES, RUBOUT, label_before, leader_start, strip
 
 BIN, RIM, EIA, ASCII, BLANK_TAPE, UNKNOWN = "bin", "rim", "eia", "ascii", "blank", "unknown"
 
@@ -27,7 +27,6 @@ _EIA_CODES = bytes([*eia.CHARACTERS, eia.DELETE])
 _NO_WORD = bytes([BLANK, LEADER, RUBOUT])
 _FIGURES = b"0123456789 \r\n\0\x7f"
 _FIGURES += bytes(code | 0o200 for code in _FIGURES)  # with channel 8 too
-_SHORTEST_LEADER = 8  # fewer may be ends of block: no EIA tape begins with eight empty blocks
 
 
 def classify(frames: bytes) -> str:
@@ -35,7 +34,15 @@ def classify(frames: bytes) -> str:
     body = frames.lstrip(b"\0")
     if not body:
         return BLANK_TAPE
-    return _whole_loader_tape(body) or _whole_eia_tape(body) or _likeliest(body)
+    return _whole_loader_tape(body) or _whole_eia_tape(body) or _after_label(body) or _likeliest(body)
+
+
+def start(frames: bytes) -> int:
+    """Return the frame on which an operator sets the tape: its leader of 200, past blank tape, and past a
+    label of a loader tape; any other tape's first.
+    """
+    start = leader_start(frames) or 0
+    return start if not label_before(frames) or classify(frames) in (BIN, RIM) else 0
 
 
 def doubt(frames: bytes) -> str:
@@ -99,8 +106,24 @@ def _likeliest(body: bytes) -> str:
     return _loader_tape(content, trailer) if loader else UNKNOWN
 
 
+def _after_label(body: bytes) -> str | None:
+    """Return the kind of a loader tape after letters for the eye; None where there is none.
+
+    Lines that end with CR LF are no such letters, and what is damaged after them must not be text either.
+    """
+    start = leader_start(body)
+    if not start or b"\r\n" in body[:start].translate(PARITIES["none"]):
+        return None
+    tape = body[start:]
+    if whole := _whole_loader_tape(tape):
+        return whole
+    likeliest = _likeliest(tape)
+    return likeliest if likeliest in (BIN, RIM) and _share(tape.strip(_NO_WORD), _WRITING) < 0.9 else None
+
+
 def _long_leader(body: bytes) -> bool:
-    return body.startswith(bytes([LEADER]) * _SHORTEST_LEADER)
+    """Tell whether a tape begins with leader; no EIA tape begins with so many empty blocks."""
+    return body.startswith(LEAST_LEADER)
 
 
 def _loader_tape(content: bytes, trailer: bytes) -> str:

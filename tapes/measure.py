@@ -126,8 +126,8 @@ def _sections(tape: bytes) -> Iterator[Row]:
         yield "damage", str(reading.damage)
     if _fault(binary.decode, tape) is None:
         yield "core", ranges(binary.content(reading).words)
-    yield from _label(tape, reading.label)
-    if reading.label is not None and (start := binary.find_section(tape, reading.label)) is not None:
+    yield from _labels(tape, reading.labels)
+    if (start := binary.find_apart(tape, reading)) is not None:
         yield "apart", f"a good section from frame {start} on, after the label: a tape of its own"
 
 
@@ -136,22 +136,20 @@ def _words(tape: bytes) -> Iterator[Row]:
     if fault:
         yield "damage", fault
         return
-    words, damage, label = rim.read(tape)
+    words, damage, labels = rim.read(tape)
     yield "holds", f"{counted(len(words), 'words')}; RIM has no checksum"
     yield "core", ranges(words)
     if damage:
         yield "damage", str(damage)
-    yield from _label(tape, label)
+    yield from _labels(tape, labels)
 
 
-def _label(tape: bytes, start: int | None) -> Iterator[Row]:
-    """Say where a label is, and draw it as the eye reads it."""
-    if start is None:
-        return
-    label = tape[start:]
-    yield "label", f"{counted(len(label), 'frames')} from frame {start} on"
-    for row in frames.draw_label(label):
-        yield "", row
+def _labels(tape: bytes, labels: Iterable[range]) -> Iterator[Row]:
+    """Say where each label is, and draw it as the eye reads it."""
+    for label in labels:
+        yield "label", f"{counted(len(label), 'frames')} from frame {label.start} on"
+        for row in frames.draw_label(tape[label.start : label.stop]):
+            yield "", row
 
 
 def _fault(read: Callable[[bytes], object], tape: bytes) -> str | None:

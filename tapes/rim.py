@@ -21,7 +21,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from tapes.errors import TapeError
-from tapes.frames import LEADER, find_leader, leader
+from tapes.frames import LEADER, LEAST_LEADER, find_leader, label_before, leader
 
 
 def encode(words: Mapping[int, int]) -> bytes:
@@ -36,13 +36,13 @@ def encode(words: Mapping[int, int]) -> bytes:
 
 
 class Reading(NamedTuple):
-    """A tape as far as it can be read: {address: word}, what is wrong with it, and the frame at which its
-    label begins. None where there is no damage or no label.
+    """A tape as far as it can be read: {address: word}, what is wrong with it, None if nothing is, and the
+    frames of its labels: before the leader, after the trailer.
     """
 
     words: dict[int, int]
     damage: TapeError | None = None
-    label: int | None = None
+    labels: tuple[range, ...] = ()
 
 
 def decode(frames: bytes) -> dict[int, int]:
@@ -62,6 +62,7 @@ def read(frames: bytes) -> Reading:
     """
     at = start = find_leader(frames)
     end = _end(frames)
+    labels = label_before(frames)
     words: dict[int, int] = {}
     while at < end:
         if frames[at] == LEADER:
@@ -70,16 +71,17 @@ def read(frames: bytes) -> Reading:
         group = frames[at : at + 4]
         damage = _fault(group, at)
         if damage and words and _after_trailer(frames, at):
-            return Reading(words, label=len(frames) - len(frames[at:].lstrip(b"\0")))
+            after = len(frames) - len(frames[at:].lstrip(b"\0"))
+            return Reading(words, labels=(*labels, range(after, len(frames))))
         if damage:
-            return Reading(words, damage)
+            return Reading(words, damage, labels)
         words[(group[0] & 0o77) << 6 | group[1]] = group[2] << 6 | group[3]
         at += 4
     if not words:
         raise TapeError("nothing but leader", start)
     if frames[end - 1] != LEADER:
-        return Reading(words, TapeError("the tape is cut short: it has no trailer", end))
-    return Reading(words)
+        return Reading(words, TapeError("the tape is cut short: it has no trailer", end), labels)
+    return Reading(words, labels=labels)
 
 
 def _end(frames: bytes) -> int:
@@ -90,7 +92,7 @@ def _end(frames: bytes) -> int:
 
 def _after_trailer(frames: bytes, at: int) -> bool:
     """Tell whether frame `at` follows a trailer: frames of 200, more than stand between two words."""
-    return frames[:at].rstrip(b"\0").endswith(_TRAILER)
+    return frames[:at].rstrip(b"\0").endswith(LEAST_LEADER)
 
 
 def _fault(group: bytes, at: int) -> TapeError | None:
@@ -103,7 +105,6 @@ def _fault(group: bytes, at: int) -> TapeError | None:
     return None
 
 
-_TRAILER = leader(8)
 _EXPECTED = (
     "the first half of an address",
     "the second half of an address",

@@ -21,7 +21,6 @@ from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.teletype import FRAME
 from tapes import binary, kinds
 from tapes.errors import TapeError
-from tapes.frames import leader_start
 from tapes.measure import counted, duration
 
 RIM_START = 0o7756
@@ -149,7 +148,7 @@ class Operator:
         if self.reader.on and not self.panel.lamps.run:
             self.reader.lever(False)
             self.lever_waits = True
-        self.reader.load(tape[leader_start(tape) or 0 :])
+        self.reader.load(tape[kinds.start(tape) :])
         self._note("mount", name, f"{name} goes into the reader.")
 
     def throw_lever(self) -> None:

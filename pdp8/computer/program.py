@@ -109,25 +109,24 @@ def _assembled(source: bytes, name: str) -> Program:
 
 
 def _loaded(frames: bytes, name: str, kind: str, force: bool) -> Program:
-    from tapes import binary
-
-    words, damage, label = (_bin if kind == kinds.BIN else _rim)(frames, force)
+    words, damage, labels, apart = (_bin if kind == kinds.BIN else _rim)(frames)
     if damage and not force:
         raise damage
     notes = [f"{damage}; loaded as far as it can be read"] if damage else []
-    if label is not None:
-        notes.append(f"a label of {counted(len(frames) - label, 'frames')} from frame {label} on, not loaded")
-        if kind == kinds.BIN and (start := binary.find_section(frames, label)) is not None:
-            notes.append(
-                f"after the label, from frame {start} on, a good section: a tape of its own, not loaded"
-            )
+    notes += [
+        f"a label of {counted(len(label), 'frames')} from frame {label.start} on, not loaded"
+        for label in labels
+    ]
+    if apart is not None:
+        notes.append(f"after the label, from frame {apart} on, a good section: a tape of its own, not loaded")
     return Program(name, kind, words, frames, tuple(notes))
 
 
-_Loaded = tuple[dict[int, int], TapeError | None, int | None]
+_Loaded = tuple[dict[int, int], TapeError | None, tuple[range, ...], int | None]
+"""The words, what is wrong with the tape, its labels, the frame of a section apart from it."""
 
 
-def _bin(frames: bytes, force: bool) -> _Loaded:
+def _bin(frames: bytes) -> _Loaded:
     from tapes import binary
 
     reading = binary.read(frames)
@@ -136,10 +135,11 @@ def _bin(frames: bytes, force: bool) -> _Loaded:
     for field, frame in fields.items():
         if field and damage is None:
             damage = TapeError(f"field {field}: this PDP-8/L has 4K of core, field 0 alone", frame)
-    return {a: word for a, word in words.items() if a <= 0o7777}, damage, reading.label
+    within = {address: word for address, word in words.items() if address <= 0o7777}
+    return within, damage, reading.labels, binary.find_apart(frames, reading)
 
 
-def _rim(frames: bytes, force: bool) -> _Loaded:
+def _rim(frames: bytes) -> _Loaded:
     from tapes import rim
 
-    return rim.read(frames)
+    return *rim.read(frames), None

@@ -7,8 +7,9 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from tapes import binary, kinds
+from tapes import ascii, binary, kinds
 from tapes.errors import TapeError
+from tapes.frames import leader
 from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, assert_same, octal, palbart, refused, simh
 
 WORDS = st.dictionaries(st.integers(0, 0o7777), st.integers(0, 0o7777))
@@ -110,7 +111,8 @@ def test_what_follows_a_good_tape_is_a_label(label: str) -> None:
     assert binary.decode(labelled).words == FORMAT_WORDS
     found = binary.read(labelled)
     assert found.damage is None
-    assert found.label == len(FORMAT_BIN) + (len(octal(label)) - len(octal(label).lstrip(b"\0")))
+    start = len(FORMAT_BIN) + (len(octal(label)) - len(octal(label).lstrip(b"\0")))
+    assert found.labels == (range(start, len(labelled)),)
     assert kinds.classify(labelled) == kinds.BIN
 
 
@@ -118,13 +120,57 @@ def test_what_follows_a_good_tape_is_a_label(label: str) -> None:
 def test_a_section_after_a_label_is_found(label: str) -> None:
     other = tape("102 000 074 002 002 000")  # 102+000+074+002, octal
     labelled = FORMAT_BIN + octal(label) + bytes(3)
-    assert binary.find_section(labelled, len(FORMAT_BIN)) is None
-    assert binary.find_section(labelled + other, len(FORMAT_BIN)) == len(labelled)
-    wrong = tape("102 000 074 003 002 000")
-    assert binary.find_section(labelled + wrong, len(FORMAT_BIN)) is None
-    assert binary.find_section(labelled + wrong + bytes(3) + other, len(FORMAT_BIN)) == len(
-        labelled + wrong + bytes(3)
-    )
+    assert apart(labelled) is None
+    assert apart(labelled + other) == len(labelled)
+    wrong = labelled + tape("102 000 074 003 002 000")
+    assert apart(wrong) is None
+    assert apart(wrong + bytes(3) + other) == len(wrong + bytes(3))
+
+
+def apart(frames: bytes) -> int | None:
+    """Return where a good section begins after the label of this tape."""
+    return binary.find_apart(frames, binary.read(frames))
+
+
+BEFORE = {
+    "letters": "000 000 177 011 011 001 000 076 101 101 076 000 000 000",
+    "seven rows high": "265 231 377 101 000 000 000 000",
+}
+
+
+@pytest.mark.parametrize("label", BEFORE.values(), ids=BEFORE)
+@pytest.mark.parametrize("after", ["", "000 177 011 011"])
+def test_letters_before_the_leader_are_a_label(label: str, after: str) -> None:
+    front = octal(label)
+    labelled = front + FORMAT_BIN + octal(after)
+    assert binary.decode(labelled).words == FORMAT_WORDS
+    letters = range(len(front) - len(front.lstrip(b"\0")), len(front.rstrip(b"\0")))
+    behind = (range(len(front + FORMAT_BIN) + 1, len(labelled)),) if after else ()
+    assert binary.read(labelled).labels == (letters, *behind)
+    assert kinds.classify(labelled) == kinds.BIN
+    assert kinds.start(labelled) == labelled.index(LEADER)
+    assert apart(labelled) is None
+    damaged = bytearray(labelled)
+    damaged[len(front) + 67] ^= 0o002
+    assert kinds.classify(bytes(damaged)) == kinds.BIN
+
+
+def test_a_section_without_its_leader_is_no_label() -> None:
+    """A tape of two sections, torn in the first: the second is not all of it."""
+    for torn in (65, 66, 68):
+        with pytest.raises(TapeError, match=r"where the leader \(200\) was expected"):
+            binary.decode((FORMAT_BIN + bytes(20) + FORMAT_BIN)[torn:])
+    with pytest.raises(TapeError, match=r"where the leader \(200\) was expected"):
+        binary.decode(octal("102 000 000 000 000") + LEADER)
+
+
+def test_text_before_a_leader_is_no_label() -> None:
+    text = ascii.encode("*200\nHLT\n$\n")
+    for tail in (bytes(10) + binary.encode({0o200: 1}), bytes(10) + leader(), bytes(10) + leader() + text):
+        assert kinds.classify(text + tail) not in (kinds.BIN, kinds.RIM)
+        assert kinds.start(text + tail) == 0
+    assert kinds.start(ascii.encode("A") + bytes(9) + leader()) == 0
+    assert kinds.start(ascii.encode("A") + bytes(9) + b"\x41") == 0
 
 
 def test_a_damaged_second_section_is_no_label() -> None:

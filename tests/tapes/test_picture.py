@@ -56,6 +56,14 @@ def test_captions_of_blank_tape_between_a_trailer_and_a_label() -> None:
     assert captions.captions(rim.encode({0o200: 0o7402}) + letters, "rim")[-7:] == said
 
 
+def test_captions_of_a_label_before_the_leader() -> None:
+    letters = holes("000 177 011 377 000 000 000")
+    said = ["blank", "label", "label", "label", "blank", "blank", "blank", "leader"]
+    assert captions.captions(letters + FORMAT_BIN.lstrip(b"\0"), "bin")[:8] == said
+    tape = rim.encode({0o200: 0o7402})
+    assert captions.captions(letters + tape, "rim") == said[:7] + captions.captions(tape, "rim")
+
+
 def test_captions_of_a_rim_tape() -> None:
     said = captions.captions(rim.encode({0o200: 0o7402})[62:70], "rim")
     assert said == ["leader", "leader", "address 0200", '"', "7402", '"', "leader", "leader"]

@@ -23,6 +23,7 @@ def tapes(tmp_path: Path) -> None:
     damaged = bytearray(binary.encode(FIRST | SECOND))
     damaged[67] ^= 0o002
     (tmp_path / "two.bin").write_bytes(sections + LABEL)
+    (tmp_path / "labels.bin").write_bytes(LABEL + bytes(8) + sections + LABEL)
     (tmp_path / "high.bin").write_bytes(binary.encode(HIGH))
     (tmp_path / "bad.bin").write_bytes(damaged)
     (tmp_path / "cut.bin").write_bytes(binary.encode(FIRST | SECOND)[:74])
@@ -35,9 +36,10 @@ def core(shell: Shell, script: str, *addresses: str) -> list[str]:
     return [line.split()[1] for line in done.stdout.decode().splitlines()[-len(addresses) :]]
 
 
+@pytest.mark.parametrize("tape", ["two.bin", "labels.bin"])
 @pytest.mark.parametrize("way", ["load", "boot"])
-def test_a_tape_of_two_sections_and_a_label(shell: Shell, way: str) -> None:
-    assert core(shell, f"'{way} two.bin'", "200", "201", "300", "301") == ["7001", "7402", "1234", "4321"]
+def test_a_tape_of_two_sections_and_a_label(shell: Shell, way: str, tape: str) -> None:
+    assert core(shell, f"'{way} {tape}'", "200", "201", "300", "301") == ["7001", "7402", "1234", "4321"]
 
 
 @pytest.mark.parametrize("way", ["load", "boot"])
@@ -46,16 +48,17 @@ def test_words_between_our_loader_and_decs(shell: Shell, way: str) -> None:
     assert core(shell, f"'{way} high.bin'", *places) == [f"{word:04o}" for word in HIGH.values()]
 
 
-def test_run_loads_all_of_it_and_says_so(shell: Shell) -> None:
+@pytest.mark.parametrize("tape", ["two.bin", "labels.bin"])
+def test_run_loads_all_of_it_and_says_so(shell: Shell, tape: str) -> None:
     for option in ("", "--boot"):
-        done = shell(f"pdp8 run two.bin {option} --save x < /dev/null > out; cat x")
+        done = shell(f"pdp8 run {tape} {option} --save x < /dev/null > out; cat x")
         said = done.stderr.decode()
         loaded = json.loads(done.stdout)["core"]
         assert loaded["0200"].startswith("7001 7402 "), said
         assert loaded["0300"].startswith("1234 4321 ")
         assert "a label of 9 frames from frame" in said
         assert "HLT at 0201" in said
-    assert "two.bin read by BIN: 209 frames, 2 sections, 4 words; 20.9 s" in said
+    assert f"{tape} read by BIN: 209 frames, 2 sections, 4 words; 20.9 s" in said
 
 
 def test_a_damaged_tape_stops_run_and_load_and_is_judged_by_the_loader(shell: Shell) -> None:
@@ -117,6 +120,12 @@ def test_info_and_show_say_label(shell: Shell) -> None:
     assert "\n               o" in said
     shown = shell("pdp8 tape show two.bin --from 279").stdout.decode()
     assert shown.splitlines()[2].endswith("|  label")
+    said = shell("pdp8 tape info labels.bin").stdout.decode()
+    assert "label      9 frames from frame 8 on" in said
+    assert "label      9 frames from frame 305 on" in said
+    shown = shell("pdp8 tape show labels.bin --frames 26").stdout.decode()
+    assert "|  label" in shown
+    assert shown.splitlines()[-1].startswith("   label    ")
     assert shell("pdp8 dis two.bin").returncode == 0
     assert shell("pdp8 tape convert two.bin --to rim -o two.rim").returncode == 0
 
