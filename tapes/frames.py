@@ -26,7 +26,8 @@ LEADER_LENGTH = 64  # what PAL III (DEC-08-ASB1) punches before and after a bina
 LEAST_LEADER = bytes([LEADER]) * 8
 """More frames of 200 than letters, words or ends of block have side by side."""
 
-_GAP = bytes([BLANK]) * 3  # between a label and the leader; what was torn off a tape ends at its trailer
+LABEL_GAP = bytes([BLANK]) * 3
+"""Between a label and the leader is more blank tape than between what was torn off and its trailer."""
 
 _NO_LETTERS = bytes([BLANK, LEADER])
 _CODES = bytes(range(0o200)) * 2  # of every frame, without its channel 8
@@ -104,7 +105,8 @@ def leader_start(frames: bytes) -> int | None:
     if frames[start : start + 1] == bytes([LEADER]):
         return start
     letters, leader, rest = frames[start:].partition(LEAST_LEADER)
-    return start + len(letters) if letters.endswith(_GAP) and leader and rest.strip(_NO_LETTERS) else None
+    is_label = letters.endswith(LABEL_GAP) and leader and rest.strip(_NO_LETTERS)
+    return start + len(letters) if is_label else None
 
 
 def label_before(frames: bytes) -> tuple[range, ...]:

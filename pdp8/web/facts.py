@@ -48,6 +48,8 @@ def facts() -> dict[str, Any]:
         "ASCII": {name: _ascii_code(name) for name in _ASCII_CODES},
         "KEYS": {character: keys.sent(character)[0] for character in _KEYBOARD},
         "LEADER": frames.LEADER,
+        "LEAST_LEADER": len(frames.LEAST_LEADER),
+        "LABEL_GAP": len(frames.LABEL_GAP),
         "EIA": {frame: character for character, frame in eia.CODES.items()},
         "END_OF_BLOCK": eia.EOB,
         "FIELDS": hydrapoint.FIELDS,

@@ -4,6 +4,7 @@ import { assemble } from "../pal.mjs";
 import { ERROR, printed } from "../pal/diagnostics.mjs";
 import { LOADERS, PAL_III, PSEUDO_OPERATORS, SYMBOLS } from "../facts.mjs";
 import { escaped, find, grouped, octal } from "../written.mjs";
+import * as kinds from "./kinds.mjs";
 
 const TOKENS = /(\/[^\n]*)|([A-Za-z][A-Za-z0-9]*)(,|=)?|([0-9]+)/g;
 
@@ -123,7 +124,7 @@ export class Editor {
     LOADERS.RIM.forEach((word, index) => machine.processor.deposit(LOADERS.RIM_START + index, word));
     this.#read(LOADERS.RIM_START, LOADERS.RIM_START, bench.record.loader, () => machine.outOfTape());
     machine.panel.stop();
-    const tape = this.assembly.tape.slice(this.assembly.tape.indexOf(0o200));
+    const tape = this.assembly.tape.slice(kinds.start(this.assembly.tape));
     this.#read(LOADERS.BIN_START, LOADERS.TELETYPE_READER, tape, () => !machine.processor.run);
     machine.teletype.punch.on = kept;
     const wrong = machine.ac !== 0 || machine.processor.ma !== LOADERS.BIN_HALT;

@@ -1,6 +1,6 @@
 // The tapes at hand: the bundled ones, those dropped on the page, those punched.
 
-import { ASCII, EIA, LEADER } from "../facts.mjs";
+import * as kinds from "./kinds.mjs";
 
 export class Shelf {
   constructor(bundled) {
@@ -12,7 +12,7 @@ export class Shelf {
   }
 
   #add(name, frames) {
-    this.tapes.set(name, { frames, code: this.codeOf(frames) });
+    this.tapes.set(name, { frames, code: kinds.codeOf(frames) });
   }
 
   names() {
@@ -31,14 +31,5 @@ export class Shelf {
     this.#add(free, frames);
     this.changed.forEach((changed) => changed());
     return free;
-  }
-
-  /** The code in which a tape is shown: by its first frames that say something. */
-  codeOf(frames) {
-    const some = [...frames.slice(0, 200)].filter((frame) => frame !== 0 && frame !== LEADER);
-    if (frames[0] === LEADER || (frames.length > 2 && frames[1] === LEADER)) return "bin";
-    const share = (test) => some.filter(test).length / (some.length || 1);
-    if (share((frame) => frame in EIA) > 0.9 && share((frame) => frame & 0o200) < 0.5) return "eia";
-    return share((frame) => (frame & 0o177) >= ASCII.space || [ASCII.CR, ASCII.LF].includes(frame & 0o177)) > 0.9 ? "ascii" : "bin";
   }
 }

@@ -5,6 +5,7 @@ import { printed } from "../computer/teletype.mjs";
 import { Sheet } from "../sheet.mjs";
 import { drawTape, meaning, tapeKey } from "../tape.mjs";
 import { find, grouped, octal } from "../written.mjs";
+import * as kinds from "./kinds.mjs";
 
 const COLUMNS = 72; // of a Model 33
 const LINES = 400; // kept on the page
@@ -123,7 +124,7 @@ export class Teletype {
     find("shelf").replaceChildren(new Option("Put a tape in …", ""), ...names.map((name) => new Option(name, name)));
   }
 
-  /** Put a tape from the shelf into the reader. READER RUN is set while the processor stands still, and START would
+  /** Put a tape from the shelf into the reader, a loader's on its leader. READER RUN is set while the processor stands still, and START would
    *  drop the frame on its way: so the lever goes to STOP, to be thrown with START.
    */
   mount(name) {
@@ -135,7 +136,7 @@ export class Teletype {
       reader.lever(false);
       this.leverWaits = true;
     }
-    reader.load(frames);
+    reader.load(frames.slice(kinds.start(frames)));
     this.bench.touched();
   }
 
@@ -158,7 +159,7 @@ export class Teletype {
     const { reader, punch } = this.bench.machine.teletype;
     const head = Math.max(0, reader.position - 1);
     this.#tape("reader", { frames: reader.tape, head, code: this.code, label: this.name }, reader.loaded);
-    const code = this.bench.shelf.codeOf(punch.frames);
+    const code = kinds.codeOf(punch.frames);
     this.#tape("punch", { frames: punch.frames, head: punch.frames.length - 1, code, label: "", punching: true }, true);
     this.#switch("lever", "Reader", reader.on ? "START" : "STOP", reader.on);
     this.#switch("punch-on", "Punch", punch.on ? "ON" : "OFF", punch.on);

@@ -1,0 +1,57 @@
+"""Where the page sets a tape in its reader, as `tapes.kinds` does: blank tape, labels, leaders."""
+
+import json
+import random
+import subprocess
+
+import pytest
+
+from tapes import ascii, binary, kinds, rim, shelf
+from tapes.frames import leader
+from tests.pdp8.conftest import MODULES, NODE
+
+pytestmark = pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
+
+_START = """
+import { readFileSync } from "node:fs";
+import { codeOf, start } from "%s/bench/kinds.mjs";
+const tapes = JSON.parse(readFileSync(0, "utf8")).map((frames) => Uint8Array.from(frames));
+console.log(JSON.stringify(tapes.map((frames) => [start(frames), codeOf(frames)])));
+"""
+_WORDS = {0o200: 0o7300, 0o201: 0o7402, 0o400: 0o1234}
+
+
+def _in_the_page(tapes: list[bytes]) -> list[tuple[int, str]]:
+    done = subprocess.run(
+        [str(NODE), "--input-type=module", "--eval", _START % MODULES.as_uri()],
+        input=json.dumps([list(tape) for tape in tapes]),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return [(at, code) for at, code in json.loads(done.stdout)]
+
+
+def _tape(chance: random.Random) -> bytes:
+    """Return blank tape, a label or text or nothing, blank tape, leader, and words or text or nothing."""
+    label = chance.choice((bytes([0o265, 0o011, 0o377, 0o001, 0, 0o176, 0o101]), ascii.encode("A\nB"), b""))
+    gap, before = (bytes(chance.choice((0, 1, 2, 3, 9))) for _ in range(2))
+    words = chance.choice((binary.encode(_WORDS), rim.encode(_WORDS), ascii.encode("*200\nHLT\n$\n"), b""))
+    return before + label + gap + leader(chance.choice((0, 1, 7, 8, 20))) + words.lstrip(b"\x80")
+
+
+def test_a_tape_is_set_on_the_frame_that_the_package_sets_it_on() -> None:
+    chance = random.Random(8)
+    tapes = [_tape(chance) for _ in range(2_000)]
+    starts = [at for at, _ in _in_the_page(tapes)]
+    for tape, at in zip(tapes, starts, strict=True):
+        assert at == kinds.start(tape), tape.hex(" ")
+    assert {at > 9 for at in starts} == {True, False}
+
+
+def test_the_code_that_a_tape_is_shown_in() -> None:
+    label = bytes([0o177, 0o101, 0o076, 0, 0, 0])
+    names = ("circle.asc", "circle.eia", "eia.bin")
+    tapes = [shelf.read_bundled(name) for name in names] + [label + binary.encode(_WORDS), b""]
+    assert [code for _, code in _in_the_page(tapes)] == ["ascii", "eia", "bin", "bin", "bin"]
