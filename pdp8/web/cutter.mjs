@@ -6,7 +6,8 @@
 import { upper } from "./afternoon.mjs";
 import { ROWS } from "./facts.mjs";
 
-const PLATE = "#cfd2cf", RULER = "#e8e4d8", GROOVE = "#8f979b", FLOOR = "#a9b0b2", LINE = "#20303a", BAND = "#2f6f5e", TOOL = "#b3401f", FAINT = "#57534a";
+const PLATE = "#cfd2cf", RULER = "#e8e4d8", GROOVE = "#8f979b", FLOOR = "#a9b0b2";
+const LINE = "#20303a", BAND = "#2f6f5e", TOOL = "#b3401f", FAINT = "#57534a";
 const LEFT = 22, BELOW = 18; // the rulers, in pixels
 
 export class Mill {
@@ -201,8 +202,13 @@ function drawGrid(context, view, width, height) {
   const wide = width / view.scale;
   const tall = height / view.scale;
   const middle = { x: (width / 2 - view.x(0)) / view.scale, y: (view.y(0) - height / 2) / view.scale };
-  for (let x = Math.ceil((middle.x - wide / 2) / 10) * 10; x < middle.x + wide / 2; x += 10) line(context, view.x(x), 0, view.x(x), height);
-  for (let y = Math.ceil((middle.y - tall / 2) / 10) * 10; y < middle.y + tall / 2; y += 10) line(context, 0, view.y(y), width, view.y(y));
+  const first = (coordinate) => Math.ceil(coordinate / 10) * 10;
+  for (let x = first(middle.x - wide / 2); x < middle.x + wide / 2; x += 10) {
+    line(context, view.x(x), 0, view.x(x), height);
+  }
+  for (let y = first(middle.y - tall / 2); y < middle.y + tall / 2; y += 10) {
+    line(context, 0, view.y(y), width, view.y(y));
+  }
   context.stroke();
 }
 

@@ -102,7 +102,8 @@ function spoken({ link, ac, processor: { ma, mb, ir, state, ion, run } }) {
 /** A row of lamps under its legend; one may stand before it. */
 function row(name, legend, bits, before = "", label = "") {
   const link = `<span class="link">${before && lamp(before, label)}</span>`;
-  return `<div class="row" data-row="${name}"><span class="legend">${legend}</span>${link}${groups(bits, (bit) => lamp(name + bit, bit))}</div>`;
+  const lamps = groups(bits, (bit) => lamp(name + bit, bit));
+  return `<div class="row" data-row="${name}"><span class="legend">${legend}</span>${link}${lamps}</div>`;
 }
 
 function groups(bits, draw) {
@@ -132,7 +133,8 @@ function rocker(bit) {
 }
 
 function liveRocker(bit) {
-  return `<button class="rocker" role="switch" aria-checked="false" aria-label="switch ${bit}"><i></i><small>${bit}</small></button>`;
+  const said = `role="switch" aria-checked="false" aria-label="switch ${bit}"`;
+  return `<button class="rocker" ${said}><i></i><small>${bit}</small></button>`;
 }
 
 function liveKey(name) {

@@ -40,11 +40,12 @@ export class Paper {
   #typed(name) {
     const list = document.createElement("ol");
     const byAddress = new Map();
+    const number = (value) => (value === null ? "" : octal(value));
     for (const [address, word, text, mark] of this.record.sheets[name].lines) {
       const line = document.createElement("li");
       if (mark) line.className = mark;
       if (address !== null) byAddress.set(address, line);
-      for (const [kind, content] of [["address", address === null ? "" : octal(address)], ["word", word === null ? "" : octal(word)], ["text", text]]) {
+      for (const [kind, content] of [["address", number(address)], ["word", number(word)], ["text", text]]) {
         const part = document.createElement("span");
         part.className = kind;
         part.textContent = content;
@@ -73,7 +74,7 @@ export class Paper {
   #type(line, text, frames) {
     if (this.typing && this.typing.line !== line) this.typing.line.lastChild.textContent = this.typing.text;
     this.typing = { line, text };
-    const typed = frames.reduce((count, frame) => count + ((frame & 0o177) >= ASCII.space && (frame & 0o177) !== ASCII.RUBOUT), 0);
+    const typed = frames.map((frame) => frame & 0o177).filter((code) => code >= ASCII.space && code !== ASCII.RUBOUT).length;
     line.lastChild.textContent = text.slice(0, typed) || " ";
   }
 

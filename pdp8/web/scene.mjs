@@ -84,7 +84,8 @@ export class Scene {
   say() {
     const { afternoon, panel } = this;
     panel.say(afternoon.machine);
-    this.writer.text(find("said"), `${clock(this.record.opens, afternoon.now)}, ${afternoon.act().name}. ${panel.spoken.textContent}`);
+    const when = clock(this.record.opens, afternoon.now);
+    this.writer.text(find("said"), `${when}, ${afternoon.act().name}. ${panel.spoken.textContent}`);
   }
 
   #time(act, now) {

@@ -43,7 +43,8 @@ export class Sheet {
       const style = getComputedStyle(canvas);
       this.width = canvas.clientWidth;
       this.height = canvas.clientHeight;
-      this.colours = Object.fromEntries(["sheet", "ink", "soft", "rust"].map((name) => [name, style.getPropertyValue(`--${name}`)]));
+      const names = ["sheet", "ink", "soft", "rust"];
+      this.colours = Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`)]));
       this.key = null;
       changed();
     };

@@ -70,7 +70,8 @@ class Bench {
     this.teletype.show();
     this.debug.show(brightness && machine.processor.run && !waits);
     writer.text(find("clock"), `${(machine.ticks / TIMES.SECOND).toFixed(3)} s`);
-    writer.text(find("why"), machine.processor.run ? (waits ? (machine.outOfTape() ? "waits for tape" : "waits") : "runs") : this.why || "stands still");
+    const running = !waits ? "runs" : machine.outOfTape() ? "waits for tape" : "waits";
+    writer.text(find("why"), machine.processor.run ? running : this.why || "stands still");
   }
 
   say(words) {

@@ -84,7 +84,9 @@ export class Editor {
     const more = diagnostics.length - items.length;
     const rest = more ? `<p>and ${more.toLocaleString("en")} more</p>` : "";
     find("messages").innerHTML = `<p>${summary(this.assembly)}</p><ol>${items.join("")}</ol>${rest}`;
-    for (const button of find("messages").querySelectorAll("button")) button.addEventListener("click", () => this.#goTo(button.dataset));
+    for (const button of find("messages").querySelectorAll("button")) {
+      button.addEventListener("click", () => this.#goTo(button.dataset));
+    }
     find("load").disabled = find("boot").disabled = tape.length === 0;
     return ok;
   }
@@ -94,7 +96,8 @@ export class Editor {
     const [first, ...rest] = printed(diagnostic, this.name).split("\n");
     const { line, start, end, severity } = diagnostic;
     const place = `data-line="${line}" data-start="${start}" data-end="${end}"`;
-    return `<li class="${severity}"><button class="text" ${place}>${escaped(first)}</button><pre>${escaped(rest.join("\n"))}</pre></li>`;
+    const said = `<button class="text" ${place}>${escaped(first)}</button><pre>${escaped(rest.join("\n"))}</pre>`;
+    return `<li class="${severity}">${said}</li>`;
   }
 
   #goTo({ line, start, end }) {
@@ -128,7 +131,8 @@ export class Editor {
     this.#read(LOADERS.BIN_START, LOADERS.TELETYPE_READER, tape, () => !machine.processor.run);
     machine.teletype.punch.on = kept;
     const wrong = machine.ac !== 0 || machine.processor.ma !== LOADERS.BIN_HALT;
-    bench.say(wrong ? `BIN stopped at ${octal(machine.processor.ma)} with AC ${octal(machine.ac)}` : "loaded by BIN, checksum right");
+    const stopped = `BIN stopped at ${octal(machine.processor.ma)} with AC ${octal(machine.ac)}`;
+    bench.say(wrong ? stopped : "loaded by BIN, checksum right");
     reader.remove();
     bench.debug.listing.lay(this.assembly.lines);
     this.#ready();

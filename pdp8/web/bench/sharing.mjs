@@ -8,7 +8,8 @@ export async function opened() {
 
 /** The address of this page with `shared` in it. */
 export async function address(shared) {
-  const packed = await through(new CompressionStream("deflate-raw"), new TextEncoder().encode(JSON.stringify(shared)), "arrayBuffer");
+  const written = new TextEncoder().encode(JSON.stringify(shared));
+  const packed = await through(new CompressionStream("deflate-raw"), written, "arrayBuffer");
   const text = btoa(String.fromCharCode(...new Uint8Array(packed)));
   return `${location.href.replace(/#.*/, "")}#s=${text.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
 }

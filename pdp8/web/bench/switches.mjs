@@ -14,7 +14,9 @@ export class Switches {
   constructor(bench) {
     this.bench = bench;
     this.panel = new Panel(find("computer"), true);
-    this.panel.rockers.forEach((rocker, bit) => rocker.addEventListener("click", () => this.set(bench.machine.processor.sr ^ (0o4000 >> bit))));
+    this.panel.rockers.forEach((rocker, bit) => {
+      rocker.addEventListener("click", () => this.set(bench.machine.processor.sr ^ (0o4000 >> bit)));
+    });
     for (const [name, key] of this.panel.keys) key.addEventListener("click", () => this.press(name));
     find("computer").addEventListener("keydown", (event) => this.#key(event));
     this.card = new Card(bench, this);

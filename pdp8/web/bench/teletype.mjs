@@ -16,7 +16,8 @@ const NAMED = { Enter: "\r", Backspace: "\x7f", Escape: "\x1b" };
 export class Teletype {
   constructor(bench) {
     this.bench = bench;
-    this.sheets = { reader: new Sheet(canvas("reader"), () => this.#tapes()), punch: new Sheet(canvas("punch"), () => this.#tapes()) };
+    const sheet = (which) => new Sheet(canvas(which), () => this.#tapes());
+    this.sheets = { reader: sheet("reader"), punch: sheet("punch") };
     this.name = "";
     this.code = "ascii";
     this.#clear();
@@ -92,7 +93,9 @@ export class Teletype {
       event.preventDefault();
       press(KEYS[NAMED.Enter]);
     });
-    for (const button of document.querySelectorAll("[data-key]:not(.key)")) button.addEventListener("click", () => press(KEYS[TYPED[button.dataset.key]]));
+    for (const button of document.querySelectorAll("[data-key]:not(.key)")) {
+      button.addEventListener("click", () => press(KEYS[TYPED[button.dataset.key]]));
+    }
   }
 
   #levers() {
@@ -113,7 +116,9 @@ export class Teletype {
       event.target.value = "";
     });
     find("tear").addEventListener("click", () => this.tear());
-    find("store").addEventListener("click", () => bench.download("punched.tape", Uint8Array.from(bench.machine.teletype.punch.frames)));
+    find("store").addEventListener("click", () => {
+      bench.download("punched.tape", Uint8Array.from(bench.machine.teletype.punch.frames));
+    });
     find("to-mill").addEventListener("click", () => bench.mill.cut(this.tear()));
     bench.shelf.changed.push(() => this.#shelf());
     this.#shelf();
@@ -124,8 +129,8 @@ export class Teletype {
     find("shelf").replaceChildren(new Option("Put a tape in …", ""), ...names.map((name) => new Option(name, name)));
   }
 
-  /** Put a tape from the shelf into the reader, a loader's on its leader. READER RUN is set while the processor stands still, and START would
-   *  drop the frame on its way: so the lever goes to STOP, to be thrown with START.
+  /** Put a tape from the shelf into the reader, a loader's on its leader. READER RUN is set while the processor stands
+   *  still, and START would drop the frame on its way: so the lever goes to STOP, to be thrown with START.
    */
   mount(name) {
     const { code, frames } = this.bench.shelf.get(name);
@@ -163,7 +168,8 @@ export class Teletype {
     this.#tape("punch", { frames: punch.frames, head: punch.frames.length - 1, code, label: "", punching: true }, true);
     this.#switch("lever", "Reader", reader.on ? "START" : "STOP", reader.on);
     this.#switch("punch-on", "Punch", punch.on ? "ON" : "OFF", punch.on);
-    for (const id of ["tear", "store", "to-mill"]) if (find(id).disabled !== !punch.frames.length) find(id).disabled = !punch.frames.length;
+    const empty = !punch.frames.length;
+    for (const id of ["tear", "store", "to-mill"]) if (find(id).disabled !== empty) find(id).disabled = empty;
   }
 
   #switch(id, whose, position, on) {

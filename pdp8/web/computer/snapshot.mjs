@@ -6,7 +6,8 @@
 function parts({ processor, teletype, highspeed, waiting }) {
   const { receiver, reader, transmitter, punch } = teletype;
   const { readerControl, punchControl } = highspeed;
-  return [processor, receiver, reader, transmitter, punch, readerControl, highspeed.reader, punchControl, highspeed.punch, waiting];
+  const fast = [readerControl, highspeed.reader, punchControl, highspeed.punch];
+  return [processor, receiver, reader, transmitter, punch, ...fast, waiting];
 }
 
 function rolls({ teletype, highspeed }) {

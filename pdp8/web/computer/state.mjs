@@ -63,7 +63,10 @@ export function restore(text) {
   const devices = Object.entries(state.devices ?? {});
   const machine = new Machine("01" in (state.devices ?? {}));
   for (const [first, words] of Object.entries(state.core ?? {})) {
-    words.split(" ").forEach((word, offset) => (machine.core[number(first, "7777", "core") + offset] = number(word, "7777", `core ${first}`)));
+    const address = number(first, "7777", "core");
+    const values = words.split(" ").map((word) => number(word, "7777", `core ${first}`));
+    if (address + values.length > machine.core.length) throw new Error(`core ${first}: the words go beyond 7777`);
+    machine.core.set(values, address);
   }
   take(machine.processor, state.processor ?? {}, PROCESSOR, "processor");
   for (const [code, { device: name, ...fields }] of devices) {
@@ -92,7 +95,9 @@ function read(given, kind, old, where) {
   }
   if (kind === KINDS.TICK) return given === NEVER_WRITTEN ? NEVER : given;
   if (typeof kind === "string") return number(given, kind, where);
-  if (!Number.isInteger(given) || (kind >= 0 && given > kind)) throw new Error(`${where}: ${JSON.stringify(given)} is out of range`);
+  if (!Number.isInteger(given) || (kind >= 0 && given > kind)) {
+    throw new Error(`${where}: ${JSON.stringify(given)} is out of range`);
+  }
   return typeof old === "boolean" ? Boolean(given) : given;
 }
 

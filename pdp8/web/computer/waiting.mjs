@@ -25,7 +25,8 @@ export class Waiting {
     this.endless = false; // set when the processor stands in a loop that no event will ever end
     this.watched = false; // set while somebody looks at single instructions: a turn is seen before others are passed over
     this.nextLook = 0; // the tick from which the next look is due wherever the processor is
-    this.stepping = false; // set while every instruction is looked at, because core did not change since the last look of this kind
+    // Set while every instruction is looked at, because core did not change since the last look of this kind.
+    this.stepping = false;
     this.core = null; // core as it was remembered, if that is needed because words were written since
     this.#remember();
   }

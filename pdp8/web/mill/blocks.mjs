@@ -32,13 +32,19 @@ export function* read(frames) {
 function parsed(place, rows) {
   rows.forEach((frame, index) => {
     const value = frame & HEAD;
-    if (value > END_OF_BLOCK) throw new BlockError(`an end of block with digit holes beside it: ${octal(frame)}`, place, index + 1);
-    if (value !== END_OF_BLOCK && value > 9) throw new BlockError(`${octal(frame)} is ${value}, not a decimal digit`, place, index + 1);
+    if (value > END_OF_BLOCK) {
+      throw new BlockError(`an end of block with digit holes beside it: ${octal(frame)}`, place, index + 1);
+    }
+    if (value !== END_OF_BLOCK && value > 9) {
+      throw new BlockError(`${octal(frame)} is ${value}, not a decimal digit`, place, index + 1);
+    }
     if (value === END_OF_BLOCK && index + 1 < ROWS) {
       throw new BlockError(`the block ends in row ${index + 1}; a block has ${ROWS} rows`, place, index + 1);
     }
   });
-  if (rows.length < ROWS) throw new BlockError(`the tape ends after ${rows.length} rows of the block's ${ROWS}`, place, rows.length);
+  if (rows.length < ROWS) {
+    throw new BlockError(`the tape ends after ${rows.length} rows of the block's ${ROWS}`, place, rows.length);
+  }
   if ((rows[ROWS - 1] & HEAD) !== END_OF_BLOCK) {
     throw new BlockError(`no end of block in row ${ROWS}, but the digit ${rows[ROWS - 1] & HEAD}`, place, ROWS);
   }

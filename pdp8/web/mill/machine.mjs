@@ -68,8 +68,8 @@ class Motion {
 
   *mill() {
     const { xFeed, yFeed } = this.modes;
-    if (this.block.x !== this.at.x && !xFeed) throw new BlockError("milling along X needs an X feed (miscellaneous function 84); no block has set one", this.place, 4);
-    if (this.block.y !== this.at.y && !yFeed) throw new BlockError("milling along Y needs a Y feed (miscellaneous function 85); no block has set one", this.place, 4);
+    if (this.block.x !== this.at.x && !xFeed) this.refuse("milling along X needs an X feed (miscellaneous function 84); no block has set one");
+    if (this.block.y !== this.at.y && !yFeed) this.refuse("milling along Y needs a Y feed (miscellaneous function 85); no block has set one");
     const [feedPoint, finalDepth] = this.depths();
     if (this.at.z !== finalDepth) {
       yield* this.quill("approach", Math.max(this.at.z, feedPoint));
@@ -98,9 +98,14 @@ class Motion {
 
   depths() {
     const { feedPoint, finalDepth, zFeed } = this.modes;
-    if (feedPoint === undefined) throw new BlockError("the quill needs depths (preparatory function 9); no block has set them", this.place, 4);
-    if (!zFeed) throw new BlockError("the quill needs a Z feed (miscellaneous function 89); no block has set one", this.place, 4);
+    if (feedPoint === undefined) this.refuse("the quill needs depths (preparatory function 9); no block has set them");
+    if (!zFeed) this.refuse("the quill needs a Z feed (miscellaneous function 89); no block has set one");
     return [feedPoint, finalDepth];
+  }
+
+  /** Refuse a block for what no block has set. */
+  refuse(message) {
+    throw new BlockError(message, this.place, 4);
   }
 
   *quill(kind, depth) {

@@ -31,7 +31,8 @@ export function diagnose(source, messages, stops, notes) {
     const advice = ADVICE[message.code](subject, message.location);
     return { severity: ERROR, at, message: messageText(message), advice, hint: hint(message.code, subject) };
   });
-  const ended = full ? [] : stops.map(([reason, at]) => ({ severity: ERROR, at, message: `error: ${reason}`, advice: "", hint: "" }));
+  const error = ([reason, at]) => ({ severity: ERROR, at, message: `error: ${reason}`, advice: "", hint: "" });
+  const ended = full ? [] : stops.map(error);
   const noted = notes.map(({ at, message, advice }) => ({ severity: NOTE, at, message: `note: ${message}`, advice, hint: "" }));
   const found = [...said, ...ended, ...noted].sort((one, other) => one.at - other.at);
   return found.map((each) => ({ ...each, message: visible(each.message), ...source.place(each.at) }));

@@ -62,6 +62,10 @@ def test_a_run_goes_on_in_the_page_and_comes_back() -> None:
         ("", "cut short or damaged"),
         ("{}", 'begins with {"format"'),
         (json.dumps({"format": "pdp8 state", "version": 2, "core": {"0200": "9"}}), "not an octal number"),
+        (
+            json.dumps({"format": "pdp8 state", "version": 2, "core": {"7777": "1 2"}}),
+            "core 7777: the words go beyond 7777",
+        ),
         (json.dumps({"format": "pdp8 state", "version": 2, "processor": {"xyz": 1}}), "the fields are"),
     ],
 )
