@@ -21,6 +21,7 @@ from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.teletype import FRAME
 from tapes import binary, kinds
 from tapes.errors import TapeError
+from tapes.frames import BLANK, LEADER
 from tapes.measure import counted, duration
 
 RIM_START = 0o7756
@@ -70,7 +71,7 @@ class Action(NamedTuple):
 
 class Loading(NamedTuple):
     """A part of the boot: so many keys pressed, or a tape of so many `frames`, `sections` and `words` read in
-    `seconds`.
+    `seconds`; so many other words of the tape are `missing` in core, as where the loader itself stands.
     """
 
     what: str
@@ -79,6 +80,7 @@ class Loading(NamedTuple):
     sections: int = 0
     words: int = 0
     seconds: float = 0.0
+    missing: int = 0
 
     def __str__(self) -> str:
         if not self.frames:
@@ -87,6 +89,8 @@ class Loading(NamedTuple):
         if self.sections > 1:
             counts.append(counted(self.sections, "sections"))
         counts.append(counted(self.words, "words"))
+        if self.missing:
+            counts.append(f"{self.missing:,} more not in core")
         return f"{self.what}: {', '.join(counts)}; {duration(self.seconds)}"
 
 
@@ -232,11 +236,26 @@ class Operator:
         self.mount(name, tape)
         stop = self.start(BIN_START, TELETYPE_READER, _longest(tape))
         self._judge(stop, tape, name, force)
+        before = 0
         for _ in range(sections - 1):
+            before += self._pass_blank(name)
             self._judge(self.go_on(_longest(tape)), tape, name, force)
         core = self.machine.core
         loaded = sum(core[address & 0o7777] == word for address, word in words.items())
-        return self._read(f"{name} read by BIN", began, sections, loaded)
+        found = self._read(f"{name} read by BIN", began, sections, loaded)
+        return found._replace(frames=before + found.frames, missing=len(words) - loaded)
+
+    def _pass_blank(self, name: str) -> int:
+        """Set the tape on the leader after any blank tape that follows the trailer: the loader would take it
+        for words of 0000. Return the frames read before; 0 where the tape stays.
+        """
+        read = self.reader.position
+        rest = self.reader.tape[read:]
+        gap = rest[: len(rest) - len(rest.lstrip(bytes((LEADER, BLANK))))]
+        if BLANK not in gap:
+            return 0
+        self.mount(name, rest[gap.rindex(BLANK) + 1 :])
+        return read
 
     def _judge(self, stop: Stop, tape: bytes, name: str, force: bool) -> None:
         """Raise LoadError unless the BIN loader has halted with AC = 0."""

@@ -93,6 +93,26 @@ def test_cont_takes_the_next_tape_and_restarts_its_sum() -> None:
     assert (machine.core[0o200], machine.core[0o300]) == (0o1111, 0o2222)
 
 
+@pytest.mark.parametrize("gap", ["000 000", "000 000 200 000 000 000"], ids=["blank", "blank, leader, blank"])
+def test_blank_tape_between_sections_is_passed_over(gap: str) -> None:
+    """The loader would take it for words of 0000 and its leader for their trailer."""
+    machine = bin_machine()
+    machine.core[0o201] = 0o5252
+    first, second = binary.encode({0o200: 0o1111}), binary.encode({0o300: 0o2222})
+    done = Operator(machine).read_bin(first + bytes(octal(gap)) + second)
+    assert list(machine.core)[0o200:0o202] == [0o1111, 0o5252]
+    assert machine.core[0o300] == 0o2222
+    to_the_trailer = [len(section.rstrip(b"\200")) + 1 for section in (first, second)]
+    assert (done.frames, done.sections, done.words) == (sum(to_the_trailer), 2, 2)
+
+
+def test_a_word_where_the_loader_keeps_its_own_is_counted_as_missing() -> None:
+    """7622 is where FRAME of the BIN loader keeps the address it returns to."""
+    done = Operator(bin_machine()).read_bin(binary.encode({0o200: 0o1111, 0o7622: 0o5252}), "low.bin")
+    assert (done.words, done.missing) == (1, 1)
+    assert ", 1 word, 1 more not in core; " in str(done)
+
+
 def test_words_to_the_end_of_core_and_messages_between_rubouts() -> None:
     tape = binary.encode({0o7577: 1, 0o17: 0o7777, 0: 0o4000})
     at = len(tape) - 64 - 2  # before the checksum
