@@ -52,8 +52,16 @@ def run(command: click.Command, name: str, arguments: Sequence[str] | None = Non
     """Run `command` as program `name` and end the process with its exit status."""
     _reopen_closed_streams()
     _take_any_character()
-    signal.signal(signal.SIGTERM, _end)
+    _take_signals()
     sys.exit(status(command, name, sys.argv[1:] if arguments is None else arguments))
+
+
+def _take_signals() -> None:
+    """End as SIGTERM asks, and SIGHUP of a terminal that is closed: Windows has none, `nohup` ignores it."""
+    for name in ("SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)
+        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
+            signal.signal(number, _end)
 
 
 def _end(number: int, frame: FrameType | None) -> None:

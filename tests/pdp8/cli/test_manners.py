@@ -1,6 +1,7 @@
 """What all commands do alike: outputs proven first, files kept, streams and names not shared, long input."""
 
 import signal
+import subprocess
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -37,14 +38,27 @@ def test_a_file_keeps_its_mode_and_a_link_its_place(shell: Shell, tmp_path: Path
     assert (tmp_path / "real.bin").stat().st_mode & 0o777 == 0o640
 
 
-def test_sigterm_leaves_no_file_half_written(tmp_path: Path) -> None:
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_leaves_no_file_half_written(tmp_path: Path, number: int) -> None:
     run = commands.start("pdp8", "run", "counter.pal", "--realtime", "--trace", "x.trace", folder=tmp_path)
     assert commands.eventually(lambda: list(tmp_path.glob("*.part")))
-    run.send_signal(signal.SIGTERM)
+    run.send_signal(number)
     said = run.communicate(timeout=20)[1]
-    assert run.returncode == 128 + signal.SIGTERM
+    assert run.returncode == 128 + number
     assert b"Traceback" not in said
     assert not list(tmp_path.iterdir())
+
+
+def test_a_run_under_nohup_outlives_its_terminal(tmp_path: Path) -> None:
+    line = ("nohup", "pdp8", "run", "counter.pal", "--realtime", "--trace", "x.trace")
+    run = commands.start(*line, folder=tmp_path)
+    assert commands.eventually(lambda: list(tmp_path.glob("*.part")))
+    run.send_signal(signal.SIGHUP)
+    with pytest.raises(subprocess.TimeoutExpired):
+        run.wait(timeout=0.3)
+    run.send_signal(signal.SIGTERM)
+    run.communicate(timeout=20)
+    assert run.returncode == 128 + signal.SIGTERM
 
 
 def test_ctrl_c_ends_a_traced_run_soon(tmp_path: Path) -> None:
