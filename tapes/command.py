@@ -20,6 +20,8 @@ from tapes.errors import WorkError
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 
+_NoArguments = getattr(click.exceptions, "NoArgsIsHelpError", ())  # click 8.2 and later; 8.1 prints the help
+
 
 class Option(click.Option):
     """An option that also answers to other names, which its help leaves out."""
@@ -129,6 +131,8 @@ def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
         return _complain(f"{_path(command, name, arguments)}: {error}", error.exit_status)
     except click.exceptions.Exit as stop:
         return stop.exit_code
+    except _NoArguments as error:
+        return _complain(error.format_message(), error.exit_code)
     except click.ClickException as error:
         path = error.ctx.command_path if isinstance(error, click.UsageError) and error.ctx else name
         return _complain(
