@@ -89,7 +89,7 @@ def check_files(sources: Iterable[str | None], outputs: Iterable[str | None]) ->
     taken = {os.path.realpath(shelf.find(name)): f"{name} is the source; name another file" for name in files}
     for source in files:
         if shelf.hides(source):
-            say(f"{source} is the file in this folder, not the bundled one of that name")
+            say(f"{source} {shelf.HIDES}")
     for name in outputs:
         if name is None:
             continue

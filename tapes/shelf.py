@@ -14,6 +14,8 @@ from typing import BinaryIO
 
 from tapes.errors import WorkError
 
+HIDES = "is the file in this folder, not the bundled one of that name"
+
 _bundled: dict[str, str] = {}
 
 

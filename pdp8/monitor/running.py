@@ -68,7 +68,7 @@ def until(monitor: Monitor, arguments: Sequence[str]) -> None:
 
 def expect(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Go on until the page shows TEXT, or fail after SECONDS (60)."""
-    text, *rest = at_most(some(arguments, "a text and seconds"), "a text and seconds", 2)
+    text, *rest = at_most(some(arguments, "a text"), "a text and seconds", 2)
     _wait_for(monitor, Goal(_text(text), 1, seconds(rest[0]) if rest else _DEFAULT))
 
 

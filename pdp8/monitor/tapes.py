@@ -8,6 +8,7 @@ from pdp8.monitor.arguments import FRAME, MonitorError, Quoted, exactly, some
 from pdp8.monitor.prompt import Monitor
 from tapes import kinds, shelf
 from tapes import rim as rim_format
+from tapes.errors import naming
 from tapes.frames import has_leader
 from tapes.measure import counted
 
@@ -17,7 +18,7 @@ _MARKS = {"\a": "<BEL>", "\x7f": "<RUBOUT>"}
 def load(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Put a program straight into core; `load PROGRAM force` takes a damaged tape too."""
     name, force = _forced(arguments)
-    found = program.find(name, force)
+    found = program.read(_read(monitor, name), name, force)
     monitor.machine.load(found.words)
     monitor.listing = found.listing
     monitor.say(f"{name}: {counted(len(found.words), 'words')}")
@@ -27,12 +28,19 @@ def load(monitor: Monitor, arguments: Sequence[str]) -> None:
 def boot(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Load a program from cold as an operator does; with force, whatever its checksum."""
     name, force = _forced(arguments)
-    found = program.find(name, force=True)
+    found = program.read(_read(monitor, name), name, force=True)
     loader = program.read(shelf.read_bundled("bin.pal"), "bin.pal")
     for step in monitor.operator.boot(rim_format.encode(loader.words), found.tape, name, force):
         monitor.say(str(step))
     monitor.listing = found.listing
     _say_notes(monitor, found)
+
+
+def _read(monitor: Monitor, name: str) -> bytes:
+    """Return the content of a file; say so where it hides a bundled one."""
+    if shelf.hides(name):
+        monitor.say(f"{name} {shelf.HIDES}")
+    return shelf.read(name)
 
 
 def _forced(arguments: Sequence[str]) -> tuple[str, bool]:
@@ -50,7 +58,7 @@ def _say_notes(monitor: Monitor, found: program.Program) -> None:
 def listing(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Take the listing of a program that is in core already, as after `restore`."""
     (name,) = exactly(arguments, "the name of a program", 1)
-    monitor.listing = program.find(name, force=True).listing
+    monitor.listing = program.read(_read(monitor, name), name, force=True).listing
 
 
 def rim(monitor: Monitor, arguments: Sequence[str]) -> None:
@@ -62,18 +70,19 @@ def rim(monitor: Monitor, arguments: Sequence[str]) -> None:
 
 def reader(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Put tapes into the Teletype's reader, each as the one before runs out; or its lever; or none."""
-    names = some(arguments, "names of tapes, or start, stop, or none")
+    names = list(some(arguments, "names of tapes, or start, stop, or none"))
     teletype = monitor.machine.teletype
-    monitor.waiting_tapes = []
-    if len(names) == 1 and names[0] in ("start", "stop", "none"):
-        if names[0] == "none":
-            teletype.reader.remove()
-        elif teletype.reader.on != (names[0] == "start"):
+    if names in (["start"], ["stop"]):
+        if teletype.reader.on != (names == ["start"]):
             monitor.operator.throw_lever()
         return
-    tapes = [shelf.read(name) for name in names]
+    monitor.waiting_tapes = []
+    if names == ["none"]:
+        teletype.reader.remove()
+        return
+    tapes = [_read(monitor, name) for name in names]
     monitor.operator.mount(names[0], tapes[0])
-    monitor.waiting_tapes = list(names[1:])
+    monitor.waiting_tapes = names[1:]
     for name, frames in zip(names, tapes, strict=True):
         leader = "; no leader" if frames and not has_leader(frames) else ""
         monitor.say(f"{name}: {counted(len(frames), 'frames')}{leader}")
@@ -85,7 +94,7 @@ def fast_reader(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Put a tape into the high-speed reader."""
     (name,) = exactly(arguments, "the name of a tape", 1)
     _need_highspeed(monitor)
-    monitor.machine.highspeed.reader.load(shelf.read(name))
+    monitor.machine.highspeed.reader.load(_read(monitor, name))
 
 
 def fast_punch(monitor: Monitor, arguments: Sequence[str]) -> None:
@@ -149,6 +158,8 @@ def restore(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Read the machine's state from a file; the listing stays."""
     (name,) = exactly(arguments, "the name of a file", 1)
     watch, pace = monitor.machine.watch, monitor.operator.pace
-    monitor.attend(state.restore(shelf.read(name).decode("ascii", "replace")))
+    with naming(name):
+        restored = state.restore(shelf.read(name).decode("ascii", "replace"))
+    monitor.attend(restored)
     monitor.machine.watch, monitor.operator.pace = watch, pace
     monitor.expected = monitor.shown = 0

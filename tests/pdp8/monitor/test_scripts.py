@@ -7,6 +7,7 @@ import pytest
 from pdp8.computer import program
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
+from tapes.errors import WorkError
 from tests.conftest import Shell
 
 SOURCE = Path(__file__).parent / "dialogue.pal"
@@ -100,6 +101,27 @@ def test_a_tape_put_in_at_a_standstill_loses_no_frame(monitor: Monitor, tmp_path
     monitor.machine.core[0o10] = 0o277
     do(monitor, f'reader "{tmp_path}/a" "{tmp_path}/b c"', "wait 1", "go 200")
     assert [monitor.machine.core[0o300 + at] for at in range(4)] == [0o201, 0o202, 0o203, 0]
+
+
+@pytest.mark.parametrize(("lines", "waiting"), [(["reader stop", "reader start"], 1), (["reader none"], 0)])
+def test_the_lever_leaves_the_tapes_that_wait(monitor: Monitor, lines: list[str], waiting: int) -> None:
+    do(monitor, "reader circle.asc ellipse.asc", *lines)
+    assert len(monitor.waiting_tapes) == waiting
+
+
+@pytest.mark.parametrize("command", ["load", "boot", "reader", "listing"])
+def test_a_file_that_hides_a_bundled_one_is_named(
+    monitor: Monitor, said: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, command: str
+) -> None:
+    (tmp_path / "eia.pal").write_text("HLT\n$\n")
+    monkeypatch.chdir(tmp_path)
+    do(monitor, f"{command} eia.pal")
+    assert said[0] == "eia.pal is the file in this folder, not the bundled one of that name"
+
+
+def test_a_wrong_state_is_named(monitor: Monitor) -> None:
+    with pytest.raises(WorkError, match="^circle.asc: a saved state begins with"):
+        do(monitor, "restore circle.asc")
 
 
 @pytest.mark.parametrize(
