@@ -120,7 +120,7 @@ def test_a_file_that_hides_a_bundled_one_is_named(
 
 
 def test_a_wrong_state_is_named(monitor: Monitor) -> None:
-    with pytest.raises(WorkError, match="^circle.asc: a saved state begins with"):
+    with pytest.raises(WorkError, match=r"^circle\.asc: a saved state begins with"):
         do(monitor, "restore circle.asc")
 
 
