@@ -82,12 +82,12 @@ def pal(
 
     \b
     Examples:
-      pal eia.pal                                 the tape eia.bin
-      pal eia.pal -o - | pdp8 tape show -         its holes
-      pal eia.pal --listing -                     Appendix B again
+      pal eia.pal                          # the tape eia.bin
+      pal eia.pal -o - | pdp8 tape show -  # its holes
+      pal eia.pal --listing -              # Appendix B again
       pal one.pal two.pal -o both.bin --symbols both.sym
-      pal old.pal --force --tty tapes             what the Teletype punched in each pass
-      pal eia.pal --for 8/L                       what an 8/I or an 8/E would do otherwise
+      pal old.pal --force --tty tapes      # what the Teletype punched
+      pal eia.pal --for 8/L                # what other models do otherwise
     """
     if not sources:
         raise click.UsageError("no SOURCE: name a file, or - for standard input")

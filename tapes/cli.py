@@ -216,7 +216,7 @@ def punch(
     \b
     Examples:
       pdp8 tape punch typed.txt > typed.asc
-      pdp8 tape punch eia.pal --parity even --leader 100 -o eia.asc     leader: PAL III needs some
+      pdp8 tape punch eia.pal --parity even --leader 100 -o eia.asc  # for PAL III
       echo "001 0 00000 00000 0 35 88" | pdp8 tape punch --code eia -o drill.eia
     """
     command.check_files([file], [output])

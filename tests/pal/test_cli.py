@@ -213,11 +213,6 @@ def test_a_full_disk(folder: Path) -> None:
     assert_one_line(run("good.pal", "--listing", "/dev/full", folder=folder), 1, "/dev/full: No space left")
 
 
-def test_help_has_examples(folder: Path) -> None:
-    assert b"Examples:" in run("--help", folder=folder).stdout
-    assert b"Examples:" in dis("--help", folder=folder).stdout
-
-
 def test_dis_and_back(folder: Path) -> None:
     run("good.pal", folder=folder)
     result = dis("good.bin", folder=folder)

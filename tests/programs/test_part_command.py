@@ -241,25 +241,3 @@ def test_a_folder_is_no_file(shell: Shell) -> None:
     done = shell("mkdir here && pdp8 part circle -o here")
     assert done.returncode == 1
     assert done.stderr.decode().count("\n") == 1
-
-
-@pytest.mark.parametrize(
-    "name",
-    [
-        "",
-        "circle",
-        "ellipse",
-        "polynomial",
-        "slope",
-        "curve",
-        "die",
-        "drill",
-        "fluidic",
-        "compare",
-        "compare die",
-    ],
-)
-def test_every_help_has_examples(capfd: pytest.CaptureFixture[str], name: str) -> None:
-    status, output, _ = ended(capfd, f"part {name} --help")
-    assert status == 0
-    assert "Examples:" in output

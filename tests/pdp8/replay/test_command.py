@@ -73,10 +73,3 @@ def test_interrupted_at_real_pace(tmp_path: Path) -> None:
     assert said.decode().strip().splitlines()[-1] == "pdp8 replay: interrupted"
     assert "FORTRAN" not in said.decode()
     assert len((tmp_path / "replay-drill" / "drill.eia").read_bytes()) == 121
-
-
-def test_help(shell: Shell) -> None:
-    """With examples."""
-    assert (
-        "pdp8 replay ellipse --out ellipse --html ellipse.html" in shell("pdp8 replay --help").stdout.decode()
-    )
