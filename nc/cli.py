@@ -200,7 +200,7 @@ def inspect(
 @tape_options
 @curve_options
 @click.option("--gcode", is_flag=True, help="RS-274, one linear move a block, for today's controllers.")
-@click.option("--dxf", is_flag=True, help="A drawing of the path (needs ezdxf: pip install ezdxf).")
+@click.option("--dxf", is_flag=True, help="A drawing of the path (needs ezdxf, the extra `nc`).")
 @command.output()
 def export(gcode: bool, dxf: bool, output: str, **options: Any) -> None:
     """Write the path as G-code or DXF, in inches.

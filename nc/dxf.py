@@ -5,7 +5,7 @@
     layer HOLES      where the quill went down, as wide as the cutter
     layer CURVE      the nominal curve, where it is known
 
-Needs ezdxf, which is not part of the plain installation.
+Needs ezdxf, the extra `nc`.
 """
 
 from collections.abc import Iterator
@@ -50,7 +50,7 @@ def _ezdxf() -> Iterator[ModuleType]:
     try:
         import ezdxf
     except ImportError as error:
-        raise WorkError("a DXF drawing needs ezdxf: pip install ezdxf") from error
+        raise WorkError("a DXF drawing needs ezdxf: pip install 'pdp8[nc]'") from error
     options = getattr(ezdxf, "options")  # noqa: B009 -- exported by documentation, not by its types
     before = options.write_fixed_meta_data_for_testing
     options.write_fixed_meta_data_for_testing = True

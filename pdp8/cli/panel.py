@@ -60,7 +60,7 @@ def panel(
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise WorkError("the panel needs a terminal; `pdp8 run` works without one")
     if find_spec("textual") is None:
-        raise WorkError("the panel needs Textual: pip install textual")
+        raise WorkError("the panel needs Textual: pip install 'pdp8[panel]'")
     from pdp8.console.opening import opening
 
     session, programs = opening(program, reader, start, cold)

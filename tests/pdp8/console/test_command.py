@@ -88,7 +88,7 @@ def test_it_opens_cold_and_closes() -> None:
 def test_without_textual_it_says_how_to_get_it() -> None:
     status, seen = at_a_terminal(before="import sys; sys.modules['textual'] = None")
     assert status == 1
-    assert seen.decode().strip() == "pdp8 panel: the panel needs Textual: pip install textual"
+    assert seen.decode().strip() == "pdp8 panel: the panel needs Textual: pip install 'pdp8[panel]'"
 
 
 @pytest.mark.parametrize(
