@@ -214,22 +214,26 @@ def dis(*, tape: str, output: str) -> None:
       pdp8 dis eia.bin | pal - -o again.bin
     """
     from pal.disassembler import disassemble_tape
+    from tapes.measure import left_out
 
     command.check_files([tape], [output])
     frames = shelf.read(tape)
     with naming(tape):
-        _check_program(frames)
+        kind = _program_kind(frames)
         source = disassemble_tape(frames)
+        notes = left_out(frames, kind)
     _put(output, source)
+    command.say_of(tape, notes)
 
 
-def _check_program(frames: bytes) -> None:
-    """Raise WorkError where a tape is whole, but no program."""
+def _program_kind(frames: bytes) -> str:
+    """Return what a tape is. Raises WorkError where it is whole, but no program."""
     from tapes import kinds
 
     kind = kinds.classify(frames)
     if kind in (kinds.ASCII, kinds.EIA):
         raise WorkError(f"a tape in {kind.upper()}, not in BIN or RIM")
+    return kind
 
 
 def main() -> None:

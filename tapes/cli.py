@@ -158,6 +158,8 @@ def convert(*, file: str, code: str, target: str, parity: str, fill: int | None,
         _put_text(output, converted)
     else:
         shelf.write(output, converted)
+    if found in codes.WORDS and target in codes.WORDS:
+        command.say_of(file, measure.left_out(content, found))
 
 
 @tape.command()

@@ -16,7 +16,7 @@ from typing import Any, TypeVar
 import click
 
 from tapes import shelf
-from tapes.errors import WorkError
+from tapes.errors import WorkError, called
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 
@@ -74,6 +74,12 @@ def _end(number: int, frame: FrameType | None) -> None:
 def say(message: str) -> None:
     """Say on standard error how the work goes, after the name of the command."""
     click.echo(f"{click.get_current_context().command_path}: {message}", err=True)
+
+
+def say_of(file: str, notes: Iterable[str]) -> None:
+    """Say what there is to say of a file that was read, a line a note."""
+    for note in notes:
+        say(f"{called(file)}: {note}")
 
 
 def check_files(sources: Iterable[str | None], outputs: Iterable[str | None]) -> None:

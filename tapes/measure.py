@@ -36,6 +36,16 @@ def report(tape: bytes) -> list[Row]:
     ]
 
 
+def left_out(tape: bytes, kind: str) -> tuple[str, ...]:
+    """Say what is on a tape of `kind`, BIN or RIM, beside its program: labels, a good section after one."""
+    reading = rim.read(tape) if kind == kinds.RIM else binary.read(tape)
+    labels = [f"a label of {_place(label)}, left out" for label in reading.labels]
+    start = binary.find_apart(tape, reading) if isinstance(reading, binary.Reading) else None
+    if start is None:
+        return tuple(labels)
+    return *labels, f"after the label, from frame {start} on, a good section: a tape of its own, left out"
+
+
 def length(count: int) -> str:
     """Return the length of `count` frames in feet and inches."""
     feet, inches = divmod(count / frames.FRAMES_PER_INCH, 12)
@@ -147,9 +157,13 @@ def _words(tape: bytes) -> Iterator[Row]:
 def _labels(tape: bytes, labels: Iterable[range]) -> Iterator[Row]:
     """Say where each label is, and draw it as the eye reads it."""
     for label in labels:
-        yield "label", f"{counted(len(label), 'frames')} from frame {label.start} on"
+        yield "label", _place(label)
         for row in frames.draw_label(tape[label.start : label.stop]):
             yield "", row
+
+
+def _place(label: range) -> str:
+    return f"{counted(len(label), 'frames')} from frame {label.start} on"
 
 
 def _fault(read: Callable[[bytes], object], tape: bytes) -> str | None:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from tapes import kinds, shelf
 from tapes.errors import TapeError, WorkError, called, naming
-from tapes.measure import counted
+from tapes.measure import left_out
 
 if TYPE_CHECKING:
     from pal import Assembly
@@ -109,21 +109,15 @@ def _assembled(source: bytes, name: str) -> Program:
 
 
 def _loaded(frames: bytes, name: str, kind: str, force: bool) -> Program:
-    words, damage, labels, apart = (_bin if kind == kinds.BIN else _rim)(frames)
+    words, damage = (_bin if kind == kinds.BIN else _rim)(frames)
     if damage and not force:
         raise damage
     notes = [f"{damage}; loaded as far as it can be read"] if damage else []
-    notes += [
-        f"a label of {counted(len(label), 'frames')} from frame {label.start} on, not loaded"
-        for label in labels
-    ]
-    if apart is not None:
-        notes.append(f"after the label, from frame {apart} on, a good section: a tape of its own, not loaded")
-    return Program(name, kind, words, frames, tuple(notes))
+    return Program(name, kind, words, frames, (*notes, *left_out(frames, kind)))
 
 
-_Loaded = tuple[dict[int, int], TapeError | None, tuple[range, ...], int | None]
-"""The words, what is wrong with the tape, its labels, the frame of a section apart from it."""
+_Loaded = tuple[dict[int, int], TapeError | None]
+"""The words, and what is wrong with the tape."""
 
 
 def _bin(frames: bytes) -> _Loaded:
@@ -135,11 +129,11 @@ def _bin(frames: bytes) -> _Loaded:
     for field, frame in fields.items():
         if field and damage is None:
             damage = TapeError(f"field {field}: this PDP-8/L has 4K of core, field 0 alone", frame)
-    within = {address: word for address, word in words.items() if address <= 0o7777}
-    return within, damage, reading.labels, binary.find_apart(frames, reading)
+    return {address: word for address, word in words.items() if address <= 0o7777}, damage
 
 
 def _rim(frames: bytes) -> _Loaded:
     from tapes import rim
 
-    return *rim.read(frames), None
+    reading = rim.read(frames)
+    return reading.words, reading.damage

@@ -107,10 +107,15 @@ def test_a_section_after_a_label_is_named(shell: Shell, tmp_path: Path) -> None:
     first, other = (binary.encode({address: 0o7402}) for address in (0o200, 0o400))
     (tmp_path / "apart.bin").write_bytes(first + bytes.fromhex("007f09090100") + other)
     start = len(first) + 6
-    said = f"after the label, from frame {start} on, a good section: a tape of its own, not loaded"
+    said = f"after the label, from frame {start} on, a good section: a tape of its own, left out"
     for line in ("pdp8 run apart.bin", "pdp8 run apart.bin --boot", "echo load apart.bin | pdp8 monitor"):
         done = shell(f"{line} < /dev/null" if "run" in line else line)
         assert said.encode() in done.stdout + done.stderr, line
+    for line in ("pdp8 dis apart.bin", "pdp8 tape convert apart.bin --to rim"):
+        label, apart = shell(f"{line} > out").stderr.decode().splitlines()
+        where = f"{len(other) + 5} frames from frame {start - 5} on"
+        assert label.endswith(f": apart.bin: a label of {where}, left out")
+        assert apart.endswith(f": apart.bin: {said}")
     assert f"a good section from frame {start} on" in shell("pdp8 tape info apart.bin").stdout.decode()
 
 

@@ -63,11 +63,11 @@ def test_a_label_is_noted() -> None:
     for tape in (binary.encode(WORDS), rim.encode(WORDS)):
         found = program.read(tape + LABEL, "x")
         assert found.words == WORDS
-        behind = f"a label of 9 frames from frame {len(tape) + 8} on, not loaded"
+        behind = f"a label of 9 frames from frame {len(tape) + 8} on, left out"
         assert found.notes == (behind,)
         found = program.read(LABEL + bytes(9) + tape, "x")
         assert found.words == WORDS
-        assert found.notes == ("a label of 9 frames from frame 8 on, not loaded",)
+        assert found.notes == ("a label of 9 frames from frame 8 on, left out",)
 
 
 def test_a_damaged_tape_is_loaded_by_force_alone() -> None:
