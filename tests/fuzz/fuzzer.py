@@ -26,6 +26,7 @@ import traceback
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 
 from pdp8.cli.root import pdp8
@@ -315,10 +316,20 @@ def limited() -> Iterator[None]:
             signal.signal(number, handler)
 
 
+@cache
+def streams() -> tuple[io.TextIOWrapper, io.TextIOWrapper]:
+    """Return a standard output and error for all calls: click keeps every stream it has written to."""
+    out, said = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8", write_through=True) for _ in range(2))
+    return out, said
+
+
 def called(line: list[str]) -> tuple[int | str, str]:
     """Call the command; return its status, or what it raised, and what it said."""
-    streams = sys.stdin, sys.stdout, sys.stderr
-    out, said = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8", write_through=True) for _ in range(2))
+    before = sys.stdin, sys.stdout, sys.stderr
+    out, said = streams()
+    for stream in (out, said):
+        stream.seek(0)
+        stream.truncate()
     status: int | str
     with open("reader") as stdin, limited():
         sys.stdin, sys.stdout, sys.stderr = stdin, out, said
@@ -329,7 +340,7 @@ def called(line: list[str]) -> tuple[int | str, str]:
         except BaseException:
             status = traceback.format_exc()
         finally:
-            sys.stdin, sys.stdout, sys.stderr = streams
+            sys.stdin, sys.stdout, sys.stderr = before
     return status, said.buffer.getvalue().decode("utf-8", "replace")
 
 
