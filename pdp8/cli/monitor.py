@@ -41,7 +41,7 @@ def monitor(script: str | None, highspeed: bool, echo: bool) -> None:
 
 def _follow(made: Monitor, script: str, echo: bool) -> None:
     """Carry out a script; its first error ends it."""
-    text = shelf.read(script).decode("utf-8", "replace")
+    text = shelf.read(script).decode("utf-8-sig", "replace")
     for number, line in enumerate(text.splitlines(), 1):
         if echo:
             click.echo(f"* {line}")

@@ -74,6 +74,11 @@ def test_what_fails_ends_a_script_with_status_1(
     assert done.stderr.decode().startswith(f"pdp8 monitor: script, line 3: {message}")
 
 
+def test_a_script_may_begin_with_the_mark_that_windows_puts_there(shell: Shell, tmp_path: Path) -> None:
+    (tmp_path / "script").write_text("assert ac 0\n", "utf-8-sig")
+    assert shell("pdp8 monitor script").stderr == b""
+
+
 def test_a_diagnostic_that_rings_the_bell_at_each_pass(monitor: Monitor) -> None:
     words = "7300 1210 6046 6041 5203 5200 7402 0000 0207"  # CLA CLL; TAD BELL; TLS; TSF; JMP .-1; again
     monitor.machine.load({0o200 + at: int(word, 8) for at, word in enumerate(words.split())})
