@@ -258,7 +258,7 @@ class Operator:
         return read
 
     def _judge(self, stop: Stop, tape: bytes, name: str, force: bool) -> None:
-        """Raise LoadError unless the BIN loader has halted with AC = 0."""
+        """Raise LoadError unless the BIN loader has read the tape and halted with AC = 0."""
         ac, read = self.machine.ac, counted(self.reader.position, "frames")
         if stop.reason is Reason.TAPE_OUT and force:
             self.stop()
@@ -267,6 +267,9 @@ class Operator:
             self.reader.remove()
             advice = _SLOWER if stop.reason is Reason.LIMIT else ""
             raise LoadError(f"{name}: the BIN loader {_ended(stop, tape)} after {read}{advice}")
+        if self.reader.position <= 1:  # START itself sets READER RUN, which moves one
+            self.reader.remove()
+            raise LoadError(f"{name}: what was loaded as the BIN loader halted and had not read the tape")
         if ac and not force:
             self.reader.remove()
             raise LoadError(f"{name}: the BIN loader halted with AC = {ac:04o} after {read}: wrong checksum")

@@ -159,6 +159,15 @@ def test_a_tape_cut_short_is_loaded_as_far_as_the_loader_got_if_forced(frames: i
     assert list(machine.core)[0o200:0o202] == [0o1234, 0o4321][:loaded] + [0] * (2 - loaded)
 
 
+@pytest.mark.parametrize("force", [False, True])
+def test_a_loader_that_does_not_read_has_loaded_nothing(force: bool) -> None:
+    """The words of another program are no loader; where they halt with AC = 0, the sum seems good."""
+    machine = Machine()
+    machine.load({0o7777: 0o5300, 0o7700: 0o7402})
+    with pytest.raises(LoadError, match="halted and had not read the tape"):
+        Operator(machine).read_bin(binary.encode({0o200: 0o1234}), "x.bin", force)
+
+
 def test_a_loader_slower_than_its_limit_is_named_with_the_limit_and_the_way_on() -> None:
     tape = binary.encode({0o200: 0o1234})
     machine = Machine()
