@@ -20,7 +20,7 @@ from tapes.errors import WorkError, called
 @click.option("--highspeed", is_flag=True, help="Fit the PC8/L high-speed reader and punch.")
 @click.option("--echo", is_flag=True, help="Show each line of a script before its answer.")
 def monitor(script: str | None, highspeed: bool, echo: bool) -> None:
-    """Stand in front of the machine: examine, deposit, step, break, trace; from SCRIPT or at a prompt.
+    """Operate the machine by commands: examine, deposit, step, break, trace; from SCRIPT or at a prompt.
 
     Answers go to standard output. A script ends at its first error, with exit status 1 and its line number.
     Type help for the commands; numbers are octal, and symbols of a loaded program are addresses.

@@ -32,14 +32,14 @@ def panel(
     kiosk: bool,
     cold: bool,
 ) -> None:
-    """Sit down at the PDP-8/L: lamps, switches and keys, its Teletype and tapes, in the terminal.
+    """Operate the PDP-8/L in the terminal: lamps, switches and keys, its Teletype and tapes.
 
     PROGRAM is PAL III source, a BIN or a RIM tape, or a bundled name; it is in core, the PC at its start.
     Without it the machine is cold, as on a morning of 1971: RIM is to be toggled in (R does it for you), RIM
     reads BIN, BIN reads eia.bin, and eia.bin reads circle.asc. All these tapes are at hand.
 
     The letters underlined are the keys; 0 to 7 set the switches, so do arrows and mouse; TAB turns to the
-    Teletype, O puts a tape into the reader, W tears off what was punched, P changes the pace, Q goes home.
+    Teletype, O puts a tape into the reader, W tears off what was punched, P changes the pace, Q leaves.
     Ctrl-C is the STOP key.
 
     A drill is a card to follow: a key that is not the next one, or with a wrong switch, is not pressed, and

@@ -32,7 +32,7 @@ def replay(part: str, output: str | None, html: str | None, realtime: bool) -> N
     """Do the afternoon of 1971 again for PART: circle, ellipse, polynomial, slope, die, drill or fluidic.
 
     Every constant is as the thesis has it. FORTRAN's output is punched, RIM toggled in, BIN loaded, eia.pal
-    loaded, the tape translated, the part milled and inspected. Each act is said in a line: its time of day,
+    loaded, the tape translated, the part milled and inspected. Each step is one line: its time of day,
     how long it took in 1971 and takes today, and its outcome. The table at the end sets the thesis's
     figures beside the replay's; tapes, listings and pictures stay in a folder.
 

@@ -26,7 +26,7 @@ _COMMANDS = {
     "dis": ("pal.cli", "dis", "Disassemble a BIN or RIM tape."),
     "part": ("programs.cli", "part", "Run a FORTRAN part program: an ASCII tape for the translation."),
     "tape": ("tapes.cli", "tape", "Show, measure and convert paper tapes."),
-    "panel": ("pdp8.cli.panel", "panel", "Sit down at the front panel, in the terminal."),
+    "panel": ("pdp8.cli.panel", "panel", "The front panel, in the terminal."),
     "vectors": ("pdp8.cli.vectors", "vectors", "Write single-step vectors for any emulator."),
     "thesis": ("pdp8.cli.thesis", "thesis", "The thesis page by page: its figures, tables and programs."),
     "workbench": ("pdp8.cli.workbench", "workbench", "Write the live machine as one page for a browser."),
