@@ -341,8 +341,8 @@ def called(line: list[str]) -> tuple[int | str, str]:
             status = traceback.format_exc()
         finally:
             sys.stdin, sys.stdout, sys.stderr = before
-    said.buffer.seek(0)
-    return status, said.buffer.read().decode("utf-8", "replace")
+    assert isinstance(said.buffer, io.BytesIO)
+    return status, said.buffer.getvalue().decode("utf-8", "replace")
 
 
 def fault(seed: int, good: list[bytes]) -> str:
