@@ -13,13 +13,13 @@ frame on its way. So a tape goes in with the lever at STOP, and START or CONT th
 Sources: PDP-8/I instruction card (the RIM loader's words); Small Computer Handbook 1970, "Loading programs".
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from pdp8.computer.machine import TICKS_PER_SECOND, LoadError, Machine
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.teletype import FRAME
-from tapes import binary, kinds
+from tapes import binary, kinds, rim
 from tapes.errors import TapeError
 from tapes.frames import BLANK, LEADER
 from tapes.measure import counted, duration
@@ -214,16 +214,17 @@ class Operator:
         self.reader.remove()
 
     def read_rim(self, tape: bytes, name: str = "tape") -> Loading:
-        """Let the RIM loader read `tape`; press STOP when it has run through. Raises LoadError if it does
-        not.
+        """Let the RIM loader read `tape`; press STOP when its trailer has run through, for what follows the
+        loader would take for words. Raises LoadError if it has not.
         """
+        end, words = _rim_content(tape)
         began = self.machine.processor.clock
-        self.mount(name, tape)
+        self.mount(name, tape[:end])
         stop = self.start(RIM_START, seconds=_longest(tape))
         if stop.reason is not Reason.TAPE_OUT:
             raise LoadError(f"{name}: the RIM loader {_ended(stop, tape)}")
         self.stop()
-        return self._read(f"{name} read by RIM", began, 1, _rim_words(tape))
+        return self._read(f"{name} read by RIM", began, words)
 
     def read_bin(self, tape: bytes, name: str = "tape", force: bool = False) -> Loading:
         """Let the BIN loader read `tape` from the Teletype, with CONT for each section after the first.
@@ -240,10 +241,8 @@ class Operator:
         for _ in range(sections - 1):
             before += self._pass_blank(name)
             self._judge(self.go_on(_longest(tape)), tape, name, force)
-        core = self.machine.core
-        loaded = sum(core[address & 0o7777] == word for address, word in words.items())
-        found = self._read(f"{name} read by BIN", began, sections, loaded)
-        return found._replace(frames=before + found.frames, missing=len(words) - loaded)
+        found = self._read(f"{name} read by BIN", began, words)
+        return found._replace(frames=before + found.frames, sections=sections)
 
     def _pass_blank(self, name: str) -> int:
         """Set the tape on the leader after any blank tape that follows the trailer: the loader would take it
@@ -274,9 +273,12 @@ class Operator:
             self.reader.remove()
             raise LoadError(f"{name}: the BIN loader halted with AC = {ac:04o} after {read}: wrong checksum")
 
-    def _read(self, what: str, began: int, sections: int, words: int) -> Loading:
+    def _read(self, what: str, began: int, words: Mapping[int, int]) -> Loading:
+        """Return what was read since `began`, of a tape that holds `words`."""
         seconds = (self.machine.processor.clock - began) / TICKS_PER_SECOND
-        return Loading(what, 2, self.reader.position, sections, words, seconds)
+        core = self.machine.core
+        loaded = sum(core[address & 0o7777] == word for address, word in words.items())
+        return Loading(what, 2, self.reader.position, 1, loaded, seconds, len(words) - loaded)
 
     def _run_on(self, seconds: float) -> None:
         """Let the machine run for a while, though it waits for what only the operator will do."""
@@ -301,13 +303,15 @@ def _ended(stop: Stop, tape: bytes) -> str:
     return f"ended with {stop.reason} at {stop.pc:04o}"
 
 
-def _rim_words(tape: bytes) -> int:
-    from tapes import rim
-
+def _rim_content(tape: bytes) -> tuple[int, dict[int, int]]:
+    """Return where a RIM tape's trailer ends, as the operator sees from the tape, and the words it holds."""
     try:
-        return len(rim.read(tape).words)
+        words, _, labels = rim.read(tape)
     except TapeError:
-        return 0
+        return len(tape), {}
+    to_a_label = next((label.start for label in labels if label.stop == len(tape)), len(tape))
+    to_the_trailer = tape[:to_a_label].rstrip(bytes([BLANK]))
+    return len(to_the_trailer) if to_the_trailer[-1] == LEADER else len(tape), words
 
 
 def _bin_sections(tape: bytes) -> tuple[int, dict[int, int]]:
