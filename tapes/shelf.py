@@ -43,6 +43,7 @@ def find(name: str) -> str:
 
     Raises ShelfError if there is neither.
     """
+    _check_named(name)
     if os.path.exists(name):
         return name
     if name in _bundled:
@@ -83,6 +84,7 @@ def write(name: str, content: bytes) -> None:
         stream.write(content)
         stream.flush()
         return
+    _check_named(name)
     if os.path.exists(name) and not os.path.isfile(name):  # a device such as /dev/null, a directory
         _write_through(name, content)
         return
@@ -114,6 +116,7 @@ def check_writable(name: str) -> None:
     """Raise ShelfError where file `name` cannot be written; nothing is opened, made or emptied."""
     if name == "-":
         return
+    _check_named(name)
     if os.path.isdir(name):
         raise ShelfError(f"{name}: Is a directory")
     folder = os.path.dirname(os.path.realpath(name))
@@ -122,6 +125,12 @@ def check_writable(name: str) -> None:
     place = name if os.path.exists(name) else folder
     if not os.access(place, os.W_OK):
         raise ShelfError(f"{name}: Permission denied")
+
+
+def _check_named(name: str) -> None:
+    """Raise ShelfError for the empty name that a script's unset variable gives."""
+    if not name:
+        raise ShelfError("the name of a file is empty")
 
 
 def _write_through(name: str, content: bytes) -> None:

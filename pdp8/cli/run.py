@@ -121,7 +121,7 @@ def run(
     """
     _check_options(ctx, program, restore)
     page = None if keyboard or tty else "-"
-    written = [punch or page, fast_punch, trace, annotate, count_json, save]
+    written = [page if punch is None else punch, fast_punch, trace, annotate, count_json, save]
     command.check_files([program, *reader, fast_reader, restore, loader], written)
     if keyboard and not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise click.UsageError("--keyboard needs a terminal to type and print at.")
