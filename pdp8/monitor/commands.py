@@ -55,7 +55,7 @@ COMMANDS = {
         Command("wait", "SECONDS", running.wait),
         Command("step", "[N]", core.step),
         Command("cycle", "[N]", core.cycle),
-        Command("back", "[N] [UNIT] | until A ...", past.back),
+        Command("back", "[N] [UNIT] | until A [written|flag]", past.back),
         Command("break", "[A ...]", core.break_),
         Command("watch", "[A ...]", core.watch),
         Command("forget", "[A ...]", core.forget),
