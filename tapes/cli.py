@@ -176,7 +176,10 @@ def clean(*, file: str, output: str) -> None:
       pdp8 run eia2.pal < circle.asc | pdp8 tape clean > circle.eia
     """
     command.check_files([file], [output])
-    shelf.write(output, eia.clean(shelf.read(file)))
+    content = shelf.read(file)
+    with naming(file):
+        cleaned = eia.clean(content)
+    shelf.write(output, cleaned)
 
 
 @tape.command()

@@ -87,10 +87,14 @@ def clean(frames: bytes) -> bytes:
     """Return the digits and EOBs of a tape, and the blank frames before them.
 
     A second pass through a Flexowriter did this with the tapes of the thesis's second conversion program
-    (Chapter 5): it left out the characters that the program had passed on.
+    (Chapter 5): it left out the characters that the program had passed on. Raises TapeError where nothing is
+    left of a tape that is not blank.
     """
-    leader = len(frames) - len(frames.lstrip(bytes([_BLANK])))
-    return frames[:leader] + frames[leader:].translate(None, _NOT_OF_A_BLOCK)
+    body = frames.lstrip(bytes([_BLANK]))
+    cleaned = body.translate(None, _NOT_OF_A_BLOCK)
+    if body and not cleaned:
+        raise TapeError("nothing is left of this tape: it has no digit and no end of block in EIA code")
+    return bytes(len(frames) - len(body)) + cleaned
 
 
 def name(frame: int) -> str:

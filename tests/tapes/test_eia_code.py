@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tapes import eia
+from tapes import eia, shelf
 from tapes.errors import TapeError, TextError
 from tests.tapes.strips import assert_same, octal, refused
 
@@ -123,3 +123,9 @@ def test_a_clean_tape_has_digits_and_ends_of_block_alone() -> None:
     """The codes that program 2 passes on: LF as 332, RUBOUT as 117 (Chapter 5)."""
     frames = bytes([0, 0, 0o040, 0o332, 0o031, 0o117, 0o117, 0, 0o020, eia.EOB])
     assert eia.clean(frames) == bytes([0, 0, 0o040, 0o031, eia.EOB])
+    assert eia.clean(bytes(3)) == bytes(3)
+
+
+def test_a_tape_of_another_code_is_not_cleaned_to_nothing() -> None:
+    with pytest.raises(TapeError, match="it has no digit and no end of block"):
+        eia.clean(shelf.read("circle.asc"))
