@@ -57,7 +57,7 @@ def within(
 def tape_options(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add the tape and the settings of the machine to a command."""
     options: tuple[_Decorator, ...] = (
-        click.argument("tape", metavar="FILE.eia", default="-"),
+        click.argument("tape", metavar="[FILE.eia]", default="-"),
         click.option("--strict", is_flag=True, help="Read as later controls did: odd parity, no blank rows."),
         click.option(
             "--feed-error",

@@ -39,9 +39,9 @@ def check(
 ) -> None:
     """Mark each ANSWER to EXERCISE: run it on the exercise's cases, or compare a sheet of answers.
 
-    EXERCISE is a file in TOML, or the name of a bundled one; docs/lessons.md says how to write your own. An
-    ANSWER is PAL III source, a BIN or RIM tape, or a text with a line for each question; - is standard input.
-    An answer gets a bounded time, core and tape, whatever it does.
+    EXERCISE is a file in TOML, or the name of a bundled one; docs/lessons.md of the sources says how to write
+    your own. An ANSWER is PAL III source, a BIN or RIM tape, or a text with a line for each question; - is
+    standard input. An answer gets a bounded time, core and tape, whatever it does.
 
     Exit status: 0 every answer is right, 1 one is not.
 

@@ -195,10 +195,12 @@ class Bench {
   }
 }
 
-/** ?embed=PANE shows one pane alone, for a frame in another page. */
+/** ?embed=PANE shows one pane alone, for a frame in another page; a name that no pane has shows them all. */
 function embed(pane) {
+  const sections = [...document.querySelectorAll("[data-pane]")];
+  if (!sections.some((section) => section.dataset.pane === pane)) return;
   document.body.classList.add("embed");
-  for (const section of document.querySelectorAll("[data-pane]")) section.classList.toggle("out", section.dataset.pane !== pane);
+  for (const section of sections) section.classList.toggle("out", section.dataset.pane !== pane);
 }
 
 const bench = new Bench(JSON.parse(find("record").textContent));

@@ -223,12 +223,15 @@ def test_a_link_holds_program_and_machine(page: "Page", browser: "Browser", file
 
 
 def test_an_embedded_pane(browser: "Browser", file: Path) -> None:
-    """?embed=panel shows the panel alone, ?embed=debugger the debugger."""
+    """?embed=panel shows the panel alone, ?embed=debugger the debugger, any other name all of them."""
     opened = browser.new_page()
     for pane, shown in (("panel", "#computer"), ("debugger", "#debugger"), ("teletype", "#teletype")):
         opened.goto(f"{file.as_uri()}?embed={pane}")
         assert opened.locator(shown).is_visible()
         assert not opened.locator("#program").is_visible()
+    opened.goto(f"{file.as_uri()}?embed=nothing")
+    assert opened.locator("#computer").is_visible()
+    assert opened.locator("#program").is_visible()
     opened.close()
 
 
