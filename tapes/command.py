@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from io import TextIOWrapper, UnsupportedOperation
 from types import FrameType
-from typing import Any, TypeVar
+from typing import Any, TextIO, TypeVar
 
 import click
 
@@ -134,6 +134,7 @@ def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
         ended = command.main(args=list(arguments), prog_name=name, standalone_mode=False)
         sys.stdout.flush()
     except WorkError as error:
+        _write_or_drop(sys.stdout)
         return _complain(f"{_path(command, name, arguments)}: {error}", error.exit_status)
     except click.exceptions.Exit as stop:
         return stop.exit_code
@@ -176,6 +177,14 @@ def _complain(message: str, status: int) -> int:
     with suppress(BrokenPipeError):
         click.echo(message, err=True)
     return status
+
+
+def _write_or_drop(stream: TextIO) -> None:
+    """Write what the stream still holds, or drop it: Python's own flush at exit would complain once more."""
+    try:
+        stream.flush()
+    except OSError:
+        _silence(stream)
 
 
 def _silence(stream: object) -> None:

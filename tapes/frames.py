@@ -30,6 +30,7 @@ LABEL_GAP = bytes([BLANK]) * 3
 """Between a label and the leader is more blank tape than between what was torn off and its trailer."""
 
 _NO_LETTERS = bytes([BLANK, LEADER])
+_RUBBED_OUT = bytes([BLANK, RUBOUT])
 _CODES = bytes(range(0o200)) * 2  # of every frame, without its channel 8
 
 PARITIES = {
@@ -99,14 +100,14 @@ def has_leader(frames: bytes) -> bool:
 
 def leader_start(frames: bytes) -> int | None:
     """Return the first frame of a loader tape's leader, where an operator sets the tape: 200 after any blank
-    tape, or after letters for the eye and blank tape. None for a tape that begins otherwise.
+    tape, after letters for the eye and blank tape, or after rubouts. None for a tape that begins otherwise.
     """
     start = len(frames) - len(frames.lstrip(b"\0"))
     if frames[start : start + 1] == bytes([LEADER]):
         return start
     letters, leader, rest = frames[start:].partition(LEAST_LEADER)
-    is_label = letters.endswith(LABEL_GAP) and leader and rest.strip(_NO_LETTERS)
-    return start + len(letters) if is_label else None
+    is_label = letters.endswith(LABEL_GAP) or not letters.strip(_RUBBED_OUT)
+    return start + len(letters) if is_label and leader and rest.strip(_NO_LETTERS) else None
 
 
 def label_before(frames: bytes) -> tuple[range, ...]:

@@ -1,4 +1,6 @@
-"""What options take: octal words, seconds of machine time."""
+"""What options take: octal words, seconds of machine time, one tape."""
+
+from collections.abc import Sequence
 
 import click
 
@@ -23,3 +25,10 @@ def seconds(text: str) -> float:
     if not 0 <= time <= 1e9:
         raise click.BadParameter(f"{text} is not between 0 and 1e9 seconds")
     return time
+
+
+def one_tape(context: click.Context, option: click.Parameter, names: Sequence[str]) -> str | None:
+    """Return the one tape that was named, None without one. Raises click.BadParameter for several."""
+    if len(names) > 1:
+        raise click.BadParameter("one tape; several, one after another, go into --reader alone")
+    return names[0] if names else None

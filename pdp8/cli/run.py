@@ -11,7 +11,7 @@ from click.core import ParameterSource
 from pdp8.cli import pacing
 from pdp8.cli.feed import Feed, say_unread
 from pdp8.cli.outputs import Output, send
-from pdp8.cli.parameters import octal, seconds
+from pdp8.cli.parameters import octal, one_tape, seconds
 from pdp8.computer import program as programs
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
@@ -43,7 +43,13 @@ _DONE = (Reason.HALT, Reason.TAPE_OUT)
     help="Tape in the Teletype's reader; several go in one after another.  [default: standard input]",
 )
 @click.option("--punch", metavar="FILE", help="Where the punched tape goes.  [default: standard output]")
-@click.option("--fast-reader", metavar="FILE", help="Fit the high-speed reader, with this tape.")
+@click.option(
+    "--fast-reader",
+    multiple=True,
+    callback=one_tape,
+    metavar="FILE",
+    help="Fit the high-speed reader, with this tape.",
+)
 @click.option("--fast-punch", metavar="FILE", help="Fit the high-speed punch; its tape goes here.")
 @click.option(
     "--keyboard", is_flag=True, help="Type at the Teletype and see it print; Ctrl-] leaves to the monitor."

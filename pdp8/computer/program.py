@@ -86,7 +86,7 @@ def read(frames: bytes, name: str, force: bool = False) -> Program:
         else:
             raise WorkError("neither PAL source nor a BIN or RIM tape")
         if not program.words:
-            raise WorkError("no word in it goes into core")
+            raise WorkError("; ".join(("no word in it goes into core", *program.notes)))
     return program
 
 

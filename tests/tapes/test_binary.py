@@ -135,6 +135,7 @@ def apart(frames: bytes) -> int | None:
 BEFORE = {
     "letters": "000 000 177 011 011 001 000 076 101 101 076 000 000 000",
     "seven rows high": "265 231 377 101 000 000 000 000",
+    "rubouts": "000 377 377 377",
 }
 
 

@@ -3,6 +3,7 @@
 import { ASCII, EIA, LABEL_GAP, LEADER, LEAST_LEADER } from "../facts.mjs";
 
 const LOOK = 1000; // frames
+const RUBOUT = 0o200 | ASCII.RUBOUT;
 
 /** The code in which a tape is shown, by its first frames: "ascii", "eia" or "bin". */
 export function codeOf(tape) {
@@ -15,16 +16,17 @@ export function codeOf(tape) {
   return share((frame) => writes(frame & 0o177)) > 0.9 ? "ascii" : "bin";
 }
 
-/** The frame on which an operator sets a tape: its leader of 200, past blank tape, and past a label of a loader tape;
- *  any other tape's first.
+/** The frame on which an operator sets a tape: its leader of 200, past blank tape, and past a label or rubouts of
+ *  a loader tape; any other tape's first.
  */
 export function start(frames) {
   const first = frames.findIndex((frame) => frame !== 0);
   if (first < 0 || frames[first] === LEADER) return Math.max(first, 0);
   const leader = frames.findIndex((_, at) => at > first && isLeader(frames, at));
-  if (leader < first + LABEL_GAP || hasLines(frames, leader)) return 0;
-  const gap = frames.slice(leader - LABEL_GAP, leader).every((frame) => frame === 0);
-  return gap && isOrigin(frames.slice(leader).find((frame) => !isSilent(frame))) ? leader : 0;
+  if (leader < 0 || hasLines(frames, leader)) return 0;
+  const gap = leader >= LABEL_GAP && frames.slice(leader - LABEL_GAP, leader).every((frame) => frame === 0);
+  const rubbedOut = frames.slice(0, leader).every((frame) => frame === 0 || frame === RUBOUT);
+  return (gap || rubbedOut) && isOrigin(frames.slice(leader).find((frame) => !isSilent(frame))) ? leader : 0;
 }
 
 function isSilent(frame) {

@@ -154,6 +154,18 @@ def test_a_closed_pipe_is_no_error(shell: Shell, line: str) -> None:
     assert done.stdout == b"0\n"
 
 
+def test_a_closed_standard_output_is_one_error(shell: Shell) -> None:
+    done = shell("pdp8 run hello.pal >&-")
+    assert done.returncode == 1
+    assert done.stderr == b"pdp8 run: standard output: Bad file descriptor after 0 frames\n"
+
+
+def test_one_tape_goes_into_the_high_speed_reader(shell: Shell) -> None:
+    done = shell("pdp8 run eia.pal --fast-reader circle.asc --fast-reader ellipse.asc")
+    assert done.returncode == 2
+    assert b"'--fast-reader': one tape; several, one after another, go into --reader alone" in done.stderr
+
+
 @pytest.mark.parametrize("encoding", ["ascii", "latin-1"])
 def test_a_stream_that_is_not_utf8_takes_any_message(shell: Shell, encoding: str) -> None:
     done = shell(f"printf '*200\\n\\tCLÄ\\n$\\n' > x.pal; PYTHONIOENCODING={encoding} pal x.pal -o y")

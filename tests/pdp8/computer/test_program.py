@@ -78,6 +78,8 @@ def test_a_damaged_tape_is_loaded_by_force_alone() -> None:
     found = program.read(bytes(damaged), "x", force=True)
     assert found.words == {0o200: 0o7003, 0o201: 0o7402}
     assert "checksum: computed" in found.notes[0]
+    with pytest.raises(WorkError, match="no word in it goes into core; frame 66: the tape is cut short"):
+        program.read(binary.encode(WORDS)[:66], "x", force=True)
 
 
 def test_a_label_is_drawn_as_the_eye_reads_it() -> None:

@@ -35,7 +35,8 @@ def _in_the_page(tapes: list[bytes]) -> list[tuple[int, str]]:
 
 def _tape(chance: random.Random) -> bytes:
     """Return blank tape, a label or text or nothing, blank tape, leader, and words or text or nothing."""
-    label = chance.choice((bytes([0o265, 0o011, 0o377, 0o001, 0, 0o176, 0o101]), ascii.encode("A\nB"), b""))
+    letters, text = bytes([0o265, 0o011, 0o377, 0o001, 0, 0o176, 0o101]), ascii.encode("A\nB")
+    label = chance.choice((letters, text, b"\xff" * 4, b""))
     gap, before = (bytes(chance.choice((0, 1, 2, 3, 9))) for _ in range(2))
     words = chance.choice((binary.encode(_WORDS), rim.encode(_WORDS), ascii.encode("*200\nHLT\n$\n"), b""))
     return before + label + gap + leader(chance.choice((0, 1, 7, 8, 20))) + words.lstrip(b"\x80")
