@@ -10,7 +10,6 @@ engine compile it; the least of the repeats counts, by `performance.now()`.
 """
 
 import json
-import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
@@ -24,8 +23,8 @@ from rich.table import Table
 import pal
 from benchmarks.kernels import kernel
 from pdp8.web.workbench import page
-from tests.pdp8.conftest import MODULES, NODE
 from tests.pdp8.web import chromium, firefox
+from tests.pdp8.web.node import NODE, in_node
 
 COUNTER = (
     "*200\nLOOP,\tTAD SUM\n\tIAC\n\tDCA SUM\n\tISZ COUNT\n\tJMP LOOP\n\tJMP LOOP\nCOUNT,\t0\nSUM,\t0\n$\n"
@@ -54,12 +53,11 @@ def kernels() -> dict[str, list[tuple[int, int]]]:
     return {"mixed": list(kernel("mixed").items()), "counter": list(pal.assemble(COUNTER).words.items())}
 
 
-def in_node(call: str) -> Any:
+def in_modules(call: str) -> Any:
     """Return what `call` returns in Node.js, with the page's modules as they are."""
-    driver = f'import {{ Machine }} from "{(MODULES / "computer" / "machine.mjs").as_uri()}";\n'
-    driver += f"console.log(JSON.stringify({call}));"
-    command = [str(NODE), "--input-type=module", "--eval", driver]
-    return json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    return in_node(
+        f'async () => {{ const {{ Machine }} = await import("@/computer/machine.mjs"); return {call}; }}'
+    )
 
 
 def in_chromium(call: str) -> Any:
@@ -78,7 +76,7 @@ def measured(repeat: int) -> Iterator[tuple[str, str, float]]:
     """Yield where, which kernel, and how many times as fast as a real 8/L."""
     call = f"({_RUN})(Machine, {json.dumps(kernels())}, {SECONDS}, {repeat})"
     places: tuple[tuple[str, str | None, Callable[[str], Any]], ...] = (
-        ("Node.js", NODE, in_node),
+        ("Node.js", NODE, in_modules),
         ("Chromium", chromium.CHROMIUM, in_chromium),
         ("Firefox", firefox.FIREFOX, in_firefox),
     )

@@ -1,8 +1,5 @@
 """What the tests of the replay and of its page share: one afternoon, its page, Node.js and Chromium."""
 
-import json
-import shutil
-import subprocess
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,12 +9,10 @@ import pytest
 from pdp8.replay import Afternoon, replay
 from pdp8.web.page import page, record
 from tests.pdp8.web.chromium import CHROMIUM, launched
+from tests.pdp8.web.node import NODE, in_node
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
-
-NODE = shutil.which("node")
-MODULES = Path(__file__).parents[2] / "pdp8" / "web"
 
 Ask = Callable[[str, Any], Any]
 
@@ -50,7 +45,7 @@ def browser() -> "Iterator[Browser]":
 def ask(circle: Afternoon, circle_page: Path, request: pytest.FixtureRequest) -> Ask:
     """Ask the page's afternoon: `ask("(afternoon, given) => ...", given)`, in Node.js or else in Chromium."""
     if NODE:
-        return _in_node(record(circle))
+        return _of_node(record(circle))
     opened = request.getfixturevalue("browser").new_page()
     opened.goto(circle_page.as_uri())
 
@@ -60,25 +55,14 @@ def ask(circle: Afternoon, circle_page: Path, request: pytest.FixtureRequest) ->
     return asked
 
 
-_DRIVER = """
-import {{ readFileSync }} from "node:fs";
-import {{ Afternoon, unpacked }} from "{modules}/afternoon.mjs";
-const {{ record, given }} = JSON.parse(readFileSync(0, "utf8"));
-console.log(JSON.stringify(await ({function})(new Afternoon(unpacked(record)), given)));
-"""
+_ASKED = """async ({ record, given }) => {
+  const { Afternoon, unpacked } = await import("@/afternoon.mjs");
+  return (FUNCTION)(new Afternoon(unpacked(record)), given);
+}"""
 
 
-def _in_node(data: dict[str, Any]) -> Ask:
+def _of_node(data: dict[str, Any]) -> Ask:
     def asked(function: str, given: Any) -> Any:
-        driver = _DRIVER.format(modules=MODULES.as_uri(), function=function)
-        done = subprocess.run(
-            [str(NODE), "--input-type=module", "--eval", driver],
-            input=json.dumps({"record": data, "given": given}),
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        assert done.returncode == 0, done.stderr
-        return json.loads(done.stdout)
+        return in_node(_ASKED.replace("FUNCTION", function), {"record": data, "given": given})
 
     return asked

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from pdp8.web import bundle
-from tests.pdp8.conftest import MODULES
+from tests.pdp8.web.node import MODULES
 
 _NAMED = re.compile(r'^import \{([^}]*)\} from "([^"]+)";$', re.MULTILINE)
 

@@ -1,15 +1,11 @@
 """The numbers and names of the page's scripts: all from the Python tables, none of their own."""
 
-import json
 import re
-import subprocess
-from typing import Any
-
-import pytest
 
 from pdp8.web import facts
 from tapes import eia, hydrapoint
-from tests.pdp8.conftest import MODULES, NODE, Ask
+from tests.pdp8.conftest import Ask
+from tests.pdp8.web.node import MODULES, in_node, needs_node
 
 _TABLE = re.compile(r"^(?:export )?const (\w+) = [\[{].*\b\d", re.MULTILINE)
 _STRING = re.compile(r'"[^"]*"')
@@ -30,32 +26,21 @@ def test_a_block_has_its_fields() -> None:
 
 
 _SIGNS = """async () => {
-  const { sign, meaning } = await import("%s/tape.mjs");
+  const { sign, meaning } = await import("@/tape.mjs");
   const frames = [...Array(256).keys()];
   const shown = (code) => frames.map((frame) => [sign(frame, code), meaning(frame, code)]);
   return ["ascii", "eia", "bin"].map(shown);
 }"""
 
 
-def _run(script: str) -> Any:
-    done = subprocess.run(
-        [str(NODE), "--input-type=module", "--eval", f"console.log(JSON.stringify(await ({script})()));"],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
-
-
 _SIGN = {"\n": "↓", "\r": "↵", " ": "␣", "\x7f": "×"}
 _MEANING = {"↓": "line feed", "↵": "carriage return", "␣": "space", "×": "rubout", "": "blank"}
 
 
-@pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
+@needs_node
 def test_every_frame_is_written_in_its_code() -> None:
     """All 256 frames beside a tape, as a sign and in words: ASCII, EIA, octal."""
-    shown = _run(_SIGNS % MODULES.as_uri())
+    shown = in_node(_SIGNS)
     for frame in range(0o400):
         character = chr(frame & 0o177)
         in_ascii = _SIGN.get(character, character)
@@ -66,7 +51,7 @@ def test_every_frame_is_written_in_its_code() -> None:
 
 
 _TRACKS = """async () => {
-  const { drawTape } = await import("%s/tape.mjs");
+  const { drawTape } = await import("@/tape.mjs");
   return [...Array(8).keys()].map((bit) => {
     const holes = [];
     const arc = (x, y, radius) => holes.push([radius, x]);
@@ -78,10 +63,10 @@ _TRACKS = """async () => {
 }"""
 
 
-@pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
+@needs_node
 def test_the_channels_lie_from_8_to_1_beside_the_sprocket() -> None:
     """Channels 1 to 3 right of the sprocket hole, 4 to 8 left of it, a pitch apart."""
-    assert _run(_TRACKS % MODULES.as_uri()) == [3, 2, 1, -1, -2, -3, -4, -5]
+    assert in_node(_TRACKS) == [3, 2, 1, -1, -2, -3, -4, -5]
 
 
 _BLOCK = """(afternoon, names) => {
@@ -112,16 +97,16 @@ def test_no_script_has_a_table_of_numbers_but_the_picture_of_a_tape() -> None:
 
 
 _MNEMONICS = """async () => {
-  const { mnemonic, inWords } = await import("%s/meaning.mjs");
+  const { mnemonic, inWords } = await import("@/meaning.mjs");
   return [0o1102, 0o1777, 0o5776, 0o7300, 0o7640, 0o7012, 0o7401, 0o6036, 0o6502, 0o7402].map(
     (word) => [mnemonic(word, 0o400), inWords(word, 0o400)]);
 }"""
 
 
-@pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
+@needs_node
 def test_an_instruction_in_words() -> None:
     """As PAL III names it, and what the table of symbols says that it does."""
-    assert _run(_MNEMONICS % MODULES.as_uri()) == [
+    assert in_node(_MNEMONICS) == [
         ["TAD 0102", "add the word to the AC, two's complement: 0102"],
         ["TAD I 0577", "add the word to the AC, two's complement: address in 0577"],
         ["JMP I 0576", "jump: address in 0576"],

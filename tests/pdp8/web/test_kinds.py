@@ -1,36 +1,22 @@
 """Where the page sets a tape in its reader, as `tapes.kinds` does: blank tape, labels, leaders."""
 
-import json
 import random
-import subprocess
-
-import pytest
 
 from tapes import ascii, binary, kinds, rim, shelf
 from tapes.frames import leader
-from tests.pdp8.conftest import MODULES, NODE
+from tests.pdp8.web.node import in_node, needs_node
 
-pytestmark = pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
+pytestmark = needs_node
 
-_START = """
-import { readFileSync } from "node:fs";
-import { codeOf, start } from "%s/bench/kinds.mjs";
-const tapes = JSON.parse(readFileSync(0, "utf8")).map((frames) => Uint8Array.from(frames));
-console.log(JSON.stringify(tapes.map((frames) => [start(frames), codeOf(frames)])));
-"""
+_START = """async (tapes) => {
+  const { codeOf, start } = await import("@/bench/kinds.mjs");
+  return tapes.map((frames) => Uint8Array.from(frames)).map((frames) => [start(frames), codeOf(frames)]);
+}"""
 _WORDS = {0o200: 0o7300, 0o201: 0o7402, 0o400: 0o1234}
 
 
 def _in_the_page(tapes: list[bytes]) -> list[tuple[int, str]]:
-    done = subprocess.run(
-        [str(NODE), "--input-type=module", "--eval", _START % MODULES.as_uri()],
-        input=json.dumps([list(tape) for tape in tapes]),
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    return [(at, code) for at, code in json.loads(done.stdout)]
+    return [(at, code) for at, code in in_node(_START, [list(tape) for tape in tapes])]
 
 
 def _tape(chance: random.Random) -> bytes:

@@ -7,7 +7,8 @@ import pytest
 
 from pdp8.computer.machine import Machine
 from pdp8.computer.teletype import half_units
-from tests.pdp8.conftest import MODULES, Ask
+from tests.pdp8.conftest import Ask
+from tests.pdp8.web.node import MODULES
 
 _NUMBERS = (
     (

@@ -1,8 +1,6 @@
 """The Hydra-Point in the page and the package's: the same moves and times, and the same refusals."""
 
-import json
 import random
-import subprocess
 from typing import Any
 
 import pytest
@@ -12,36 +10,26 @@ from nc.inspection import inspect
 from nc.machine import CutError
 from tapes import shelf
 from tapes.errors import TapeError
-from tests.pdp8.conftest import MODULES, NODE
+from tests.pdp8.web.node import in_node, needs_node
 
-pytestmark = pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
+pytestmark = needs_node
 
-_CUT = """
-import { readFileSync } from "node:fs";
-import { cut, pictured } from "%s/mill/machine.mjs";
-const found = JSON.parse(readFileSync(0, "utf8")).map((frames) => {
-  const path = cut(Uint8Array.from(frames));
-  const { circle } = pictured(path, 1, 500);
-  return {
-    steps: path.steps.map(({ at, seconds, moves }) => [at.x, at.y, at.z, seconds, moves.length]),
-    error: path.error && path.error.message,
-    circle: circle && [circle.x, circle.y, circle.radius, circle.lowest, circle.highest],
-  };
-});
-console.log(JSON.stringify(found));
-"""
+_CUT = """async (tapes) => {
+  const { cut, pictured } = await import("@/mill/machine.mjs");
+  return tapes.map((frames) => {
+    const path = cut(Uint8Array.from(frames));
+    const { circle } = pictured(path, 1, 500);
+    return {
+      steps: path.steps.map(({ at, seconds, moves }) => [at.x, at.y, at.z, seconds, moves.length]),
+      error: path.error && path.error.message,
+      circle: circle && [circle.x, circle.y, circle.radius, circle.lowest, circle.highest],
+    };
+  });
+}"""
 
 
 def _in_the_page(tapes: list[bytes]) -> list[dict[str, Any]]:
-    done = subprocess.run(
-        [str(NODE), "--input-type=module", "--eval", _CUT % MODULES.as_uri()],
-        input=json.dumps([list(tape) for tape in tapes]),
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    found: list[dict[str, Any]] = json.loads(done.stdout)
+    found: list[dict[str, Any]] = in_node(_CUT, [list(tape) for tape in tapes])
     return found
 
 

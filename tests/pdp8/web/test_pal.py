@@ -1,9 +1,7 @@
 """The assembler in the page and the package's: the same tape, words, listing and passes, byte for byte."""
 
 import base64
-import json
 import random
-import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -14,40 +12,31 @@ from pal.assembler import HIGH_SPEED_SYMBOLS
 from pal.notes import notes
 from pal.source import Source
 from tests.pal import test_diagnostics, test_notes
-from tests.pdp8.conftest import MODULES, NODE
+from tests.pdp8.web.node import in_node, needs_node
 
 HOUSE = Path(__file__).parents[3]
-pytestmark = pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
+pytestmark = needs_node
 
-_ASSEMBLE = """
-import { readFileSync } from "node:fs";
-import { assemble } from "%s/pal.mjs";
-import { printed } from "%s/pal/diagnostics.mjs";
-const bytes = (text) => Uint8Array.from(Buffer.from(text, "base64"));
-const text = (frames) => Buffer.from(frames).toString("base64");
-const found = JSON.parse(readFileSync(0, "utf8")).map((tapes) => {
-  const { tape, words, passes, listing, symbols, messages, diagnostics } = assemble(...tapes.map(bytes));
-  return {
-    tape: text(tape), passes: passes.map(text), listing, symbols: Object.entries(symbols),
-    words: Object.entries(words).map(([address, word]) => [Number(address), word]),
-    messages,
-    diagnostics: diagnostics.map((diagnostic) => printed(diagnostic, `tape ${diagnostic.tape + 1}`)),
-  };
-});
-console.log(JSON.stringify(found));
-"""
+_ASSEMBLE = """async (sources) => {
+  const { assemble } = await import("@/pal.mjs");
+  const { printed } = await import("@/pal/diagnostics.mjs");
+  const bytes = (text) => Uint8Array.from(Buffer.from(text, "base64"));
+  const text = (frames) => Buffer.from(frames).toString("base64");
+  return sources.map((tapes) => {
+    const { tape, words, passes, listing, symbols, messages, diagnostics } = assemble(...tapes.map(bytes));
+    return {
+      tape: text(tape), passes: passes.map(text), listing, symbols: Object.entries(symbols),
+      words: Object.entries(words).map(([address, word]) => [Number(address), word]),
+      messages,
+      diagnostics: diagnostics.map((diagnostic) => printed(diagnostic, `tape ${diagnostic.tape + 1}`)),
+    };
+  });
+}"""
 
 
 def _in_the_page(sources: list[list[bytes]]) -> list[dict[str, Any]]:
-    done = subprocess.run(
-        [str(NODE), "--input-type=module", "--eval", _ASSEMBLE % ((MODULES.as_uri(),) * 2)],
-        input=json.dumps([[base64.b64encode(tape).decode() for tape in tapes] for tapes in sources]),
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    found: list[dict[str, Any]] = json.loads(done.stdout)
+    coded = [[base64.b64encode(tape).decode() for tape in tapes] for tapes in sources]
+    found: list[dict[str, Any]] = in_node(_ASSEMBLE, coded)
     return found
 
 
@@ -85,22 +74,19 @@ def test_every_source_with_a_note() -> None:
     _compare([[source.encode("ascii")] for source in sources] + several)
 
 
-_NOTES = """
-import { notes } from "%s/pal/notes.mjs";
-import { Source } from "%s/pal/source.mjs";
-console.log(JSON.stringify(notes(new Source([%s]), 1, %d)));
-"""
+_NOTES = """async ([source, symbols]) => {
+  const { notes } = await import("@/pal/notes.mjs");
+  const { Source } = await import("@/pal/source.mjs");
+  return notes(new Source([source]), 1, symbols);
+}"""
 
 
 @pytest.mark.parametrize("source", ["PAUSE;5\n$\n", "PAUSE;+\n$\n", "PAUSE \t/5\n$\n", "PAUSE,5 +\n+ 1\n$\n"])
 def test_notes_with_the_high_speed_reader(source: str) -> None:
     """Which the page has not: PAUSE takes the rest of its line from the source."""
-    script = _NOTES % (MODULES.as_uri(), MODULES.as_uri(), json.dumps(source), HIGH_SPEED_SYMBOLS)
-    done = subprocess.run(
-        [str(NODE), "--input-type=module", "--eval", script], capture_output=True, text=True, check=True
-    )
     expected = notes(Source([source.encode("ascii")]), 1, HIGH_SPEED_SYMBOLS)
-    assert [tuple(note.values()) for note in json.loads(done.stdout)] == expected
+    found = in_node(_NOTES, [source, HIGH_SPEED_SYMBOLS])
+    assert [tuple(note.values()) for note in found] == expected
 
 
 def test_a_form_feed_moves_the_pointer() -> None:
@@ -143,18 +129,17 @@ def test_two_thousand_random_sources() -> None:
     _compare(sources)
 
 
+_ASSEMBLE_TEXT = """async (source) => {
+  const { assemble } = await import("@/pal.mjs");
+  const { words, messages, diagnostics } = assemble(source);
+  return [words, messages, diagnostics];
+}"""
+
+
 def test_a_string_is_a_source_too() -> None:
     """`assemble(...sources)` takes strings, as the editor has them; what is not ASCII is illegal."""
     source = "*200\n\tCLA É\n\tHLT\n$\n"
-    script = (
-        f'import {{ assemble }} from "{MODULES.as_uri()}/pal.mjs";'
-        f"const {{ words, messages, diagnostics }} = assemble({json.dumps(source)});"
-        "console.log(JSON.stringify([words, messages, diagnostics]));"
-    )
-    done = subprocess.run(
-        [str(NODE), "--input-type=module", "--eval", script], capture_output=True, text=True, check=True
-    )
-    words, messages, diagnostics = json.loads(done.stdout)
+    words, messages, diagnostics = in_node(_ASSEMBLE_TEXT, source)
     expected = pal.assemble(source)
     assert {int(address): word for address, word in words.items()} == expected.words
     assert messages == [str(message) for message in expected.messages]

@@ -1,39 +1,29 @@
 """A state saved by `pdp8 run` and by the page: each takes the other's."""
 
 import json
-import subprocess
 from pathlib import Path
 
 import pytest
 
 from pdp8.computer import state
 from pdp8.computer.machine import Machine
-from tests.pdp8.conftest import MODULES, NODE
+from tests.pdp8.web.node import in_node, needs_node
 
-pytestmark = pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
+pytestmark = needs_node
 
-_THROUGH = """
-import { readFileSync } from "node:fs";
-import { restore, save } from "%s/computer/state.mjs";
-try {
-  const machine = restore(readFileSync(0, "utf8"));
-  machine.run(machine.processor.clock + CLOCK);
-  process.stdout.write(save(machine));
-} catch (error) { process.stdout.write(error.message); }
-"""
+_THROUGH = """async ([text, ticks]) => {
+  const { restore, save } = await import("@/computer/state.mjs");
+  try {
+    const machine = restore(text);
+    machine.run(machine.processor.clock + ticks);
+    return save(machine);
+  } catch (error) { return error.message; }
+}"""
 
 
 def _through(text: str, ticks: int = 0) -> str:
     """Return the state after the page has restored it, run it for so long, and saved it."""
-    script = _THROUGH.replace("CLOCK", str(ticks)) % MODULES.as_uri()
-    done = subprocess.run(
-        [str(NODE), "--input-type=module", "--eval", script],
-        input=text,
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    return done.stdout
+    return str(in_node(_THROUGH, [text, ticks]))
 
 
 def _echo() -> Machine:
