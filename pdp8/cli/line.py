@@ -21,6 +21,7 @@ from typing import Self
 from pdp8.cli.interrupt import ctrl_c
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
+from tapes import command
 from tapes.shelf import ShelfError
 
 _SLICE = 0.02
@@ -47,6 +48,7 @@ class Line:
         with suppress(termios.error):
             termios.tcsetattr(self._file, termios.TCSANOW, settings)
         self._modem = True
+        self._gone = False
 
     def __enter__(self) -> Self:
         return self
@@ -77,11 +79,23 @@ class Line:
 
     def _receive(self, machine: Machine, seconds: float) -> None:
         """Take what comes over the line while the machine's clock is ahead of ours."""
-        if select.select([self._file], [], [], max(0.0, seconds))[0]:
-            try:
-                machine.teletype.keyboard.press(os.read(self._file, 256))
-            except OSError:
-                time.sleep(max(_SLICE, seconds))  # nobody is at the other end
+        if not select.select([self._file], [], [], max(0.0, seconds))[0]:
+            return
+        try:
+            frames = os.read(self._file, 256)
+        except OSError:
+            frames = b""
+        if frames:
+            machine.teletype.keyboard.press(frames)
+        else:
+            self._say_gone()
+            time.sleep(max(_SLICE, seconds))
+
+    def _say_gone(self) -> None:
+        """Say once that nobody is at the other end."""
+        if not self._gone:
+            command.say(f"{self._path}: nobody is at the other end; the machine goes on, Ctrl-C stops it")
+        self._gone = True
 
     def _send(self, frame: int) -> None:
         """Send one frame; a line that takes none for a second has lost it."""

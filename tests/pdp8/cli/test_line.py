@@ -2,6 +2,7 @@
 
 import os
 import pty
+import re
 import select
 import signal
 import subprocess
@@ -92,6 +93,20 @@ class Other:
             if select.select([self.end], [], [], 0.1)[0]:
                 frames += os.read(self.end, 100)
         return frames
+
+
+def test_a_line_without_its_other_end_is_named_once() -> None:
+    other = Other()
+    before = termios.tcgetattr(other.line)
+    run = commands.start("pdp8", "run", "echo.pal", "--tty", other.name)
+    assert commands.eventually(lambda: termios.tcgetattr(other.line)[:6] != before[:6])
+    os.close(other.line)
+    os.close(other.end)
+    time.sleep(0.5)
+    run.send_signal(signal.SIGINT)
+    said = run.communicate(timeout=20)[1]
+    assert said.count(b"nobody is at the other end; the machine goes on, Ctrl-C stops it") == 1
+    assert re.search(rb"interrupted at .* [0-9]\.. s in 1971", said), "the machine lost its pace"
 
 
 def test_the_teletype_is_a_line() -> None:
