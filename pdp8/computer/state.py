@@ -26,6 +26,8 @@ from pdp8.computer.oldstate import TITLE, modern
 from tapes.errors import WorkError
 
 _HEAD = {"format": "pdp8 state", "version": 2}
+_PARTS = ("left", "processor", "core", "bus", "waiting", "devices")
+_FORMERLY = "continues"  # of `left`
 _LATEST = 1 << 60
 _ROW = 8
 _FRAMES = 24
@@ -108,7 +110,7 @@ def restore(text: str, others: Mapping[int, type[Device]] | None = None) -> Mach
     for number, fields in devices.items():
         _take_device(machine, number, fields)
     _check(machine)
-    left = state.get("left", {} if state.get("continues") else None)  # the name was once `continues`
+    left = state.get("left", {} if state.get(_FORMERLY) else None)
     if left is not None:
         machine.leave(_registers(left, machine))
     return machine
@@ -125,6 +127,9 @@ def _parsed(text: str) -> dict[str, Any]:
         raise StateError(f"the saved state is cut short or damaged: {error}") from error
     if {name: state.get(name) for name in _HEAD} != _HEAD:
         raise StateError(begins)
+    for name in state:
+        if name not in (*_HEAD, *_PARTS, _FORMERLY):
+            raise StateError(f"{name}: the parts are {' '.join(_PARTS)}")
     return state
 
 

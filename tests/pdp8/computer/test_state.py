@@ -178,6 +178,7 @@ def test_what_is_not_a_state(text: str, message: str) -> None:
         ({"processor": {"run": "1"}}, 'processor run: "1" is not a number'),
         ({"waiting": {"clock": 5}}, "waiting: its clock and instructions lie after"),
         ({"core": {"200": "8"}}, 'core 200: "8" is not an octal number'),
+        ({"corre": {"200": "7402"}}, "corre: the parts are left processor core bus waiting devices"),
     ],
 )
 def test_what_a_state_may_not_say(fields: dict[str, object], message: str) -> None:
