@@ -233,8 +233,10 @@ def _items(frames: bytes, at: int) -> tuple[list[Item], int, TapeError | None]:
     while at < len(frames):
         frame = frames[at]
         if frame == LEADER:
-            return items, at, None
-        if frame == RUBOUT:
+            if items:
+                return items, at, None
+            at += 1  # a message stands within the leader
+        elif frame == RUBOUT:
             closing = frames.find(RUBOUT, at + 1)
             if closing < 0:
                 message = "this rubout has no other to end it: the tape is cut short"

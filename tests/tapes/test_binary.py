@@ -90,6 +90,15 @@ def test_sections_follow_each_other_and_the_later_word_stays() -> None:
     assert len(binary.read(two).sections) == 3
 
 
+def test_a_message_may_stand_within_the_leader() -> None:
+    """As in DEC's loader, which passes over leader until another frame comes."""
+    message = octal("377 310 305 101 377")
+    two = LEADER + message + LEADER + message + FORMAT_BIN.lstrip(b"\0") + message + binary.encode({0o201: 3})
+    assert binary.decode(two).words == FORMAT_WORDS | {0o201: 3}
+    assert binary.read(two).labels == ()
+    assert kinds.classify(two) == kinds.BIN
+
+
 def test_a_section_starts_in_field_0_again() -> None:
     assert binary.decode(binary.encode({0o10000: 4}) + binary.encode({0: 5})).words == {0o10000: 4, 0: 5}
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import pal
-from tapes import binary, rim, shelf
+from tapes import binary, frames, rim, shelf
 from tests.conftest import Shell
 
 FIRST = {0o200: 0o7001, 0o201: 0o7402}
@@ -24,6 +24,10 @@ def tapes(tmp_path: Path) -> None:
     damaged[67] ^= 0o002
     (tmp_path / "two.bin").write_bytes(sections + LABEL)
     (tmp_path / "labels.bin").write_bytes(LABEL + bytes(8) + sections + LABEL)
+    message = bytes([0o377, 0o310, 0o311, 0o101, 0o377])
+    (tmp_path / "message.bin").write_bytes(
+        frames.leader(9) + message + binary.encode(FIRST) + message + binary.encode(SECOND)
+    )
     (tmp_path / "high.bin").write_bytes(binary.encode(HIGH))
     (tmp_path / "bad.bin").write_bytes(damaged)
     (tmp_path / "cut.bin").write_bytes(binary.encode(FIRST | SECOND)[:74])
@@ -36,7 +40,7 @@ def core(shell: Shell, script: str, *addresses: str) -> list[str]:
     return [line.split()[1] for line in done.stdout.decode().splitlines()[-len(addresses) :]]
 
 
-@pytest.mark.parametrize("tape", ["two.bin", "labels.bin"])
+@pytest.mark.parametrize("tape", ["two.bin", "labels.bin", "message.bin"])
 @pytest.mark.parametrize("way", ["load", "boot"])
 def test_a_tape_of_two_sections_and_a_label(shell: Shell, way: str, tape: str) -> None:
     assert core(shell, f"'{way} {tape}'", "200", "201", "300", "301") == ["7001", "7402", "1234", "4321"]
