@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from pal import punch
 from pal.assembler import TELETYPE_SYMBOLS, Assembler, Entry, Listed, Message, Punched
 from pal.source import Source
+from pal.symbols import typed
 
 if TYPE_CHECKING:
     from pal.diagnostics import Diagnostic
@@ -153,7 +154,7 @@ class Assembly:
         """The messages of passes 1 and 2, UA included."""
         said = [piece for piece in (*self._first, *self._second) if isinstance(piece, Message)]
         undefined = [
-            Message("UA", f"{entry.name:6}", entry.value, entry.at)
+            Message("UA", typed(entry.name), entry.value, entry.at)
             for entry in self._table
             if self._second and not entry.defined
         ]

@@ -10,6 +10,7 @@ import { diagnose } from "./pal/diagnostics.mjs";
 import * as listing from "./pal/listing.mjs";
 import { notes } from "./pal/notes.mjs";
 import { Source } from "./pal/source.mjs";
+import { typed } from "./pal/symbols.mjs";
 
 /** Assemble the source tapes, read one after the other; each is a string, or frames in a Uint8Array.
  *
@@ -56,5 +57,6 @@ class Assembly {
 function messages(first, second, table) {
   const said = [...first, ...second].filter(({ code }) => code);
   const undefinedOnes = second.length ? table.filter(({ defined }) => !defined) : [];
-  return [...said, ...undefinedOnes.map(({ name, value, at }) => ({ code: "UA", subject: name.padEnd(6), location: value, at }))];
+  const message = ({ name, value, at }) => ({ code: "UA", subject: typed(name), location: value, at });
+  return [...said, ...undefinedOnes.map(message)];
 }

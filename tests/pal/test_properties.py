@@ -1,6 +1,6 @@
 """What holds of any source whatever."""
 
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 import pal
@@ -53,6 +53,7 @@ def test_any_statements_assemble_to_a_good_tape(source: str) -> None:
 
 
 @given(pieces)
+@example("B ,5=A ")  # 5= puts a name into the table that has blanks in it
 def test_messages_of_the_three_passes_are_the_diagnostics(source: str) -> None:
     assembly = pal.assemble(source)
     printed = (assembly.printed(1) + assembly.printed(2)).splitlines()
