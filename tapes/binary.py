@@ -23,7 +23,7 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from tapes.errors import TapeError
-from tapes.frames import BLANK, LEADER, LEAST_LEADER, RUBOUT, find_leader, label_before, leader
+from tapes.frames import BLANK, LEADER, LEAST_LEADER, RUBOUT, find_leader, label_after, label_before, leader
 
 FIELD, ORIGIN, WORD = "field", "origin", "word"
 
@@ -158,10 +158,11 @@ def read(frames: bytes) -> Reading:
 
     Raises TapeError where no BIN tape begins: an empty tape, no leader, nothing but leader.
     """
-    at = _skip(frames, find_leader(frames), LEADER)
+    start = find_leader(frames)
+    at = _skip(frames, start, LEADER)
     if at == len(frames):
         raise TapeError("nothing but leader", at)
-    labels = label_before(frames)
+    labels = label_before(frames, start)
     sections: list[Section] = []
     while at < len(frames):
         items, end, damage = _items(frames, at)
@@ -180,9 +181,10 @@ def find_apart(frames: bytes, reading: Reading) -> int | None:
     """Return the frame at which the leader of a good section begins after the label at the tape's end, None
     if there is none: it is a tape of its own.
     """
-    if not reading.labels or reading.labels[-1].stop < len(frames):
+    label = label_after(frames, reading.labels)
+    if label is None:
         return None
-    at = reading.labels[-1].start
+    at = label.start
     while (start := frames.find(LEAST_LEADER, at)) >= 0:
         items, at, damage = _items(frames, _skip(frames, start, LEADER))
         if damage is None and items and items[0].kind != WORD and items[-1].kind == WORD:

@@ -102,6 +102,7 @@ def _message(frames: bytes, at: int, said: list[str]) -> int:
 
 
 def _between_labels(frames: bytes, code: str, body: _Captions) -> list[str]:
+    """Caption the labels as such, and what is between by `body`."""
     said: list[str] = []
     for label in (*labels(frames, code), range(len(frames), len(frames))):
         said += _between_blanks(frames[len(said) : label.start], body) + ["label"] * len(label)

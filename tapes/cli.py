@@ -87,8 +87,7 @@ def show(
     if svg is None:
         click.echo(picture.text(content, code, first, stop), nl=False)
         for label in captions.labels(content, code):
-            shown = content[max(first, label.start) : label.stop if stop is None else min(stop, label.stop)]
-            for row in frames.draw_label(shown):
+            for row in frames.draw_label(content[:stop][max(first, label.start) : label.stop]):
                 click.echo(f"   label    {row}".rstrip())
     else:
         _put_text(svg, picture.svg(content, code, first, stop, strip).encode())

@@ -110,13 +110,16 @@ def leader_start(frames: bytes) -> int | None:
     return start + len(letters) if is_label and leader and rest.strip(_NO_LETTERS) else None
 
 
-def label_before(frames: bytes) -> tuple[range, ...]:
-    """Return the frames of the letters before a loader tape's leader, blank tape apart; () if there are
-    none.
-    """
-    before = frames[: leader_start(frames) or 0]
+def label_before(frames: bytes, leader: int) -> tuple[range, ...]:
+    """Return the frames of the letters before a tape's leader, blank tape apart; () if there are none."""
+    before = frames[:leader]
     end = len(before.rstrip(b"\0"))
     return (range(len(before) - len(before.lstrip(b"\0")), end),) if end else ()
+
+
+def label_after(frames: bytes, labels: tuple[range, ...]) -> range | None:
+    """Return that of a tape's labels which is at its end, None if none is."""
+    return labels[-1] if labels and labels[-1].stop == len(frames) else None
 
 
 def find_leader(frames: bytes) -> int:

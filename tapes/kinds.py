@@ -41,8 +41,8 @@ def start(frames: bytes) -> int:
     """Return the frame on which an operator sets the tape: its leader of 200, past blank tape, and past a
     label of a loader tape; any other tape's first.
     """
-    start = leader_start(frames) or 0
-    return start if not label_before(frames) or classify(frames) in (BIN, RIM) else 0
+    leader = leader_start(frames) or 0
+    return leader if not label_before(frames, leader) or classify(frames) in (BIN, RIM) else 0
 
 
 def doubt(frames: bytes) -> str:
@@ -111,10 +111,10 @@ def _after_label(body: bytes) -> str | None:
 
     Lines that end with CR LF are no such letters, and what is damaged after them must not be text either.
     """
-    start = leader_start(body)
-    if not start or b"\r\n" in body[:start].translate(PARITIES["none"]):
+    leader = leader_start(body)
+    if not leader or b"\r\n" in body[:leader].translate(PARITIES["none"]):
         return None
-    tape = body[start:]
+    tape = body[leader:]
     if whole := _whole_loader_tape(tape):
         return whole
     likeliest = _likeliest(tape)

@@ -62,7 +62,7 @@ def read(frames: bytes) -> Reading:
     """
     at = start = find_leader(frames)
     end = _end(frames)
-    labels = label_before(frames)
+    labels = label_before(frames, start)
     words: dict[int, int] = {}
     while at < end:
         if frames[at] == LEADER:

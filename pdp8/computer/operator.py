@@ -21,7 +21,7 @@ from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.teletype import FRAME
 from tapes import binary, kinds, rim
 from tapes.errors import TapeError
-from tapes.frames import BLANK, LEADER
+from tapes.frames import BLANK, LEADER, label_after
 from tapes.measure import counted, duration
 
 RIM_START = 0o7756
@@ -309,8 +309,8 @@ def _rim_content(tape: bytes) -> tuple[int, dict[int, int]]:
         words, _, labels = rim.read(tape)
     except TapeError:
         return len(tape), {}
-    to_a_label = next((label.start for label in labels if label.stop == len(tape)), len(tape))
-    to_the_trailer = tape[:to_a_label].rstrip(bytes([BLANK]))
+    label = label_after(tape, labels)
+    to_the_trailer = (tape[: label.start] if label else tape).rstrip(bytes([BLANK]))
     return len(to_the_trailer) if to_the_trailer[-1] == LEADER else len(tape), words
 
 

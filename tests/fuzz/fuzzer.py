@@ -142,7 +142,8 @@ WRITES = (
 )
 RARE = {  # which part of their calls is made
     **dict.fromkeys(("check", "cards", "nc view", "thesis make", "part compare", "vectors"), 0.1),
-    **{"workbench": 0.03, "replay": 0.01},
+    "workbench": 0.03,
+    "replay": 0.01,
 }
 NO_TAPE = ("cards", "part compare", "vectors", "replay", "workbench", "thesis make", "thesis evidence")
 PARTS = {

@@ -37,9 +37,9 @@ export class History {
     processor.run = 1;
     const characters = this.#characters();
     const end = processor.clock + FAR;
-    const waits = () => processor.run && processor.clock < end && !machine.waiting.endless;
+    const goesOn = () => processor.run && processor.clock < end && !machine.waiting.endless;
     do this.#once(unit);
-    while (unit === "character" && this.#characters() === characters && waits());
+    while (unit === "character" && this.#characters() === characters && goesOn());
     machine.bus.advance(processor.clock);
     processor.run = 0;
     this.keep();
