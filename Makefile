@@ -95,7 +95,7 @@ dist: .venv/bin/pip
 	$(BIN)/python release/dist.py
 
 # The compiled form of these sits beside its source and would hide what is changed there.
-COMPILED := $(wildcard pal/*.pxd pdp8/computer/*.pxd)
+COMPILED := $(wildcard pal/*.pxd pdp8/computer/*/*.pxd)
 
 BUILT_FROM := pyproject.toml setup.py release/threaded.py $(COMPILED) $(COMPILED:.pxd=.py)
 
@@ -118,4 +118,4 @@ BYTECODE = $(BIN)/python -m compileall -q tapes pal pdp8 programs nc
 
 .PHONY: clean
 clean:
-	rm -rf .venv demo figures build dist *.egg-info pal/*.so pdp8/computer/*.so
+	rm -rf .venv demo figures build dist *.egg-info pal/*.so pdp8/computer/*/*.so

@@ -24,7 +24,8 @@ BUILD = Path("build")
 
 MODULES = (
     "pal.isa",
-    *(f"pdp8.computer.{name}" for name in ("bus", "processor", "teletype", "waiting", "engine")),
+    *(f"pdp8.computer.hardware.{name}" for name in ("bus", "processor", "teletype")),
+    *(f"pdp8.computer.speed.{name}" for name in ("waiting", "engine")),
 )
 CHOICES = ("auto", "require", "forbid")
 FLAGS = ["-O2", "-g0"]
@@ -52,12 +53,12 @@ def choice() -> str:
 
 
 def translate_piece() -> None:
-    """Write the C of pdp8/computer/piece.py, which piece.pxd asks for."""
+    """Write the C of pdp8/computer/speed/piece.py, which piece.pxd asks for."""
     sys.path.insert(0, str(HOUSE))
     from release.threaded import translate
 
     BUILD.mkdir(exist_ok=True)
-    (BUILD / "piece.h").write_text(translate(HOUSE / "pdp8/computer/piece.py"))
+    (BUILD / "piece.h").write_text(translate(HOUSE / "pdp8/computer/speed/piece.py"))
 
 
 def extensions(required: bool) -> list[Extension]:
@@ -75,7 +76,7 @@ def extensions(required: bool) -> list[Extension]:
                 name,
                 [name.replace(".", "/") + ".py"],
                 include_dirs=[str(BUILD)],
-                depends=["pdp8/computer/piece.py", "release/threaded.py"],
+                depends=["pdp8/computer/speed/piece.py", "release/threaded.py"],
                 extra_compile_args=FLAGS,
             )
             for name in MODULES

@@ -31,7 +31,7 @@ from rich.console import Console
 from rich.table import Table
 
 import pal
-from tests.pdp8.computer.engine.forms import FORMS, machine_module
+from tests.pdp8.computer.speed.forms import FORMS, machine_module
 
 HERE = Path(__file__).parent
 PROGRAMS = HERE.parent / "programs"

@@ -1,4 +1,4 @@
-"""Translate the loop of pdp8/computer/piece.py to C that jumps from each operation to the next.
+"""Translate the loop of pdp8/computer/speed/piece.py to C that jumps from each operation to the next.
 
 Cython makes one `switch` of the operations, and the compiler one jump of the switch. A processor predicts a
 jump by where it stands: with one behind every operation, it knows which operations follow which in the PDP-8

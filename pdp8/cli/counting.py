@@ -7,9 +7,9 @@ from contextlib import contextmanager
 
 import click
 
-from pdp8.computer.count import Count
 from pdp8.computer.machine import Machine
-from pdp8.computer.trace import Listing
+from pdp8.computer.use.count import Count
+from pdp8.computer.use.trace import Listing
 from tapes import shelf
 
 

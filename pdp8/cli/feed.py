@@ -10,7 +10,7 @@ import sys
 from collections.abc import Callable
 from io import UnsupportedOperation
 
-from pdp8.computer.teletype import Reader, Receiver
+from pdp8.computer.hardware.teletype import Reader, Receiver
 from tapes import command, kinds, shelf
 from tapes.errors import called
 from tapes.frames import has_leader

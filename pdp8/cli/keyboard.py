@@ -10,12 +10,12 @@ from collections.abc import Callable
 import click
 
 from pdp8.cli.terminal import Terminal
-from pdp8.computer.bus import NEVER
-from pdp8.computer.keys import sent
+from pdp8.computer.hardware.bus import NEVER
+from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
 from pdp8.computer.stop import Stop
-from pdp8.computer.teletype import printed
-from pdp8.computer.trace import Listing
+from pdp8.computer.use.keys import sent
+from pdp8.computer.use.trace import Listing
 
 ESCAPE = "\x1d"
 _SLICE = 0.05

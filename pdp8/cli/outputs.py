@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from contextlib import suppress
 from typing import BinaryIO
 
-from pdp8.computer.teletype import Punch, printed
+from pdp8.computer.hardware.teletype import Punch, printed
 from tapes import shelf
 
 

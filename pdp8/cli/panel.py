@@ -11,7 +11,7 @@ from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, Tapes, find
 from tapes.errors import WorkError
 
 if TYPE_CHECKING:
-    from pdp8.computer.program import Program
+    from pdp8.computer.use.program import Program
     from pdp8.console.session import Session
 
 

@@ -57,7 +57,7 @@ def _show_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
         return
     from importlib.metadata import version
 
-    from pdp8.computer import engine
+    from pdp8.computer.speed import engine
 
     path = str(engine.__file__)
     form = "interpreted" if path.endswith(".py") else "compiled"

@@ -12,14 +12,14 @@ from pdp8.cli import pacing
 from pdp8.cli.feed import Feed, say_unread
 from pdp8.cli.outputs import Output, send
 from pdp8.cli.parameters import octal, one_tape, seconds
-from pdp8.computer import program as programs
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
+from pdp8.computer.use import program as programs
 from tapes import command, shelf
 from tapes.errors import WorkError, called
 
 if TYPE_CHECKING:
-    from pdp8.computer.program import Program
+    from pdp8.computer.use.program import Program
 
 _WHY = {
     Reason.HALT: "HLT at {last:04o}",
@@ -243,7 +243,7 @@ def _traced(
     machine: Machine, name: str, found: "Program | None", cycles: bool
 ) -> AbstractContextManager[None]:
     from pdp8.cli.tracing import tracing
-    from pdp8.computer.trace import Listing
+    from pdp8.computer.use.trace import Listing
 
     return tracing(machine, name, found.listing if found else Listing(), cycles)
 
@@ -252,20 +252,20 @@ def _counted(
     machine: Machine, found: "Program | None", table: bool, annotate: str | None, record: str | None
 ) -> AbstractContextManager[None]:
     from pdp8.cli.counting import counting
-    from pdp8.computer.trace import Listing
+    from pdp8.computer.use.trace import Listing
 
     return counting(machine, found.listing if found else Listing(), table, annotate, record)
 
 
 def _save(machine: Machine, name: str) -> None:
-    from pdp8.computer import state
+    from pdp8.computer.past import state
 
     shelf.write(name, state.save(machine).encode())
 
 
 def _restored(name: str, highspeed: bool) -> Machine:
     """Return the saved machine, with the high-speed reader and punch if it had them or is to have them."""
-    from pdp8.computer import state
+    from pdp8.computer.past import state
 
     try:
         machine = state.restore(shelf.read(name).decode("ascii", "replace"))
@@ -278,7 +278,7 @@ def _restored(name: str, highspeed: bool) -> Machine:
 
 def _boot(machine: Machine, found: "Program", loader: str | None, force: bool, quiet: bool) -> None:
     """Load the program as an operator does, saying what it took."""
-    from pdp8.computer.operator import Operator
+    from pdp8.computer.use.operator import Operator
     from tapes import kinds, rim
     from tapes.measure import duration
 

@@ -9,7 +9,7 @@ from contextlib import ExitStack, contextmanager
 from typing import TextIO
 
 from pdp8.computer.machine import Machine
-from pdp8.computer.trace import Listing, Trace
+from pdp8.computer.use.trace import Listing, Trace
 from tapes import shelf
 
 

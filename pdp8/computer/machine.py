@@ -17,20 +17,20 @@ from time import monotonic
 from typing import TYPE_CHECKING
 
 from pal.isa import FETCH, halts
-from pdp8.computer.bus import NEVER, Bus, Device
-from pdp8.computer.core import SIZE, Core
-from pdp8.computer.engine import Engine
-from pdp8.computer.highspeed import HighSpeed
-from pdp8.computer.panel import Panel
-from pdp8.computer.processor import Processor
+from pdp8.computer.hardware.bus import NEVER, Bus, Device
+from pdp8.computer.hardware.core import SIZE, Core
+from pdp8.computer.hardware.highspeed import HighSpeed
+from pdp8.computer.hardware.panel import Panel
+from pdp8.computer.hardware.processor import Processor
+from pdp8.computer.hardware.teletype import Teletype
+from pdp8.computer.speed.engine import Engine
+from pdp8.computer.speed.waiting import Waiting
 from pdp8.computer.stop import Reason, Stop
-from pdp8.computer.teletype import Teletype
-from pdp8.computer.waiting import Waiting
 from pdp8.computer.watch import Watch
 from tapes.errors import WorkError
 
 if TYPE_CHECKING:
-    from pdp8.computer.history import History
+    from pdp8.computer.past.history import History
 
 TICKS_PER_SECOND = 20_000_000
 SETTABLE = ("pc", "lac", "next", "ion", "ion_delayed", "sr", "mem_prot")
@@ -95,7 +95,7 @@ class Machine:
 
     def __reduce__(self) -> tuple[Callable[..., "Machine"], tuple[str, dict[int, type[Device]]]]:
         """Copy by the saved state: breakpoints, observers and `on_frame` stay with the original."""
-        from pdp8.computer import state
+        from pdp8.computer.past import state
 
         others = [device for device in self.bus if device.code not in self._own]
         return state.restore, (state.save(self), {device.code: type(device) for device in reversed(others)})
@@ -179,7 +179,7 @@ class Machine:
 
         `memory` is about how many bytes it may take: 64 MiB if nothing is said.
         """
-        from pdp8.computer.history import MEMORY, History
+        from pdp8.computer.past.history import MEMORY, History
 
         return History(self, MEMORY if memory is None else memory)
 

@@ -7,7 +7,7 @@ memory cycle and for every wait that was passed over.
 from typing import Protocol
 
 from pal.isa import DCA, DEFER, EXECUTE, ISZ, JMS, autoindexed
-from pdp8.computer.processor import Processor
+from pdp8.computer.hardware.processor import Processor
 
 
 class Observer(Protocol):

@@ -17,7 +17,7 @@ from textual.binding import Binding, BindingType
 from textual.containers import Container, Horizontal
 from textual.widgets import Footer, Static
 
-from pdp8.computer.program import Program
+from pdp8.computer.use.program import Program
 from pdp8.console.dialogs import AskToLeave, ChooseTape, NameTape
 from pdp8.console.drill import DrillCard
 from pdp8.console.lamps import LampRows

@@ -4,9 +4,9 @@ from collections.abc import Callable
 from time import perf_counter
 from typing import NamedTuple
 
-from pdp8.computer import program as programs
 from pdp8.computer.machine import Machine
-from pdp8.computer.program import Program
+from pdp8.computer.use import program as programs
+from pdp8.computer.use.program import Program
 from pdp8.console.session import Session, Tape
 from tapes import rim, shelf
 

@@ -10,9 +10,9 @@ from textual.binding import Binding, BindingType
 from textual.content import Content
 from textual.widget import Widget
 
-from pdp8.computer.operator import RIM, RIM_START
-from pdp8.computer.program import Program
-from pdp8.computer.teletype import printed
+from pdp8.computer.hardware.teletype import printed
+from pdp8.computer.use.operator import RIM, RIM_START
+from pdp8.computer.use.program import Program
 from pdp8.console.session import Session
 
 _INK = Style(color="#2d2618")

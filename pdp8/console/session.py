@@ -15,14 +15,14 @@ from time import perf_counter
 from typing import NamedTuple
 
 from pal.isa import DEFER, EXECUTE, FETCH
-from pdp8.computer import rewind
-from pdp8.computer.bus import NEVER
-from pdp8.computer.keys import sent
+from pdp8.computer.hardware.bus import NEVER
+from pdp8.computer.hardware.panel import Lamps
+from pdp8.computer.hardware.processor import INTERRUPT
 from pdp8.computer.machine import Machine
-from pdp8.computer.operator import RIM, RIM_START, Operator
-from pdp8.computer.panel import Lamps
-from pdp8.computer.processor import INTERRUPT
+from pdp8.computer.past import rewind
 from pdp8.computer.stop import Stop
+from pdp8.computer.use.keys import sent
+from pdp8.computer.use.operator import RIM, RIM_START, Operator
 from tapes import kinds
 
 SPEEDS = (1, 10, 100, 1000)

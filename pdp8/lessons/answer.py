@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import pal
-from pdp8.computer import program
+from pdp8.computer.use import program
 from tapes import kinds
 from tapes.errors import WorkError, called
 

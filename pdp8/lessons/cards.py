@@ -14,7 +14,7 @@ from html import escape
 from typing import NamedTuple
 
 from pal.symbols import PERMANENT, Permanent
-from pdp8.computer.operator import RIM, RIM_HIGH_SPEED, RIM_START
+from pdp8.computer.use.operator import RIM, RIM_HIGH_SPEED, RIM_START
 from tapes import ascii, eia
 from tapes.frames import draw
 

@@ -12,9 +12,9 @@ alone begins again by itself.
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from pdp8.computer import snapshot
 from pdp8.computer.machine import Machine
-from pdp8.computer.operator import BIN_HALT, BIN_START, RIM, RIM_START, TELETYPE_READER
+from pdp8.computer.past import snapshot
+from pdp8.computer.use.operator import BIN_HALT, BIN_START, RIM, RIM_START, TELETYPE_READER
 from tapes.measure import counted, duration
 
 LEFT_ALONE = 60.0

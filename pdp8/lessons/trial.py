@@ -7,9 +7,9 @@ count on what it finds there, and one that runs into it does not end.
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop
-from pdp8.computer.teletype import printed
 from pdp8.lessons.answer import Answer
 from pdp8.lessons.exercise import Case
 

@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
-from pdp8.computer.count import Count
-from pdp8.computer.trace import Trace
+from pdp8.computer.use.count import Count
+from pdp8.computer.use.trace import Trace
 from pdp8.monitor.arguments import MonitorError, at_most, exactly, octal, seconds, some
 from pdp8.monitor.prompt import Monitor
 

@@ -10,8 +10,8 @@ Words, keys, switches and tapes set since go back too. Counts are octal, as ever
 
 from collections.abc import Callable, Mapping, Sequence
 
-from pdp8.computer import rewind
-from pdp8.computer.history import History
+from pdp8.computer.past import rewind
+from pdp8.computer.past.history import History
 from pdp8.monitor.arguments import MonitorError, at_most, octal, seconds
 from pdp8.monitor.prompt import Monitor
 

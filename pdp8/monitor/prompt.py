@@ -8,8 +8,8 @@ set.
 from collections.abc import Callable
 
 from pdp8.computer.machine import Machine
-from pdp8.computer.operator import Operator, Pace
-from pdp8.computer.trace import Listing
+from pdp8.computer.use.operator import Operator, Pace
+from pdp8.computer.use.trace import Listing
 from pdp8.monitor.arguments import MonitorError, octal, split
 
 HANDS = 0.1

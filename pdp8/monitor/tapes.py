@@ -2,8 +2,9 @@
 
 from collections.abc import Sequence
 
-from pdp8.computer import operator, program, state
-from pdp8.computer.teletype import Punch, printed
+from pdp8.computer.hardware.teletype import Punch, printed
+from pdp8.computer.past import state
+from pdp8.computer.use import operator, program
 from pdp8.monitor.arguments import FRAME, MonitorError, Quoted, exactly, some
 from pdp8.monitor.prompt import Monitor
 from tapes import kinds, shelf

@@ -21,7 +21,7 @@ import pal
 from nc.curves import nominal
 from nc.inspection import Inspection, inspect
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
-from pdp8.computer.operator import Action, Operator, Pace
+from pdp8.computer.use.operator import Action, Operator, Pace
 from programs.parts import find
 from tapes import ascii, frames, rim, shelf
 from tapes.errors import WorkError

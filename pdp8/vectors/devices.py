@@ -19,9 +19,9 @@ import random
 from collections.abc import Iterator
 from typing import Any
 
-from pdp8.computer.bus import NEVER
+from pdp8.computer.hardware.bus import NEVER
+from pdp8.computer.hardware.teletype import half_units
 from pdp8.computer.machine import Machine
-from pdp8.computer.teletype import half_units
 
 Event = dict[str, Any]
 Input = tuple[int, str, int, int]

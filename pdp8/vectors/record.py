@@ -8,8 +8,8 @@ Of core "ram" has every word that a cycle touches.
 from typing import Any
 
 from pal.isa import DEFER, EXECUTE, INDIRECT, IOT, STATES, autoindexed, refers_to
+from pdp8.computer.hardware.processor import INTERRUPT
 from pdp8.computer.machine import Machine
-from pdp8.computer.processor import INTERRUPT
 from pdp8.vectors.states import State
 
 Vector = dict[str, Any]

@@ -14,8 +14,10 @@ from typing import Any, Final
 from nc import blocks, machine
 from pal import assembler, assembly, dialects, isa, table
 from pal.symbols import PERMANENT, PSEUDO_OPERATORS
-from pdp8.computer import bus, fields, highspeed, keys, oldstate, operator, processor, state, teletype
+from pdp8.computer.hardware import bus, fields, highspeed, processor, teletype
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.past import oldstate, state
+from pdp8.computer.use import keys, operator
 from tapes import ascii, eia, frames, hydrapoint
 
 FILE: Final = "facts.mjs"

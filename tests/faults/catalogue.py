@@ -4,8 +4,8 @@ A file of faults is of one room. Before the first fault, and again wherever anot
 the faults share:
 
     [[source]]
-    file = "pdp8/computer/operate.py"
-    tests = ["tests/pdp8/computer/test_operate.py"]      the fewest that catch them
+    file = "pdp8/computer/hardware/operate.py"
+    tests = ["tests/pdp8/computer/hardware/test_operate.py"]      the fewest that catch them
 
     [[source.fault]]
     name = "CIA leaves the link"

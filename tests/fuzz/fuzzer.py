@@ -187,8 +187,8 @@ def seeds() -> list[bytes]:
 
     section = binary.encode(WORDS)
     names = ("eia.pal", "hello.pal", "echo.pal", "circle.asc", "circle.eia", "eia.bin", "circle.for")
-    from pdp8.computer import state
     from pdp8.computer.machine import Machine
+    from pdp8.computer.past import state
 
     return [
         *(shelf.read_bundled(name)[:LONGEST] for name in names),

@@ -38,7 +38,7 @@ def test_the_first_page_is_the_readme(site: Path) -> None:
 
 
 def test_a_page_is_made_of_each_module(site: Path) -> None:
-    page = (site / "api" / "pdp8.computer.processor.html").read_text()
+    page = (site / "api" / "pdp8.computer.hardware.processor.html").read_text()
     assert "Run one memory cycle." in page
     assert "Not emulated" in page
     assert "__pyx" not in page  # the sources are read, not what is compiled of them

@@ -1,4 +1,4 @@
-// The input/output bus: what the processor and a device say to each other; pdp8/computer/bus.py in JavaScript.
+// The input/output bus: what the processor and a device say to each other; pdp8/computer/hardware/bus.py in JavaScript.
 //
 //                   IOP1 IOP2 IOP4, device code, AC
 //      processor  ──────────────────────────────────►  device   (flag, due)

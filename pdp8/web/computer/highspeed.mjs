@@ -1,4 +1,4 @@
-// The high-speed reader (01) and punch (02), PC8/L: pdp8/computer/highspeed.py in JavaScript.
+// The high-speed reader (01) and punch (02), PC8/L: pdp8/computer/hardware/highspeed.py in JavaScript.
 //
 //   reader   RSF 1 skip if flag | RRB 2 AC or buffer, flag down | RFC 4 flag down, buffer 0, fetch a frame
 //   punch    PSF 1 skip if flag | PCF 2 flag down, buffer 0     | PPC 4 buffer or AC, punch it

@@ -1,4 +1,4 @@
-// The operate instructions (OPR) as pure functions of the 13 bits {L, AC}: pdp8/computer/operate.py in JavaScript.
+// The operate instructions (OPR) as pure functions of the 13 bits {L, AC}: pdp8/computer/hardware/operate.py in JavaScript.
 
 import { ISA } from "../facts.mjs";
 

@@ -1,4 +1,4 @@
-// The operator's panel of the PDP-8/L, its keys and switches: pdp8/computer/panel.py in JavaScript.
+// The operator's panel of the PDP-8/L, its keys and switches: pdp8/computer/hardware/panel.py in JavaScript.
 //
 // All keys but STOP are dead while RUN is on. SING STEP stops the machine after every memory cycle.
 

@@ -1,4 +1,4 @@
-// The PDP-8/L's processor, one memory cycle at a time: pdp8/computer/processor.py in JavaScript.
+// The PDP-8/L's processor, one memory cycle at a time: pdp8/computer/hardware/processor.py in JavaScript.
 //
 //              ┌────────── direct JMP, OPR, IOT ──────────┐
 //              ▼                                          │

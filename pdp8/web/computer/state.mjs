@@ -1,4 +1,4 @@
-// A machine's whole state as the JSON that `pdp8 run --save` writes and reads: pdp8/computer/state.py in JavaScript.
+// A machine's whole state as the JSON that `pdp8 run --save` writes and reads: pdp8/computer/past/state.py in JavaScript.
 //
 // What only waits is not in it: the machine that goes on from it finds that out again.
 

@@ -1,4 +1,4 @@
-// The ASR-33 Teletype and its two interfaces, M706 (03) and M707 (04): pdp8/computer/teletype.py in JavaScript.
+// The ASR-33 Teletype and its two interfaces, M706 (03) and M707 (04): pdp8/computer/hardware/teletype.py in JavaScript.
 //
 //       tape ─► reader ─┐                                        ┌─► printer ─► page
 //                       ├─ line, 110 baud ─► M706     M707 ─ line ┤

@@ -1,4 +1,4 @@
-// Loops that only wait, and how many turns of one can be passed over at once: pdp8/computer/waiting.py in JavaScript.
+// Loops that only wait, and how many turns of one can be passed over at once: pdp8/computer/speed/waiting.py in JavaScript.
 //
 // A program waits when it is again as it was: the same PC, AC, L and core, and since then no device was commanded and
 // no flag moved. Every further turn is the same turn until the next event of a device. The count of instructions and

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.computer.keys import sent
+from pdp8.computer.use.keys import sent
 from tests import commands
 from tests.commands import Terminal
 from tests.conftest import Shell, assert_same_tape

@@ -4,7 +4,7 @@ import pytest
 
 import pdp8
 from pdp8.cli import root
-from pdp8.computer import engine
+from pdp8.computer.speed import engine
 from tests.conftest import Shell
 
 

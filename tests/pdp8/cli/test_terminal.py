@@ -14,8 +14,8 @@ from prompt_toolkit.keys import Keys
 from pdp8.cli.feed import Feed
 from pdp8.cli.run import run
 from pdp8.cli.terminal import Terminal, characters
-from pdp8.computer.keys import sent
 from pdp8.computer.machine import Machine
+from pdp8.computer.use.keys import sent
 
 
 @pytest.fixture

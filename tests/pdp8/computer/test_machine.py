@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pdp8
-from pdp8.computer import state
 from pdp8.computer.machine import Machine
+from pdp8.computer.past import state
 from tests import commands
 from tests.pdp8.computer.bench import octal, program
 

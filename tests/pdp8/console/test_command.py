@@ -8,7 +8,7 @@ import pytest
 
 from tests.commands import BIN, Terminal
 from tests.conftest import Shell, assert_same_tape
-from tests.pdp8.computer.engine.forms import FORMS, HOUSE, machine_module
+from tests.pdp8.computer.speed.forms import FORMS, HOUSE, machine_module
 
 
 def test_it_wants_a_terminal(shell: Shell) -> None:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from pdp8.computer import program
+from pdp8.computer.use import program
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
 from tapes import ascii

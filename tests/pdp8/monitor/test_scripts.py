@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.computer import program
+from pdp8.computer.use import program
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
 from tapes.errors import WorkError

@@ -4,7 +4,7 @@ import pytest
 
 import pal
 from pdp8.computer.machine import TICKS_PER_SECOND
-from pdp8.computer.operator import Operator
+from pdp8.computer.use.operator import Operator
 from pdp8.replay import Act, Afternoon, clock, replay
 from pdp8.replay.afternoon import Kind
 from pdp8.replay.desk import desk, names

@@ -1,9 +1,9 @@
 """The processor of the package, led through the operator's actions to any instant of the page."""
 
 from pal.isa import FETCH
+from pdp8.computer.hardware.processor import CYCLE
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
-from pdp8.computer.operator import Action
-from pdp8.computer.processor import CYCLE
+from pdp8.computer.use.operator import Action
 from pdp8.replay import Afternoon
 
 IO_CYCLE = 85

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.computer import state
 from pdp8.computer.machine import Machine
+from pdp8.computer.past import state
 from tapes import shelf
 from tests.commands import run
 from tests.pdp8.web.browsing import Tab
@@ -129,7 +129,7 @@ def test_a_state_goes_in_and_out(tab: Tab, tmp_path: Path) -> None:
 
 def test_an_old_state_is_refused_in_words(tab: Tab) -> None:
     """Version 1 is not read here, and the page says what reads it."""
-    drop(tab, "old.state", (Path(__file__).parents[1] / "computer" / "version1.state").read_bytes())
+    drop(tab, "old.state", (Path(__file__).parents[1] / "computer/past/version1.state").read_bytes())
     tab.until("document.getElementById('why').textContent.includes('a state of version 1')")
 
 

@@ -5,8 +5,8 @@ from typing import Any
 
 import pytest
 
+from pdp8.computer.hardware.teletype import half_units
 from pdp8.computer.machine import Machine
-from pdp8.computer.teletype import half_units
 from tests.pdp8.conftest import Ask
 from tests.pdp8.web.node import MODULES
 

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.computer import state
 from pdp8.computer.machine import Machine
+from pdp8.computer.past import state
 from tests.pdp8.web.node import in_node, needs_node
 
 pytestmark = needs_node
@@ -66,6 +66,6 @@ def test_what_is_no_state(text: str, message: str) -> None:
 
 def test_a_state_of_version_1_is_refused_with_the_way_out() -> None:
     """The page names the command that makes version 2 of it; the command does."""
-    old = (Path(__file__).parents[1] / "computer" / "version1.state").read_text()
+    old = (Path(__file__).parents[1] / "computer/past/version1.state").read_text()
     assert "pdp8 run --restore OLD --max-time 0 --save NEW" in _through(old)
     assert state.restore(_through(state.save(state.restore(old)))).pc == state.restore(old).pc

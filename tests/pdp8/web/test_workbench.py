@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 import pal
-from pdp8.computer.operator import RIM, RIM_START
+from pdp8.computer.use.operator import RIM, RIM_START
 from tapes import shelf
 from tests.pdp8.web.browsing import AXE, needs_axe, serious, until
 

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from tests.pdp8.computer.engine.forms import machine_module, state_module
+from tests.pdp8.computer.speed.forms import machine_module, state_module
 from tests.reference.model import NEVER, Reference
 
 TICKS_PER_SECOND = 20_000_000

@@ -2,9 +2,9 @@
 
 import pytest
 
-from tests.pdp8.computer.engine.forms import FORMS
 from tests.pdp8.computer.lockstep.play import play
 from tests.pdp8.computer.lockstep.situations import Act, Situation
+from tests.pdp8.computer.speed.forms import FORMS
 from tests.reference.model import compiler
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="the reference needs a C compiler")

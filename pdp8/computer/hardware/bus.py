@@ -1,0 +1,187 @@
+"""The input/output bus: what the processor and a device say to each other.
+
+                      IOP1 IOP2 IOP4, device code, AC
+         processor  ──────────────────────────────────►  device   (flag, due)
+                    ◄──────────────────────────────────
+                      SKIP, clear AC, data or-ed into AC; interrupt request
+
+A device sees three separate pulses and nothing of the instruction, so that every combined IOT works of
+itself. Its flag is its interrupt request: an 8/L has no masks. Between pulses a device knows the tick at
+which its flag changes next; it is brought up to date when its state is needed. Time is in ticks of 0.05 us
+since power-up.
+
+A new device is a class derived from Device, in a file of its own: it says in `fields` what a saved state
+holds of it, and Bus.fit connects it.
+
+Not emulated: data break (three-cycle or single-cycle).
+Source: Small Computer Handbook 1970, chapter 9 (I/O bus).
+"""
+
+from collections.abc import Iterator
+
+from pdp8.computer.hardware.fields import BIT, COUNT, TICK, saved
+
+NEVER = 1 << 62
+AT_ONCE = -1
+
+# What a device answers to a pulse: data for AC 4-11 in the low bits, and
+SKIP = 0o10000
+CLEAR_AC = 0o20000
+
+# The pulses of an IOT in ticks after its memory cycle: at 1.45 us, still in the cycle, 2.35 and 3.25 us.
+IOP1, IOP2, IOP4 = -3, 15, 33
+
+# Compiled, these are C numbers (bus.pxd); importers find them here.
+globals().update(NEVER=NEVER, AT_ONCE=AT_ONCE, SKIP=SKIP, CLEAR_AC=CLEAR_AC)
+globals().update(IOP1=IOP1, IOP2=IOP2, IOP4=IOP4)
+
+
+class Device:
+    """One device code: a flag, and `due`, the tick at which it changes next."""
+
+    fields = saved(flag=BIT, due=TICK)
+    """What a saved state holds of the device: its attributes, and how each is written (see fields.py)."""
+
+    def __init__(self) -> None:
+        self.code = 0
+        self.behind: Device | None = None
+        """The next device on the cable."""
+        self.flag = 0
+        self.due = NEVER
+
+    def pulse(self, iop: int, ac: int, now: int) -> int:
+        """Take pulse IOP1, IOP2 or IOP4 (1, 2, 4) at tick `now`; return the answer.
+
+        IOP1 may only test the flag: a loop that does no more is passed over until a flag changes.
+        """
+        raise NotImplementedError
+
+    def restored(self) -> None:
+        """Set `due` from the other fields, because a saved state did not give it."""
+
+    def advance(self, now: int) -> None:
+        """Let everything happen that happens up to and including tick `now`."""
+        raise NotImplementedError
+
+    def initialize(self, now: int) -> None:
+        """INITIALIZE, from the START key or at power-up."""
+        raise NotImplementedError
+
+    def look(self) -> None:
+        """Note that a tape, a key or a lever has changed; the device acts on it as soon as time goes on."""
+
+    def finish(self) -> None:
+        """Let the mechanism finish what it has begun, because the processor stands still; the flag keeps its
+        time.
+        """
+
+    def out_of_tape(self) -> bool:
+        """Tell whether the program asked for a frame of a tape that has run out."""
+        return False
+
+
+class Bus:
+    """The devices that are fitted, one behind the other on the cable; unused codes answer nothing."""
+
+    fields = saved(tested=(1 << 64) - 1, actions=COUNT)
+
+    def __init__(self) -> None:
+        self.first: Device | None = None
+        self.tested = 0
+        """The codes that were sent IOP1 since this was last set to 0, one bit each."""
+        self.actions = 0
+        """How many pulses other than IOP1, and how many INITIALIZE, ION and IOF, there have been."""
+
+    def __iter__(self) -> Iterator[Device]:
+        device = self.first
+        while device is not None:
+            yield device
+            device = device.behind
+
+    def fit(self, code: int, device: Device) -> None:
+        """Connect `device` under `code` (0o01 to 0o77), in front of those already there.
+
+        Raises ValueError if it is connected, or another one answers to that code.
+        """
+        if device.code or self.device(code) is not None:
+            raise ValueError(f"device {code:02o} is fitted already")
+        device.code = code
+        device.behind = self.first
+        self.first = device
+
+    def device(self, code: int) -> Device | None:
+        """Return the device that answers to `code`, if one is fitted."""
+        device = self.first
+        while device is not None and device.code != code:
+            device = device.behind
+        return device
+
+    def transfer(self, word: int, lac: int, clock: int) -> int:
+        """Send the pulses of IOT `word`, whose memory cycle ended at tick `clock`, to its device.
+
+        Returns {L, AC} as they are afterwards, 13 bits, and above them 1 if the device answered SKIP.
+        """
+        device = self.device(word >> 3 & 0o77)
+        if device is None:
+            return lac
+        if word & 1:
+            bit = 1  # compiled, of 64 bits
+            self.tested |= bit << device.code
+            lac = _pulse(device, 1, lac, clock + IOP1)
+        if word & 2:
+            self.actions += 1
+            lac = _pulse(device, 2, lac, clock + IOP2)
+        if word & 4:
+            self.actions += 1
+            lac = _pulse(device, 4, lac, clock + IOP4)
+        return lac
+
+    def advance(self, now: int) -> None:
+        """Bring every device to tick `now`."""
+        for device in self:
+            device.advance(now)
+
+    def request(self, now: int) -> bool:
+        """Tell whether any device requests an interrupt at tick `now`."""
+        device = self.first
+        while device is not None:
+            if device.due <= now:
+                device.advance(now)
+            if device.flag:
+                return True
+            device = device.behind
+        return False
+
+    def next_event(self, now: int) -> int:
+        """Return the tick after `now` at which a flag changes next, NEVER if none will."""
+        event = NEVER
+        device = self.first
+        while device is not None:
+            if device.due <= now:
+                device.advance(now)
+            event = min(event, device.due)
+            device = device.behind
+        return event
+
+    def finish(self) -> None:
+        """Let every mechanism finish what it has begun."""
+        for device in self:
+            device.finish()
+
+    def initialize(self, now: int) -> None:
+        """INITIALIZE on every device."""
+        self.actions += 1
+        for device in self:
+            device.initialize(now)
+
+
+def _pulse(device: Device, iop: int, lac: int, now: int) -> int:
+    """Send one pulse; return {L, AC} as the answer leaves them, and 1 above them for SKIP."""
+    if device.due <= now:
+        device.advance(now)
+    answer = device.pulse(iop, lac & 0o7777, now)
+    if answer & CLEAR_AC:
+        lac &= 0o30000
+    if answer & SKIP:
+        lac |= 0o20000
+    return lac | answer & 0o7777

@@ -1,0 +1,160 @@
+"""The operator's panel of the PDP-8/L: lamps, switches and keys.
+
+    MA  ............       IR ...                  FETCH  DEFER  EXECUTE
+    MB  ............  LINK .  AC ............      WORD COUNT  CURRENT ADDRESS  BREAK
+                                                   ION  PARITY  PROTECT  RUN
+    SR  ____________  MEM PROT   LOAD ADD   START CONT STOP   SING STEP   EXAM DEP
+
+An 8/L has no lamps for the PC, and its IR shows the op code as three bits. LOAD ADD does a memory cycle, so
+that MB shows the word. All keys but STOP do nothing while RUN is on. SING STEP stops the machine after every
+memory cycle; interrupts wait while it is down.
+
+Not emulated: the data and instruction field switches and EMA (they belong to the MC8/L), the power and lock
+switch, the 100 ms a key takes. WORD COUNT, CURRENT ADDRESS, BREAK and PARITY never light: no option that
+lights them is fitted.
+
+Sources: PDP-8/L Users Handbook 1968, operator console; key sequences as tried on a real 8/L by the pdp8l
+project.
+"""
+
+from typing import NamedTuple
+
+from pal.isa import DEFER, EXECUTE, FETCH
+from pdp8.computer.hardware.processor import PROTECTED, Processor
+
+
+class Lamps(NamedTuple):
+    """What the lamps show: words for the rows, 0 or 1 for the single ones."""
+
+    ma: int
+    mb: int
+    link: int
+    ac: int
+    ir: int
+    fetch: int
+    defer: int
+    execute: int
+    word_count: int
+    current_address: int
+    break_: int
+    ion: int
+    parity: int
+    protect: int
+    run: int
+
+
+class Panel:
+    """The keys and switches of one processor."""
+
+    def __init__(self, processor: Processor) -> None:
+        self.processor = processor
+
+    @property
+    def sr(self) -> int:
+        """The switch register."""
+        return self.processor.sr
+
+    @sr.setter
+    def sr(self, word: int) -> None:
+        self.processor.sr = word & 0o7777
+
+    @property
+    def mem_prot(self) -> bool:
+        """MEM PROT: up, and 7600-7777 cannot be written."""
+        return bool(self.processor.mem_prot)
+
+    @mem_prot.setter
+    def mem_prot(self, up: bool) -> None:
+        self.processor.mem_prot = 1 if up else 0
+
+    @property
+    def sing_step(self) -> bool:
+        """SING STEP: down, and the machine stops after every cycle."""
+        return bool(self.processor.sing_step)
+
+    @sing_step.setter
+    def sing_step(self, down: bool) -> None:
+        self.processor.sing_step = 1 if down else 0
+
+    @property
+    def lamps(self) -> Lamps:
+        """What the lamps show now."""
+        p = self.processor
+        return Lamps(
+            ma=p.ma,
+            mb=p.mb,
+            link=p.lac >> 12,
+            ac=p.lac & 0o7777,
+            ir=p.ir,
+            fetch=int(p.state == FETCH),
+            defer=int(p.state == DEFER),
+            execute=int(p.state == EXECUTE),
+            word_count=0,
+            current_address=0,
+            break_=0,
+            ion=p.ion,
+            parity=0,
+            protect=p.protect,
+            run=p.run,
+        )
+
+    def load_add(self) -> None:
+        """LOAD ADD: the switches into PC and MA, and MB shows the word there."""
+        self.load_address(self.processor.sr)
+
+    def load_address(self, address: int) -> None:
+        """Do what LOAD ADD does with `address` in the switches."""
+        if not self.processor.run:
+            self.processor.pc = address & 0o7777
+            self._read()
+
+    def exam(self) -> None:
+        """EXAM: MB shows the word at PC, and PC goes on."""
+        p = self.processor
+        if not p.run:
+            self._read()
+            p.pc = p.pc + 1 & 0o7777
+
+    def dep(self) -> None:
+        """DEP: the switches into the word at PC, and PC goes on. Under MEM PROT PROTECT lights instead."""
+        p = self.processor
+        if p.run:
+            return
+        self._read()
+        if p.mem_prot and p.ma >= PROTECTED:
+            p.protect = 1
+        else:
+            p.mb = p.sr
+            p.deposit(p.ma, p.sr)
+        p.pc = p.pc + 1 & 0o7777
+
+    def _read(self) -> None:
+        p = self.processor
+        p.protect = 0
+        p.ma = p.pc
+        p.mb = p.core[p.ma]
+
+    def start(self) -> None:
+        """START: INITIALIZE, then FETCH at PC."""
+        if not self.processor.run:
+            self.processor.initialize()
+            self._go()
+
+    def cont(self) -> None:
+        """CONT: go on with the next cycle; nothing is cleared."""
+        if not self.processor.run:
+            self._go()
+
+    def _go(self) -> None:
+        """Light RUN, or under SING STEP run one cycle."""
+        if self.processor.sing_step:
+            self.processor.cycle()
+        else:
+            self.processor.run = 1
+
+    def stop(self) -> None:
+        """STOP: the instruction ends and RUN goes off, before an interrupt that is due."""
+        p = self.processor
+        p.stop()
+        while p.stopping:
+            p.cycle()

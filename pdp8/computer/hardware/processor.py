@@ -1,0 +1,282 @@
+"""The PDP-8/L's processor, one memory cycle at a time.
+
+                 ┌────────── direct JMP, OPR, IOT ──────────┐
+                 ▼                                          │
+      ┌──►  FETCH ──── indirect ────►  DEFER ──── JMP I ────┤
+      │      │ direct                   │                   │
+      │      └───────►  EXECUTE  ◄──────┘                   │
+      │                    │                                │
+      └────────────────────┴── end of instruction ◄─────────┘
+                                   │ request and ION
+                                   ▼
+                           INTERRUPT: an EXECUTE cycle that does JMS 0
+
+A cycle begins by loading MA and ends with MA, MB, IR and the major state as the lamps show them; what the
+next cycle needs is in them, so the lamps are the whole state. After HLT they show the HLT.
+
+Time is exact: a cycle is 1.6 us, an IOT 4.25 us whatever its device code, its three pulses at 1.45, 2.35 and
+3.25 us whether they are sent or not. All in ticks of 0.05 us.
+
+Interrupt: ION takes effect after the next instruction, IOF at once; a request is looked at as the instruction
+ends, and HLT, STOP and a write that MEM PROT stopped come before it. IOT 600x: pulse 1 is ION, pulse 2 IOF,
+in this order; 6003 to 6007 are undefined on an 8/L and come out as their pulses do.
+
+MEM PROT stops a write into 7600-7777: the word stays, the rest of the cycle happens, PROTECT lights, the
+machine stops.
+
+Not emulated: the MC8/L memory extension (its IOTs do nothing, as on a machine without it), MP8/L parity,
+KP8/L power fail, data break. AC, L, PC, MA, MB are 0 at power-up, where a real machine's are whatever they
+are.
+
+Sources: PDP-8/L Users Handbook 1968; Small Computer Handbook 1970; PDP-8/I instruction card (4.25 us); pulse
+times and MEM PROT as measured on a real 8/L by the pdp8l project (mrieker).
+"""
+
+from array import array
+
+from pal.isa import (
+    AND,
+    DCA,
+    DEFER,
+    EXECUTE,
+    FETCH,
+    GROUP_2,
+    GROUP_3,
+    HLT,
+    INDIRECT,
+    IOT,
+    ISZ,
+    JMP,
+    JMS,
+    OPR,
+    TAD,
+    autoindexed,
+    refers_to,
+)
+from pdp8.computer.hardware.bus import Bus
+from pdp8.computer.hardware.fields import BIT, COUNT, TICK, saved
+from pdp8.computer.hardware.operate import group1, group2, skips
+
+INTERRUPT = 3
+"""What follows an instruction when an interrupt is taken: an EXECUTE cycle that does JMS 0."""
+
+CYCLE = 32
+IO_TICKS = 85 - CYCLE
+"""What an IOT takes beyond its cycle."""
+PROTECTED = 0o7600
+
+# Compiled, these are C numbers (processor.pxd); importers find them here.
+globals().update(INTERRUPT=INTERRUPT, PROTECTED=PROTECTED, CYCLE=CYCLE, IO_TICKS=IO_TICKS)
+
+
+class Processor:
+    """The registers, the core, and what one memory cycle does to them."""
+
+    fields = saved(
+        **dict.fromkeys(("pc", "ma", "mb", "sr"), "7777"),
+        **dict.fromkeys(("run", "stopping", "ion", "ion_delayed", "mem_prot", "sing_step", "protect"), BIT),
+        **dict.fromkeys(("instructions", "writes"), COUNT),
+        **dict.fromkeys(("clock", "started"), TICK),
+        lac="17777",
+        ir="7",
+        state=EXECUTE,
+        next=INTERRUPT,
+    )
+
+    def __init__(self, bus: Bus) -> None:
+        self.bus = bus
+        self.core = array("H", bytes(2 * 0o10000))
+        """To be read; `deposit` writes."""
+        self._core = self.core
+        """The same; compiled, a view that is read without asking Python."""
+        self.lac = 0
+        """The link and the accumulator, one word of 13 bits."""
+        self.pc = 0
+        self.ma = 0
+        self.mb = 0
+        self.ir = 0
+        """The op code, 0 to 7: three bits, as the lamps have them."""
+        self.state = FETCH
+        """The major state of the last cycle, as the lamps show it."""
+        self.next = FETCH
+        """The major state of the next one."""
+        self.run = 0
+        self.stopping = 0
+        """Set by STOP in the middle of an instruction, whose end clears RUN."""
+        self.ion = 0
+        self.ion_delayed = 0
+        """Interrupts are taken when this is set too, one instruction after ION."""
+        self.sr = 0
+        self.mem_prot = 0
+        self.sing_step = 0
+        self.protect = 0
+        """The PROTECT lamp."""
+        self.clock = 0
+        """Ticks since power-up."""
+        self.started = 0
+        """The clock at the last INITIALIZE."""
+        self.instructions = 0
+        """Instructions fetched since power-up."""
+        self.writes = 0
+        """A count that rises whenever words of core are written."""
+        self.forms = [0] * 0o10002
+        """The engine's decoded form of each word; writing the word sets it to 0."""
+
+    def initialize(self) -> None:
+        """INITIALIZE: clear AC, L and the interrupt, and every device; core and PC stay."""
+        self.lac = self.ion = self.ion_delayed = self.stopping = 0
+        self.state = self.next = FETCH
+        self.started = self.clock
+        self.bus.initialize(self.clock)
+
+    def deposit(self, address: int, word: int) -> None:
+        """Write `word`, of 12 bits, into core at `address`."""
+        self._core[address] = word
+        self.forms[address] = 0
+        self.writes += 1
+
+    def stop(self) -> None:
+        """STOP: clear RUN at the end of the instruction, before an interrupt that is due."""
+        if self.next in (DEFER, EXECUTE):
+            self.stopping = self.run
+        else:
+            self.run = 0
+            self.next = FETCH
+
+    def cycle(self) -> None:
+        """Run one memory cycle."""
+        self.protect = 0
+        if self.next == FETCH:
+            self._fetch()
+        elif self.next == DEFER:
+            self._defer()
+        elif self.next == EXECUTE:
+            self._execute()
+        else:
+            self._interrupt()
+        if self.next == FETCH and (self.ion or self.stopping):
+            self._end()
+
+    def instruction(self) -> None:
+        """Run cycles to the end of the instruction, or the one of an interrupt that is due."""
+        self.protect = 0
+        if self.next == INTERRUPT:
+            self._interrupt()
+        else:
+            if self.next == FETCH:
+                self._fetch()
+            if self.next == DEFER:
+                self._defer()
+            if self.next == EXECUTE:
+                self._execute()
+            if self.ion or self.stopping:
+                self._end()
+
+    def _fetch(self) -> None:
+        self.state = FETCH
+        self.ma = self.pc
+        self.mb = word = self._core[self.ma]
+        self.ir = code = word >> 9
+        self.pc = self.ma + 1 & 0o7777
+        self.clock += CYCLE
+        self.instructions += 1
+        if code < JMP:
+            self.next = DEFER if word & INDIRECT else EXECUTE
+        elif code == OPR:
+            self._operate(word)
+        elif code == IOT:
+            self._input_output(word)
+        elif word & INDIRECT:
+            self.next = DEFER
+        else:
+            self.pc = refers_to(word, self.ma)
+
+    def _defer(self) -> None:
+        self.state = DEFER
+        self.ma = refers_to(self.mb, self.ma)
+        self.mb = self._core[self.ma]
+        if autoindexed(self.ma):
+            self._write(self.mb + 1 & 0o7777)
+        if self.ir == JMP:
+            self.pc = self.mb
+            self.next = FETCH
+        else:
+            self.next = EXECUTE
+        self.clock += CYCLE
+
+    def _execute(self) -> None:
+        self.ma = self.mb if self.state == DEFER else refers_to(self.mb, self.ma)
+        self.state = EXECUTE
+        self.next = FETCH
+        self.mb = self._core[self.ma]
+        if self.ir == TAD:
+            self.lac = self.lac + self.mb & 0o17777
+        elif self.ir == DCA:
+            self._write(self.lac & 0o7777)
+            self.lac &= 0o10000
+        elif self.ir == AND:
+            self.lac &= self.mb | 0o10000
+        elif self.ir == ISZ:
+            self._write(self.mb + 1 & 0o7777)
+            if self.mb == 0:
+                self.pc = self.pc + 1 & 0o7777
+        else:
+            self._write(self.pc)
+            self.pc = self.ma + 1 & 0o7777
+        self.clock += CYCLE
+
+    def _interrupt(self) -> None:
+        self.state = EXECUTE
+        self.next = FETCH
+        self.ir = JMS
+        self.ma = 0
+        self._write(self.pc)
+        self.pc = 1
+        self.ion = self.ion_delayed = 0
+        self.clock += CYCLE
+
+    def _write(self, word: int) -> None:
+        """Write `word` through MB into core at MA; where MEM PROT forbids it, stop the machine instead."""
+        if self.mem_prot and self.ma >= PROTECTED:
+            self.protect = 1
+            self.run = 0
+            return
+        self.mb = word
+        self.deposit(self.ma, word)
+
+    def _operate(self, word: int) -> None:
+        if not word & GROUP_2:
+            self.lac = group1(word, self.lac)
+        elif word & GROUP_3 != GROUP_3:
+            if skips(word, self.lac):
+                self.pc = self.pc + 1 & 0o7777
+            self.lac = group2(word, self.lac, self.sr)
+            if word & HLT:
+                self.run = 0
+
+    def _input_output(self, word: int) -> None:
+        if word & 0o770:
+            answer = self.bus.transfer(word, self.lac, self.clock)
+            self.lac = answer & 0o17777
+            self.pc = self.pc + (answer >> 13) & 0o7777
+        else:
+            self._interrupt_enable(word)
+        self.clock += IO_TICKS
+
+    def _interrupt_enable(self, word: int) -> None:
+        self.bus.actions += 1
+        if word & 1:
+            self.ion = 1
+        if word & 2:
+            self.ion = self.ion_delayed = 0
+
+    def _end(self) -> None:
+        """End an instruction in which STOP was pressed, or with ION set: take an interrupt that is requested,
+        unless the machine stops here.
+        """
+        if self.stopping:
+            self.run = self.stopping = 0
+        if self.ion:
+            if self.ion_delayed and self.run and self.bus.request(self.clock):
+                self.next = INTERRUPT
+            self.ion_delayed = 1

@@ -1,0 +1,239 @@
+"""What a machine has done, kept so that it can be undone.
+
+        ●────────────○───────────●──────────○──────x────── now
+     snapshot     SR set     snapshot   key pressed │
+                                 └── run again ─────┘ as far as the moment wanted
+
+A run depends on nothing but the machine's state as it begins: so a moment is had again, exactly, by running
+again from a snapshot. What is set between two runs (a word deposited, a switch, a key, a tape) is kept as a
+change at its tick, and made again there. Snapshots are some seconds apart, farther when there are many; when
+the memory allowed is full, the oldest past is forgotten.
+
+Not undone: what has left the machine, such as a frame that an `on_frame` passed on. Not recorded: what an
+`on_frame` changes while a run goes on.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, NamedTuple
+
+from pdp8.computer.hardware.teletype import Printer, Punch
+from pdp8.computer.past import snapshot
+from pdp8.computer.past.snapshot import Values
+from pdp8.computer.stop import Reason
+from pdp8.computer.watch import Watch
+from tapes.errors import WorkError
+
+if TYPE_CHECKING:
+    from pdp8.computer.machine import Machine
+
+MEMORY = 64 << 20
+"""Bytes that a history may take, about, if nothing else is said."""
+TICKS_PER_SECOND = 20_000_000
+_APART = 5 * TICKS_PER_SECOND
+"""Machine time between two snapshots at least, while they are few."""
+_MOST = 128
+"""Snapshots."""
+_MARK = 200
+"""About what a mark takes, in bytes."""
+
+
+class HistoryError(WorkError):
+    """A moment that is not in the history."""
+
+
+class _Mark(NamedTuple):
+    """A moment at which runs began or ended, and what was set there: all values, or those that changed.
+
+    At a `jump` the values are had without a run: they are those of an instruction that was run in cycles.
+    """
+
+    clock: int
+    instructions: int
+    values: Values
+    whole: bool
+    jump: bool
+
+
+class History:
+    """The past of a machine, from the moment this is made until `close`."""
+
+    def __init__(self, machine: "Machine", memory: int = MEMORY) -> None:
+        self.machine = machine
+        self._memory = memory
+        self._apart = _APART
+        self._marks: list[_Mark] = []
+        self._parts = snapshot.Parts(machine)
+        self._size = 0
+        self._newest = 0
+        """The tick of the newest snapshot."""
+        self._next = 0
+        """The first mark that was not come to, while the machine goes back."""
+        self._left = self._began = self._parts.take()
+        """The machine as the last run left it, and as that run began."""
+        self._stands = self._moment()
+        """When the last run ended."""
+        self._add(self._left, whole=True)
+        machine.recorder = self
+
+    def close(self) -> None:
+        """Record no more, and forget the past."""
+        self.machine.recorder = None
+        self._keep([])
+
+    @property
+    def size(self) -> int:
+        """About how many bytes the history takes."""
+        return self._size
+
+    @property
+    def instructions(self) -> int:
+        """How many instructions can be undone."""
+        return self.machine.instructions - self._marks[0].instructions
+
+    @property
+    def seconds(self) -> float:
+        """How much machine time can be undone."""
+        return (self.machine.processor.clock - self._marks[0].clock) / TICKS_PER_SECOND
+
+    def begins(self) -> None:
+        """Note what was set since the last run, because a run begins."""
+        now = self._parts.take()
+        self._note(now)
+        if self.machine.processor.clock >= self._newest + self._apart:
+            self._add(now, whole=True)
+        self._began, self._stands = now, self._moment()
+
+    def ended(self, reason: Reason) -> None:
+        """Note where a run has ended.
+
+        One that ended by itself leaves things that no run as far as its tick leaves: these are noted.
+        """
+        self._left = self._parts.take()
+        began, self._stands = self._stands, self._moment()
+        if began == self._stands or self.machine.panel.sing_step:
+            self._add(snapshot.changed(self._began, self._left), jump=True)
+        elif reason is not Reason.LIMIT:
+            changed, left = snapshot.changed(self._began, self._left), self._left.items()
+            self._add(
+                {name: value for name, value in left if name in changed or not isinstance(value, bytes)}
+            )
+
+    def _note(self, now: Values) -> None:
+        stepped = self.machine.instructions != self._stands[1]
+        if stepped:
+            self._stands = self._moment()
+        self._add(snapshot.changed(self._left, now), jump=stepped)
+
+    def _moment(self) -> tuple[int, int]:
+        return self.machine.processor.clock, self.machine.instructions
+
+    def _add(self, values: Values, whole: bool = False, jump: bool = False) -> None:
+        self._marks.append(_Mark(*self._stands, values, whole, jump))
+        self._size += _MARK + snapshot.size(values)
+        if whole:
+            self._newest = self._stands[0]
+        if whole and sum(mark.whole for mark in self._marks) > _MOST:
+            self._thin_out()
+        while self._size > self._memory and self._forget_the_oldest():
+            pass
+
+    def _thin_out(self) -> None:
+        """Drop snapshots until they are twice as far apart, as those to come will be."""
+        self._apart *= 2
+        kept: list[_Mark] = []
+        newest = -self._apart
+        for mark in self._marks:
+            if not mark.whole or mark.clock >= newest + self._apart:
+                kept.append(mark)
+                newest = mark.clock if mark.whole else newest
+        self._keep(kept)
+
+    def _forget_the_oldest(self) -> bool:
+        """Forget what comes before the second snapshot; return whether there is one."""
+        second = next((at for at, mark in enumerate(self._marks) if at and mark.whole), None)
+        if second is not None:
+            self._keep(self._marks[second:])
+        return second is not None
+
+    def _keep(self, marks: list[_Mark]) -> None:
+        self._marks = marks
+        self._newest = next((mark.clock for mark in reversed(marks) if mark.whole), 0)
+        self._size = sum(_MARK + snapshot.size(mark.values) for mark in marks)
+
+    @contextmanager
+    def going_back(self) -> Iterator[None]:
+        """Let the machine run without being watched or recorded; forget what comes after where it ends up.
+
+        After an error it stands where it stood.
+        """
+        machine, watch = self.machine, self.machine.watch
+        now = self._parts.take()
+        self._note(now)
+        heard: list[Printer | Punch] = [
+            machine.teletype.printer,
+            machine.teletype.punch,
+            machine.highspeed.punch,
+        ]
+        callbacks = [device.on_frame for device in heard]
+        machine.recorder, machine.watch = None, Watch()
+        for device in heard:
+            device.on_frame = None
+        try:
+            yield
+        except BaseException:
+            snapshot.put(machine, now)
+            raise
+        finally:
+            machine.recorder, machine.watch = self, watch
+            for device, callback in zip(heard, callbacks, strict=True):
+                device.on_frame = callback
+            self._left, self._stands = self._parts.take(), self._moment()
+            clock, number = self._stands
+            self._keep([mark for mark in self._marks if mark.clock <= clock and mark.instructions <= number])
+
+    def snapshots(self) -> list[_Mark]:
+        """Return the snapshots, the newest first."""
+        return [mark for mark in reversed(self._marks) if mark.whole]
+
+    def go_to_instruction(self, number: int) -> None:
+        """Go to the last moment at which the machine had done so many instructions."""
+        self._go(sum(mark.instructions <= number for mark in self._marks))
+        machine = self.machine
+        in_cycles = self._next < len(self._marks) and self._marks[self._next].jump
+        while in_cycles and machine.instructions < number:
+            machine.processor.instruction()
+        if machine.instructions < number:
+            machine.run(instructions=number - machine.instructions)
+
+    def go_to_tick(self, clock: int) -> None:
+        """Go to the first end of an instruction at tick `clock` or after it."""
+        self._go(sum(mark.clock <= clock for mark in self._marks))
+        self._run_to(clock)
+        for _ in self.ahead(self.machine.processor.clock):
+            pass
+
+    def ahead(self, clock: int) -> Iterator[int]:
+        """Yield the ticks to run to, one after another, as far as `clock`: there the changes are made."""
+        while self._next < len(self._marks) and self._marks[self._next].clock <= clock:
+            mark = self._marks[self._next]
+            if not mark.jump:
+                yield mark.clock
+            snapshot.put(self.machine, {} if mark.whole else mark.values)
+            self._next += 1
+        yield clock
+
+    def _go(self, count: int) -> None:
+        """Go to the last of the first `count` marks."""
+        start = max(at for at, mark in enumerate(self._marks[:count]) if mark.whole)
+        snapshot.put(self.machine, self._marks[start].values)
+        for mark in self._marks[start + 1 : count]:
+            if not mark.jump:
+                self._run_to(mark.clock)
+            snapshot.put(self.machine, mark.values)
+        self._next = count
+
+    def _run_to(self, clock: int) -> None:
+        ticks = clock - self.machine.processor.clock
+        if ticks > 0:
+            self.machine.run(seconds=ticks / TICKS_PER_SECOND)

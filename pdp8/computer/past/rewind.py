@@ -1,0 +1,169 @@
+"""Undo what a machine has done, by a number of instructions, seconds or frames, or to an event.
+
+    instructions, cycles    so many of them
+    seconds                 so much machine time
+    characters, blocks      so many frames that the Teletype printed, ends of block that it punched
+    until_left, until_written, until_flag       to the last time that something happened
+
+Each raises HistoryError, and leaves the machine as it is, where the history does not go back so far.
+"""
+
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
+
+from pal.isa import FETCH
+from pdp8.computer.past import snapshot
+from pdp8.computer.past.history import TICKS_PER_SECOND, History, HistoryError
+from pdp8.computer.stop import Reason
+from pdp8.computer.watch import Watch
+from tapes.eia import EOB
+
+if TYPE_CHECKING:
+    from pdp8.computer.machine import Machine
+
+_SEARCHED = TICKS_PER_SECOND // 4
+"""Ticks that are searched through at a time."""
+
+
+def instructions(history: History, count: int = 1) -> None:
+    """Undo `count` instructions, and what was set since."""
+    _check(count, history.instructions, "instructions")
+    with history.going_back():
+        history.go_to_instruction(history.machine.instructions - count)
+
+
+def seconds(history: History, time: float) -> None:
+    """Undo `time` seconds of machine time, as far as the end of an instruction."""
+    _check(time, history.seconds, "seconds")
+    with history.going_back():
+        history.go_to_tick(history.machine.processor.clock - round(time * TICKS_PER_SECOND))
+
+
+def cycles(history: History, count: int = 1) -> None:
+    """Undo `count` memory cycles; the machine may then stand within an instruction."""
+    _check(count, history.instructions, "cycles")
+    machine = history.machine
+    now = machine.processor.clock
+    with history.going_back():
+        history.go_to_instruction(machine.instructions - count)
+        start = snapshot.take(machine)
+        done = 0
+        while machine.processor.clock < now:
+            machine.processor.cycle()
+            done += 1
+        snapshot.put(machine, start)
+        for _ in range(done - count):
+            machine.processor.cycle()
+
+
+def characters(history: History, count: int = 1) -> None:
+    """Undo as far as before the last `count` frames that the Teletype printed."""
+    _before(history, lambda machine: len(machine.teletype.printer.frames), count, "characters")
+
+
+def blocks(history: History, count: int = 1) -> None:
+    """Undo as far as before the last `count` ends of block, 200, that the Teletype punched."""
+    _before(history, lambda machine: machine.teletype.punch.frames.count(EOB), count, "blocks")
+
+
+def until_left(history: History, address: int) -> None:
+    """Undo as far as before `address` was last executed, or after the last JMS to it."""
+
+    def step(machine: "Machine", clock: int) -> int | None:
+        machine.watch.breakpoints.add(address)
+        here = machine.instructions if machine.pc == address and machine.processor.next == FETCH else None
+        return machine.instructions if _run_to(machine, clock) is Reason.BREAKPOINT else here
+
+    _search(history, step, f"nothing was executed at {address:04o}")
+
+
+def until_written(history: History, address: int) -> None:
+    """Undo as far as before the last instruction that wrote the word at `address`."""
+
+    def step(machine: "Machine", clock: int) -> int | None:
+        machine.watch.writes.add(address)
+        return machine.instructions - 1 if _run_to(machine, clock) is Reason.BREAKPOINT else None
+
+    _search(history, step, f"nothing was written at {address:04o}")
+
+
+def until_flag(history: History, code: int) -> None:
+    """Undo as far as the last instruction after which the flag of device `code` had risen."""
+    device = history.machine.bus.device(code)
+    if device is None:
+        raise HistoryError(f"device {code:02o} is not fitted")
+
+    def step(machine: "Machine", clock: int) -> int | None:
+        down = not device.flag
+        _run_to(machine, min(clock, machine.bus.next_event(machine.processor.clock)))
+        return machine.instructions if down and device.flag else None
+
+    _search(history, step, f"the flag of device {code:02o} did not rise")
+
+
+_Step = Callable[["Machine", int], int | None]
+
+
+def _search(history: History, step: _Step, otherwise: str) -> None:
+    """Go to the last moment that `step` finds.
+
+    A step runs a machine to a tick at most, and returns the number of instructions at what it found.
+    """
+    machine = history.machine
+    now, end = machine.instructions, machine.processor.clock
+    oldest = history.snapshots()[-1].clock
+    ticks = _SEARCHED
+    with history.going_back():
+        while end > oldest:
+            begin = max(oldest, end - ticks)
+            history.go_to_tick(begin)
+            found = [number for number in _hits(history, step, end) if number < now]
+            machine.watch = Watch()
+            if found:
+                history.go_to_instruction(found[-1])
+                return
+            end, ticks = begin, 2 * ticks
+        raise HistoryError(f"{otherwise} as far as the history goes back")
+
+
+def _hits(history: History, step: _Step, end: int) -> Iterator[int]:
+    machine = history.machine
+    for clock in history.ahead(end):
+        while machine.processor.clock < clock:
+            found = step(machine, clock)
+            if found is not None:
+                yield found
+
+
+def _run_to(machine: "Machine", clock: int) -> Reason:
+    ticks = max(1, clock - machine.processor.clock)
+    return machine.run(seconds=ticks / TICKS_PER_SECOND).reason
+
+
+def _check(count: float, most: float, what: str) -> None:
+    if not 0 <= count <= most:
+        raise HistoryError(f"{count:,} {what} cannot be undone: the history goes back {most:,}")
+
+
+def _before(history: History, counted: Callable[["Machine"], int], count: int, what: str) -> None:
+    """Go to the last moment at which there were fewer of what is counted than all but `count`, and one."""
+    machine = history.machine
+    _check(count, counted(machine), what)
+    if count == 0:
+        return
+    fewer = counted(machine) - count + 1
+    above = machine.instructions
+    with history.going_back():
+        for mark in history.snapshots():
+            history.go_to_instruction(mark.instructions)
+            if counted(machine) < fewer:
+                break
+            above = mark.instructions
+        else:
+            raise HistoryError(f"{count:,} {what} cannot be undone: the history does not go back so far")
+        below = machine.instructions
+        while above - below > 1:
+            middle = (below + above) // 2
+            history.go_to_instruction(middle)
+            below, above = (below, middle) if counted(machine) >= fewer else (middle, above)
+        history.go_to_instruction(below)

@@ -1,0 +1,240 @@
+"""The same PDP-8/L for long runs: core is decoded once, then executed from its decoded form.
+
+    core      7300  1205  5201 ...        words, shared with the processor
+    forms       6     1     4  ...        what to do, 0 where the word is not decoded
+    arg       300   205   201  ...        its operand: an effective address, or OPR bits
+
+The engine keeps no state of its own but the decoded forms. It works on the registers and the core of the
+processor in processor.py, and leaves to it whatever is rare or reaches outside: IOT, HLT, OSR, what MEM PROT
+stops, interrupts, and the last instruction before a run ends, which lights the lamps. So a run is
+
+    piece ─► does the program only wait? ─► one instruction of the processor ─► does it wait? ─► piece ...
+
+where a piece (piece.py) goes on until something is due (a flag under ION, the end of the run) or such an
+instruction comes. Every store, whoever does it, clears the decoded form of its word. ISZ X, JMP .-1 is
+counted down at once, as far as the piece goes.
+
+This file runs as it is; Cython compiles it with the types in engine.pxd beside it.
+
+Sources: those of processor.py, which tests hold this in lockstep with.
+"""
+
+from collections.abc import Set
+
+from pal.isa import (
+    EXECUTE,
+    FETCH,
+    GROUP_2,
+    INDIRECT,
+    IOT,
+    ISZ,
+    JMP,
+    JMS,
+    OPR,
+    autoindexed,
+    jumps_to,
+    refers_to,
+)
+from pdp8.computer.hardware.processor import CYCLE, PROTECTED, Processor
+from pdp8.computer.speed import piece
+from pdp8.computer.speed.waiting import Waiting
+
+LONGEST = 3
+"""The cycles of the longest instruction a piece executes."""
+PIECE = 200_000
+"""The ticks of the longest piece: as many cycles can be counted in 13 bits of its `time`."""
+
+# The conditions of every {L, AC} by the bits of the skips that look for them: SMA 100, SZA 40, SNL 20.
+CONDITIONS = b"\x20" + bytes(2047) + b"\x40" * 2048 + b"\x30" + b"\x10" * 2047 + b"\x50" * 2048
+
+# The operations by their numbers in piece.py; 0 is a word that is not decoded.
+_JMP, _NO_ROTATE, _ROTATE, _DELAY, _WRAP, _LEFT = 4, 6, 16, 23, 24, 25
+_DIRECT = (17, 1, 3, 2, 15, _JMP)
+_INDIRECT = (22, 10, 20, 11, 21, 12)
+_AUTOINDEXED = (_LEFT, 13, _LEFT, 14, _LEFT, _LEFT)
+_FREQUENT_ROTATES = {0o4: 7, 0o10: 8}
+_SKIPS = {0: 5, 0o10: 9, 0o200: 18, 0o210: 19}
+
+
+class Engine:
+    """Runs a processor in pieces; `delays` says whether delay loops are counted down at once."""
+
+    def __init__(self, processor: Processor, waiting: Waiting, delays: bool = True) -> None:
+        self.processor = processor
+        self.waiting = waiting
+        self.delays = delays
+        self.core = processor.core
+        self.wall = 0o10000
+        """The first address that may not be written: MEM PROT's, or that after the end of core."""
+        self.breakpoints: Set[int] = frozenset()
+        self.watched = False
+        """Whether there are any."""
+        self.conditions = CONDITIONS
+        # Two words past the end wrap the PC, which can overrun by a skip.
+        self.processor.forms[0o10000] = self.processor.forms[0o10001] = _WRAP
+        self.arg = [0] * 0o10002
+        self.registers = [0, 0, 0]
+        # Group 1 without its rotate, by its low 8 bits: {L, AC} & keep ^ flip, + plus.
+        self.keep = [
+            (0o10000 if i & 0o200 else 0o17777) & (0o7777 if i & 0o100 else 0o17777) for i in range(256)
+        ]
+        self.flip = [(0o7777 if i & 0o40 else 0) | (0o10000 if i & 0o20 else 0) for i in range(256)]
+        self.plus = [i & 1 for i in range(256)]
+
+    def run(self, until: int, last: int, breakpoints: Set[int] = frozenset()) -> bool:
+        """Run to tick `until`, to `last` instructions in all, until RUN goes off, the program waits for ever
+        or comes, after its first instruction, to one of the `breakpoints` or from a JMS to one: only then
+        return True.
+        """
+        self._prepare(breakpoints)
+        self.waiting.endless = False
+        called = self._run_pieces(until, last)
+        return self.processor.run == 1 and (called or self._at_breakpoint(until, last))
+
+    def _called(self) -> bool:
+        """Tell whether the processor's last instruction was a JMS to a breakpoint."""
+        p = self.processor
+        return p.run == 1 and p.ir == JMS and p.state == EXECUTE and p.ma in self.breakpoints
+
+    def _at_breakpoint(self, until: int, last: int) -> bool:
+        p = self.processor
+        reached = p.clock >= until or p.instructions >= last
+        return p.pc in self.breakpoints and not self.waiting.endless and not reached
+
+    def _prepare(self, breakpoints: Set[int]) -> None:
+        """Clear the decoded forms if MEM PROT or the breakpoints are others than in the last run."""
+        wall = _wall(self.processor.mem_prot)
+        if wall == self.wall and breakpoints == self.breakpoints:
+            return
+        self.wall = wall
+        self.breakpoints = frozenset(breakpoints)
+        self.watched = len(breakpoints) > 0
+        for address in range(0o10000):
+            self.processor.forms[address] = 0
+
+    def _room(self, until: int, last: int) -> int:
+        """Return the cycles of the next piece, 0 if the processor has to do the next instruction: also when
+        STOP was pressed or MEM PROT changed as a frame was printed.
+        """
+        p = self.processor
+        if p.next != FETCH or self.waiting.stepping:
+            return 0
+        if self.wall != _wall(p.mem_prot):
+            return 0
+        room = min(PIECE, self.waiting.next_look - p.clock, until - p.clock - LONGEST * CYCLE)
+        if last - p.instructions <= PIECE // CYCLE:
+            room = min(room, (last - p.instructions - 1) * CYCLE)
+        if p.ion:
+            if not p.ion_delayed or p.bus.request(p.clock):
+                return 0
+            room = min(room, p.bus.next_event(p.clock) - p.clock - LONGEST * CYCLE)
+        return max(room + CYCLE - 1, 0) // CYCLE if p.run else 0
+
+    def _decode(self, address: int) -> None:
+        """Fill in the operation of the word at `address`, and its operand."""
+        word = self.core[address]
+        if word < IOT << 9:
+            operand = refers_to(word, address)
+            op = self._memory_reference(word, operand, address)
+        elif word < OPR << 9:
+            operand, op = 0, _LEFT
+        elif not word & GROUP_2:
+            operand, op = word & 0o377, _group1(word & 0o377)
+        else:
+            operand, op = _group2(word)
+        if self.watched and self._may_lead_to_one(word, operand, address):
+            op = _LEFT
+        self.arg[address] = operand
+        self.processor.forms[address] = op
+
+    def _memory_reference(self, word: int, operand: int, address: int) -> int:
+        code = word >> 9
+        if word & INDIRECT:
+            return _AUTOINDEXED[code] if autoindexed(operand) else _INDIRECT[code]
+        if code == JMP:
+            return _LEFT if operand == address else _JMP
+        if code >= ISZ and operand >= self.wall:
+            return _LEFT
+        if code == ISZ and self.delays and self._may_delay(operand, address):
+            return _DELAY
+        return _DIRECT[code]
+
+    def _may_delay(self, counter: int, address: int) -> bool:
+        """Tell whether ISZ at `address` is that of a delay loop: JMP .-1 follows, and it counts neither."""
+        if address == 0o7777 or counter in (address, address + 1):
+            return False
+        return jumps_to(address, self.core[address + 1], address + 1)
+
+    def _may_lead_to_one(self, word: int, operand: int, address: int) -> bool:
+        """Tell whether a breakpoint may follow the instruction: the lamps must be right there."""
+        after = {address + 1 & 0o7777, address + 2 & 0o7777}
+        if word >> 9 in (JMS, JMP):
+            if word & INDIRECT:
+                return True
+            after = {operand, operand + 1 & 0o7777}
+        return not self.breakpoints.isdisjoint(after)
+
+    def _run_pieces(self, until: int, last: int) -> bool:
+        """Run piece by piece; return whether it ended with a JMS to a breakpoint."""
+        p, waiting = self.processor, self.waiting
+        while p.clock < until and p.instructions < last:
+            if p.forms[p.pc & 0o7777] == _LEFT or not self._run_piece(self._room(until, last) << 26):
+                p.instruction()
+                if self.watched and self._called():
+                    return True
+                if not p.run:
+                    return False
+            waiting.look(until, last)
+            if waiting.endless or (self.watched and p.pc in self.breakpoints):
+                return False
+        return False
+
+    def _run_piece(self, limit: int) -> bool:
+        """Run a piece of `limit`; return whether it executed anything."""
+        p, registers = self.processor, self.registers
+        registers[0], registers[1], registers[2] = p.pc & 0o7777, p.lac & 0o17777, 0
+        while self._execute(limit) == 0:
+            self._decode(registers[0])
+        time = registers[2]
+        if time == 0:
+            return False
+        p.pc, p.lac = registers[0] & 0o7777, registers[1]
+        p.clock += (time >> 26) * CYCLE
+        p.instructions += time & 0o17777
+        p.writes += time >> 13 & 0o17777
+        p.protect = 0
+        return True
+
+    def _execute(self, limit: int) -> int:
+        return piece.execute(
+            self.core,
+            self.processor.forms,
+            self.arg,
+            self.keep,
+            self.flip,
+            self.plus,
+            self.conditions,
+            self.registers,
+            self.wall,
+            limit,
+        )
+
+
+def _wall(mem_prot: int) -> int:
+    return PROTECTED if mem_prot else 0o10000
+
+
+def _group1(bits: int) -> int:
+    rotate = bits & 0o14
+    if rotate == 0:
+        return _NO_ROTATE
+    return _LEFT if rotate == 0o14 else _FREQUENT_ROTATES.get(bits, _ROTATE)
+
+
+def _group2(word: int) -> tuple[int, int]:
+    """Return operand and operation: group 3 does nothing, OSR and HLT are left."""
+    if word & 1:
+        return 0, _NO_ROTATE
+    if word & 6:
+        return 0, _LEFT
+    return word & 0o160, _SKIPS[word & 0o210]

@@ -1,0 +1,186 @@
+"""Loops that only wait, and how many turns of one can be passed over at once with the same result.
+
+A program waits when it comes back to the same PC, AC, L and core, and in between no pulse has acted on a
+device and no flag has changed. Every further turn is then the same turn until the next event of a device:
+KSF, JMP .-1 and its kin, JMP . under interrupt, a ring of several flag tests. If no event can come, it waits
+for ever.
+
+To compare at every instruction would cost more than the waiting. So it is done where programs wait: in front
+of a flag test or of a JMP to itself, and, for a loop that has neither, every 10 ms of machine time. Only the
+state of the machine decides, so that it makes no difference who runs it or in how many pieces.
+
+Passing over ends short of the event, so that the processor itself does what the event does. The count of
+instructions and of ticks stays exact.
+"""
+
+from array import array
+
+from pal.isa import FETCH, IOT, JMP, jumps_to, tests_flag
+from pdp8.computer.hardware.bus import NEVER
+from pdp8.computer.hardware.fields import BIT, CORE, COUNT, TICK, saved
+from pdp8.computer.hardware.processor import CYCLE, IO_TICKS, Processor
+
+PERIOD = 200_000
+_TESTS = 8
+"""Flag tests of one ring: after so many the state remembered is given up for a new one."""
+_STEPS = 5_000
+"""Instructions of one ring without a flag test: all of core goes round in less, a count in AC in more."""
+
+_FLAG_TICKS = CYCLE + IO_TICKS + CYCLE
+"""A turn of KSF, JMP .-1."""
+_FORGOTTEN = -1
+
+
+class Waiting:
+    """Watches a running processor; `look` belongs after every instruction, or every piece of a run that holds
+    no flag test and no JMP to itself and does not reach `next_look`.
+    """
+
+    fields = saved(
+        **dict.fromkeys(("stepping", "mem_prot", "ion"), BIT),
+        **dict.fromkeys(("next_look", "actions", "clock", "quiet_until"), TICK),
+        **dict.fromkeys(("instructions", "writes"), COUNT),
+        pc="7777",
+        lac="17777",
+        sr="7777",
+        tries=_STEPS,
+        core=CORE,
+    )
+
+    def __init__(self, processor: Processor) -> None:
+        self.processor = processor
+        self.endless = False
+        """Set when the processor is in a loop that no event will ever end."""
+        self.watched = False
+        """Set while single instructions are watched: a turn is executed before others are passed over."""
+        self.next_look = 0
+        """The tick from which the next look is due wherever the processor is."""
+        self.stepping = False
+        """Set while every instruction is looked at, because core did not change since the last look of this
+        kind.
+        """
+        self.core: array[int] | None = None
+        """Core as it was remembered, if that is needed because words were written since."""
+        self._words = processor.core
+        self._remember()
+
+    def _remember(self) -> None:
+        """Remember the state of the machine, to recognize it."""
+        p = self.processor
+        self.quiet_until = p.bus.next_event(p.clock)  # first: whoever sees a frame now may set the machine
+        self.pc, self.lac = p.pc, p.lac
+        self.sr, self.mem_prot, self.ion = p.sr, p.mem_prot, p.ion
+        self.actions = p.bus.actions
+        self.clock, self.instructions = p.clock, p.instructions
+        self.tries = _TESTS
+        self.stepping = False
+        self.core = None
+        self.writes = p.writes
+        p.bus.tested = 0
+
+    def forget(self) -> None:
+        """Remember nothing: the machine was set from outside, or the next turn has to be executed."""
+        self.actions = _FORGOTTEN
+
+    def look(self, until: int, last: int) -> None:
+        """Look at the processor between two instructions; pass over what it would only wait through.
+
+        Stops short of tick `until` and of `last` instructions in all.
+        """
+        p = self.processor
+        if self.stepping:
+            self._compare(until, last)
+        elif p.clock >= self.next_look:
+            self._look_anywhere()
+        else:
+            word = self._words[p.pc]
+            if word >> 9 == IOT:
+                if tests_flag(word) and not self._waits_for_flag(until, last):
+                    self._compare(until, last)
+            elif word >> 9 == JMP and jumps_to(p.pc, word, p.pc):
+                self._compare(until, last)
+
+    def _waits_for_flag(self, until: int, last: int) -> bool:
+        """Tell whether KSF, JMP .-1 or one of its kin is here, which is recognized without a second turn;
+        pass over its turns if the flag is down. One that is for ever is left to be recognized as any ring is,
+        and so is every one whose first turn is watched.
+        """
+        p = self.processor
+        event = p.bus.next_event(p.clock)  # whoever sees a frame now may have stopped the machine, or set it
+        if self.watched or event == NEVER or not p.run or p.next != FETCH or p.ion != p.ion_delayed:
+            return False
+        word, behind = self._words[p.pc], p.pc + 1 & 0o7777
+        code = word >> 3 & 0o77
+        if not tests_flag(word) or code == 0 or not jumps_to(p.pc, self._words[behind], behind):
+            return False
+        if p.ion and p.bus.request(p.clock):
+            return False
+        device = p.bus.device(code)
+        if device is None or not device.flag:
+            self._pass(event, until, last, _FLAG_TICKS, 2)
+        return True
+
+    def _look_anywhere(self) -> None:
+        """Remember the state, and step from here if core did not change since the last time."""
+        p = self.processor
+        self.next_look = p.clock - p.clock % PERIOD + PERIOD
+        still = p.bus.actions == self.actions and p.clock < self.quiet_until and self._unchanged()
+        self._remember()
+        if still:
+            self.stepping = True
+            self.tries = _STEPS
+        self.core = p.core[:]
+
+    def _unchanged(self) -> bool:
+        """Tell whether core is as it was remembered. Words that were written may have been the same ones;
+        that is not known before core was remembered as a whole.
+        """
+        p = self.processor
+        return p.writes == self.writes or (self.core is not None and p.core == self.core)
+
+    def _compare(self, until: int, last: int) -> None:
+        p = self.processor
+        if p.bus.actions != self.actions or p.clock >= self.quiet_until:
+            self._remember()
+        elif p.pc != self.pc or p.lac != self.lac or p.next != FETCH:
+            self.tries -= 1
+            if self.tries == 0:
+                self._remember()
+        elif p.ion != self.ion or p.sr != self.sr or p.mem_prot != self.mem_prot:
+            self._remember()
+        elif self._unchanged():
+            self._pass_turns(until, last)
+        else:
+            self._remember()
+            self.core = p.core[:]
+
+    def _pass_turns(self, until: int, last: int) -> None:
+        p = self.processor
+        ticks, count = p.clock - self.clock, p.instructions - self.instructions
+        event = p.bus.next_event(p.clock)
+        if event == NEVER == self.quiet_until:
+            self.endless = True
+            self._turn_again(ticks, count)
+        else:
+            if event == self.quiet_until and count > 0:
+                self._pass(event, until, last, ticks, count)
+            self._remember()
+
+    def _pass(self, event: int, until: int, last: int, ticks: int, count: int) -> None:
+        """Pass over the turns of `count` instructions in `ticks` that end before `event` and the limits."""
+        p = self.processor
+        turns = min((min(event, until) - 1 - p.clock) // ticks, (last - 1 - p.instructions) // count)
+        if turns > 0:
+            p.clock += turns * ticks
+            p.instructions += turns * count
+            self.next_look = max(self.next_look, p.clock - p.clock % PERIOD + PERIOD)
+
+    def _turn_again(self, ticks: int, count: int) -> None:
+        """Run the last turn once more in its own time, so that the lamps are those of the instruction that
+        ended it, whoever ran it.
+        """
+        p = self.processor
+        p.clock -= ticks
+        p.instructions -= count
+        for _ in range(count):
+            p.instruction()

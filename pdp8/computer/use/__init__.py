@@ -1,0 +1,8 @@
+"""What people do with the machine.
+
+program      a program from a tape's bytes: its kind, words, tape and listing
+operator     who sets switches, presses keys and loads tapes, at a pace
+keys         what a key of the Teletype sends
+trace        an instruction or a cycle a line, as in the listing
+count        how often words were executed and written
+"""

@@ -1,0 +1,323 @@
+"""The operator at the panel: sets switches, presses keys, puts tapes in, each at a pace.
+
+    panel ──17 words──► RIM loader, 7756-7776
+    BIN loader's tape, RIM format ──► RIM loader ──► 7622-7755, 7777
+    program's tape, BIN format ──► BIN loader ──► core, checksum in AC
+
+`boot` is a morning's work: MEM PROT down, each tape on its leader, SR and LOAD ADD as the books say, CONT for
+each further section of a tape, STOP when RIM's tape has run through.
+
+INITIALIZE sets READER RUN: a tape put in with the lever at START would move at once, and START would drop the
+frame on its way. So a tape goes in with the lever at STOP, and START or CONT throws the lever too.
+
+Sources: PDP-8/I instruction card (the RIM loader's words); Small Computer Handbook 1970, "Loading programs".
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from pdp8.computer.hardware.teletype import FRAME
+from pdp8.computer.machine import TICKS_PER_SECOND, LoadError, Machine
+from pdp8.computer.stop import Reason, Stop
+from tapes import binary, kinds, rim
+from tapes.errors import TapeError
+from tapes.frames import BLANK, LEADER, label_after
+from tapes.measure import counted, duration
+
+RIM_START = 0o7756
+BIN_START = 0o7777
+BIN_HALT = 0o7700
+TELETYPE_READER = 0o7777
+HIGH_SPEED_READER = 0o3777
+
+# The card's two versions; they differ in the reader's IOTs and in where the loop begins.
+RIM = (
+    *(0o6032, 0o6031, 0o5357, 0o6036, 0o7106, 0o7006, 0o7510, 0o5357),
+    *(0o7006, 0o6031, 0o5367, 0o6034, 0o7420, 0o3776, 0o3376, 0o5356, 0o0000),
+)
+RIM_HIGH_SPEED = (
+    *(0o6014, 0o6011, 0o5357, 0o6016, 0o7106, 0o7006, 0o7510, 0o5374),
+    *(0o7006, 0o6011, 0o5367, 0o6016, 0o7420, 0o3776, 0o3376, 0o5357, 0o0000),
+)
+
+_SLOWER = (
+    "; a loader that takes longer has no limit as a program of its own: "
+    "pdp8 run LOADER --start 7777 --sr 7777 --reader TAPE --save FILE"
+)
+
+
+class Pace(NamedTuple):
+    """Seconds of machine time: to set the switches, to press a key, to put a tape in, to move from the START
+    key to the reader's lever.
+    """
+
+    setting: float = 0.0
+    pressing: float = 0.0
+    mounting: float = 0.0
+    lever: float = 0.0
+
+
+AT_ONCE = Pace()
+
+
+class Action(NamedTuple):
+    """One thing the operator did: when, in ticks; to what; the word set or the tape's name; a sentence."""
+
+    at: int
+    key: str
+    value: int | str | None = None
+    say: str = ""
+
+
+class Loading(NamedTuple):
+    """A part of the boot: so many keys pressed, or a tape of so many `frames`, `sections` and `words` read in
+    `seconds`; so many other words of the tape are `missing` in core, as where the loader itself stands.
+    """
+
+    what: str
+    keys: int
+    frames: int = 0
+    sections: int = 0
+    words: int = 0
+    seconds: float = 0.0
+    missing: int = 0
+
+    def __str__(self) -> str:
+        if not self.frames:
+            return f"{self.what}: {self.keys} keys"
+        counts = [counted(self.frames, "frames")]
+        if self.sections > 1:
+            counts.append(counted(self.sections, "sections"))
+        counts.append(counted(self.words, "words"))
+        if self.missing:
+            counts.append(f"{self.missing:,} more not in core")
+        return f"{self.what}: {', '.join(counts)}; {duration(self.seconds)}"
+
+
+class Operator:
+    """An operator at `machine`. `note` is called with each action as it is done."""
+
+    def __init__(
+        self,
+        machine: Machine,
+        pace: Pace = AT_ONCE,
+        note: Callable[[Action], object] = lambda action: None,
+    ) -> None:
+        self.machine = machine
+        self.panel = machine.panel
+        self.reader = machine.teletype.reader
+        self.pace = pace
+        self.note = note
+        self.lever_waits = False
+        """Whether the reader's lever, at STOP, is to be thrown with START or CONT."""
+
+    def wait(self, seconds: float) -> None:
+        """Let time pass while the machine stands still."""
+        self.machine.wait(seconds)
+
+    def set_switches(self, word: int) -> None:
+        """Set the switch register."""
+        self.wait(self.pace.setting)
+        self.panel.sr = word
+        self._note("sr", word, f"{word:04o} into the switches.")
+
+    def load_address(self, address: int) -> None:
+        """Set the switches to `address` and press LOAD ADD."""
+        self.set_switches(address)
+        self.wait(self.pace.pressing)
+        self.panel.load_add()
+        self._note("load add", None, f"{address:04o}, LOAD ADD.")
+
+    def deposit(self, word: int) -> None:
+        """Set the switches to `word` and press DEP."""
+        self.set_switches(word)
+        self.wait(self.pace.pressing)
+        self.panel.dep()
+        self._note("dep", None, f"{word:04o} into {self.machine.ma:04o}, DEP.")
+
+    def toggle(self, address: int, words: Sequence[int]) -> Iterator[None]:
+        """Put `words` into core from `address` on with the switches, a key at each step of the iterator."""
+        self.load_address(address)
+        yield
+        for word in words:
+            self.deposit(word)
+            yield
+
+    def mount(self, name: str, tape: bytes) -> None:
+        """Put a tape into the Teletype's reader: a loader's tape on its leader, any other on its first frame.
+
+        While the processor stands still the lever goes to STOP, to be thrown with START or CONT.
+        """
+        self.wait(self.pace.mounting)
+        if self.reader.on and not self.panel.lamps.run:
+            self.reader.lever(False)
+            self.lever_waits = True
+        self.reader.load(tape[kinds.start(tape) :])
+        self._note("mount", name, f"{name} goes into the reader.")
+
+    def throw_lever(self) -> None:
+        """Put the reader's lever to START, or to STOP; there it stays until it is thrown again."""
+        self.reader.lever(not self.reader.on)
+        self.lever_waits = False
+        self._note("lever", None, f"The reader's lever to {'START' if self.reader.on else 'STOP'}.")
+
+    def press(self, key: str) -> None:
+        """Press a momentary key, named as the Panel's method is: load_add, start, cont, stop, exam, dep."""
+        if not self.panel.lamps.run:
+            self.wait(self.pace.pressing)
+        getattr(self.panel, key)()
+        if key in ("start", "cont") and self.lever_waits:
+            self._run_on(self.pace.lever)
+            self.throw_lever()
+
+    def start(self, address: int, switches: int | None = None, seconds: float | None = None) -> Stop:
+        """Start at `address`, with `switches` set then if they are another word; run until the program halts
+        or waits for a reader that has no more tape, or for `seconds` of machine time.
+        """
+        self.load_address(address)
+        if switches not in (None, address):
+            self.set_switches(int(switches or 0))
+        self.wait(self.pace.pressing)
+        self._note("start", None, f"START at {address:04o}.")
+        self.panel.start()
+        if self.lever_waits:
+            self._run_on(self.pace.lever)
+            self.throw_lever()
+        return self.machine.run(seconds)
+
+    def go_on(self, seconds: float | None = None) -> Stop:
+        """Press CONT and run as `start` does."""
+        self.press("cont")
+        return self.machine.run(seconds)
+
+    def stop(self) -> None:
+        """Press STOP, as the reader is empty."""
+        self.panel.stop()
+        self._note("stop", None, "The reader is empty: STOP.")
+
+    def boot(
+        self, loader: bytes, program: bytes, name: str = "program", force: bool = False
+    ) -> Iterator[Loading]:
+        """Load `program`, a BIN or RIM tape, from cold through the Teletype; `loader` is BIN's RIM tape.
+
+        Yields each step as it is done. Leaves the machine standing still, the reader empty. Raises LoadError
+        where a loader ends as it should not; with `force` a wrong checksum or a missing end is passed over.
+        """
+        self.panel.stop()
+        self.panel.mem_prot = self.panel.sing_step = False
+        yield Loading("RIM loader toggled in", sum(1 for _ in self.toggle(RIM_START, RIM)))
+        yield self.read_rim(loader, "BIN loader")
+        if kinds.classify(program) == kinds.RIM:
+            yield self.read_rim(program, name)
+        else:
+            yield self.read_bin(program, name, force)
+        self.reader.remove()
+
+    def read_rim(self, tape: bytes, name: str = "tape") -> Loading:
+        """Let the RIM loader read `tape`; press STOP when its trailer has run through, for what follows the
+        loader would take for words. Raises LoadError if it has not.
+        """
+        end, words = _rim_content(tape)
+        began = self.machine.processor.clock
+        self.mount(name, tape[:end])
+        stop = self.start(RIM_START, seconds=_longest(tape))
+        if stop.reason is not Reason.TAPE_OUT:
+            raise LoadError(f"{name}: the RIM loader {_ended(stop, tape)}")
+        self.stop()
+        return self._read(f"{name} read by RIM", began, words)
+
+    def read_bin(self, tape: bytes, name: str = "tape", force: bool = False) -> Loading:
+        """Let the BIN loader read `tape` from the Teletype, with CONT for each section after the first.
+
+        Raises LoadError unless the loader halts after each with AC = 0. With `force` AC may be anything, and
+        STOP is pressed where the tape has run out and the loader has not halted.
+        """
+        sections, words = _bin_sections(tape)
+        began = self.machine.processor.clock
+        self.mount(name, tape)
+        stop = self.start(BIN_START, TELETYPE_READER, _longest(tape))
+        self._judge(stop, tape, name, force)
+        before = 0
+        for _ in range(sections - 1):
+            before += self._pass_blank(name)
+            self._judge(self.go_on(_longest(tape)), tape, name, force)
+        found = self._read(f"{name} read by BIN", began, words)
+        return found._replace(frames=before + found.frames, sections=sections)
+
+    def _pass_blank(self, name: str) -> int:
+        """Set the tape on the leader after any blank tape that follows the trailer: the loader would take it
+        for words of 0000. Return the frames read before; 0 where the tape stays.
+        """
+        read = self.reader.position
+        rest = self.reader.tape[read:]
+        gap = rest[: len(rest) - len(rest.lstrip(bytes((LEADER, BLANK))))]
+        if BLANK not in gap:
+            return 0
+        self.mount(name, rest[gap.rindex(BLANK) + 1 :])
+        return read
+
+    def _judge(self, stop: Stop, tape: bytes, name: str, force: bool) -> None:
+        """Raise LoadError unless the BIN loader has read the tape and halted with AC = 0."""
+        ac, read = self.machine.ac, counted(self.reader.position, "frames")
+        if stop.reason is Reason.TAPE_OUT and force:
+            self.stop()
+            return
+        if stop.reason is not Reason.HALT:
+            self.reader.remove()
+            advice = _SLOWER if stop.reason is Reason.LIMIT else ""
+            raise LoadError(f"{name}: the BIN loader {_ended(stop, tape)} after {read}{advice}")
+        if self.reader.position <= 1:  # START itself sets READER RUN, which moves one
+            self.reader.remove()
+            raise LoadError(f"{name}: what was loaded as the BIN loader halted and had not read the tape")
+        if ac and not force:
+            self.reader.remove()
+            raise LoadError(f"{name}: the BIN loader halted with AC = {ac:04o} after {read}: wrong checksum")
+
+    def _read(self, what: str, began: int, words: Mapping[int, int]) -> Loading:
+        """Return what was read since `began`, of a tape that holds `words`."""
+        seconds = (self.machine.processor.clock - began) / TICKS_PER_SECOND
+        core = self.machine.core
+        loaded = sum(core[address & 0o7777] == word for address, word in words.items())
+        return Loading(what, 2, self.reader.position, 1, loaded, seconds, len(words) - loaded)
+
+    def _run_on(self, seconds: float) -> None:
+        """Let the machine run for a while, though it waits for what only the operator will do."""
+        processor = self.machine.processor
+        until = processor.clock + round(seconds * TICKS_PER_SECOND)
+        while processor.clock < until:
+            processor.instruction()
+
+    def _note(self, key: str, value: int | str | None, say: str) -> None:
+        self.note(Action(self.machine.processor.clock, key, value, say))
+
+
+def _longest(tape: bytes) -> float:
+    """Return the seconds given to a loader for a tape: twice as long as the reader takes, and a minute."""
+    return 60 + 2 * len(tape) * FRAME / TICKS_PER_SECOND
+
+
+def _ended(stop: Stop, tape: bytes) -> str:
+    if stop.reason is Reason.LIMIT:
+        limit = f"{duration(_longest(tape))}, a minute and twice what its tape takes"
+        return f"did not end within {limit}; STOP was pressed at {stop.pc:04o}"
+    return f"ended with {stop.reason} at {stop.pc:04o}"
+
+
+def _rim_content(tape: bytes) -> tuple[int, dict[int, int]]:
+    """Return where a RIM tape's trailer ends, as the operator sees from the tape, and the words it holds."""
+    try:
+        words, _, labels = rim.read(tape)
+    except TapeError:
+        return len(tape), {}
+    label = label_after(tape, labels)
+    to_the_trailer = (tape[: label.start] if label else tape).rstrip(bytes([BLANK]))
+    return len(to_the_trailer) if to_the_trailer[-1] == LEADER else len(tape), words
+
+
+def _bin_sections(tape: bytes) -> tuple[int, dict[int, int]]:
+    """Return how often the loader will halt, as the operator sees from the tape, and the words it holds."""
+    try:
+        reading = binary.read(tape)
+        return len(reading.sections) + bool(reading.unended), binary.content(reading).words
+    except TapeError:
+        return 1, {}

@@ -1,0 +1,139 @@
+"""A program from a tape's bytes: its kind, its words, the tape that loads it, its listing.
+
+    PAL source  ── assembled ──┐
+    BIN tape    ── decoded   ──┼──► Program ──► core, or the reader; trace and listing
+    RIM tape    ── decoded   ──┘
+
+Its frames say what a tape is. A damaged tape is refused, or loaded by force as far as it can be read.
+"""
+
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from tapes import kinds, shelf
+from tapes.errors import TapeError, WorkError, called, naming
+from tapes.measure import left_out
+
+if TYPE_CHECKING:
+    from pal import Assembly
+    from pdp8.computer.use.trace import Listing
+
+
+class Program:
+    """A program that goes into 4K of core.
+
+    name     the file's name, or the bundled one
+    kind     kinds.ASCII (PAL source), kinds.BIN or kinds.RIM
+    words    {address: word}
+    notes    what there is to say of its tape: a label, damage that was passed over
+    tape     the frames that load it, in BIN or RIM format
+    listing  its lines and symbols; a tape is listed disassembled
+    """
+
+    def __init__(
+        self,
+        name: str,
+        kind: str,
+        words: dict[int, int],
+        source: "Assembly | bytes",
+        notes: tuple[str, ...] = (),
+    ) -> None:
+        self.name = name
+        self.kind = kind
+        self.words = words
+        self.notes = notes
+        self._source = source
+
+    @cached_property
+    def tape(self) -> bytes:
+        """The frames that load it: source is punched in BIN format."""
+        return self._source if isinstance(self._source, bytes) else self._source.tape
+
+    @cached_property
+    def listing(self) -> "Listing":
+        """Its lines and symbols."""
+        from pdp8.computer.use.trace import Listing
+
+        if not isinstance(self._source, bytes):
+            return Listing.of(self._source)
+        import pal
+        from pal.disassembler import disassemble
+
+        return Listing.of(pal.assemble(disassemble(self.words)))
+
+
+def find(name: str, force: bool = False) -> Program:
+    """Return the program called `name`: a file, a bundled name, `-` for standard input. Raises WorkError as
+    `read` does.
+    """
+    return read(shelf.read(name), name, force)
+
+
+def read(frames: bytes, name: str, force: bool = False) -> Program:
+    """Return the program of a tape's frames, called `name`; with `force` a damaged tape too.
+
+    Raises WorkError, with the name, saying what is wrong and where: source with errors, a damaged tape, a
+    field that a machine of 4K has not, what is no program.
+    """
+    kind = kinds.classify(frames)
+    with naming(name):
+        if kind == kinds.ASCII:
+            program = _assembled(frames, name)
+        elif kind in (kinds.BIN, kinds.RIM):
+            program = _loaded(frames, name, kind, force)
+        elif kind == kinds.BLANK_TAPE:
+            raise WorkError(f"the program tape is {'blank' if frames else 'empty'}")
+        else:
+            raise WorkError("neither PAL source nor a BIN or RIM tape")
+        if not program.words:
+            raise WorkError("; ".join(("no word in it goes into core", *program.notes)))
+    return program
+
+
+def _assembled(source: bytes, name: str) -> Program:
+    import pal
+    from pal.assembly import MOST
+
+    if kinds.only_figures(source):
+        raise WorkError("nothing but figures: no program, but a tape for the reader")
+    assembly = pal.assemble(source, names=[called(name)])
+    if not assembly.ok:
+        shown = [str(diagnostic) for diagnostic in assembly.diagnostics[:MOST]]
+        more = len(assembly.diagnostics) - MOST
+        report = "\n".join(shown + [f"and {more:,} more"] * (more > 0))
+        raise WorkError(f"not loaded, it has errors\n{report}")
+    for address in assembly.words:
+        if address > 0o7777:
+            raise WorkError(f"address {address:05o}: a PDP-8/L with 4K of core ends at 07777")
+    return Program(name, kinds.ASCII, assembly.words, assembly)
+
+
+def _loaded(frames: bytes, name: str, kind: str, force: bool) -> Program:
+    words, damage = (_bin if kind == kinds.BIN else _rim)(frames)
+    if damage and not force:
+        raise damage
+    notes = [f"{damage}; loaded as far as it can be read"] if damage else []
+    return Program(name, kind, words, frames, (*notes, *left_out(frames, kind)))
+
+
+_Loaded = tuple[dict[int, int], TapeError | None]
+"""The words, and what is wrong with the tape."""
+
+
+def _bin(frames: bytes) -> _Loaded:
+    from tapes import binary
+
+    reading = binary.read(frames)
+    words, fields = binary.content(reading)
+    damage = binary.find_damage(reading)
+    for field, frame in fields.items():
+        if field and damage is None:
+            damage = TapeError(f"field {field}: this PDP-8/L has 4K of core, field 0 alone", frame)
+    return {address: word for address, word in words.items() if address <= 0o7777}, damage
+
+
+def _rim(frames: bytes) -> _Loaded:
+    from tapes import rim
+
+    reading = rim.read(frames)
+    return reading.words, reading.damage

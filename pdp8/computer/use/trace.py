@@ -1,0 +1,117 @@
+"""A trace that follows the listing: what was executed, with the lamps and the time.
+
+        time       L AC    MA   MB    listing
+       81.80   us  0 0000  0204 1102  0204  1102          TAD M60
+
+An instruction a line, or a memory cycle a line with its major state. The time is when it began, in
+microseconds since START; the lamps are as it left them. Loops that only wait take one line.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
+
+from pal.disassembler import microinstruction
+from pal.isa import DEFER, EXECUTE, FETCH, INDIRECT, IOT, JMP, OPERATIONS, STATES, refers_to
+from pdp8.computer.hardware.processor import CYCLE, INTERRUPT, IO_TICKS, Processor
+
+if TYPE_CHECKING:
+    from pal import Assembly
+
+
+class Listing:
+    """What is known of the words in core: an assembly's lines and symbols, or nothing.
+
+    `lines` are as pass 3 typed them, TABs counted from where the source begins; `words` is {address: word},
+    `places` {address: number of its line}, `symbols` {name: value}.
+    """
+
+    def __init__(self, symbols: Mapping[str, int] | None = None) -> None:
+        self.lines: list[str] = []
+        self.words: dict[int, int] = {}
+        self.places: dict[int, int] = {}
+        self.symbols = dict(symbols or {})
+
+    @classmethod
+    def of(cls, assembly: "Assembly") -> "Listing":
+        """Return the listing of an assembly."""
+        listing = cls(assembly.symbols)
+        for line in assembly.lines:
+            source = line.source.expandtabs(8)
+            if line.address is None or line.word is None:
+                listing.lines.append(f"{'':12}{source}".rstrip())
+            else:
+                listing.words[line.address] = line.word
+                listing.places[line.address] = len(listing.lines)
+                listing.lines.append(f"{line.address:04o}  {line.word:04o}  {source}".rstrip())
+        return listing
+
+    def fits(self, address: int, word: int) -> bool:
+        """Tell whether the listing has `word` at `address`."""
+        return self.words.get(address) == word
+
+    def line(self, address: int, word: int) -> str:
+        """Return the line of `word` at `address`: as assembled, or disassembled if it is another word now."""
+        if self.fits(address, word):
+            return self.lines[self.places[address]]
+        return f"{address:04o}  {word:04o}  {' ' * 8}{instruction(address, word)}"
+
+
+def instruction(location: int, word: int) -> str:
+    """Return what `word` at `location` does, as PAL III writes it."""
+    code = word >> 9
+    if code > JMP:
+        return microinstruction(word) or f"{word:04o}"
+    return f"{OPERATIONS[code]} {'I ' if word & INDIRECT else ''}{refers_to(word, location):04o}"
+
+
+class Trace:
+    """Writes a line for each instruction, or for each memory `cycles`, through `write`."""
+
+    def __init__(
+        self, write: Callable[[str], object], listing: Listing | None = None, cycles: bool = False
+    ) -> None:
+        self._write = write
+        self._listing = listing or Listing()
+        self._cycles = cycles
+        self._next = FETCH
+        self._began = 0
+        self._what = ""
+
+    def begin(self, processor: Processor) -> None:
+        """See where the processor stands before the first cycle: an interrupt may be due."""
+        self._next = processor.next
+
+    def cycle(self, processor: Processor) -> None:
+        """Take in the cycle that has ended; write its line, or the instruction's when that has ended."""
+        p = processor
+        interrupt = self._next == INTERRUPT
+        self._next = p.next
+        if p.state == FETCH:
+            self._what = self._listing.line(p.ma, p.mb)
+        elif interrupt:
+            self._what = "            JMS 0: an interrupt"
+        if self._cycles or p.state == FETCH or interrupt:
+            self._began = p.clock - p.started - CYCLE
+            if p.state == FETCH and p.ir == IOT:
+                self._began -= IO_TICKS
+        if self._cycles:
+            self._write(f"{_time(self._began)}  {STATES[p.state]:7}  {_lamps(p)}  {self._what}")
+        elif p.next not in (DEFER, EXECUTE):
+            self._write(f"{_time(self._began)}  {_lamps(p)}  {self._what}")
+
+    def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
+        """Write what was passed over."""
+        self._write(
+            f"{' ' * 16}  ... the same again: {instructions:,} instructions, {ticks / 20_000:,.3f} ms"
+        )
+
+
+def _time(ticks: int) -> str:
+    """Return `ticks` in microseconds, in a column."""
+    return f"{ticks / 20:14,.2f} us"
+
+
+def _lamps(processor: Processor) -> str:
+    """Return L, AC, MA and MB as the lamps show them."""
+    p = processor
+    return f"{p.lac >> 12} {p.lac & 0o7777:04o}  {p.ma:04o} {p.mb:04o}"

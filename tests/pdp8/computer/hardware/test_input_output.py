@@ -1,0 +1,204 @@
+"""Every IOT of the console, the PC8/L and device 00, from each state of the flag: AC, skip, flag, time.
+
+The tables are those of the PDP-8/I instruction card and the Small Computer Handbook, one line an instruction.
+"""
+
+from typing import NamedTuple
+
+import pytest
+
+from pdp8.computer.hardware.bus import NEVER, Device
+from pdp8.computer.machine import Machine
+
+AC = 0o5125
+BUFFER = 0o252
+
+
+class Effect(NamedTuple):
+    """What an IOT does: does it test the flag, clear it, and what is in AC afterwards."""
+
+    tests: bool
+    clears: bool
+    ac: int
+
+
+KEYBOARD = {
+    0o6030: Effect(False, False, 0o5125),
+    0o6031: Effect(True, False, 0o5125),
+    0o6032: Effect(False, True, 0o0000),
+    0o6033: Effect(True, True, 0o0000),
+    0o6034: Effect(False, False, 0o5377),
+    0o6035: Effect(True, False, 0o5377),
+    0o6036: Effect(False, True, 0o0252),
+    0o6037: Effect(True, True, 0o0252),
+}
+PRINTER = {
+    code: Effect(tests, clears, AC)
+    for code, tests, clears in (
+        (0o6040, False, False),
+        (0o6041, True, False),
+        (0o6042, False, True),
+        (0o6043, True, True),
+        (0o6044, False, False),
+        (0o6045, True, False),
+        (0o6046, False, True),
+        (0o6047, True, True),
+    )
+}
+FAST_READER = {
+    0o6010: Effect(False, False, 0o5125),
+    0o6011: Effect(True, False, 0o5125),
+    0o6012: Effect(False, True, 0o5377),
+    0o6013: Effect(True, True, 0o5377),
+    0o6014: Effect(False, True, 0o5125),
+    0o6015: Effect(True, True, 0o5125),
+    0o6016: Effect(False, True, 0o5377),
+    0o6017: Effect(True, True, 0o5377),
+}
+FAST_PUNCH = {code - 0o20: effect for code, effect in PRINTER.items()}
+
+
+def executed(word: int, flag: int) -> Machine:
+    """Return the machine after `word` at 0200, every device's flag being `flag`."""
+    machine = Machine(highspeed=True)
+    machine.teletype.receiver.buffer = BUFFER
+    machine.highspeed.reader_control.buffer = BUFFER
+    machine.start(0o200)
+    for device in machine.bus:
+        device.flag = flag
+    machine.teletype.receiver.reader_run = 0
+    machine.highspeed.reader_control.buffer = BUFFER
+    machine.core[0o200] = word
+    machine.ac = AC
+    machine.processor.instruction()
+    return machine
+
+
+@pytest.mark.parametrize("flag", [0, 1])
+@pytest.mark.parametrize("code", [*KEYBOARD, *PRINTER, *FAST_READER, *FAST_PUNCH])
+def test_every_iot(code: int, flag: int) -> None:
+    effect = {**KEYBOARD, **PRINTER, **FAST_READER, **FAST_PUNCH}[code]
+    machine = executed(code, flag)
+    device = machine.bus.device(code >> 3 & 0o77)
+    assert device is not None
+    assert f"{machine.ac:04o}" == f"{effect.ac:04o}"
+    assert f"{machine.pc:04o}" == ("0202" if effect.tests and flag else "0201")
+    assert device.flag == (0 if effect.clears else flag)
+    assert machine.ticks == 85
+    others = [other.flag for other in machine.bus if other is not device]
+    assert others == [flag] * 3
+    assert machine.teletype.receiver.reader_run == (1 if code in (0o6032, 0o6033, 0o6036, 0o6037) else 0)
+
+
+@pytest.mark.parametrize("code", range(8))
+def test_interrupt_enable(code: int) -> None:
+    for ion in (0, 1):
+        machine = Machine()
+        machine.core[0o200] = 0o6000 | code
+        machine.start(0o200)
+        machine.processor.ion = ion
+        machine.processor.instruction()
+        expected = {1: 1, 5: 1, 2: 0, 3: 0, 6: 0, 7: 0}.get(code, ion)
+        assert machine.ion == expected
+        assert machine.ticks == 85
+        assert (machine.pc, machine.ac) == (0o201, 0)
+
+
+@pytest.mark.parametrize(
+    "word", [0o6101, 0o6102, 0o6104, 0o6167, 0o6201, 0o6214, 0o6234, 0o6244, 0o6344, 0o6777]
+)
+def test_what_is_not_fitted_does_nothing_for_four_and_a_quarter_microseconds(word: int) -> None:
+    machine = Machine()
+    machine.core[0o200] = word
+    machine.start(0o200)
+    machine.ac, machine.link = AC, 1
+    machine.processor.instruction()
+    assert (machine.ac, machine.link, machine.pc, machine.ticks) == (AC, 1, 0o201, 85)
+
+
+def test_the_pc8_is_fitted_on_request_only() -> None:
+    machine = Machine()
+    machine.core[0o200] = 0o6014
+    machine.highspeed.reader.load(b"\1")
+    machine.start(0o200)
+    machine.processor.instruction()
+    machine.wait(1)
+    assert machine.highspeed.reader_control.flag == 0
+
+
+def test_eight_iots_of_device_0_cost_34_microseconds() -> None:
+    machine = Machine()
+    machine.load(dict.fromkeys(range(0o200, 0o210), 0o6000) | {0o210: 0o7402})
+    machine.start(0o200)
+    assert machine.run(instructions=8).elapsed == pytest.approx(34e-6, abs=1e-12)
+
+
+# From the pulse that starts it, the tick at which each flag rises. IOP1, IOP2, IOP4 come 29, 47, 65 ticks
+# (1.45, 2.35, 3.25 us) into an IOT.
+RISES = {
+    0o6032: 47 + 1_545_455,  # 8.5 units of 1/110 s after the reader's start unit
+    0o6036: 47 + 1_545_455,
+    0o6044: 65 + 1_636_364,  # 9 units
+    0o6046: 65 + 1_636_364,
+    0o6014: 65 + 66_667,  # 1/300 s
+    0o6016: 65 + 66_667,
+    0o6024: 65 + 400_000,  # 1/50 s
+    0o6026: 65 + 400_000,
+}
+
+
+@pytest.mark.parametrize("code", RISES)
+def test_the_tick_at_which_the_flag_rises(code: int) -> None:
+    machine = executed(code, 0)
+    device = machine.bus.device(code >> 3 & 0o77)
+    assert device is not None
+    if code in (0o6032, 0o6036):
+        assert device.due == NEVER  # there is no tape
+        machine = Machine()
+        machine.core[0o200] = code
+        machine.start(0o200)
+        machine.teletype.receiver.reader_run = 0
+        machine.teletype.reader.load(b"\123")
+    else:
+        machine = Machine(highspeed=True)
+        machine.core[0o200] = code
+        machine.highspeed.reader.load(b"\123")
+        machine.start(0o200)
+    machine.processor.instruction()
+    device = machine.bus.device(code >> 3 & 0o77)
+    assert device is not None
+    machine.bus.advance(RISES[code] - 1)
+    assert device.flag == 0
+    machine.bus.advance(RISES[code])
+    assert device.flag == 1
+
+
+def test_a_code_is_fitted_once() -> None:
+    machine = Machine(highspeed=True)
+    with pytest.raises(ValueError, match="device 01 is fitted already"):
+        machine.highspeed.connect(machine.bus)
+
+
+class Empty(Device):
+    """A device that waits for a tape that has run out."""
+
+    def pulse(self, iop: int, ac: int, now: int) -> int:
+        return 0
+
+    def advance(self, now: int) -> None:
+        pass
+
+    def initialize(self, now: int) -> None:
+        pass
+
+    def out_of_tape(self) -> bool:
+        return True
+
+
+@pytest.mark.parametrize("code", [0o05, 0o37, 0o40, 0o77])
+def test_any_code_may_be_waited_for(code: int) -> None:
+    machine = Machine()
+    machine.bus.fit(code, Empty())
+    machine.load({0o200: 0o6001 | code << 3, 0o201: 0o5200})
+    machine.start(0o200)
+    assert machine.run().reason == "tape out"

@@ -1,0 +1,96 @@
+"""A device of one's own in one file: a clock under code 05, with its flag, its interrupt and its saved state.
+
+6051  skip if the flag is up
+6052  clear the flag
+6054  run with a period of AC 4-11 milliseconds, or stop with 0
+"""
+
+import copy
+import json
+
+import pytest
+
+from pdp8.computer.hardware.bus import NEVER, SKIP, Device
+from pdp8.computer.hardware.fields import BIT, TICK, saved
+from pdp8.computer.machine import Machine
+from pdp8.computer.past import state
+from tests.pdp8.computer.bench import octal
+
+MILLISECOND = 20_000
+
+
+class Clock(Device):
+    """Raises its flag again and again."""
+
+    fields = saved(flag=BIT, due=TICK, period=TICK)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.period = 0
+
+    def pulse(self, iop: int, ac: int, now: int) -> int:
+        if iop == 1:
+            return SKIP if self.flag else 0
+        if iop == 2:
+            self.flag = 0
+        else:
+            self.period = (ac & 0o377) * MILLISECOND
+            self.due = now + self.period if self.period else NEVER
+        return 0
+
+    def advance(self, now: int) -> None:
+        while self.due <= now:
+            self.flag = 1
+            self.due += self.period
+
+    def initialize(self, now: int) -> None:
+        self.flag = self.period = 0
+        self.due = NEVER
+
+
+# TAD 20, 6054, ION, JMP .; at 0001: ISZ 10, 6052, ION, JMP I 0
+TICKING = {0o200: "1020 6054 6001 5203", 0: "0 2010 6052 6001 5400", 0o20: "24"}
+
+
+def ticking() -> Machine:
+    machine = Machine()
+    machine.bus.fit(0o05, Clock())
+    for address, words in TICKING.items():
+        machine.load(dict(enumerate(octal(words), address)))
+    machine.start(0o200)
+    return machine
+
+
+def test_it_skips_and_interrupts() -> None:
+    machine = ticking()
+    machine.run(seconds=1)
+    assert machine.core[0o10] == 49  # every 20 ms, the first of them after 2 instructions
+
+
+def test_its_state_is_saved() -> None:
+    machine = ticking()
+    machine.run(seconds=0.5)
+    text = state.save(machine)
+    assert json.loads(text)["devices"]["05"] == {
+        "device": "Clock",
+        "flag": 0,
+        "due": machine.bus.next_event(machine.processor.clock),
+        "period": 20 * MILLISECOND,
+    }
+    restored = state.restore(text, {0o05: Clock})
+    for each in (machine, restored):
+        each.run(seconds=0.5)
+    assert state.save(restored) == state.save(machine)
+
+
+def test_a_copy_has_one_too() -> None:
+    machine = ticking()
+    machine.run(seconds=0.5)
+    other = copy.deepcopy(machine)
+    assert other.run(seconds=0.5) == machine.run(seconds=0.5)
+    assert list(other.core) == list(machine.core)
+
+
+def test_a_machine_without_it_refuses_the_state() -> None:
+    with pytest.raises(state.StateError, match="devices 05: this machine has no such device"):
+        state.restore(state.save(ticking()))

@@ -1,0 +1,174 @@
+"""Why a run stops, what the PROTECT lamp shows, where breakpoints and watched words stop it."""
+
+import pytest
+
+from pdp8.computer.hardware.processor import INTERRUPT
+from pdp8.computer.machine import Machine
+from tests.pdp8.computer.bench import octal
+
+
+def machine(words: str, **others: int) -> Machine:
+    """Return a machine started at 0200 with `words` there; `at_20=0o7600` puts a word at 0020."""
+    m = Machine()
+    m.load(dict(enumerate(octal(words), 0o200)))
+    m.load({int(address.removeprefix("at_"), 8): word for address, word in others.items()})
+    m.start(0o200)
+    return m
+
+
+@pytest.mark.parametrize("word", ["7402", "7406", "7606", "7412", "7502"])
+def test_every_word_with_the_hlt_bit_of_group_2_is_a_halt(word: str) -> None:
+    assert machine(word).run().reason == "halt"
+
+
+def test_a_stop_after_a_word_of_group_3_is_no_halt() -> None:
+    """7403 has HLT's bit, in group 3."""
+    m = machine("7403 5200")
+
+    class Stopper:
+        def cycle(self, processor: object) -> None:
+            m.stop()
+
+        def waited(self, processor: object, instructions: int, ticks: int) -> None:
+            """Nothing is passed over."""
+
+    m.watch.observer = Stopper()
+    assert m.run().reason == "stop key"
+    assert m.mb == 0o7403
+
+
+def protected(by: str) -> Machine:
+    """Return a machine that MEM PROT has stopped at DCA I 20, a NOP after it."""
+    m = machine("3420 7000 7000 5203", at_20=0o7700)
+    m.panel.mem_prot = True
+    assert m.run().reason == "protect"
+    assert m.panel.lamps.protect == 1
+    if by == "cycles":
+        m.panel.sing_step = True
+    return m
+
+
+@pytest.mark.parametrize("by", ["instructions", "cycles"])
+def test_protect_goes_out_with_the_next_cycle(by: str) -> None:
+    m = protected(by)
+    m.run(instructions=1)
+    assert m.panel.lamps.protect == 0
+
+
+@pytest.mark.parametrize("key", ["load_add", "exam", "dep"])
+def test_protect_goes_out_with_a_key(key: str) -> None:
+    m = protected("instructions")
+    getattr(m.panel, key)()
+    assert m.panel.lamps.protect == 0
+
+
+def test_ion_that_is_set_has_no_delay() -> None:
+    """With a flag up, the first instruction ends with an interrupt."""
+    m = machine("7000 7000")
+    m.teletype.transmitter.flag = 1
+    m.ion = 1
+    m.run(instructions=1)
+    assert m.processor.next == INTERRUPT
+    m.ion = 0
+    assert m.processor.ion_delayed == 0
+
+
+def stopped_by(m: Machine, *writes: int) -> str:
+    m.watch.writes = set(writes)
+    return m.run(instructions=3).reason.value
+
+
+@pytest.mark.parametrize(
+    ("words", "watched", "reason"),
+    [
+        ("3021 7000 7000", 0o21, "breakpoint"),  # DCA 21
+        ("2021 7000 7000", 0o21, "breakpoint"),  # ISZ 21
+        ("4021 7000 7000", 0o21, "breakpoint"),  # JMS 21
+        ("1021 7000 7000", 0o21, "limit"),  # TAD 21 reads
+        ("0021 7000 7000", 0o21, "limit"),  # AND 21 reads
+        ("1421 7000 7000", 0o21, "limit"),  # TAD I 21 reads the pointer
+        ("1410 7000 7000", 0o10, "breakpoint"),  # TAD I 10 increments it
+        ("3410 7000 7000", 0o10, "breakpoint"),  # DCA I 10 writes the pointer first, then another word
+    ],
+)
+def test_a_watched_word_stops_where_it_is_written(words: str, watched: int, reason: str) -> None:
+    m = machine(words, at_10=0o300)
+    assert stopped_by(m, watched) == reason
+    assert m.instructions == (1 if reason == "breakpoint" else 3)
+
+
+def test_a_watch_stops_once() -> None:
+    m = machine("3021 7000 7000 7000 7000 5205")
+    assert stopped_by(m, 0o21) == "breakpoint"
+    assert stopped_by(m, 0o21) == "limit"
+
+
+def test_a_protected_write_writes_nothing() -> None:
+    m = machine("3420 7000", at_20=0o7700)
+    m.panel.mem_prot = True
+    m.watch.writes = {0o7700}
+    m.watch.instruction(m.processor)
+    assert not m.watch.reached
+
+
+@pytest.mark.parametrize("observed", [False, True])
+def test_a_jms_to_a_breakpoint_stops(observed: bool) -> None:
+    """JMS 210: its first word, where the return address goes, is never executed."""
+    m = machine("4210 7000", at_211=0o7000, at_212=0o5212)
+    m.watch.breakpoints = {0o210}
+    m.watch.writes = {0o7777} if observed else set()
+    assert m.run(instructions=5).reason == "breakpoint"
+    assert m.pc == 0o211
+
+
+def test_mem_prot_down_lets_write() -> None:
+    m = machine("3420 7402", at_20=0o7700)
+    m.panel.mem_prot = True
+    m.panel.mem_prot = False
+    m.ac = 0o123
+    assert m.run().reason == "halt"
+    assert m.core[0o7700] == 0o123
+
+
+def test_the_lamps_of_each_major_state() -> None:
+    """TAD I 20, cycle by cycle: one lamp of three."""
+    m = machine("1420", at_20=0o30)
+    m.panel.sing_step = True
+    lit = []
+    for _ in range(3):
+        m.run()
+        lamps = m.panel.lamps
+        lit.append((lamps.fetch, lamps.defer, lamps.execute))
+    assert lit == [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
+
+
+def test_setting_pc_begins_with_a_fetch() -> None:
+    """In the middle of TAD I 20."""
+    m = machine("1420", at_20=0o30, at_30=5, at_300=0o7402)
+    m.panel.sing_step = True
+    m.run()
+    m.panel.sing_step = False
+    m.pc = 0o300
+    assert m.run().reason == "halt"
+    assert (m.ac, m.mb) == (0, 0o7402)
+
+
+def test_a_tape_put_in_after_rfc_takes_its_time_from_then() -> None:
+    """RFC at once, RSF, JMP .-1, HLT; the tape 3 ms later: a frame takes 3.3 ms."""
+    m = Machine(highspeed=True)
+    m.load(dict(enumerate(octal("6014 6011 5201 7402"), 0o200)))
+    m.start(0o200)
+    m.run(seconds=0.003)
+    at = m.ticks
+    m.highspeed.reader.load(b"a")
+    assert m.run().reason == "halt"
+    assert 66_667 <= m.ticks - at < 66_667 + 300
+
+
+@pytest.mark.parametrize("skip", ["7410", "7440", "2020", "7610"])
+def test_a_breakpoint_after_a_skip_stops(skip: str) -> None:
+    """NOPs, the skip, and past the word it skips the breakpoint; then a loop."""
+    m = machine(f"7000 7000 7000 {skip} 7001 7001 5205", at_20=0o7777)
+    m.watch.breakpoints = {0o205}
+    assert m.run(seconds=0.01).reason == "breakpoint"
+    assert (m.pc, m.instructions, m.ac) == (0o205, 4, 0)

@@ -1,0 +1,234 @@
+"""What a machine has done is undone exactly: over tapes, waits, interrupts, and whatever was set between."""
+
+import json
+import random
+import time
+from typing import Any
+
+import pytest
+
+import pal
+from pdp8.computer.machine import Machine
+from pdp8.computer.past import rewind, state
+from pdp8.computer.past.history import History, HistoryError
+from tapes import ascii, shelf
+
+PROGRAMS = {
+    name: dict(pal.assemble(shelf.read(name)).words) for name in ("eia.pal", "echo.pal", "counter.pal")
+}
+TAPE = ascii.encode("  76 2250 4133  185\n 123\n")
+
+
+def set_up(draw: random.Random) -> Machine:
+    machine = Machine(highspeed=draw.random() < 0.3)
+    name = draw.choice([*PROGRAMS, "random"])
+    if name == "random":
+        machine.load({address: some_word(draw) for address in range(0o400)})
+    else:
+        machine.load(PROGRAMS[name])
+    machine.teletype.reader.load(TAPE)
+    machine.start(0o200)
+    return machine
+
+
+def some_word(draw: random.Random) -> int:
+    common = (0o6031, 0o5201, 0o6036, 0o6046, 0o6041, 0o6001, 0o6002, 0o7001, 0o2377, 0o5200, 0o7000, 0o4300)
+    return draw.choice([draw.choice(common), draw.randrange(0o10000)])
+
+
+def act(machine: Machine, draw: random.Random) -> None:
+    """Do one of the things that are done to a machine between two runs."""
+    choice = draw.randrange(9)
+    if choice == 0:
+        machine.teletype.keyboard.press(bytes([draw.randrange(0o300, 0o340)]))
+    elif choice == 1:
+        machine.sr = draw.randrange(0o10000)
+    elif choice == 2:
+        machine.core[draw.randrange(0o400)] = some_word(draw)
+    elif choice == 3:
+        machine.wait(draw.choice([0, 0.00001, 0.05, 1]))
+    elif choice == 4:
+        machine.teletype.reader.load(TAPE[draw.randrange(20) :])
+    elif choice == 5:
+        machine.teletype.reader.lever(draw.random() < 0.5)
+    elif choice == 6:
+        machine.start(draw.choice([0o200, 0o201, 0o300]))
+    elif choice == 7:
+        machine.panel.sing_step = draw.random() < 0.3
+    else:
+        machine.ion = draw.randrange(2)
+
+
+def saved(machine: Machine) -> dict[str, Any]:
+    """Return the saved state; `writes` is a stamp, of which it matters only whether waiting has the same."""
+    machine.bus.advance(machine.processor.clock)  # what the devices have not looked at yet is no difference
+    saved: dict[str, Any] = json.loads(state.save(machine))
+    saved["unwritten"] = saved["processor"].pop("writes") == saved["waiting"].pop("writes")
+    return saved
+
+
+def run(machine: Machine, draw: random.Random) -> None:
+    if draw.random() < 0.5:
+        machine.run(instructions=draw.choice([0, 1, 2, 7, 100, 5000, 60_000]))
+    else:
+        machine.run(seconds=draw.choice([0.000002, 0.0001, 0.01, 0.1, 0.35, 7]))
+
+
+@pytest.mark.parametrize("part", range(10))
+def test_n_forward_and_n_back_leave_the_same_state(part: int) -> None:
+    """500 random runs in ten parts."""
+    for seed in range(part * 50, part * 50 + 50):
+        draw = random.Random(seed)
+        machine = set_up(draw)
+        history = machine.history()
+        stood = {}  # by number of instructions, of which the last moment is gone back to
+        for _ in range(draw.randrange(1, 7)):
+            if draw.random() < 0.6:
+                act(machine, draw)
+            stood[machine.instructions] = saved(machine)
+            run(machine, draw)
+        for number, was in reversed(stood.items()):
+            if number < machine.instructions:
+                rewind.instructions(history, machine.instructions - number)
+                assert saved(machine) == was, seed
+                machine.run(instructions=draw.randrange(5))
+
+
+@pytest.fixture
+def translated() -> tuple[Machine, History]:
+    """A machine in the middle of a line of eia.pal, recorded from START on, run in slices."""
+    machine = Machine()
+    machine.load(PROGRAMS["eia.pal"])
+    machine.teletype.reader.load(TAPE)
+    machine.start(0o200)
+    history = machine.history()
+    for _ in range(24):
+        machine.run(seconds=0.1)
+    return machine, history
+
+
+def test_half_an_hour_of_1971_goes_back_in_less_than_a_second() -> None:
+    machine = Machine()
+    machine.load(PROGRAMS["eia.pal"])
+    machine.teletype.reader.load(shelf.read("circle.asc"))
+    machine.start(0o200)
+    history = machine.history()
+    before = saved(machine)
+    while machine.run(seconds=2).reason == "limit":
+        pass
+    assert machine.elapsed > 1790
+    began = time.process_time()
+    rewind.seconds(history, history.seconds)
+    assert time.process_time() - began < 1
+    assert saved(machine) == before
+
+
+def test_a_character_back_and_a_block(translated: tuple[Machine, History]) -> None:
+    machine, history = translated
+    punched = machine.teletype.punch.tape
+    rewind.characters(history, 3)
+    assert machine.teletype.punch.tape == punched[:-3]
+    machine.run(instructions=1)
+    assert machine.teletype.punch.tape == punched[:-2]
+    machine.run()
+    assert machine.teletype.punch.tape.count(0o200) == 2
+    rewind.blocks(history, 2)
+    assert machine.teletype.punch.tape == punched[: punched.index(0o200)]
+
+
+def test_cycles_back_stand_within_an_instruction(translated: tuple[Machine, History]) -> None:
+    machine, history = translated
+    was = saved(machine)
+    stood = []
+    for _ in range(12):
+        stood.append((machine.processor.clock, machine.pc, machine.processor.next, machine.ac))
+        machine.processor.cycle()
+    rewind.cycles(history, 5)
+    assert (machine.processor.clock, machine.pc, machine.processor.next, machine.ac) == stood[7]
+    rewind.cycles(history, 7)
+    assert saved(machine)["processor"] == was["processor"]
+
+
+def test_seconds_back_end_with_an_instruction(translated: tuple[Machine, History]) -> None:
+    machine, history = translated
+    clock = machine.processor.clock
+    rewind.seconds(history, 1.25)
+    assert 0 <= machine.processor.clock - (clock - 25_000_000) < 200
+    with pytest.raises(HistoryError, match=r"9 seconds cannot be undone: the history goes back 1\.1"):
+        rewind.seconds(history, 9)
+
+
+def test_back_to_the_last_time_that_something_happened(translated: tuple[Machine, History]) -> None:
+    machine, history = translated
+    rewind.until_left(history, 0o205)  # DCA HOLD, of the last character
+    assert (machine.pc, machine.processor.next) == (0o205, 0)
+    held = machine.ac
+    machine.run(instructions=1)
+    assert machine.core[0o100] == held
+    rewind.until_written(history, 0o100)
+    assert (machine.pc, machine.ac) == (0o205, held)
+    rewind.until_flag(history, 0o03)
+    assert machine.teletype.receiver.flag
+    rewind.instructions(history, 1)
+    assert not machine.teletype.receiver.flag
+    was = saved(machine)
+    with pytest.raises(HistoryError, match="nothing was written at 7000 as far as the history goes back"):
+        rewind.until_written(history, 0o7000)
+    assert saved(machine) == was
+
+
+def test_breakpoints_and_listeners_notice_nothing(translated: tuple[Machine, History]) -> None:
+    machine, history = translated
+    machine.watch.breakpoints.add(0o205)
+    heard: list[int] = []
+    machine.teletype.punch.on_frame = heard.append
+    rewind.instructions(history, 5000)
+    assert heard == []
+    assert (machine.watch.breakpoints, machine.run().pc) == ({0o205}, 0o205)
+
+
+def test_the_memory_is_bounded_and_the_oldest_past_forgotten() -> None:
+    machine = Machine()
+    machine.load(PROGRAMS["counter.pal"])
+    machine.start(0o200)
+    history = machine.history(memory=200_000)
+    for _ in range(400):
+        machine.run(seconds=1)
+    assert history.size <= 200_000
+    assert 10 < history.seconds < 400
+    was = saved(machine)
+    rewind.seconds(history, history.seconds)
+    with pytest.raises(HistoryError, match="1 instructions cannot be undone: the history goes back 0"):
+        rewind.instructions(history)
+    assert saved(machine) != was
+
+
+def test_many_snapshots_are_thinned_out() -> None:
+    machine = Machine()
+    machine.load(PROGRAMS["counter.pal"])
+    machine.start(0o200)
+    history = machine.history()
+    machine.run(instructions=1000)
+    was = saved(machine)
+    for _ in range(1000):
+        machine.run(seconds=6)
+    assert len(history.snapshots()) <= 128
+    rewind.instructions(history, machine.instructions - 1000)
+    assert saved(machine) == was
+
+
+def test_a_history_that_is_closed_records_nothing() -> None:
+    machine = Machine()
+    history = machine.history()
+    history.close()
+    assert machine.recorder is None
+    machine.run(instructions=10)
+    assert history.size == 0
+
+
+def test_a_device_that_is_not_fitted() -> None:
+    machine = Machine()
+    history = machine.history()
+    machine.run(instructions=10)
+    with pytest.raises(HistoryError, match="device 01 is not fitted"):
+        rewind.until_flag(history, 0o01)

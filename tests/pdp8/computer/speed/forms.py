@@ -1,0 +1,90 @@
+"""The two forms the machine runs in: as Python reads its sources, and as Cython compiled them."""
+
+import importlib
+import sys
+from collections.abc import Sequence
+from importlib.abc import MetaPathFinder
+from importlib.machinery import EXTENSION_SUFFIXES, ModuleSpec
+from importlib.util import spec_from_file_location
+from pathlib import Path
+from types import ModuleType
+
+import pal
+
+HOUSE = Path(pal.__file__).parents[1]
+COMPILED = (
+    "pal.isa",
+    *(f"pdp8.computer.hardware.{name}" for name in ("bus", "processor", "teletype")),
+    *(f"pdp8.computer.speed.{name}" for name in ("waiting", "engine")),
+)
+FORMS = ("plain", "compiled")
+_MACHINE, _STATE = "pdp8.computer.machine", "pdp8.computer.past.state"
+
+
+def beside(name: str, suffix: str) -> Path:
+    """Return the file of module `name` that ends in `suffix`."""
+    return HOUSE / (name.replace(".", "/") + suffix)
+
+
+def extension(name: str) -> Path | None:
+    """Return the compiled form of module `name`, if it was built for this Python."""
+    return next((path for suffix in EXTENSION_SUFFIXES if (path := beside(name, suffix)).exists()), None)
+
+
+def _is_ours(name: str) -> bool:
+    """Tell whether `name` is a module that may be compiled, or one that uses such a module."""
+    return name == "pal.isa" or (name.startswith("pdp8.computer.") and beside(name, ".py").exists())
+
+
+class _Sources(MetaPathFinder):
+    """Finds the sources of the modules that may be compiled."""
+
+    def find_spec(
+        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
+    ) -> ModuleSpec | None:
+        return spec_from_file_location(fullname, beside(fullname, ".py")) if _is_ours(fullname) else None
+
+
+def _plain() -> dict[str, ModuleType]:
+    """Import machine and state from sources alone, and leave the modules in use as they were."""
+    used = {name: module for name, module in sys.modules.items() if _is_ours(name)}
+    finder = _Sources()
+    for name in used:
+        del sys.modules[name]
+    sys.meta_path.insert(0, finder)
+    try:
+        return {name: importlib.import_module(name) for name in (_MACHINE, _STATE)}
+    finally:
+        sys.meta_path.remove(finder)
+        for name in [name for name in sys.modules if _is_ours(name)]:
+            del sys.modules[name]
+            package, _, own = name.rpartition(".")
+            delattr(sys.modules[package], own)
+        sys.modules.update(used)
+        for name, module in used.items():
+            package, _, own = name.rpartition(".")
+            setattr(sys.modules[package], own, module)
+
+
+_PLAIN = _plain()
+
+
+def machine_module(form: str) -> ModuleType:
+    """Return pdp8.computer.machine in one of the FORMS; skip the test if it was not built."""
+    return _module(form, _MACHINE)
+
+
+def state_module(form: str) -> ModuleType:
+    """Return pdp8.computer.past.state in one of the FORMS; skip the test if it was not built."""
+    return _module(form, _STATE)
+
+
+def _module(form: str, name: str) -> ModuleType:
+    if form == "plain":
+        return _PLAIN[name]
+    missing = [name for name in COMPILED if extension(name) is None]
+    if missing:
+        import pytest  # the benchmarks, which come here too, do without
+
+        pytest.skip(f"not compiled: {', '.join(missing)}")
+    return importlib.import_module(name)

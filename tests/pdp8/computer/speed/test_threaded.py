@@ -1,0 +1,112 @@
+"""The piece as C: with a jump behind every operation, and with the switch that other compilers get."""
+
+import ctypes
+import random
+import shutil
+import subprocess
+from array import array
+from pathlib import Path
+
+import pytest
+
+from pdp8.computer.speed.piece import execute
+from release.threaded import translate
+from tests.pdp8.computer.speed.forms import HOUSE, machine_module
+from tests.pdp8.computer.speed.test_lockstep import random_word
+
+WRAP, LEFT = 24, 25
+PIECE = HOUSE / "pdp8/computer/speed/piece.py"
+
+
+@pytest.fixture(scope="module", params=["jumps", "switch"])
+def library(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
+    if shutil.which("gcc") is None:
+        pytest.skip("no gcc")
+    source = tmp_path_factory.mktemp(request.param) / "piece.c"
+    source.write_text(translate(PIECE).replace("static int execute(", "int execute("))
+    form = ["-U__GNUC__"] if request.param == "switch" else []
+    subprocess.run(
+        [
+            "gcc",
+            "-O1",
+            "-shared",
+            "-fPIC",
+            "-Wall",
+            "-Werror",
+            *form,
+            "-o",
+            source.with_suffix(".so"),
+            source,
+        ],
+        check=True,
+    )
+    return ctypes.CDLL(str(source.with_suffix(".so")))
+
+
+def decoded(draw: random.Random) -> "list[array[int]]":
+    """Return a core of nonsense, its operations and their operands; some words are not decoded."""
+    engine = machine_module("plain").Machine().engine
+    for address in range(0o10000):
+        engine.core[address] = random_word(draw)
+    for page in range(0o200, 0o10000, 0o200):  # ISZ x110, JMP .-1
+        engine.core[page], engine.core[page + 1] = 0o2310, 0o5200
+    for address in range(0o10000):
+        if draw.random() < 0.95:
+            engine._decode(address)
+    return [array("H", words) for words in (engine.core, engine.processor.forms, engine.arg)]
+
+
+def pointer(words: "array[int]") -> ctypes.c_void_p:
+    return ctypes.c_void_p(words.buffer_info()[0])
+
+
+def test_the_translation_does_what_the_source_does(library: ctypes.CDLL) -> None:
+    engine = machine_module("plain").Machine().engine
+    keep, flip, plus = (array("H", table) for table in (engine.keep, engine.flip, engine.plus))
+    draw = random.Random(1971)
+    tried = set()
+    for _ in range(8):
+        core, ops, arg = words = decoded(draw)
+        for operation in set(ops) - {WRAP}:
+            for _ in range(20):
+                start = draw.choice(
+                    [address for address in range(0o10000) if ops[address] == operation] or [0]
+                )
+                registers = [start, draw.randrange(0o20000), 0]
+                wall, limit = draw.choice([0o7600, 0o10000]), draw.choice([0, 1, 5, 100, 6000]) << 26
+                copies = [array("H", part) for part in words]
+                translated = array("q", registers)
+                meant = execute(core, ops, arg, keep, flip, plus, engine.conditions, registers, wall, limit)
+                found = library.execute(
+                    *map(pointer, [*copies, keep, flip, plus]),
+                    engine.conditions,
+                    pointer(translated),
+                    ctypes.c_int64(wall),
+                    ctypes.c_int64(limit),
+                )
+                assert (found, list(translated)) == (meant, registers)
+                assert copies == words
+            tried.add(operation)
+    assert tried == {*range(WRAP), LEFT}
+
+
+@pytest.mark.parametrize(
+    ("parameter", "statement"),
+    [("int", "print(op)"), ("int", "op = op % 2"), ("float", "op += 1"), ("int", "while op: op -= 1")],
+)
+def test_what_has_no_translation_is_an_error(parameter: str, statement: str, tmp_path: Path) -> None:
+    source = f"""
+def piece(a: {parameter}) -> int:
+    "A piece."
+    op = a
+    while op < 3:
+        op = a
+        if op == 1:
+            {statement}
+        else:
+            break
+    return op
+"""
+    (tmp_path / "piece.py").write_text(source)
+    with pytest.raises(ValueError, match="no translation"):
+        translate(tmp_path / "piece.py")

@@ -1,0 +1,106 @@
+"""Counts add up to what the machine says it did, whatever was passed over, and name the words."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from pdp8.computer.machine import Machine
+from pdp8.computer.use import program
+from pdp8.computer.use.count import Count
+from tapes import ascii
+from tests.conftest import Shell
+
+
+def counted(name: str, tape: bytes = b"", seconds: float = 100, keys: bytes = b"") -> tuple[Machine, Count]:
+    machine = Machine()
+    machine.load(program.find(name).words)
+    machine.teletype.reader.load(tape)
+    machine.start(0o200)
+    machine.teletype.keyboard.press(keys)
+    count = machine.watch.observer = Count()
+    machine.run(seconds=seconds)
+    return machine, count
+
+
+@pytest.mark.parametrize(
+    ("name", "tape", "keys", "seconds"),
+    [
+        ("eia.pal", ascii.encode("12 3\n"), b"", 10),
+        ("echo.pal", b"", b"\xc1\xc2\xc3", 0.5),
+        ("hello.pal", b"", b"", 10),
+        ("counter.pal", b"", b"", 0.2),
+    ],
+)
+def test_counts_add_up_to_what_the_machine_did(name: str, tape: bytes, keys: bytes, seconds: float) -> None:
+    machine, count = counted(name, tape, seconds, keys)
+    assert count.instructions == machine.instructions == count.operations.total()
+    assert count.ticks == machine.ticks
+    plain = Machine()
+    plain.load(program.find(name).words)
+    plain.teletype.reader.load(tape)
+    plain.start(0o200)
+    plain.teletype.keyboard.press(keys)
+    plain.run(seconds=seconds)
+    assert (plain.instructions, plain.ticks) == (machine.instructions, machine.ticks)
+
+
+def test_a_ring_of_several_instructions_is_known_by_its_turn() -> None:
+    machine = Machine()
+    # 0200 KSF, 0201 SKP, 0202 HLT, 0203 CLA, 0204 JMP 200: four instructions a turn, until a key comes
+    machine.load({0o200: 0o6031, 0o201: 0o7410, 0o202: 0o7402, 0o203: 0o7200, 0o204: 0o5200})
+    machine.start(0o200)
+    machine.wait(0)
+    count = machine.watch.observer = Count()
+    machine.teletype.keyboard.press(b"\xc1")
+    machine.run()
+    turns = count.executed[0o203]
+    assert turns > 8000
+    assert [count.executed[0o200 + at] for at in range(5)] == [turns + 1, turns, 1, turns, turns]
+    assert count.ticks == machine.ticks
+    assert count.waiting > 0.9 * count.ticks
+
+
+def test_by_hand() -> None:
+    machine = Machine()
+    # three turns of ISZ 210, JMP .-1, then JMS 211, which is written, then HLT
+    machine.load({0o200: 0o2210, 0o201: 0o5200, 0o202: 0o4211, 0o210: 0o7775, 0o212: 0o7402})
+    machine.start(0o200)
+    count = machine.watch.observer = Count()
+    machine.run()
+    assert dict(count.executed) == {0o200: 3, 0o201: 2, 0o202: 1, 0o212: 1}
+    assert dict(count.written) == {0o210: 3, 0o211: 1}
+    assert dict(count.operations) == {"ISZ": 3, "JMP": 2, "JMS": 1, "HLT": 1}
+    assert count.cycles == 3 * 2 + 2 * 1 + 2 + 1
+
+
+def test_interrupts_are_counted() -> None:
+    _, count = counted("echo.pal", keys=b"\xc1", seconds=0.5)
+    assert count.interrupts == 2  # the key, and its echo
+
+
+def test_the_run_command_counts(shell: Shell, tmp_path: Path) -> None:
+    (tmp_path / "in.asc").write_bytes(ascii.encode("7\n"))
+    done = shell("pdp8 run eia.pal --annotate a --count-json j --reader in.asc --punch out --quiet")
+    assert (done.returncode, done.stderr) == (0, b"")
+    record = json.loads((tmp_path / "j").read_text())
+    assert record["executed"]["0217"] == 9
+    assert record["written"] == {"0100": 9 + 2, "0214": 10, "0221": 2, "0227": 9}
+    assert 0.99 < record["waiting_seconds"] / record["seconds"] < 1
+    (krb,) = [line for line in (tmp_path / "a").read_text().splitlines() if "KRB" in line]
+    assert krb.split()[:3] == ["9", "0217", "6036"]
+    plain = shell("pdp8 run eia.pal --reader in.asc --punch plain --quiet; cmp out plain")
+    assert plain.returncode == 0
+
+
+def test_one_run_is_traced_or_counted(shell: Shell) -> None:
+    done = shell("pdp8 run hello.pal --count --trace t < /dev/null")
+    assert (done.returncode, b"--count and --trace" in done.stderr) == (2, True)
+
+
+def test_at_the_prompt(shell: Shell) -> None:
+    lines = r"load hello.pal\ncount on\ngo 200\ncount\ncount listing\ncount off\ncount\n"
+    done = shell(f"printf '{lines}' | pdp8 monitor -")
+    assert b"    TLS                       17 " in done.stdout
+    assert b"          17  0206  6046          TLS" in done.stdout
+    assert b"nothing is counted: count on begins" in done.stderr

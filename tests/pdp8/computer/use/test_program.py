@@ -1,0 +1,95 @@
+"""One reader of programs: what each kind of tape is, what is refused and in which words."""
+
+import pytest
+
+from pdp8.computer.use import program
+from tapes import binary, frames, kinds, rim, shelf
+from tapes.errors import WorkError
+
+WORDS = {0o200: 0o7001, 0o201: 0o7402}
+LABEL = bytes(8) + bytes([0o177, 0o011, 0o011, 0o001, 0, 0o076, 0o101, 0o101, 0o076])
+
+
+@pytest.mark.parametrize("name", ["eia.pal", "eia.bin"])
+def test_source_and_its_tape_are_the_same_program(name: str) -> None:
+    found = program.find(name)
+    assert found.words[0o200] == 0o6046
+    assert len(found.words) == 131
+    assert kinds.classify(found.tape) == kinds.BIN
+    assert found.listing.line(0o227, 0).startswith("0227  0000")
+
+
+def test_a_rim_tape_is_its_own_tape() -> None:
+    found = program.read(rim.encode(WORDS), "x.rim")
+    assert (found.kind, found.words, found.tape) == (kinds.RIM, WORDS, rim.encode(WORDS))
+    assert found.listing.symbols == {}
+    assert found.listing.line(0o200, 0o7001) == "0200  7001          IAC             /0200 7001"
+
+
+def test_where_two_programs_could_be_core_decides() -> None:
+    loader, eia = program.find("rim.pal"), program.find("eia.pal")
+    assert loader.listing.fits(0o7756, 0o6032)
+    assert eia.listing.fits(0o200, 0o6046)
+    assert not eia.listing.fits(0o200, 0)
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (b"*200\n\tJMP 400\n$\n", "x: not loaded, it has errors"),
+        (b"*200\nFIELD 1\n*200\n1\n$\n", "x: address 10200: a PDP-8/L with 4K of core ends at 07777"),
+        (b"", "x: the program tape is empty"),
+        (bytes(9), "x: the program tape is blank"),
+        (b"$\n", "x: no word in it goes into core"),
+        (shelf.read_bundled("circle.asc"), "x: nothing but figures: no program, but a tape for the reader"),
+        (shelf.read_bundled("circle.eia"), "x: neither PAL source nor a BIN or RIM tape"),
+        (binary.encode({0o10200: 1}), "x: frame 64: field 1: this PDP-8/L has 4K of core, field 0 alone"),
+        (binary.encode(WORDS)[:70], "x: frame 70: the tape is cut short: it has no trailer"),
+    ],
+)
+def test_what_is_no_program_is_refused_by_name(content: bytes, said: str) -> None:
+    with pytest.raises(WorkError) as refused:
+        program.read(content, "x")
+    assert str(refused.value).startswith(said)
+
+
+def test_many_errors_are_counted() -> None:
+    with pytest.raises(WorkError) as refused:
+        program.read(b"*200\n" + b"\tJMP 400\n" * 120 + b"$\n", "x")
+    assert str(refused.value).endswith("and 20 more")
+
+
+def test_a_label_is_noted() -> None:
+    for tape in (binary.encode(WORDS), rim.encode(WORDS)):
+        found = program.read(tape + LABEL, "x")
+        assert found.words == WORDS
+        behind = f"a label of 9 frames from frame {len(tape) + 8} on, left out"
+        assert found.notes == (behind,)
+        found = program.read(LABEL + bytes(9) + tape, "x")
+        assert found.words == WORDS
+        assert found.notes == ("a label of 9 frames from frame 8 on, left out",)
+
+
+def test_a_damaged_tape_is_loaded_by_force_alone() -> None:
+    damaged = bytearray(binary.encode(WORDS))
+    damaged[67] ^= 0o002
+    with pytest.raises(WorkError, match="checksum: computed"):
+        program.read(bytes(damaged), "x")
+    found = program.read(bytes(damaged), "x", force=True)
+    assert found.words == {0o200: 0o7003, 0o201: 0o7402}
+    assert "checksum: computed" in found.notes[0]
+    with pytest.raises(WorkError, match="no word in it goes into core; frame 66: the tape is cut short"):
+        program.read(binary.encode(WORDS)[:66], "x", force=True)
+
+
+def test_a_label_is_drawn_as_the_eye_reads_it() -> None:
+    assert frames.draw_label(LABEL) == [
+        "oooo  oo",
+        "o    o  o",
+        "o    o  o",
+        "ooo  o  o",
+        "o    o  o",
+        "o    o  o",
+        "o     oo",
+        "",
+    ]

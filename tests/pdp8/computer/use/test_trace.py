@@ -1,0 +1,110 @@
+"""The trace follows the listing; breakpoints stop where they should."""
+
+from pdp8.computer.machine import Machine
+from pdp8.computer.use.trace import Listing, Trace, instruction
+from tests.pdp8.computer.bench import octal, program
+from tests.pdp8.computer.use.test_operator import assembly
+
+
+def traced(machine: Machine, cycles: bool, listing: Listing | None = None) -> list[str]:
+    lines: list[str] = []
+    machine.watch.observer = Trace(lines.append, listing, cycles)
+    return lines
+
+
+def test_an_instruction_a_line() -> None:
+    machine = Machine()
+    machine.load(assembly("hello").words)
+    machine.start(0o200)
+    lines = traced(machine, False, Listing.of(assembly("hello")))
+    machine.run(instructions=6)
+    assert lines == [
+        "          0.00 us  0 0000  0200 7300  0200  7300  START,  CLA CLL",
+        "          1.60 us  0 0213  0213 0213  0201  1213          TAD FIRST",
+        "          4.80 us  0 0000  0010 0213  0202  3010          DCA POINT       "
+        "/ONE BEFORE THE TEXT: IT STEPS FIRST",
+        "          8.00 us  0 0215  0214 0215  0203  1410  NEXT,   TAD I POINT",
+        "         12.80 us  0 0215  0204 7450  0204  7450          SNA",
+        "         14.40 us  0 0215  0206 6046  0206  6046          TLS",
+    ]
+
+
+def test_a_cycle_a_line() -> None:
+    machine = program(*octal("1410 7402"))
+    machine.core[0o10] = 0o277
+    machine.core[0o300] = 0o1234
+    lines = traced(machine, True)
+    machine.run()
+    assert lines == [
+        "          0.00 us  FETCH    0 0000  0200 1410  0200  1410          TAD I 0010",
+        "          1.60 us  DEFER    0 0000  0010 0300  0200  1410          TAD I 0010",
+        "          3.20 us  EXECUTE  0 1234  0300 1234  0200  1410          TAD I 0010",
+        "          4.80 us  FETCH    0 1234  0201 7402  0201  7402          HLT",
+    ]
+
+
+def test_an_interrupt_and_a_wait_are_told() -> None:
+    machine = program(*octal("6001 5201"))
+    machine.core[1] = 0o7402
+    machine.teletype.reader.load(b"\1")
+    lines = traced(machine, False)
+    machine.run()
+    assert lines[0].endswith("6001          ION")
+    assert any("the same again" in line for line in lines)
+    assert lines[-2].endswith("0000 0201              JMS 0: an interrupt")
+    assert lines[-1].endswith("0001  7402          HLT")
+    assert len(lines) < 20_000
+
+
+def test_a_word_that_is_not_as_assembled_is_disassembled() -> None:
+    listing = Listing.of(assembly("hello"))
+    assert listing.line(0o200, 0o7300) == "0200  7300  START,  CLA CLL"
+    assert listing.line(0o200, 0o3611) == "0200  3611          DCA I 0211"
+    assert instruction(0o377, 0o5200) == "JMP 0200"
+    assert instruction(0, 0o7401) == "7401"
+
+
+def test_a_breakpoint_stops_before_its_instruction_and_cont_goes_on() -> None:
+    machine = program(*octal("7001 7001 5200"))
+    machine.watch.breakpoints.add(0o201)
+    for count in (1, 3, 5):
+        assert machine.run() == ("breakpoint", 0o201, machine.elapsed)
+        assert machine.ac == count
+
+
+def test_a_breakpoint_at_a_subroutine_stops_as_it_is_called() -> None:
+    machine = program(*octal("4210 7402"))
+    machine.load({0o210: 0, 0o211: 0o5610})
+    machine.watch.breakpoints.add(0o210)
+    stop = machine.run()
+    assert (stop.reason, stop.pc, machine.core[0o210]) == ("breakpoint", 0o211, 0o201)
+    assert machine.run().reason == "halt"
+
+
+def test_a_watched_word_stops_after_it_is_written() -> None:
+    for words, address in (
+        ("3220 7402", 0o220),
+        ("2220 7402", 0o220),
+        ("4220 7402", 0o220),
+        ("1410 7402", 0o10),
+    ):
+        machine = program(*octal(words))
+        machine.core[0o221] = 0o7402
+        machine.watch.writes.add(address)
+        assert machine.run().reason == "breakpoint", words
+    machine = program(*octal("1220 0220 5203 7402"))
+    machine.watch.writes.add(0o220)
+    assert machine.run().reason == "halt"
+
+
+def test_watching_changes_nothing() -> None:
+    plain, watched = (Machine() for _ in range(2))
+    for machine in (plain, watched):
+        machine.load(assembly("eia").words)
+        machine.start(0o200)
+        machine.teletype.reader.load(bytes(0o200 | code for code in b" 12\r\n"))
+    watched.watch.writes.add(0o7777)
+    assert plain.run() == watched.run()
+    assert plain.ticks == watched.ticks
+    assert plain.instructions == watched.instructions
+    assert plain.teletype.punch.tape == watched.teletype.punch.tape
