@@ -3,7 +3,11 @@
     tapes <- pal <- pdp8      tapes <- programs      tapes <- nc
 
 Only `pdp8/cli`, `pdp8/replay`, `pdp8/thesis` and `pdp8/web` import across; nobody imports those but each
-other. `pdp8/computer` imports no front end. `pdp8` itself names what a script uses, from wherever it is.
+other. `pdp8/computer` imports no front end, and its own rooms import one way too:
+
+    hardware <- speed <- machine, watch, stop <- past <- use
+
+`pdp8` itself names what a script uses, from wherever it is.
 """
 
 import ast
@@ -64,6 +68,30 @@ def test_imports_point_one_way(path: Path) -> None:
 def test_the_computer_imports_no_front_end(path: Path) -> None:
     for name in imports(path):
         assert not name.startswith("pdp8.") or name.startswith("pdp8.computer"), f"{path}: {name}"
+
+
+ROOMS = ("hardware", "speed", "machine", "past", "use")
+"""Of the computer: each imports only from itself and from those before it."""
+BESIDE_THE_MACHINE = {"watch": "machine", "stop": "machine"}
+
+
+def room(name: str) -> str:
+    """Return the room of module `name`, or "" for one that is not of the computer."""
+    _, _, below = name.partition("pdp8.computer.")
+    first = below.split(".", maxsplit=1)[0]
+    return BESIDE_THE_MACHINE.get(first, first)
+
+
+@pytest.mark.parametrize(
+    "path", [path for path in sources() if module(path).startswith("pdp8.computer.")], ids=module
+)
+def test_the_rooms_of_the_computer_import_one_way(path: Path) -> None:
+    here = room(module(path))
+    if here == "__init__":
+        return
+    for name in imports(path):
+        if room(name):
+            assert ROOMS.index(room(name)) <= ROOMS.index(here), f"{module(path)} imports {name}"
 
 
 def reached(path: Path) -> Iterator[str]:

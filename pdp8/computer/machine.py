@@ -11,14 +11,15 @@ The machine is a discrete-event simulation: nothing here sleeps, and the same co
 tapes and the same times. While a program only waits, time jumps (see waiting.py).
 """
 
+from array import array
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from operator import attrgetter
 from time import monotonic
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from pal.isa import FETCH, halts
 from pdp8.computer.hardware.bus import NEVER, Bus, Device
 from pdp8.computer.hardware.core import SIZE, Core
+from pdp8.computer.hardware.fields import Part, Values, put, take
 from pdp8.computer.hardware.highspeed import HighSpeed
 from pdp8.computer.hardware.panel import Panel
 from pdp8.computer.hardware.processor import Processor
@@ -29,13 +30,7 @@ from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.watch import Watch
 from tapes.errors import WorkError
 
-if TYPE_CHECKING:
-    from pdp8.computer.past.history import History
-
 TICKS_PER_SECOND = 20_000_000
-SETTABLE = ("pc", "lac", "next", "ion", "ion_delayed", "sr", "mem_prot")
-"""The registers that may be set from outside between two runs."""
-_REGISTERS: Callable[[Processor], tuple[int, ...]] = attrgetter(*SETTABLE, "clock", "instructions")
 _LONGEST = 1e9
 """Seconds, 31 years: more is no limit."""
 _FIRST = 1.0
@@ -50,6 +45,16 @@ _UNINTERRUPTED = 60 * TICKS_PER_SECOND
 
 class LoadError(WorkError):
     """Words that lie outside 4K of core, or a tape that did not load."""
+
+
+class Recorder(Protocol):
+    """Who is told when a run begins, and when and why it has ended."""
+
+    def begins(self) -> None:
+        """Take notice that a run begins."""
+
+    def ended(self, reason: Reason) -> None:
+        """Take notice that a run has ended."""
 
 
 def _ticks(seconds: float) -> int:
@@ -75,17 +80,13 @@ class Machine:
         self.core = Core(self.processor)
         self.panel = Panel(self.processor)
         self.watch = Watch()
-        self.recorder: History | None = None
+        self.recorder: Recorder | None = None
         """Who records what happens, so that it can be undone."""
         self._breakpoints = frozenset[int]()
         """Those of the last run."""
-        self._left: tuple[int, ...] = ()
-        """The registers as the last run left them, if it ended with its limit."""
         self.highspeed = HighSpeed()
         if highspeed:
             self.highspeed.connect(self.bus)
-        self._own = frozenset(device.code for device in self.bus)
-        """The codes of the devices fitted here."""
         self.power_up()
 
     def __repr__(self) -> str:
@@ -93,12 +94,9 @@ class Machine:
         stands = "running" if p.run else "stopped"
         return f"<Machine at {self.pc:04o}: L {self.link} AC {self.ac:04o}, {stands}, {self.elapsed:.6f} s>"
 
-    def __reduce__(self) -> tuple[Callable[..., "Machine"], tuple[str, dict[int, type[Device]]]]:
-        """Copy by the saved state: breakpoints, observers and `on_frame` stay with the original."""
-        from pdp8.computer.past import state
-
-        others = [device for device in self.bus if device.code not in self._own]
-        return state.restore, (state.save(self), {device.code: type(device) for device in reversed(others)})
+    def __reduce__(self) -> tuple[Callable[..., "Machine"], tuple[dict[int, type[Device]], Values]]:
+        """Copy by the state: breakpoints, observers and `on_frame` stay with the original."""
+        return _copied, ({device.code: type(device) for device in reversed([*self.bus])}, self.values())
 
     def power_up(self) -> None:
         """Do what the power switch does: INITIALIZE, and stand still."""
@@ -154,7 +152,7 @@ class Machine:
             self.recorder.begins()
         p.run = 1
         self.bus.advance(p.clock)
-        if not self.continues():
+        if not self.waiting.left.holds(p):
             self.waiting.forget()
         self._take_breakpoints()
         if p.sing_step:
@@ -163,25 +161,35 @@ class Machine:
             reason = self._run_watched(until, last)
         else:
             reason = self._run(until, last)
-        left = self._registers()
+        self.waiting.left.note(p)
         self.bus.advance(p.clock)
         if not p.run and reason is Reason.LIMIT:  # STOP was pressed as a frame was seen just now
             reason = self._stopped()
         if reason is not Reason.LIMIT:
             self.bus.finish()
-        self._left = left if reason is Reason.LIMIT else ()
+            self.waiting.left.forget()
         if self.recorder is not None:
             self.recorder.ended(reason)
         return Stop(reason, p.pc, self.elapsed)
 
-    def history(self, memory: int | None = None) -> "History":
-        """Record from now on what happens, so that it can be undone: see history.py and rewind.py.
+    def parts(self) -> list[tuple[str, Part]]:
+        """Return what has a state, each with its path; parts within these are in their fields."""
+        p, bus, waiting = self.processor, self.bus, self.waiting
+        devices = [(f"devices {device.code:02o}", device) for device in bus]
+        return [("processor", p), ("bus", bus), ("waiting", waiting), *devices]
 
-        `memory` is about how many bytes it may take: 64 MiB if nothing is said.
-        """
-        from pdp8.computer.past.history import MEMORY, History
+    def values(self) -> Values:
+        """Return the state as values in memory: those of every field (see fields.py), and `core`."""
+        return {"core": self.processor.core.tobytes(), **take(self.parts())}
 
-        return History(self, MEMORY if memory is None else memory)
+    def put(self, values: Values) -> None:
+        """Set the machine to `values` of its own or of another with the same devices, all or some."""
+        if "core" in values:
+            words, core = array("H", values["core"]), self.processor.core
+            for address in range(SIZE if words != core else 0):
+                if words[address] != core[address]:
+                    self.processor.deposit(address, words[address])
+        put(self.parts(), values)
 
     def slices(
         self,
@@ -215,29 +223,6 @@ class Machine:
                 self.bus.finish()
                 yield Stop(Reason.STOP_KEY, self.pc, self.elapsed)
                 return
-
-    def continues(self) -> bool:
-        """Tell whether the last run ended with its limit and no register was set since."""
-        return self._left == self._registers()
-
-    def left(self) -> dict[str, int] | None:
-        """Return what the last run left in the registers set since: the next continues it if these are set
-        back. None if it did not end with its limit, or time has gone on.
-        """
-        now, times = self._registers(), len(SETTABLE)
-        if self._left[times:] != now[times:]:
-            return None
-        before_and_now = zip(SETTABLE, self._left, now, strict=False)
-        return {name: before for name, before, value in before_and_now if before != value}
-
-    def leave(self, left: Mapping[str, int] | None) -> None:
-        """Let the next run continue the last, once the registers are as they are but for `left`."""
-        now = self._registers()
-        self._left = () if left is None else (*map(left.get, SETTABLE, now), *now[len(SETTABLE) :])
-
-    def _registers(self) -> tuple[int, ...]:
-        """Return SETTABLE, clock and instructions: where one is another, no turn of a loop is known."""
-        return _REGISTERS(self.processor)
 
     def _take_breakpoints(self) -> None:
         """Let no turn of a loop be passed over that has a breakpoint in it or writes a watched word."""
@@ -394,3 +379,13 @@ class Machine:
     def instructions(self) -> int:
         """Instructions fetched since power-up."""
         return self.processor.instructions
+
+
+def _copied(devices: Mapping[int, type[Device]], values: Values) -> Machine:
+    """Return a machine with `devices` fitted, and with `values`."""
+    machine = Machine(highspeed=0o01 in devices)
+    for code, device in devices.items():
+        if machine.bus.device(code) is None:
+            machine.bus.fit(code, device())
+    machine.put(values)
+    return machine

@@ -20,6 +20,7 @@ from pdp8.computer.hardware.panel import Lamps
 from pdp8.computer.hardware.processor import INTERRUPT
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind
+from pdp8.computer.past.history import History
 from pdp8.computer.stop import Stop
 from pdp8.computer.use.keys import sent
 from pdp8.computer.use.operator import RIM, RIM_START, Operator
@@ -61,7 +62,7 @@ class Session:
     ) -> None:
         self.machine = machine
         self.operator = Operator(machine)
-        self.history = machine.history()
+        self.history = History(machine)
         """What can be undone."""
         self.tapes = tapes or []
         self.speed = 1

@@ -12,8 +12,8 @@ alone begins again by itself.
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from pdp8.computer.hardware.fields import changed
 from pdp8.computer.machine import Machine
-from pdp8.computer.past import snapshot
 from pdp8.computer.use.operator import BIN_HALT, BIN_START, RIM, RIM_START, TELETYPE_READER
 from tapes.measure import counted, duration
 
@@ -129,7 +129,7 @@ class Coach:
         self.machine = machine
         self.left_alone = left_alone
         machine.load(drill.words)
-        self._cold = snapshot.take(machine)
+        self._cold = machine.values()
         self._begin()
 
     def _begin(self) -> None:
@@ -145,7 +145,7 @@ class Coach:
 
     def again(self) -> None:
         """Begin again: the machine is as it was at first."""
-        snapshot.put(self.machine, self._cold)
+        self.machine.put(self._cold)
         self._begin()
 
     @property
@@ -214,7 +214,7 @@ class Coach:
 
     def _moved(self) -> bool:
         """Tell whether anything is not as it was at first."""
-        return self._begun or bool(snapshot.changed(self._cold, snapshot.take(self.machine)))
+        return self._begun or bool(changed(self._cold, self.machine.values()))
 
 
 def _switch(found: int, wanted: int) -> str:

@@ -8,6 +8,7 @@ set.
 from collections.abc import Callable
 
 from pdp8.computer.machine import Machine
+from pdp8.computer.past.history import History
 from pdp8.computer.use.operator import Operator, Pace
 from pdp8.computer.use.trace import Listing
 from pdp8.monitor.arguments import MonitorError, octal, split
@@ -38,7 +39,7 @@ class Monitor:
     def attend(self, machine: Machine) -> None:
         """Turn to `machine`."""
         self.machine = machine
-        self.history = machine.history()
+        self.history = History(machine)
         """What can be undone: all since then."""
         self.operator = Operator(machine, Pace(pressing=HANDS))
 

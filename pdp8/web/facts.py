@@ -16,7 +16,7 @@ from pal import assembler, assembly, dialects, isa, table
 from pal.symbols import PERMANENT, PSEUDO_OPERATORS
 from pdp8.computer.hardware import bus, fields, highspeed, processor, teletype
 from pdp8.computer.machine import TICKS_PER_SECOND, Machine
-from pdp8.computer.past import oldstate, state
+from pdp8.computer.past import state
 from pdp8.computer.use import keys, operator
 from tapes import ascii, eia, frames, hydrapoint
 
@@ -115,8 +115,7 @@ def _state() -> dict[str, Any]:
         f"{device.code:02o}": (type(device).__name__, _saved_fields(device)) for device in computer.bus
     }
     return {
-        "HEAD": state._HEAD,
-        "OLD_TITLE": oldstate.TITLE,
+        "HEAD": state.HEAD,
         "KINDS": {"TICK": fields.TICK, "FRAMES": fields.FRAMES},
         "PROCESSOR": _saved_fields(computer.processor),
         "DEVICES": devices,

@@ -1,24 +1,89 @@
-"""How the parts of a machine say what a saved state holds of them.
+"""How the parts of a machine say what its state is, and the one way to take that state and to put it back.
 
     fields = saved(flag=BIT, due=TICK, buffer="377")
 
-A class has `fields`: the name of each attribute, and how it is written.
+A class has `fields`: the name of each attribute, and how a saved state writes it.
 
     1, 2, ... an int    a decimal number, the largest it may be
     "377", "7777" ...   an octal number, the largest it may be
     TICK                a time in ticks of 0.05 us, `never`, or -1 for at once
     FRAMES              a tape, or whatever else is frames
-    PART                an object with fields of its own
     CORE                a copy of core, or none
+    PART                an object with fields of its own
+
+Taken, a state is values in memory: {"processor pc": 0o200, "devices 03 reader position": 5, ...}; what is
+frames or a copy of core is bytes.
 """
 
-from collections.abc import Mapping
+from array import array
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any, Protocol
 
 BIT = 1
 COUNT = 1 << 60
 TICK, FRAMES, PART, CORE = "tick", "frames", "part", "core"
 
+Values = dict[str, Any]
+_VALUE = 100
+"""About what a value that is no tape takes, in bytes."""
+
+
+class Part(Protocol):
+    """Whatever has fields."""
+
+    fields: Mapping[str, int | str]
+
 
 def saved(**fields: int | str) -> Mapping[str, int | str]:
     """Return the fields of a class."""
     return fields
+
+
+def walk(roots: Iterable[tuple[str, Part]]) -> Iterator[tuple[str, Part]]:
+    """Yield each part with its path, and after it the parts within it."""
+    for path, part in roots:
+        yield path, part
+        for name, kind in part.fields.items():
+            if kind == PART:
+                yield f"{path} {name}", getattr(part, name)
+
+
+def take(roots: Iterable[tuple[str, Part]]) -> Values:
+    """Return the values of all parts."""
+    values: Values = {}
+    for path, part in walk(roots):
+        for name, kind in part.fields.items():
+            value = getattr(part, name)
+            if kind == FRAMES:
+                value = bytes(value)
+            elif kind == CORE and value is not None:
+                value = value.tobytes()
+            if kind != PART:
+                values[f"{path} {name}"] = value
+    return values
+
+
+def put(roots: Iterable[tuple[str, Part]], values: Mapping[str, Any]) -> None:
+    """Set the parts to `values`, all or some."""
+    for path, part in walk(roots):
+        for name, kind in part.fields.items():
+            key = f"{path} {name}"
+            if kind == PART or key not in values:
+                continue
+            value, now = values[key], getattr(part, name)
+            if isinstance(now, bytearray):
+                now[:] = value  # others hold the same bytearray
+            elif kind == CORE and value is not None:
+                setattr(part, name, array("H", value))
+            else:
+                setattr(part, name, bool(value) if isinstance(now, bool) else value)
+
+
+def changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Values:
+    """Return the values of `now` that were others `before`."""
+    return {name: value for name, value in now.items() if before.get(name) != value}
+
+
+def size(values: Mapping[str, Any]) -> int:
+    """Return about how many bytes the values take."""
+    return sum(_VALUE + (len(value) if isinstance(value, bytes) else 0) for value in values.values())

@@ -15,21 +15,17 @@ Not undone: what has left the machine, such as a frame that an `on_frame` passed
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
+from pdp8.computer.hardware.fields import Values, changed, size
 from pdp8.computer.hardware.teletype import Printer, Punch
-from pdp8.computer.past import snapshot
-from pdp8.computer.past.snapshot import Values
+from pdp8.computer.machine import TICKS_PER_SECOND, Machine
 from pdp8.computer.stop import Reason
 from pdp8.computer.watch import Watch
 from tapes.errors import WorkError
 
-if TYPE_CHECKING:
-    from pdp8.computer.machine import Machine
-
 MEMORY = 64 << 20
 """Bytes that a history may take, about, if nothing else is said."""
-TICKS_PER_SECOND = 20_000_000
 _APART = 5 * TICKS_PER_SECOND
 """Machine time between two snapshots at least, while they are few."""
 _MOST = 128
@@ -58,18 +54,17 @@ class _Mark(NamedTuple):
 class History:
     """The past of a machine, from the moment this is made until `close`."""
 
-    def __init__(self, machine: "Machine", memory: int = MEMORY) -> None:
+    def __init__(self, machine: Machine, memory: int = MEMORY) -> None:
         self.machine = machine
         self._memory = memory
         self._apart = _APART
         self._marks: list[_Mark] = []
-        self._parts = snapshot.Parts(machine)
         self._size = 0
         self._newest = 0
         """The tick of the newest snapshot."""
         self._next = 0
         """The first mark that was not come to, while the machine goes back."""
-        self._left = self._began = self._parts.take()
+        self._left = self._began = self._values()
         """The machine as the last run left it, and as that run began."""
         self._stands = self._moment()
         """When the last run ended."""
@@ -98,7 +93,7 @@ class History:
 
     def begins(self) -> None:
         """Note what was set since the last run, because a run begins."""
-        now = self._parts.take()
+        now = self._values()
         self._note(now)
         if self.machine.processor.clock >= self._newest + self._apart:
             self._add(now, whole=True)
@@ -109,28 +104,30 @@ class History:
 
         One that ended by itself leaves things that no run as far as its tick leaves: these are noted.
         """
-        self._left = self._parts.take()
+        self._left = self._values()
         began, self._stands = self._stands, self._moment()
         if began == self._stands or self.machine.panel.sing_step:
-            self._add(snapshot.changed(self._began, self._left), jump=True)
+            self._add(changed(self._began, self._left), jump=True)
         elif reason is not Reason.LIMIT:
-            changed, left = snapshot.changed(self._began, self._left), self._left.items()
-            self._add(
-                {name: value for name, value in left if name in changed or not isinstance(value, bytes)}
-            )
+            others, left = changed(self._began, self._left), self._left.items()
+            self._add({name: value for name, value in left if name in others or not isinstance(value, bytes)})
 
     def _note(self, now: Values) -> None:
         stepped = self.machine.instructions != self._stands[1]
         if stepped:
             self._stands = self._moment()
-        self._add(snapshot.changed(self._left, now), jump=stepped)
+        self._add(changed(self._left, now), jump=stepped)
+
+    def _values(self) -> Values:
+        self.machine.bus.advance(self.machine.processor.clock)
+        return self.machine.values()
 
     def _moment(self) -> tuple[int, int]:
         return self.machine.processor.clock, self.machine.instructions
 
     def _add(self, values: Values, whole: bool = False, jump: bool = False) -> None:
         self._marks.append(_Mark(*self._stands, values, whole, jump))
-        self._size += _MARK + snapshot.size(values)
+        self._size += _MARK + size(values)
         if whole:
             self._newest = self._stands[0]
         if whole and sum(mark.whole for mark in self._marks) > _MOST:
@@ -159,7 +156,7 @@ class History:
     def _keep(self, marks: list[_Mark]) -> None:
         self._marks = marks
         self._newest = next((mark.clock for mark in reversed(marks) if mark.whole), 0)
-        self._size = sum(_MARK + snapshot.size(mark.values) for mark in marks)
+        self._size = sum(_MARK + size(mark.values) for mark in marks)
 
     @contextmanager
     def going_back(self) -> Iterator[None]:
@@ -168,7 +165,7 @@ class History:
         After an error it stands where it stood.
         """
         machine, watch = self.machine, self.machine.watch
-        now = self._parts.take()
+        now = self._values()
         self._note(now)
         heard: list[Printer | Punch] = [
             machine.teletype.printer,
@@ -182,13 +179,13 @@ class History:
         try:
             yield
         except BaseException:
-            snapshot.put(machine, now)
+            machine.put(now)
             raise
         finally:
             machine.recorder, machine.watch = self, watch
             for device, callback in zip(heard, callbacks, strict=True):
                 device.on_frame = callback
-            self._left, self._stands = self._parts.take(), self._moment()
+            self._left, self._stands = self._values(), self._moment()
             clock, number = self._stands
             self._keep([mark for mark in self._marks if mark.clock <= clock and mark.instructions <= number])
 
@@ -219,18 +216,18 @@ class History:
             mark = self._marks[self._next]
             if not mark.jump:
                 yield mark.clock
-            snapshot.put(self.machine, {} if mark.whole else mark.values)
+            self.machine.put({} if mark.whole else mark.values)
             self._next += 1
         yield clock
 
     def _go(self, count: int) -> None:
         """Go to the last of the first `count` marks."""
         start = max(at for at, mark in enumerate(self._marks[:count]) if mark.whole)
-        snapshot.put(self.machine, self._marks[start].values)
+        self.machine.put(self._marks[start].values)
         for mark in self._marks[start + 1 : count]:
             if not mark.jump:
                 self._run_to(mark.clock)
-            snapshot.put(self.machine, mark.values)
+            self.machine.put(mark.values)
         self._next = count
 
     def _run_to(self, clock: int) -> None:

@@ -9,17 +9,13 @@ Each raises HistoryError, and leaves the machine as it is, where the history doe
 """
 
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING
 
 from pal.isa import FETCH
-from pdp8.computer.past import snapshot
-from pdp8.computer.past.history import TICKS_PER_SECOND, History, HistoryError
+from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.past.history import History, HistoryError
 from pdp8.computer.stop import Reason
 from pdp8.computer.watch import Watch
 from tapes.eia import EOB
-
-if TYPE_CHECKING:
-    from pdp8.computer.machine import Machine
 
 _SEARCHED = TICKS_PER_SECOND // 4
 """Ticks that are searched through at a time."""
@@ -46,12 +42,12 @@ def cycles(history: History, count: int = 1) -> None:
     now = machine.processor.clock
     with history.going_back():
         history.go_to_instruction(machine.instructions - count)
-        start = snapshot.take(machine)
+        start = machine.values()
         done = 0
         while machine.processor.clock < now:
             machine.processor.cycle()
             done += 1
-        snapshot.put(machine, start)
+        machine.put(start)
         for _ in range(done - count):
             machine.processor.cycle()
 
@@ -69,7 +65,7 @@ def blocks(history: History, count: int = 1) -> None:
 def until_left(history: History, address: int) -> None:
     """Undo as far as before `address` was last executed, or after the last JMS to it."""
 
-    def step(machine: "Machine", clock: int) -> int | None:
+    def step(machine: Machine, clock: int) -> int | None:
         machine.watch.breakpoints.add(address)
         here = machine.instructions if machine.pc == address and machine.processor.next == FETCH else None
         return machine.instructions if _run_to(machine, clock) is Reason.BREAKPOINT else here
@@ -80,7 +76,7 @@ def until_left(history: History, address: int) -> None:
 def until_written(history: History, address: int) -> None:
     """Undo as far as before the last instruction that wrote the word at `address`."""
 
-    def step(machine: "Machine", clock: int) -> int | None:
+    def step(machine: Machine, clock: int) -> int | None:
         machine.watch.writes.add(address)
         return machine.instructions - 1 if _run_to(machine, clock) is Reason.BREAKPOINT else None
 
@@ -93,7 +89,7 @@ def until_flag(history: History, code: int) -> None:
     if device is None:
         raise HistoryError(f"device {code:02o} is not fitted")
 
-    def step(machine: "Machine", clock: int) -> int | None:
+    def step(machine: Machine, clock: int) -> int | None:
         down = not device.flag
         _run_to(machine, min(clock, machine.bus.next_event(machine.processor.clock)))
         return machine.instructions if down and device.flag else None
@@ -101,7 +97,7 @@ def until_flag(history: History, code: int) -> None:
     _search(history, step, f"the flag of device {code:02o} did not rise")
 
 
-_Step = Callable[["Machine", int], int | None]
+_Step = Callable[[Machine, int], int | None]
 
 
 def _search(history: History, step: _Step, otherwise: str) -> None:
@@ -135,7 +131,7 @@ def _hits(history: History, step: _Step, end: int) -> Iterator[int]:
                 yield found
 
 
-def _run_to(machine: "Machine", clock: int) -> Reason:
+def _run_to(machine: Machine, clock: int) -> Reason:
     ticks = max(1, clock - machine.processor.clock)
     return machine.run(seconds=ticks / TICKS_PER_SECOND).reason
 
@@ -145,7 +141,7 @@ def _check(count: float, most: float, what: str) -> None:
         raise HistoryError(f"{count:,} {what} cannot be undone: the history goes back {most:,}")
 
 
-def _before(history: History, counted: Callable[["Machine"], int], count: int, what: str) -> None:
+def _before(history: History, counted: Callable[[Machine], int], count: int, what: str) -> None:
     """Go to the last moment at which there were fewer of what is counted than all but `count`, and one."""
     machine = history.machine
     _check(count, counted(machine), what)

@@ -17,8 +17,8 @@ from array import array
 
 from pal.isa import FETCH, IOT, JMP, jumps_to, tests_flag
 from pdp8.computer.hardware.bus import NEVER
-from pdp8.computer.hardware.fields import BIT, CORE, COUNT, TICK, saved
-from pdp8.computer.hardware.processor import CYCLE, IO_TICKS, Processor
+from pdp8.computer.hardware.fields import BIT, CORE, COUNT, PART, TICK, saved
+from pdp8.computer.hardware.processor import CYCLE, INTERRUPT, IO_TICKS, Processor
 
 PERIOD = 200_000
 _TESTS = 8
@@ -29,6 +29,45 @@ _STEPS = 5_000
 _FLAG_TICKS = CYCLE + IO_TICKS + CYCLE
 """A turn of KSF, JMP .-1."""
 _FORGOTTEN = -1
+
+
+class Left:
+    """The registers as a run left them that ended with its limit; unless one is set, a loop goes on."""
+
+    fields = saved(
+        **dict.fromkeys(("pc", "sr"), "7777"),
+        **dict.fromkeys(("ion", "ion_delayed", "mem_prot"), BIT),
+        lac="17777",
+        next=INTERRUPT,
+        clock=TICK,
+        instructions=COUNT,
+    )
+
+    def __init__(self, processor: Processor) -> None:
+        self.note(processor)
+        self.clock = _FORGOTTEN
+
+    def note(self, processor: Processor) -> None:
+        """Note the registers as they are."""
+        p = processor
+        self.pc, self.lac, self.next = p.pc, p.lac, p.next
+        self.ion, self.ion_delayed = p.ion, p.ion_delayed
+        self.sr, self.mem_prot = p.sr, p.mem_prot
+        self.clock, self.instructions = p.clock, p.instructions
+
+    def forget(self) -> None:
+        """Note nothing: the run ended by itself."""
+        self.clock = _FORGOTTEN
+
+    def holds(self, processor: Processor) -> bool:
+        """Tell whether the registers are as they were noted."""
+        p = processor
+        return (
+            (self.clock, self.instructions) == (p.clock, p.instructions)
+            and (self.pc, self.lac, self.next) == (p.pc, p.lac, p.next)
+            and (self.ion, self.ion_delayed) == (p.ion, p.ion_delayed)
+            and (self.sr, self.mem_prot) == (p.sr, p.mem_prot)
+        )
 
 
 class Waiting:
@@ -45,6 +84,7 @@ class Waiting:
         sr="7777",
         tries=_STEPS,
         core=CORE,
+        left=PART,
     )
 
     def __init__(self, processor: Processor) -> None:
@@ -61,6 +101,7 @@ class Waiting:
         """
         self.core: array[int] | None = None
         """Core as it was remembered, if that is needed because words were written since."""
+        self.left = Left(processor)
         self._words = processor.core
         self._remember()
 

@@ -6,7 +6,7 @@ import { STATE } from "../facts.mjs";
 import { NEVER } from "./bus.mjs";
 import { Machine } from "./machine.mjs";
 
-const { HEAD, KINDS, OLD_TITLE, PROCESSOR, DEVICES } = STATE;
+const { HEAD, KINDS, PROCESSOR, DEVICES } = STATE;
 const NEVER_WRITTEN = "never", ROW = 8, FRAMES = 24;
 
 /** The text of the machine's state. */
@@ -41,16 +41,13 @@ function grouped(words, size) {
   return Array.from({ length: Math.ceil(words.length / size) }, (_, row) => words.slice(row * size, row * size + size).join(" "));
 }
 
-/** Whether `text` is a saved state, of any version. */
+/** Whether `text` is a saved state. */
 export function isState(text) {
-  return text.startsWith("{") || text.startsWith(OLD_TITLE);
+  return text.startsWith("{");
 }
 
 /** The machine whose state `text` is. Throws an Error that names the place. */
 export function restore(text) {
-  if (text.startsWith(OLD_TITLE)) {
-    throw new Error("a state of version 1; the page reads version 2, which `pdp8 run --restore OLD --max-time 0 --save NEW` makes of it");
-  }
   let state;
   try {
     state = JSON.parse(text);

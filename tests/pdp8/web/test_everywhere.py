@@ -127,12 +127,6 @@ def test_a_state_goes_in_and_out(tab: Tab, tmp_path: Path) -> None:
     assert done.stdout == b"\xc1\xc2\xc3"
 
 
-def test_an_old_state_is_refused_in_words(tab: Tab) -> None:
-    """Version 1 is not read here, and the page says what reads it."""
-    drop(tab, "old.state", (Path(__file__).parents[1] / "computer/past/version1.state").read_bytes())
-    tab.until("document.getElementById('why').textContent.includes('a state of version 1')")
-
-
 def test_sound_is_made_on_request_only(tab: Tab) -> None:
     """While hello.pal prints, no AudioContext is asked for until the box is ticked."""
     tab.run(

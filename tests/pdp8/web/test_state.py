@@ -1,7 +1,6 @@
 """A state saved by `pdp8 run` and by the page: each takes the other's."""
 
 import json
-from pathlib import Path
 
 import pytest
 
@@ -62,10 +61,3 @@ def test_a_run_goes_on_in_the_page_and_comes_back() -> None:
 def test_what_is_no_state(text: str, message: str) -> None:
     """The page says what is wrong with it."""
     assert message in _through(text)
-
-
-def test_a_state_of_version_1_is_refused_with_the_way_out() -> None:
-    """The page names the command that makes version 2 of it; the command does."""
-    old = (Path(__file__).parents[1] / "computer/past/version1.state").read_text()
-    assert "pdp8 run --restore OLD --max-time 0 --save NEW" in _through(old)
-    assert state.restore(_through(state.save(state.restore(old)))).pc == state.restore(old).pc

@@ -80,7 +80,7 @@ def test_n_forward_and_n_back_leave_the_same_state(part: int) -> None:
     for seed in range(part * 50, part * 50 + 50):
         draw = random.Random(seed)
         machine = set_up(draw)
-        history = machine.history()
+        history = History(machine)
         stood = {}  # by number of instructions, of which the last moment is gone back to
         for _ in range(draw.randrange(1, 7)):
             if draw.random() < 0.6:
@@ -101,7 +101,7 @@ def translated() -> tuple[Machine, History]:
     machine.load(PROGRAMS["eia.pal"])
     machine.teletype.reader.load(TAPE)
     machine.start(0o200)
-    history = machine.history()
+    history = History(machine)
     for _ in range(24):
         machine.run(seconds=0.1)
     return machine, history
@@ -112,7 +112,7 @@ def test_half_an_hour_of_1971_goes_back_in_less_than_a_second() -> None:
     machine.load(PROGRAMS["eia.pal"])
     machine.teletype.reader.load(shelf.read("circle.asc"))
     machine.start(0o200)
-    history = machine.history()
+    history = History(machine)
     before = saved(machine)
     while machine.run(seconds=2).reason == "limit":
         pass
@@ -191,7 +191,7 @@ def test_the_memory_is_bounded_and_the_oldest_past_forgotten() -> None:
     machine = Machine()
     machine.load(PROGRAMS["counter.pal"])
     machine.start(0o200)
-    history = machine.history(memory=200_000)
+    history = History(machine, memory=200_000)
     for _ in range(400):
         machine.run(seconds=1)
     assert history.size <= 200_000
@@ -207,7 +207,7 @@ def test_many_snapshots_are_thinned_out() -> None:
     machine = Machine()
     machine.load(PROGRAMS["counter.pal"])
     machine.start(0o200)
-    history = machine.history()
+    history = History(machine)
     machine.run(instructions=1000)
     was = saved(machine)
     for _ in range(1000):
@@ -219,7 +219,7 @@ def test_many_snapshots_are_thinned_out() -> None:
 
 def test_a_history_that_is_closed_records_nothing() -> None:
     machine = Machine()
-    history = machine.history()
+    history = History(machine)
     history.close()
     assert machine.recorder is None
     machine.run(instructions=10)
@@ -228,7 +228,7 @@ def test_a_history_that_is_closed_records_nothing() -> None:
 
 def test_a_device_that_is_not_fitted() -> None:
     machine = Machine()
-    history = machine.history()
+    history = History(machine)
     machine.run(instructions=10)
     with pytest.raises(HistoryError, match="device 01 is not fitted"):
         rewind.until_flag(history, 0o01)
