@@ -67,7 +67,7 @@ class Feed:
         reader, receiver = self._reader, self._reader.device
         if self._looked or reader.position != 1 or not isinstance(receiver, Receiver):
             return
-        if receiver.flag or (receiver.stage and (halted or receiver.due <= now)):
+        if receiver.flag or (receiver.step < receiver.edge and (halted or receiver.due <= now)):
             self._looked = True
             if self._quiet or has_leader(reader.tape):
                 return

@@ -133,6 +133,8 @@ class Machine:
         Raises ValueError for a negative time and for NaN.
         """
         ticks = _ticks(seconds)
+        if ticks == 0:
+            return
         self.bus.advance(self.processor.clock)
         self.processor.clock += ticks
         self.bus.advance(self.processor.clock)
@@ -140,8 +142,8 @@ class Machine:
     def run(self, seconds: float | None = None, instructions: int | None = None) -> Stop:
         """Run until the program stops or only waits for what can never come; return why.
 
-        `seconds` of machine time and number of `instructions` limit this run. From a standstill this is CONT.
-        Raises ValueError for a negative limit and for NaN.
+        `seconds` of machine time and number of `instructions` limit this run. From a standstill this is CONT;
+        a limit of 0 presses no key, and nothing happens. Raises ValueError for a negative limit and for NaN.
         """
         p = self.processor
         if instructions is not None and instructions < 0:
@@ -150,6 +152,16 @@ class Machine:
         last = NEVER if instructions is None else min(NEVER, p.instructions + instructions)
         if self.recorder is not None:
             self.recorder.begins()
+        reason = Reason.LIMIT
+        if p.clock < until and p.instructions < last:
+            reason = self._continue(until, last)
+        if self.recorder is not None:
+            self.recorder.ended(reason)
+        return Stop(reason, p.pc, self.elapsed)
+
+    def _continue(self, until: int, last: int) -> Reason:
+        """Press CONT, and run to tick `until` or `last` instructions in all; return why the run ended."""
+        p = self.processor
         p.run = 1
         self.bus.advance(p.clock)
         if not self.waiting.left.holds(p):
@@ -168,9 +180,7 @@ class Machine:
         if reason is not Reason.LIMIT:
             self.bus.finish()
             self.waiting.left.forget()
-        if self.recorder is not None:
-            self.recorder.ended(reason)
-        return Stop(reason, p.pc, self.elapsed)
+        return reason
 
     def parts(self) -> list[tuple[str, Part]]:
         """Return what has a state, each with its path; parts within these are in their fields."""

@@ -11,7 +11,7 @@ What comes of it, by itself at this tick, or seen at the end of an IOT:
 
     {"tick", "flag": device, "is": 0 or 1}
     {"tick", "read": frame, "device"}      a start unit begins (03), the frame is in the buffer (01)
-    {"tick", "print": frame}               the eighth data unit begins
+    {"tick", "print": frame}               the middle of the eighth data unit
     {"tick", "punch": frame}               by the high-speed punch
 """
 
@@ -19,7 +19,6 @@ import random
 from collections.abc import Iterator
 from typing import Any
 
-from pdp8.computer.hardware.bus import NEVER
 from pdp8.computer.hardware.teletype import half_units
 from pdp8.computer.machine import Machine
 
@@ -220,9 +219,9 @@ class _Bench:
     def _next(self) -> int:
         """Return the tick at which a device moves next."""
         machine = self.machine
-        transmitter, fast = machine.teletype.transmitter, machine.highspeed
-        shift = transmitter.start + half_units(2 * transmitter.shifts + 2) if transmitter.register else NEVER
-        return min(shift, machine.teletype.receiver.step, fast.reader_control.due, fast.punch_control.due)
+        teletype, fast = machine.teletype, machine.highspeed
+        line = min(teletype.receiver.step, teletype.transmitter.next_step())
+        return min(line, fast.reader_control.due, fast.punch_control.due)
 
     def to(self, tick: int) -> None:
         """Let everything happen up to and including `tick`."""

@@ -138,10 +138,10 @@ def _times() -> dict[str, int]:
         "IOP1": bus.IOP1,
         "IOP2": bus.IOP2,
         "IOP4": bus.IOP4,
-        "IOP2_TO_IOP4": teletype.IOP2_TO_IOP4,
+        "IOP2_TO_IOP4": bus.IOP4 - bus.IOP2,
         "FRAME": teletype.FRAME,
-        "START_CHECKED": teletype.START_CHECKED,
-        "RECEIVED": teletype.RECEIVED,
+        "START_CHECKED": teletype.half_units(1),
+        "RECEIVED": teletype.half_units(17),
         "READ": highspeed.READ_TICKS,
         "PUNCH": highspeed.PUNCH_TICKS,
     }

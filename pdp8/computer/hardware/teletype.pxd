@@ -5,10 +5,11 @@ from libc.stdint cimport int64_t
 
 from pdp8.computer.hardware.bus cimport Device
 
-cdef int64_t NEVER, AT_ONCE, FRAME, START_CHECKED, RECEIVED, IOP2_TO_IOP4
-cdef int SKIP, CLEAR_AC, _MARKER
+cdef int64_t NEVER, AT_ONCE, FRAME, _SELECTED
+cdef int SKIP, CLEAR_AC, UNITS, UNIT, FIRST_SHIFT, NINTH_SHIFT, LOOKS_AGAIN, _MARKER, _STOP_UNITS
 
 cpdef int64_t half_units(int64_t count)
+cpdef int64_t eighths(int64_t count)
 
 
 @cython.final
@@ -33,14 +34,24 @@ cdef class Keyboard:
 cdef class Receiver(Device):
     cdef public Reader reader
     cdef public Keyboard keyboard
-    cdef public int reader_run, buffer, frame, stage
-    cdef public int64_t now, start, free, step, requested
+    cdef public int reader_run, buffer, line, active, shifts, pulses
+    cdef public int64_t now, start, free, origin, edge, step
 
-    @cython.locals(start=int64_t)
-    cpdef void plan(self) noexcept
+    @cython.locals(pulse=int, ninth=int64_t)
+    cpdef int plan(self) except -1
+    cpdef int64_t next_edge(self) except -1
+    cpdef int64_t tick(self, int pulse) noexcept
+    @cython.locals(since=int64_t)
+    cpdef int pulse_after(self, int64_t now) noexcept
+    @cython.locals(last=int64_t, pulse=int)
+    cpdef int start_seen(self) noexcept
+    @cython.locals(since=int64_t)
+    cpdef int mark(self, int64_t now) noexcept
     cpdef int begin(self) except -1
-    @cython.locals(bits=int)
-    cpdef int shifted(self, int64_t now) except -1
+    cpdef int preset(self) noexcept
+    @cython.locals(tick=int64_t, mark=int)
+    cpdef int sample(self, int64_t now) noexcept
+    cpdef int stop(self, int pulse) noexcept
 
 
 @cython.final
@@ -64,13 +75,16 @@ cdef class Punch:
 cdef class Transmitter(Device):
     cdef public Printer printer
     cdef public Punch punch
-    cdef public int register, shifts, unit, selected, printed
-    cdef public int64_t start, free
+    cdef public int register, mark, sent, unit, selected, printed
+    cdef public int64_t start, free, began
 
-    cpdef void plan(self) noexcept
+    cpdef int plan(self) noexcept
     @cython.locals(units=int)
     cdef int left(self) except -1
-    cpdef int end(self) except -1
-    cpdef int stop(self) except -1
-    cpdef int select(self, int mark) except -1
+    @cython.locals(line=int64_t)
+    cpdef int64_t next_step(self) noexcept
+    cpdef int shift(self) noexcept
+    cpdef int look_for_start(self, int64_t now) noexcept
+    cpdef int64_t next_selected(self) noexcept
+    cpdef int select(self, int64_t now) except -1
     cpdef int load(self, int character, int64_t now) except -1

@@ -6,27 +6,31 @@
 
 A character on the line is 11 units: a start unit (space), 8 data units, channel 1 first, 2 stop units (mark).
 
-    unit   0     0.5          1.5 ... 8.5                  9.0      10.5   11.0
-    03     start flag falls   bits shift in, flag at 8.5                   the next start at the earliest
-    04     start              (1.0: a raised flag falls)   flag             the next start at the earliest
+    unit   0     1/8     0.5          1.5 ... 8.5             9.0      10.5      11.0
+    03     start PRESET  shift 1      shifts 2 to 9: flag              looks again
+    04     start         (1.0: a raised flag falls)           flag               the next start at the earliest
 
-Receiver: its buffer is the shift register itself, so a character must be read before the next start unit.
-READER RUN is set by the second pulse (KCC, KRB) and by INITIALIZE, and cleared only by a start unit: a KCC
-between two characters loses nothing, and the reader never goes faster than 10 a second.
+Receiver: its buffer is the shift register itself. PRESET sets it to 377 and clears READER RUN; then the start
+unit is shifted in like the data units, and the flag is the complement of what is shifted out: it falls at the
+first shift and rises at the ninth, when the start unit comes out. A first shift that finds the line at mark
+was a false start. READER RUN is set by IOP2 (KCC, KRB) and by INITIALIZE: a KCC between two characters loses
+nothing, and the reader never goes faster than 10 a second. INITIALIZE in the middle of a character leaves the
+receiver free: it takes a later space of the same character for a start unit.
 
 Transmitter: loading it while it is busy ors into what is left of the character and puts a new end marker
-behind it, which makes one longer, garbled character.
+behind it, which makes one longer, garbled character. INITIALIZE puts the line to mark; once the first half
+unit is over, the next start unit waits for the fourth edge of the clock.
 
-By convention: a transmission from idle starts with the pulse itself (the 220 Hz clock of the real one runs
-free, 0 to 4.5 ms of delay); the reader starts as soon as READER RUN lets it, but a start unit between the
-pulses of the IOT that set READER RUN is not in the buffer before that IOT is over (a real receiver sees it up
-to 1/8 unit later), so that KRB reads its character however late it comes; a key pressed while the line is
-busy waits for it; the printer takes a space after its eighth data unit for a new start unit, and finishes
-with marks what a line that fell silent has begun. INITIALIZE silences the transmitter so, and the receiver
-drops what it has half received.
+The printer's selector takes each data unit in its middle, and nine units after its start it takes a space for
+the next start unit.
 
-Not emulated: LOCAL, BREAK, answer-back, the reader's trip latency; a START key pressed in the middle of an
-incoming character makes a real receiver take one of its later spaces for a start unit.
+By convention, because their clocks run free: the receiver's clock (880 Hz) beats an eighth of a unit after the
+start unit begins, so that start check and flag come at the late end of what a real one does (0 to 1/8 unit
+earlier); a start unit that begins before the receiver looks again is seen by the clock as it was. A
+transmission from idle starts with the pulse itself (220 Hz, 0 to 1/2 unit later). The reader starts as soon as
+READER RUN lets it; a key pressed while the line is busy waits for it.
+
+Not emulated: LOCAL, BREAK, answer-back, the reader's trip latency.
 
 Sources: DEC M706 and M707 module schematics; Small Computer Handbook 1970 (Teletype control); PDP-8/I
 instruction card.
@@ -39,8 +43,18 @@ from pdp8.computer.hardware.fields import BIT, COUNT, FRAMES, PART, TICK, saved
 
 # A unit of the line is 1/110 s, 181 818.18 ticks of 0.05 us.
 FRAME = 2_000_000
+UNITS = 11
 
+_STOP_UNITS = 0o3000
 _MARKER = 0o400
+
+# The receiver's clock, in pulses: eight a unit.
+UNIT = 8
+FIRST_SHIFT = 3
+"""From ACTIVE to the first shift; eight more follow, a unit apart."""
+NINTH_SHIFT = FIRST_SHIFT + 8 * UNIT
+LOOKS_AGAIN = FIRST_SHIFT + 10 * UNIT + 1
+"""From ACTIVE to the first pulse that can begin the next character: STOP 2 comes one before it."""
 
 
 def half_units(count: int) -> int:
@@ -50,12 +64,16 @@ def half_units(count: int) -> int:
     return (count * (FRAME // 2) + 5) // 11
 
 
-IOP2_TO_IOP4 = 18
-START_CHECKED = half_units(1)
-RECEIVED = half_units(17)
+def eighths(count: int) -> int:
+    """Return the ticks of `count` eighths of a unit of the line, to the nearest tick."""
+    return (count * (FRAME // 8) + 5) // 11
+
+
+_SELECTED = half_units(18)
+"""What the selector takes for a frame."""
 
 # Compiled, these are C numbers (teletype.pxd); importers find them here.
-globals().update(FRAME=FRAME, START_CHECKED=START_CHECKED, RECEIVED=RECEIVED, IOP2_TO_IOP4=IOP2_TO_IOP4)
+globals().update(FRAME=FRAME)
 
 
 class Reader:
@@ -129,10 +147,12 @@ class Receiver(Device):
     """M706, device 03: takes characters off the line that the reader and the keyboard share."""
 
     fields = saved(
-        **dict.fromkeys(("flag", "reader_run"), BIT),
-        **dict.fromkeys(("buffer", "frame"), "377"),
-        **dict.fromkeys(("due", "step", "now", "start", "free", "requested"), TICK),
-        stage=2,
+        **dict.fromkeys(("flag", "reader_run", "active"), BIT),
+        **dict.fromkeys(("due", "step", "edge", "now", "start", "free", "origin"), TICK),
+        buffer="377",
+        line="3777",
+        pulses=0o377,
+        shifts=9,
         reader=PART,
         keyboard=PART,
     )
@@ -144,24 +164,32 @@ class Receiver(Device):
         self.now = 0
         self.reader_run = 1
         self.buffer = 0
-        """The last character; while the next comes in see `shifted`."""
-        self.frame = 0
-        """The character on the line."""
+        """The shift register, BIT 1 lowest."""
+        self.line = 0o3777
+        """The units of the character on the line, the start unit lowest."""
         self.start = 0
         """The tick at which its start unit began."""
-        self.stage = 0
-        """What the receiver has noticed of it: 0 idle, 1 its start unit, 2 that it is no false start."""
         self.free = 0
         """The tick from which the line is free."""
-        self.requested = NEVER
-        """The tick of the last pulse that set READER RUN."""
+        self.active = 0
+        """Set from PRESET to the ninth shift."""
+        self.shifts = 0
+        """How many there were since PRESET."""
+        self.origin = 0
+        """The tick from which the pulses of the clock are counted."""
+        self.pulses = 0
+        """The pulse that set ACTIVE; while that is clear, the first that may find a start unit."""
+        self.edge = NEVER
+        """The tick at which the next character begins on the line."""
         self.step = NEVER
         """The tick of the next thing that happens here; `due` is the next that changes the flag."""
 
     def look(self) -> None:
-        """Look whether something waits for the idle line."""
-        if self.stage == 0:
-            self.step = self.due = AT_ONCE
+        """Look whether something waits for the line, as soon as time goes on."""
+        if self.step == self.edge:
+            self.step = NEVER
+        self.edge = NEVER
+        self.due = AT_ONCE
 
     def restored(self) -> None:
         """Set what happens next."""
@@ -169,79 +197,143 @@ class Receiver(Device):
 
     def plan(self) -> None:
         """Set `step` to the next thing that happens here, and `due` to the next that changes the flag."""
-        if self.stage == 2:
-            self.step = self.due = self.start + RECEIVED
-            return
-        start = self.start
-        if self.stage == 1:
-            self.step = start + START_CHECKED
-        elif self.keyboard.waiting or (self.reader_run and self.reader.ready()):
-            self.step = start = self.free if self.free > self.now else self.now
+        self.edge = NEVER
+        if self.active:
+            ninth = self.tick(self.pulses + NINTH_SHIFT)
+            if self.free <= ninth:
+                self.edge = self.next_edge()
+            self.step = self.due = ninth if self.shifts else self.tick(self.pulses + FIRST_SHIFT)
+            if not self.flag:
+                self.due = ninth
+        elif (pulse := self.start_seen()) >= 0:
+            self.step = self.tick(pulse)
+            self.due = self.tick(pulse + (FIRST_SHIFT if self.flag else NINTH_SHIFT))
         else:
-            self.step = self.due = NEVER
-            return
-        self.due = start + (START_CHECKED if self.flag else RECEIVED)
+            self.edge = self.step = self.due = self.next_edge()
+            if self.edge != NEVER:
+                self.due += eighths(1 + (FIRST_SHIFT if self.flag else NINTH_SHIFT))
+        self.step = min(self.step, self.edge)
+
+    def next_edge(self) -> int:
+        """Return the tick at which the reader or the keyboard begins a character, NEVER if neither will."""
+        if self.keyboard.waiting or (self.reader_run and self.reader.ready()):
+            return self.free if self.free > self.now else self.now
+        return NEVER
+
+    def tick(self, pulse: int) -> int:
+        """Return the tick of a pulse of the clock."""
+        return self.origin + eighths(pulse)
+
+    def pulse_after(self, now: int) -> int:
+        """Return the first pulse of the clock after tick `now`."""
+        since = now - self.origin
+        if since < 0:
+            return 0
+        return since // FRAME * (UNITS * UNIT) + (since % FRAME * 11 + 250_005) // (FRAME // 8)
+
+    def start_seen(self) -> int:
+        """Return the pulse that will find a space of this character and take it for a start unit, -1 if none
+        will.
+        """
+        last = self.start + half_units(18)
+        if self.tick(self.pulses) > last:
+            return -1
+        pulse = max(self.pulses, self.pulse_after(self.start))
+        while self.tick(pulse) <= last:
+            if not self.mark(self.tick(pulse)):
+                return pulse
+            pulse += 1
+        return -1
+
+    def mark(self, now: int) -> int:
+        """Return what the line shows just before tick `now`: 1 for mark, 0 for space."""
+        since = now - self.start
+        if since <= 0 or since > FRAME:
+            return 1
+        return self.line >> (11 * since - 6) // FRAME & 1
 
     def advance(self, now: int) -> None:
         """Let the line and the reader run up to tick `now`."""
-        if self.step == AT_ONCE:
-            self.now = now
-            self.plan()
+        looks = self.due == AT_ONCE
         while self.step <= now:
             self.now = self.step
-            if self.stage == 0:
+            if self.step == self.edge:
+                self.sample(self.now)
                 self.begin()
-            elif self.stage == 1:
-                self.flag = 0
-                self.stage = 2
+            elif self.active:
+                self.sample(self.now)
             else:
-                self.flag = 1
-                self.buffer = self.frame
-                self.stage = 0
+                self.preset()
             self.plan()
         self.now = now
+        if looks:
+            self.plan()
+            self.advance(now)
+        elif self.active:
+            self.sample(now)
 
     def begin(self) -> None:
-        """See the start unit of the next character."""
+        """Begin the start unit of the next character; a clock that no character counts by is set by it."""
         if self.keyboard.waiting:
-            self.frame = self.keyboard.waiting.pop(0)
-        elif self.reader.ready():
-            self.frame = self.reader.tape[self.reader.position]
+            self.line = self.keyboard.waiting.pop(0)
+        else:
+            self.line = self.reader.tape[self.reader.position]
             self.reader.position += 1
-        self.reader_run = 0
+        self.line = self.line << 1 | _STOP_UNITS
         self.start = self.now
         self.free = self.now + FRAME
-        self.stage = 1
+        if not self.active and self.now >= self.tick(self.pulses - 1):
+            self.origin = self.now
+            self.pulses = 1
 
-    def shifted(self, now: int) -> int:
-        """Return the buffer as it reads at tick `now`: 377 shifted down, the character coming in above."""
-        if self.stage == 0 or (self.start >= self.requested and now - self.requested <= IOP2_TO_IOP4):
-            return self.buffer
-        bits = 0
-        while bits < 8 and now >= self.start + half_units(2 * bits + 3):
-            bits += 1
-        return (self.frame << 8 - bits | 0o377 >> bits) & 0o377
+    def preset(self) -> None:
+        """Set ACTIVE: the clock has seen a start unit."""
+        self.pulses = self.start_seen()
+        self.active = 1
+        self.shifts = 0
+        self.buffer = 0o377
+        self.reader_run = 0
+
+    def sample(self, now: int) -> None:
+        """Shift in what the line showed at each shift up to tick `now`."""
+        while self.active and (tick := self.tick(self.pulses + FIRST_SHIFT + UNIT * self.shifts)) <= now:
+            mark = self.mark(tick)
+            self.flag = ~self.buffer & 1
+            self.buffer = self.buffer >> 1 | mark << 7
+            self.shifts += 1
+            if self.flag:
+                self.stop(self.pulses + LOOKS_AGAIN)
+            elif mark and self.shifts == 1:
+                self.stop(self.pulses + FIRST_SHIFT + 1)
+
+    def stop(self, pulse: int) -> None:
+        """Clear ACTIVE; from `pulse` on a space is a start unit."""
+        self.active = 0
+        self.pulses = pulse
+        while self.pulses >= UNITS * UNIT:
+            self.pulses -= UNITS * UNIT
+            self.origin += FRAME
 
     def pulse(self, iop: int, ac: int, now: int) -> int:
         """KSF at IOP1; clear AC and flag, set READER RUN at IOP2; the buffer into AC 4-11 at IOP4."""
         if iop == 1:
             return SKIP if self.flag else 0
         self.advance(now)
-        if iop == 2:
-            self.flag = 0
-            self.reader_run = 1
-            self.requested = now
-            self.plan()
-            return CLEAR_AC
-        return self.shifted(now)
+        if iop == 4:
+            return self.buffer
+        self.flag = 0
+        self.reader_run = 1
+        self.plan()
+        return CLEAR_AC
 
     def initialize(self, now: int) -> None:
-        """Clear the flag, drop a character half received, set READER RUN."""
-        if self.step != AT_ONCE:
-            self.advance(now - 1)  # a character that would begin now has not begun
-        self.buffer = self.shifted(now)
-        self.stage = self.flag = 0
+        """Clear the flag and ACTIVE, set READER RUN."""
+        if self.due != AT_ONCE:
+            self.advance(now)
+        self.flag = 0
         self.reader_run = 1
+        if self.active:
+            self.stop(self.pulse_after(now))
         self.now = now
         self.plan()
 
@@ -306,12 +398,12 @@ class Transmitter(Device):
     """M707, device 04: puts characters on the line, where the printer's selector takes them off."""
 
     fields = saved(
-        **dict.fromkeys(("flag", "printed"), BIT),
-        **dict.fromkeys(("due", "start", "free"), TICK),
+        **dict.fromkeys(("flag", "mark", "printed"), BIT),
+        **dict.fromkeys(("due", "start", "free", "began"), TICK),
         register="777",
         selected="377",
-        shifts=1 << 30,
-        unit=8,
+        sent=1 << 30,
+        unit=9,
         printer=PART,
         punch=PART,
     )
@@ -322,14 +414,18 @@ class Transmitter(Device):
         self.punch = Punch()
         self.register = 0
         """What is still to be sent, the next unit lowest, the end marker highest; 0 when idle."""
+        self.mark = 1
+        """What the line shows: 1 for mark, 0 for space."""
         self.start = 0
         """The tick at which the start unit begins."""
-        self.shifts = 0
-        """How many units have followed it."""
+        self.sent = 0
+        """How many units have begun, the start unit among them."""
         self.free = 0
         """The tick from which the line is free."""
         self.unit = 0
-        """The data unit the selector takes next, 1 to 8; 0 while it waits for a start unit."""
+        """The data unit the selector takes next, 1 to 8; 9 until it stops, 0 while it waits for a start unit."""
+        self.began = 0
+        """The tick at which its start unit began."""
         self.selected = 0
         """The data units it has taken."""
         self.printed = 0
@@ -346,7 +442,7 @@ class Transmitter(Device):
         elif self.flag:
             self.due = self.start + half_units(2)
         else:
-            self.due = self.start + half_units(2 * (self.shifts + self.left()))
+            self.due = self.start + half_units(2 * (max(self.sent, 1) - 1 + self.left()))
 
     def left(self) -> int:
         """Return how many units are still to be sent, the end marker too."""
@@ -355,58 +451,82 @@ class Transmitter(Device):
             units -= 1
         return units
 
+    def next_step(self) -> int:
+        """Return the tick at which the line or the selector does something next."""
+        line = self.start + half_units(2 * self.sent) if self.register else NEVER
+        return min(line, self.next_selected())
+
+    def next_selected(self) -> int:
+        """Return the tick at which the selector does something next. At the end of a frame it looks for a start
+        unit a tick later than the line changes.
+        """
+        if self.unit == 0 or self.printed:
+            return NEVER
+        return self.began + (half_units(2 * self.unit + 1) if self.unit < 9 else _SELECTED + 1)
+
     def advance(self, now: int) -> None:
-        """Let the line run up to tick `now`."""
-        while self.register and self.start + half_units(2 * self.shifts + 2) <= now:
-            mark = self.register & 1
-            self.register >>= 1
-            self.shifts += 1
-            self.flag = 0
+        """Let the line and the selector run up to tick `now`."""
+        while self.register and (tick := self.start + half_units(2 * self.sent)) <= now:
+            self.select(tick)
+            if self.sent == 0:
+                self.mark = 0
+            else:
+                self.shift()
+            self.sent += 1
             if not self.printed:
-                self.select(mark)
+                self.look_for_start(tick)
             if self.register == 0:
-                self.end()
+                self.free = self.start + half_units(2 * self.sent + 2)
+                self.printed = 0
+        self.select(now)
         self.plan()
 
-    def end(self) -> None:
-        """Raise the flag as the end marker goes out, the first of two stop units at least."""
-        self.flag = 1
-        self.free = self.start + half_units(2 * self.shifts + 4)
-        self.printed = 0
-        self.stop()
+    def shift(self) -> None:
+        """Put the next unit on the line. The flag rises as the end marker goes out, the first of two stop
+        units at least.
+        """
+        self.mark = self.register & 1
+        self.register >>= 1
+        self.flag = 0 if self.register else 1
 
-    def stop(self) -> None:
-        """Let the selector finish its frame with marks."""
-        while self.unit:
-            self.select(1)
+    def look_for_start(self, now: int) -> None:
+        """Let the selector take a space at tick `now` for a start unit, if it has stopped."""
+        if self.unit == 9 and now >= self.began + _SELECTED:
+            self.unit = 0
+        if self.unit == 0 and not self.mark:
+            self.began = now
+            self.selected = 0
+            self.unit = 1
+
+    def select(self, now: int) -> None:
+        """Let the printer's selector take what the line shows in the middle of each data unit up to tick
+        `now`; after the eighth, printer and punch have a frame. It stops at the end of that unit.
+        """
+        while self.next_selected() <= now:
+            if self.unit == 9:
+                self.look_for_start(self.began + _SELECTED)
+            else:
+                self.selected |= self.mark << self.unit - 1
+                self.unit += 1
+                if self.unit == 9:
+                    try:
+                        self.printer.take(self.selected)
+                    finally:
+                        self.punch.take(self.selected)
 
     def finish(self) -> None:
         """Let the printer finish what is on the line, as it does while a processor stands still; the flag
         keeps its time.
         """
-        rest = 0 if self.printed else self.register
-        while rest:
-            self.select(rest & 1)
-            rest >>= 1
-        self.stop()
-        self.printed = 1 if self.register else 0
-
-    def select(self, mark: int) -> None:
-        """Let the printer's selector take one unit off the line; after the eighth, printer and punch have a
-        frame.
-        """
-        if self.unit:
-            self.selected |= mark << self.unit - 1
-            self.unit += 1
-            if self.unit == 9:
-                self.unit = 0
-                try:
-                    self.printer.take(self.selected)
-                finally:
-                    self.punch.take(self.selected)
-        elif not mark:
-            self.selected = 0
-            self.unit = 1
+        if self.printed:
+            return
+        register, mark, sent, flag, free = self.register, self.mark, self.sent, self.flag, self.free
+        try:
+            self.advance(NEVER - 1)
+        finally:
+            self.register, self.mark, self.sent, self.flag, self.free = register, mark, sent, flag, free
+            self.printed = 1 if register else 0
+            self.plan()
 
     def pulse(self, iop: int, ac: int, now: int) -> int:
         """TSF at IOP1; clear the flag at IOP2; load and send AC 4-11 at IOP4."""
@@ -424,22 +544,22 @@ class Transmitter(Device):
         """Or `character` and an end marker into the shift register; if that was empty begin a start unit."""
         if self.register == 0:
             self.start = self.free if self.free > now else now
-            self.shifts = 0
-        if self.register == 0 or self.printed:
-            self.printed = 0
-            self.select(0)
+            self.sent = 0
+        elif self.printed and self.sent:
+            self.began = self.start + half_units(2 * self.sent - 2)
+            self.selected = 0
+            self.unit = 1
+        self.printed = 0
         self.register |= _MARKER | character
 
     def initialize(self, now: int) -> None:
-        """Clear the flag and the shift register: the line goes to mark, and what is begun ends in marks."""
+        """Clear the flag and the shift register: the line goes to mark."""
         self.advance(now)
-        self.advance(now)
-        self.register = self.flag = 0
-        self.free = now
-        if self.start > now:
-            self.unit = 0
-        self.stop()
-        self.printed = 0
+        if self.register and self.sent:
+            edges = ((now - self.start) * 11 + 5) // (FRAME // 2)
+            self.free = self.start + half_units(edges + 4 if edges else 1)
+        self.register = self.flag = self.printed = 0
+        self.mark = 1
         self.plan()
 
 

@@ -119,7 +119,6 @@ class History:
         self._add(changed(self._left, now), jump=stepped)
 
     def _values(self) -> Values:
-        self.machine.bus.advance(self.machine.processor.clock)
         return self.machine.values()
 
     def _moment(self) -> tuple[int, int]:

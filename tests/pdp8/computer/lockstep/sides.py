@@ -115,7 +115,7 @@ class MachineSide(Watching):
             **{name: getattr(p, name) for name in ("pc", "ma", "mb", "ir", "sr", "state", "next", "run")},
             **{"link": p.lac >> 12, "ac": p.lac & 0o7777, "ion": p.ion, "ion delayed": p.ion_delayed},
             **{"protect": p.protect, "clock": p.clock, "instructions": p.instructions},
-            **{"keyboard flag": receiver.flag, "buffer": receiver.shifted(p.clock)},
+            **{"keyboard flag": receiver.flag, "buffer": receiver.buffer},
             **{"reader run": receiver.reader_run, "read": teletype.reader.position},
             **{"keys": len(teletype.keyboard.waiting), "printer flag": transmitter.flag},
             **{"register": transmitter.register, "page": bytes(teletype.printer.frames)},

@@ -74,12 +74,12 @@ def test_a_state_may_name_no_more_than_what_is_wanted() -> None:
         json.dumps(
             {
                 **{"format": "pdp8 state", "version": 2, "core": {"0200": "6036 6046 7402"}},
-                **{"processor": {"pc": "0200"}, "devices": {"03": {"buffer": "301", "stage": 1, "start": 0}}},
+                **{"processor": {"pc": "0200"}, "devices": {"03": {"buffer": "301", "active": 1}}},
             }
         )
     )
     machine.wait(0.01)
-    assert machine.teletype.receiver.stage == 2
+    assert machine.teletype.receiver.shifts == 1
     assert machine.run().reason == "halt"
 
 
