@@ -35,27 +35,33 @@ def compile_c(program: Path, *arguments: str | Path) -> None:
     subprocess.run([cc, *options, "-o", program, *arguments], check=True)
 
 
-@cache
-def library() -> ctypes.CDLL:
-    """Return the compiled reference; it is kept among the temporary files, named by its sources."""
-    made_from = hashlib.sha256(b"".join(path.read_bytes() for path in SOURCES + HEADERS)).hexdigest()[:16]
+def compiled(sources: Iterable[Path], headers: Iterable[Path]) -> ctypes.CDLL:
+    """Return the library of `sources`; it is kept among the temporary files, named by all it is made from."""
+    sources = tuple(sources)
+    made_from = hashlib.sha256(b"".join(path.read_bytes() for path in (*sources, *headers))).hexdigest()[:16]
     path = Path(tempfile.gettempdir()) / f"pdp8l-reference-{os.getuid()}-{made_from}.so"
     if not path.exists():
         new = path.with_suffix(f".{os.getpid()}")
-        compile_c(new, "-shared", "-fPIC", *SOURCES)
+        compile_c(new, "-shared", "-fPIC", *sources)
         new.replace(path)
-    loaded = ctypes.CDLL(str(path))
+    return ctypes.CDLL(str(path))
+
+
+@cache
+def library() -> ctypes.CDLL:
+    """Return the compiled reference."""
+    loaded = compiled(SOURCES, HEADERS)
     loaded.pdp8l_run.argtypes = [POINTER(Reference), c_int64, c_int64, ctypes.c_char_p]
     loaded.pdp8l_wait.argtypes = [POINTER(Reference), c_int64]
     return loaded
 
 
-def _numbers(kind: Any, names: str) -> list[tuple[str, Any]]:
+def numbers(kind: Any, names: str) -> list[tuple[str, Any]]:
     return [(name, kind) for name in names.split()]
 
 
 class _Reader(Structure):
-    _fields_ = [("tape", c_uint8 * 4096), *_numbers(c_int32, "length position lever")]
+    _fields_ = [("tape", c_uint8 * 4096), *numbers(c_int32, "length position lever")]
 
 
 class _Paper(Structure):
@@ -66,23 +72,23 @@ class _Paper(Structure):
 
 
 class _Receiver(Structure):
-    _fields_ = _numbers(c_int64, "at start free") + _numbers(c_int32, "flag buffer reader_run half character")
+    _fields_ = numbers(c_int64, "at start free") + numbers(c_int32, "flag buffer reader_run half character")
 
 
 class _Transmitter(Structure):
-    _fields_ = _numbers(c_int64, "at start free") + _numbers(c_int32, "flag shift_register shifts ahead")
+    _fields_ = numbers(c_int64, "at start free") + numbers(c_int32, "flag shift_register shifts ahead")
 
 
 class _Printer(Structure):
-    _fields_ = _numbers(c_int32, "unit selected")
+    _fields_ = numbers(c_int32, "unit selected")
 
 
 class _FastReader(Structure):
-    _fields_ = [("at", c_int64), *_numbers(c_int32, "flag buffer fetching")]
+    _fields_ = [("at", c_int64), *numbers(c_int32, "flag buffer fetching")]
 
 
 class _FastPunch(Structure):
-    _fields_ = [("at", c_int64), *_numbers(c_int32, "flag buffer ahead")]
+    _fields_ = [("at", c_int64), *numbers(c_int32, "flag buffer ahead")]
 
 
 class Reference(Structure):
@@ -90,14 +96,14 @@ class Reference(Structure):
 
     _fields_ = [
         ("core", c_uint16 * 4096),
-        *_numbers(c_int32, "ac link pc ma mb ir sr state next run ion ion_ready mem_prot protect fast"),
-        *_numbers(c_int64, "now instructions"),
+        *numbers(c_int32, "ac link pc ma mb ir sr state next run ion ion_ready mem_prot protect fast"),
+        *numbers(c_int64, "now instructions"),
         ("receiver", _Receiver),
         ("transmitter", _Transmitter),
         ("printer", _Printer),
         ("fast_reader", _FastReader),
         ("fast_punch", _FastPunch),
-        *_numbers(c_int32, "keys keys_sent punch_on fast_punch_on"),
+        *numbers(c_int32, "keys keys_sent punch_on fast_punch_on"),
         ("keyboard", c_uint8 * 4096),
         ("tape", _Reader),
         ("fast_tape", _Reader),
