@@ -5,4 +5,9 @@ devices.c    the ASR-33 and its interface, the PC8/L
 parts.h      what these two know of each other
 pdp8l.h      the machine's state, and what can be done to it
 model.py     compiles it and calls it from Python
+
+And the Teletype's interface a second time, as the flip-flops of DEC's modules:
+
+teletype_gates.c, .h     M706, M707, their clocks, the mechanisms at both ends of the line
+gates.py                 compiles it and calls it from Python
 """

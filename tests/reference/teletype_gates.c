@@ -240,7 +240,7 @@ int64_t gates_run(struct gates *g, int64_t until)
 
 static void run_to(struct gates *g, int64_t until)
 {
-    while (gates_run(g, until) < until) {}
+    while (g->now < until * PER_TICK) gates_run(g, until);
 }
 
 /* Do an IOT that begins at tick `began`; return AC, and 010000 if it skips. */
@@ -263,6 +263,30 @@ void gates_initialize(struct gates *g, int64_t now)
     run_to(g, now);
     receiver_initialize(&g->receiver);
     transmitter_initialize(&g->transmitter);
+}
+
+static int same_receiver(const struct receiver *a, const struct receiver *b)
+{
+    return a->flag == b->flag && a->bits == b->bits && a->reader_run == b->reader_run;
+}
+
+static int same_transmitter(const struct transmitter *a, const struct transmitter *b)
+{
+    return a->flag == b->flag && a->bits == b->bits && a->enable == b->enable && a->active == b->active &&
+           a->stop_2 == b->stop_2;
+}
+
+/* Tell whether, left alone, nothing changes from tick `from` to tick `to` that an IOT of `device` would meet; for
+   device 0, whether the sender, too, and the divider stand still. */
+int gates_quiet(const struct gates *g, int device, int64_t from, int64_t to)
+{
+    struct gates before = *g, after;
+    run_to(&before, from - 1);
+    after = before;
+    run_to(&after, to);
+    if (device != 4 && !same_receiver(&before.receiver, &after.receiver)) return 0;
+    if (device != 3 && !same_transmitter(&before.transmitter, &after.transmitter)) return 0;
+    return device || before.sender.units == after.sender.units && before.receiver.divider == after.receiver.divider;
 }
 
 void gates_power_up(struct gates *g, int free_clocks, int wide_pulse, int64_t phase)
