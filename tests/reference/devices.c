@@ -1,120 +1,63 @@
-/* The devices of the reference PDP-8/L: the ASR-33 and its interface (M706, M707), the PC8/L reader and punch.
+/* The devices of the reference PDP-8/L: the ASR-33 and its interface, which is the one made of flip-flops
+   (teletype_gates.c), and the PC8/L reader and punch.
 
-   A unit of the Teletype's line is 1/110 s. Conventions, where the books leave a choice: a transmission from idle
-   begins with its pulse; the reader begins as soon as READER RUN and the line allow it, but a start unit between
-   IOP2 and IOP4 of one IOT is not in the buffer at its IOP4; the printer takes a space
-   after its eighth data unit for a new start unit, and a line that falls silent ends in marks what it has begun; an
-   RFC during a fetch starts no second one; a PPC while the punch works ors into its frame.
+   Conventions, where the books leave a choice: what a mechanism has begun when the processor stops is printed and
+   punched then, and not again; an RFC during a fetch starts no second one; a PPC while the punch works ors into its
+   frame.
 
-   Sources: Small Computer Handbook 1970, Teletype control, PC8 reader and punch; DEC M706 and M707 schematics. */
+   Sources: Small Computer Handbook 1970, PC8 reader and punch. */
 
 #include <string.h>
 
 #include "parts.h"
 
-enum { FRAME = 2000000, READ = 66667, PUNCH = 400000 };
-
-static tick later(tick a, tick b) { return a > b ? a : b; }
-
-/* The ticks of half units of the line, to the nearest: 22 are 0.1 s. */
-static tick half_units(int count) { return (2 * (tick)count * (FRAME / 2) + 11) / 22; }
+enum { READ = 66667, PUNCH = 400000, FOUR_FRAMES = 4 * 2000000 };
 
 static void put(struct paper *paper, int frame) { paper->frames[paper->count++ % PAPER_FRAMES] = frame; }
 
 static int ready(const struct reader *reader) { return reader->lever && reader->position < reader->length; }
 
-/* ---- 03: the line from keyboard and reader, and its receiver ---- */
+/* ---- 03 and 04 ---- */
 
-static void plan_receiver(struct pdp8l *m, tick now)
+/* Take what the selector has printed since; it has `ahead` of it already. */
+static void print(struct pdp8l *m, const struct selector *s)
 {
-    struct receiver *r = &m->receiver;
-    if (r->half)
-        r->at = r->start + half_units(r->half);
-    else if (m->keys_sent < m->keys || (r->reader_run && ready(&m->tape)))
-        r->at = later(now, r->free);
-    else
-        r->at = NEVER;
-}
-
-static void receive(struct pdp8l *m, tick now)
-{
-    struct receiver *r = &m->receiver;
-    if (r->half == 0) { /* a start unit */
-        r->character = m->keys_sent < m->keys ? m->keyboard[m->keys_sent++] : m->tape.tape[m->tape.position++];
-        r->reader_run = 0;
-        r->buffer = 0377;
-        r->start = now;
-        r->free = now + FRAME;
-        r->half = 1;
-    } else if (r->half == 1) { /* no false start; what is unread is lost */
-        r->flag = 0;
-        r->half = 3;
-    } else { /* the middle of a data unit */
-        r->buffer = r->buffer >> 1 | (r->character & 1) << 7;
-        r->character >>= 1;
-        r->flag = r->half == 17;
-        r->half = r->flag ? 0 : r->half + 2;
-    }
-    plan_receiver(m, now);
-}
-
-/* ---- 04: the transmitter, and the line to printer and punch ---- */
-
-static void print(struct pdp8l *m, int mark)
-{
-    struct printer *p = &m->printer;
-    if (p->unit == 0) {
-        p->selected = 0;
-        p->unit = !mark;
-    } else {
-        p->selected |= mark << (p->unit - 1);
-        p->unit = p->unit == 8 ? 0 : p->unit + 1;
-        if (p->unit == 0) {
-            put(&m->page, p->selected);
-            if (m->punch_on)
-                put(&m->punched, p->selected);
-        }
+    for (; m->printed < s->printed; m->printed++) {
+        put(&m->page, s->page[m->printed % QUEUE]);
+        if (m->punch_on) put(&m->punched, s->page[m->printed % QUEUE]);
     }
 }
 
-static void silence(struct pdp8l *m)
+static int at_rest(const struct gates *g)
 {
-    while (m->printer.unit)
-        print(m, 1);
+    return !g->transmitter.active && !g->transmitter.enable && (g->selector.unit == 0 || g->selector.unit == 9);
 }
 
-static void shift(struct pdp8l *m)
+static void run_teletype(struct pdp8l *m, tick now)
 {
-    struct transmitter *t = &m->transmitter;
-    int mark = t->shift_register & 1;
-    t->shift_register >>= 1;
-    t->shifts++;
-    t->flag = t->shift_register == 0;
-    if (!t->ahead)
-        print(m, mark);
-    if (t->flag) { /* that was the end marker, the first stop unit; a second one follows */
-        t->free = t->start + half_units(2 * t->shifts + 4);
-        t->ahead = 0;
-        t->at = NEVER;
-        silence(m);
-    } else {
-        t->at = t->start + half_units(2 * t->shifts + 2);
-    }
+    while (gates_now(&m->teletype) < now) gates_run(&m->teletype, now);
+    print(m, &m->teletype.selector);
+    if (at_rest(&m->teletype)) m->printed = m->teletype.selector.printed;
 }
 
-static void transmit(struct pdp8l *m, int character, tick now)
+/* Whether no flag of the Teletype changes any more by itself. */
+int still(const struct pdp8l *m)
 {
-    struct transmitter *t = &m->transmitter;
-    if (t->shift_register == 0) {
-        t->start = later(now, t->free);
-        t->shifts = 0;
-        t->at = t->start + half_units(2);
-        print(m, 0);
-    } else if (t->ahead) {
-        print(m, 0);
+    struct gates left = m->teletype;
+    tick until = gates_now(&left) + FOUR_FRAMES;
+    while (gates_now(&left) < until) {
+        gates_run(&left, until);
+        if (left.receiver.flag != m->teletype.receiver.flag || left.transmitter.flag != m->teletype.transmitter.flag)
+            return 0;
     }
-    t->ahead = 0;
-    t->shift_register |= 0400 | character;
+    return 1;
+}
+
+void teletype_iot(struct pdp8l *m, int word, tick began)
+{
+    int answer = gates_iot(&m->teletype, word, m->ac, began);
+    if (answer & 010000) skip(m);
+    m->ac = answer & 07777;
 }
 
 /* ---- 01 and 02: the PC8/L ---- */
@@ -156,10 +99,7 @@ static void frame_punched(struct pdp8l *m)
 /* Let everything happen that happens up to and including tick `now`. */
 void devices(struct pdp8l *m, tick now)
 {
-    while (m->receiver.at <= now)
-        receive(m, m->receiver.at);
-    while (m->transmitter.at <= now)
-        shift(m);
+    run_teletype(m, now);
     if (m->fast_reader.at <= now)
         frame_fetched(m);
     if (m->fast_punch.at <= now)
@@ -168,58 +108,19 @@ void devices(struct pdp8l *m, tick now)
 
 int request(const struct pdp8l *m)
 {
-    return m->receiver.flag || m->transmitter.flag || m->fast_reader.flag || m->fast_punch.flag;
+    return m->teletype.receiver.flag || m->teletype.transmitter.flag || m->fast_reader.flag || m->fast_punch.flag;
 }
 
 void initialize_devices(struct pdp8l *m)
 {
-    struct receiver *r = &m->receiver;
-    struct transmitter *t = &m->transmitter;
-    r->flag = r->half = 0;
-    r->reader_run = 1;
-    plan_receiver(m, m->now);
-
-    if (t->start > m->now) /* its start unit was still to come */
-        m->printer.unit = 0;
-    t->flag = t->shift_register = t->ahead = 0;
-    t->free = m->now;
-    t->at = NEVER;
-    silence(m);
-
+    gates_initialize(&m->teletype, m->now);
+    run_teletype(m, m->now);
     m->fast_reader = (struct fast_reader){.at = NEVER};
     punch_frame(m);
     m->fast_punch = (struct fast_punch){.at = NEVER};
 }
 
 /* ---- the pulses of an IOT that began at tick `began` ---- */
-
-void receiver_iot(struct pdp8l *m, int word, tick began)
-{
-    struct receiver *r = &m->receiver;
-    int before;
-    devices(m, began + IOP1);
-    if (word & 1 && r->flag) skip(m);
-    devices(m, began + IOP2 - 1);
-    before = r->buffer;
-    devices(m, began + IOP2);
-    if (word & 2) {
-        m->ac = r->flag = 0;
-        r->reader_run = 1;
-        plan_receiver(m, began + IOP2);
-    }
-    devices(m, began + IOP4);
-    if (word & 4) m->ac |= word & 2 && r->half && r->start >= began + IOP2 ? before : r->buffer;
-}
-
-void transmitter_iot(struct pdp8l *m, int word, tick began)
-{
-    devices(m, began + IOP1);
-    if (word & 1 && m->transmitter.flag) skip(m);
-    devices(m, began + IOP2);
-    if (word & 2) m->transmitter.flag = 0;
-    devices(m, began + IOP4);
-    if (word & 4) transmit(m, m->ac & 0377, began + IOP4);
-}
 
 void fast_reader_iot(struct pdp8l *m, int word, tick began)
 {
@@ -256,35 +157,40 @@ void fast_punch_iot(struct pdp8l *m, int word, tick began)
 
 void pdp8l_type(struct pdp8l *m, const uint8_t *frames, int count)
 {
-    memcpy(m->keyboard + m->keys, frames, count);
-    m->keys += count;
-    plan_receiver(m, m->now);
+    int n;
+    devices(m, m->now);
+    for (n = 0; n < count; n++) gates_type(&m->teletype, frames[n]);
 }
 
 void pdp8l_tape(struct pdp8l *m, int fast, const uint8_t *frames, int count)
 {
-    struct reader *reader = fast ? &m->fast_tape : &m->tape;
-    memcpy(reader->tape, frames, count);
-    reader->length = count;
-    reader->position = 0;
-    pdp8l_lever(m, fast, reader->lever);
+    devices(m, m->now);
+    if (fast) {
+        memcpy(m->fast_tape.tape, frames, count);
+        m->fast_tape.length = count;
+        m->fast_tape.position = 0;
+        pdp8l_lever(m, fast, m->fast_tape.lever);
+    } else {
+        gates_load_tape(&m->teletype, frames, count);
+    }
 }
 
 void pdp8l_lever(struct pdp8l *m, int fast, int start)
 {
-    (fast ? &m->fast_tape : &m->tape)->lever = start;
-    if (!fast) plan_receiver(m, m->now);
-    else if (m->fast_reader.fetching && m->fast_reader.at == NEVER) fetch_frame(m, m->now);
+    devices(m, m->now);
+    if (!fast) {
+        m->teletype.sender.lever = start;
+        return;
+    }
+    m->fast_tape.lever = start;
+    if (m->fast_reader.fetching && m->fast_reader.at == NEVER) fetch_frame(m, m->now);
 }
 
 void pdp8l_finish(struct pdp8l *m)
 {
-    struct transmitter *t = &m->transmitter;
-    int rest;
-    for (rest = t->ahead ? 0 : t->shift_register; rest; rest >>= 1)
-        print(m, rest & 1);
-    silence(m);
-    t->ahead = t->shift_register != 0;
+    struct gates left = m->teletype;
+    while (!at_rest(&left)) gates_run(&left, gates_now(&left) + 1 + FOUR_FRAMES / 44);
+    print(m, &left.selector);
     punch_frame(m);
     m->fast_punch.ahead = m->fast_punch.at != NEVER;
 }

@@ -5,7 +5,7 @@ from ctypes import POINTER, Structure, byref, c_int, c_int32, c_int64, c_uint8
 from functools import cache
 from pathlib import Path
 
-from tests.reference.model import compiled, numbers
+from tests.reference.compiling import compiled, numbers
 
 FOLDER = Path(__file__).parent
 QUEUE = 4096

@@ -1,50 +1,20 @@
 """The reference PDP-8/L, compiled and called from Python."""
 
 import ctypes
-import hashlib
-import os
-import shutil
-import subprocess
-import sysconfig
-import tempfile
 from collections.abc import Iterable
 from ctypes import POINTER, Structure, c_int, c_int32, c_int64, c_uint8, c_uint16
 from functools import cache
 from pathlib import Path
-from typing import Any
+
+from tests.reference.compiling import compiled, numbers
+from tests.reference.gates import Gates
 
 FOLDER = Path(__file__).parent
-SOURCES = (FOLDER / "processor.c", FOLDER / "devices.c")
-HEADERS = (FOLDER / "pdp8l.h", FOLDER / "parts.h")
+SOURCES = [FOLDER / name for name in ("processor.c", "devices.c", "teletype_gates.c")]
+HEADERS = [FOLDER / name for name in ("pdp8l.h", "parts.h", "teletype_gates.h")]
 
 NEVER = (1 << 63) - 1
 REASONS = ("limit", "stopped", "breakpoint")
-
-
-def compiler() -> str | None:
-    """Return the C compiler, if there is one."""
-    named = os.environ.get("CC") or (sysconfig.get_config_var("CC") or "").split(" ")[0]
-    return shutil.which(named or "cc") or shutil.which("cc")
-
-
-def compile_c(program: Path, *arguments: str | Path) -> None:
-    """Compile to `program`. Raises CalledProcessError with the compiler's messages on standard error."""
-    cc = compiler()
-    assert cc is not None
-    options = ("-std=c11", "-O2", "-Wall", "-Wextra", "-Wno-parentheses", "-Werror")
-    subprocess.run([cc, *options, "-o", program, *arguments], check=True)
-
-
-def compiled(sources: Iterable[Path], headers: Iterable[Path]) -> ctypes.CDLL:
-    """Return the library of `sources`; it is kept among the temporary files, named by all it is made from."""
-    sources = tuple(sources)
-    made_from = hashlib.sha256(b"".join(path.read_bytes() for path in (*sources, *headers))).hexdigest()[:16]
-    path = Path(tempfile.gettempdir()) / f"pdp8l-reference-{os.getuid()}-{made_from}.so"
-    if not path.exists():
-        new = path.with_suffix(f".{os.getpid()}")
-        compile_c(new, "-shared", "-fPIC", *sources)
-        new.replace(path)
-    return ctypes.CDLL(str(path))
 
 
 @cache
@@ -56,10 +26,6 @@ def library() -> ctypes.CDLL:
     return loaded
 
 
-def numbers(kind: Any, names: str) -> list[tuple[str, Any]]:
-    return [(name, kind) for name in names.split()]
-
-
 class _Reader(Structure):
     _fields_ = [("tape", c_uint8 * 4096), *numbers(c_int32, "length position lever")]
 
@@ -69,18 +35,6 @@ class _Paper(Structure):
 
     def __bytes__(self) -> bytes:
         return bytes(self.frames[: self.count])
-
-
-class _Receiver(Structure):
-    _fields_ = numbers(c_int64, "at start free") + numbers(c_int32, "flag buffer reader_run half character")
-
-
-class _Transmitter(Structure):
-    _fields_ = numbers(c_int64, "at start free") + numbers(c_int32, "flag shift_register shifts ahead")
-
-
-class _Printer(Structure):
-    _fields_ = numbers(c_int32, "unit selected")
 
 
 class _FastReader(Structure):
@@ -98,14 +52,11 @@ class Reference(Structure):
         ("core", c_uint16 * 4096),
         *numbers(c_int32, "ac link pc ma mb ir sr state next run ion ion_ready mem_prot protect fast"),
         *numbers(c_int64, "now instructions"),
-        ("receiver", _Receiver),
-        ("transmitter", _Transmitter),
-        ("printer", _Printer),
+        ("teletype", Gates),
+        ("printed", c_int32),
         ("fast_reader", _FastReader),
         ("fast_punch", _FastPunch),
-        *numbers(c_int32, "keys keys_sent punch_on fast_punch_on"),
-        ("keyboard", c_uint8 * 4096),
-        ("tape", _Reader),
+        *numbers(c_int32, "punch_on fast_punch_on"),
         ("fast_tape", _Reader),
         ("page", _Paper),
         ("punched", _Paper),

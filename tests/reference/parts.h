@@ -12,9 +12,9 @@ void initialize_devices(struct pdp8l *m);
 void devices(struct pdp8l *m, tick now);
 
 int request(const struct pdp8l *m);
+int still(const struct pdp8l *m);
 void skip(struct pdp8l *m);
 
-void receiver_iot(struct pdp8l *m, int word, tick began);
-void transmitter_iot(struct pdp8l *m, int word, tick began);
+void teletype_iot(struct pdp8l *m, int word, tick began);
 void fast_reader_iot(struct pdp8l *m, int word, tick began);
 void fast_punch_iot(struct pdp8l *m, int word, tick began);

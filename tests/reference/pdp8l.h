@@ -5,6 +5,8 @@
 
 #include <stdint.h>
 
+#include "teletype_gates.h"
+
 typedef int64_t tick; /* 0.05 us */
 
 enum { FETCH, DEFER, EXECUTE, INTERRUPT };
@@ -24,25 +26,6 @@ struct paper {
 
 /* Every device has a flag, and `at`: the tick of the next thing that happens in it by itself. */
 
-struct receiver { /* 03, M706 */
-    tick at, start, free;
-    int32_t flag, buffer, reader_run;
-    int32_t half;      /* the next half unit of the character that counts; 0 while the line is idle */
-    int32_t character; /* its data units that are still to come */
-};
-
-struct transmitter { /* 04, M707 */
-    tick at, start, free;
-    int32_t flag, shift_register;
-    int32_t shifts;
-    int32_t ahead; /* the printer has already finished what the register still holds */
-};
-
-struct printer {
-    int32_t unit; /* the data unit that comes next; 0 while it waits for a start unit */
-    int32_t selected;
-};
-
 struct fast_reader { /* 01 */
     tick at;
     int32_t flag, buffer, fetching;
@@ -61,14 +44,12 @@ struct pdp8l {
     int32_t run, ion, ion_ready, mem_prot, protect;
     int32_t fast; /* the PC8/L is fitted */
     tick now, instructions;
-    struct receiver receiver;
-    struct transmitter transmitter;
-    struct printer printer;
+    struct gates teletype;
+    int32_t printed; /* how many frames of its selector are on the page */
     struct fast_reader fast_reader;
     struct fast_punch fast_punch;
-    int32_t keys, keys_sent, punch_on, fast_punch_on;
-    uint8_t keyboard[TAPE_FRAMES];
-    struct reader tape, fast_tape;
+    int32_t punch_on, fast_punch_on;
+    struct reader fast_tape;
     struct paper page, punched, fast_punched;
 };
 

@@ -81,8 +81,7 @@ static void input_output(struct pdp8l *m, int word)
     case 00: processor_iot(m, word); break;
     case 01: if (m->fast) fast_reader_iot(m, word, began); break;
     case 02: if (m->fast) fast_punch_iot(m, word, began); break;
-    case 03: receiver_iot(m, word, began); break;
-    case 04: transmitter_iot(m, word, began); break;
+    case 03: case 04: teletype_iot(m, word, began); break;
     }
 }
 
@@ -210,6 +209,7 @@ static int marked(struct pdp8l *m, const uint8_t *marks)
 int pdp8l_run(struct pdp8l *m, tick until, tick last, const uint8_t *marks)
 {
     int first = 1, reason = LIMIT;
+    if (m->now >= until || m->instructions >= last) return LIMIT;
     m->run = 1;
     while (reason == LIMIT && m->now < until && m->instructions < last) {
         int reached = 0;
@@ -231,13 +231,15 @@ int pdp8l_endless(const struct pdp8l *m)
 {
     struct pdp8l turn = *m;
     int steps;
-    if (m->receiver.at != NEVER || m->transmitter.at != NEVER || m->fast_reader.at != NEVER || m->fast_punch.at != NEVER)
-        return 0;
+    if (!still(m) || m->fast_reader.at != NEVER || m->fast_punch.at != NEVER) return 0;
     for (steps = 0; steps < 20000; steps++) {
         pdp8l_step(&turn);
         if (turn.pc == m->pc && turn.ac == m->ac) {
             turn.now = m->now;
             turn.instructions = m->instructions;
+            if (!gates_same(&turn.teletype, &m->teletype)) continue;
+            turn.teletype = m->teletype;
+            turn.printed = m->printed;
             if (memcmp(&turn, m, sizeof turn) == 0) return 1;
         }
     }
@@ -257,7 +259,8 @@ void pdp8l_power_up(struct pdp8l *m, int fast)
 {
     memset(m, 0, sizeof *m);
     m->fast = fast;
-    m->tape.lever = m->fast_tape.lever = m->punch_on = m->fast_punch_on = 1;
+    gates_power_up(&m->teletype, 0, 0, 0);
+    m->teletype.sender.lever = m->fast_tape.lever = m->punch_on = m->fast_punch_on = 1;
     m->fast_punch.at = NEVER;
     initialize(m);
 }

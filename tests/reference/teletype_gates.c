@@ -276,6 +276,14 @@ static int same_transmitter(const struct transmitter *a, const struct transmitte
            a->stop_2 == b->stop_2;
 }
 
+/* Tell whether an IOT would meet the same in both. */
+int gates_same(const struct gates *a, const struct gates *b)
+{
+    return same_receiver(&a->receiver, &b->receiver) && same_transmitter(&a->transmitter, &b->transmitter);
+}
+
+int64_t gates_now(const struct gates *g) { return g->now / PER_TICK; }
+
 /* Tell whether, left alone, nothing changes from tick `from` to tick `to` that an IOT of `device` would meet; for
    device 0, whether the sender, too, and the divider stand still. */
 int gates_quiet(const struct gates *g, int device, int64_t from, int64_t to)

@@ -1,5 +1,8 @@
 /* The state of the Teletype made of flip-flops, and what can be done to it (teletype_gates.c). */
 
+#ifndef TELETYPE_GATES_H
+#define TELETYPE_GATES_H
+
 #include <stdint.h>
 
 enum { QUEUE = 4096 };
@@ -41,6 +44,8 @@ struct gates {
     struct selector selector;
 };
 
+int64_t gates_now(const struct gates *g);
+int gates_same(const struct gates *a, const struct gates *b);
 int64_t gates_run(struct gates *g, int64_t until);
 int gates_iot(struct gates *g, int word, int ac, int64_t began);
 int gates_quiet(const struct gates *g, int device, int64_t from, int64_t to);
@@ -48,3 +53,5 @@ void gates_initialize(struct gates *g, int64_t now);
 void gates_power_up(struct gates *g, int free_clocks, int wide_pulse, int64_t phase);
 void gates_type(struct gates *g, int frame);
 void gates_load_tape(struct gates *g, const uint8_t *frames, int length);
+
+#endif

@@ -5,7 +5,7 @@ from libc.stdint cimport int64_t
 
 from pdp8.computer.hardware.bus cimport Device
 
-cdef int64_t NEVER, AT_ONCE, FRAME, _SELECTED
+cdef int64_t NEVER, AT_ONCE, FRAME
 cdef int SKIP, CLEAR_AC, UNITS, UNIT, FIRST_SHIFT, NINTH_SHIFT, LOOKS_AGAIN, _MARKER, _STOP_UNITS
 
 cpdef int64_t half_units(int64_t count)
@@ -75,16 +75,17 @@ cdef class Punch:
 cdef class Transmitter(Device):
     cdef public Printer printer
     cdef public Punch punch
-    cdef public int register, mark, sent, unit, selected, printed
+    cdef public int register, mark, sent, unit, selected, ahead
     cdef public int64_t start, free, began
 
     cpdef int plan(self) noexcept
     @cython.locals(units=int)
-    cdef int left(self) except -1
-    @cython.locals(line=int64_t)
+    cdef int left(self) noexcept
+    cpdef int64_t next_unit(self) noexcept
+    @cython.locals(unit=int64_t)
     cpdef int64_t next_step(self) noexcept
-    cpdef int shift(self) noexcept
-    cpdef int look_for_start(self, int64_t now) noexcept
-    cpdef int64_t next_selected(self) noexcept
-    cpdef int select(self, int64_t now) except -1
+    @cython.locals(has_frame=bint)
+    cpdef bint step(self, int64_t tick) noexcept
+    cpdef int send(self) noexcept
+    cpdef int deliver(self) except -1
     cpdef int load(self, int character, int64_t now) except -1

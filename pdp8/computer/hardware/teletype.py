@@ -58,19 +58,14 @@ LOOKS_AGAIN = FIRST_SHIFT + 10 * UNIT + 1
 
 
 def half_units(count: int) -> int:
-    """Return the ticks of `count` half units of the line, to the nearest tick: 17 are 1 545 455, 18 are 1 636
-    364.
-    """
-    return (count * (FRAME // 2) + 5) // 11
+    """Return the tick that sees the end of `count` half units of the line: 17 are 1 545 455, 18 are 1 636 364."""
+    return (count * (FRAME // 2) + UNITS - 1) // UNITS
 
 
 def eighths(count: int) -> int:
-    """Return the ticks of `count` eighths of a unit of the line, to the nearest tick."""
-    return (count * (FRAME // 8) + 5) // 11
+    """Return the tick that sees the end of `count` eighths of a unit of the line."""
+    return (count * (FRAME // UNIT) + UNITS - 1) // UNITS
 
-
-_SELECTED = half_units(18)
-"""What the selector takes for a frame."""
 
 # Compiled, these are C numbers (teletype.pxd); importers find them here.
 globals().update(FRAME=FRAME)
@@ -229,7 +224,7 @@ class Receiver(Device):
         since = now - self.origin
         if since < 0:
             return 0
-        return since // FRAME * (UNITS * UNIT) + (since % FRAME * 11 + 250_005) // (FRAME // 8)
+        return since // FRAME * (UNITS * UNIT) + since % FRAME * UNITS // (FRAME // UNIT) + 1
 
     def start_seen(self) -> int:
         """Return the pulse that will find a space of this character and take it for a start unit, -1 if none
@@ -250,7 +245,7 @@ class Receiver(Device):
         since = now - self.start
         if since <= 0 or since > FRAME:
             return 1
-        return self.line >> (11 * since - 6) // FRAME & 1
+        return self.line >> (UNITS * (since - 1)) // FRAME & 1
 
     def advance(self, now: int) -> None:
         """Let the line and the reader run up to tick `now`."""
@@ -398,11 +393,11 @@ class Transmitter(Device):
     """M707, device 04: puts characters on the line, where the printer's selector takes them off."""
 
     fields = saved(
-        **dict.fromkeys(("flag", "mark", "printed"), BIT),
+        **dict.fromkeys(("flag", "mark"), BIT),
         **dict.fromkeys(("due", "start", "free", "began"), TICK),
+        **dict.fromkeys(("sent", "ahead"), 1 << 30),
         register="777",
         selected="377",
-        sent=1 << 30,
         unit=9,
         printer=PART,
         punch=PART,
@@ -428,8 +423,8 @@ class Transmitter(Device):
         """The tick at which its start unit began."""
         self.selected = 0
         """The data units it has taken."""
-        self.printed = 0
-        """Set while the register sends what the printer was let finish ahead of its time."""
+        self.ahead = 0
+        """How many of its next frames the printer was let finish ahead of their time."""
 
     def restored(self) -> None:
         """Set what happens next."""
@@ -439,6 +434,8 @@ class Transmitter(Device):
         """Set `due` to the next event: a raised flag falls at the first shift and rises at the last."""
         if self.register == 0:
             self.due = NEVER
+            if self.unit in (0, 9):
+                self.ahead = 0
         elif self.flag:
             self.due = self.start + half_units(2)
         else:
@@ -451,82 +448,82 @@ class Transmitter(Device):
             units -= 1
         return units
 
-    def next_step(self) -> int:
-        """Return the tick at which the line or the selector does something next."""
-        line = self.start + half_units(2 * self.sent) if self.register else NEVER
-        return min(line, self.next_selected())
+    def next_unit(self) -> int:
+        """Return the tick at which the next unit goes out, NEVER if there is none."""
+        return self.start + half_units(2 * self.sent) if self.register else NEVER
 
-    def next_selected(self) -> int:
-        """Return the tick at which the selector does something next. At the end of a frame it looks for a start
-        unit a tick later than the line changes.
-        """
-        if self.unit == 0 or self.printed:
-            return NEVER
-        return self.began + (half_units(2 * self.unit + 1) if self.unit < 9 else _SELECTED + 1)
+    def next_step(self) -> int:
+        """Return the tick at which the line or the selector does something next, NEVER if neither will."""
+        unit = self.next_unit()
+        return min(unit, self.began + half_units(min(2 * self.unit + 1, 18))) if self.unit else unit
 
     def advance(self, now: int) -> None:
         """Let the line and the selector run up to tick `now`."""
-        while self.register and (tick := self.start + half_units(2 * self.sent)) <= now:
-            self.select(tick)
-            if self.sent == 0:
-                self.mark = 0
-            else:
-                self.shift()
-            self.sent += 1
-            if not self.printed:
-                self.look_for_start(tick)
-            if self.register == 0:
-                self.free = self.start + half_units(2 * self.sent + 2)
-                self.printed = 0
-        self.select(now)
+        while (tick := self.next_step()) <= now:
+            if self.step(tick):
+                if self.ahead:
+                    self.ahead -= 1
+                else:
+                    self.deliver()
         self.plan()
 
-    def shift(self) -> None:
+    def step(self, tick: int) -> bool:
+        """Let the line change at `tick`, or else the selector go on, which takes what the line shows in the middle
+        of a data unit; return whether it has a frame.
+        """
+        has_frame = False
+        if tick == self.next_unit():
+            self.send()
+        elif self.unit < 9:
+            self.selected |= self.mark << self.unit - 1
+            self.unit += 1
+            has_frame = self.unit == 9
+        else:
+            self.unit = 0
+        if self.unit == 0 and not self.mark:
+            self.began = tick
+            self.selected = 0
+            self.unit = 1
+        return has_frame
+
+    def send(self) -> None:
         """Put the next unit on the line. The flag rises as the end marker goes out, the first of two stop
         units at least.
         """
-        self.mark = self.register & 1
-        self.register >>= 1
-        self.flag = 0 if self.register else 1
+        if self.sent == 0:
+            self.mark = 0
+        else:
+            self.mark = self.register & 1
+            self.register >>= 1
+            self.flag = 0 if self.register else 1
+        self.sent += 1
+        if self.register == 0:
+            self.free = self.start + half_units(2 * self.sent + 2)
 
-    def look_for_start(self, now: int) -> None:
-        """Let the selector take a space at tick `now` for a start unit, if it has stopped."""
-        if self.unit == 9 and now >= self.began + _SELECTED:
-            self.unit = 0
-        if self.unit == 0 and not self.mark:
-            self.began = now
-            self.selected = 0
-            self.unit = 1
-
-    def select(self, now: int) -> None:
-        """Let the printer's selector take what the line shows in the middle of each data unit up to tick
-        `now`; after the eighth, printer and punch have a frame. It stops at the end of that unit.
-        """
-        while self.next_selected() <= now:
-            if self.unit == 9:
-                self.look_for_start(self.began + _SELECTED)
-            else:
-                self.selected |= self.mark << self.unit - 1
-                self.unit += 1
-                if self.unit == 9:
-                    try:
-                        self.printer.take(self.selected)
-                    finally:
-                        self.punch.take(self.selected)
+    def deliver(self) -> None:
+        """Let printer and punch have the frame that the selector has taken."""
+        try:
+            self.printer.take(self.selected)
+        finally:
+            self.punch.take(self.selected)
 
     def finish(self) -> None:
         """Let the printer finish what is on the line, as it does while a processor stands still; the flag
         keeps its time.
         """
-        if self.printed:
-            return
         register, mark, sent, flag, free = self.register, self.mark, self.sent, self.flag, self.free
+        unit, began, selected = self.unit, self.began, self.selected
+        frames = 0
         try:
-            self.advance(NEVER - 1)
+            while (tick := self.next_step()) < NEVER:
+                if self.step(tick):
+                    frames += 1
+                    if frames > self.ahead:
+                        self.deliver()
         finally:
             self.register, self.mark, self.sent, self.flag, self.free = register, mark, sent, flag, free
-            self.printed = 1 if register else 0
-            self.plan()
+            self.unit, self.began, self.selected = unit, began, selected
+            self.ahead = max(frames, self.ahead)
 
     def pulse(self, iop: int, ac: int, now: int) -> int:
         """TSF at IOP1; clear the flag at IOP2; load and send AC 4-11 at IOP4."""
@@ -545,20 +542,15 @@ class Transmitter(Device):
         if self.register == 0:
             self.start = self.free if self.free > now else now
             self.sent = 0
-        elif self.printed and self.sent:
-            self.began = self.start + half_units(2 * self.sent - 2)
-            self.selected = 0
-            self.unit = 1
-        self.printed = 0
         self.register |= _MARKER | character
 
     def initialize(self, now: int) -> None:
         """Clear the flag and the shift register: the line goes to mark."""
         self.advance(now)
         if self.register and self.sent:
-            edges = ((now - self.start) * 11 + 5) // (FRAME // 2)
+            edges = (now - self.start) * UNITS // (FRAME // 2)
             self.free = self.start + half_units(edges + 4 if edges else 1)
-        self.register = self.flag = self.printed = 0
+        self.register = self.flag = 0
         self.mark = 1
         self.plan()
 

@@ -109,7 +109,6 @@ class MachineSide(Watching):
         """Return everything that can be seen of the machine."""
         machine = self.machine
         p, teletype = machine.processor, machine.teletype
-        machine.bus.advance(p.clock)
         receiver, transmitter = teletype.receiver, teletype.transmitter
         seen = {
             **{name: getattr(p, name) for name in ("pc", "ma", "mb", "ir", "sr", "state", "next", "run")},
@@ -206,15 +205,15 @@ class ReferenceSide(Watching):
     def seen(self) -> dict[str, Any]:
         """Return everything that can be seen of the reference."""
         m = self.reference
-        m.wait(0)  # what a hand brought on begins now
+        receiver, transmitter, sender = m.teletype.receiver, m.teletype.transmitter, m.teletype.sender
         seen = {
             **{name: getattr(m, name) for name in ("pc", "ma", "mb", "ir", "sr", "state", "next", "run")},
             **{"link": m.link, "ac": m.ac, "ion": m.ion, "ion delayed": m.ion_ready},
             **{"protect": m.protect, "clock": m.now, "instructions": m.instructions},
-            **{"keyboard flag": m.receiver.flag, "buffer": m.receiver.buffer},
-            **{"reader run": m.receiver.reader_run, "read": m.tape.position},
-            **{"keys": m.keys - m.keys_sent, "printer flag": m.transmitter.flag},
-            **{"register": m.transmitter.shift_register, "page": bytes(m.page)},
+            **{"keyboard flag": receiver.flag, "buffer": receiver.bits},
+            **{"reader run": receiver.reader_run, "read": sender.position},
+            **{"keys": sender.keys - sender.keys_sent, "printer flag": transmitter.flag},
+            **{"register": transmitter.enable << 8 | transmitter.bits, "page": bytes(m.page)},
             **{"punched": bytes(m.punched), "core": bytes(m.core)},
         }
         if m.fast:

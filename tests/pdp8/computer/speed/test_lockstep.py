@@ -16,8 +16,8 @@ REGISTERS = (
     *("lac", "pc", "ma", "mb", "ir", "state", "next", "run", "ion", "ion_delayed"),
     *("sr", "protect", "clock", "instructions"),
 )
-RECEIVER = ("flag", "due", "buffer", "stage", "reader_run")
-TRANSMITTER = ("flag", "due", "register", "shifts", "selected")
+RECEIVER = ("flag", "due", "buffer", "active", "shifts", "reader_run")
+TRANSMITTER = ("flag", "due", "register", "sent", "selected")
 NEVER = 1 << 62
 
 
