@@ -1,6 +1,6 @@
 # The types with which Cython compiles isa.py; Python itself never reads this.
 
-cdef int JMP, ADDRESS, PAGE, CURRENT_PAGE, INDIRECT
+cdef int _ADDRESS, _PAGE, _CURRENT_PAGE, _JMP
 
 cpdef int refers_to(int word, int location) noexcept
 cpdef bint autoindexed(int pointer) noexcept

@@ -31,13 +31,13 @@ SMA, SZA, SNL, REVERSED, OSR, HLT = 0o100, 0o40, 0o20, 0o10, 0o4, 0o2
 FETCH, DEFER, EXECUTE = 0, 1, 2
 STATES = ("FETCH", "DEFER", "EXECUTE")
 
-# Compiled, these are C numbers (isa.pxd); importers find them here.
-globals().update(JMP=JMP, ADDRESS=ADDRESS, PAGE=PAGE, CURRENT_PAGE=CURRENT_PAGE, INDIRECT=INDIRECT)
+_ADDRESS, _PAGE, _CURRENT_PAGE, _JMP = ADDRESS, PAGE, CURRENT_PAGE, JMP
+"""The same as C numbers, where this file is compiled (isa.pxd)."""
 
 
 def refers_to(word: int, location: int) -> int:
     """Return the address in the memory-reference instruction `word` fetched from `location`."""
-    return word & ADDRESS | (location & PAGE if word & CURRENT_PAGE else 0)
+    return word & _ADDRESS | (location & _PAGE if word & _CURRENT_PAGE else 0)
 
 
 def autoindexed(pointer: int) -> bool:
@@ -47,7 +47,7 @@ def autoindexed(pointer: int) -> bool:
 
 def jumps_to(target: int, word: int, location: int) -> bool:
     """Tell whether `word` at `location` is a direct JMP to `target`."""
-    return word >> 8 == JMP << 1 and refers_to(word, location) == target
+    return word >> 8 == _JMP << 1 and refers_to(word, location) == target
 
 
 def tests_flag(word: int) -> bool:

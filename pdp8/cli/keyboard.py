@@ -10,9 +10,9 @@ from collections.abc import Callable
 import click
 
 from pdp8.cli.terminal import Terminal
-from pdp8.computer.hardware.bus import NEVER
+from pdp8.computer.hardware.signals import NEVER, TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import printed
-from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop
 from pdp8.computer.use.keys import sent
 from pdp8.computer.use.trace import Listing

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from pdp8.cli.feed import Feed
 from pdp8.cli.interrupt import ctrl_c
 from pdp8.cli.outputs import Output, send
-from pdp8.computer.hardware.bus import NEVER
-from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.hardware.signals import NEVER, TICKS_PER_SECOND
+from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
 from tapes import command
 from tapes.progress import Bar

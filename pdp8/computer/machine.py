@@ -17,12 +17,13 @@ from time import monotonic
 from typing import Protocol
 
 from pal.isa import FETCH, halts
-from pdp8.computer.hardware.bus import NEVER, Bus, Device
+from pdp8.computer.hardware.bus import Bus, Device
 from pdp8.computer.hardware.core import SIZE, Core
 from pdp8.computer.hardware.fields import Part, Values, put, take
 from pdp8.computer.hardware.highspeed import HighSpeed
 from pdp8.computer.hardware.panel import Panel
 from pdp8.computer.hardware.processor import Processor
+from pdp8.computer.hardware.signals import NEVER, TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import Teletype
 from pdp8.computer.speed.engine import Engine
 from pdp8.computer.speed.waiting import Waiting
@@ -30,7 +31,6 @@ from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.watch import Watch
 from tapes.errors import WorkError
 
-TICKS_PER_SECOND = 20_000_000
 _LONGEST = 1e9
 """Seconds, 31 years: more is no limit."""
 _FIRST = 1.0

@@ -15,9 +15,8 @@ from time import perf_counter
 from typing import NamedTuple
 
 from pal.isa import DEFER, EXECUTE, FETCH
-from pdp8.computer.hardware.bus import NEVER
 from pdp8.computer.hardware.panel import Lamps
-from pdp8.computer.hardware.processor import INTERRUPT
+from pdp8.computer.hardware.signals import INTERRUPT, NEVER
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History

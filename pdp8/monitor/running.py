@@ -10,8 +10,8 @@ Times are the machine's. The run stops at most a twentieth of a second after wha
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import printed
-from pdp8.computer.machine import TICKS_PER_SECOND
 from pdp8.computer.stop import Reason, Stop
 from pdp8.monitor.arguments import MonitorError, Quoted, at_most, exactly, octal, seconds, some
 from pdp8.monitor.core import REGISTERS, register

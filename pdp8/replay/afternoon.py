@@ -20,7 +20,8 @@ import nc
 import pal
 from nc.curves import nominal
 from nc.inspection import Inspection, inspect
-from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.hardware.signals import TICKS_PER_SECOND
+from pdp8.computer.machine import Machine
 from pdp8.computer.use.operator import Action, Operator, Pace
 from programs.parts import find
 from tapes import ascii, frames, rim, shelf

@@ -8,7 +8,7 @@ Of core "ram" has every word that a cycle touches.
 from typing import Any
 
 from pal.isa import DEFER, EXECUTE, INDIRECT, IOT, STATES, autoindexed, refers_to
-from pdp8.computer.hardware.processor import INTERRUPT
+from pdp8.computer.hardware.signals import INTERRUPT
 from pdp8.computer.machine import Machine
 from pdp8.vectors.states import State
 

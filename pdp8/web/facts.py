@@ -14,8 +14,9 @@ from typing import Any, Final
 from nc import blocks, machine
 from pal import assembler, assembly, dialects, isa, table
 from pal.symbols import PERMANENT, PSEUDO_OPERATORS
-from pdp8.computer.hardware import bus, fields, highspeed, processor, teletype
-from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.hardware import fields, highspeed, signals
+from pdp8.computer.hardware.teletype import half_units
+from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.computer.use import keys, operator
 from tapes import ascii, eia, frames, hydrapoint
@@ -44,8 +45,8 @@ def facts() -> dict[str, Any]:
         "PSEUDO_OPERATORS": PSEUDO_OPERATORS,
         "PAL_III": _pal(),
         "DIALECTS": _dialects(),
-        "INTERRUPT": processor.INTERRUPT,
-        "PROTECTED": processor.PROTECTED,
+        "INTERRUPT": signals.INTERRUPT,
+        "PROTECTED": signals.PROTECTED,
         "LOADERS": _loaders(),
         "ASCII": {name: _ascii_code(name) for name in _ASCII_CODES},
         "KEYS": {character: keys.sent(character)[0] for character in _KEYBOARD},
@@ -132,16 +133,16 @@ def _saved_fields(part: Any) -> dict[str, Any]:
 
 def _times() -> dict[str, int]:
     return {
-        "SECOND": TICKS_PER_SECOND,
-        "CYCLE": processor.CYCLE,
-        "IO_TICKS": processor.IO_TICKS,
-        "IOP1": bus.IOP1,
-        "IOP2": bus.IOP2,
-        "IOP4": bus.IOP4,
-        "IOP2_TO_IOP4": bus.IOP4 - bus.IOP2,
-        "FRAME": teletype.FRAME,
-        "START_CHECKED": teletype.half_units(1),
-        "RECEIVED": teletype.half_units(17),
+        "SECOND": signals.TICKS_PER_SECOND,
+        "CYCLE": signals.CYCLE,
+        "IO_TICKS": signals.IO_TICKS,
+        "IOP1": signals.IOP1,
+        "IOP2": signals.IOP2,
+        "IOP4": signals.IOP4,
+        "IOP2_TO_IOP4": signals.IOP4 - signals.IOP2,
+        "FRAME": signals.FRAME,
+        "START_CHECKED": half_units(1),
+        "RECEIVED": half_units(17),
         "READ": highspeed.READ_TICKS,
         "PUNCH": highspeed.PUNCH_TICKS,
     }

@@ -3,7 +3,7 @@
 cimport cython
 from libc.stdint cimport int64_t, uint64_t
 
-cdef int64_t NEVER, AT_ONCE
+cdef int64_t NEVER
 cdef int SKIP, CLEAR_AC, IOP1, IOP2, IOP4
 
 

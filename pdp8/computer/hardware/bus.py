@@ -7,8 +7,7 @@
 
 A device sees three separate pulses and nothing of the instruction, so that every combined IOT works of
 itself. Its flag is its interrupt request: an 8/L has no masks. Between pulses a device knows the tick at
-which its flag changes next; it is brought up to date when its state is needed. Time is in ticks of 0.05 us
-since power-up.
+which its flag changes next; it is brought up to date when its state is needed.
 
 A new device is a class derived from Device, in a file of its own: it says in `fields` what a saved state
 holds of it, and Bus.fit connects it.
@@ -20,20 +19,7 @@ Source: Small Computer Handbook 1970, chapter 9 (I/O bus).
 from collections.abc import Iterator
 
 from pdp8.computer.hardware.fields import BIT, COUNT, TICK, saved
-
-NEVER = 1 << 62
-AT_ONCE = -1
-
-# What a device answers to a pulse: data for AC 4-11 in the low bits, and
-SKIP = 0o10000
-CLEAR_AC = 0o20000
-
-# The pulses of an IOT in ticks after its memory cycle: at 1.45 us, still in the cycle, 2.35 and 3.25 us.
-IOP1, IOP2, IOP4 = -3, 15, 33
-
-# Compiled, these are C numbers (bus.pxd); importers find them here.
-globals().update(NEVER=NEVER, AT_ONCE=AT_ONCE, SKIP=SKIP, CLEAR_AC=CLEAR_AC)
-globals().update(IOP1=IOP1, IOP2=IOP2, IOP4=IOP4)
+from pdp8.computer.hardware.signals import CLEAR_AC, IOP1, IOP2, IOP4, NEVER, SKIP
 
 
 class Device:

@@ -13,8 +13,9 @@ Not emulated: the reader's start and stop times (a program that keeps it waiting
 switch. Sources: Small Computer Handbook 1970, PC8 reader and punch; PDP-8/I instruction card.
 """
 
-from pdp8.computer.hardware.bus import AT_ONCE, NEVER, SKIP, Bus, Device
+from pdp8.computer.hardware.bus import Bus, Device
 from pdp8.computer.hardware.fields import BIT, PART, TICK, saved
+from pdp8.computer.hardware.signals import AT_ONCE, NEVER, SKIP
 from pdp8.computer.hardware.teletype import Punch, Reader
 
 READ_TICKS = 66_667

@@ -20,7 +20,8 @@ project.
 from typing import NamedTuple
 
 from pal.isa import DEFER, EXECUTE, FETCH
-from pdp8.computer.hardware.processor import PROTECTED, Processor
+from pdp8.computer.hardware.processor import Processor
+from pdp8.computer.hardware.signals import PROTECTED
 
 
 class Lamps(NamedTuple):

@@ -56,17 +56,7 @@ from pal.isa import (
 from pdp8.computer.hardware.bus import Bus
 from pdp8.computer.hardware.fields import BIT, COUNT, TICK, saved
 from pdp8.computer.hardware.operate import group1, group2, skips
-
-INTERRUPT = 3
-"""What follows an instruction when an interrupt is taken: an EXECUTE cycle that does JMS 0."""
-
-CYCLE = 32
-IO_TICKS = 85 - CYCLE
-"""What an IOT takes beyond its cycle."""
-PROTECTED = 0o7600
-
-# Compiled, these are C numbers (processor.pxd); importers find them here.
-globals().update(INTERRUPT=INTERRUPT, PROTECTED=PROTECTED, CYCLE=CYCLE, IO_TICKS=IO_TICKS)
+from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, IO_TICKS, PROTECTED
 
 
 class Processor:

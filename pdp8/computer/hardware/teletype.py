@@ -38,12 +38,12 @@ instruction card.
 
 from collections.abc import Callable
 
-from pdp8.computer.hardware.bus import AT_ONCE, CLEAR_AC, NEVER, SKIP, Bus, Device
+from pdp8.computer.hardware.bus import Bus, Device
 from pdp8.computer.hardware.fields import BIT, COUNT, FRAMES, PART, TICK, saved
+from pdp8.computer.hardware.signals import AT_ONCE, CLEAR_AC, FRAME, NEVER, SKIP
 
-# A unit of the line is 1/110 s, 181 818.18 ticks of 0.05 us.
-FRAME = 2_000_000
 UNITS = 11
+"""Of the line, 1/110 s each, 181 818.18 ticks."""
 
 _STOP_UNITS = 0o3000
 _MARKER = 0o400
@@ -65,10 +65,6 @@ def half_units(count: int) -> int:
 def eighths(count: int) -> int:
     """Return the tick that sees the end of `count` eighths of a unit of the line."""
     return (count * (FRAME // UNIT) + UNITS - 1) // UNITS
-
-
-# Compiled, these are C numbers (teletype.pxd); importers find them here.
-globals().update(FRAME=FRAME)
 
 
 class Reader:

@@ -18,8 +18,9 @@ from contextlib import contextmanager
 from typing import NamedTuple
 
 from pdp8.computer.hardware.fields import Values, changed, size
+from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import Printer, Punch
-from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason
 from pdp8.computer.watch import Watch
 from tapes.errors import WorkError

@@ -11,7 +11,8 @@ Each raises HistoryError, and leaves the machine as it is, where the history doe
 from collections.abc import Callable, Iterator
 
 from pal.isa import FETCH
-from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.hardware.signals import TICKS_PER_SECOND
+from pdp8.computer.machine import Machine
 from pdp8.computer.past.history import History, HistoryError
 from pdp8.computer.stop import Reason
 from pdp8.computer.watch import Watch

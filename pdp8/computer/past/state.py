@@ -17,8 +17,9 @@ from array import array
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from pdp8.computer.hardware.bus import AT_ONCE, NEVER, Device
+from pdp8.computer.hardware.bus import Device
 from pdp8.computer.hardware.fields import CORE, FRAMES, PART, TICK, Values, walk
+from pdp8.computer.hardware.signals import AT_ONCE, NEVER
 from pdp8.computer.machine import Machine
 from tapes.errors import WorkError
 

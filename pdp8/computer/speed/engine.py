@@ -35,7 +35,8 @@ from pal.isa import (
     jumps_to,
     refers_to,
 )
-from pdp8.computer.hardware.processor import CYCLE, PROTECTED, Processor
+from pdp8.computer.hardware.processor import Processor
+from pdp8.computer.hardware.signals import CYCLE, PROTECTED
 from pdp8.computer.speed import piece
 from pdp8.computer.speed.waiting import Waiting
 

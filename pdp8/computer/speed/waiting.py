@@ -16,9 +16,9 @@ instructions and of ticks stays exact.
 from array import array
 
 from pal.isa import FETCH, IOT, JMP, jumps_to, tests_flag
-from pdp8.computer.hardware.bus import NEVER
 from pdp8.computer.hardware.fields import BIT, CORE, COUNT, PART, TICK, saved
-from pdp8.computer.hardware.processor import CYCLE, INTERRUPT, IO_TICKS, Processor
+from pdp8.computer.hardware.processor import Processor
+from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, IO_TICKS, NEVER
 
 PERIOD = 200_000
 _TESTS = 8

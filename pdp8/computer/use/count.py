@@ -9,14 +9,14 @@ from collections import Counter, deque
 from collections.abc import Iterator
 
 from pal.isa import FETCH, INDIRECT, IOT, OPERATIONS, jumps_to, tests_flag
-from pdp8.computer.hardware.processor import CYCLE, INTERRUPT, IO_TICKS, Processor
+from pdp8.computer.hardware.processor import Processor
+from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, IO_TICKS, TICKS_PER_SECOND
 from pdp8.computer.use.trace import Listing, instruction
 from pdp8.computer.watch import wrote
 from tapes.measure import duration, ranges
 
 _RING = 8192
 """Instructions that are remembered: more than the longest loop that is passed over."""
-_TICKS_PER_SECOND = 20_000_000
 _COLUMN = 12
 
 
@@ -94,8 +94,8 @@ class Count:
             "instructions": self.instructions,
             "cycles": self.cycles,
             "interrupts": self.interrupts,
-            "seconds": self.ticks / _TICKS_PER_SECOND,
-            "waiting_seconds": self.waiting / _TICKS_PER_SECOND,
+            "seconds": self.ticks / TICKS_PER_SECOND,
+            "waiting_seconds": self.waiting / TICKS_PER_SECOND,
             "operations": dict(self.operations.most_common()),
             "executed": {f"{address:04o}": self.executed[address] for address in sorted(self.executed)},
             "written": {f"{address:04o}": self.written[address] for address in sorted(self.written)},
@@ -135,7 +135,7 @@ class Count:
 
 
 def _time(ticks: int) -> str:
-    return duration(ticks / _TICKS_PER_SECOND)
+    return duration(ticks / TICKS_PER_SECOND)
 
 
 def _operation(word: int) -> str:

@@ -16,8 +16,8 @@ Sources: PDP-8/I instruction card (the RIM loader's words); Small Computer Handb
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from pdp8.computer.hardware.teletype import FRAME
-from pdp8.computer.machine import TICKS_PER_SECOND, LoadError, Machine
+from pdp8.computer.hardware.signals import FRAME, TICKS_PER_SECOND
+from pdp8.computer.machine import LoadError, Machine
 from pdp8.computer.stop import Reason, Stop
 from tapes import binary, kinds, rim
 from tapes.errors import TapeError

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 
 from pal.disassembler import microinstruction
 from pal.isa import DEFER, EXECUTE, FETCH, INDIRECT, IOT, JMP, OPERATIONS, STATES, refers_to
-from pdp8.computer.hardware.processor import CYCLE, INTERRUPT, IO_TICKS, Processor
+from pdp8.computer.hardware.processor import Processor
+from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, IO_TICKS
 
 if TYPE_CHECKING:
     from pal import Assembly

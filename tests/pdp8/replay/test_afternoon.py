@@ -3,7 +3,7 @@
 import pytest
 
 import pal
-from pdp8.computer.machine import TICKS_PER_SECOND
+from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.use.operator import Operator
 from pdp8.replay import Act, Afternoon, clock, replay
 from pdp8.replay.afternoon import Kind

@@ -1,8 +1,8 @@
 """The processor of the package, led through the operator's actions to any instant of the page."""
 
 from pal.isa import FETCH
-from pdp8.computer.hardware.processor import CYCLE
-from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.hardware.signals import CYCLE, TICKS_PER_SECOND
+from pdp8.computer.machine import Machine
 from pdp8.computer.use.operator import Action
 from pdp8.replay import Afternoon
 

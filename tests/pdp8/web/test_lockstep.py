@@ -6,7 +6,8 @@ from typing import Any
 import pytest
 
 from pal.isa import FETCH
-from pdp8.computer.machine import TICKS_PER_SECOND, Machine
+from pdp8.computer.hardware.signals import TICKS_PER_SECOND
+from pdp8.computer.machine import Machine
 from pdp8.replay import Afternoon
 from tests.pdp8.conftest import Ask
 from tests.pdp8.web.follower import STATE, Follower, state

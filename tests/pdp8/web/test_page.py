@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from pdp8.computer.machine import TICKS_PER_SECOND
+from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.replay import Afternoon, clock
 from pdp8.web.bundle import script
 from tests.pdp8.web.browsing import AXE, needs_axe, serious, until

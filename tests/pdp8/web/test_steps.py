@@ -2,7 +2,7 @@
 
 from itertools import pairwise
 
-from pdp8.computer.machine import TICKS_PER_SECOND
+from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.replay import Afternoon
 from tests.pdp8.conftest import Ask
 

@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import pytest
 
-from pdp8.computer.hardware.bus import NEVER, Device
+from pdp8.computer.hardware.bus import Device
+from pdp8.computer.hardware.signals import NEVER
 from pdp8.computer.machine import Machine
 
 AC = 0o5125

@@ -10,8 +10,9 @@ import json
 
 import pytest
 
-from pdp8.computer.hardware.bus import NEVER, SKIP, Device
+from pdp8.computer.hardware.bus import Device
 from pdp8.computer.hardware.fields import BIT, TICK, saved
+from pdp8.computer.hardware.signals import NEVER, SKIP
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from tests.pdp8.computer.bench import octal

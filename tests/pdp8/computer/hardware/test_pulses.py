@@ -2,7 +2,8 @@
 
 import pytest
 
-from pdp8.computer.hardware.bus import NEVER, SKIP, Device
+from pdp8.computer.hardware.bus import Device
+from pdp8.computer.hardware.signals import NEVER, SKIP
 from pdp8.computer.machine import Machine
 
 

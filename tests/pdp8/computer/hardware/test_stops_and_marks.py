@@ -2,7 +2,7 @@
 
 import pytest
 
-from pdp8.computer.hardware.processor import INTERRUPT
+from pdp8.computer.hardware.signals import INTERRUPT
 from pdp8.computer.machine import Machine
 from tests.pdp8.computer.bench import octal
 

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import pytest
 
-from pdp8.computer.hardware.bus import CLEAR_AC, SKIP
+from pdp8.computer.hardware.signals import CLEAR_AC, SKIP
 from pdp8.computer.hardware.teletype import Receiver, Transmitter, half_units, printed
 from pdp8.computer.machine import Machine
 from tests.pdp8.computer.bench import machine, octal, program
