@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 from pdp8.computer.bus import Bus
 from pdp8.computer.teletype import Teletype
-
 from tests.reference.gates import PARTS, UNIT, Gates
 
 CYCLE, IOT = 32, 85
@@ -140,9 +139,7 @@ class Beside:
             expected = self.gates.printed(self._printed)[: until - self._printed]
             ours = bytes(page[self._printed : until])
             if ours != expected:
-                raise Difference(
-                    f"tick {self.now}: printed {_octal(ours)}, by the modules {_octal(expected)}"
-                )
+                raise Difference(f"tick {self.now}: printed {_octal(ours)}, by the modules {_octal(expected)}")
             self.characters += until - self._printed
             self._printed = until
 
@@ -164,9 +161,7 @@ class Beside:
             return False
         if self.free and device == 4 and gates.selector.unit and not gates.transmitter.active:
             return False  # a character sent from rest would come at another time of the selector's turn
-        return not device or (
-            gates.quiet(7 - device, now, now + other) and self.bus.next_event(now) > now + other
-        )
+        return not device or gates.quiet(7 - device, now, now + other) and self.bus.next_event(now) > now + other
 
     def iot(self, word: int, ac: int) -> None:
         """Do an IOT that begins now, on both. Raises Difference."""
@@ -220,9 +215,7 @@ class Beside:
         self.run(self.now + 6_000_000)
         ours, gates = self.teletype, self.gates
         if len(ours.printer.frames) != gates.selector.printed:
-            raise Difference(
-                f"printed {len(ours.printer.frames)} frames, the modules {gates.selector.printed}"
-            )
+            raise Difference(f"printed {len(ours.printer.frames)} frames, the modules {gates.selector.printed}")
         if self._seen_ours != self._seen_gates:
             raise Difference(f"{SIGNALS} {self._seen_ours}, in the modules {self._seen_gates}")
 

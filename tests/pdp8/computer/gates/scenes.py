@@ -12,7 +12,7 @@ A mood lasts some acts:
 import random
 from collections.abc import Callable
 
-from tests.pdp8.computer.gates.beside import CYCLE, PULSES, Beside
+from tests.pdp8.computer.gates.beside import CYCLE, IOT, PULSES, Beside
 from tests.reference.gates import PARTS, UNIT, Gates
 
 FRAME = 2_000_000
