@@ -5,14 +5,15 @@ jump by where it stands: with one behind every operation, it knows which operati
 program. That is up to twice as fast (benchmarks/README.md). GNU C and Clang have such jumps; for others it is
 a switch.
 
-The function holds assignments to integers and elements, `if`, `break`, `min` of two, and one loop:
+The names of the operations become an enum. The function holds assignments to integers and elements, `if`,
+`break`, `min` of two, and one loop:
 
     while LIVE:                 #define NEXT  if (!LIVE) goto ended; op = ...; x = ...; goto *labels[op]
         op = ...
         x = ...
-        if op == 1:             operation_1:
+        if op == TAD_X:         operation_1:
             ...                     ... NEXT
-        elif op == 2:           operation_2:
+        elif op == DCA_X:       operation_2:
             ...                     ... NEXT
         else:
             break               ended:
@@ -53,10 +54,12 @@ LABELS = 32
 
 def translate(source: Path) -> str:
     """Return the C of the function in `source`. Raises ValueError for what has no translation."""
-    (function,) = (node for node in ast.parse(source.read_text()).body if isinstance(node, ast.FunctionDef))
+    tree = ast.parse(source.read_text())
+    (function,) = (node for node in tree.body if isinstance(node, ast.FunctionDef))
+    constants = dict(_constants(tree))
     place, loop = next((i, node) for i, node in enumerate(function.body) if isinstance(node, ast.While))
     *fetch, branches = loop.body
-    operations = dict(_operations(branches))
+    operations = dict(_operations(branches, constants))
     names = {node.id for node in ast.walk(function) if isinstance(node, ast.Name) and _is_set(node)}
     lines = [
         f"/* Translated from {source.name} by release/threaded.py. */",
@@ -66,6 +69,7 @@ def translate(source: Path) -> str:
         "#else",
         "#define JUMP goto jump;",
         "#endif",
+        f"enum {{ {', '.join(f'{name} = {number}' for name, number in constants.items())} }};",
         f"#define NEXT if (!{_expression(loop.test)}) goto ended; {' '.join(_statements(fetch))} JUMP",
         f"static int {function.name}({', '.join(_parameters(function))}) {{",
         f"int64_t {', '.join(sorted(names))};",
@@ -85,14 +89,24 @@ def translate(source: Path) -> str:
     return "\n".join([*lines, "ended:", *_statements(function.body[place + 1 :]), "}", ""])
 
 
-def _operations(node: ast.stmt) -> Iterator[tuple[int, list[ast.stmt]]]:
-    """Yield number and statements of each branch of `if op == 1: ... elif op == 2: ... else: break`."""
+def _constants(tree: ast.Module) -> Iterator[tuple[str, int]]:
+    """Yield name and number of each constant of a file."""
+    for node in tree.body:
+        match node:
+            case ast.Assign([ast.Name(name)], ast.Constant(int(number))):
+                yield name, number
+            case ast.Assign([ast.Tuple(names)], ast.Tuple(numbers)):
+                yield from zip(map(ast.unparse, names), map(ast.literal_eval, numbers), strict=True)
+
+
+def _operations(node: ast.stmt, numbers: dict[str, int]) -> Iterator[tuple[int, list[ast.stmt]]]:
+    """Yield number and statements of each branch of `if op == TAD_X: ... elif ...: ... else: break`."""
     match node:
-        case ast.If(
-            ast.Compare(ast.Name("op"), [ast.Eq()], [ast.Constant(int(number))]), body, [following]
-        ) if number < LABELS:
-            yield number, body
-            yield from _operations(following)
+        case ast.If(ast.Compare(ast.Name("op"), [ast.Eq()], [ast.Name(name)]), body, [following]) if (
+            numbers.get(name, LABELS) < LABELS
+        ):
+            yield numbers[name], body
+            yield from _operations(following, numbers)
         case ast.Break():
             pass
         case _:

@@ -9,7 +9,7 @@ from pdp8.computer.hardware.processor cimport Processor
 from pdp8.computer.speed.waiting cimport Waiting
 
 cdef int64_t LONGEST, PIECE
-cdef int CYCLE, EXECUTE, FETCH, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, PROTECTED, _JMP, _NO_ROTATE, _ROTATE, _DELAY, _WRAP, _LEFT
+cdef int CYCLE, EXECUTE, FETCH, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, PROTECTED, UNDECODED, JMP_X, GROUP_1, GROUP_1_ROTATE, DELAY, WRAP, LEFT
 
 
 @cython.final

@@ -22,6 +22,7 @@ Sources: those of processor.py, which tests hold this in lockstep with.
 from collections.abc import Set
 
 from pal.isa import (
+    CLA,
     EXECUTE,
     FETCH,
     GROUP_2,
@@ -31,6 +32,7 @@ from pal.isa import (
     JMP,
     JMS,
     OPR,
+    REVERSED,
     autoindexed,
     jumps_to,
     refers_to,
@@ -38,6 +40,34 @@ from pal.isa import (
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import CYCLE, PROTECTED
 from pdp8.computer.speed import piece
+from pdp8.computer.speed.piece import (
+    AND_I,
+    AND_X,
+    DCA_AUTO,
+    DCA_I,
+    DCA_X,
+    DELAY,
+    GROUP_1,
+    GROUP_1_ROTATE,
+    ISZ_I,
+    ISZ_X,
+    JMP_I,
+    JMP_X,
+    JMS_I,
+    JMS_X,
+    LEFT,
+    RAL,
+    RAR,
+    SKIP,
+    SKIP_CLA,
+    SKIP_UNLESS,
+    SKIP_UNLESS_CLA,
+    TAD_AUTO,
+    TAD_I,
+    TAD_X,
+    UNDECODED,
+    WRAP,
+)
 from pdp8.computer.speed.waiting import Waiting
 
 LONGEST = 3
@@ -48,13 +78,11 @@ PIECE = 200_000
 # The conditions of every {L, AC} by the bits of the skips that look for them: SMA 100, SZA 40, SNL 20.
 CONDITIONS = b"\x20" + bytes(2047) + b"\x40" * 2048 + b"\x30" + b"\x10" * 2047 + b"\x50" * 2048
 
-# The operations by their numbers in piece.py; 0 is a word that is not decoded.
-_JMP, _NO_ROTATE, _ROTATE, _DELAY, _WRAP, _LEFT = 4, 6, 16, 23, 24, 25
-_DIRECT = (17, 1, 3, 2, 15, _JMP)
-_INDIRECT = (22, 10, 20, 11, 21, 12)
-_AUTOINDEXED = (_LEFT, 13, _LEFT, 14, _LEFT, _LEFT)
-_FREQUENT_ROTATES = {0o4: 7, 0o10: 8}
-_SKIPS = {0: 5, 0o10: 9, 0o200: 18, 0o210: 19}
+_DIRECT = (AND_X, TAD_X, ISZ_X, DCA_X, JMS_X, JMP_X)
+_INDIRECT = (AND_I, TAD_I, ISZ_I, DCA_I, JMS_I, JMP_I)
+_AUTOINDEXED = (LEFT, TAD_AUTO, LEFT, DCA_AUTO, LEFT, LEFT)
+_FREQUENT_ROTATES = {0o4: RAL, 0o10: RAR}
+_SKIPS = {0: SKIP, REVERSED: SKIP_UNLESS, CLA: SKIP_CLA, CLA | REVERSED: SKIP_UNLESS_CLA}
 
 
 class Engine:
@@ -72,7 +100,7 @@ class Engine:
         """Whether there are any."""
         self.conditions = CONDITIONS
         # Two words past the end wrap the PC, which can overrun by a skip.
-        self.processor.forms[0o10000] = self.processor.forms[0o10001] = _WRAP
+        self.processor.forms[0o10000] = self.processor.forms[0o10001] = WRAP
         self.arg = [0] * 0o10002
         self.registers = [0, 0, 0]
         # Group 1 without its rotate, by its low 8 bits: {L, AC} & keep ^ flip, + plus.
@@ -111,7 +139,7 @@ class Engine:
         self.breakpoints = frozenset(breakpoints)
         self.watched = len(breakpoints) > 0
         for address in range(0o10000):
-            self.processor.forms[address] = 0
+            self.processor.forms[address] = UNDECODED
 
     def _room(self, until: int, last: int) -> int:
         """Return the cycles of the next piece, 0 if the processor has to do the next instruction: also when
@@ -138,13 +166,13 @@ class Engine:
             operand = refers_to(word, address)
             op = self._memory_reference(word, operand, address)
         elif word < OPR << 9:
-            operand, op = 0, _LEFT
+            operand, op = 0, LEFT
         elif not word & GROUP_2:
             operand, op = word & 0o377, _group1(word & 0o377)
         else:
             operand, op = _group2(word)
         if self.watched and self._may_lead_to_one(word, operand, address):
-            op = _LEFT
+            op = LEFT
         self.arg[address] = operand
         self.processor.forms[address] = op
 
@@ -153,11 +181,11 @@ class Engine:
         if word & INDIRECT:
             return _AUTOINDEXED[code] if autoindexed(operand) else _INDIRECT[code]
         if code == JMP:
-            return _LEFT if operand == address else _JMP
+            return LEFT if operand == address else JMP_X
         if code >= ISZ and operand >= self.wall:
-            return _LEFT
+            return LEFT
         if code == ISZ and self.delays and self._may_delay(operand, address):
-            return _DELAY
+            return DELAY
         return _DIRECT[code]
 
     def _may_delay(self, counter: int, address: int) -> bool:
@@ -179,7 +207,7 @@ class Engine:
         """Run piece by piece; return whether it ended with a JMS to a breakpoint."""
         p, waiting = self.processor, self.waiting
         while p.clock < until and p.instructions < last:
-            if p.forms[p.pc & 0o7777] == _LEFT or not self._run_piece(self._room(until, last) << 26):
+            if p.forms[p.pc & 0o7777] == LEFT or not self._run_piece(self._room(until, last) << 26):
                 p.instruction()
                 if self.watched and self._called():
                     return True
@@ -194,7 +222,7 @@ class Engine:
         """Run a piece of `limit`; return whether it executed anything."""
         p, registers = self.processor, self.registers
         registers[0], registers[1], registers[2] = p.pc & 0o7777, p.lac & 0o17777, 0
-        while self._execute(limit) == 0:
+        while self._execute(limit) == UNDECODED:
             self._decode(registers[0])
         time = registers[2]
         if time == 0:
@@ -228,14 +256,14 @@ def _wall(mem_prot: int) -> int:
 def _group1(bits: int) -> int:
     rotate = bits & 0o14
     if rotate == 0:
-        return _NO_ROTATE
-    return _LEFT if rotate == 0o14 else _FREQUENT_ROTATES.get(bits, _ROTATE)
+        return GROUP_1
+    return LEFT if rotate == 0o14 else _FREQUENT_ROTATES.get(bits, GROUP_1_ROTATE)
 
 
 def _group2(word: int) -> tuple[int, int]:
     """Return operand and operation: group 3 does nothing, OSR and HLT are left."""
     if word & 1:
-        return 0, _NO_ROTATE
+        return 0, GROUP_1
     if word & 6:
-        return 0, _LEFT
+        return 0, LEFT
     return word & 0o160, _SKIPS[word & 0o210]

@@ -8,14 +8,27 @@ Every store clears the decoded form of its word. One number `time` counts, from 
 instructions, 13 of those that write, and cycles: what an instruction takes is one addition. The operations
 that programs use most stand first, as Python looks for them in this order.
 
-engine.py says what the numbers of the operations are, and decodes. Where there is a C compiler, setup.py
-translates the function below to C, statement by statement (release/threaded.py); so it holds to what C has
-too: integers and arrays.
+engine.py decodes. SKIP skips if one of the conditions in its operand holds (SMA SZA SNL), SKIP_UNLESS if
+none does (SPA SNA SZL); GROUP_1 does not rotate. Where there is a C compiler, setup.py translates this file
+to C, statement by statement (release/threaded.py); so it holds to what C has too: integers and arrays.
 
 Sources: those of processor.py, which tests hold this in lockstep with.
 """
 
 from collections.abc import MutableSequence
+
+# X: the word that the operand names; I: the word to which that points; AUTO: the same, incremented first.
+UNDECODED = 0
+TAD_X, GROUP_1, JMP_X, DCA_X, ISZ_X = 1, 2, 3, 4, 5
+SKIP_UNLESS_CLA, SKIP_CLA, TAD_I, JMP_I, DCA_I, JMS_X = 6, 7, 8, 9, 10, 11
+SKIP, SKIP_UNLESS, TAD_AUTO, DCA_AUTO, AND_X, RAL, RAR = 12, 13, 14, 15, 16, 17, 18
+GROUP_1_ROTATE, JMS_I, ISZ_I, AND_I = 19, 20, 21, 22
+DELAY = 23
+"""ISZ X of a delay loop: all turns of 3 cycles that fit but the last are counted at once."""
+WRAP = 24
+"""Past the end of core."""
+LEFT = 25
+"""Left to the processor."""
 
 
 def execute(
@@ -31,7 +44,7 @@ def execute(
     limit: int,
 ) -> int:
     """Execute from the `registers` PC, {L, AC} and time until time reaches `limit`; set them, and return the
-    operation that ended the piece: 0 if it is one to be decoded.
+    operation that ended the piece.
 
     A word from address `wall` on is not written: the piece ends before the instruction. The PC may end up to
     two words past 7777.
@@ -43,17 +56,24 @@ def execute(
     while time < limit:
         op = ops[pc]
         x = arg[pc]
-        if op == 1:  # TAD
+        if op == TAD_X:
             lac = lac + core[x] & 0o17777
             time += 2 << 26 | 1
             pc += 1
-        elif op == 2:  # DCA
+        elif op == GROUP_1:
+            lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
+            time += 1 << 26 | 1
+            pc += 1
+        elif op == JMP_X:
+            pc = x
+            time += 1 << 26 | 1
+        elif op == DCA_X:
             core[x] = lac & 0o7777
             ops[x] = 0
             lac &= 0o10000
             time += 2 << 26 | 1 << 13 | 1
             pc += 1
-        elif op == 3:  # ISZ
+        elif op == ISZ_X:
             word = core[x] + 1 & 0o7777
             core[x] = word
             ops[x] = 0
@@ -61,36 +81,26 @@ def execute(
             pc += 1
             if word == 0:
                 pc += 1
-        elif op == 4:  # JMP
-            pc = x
-            time += 1 << 26 | 1
-        elif op == 5:  # SMA SZA SNL
-            time += 1 << 26 | 1
-            pc += 1
-            if x & conditions[lac]:
-                pc += 1
-        elif op == 6:  # group 1 without a rotate
-            lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
-            time += 1 << 26 | 1
-            pc += 1
-        elif op == 7:  # RAL
-            lac = lac << 1 & 0o17777 | lac >> 12
-            time += 1 << 26 | 1
-            pc += 1
-        elif op == 8:  # RAR
-            lac = lac >> 1 | (lac & 1) << 12
-            time += 1 << 26 | 1
-            pc += 1
-        elif op == 9:  # SPA SNA SZL
+        elif op == SKIP_UNLESS_CLA:
             time += 1 << 26 | 1
             pc += 1
             if x & conditions[lac] == 0:
                 pc += 1
-        elif op == 10:  # TAD I
+            lac &= 0o10000
+        elif op == SKIP_CLA:
+            time += 1 << 26 | 1
+            pc += 1
+            if x & conditions[lac]:
+                pc += 1
+            lac &= 0o10000
+        elif op == TAD_I:
             lac = lac + core[core[x]] & 0o17777
             time += 3 << 26 | 1
             pc += 1
-        elif op == 11:  # DCA I
+        elif op == JMP_I:
+            pc = core[x]
+            time += 2 << 26 | 1
+        elif op == DCA_I:
             address = core[x]
             if address >= wall:
                 break
@@ -99,17 +109,29 @@ def execute(
             lac &= 0o10000
             time += 3 << 26 | 1 << 13 | 1
             pc += 1
-        elif op == 12:  # JMP I
-            pc = core[x]
-            time += 2 << 26 | 1
-        elif op == 13:  # TAD I, autoindexed
+        elif op == JMS_X:
+            core[x] = pc + 1 & 0o7777
+            ops[x] = 0
+            pc = x + 1
+            time += 2 << 26 | 1 << 13 | 1
+        elif op == SKIP:
+            time += 1 << 26 | 1
+            pc += 1
+            if x & conditions[lac]:
+                pc += 1
+        elif op == SKIP_UNLESS:
+            time += 1 << 26 | 1
+            pc += 1
+            if x & conditions[lac] == 0:
+                pc += 1
+        elif op == TAD_AUTO:
             address = core[x] + 1 & 0o7777
             core[x] = address
             ops[x] = 0
             lac = lac + core[address] & 0o17777
             time += 3 << 26 | 1 << 13 | 1
             pc += 1
-        elif op == 14:  # DCA I, autoindexed
+        elif op == DCA_AUTO:
             address = core[x] + 1 & 0o7777
             if address >= wall:
                 break
@@ -120,12 +142,19 @@ def execute(
             lac &= 0o10000
             time += 3 << 26 | 1 << 13 | 1
             pc += 1
-        elif op == 15:  # JMS
-            core[x] = pc + 1 & 0o7777
-            ops[x] = 0
-            pc = x + 1
-            time += 2 << 26 | 1 << 13 | 1
-        elif op == 16:  # group 1 with a rotate
+        elif op == AND_X:
+            lac &= core[x] | 0o10000
+            time += 2 << 26 | 1
+            pc += 1
+        elif op == RAL:
+            lac = lac << 1 & 0o17777 | lac >> 12
+            time += 1 << 26 | 1
+            pc += 1
+        elif op == RAR:
+            lac = lac >> 1 | (lac & 1) << 12
+            time += 1 << 26 | 1
+            pc += 1
+        elif op == GROUP_1_ROTATE:
             lac = (lac & keep[x] ^ flip[x]) + plus[x] & 0o17777
             x &= 0o16
             if x == 0o4:
@@ -138,23 +167,15 @@ def execute(
                 lac = lac >> 2 | (lac & 3) << 11
             time += 1 << 26 | 1
             pc += 1
-        elif op == 17:  # AND
-            lac &= core[x] | 0o10000
-            time += 2 << 26 | 1
-            pc += 1
-        elif op == 18:  # SMA SZA SNL, CLA
-            time += 1 << 26 | 1
-            pc += 1
-            if x & conditions[lac]:
-                pc += 1
-            lac &= 0o10000
-        elif op == 19:  # SPA SNA SZL, CLA
-            time += 1 << 26 | 1
-            pc += 1
-            if x & conditions[lac] == 0:
-                pc += 1
-            lac &= 0o10000
-        elif op == 20:  # ISZ I
+        elif op == JMS_I:
+            address = core[x]
+            if address >= wall:
+                break
+            core[address] = pc + 1 & 0o7777
+            ops[address] = 0
+            pc = address + 1
+            time += 3 << 26 | 1 << 13 | 1
+        elif op == ISZ_I:
             address = core[x]
             if address >= wall:
                 break
@@ -165,20 +186,12 @@ def execute(
             pc += 1
             if word == 0:
                 pc += 1
-        elif op == 21:  # JMS I
-            address = core[x]
-            if address >= wall:
-                break
-            core[address] = pc + 1 & 0o7777
-            ops[address] = 0
-            pc = address + 1
-            time += 3 << 26 | 1 << 13 | 1
-        elif op == 22:  # AND I
+        elif op == AND_I:
             lac &= core[core[x]] | 0o10000
             time += 3 << 26 | 1
             pc += 1
-        elif op == 23:  # ISZ X of a delay loop: all turns of 3 cycles that fit but the last
-            if ops[pc + 1] == 4 and arg[pc + 1] == pc:
+        elif op == DELAY:
+            if ops[pc + 1] == JMP_X and arg[pc + 1] == pc:
                 turns = ((limit >> 26) - 1 - (time >> 26)) // 3
                 turns = min(turns, 0o7777 - core[x])
                 core[x] += turns
@@ -190,9 +203,9 @@ def execute(
             pc += 1
             if word == 0:
                 pc += 1
-        elif op == 24:  # past the end of core
+        elif op == WRAP:
             pc -= 0o10000
-        else:  # 0, not decoded; or left to the processor
+        else:
             break
     registers[0] = pc
     registers[1] = lac

@@ -9,12 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.computer.speed.piece import execute
+from pdp8.computer.speed.piece import LEFT, WRAP, execute
 from release.threaded import translate
 from tests.pdp8.computer.speed.forms import HOUSE, machine_module
 from tests.pdp8.computer.speed.test_lockstep import random_word
 
-WRAP, LEFT = 24, 25
 PIECE = HOUSE / "pdp8/computer/speed/piece.py"
 
 
@@ -96,12 +95,13 @@ def test_the_translation_does_what_the_source_does(library: ctypes.CDLL) -> None
 )
 def test_what_has_no_translation_is_an_error(parameter: str, statement: str, tmp_path: Path) -> None:
     source = f"""
+TAD = 1
 def piece(a: {parameter}) -> int:
     "A piece."
     op = a
     while op < 3:
         op = a
-        if op == 1:
+        if op == TAD:
             {statement}
         else:
             break
