@@ -13,12 +13,13 @@ cli/        the command; `python -m pdp8` is the same
     machine.load(pdp8.assemble(pdp8.tape("eia.pal")).words)
 
 Each name is imported when it is first used, so that `import pdp8` alone is quick. The packages beside this
-one have plain names (`tapes`, `programs`); a script may have files of the same names, and ours are found
-first.
+one have plain names (`tapes`, `programs`); a script may have files of the same names: ours are found first,
+and a warning names both.
 """
 
 import os
 import sys
+import warnings
 from collections.abc import Sequence
 from importlib import import_module
 from importlib.machinery import ModuleSpec, PathFinder
@@ -67,13 +68,26 @@ _ROOMS = ("nc", "pal", "programs", "tapes")
 
 
 class _Rooms:
-    """Finds the packages beside this one before a file of the same name beside a script."""
+    """Finds the packages beside this one before a file of the same name beside a script, and warns of it."""
 
     @staticmethod
     def find_spec(
         name: str, path: Sequence[str] | None, target: "ModuleType | None" = None
     ) -> ModuleSpec | None:
-        return PathFinder.find_spec(name, [_HOUSE]) if name in _ROOMS else None
+        if name not in _ROOMS:
+            return None
+        ours, first = PathFinder.find_spec(name, [_HOUSE]), PathFinder.find_spec(name)
+        if (
+            ours
+            and first
+            and first.origin
+            and os.path.realpath(first.origin) != os.path.realpath(f"{ours.origin}")
+        ):
+            warnings.warn(
+                f"{first.origin} is hidden: {name!r} is {ours.origin}, of pdp8; give the file another name",
+                stacklevel=2,
+            )
+        return ours
 
 
 sys.meta_path.insert(0, _Rooms)

@@ -71,6 +71,18 @@ def test_a_file_that_was_imported_under_our_name_is_named(tmp_path: Path) -> Non
     assert f"{tmp_path / 'programs.py'} was imported as 'programs'".encode() in done.stderr
 
 
+def test_a_file_that_ours_hides_is_named_once(shadowed: Path) -> None:
+    """The script runs on; a folder of tapes beside it hides nothing."""
+    (shadowed / "tapes.py").unlink()
+    (shadowed / "tapes").mkdir()
+    done = python(
+        shadowed, "-c", "import pdp8; pdp8.part; import programs; import tapes; print(programs.__file__)"
+    )
+    said = done.stderr.decode()
+    assert (done.returncode, said.count("UserWarning")) == (0, 1), said
+    assert f"{shadowed / 'programs.py'} is hidden: 'programs' is {HOUSE / 'programs' / '__init__.py'}" in said
+
+
 def test_importing_the_package_imports_nothing_heavy(tmp_path: Path) -> None:
     done = python(tmp_path, "-c", "import sys, pdp8; print(*sys.modules)")
     loaded = set(done.stdout.decode().split())
