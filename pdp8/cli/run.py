@@ -3,7 +3,7 @@
 import sys
 from contextlib import AbstractContextManager, ExitStack
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 from click.core import ParameterSource
@@ -30,6 +30,33 @@ _WHY = {
     Reason.PROTECT: "MEM PROT stopped a write at {last:04o}",
 }
 _DONE = (Reason.HALT, Reason.TAPE_OUT)
+
+
+class Options(NamedTuple):
+    """What the command was given, by the names of its options."""
+
+    program: str | None
+    start: int
+    sr: int
+    reader: tuple[str, ...]
+    punch: str | None
+    fast_reader: str | None
+    fast_punch: str | None
+    keyboard: bool
+    tty: str | None
+    max_time: float | None
+    realtime: bool
+    boot: bool
+    loader: str | None
+    force: bool
+    trace: str | None
+    cycles: bool
+    table: bool
+    annotate: str | None
+    count_json: str | None
+    save: str | None
+    restore: str | None
+    quiet: bool
 
 
 @click.command()
@@ -66,7 +93,9 @@ _DONE = (Reason.HALT, Reason.TAPE_OUT)
 @click.option("--force", is_flag=True, help="Load a damaged tape as far as it can be read.")
 @click.option("--trace", metavar="FILE", help="Write each instruction: time, L AC, MA MB, its listing.")
 @click.option("--cycles", is_flag=True, help="Let --trace write each memory cycle.")
-@click.option("--count", is_flag=True, help="Count instructions, cycles, waiting; a table as the run ends.")
+@click.option(
+    "--count", "table", is_flag=True, help="Count instructions, cycles, waiting; a table as the run ends."
+)
 @click.option("--annotate", metavar="FILE", help="Write the listing with each word's count in its margin.")
 @click.option("--count-json", metavar="FILE", help="Write what was counted as JSON.")
 @click.option("--save", metavar="FILE", help="Write the machine's state as the run ends.")
@@ -78,31 +107,7 @@ _DONE = (Reason.HALT, Reason.TAPE_OUT)
 )
 @click.option("--quiet", is_flag=True, help="Do not say how the run ended, unless it failed.")
 @click.pass_context
-def run(
-    ctx: click.Context,
-    program: str | None,
-    start: int,
-    sr: int,
-    reader: tuple[str, ...],
-    punch: str | None,
-    fast_reader: str | None,
-    fast_punch: str | None,
-    keyboard: bool,
-    tty: str | None,
-    max_time: float | None,
-    realtime: bool,
-    boot: bool,
-    loader: str | None,
-    force: bool,
-    trace: str | None,
-    cycles: bool,
-    count: bool,
-    annotate: str | None,
-    count_json: str | None,
-    save: str | None,
-    restore: str | None,
-    quiet: bool,
-) -> None:
+def run(ctx: click.Context, /, **given: Any) -> None:
     """Run PROGRAM on the PDP-8/L: standard input is the tape in its reader, standard output what it punches.
 
     PROGRAM is PAL III source, a BIN or a RIM tape, or the name of a bundled one, such as eia.pal. A pipe is
@@ -125,77 +130,115 @@ def run(
       pdp8 run --restore noon.state > rest.eia
       pdp8 run mine.bin --start 400 --sr 7777 --fast-reader in.tape --fast-punch out.tape
     """
-    _check_options(ctx, program, restore)
-    page = None if keyboard or tty else "-"
-    written = [page if punch is None else punch, fast_punch, trace, annotate, count_json, save]
-    command.check_files([program, *reader, fast_reader, restore, loader], written)
-    if keyboard and not (sys.stdin.isatty() and sys.stdout.isatty()):
+    options = Options(**given)
+    _check_options(options)
+    found = _program(options)
+    machine = _machine(options, found)
+    explicit = {name for name in given if ctx.get_parameter_source(name) is ParameterSource.COMMANDLINE}
+    if found or "sr" in explicit:
+        machine.sr = options.sr
+    feed = _feed(options, machine)
+    if found or "start" in explicit:
+        machine.start(options.start)
+    stop = _run(options, machine, found, feed)
+    if options.save is not None:
+        _save(machine, options.save)
+    ctx.exit(_report(options, machine, feed, stop))
+
+
+def _program(options: Options) -> "Program | None":
+    """Return the program, if one is named; first the names of all files are checked."""
+    reads = [options.program, *options.reader, options.fast_reader, options.restore, options.loader]
+    page = "-" if options.punch is None and not _paged(options) else options.punch
+    writes = [options.fast_punch, options.trace, options.annotate, options.count_json, options.save]
+    command.check_files(reads, [page, *writes])
+    if options.keyboard and not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise click.UsageError("--keyboard needs a terminal to type and print at.")
-    highspeed = fast_reader is not None or fast_punch is not None
-    found = None if program is None else programs.find(program, force or boot)
-    machine = Machine(highspeed) if restore is None else _restored(restore, highspeed)
+    return None if options.program is None else programs.find(options.program, options.force or options.boot)
+
+
+def _paged(options: Options) -> bool:
+    """Tell whether what is printed is seen elsewhere, so that standard output is no tape."""
+    return options.keyboard or bool(options.tty)
+
+
+def _machine(options: Options, found: "Program | None") -> Machine:
+    """Return the machine, new with the program in core or restored."""
+    highspeed = options.fast_reader is not None or options.fast_punch is not None
+    machine = Machine(highspeed) if options.restore is None else _restored(options.restore, highspeed)
     if found is not None:
-        _load(machine, found, boot, loader, force, quiet)
-    given = ctx.get_parameter_source
-    if found or given("sr") is ParameterSource.COMMANDLINE:
-        machine.sr = sr
-    used = keyboard or tty is not None or restore is not None or "-" in (program, fast_reader)
-    names = list(reader) or ([] if used or sys.stdin.isatty() else ["-"])
-    feed = Feed(machine.teletype.reader, names, quiet)
-    if not feed.next_tape() and restore is None:
+        _load(machine, found, options.boot, options.loader, options.force, options.quiet)
+    return machine
+
+
+def _feed(options: Options, machine: Machine) -> Feed:
+    """Return what puts the tapes into the Teletype's reader; the first is in it."""
+    used = _paged(options) or options.restore is not None or "-" in (options.program, options.fast_reader)
+    names = list(options.reader) or ([] if used or sys.stdin.isatty() else ["-"])
+    feed = Feed(machine.teletype.reader, names, options.quiet)
+    if not feed.next_tape() and options.restore is None:
         machine.teletype.reader.load(b"")
-    if fast_reader is not None:
-        machine.highspeed.reader.load(shelf.read(fast_reader))
-    if found or given("start") is ParameterSource.COMMANDLINE:
-        machine.start(start)
-    outputs = _outputs(machine, punch, fast_punch, page is None)
+    if options.fast_reader is not None:
+        machine.highspeed.reader.load(shelf.read(options.fast_reader))
+    return feed
+
+
+def _run(options: Options, machine: Machine, found: "Program | None", feed: Feed) -> Stop | None:
+    """Run to the end, watched as was asked for; return how it ended, None if it was interrupted."""
+    outputs = _outputs(machine, options.punch, options.fast_punch, _paged(options))
     with ExitStack() as stack:
         for output in outputs:
             stack.callback(output.close)
-        if trace is not None:
-            stack.enter_context(_traced(machine, trace, found, cycles))
-        if count or annotate or count_json:
-            stack.enter_context(_counted(machine, found, count, annotate, count_json))
-        if keyboard:
-            stop = _typed(machine, found, outputs, max_time, realtime)
-        elif tty is not None:
-            stop = _on_line(machine, tty, outputs, max_time)
-        else:
-            stop = pacing.run(machine, feed, outputs, max_time, realtime, quiet)
-    if save is not None:
-        _save(machine, save)
-    if stop is None and keyboard:
-        ctx.exit(0)
+        if options.trace is not None:
+            stack.enter_context(_traced(machine, options.trace, found, options.cycles))
+        if options.table or options.annotate or options.count_json:
+            counts = _counted(machine, found, options.table, options.annotate, options.count_json)
+            stack.enter_context(counts)
+        if options.keyboard:
+            return _typed(machine, found, outputs, options.max_time, options.realtime)
+        if options.tty is not None:
+            return _on_line(machine, options.tty, outputs, options.max_time)
+        return pacing.run(machine, feed, outputs, options.max_time, options.realtime, options.quiet)
+
+
+def _report(options: Options, machine: Machine, feed: Feed, stop: Stop | None) -> int:
+    """Say how the run ended; return the exit status."""
+    if stop is None and options.keyboard:
+        return 0
     counts = _counts(machine, feed.read)
-    if feed.left and not quiet:
+    if feed.left and not options.quiet:
         command.say(f"{feed.left} did not go into the reader: the program did not wait for it")
-    if restore and not (reader or quiet):
+    if options.restore and not (options.reader or options.quiet):
         say_unread()
     if stop is None:
         command.say(f"interrupted at {machine.pc:04o}{counts}")
-        ctx.exit(130)
+        return 130
     done = stop.reason in _DONE
-    if not (quiet and done):
+    if not (options.quiet and done):
         last = machine.ma if stop.reason is Reason.HALT else stop.pc - 1 & 0o7777
         command.say(_WHY[stop.reason].format(pc=stop.pc, last=last) + counts)
-    ctx.exit(0 if done else 1)
+    return 0 if done else 1
 
 
-def _check_options(ctx: click.Context, program: str | None, restore: str | None) -> None:
+def _check_options(options: Options) -> None:
     """Raise UsageError for options that mean nothing together."""
-    if (program is None) == (restore is None):
+    if (options.program is None) == (options.restore is None):
         raise click.UsageError("give a PROGRAM, or --restore FILE and none.")
-    for option, needed in (("cycles", "trace"), ("loader", "boot")):
-        if ctx.params[option] and not ctx.params[needed]:
+    for option, needed, wrong in (
+        ("cycles", "trace", options.cycles and not options.trace),
+        ("loader", "boot", options.loader and not options.boot),
+    ):
+        if wrong:
             raise click.UsageError(f"--{option} means nothing without --{needed}.")
-    counted = [name for name in ("count", "annotate", "count_json") if ctx.params[name]]
-    if counted and ctx.params["trace"]:
-        raise click.UsageError(f"--{counted[0].replace('_', '-')} and --trace: one run does one of them.")
-    if restore is not None and ctx.params["boot"]:
+    counts = {"count": options.table, "annotate": options.annotate, "count-json": options.count_json}
+    counted = [name for name, wanted in counts.items() if wanted]
+    if counted and options.trace:
+        raise click.UsageError(f"--{counted[0]} and --trace: one run does one of them.")
+    if options.restore is not None and options.boot:
         raise click.UsageError("--boot means nothing beside --restore.")
-    if ctx.params["tty"] and sys.platform == "win32":
+    if options.tty and sys.platform == "win32":
         raise click.UsageError("--tty needs the serial lines of Linux, macOS or another POSIX system.")
-    if ctx.params["tty"] and (ctx.params["keyboard"] or ctx.params["reader"]):
+    if options.tty and (options.keyboard or options.reader):
         raise click.UsageError("--tty is keyboard and reader: it goes with neither --keyboard nor --reader.")
 
 
