@@ -14,7 +14,7 @@ portable       what a source does otherwise on another model
 notes          where a source means something else to PAL III than it says
 dialects       what PAL III has for what other assemblers know
 crossreference where each symbol is defined and used
-report         an assembly as JSON
+record         an assembly as JSON
 disassembler   words and tapes back to source
 lexer          PAL III in colour, for Pygments
 notebook       an assembly as a notebook shows it

@@ -117,7 +117,7 @@ def pal(
 
         _put(xref, text(cross_reference(assembly)))
     if json:
-        from pal.report import as_json
+        from pal.record import as_json
 
         _put(json, as_json(assembly))
     if tty:

@@ -97,23 +97,23 @@ def _write(exercise: Exercise, results: Sequence[Result], json_: bool, junit: st
 def _show(exercise: Exercise, results: Sequence[Result]) -> None:
     from rich.console import Console
 
-    from pdp8.lessons import report
+    from pdp8.lessons import scores
 
     click.echo(f"{exercise.title}\n")
-    Console(file=sys.stdout, highlight=False).print(report.table(exercise, results))
+    Console(file=sys.stdout, highlight=False).print(scores.table(exercise, results))
     for result in results:
-        said = "\n".join(report.details(result))
+        said = "\n".join(scores.details(result))
         if said:
             click.echo(f"\n{said}")
 
 
 def _prove(exercise: Exercise) -> None:
     """Say whether the exercise tells its known mistakes from its solution. Raises WorkError if not."""
-    from pdp8.lessons import report
+    from pdp8.lessons import scores
 
     solved = proof.solution(exercise)
     if not solved.right:
-        said = "\n".join(report.details(solved))
+        said = "\n".join(scores.details(solved))
         raise WorkError(f"{exercise.name}: its own solution is not right\n{said}")
     marked = list(proof.mistakes(exercise))
     passed = [what for what, result in marked if result.right]

@@ -18,8 +18,8 @@ from textual.containers import Container, Horizontal
 from textual.widgets import Footer, Static
 
 from pdp8.computer.use.program import Program
+from pdp8.console.card import DrillCard
 from pdp8.console.dialogs import AskToLeave, ChooseTape, NameTape
-from pdp8.console.drill import DrillCard
 from pdp8.console.lamps import LampRows
 from pdp8.console.pages import Card, Core, ListingPage, Page, Paper, subtitle, title
 from pdp8.console.session import Session, Tape

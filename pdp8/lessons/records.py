@@ -4,7 +4,7 @@ import json
 from collections.abc import Sequence
 from xml.etree import ElementTree
 
-from pdp8.lessons import report
+from pdp8.lessons import scores
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.marking import Failure, Mark, Result
 
@@ -53,7 +53,7 @@ def as_junit(exercise: Exercise, results: Sequence[Result]) -> str:
         marks = result.marks or (Mark("the answer", 0, result.of, (Failure("fault", "", result.fault),)),)
         failed = sum(bool(mark.failures) for mark in marks)
         counts = {"tests": f"{len(marks)}", "failures": f"{failed}"}
-        suite = ElementTree.SubElement(suites, "testsuite", {"name": report.visible(result.answer), **counts})
+        suite = ElementTree.SubElement(suites, "testsuite", {"name": scores.visible(result.answer), **counts})
         for mark in marks:
             case = ElementTree.SubElement(suite, "testcase", name=mark.name, classname=exercise.name)
             if mark.failures:
@@ -66,6 +66,6 @@ def as_junit(exercise: Exercise, results: Sequence[Result]) -> str:
 
 def _said(result: Result, mark: Mark) -> list[str]:
     if result.fault:
-        return list(report.fault(result))
-    said = [line for failure in mark.failures for line in report.lines(failure)]
+        return list(scores.fault(result))
+    said = [line for failure in mark.failures for line in scores.lines(failure)]
     return [*said, *[f"hint: {mark.hint}"] * bool(mark.hint)]

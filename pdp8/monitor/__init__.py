@@ -3,7 +3,7 @@
 prompt       a machine at a prompt: a line becomes a command
 arguments    the words of a line: quotes and escapes, octal, seconds
 commands     every command by its name
-core         words, registers, switches and keys; breakpoints, steps, traces
+hands        words, registers, switches and keys; breakpoints, steps, traces
 running      going on until something: a time, a text on the page, a value
 past         undoing what the machine has done
 tapes        programs, tapes, the Teletype's keyboard and page, saved states

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from textwrap import wrap
 from typing import NamedTuple
 
-from pdp8.monitor import core, past, running, tapes
+from pdp8.monitor import hands, past, running, tapes
 from pdp8.monitor.arguments import MonitorError, exactly
 from pdp8.monitor.prompt import Monitor
 
@@ -37,15 +37,15 @@ def quit_(monitor: Monitor, arguments: Sequence[str]) -> None:
 COMMANDS = {
     command.name: command
     for command in (
-        Command("examine", "A | A:B ...", core.examine),
-        Command("deposit", "A WORD ...", core.deposit),
-        Command("set", "NAME WORD", core.set_),
-        Command("registers", "", core.registers),
+        Command("examine", "A | A:B ...", hands.examine),
+        Command("deposit", "A WORD ...", hands.deposit),
+        Command("set", "NAME WORD", hands.set_),
+        Command("registers", "", hands.registers),
         Command("load", "PROGRAM [force]", tapes.load),
         Command("boot", "PROGRAM [force]", tapes.boot),
         Command("listing", "PROGRAM", tapes.listing),
         Command("rim", "", tapes.rim),
-        Command("key", "KEY ...", core.key),
+        Command("key", "KEY ...", hands.key),
         Command("go", "[A] [SECONDS|until TEXT]", running.go),
         Command("cont", "[SECONDS|until TEXT]", running.cont),
         Command("run", "[SECONDS|until TEXT]", running.run),
@@ -53,14 +53,14 @@ COMMANDS = {
         Command("expect", "TEXT [SECONDS]", running.expect),
         Command("assert", "REGISTER|A WORD", running.assert_),
         Command("wait", "SECONDS", running.wait),
-        Command("step", "[N]", core.step),
-        Command("cycle", "[N]", core.cycle),
+        Command("step", "[N]", hands.step),
+        Command("cycle", "[N]", hands.cycle),
         Command("back", "[N] [UNIT] | until A [written|flag]", past.back),
-        Command("break", "[A ...]", core.break_),
-        Command("watch", "[A ...]", core.watch),
-        Command("forget", "[A ...]", core.forget),
-        Command("trace", "on|cycles|off", core.trace),
-        Command("count", "[on|off|listing]", core.count),
+        Command("break", "[A ...]", hands.break_),
+        Command("watch", "[A ...]", hands.watch),
+        Command("forget", "[A ...]", hands.forget),
+        Command("trace", "on|cycles|off", hands.trace),
+        Command("count", "[on|off|listing]", hands.count),
         Command("reader", "TAPE ...|start|stop|none", tapes.reader),
         Command("punch", "FILE|on|off", tapes.punch),
         Command("fast-reader", "TAPE", tapes.fast_reader),

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 import pal
 from pal.assembler import HIGH_SPEED_SYMBOLS
 from pal.crossreference import cross_reference, text
-from pal.report import as_json
+from pal.record import as_json
 from tapes import binary
 
 CHARACTERS = "AB19 \t+-,=*;$./!a\f\n\r"

@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from pdp8.lessons import answer, marking, records, report
+from pdp8.lessons import answer, marking, records, scores
 from pdp8.lessons.exercise import Exercise, parse
 from pdp8.lessons.marking import Result
 from tests.conftest import Shell
@@ -96,7 +96,7 @@ def test_a_hostile_answer_is_marked_like_any_other(content: bytes) -> None:
     given = exercise("ac=1\nseconds=10\ntape='AB'\npage='x'")
     began = time.process_time()
     result = marking.mark(given, answer.of(content, "a\x1b[2J.pal"))
-    said = "\n".join(report.details(result))
+    said = "\n".join(scores.details(result))
     ElementTree.fromstring(records.as_junit(given, [result]).partition("\n")[2])
     json.loads(records.as_json(given, [result]))
     assert time.process_time() - began < 5
@@ -106,13 +106,13 @@ def test_a_hostile_answer_is_marked_like_any_other(content: bytes) -> None:
 
 
 def test_two_texts_have_a_caret_under_their_first_difference() -> None:
-    shown = list(report.lines(marking.Failure("the page", "HELLO\n", "HELP")))
+    shown = list(scores.lines(marking.Failure("the page", "HELLO\n", "HELP")))
     assert shown[0].index("L", 24) + 1 == shown[1].index("P") == shown[2].index("^")
 
 
 def test_two_long_tapes_are_shown_where_they_differ() -> None:
     good = bytes(5000)
-    shown = "\n".join(report.lines(marking.Failure("the tape", good, good[:4000] + b"\x01" + good)))
+    shown = "\n".join(scores.lines(marking.Failure("the tape", good, good[:4000] + b"\x01" + good)))
     assert "the first difference is frame 4000" in shown
     assert len(shown.splitlines()) < 12
 
