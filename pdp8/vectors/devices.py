@@ -19,7 +19,7 @@ import random
 from collections.abc import Iterator
 from typing import Any
 
-from pdp8.computer.hardware.teletype import half_units
+from pdp8.computer.hardware.teletype import half_units, tick_of
 from pdp8.computer.machine import Machine
 
 Event = dict[str, Any]
@@ -220,7 +220,7 @@ class _Bench:
         """Return the tick at which a device moves next."""
         machine = self.machine
         teletype, fast = machine.teletype, machine.highspeed
-        line = min(teletype.receiver.step, teletype.transmitter.next_step())
+        line = min(teletype.receiver.step, tick_of(teletype.transmitter.next_step()))
         return min(line, fast.reader_control.due, fast.punch_control.due)
 
     def to(self, tick: int) -> None:

@@ -5,9 +5,10 @@ from libc.stdint cimport int64_t
 
 from pdp8.computer.hardware.bus cimport Device
 
-cdef int64_t NEVER, AT_ONCE, FRAME
-cdef int SKIP, CLEAR_AC, UNITS, UNIT, FIRST_SHIFT, NINTH_SHIFT, LOOKS_AGAIN, _MARKER, _STOP_UNITS
+cdef int64_t NEVER, AT_ONCE, FRAME, PARTS, HALF_UNIT
+cdef int SKIP, CLEAR_AC, UNIT, PULSES, FIRST_SHIFT, NINTH_SHIFT, LOOKS_AGAIN, _MARKER, _STOP_UNITS
 
+cpdef int64_t tick_of(int64_t time)
 cpdef int64_t half_units(int64_t count)
 cpdef int64_t eighths(int64_t count)
 
@@ -84,8 +85,8 @@ cdef class Transmitter(Device):
     cpdef int64_t next_unit(self) noexcept
     @cython.locals(unit=int64_t)
     cpdef int64_t next_step(self) noexcept
-    @cython.locals(has_frame=bint)
-    cpdef bint step(self, int64_t tick) noexcept
+    @cython.locals(time=int64_t, has_frame=bint)
+    cpdef bint step(self) noexcept
     cpdef int send(self) noexcept
     cpdef int deliver(self) except -1
     cpdef int load(self, int character, int64_t now) except -1

@@ -42,14 +42,18 @@ from pdp8.computer.hardware.bus import Bus, Device
 from pdp8.computer.hardware.fields import BIT, COUNT, FRAMES, PART, TICK, saved
 from pdp8.computer.hardware.signals import AT_ONCE, CLEAR_AC, FRAME, NEVER, SKIP
 
-UNITS = 11
-"""Of the line, 1/110 s each, 181 818.18 ticks."""
+PARTS = 11
+"""Parts of a tick: of these, a unit of the line (1/110 s) is 2,000,000, so that they measure it without rounding."""
+HALF_UNIT = 1_000_000
+"""Parts."""
 
 _STOP_UNITS = 0o3000
 _MARKER = 0o400
 
 # The receiver's clock, in pulses: eight a unit.
 UNIT = 8
+PULSES = 11 * UNIT
+"""In a frame."""
 FIRST_SHIFT = 3
 """From ACTIVE to the first shift; eight more follow, a unit apart."""
 NINTH_SHIFT = FIRST_SHIFT + 8 * UNIT
@@ -57,14 +61,19 @@ LOOKS_AGAIN = FIRST_SHIFT + 10 * UNIT + 1
 """From ACTIVE to the first pulse that can begin the next character: STOP 2 comes one before it."""
 
 
+def tick_of(time: int) -> int:
+    """Return the first tick that is not before `time`, which is in parts of a tick."""
+    return (time + PARTS - 1) // PARTS
+
+
 def half_units(count: int) -> int:
-    """Return the tick that sees the end of `count` half units of the line: 17 are 1 545 455, 18 are 1 636 364."""
-    return (count * (FRAME // 2) + UNITS - 1) // UNITS
+    """Return the ticks that `count` half units of the line take: 17 take 1 545 455, 18 take 1 636 364."""
+    return tick_of(HALF_UNIT * count)
 
 
 def eighths(count: int) -> int:
-    """Return the tick that sees the end of `count` eighths of a unit of the line."""
-    return (count * (FRAME // UNIT) + UNITS - 1) // UNITS
+    """Return the ticks that `count` eighths of a unit of the line take."""
+    return tick_of(HALF_UNIT // 4 * count)
 
 
 class Reader:
@@ -220,7 +229,7 @@ class Receiver(Device):
         since = now - self.origin
         if since < 0:
             return 0
-        return since // FRAME * (UNITS * UNIT) + since % FRAME * UNITS // (FRAME // UNIT) + 1
+        return since // FRAME * PULSES + PARTS * (since % FRAME) // (HALF_UNIT // 4) + 1
 
     def start_seen(self) -> int:
         """Return the pulse that will find a space of this character and take it for a start unit, -1 if none
@@ -241,7 +250,7 @@ class Receiver(Device):
         since = now - self.start
         if since <= 0 or since > FRAME:
             return 1
-        return self.line >> (UNITS * (since - 1)) // FRAME & 1
+        return self.line >> PARTS * (since - 1) // (2 * HALF_UNIT) & 1
 
     def advance(self, now: int) -> None:
         """Let the line and the reader run up to tick `now`."""
@@ -301,8 +310,8 @@ class Receiver(Device):
         """Clear ACTIVE; from `pulse` on a space is a start unit."""
         self.active = 0
         self.pulses = pulse
-        while self.pulses >= UNITS * UNIT:
-            self.pulses -= UNITS * UNIT
+        while self.pulses >= PULSES:
+            self.pulses -= PULSES
             self.origin += FRAME
 
     def pulse(self, iop: int, ac: int, now: int) -> int:
@@ -390,8 +399,9 @@ class Transmitter(Device):
 
     fields = saved(
         **dict.fromkeys(("flag", "mark"), BIT),
-        **dict.fromkeys(("due", "start", "free", "began"), TICK),
+        **dict.fromkeys(("start", "free", "began"), COUNT),
         **dict.fromkeys(("sent", "ahead"), 1 << 30),
+        due=TICK,
         register="777",
         selected="377",
         unit=9,
@@ -408,15 +418,15 @@ class Transmitter(Device):
         self.mark = 1
         """What the line shows: 1 for mark, 0 for space."""
         self.start = 0
-        """The tick at which the start unit begins."""
+        """When the start unit begins, in parts of a tick."""
         self.sent = 0
         """How many units have begun, the start unit among them."""
         self.free = 0
-        """The tick from which the line is free."""
+        """From when on the line is free, in parts of a tick."""
         self.unit = 0
         """The data unit the selector takes next, 1 to 8; 9 until it stops, 0 while it waits for a start unit."""
         self.began = 0
-        """The tick at which its start unit began."""
+        """When its start unit began, in parts of a tick."""
         self.selected = 0
         """The data units it has taken."""
         self.ahead = 0
@@ -433,9 +443,9 @@ class Transmitter(Device):
             if self.unit in (0, 9):
                 self.ahead = 0
         elif self.flag:
-            self.due = self.start + half_units(2)
+            self.due = tick_of(self.start + 2 * HALF_UNIT)
         else:
-            self.due = self.start + half_units(2 * (max(self.sent, 1) - 1 + self.left()))
+            self.due = tick_of(self.start + 2 * HALF_UNIT * (max(self.sent, 1) - 1 + self.left()))
 
     def left(self) -> int:
         """Return how many units are still to be sent, the end marker too."""
@@ -445,30 +455,31 @@ class Transmitter(Device):
         return units
 
     def next_unit(self) -> int:
-        """Return the tick at which the next unit goes out, NEVER if there is none."""
-        return self.start + half_units(2 * self.sent) if self.register else NEVER
+        """Return when the next unit goes out, in parts of a tick, NEVER if there is none."""
+        return self.start + 2 * HALF_UNIT * self.sent if self.register else NEVER
 
     def next_step(self) -> int:
-        """Return the tick at which the line or the selector does something next, NEVER if neither will."""
+        """Return when the line or the selector does something next, in parts of a tick, NEVER if neither will."""
         unit = self.next_unit()
-        return min(unit, self.began + half_units(min(2 * self.unit + 1, 18))) if self.unit else unit
+        return min(unit, self.began + HALF_UNIT * min(2 * self.unit + 1, 18)) if self.unit else unit
 
     def advance(self, now: int) -> None:
         """Let the line and the selector run up to tick `now`."""
-        while (tick := self.next_step()) <= now:
-            if self.step(tick):
+        while self.next_step() <= PARTS * now:
+            if self.step():
                 if self.ahead:
                     self.ahead -= 1
                 else:
                     self.deliver()
         self.plan()
 
-    def step(self, tick: int) -> bool:
-        """Let the line change at `tick`, or else the selector go on, which takes what the line shows in the middle
-        of a data unit; return whether it has a frame.
+    def step(self) -> bool:
+        """Let the line change, or else the selector go on, which takes what the line shows in the middle of a data
+        unit; return whether it has a frame.
         """
+        time = self.next_step()
         has_frame = False
-        if tick == self.next_unit():
+        if time == self.next_unit():
             self.send()
         elif self.unit < 9:
             self.selected |= self.mark << self.unit - 1
@@ -477,7 +488,7 @@ class Transmitter(Device):
         else:
             self.unit = 0
         if self.unit == 0 and not self.mark:
-            self.began = tick
+            self.began = time
             self.selected = 0
             self.unit = 1
         return has_frame
@@ -494,7 +505,7 @@ class Transmitter(Device):
             self.flag = 0 if self.register else 1
         self.sent += 1
         if self.register == 0:
-            self.free = self.start + half_units(2 * self.sent + 2)
+            self.free = self.start + HALF_UNIT * (2 * self.sent + 2)
 
     def deliver(self) -> None:
         """Let printer and punch have the frame that the selector has taken."""
@@ -511,8 +522,8 @@ class Transmitter(Device):
         unit, began, selected = self.unit, self.began, self.selected
         frames = 0
         try:
-            while (tick := self.next_step()) < NEVER:
-                if self.step(tick):
+            while self.next_step() < NEVER:
+                if self.step():
                     frames += 1
                     if frames > self.ahead:
                         self.deliver()
@@ -536,7 +547,7 @@ class Transmitter(Device):
     def load(self, character: int, now: int) -> None:
         """Or `character` and an end marker into the shift register; if that was empty begin a start unit."""
         if self.register == 0:
-            self.start = self.free if self.free > now else now
+            self.start = max(self.free, PARTS * now)
             self.sent = 0
         self.register |= _MARKER | character
 
@@ -544,8 +555,8 @@ class Transmitter(Device):
         """Clear the flag and the shift register: the line goes to mark."""
         self.advance(now)
         if self.register and self.sent:
-            edges = (now - self.start) * UNITS // (FRAME // 2)
-            self.free = self.start + half_units(edges + 4 if edges else 1)
+            edges = (PARTS * now - self.start) // HALF_UNIT
+            self.free = self.start + HALF_UNIT * (edges + 4 if edges else 1)
         self.register = self.flag = 0
         self.mark = 1
         self.plan()

@@ -25,7 +25,8 @@ from tapes.errors import WorkError
 
 HEAD = {"format": "pdp8 state", "version": 2}
 _PARTS = ("core", "processor", "bus", "waiting", "devices")
-_LATEST = 1 << 60
+_LATEST = 1 << 56
+"""Ticks, 114 years: the line counts eleven times as many parts."""
 _ROW = 8
 _FRAMES = 24
 _NEVER = "never"

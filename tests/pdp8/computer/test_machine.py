@@ -22,7 +22,7 @@ def test_the_calls_of_the_readme() -> None:
     m.teletype.reader.load(b"\301")
     stop = m.run(seconds=5, instructions=100)
     assert stop == ("halt", 0o203, (85 + 85 + 32) / 20e6)
-    assert m.teletype.punch.tape == b"\377"  # KRB came before the first data unit
+    assert m.teletype.punch.tape == b"\0"  # KRB came before PRESET
 
 
 def test_registers_are_words() -> None:

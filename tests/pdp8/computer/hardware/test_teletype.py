@@ -28,7 +28,7 @@ def flag_at(device: Receiver | Transmitter, tick: int) -> int:
 
 
 def test_the_ticks_of_the_line() -> None:
-    assert [half_units(n) for n in (1, 2, 17, 18, 22)] == [90_909, 181_818, 1_545_455, 1_636_364, 2_000_000]
+    assert [half_units(n) for n in (1, 2, 17, 18, 22)] == [90_910, 181_819, 1_545_455, 1_636_364, 2_000_000]
 
 
 def test_initialize_reads_one_frame_and_no_more() -> None:
@@ -51,23 +51,18 @@ def test_ksf_krs_kcc() -> None:
 
 
 def test_the_buffer_is_the_shift_register() -> None:
+    """PRESET at 1/8 unit, and nine shifts: the start unit comes in first."""
     r = receiver(b"\001")
+    units = (0, 0.12, 0.13, 0.49, 0.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.49, 8.5)
+    seen = [f"{r.pulse(4, 0, round(at * UNIT) + 2):03o}" for at in units]
+    expected = "000 000 377 377 177 277 137 057 027 013 005 002 002 001"
+    assert seen == expected.split()
+
+
+def test_a_rubout_read_4_8_units_after_its_start_is_367() -> None:
+    r = receiver(b"\377")
     r.advance(0)
-    seen = [
-        r.pulse(4, 0, round(units * UNIT) + 2) for units in (0, 1.4, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5)
-    ]
-    assert [f"{word:03o}" for word in seen] == [
-        "377",
-        "377",
-        "377",
-        "177",
-        "077",
-        "037",
-        "017",
-        "007",
-        "003",
-        "001",
-    ]
+    assert f"{r.pulse(4, 0, round(4.8 * UNIT)):03o}" == "367"
 
 
 def test_the_next_frame_comes_at_eleven_units_at_the_earliest() -> None:
@@ -102,16 +97,27 @@ def test_kcc_during_a_character_harms_nothing_and_lets_the_next_one_follow_at_fu
 
 def test_a_start_unit_takes_the_flag_down_half_a_unit_later() -> None:
     r = receiver(b"\1\2", run=1)
-    r.pulse(2, 0, 100)  # during the first: the second follows without being asked for
-    assert [flag_at(r, tick) for tick in (1_545_455, 2_000_000, 2_090_908, 2_090_909)] == [1, 1, 1, 0]
+    r.pulse(2, 0, 100_000)  # during the first: the second follows without being asked for
+    assert [flag_at(r, tick) for tick in (1_545_455, 2_000_000, 2_090_909, 2_090_910)] == [1, 1, 1, 0]
 
 
-def test_a_flag_unread_for_more_than_two_and_a_half_units_has_lost_its_character() -> None:
-    for delay, seen in ((454_544, 0o125), (454_545, 0o377)):  # 22.7 ms
+def test_a_flag_unread_for_more_than_two_and_five_eighths_units_has_lost_its_character() -> None:
+    for delay, seen in ((477_272, 0o125), (477_273, 0o377)):  # 23.9 ms
         r = receiver(b"\125\252")
-        r.pulse(2, 0, 100)
+        r.pulse(2, 0, 100_000)
         assert flag_at(r, 1_545_455) == 1
         assert r.pulse(4, 0, 1_545_455 + delay) == seen
+
+
+@pytest.mark.parametrize(("tick", "run"), [(22_727, 0), (22_728, 1)])
+def test_kcc_before_preset_is_undone_by_it(tick: int, run: int) -> None:
+    """READER RUN is still set at the start edge; PRESET clears it an eighth of a unit later."""
+    r = receiver(b"\1\2")
+    r.advance(0)
+    assert r.reader_run == 1
+    r.pulse(2, 0, tick)
+    r.advance(100_000)
+    assert r.reader_run == run
 
 
 def test_keys_do_not_wait_for_reader_run() -> None:
@@ -134,13 +140,45 @@ def test_the_lever() -> None:
     assert [flag_at(r, 10_000_000 + tick) for tick in (1_545_454, 1_545_455)] == [0, 1]
 
 
-def test_initialize_drops_a_character_half_received() -> None:
-    r = receiver(b"\1\2")
+def test_initialize_in_a_space_makes_a_false_character_of_the_rest() -> None:
+    """377 & 001: INITIALIZE 4.4 units after the start of 001; at 4.5 the clock finds a space again."""
+    r = receiver(b"\001")
+    r.advance(800_000)  # 4.4 units
+    r.initialize(800_000)
+    assert (r.flag, r.reader_run, r.active) == (0, 1, 0)
+    r.advance(818_182)  # 4.5 units: PRESET
+    assert (r.reader_run, r.active, r.buffer) == (0, 1, 0o377)
+    # its shifts stand at 4 7/8, 5 7/8 ... 12 7/8: the spaces of units 4 to 8, then marks
+    assert [flag_at(r, tick) for tick in (2_340_909, 2_340_910)] == [0, 1]
+    assert f"{r.buffer:03o}" == "360"
+
+
+def test_initialize_among_marks_leaves_the_receiver_free() -> None:
+    r = receiver(b"\377\2")
     r.advance(1_000_000)
     r.initialize(1_000_000)
     assert flag_at(r, 1_545_455) == 0
     assert flag_at(r, 3_545_455) == 1
     assert r.buffer == 2
+
+
+def test_a_false_start() -> None:
+    """017 after INITIALIZE: the clock finds the space of unit 8 at 8 7/8, and a mark three pulses later."""
+    r = receiver(b"\177")
+    r.advance(1_600_000)  # 8.8 units: the ninth shift is over, and its stop units run on
+    r.initialize(1_600_000)
+    r.advance(5_000_000)
+    assert (r.flag, r.buffer, r.reader_run) == (0, 0o177, 1)
+    r = receiver(b"\177")
+    r.advance(1_477_272)  # 8.125 units: unit 8 has begun
+    r.initialize(1_477_272)
+    r.flag = 1
+    r.advance(5_000_000)  # seen at 8.25, checked at 8.625, which is unit 8 still: no false start
+    assert (r.flag, r.buffer, r.reader_run) == (1, 0o377, 0)
+    r = receiver(b"\177")
+    r.advance(1_477_272)
+    r.initialize(1_590_909)  # 8.75, after the ninth shift of the first
+    assert r.active == 0
 
 
 def test_a_transmission_takes_nine_units_and_the_next_starts_after_eleven() -> None:
@@ -162,7 +200,7 @@ def test_tpc_with_the_flag_up_drops_it_at_the_first_shift() -> None:
     t.advance(5_000_000)
     assert t.flag == 1
     t.pulse(4, 0o102, 5_000_000)
-    ticks = (5_000_000, 5_181_817, 5_181_818, 6_636_363, 6_636_364)
+    ticks = (5_000_000, 5_181_818, 5_181_819, 6_636_363, 6_636_364)
     assert [flag_at(t, tick) for tick in ticks] == [1, 1, 0, 0, 1]
 
 
@@ -174,7 +212,19 @@ def test_loading_while_busy_garbles_and_lengthens() -> None:
     t.pulse(4, 0o101, 0)
     t.pulse(4, 0o102, half_units(8))
     assert [flag_at(t, tick) for tick in (1_636_364, half_units(26) - 1, half_units(26))] == [0, 0, 1]
+    t.advance(half_units(37))  # 10 + 8.5 units
     assert [f"{frame:03o}" for frame in t.punch.tape] == ["141", "375"]
+
+
+def test_an_overrun_is_printed_as_what_the_line_shows() -> None:
+    """The second frame begins with what is left of the overrun; the next character's units come into it."""
+    t = Transmitter()
+    t.pulse(4, 0o101, 0)
+    t.pulse(4, 0o102, half_units(8))
+    t.advance(half_units(26))
+    t.pulse(4, 0o000, half_units(27))  # its start unit begins at 15: data unit 6 of the second frame
+    t.advance(half_units(60))
+    assert [f"{frame:03o}" for frame in t.punch.tape] == ["141", "015", "360"]
 
 
 def test_loading_for_ever_never_ends() -> None:
@@ -185,12 +235,22 @@ def test_loading_for_ever_never_ends() -> None:
     assert m.teletype.transmitter.register < 0o1000
 
 
-def test_initialize_sends_the_line_to_mark() -> None:
+@pytest.mark.parametrize(("units", "frame", "next_start"), [(3.0, 0o374, 5), (3.6, 0o370, 5.5), (0.4, 0o377, 0.5)])
+def test_initialize_sends_the_line_to_mark(units: float, frame: int, next_start: float) -> None:
+    """The printer goes on with marks; the next character waits for the fourth edge of the clock, or in the
+    first half unit for the next.
+    """
     t = Transmitter()
     t.pulse(4, 0o000, 0)
-    t.initialize(half_units(2 * 3))  # two data units are out, the third has just begun
-    assert t.punch.tape == bytes([0o370])
-    assert flag_at(t, 10_000_000) == 0
+    t.initialize(round(units * UNIT) + 1)
+    t.advance(half_units(17))
+    assert t.punch.tape == bytes([frame])
+    t = Transmitter()
+    t.pulse(4, 0o000, 0)
+    t.initialize(round(units * UNIT) + 1)
+    t.pulse(4, 0o000, round(units * UNIT) + 2)
+    flag = half_units(round(2 * next_start) + 18)
+    assert [flag_at(t, tick) for tick in (flag - 1, flag)] == [0, 1]
 
 
 def test_a_halt_lets_the_printer_finish() -> None:
@@ -209,7 +269,7 @@ def test_ten_characters_a_second_out() -> None:
     m = program(*octal("6046 6041 5201 2210 5200 7402"))
     m.core[0o210] = -100
     times: list[int] = []
-    m.teletype.punch.on_frame = lambda frame: times.append(m.teletype.transmitter.start)
+    m.teletype.punch.on_frame = lambda frame: times.append(m.teletype.transmitter.start // 11)
     m.run()
     assert len(times) == 100
     assert [after - before for before, after in pairwise(times)] == [2_000_000] * 99
@@ -250,9 +310,9 @@ def slow_reader(turns: int) -> Machine:
     return m
 
 
-@pytest.mark.parametrize(("turns", "kept"), [(3000, True), (4725, True), (4737, False), (6000, False)])
-def test_a_program_too_slow_by_two_and_a_half_units_loses_characters(turns: int, kept: bool) -> None:
-    # 22.727 ms are 454 545 ticks: 4725 turns and the rest of the program stay below, 4737 turns are above.
+@pytest.mark.parametrize(("turns", "kept"), [(3000, True), (4950, True), (4975, False), (6000, False)])
+def test_a_program_too_slow_by_two_and_five_eighths_units_loses_characters(turns: int, kept: bool) -> None:
+    # 23.864 ms are 477 272 ticks: 4950 turns and the rest of the program stay below, 4975 turns are above.
     m = slow_reader(turns)
     m.run()
     assert ([m.core[0o400 + n] for n in range(9)] == list(range(1, 10))) is kept
@@ -308,7 +368,7 @@ def test_krb_reads_its_character_around_the_edge_at_which_the_line_falls_free() 
 
 
 def test_a_character_that_comes_in_reads_as_a_mixture_a_little_later() -> None:
-    """KRS a hundred ticks after the start unit: the shift register has been set to 377."""
+    """KRS an eighth of a unit after the start unit: the shift register has been set to 377."""
     machine = Machine()
     machine.load({0o200: 0o7402, 0o201: 0o6032, 0o202: 0o6034})
     machine.teletype.reader.load(b"\301\302")
@@ -317,5 +377,8 @@ def test_a_character_that_comes_in_reads_as_a_mixture_a_little_later() -> None:
     machine.wait(0.08)
     machine.processor.clock = 2_000_000 - 50
     machine.processor.instruction()
-    machine.processor.instruction()
-    assert f"{machine.ac:04o}" == "0377"
+    for clock, read in ((2_022_662, "0301"), (2_022_663, "0377")):  # IOP4 comes 65 ticks into an IOT
+        machine.processor.clock = clock
+        machine.processor.instruction()
+        assert f"{machine.ac:04o}" == read
+        machine.ac, machine.pc = 0, 0o202

@@ -142,7 +142,7 @@ def test_what_is_not_a_state(text: str, message: str) -> None:
         ({"processor": {"next": 7}}, "processor next: 7 is not a number from 0 to 3"),
         ({"processor": {"clock": -5}}, "processor clock: -5 is not a number from -1 to"),
         ({"processor": {"clock": 1 << 62 | 1}}, "processor clock: 46"),
-        ({"devices": {"04": {"shifts": 1 << 31}}}, "devices 04 shifts: 2147483648 is not"),
+        ({"devices": {"04": {"sent": 1 << 31}}}, "devices 04 sent: 2147483648 is not"),
         ({"devices": {"03": {"reader": {"tape": ["400"]}}}}, 'devices 03 reader tape: "400" is not an octal'),
         ({"devices": {"03": {"reader": {"position": 3}}}}, "stands at frame 3 of a tape of 0"),
         ({"devices": {"3": {}}}, "devices 3: this machine has no such device"),

@@ -105,7 +105,7 @@ def test_stop_between_two_slices(form: ModuleType) -> None:
     """The frame is printed in the very tick in which the first slice ends."""
     machine = started(form, TLS, 0o2210, 0o5201, 0o5201, ac=0o301)
     machine.teletype.printer.on_frame = lambda frame: machine.stop()
-    assert machine.run(seconds=0.075).reason == "stop key"
+    assert machine.run(seconds=1_545_523 / 20e6).reason == "stop key"
 
 
 @pytest.mark.parametrize("act", ["stop", "deposit", "jump"])
