@@ -9,8 +9,9 @@
    What happens at one instant happens in the order of `step`. A tick has seen all that happens up to and including it.
 
    The phase of the clocks: with `free_clocks` both run from one phase, and each edge of the transmitter's clock is also
-   a pulse of the receiver's. Without, as the package has it by convention: the receiver's pulse comes 1/8 unit
-   after the edge that starts a character, and the transmitter's clock stands still at rest and starts with IOP4.
+   a pulse of the receiver's. Without, as the package has it by convention: a character whose start unit finds RUN at 0
+   sets the receiver's clock, so that its first pulse comes 1/8 unit later; the transmitter's clock stands still at rest
+   and starts with IOP4.
 
    Sources: DEC M706, M707 and PDP-8/I drawings. */
 
@@ -155,19 +156,17 @@ static int64_t next_unit(const struct gates *g)
 static void send_unit(struct gates *g)
 {
     struct sender *s = &g->sender;
-    int before = s->line;
     if (!s->units) {
         int frame = key_waits(s) ? s->keyboard[s->keys_sent++ % QUEUE] : s->tape[s->position++];
         s->units = 10; /* from the low end: start, eight of data, stop */
         s->shifting = frame << 1 | 01000;
         s->at = g->now;
+        if (!g->free_clocks && !run(&g->receiver)) g->receiver.pulse_at = g->now + RECEIVER_CLOCK;
     }
     s->line = s->shifting & 1;
     s->shifting >>= 1;
     s->units--;
     s->at += s->units ? UNIT : 2 * UNIT;
-    if (!g->free_clocks && before == MARK && s->line == SPACE && !run(&g->receiver))
-        g->receiver.pulse_at = g->now + RECEIVER_CLOCK;
 }
 
 /* The printer's selector: a space that it finds at its stop is a start unit; then it samples eight units in their
@@ -294,7 +293,8 @@ int gates_quiet(const struct gates *g, int device, int64_t from, int64_t to)
     run_to(&after, to);
     if (device != 4 && !same_receiver(&before.receiver, &after.receiver)) return 0;
     if (device != 3 && !same_transmitter(&before.transmitter, &after.transmitter)) return 0;
-    return device || before.sender.units == after.sender.units && before.receiver.divider == after.receiver.divider;
+    return device || before.sender.units == after.sender.units && before.selector.unit == after.selector.unit &&
+                         before.receiver.divider == after.receiver.divider;
 }
 
 void gates_power_up(struct gates *g, int free_clocks, int wide_pulse, int64_t phase)

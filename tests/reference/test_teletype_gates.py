@@ -41,7 +41,10 @@ def test_a_character_is_received(d: int) -> None:
         (tick(0, d), 0, 0, 0),
         (tick(8.375, d), 1, 0, 0),
     ]
-    assert [change[:2] for change in changes(gates, 4_000_000)] == [(tick(11.375, d), 0), (tick(19.375, d), 1)]
+    assert [change[:2] for change in changes(gates, 4_000_000)] == [
+        (tick(11.375, d), 0),
+        (tick(19.375, d), 1),
+    ]
 
 
 @pytest.mark.parametrize("d", PHASES)

@@ -12,7 +12,7 @@ A mood lasts some acts:
 import random
 from collections.abc import Callable
 
-from tests.pdp8.computer.gates.beside import CYCLE, IOT, PULSES, Beside
+from tests.pdp8.computer.hardware.gates.beside import CYCLE, PULSES, Beside
 from tests.reference.gates import PARTS, UNIT, Gates
 
 FRAME = 2_000_000
@@ -25,7 +25,6 @@ class Scenes:
     def __init__(self, beside: Beside, seed: int) -> None:
         self.beside = beside
         self.draw = random.Random(seed)
-        self.words: tuple[range, ...] = ()
         self.acts: list[str] = []
         """What was done last, for the report."""
 
@@ -105,6 +104,8 @@ class Scenes:
         kind = draw.random()
         if kind > 0.15:
             return
+        if draw.random() < 0.5:
+            self._wait(self._moment())
         beside.stand_clear(0)
         if kind < 0.07:
             frames = draw.randbytes(draw.choice((1, 1, 2, 5)))

@@ -1,40 +1,39 @@
 """The Teletype and the model of DEC's modules, driven together.
 
 Every change of a flag and of READER RUN is timed on both sides; every IOT must give the same AC and the same
-skip; the printed frames must be the same. An IOT stands clear of the changes that both sides may time differently.
+skip; the printed frames must be the same. At the package's conventions nothing may differ by a tick. With free
+clocks both sides time some changes differently, and an IOT stands clear of these.
 """
 
 from collections import deque
 from typing import NamedTuple
 
-from pdp8.computer.bus import Bus
-from pdp8.computer.teletype import Teletype
+from pdp8.computer.hardware.bus import Bus
+from pdp8.computer.hardware.teletype import Teletype
 from tests.reference.gates import PARTS, UNIT, Gates
 
 CYCLE, IOT = 32, 85
+SKIPS = 0o10000
 PULSES = {1: 29, 2: 47, 4: 65}
 KEYBOARD_FLAG, PRINTER_FLAG, READER_RUN = SIGNALS = ("keyboard flag", "printer flag", "READER RUN")
 
 
 class Window(NamedTuple):
-    """How many ticks the Teletype may be later than the modules, or earlier."""
+    """How many ticks the Teletype may be later than the modules, and how many earlier."""
 
     later: int
     earlier: int
 
 
-EXACT = 1
-"""The Teletype's times are whole ticks, to the nearest; the modules' tick has seen what happens up to it."""
-STEP = 5
-"""Ticks by which an act that stands too near a change is put off."""
-FREE_STEP = 2_000
-FIXED = dict.fromkeys(SIGNALS, Window(EXACT, EXACT))
-_EIGHTH, _HALF = (-(-UNIT // (parts * PARTS)) + EXACT for parts in (8, 2))
+SAME = dict.fromkeys(SIGNALS, Window(0, 0))
+EIGHTH, HALF = UNIT // 8 // PARTS + 1, UNIT // 2 // PARTS + 1
 FREE = {
-    KEYBOARD_FLAG: Window(_EIGHTH, EXACT),
-    READER_RUN: Window(_EIGHTH, EXACT),
-    PRINTER_FLAG: Window(_HALF, _HALF),
+    KEYBOARD_FLAG: Window(EIGHTH, 0),
+    PRINTER_FLAG: Window(0, HALF),
+    READER_RUN: Window(EIGHTH, 0),
 }
+STEP, LONGEST_STEP = 5, 10_000
+"""Ticks by which an act that stands too near a change is put off: more each time."""
 
 
 class Difference(AssertionError):
@@ -72,17 +71,17 @@ def _told(edge: tuple[int, int] | None) -> str:
 class Beside:
     """Both sides at tick `now`; with `phase` the modules' clocks run free."""
 
-    def __init__(self, phase: int | None = None, wide_pulse: bool = False) -> None:
+    def __init__(self, phase: int | None = None) -> None:
         self.free = phase is not None
-        self.gates = Gates(phase, wide_pulse)
+        self.gates = Gates(phase)
+        self.gates.sender.lever = 1
         self.teletype = Teletype()
         self.bus = Bus()
         self.teletype.connect(self.bus)
         self.bus.initialize(0)
         self.now = 0
         self.characters = 0
-        self.edges = [_Edges(name, window) for name, window in (FREE if self.free else FIXED).items()]
-        self.edges.sort(key=lambda edges: SIGNALS.index(edges.name))
+        self.edges = [_Edges(name, window) for name, window in (FREE if self.free else SAME).items()]
         self._seen_ours, self._seen_gates = self._ours(), self._gates()
         self._printed = 0
 
@@ -110,6 +109,10 @@ class Beside:
                 edges.gates.append((now, level))
         self.characters += seen[0] > self._seen_gates[0]
         self._seen_gates = seen
+
+    def _note(self) -> None:
+        self._note_ours(self.now)
+        self._note_gates(self.now)
 
     def _run_ours(self, until: int) -> None:
         now = self.now
@@ -139,73 +142,82 @@ class Beside:
             expected = self.gates.printed(self._printed)[: until - self._printed]
             ours = bytes(page[self._printed : until])
             if ours != expected:
-                raise Difference(f"tick {self.now}: printed {_octal(ours)}, by the modules {_octal(expected)}")
+                raise Difference(
+                    f"tick {self.now}: printed {_octal(ours)}, by the modules {_octal(expected)}"
+                )
             self.characters += until - self._printed
             self._printed = until
 
     def stand_clear(self, device: int, *pulses: int) -> None:
-        """Let time go on until pulses so long after then stand clear of what both sides time differently, and
-        the other device stands still meanwhile; device 0 for INITIALIZE and the hands. Raises Difference.
+        """With free clocks let time go on until both sides have done all that an IOT of `device` could meet, and
+        neither does more while its pulses last; device 0 for INITIALIZE and the hands. Raises Difference.
         """
-        late, early = EXACT, EXACT
-        if self.free:
-            late, early = (_EIGHTH, EXACT) if device == 3 else (EXACT, _HALF)
-        while not self._still(device, late + max(pulses, default=0) + early, late + IOT + EXACT):
-            self.run(self.now + (FREE_STEP if self.free else STEP))
+        if not self.free:
+            return
+        late, early = (EIGHTH, 0) if device == 3 else (0, HALF)
+        step = STEP
+        while not self._still(device, late, late + max(pulses, default=0) + early):
+            self.run(self.now + step)
+            step = min(2 * step, LONGEST_STEP)
         self.run(self.now + late)
 
-    def _still(self, device: int, own: int, other: int) -> bool:
-        """Tell whether nothing changes for so many ticks from now: of `device`, of the other one."""
+    def _still(self, device: int, late: int, ticks: int) -> bool:
+        """Tell whether nothing changes for so many ticks from now; nor could the reader begin a character, or
+        the selector, still turning, take one from rest at another time of its turn.
+        """
         now, gates = self.now, self.gates
-        if not gates.quiet(device, now, now + own):
-            return False
-        if self.free and device == 4 and gates.selector.unit and not gates.transmitter.active:
-            return False  # a character sent from rest would come at another time of the selector's turn
-        return not device or gates.quiet(7 - device, now, now + other) and self.bus.next_event(now) > now + other
+        if device == 3:
+            pulse = (gates.receiver.pulse_at // PARTS - now - late) % EIGHTH
+            return pulse > IOT and gates.quiet(3, now, now + ticks)
+        turning = gates.selector.unit and not gates.transmitter.active
+        return not (device == 4 and turning) and gates.quiet(device, now, now + ticks)
 
     def iot(self, word: int, ac: int) -> None:
-        """Do an IOT that begins now, on both. Raises Difference."""
+        """Do an IOT that begins now, pulse after pulse, on both. Raises Difference."""
         began = self.now
-        self._run_ours(began)
-        ours = self.bus.transfer(word, ac, began + CYCLE)
-        expected = self.gates.iot(word, ac, began)
-        ours = ours & 0o7777 | (0o10000 if ours & 0o20000 else 0)
-        if ours != expected:
-            raise Difference(
-                f"tick {began}: {word:o} with AC {ac:04o} gives {_answer(ours)}, "
-                f"by the modules {_answer(expected)}"
-            )
-        if word & 6:
-            last = began + PULSES[4 if word & 4 else 2]
-            self._note_ours(last)
-            self._note_gates(last)
-            self.now = last
+        for pulse, after in PULSES.items():
+            if not word & pulse:
+                continue
+            self.run(began + after)
+            ours = self.bus.transfer(word & ~7 | pulse, ac, began + CYCLE)
+            answer = self.gates.iot(word & ~7 | pulse, ac, began)
+            ours = ours & 0o7777 | (SKIPS if ours & 0o20000 else 0)
+            if ours != answer:
+                raise Difference(
+                    f"tick {self.now}: IOP{pulse} of {word:o} with AC {ac:04o} gives {_answer(ours)}, "
+                    f"in the modules {_answer(answer)}"
+                )
+            ac = answer & 0o7777
+            self._note()
         self.run(began + IOT)
 
     def initialize(self) -> None:
         """INITIALIZE on both."""
         self.bus.initialize(self.now)
         self.gates.initialize(self.now)
-        self._note_ours(self.now)
-        self._note_gates(self.now)
+        self._note()
+        self.run(self.now + 1)
 
     def type(self, frames: bytes) -> None:
         """Press the keys that send `frames`."""
         self.bus.advance(self.now)
         self.teletype.keyboard.press(frames)
         self.gates.type(frames)
+        self.run(self.now + 1)
 
     def load_tape(self, frames: bytes) -> None:
         """Put a tape in."""
         self.bus.advance(self.now)
         self.teletype.reader.load(frames)
         self.gates.load_tape(frames)
+        self.run(self.now + 1)
 
     def lever(self, on: bool) -> None:
         """Put the reader's lever to START or STOP."""
         self.bus.advance(self.now)
         self.teletype.reader.lever(on)
         self.gates.sender.lever = on
+        self.run(self.now + 1)
 
     def end(self) -> None:
         """Let everything come to its end; then compare all that was printed and read. Raises Difference."""
@@ -215,7 +227,9 @@ class Beside:
         self.run(self.now + 6_000_000)
         ours, gates = self.teletype, self.gates
         if len(ours.printer.frames) != gates.selector.printed:
-            raise Difference(f"printed {len(ours.printer.frames)} frames, the modules {gates.selector.printed}")
+            raise Difference(
+                f"printed {len(ours.printer.frames)} frames, the modules {gates.selector.printed}"
+            )
         if self._seen_ours != self._seen_gates:
             raise Difference(f"{SIGNALS} {self._seen_ours}, in the modules {self._seen_gates}")
 
@@ -225,4 +239,4 @@ def _octal(frames: bytes) -> str:
 
 
 def _answer(answer: int) -> str:
-    return f"{answer & 0o7777:04o}{' and skips' if answer & 0o10000 else ''}"
+    return f"{answer & 0o7777:04o}{' and skips' if answer & SKIPS else ''}"
