@@ -48,7 +48,7 @@ def test_a_character_is_received(d: int) -> None:
 
 
 @pytest.mark.parametrize("d", PHASES)
-@pytest.mark.parametrize("frame", (0o377, 0o000, 0o301, 0o125))
+@pytest.mark.parametrize("frame", [0o377, 0o000, 0o301, 0o125])
 def test_the_start_unit_is_shifted_in_first(d: int, frame: int) -> None:
     gates = Gates(phase=d)
     gates.type(bytes([frame]))
@@ -94,8 +94,8 @@ def test_a_false_start() -> None:
     assert not gates.receiver.active
 
 
-@pytest.mark.parametrize("wide_pulse", (False, True))
-@pytest.mark.parametrize("g", (9.1, 9.875, 10.125, 10.375))
+@pytest.mark.parametrize("wide_pulse", [False, True])
+@pytest.mark.parametrize("g", [9.1, 9.875, 10.125, 10.375])
 def test_a_character_that_follows_early(g: float, wide_pulse: bool) -> None:
     d = 2000
     gates = Gates(phase=d, wide_pulse=wide_pulse)
@@ -150,7 +150,7 @@ def bits(frame: int, count: int = 8) -> list[int]:
     return [frame >> place & 1 for place in range(count)]
 
 
-@pytest.mark.parametrize("delay", (0.01, 0.25, 0.49))
+@pytest.mark.parametrize("delay", [0.01, 0.25, 0.49])
 def test_a_character_is_sent(delay: float) -> None:
     gates = Gates(phase=round(delay * UNIT) + IOP4 * PARTS)
     gates.iot(TLS, 0o7123, 0)
@@ -206,7 +206,7 @@ def test_a_load_while_busy(shifts: int) -> None:
 
 @pytest.mark.parametrize(
     ("at", "next_start"),
-    ((0.2, 0.5), (0.49, 0.5), (0.51, 2.5), (0.99, 2.5), (1.01, 3), (8.9, 10.5), (9.1, 11), (10.9, 11)),
+    [(0.2, 0.5), (0.49, 0.5), (0.51, 2.5), (0.99, 2.5), (1.01, 3), (8.9, 10.5), (9.1, 11), (10.9, 11)],
 )
 def test_initialize_while_sending(at: float, next_start: float) -> None:
     gates = Gates()

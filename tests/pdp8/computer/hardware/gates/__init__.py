@@ -1,4 +1,4 @@
-"""The Teletype beside DEC's flip-flops: IOTs, keys, tape, lever and INITIALIZE by chance, both compared throughout.
+"""The Teletype beside DEC's flip-flops: IOTs, keys, tape, lever and INITIALIZE by chance.
 
 beside      both, driven together; the first difference
 scenes      what is done to them, and when

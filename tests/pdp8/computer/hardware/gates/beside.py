@@ -1,8 +1,8 @@
 """The Teletype and the model of DEC's modules, driven together.
 
 Every change of a flag and of READER RUN is timed on both sides; every IOT must give the same AC and the same
-skip; the printed frames must be the same. At the package's conventions nothing may differ by a tick. With free
-clocks both sides time some changes differently, and an IOT stands clear of these.
+skip; the printed frames must be the same. At the package's conventions nothing may differ by a tick. With
+free clocks both sides time some changes differently, and an IOT stands clear of these.
 """
 
 from collections import deque
@@ -149,8 +149,8 @@ class Beside:
             self._printed = until
 
     def stand_clear(self, device: int, *pulses: int) -> None:
-        """With free clocks let time go on until both sides have done all that an IOT of `device` could meet, and
-        neither does more while its pulses last; device 0 for INITIALIZE and the hands. Raises Difference.
+        """With free clocks let time go on until both sides have done all that an IOT of `device` could meet,
+        and neither does more while its pulses last; device 0 for INITIALIZE and the hands. Raises Difference.
         """
         if not self.free:
             return

@@ -1,4 +1,4 @@
-"""What is done to the Teletype and to the modules, by chance, and when: most of it near the instants that matter.
+"""What is done to the Teletype and to the modules, by chance, most of it near the instants that matter.
 
 A mood lasts some acts:
 
@@ -81,9 +81,9 @@ class Scenes:
         aside = draw.choice((-2, -1, 1, 2, 10, -10, 1000, -1000)) - draw.choice((0, *PULSES.values()))
         kind = draw.random()
         if kind < 0.4 and beside.gates.sender.units:
-            at = beside.gates.sender.at + draw.randrange(-8, 60) * UNIT // 8
+            at = int(beside.gates.sender.at) + draw.randrange(-8, 60) * UNIT // 8
         elif kind < 0.7 and beside.gates.transmitter.active:
-            at = beside.gates.transmitter.edge_at + draw.randrange(20) * UNIT // 2
+            at = int(beside.gates.transmitter.edge_at) + draw.randrange(20) * UNIT // 2
         else:
             return beside.now + draw.randrange(FRAME // draw.choice((1, 4, 20)))
         return max(beside.now, at // PARTS + aside)

@@ -1,11 +1,11 @@
-"""The Teletype and DEC's flip-flops differ in nothing; with free clocks in no more than a turn of the clock."""
+"""The Teletype and DEC's flip-flops differ in nothing; with free clocks, by a turn of the clock."""
 
 import pytest
 
 from tests.pdp8.computer.hardware.gates.beside import Beside, Difference
 from tests.pdp8.computer.hardware.gates.scenes import Scenes
-from tests.reference.gates import UNIT
 from tests.reference.compiling import compiler
+from tests.reference.gates import UNIT
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="the modules are compiled from C")
 
@@ -24,7 +24,7 @@ def test_nothing_differs_by_a_tick(seed: int) -> None:
     play(Beside(), seed, 500)
 
 
-@pytest.mark.parametrize("eighths", (0.1, 1.7, 2.5, 3.9))
+@pytest.mark.parametrize("eighths", [0.1, 1.7, 2.5, 3.9])
 def test_with_free_clocks_no_time_differs_by_more_than_a_turn_of_the_clock(eighths: float) -> None:
     play(Beside(phase=round(eighths * UNIT / 8)), round(10 * eighths), 100)
 
