@@ -6,9 +6,9 @@
 
 A character on the line is 11 units: a start unit (space), 8 data units, channel 1 first, 2 stop units (mark).
 
-    unit   0     1/8     0.5          1.5 ... 8.5             9.0      10.5      11.0
-    03     start PRESET  shift 1      shifts 2 to 9: flag              looks again
-    04     start         (1.0: a raised flag falls)           flag               the next start at the earliest
+    unit   0     1/8     0.5       1.5 ... 8.5           9.0    10.5         11.0
+    03     start PRESET  shift 1   shifts 2 to 9: flag          looks again
+    04     start         (1.0: a raised flag falls)      flag                the next start at the earliest
 
 Receiver: its buffer is the shift register itself. PRESET sets it to 377 and clears READER RUN; then the start
 unit is shifted in like the data units, and the flag is the complement of what is shifted out: it falls at the
@@ -24,11 +24,11 @@ unit is over, the next start unit waits for the fourth edge of the clock.
 The printer's selector takes each data unit in its middle, and nine units after its start it takes a space for
 the next start unit.
 
-By convention, because their clocks run free: the receiver's clock (880 Hz) beats an eighth of a unit after the
-start unit begins, so that start check and flag come at the late end of what a real one does (0 to 1/8 unit
-earlier); a start unit that begins before the receiver looks again is seen by the clock as it was. A
-transmission from idle starts with the pulse itself (220 Hz, 0 to 1/2 unit later). The reader starts as soon as
-READER RUN lets it; a key pressed while the line is busy waits for it.
+By convention, because their clocks run free: the receiver's clock (880 Hz) beats an eighth of a unit after
+the start unit begins, so that start check and flag come at the late end of what a real one does (0 to 1/8
+unit earlier); a start unit that begins before the receiver looks again is seen by the clock as it was. A
+transmission from idle starts with the pulse itself (220 Hz, 0 to 1/2 unit later). The reader starts as soon
+as READER RUN lets it; a key pressed while the line is busy waits for it.
 
 Not emulated: LOCAL, BREAK, answer-back, the reader's trip latency.
 
@@ -43,7 +43,7 @@ from pdp8.computer.hardware.fields import BIT, COUNT, FRAMES, PART, TICK, saved
 from pdp8.computer.hardware.signals import AT_ONCE, CLEAR_AC, FRAME, NEVER, SKIP
 
 PARTS = 11
-"""Parts of a tick: of these, a unit of the line (1/110 s) is 2,000,000, so that they measure it without rounding."""
+"""Parts of a tick. A unit of the line, 1/110 s, is 2,000,000 of them: times on it are whole."""
 HALF_UNIT = 1_000_000
 """Parts."""
 
@@ -424,7 +424,7 @@ class Transmitter(Device):
         self.free = 0
         """From when on the line is free, in parts of a tick."""
         self.unit = 0
-        """The data unit the selector takes next, 1 to 8; 9 until it stops, 0 while it waits for a start unit."""
+        """The data unit the selector takes next, 1 to 8; 9 until it stops, then 0 until a start unit."""
         self.began = 0
         """When its start unit began, in parts of a tick."""
         self.selected = 0
@@ -459,7 +459,7 @@ class Transmitter(Device):
         return self.start + 2 * HALF_UNIT * self.sent if self.register else NEVER
 
     def next_step(self) -> int:
-        """Return when the line or the selector does something next, in parts of a tick, NEVER if neither will."""
+        """Return when the line or the selector does something next, in parts of a tick, or NEVER."""
         unit = self.next_unit()
         return min(unit, self.began + HALF_UNIT * min(2 * self.unit + 1, 18)) if self.unit else unit
 
@@ -474,8 +474,8 @@ class Transmitter(Device):
         self.plan()
 
     def step(self) -> bool:
-        """Let the line change, or else the selector go on, which takes what the line shows in the middle of a data
-        unit; return whether it has a frame.
+        """Let the line change, or else the selector go on, which takes what the line shows in the middle of a
+        data unit; return whether it has a frame.
         """
         time = self.next_step()
         has_frame = False

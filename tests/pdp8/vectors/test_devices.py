@@ -4,7 +4,7 @@ import pytest
 
 from pdp8.vectors import devices, runner
 from tests.pdp8.vectors.emulators import ReferenceEmulator
-from tests.reference.model import compiler
+from tests.reference.compiling import compiler
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="the reference needs a C compiler")
 

@@ -15,8 +15,9 @@ from pdp8.vectors.folder import GROUPS, files
 from tests.conftest import Shell
 from tests.pdp8.vectors.emulators import EngineEmulator, ProcessorEmulator, ReferenceEmulator
 from tests.pdp8.vectors.faults import FAULTS
+from tests.reference.compiling import compile_c, compiler
 from tests.reference.model import FOLDER as REFERENCE
-from tests.reference.model import SOURCES, compile_c, compiler
+from tests.reference.model import SOURCES
 
 STATES = 8
 needs_c = pytest.mark.skipif(compiler() is None, reason="the reference needs a C compiler")

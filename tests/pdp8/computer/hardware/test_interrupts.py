@@ -76,3 +76,15 @@ def test_waiting_under_interrupt_is_passed_over_exactly() -> None:
     turns = -(-(1_545_455 - 85) // 32)
     assert machine.ticks == 85 + turns * 32 + 32 + 32
     assert machine.instructions == 1 + turns + 1
+
+
+def test_the_ion_lamp_lights_with_ion_an_instruction_before_interrupts_are_taken() -> None:
+    """ION, NOP, IOF: the lamp shows INTERRUPT ENABLE, which ION sets at once and IOF clears at once."""
+    machine = Machine()
+    machine.load({0o200: 0o6001, 0o201: 0o7000, 0o202: 0o6002})
+    machine.start(0o200)
+    lamps = []
+    for _ in range(4):
+        lamps.append((machine.panel.lamps.ion, machine.ion))
+        machine.run(instructions=1)
+    assert lamps == [(0, 0), (1, 1), (1, 1), (0, 0)]

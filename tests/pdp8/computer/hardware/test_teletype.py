@@ -163,22 +163,16 @@ def test_initialize_among_marks_leaves_the_receiver_free() -> None:
 
 
 def test_a_false_start() -> None:
-    """017 after INITIALIZE: the clock finds the space of unit 8 at 8 7/8, and a mark three pulses later."""
+    """177: INITIALIZE at 0.8 units; the clock finds the start unit at 7/8 and a mark at 1 1/4. The space of unit
+    8 is found at 8 1/8: a character of marks.
+    """
     r = receiver(b"\177")
-    r.advance(1_600_000)  # 8.8 units: the ninth shift is over, and its stop units run on
-    r.initialize(1_600_000)
-    r.advance(5_000_000)
-    assert (r.flag, r.buffer, r.reader_run) == (0, 0o177, 1)
-    r = receiver(b"\177")
-    r.advance(1_477_272)  # 8.125 units: unit 8 has begun
-    r.initialize(1_477_272)
-    r.flag = 1
-    r.advance(5_000_000)  # seen at 8.25, checked at 8.625, which is unit 8 still: no false start
-    assert (r.flag, r.buffer, r.reader_run) == (1, 0o377, 0)
-    r = receiver(b"\177")
-    r.advance(1_477_272)
-    r.initialize(1_590_909)  # 8.75, after the ninth shift of the first
-    assert r.active == 0
+    r.advance(145_454)
+    r.initialize(145_454)
+    r.advance(250_000)
+    assert (r.active, r.reader_run, r.buffer) == (0, 0, 0o377)
+    assert [flag_at(r, tick) for tick in (2_999_999, 3_000_000)] == [0, 1]
+    assert r.buffer == 0o377
 
 
 def test_a_transmission_takes_nine_units_and_the_next_starts_after_eleven() -> None:
@@ -235,7 +229,9 @@ def test_loading_for_ever_never_ends() -> None:
     assert m.teletype.transmitter.register < 0o1000
 
 
-@pytest.mark.parametrize(("units", "frame", "next_start"), [(3.0, 0o374, 5), (3.6, 0o370, 5.5), (0.4, 0o377, 0.5)])
+@pytest.mark.parametrize(
+    ("units", "frame", "next_start"), [(3.0, 0o374, 5), (3.6, 0o370, 5.5), (0.4, 0o377, 0.5)]
+)
 def test_initialize_sends_the_line_to_mark(units: float, frame: int, next_start: float) -> None:
     """The printer goes on with marks; the next character waits for the fourth edge of the clock, or in the
     first half unit for the next.

@@ -5,7 +5,7 @@ import pytest
 from tests.pdp8.computer.lockstep.play import play
 from tests.pdp8.computer.lockstep.situations import Act, Situation
 from tests.pdp8.computer.speed.forms import FORMS
-from tests.reference.model import compiler
+from tests.reference.compiling import compiler
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="the reference needs a C compiler")
 

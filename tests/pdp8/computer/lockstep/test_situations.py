@@ -6,7 +6,7 @@ from tests.pdp8.computer.lockstep.play import play
 from tests.pdp8.computer.lockstep.shrink import shrink
 from tests.pdp8.computer.lockstep.sides import ReferenceSide
 from tests.pdp8.computer.lockstep.situations import Act, Situation, situation
-from tests.reference.model import compiler
+from tests.reference.compiling import compiler
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="the reference needs a C compiler")
 
