@@ -22,7 +22,7 @@ def vectors(output: str, states: int) -> None:
     """Write what each of the 4,096 words does, in a hundred states each, for tests of any emulator.
 
     Beside them go interrupts, the Teletype and the PC8/L against the clock, what other models of the PDP-8 do
-    otherwise, runners in C and Python, and a README that describes the format.
+    otherwise, runners in Python, C and Go, and a README that describes the format.
 
     \b
     Examples:

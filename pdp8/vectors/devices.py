@@ -265,6 +265,8 @@ def _vector(name: str, inputs: list[Input]) -> dict[str, Any]:
     bench.to(ticks)
     return {
         "name": name,
+        "models": ["8/L"],
+        "instructions": sum(what == "iot" for _, what, _, _ in inputs),
         "initial": {"tape": list(TAPE)},
         "final": {"flags": [device for device, flag in sorted(bench.seen["flag"].items()) if flag]},
         "ticks": ticks,

@@ -10,13 +10,13 @@ from collections.abc import Iterable, Iterator
 from importlib import resources
 from typing import Any
 
-from pal.isa import GROUP_2, GROUP_3, OPERATIONS, OPR
+from pal.isa import GROUP_2, GROUP_3, IOT, OPERATIONS, OPR
 from pal.models import MODELS, RULES
 from pdp8.vectors import devices, interrupts
 from pdp8.vectors.record import Recorder, Vector
-from pdp8.vectors.states import states
+from pdp8.vectors.states import PROTECTED, states
 
-COPIED = ("README.md", "runner.c", "emulator.h", "runner.py")
+COPIED = ("README.md", "runner.py", "runner.c", "emulator.h", "runner_test.go")
 GROUPS = {
     **{name.lower(): list(range(code << 9, code + 1 << 9)) for code, name in enumerate(OPERATIONS[:OPR])},
     "opr1": list(range(0o7000, 0o7400)),
@@ -25,7 +25,7 @@ GROUPS = {
 }
 """The words of each file."""
 DEVICES = ("teletype", "pc8l")
-COUNT = len(GROUPS) + 1 + len(DEVICES) + 1 + len(COPIED)
+COUNT = len(GROUPS) + 2 + len(DEVICES) + 1 + len(COPIED)
 """How many files there are."""
 
 
@@ -34,6 +34,7 @@ def files(count: int) -> Iterator[tuple[str, bytes]]:
     recorder = Recorder()
     for name, words in GROUPS.items():
         yield f"{name}.json.gz", _compressed(_single(recorder, words, count))
+    yield "mem_prot.json.gz", _compressed(_protected(recorder))
     yield "interrupts.json.gz", _compressed(interrupts.vectors(recorder))
     for name in DEVICES:
         yield f"{name}.json.gz", _compressed(devices.vectors(name))
@@ -49,6 +50,14 @@ def _single(recorder: Recorder, words: Iterable[int], count: int) -> Iterator[Ve
             for place, state in enumerate(some):
                 yield recorder.vector(f"{word:04o} {number + place}", state, word)
         number += len(some)
+
+
+def _protected(recorder: Recorder) -> Iterator[Vector]:
+    """Yield every memory reference with MEM PROT up, within the page that it protects and beside it."""
+    half = len(PROTECTED) // 2
+    for word in range(IOT << 9):
+        for number in (word % half, word % half + half):
+            yield recorder.vector(f"{word:04o} {number}", PROTECTED[number], word, mem_prot=1)
 
 
 def _compressed(vectors: Iterable[dict[str, Any]]) -> bytes:

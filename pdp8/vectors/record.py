@@ -1,13 +1,15 @@
 """Instructions of the processor, written down: registers and core before and after, and each memory cycle.
 
-    {"name", "initial", "final", "ticks", "cycles": [["FETCH", MA, MB], ...]}
+    {"name", "models", "instructions", "initial", "final", "ticks", "cycles": [["FETCH", MA, MB], ...]}
 
-Of core "ram" has every word that a cycle touches.
+Of core "ram" has every word that a cycle touches. "models" are those on which the words do the same.
 """
 
+from functools import cache
 from typing import Any
 
-from pal.isa import DEFER, EXECUTE, INDIRECT, IOT, STATES, autoindexed, refers_to
+from pal.isa import DEFER, EXECUTE, FETCH, INDIRECT, IOT, STATES, autoindexed, refers_to
+from pal.models import MODELS, rules
 from pdp8.computer.hardware.signals import INTERRUPT
 from pdp8.computer.machine import Machine
 from pdp8.vectors.states import State
@@ -24,35 +26,47 @@ class Recorder:
         self.touched: set[int] = set()
         """The words of core that are not 0."""
 
-    def vector(self, name: str, state: State, word: int, flags: tuple[int, ...] = ()) -> Vector:
+    def vector(
+        self, name: str, state: State, word: int, flags: tuple[int, ...] = (), mem_prot: int = 0
+    ) -> Vector:
         """Return what `word` at the PC of `state` does."""
-        return self.run(name, state, _core(state, word), 1, flags)
+        return self.run(name, state, _core(state, word), 1, flags, mem_prot)
 
     def run(
-        self, name: str, state: State, core: dict[int, int], instructions: int, flags: tuple[int, ...]
+        self,
+        name: str,
+        state: State,
+        core: dict[int, int],
+        instructions: int,
+        flags: tuple[int, ...],
+        mem_prot: int = 0,
     ) -> Vector:
         """Return what so many instructions do, fewer if the machine stops, and the interrupt that follows."""
         self._prepare(state, core, flags)
         p = self.machine.processor
-        clock = p.clock
-        last = p.instructions + instructions
+        p.mem_prot = mem_prot
+        clock, first = p.clock, p.instructions
         cycles = self._instruction()
-        while p.run and (p.instructions < last or p.next == INTERRUPT):
+        while p.run and (p.instructions < first + instructions or p.next == INTERRUPT):
             cycles += self._instruction()
         touched = sorted({ma for _, ma, _ in cycles})
         self.touched.update(core, touched)
+        switch = {"mem_prot": 1} if mem_prot else {}
         initial = {
-            **{"pc": state.pc, "ac": state.ac, "link": state.link, "sr": state.sr},
-            **{"ion": state.ion, "mem_prot": state.mem_prot},
+            **{"pc": state.pc, "ac": state.ac, "link": state.link, "sr": state.sr, "ion": state.ion},
+            **switch,
             "ram": [[address, core.get(address, 0)] for address in touched],
         }
         if flags:
             initial["flags"] = list(flags)
-        final = self._final(touched)
+        lamp = {"mem_prot": 1, "protect": p.protect} if mem_prot else {}
+        words = tuple(mb for state, _, mb in cycles if state == STATES[FETCH])
         return {
             "name": name,
+            "models": ["8/L"] if mem_prot else models(words),
+            "instructions": p.instructions - first,
             "initial": initial,
-            "final": final,
+            "final": self._final(touched) | lamp,
             "ticks": p.clock - clock,
             "cycles": cycles,
         }
@@ -65,7 +79,7 @@ class Recorder:
             device.flag = int(device.code in flags)
         machine.pc, machine.ac, machine.link, machine.sr = state.pc, state.ac, state.link, state.sr
         machine.ion = state.ion
-        p.mem_prot, p.protect, p.run = state.mem_prot, 0, 1
+        p.protect, p.run = 0, 1
         for address in self.touched:
             p.core[address] = 0
         self.touched.clear()
@@ -86,10 +100,16 @@ class Recorder:
         p = machine.processor
         return {
             **{"pc": machine.pc, "ac": machine.ac, "link": machine.link, "sr": machine.sr},
-            **{"ion": machine.ion, "mem_prot": p.mem_prot},
+            **{"ion": machine.ion, "run": p.run},
             "ram": [[address, p.core[address]] for address in touched],
-            **{"run": p.run, "protect": p.protect},
         }
+
+
+@cache
+def models(words: tuple[int, ...]) -> list[str]:
+    """Return the models on which all words do as on an 8/L."""
+    does = [rule.does for word in words for rule in rules(word)]
+    return [model for model in MODELS if all(rule.get(model) == rule["8/L"] for rule in does)]
 
 
 def _core(state: State, word: int) -> dict[int, int]:

@@ -1,6 +1,7 @@
-/* Play vectors on an emulator: cc runner.c EMULATOR.c -o runner; gzip -dc tad.json.gz | ./runner
+/* Play vectors on an emulator: cc runner.c EMULATOR.c -o runner; gzip -dc tad.json.gz | ./runner [8/E]
 
-   Every vector is a line. Prints the first differences; the exit status is 1 if there is one. */
+   Every vector is a line. With a model only the vectors that hold for it are played. With -DCYCLES they are played
+   cycle by cycle. Prints a difference of each of the first words that differ; the exit status is 1 if there is one. */
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,8 +9,9 @@
 
 #include "emulator.h"
 
-static const char *NAMES[REGISTERS] = {"pc", "ac", "link", "sr", "ion", "mem_prot", "run", "protect"};
-static int differences;
+enum { SHOWN = 20, WORDS = 010000, NOT_WRITTEN = -1 };
+static const char *NAMES[REGISTERS] = {"pc", "ac", "link", "sr", "ion", "mem_prot", "run", "protect", "ticks"};
+static int differences, words, seen[WORDS];
 
 static const char *find(const char *text, const char *name)
 {
@@ -19,52 +21,84 @@ static const char *find(const char *text, const char *name)
     return text ? text + strlen(key) : NULL;
 }
 
-static void compare(const char *line, const char *what, int got, int meant)
+/* Compare, until a difference is found in the vector. */
+static void compare(const char *line, const char *what, int got, int meant, int *wrong)
 {
-    if (got != meant && ++differences <= 10)
-        printf("%.*s: %s is %o, not %o\n", (int)strcspn(line + 9, "\""), line + 9, what, got, meant);
+    const char *name = line + strlen("{\"name\":\"");
+    int word = strtol(name, NULL, 8);
+    if (got == meant || *wrong) return;
+    *wrong = 1;
+    differences++;
+    if (!seen[word]++ && words++ < SHOWN)
+        printf(strcmp(what, "ticks") ? "  %.*s: %s is %o, not %o\n" : "  %.*s: %s is %d, not %d\n",
+               (int)strcspn(name, "\""), name, what, got, meant);
 }
 
-/* Do `with` to each pair of numbers of a list of them. */
-static void pairs(const char *at, const char *line, void (*with)(const char *, int, int))
+/* Read the pair of numbers at `*at`, and go to the next. */
+static int pair(const char **at, int *address, int *word)
 {
-    int address, word, length;
-    for (at++; sscanf(at, "[%d,%d]%n", &address, &word, &length) == 2; at += length + (at[length] == ','))
-        with(line, address, word);
+    int length;
+    (*at)++;
+    if (sscanf(*at, "[%d,%d]%n", address, word, &length) != 2) return 0;
+    *at += length;
+    return 1;
 }
 
-static void deposit(const char *line, int address, int word) { (void)line; emulator_deposit(address, word); }
-static void examine(const char *line, int address, int word) { compare(line, "core", emulator_examine(address), word); }
+#ifdef CYCLES
+static void run(const char *line, int *wrong)
+{
+    const char *at = find(line, "cycles");
+    char name, state;
+    int ma, mb, meant_ma, meant_mb;
+    while (sscanf(at + 1, "[\"%c%*[A-Z]\",%d,%d]", &name, &meant_ma, &meant_mb) == 3) {
+        emulator_cycle(&state, &ma, &mb);
+        compare(line, "state", state, name, wrong);
+        compare(line, "MA", ma, meant_ma, wrong);
+        compare(line, "MB", mb, meant_mb, wrong);
+        at = strchr(at, ']') + 1;
+    }
+}
+#else
+static void run(const char *line, int *wrong)
+{
+    (void)wrong;
+    emulator_run(atoi(find(line, "instructions")));
+}
+#endif
 
 static void play(const char *line)
 {
-    const char *initial = find(line, "initial"), *final = find(line, "final"), *at = find(line, "flags");
-    int registers[REGISTERS], i, state, ma, mb, meant_ma, meant_mb, ticks = 0;
-    char name;
-    for (i = 0; i < RUN; i++) registers[i] = atoi(find(initial, NAMES[i]));
-    emulator_set(registers);
-    pairs(find(initial, "ram"), line, deposit);
-    for (; at && *at != ']'; at += strspn(at + 1, "0123456789") + 1) emulator_raise(atoi(at + 1));
-    for (at = find(line, "cycles") + 1; sscanf(at, "[\"%c%*[A-Z]\",%d,%d]", &name, &meant_ma, &meant_mb) == 3;) {
-        ticks += emulator_cycle(&state, &ma, &mb);
-        compare(line, "state", state, name);
-        compare(line, "MA", ma, meant_ma);
-        compare(line, "MB", mb, meant_mb);
-        at += strcspn(at, "]") + 1;
-        at += *at == ',';
+    const char *initial = find(line, "initial"), *final = find(line, "final"), *at;
+    int registers[REGISTERS], i, address, word, wrong = 0;
+    for (i = 0; i < REGISTERS; i++) {
+        at = find(initial, NAMES[i]);
+        registers[i] = at && at < final ? atoi(at) : 0;
     }
-    compare(line, "ticks", ticks, atoi(find(line, "ticks")));
+    emulator_set(registers);
+    for (at = find(initial, "ram"); pair(&at, &address, &word);) emulator_deposit(address, word);
+    for (at = find(initial, "flags"); at && *at != ']'; at += strcspn(at + 1, ",]") + 1) emulator_flag(atoi(at + 1));
+    run(line, &wrong);
+    for (i = 0; i < REGISTERS; i++) registers[i] = NOT_WRITTEN;
     emulator_get(registers);
-    for (i = 0; i < REGISTERS; i++) compare(line, NAMES[i], registers[i], atoi(find(final, NAMES[i])));
-    pairs(find(final, "ram"), line, examine);
+    for (i = 0; i < REGISTERS; i++) {
+        at = find(final, NAMES[i]);
+        if (at && registers[i] != NOT_WRITTEN) compare(line, NAMES[i], registers[i], atoi(at), &wrong);
+    }
+    for (at = find(final, "ram"); pair(&at, &address, &word);)
+        compare(line, "core", emulator_examine(address), word, &wrong);
 }
 
-int main(void)
+int main(int count, char **arguments)
 {
-    char line[4096];
-    int count = 0;
-    for (; fgets(line, sizeof line, stdin); count += line[0] == '{')
-        if (line[0] == '{') play(line);
-    printf("%d vectors, %d differences\n", count, differences);
-    return differences || !count;
+    char line[4096], model[16];
+    int played = 0;
+    snprintf(model, sizeof model, "\"%s\"", count > 1 ? arguments[1] : "8/L");
+    while (fgets(line, sizeof line, stdin)) {
+        const char *found = strstr(line, model);
+        if (!find(line, "cycles") || !found || found > find(line, "instructions")) continue;
+        play(line);
+        played++;
+    }
+    printf("%d played, %d differ in %d words\n", played, differences, words);
+    return differences || !played;
 }

@@ -1,77 +1,123 @@
-"""Play the vectors of a folder on an emulator: python runner.py FOLDER MODULE:EMULATOR [MODEL]
+"""Play vectors on an emulator: python runner.py MODULE:EMULATOR [--model 8/E] [FILE ...]
 
-EMULATOR has two methods, of which a vector needs one:
+MODULE is found in the current folder too; without a FILE all those beside this one are played. With a model
+only the vectors that hold for it are. EMULATOR is called without arguments; what it has to offer:
 
-    step(initial, cycles)          set the registers and core of "initial", run so many memory cycles, return
-                                   {"final": ..., "ticks": ..., "cycles": ...}
-    play(initial, inputs, ticks)   do the inputs among "events" to a machine as switched on, return all events
+    set(registers)           pc, ac, link, sr, ion, mem_prot; flags down, RUN on, a FETCH comes next
+    deposit(address, word)
+    examine(address)         return the word
+    run(instructions)        run so many, and the interrupt that comes after the last
+    get()                    return {"pc": ..., ...}, also run, protect, ticks; what it lacks is not compared
 
-What they leave out is not compared; None is what they cannot do. With a MODEL, words that differ on it are
-passed over.
+and what it may offer:
+
+    flag(device)             raise it; without this, vectors with flags are passed over
+    cycle()                  run one memory cycle, return [state, ma, mb]; it is called in place of run
+    play(initial, inputs, ticks)
+                             do the inputs among "events" to a machine as switched on, return all events
 """
 
+import argparse
 import gzip
 import importlib
 import json
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 INPUTS = ("iot", "key", "start")
+REGISTERS = {"pc": 0, "ac": 0, "link": 0, "sr": 0, "ion": 0, "mem_prot": 0}
+SHOWN = 20
+"""Words of which a difference is printed, of each file."""
 
 
 def play(vector: dict[str, Any], emulator: Any) -> str | None:
     """Return the first difference, "" if there is none, None if the emulator cannot do the vector."""
     if "events" in vector:
-        inputs = [event for event in vector["events"] if any(name in event for name in INPUTS)]
-        done = emulator.play(vector["initial"], inputs, vector["ticks"])
-        got = None if done is None else {"events": done}
+        return _events(vector, emulator)
+    initial, final = vector["initial"], vector["final"]
+    flags = initial.get("flags", [])
+    if flags and not hasattr(emulator, "flag"):
+        return None
+    emulator.set({name: initial.get(name, value) for name, value in REGISTERS.items()})
+    for address, word in initial["ram"]:
+        emulator.deposit(address, word)
+    for device in flags:
+        emulator.flag(device)
+    if hasattr(emulator, "cycle"):
+        for number, expected in enumerate(vector["cycles"], 1):
+            for what, got, meant in zip(("state", "MA", "MB"), emulator.cycle(), expected, strict=True):
+                if got != meant:
+                    return f"{what} of cycle {number} is {_octal(got)}, not {_octal(meant)}"
     else:
-        got = emulator.step(vector["initial"], len(vector["cycles"]))
-    return None if got is None else first_difference(got, vector, "")
+        emulator.run(vector["instructions"])
+    return _difference(emulator, final | {"ticks": vector["ticks"]})
 
 
-def first_difference(got: Any, expected: Any, where: str) -> str:
-    """Return where `got` differs from `expected`, as far as it says anything."""
-    if isinstance(got, dict) and isinstance(expected, dict):
-        for name in got:
-            found = first_difference(got[name], expected.get(name), f"{where} {name}")
-            if found:
-                return found
-        return ""
-    if isinstance(got, list | tuple) and isinstance(expected, list | tuple) and len(got) == len(expected):
-        all_found = (first_difference(one, expected[i], f"{where} {i}") for i, one in enumerate(got))
-        return next(filter(None, all_found), "")
-    return "" if got == expected else f"{where.strip()} is {got}, not {expected}"
+def _difference(emulator: Any, final: dict[str, Any]) -> str:
+    got = emulator.get()
+    for name, meant in final.items():
+        if name != "ram" and got.get(name, meant) != meant:
+            show = str if name == "ticks" else _octal
+            return f"{name} is {show(got[name])}, not {show(meant)}"
+    for address, meant in final["ram"]:
+        word = emulator.examine(address)
+        if word != meant:
+            return f"core {address:o} is {_octal(word)}, not {_octal(meant)}"
+    return ""
 
 
-def passed_over(vector: dict[str, Any], rules: list[dict[str, Any]], model: str) -> bool:
-    """Tell whether the model does otherwise what the vector's words do on an 8/L."""
-    words = [mb for state, _, mb in vector.get("cycles", ()) if state == "FETCH"]
-    words += [event["iot"] for event in vector.get("events", ()) if "iot" in event]
-    return any(
-        word & rule["mask"] == rule["value"] and rule["does"].get(model) != rule["does"]["8/L"]
-        for word in words
-        for rule in rules
-    )
+def _octal(value: Any) -> str:
+    return f"{value:o}" if isinstance(value, int) else str(value)
 
 
-def main(folder: Path, emulator: Any, model: str = "8/L") -> int:
-    """Play all vectors; return the exit status."""
-    rules = json.loads((folder / "differences.json").read_text())["rules"]
+def _events(vector: dict[str, Any], emulator: Any) -> str | None:
+    if not hasattr(emulator, "play"):
+        return None
+    inputs = [event for event in vector["events"] if any(name in event for name in INPUTS)]
+    got = emulator.play(vector["initial"], inputs, vector["ticks"])
+    for one, meant in zip(got, vector["events"], strict=False):
+        if one != meant:
+            return f"{one}, not {meant}"
+    expected = len(vector["events"])
+    return "" if len(got) == expected else f"{len(got)} events, not {expected}"
+
+
+def read(file: Path) -> Iterator[dict[str, Any]]:
+    """Yield the vectors of a file."""
+    with gzip.open(file, "rt") as lines:
+        for line in lines:
+            if line.startswith("{"):
+                yield json.loads(line.rstrip(",\n"))
+
+
+def main(emulator: Any, files: list[Path], model: str = "8/L") -> int:
+    """Play the vectors of the files that hold for the model; return the exit status."""
     failed = 0
-    for file in sorted(folder.glob("*.json.gz")):
-        vectors = json.loads(gzip.decompress(file.read_bytes()))
-        fit = [vector for vector in vectors if model == "8/L" or not passed_over(vector, rules, model)]
-        results = [(vector["name"], play(vector, emulator)) for vector in fit]
-        wrong = [(name, found) for name, found in results if found]
-        done = sum(found is not None for _, found in results)
-        print(f"{file.name}: {done} of {len(vectors)} played, {len(wrong)} differ")
-        print("".join(f"  {name}: {found}\n" for name, found in wrong[:3]), end="")
-        failed += len(wrong)
+    for file in files:
+        played = different = 0
+        words: dict[str, str] = {}
+        for vector in read(file):
+            if model in vector["models"] and (found := play(vector, emulator)) is not None:
+                played += 1
+                different += bool(found)
+                if found:
+                    words.setdefault(vector["name"].split()[0], f"  {vector['name']}: {found}")
+        print(f"{file.name}: {played} played, {different} differ in {len(words)} words")
+        print("".join(f"{line}\n" for line in list(words.values())[:SHOWN]), end="", flush=True)
+        failed += different
     return 1 if failed else 0
 
 
 if __name__ == "__main__":
-    module, name = sys.argv[2].split(":")
-    sys.exit(main(Path(sys.argv[1]), getattr(importlib.import_module(module), name)(), *sys.argv[3:]))
+    parser = argparse.ArgumentParser(description="Play vectors on an emulator.")
+    parser.add_argument("emulator", metavar="MODULE:EMULATOR")
+    parser.add_argument("files", metavar="FILE", nargs="*", type=Path)
+    parser.add_argument("--model", default="8/L", choices=["8", "8/S", "8/I", "8/L", "8/E"])
+    arguments = parser.parse_args()
+    sys.path.insert(0, "")
+    module, _, name = arguments.emulator.partition(":")
+    emulator = getattr(importlib.import_module(module), name)()
+    files = arguments.files or sorted(Path(__file__).parent.glob("*.json.gz"))
+    sys.exit(main(emulator, files, arguments.model))

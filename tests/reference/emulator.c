@@ -5,6 +5,8 @@
 
 static struct pdp8l m;
 
+static tick start;
+
 void emulator_set(const int *registers)
 {
     static int on;
@@ -21,9 +23,10 @@ void emulator_set(const int *registers)
     m.ion = m.ion_ready = registers[ION];
     m.mem_prot = registers[MEM_PROT];
     m.protect = 0;
+    start = m.now;
 }
 
-void emulator_raise(int device)
+void emulator_flag(int device)
 {
     switch (device) {
     case 1: m.fast_reader.flag = 1; break;
@@ -36,14 +39,19 @@ void emulator_raise(int device)
 void emulator_deposit(int address, int word) { m.core[address] = word; }
 int emulator_examine(int address) { return m.core[address]; }
 
-int emulator_cycle(int *state, int *ma, int *mb)
+void emulator_cycle(char *state, int *ma, int *mb)
 {
-    tick before = m.now;
     pdp8l_cycle(&m);
     *state = "FDE"[m.state];
     *ma = m.ma;
     *mb = m.mb;
-    return m.now - before;
+}
+
+void emulator_run(int instructions)
+{
+    tick last = m.instructions + instructions;
+    int steps = 2 * instructions; /* an interrupt after each: with a fault it may come again and again */
+    while (steps-- && m.run && (m.instructions < last || m.next == INTERRUPT)) pdp8l_step(&m);
 }
 
 void emulator_get(int *registers)
@@ -56,4 +64,5 @@ void emulator_get(int *registers)
     registers[MEM_PROT] = m.mem_prot;
     registers[RUN] = m.run;
     registers[PROTECT] = m.protect;
+    registers[TICKS] = m.now - start;
 }

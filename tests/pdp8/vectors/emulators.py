@@ -7,92 +7,110 @@ from tests.reference.model import Reference
 
 STATES = ("FETCH", "DEFER", "EXECUTE")
 NOP = 0o7000
-REGISTERS = ("pc", "ac", "link", "sr", "ion", "mem_prot")
-Result = dict[str, Any]
+REGISTERS = ("pc", "ac", "link", "sr", "ion", "mem_prot", "run", "protect")
 
 
-class ProcessorEmulator:
-    """The processor, cycle by cycle."""
+class _MachineEmulator:
+    """A machine that is set and looked at."""
 
     def __init__(self) -> None:
         self.machine = Machine(highspeed=True)
+        self.processor = self.machine.processor
         self.touched: set[int] = set()
+        self.start = 0
 
-    def prepare(self, initial: dict[str, Any]) -> None:
-        """Set registers, core and flags."""
-        machine, p = self.machine, self.machine.processor
-        machine.power_up()
+    def set(self, registers: dict[str, int]) -> None:
+        self.machine.power_up()
         for name in ("pc", "ac", "link", "sr", "ion"):
-            setattr(machine, name, initial[name])
-        p.mem_prot, p.protect, p.run = initial["mem_prot"], 0, 1
-        ram = dict(initial["ram"])
-        for address in self.touched - set(ram):
-            machine.core[address] = 0
-        for address, word in ram.items():
-            machine.core[address] = word
-        self.touched = set(ram)
-        for device in machine.bus:
-            device.flag = int(device.code in initial.get("flags", ()))
+            setattr(self.machine, name, registers[name])
+        p = self.processor
+        p.mem_prot, p.protect, p.run = registers["mem_prot"], 0, 1
+        for address in self.touched:
+            p.core[address] = 0
+        self.touched.clear()
+        for device in self.machine.bus:
+            device.flag = 0
+        self.start = p.clock
 
-    def final(self, initial: dict[str, Any]) -> dict[str, Any]:
-        machine, p = self.machine, self.machine.processor
-        final = {name: getattr(machine, name) for name in ("pc", "ac", "link", "sr", "ion")}
-        ram = [[address, machine.core[address]] for address, _ in initial["ram"]]
-        return final | {"mem_prot": p.mem_prot, "run": p.run, "protect": p.protect, "ram": ram}
+    def deposit(self, address: int, word: int) -> None:
+        self.machine.core[address] = word
+        self.touched.add(address)
 
-    def step(self, initial: dict[str, Any], cycles: int) -> Result | None:
-        self.prepare(initial)
-        p = self.machine.processor
-        clock, done = p.clock, []
-        for _ in range(cycles):
-            p.cycle()
-            done.append([STATES[p.state], p.ma, p.mb])
-        return {"final": self.final(initial), "ticks": p.clock - clock, "cycles": done}
+    def examine(self, address: int) -> int:
+        return self.machine.core[address]
 
-    def play(self, initial: dict[str, Any], inputs: list[dict[str, Any]], ticks: int) -> None:
-        """Leave the devices to the reference."""
+    def get(self) -> dict[str, int]:
+        p = self.processor
+        registers = {name: getattr(self.machine, name) for name in ("pc", "ac", "link", "sr", "ion")}
+        switches = {"mem_prot": p.mem_prot, "run": p.run, "protect": p.protect}
+        return registers | switches | {"ticks": p.clock - self.start}
 
 
-class EngineEmulator(ProcessorEmulator):
-    """The engine, by whole instructions. It leaves the last one of a run to the processor, so a NOP follows
-    the vector's; a vector where none fits in, or where the machine stops, is passed over.
+class ProcessorEmulator(_MachineEmulator):
+    """The processor, cycle by cycle."""
+
+    def flag(self, device: int) -> None:
+        next(one for one in self.machine.bus if one.code == device).flag = 1
+
+    def cycle(self) -> list[Any]:
+        p = self.processor
+        p.cycle()
+        return [STATES[p.state], p.ma, p.mb]
+
+
+class EngineEmulator(_MachineEmulator):
+    """The engine, by whole instructions. It leaves the last one of a run to the processor, so a NOP is put
+    behind the vector's; where none fits in, or where the machine stops, the processor alone plays.
     """
 
-    def step(self, initial: dict[str, Any], cycles: int) -> Result | None:
-        probe = super().step(initial, cycles)
-        assert probe is not None
-        final = probe["final"]
-        if "flags" in initial or not final["run"] or final["pc"] in self.touched:
-            return None
-        self.prepare(initial)
-        machine, p = self.machine, self.machine.processor
-        machine.core[final["pc"]] = NOP
-        self.touched.add(final["pc"])
-        clock = p.clock
-        machine.run(instructions=2)
-        engine = self.final(initial)
-        return {"final": engine | {"pc": engine["pc"] - 1 & 0o7777}, "ticks": p.clock - clock - 32}
+    nops = 0
+
+    def run(self, instructions: int) -> None:
+        before, core = super().get(), {address: self.examine(address) for address in self.touched}
+        self._run(instructions)
+        after = self.machine.pc
+        self.nops = int(self.processor.run and after not in core)
+        if self.nops:
+            self.set(before)
+            for address, word in {**core, after: NOP}.items():
+                self.deposit(address, word)
+            self._run(instructions + 1)
+
+    def _run(self, instructions: int) -> None:
+        self.machine.run(instructions=instructions)
+
+    def get(self) -> dict[str, int]:
+        registers = super().get()
+        registers["pc"] = registers["pc"] - self.nops & 0o7777
+        registers["ticks"] -= 32 * self.nops
+        return registers
 
 
 class ReferenceEmulator:
     """The reference: instructions by cycles, and the devices."""
 
-    def step(self, initial: dict[str, Any], cycles: int) -> Result:
-        m = Reference(fast=True)
-        for name in REGISTERS:
-            setattr(m, name, initial[name])
-        m.ion_ready, m.run = m.ion, 1
-        for device in initial.get("flags", ()):
-            (m.fast_reader, m.fast_punch, m.receiver, m.transmitter)[device - 1].flag = 1
-        for address, word in initial["ram"]:
-            m.core[address] = word
-        done = []
-        for _ in range(cycles):
-            m.cycle()
-            done.append([STATES[m.state], m.ma, m.mb])
-        final = {name: getattr(m, name) for name in (*REGISTERS, "run", "protect")}
-        ram = [[address, m.core[address]] for address, _ in initial["ram"]]
-        return {"final": final | {"ram": ram}, "ticks": m.now, "cycles": done}
+    def set(self, registers: dict[str, int]) -> None:
+        self.m = Reference(fast=True)
+        for name, value in registers.items():
+            setattr(self.m, name, value)
+        self.m.ion_ready, self.m.run = self.m.ion, 1
+
+    def deposit(self, address: int, word: int) -> None:
+        self.m.core[address] = word
+
+    def examine(self, address: int) -> int:
+        return int(self.m.core[address])
+
+    def flag(self, device: int) -> None:
+        m = self.m
+        (m.fast_reader, m.fast_punch, m.receiver, m.transmitter)[device - 1].flag = 1
+
+    def cycle(self) -> list[Any]:
+        self.m.cycle()
+        return [STATES[self.m.state], self.m.ma, self.m.mb]
+
+    def get(self) -> dict[str, int]:
+        return {name: getattr(self.m, name) for name in REGISTERS} | {"ticks": self.m.now}
 
     def play(self, initial: dict[str, Any], inputs: list[dict[str, Any]], ticks: int) -> list[dict[str, Any]]:
         return _Bench(bytes(initial["tape"])).play(inputs, ticks)

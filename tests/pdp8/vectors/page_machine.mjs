@@ -14,13 +14,13 @@ const STATES = ["FETCH", "DEFER", "EXECUTE"];
 const same = (one, other) => JSON.stringify(one) === JSON.stringify(other);
 
 /** Play the vector of an instruction; return its result, in the form of the vector. */
-function step({ name, initial, cycles }) {
+function step({ name, models, instructions, initial, final, cycles }) {
   machine.powerUp();
   p.pc = initial.pc;
   p.lac = (initial.link << 12) | initial.ac;
   p.sr = initial.sr;
   p.ion = p.ionDelayed = initial.ion;
-  p.memProt = initial.mem_prot;
+  p.memProt = initial.mem_prot ?? 0;
   p.run = 1;
   p.core.fill(0);
   for (const [address, word] of initial.ram) p.core[address] = word;
@@ -30,15 +30,16 @@ function step({ name, initial, cycles }) {
     p.cycle();
     return [STATES[p.state], p.ma, p.mb];
   });
-  const final = {
+  const now = {
     ...{ pc: p.pc, ac: machine.ac, link: machine.link, sr: p.sr, ion: p.ion, mem_prot: p.memProt },
     ...{ ram: initial.ram.map(([address]) => [address, p.core[address]]), run: p.run, protect: p.protect },
   };
-  return { name, initial, final, ticks: p.clock - clock, cycles: done };
+  const got = Object.fromEntries(Object.keys(final).map((register) => [register, now[register]]));
+  return { name, models, instructions, initial, final: got, ticks: p.clock - clock, cycles: done };
 }
 
 /** Play the vector of a device. */
-function play({ name, initial, final, ticks, events }) {
+function play({ name, models, instructions, initial, ticks, events }) {
   const machine = new Machine(true);
   const { processor: p, teletype, highspeed } = machine;
   teletype.reader.load(Uint8Array.from(initial.tape));
@@ -100,7 +101,8 @@ function play({ name, initial, final, ticks, events }) {
     to(p.clock);
   }
   to(ticks);
-  return { name, initial, final: { flags: seen.flag.filter(([, flag]) => flag).map(([code]) => code) }, ticks, events: done };
+  const final = { flags: seen.flag.filter(([, flag]) => flag).map(([code]) => code) };
+  return { name, models, instructions, initial, final, ticks, events: done };
 }
 
 const folder = process.argv[2];

@@ -1,0 +1,19 @@
+"""A set of vectors with few states, for all tests of this room."""
+
+from pathlib import Path
+
+import pytest
+
+from pdp8.vectors.folder import files
+
+STATES = 8
+"""States of each word."""
+
+
+@pytest.fixture(scope="session")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A set of vectors."""
+    folder = tmp_path_factory.mktemp("vectors")
+    for name, content in files(STATES):
+        (folder / name).write_bytes(content)
+    return folder

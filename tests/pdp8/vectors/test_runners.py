@@ -1,0 +1,159 @@
+"""The runners in Python, C and Go with the reference: each names every value that differs."""
+
+import gzip
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pdp8.vectors import runner
+from pdp8.vectors.folder import GROUPS
+from tests.pdp8.vectors.faults import FAULTS
+from tests.reference.model import FOLDER as REFERENCE
+from tests.reference.model import SOURCES, compile_c, compiler
+
+ROOT = Path(__file__).parents[3]
+CHANGED = ("pc", "ac", "link", "sr", "ion", "run", "ticks", "core", "mem_prot", "protect", "MA")
+"""What is changed in a vector each; MA is of a cycle, which only an emulator by cycles can see."""
+pytestmark = pytest.mark.skipif(compiler() is None, reason="the reference needs a C compiler")
+
+
+@pytest.fixture(scope="module")
+def changed(folder: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A file of vectors of different words, each with one value changed, and of one that is as it was."""
+    words = dict(zip(GROUPS["isz"][0o20:], (*CHANGED, ""), strict=False))
+    every = {int(vector["name"][:4], 8): vector for vector in runner.read(folder / "mem_prot.json.gz")}
+    for word, what in words.items():
+        _change(every[word], what)
+    lines = ",\n".join(json.dumps(vector, separators=(",", ":")) for vector in map(every.__getitem__, words))
+    file = tmp_path_factory.mktemp("changed") / "changed.json.gz"
+    file.write_bytes(gzip.compress(f"[\n{lines}\n]\n".encode()))
+    return file
+
+
+def _change(vector: dict[str, Any], what: str) -> None:
+    if what == "ticks":
+        vector["ticks"] += 1
+    elif what == "core":
+        vector["final"]["ram"][0][1] ^= 1
+    elif what == "MA":
+        vector["cycles"][0][1] ^= 1
+    elif what:
+        vector["final"][what] ^= 1
+
+
+def assert_said(printed: str, cycles: bool) -> None:
+    """Compare what a runner printed of the changed vectors."""
+    expected = CHANGED if cycles else CHANGED[:-1]
+    lines = re.findall(r" \d: .*", printed)
+    assert len(lines) == len(expected), printed
+    for line, what in zip(lines, expected, strict=True):
+        assert f": {what} " in line
+    assert f"{len(CHANGED) + 1} played, {len(expected)} differ in {len(expected)} words" in printed
+
+
+def in_folder(folder: Path, *command: str | Path, **variables: str) -> tuple[int, str]:
+    """Run a command in the folder; return exit status and what is printed."""
+    environment = os.environ | variables
+    done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+def test_the_runner_in_python(changed: Path, folder: Path, tmp_path: Path) -> None:
+    """Of the vectors of devices too; its module is in the current folder."""
+    (tmp_path / "mine.py").write_text("from tests.pdp8.vectors.emulators import ReferenceEmulator as Mine\n")
+    command = sys.executable, folder / "runner.py", "mine:Mine"
+    status, said = in_folder(tmp_path, *command, changed, PYTHONPATH=str(ROOT))
+    assert status == 1, said
+    assert_said(said, cycles=True)
+    some = [folder / f"{name}.json.gz" for name in ("teletype", "pc8l", "interrupts", "opr1")]
+    status, said = in_folder(tmp_path, *command, *some, "--model", "8/L", PYTHONPATH=str(ROOT))
+    assert status == 0, said
+    assert said.count(" 0 differ") == len(some)
+    assert "interrupts.json.gz: 1424 played" in said
+
+
+class CRunner:
+    """The C runner with the reference, of which one source is compiled again with a fault."""
+
+    def __init__(self, folder: Path, work: Path) -> None:
+        self.work = work
+        self.options = f"-I{folder}", f"-I{REFERENCE}"
+        self.parts = {
+            source.name: source for source in (folder / "runner.c", *SOURCES, REFERENCE / "emulator.c")
+        }
+        self.objects = {name: self.object("", source) for name, source in self.parts.items()}
+        packed = [folder / f"{name}.json.gz" for name in (*GROUPS, "mem_prot", "interrupts")]
+        self.vectors = b"".join(gzip.decompress(path.read_bytes()) for path in packed)
+
+    def object(self, prefix: str, source: Path, *options: str) -> Path:
+        compiled = self.work / f"{prefix}{source.stem}.o"
+        compile_c(compiled, "-c", *self.options, *options, source)
+        return compiled
+
+    def run(self, *objects: Path, vectors: bytes = b"") -> tuple[int, str]:
+        """Link and run; return exit status and what is printed."""
+        program = self.work / "runner"
+        compile_c(program, *objects)
+        vectors = vectors or self.vectors
+        done = subprocess.run([program], input=vectors, capture_output=True, check=False, timeout=60)
+        return done.returncode, done.stdout.decode()
+
+    def run_with(self, old: str, new: str) -> tuple[int, str]:
+        """Run with `old` replaced by `new` in the one source that has it once."""
+        (name,) = (name for name, source in self.parts.items() if old in source.read_text())
+        text = self.parts[name].read_text()
+        assert text.count(old) == 1
+        faulty = self.work / f"faulty-{name}"
+        faulty.write_text(text.replace(old, new))
+        others = [compiled for other, compiled in self.objects.items() if other != name]
+        return self.run(*others, self.object("", faulty))
+
+
+@pytest.fixture(scope="module")
+def c_runner(folder: Path, tmp_path_factory: pytest.TempPathFactory) -> CRunner:
+    return CRunner(folder, tmp_path_factory.mktemp("runner"))
+
+
+@pytest.mark.parametrize("options", [(), ("-DCYCLES",)], ids=["instructions", "cycles"])
+def test_the_runner_in_c(c_runner: CRunner, folder: Path, changed: Path, options: tuple[str, ...]) -> None:
+    others = [compiled for name, compiled in c_runner.objects.items() if name != "runner.c"]
+    objects = *others, c_runner.object("by", folder / "runner.c", *options)
+    status, said = c_runner.run(*objects)
+    assert status == 0, said
+    assert int(said.split()[0]) == c_runner.vectors.count(b'"cycles"') > 35_000
+    status, said = c_runner.run(*objects, vectors=gzip.decompress(changed.read_bytes()))
+    assert status == 1
+    assert_said(said, cycles=bool(options))
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_the_runner_in_c_finds_a_fault(c_runner: CRunner, fault: str) -> None:
+    status, said = c_runner.run_with(*FAULTS[fault])
+    assert status == 1, said
+
+
+@pytest.mark.slow("Go compiles its own C library first")
+@pytest.mark.skipif(shutil.which("go") is None, reason="Go is not installed")
+def test_the_runner_in_go(folder: Path, changed: Path, tmp_path: Path) -> None:
+    for source in (*REFERENCE.glob("*.[chg]*"), folder / "emulator.h", folder / "runner_test.go"):
+        shutil.copy(source, tmp_path)
+    (tmp_path / "go.mod").write_text("module reference\ngo 1.21\n")
+    command = "go", "test", "-run", "TestVectors", "-v", "-vectors"
+    for cycles in ("", "1"):
+        variables = {"CGO_CFLAGS": "-O2 -Wno-parentheses", "CYCLES": cycles}
+        status, said = in_folder(tmp_path, *command, folder, **variables)
+        assert status == 0, said
+        assert "6144 played, 0 differ" in said
+        status, said = in_folder(tmp_path, *command, changed.parent, **variables)
+        assert status == 1
+        assert_said(said, bool(cycles))
+    status, said = in_folder(tmp_path, *command, folder, "-model", "8/M", **variables)
+    assert status == 1
+    assert 'no vector holds for the model "8/M"' in said
