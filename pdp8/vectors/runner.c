@@ -9,7 +9,7 @@
 
 #include "emulator.h"
 
-enum { SHOWN = 20, WORDS = 010000, NOT_WRITTEN = -1 };
+enum { SHOWN = 20, WORDS = 010000, REGISTERS = 9, NOT_WRITTEN = -1 };
 static const char *NAMES[REGISTERS] = {"pc", "ac", "link", "sr", "ion", "mem_prot", "run", "protect", "ticks"};
 static int differences, words, seen[WORDS];
 
@@ -66,26 +66,30 @@ static void run(const char *line, int *wrong)
 }
 #endif
 
-static void play(const char *line)
+/* Play a vector; return 0 if it is passed over. */
+static int play(const char *line)
 {
     const char *initial = find(line, "initial"), *final = find(line, "final"), *at;
-    int registers[REGISTERS], i, address, word, wrong = 0;
+    union { struct registers named; int values[REGISTERS]; } all;
+    int i, address, word, wrong = 0;
     for (i = 0; i < REGISTERS; i++) {
         at = find(initial, NAMES[i]);
-        registers[i] = at && at < final ? atoi(at) : 0;
+        all.values[i] = at && at < final ? atoi(at) : 0;
     }
-    emulator_set(registers);
+    emulator_set(&all.named);
     for (at = find(initial, "ram"); pair(&at, &address, &word);) emulator_deposit(address, word);
-    for (at = find(initial, "flags"); at && *at != ']'; at += strcspn(at + 1, ",]") + 1) emulator_flag(atoi(at + 1));
+    for (at = find(initial, "flags"); at && *at != ']'; at += strcspn(at + 1, ",]") + 1)
+        if (!emulator_flag(atoi(at + 1))) return 0;
     run(line, &wrong);
-    for (i = 0; i < REGISTERS; i++) registers[i] = NOT_WRITTEN;
-    emulator_get(registers);
+    for (i = 0; i < REGISTERS; i++) all.values[i] = NOT_WRITTEN;
+    emulator_get(&all.named);
     for (i = 0; i < REGISTERS; i++) {
         at = find(final, NAMES[i]);
-        if (at && registers[i] != NOT_WRITTEN) compare(line, NAMES[i], registers[i], atoi(at), &wrong);
+        if (at && all.values[i] != NOT_WRITTEN) compare(line, NAMES[i], all.values[i], atoi(at), &wrong);
     }
     for (at = find(final, "ram"); pair(&at, &address, &word);)
         compare(line, "core", emulator_examine(address), word, &wrong);
+    return 1;
 }
 
 int main(int count, char **arguments)
@@ -96,8 +100,7 @@ int main(int count, char **arguments)
     while (fgets(line, sizeof line, stdin)) {
         const char *found = strstr(line, model);
         if (!find(line, "cycles") || !found || found > find(line, "instructions")) continue;
-        play(line);
-        played++;
+        played += play(line);
     }
     printf("%d played, %d differ in %d words\n", played, differences, words);
     return differences || !played;

@@ -11,7 +11,7 @@ only the vectors that hold for it are. EMULATOR is called without arguments; wha
 
 and what it may offer:
 
-    flag(device)             raise it; without this, vectors with flags are passed over
+    flag(device)             raise it, return whether there is such a device; if not, the vector is passed over
     cycle()                  run one memory cycle, return [state, ma, mb]; it is called in place of run
     play(initial, inputs, ticks)
                              do the inputs among "events" to a machine as switched on, return all events
@@ -43,8 +43,8 @@ def play(vector: dict[str, Any], emulator: Any) -> str | None:
     emulator.set({name: initial.get(name, value) for name, value in REGISTERS.items()})
     for address, word in initial["ram"]:
         emulator.deposit(address, word)
-    for device in flags:
-        emulator.flag(device)
+    if not all(emulator.flag(device) for device in flags):
+        return None
     if hasattr(emulator, "cycle"):
         for number, expected in enumerate(vector["cycles"], 1):
             for what, got, meant in zip(("state", "MA", "MB"), emulator.cycle(), expected, strict=True):

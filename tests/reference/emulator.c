@@ -7,7 +7,7 @@ static struct pdp8l m;
 
 static tick start;
 
-void emulator_set(const int *registers)
+void emulator_set(const struct registers *registers)
 {
     static int on;
     if (!on) pdp8l_power_up(&m, 1);
@@ -16,17 +16,17 @@ void emulator_set(const int *registers)
     pdp8l_start(&m);
     m.receiver.flag = m.transmitter.flag = m.fast_reader.flag = m.fast_punch.flag = 0;
     m.receiver.buffer = 0;
-    m.pc = registers[PC];
-    m.ac = registers[AC];
-    m.link = registers[LINK];
-    m.sr = registers[SR];
-    m.ion = m.ion_ready = registers[ION];
-    m.mem_prot = registers[MEM_PROT];
+    m.pc = registers->pc;
+    m.ac = registers->ac;
+    m.link = registers->link;
+    m.sr = registers->sr;
+    m.ion = m.ion_ready = registers->ion;
+    m.mem_prot = registers->mem_prot;
     m.protect = 0;
     start = m.now;
 }
 
-void emulator_flag(int device)
+int emulator_flag(int device)
 {
     switch (device) {
     case 1: m.fast_reader.flag = 1; break;
@@ -34,6 +34,7 @@ void emulator_flag(int device)
     case 3: m.receiver.flag = 1; break;
     case 4: m.transmitter.flag = 1; break;
     }
+    return 1;
 }
 
 void emulator_deposit(int address, int word) { m.core[address] = word; }
@@ -54,15 +55,15 @@ void emulator_run(int instructions)
     while (steps-- && m.run && (m.instructions < last || m.next == INTERRUPT)) pdp8l_step(&m);
 }
 
-void emulator_get(int *registers)
+void emulator_get(struct registers *registers)
 {
-    registers[PC] = m.pc;
-    registers[AC] = m.ac;
-    registers[LINK] = m.link;
-    registers[SR] = m.sr;
-    registers[ION] = m.ion;
-    registers[MEM_PROT] = m.mem_prot;
-    registers[RUN] = m.run;
-    registers[PROTECT] = m.protect;
-    registers[TICKS] = m.now - start;
+    registers->pc = m.pc;
+    registers->ac = m.ac;
+    registers->link = m.link;
+    registers->sr = m.sr;
+    registers->ion = m.ion;
+    registers->mem_prot = m.mem_prot;
+    registers->run = m.run;
+    registers->protect = m.protect;
+    registers->ticks = m.now - start;
 }

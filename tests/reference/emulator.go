@@ -5,9 +5,7 @@ package main
 import "C"
 import "os"
 
-type reference struct{ registers [C.REGISTERS]C.int }
-
-var names = [C.REGISTERS]string{"pc", "ac", "link", "sr", "ion", "mem_prot", "run", "protect", "ticks"}
+type reference struct{ registers C.struct_registers }
 
 // cycling is the reference by memory cycles.
 type cycling struct{ reference }
@@ -28,22 +26,31 @@ func (c *cycling) Cycle() (string, int, int) {
 }
 
 func (r *reference) Set(registers map[string]int) {
-	for i, name := range names {
-		r.registers[i] = C.int(registers[name])
+	for name, register := range r.named() {
+		*register = C.int(registers[name])
 	}
-	C.emulator_set(&r.registers[0])
+	C.emulator_set(&r.registers)
+}
+
+// named returns where each register is.
+func (r *reference) named() map[string]*C.int {
+	all := &r.registers
+	return map[string]*C.int{
+		"pc": &all.pc, "ac": &all.ac, "link": &all.link, "sr": &all.sr, "ion": &all.ion,
+		"mem_prot": &all.mem_prot, "run": &all.run, "protect": &all.protect, "ticks": &all.ticks,
+	}
 }
 
 func (r *reference) Deposit(address, word int) { C.emulator_deposit(C.int(address), C.int(word)) }
 func (r *reference) Examine(address int) int   { return int(C.emulator_examine(C.int(address))) }
-func (r *reference) Flag(device int)           { C.emulator_flag(C.int(device)) }
+func (r *reference) Flag(device int) bool      { return C.emulator_flag(C.int(device)) != 0 }
 func (r *reference) Run(instructions int)      { C.emulator_run(C.int(instructions)) }
 
 func (r *reference) Get() map[string]int {
-	C.emulator_get(&r.registers[0])
+	C.emulator_get(&r.registers)
 	got := map[string]int{}
-	for i, name := range names {
-		got[name] = int(r.registers[i])
+	for name, register := range r.named() {
+		got[name] = int(*register)
 	}
 	return got
 }

@@ -49,8 +49,9 @@ class _MachineEmulator:
 class ProcessorEmulator(_MachineEmulator):
     """The processor, cycle by cycle."""
 
-    def flag(self, device: int) -> None:
+    def flag(self, device: int) -> bool:
         next(one for one in self.machine.bus if one.code == device).flag = 1
+        return True
 
     def cycle(self) -> list[Any]:
         p = self.processor
@@ -101,9 +102,10 @@ class ReferenceEmulator:
     def examine(self, address: int) -> int:
         return int(self.m.core[address])
 
-    def flag(self, device: int) -> None:
+    def flag(self, device: int) -> bool:
         m = self.m
         (m.fast_reader, m.fast_punch, m.receiver, m.transmitter)[device - 1].flag = 1
+        return True
 
     def cycle(self) -> list[Any]:
         self.m.cycle()
