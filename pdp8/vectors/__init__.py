@@ -5,5 +5,5 @@ record      one instruction of the processor, written down
 interrupts  instructions with flags up
 devices     the Teletype and the PC8/L against the clock
 folder      all files of a set: vectors, README, differences of the other models, runners
-runner.py   plays vectors on an emulator in Python; runner.c the same in C
+runner.py   plays vectors on an emulator in Python; runner.c the same in C, runner_test.go in Go
 """

@@ -115,7 +115,7 @@ if __name__ == "__main__":
     parser.add_argument("emulator", metavar="MODULE:EMULATOR")
     parser.add_argument("files", metavar="FILE", nargs="*", type=Path)
     parser.add_argument("--model", default="8/L", choices=["8", "8/S", "8/I", "8/L", "8/E"])
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     sys.path.insert(0, "")
     module, _, name = arguments.emulator.partition(":")
     emulator = getattr(importlib.import_module(module), name)()

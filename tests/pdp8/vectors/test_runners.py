@@ -73,7 +73,7 @@ def test_the_runner_in_python(changed: Path, folder: Path, tmp_path: Path) -> No
     assert status == 1, said
     assert_said(said, cycles=True)
     some = [folder / f"{name}.json.gz" for name in ("teletype", "pc8l", "interrupts", "opr1")]
-    status, said = in_folder(tmp_path, *command, *some, "--model", "8/L", PYTHONPATH=str(ROOT))
+    status, said = in_folder(tmp_path, *command, "--model", "8/L", *some, PYTHONPATH=str(ROOT))
     assert status == 0, said
     assert said.count(" 0 differ") == len(some)
     assert "interrupts.json.gz: 1424 played" in said
