@@ -11,7 +11,7 @@ only the vectors that hold for it are. EMULATOR is called without arguments; wha
 
 and what it may offer:
 
-    flag(device)             raise it, return whether there is such a device; if not, the vector is passed over
+    flag(device)             raise it, return whether there is such a device; if not, the vector is left out
     cycle()                  run one memory cycle, return [state, ma, mb]; it is called in place of run
     play(initial, inputs, ticks)
                              do the inputs among "events" to a machine as switched on, return all events

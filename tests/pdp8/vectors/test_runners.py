@@ -15,8 +15,9 @@ import pytest
 from pdp8.vectors import runner
 from pdp8.vectors.folder import GROUPS
 from tests.pdp8.vectors.faults import FAULTS
+from tests.reference.compiling import compile_c, compiler
 from tests.reference.model import FOLDER as REFERENCE
-from tests.reference.model import SOURCES, compile_c, compiler
+from tests.reference.model import SOURCES
 
 ROOT = Path(__file__).parents[3]
 CHANGED = ("pc", "ac", "link", "sr", "ion", "run", "ticks", "core", "mem_prot", "protect", "MA")
@@ -77,6 +78,102 @@ def test_the_runner_in_python(changed: Path, folder: Path, tmp_path: Path) -> No
     assert status == 0, said
     assert said.count(" 0 differ") == len(some)
     assert "interrupts.json.gz: 1424 played" in said
+
+
+TOY = {
+    "toy.py": """
+class Toy:
+    def __init__(self):
+        self.core = [0] * 4096
+    def step(self):
+        core, word = self.core, self.core[self.pc]
+        address = word & 0o177 | (self.pc & 0o7600 if word & 0o200 else 0)
+        if word & 0o400:
+            core[address] = core[address] + (address >> 3 == 1) & 0o7777
+            address = core[address]
+        total = (self.link << 12 | self.ac) + core[address]
+        self.pc, self.ac, self.link = self.pc + 1 & 0o7777, total & 0o7777, total >> 12 & 1
+""",
+    "toy.h": "extern int pc, ac, l, core[4096];\nvoid step(void);\n",
+    "toy.c": """
+#include "toy.h"
+int pc, ac, l, core[4096];
+void step(void)
+{
+    int word = core[pc], address = (word & 0177) | (word & 0200 ? pc & 07600 : 0), total;
+    if (word & 0400) address = core[address] = (core[address] + (address >> 3 == 1)) & 07777;
+    total = (l << 12 | ac) + core[address];
+    pc = (pc + 1) & 07777;
+    ac = total & 07777;
+    l = total >> 12 & 1;
+}
+""",
+    "toy.go": """
+package toy
+
+type Toy struct {
+	pc, ac, link int
+	core         [4096]int
+}
+
+func (t *Toy) step() {
+	word := t.core[t.pc]
+	address := word & 0177
+	if word&0200 != 0 {
+		address |= t.pc & 07600
+	}
+	if word&0400 != 0 {
+		if address>>3 == 1 {
+			t.core[address] = (t.core[address] + 1) & 07777
+		}
+		address = t.core[address]
+	}
+	total := (t.link<<12 | t.ac) + t.core[address]
+	t.pc, t.ac, t.link = (t.pc+1)&07777, total&07777, total>>12&1
+}
+""",
+}
+"""An emulator that knows TAD only, for what the README has a reader write."""
+
+
+def block(folder: Path, language: str) -> str:
+    """Return the README's example in a language."""
+    (found,) = re.findall(rf"```{language}\n(.*?)```", (folder / "README.md").read_text(), re.DOTALL)
+    return str(found)
+
+
+@pytest.fixture
+def toy(folder: Path, tmp_path: Path) -> Path:
+    """A folder with the toy, and what the README adds to it."""
+    mine = {"mine.py": "python", "mine.c": "c", "mine_test.go": "go"}
+    for name, text in {**TOY, **{name: block(folder, language) for name, language in mine.items()}}.items():
+        (tmp_path / name).write_text(text)
+    return tmp_path
+
+
+def test_the_first_result_of_the_readme(folder: Path, toy: Path) -> None:
+    tad = folder / "tad.json.gz"
+    assert in_folder(toy, sys.executable, folder / "runner.py", "mine:Mine", tad) == (
+        0,
+        "tad.json.gz: 4096 played, 0 differ in 0 words\n",
+    )
+    compile_c(toy / "runner", f"-I{folder}", folder / "runner.c", toy / "mine.c", toy / "toy.c")
+    status, said = in_folder(toy, "bash", "-c", f"gzip -dc {tad} | ./runner")
+    assert (status, said) == (0, "4096 played, 0 differ in 0 words\n")
+
+
+@pytest.mark.slow("Go compiles its own library first")
+@pytest.mark.skipif(shutil.which("go") is None, reason="Go is not installed")
+def test_the_first_result_of_the_readme_in_go(folder: Path, toy: Path) -> None:
+    (toy / "toy.c").unlink()
+    runner = (folder / "runner_test.go").read_text().replace("\npackage main\n", "\npackage toy\n")
+    (toy / "runner_test.go").write_text(runner)
+    (toy / "go.mod").write_text("module toy\ngo 1.22\n")
+    status, said = in_folder(
+        toy, "go", "test", "-v", "-run", "TestVectors", "-files", "tad", "-vectors", folder
+    )
+    assert status == 0, said
+    assert "4096 played, 0 differ in 0 words" in said
 
 
 class CRunner:
