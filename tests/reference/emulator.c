@@ -14,8 +14,8 @@ void emulator_set(const struct registers *registers)
     on = 1;
     m.run = 0;
     pdp8l_start(&m);
-    m.receiver.flag = m.transmitter.flag = m.fast_reader.flag = m.fast_punch.flag = 0;
-    m.receiver.buffer = 0;
+    m.teletype.receiver.flag = m.teletype.transmitter.flag = m.fast_reader.flag = m.fast_punch.flag = 0;
+    m.teletype.receiver.bits = 0;
     m.pc = registers->pc;
     m.ac = registers->ac;
     m.link = registers->link;
@@ -31,8 +31,8 @@ int emulator_flag(int device)
     switch (device) {
     case 1: m.fast_reader.flag = 1; break;
     case 2: m.fast_punch.flag = 1; break;
-    case 3: m.receiver.flag = 1; break;
-    case 4: m.transmitter.flag = 1; break;
+    case 3: m.teletype.receiver.flag = 1; break;
+    case 4: m.teletype.transmitter.flag = 1; break;
     }
     return 1;
 }

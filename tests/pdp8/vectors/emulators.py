@@ -104,7 +104,7 @@ class ReferenceEmulator:
 
     def flag(self, device: int) -> bool:
         m = self.m
-        (m.fast_reader, m.fast_punch, m.receiver, m.transmitter)[device - 1].flag = 1
+        (m.fast_reader, m.fast_punch, m.teletype.receiver, m.teletype.transmitter)[device - 1].flag = 1
         return True
 
     def cycle(self) -> list[Any]:

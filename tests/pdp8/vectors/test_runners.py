@@ -165,7 +165,8 @@ def test_the_first_result_of_the_readme(folder: Path, toy: Path) -> None:
 @pytest.mark.slow("Go compiles its own library first")
 @pytest.mark.skipif(shutil.which("go") is None, reason="Go is not installed")
 def test_the_first_result_of_the_readme_in_go(folder: Path, toy: Path) -> None:
-    (toy / "toy.c").unlink()
+    for source in toy.glob("*.c"):
+        source.unlink()
     runner = (folder / "runner_test.go").read_text().replace("\npackage main\n", "\npackage toy\n")
     (toy / "runner_test.go").write_text(runner)
     (toy / "go.mod").write_text("module toy\ngo 1.22\n")
