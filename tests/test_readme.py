@@ -3,10 +3,12 @@
 In a fenced block marked `console` a line that begins with `$ ` is a command, and the lines after it are what
 it prints; `...` stands for anything, within a line or for any number of lines. All blocks of one file are one
 sitting in one folder; a block marked with a file's name, as in `toml shift.toml`, is that file there, and
-so are the photographs that the page shows. What takes a terminal or makes the environment (`make`, `git`,
-`panel`) stands in blocks of `sh`.
+so are the photographs that the page shows. The tapes that a file `tapes.sha256` lists are there too: DEC's,
+from the folder that the environment variable PDP8_TAPES names. What takes a terminal or makes the environment
+(`make`, `git`, `panel`) stands in blocks of `sh`.
 """
 
+import os
 import re
 from pathlib import Path
 
@@ -44,12 +46,29 @@ def test_what_the_page_shows_is_what_happens(page: Path, shell: Shell, tmp_path:
         (tmp_path / photograph).symlink_to(page.parent / photograph)
     for name, content in FILE.findall(page.read_text()):
         (tmp_path / name).write_text(content)
+    _bring_tapes(tmp_path)
     for command, shown in sittings(page):
         done = shell(f"{{ {command}\n}} 2>&1")
         printed = done.stdout.decode()
         assert "Traceback" not in printed
         if not re.fullmatch(pattern(shown.rstrip("\n")), _whole_lines(printed)):
             pytest.fail(f"$ {command}\n{printed}--- is shown as ---\n{shown}", pytrace=False)
+
+
+def _bring_tapes(folder: Path) -> None:
+    """Put the tapes that tapes.sha256 lists into `folder`, or skip the test."""
+    listed = folder / "tapes.sha256"
+    names = [line.split()[1] for line in listed.read_text().splitlines()] if listed.exists() else []
+    if not names:
+        return
+    where = os.environ.get("PDP8_TAPES")
+    if not where:
+        pytest.skip("PDP8_TAPES names no folder of DEC's tapes")
+    missing = [name for name in names if not (Path(where) / name).exists()]
+    if missing:
+        pytest.skip(f"{where}, the folder PDP8_TAPES names, has no {', '.join(missing)}")
+    for name in names:
+        (folder / name).symlink_to((Path(where) / name).absolute())
 
 
 def _whole_lines(printed: str) -> str:

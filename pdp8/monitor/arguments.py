@@ -1,6 +1,6 @@
 r"""The words of a line: separated by spaces, or quoted; `#` begins a comment.
 
-type "A    B\r"        ->  type, A    B RETURN        \r \n \f \t \a \e \\ \" and three octal digits
+expect "A    B\r"      ->  expect, A    B RETURN      \r \n \f \t \a \e \\ \" and three octal digits
 """
 
 from collections.abc import Sequence
@@ -33,6 +33,12 @@ class Quoted(str):
     __slots__ = ()
 
 
+def command(line: str) -> tuple[str, str]:
+    """Return the name of a command, "" for none, and what stands after it."""
+    name = line.split("#", 1)[0].split(maxsplit=1)[:1]
+    return ("", "") if not name else (name[0], line.lstrip()[len(name[0]) :])
+
+
 def split(line: str) -> list[str]:
     """Return the words of `line`. Raises MonitorError for a quote without its other, an unknown escape."""
     words: list[str] = []
@@ -51,6 +57,11 @@ def split(line: str) -> list[str]:
                 at += 1
             words.append(line[start:at])
     return words
+
+
+def as_it_stands(rest: str) -> list[str]:
+    """Return what stands after a command's name and one blank as one word."""
+    return [rest[1:]]
 
 
 def _quoted(line: str, at: int) -> tuple[Quoted, int]:

@@ -4,8 +4,8 @@ from collections.abc import Callable, Sequence
 from textwrap import wrap
 from typing import NamedTuple
 
-from pdp8.monitor import hands, past, running, tapes
-from pdp8.monitor.arguments import MonitorError, exactly
+from pdp8.monitor import hands, keyboard, past, running, tapes
+from pdp8.monitor.arguments import MonitorError, as_it_stands, exactly, split
 from pdp8.monitor.prompt import Monitor
 
 _SHORT = {"b": "break", "e": "examine", "ex": "examine", "l": "load", "w": "watch"}
@@ -18,6 +18,8 @@ class Command(NamedTuple):
     name: str
     arguments: str
     action: Callable[[Monitor, Sequence[str]], None]
+    arguments_of: Callable[[str], Sequence[str]] = split
+    """Makes the arguments of what stands after the name."""
 
 
 def help_(monitor: Monitor, arguments: Sequence[str]) -> None:
@@ -65,7 +67,8 @@ COMMANDS = {
         Command("punch", "FILE|on|off", tapes.punch),
         Command("fast-reader", "TAPE", tapes.fast_reader),
         Command("fast-punch", "FILE|on|off", tapes.fast_punch),
-        Command("type", "TEXT", tapes.type_),
+        Command("type", "TEXT", keyboard.type_, as_it_stands),
+        Command("keyboard", "[now] TEXT ...", keyboard.keyboard),
         Command("page", "[more]", tapes.page),
         Command("save", "FILE", tapes.save),
         Command("restore", "FILE", tapes.restore),

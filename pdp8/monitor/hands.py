@@ -33,7 +33,7 @@ def deposit(monitor: Monitor, arguments: Sequence[str]) -> None:
 
 
 def set_(monitor: Monitor, arguments: Sequence[str]) -> None:
-    """Set a register, a switch (0 or 1), or the seconds that a key press takes (hands)."""
+    """Set a register, a switch (0 or 1), or the seconds that a key of the panel takes (hands)."""
     name, value = exactly(arguments, f"one of {_NAMES} and a word", 2)
     name = register(name)
     if name in REGISTERS:

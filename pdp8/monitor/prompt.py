@@ -11,7 +11,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.past.history import History
 from pdp8.computer.use.operator import Operator, Pace
 from pdp8.computer.use.trace import Listing
-from pdp8.monitor.arguments import MonitorError, octal, split
+from pdp8.monitor.arguments import MonitorError, command, octal
 
 HANDS = 0.1
 """Seconds the operator takes to press a key."""
@@ -47,9 +47,10 @@ class Monitor:
         """Carry out one line; blank lines and comments do nothing. Raises WorkError."""
         from pdp8.monitor.commands import find
 
-        words = split(line)
-        if words:
-            find(words[0]).action(self, words[1:])
+        name, rest = command(line)
+        if name:
+            found = find(name)
+            found.action(self, found.arguments_of(rest))
 
     def address(self, text: str) -> int:
         """Return the address that `text` names: octal, or symbol, plus or minus octal."""

@@ -20,7 +20,8 @@ from tapes import shelf
 from tapes.measure import counted
 
 _SLICE = 0.5
-_GLANCE = 0.05
+GLANCE = 0.05
+"""Seconds between two looks at what the machine does."""
 _LONGEST = 1e9
 _DEFAULT = 60.0
 _CODES = {"BEL": "\a", "CR": "\r", "LF": "\n", "FF": "\f", "RUBOUT": "\x7f"}
@@ -69,7 +70,7 @@ def until(monitor: Monitor, arguments: Sequence[str]) -> None:
 def expect(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Go on until the page shows TEXT, or fail after SECONDS (60)."""
     text, *rest = at_most(some(arguments, "a text"), "a text and seconds", 2)
-    _wait_for(monitor, Goal(_text(text), 1, seconds(rest[0]) if rest else _DEFAULT))
+    _wait_for(monitor, Goal(text_of(text), 1, seconds(rest[0]) if rest else _DEFAULT))
 
 
 def _goal(arguments: Sequence[str]) -> Goal:
@@ -85,10 +86,10 @@ def _goal(arguments: Sequence[str]) -> Goal:
         times = int(rest[0])
         rest = rest[2:]
     at_most(rest, 'a text, a count and "times", seconds', 1)
-    return Goal(_text(text), times, seconds(rest[0]) if rest else _DEFAULT)
+    return Goal(text_of(text), times, seconds(rest[0]) if rest else _DEFAULT)
 
 
-def _text(word: str) -> str:
+def text_of(word: str) -> str:
     """Return the text that is looked for: a word, what stands in quotes, or a code by its name."""
     text = word if isinstance(word, Quoted) else _CODES.get(word.upper(), word)
     if not text:
@@ -102,7 +103,7 @@ def _pursue(monitor: Monitor, goal: Goal) -> None:
         monitor.expected = len(monitor.machine.teletype.printer.frames)
         _wait_for(monitor, goal)
         return
-    *_, stop = _slices(monitor, goal.seconds)
+    *_, stop = slices(monitor, goal.seconds)
     line = monitor.listing.line(stop.pc, monitor.machine.core[stop.pc])
     monitor.say(f"{stop.reason}; {stop.elapsed:,.6f} s; next {line}")
 
@@ -114,7 +115,7 @@ def _wait_for(monitor: Monitor, goal: Goal) -> None:
         found += 1
     why = "the machine stands still"
     if found < goal.times and monitor.machine.panel.lamps.run:
-        for stop in _slices(monitor, goal.seconds, _GLANCE):
+        for stop in slices(monitor, goal.seconds, GLANCE):
             why = f"{goal.seconds:g} s have passed" if stop.reason is Reason.LIMIT else str(stop.reason)
             while found < goal.times and _found(monitor, goal.text):
                 found += 1
@@ -142,7 +143,7 @@ def _failure(monitor: Monitor, goal: Goal, found: int, why: str) -> str:
     return f"{text} was {'' if of else 'not '}printed{of}: {why}; the page shows {shown!r}"
 
 
-def _slices(monitor: Monitor, limit: float, longest: float = _SLICE) -> Iterator[Stop]:
+def slices(monitor: Monitor, limit: float, longest: float = _SLICE) -> Iterator[Stop]:
     """Run for at most so many seconds; yield after each slice. Change tapes as the reader runs out; press
     STOP when `monitor.stopping` is set.
     """
@@ -174,7 +175,7 @@ def wait(monitor: Monitor, arguments: Sequence[str]) -> None:
     machine = monitor.machine
     end = machine.ticks + round(seconds(time) * TICKS_PER_SECOND)
     if machine.panel.lamps.run:
-        for _ in _slices(monitor, seconds(time)):
+        for _ in slices(monitor, seconds(time)):
             pass
     if not monitor.stopping:
         machine.wait(max(0, end - machine.ticks) / TICKS_PER_SECOND)

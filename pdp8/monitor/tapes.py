@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from pdp8.computer.hardware.teletype import Punch, printed
 from pdp8.computer.past import state
 from pdp8.computer.use import operator, program
-from pdp8.monitor.arguments import FRAME, MonitorError, Quoted, exactly, some
+from pdp8.monitor.arguments import MonitorError, exactly, some
 from pdp8.monitor.prompt import Monitor
 from tapes import kinds, shelf
 from tapes import rim as rim_format
@@ -122,17 +122,6 @@ def _take_off(monitor: Monitor, device: Punch, arguments: Sequence[str]) -> None
         shelf.write(what, device.tape)
         monitor.say(f"{what}: {counted(len(device.tape), 'frames')}")
         device.frames.clear()
-
-
-def type_(monitor: Monitor, arguments: Sequence[str]) -> None:
-    """Press keys of the Teletype: words and RETURN; or exactly what stands in quotes."""
-    some(arguments, "a text")
-    exact = any(isinstance(argument, Quoted) for argument in arguments)
-    text = "".join(arguments) if exact else " ".join(arguments) + "\r"
-    for character in text:
-        if 0o200 <= ord(character) < FRAME or ord(character) > FRAME + 0o377:
-            raise MonitorError(f"{character}: a Model 33 has no such key")
-    monitor.machine.teletype.keyboard.press(bytes(ord(character) & 0o377 | 0o200 for character in text))
 
 
 def page(monitor: Monitor, arguments: Sequence[str]) -> None:

@@ -84,8 +84,9 @@ SCRIPT = (
         "until BEL 2 times 0.1",
         "assert ac 0",
         "wait 0.5",
-        'type "A\\r"',
-        "type abc",
+        'type A "B" # C',
+        'keyboard "A\\r"',
+        "keyboard now abc",
         "key stop",
     ),
     *(

@@ -87,12 +87,21 @@ def test_a_limit_that_is_no_round_number_of_ticks_ends() -> None:
 def test_boot_and_the_page() -> None:
     said: list[str] = []
     monitor = Monitor(said.append)
-    for line in ("boot hello.pal", "go 200", "page", "trace on", "go 200", "trace off", "type abc", "quit"):
+    for line in (
+        "boot hello.pal",
+        "go 200",
+        "page",
+        "trace on",
+        "go 200",
+        "trace off",
+        "keyboard now abc",
+        "quit",
+    ):
         monitor.do(line)
     assert said[0] == "RIM loader toggled in: 18 keys"
     assert "halt; 1.681854 s; next 0206  6046          TLS" in said
     assert "HELLO, WORLD." in said
-    assert monitor.machine.teletype.keyboard.waiting == b"\341\342\343\215"
+    assert monitor.machine.teletype.keyboard.waiting == b"\301\302\303"
     assert monitor.finished
 
 

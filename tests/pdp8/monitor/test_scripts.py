@@ -34,12 +34,12 @@ def do(monitor: Monitor, *lines: str) -> None:
 DIALOGUE = r"""
 load dialogue.pal
 go 200 until "PROCEED."
-type "SET X = 3\r"
+type SET X = 3
 expect "X = 3" 5
 expect BEL 5
 assert pc 223
 cont 0.01
-type "TYPE X\r"
+type TYPE X
 expect "DONE"
 wait 1
 assert 200 7300
@@ -130,28 +130,15 @@ def test_a_wrong_state_is_named(monitor: Monitor) -> None:
 
 
 @pytest.mark.parametrize(
-    ("line", "frames"),
-    [
-        ("type abc", [0o341, 0o342, 0o343, 0o215]),
-        ('type "A    B\\r"', [0o301, *[0o240] * 4, 0o302, 0o215]),
-        (r'type "\n\f\177\e\a"', [0o212, 0o214, 0o377, 0o375, 0o207]),
-        (r'type "\"" "\\"', [0o242, 0o334]),
-        ("type A   # a comment", [0o301, 0o215]),
-    ],
-)
-def test_type_sends_exactly_what_it_is_given(monitor: Monitor, line: str, frames: list[int]) -> None:
-    do(monitor, line)
-    assert list(monitor.machine.teletype.keyboard.waiting) == frames
-
-
-@pytest.mark.parametrize(
     ("line", "message"),
     [
         ("type É", "É: a Model 33 has no such key"),
-        ('type "É"', "É: a Model 33 has no such key"),
-        ('type "A', 'a quote (") has no other to end it'),
-        (r'type "\x"', r"\x: the escapes are"),
-        ("type", "a text expected"),
+        ("type {", "{: a Model 33 has no such key"),
+        ("type A", "the program asks for no key: the machine stands still; no keys of 2 sent"),
+        ('keyboard now "É"', "É: a Model 33 has no such key"),
+        ('keyboard "A', 'a quote (") has no other to end it'),
+        (r'keyboard "\x"', r"\x: the escapes are"),
+        ("keyboard now", "a text expected"),
         ("set mem_prot yes", "yes: mem_prot is 0 or 1, off or on"),
         ("set ir 77", "77: not between 0 and 7"),
         ("set link 2", "2: not between 0 and 1"),
@@ -177,7 +164,7 @@ def test_what_is_wrong_is_an_error_and_changes_nothing(monitor: Monitor, line: s
 
 
 def test_the_page_shows_marks_and_goes_on(monitor: Monitor, said: list[str]) -> None:
-    do(monitor, "go 200 1", "page", 'type "AB\\177\\r"', "run 2")
+    do(monitor, "go 200 1", "page", "keyboard AB RUBOUT CR", "run 2")
     said.clear()
     do(monitor, "page more")
     assert said == ["AB<RUBOUT>", "DONE<BEL>"]

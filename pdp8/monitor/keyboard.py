@@ -1,0 +1,101 @@
+r"""The Teletype's keyboard: keys are pressed as the program asks for them.
+
+    type 01.04 T "HI THERE"!        what stands after `type` and one blank, then RETURN
+    keyboard "200/"                 texts and codes as `expect` takes them, and nothing else
+    keyboard now "\003"             whatever the program does
+
+A program asks for a key when it has read the last one and waits: nothing but a key, or a tape, ends the loop
+it is in. One that counts meanwhile waits when for 0.4 s it has done nothing to a device, and at each of eight
+glances stood within the same eight words.
+"""
+
+from collections.abc import Sequence
+
+from pdp8.computer.machine import Machine
+from pdp8.computer.stop import Reason
+from pdp8.computer.use.keys import sent
+from pdp8.monitor.arguments import FRAME, MonitorError, Quoted, some
+from pdp8.monitor.prompt import Monitor
+from pdp8.monitor.running import GLANCE, slices, text_of
+from tapes.measure import counted
+
+_PATIENCE = 60.0
+"""Seconds of machine time that a key waits to be asked for."""
+_GLANCES = 8
+_SMALL = 8
+_RETURN = b"\x8d"
+
+
+def type_(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Press the keys of TEXT as it stands, then RETURN, each as the program asks for it; fail after 60 s."""
+    _press(monitor, _frames("".join(arguments)) + _RETURN)
+
+
+def keyboard(monitor: Monitor, arguments: Sequence[str]) -> None:
+    """Press keys as `type` does, without RETURN: texts as for `expect`; or now, whatever the program does."""
+    now = arguments[:1] == ["now"] and not isinstance(arguments[0], Quoted)
+    words = some(arguments[1:] if now else arguments, "a text")
+    frames = _frames("".join(map(text_of, words)))
+    if now:
+        monitor.machine.teletype.keyboard.press(frames)
+    else:
+        _press(monitor, frames)
+
+
+def _frames(characters: str) -> bytes:
+    """Return what the keys send. Raises MonitorError where a Model 33 has no such key."""
+    return b"".join(map(_frame, characters))
+
+
+def _frame(character: str) -> bytes:
+    code = ord(character)
+    if FRAME <= code <= FRAME + 0o377:
+        return bytes([code - FRAME])
+    frame = bytes([0o200 | code]) if code < 0o40 else sent(character)
+    if not frame:
+        raise MonitorError(f"{character}: a Model 33 has no such key")
+    return frame
+
+
+def _press(monitor: Monitor, frames: bytes) -> None:
+    """Press one key after another, each as it is asked for. Raises MonitorError when one is not."""
+    for number, frame in enumerate(frames):
+        why = _refused(monitor)
+        if why:
+            of = f"{counted(number, 'keys')} of {len(frames)}"
+            raise MonitorError(f"the program asks for no key: {why}; {of} sent")
+        monitor.machine.teletype.keyboard.press(bytes([frame]))
+
+
+def _refused(monitor: Monitor) -> str:
+    """Run until the program asks for a key; return why it does not, or nothing."""
+    machine = monitor.machine
+    if not machine.panel.lamps.run:
+        return "the machine stands still"
+    why = ""
+    actions, places = 0, list[int]()
+    for stop in slices(monitor, _PATIENCE, GLANCE):
+        places = [*places[1 - _GLANCES :], stop.pc] if machine.bus.actions == actions else []
+        actions = machine.bus.actions
+        if _has_read(machine) and (_goes_round(places) or _asks(machine, stop.reason)):
+            return ""
+        why = f"{_PATIENCE:g} s have passed" if stop.reason is Reason.LIMIT else str(stop.reason)
+    return why
+
+
+def _has_read(machine: Machine) -> bool:
+    """Tell whether every key pressed so far has been read."""
+    receiver = machine.teletype.receiver
+    return not (receiver.flag or receiver.stage or receiver.keyboard.waiting)
+
+
+def _asks(machine: Machine, reason: Reason) -> bool:
+    """Tell whether a run ended because only a key, or a tape, would let the program go on."""
+    receiver = machine.teletype.receiver
+    tested = machine.bus.tested >> receiver.code & 1
+    return reason in (Reason.IDLE, Reason.TAPE_OUT) and bool(tested or machine.ion)
+
+
+def _goes_round(places: Sequence[int]) -> bool:
+    """Tell whether the program was in one small loop at all of the last glances."""
+    return len(places) == _GLANCES and max(places) - min(places) < _SMALL

@@ -1,0 +1,104 @@
+"""Keys pressed as the program asks for them: none is lost to one that does not listen while it prints."""
+
+import pytest
+
+import pal
+from pdp8.monitor.arguments import MonitorError
+from pdp8.monitor.prompt import Monitor
+
+STORE = """
+*10
+INTO,	277
+*200
+READ,	{wait}
+	KRB
+	DCA I INTO
+{then}
+	JMP READ
+SEED,	0
+COUNT,	0
+THREE,	-3
+DOT,	256
+$
+"""
+LISTEN = "KSF; JMP .-1"
+LISTEN_AND_COUNT = "ISZ SEED; NOP; KSF; JMP .-3"
+PRINT = """	TAD THREE
+	DCA COUNT
+	TAD DOT
+	TLS
+	TSF; JMP .-1
+	ISZ COUNT; JMP .-4
+	CLA
+"""
+
+
+def started(wait: str, then: str = "") -> Monitor:
+    """Return a monitor at a program that stores each key from 0300 on, and runs."""
+    monitor = Monitor(lambda line: None)
+    source = STORE.format(wait=wait, then=then)
+    monitor.machine.load(pal.assemble(source).words)
+    monitor.do("go 200 0.1")
+    return monitor
+
+
+def stored(monitor: Monitor) -> list[int]:
+    words = monitor.machine.core[0o300:0o400]
+    return list(words[: list(words).index(0)])
+
+
+def frames(text: str) -> list[int]:
+    return [0o200 | ord(character) for character in text]
+
+
+@pytest.mark.parametrize(
+    ("wait", "then"),
+    [(LISTEN, ""), (LISTEN, PRINT), (LISTEN_AND_COUNT, ""), (LISTEN_AND_COUNT, PRINT)],
+    ids=["", "printing", "counting", "counting, printing"],
+)
+def test_a_line_arrives_as_it_stands(wait: str, then: str) -> None:
+    monitor = started(wait, then)
+    monitor.do('type  01.04 T "HI  there"! # 5 \\r ')
+    monitor.do("wait 1")
+    assert stored(monitor) == frames(' 01.04 T "HI  THERE"! # 5 \\R \r')
+
+
+def test_keys_pressed_without_waiting_are_lost_where_the_program_prints() -> None:
+    monitor = started(LISTEN, PRINT)
+    monitor.do('keyboard now "ABCDEFGH"')
+    monitor.do("wait 5")
+    assert len(stored(monitor)) < 8
+
+
+def test_keys_alone_are_texts_and_codes() -> None:
+    monitor = started(LISTEN, PRINT)
+    monitor.do(r'keyboard a "B c" CR "\n\f\177\e\a\"\\\003\301\034" # a comment')
+    monitor.do("wait 1")
+    codes = [0o215, 0o212, 0o214, 0o377, 0o375, 0o207, 0o242, 0o334, 0o203, 0o301, 0o234]
+    assert stored(monitor) == [*frames("AB C"), *codes]
+
+
+def test_keys_come_after_what_is_on_the_tape() -> None:
+    monitor = started(LISTEN)
+    monitor.machine.teletype.reader.load(b"\1\2\3")
+    monitor.do("type A")
+    monitor.do("wait 1")
+    assert stored(monitor) == [1, 2, 3, *frames("A\r")]
+
+
+@pytest.mark.parametrize(
+    ("program", "why"),
+    [
+        ("6031 5200 6036 7402", "halt; 1 key of 3 sent"),
+        ("5200", "idle; no keys of 3 sent"),
+        (f"{'7000 ' * 100}2177 5200 5200", "60 s have passed; no keys of 3 sent"),
+        ("6031 5200 5202", "idle; 1 key of 3 sent"),
+    ],
+)
+def test_a_program_that_asks_for_no_key_is_given_up(program: str, why: str) -> None:
+    monitor = Monitor(lambda line: None)
+    monitor.do(f"deposit 200 {program}")
+    monitor.do("go 200 0.1")
+    with pytest.raises(MonitorError, match=f"^the program asks for no key: {why}$"):
+        monitor.do("type AB")
+    assert monitor.machine.elapsed < 62
