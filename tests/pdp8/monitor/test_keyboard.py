@@ -17,13 +17,20 @@ READ,	{wait}
 	JMP READ
 SEED,	0
 COUNT,	0
-THREE,	-3
+TEN,	-12
+HUNDRED,	-144
 DOT,	256
 $
 """
 LISTEN = "KSF; JMP .-1"
 LISTEN_AND_COUNT = "ISZ SEED; NOP; KSF; JMP .-3"
-PRINT = """	TAD THREE
+DELAY = """	TAD HUNDRED
+	DCA COUNT
+	ISZ SEED; JMP .-1
+	ISZ COUNT; JMP .-3
+	CLA
+"""
+PRINT = """	TAD TEN
 	DCA COUNT
 	TAD DOT
 	TLS
@@ -53,14 +60,20 @@ def frames(text: str) -> list[int]:
 
 @pytest.mark.parametrize(
     ("wait", "then"),
-    [(LISTEN, ""), (LISTEN, PRINT), (LISTEN_AND_COUNT, ""), (LISTEN_AND_COUNT, PRINT)],
-    ids=["", "printing", "counting", "counting, printing"],
+    [(LISTEN, ""), (LISTEN, PRINT), (LISTEN, DELAY), (LISTEN_AND_COUNT, ""), (LISTEN_AND_COUNT, PRINT)],
+    ids=["at once", "printing", "slow", "counting", "counting and printing"],
 )
 def test_a_line_arrives_as_it_stands(wait: str, then: str) -> None:
     monitor = started(wait, then)
     monitor.do('type  01.04 T "HI  there"! # 5 \\r ')
-    monitor.do("wait 1")
+    monitor.do("wait 9")
     assert stored(monitor) == frames(' 01.04 T "HI  THERE"! # 5 \\R \r')
+
+
+def test_no_key_is_pressed_before_the_program_is_done_with_the_last() -> None:
+    monitor = started(LISTEN, PRINT)
+    monitor.do("type A")
+    assert monitor.machine.teletype.printer.frames == b"\xae" * 10
 
 
 def test_keys_pressed_without_waiting_are_lost_where_the_program_prints() -> None:
