@@ -11,6 +11,7 @@ glances stood within the same eight words.
 
 from collections.abc import Sequence
 
+from pdp8.computer.hardware.bus import NEVER
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason
 from pdp8.computer.use.keys import sent
@@ -84,9 +85,9 @@ def _refused(monitor: Monitor) -> str:
 
 
 def _has_read(machine: Machine) -> bool:
-    """Tell whether every key pressed so far has been read."""
+    """Tell whether every key and frame so far has been read."""
     receiver = machine.teletype.receiver
-    return not (receiver.flag or receiver.stage or receiver.keyboard.waiting)
+    return not receiver.flag and receiver.due == NEVER
 
 
 def _asks(machine: Machine, reason: Reason) -> bool:

@@ -106,7 +106,7 @@ def test_boot_and_the_page() -> None:
 
 
 ARGUMENTS = ["0", "200", "7777", "10", "ac", "pc", "sing_step", "on", "1", "stop", "start", "-", "x"]
-FILES = ("save", "punch", "restore", "reader", "load", "boot", "fast-reader", "fast-punch")
+FILES = ("save", "punch", "restore", "reader", "load", "boot", "listing", "fast-reader", "fast-punch")
 RUNS = ("go", "cont")
 LINES = st.one_of(
     st.sampled_from(["go 200 0.01", "go 7777 0.01", "cont 0.01", "go 0.01", "cont x"]),
