@@ -5,7 +5,7 @@ arguments    the words of a line: quotes and escapes, octal, seconds
 commands     every command by its name
 hands        words, registers, switches and keys; breakpoints, steps, traces
 running      going on until something: a time, a text on the page, a value
-keyboard     the Teletype's keys, as the program asks for them
+keystrokes   the Teletype's keys, as the program asks for them
 past         undoing what the machine has done
 tapes        programs, tapes, the Teletype's page, saved states
 

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from textwrap import wrap
 from typing import NamedTuple
 
-from pdp8.monitor import hands, keyboard, past, running, tapes
+from pdp8.monitor import hands, keystrokes, past, running, tapes
 from pdp8.monitor.arguments import MonitorError, as_it_stands, exactly, split
 from pdp8.monitor.prompt import Monitor
 
@@ -67,8 +67,8 @@ COMMANDS = {
         Command("punch", "FILE|on|off", tapes.punch),
         Command("fast-reader", "TAPE", tapes.fast_reader),
         Command("fast-punch", "FILE|on|off", tapes.fast_punch),
-        Command("type", "TEXT", keyboard.type_, as_it_stands),
-        Command("keyboard", "[now] TEXT ...", keyboard.keyboard),
+        Command("type", "TEXT", keystrokes.type_, as_it_stands),
+        Command("keyboard", "[now] TEXT ...", keystrokes.keyboard),
         Command("page", "[more]", tapes.page),
         Command("save", "FILE", tapes.save),
         Command("restore", "FILE", tapes.restore),

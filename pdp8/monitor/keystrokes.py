@@ -11,7 +11,7 @@ glances stood within the same eight words.
 
 from collections.abc import Sequence
 
-from pdp8.computer.hardware.bus import NEVER
+from pdp8.computer.hardware.signals import NEVER
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason
 from pdp8.computer.use.keys import sent
