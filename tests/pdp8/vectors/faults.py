@@ -38,7 +38,7 @@ FAULTS = {
         "if (word & 0200) m->ac = 0;\n    if (word & 0004) m->ac |= m->sr;",
         "if (word & 0004) m->ac |= m->sr;\n    if (word & 0200) m->ac = 0;",
     ),
-    "KCC leaves AC": ("m->ac = r->flag = 0;", "r->flag = 0;"),
+    "KCC leaves AC": ("return ac & SKIP;\n}\n\n/* M707", "return ac;\n}\n\n/* M707"),
     "ION at once": (
         "m->ion_ready = 1;\n    }",
         "m->ion_ready = 1;\n        if (m->mb == 06001 && request(m)) m->next = INTERRUPT;\n    }",
