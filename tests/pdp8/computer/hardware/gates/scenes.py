@@ -82,6 +82,8 @@ class Scenes:
         kind = draw.random()
         if kind < 0.4 and beside.gates.sender.units:
             at = int(beside.gates.sender.at) + draw.randrange(-8, 60) * UNIT // 8
+        elif kind < 0.5 and beside.gates.receiver.in_last_unit:
+            at = int(beside.gates.receiver.pulse_at) + draw.randrange(40) * UNIT // 8
         elif kind < 0.7 and beside.gates.transmitter.active:
             at = int(beside.gates.transmitter.edge_at) + draw.randrange(20) * UNIT // 2
         else:
