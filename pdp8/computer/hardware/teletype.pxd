@@ -47,10 +47,10 @@ cdef class Receiver(Device):
     @cython.locals(last=int64_t, pulse=int)
     cpdef int start_seen(self) noexcept
     @cython.locals(since=int64_t)
-    cpdef int mark(self, int64_t now) noexcept
+    cpdef int mark(self, int pulse) noexcept
     cpdef int begin(self) except -1
     cpdef int preset(self) noexcept
-    @cython.locals(tick=int64_t, mark=int)
+    @cython.locals(pulse=int, mark=int)
     cpdef int sample(self, int64_t now) noexcept
     cpdef int stop(self, int pulse) noexcept
 

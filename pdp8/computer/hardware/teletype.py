@@ -240,17 +240,17 @@ class Receiver(Device):
             return -1
         pulse = max(self.pulses, self.pulse_after(self.start))
         while self.tick(pulse) <= last:
-            if not self.mark(self.tick(pulse)):
+            if not self.mark(pulse):
                 return pulse
             pulse += 1
         return -1
 
-    def mark(self, now: int) -> int:
-        """Return what the line shows just before tick `now`: 1 for mark, 0 for space."""
-        since = now - self.start
-        if since <= 0 or since > FRAME:
+    def mark(self, pulse: int) -> int:
+        """Return what the line shows just before a pulse of the clock: 1 for mark, 0 for space."""
+        since = PARTS * (self.origin - self.start) + HALF_UNIT // 4 * pulse
+        if since <= 0 or since > PARTS * FRAME:
             return 1
-        return self.line >> PARTS * (since - 1) // (2 * HALF_UNIT) & 1
+        return self.line >> (since - 1) // (2 * HALF_UNIT) & 1
 
     def advance(self, now: int) -> None:
         """Let the line and the reader run up to tick `now`."""
@@ -296,8 +296,8 @@ class Receiver(Device):
 
     def sample(self, now: int) -> None:
         """Shift in what the line showed at each shift up to tick `now`."""
-        while self.active and (tick := self.tick(self.pulses + FIRST_SHIFT + UNIT * self.shifts)) <= now:
-            mark = self.mark(tick)
+        while self.active and self.tick(pulse := self.pulses + FIRST_SHIFT + UNIT * self.shifts) <= now:
+            mark = self.mark(pulse)
             self.flag = ~self.buffer & 1
             self.buffer = self.buffer >> 1 | mark << 7
             self.shifts += 1
