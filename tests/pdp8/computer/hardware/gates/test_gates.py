@@ -5,7 +5,7 @@ import pytest
 from tests.pdp8.computer.hardware.gates.beside import Beside, Difference
 from tests.pdp8.computer.hardware.gates.scenes import Scenes
 from tests.reference.compiling import compiler
-from tests.reference.gates import UNIT
+from tests.reference.gates import PARTS, UNIT
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="the modules are compiled from C")
 
@@ -41,3 +41,19 @@ def test_nothing_differs_by_a_tick_in_100_000_characters(first: int) -> None:
 def test_with_free_clocks_in_20_000_characters(first: int) -> None:
     for phase in range(first, first + 8):
         play(Beside(phase=round((phase + 0.01) * UNIT / 64)), phase, 625)
+
+
+@pytest.mark.parametrize("unit", range(4))
+@pytest.mark.parametrize("aside", range(-1, 3))
+def test_a_line_that_changes_within_a_tick_of_a_shift(unit: int, aside: int) -> None:
+    """INITIALIZE in a character makes the receiver begin a false one, and a key's units meet its shifts."""
+    beside = Beside()
+    beside.type(b"\x00")
+    beside.run(1_200_000)
+    beside.initialize()
+    ninth_shift = 15 * UNIT
+    beside.run((ninth_shift - unit * UNIT) // PARTS + aside)
+    beside.type(b"\x55")
+    beside.run(ninth_shift // PARTS + 10)
+    beside.iot(0o6034, 0)
+    beside.run(6_000_000)
