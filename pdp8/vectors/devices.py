@@ -220,7 +220,7 @@ class _Bench:
         """Return the tick at which a device moves next."""
         machine = self.machine
         teletype, fast = machine.teletype, machine.highspeed
-        line = min(teletype.receiver.step, tick_of(teletype.transmitter.next_step()))
+        line = min(teletype.receiver.due, teletype.receiver.step, tick_of(teletype.transmitter.next_step()))
         return min(line, fast.reader_control.due, fast.punch_control.due)
 
     def to(self, tick: int) -> None:

@@ -33,11 +33,17 @@ static int at_rest(const struct gates *g)
     return !g->transmitter.active && !g->transmitter.enable && (g->selector.unit == 0 || g->selector.unit == 9);
 }
 
-static void run_teletype(struct pdp8l *m, tick now)
+static void look(struct pdp8l *m)
 {
-    while (gates_now(&m->teletype) < now) gates_run(&m->teletype, now);
     print(m, &m->teletype.selector);
     if (at_rest(&m->teletype)) m->printed = m->teletype.selector.printed;
+}
+
+static void run_teletype(struct pdp8l *m, tick now)
+{
+    do gates_run(&m->teletype, now);
+    while (gates_now(&m->teletype) < now);
+    look(m);
 }
 
 /* Whether no flag of the Teletype changes any more by itself. */
@@ -106,6 +112,13 @@ void devices(struct pdp8l *m, tick now)
         frame_punched(m);
 }
 
+static tick earlier(tick a, tick b) { return a < b ? a : b; }
+
+tick pdp8l_next(const struct pdp8l *m)
+{
+    return earlier(gates_next(&m->teletype), earlier(m->fast_reader.at, m->fast_punch.at));
+}
+
 int request(const struct pdp8l *m)
 {
     return m->teletype.receiver.flag || m->teletype.transmitter.flag || m->fast_reader.flag || m->fast_punch.flag;
@@ -114,7 +127,7 @@ int request(const struct pdp8l *m)
 void initialize_devices(struct pdp8l *m)
 {
     gates_initialize(&m->teletype, m->now);
-    run_teletype(m, m->now);
+    look(m);
     m->fast_reader = (struct fast_reader){.at = NEVER};
     punch_frame(m);
     m->fast_punch = (struct fast_punch){.at = NEVER};
@@ -155,16 +168,22 @@ void fast_punch_iot(struct pdp8l *m, int word, tick began)
 
 /* ---- keys, tapes and levers ---- */
 
+/* What a hand brings on begins when time goes on, and is seen by what the devices have come to. */
+static void catch_up(struct pdp8l *m)
+{
+    if (gates_now(&m->teletype) < m->now) devices(m, m->now);
+}
+
 void pdp8l_type(struct pdp8l *m, const uint8_t *frames, int count)
 {
     int n;
-    devices(m, m->now);
+    catch_up(m);
     for (n = 0; n < count; n++) gates_type(&m->teletype, frames[n]);
 }
 
 void pdp8l_tape(struct pdp8l *m, int fast, const uint8_t *frames, int count)
 {
-    devices(m, m->now);
+    catch_up(m);
     if (fast) {
         memcpy(m->fast_tape.tape, frames, count);
         m->fast_tape.length = count;
@@ -177,7 +196,7 @@ void pdp8l_tape(struct pdp8l *m, int fast, const uint8_t *frames, int count)
 
 void pdp8l_lever(struct pdp8l *m, int fast, int start)
 {
-    devices(m, m->now);
+    catch_up(m);
     if (!fast) {
         m->teletype.sender.lever = start;
         return;

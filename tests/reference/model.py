@@ -23,6 +23,7 @@ def library() -> ctypes.CDLL:
     loaded = compiled(SOURCES, HEADERS)
     loaded.pdp8l_run.argtypes = [POINTER(Reference), c_int64, c_int64, ctypes.c_char_p]
     loaded.pdp8l_wait.argtypes = [POINTER(Reference), c_int64]
+    loaded.pdp8l_next.restype = c_int64
     return loaded
 
 
@@ -97,6 +98,14 @@ class Reference(Structure):
     def wait(self, ticks: int) -> None:
         """Let time pass while the processor stands still."""
         self._call("wait", ticks)
+
+    def settle(self) -> None:
+        """Let all happen that happens now."""
+        self._call("settle")
+
+    def next_event(self) -> int:
+        """Return the tick at which a device does something next, be it that nobody sees it."""
+        return self._call("next")
 
     def finish(self) -> None:
         """Let the mechanisms finish what they have begun."""

@@ -77,8 +77,12 @@ void pdp8l_type(struct pdp8l *m, const uint8_t *frames, int count);
 void pdp8l_tape(struct pdp8l *m, int fast, const uint8_t *frames, int count);
 void pdp8l_lever(struct pdp8l *m, int fast, int start);
 
-/* Let time pass while the processor stands still; let the mechanisms finish what they have begun. */
+/* Let time pass while the processor stands still; let all happen that happens now; let the mechanisms finish what they have begun. */
 void pdp8l_wait(struct pdp8l *m, tick ticks);
+void pdp8l_settle(struct pdp8l *m);
 void pdp8l_finish(struct pdp8l *m);
+
+/* The tick at which a device does something next, be it that nobody sees it. */
+tick pdp8l_next(const struct pdp8l *m);
 
 #endif

@@ -311,6 +311,10 @@ void pdp8l_dep(struct pdp8l *m)
 
 void pdp8l_wait(struct pdp8l *m, tick ticks)
 {
+    if (ticks == 0) return;
+    devices(m, m->now);
     m->now += ticks;
     devices(m, m->now);
 }
+
+void pdp8l_settle(struct pdp8l *m) { devices(m, m->now); }

@@ -283,6 +283,9 @@ int gates_same(const struct gates *a, const struct gates *b)
 
 int64_t gates_now(const struct gates *g) { return g->now / PER_TICK; }
 
+/* The tick that sees what happens next. */
+int64_t gates_next(const struct gates *g) { return (next(g) + PER_TICK - 1) / PER_TICK; }
+
 /* Tell whether, left alone, nothing changes from tick `from` to tick `to` that an IOT of `device` would meet; for
    device 0, whether the sender, too, and the divider stand still. */
 int gates_quiet(const struct gates *g, int device, int64_t from, int64_t to)

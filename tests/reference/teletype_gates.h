@@ -45,6 +45,7 @@ struct gates {
 };
 
 int64_t gates_now(const struct gates *g);
+int64_t gates_next(const struct gates *g);
 int gates_same(const struct gates *a, const struct gates *b);
 int64_t gates_run(struct gates *g, int64_t until);
 int gates_iot(struct gates *g, int word, int ac, int64_t began);

@@ -328,7 +328,7 @@ class Receiver(Device):
 
     def initialize(self, now: int) -> None:
         """Clear the flag and ACTIVE, set READER RUN."""
-        if self.due != AT_ONCE:
+        if self.now < now:  # else what begins now begins as time goes on
             self.advance(now)
         self.flag = 0
         self.reader_run = 1

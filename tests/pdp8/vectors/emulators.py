@@ -140,14 +140,16 @@ class _Bench:
 
     def _see(self) -> dict[str, Any]:
         m = self.m
-        flags = (m.fast_reader.flag, m.fast_punch.flag, m.receiver.flag, m.transmitter.flag)
-        counts = m.fast_tape.position, m.tape.position, m.page.count, m.fast_punched.count
+        receiver, transmitter = m.teletype.receiver, m.teletype.transmitter
+        flags = (m.fast_reader.flag, m.fast_punch.flag, receiver.flag, transmitter.flag)
+        counts = m.fast_tape.position, m.teletype.sender.position, m.page.count, m.fast_punched.count
         return {"flags": flags, "counts": counts}
 
     def _to(self, tick: int) -> None:
         m = self.m
-        while (due := min(m.receiver.at, m.transmitter.at, m.fast_reader.at, m.fast_punch.at)) <= tick:
+        while (due := m.next_event()) <= tick:
             m.wait(max(due - m.now, 0))
+            m.settle()
             self._look()
         m.wait(tick - m.now)
 
@@ -186,7 +188,7 @@ class _Bench:
         m.pc, m.ac, m.core[0o200], m.next = 0o200, ac, word, 0
         tick = m.now
         m.cycle()
-        m.wait(0)
+        m.settle()
         final = {"ac": m.ac, "skip": m.pc - 0o201}
         self.events.append({"tick": tick, "iot": word, "ac": ac, "final": final})
         self._look()

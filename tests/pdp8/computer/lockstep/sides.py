@@ -196,7 +196,9 @@ class ReferenceSide(Watching):
     def single_cycles(self, count: int) -> None:
         for _ in range(count):
             self.reference.run = 0
+            self.reference.settle()
             self.reference.cycle()
+            self.reference.settle()
             self.reference.finish()
 
     def save_and_restore(self) -> None:
