@@ -130,7 +130,7 @@ def plot(
         block=block,
         cutter=options["cutter"] * 1000,
         tolerance=options["tolerance"] * 1000,
-        zoom=zoom,
+        zoom=(zoom, zoom),
         close_at=close_at,
     )
     _put(text, output or _beside(options["tape"], ".svg"))

@@ -12,7 +12,7 @@ from xml.etree import ElementTree as ET
 
 INK, FAINT, GRID = "#1b1b1b", "#8a8a8a", "#e4e4e4"
 _FONT = "Helvetica, Arial, sans-serif"
-_TICKS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0)
+_TICKS = (0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0)
 
 
 @dataclass(frozen=True)
@@ -91,14 +91,26 @@ class Sheet:
         """Write a line of text from (x, y)."""
         self.draw("text", x=x, y=y, **attributes).text = words
 
-    def label(self, x: float, y: float, words: str, **attributes: object) -> None:
-        """Write a line of text that stays legible over lines."""
-        self.text(x, y, words, stroke="#ffffff", stroke_width=3, paint_order="stroke", **attributes)
+    def label(
+        self, x: float, y: float, words: str, parent: ET.Element | None = None, **attributes: object
+    ) -> None:
+        """Write a line of text that stays legible over lines: a white halo first, then the letters.
 
-    def view(self, x: float, y: float, window: Window, scale: float) -> "View":
-        """Place a window on the part at (x, y), `scale` inches of paper to an inch, with its inch scales."""
+        Two elements, for not every renderer knows the property paint-order.
+        """
+        halo = attributes | {"fill": "#ffffff", "stroke": "#ffffff", "stroke-width": 3, "aria-hidden": "true"}
+        for shown in (halo, attributes):
+            self.draw("text", parent, x=x, y=y, **shown).text = words
+
+    def view(
+        self, x: float, y: float, window: Window, scale: float, upright: float | None = None
+    ) -> "View":
+        """Place a window on the part at (x, y), `scale` inches of paper to an inch, with its inch scales.
+
+        `upright` is the scale of Y where it is another.
+        """
         self._views += 1
-        return View(self, x, y, window, scale, f"view{self._views}")
+        return View(self, x, y, window, (scale, upright or scale), f"view{self._views}")
 
     def svg(self) -> str:
         """Return the sheet as an SVG document."""
@@ -108,11 +120,11 @@ class Sheet:
 class View:
     """A window on the part; its scales are inches, its contents clipped."""
 
-    def __init__(self, sheet: Sheet, x: float, y: float, window: Window, scale: float, name: str) -> None:
+    def __init__(self, sheet: Sheet, x: float, y: float, window: Window, scale: tuple[float, float], name: str) -> None:
         self.sheet, self.window, self.scale = sheet, window, scale
         self.x, self.y = x, y
-        self.unit = scale / 10
-        self.width, self.height = window.width * self.unit, window.height * self.unit
+        self.unit, self.rise = scale[0] / 10, scale[1] / 10
+        self.width, self.height = window.width * self.unit, window.height * self.rise
         clip = sheet.draw("clipPath", id=name)
         sheet.draw("rect", clip, x=x, y=y, width=self.width, height=self.height)
         self._scales()
@@ -121,7 +133,7 @@ class View:
 
     def at(self, x: float, y: float) -> tuple[float, float]:
         """Return where on paper the part's (x, y) lies."""
-        return self.x + (x - self.window.left) * self.unit, self.y + (self.window.top - y) * self.unit
+        return self.x + (x - self.window.left) * self.unit, self.y + (self.window.top - y) * self.rise
 
     def draw(self, tag: str, **attributes: object) -> ET.Element:
         """Add an element, in paper coordinates, clipped by the window."""
@@ -132,7 +144,7 @@ class View:
         self.draw("path", fill="none", d=polyline(self.at(x, y) for x, y in points), **attributes)
 
     def circle(self, x: float, y: float, radius: float, fill: str = "none", **attributes: object) -> None:
-        """Draw a circle of the part."""
+        """Draw a circle of the part, in a view that stretches neither axis."""
         cx, cy = self.at(x, y)
         self.draw("circle", cx=cx, cy=cy, r=radius * self.unit, fill=fill, **attributes)
 
@@ -141,19 +153,17 @@ class View:
     ) -> None:
         """Write beside a place of the part, `dx` and `dy` on paper away from it, legible over lines."""
         px, py = self.at(x, y)
-        halo = {"stroke": "#ffffff", "stroke-width": 3, "paint-order": "stroke"}
-        self.draw("text", x=px + dx, y=py + dy, **halo, **attributes).text = words
+        self.sheet.label(px + dx, py + dy, words, self._body, **attributes)
 
     def _scales(self) -> None:
-        step = next((tick for tick in _TICKS if tick * 100 * self.scale >= 45), _TICKS[-1]) * 1000
-        places = max(0, 3 - len(str(round(step)))) if step >= 100 else 2
-        places = max(1, places)
+        step, places = _tick(self.scale[0], 45)
         for value in _multiples(self.window.left, self.window.right, step):
             x, _ = self.at(value, 0)
             bottom = self.y + self.height
             self.sheet.draw("line", x1=x, y1=self.y, x2=x, y2=bottom, stroke=GRID)
             self.sheet.draw("line", x1=x, y1=bottom, x2=x, y2=bottom + 5, stroke=INK)
             self.sheet.text(x, bottom + 17, f"{value / 1000:.{places}f}", text_anchor="middle")
+        step, places = _tick(self.scale[1], 45)
         for value in _multiples(self.window.bottom, self.window.top, step):
             _, y = self.at(0, value)
             self.sheet.draw("line", x1=self.x, y1=y, x2=self.x + self.width, y2=y, stroke=GRID)
@@ -163,6 +173,12 @@ class View:
         x, y = self.x - 42, self.y + self.height / 2
         turned = f"rotate(-90 {number(x)} {number(y)})"
         self.sheet.text(x, y, "Y, inches", text_anchor="middle", transform=turned)
+
+
+def _tick(scale: float, apart: float) -> tuple[float, int]:
+    """Return the step of an inch scale, thousandths, whose ticks stand that far apart; and its places."""
+    step = next((tick for tick in _TICKS if tick * 100 * scale >= apart), _TICKS[-1]) * 1000
+    return step, 1 if step >= 100 else 2 if step >= 10 else 3
 
 
 def _multiples(low: float, high: float, step: float) -> list[float]:

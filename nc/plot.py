@@ -5,7 +5,7 @@
     └───────────────┘
     ┌───────────────┐
     │  close, 10:1  │   about the current block: the nominal curve, its band, the steps with their blocks
-    └───────────────┘
+    └───────────────┘   or an inset, one axis stretched: the steps in their band alone
 
 The cut surface is the path drawn with the cutter's width and round ends, as an SVG stroke.
 """
@@ -38,14 +38,14 @@ def plot(
     block: int | None = None,
     cutter: float = 500,
     tolerance: float = 5,
-    zoom: float = 10,
+    zoom: tuple[float, float] = (10, 10),
     close_at: tuple[float, float] | None = None,
 ) -> str:
     """Return the drawing as SVG text. `block` is the current one, counted from 1, by default the last.
 
     `cutter` (diameter), `tolerance` and `close_at`, the centre of the close view if not the current block,
-    are thousandths of an inch; `curve`, if given, is drawn with its band. Raises WorkError if the tape does
-    not have that block.
+    are thousandths of an inch; `curve`, if given, is drawn with its band. `zoom` is the scale of the close
+    view along X and along Y. Raises WorkError if the tape does not have that block.
     """
     current = len(path) if block is None else block
     if not 1 <= current <= len(path):
@@ -64,9 +64,9 @@ def plot(
     _draw_part(sheet.view(_LEFT, top, window, scale), path, current, cutter)
     sheet.text(_LEFT, close_top - 8, _close_title(curve, tolerance, zoom), fill=FAINT)
     x, y = close_at or path.steps[current - 1].at[:2]
-    half_width, half_height = _WIDTH / zoom * 5, _CLOSE_HEIGHT / zoom * 5
+    half_width, half_height = _WIDTH / zoom[0] * 5, _CLOSE_HEIGHT / zoom[1] * 5
     close = Window(x - half_width, y - half_height, x + half_width, y + half_height)
-    _draw_close(sheet.view(_LEFT, close_top, close, zoom), path, current, curve, cutter, tolerance)
+    _draw_close(sheet.view(_LEFT, close_top, close, *zoom), path, current, curve, cutter, tolerance)
     for row, line in enumerate(_LEGEND):
         sheet.text(_LEFT, bottom + 60 + _LINE * row, line, fill=FAINT)
     return sheet.svg()
@@ -102,9 +102,10 @@ def _ratio(scale: float) -> str:
     return f"{scale:g}:1" if scale >= 1 else f"1:{1 / scale:g}"
 
 
-def _close_title(curve: Curve | None, tolerance: float, zoom: float) -> str:
+def _close_title(curve: Curve | None, tolerance: float, zoom: tuple[float, float]) -> str:
     band = f"; band ±{tolerance / 1000:.3f} in about the {curve}" if curve else ""
-    return f"close, scale {_ratio(zoom)}{band}"
+    along, up = map(_ratio, zoom)
+    return f"close, scale {along}{band}" if along == up else f"stretched, X {along}, Y {up}{band}"
 
 
 def _draw_part(view: View, path: Path, current: int, cutter: float) -> None:
@@ -128,14 +129,17 @@ def _draw_close(
         [move for step in steps for move in step.moves if _near(move, reach)]
         for steps in (path.steps[:current], path.steps[current:])
     )
-    _draw_metal(view, done, cutter)
-    _draw_holes(view, path, current, cutter)
+    stretched = view.unit != view.rise
+    if not stretched:
+        _draw_metal(view, done, cutter)
+        _draw_holes(view, path, current, cutter)
     if curve is not None:
         _draw_band(view, curve, cutter, tolerance)
     for moves, colour in ((to_come, _TO_COME), (done, _PATH)):
         for run in _runs(moves, milling=True):
             view.line(run, stroke=colour, stroke_width=1.8)
-    _draw_cutter(view, path.steps[current - 1].at, cutter)
+    if not stretched:
+        _draw_cutter(view, path.steps[current - 1].at, cutter)
     _number_steps(view, path, current)
 
 
@@ -195,7 +199,11 @@ def _draw_cutter(view: View, at: Position, cutter: float) -> None:
 def _number_steps(view: View, path: Path, current: int) -> None:
     """Write block numbers beside the ends of their moves where they do not overlap, the current one first."""
     written: list[tuple[float, float]] = []
-    inside = view.window.grown(-30 / view.unit)
+    margin = 30 / view.unit, 30 / view.rise
+    window = view.window
+    inside = Window(
+        window.left + margin[0], window.bottom + margin[1], window.right - margin[0], window.top - margin[1]
+    )
     steps = sorted(
         (
             step

@@ -1,13 +1,17 @@
 """The drawings: to scale, in inches, nothing clipped, and the metal drawn is the metal cut."""
 
 import re
+from importlib.util import find_spec
+from io import BytesIO
 from itertools import pairwise
 from xml.etree import ElementTree as ET
 
 import pytest
+from PIL import Image
 
 import nc
 from nc.curves import Ellipse, StraightLine
+from nc.drawing import Sheet
 from nc.inspection import inspect
 from nc.plot import plot
 from nc.talyrond import talyrond
@@ -112,6 +116,37 @@ def test_the_close_view_stands_about_the_current_block() -> None:
 
 def test_the_contour_does_not_close_and_the_picture_says_so() -> None:
     assert "the contour ends 0.156 in from its start" in words(DRAWINGS["circle"])
+
+
+def test_a_close_view_stretched_has_the_band_s_true_height_on_its_own_scale() -> None:
+    """Y 80:1: the .010 in of the band are .8 in of paper; X 8:1: a step of .12 in is .96 in."""
+    drawing = plot(nc.cut(CIRCLE), THE_CIRCLE, close_at=(4000, 5735), zoom=(8, 80))
+    assert any(line.startswith("stretched, X 8:1, Y 80:1; band ±0.005 in") for line in words(drawing))
+    band = [path for path in elements(drawing, "path") if path.get("stroke") == "#2e7d32"]
+    highest = [
+        min(float(y) for y in re.findall(r"-?[\d.]+ (-?[\d.]+)", path.get("d", "")))
+        for path in band
+        if path.get("stroke-dasharray") == "none"
+    ]
+    inner, outer = sorted(highest[-2:])[::-1]
+    assert inner - outer == pytest.approx(80, abs=0.1)
+
+
+def ink(svg: str) -> int:
+    """Return how many dark pixels CairoSVG makes of a drawing."""
+    from cairosvg import svg2png  # type: ignore[import-untyped]
+
+    picture = Image.open(BytesIO(svg2png(bytestring=svg.encode(), background_color="white"))).convert("L")
+    return sum(picture.histogram()[:128])
+
+
+@pytest.mark.skipif(find_spec("cairosvg") is None, reason="CairoSVG is not installed")
+def test_the_halo_of_a_label_hides_none_of_its_letters() -> None:
+    plain, haloed = Sheet(200, 100, "plain"), Sheet(200, 100, "haloed")
+    plain.text(20, 60, "YES C D E", font_size=24)
+    haloed.label(20, 60, "YES C D E", font_size=24)
+    assert ink(haloed.svg()) == ink(plain.svg()) > 100
+    assert "paint-order" not in haloed.svg()
 
 
 def test_no_such_block() -> None:
