@@ -102,9 +102,7 @@ class Sheet:
         for shown in (halo, attributes):
             self.draw("text", parent, x=x, y=y, **shown).text = words
 
-    def view(
-        self, x: float, y: float, window: Window, scale: float, upright: float | None = None
-    ) -> "View":
+    def view(self, x: float, y: float, window: Window, scale: float, upright: float | None = None) -> "View":
         """Place a window on the part at (x, y), `scale` inches of paper to an inch, with its inch scales.
 
         `upright` is the scale of Y where it is another.
@@ -120,7 +118,9 @@ class Sheet:
 class View:
     """A window on the part; its scales are inches, its contents clipped."""
 
-    def __init__(self, sheet: Sheet, x: float, y: float, window: Window, scale: tuple[float, float], name: str) -> None:
+    def __init__(
+        self, sheet: Sheet, x: float, y: float, window: Window, scale: tuple[float, float], name: str
+    ) -> None:
         self.sheet, self.window, self.scale = sheet, window, scale
         self.x, self.y = x, y
         self.unit, self.rise = scale[0] / 10, scale[1] / 10

@@ -9,8 +9,8 @@ r"""The third degree polynomial y = Ax(x-B)(x-C), the path of the cutter's centr
 
 The thesis gives neither the range nor its place on the table. The curve "will pass through the X-axis three
 times", at 0, B and C; a range from 0 to 6 only touches the axis at its ends and makes 819 blocks of the
-thesis's 1200. Ours, -.75 to 6.25, is inferred: of the ranges in quarter inches that cross the axis three
-times, it alone agrees within 2 % with both 1200 blocks and 55 minutes (docs/implied.md).
+thesis's 1200. Ours, -.75 to 6.25, is a choice: it is one of two ranges in quarter inches that cross the axis
+three times and come within 2 % of 1200 blocks (docs/implied.md).
 
 Source: thesis, Chapters 6 and 7.
 """
