@@ -1,4 +1,4 @@
-"""What the thesis's figures imply: rival explanations of its minutes, and the range and size it does not give.
+"""What the thesis's figures imply: rival explanations of its minutes, and what else it does not give.
 
 docs/implied.md shows the tables; `python -m pdp8.replay.implied` prints them. Nothing else depends on them.
 
@@ -62,7 +62,7 @@ def rivals() -> Iterator[list[str]]:
 
 
 def feeds() -> Iterator[list[str]]:
-    """Yield for each part its minutes as listed, and with every block at feed codes 01 and 02, -20 % to +20 %."""
+    """Yield for each part its minutes as listed, and all at feed codes 01 and 02, -20 % to +20 %."""
     for name, row in TABLE_10_1.items():
         printout = PARTS[name].program()()
         others = [_minutes(printout, code, error) for code, error in product(_CODES, _FEED_ERRORS)]
@@ -81,7 +81,7 @@ def ranges() -> Iterator[list[str]]:
 
 
 def die() -> Iterator[list[str]]:
-    """Yield the blocks of the die's opening: 6 x 3 in the cutter's path, and the hole that a 1/2 in cutter leaves."""
+    """Yield the blocks of the die's opening, 6 x 3 in being the cutter's path, or the hole it leaves."""
     program, said = PARTS["die"].program(), TABLE_10_1["die"].step.blocks
     for what, axes in (("path", (3000, 1500)), ("hole", (2750, 1250))):
         blocks = program(major=axes[0], minor=axes[1]).count("\n")

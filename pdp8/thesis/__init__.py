@@ -5,7 +5,7 @@ making       an item of it made: a sheet or a text, with its caption
 gallery      the page that sets all of them beside the thesis
 
 evidence     the surviving programs line by line: scan, ours, why; scan/ has the tables
-reading      what a legible line of the scan says: five rules
+reading      what a legible line of the scan says: six rules
 restoration  the sources of programs/ and the tables of docs/restoration.md, made from the evidence
 
 The makers:

@@ -12,9 +12,9 @@ One table an artefact, in scan/NAME.txt. A row is a line of the artefact, or of 
 A blank line is one in the artefact, # opens a comment.
 
     class        the scan                                       mark in .pal     mark in .for, from column 73
-    legible      shows it, by the five rules of `reading`
+    legible      shows it, by the six rules of `reading`
     damaged      shows it, with characters misread              /D               DAMAGED
-    implied      shows another thing that leaves no choice      /W or /R         RESTORED
+    implied      (or the chapter) leaves no choice              /W or /R         RESTORED
     conjecture   does not settle it                             /C               CONJECTURE
     ours         has no such line: a comment of ours
     none         has a line that does not belong to the listing: a heading, a page number, dirt

@@ -1,10 +1,11 @@
-"""What a legible line of the scan says: the five rules by which misread characters are read.
+"""What a legible line of the scan says: the six rules by which misread characters are read.
 
 1  A zero is printed with a slash, and the scan has `Ø`, `Q`, `N`, `@` or `O` for it.
 2  A point is read as `•`; `$...$`, `\\emptyset` and `\\bullet` are formulas that the scan's reader saw.
 3  Spaces within a number or a statement come and go.
 4  `**` around a line number or a note is boldface the scan's reader saw; an exponent's `**` follows a name.
 5  A mark that stands alone is dirt: in PAL `-`, `/`, `=`, `,`, `•`; in FORTRAN `.`, `·` and `۰.`.
+6  A line number that stands behind its statement, and a note that stands before it, go to their places.
 
 A line that needs more than these is damaged. Nothing here knows what the programs should say.
 """

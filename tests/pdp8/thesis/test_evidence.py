@@ -131,6 +131,28 @@ def test_the_damaged_definitions_are_marked() -> None:
     assert marked == ["HOLD", "P0", "P1", "P8", "M1", "M6"]
 
 
+def test_the_sixth_rule_moves_what_the_page_says() -> None:
+    """Lines of Appendices C and D whose number stands behind; counted in the scan's own words."""
+    legible = [
+        row.scan.replace("*", "") for name in ("circle.for", "ellipse.for") for row in of(name, "legible")
+    ]
+    behind = [line for line in legible if re.match(r"(\. )?[A-Z].* [\dØ]{3}$", line)]
+    before = [line for line in legible if re.match(r"/[A-Z ]+\d{3} ", line)]
+    page = (HOUSE / "docs" / "restoration.md").read_text()
+    said = re.search(r"to the end: (\d+) numbers and\s+one note", page)
+    assert said
+    assert (len(behind), len(before)) == (int(said[1]), 1)
+
+
+@pytest.mark.parametrize("name", ["eia1.pal", "eia2.pal"])
+def test_no_line_of_the_first_two_programs_is_said_to_survive(name: str) -> None:
+    kinds = {row.kind for row in evidence.table(name)}
+    assert kinds == {"implied", "conjecture"}
+    assert not any(row.scan for row in rows(name))
+    implied = [row.ours.split()[-2].rstrip(",") for row in of(name, "implied")]
+    assert all(tag == "MASK" or tag[0] == "P" for tag in implied), "instructions are conjecture"
+
+
 @pytest.mark.parametrize(
     ("mark", "lines"),
     [
