@@ -11,9 +11,10 @@ The cut surface is the path drawn with the cutter's width and round ends, as an 
 """
 
 from itertools import groupby, pairwise
+from math import ceil, floor
 from textwrap import wrap
 
-from nc.curves import Curve
+from nc.curves import Curve, Graph
 from nc.drawing import FAINT, INK, Sheet, View, Window, around
 from nc.listing import does, in_force, spaced
 from nc.path import Move, MoveKind, Path, Position
@@ -61,7 +62,10 @@ def plot(
     for row, (line, colour) in enumerate(heading):
         sheet.text(_LEFT, 46 + _LINE * row, line, fill=colour)
     sheet.text(_LEFT, top - 8, f"part, scale {_ratio(scale)}", fill=FAINT)
-    _draw_part(sheet.view(_LEFT, top, window, scale), path, current, cutter)
+    part = sheet.view(_LEFT, top, window, scale)
+    _draw_part(part, path, current, cutter)
+    if isinstance(curve, Graph):
+        _draw_axes(part, curve)
     sheet.text(_LEFT, close_top - 8, _close_title(curve, tolerance, zoom), fill=FAINT)
     x, y = close_at or path.steps[current - 1].at[:2]
     half_width, half_height = _WIDTH / zoom[0] * 5, _CLOSE_HEIGHT / zoom[1] * 5
@@ -119,6 +123,23 @@ def _draw_part(view: View, path: Path, current: int, cutter: float) -> None:
         for run in _runs(moves, milling=True):
             view.line(run, stroke=colour, stroke_width=1.2)
     _draw_cutter(view, path.steps[current - 1].at, cutter)
+
+
+def _draw_axes(view: View, curve: Graph) -> None:
+    """Draw the axes of a function of x through its origin, a mark each inch along X."""
+    window = view.window
+    for ends in (
+        [(window.left, curve.y), (window.right, curve.y)],
+        [(curve.x, window.bottom), (curve.x, window.top)],
+    ):
+        view.line(ends, stroke=INK, stroke_width=1)
+    view.text(window.right, curve.y, "X", dx=-16, dy=-6, font_weight="bold", font_size=13)
+    view.text(curve.x, window.top, "Y", dx=7, dy=15, font_weight="bold", font_size=13)
+    arm = 4 / view.unit
+    for inch in range(ceil((window.left - curve.x) / 1000), floor((window.right - curve.x) / 1000) + 1):
+        x = curve.x + 1000 * inch
+        view.line([(x, curve.y - arm), (x, curve.y + arm)], stroke=INK)
+        view.text(x, curve.y, str(inch), dx=3, dy=13, font_size=10)
 
 
 def _draw_close(

@@ -25,16 +25,16 @@ _HUB = 45.0
 COLOURS = {"outer": "#0b4f9e", "inner": "#c62828"}
 
 
-def talyrond(inspection: Inspection, magnification: int | None = None) -> str:
+def talyrond(inspection: Inspection, magnification: int | None = None, name: str = "Talyrond") -> str:
     """Return the polar graph as SVG text, by default magnified 100 times or the largest factor that fits.
 
-    Raises WorkError if the curve is not closed.
+    `name` opens its title. Raises WorkError if the curve is not closed.
     """
     if not inspection.curve.closed:
         raise WorkError(
             f"the Talyrond measures closed curves; this is a {inspection.curve}: use the Talysurf"
         )
-    return _Graph(inspection, magnification or _fitting(inspection)).svg()
+    return _Graph(inspection, magnification or _fitting(inspection), name).svg()
 
 
 def _limits(inspection: Inspection) -> tuple[int, int]:
@@ -52,8 +52,8 @@ def _fitting(inspection: Inspection) -> int:
 class _Graph:
     """The graph on its sheet; radii in hundredths of an inch of paper."""
 
-    def __init__(self, inspection: Inspection, magnification: int) -> None:
-        self.inspection = inspection
+    def __init__(self, inspection: Inspection, magnification: int, name: str) -> None:
+        self.inspection, self.name = inspection, name
         self.low, self.high = _limits(inspection)
         self.magnification = magnification
         self.division = magnification / 10
@@ -77,7 +77,7 @@ class _Graph:
 
     def _title(self) -> None:
         worst = self.inspection.worst
-        self.sheet.text(20, 26, f"Talyrond: {self.inspection.curve}", font_size=15)
+        self.sheet.text(20, 26, f"{self.name}: {self.inspection.curve}", font_size=15)
         self.sheet.text(
             20,
             46,

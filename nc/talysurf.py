@@ -18,14 +18,18 @@ from tapes.errors import WorkError
 from tapes.measure import inches
 
 _LEFT, _WIDTH, _HEIGHT = 80.0, 660.0, 200.0
+_DIVISION = 10.0
 _STEPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0)
 
 
-def talysurf(inspection: Inspection, stretch: tuple[float, float] | None = None) -> str:
+def talysurf(
+    inspection: Inspection, stretch: tuple[float, float] | None = None, background: float = 0
+) -> str:
     """Return the traces of both walls as SVG text over a stretch, from and to in thousandths along the curve.
 
     A closed curve is measured counterclockwise from its +X apex. The default stretch is the quarter about
-    the +Y apex of a closed curve, and the whole of any other. Raises WorkError if the stretch has no wall.
+    the +Y apex of a closed curve, and the whole of any other. `background` is a roughness that the cut does
+    not explain, in thousandths: a shaded band about the trace. Raises WorkError if the stretch has no wall.
     """
     along = inspection.walls.stations.along
     start, end = stretch or _usual(inspection)
@@ -46,13 +50,11 @@ def talysurf(inspection: Inspection, stretch: tuple[float, float] | None = None)
         top = 80 + row * (_HEIGHT + 60)
         rough = float(np.nanmax(seen) - np.nanmin(seen))
         sheet.text(_LEFT, top - 10, f"{wall} wall, trough to peak {inches(rough)} in", fill=COLOURS[wall])
-        _trace(sheet, top, along[chosen], seen, COLOURS[wall])
-    sheet.text(
-        _LEFT + _WIDTH / 2,
-        2 * (_HEIGHT + 60) + 80,
-        "inches along the curve; upward is outward, in inches, a line every .001",
-        text_anchor="middle",
-    )
+        _trace(sheet, top, along[chosen], seen, COLOURS[wall], background)
+    said = "inches along the curve, a line every .01; upward is outward, in inches, a line every .001"
+    if background:
+        said += f"; shaded, {inches(background)} not of the steps"
+    sheet.text(_LEFT + _WIDTH / 2, 2 * (_HEIGHT + 60) + 80, said, text_anchor="middle")
     return sheet.svg()
 
 
@@ -63,9 +65,12 @@ def _usual(inspection: Inspection) -> tuple[float, float]:
     return float(along[len(along) // 8]), float(along[3 * len(along) // 8])
 
 
-def _trace(sheet: Sheet, top: float, along: Floats, deviation: Floats, colour: str) -> None:
+def _trace(
+    sheet: Sheet, top: float, along: Floats, deviation: Floats, colour: str, background: float
+) -> None:
     """Draw one wall in its frame, with its scales."""
-    low, high = floor(float(np.nanmin(deviation)) - 0.5), ceil(float(np.nanmax(deviation)) + 0.5)
+    room = 0.5 + background / 2
+    low, high = floor(float(np.nanmin(deviation)) - room), ceil(float(np.nanmax(deviation)) + room)
     start, length = float(along[0]), float(along[-1] - along[0])
     up, across = _HEIGHT / (high - low), _WIDTH / length
     bottom, right = top + _HEIGHT, _LEFT + _WIDTH
@@ -75,6 +80,10 @@ def _trace(sheet: Sheet, top: float, along: Floats, deviation: Floats, colour: s
         sheet.draw("line", x1=_LEFT, y1=y, x2=right, y2=y, stroke=FAINT if line == 0 else GRID)
         if line % labels == 0:
             sheet.text(_LEFT - 8, y + 4, f"{line / 1000:+.3f}", text_anchor="end")
+    if _DIVISION * across >= 4:
+        for count in range(ceil(start / _DIVISION), floor((start + length) / _DIVISION) + 1):
+            x = _LEFT + (count * _DIVISION - start) * across
+            sheet.draw("line", x1=x, y1=top, x2=x, y2=bottom, stroke=GRID, stroke_width=0.6)
     step = next((step for step in _STEPS if step * 1000 * across >= 48), _STEPS[-1]) * 1000
     for count in range(ceil(start / step), floor((start + length) / step) + 1):
         x = _LEFT + (count * step - start) * across
@@ -83,5 +92,10 @@ def _trace(sheet: Sheet, top: float, along: Floats, deviation: Floats, colour: s
     sheet.draw("rect", x=_LEFT, y=top, width=_WIDTH, height=_HEIGHT, fill="none", stroke=INK)
     paper = np.column_stack([_LEFT + (along - start) * across, bottom - (deviation - low) * up])
     for run in runs(deviation, closed=False):
-        data = polyline(paper[run].tolist())
+        places = paper[run]
+        if background:
+            half = np.array([0, background / 2 * up])
+            band = [*(places - half).tolist(), *(places + half)[::-1].tolist()]
+            sheet.draw("path", d=polyline(band) + "Z", fill=colour, fill_opacity=0.15)
+        data = polyline(places.tolist())
         sheet.draw("path", d=data, fill="none", stroke=colour, stroke_width=1.2)

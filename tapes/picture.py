@@ -50,8 +50,19 @@ def text(frames: bytes, code: str = "", start: int = 0, stop: int | None = None)
     return "".join(row + "\n" for row in rows)
 
 
-def svg(frames: bytes, code: str = "", start: int = 0, stop: int | None = None, strip: int = 80) -> str:
-    """Return frames `start` up to `stop` as an SVG page of strips of `strip` frames, true in size."""
+def svg(
+    frames: bytes,
+    code: str = "",
+    start: int = 0,
+    stop: int | None = None,
+    strip: int = 80,
+    *,
+    tracks: bool = False,
+) -> str:
+    """Return frames `start` up to `stop` as an SVG page of strips of `strip` frames, true in size.
+
+    `tracks`: number the nine tracks, the sprocket holes the fourth, as the thesis does, not the channels.
+    """
     shown = list(_range(frames, code, start, stop))
     strips = [shown[at : at + strip] for at in range(0, len(shown), strip)]
     width = 2 * _MARGIN + PITCH * min(strip, max(len(shown), 1))
@@ -64,7 +75,7 @@ def svg(frames: bytes, code: str = "", start: int = 0, stop: int | None = None, 
     ]
     top = _ABOVE
     for rows in strips:
-        parts += _strip(rows, top)
+        parts += _strip(rows, top, tracks)
         top += _height(rows)
     return "\n".join([*parts, "</svg>\n"])
 
@@ -90,12 +101,16 @@ def _height(rows: list[_Row]) -> int:
     return _ABOVE + WIDTH + _BELOW + _LETTER * longest
 
 
-def _strip(rows: list[_Row], top: int) -> Iterator[str]:
+def _strip(rows: list[_Row], top: int, tracks: bool) -> Iterator[str]:
     """Draw one strip whose upper edge is at `top`: paper, track numbers, arrow, frames and their words."""
+    numbered = {channel: (channel + (channel > 3) if tracks else channel) for channel in range(1, 9)}
+    places = [(_track(channel), number) for channel, number in numbered.items()]
+    if tracks:
+        places.append((SPROCKET_TRACK, 4))
     yield f'<rect class="paper" x="{_MARGIN}" y="{top}" width="{PITCH * len(rows)}" height="{WIDTH}"/>'
-    yield f'<text x="80" y="{top + _track(1) - 50}">channel</text>'
-    for channel in range(1, 9):
-        yield f'<text class="track" x="{_MARGIN - 60}" y="{_track(channel) + top + 21}">{channel}</text>'
+    yield f'<text x="80" y="{top + _track(1) - 50}">{"track" if tracks else "channel"}</text>'
+    for place, number in places:
+        yield f'<text class="track" x="{_MARGIN - 60}" y="{place + top + 21}">{number}</text>'
     arrow = f"M 80 {top + SPROCKET_TRACK} l 120 -60 v 40 h 160 v 40 h -160 v 40 z"
     yield f'<path class="arrow" d="{arrow}"/>'
     yield f'<text x="80" y="{top + SPROCKET_TRACK + 150}">feed</text>'

@@ -12,13 +12,13 @@ if TYPE_CHECKING:
     from pdp8.thesis.table import Table
 
 _EVIDENCE: Final = ("page", "evidence", "scan", "ours", "reason")
-_CATALOGUE: Final = ("number", "kind", "state", "title")
+_CATALOGUE: Final = ("number", "page", "kind", "state", "title")
 _STYLES: Final = {
     "damaged": "yellow",
     "implied": "cyan",
     "conjecture": "red",
-    "reconstructed": "cyan",
-    "inferred": "yellow",
+    "our drawing": "cyan",
+    "fitted or conjectured": "yellow",
     "lost": "red",
 }
 
@@ -40,8 +40,8 @@ def thesis() -> None:
 def list_() -> None:
     """Name every figure, table, listing and program of the thesis, and say what there is of it here.
 
-    It works as in the thesis; it is reconstructed (the original is lost, the text says what it shows); it is
-    inferred (some of it is not in the thesis); or it is lost.
+    It is from the text; it is our drawing of what the text says (the original is lost); some of it is fitted or
+    conjectured; or it is lost.
 
     \b
     Examples:
@@ -51,8 +51,8 @@ def list_() -> None:
     from pdp8.thesis.catalogue import catalogue
     from pdp8.thesis.table import Table
 
-    rows = tuple((item.number, item.kind, item.state, item.title) for item in catalogue())
-    _show(Table(_CATALOGUE, rows), "The thesis", coloured_by=2)
+    rows = tuple((item.number, str(item.page), item.kind, item.state, item.title) for item in catalogue())
+    _show(Table(_CATALOGUE, rows), "The thesis", coloured_by=3)
 
 
 @thesis.command()

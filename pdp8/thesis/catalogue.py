@@ -4,10 +4,11 @@ catalogue.toml has them:
 
     number   as in the thesis; figures and tables share one count, an appendix is a letter. What has no number
              is called by its chapter: ch3-drilling
-    state    works as in the thesis    all of it stands in the text or in a legible table or listing
-             reconstructed             the original is lost or a photograph; the text says what it shows
-             inferred                  some of what it shows is not in the thesis
-             lost                      nothing can give it back
+    page     the thesis's; counted, between the numbers that the scan shows
+    state    from the text           all of it stands in the text or in a legible table or listing
+             our drawing             the original is lost or a photograph; we drew what the text says of it
+             fitted or conjectured   some of what it shows is fitted to figures of the thesis, or chosen
+             lost                    nothing can give it back
     says     the thesis's own words
     note     what is shown here, and why it may differ
     maker    the function, of a module of this package, that makes it
@@ -20,11 +21,11 @@ Source: the thesis; the captions and the text of the scan.
 import tomllib
 from functools import cache
 from importlib.resources import files
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 from tapes.errors import WorkError
 
-STATES: Final = ("works as in the thesis", "reconstructed", "inferred", "lost")
+STATES: Final = ("from the text", "our drawing", "fitted or conjectured", "lost")
 KINDS: Final = ("figure", "table", "listing", "program")
 
 
@@ -35,11 +36,17 @@ class Item(NamedTuple):
     number: str
     title: str
     state: str
+    page: int
     says: str
     note: str
     maker: str = ""
     tape: str = ""
     across: bool = True
+
+    @property
+    def caption(self) -> str:
+        """What stands under it: where the thesis has it, what kind of thing this is, what is shown."""
+        return f"Page {self.page}. {self.state.capitalize()}. {self.note}"
 
     @property
     def name(self) -> str:
@@ -58,10 +65,10 @@ def catalogue() -> tuple[Item, ...]:
     return tuple(_item(entry) for entry in tomllib.loads(text)["item"])
 
 
-def _item(entry: dict[str, str | bool]) -> Item:
+def _item(entry: dict[str, Any]) -> Item:
     """Return an entry with its texts unwrapped."""
-    across = bool(entry.pop("across", True))
-    return Item(**{field: " ".join(str(text).split()) for field, text in entry.items()}, across=across)
+    unwrapped = {field: " ".join(text.split()) for field, text in entry.items() if isinstance(text, str)}
+    return Item(**entry | unwrapped)
 
 
 def find(number: str) -> Item:

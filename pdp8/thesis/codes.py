@@ -20,7 +20,7 @@ _BLOCK_OF_THE_CIRCLE = 7
 
 def digits() -> str:
     """Figure 2.2: the digits and the end of block on an inch of tape."""
-    return picture.svg(eia.encode("0123456789\n"), "eia")
+    return picture.svg(eia.encode("0123456789\n"), "eia", tracks=True)
 
 
 def drilled_block() -> str:

@@ -1,16 +1,18 @@
-"""Figures 2.1, 6.2, 8.1 and 9.1: what the text describes of a machine, a construction, an element, a test.
+"""Figures 2.1, 6.2, 7.4, 8.1 and 9.1: machine, construction, die, element and test, as the text has them.
 
-The scan has lost all four. Each part that is drawn has its name or its dimension in the text; where things
+The scan has lost all five. Each part that is drawn has its name or its dimension in the text; where things
 stand, and how large they are, is ours.
 """
 
 from collections.abc import Iterator
 from math import atan, cos, degrees, radians, sin, sqrt
 
-from nc.drawing import FAINT, INK, Sheet, Window, around, polyline
+from nc.drawing import FAINT, INK, Sheet, View, Window, around, polyline
 from programs import fluidic
+from programs.die import AXES
 
 _BLUE, _GREEN, _RED, _PAPER = "#0b4f9e", "#2e7d32", "#c62828", "#f4f4f2"
+_CAVITY = "#e3ebf5"
 
 _Places = list[tuple[float, float]]
 
@@ -140,40 +142,100 @@ def cutter_path() -> str:
     view.line([(x1, y1), (x2, y2)], stroke=_RED)
     view.line([(x1, y1), (x1, y2), (x2, y2)], stroke=FAINT, stroke_dasharray="3 3")
     view.line([(x1, y1), (x1 + 900, y1)], stroke=FAINT, stroke_dasharray="3 3")
-    view.text(x1, y1, "x₁, y₁", dx=6, dy=18)
-    view.text(x2, y2, "x₂, y₂", dx=-44, dy=-8)
+    view.text(x1, y1, "x1, y1", dx=6, dy=18)
+    view.text(x2, y2, "x2, y2", dx=-44, dy=-8)
     view.text((x1 + x2) / 2, (y1 + y2) / 2, "C", dx=-18, dy=8, font_weight="bold", fill=_RED)
     view.text(x1 + 480, y1 + 110, "θ", dy=2, font_style="italic")
     view.text(2560, _curve(2560), "y = f(x), the surface", dx=14, dy=10)
     view.text(-200, 1900, "y = g(x), the cutter's centre", fill=_BLUE)
-    words = f"at x₁ the tangent's slope is tan θ; here θ = {degrees(angle):.0f}°"
+    words = f"at x1 the tangent's slope is tan θ; here θ = {degrees(angle):.0f}°"
     view.text(-150, 420, words, fill="#444444", font_size=10)
     return sheet.svg()
 
 
+def die() -> str:
+    """Figure 7.4: the block with its opening, corner rounding and groove; from above and from the front."""
+    window, left = Window(-400, -400, 12400, 8400), 70.0
+    sheet = Sheet(left + window.width / 20 + 30, window.height / 20 + 190, "The die")
+    view = sheet.view(left, 16, window, 0.5)
+    _plate(view, (0, 0, *_BLOCK[:2]), fill="#dfe3e8", stroke=INK, stroke_width=1.4)
+    for cut, colour in (("groove", "#b9c4d2"), ("rounding", "#cdd5df")):
+        a, b = AXES[cut]
+        _ellipse(view, a, b, fill="none", stroke=colour, stroke_width=_CUTTER * view.unit)
+    a, b = AXES["opening"]
+    _ellipse(view, a + _CUTTER / 2, b + _CUTTER / 2, fill="#ffffff", stroke=INK, stroke_width=1.4)
+    _ellipse(view, a, b, fill="none", stroke=_BLUE, stroke_dasharray="6 4")
+    view.text(6000, 4400, "OPENING", text_anchor="middle", font_weight="bold")
+    view.text(
+        6000, 4000, f"cutter's path {2 * a / 1000:g} × {2 * b / 1000:g} in", text_anchor="middle", fill=_BLUE
+    )
+    hole = " × ".join(f"{(2 * axis + _CUTTER) / 1000:g}" for axis in (a, b))
+    view.text(6000, 3600, f"hole {hole} in", text_anchor="middle")
+    view.text(6000, 6600, "GROOVE", text_anchor="middle", font_size=10)
+    view.text(9600, 5700, "ROUNDING", font_size=10)
+    view.line([(9560, 5750), (8250, 5150)], stroke=INK)
+    view.text(250, 7650, "BLOCK 12 × 8 × 2 in", font_weight="bold")
+    top = 16 + view.height + 62
+    sheet.text(left, top - 8, "from the front", fill=FAINT)
+    x = left + 400 * view.unit
+    _box(sheet, x, top, _BLOCK[0] * view.unit, _BLOCK[2] * view.unit, "#dfe3e8")
+    for side in (-1, 1):
+        edge = x + (6000 + side * (a + _CUTTER / 2)) * view.unit
+        sheet.draw("line", x1=edge, y1=top, x2=edge, y2=top + 100, stroke=INK, stroke_dasharray="6 4")
+    sheet.text(x + 300, top + 54, "opening, through", text_anchor="middle")
+    return sheet.svg()
+
+
+_BLOCK, _CUTTER = (12000, 8000, 2000), 500
+
+
+def _plate(view: View, corners: tuple[float, float, float, float], **style: object) -> None:
+    (x, y), (right, bottom) = view.at(corners[0], corners[3]), view.at(corners[2], corners[1])
+    view.draw("rect", x=x, y=y, width=right - x, height=bottom - y, **style)
+
+
+def _ellipse(view: View, a: float, b: float, **style: object) -> None:
+    """Draw an ellipse of these semi-axes about the middle of the block."""
+    cx, cy = view.at(6000, 4000)
+    view.draw("ellipse", cx=cx, cy=cy, rx=a * view.unit, ry=b * view.unit, **style)
+
+
+_SLOT = 125
+_FEATURES = (
+    (0, 500, "POWER"),
+    (0, 300, "CHANNEL"),
+    (0, 7300, "SPLITTER"),
+    *((side * 3900, 6600, "VENT") for side in (-1, 1)),
+    *((side * 3900, v, word) for side in (-1, 1) for v, word in ((2480, "CONTROL"), (2280, "CHANNEL"))),
+    *((side * 2000, v, word) for side in (-1, 1) for v, word in ((8900, "OUTPUT"), (8700, "CHANNEL"))),
+)
+
+
 def element() -> str:
-    """Figure 8.1: the outline of the element, ten times full size, as the cutter's centre follows it."""
-    outline = [place for segment in fluidic.outline() for place in _points(segment)]
+    """Figure 8.1: the outline of the element, ten times full size.
+
+    The outline lies half a cutter outside of the path of the cutter's centre: the path is stroked as wide as
+    the cutter in ink, and again, a line narrower, in the colour of the cavity.
+    """
     right = [place for segment in fluidic.channel(0) for place in _points(segment)]
-    left = [(-x, y) for x, y in right]
-    window = around([*outline, *right, *left]).grown(500)
-    scale = 0.6
-    sheet = Sheet(window.width * scale / 10 + 230, window.height * scale / 10 + 70, "The bistable element")
+    paths = (
+        [place for segment in fluidic.outline() for place in _points(segment)],
+        right,
+        [(-x, y) for x, y in right],
+    )
+    window = around([place for path in paths for place in path]).grown(500)
+    scale = 0.7
+    sheet = Sheet(window.width * scale / 10 + 100, window.height * scale / 10 + 70, "The bistable element")
     view = sheet.view(70, 16, window, scale)
-    for places, colour in ((outline, INK), (right, _BLUE), (left, _BLUE)):
-        view.line(places, stroke=colour, stroke_width=1.4)
-    margin = 70 + window.width * scale / 10 + 14
-    for row, (words, colour) in enumerate(
-        (
-            ("main program:", INK),
-            ("power channel below,", INK),
-            ("vents at the sides,", INK),
-            ("output channels above", INK),
-            ("subprogram:", _BLUE),
-            ("control channels", _BLUE),
-        )
-    ):
-        sheet.text(margin, 40 + 18 * row, words, fill=colour)
+    for colour, line in ((INK, 1.4), (_CAVITY, 0.0)):
+        for path in paths:
+            wide = {"stroke_width": _SLOT * view.unit + line * 2, "stroke_linejoin": "round"}
+            data = polyline(view.at(x, y) for x, y in path) + "Z"
+            view.draw("path", d=data, fill=colour, stroke=colour, **wide)
+    for u, v, words in _FEATURES:
+        view.text(u, v, words, text_anchor="middle", font_size=10, font_weight="bold")
+    view.line([(0, 2100), (900, 1500)], stroke=INK)
+    view.text(900, 1500, "POWER NOZZLE, .20 wide: .020 of the element", dx=4, dy=4, font_size=10)
     return sheet.svg()
 
 

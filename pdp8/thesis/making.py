@@ -45,8 +45,7 @@ def make(item: Item) -> Made:
         return Made(item, f"{_stem(item)}.txt", _captioned(item, product.text()), product, tape)
     pictures = product if isinstance(product, list) else [product]
     if pictures[0].startswith("<svg"):
-        note = f"{item.state.capitalize()}. {item.note}"
-        sheet = framed(pictures, item.name.upper(), item.title, note, across=item.across)
+        sheet = framed(pictures, item.name.upper(), item.title, item.caption, across=item.across)
         return Made(item, f"{_stem(item)}.svg", sheet, None, tape)
     return Made(item, f"{_stem(item)}.txt", _captioned(item, product), None, tape)
 
@@ -62,4 +61,4 @@ def _stem(item: Item) -> str:
 
 
 def _captioned(item: Item, text: str) -> str:
-    return f"{item.name.upper()}  {item.title}\n{item.state.capitalize()}. {item.note}\n\n{text}"
+    return f"{item.name.upper()}  {item.title}\n{item.caption}\n\n{text}"

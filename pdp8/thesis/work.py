@@ -4,12 +4,15 @@ Where the thesis has a photograph stands the plot of the path; polar graphs and 
 nc/. Everything comes from tapes that went through eia.pal.
 """
 
+from dataclasses import replace
 from math import hypot
-from typing import Any
+from random import Random
+from typing import Any, Final
 
 import nc
 from nc.curves import Curve, StraightLine, nominal
 from nc.inspection import inspect
+from nc.path import MoveKind, Position
 from nc.plot import plot
 from nc.talyrond import talyrond
 from nc.talysurf import talysurf
@@ -18,26 +21,29 @@ from programs import fluidic, parts
 
 _CUTTER = 125
 _DOWNSTREAM = 0.8
+_AXIS_X, _BASE_Y = 6.0, 0.25
+"""Where the part program has the element on the table, inches."""
+_PRECISION: Final = 0.3
+"""How far a stop may be from the programmed place, thousandths (thesis, Chapter 2)."""
+_BACKGROUND: Final = 1.2
+"""The roughness of a straight-milled wall in Plexiglas, thousandths (thesis, Chapter 8)."""
+_ALONG_Y_AXIS, _ALONG_WALL = (8, 80), (60, 10)
+"""The insets' scales of X and Y."""
 
 
 def circle() -> str:
     """Figure 7.1: the circular slot."""
-    return _part("circle", close_at=(4000, 5750))
+    return _part("circle", close_at=(4000, 5730), zoom=_ALONG_Y_AXIS)
 
 
 def ellipse() -> str:
     """Figure 7.3: the elliptical slot."""
-    return _part("ellipse", close_at=(4000, 6250))
+    return _part("ellipse", close_at=(4000, 6229), zoom=(5.5, 80))
 
 
 def polynomial() -> str:
     """Figure 7.5: the slot along the third degree polynomial."""
-    return _part("polynomial")
-
-
-def die() -> str:
-    """Figure 7.4: the die, its three tapes joined end to end."""
-    return plot(nc.cut(die_tape()), close_at=(6000, 5500))
+    return _part("polynomial", close_at=(4903, 6965), zoom=(12, 40))
 
 
 def die_tape() -> bytes:
@@ -50,8 +56,33 @@ def die_tape() -> bytes:
 
 
 def polar_graphs() -> list[str]:
-    """Figure 7.2: the circle of the listing, and with one more block that closes the contour."""
-    return [talyrond(inspect(chain.path("circle", close=close))) for close in (False, True)]
+    """Figure 7.2: two circles cut by the same tape, that of the listing with the block that closes it."""
+    path = chain.path("circle", close=True)
+    names = ("First circle", "Second circle, same tape")
+    return [talyrond(inspect(cut_again(path, seed)), name=name) for seed, name in enumerate(names, 1)]
+
+
+def cut_again(path: nc.Path, seed: int) -> nc.Path:
+    """Return the path cut once more: each stop is off along its axis, by up to the machine's precision."""
+    errors = Random(seed)
+    at = path.cuts[0].start
+    steps = []
+    for step in path.steps:
+        moves = []
+        for move in step.moves:
+            if move.kind is MoveKind.MILL:
+                x, y = (
+                    at[axis]
+                    if move.start[axis] == move.end[axis]
+                    else move.end[axis] + errors.uniform(-_PRECISION, _PRECISION)
+                    for axis in (0, 1)
+                )
+                moves.append(replace(move, start=at, end=Position(x, y, move.end.z)))
+                at = moves[-1].end
+            else:
+                moves.append(move)
+        steps.append(replace(step, moves=tuple(moves)))
+    return replace(path, steps=tuple(steps))
 
 
 def at_the_exit() -> str:
@@ -71,28 +102,29 @@ def straight_surface() -> str:
         "002 9 03000 03500 0 01 89",
         "003 6 02000 01000 0 01 84",
     )
-    return talysurf(inspect(path, StraightLine(1000, 1000, 2000, 1000), cutter=_CUTTER))
+    found = inspect(path, StraightLine(1000, 1000, 2000, 1000), cutter=_CUTTER)
+    return talysurf(found, (200, 700), background=_BACKGROUND)
 
 
 def sloped_surface() -> str:
-    """Figure 8.5: an inch of a wall that was milled step-wise, a slope of the element."""
-    (x1, y1), (x2, y2) = slope_ends()
+    """Figure 8.5: half an inch of a wall that was milled step-wise, a slope of the element."""
+    x1, y1, x2, y2 = wall()
     band = parts.find("fluidic").tolerance
     path = chain.path("slope", from_x=x1, from_y=y1, to_x=x2, to_y=y2, tolerance=band)
     curve = StraightLine(*(1000 * place for place in (x1, y1, x2, y2)))
     measured = inspect(path, curve, cutter=_CUTTER, tolerance=1000 * band)
     length = 1000 * hypot(x2 - x1, y2 - y1)
-    return talysurf(measured, (0.3 * length, min(0.3 * length + 1000, 0.9 * length)))
+    return talysurf(measured, (0.3 * length, 0.3 * length + 500), background=_BACKGROUND)
 
 
-def slope_ends() -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return the first slope of the element's outline on the table, in inches."""
+def wall() -> tuple[float, float, float, float]:
+    """Return both ends of the first slope of the element's outline on the table, in inches."""
     for segment in fluidic.outline():
         if isinstance(segment, fluidic.Slope) and all(
             one != other for one, other in zip(segment.start, segment.end, strict=True)
         ):
             (u1, v1), (u2, v2) = segment.start, segment.end
-            return (5 + u1, 0.5 + v1), (5 + u2, 0.5 + v2)
+            return _AXIS_X + u1, _BASE_Y + v1, _AXIS_X + u2, _BASE_Y + v2
     raise AssertionError("the element has slopes")
 
 
@@ -105,6 +137,12 @@ def _part(name: str, **where: Any) -> str:
 
 def _element(control: float) -> str:
     part = parts.find("fluidic")
+    x1, y1, x2, y2 = (1000 * place for place in wall())
     return plot(
-        chain.path("fluidic", control=control), cutter=1000 * part.cutter, tolerance=1000 * part.tolerance
+        chain.path("fluidic", control=control),
+        StraightLine(x1, y1, x2, y2),
+        cutter=1000 * part.cutter,
+        tolerance=1000 * part.tolerance,
+        close_at=((x1 + x2) / 2, (y1 + y2) / 2),
+        zoom=_ALONG_WALL,
     )

@@ -69,6 +69,28 @@ def test_an_item_is_whole(item: Item) -> None:
     assert bool(item.maker) == (item.state != "lost")
 
 
+def chapter_starts() -> dict[str, int]:
+    """Return the first page of each chapter, and 11 for what follows, from the scan's table of contents."""
+    contents = (OCR / "mentions.txt").read_text().partition("\n\n")[0]
+    starts = map(int, re.findall(r" (\d+)(?=\s|$)", contents))
+    return {str(number): page for number, page in enumerate(starts, 1)} | {"B": 105, "C": 108, "D": 111}
+
+
+@items
+def test_a_page_lies_in_its_chapter(item: Item) -> None:
+    number = item.number.removeprefix("ch").split(".")[0].split("-")[0]
+    starts = chapter_starts()
+    if number.isdigit():
+        assert starts[number] <= item.page < starts[str(int(number) + 1)]
+    else:
+        assert item.page == starts[number]
+    assert item.caption.startswith(f"Page {item.page}. ")
+
+
+def test_the_page_that_the_scan_numbers() -> None:
+    assert find("8.4").page == find("8.5").page == 85
+
+
 def test_numbers_are_unique() -> None:
     assert len({item.number.casefold() for item in catalogue()}) == len(catalogue())
 

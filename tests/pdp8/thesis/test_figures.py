@@ -1,19 +1,26 @@
 """What `pdp8 thesis make` leaves: whole sheets, texts with captions, a page that needs nothing else."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from html.parser import HTMLParser
+from io import BytesIO
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
+from cairosvg import svg2png  # type: ignore[import-untyped]
+from PIL import Image
+from shapely.affinity import scale
+from shapely.geometry import LineString, Polygon
 
 import nc
-from pdp8.thesis import codes, flow, flowcharts, gallery, listings, slopes, work
+from nc.inspection import inspect
+from pdp8.thesis import chain, codes, diagrams, flow, flowcharts, gallery, listings, slopes, work
 from pdp8.thesis.catalogue import Item, catalogue, find
 from pdp8.thesis.making import Made, make
 from programs import fluidic
 from tapes import eia, shelf
+from tapes.measure import inches
 from tests.conftest import Shell
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -158,14 +165,138 @@ def test_figure_5_4_is_one_block_before_and_after() -> None:
     assert after.count("EOB") == 1
 
 
-def test_the_polar_graphs_show_what_the_closing_block_does() -> None:
-    """Figures of the note: .0173 at -X as the listing has it; .0106 is then the worst."""
-    item = find("7.2")
-    as_listed, closed = (" ".join(texts(graph)) for graph in work.polar_graphs())
-    assert "worst trough to peak .0173 in: outer wall, -X apex" in as_listed
-    assert "worst trough to peak .0106 in: outer wall, +Y apex" in closed
-    assert ".0173" in item.note
-    assert ".0106" in item.note
+def test_the_two_circles_of_figure_7_2_are_cut_by_the_same_tape() -> None:
+    """Each stop lies within .0003 in of the tape's, the machine's precision; the circles are not the same."""
+    tape = chain.path("circle", close=True)
+    stops = [[(move.end.x, move.end.y) for move in work.cut_again(tape, seed).cuts] for seed in (1, 2)]
+    assert stops[0] != stops[1]
+    for circle in stops:
+        for move, (x, y) in zip(tape.cuts, circle, strict=True):
+            assert max(abs(x - move.end.x), abs(y - move.end.y)) <= 0.3 + 1e-9
+    first, second = (" ".join(texts(graph)) for graph in work.polar_graphs())
+    assert first.startswith("First circle: circle")
+    assert second.startswith("Second circle, same tape: circle")
+
+
+def test_the_figures_of_the_note_on_the_polar_graphs() -> None:
+    for close, worst in ((False, ".0173"), (True, ".0106")):
+        assert inches(inspect(chain.path("circle", close=close)).worst.trough_to_peak) == worst
+        assert worst in find("7.2").note
+
+
+def pixels(svg: str, scale: int) -> Image.Image:
+    """Return what CairoSVG makes of a drawing, grey, `scale` pixels to a unit of paper."""
+    width = scale * float(ET.fromstring(svg).get("viewBox", "").split()[2])
+    png = svg2png(bytestring=svg.encode(), output_width=round(width), background_color="white")
+    return Image.open(BytesIO(png)).convert("L")
+
+
+def test_the_outline_of_figure_8_1_lies_half_a_cutter_outside_of_the_path() -> None:
+    """Shapely's buffer of the path against CairoSVG's pixels: dark along its boundary, light beside it."""
+    right = Polygon([at for segment in fluidic.channel(0) for at in diagrams._points(segment)])
+    main = Polygon([at for segment in fluidic.outline() for at in diagrams._points(segment)])
+    centre = main.union(right).union(scale(right, -1, 1, origin=(0, 0)))
+    cavity = centre.buffer(62.5, quad_segs=64)
+    left, bottom, right_end, top = cavity.bounds
+    assert (round(right_end - left), round(top - bottom)) == (10001, 9563)
+    nozzle = cavity.intersection(LineString([(-500, 2050), (500, 2050)]))
+    assert nozzle.length == pytest.approx(201, abs=0.5)  # .020 x 10, to .001 of the cutter's path
+    picture, frame = pixels(diagrams.element(), 8), centre.buffer(500).bounds
+
+    def dark(shape: Polygon) -> float:
+        """Return how much of a shape's boundary, at 70 units of paper an inch, is drawn in ink."""
+        places = [shape.exterior.interpolate(at) for at in range(0, int(shape.exterior.length), 50)]
+        greys = [
+            picture.getpixel(
+                (int(8 * (70 + (at.x - frame[0]) * 0.07)), int(8 * (16 + (frame[3] - at.y) * 0.07)))
+            )
+            for at in places
+        ]
+        return sum(isinstance(grey, int) and grey < 100 for grey in greys) / len(greys)
+
+    assert dark(cavity.buffer(10)) > 0.99
+    assert dark(cavity.buffer(-20)) < 0.01
+    assert dark(cavity.buffer(40)) < 0.01
+
+
+def test_figure_8_1_names_the_features_that_the_text_names() -> None:
+    words = " ".join(texts(diagrams.element()))
+    for feature in ("POWER CHANNEL", "CONTROL CHANNEL", "VENT", "OUTPUT CHANNEL"):
+        assert feature in words
+    assert "labelled Power channel, Control channels, Vents and Output channels" in find("8.1").says
+
+
+def test_the_die_s_block_and_opening_are_to_scale() -> None:
+    """Half size: the block 12 x 8 in is 600 x 400, 2 in thick 100; the path 6 x 3, the hole 1/2 in wider."""
+    root = ET.fromstring(diagrams.die())
+    sizes = [(float(box.get("width", 0)), float(box.get("height", 0))) for box in root.iter(f"{SVG}rect")]
+    assert (600, 400) in sizes
+    assert (600, 100) in sizes
+    axes = {(float(e.get("rx", 0)), float(e.get("ry", 0))) for e in root.iter(f"{SVG}ellipse")}
+    assert {(150, 75), (162.5, 87.5)} <= axes
+    assert (len(chain.path("die")), len(chain.path("die", major=2750, minor=1250))) == (778, 674)
+    assert "778 blocks" in find("7.4").note
+    assert "674" in find("7.4").note
+
+
+def test_the_axes_of_figure_7_5_cross_where_the_curve_does() -> None:
+    """The curve's zeros, .2 x (x-2) (x-6), lie on the axis where its marks say 0, 2 and 6."""
+    root = ET.fromstring(work.polynomial())
+    half = 50  # units of paper an inch, at 1:2
+    part = next(group for group in root.iter(f"{SVG}g"))
+    marks = {
+        t.text: float(t.get("x", 0)) - 3 for t in part.iter(f"{SVG}text") if "aria-hidden" not in t.attrib
+    }
+    assert marks["2"] - marks["0"] == pytest.approx(2 * half)
+    assert marks["6"] - marks["0"] == pytest.approx(6 * half)
+    axis = next(float(t.get("y", 0)) - 13 for t in part.iter(f"{SVG}text") if t.text == "0")
+    path = max((p.get("d", "") for p in part.iter(f"{SVG}path")), key=len)
+    places = [tuple(map(float, place.split())) for place in path.lstrip("M").split("L")]
+    for mark in ("0", "2", "6"):
+        near = min(places, key=lambda place: abs(place[0] - marks[mark]) + abs(place[1] - axis))
+        assert abs(near[0] - marks[mark]) < 1.5
+        assert abs(near[1] - axis) < 1.5
+
+
+@pytest.mark.parametrize("figure", [work.straight_surface, work.sloped_surface], ids=["8.4", "8.5"])
+def test_the_background_of_the_talysurf_is_0012_high(figure: Callable[[], str]) -> None:
+    """Its height on paper against the scale beside it, where a line is .001 in."""
+    root = ET.fromstring(figure())
+    shaded = [path.get("d", "") for path in root.iter(f"{SVG}path") if path.get("fill-opacity")]
+    assert len(shaded) == 2
+    lines = sorted(
+        {float(line.get("y1", 0)) for line in root.iter(f"{SVG}line") if line.get("y1") == line.get("y2")}
+    )
+    for band in shaded:
+        places = [tuple(map(float, place.split())) for place in band.strip("MZ").split("L")]
+        top, bottom = places[0], places[-1]
+        assert top[0] == bottom[0]
+        assert bottom[1] - top[1] == pytest.approx(1.2 * (lines[1] - lines[0]), abs=0.05)
+    across = sorted(
+        {float(line.get("x1", 0)) for line in root.iter(f"{SVG}line") if line.get("stroke-width") == "0.6"}
+    )
+    assert across[1] - across[0] == pytest.approx(660 * 0.01 / 0.5, abs=0.02)  # "+ 0.01"/div."
+
+
+def test_the_sample_of_tape_has_nine_tracks() -> None:
+    """The guide holes are the fourth; a hole in the fifth is 8, in the ninth the end of block (Chapter 2)."""
+    root = ET.fromstring(codes.digits())
+    tracks = {
+        str(text.text): float(text.get("y", 0)) - 21
+        for text in root.iter(f"{SVG}text")
+        if text.get("class") == "track"
+    }
+    assert sorted(tracks) == list("123456789")
+    holes = [
+        (float(h.get("cx", 0)), float(h.get("cy", 0)))
+        for h in root.iter(f"{SVG}circle")
+        if h.get("class") == "hole"
+    ]
+    columns = sorted({x for x, _ in holes})
+    shown = [{name for name, y in tracks.items() if (x, y) in holes} for x in columns]
+    assert shown[5] >= {"1", "3"}
+    assert shown[8] == {"4", "5"}
+    assert shown[10] == {"4", "9"}
 
 
 def test_the_die_s_tape_is_its_three_tapes() -> None:
@@ -179,13 +310,12 @@ def test_a_straight_wall_has_no_steps() -> None:
     assert "outer wall, trough to peak .0000 in" in list(texts(work.straight_surface()))
 
 
-def test_the_slope_measured_is_one_of_the_element_s() -> None:
-    (x1, y1), (x2, y2) = work.slope_ends()
+def test_the_wall_measured_is_one_of_the_element_s() -> None:
+    """Its ends are those of a slope, where the part program has it on the table."""
     ends = [segment for segment in fluidic.outline() if isinstance(segment, fluidic.Slope)]
+    x1, y1, x2, y2 = work.wall()
     assert any(
-        (round(x2 - x1, 6), round(y2 - y1, 6))
-        == (round(s.end[0] - s.start[0], 6), round(s.end[1] - s.start[1], 6))
-        for s in ends
+        (x1 - 6, y1 - 0.25, x2 - 6, y2 - 0.25) == pytest.approx((*slope.start, *slope.end)) for slope in ends
     )
 
 
