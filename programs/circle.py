@@ -16,8 +16,8 @@ before and after each X-point; the other quadrants step it before each print.
 
 Chapter 7 gives a centre diameter of 3.75 in, and Chapter 6 its rule: the radius less half the radius of the
 tool, 2 - .125. A cutter of radius .25 in a 4 in circle needs 2 - .25. The header positions to X 2.250 and the
-inner limit is 1745: a radius of 1.750 about 4.000. The listing is followed. RAD itself, line 300, is restored
-by inference: the output is the same for any RAD of 1745 or more.
+inner limit is 1745: a radius of 1.750 about 4.000. The listing is followed. RAD itself, line 295, is a
+conjecture: the output is the same for any RAD of 1745 or more.
 
 `close` prints one block more, the point at which quadrant 4 ends, where AY is 0: 6676 2251 4000  185. The
 listing does not print it.

@@ -40,8 +40,8 @@ def thesis() -> None:
 def list_() -> None:
     """Name every figure, table, listing and program of the thesis, and say what there is of it here.
 
-    It is from the text; it is our drawing of what the text says (the original is lost); some of it is fitted or
-    conjectured; or it is lost.
+    It is from the text; it is our drawing of what the text says (the original is lost); some of it is fitted
+    or conjectured; or it is lost.
 
     \b
     Examples:
@@ -58,21 +58,31 @@ def list_() -> None:
 @thesis.command()
 @click.argument("number", metavar="NUMBER|all")
 @command.output("FOLDER", "thesis", "Where the files are written.", show_default=True)
-def make(number: str, output: str) -> None:
+@click.option(
+    "--facsimile", is_flag=True, help="Listing B, C or D as it stood on its pages, without comments."
+)
+def make(number: str, output: str, facsimile: bool) -> None:
     """Make figure, table, listing or program NUMBER; or all, with a page that sets them beside the thesis.
 
-    A figure is an SVG, anything else a text; each has its number and caption.
+    A figure is an SVG, anything else a text; each has its number and caption. A facsimile has nothing of ours
+    but the characters that the scan lost.
 
     \b
     Examples:
       pdp8 thesis make 7.2
-      pdp8 thesis make 10.1 --out tables
+      pdp8 thesis make B --facsimile
       pdp8 thesis make all --out figures
     """
     from pdp8.thesis.catalogue import catalogue, find
     from pdp8.thesis.making import Made, make
     from tapes.progress import Bar
 
+    if facsimile:
+        from pdp8.thesis import facsimile as page
+
+        text = page.facsimile(number)
+        _write(output, {f"facsimile-{number.upper()}.txt": text.encode()})
+        return
     whole = number == "all"
     items = [item for item in catalogue() if item.maker] if whole else [find(number)]
     made: dict[str, Made] = {}
@@ -82,14 +92,22 @@ def make(number: str, output: str) -> None:
             bar.show(len(made))
     files = dict(file for one in made.values() for file in one.files)
     if whole:
-        from pdp8.thesis.gallery import page
+        from pdp8.thesis import gallery
 
-        files["index.html"] = page(made).encode()
-    os.makedirs(output, exist_ok=True)
+        files["index.html"] = gallery.page(made).encode()
+    _write(output, files)
+
+
+def _write(folder: str, files: dict[str, bytes]) -> None:
+    """Write files into a folder and say so."""
+    os.makedirs(folder, exist_ok=True)
     for name, content in files.items():
-        shelf.write(os.path.join(output, name), content)
-    said = f"{len(files)} files, begin with {output}/index.html" if whole else ", ".join(files)
-    click.echo(f"{said} in {output}" if not whole else said, err=True)
+        shelf.write(os.path.join(folder, name), content)
+    whole = "index.html" in files
+    said = (
+        f"{len(files)} files, begin with {folder}/index.html" if whole else f"{', '.join(files)} in {folder}"
+    )
+    click.echo(said, err=True)
 
 
 @thesis.command()

@@ -6,6 +6,7 @@ gallery      the page that sets all of them beside the thesis
 
 evidence     the surviving programs line by line: scan, ours, why; scan/ has the tables
 reading      what a legible line of the scan says: six rules
+facsimile    listings B, C and D as they stood on their pages
 restoration  the sources of programs/ and the tables of docs/restoration.md, made from the evidence
 
 The makers:

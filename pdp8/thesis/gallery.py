@@ -62,7 +62,8 @@ def _article(item: Item, made: Made | None) -> str:
     return (
         f'<article id="{_anchor(item)}">\n'
         f"<h3>{item.name}. {escape(item.title)} {_badge(item.state)}</h3>\n"
-        f'<div class="words">\n<h4>The thesis, page {item.page}</h4>\n<blockquote>{escape(item.says)}</blockquote>\n'
+        f'<div class="words">\n<h4>The thesis, page {item.page}</h4>\n'
+        f"<blockquote>{escape(item.says)}</blockquote>\n"
         f"<h4>Here</h4>\n<p>{_with_code(item.note)}</p>\n{_links(made)}</div>\n"
         f"{shown}</article>\n"
     )
