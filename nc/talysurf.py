@@ -18,7 +18,9 @@ from tapes.errors import WorkError
 from tapes.measure import inches
 
 _LEFT, _WIDTH, _HEIGHT = 80.0, 660.0, 200.0
-_DIVISION = 10.0
+DIVISION = 10.0
+"""Thousandths of an inch from one light line to the next, along the surface."""
+
 _STEPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0)
 
 
@@ -80,9 +82,9 @@ def _trace(
         sheet.draw("line", x1=_LEFT, y1=y, x2=right, y2=y, stroke=FAINT if line == 0 else GRID)
         if line % labels == 0:
             sheet.text(_LEFT - 8, y + 4, f"{line / 1000:+.3f}", text_anchor="end")
-    if _DIVISION * across >= 4:
-        for count in range(ceil(start / _DIVISION), floor((start + length) / _DIVISION) + 1):
-            x = _LEFT + (count * _DIVISION - start) * across
+    if DIVISION * across >= 4:
+        for count in range(ceil(start / DIVISION), floor((start + length) / DIVISION) + 1):
+            x = _LEFT + (count * DIVISION - start) * across
             sheet.draw("line", x1=x, y1=top, x2=x, y2=bottom, stroke=GRID, stroke_width=0.6)
     step = next((step for step in _STEPS if step * 1000 * across >= 48), _STEPS[-1]) * 1000
     for count in range(ceil(start / step), floor((start + length) / step) + 1):

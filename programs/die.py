@@ -25,6 +25,9 @@ from programs.units import THOUSANDTHS
 AXES: Final = {"opening": (3000, 1500), "rounding": (3125, 1625), "groove": (3750, 2250)}
 """Semi-axes of the three programs, thousandths of an inch."""
 
+BLOCK: Final = (12000, 8000, 2000)
+"""The block along X, Y and Z, thousandths of an inch."""
+
 
 def part(
     *,

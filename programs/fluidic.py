@@ -73,6 +73,9 @@ class Bend(NamedTuple):
 
 Segment = Slope | Bend
 
+SCALE: Final = 10
+"""How many times the model is larger than the element."""
+
 EXIT: Final = 2.3
 """v of the nozzle's exit."""
 

@@ -104,11 +104,11 @@ def _height(rows: list[_Row]) -> int:
 def _strip(rows: list[_Row], top: int, tracks: bool) -> Iterator[str]:
     """Draw one strip whose upper edge is at `top`: paper, track numbers, arrow, frames and their words."""
     numbered = {channel: (channel + (channel > 3) if tracks else channel) for channel in range(1, 9)}
-    places = [(_track(channel), number) for channel, number in numbered.items()]
+    places = [(track(channel), number) for channel, number in numbered.items()]
     if tracks:
         places.append((SPROCKET_TRACK, 4))
     yield f'<rect class="paper" x="{_MARGIN}" y="{top}" width="{PITCH * len(rows)}" height="{WIDTH}"/>'
-    yield f'<text x="80" y="{top + _track(1) - 50}">{"track" if tracks else "channel"}</text>'
+    yield f'<text x="80" y="{top + track(1) - 50}">{"track" if tracks else "channel"}</text>'
     for place, number in places:
         yield f'<text class="track" x="{_MARGIN - 60}" y="{place + top + 21}">{number}</text>'
     arrow = f"M 80 {top + SPROCKET_TRACK} l 120 -60 v 40 h 160 v 40 h -160 v 40 z"
@@ -125,12 +125,12 @@ def _frame(row: _Row, x: int, top: int) -> Iterator[str]:
     yield _hole(x, top + SPROCKET_TRACK, SPROCKET_HOLE)
     for channel in range(1, 9):
         if frame >> channel - 1 & 1:
-            yield _hole(x, top + _track(channel), CODE_HOLE)
+            yield _hole(x, top + track(channel), CODE_HOLE)
     words = escape(f"{frame:03o} {caption}".rstrip())
     yield f'<text transform="translate({x - 20} {top + WIDTH + 50})rotate(90)">{words}</text>'
 
 
-def _track(channel: int) -> int:
+def track(channel: int) -> int:
     """Return how far a channel's holes lie from the edge beside channel 1."""
     return SPROCKET_TRACK + PITCH * (channel - 4 if channel < 4 else channel - 3)
 

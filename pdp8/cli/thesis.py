@@ -20,6 +20,7 @@ _STYLES: Final = {
     "our drawing": "cyan",
     "fitted or conjectured": "yellow",
     "lost": "red",
+    "differs": "red",
 }
 
 
@@ -33,6 +34,7 @@ def thesis() -> None:
       pdp8 thesis make 7.2 --out figures
       pdp8 thesis make all --out figures
       pdp8 thesis evidence eia.pal
+      pdp8 thesis numbers --chapter 7
     """
 
 
@@ -53,6 +55,26 @@ def list_() -> None:
 
     rows = tuple((item.number, str(item.page), item.kind, item.state, item.title) for item in catalogue())
     _show(Table(_CATALOGUE, rows), "The thesis", coloured_by=3)
+
+
+@thesis.command("numbers")
+@click.option("--chapter", type=click.IntRange(1, 10), metavar="NUMBER", help="Those of one chapter.")
+@command.output()
+def numbers_(chapter: int | None, output: str) -> None:
+    """List every number of the thesis: page, words, ours, its state, and what makes it.
+
+    A number is from the text (the software takes it as a constant), computed, fitted or conjectured; or ours
+    differs from it; or nothing here makes it. "Made by" is a figure or table, a command, or a page of docs/.
+
+    \b
+    Examples:
+      pdp8 thesis numbers
+      pdp8 thesis numbers --chapter 7
+      pdp8 thesis numbers | grep differs
+    """
+    from pdp8.thesis.numbers import table
+
+    _show(table(chapter), "The thesis's numbers", coloured_by=4, output=output)
 
 
 @thesis.command()

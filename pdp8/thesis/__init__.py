@@ -4,6 +4,9 @@ catalogue    every figure, table, listing and program: its words, what there is 
 making       an item of it made: a sheet or a text, with its caption
 gallery      the page that sets all of them beside the thesis
 
+numbers      every number of the chapters: its page, its words, ours, what makes it
+measures     what we make of each
+
 evidence     the surviving programs line by line: scan, ours, why; scan/ has the tables
 reading      what a legible line of the scan says: six rules
 facsimile    listings B, C and D as they stood on their pages

@@ -9,7 +9,7 @@ from math import atan, cos, degrees, radians, sin, sqrt
 
 from nc.drawing import FAINT, INK, Sheet, View, Window, around, polyline
 from programs import fluidic
-from programs.die import AXES
+from programs.die import AXES, BLOCK
 
 _BLUE, _GREEN, _RED, _PAPER = "#0b4f9e", "#2e7d32", "#c62828", "#f4f4f2"
 _CAVITY = "#e3ebf5"
@@ -158,7 +158,7 @@ def die() -> str:
     window, left = Window(-400, -400, 12400, 8400), 70.0
     sheet = Sheet(left + window.width / 20 + 30, window.height / 20 + 190, "The die")
     view = sheet.view(left, 16, window, 0.5)
-    _plate(view, (0, 0, *_BLOCK[:2]), fill="#dfe3e8", stroke=INK, stroke_width=1.4)
+    _plate(view, (0, 0, *BLOCK[:2]), fill="#dfe3e8", stroke=INK, stroke_width=1.4)
     for cut, colour in (("groove", "#b9c4d2"), ("rounding", "#cdd5df")):
         a, b = AXES[cut]
         _ellipse(view, a, b, fill="none", stroke=colour, stroke_width=_CUTTER * view.unit)
@@ -178,7 +178,7 @@ def die() -> str:
     top = 16 + view.height + 62
     sheet.text(left, top - 8, "from the front", fill=FAINT)
     x = left + 400 * view.unit
-    _box(sheet, x, top, _BLOCK[0] * view.unit, _BLOCK[2] * view.unit, "#dfe3e8")
+    _box(sheet, x, top, BLOCK[0] * view.unit, BLOCK[2] * view.unit, "#dfe3e8")
     for side in (-1, 1):
         edge = x + (6000 + side * (a + _CUTTER / 2)) * view.unit
         sheet.draw("line", x1=edge, y1=top, x2=edge, y2=top + 100, stroke=INK, stroke_dasharray="6 4")
@@ -186,7 +186,7 @@ def die() -> str:
     return sheet.svg()
 
 
-_BLOCK, _CUTTER = (12000, 8000, 2000), 500
+_CUTTER = 500
 
 
 def _plate(view: View, corners: tuple[float, float, float, float], **style: object) -> None:

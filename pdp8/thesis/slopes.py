@@ -23,6 +23,9 @@ _RATIOS: Final = (("1.9 / 1.0", 2, 1, "#c62828"), ("4.0 / 2.7", 4, 3, "#0b4f9e")
 """The chapter's two pairs of feeds, X over Y, by their codes in Table 2.4."""
 
 _START, _END = (1000, 1000), (5330, 3500)
+RUN: Final = (_END[0] - _START[0], _END[1] - _START[1])
+"""Chapter 3's slope: 30 degrees, 5 in long."""
+
 _LEFT, _TOP = 70.0, 74.0
 
 _Places = list[tuple[float, float]]

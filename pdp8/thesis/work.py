@@ -5,7 +5,6 @@ nc/. Everything comes from tapes that went through eia.pal.
 """
 
 from dataclasses import replace
-from math import hypot
 from random import Random
 from typing import Any, Final
 
@@ -20,10 +19,10 @@ from pdp8.thesis import chain
 from programs import fluidic, parts
 
 _CUTTER = 125
-_DOWNSTREAM = 0.8
+DOWNSTREAM = 0.8
 _AXIS_X, _BASE_Y = 6.0, 0.25
 """Where the part program has the element on the table, inches."""
-_PRECISION: Final = 0.3
+PRECISION: Final = 0.3
 """How far a stop may be from the programmed place, thousandths (thesis, Chapter 2)."""
 _BACKGROUND: Final = 1.2
 """The roughness of a straight-milled wall in Plexiglas, thousandths (thesis, Chapter 8)."""
@@ -74,7 +73,7 @@ def cut_again(path: nc.Path, seed: int) -> nc.Path:
                 x, y = (
                     at[axis]
                     if move.start[axis] == move.end[axis]
-                    else move.end[axis] + errors.uniform(-_PRECISION, _PRECISION)
+                    else move.end[axis] + errors.uniform(-PRECISION, PRECISION)
                     for axis in (0, 1)
                 )
                 moves.append(replace(move, start=at, end=Position(x, y, move.end.z)))
@@ -92,7 +91,7 @@ def at_the_exit() -> str:
 
 def downstream() -> str:
     """Figure 8.3: the element with its control channels .8 in downstream."""
-    return _element(_DOWNSTREAM)
+    return _element(DOWNSTREAM)
 
 
 def straight_surface() -> str:
@@ -113,8 +112,8 @@ def sloped_surface() -> str:
     path = chain.path("slope", from_x=x1, from_y=y1, to_x=x2, to_y=y2, tolerance=band)
     curve = StraightLine(*(1000 * place for place in (x1, y1, x2, y2)))
     measured = inspect(path, curve, cutter=_CUTTER, tolerance=1000 * band)
-    length = 1000 * hypot(x2 - x1, y2 - y1)
-    return talysurf(measured, (0.3 * length, 0.3 * length + 500), background=_BACKGROUND)
+    start = 0.3 * float(measured.walls.stations.along[-1])
+    return talysurf(measured, (start, start + 500), background=_BACKGROUND)
 
 
 def wall() -> tuple[float, float, float, float]:
