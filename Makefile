@@ -5,7 +5,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 
 # `make samples` makes the bundled tapes of tapes/ again; a test holds them against the chain.
-# `make evidence` makes the sources of programs/ and docs/restoration.md from pdp8/thesis/scan/; a test too.
+# `make evidence` makes the sources of programs/ and the tables of docs/restoration.md and docs/thesis.md; a test too.
 # `make figures` makes every figure, table and listing of the thesis, with a page of them, in figures/.
 # `make lockstep N=1e9` runs random situations on the machine and on the reference, for so many instructions.
 # `make faults` puts every fault of tests/faults/ into a copy of the sources and says which test finds it.
@@ -45,6 +45,7 @@ coverage: .venv/ready-dev
 .PHONY: evidence
 evidence: .venv/ready
 	$(BIN)/python -m pdp8.thesis.restoration
+	$(BIN)/python -m pdp8.thesis.edition
 
 .PHONY: figures
 figures: .venv/ready

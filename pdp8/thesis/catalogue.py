@@ -18,6 +18,7 @@ catalogue.toml has them:
 Source: the thesis; the captions and the text of the scan.
 """
 
+import re
 import tomllib
 from functools import cache
 from importlib.resources import files
@@ -42,6 +43,12 @@ class Item(NamedTuple):
     maker: str = ""
     tape: str = ""
     across: bool = True
+
+    @property
+    def chapter(self) -> str:
+        """The number of its chapter; A for an appendix."""
+        number = re.match(r"(?:ch)?(\d+)", self.number)
+        return number[1] if number else "A"
 
     @property
     def caption(self) -> str:

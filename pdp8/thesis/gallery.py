@@ -30,8 +30,7 @@ def page(made: Mapping[str, Made]) -> str:
 
 
 def _chapter(item: Item) -> str:
-    number = item.number.removeprefix("ch").split(".")[0].split("-")[0]
-    return f"Chapter {number}" if number.isdigit() else "Appendices"
+    return f"Chapter {item.chapter}" if item.chapter.isdigit() else "Appendices"
 
 
 def _counts(items: tuple[Item, ...]) -> str:

@@ -10,8 +10,9 @@ from pathlib import Path
 
 import pytest
 
+from pdp8.thesis import edition
 from pdp8.thesis.catalogue import catalogue
-from pdp8.thesis.numbers import STATES, Number, numbers, plain
+from pdp8.thesis.numbers import STATES, numbers, plain
 from tests.conftest import Shell
 
 OCR = Path(__file__).parent / "ocr"
@@ -83,10 +84,25 @@ def test_a_number_that_is_off_does_not_agree() -> None:
 def test_what_makes_a_number_is_there() -> None:
     items = {item.number for item in catalogue()}
     pages = {page.stem for page in DOCS.glob("*.md")}
-    others = {"cards", "history", "notation", ""}
     for one in ALL:
-        assert one.by in items | pages | others or one.by.startswith("pdp8 "), one.by
+        assert one.by in items | pages | {""} or one.by.startswith("pdp8 "), one.by
         assert bool(one.measure) == (one.state != STATES["none"])
+
+
+@pytest.mark.slow("runs every part of the thesis, and the piece-wise technique")
+def test_the_edition_is_made_from_the_catalogue_and_the_numbers() -> None:
+    page = (DOCS / "thesis.md").read_text()
+    assert edition.page(page) == page, "run `make evidence`"
+
+
+def test_the_edition_has_every_item_and_every_number_with_its_link() -> None:
+    page = (DOCS / "thesis.md").read_text()
+    anchors = re.findall(r'<a id="([^"]+)">', page)
+    assert anchors == [f"{item.kind}-{item.number}" for item in catalogue()]
+    rows = re.findall(r"^\| \d+ \| `.*` \|.*\| (.*) \|$", page, re.MULTILINE)
+    assert len(rows) == len(ALL)
+    assert {link for row in rows for link in re.findall(r"\(#(.*?)\)", row)} <= set(anchors)
+    assert all(row for row, one in zip(rows, ALL, strict=True) if one.state != STATES["none"])
 
 
 def test_pages_follow_each_other() -> None:
