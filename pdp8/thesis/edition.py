@@ -1,6 +1,6 @@
 """The tables of docs/thesis.md, made from the catalogue and the numbers.
 
-    <!-- items 7 -->      figures, tables, listings and programs of a chapter, each with an anchor; A: the appendices
+    <!-- items 7 -->      a chapter's figures, tables, listings and programs, with anchors; A: appendices
     <!-- numbers 7 -->    its numbers, each with a link to what makes it
     <!-- end -->          what stands between is replaced
 
