@@ -176,6 +176,10 @@ def test_the_two_circles_of_figure_7_2_are_cut_by_the_same_tape() -> None:
     first, second = (" ".join(texts(graph)) for graph in work.polar_graphs())
     assert first.startswith("First circle: circle")
     assert second.startswith("Second circle, same tape: circle")
+    for said in (first, second):
+        worst = re.search(r"worst trough to peak (\.\d+) in", said)
+        assert worst
+        assert 0.0100 < float(worst[1]) < 0.0112  # not the .0173 of a contour that stays open
 
 
 def test_the_figures_of_the_note_on_the_polar_graphs() -> None:
@@ -250,6 +254,11 @@ def test_the_axes_of_figure_7_5_cross_where_the_curve_does() -> None:
     assert marks["2"] - marks["0"] == pytest.approx(2 * half)
     assert marks["6"] - marks["0"] == pytest.approx(6 * half)
     axis = next(float(t.get("y", 0)) - 13 for t in part.iter(f"{SVG}text") if t.text == "0")
+    lines = [[tuple(map(float, at.split())) for at in p.get("d", "M").lstrip("M").split("L")] for p in part]
+    level = {line[0][1] for line in lines if len(line) == 2 and line[0][1] == line[1][1]}
+    upright = {line[0][0] for line in lines if len(line) == 2 and line[0][0] == line[1][0]}
+    assert min(abs(y - axis) for y in level) < 0.1
+    assert min(abs(x - marks["0"]) for x in upright) < 0.1
     path = max((p.get("d", "") for p in part.iter(f"{SVG}path")), key=len)
     places = [tuple(map(float, place.split())) for place in path.lstrip("M").split("L")]
     for mark in ("0", "2", "6"):
