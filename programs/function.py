@@ -9,7 +9,7 @@
 Where the radius of the surface on the cutter's side is less than the cutter's, x2 decreases: such a surface
 cannot be cut.
 
-Source: thesis, Chapter 6, Figure 6.2 and equations 1 to 3.
+Source: thesis, Chapter 6, equations 2 and 3; 1, lost in the scan, follows from them.
 """
 
 from collections.abc import Callable
