@@ -163,8 +163,8 @@ def test_initialize_among_marks_leaves_the_receiver_free() -> None:
 
 
 def test_a_false_start() -> None:
-    """177: INITIALIZE at 0.8 units; the clock finds the start unit at 7/8 and a mark at 1 1/4. The space of unit
-    8 is found at 8 1/8: a character of marks.
+    """177: INITIALIZE at 0.8 units; the clock finds the start unit at 7/8 and a mark at 1 1/4. The space of
+    unit 8 is found at 8 1/8: a character of marks.
     """
     r = receiver(b"\177")
     r.advance(145_454)
