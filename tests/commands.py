@@ -18,6 +18,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import IO
 
+from tests import warm
+
 BIN = Path(sys.executable).parent
 LONGEST = 300
 """Seconds after which a command that does not end fails its test."""
@@ -33,6 +35,11 @@ def environment(**variables: str) -> dict[str, str]:
     return {**os.environ, "PATH": path, "COLUMNS": "100", **variables}
 
 
+def warm_environment(**variables: str) -> dict[str, str]:
+    """Return the environment of a command that is run to its end: ours without the start of Python."""
+    return {**environment(), **warm.environment(BIN), **variables}
+
+
 def run(
     *words: Word, stdin: bytes = b"", folder: Path | None = None, stdout: Stream = -1, **variables: str
 ) -> Done:
@@ -43,7 +50,7 @@ def run(
         stdout=stdout,
         stderr=subprocess.PIPE,
         cwd=folder,
-        env=environment(**variables),
+        env=warm_environment(**variables),
         timeout=LONGEST,
         check=False,
     )
