@@ -1,166 +1,266 @@
 """A photograph or scan of tape becomes frames.
 
-    sprocket holes   where each frame is                                        (sprockets.py)
-    paper            reaches farther on the side of five channels than on that of three: which way it is read
-    channels         the light at each place, between that of paper and that of holes around
+    light        the file as shades of grey                                       (pixels.py)
+    rows         small round holes in a row, followed one by one                  (sprockets.py)
+    sheet        the paper around such a row: where each place of the tape lies   (sheet.py)
+    channels     here: how dark each place of the flattened sheet is, beside paper around it and holes near
 
-Each frame has a confidence: how far its most doubtful channel is from the middle between paper and hole, 1
-quite clear, 0 a guess. A hole that is open to a torn edge makes it doubtful, and a sprocket hole that was not
-seen, beyond the last one too, if the paper goes on.
+A frame is sure only if everything around it is as on a tape: its sprocket hole and both edges of the paper
+are seen, holes are at their places, paper is clear, holes are round and as dark as those near. Anything else
+makes it doubtful, and says why. More doubtful frames than sure ones can carry make the picture refused.
 
-Not emulated: holes with hanging chad, folds. Tape seen from below looks like another tape seen from above:
-`underside` has to say so.
+Not emulated: holes with hanging chad are doubtful, not mended; five-channel tape is refused. Tape seen from
+below looks like another tape seen from above: `underside` has to say so.
 
-Needs OpenCV, the extra `vision`. Source: ECMA-10 (the tracks' places, in pitches of .1 in).
+Needs OpenCV, the extra `vision`. Source: ECMA-10.
 """
 
 from typing import NamedTuple
 
-import cv2
 import numpy as np
 
-from tapes import sprockets
+from tapes import pixels, sheet, sprockets
 from tapes.errors import TapeError
-from tapes.sprockets import Array, Tape
+from tapes.pixels import Array
+from tapes.sheet import SAMPLES, Flat, Found
 
 DOUBTFUL = 0.5
 """A frame of less confidence wants to be looked at."""
-LARGEST = 64_000_000
-"""Pixels of a picture."""
+FEWEST_PIXELS = 5.5
+"""From row to row and from track to track."""
 
-_TRACKS = np.array([3, 2, 1, -1, -2, -3, -4, -5])
-"""Channels 1 to 8, in pitches from the sprocket track towards channel 1."""
-_BETWEEN = np.array([3.5, 2.5, 1.5, 0.5, -0.5, -1.5, -2.5, -3.5, -4.5, -5.5])
-"""Between the tracks, where half way to the next frame there is paper."""
-_BEYOND = 5.5
-"""So many pitches from the sprocket track there is paper on the side of five channels only."""
-_RING = [(np.cos(turn) / 2, np.sin(turn) / 2) for turn in np.arange(8) * np.pi / 4]
-_ENOUGH = 2_000_000
-_WINDOW = 10
-_LEAST_CONTRAST = 8
-_TORN, _UNSEEN = 0.3, 0.4
-"""The most confidence left to a frame with a torn hole, or with a sprocket hole that was not seen."""
+_TRACKS = np.array([-3, -2, -1, 1, 2, 3, 4, 5], dtype=float)
+"""Channels 1 to 8, in pitches from the sprocket track."""
+_WINDOW = 8
+_MOST_DOUBTFUL = 0.35
+_FAILURES = 6
+_LEAST_LIGHT = 6
+_NO_TAPE = "no tape in the picture: "
 
 
 class Frame(NamedTuple):
-    """A frame as it was seen: its holes, how sure that is, the channel most in doubt, its place in pixels."""
+    """A frame as it was seen: its holes, how sure that is, the channel most in doubt, why it is doubtful, and
+    the places in pixels of the sprocket hole and of channels 1 to 8.
+    """
 
     holes: int
     confidence: float
     channel: int
-    x: int
-    y: int
+    why: str
+    places: tuple[tuple[int, int], ...]
 
     @property
     def doubtful(self) -> bool:
         """Whether the frame wants to be looked at."""
         return self.confidence < DOUBTFUL
 
+    @property
+    def x(self) -> int:
+        """Its sprocket hole's place, in pixels from the left."""
+        return self.places[0][0]
+
+    @property
+    def y(self) -> int:
+        """Its sprocket hole's place, in pixels from the top."""
+        return self.places[0][1]
+
 
 def read(picture: bytes, underside: bool = False) -> list[Frame]:
     """Return the frames of the tape in a picture, a file's content, in the order in which they are read;
     several strips from top to bottom.
 
-    Raises TapeError where there is no picture, or no tape in it.
+    Raises TapeError where there is no picture, no tape in it, or one that cannot be read; it says why.
     """
-    light = _light(picture)
-    scale = _scale(light.size)
-    light = cv2.resize(light, None, fx=scale, fy=scale, interpolation=cv2.INTER_CUBIC)
-    tape = sprockets.find(light)
-    smooth = cv2.GaussianBlur(light, (0, 0), 0.12 * tape.pitch).astype(np.float32)
-    found = [frame for strip in tape.strips for frame in _strip(tape, strip, smooth, underside)]
-    return [frame._replace(x=frame.x // scale, y=frame.y // scale) for frame in found]
+    light = pixels.light(picture)
+    found, why = _strips(light)
+    if not found:
+        found, _ = _strips(255 - light)
+        light = 255 - light if found else light
+    if not found:
+        raise TapeError(_NO_TAPE + why)
+    strips = [_frames(pictures, strip) for pictures, strip in found]
+    strips.sort(key=lambda strip: sum(frame.y for frame in strip) / len(strip))
+    return [frame for strip in strips for frame in (strip[::-1] if underside else strip)]
 
 
-def _scale(pixels: int) -> int:
-    """Return by how much a small picture is enlarged, so that a hole has some pixels."""
-    return min(4, max(1, round((_ENOUGH / pixels) ** 0.5))) if pixels else 1
+def _strips(light: Array) -> tuple[list[tuple[sprockets.Sizes, Found]], str]:
+    """Return the tapes in which holes are dark, and if there are none, why the likeliest row is not one."""
+    pictures = sprockets.sizes(light)
+    found: list[tuple[sprockets.Sizes, Found]] = []
+    why: list[str] = []
+    taken: list[sprockets.Row] = []
+    for row in sprockets.rows(pictures):
+        if len(why) >= _FAILURES:
+            break
+        if all(sprockets.apart(other, row.places[len(row.places) // 2], 7) for other in taken):
+            try:
+                tape = sheet.find(pictures, row)
+            except TapeError as error:
+                why.append(str(error))
+                continue
+            u = np.arange(tape.sheet.length, dtype=float)
+            taken.append(sprockets.Row(tape.sheet.place(u, 0 * u), tape.seen))
+            found.append((pictures, tape))
+    return found, why[0] if why else "no row of small round holes was found"
 
 
-def _light(picture: bytes) -> Array:
-    """Return the picture in the colour in which paper and holes differ most, without its speckles."""
-    decoded = cv2.imdecode(np.frombuffer(picture, np.uint8), cv2.IMREAD_COLOR) if picture else None
-    if decoded is None:
-        raise TapeError("no picture that can be read: PNG, JPEG or TIFF is wanted")
-    if decoded.shape[0] * decoded.shape[1] > LARGEST:
-        raise TapeError(f"a picture of more than {LARGEST:,} pixels")
-    colours = [*cv2.split(decoded), cv2.cvtColor(decoded, cv2.COLOR_BGR2GRAY)]
-    return np.asarray(cv2.medianBlur(max(colours, key=lambda colour: float(colour.std())), 3))
+class _Cells(NamedTuple):
+    """Of each frame (n) and channel (8): how dark the middle is, the darkest and brightest of what should be
+    like it, and the darkness of eight places beyond the hole; all in parts of a hole's full darkness (n).
+    """
+
+    core: Array
+    most: Array
+    ring: Array
+    full: Array
+    sprocket: Array
+    paper: Array
 
 
-def _strip(tape: Tape, strip: Array, smooth: Array, underside: bool) -> list[Frame]:
-    places, seen = strip[:, :2], strip[:, 2]
-    steps = _steps(places)
-    left = np.stack([steps[:, 1], -steps[:, 0]], axis=1)
-    on_left, on_right = (_at(tape.paper, places + side * _BEYOND * left).mean() for side in (1, -1))
-    if abs(on_left - on_right) < 0.2:
-        raise TapeError("three channels or five, on which side? The edges of the tape are not in the picture")
-    if (on_left > on_right) != underside:
-        places, seen, steps, left = places[::-1], seen[::-1], -steps[::-1], -left[::-1]
-    seen[[0, -1]] *= [not _goes_on(tape.paper, end, way) for end, way in
-                      ((places[0], -steps[0]), (places[-1], steps[-1]))]  # fmt: skip
-    return _frames(places, seen, steps, -left if underside else left, smooth)
-
-
-def _goes_on(paper: Array, end: Array, way: Array) -> bool:
-    """Tell whether there is paper beyond the last sprocket hole that was seen, enough for another one."""
-    across = np.array([way[1], -way[0]]) / 2
-    return bool(_at(paper, end + 1.3 * way + np.array([across, -across])).min() > 0.5)
-
-
-def _steps(places: Array) -> Array:
-    """Return the way from each frame to the next, smoothed over its neighbours."""
-    last = len(places) - 1
-    before, after = (np.clip(np.arange(last + 1) + way, 0, last) for way in (-3, 3))
-    return np.asarray((places[after] - places[before]) / (after - before)[:, None])
-
-
-def _at(picture: Array, places: Array) -> Array:
-    """Return the picture at places of any shape (..., 2), between its pixels; its edge goes on outside."""
-    x, y = (np.ascontiguousarray(places[..., axis], dtype=np.float32).reshape(-1, 1) for axis in (0, 1))
-    found = cv2.remap(picture.astype(np.float32), x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
-    return np.asarray(found).reshape(places.shape[:-1])
-
-
-def _frames(places: Array, seen: Array, steps: Array, towards_1: Array, smooth: Array) -> list[Frame]:
-    holes = places[:, None] + _TRACKS[:, None] * towards_1[:, None]
-    corners = places[:, None] + steps[:, None] / 2 + _BETWEEN[:, None] * towards_1[:, None]
-    paper = _around(np.median(_at(smooth, corners), axis=1))
-    depth = paper[:, None] - _at(smooth, np.concatenate([places[:, None], holes], axis=1))
-    full = _full_depth(depth)
-    clear = abs(full) >= _LEAST_CONTRAST
-    share = np.where(clear[:, None], depth[:, 1:] / np.where(clear, full, 1)[:, None], 0.5)
-    around = [holes + along * steps[:, None] + across * towards_1[:, None] for along, across in _RING]
-    ring = paper[:, None] - np.array([_at(smooth, places) for places in around])
-    torn = (ring / np.where(clear, full, 1)[:, None] > 0.75).sum(axis=0) >= 2
-    confidence = np.minimum(abs(share - 0.5) * 2, 1)
-    confidence[torn] = _TORN
-    confidence[seen == 0] = np.minimum(confidence[seen == 0], _UNSEEN)
-    return [
+def _frames(pictures: sprockets.Sizes, tape: Found) -> list[Frame]:
+    flat = sheet.flatten(pictures, tape.sheet)
+    on_paper = _on_paper(flat, tape.sheet.length)
+    cells = _cells(flat, tape.sheet.length)
+    along, across = tape.sheet.pitches()
+    least = float(np.minimum(along, across)[on_paper].min())
+    if least < FEWEST_PIXELS:
+        raise TapeError(f"rows and tracks are only {least:.1f} pixels apart: 6 are needed")
+    doubts = _doubts(cells, tape, on_paper)
+    confidence = np.minimum(abs(cells.core - 0.5) * 2, 1)
+    why = np.full(confidence.shape, "between paper and hole", dtype=object)
+    for reason, where, most in doubts:
+        worse = where & (most < confidence)
+        confidence = np.where(worse, most, confidence)
+        why[worse] = reason
+    u = np.repeat(np.arange(tape.sheet.length, dtype=float)[:, None], 9, axis=1)
+    places = tape.sheet.place(u, np.broadcast_to(np.concatenate([[0], _TRACKS]), u.shape))
+    frames = [
         Frame(
-            sum(1 << channel for channel in range(8) if share[at, channel] > 0.5),
+            sum(1 << channel for channel in range(8) if cells.core[at, channel] > 0.5),
             round(float(confidence[at].min()), 2),
             int(confidence[at].argmin()) + 1,
-            round(places[at, 0]),
-            round(places[at, 1]),
+            str(why[at, confidence[at].argmin()]),
+            tuple((round(float(x)), round(float(y))) for x, y in places[at]),
         )
-        for at in range(len(places))
+        for at in np.nonzero(on_paper)[0]
     ]
+    _refuse_doubtful(frames)
+    return frames
 
 
-def _around(levels: Array) -> Array:
-    """Return the median of each level and its neighbours."""
-    return np.array([np.median(levels[max(0, at - 2) : at + 3]) for at in range(len(levels))])
+def _refuse_doubtful(frames: list[Frame]) -> None:
+    why = [frame.why for frame in frames if frame.doubtful]
+    if len(why) > _MOST_DOUBTFUL * len(frames):
+        most = max(set(why), key=why.count)
+        raise TapeError(f"{len(why)} of {len(frames)} frames are doubtful, most of them: {most}")
 
 
-def _full_depth(depth: Array) -> Array:
-    """Return how much darker holes are than paper around each frame; brighter is negative.
+def _on_paper(flat: Flat, length: int) -> Array:
+    """Return which rows have paper around them: from the first that has to the last."""
+    u = np.arange(length, dtype=float)[:, None]
+    v = np.arange(-2.5, 5)
+    light = np.stack([flat.take(flat.light, *np.broadcast_arrays(u + off, v)) for off in (-0.3, 0, 0.3)])
+    level = np.median(light, axis=(0, 2))
+    around = np.array([np.median(level[max(0, at - 6) : at + 7]) for at in range(length)])
+    hole = 1 - np.median(flat.take(flat.dark, u, 0 * u))
+    rows = np.nonzero(level > around * (1 + hole) / 2)[0]
+    there = np.zeros(length, dtype=bool)
+    if len(rows):
+        there[rows[0] : rows[-1] + 1] = True
+    return there
+
+
+_OFFSETS = np.arange(-4, 5) / SAMPLES
+_AWAY = np.hypot(*np.meshgrid(_OFFSETS, _OFFSETS))
+_CORE = np.exp(-0.5 * (_AWAY / 0.11) ** 2)
+_CORE /= _CORE.sum()
+_RING = [(0.52 * np.cos(turn), 0.52 * np.sin(turn)) for turn in np.arange(8) * np.pi / 4 + np.pi / 8]
+
+
+def _cells(flat: Flat, length: int) -> _Cells:
+    """Measure each place of a hole beside the paper at its four corners."""
+    u = np.arange(length, dtype=float)
+    tracks = np.concatenate([[0], _TRACKS])
+    rows, columns = np.meshgrid(u, tracks, indexing="ij")
+    corners = {
+        (down, aside): _smooth_at(flat, rows + down, columns + aside)
+        for down in (-0.5, 0.5)
+        for aside in (-0.5, 0.5)
+    }
+
+    def dark(along: Array | float, aside: Array | float) -> Array:
+        paper = sum(
+            corner * (0.5 + 2 * way * along) * (0.5 + 2 * side * aside)
+            for corner, (way, side) in ((value, (key[0], key[1])) for key, value in corners.items())
+        )
+        here = flat.take(flat.light, rows + along, columns + aside)
+        return np.asarray(1 - here / np.maximum(paper, 1))
+
+    disc = np.stack([[dark(along, aside) for along in _OFFSETS] for aside in _OFFSETS])
+    core = np.tensordot(_CORE, disc, axes=2)
+    ring = np.stack([dark(along, aside) for along, aside in _RING])
+    inside = disc[_AWAY < 0.3]
+    full = _full(core[:, 1:], core[:, 0])
+    scale = full[:, None]
+    paper = np.mean(list(corners.values()), axis=0)
+    spread = np.where(core[:, 1:] > 0.5 * scale, inside.min(axis=0)[:, 1:], inside.max(axis=0)[:, 1:])
+    return _Cells(
+        core[:, 1:] / scale, spread / scale, ring[..., 1:] / scale, full, core[:, 0] / full, paper[:, 1:]
+    )
+
+
+def _smooth_at(flat: Flat, u: Array, v: Array) -> Array:
+    near = [-0.1, 0, 0.1]
+    return np.asarray(np.mean([flat.take(flat.light, u + along, v + aside) for along in near for aside in near], axis=0))
+
+
+def _full(core: Array, sprocket: Array) -> Array:
+    """Return how dark a hole is around each frame, as a part of the paper's light, by the clear ones near.
 
     Sprocket holes, which are everywhere, are blurred more than code holes: these count where there are any.
     """
-    found = np.empty(len(depth))
-    for at in range(len(depth)):
-        near = depth[max(0, at - _WINDOW) : at + _WINDOW + 1]
-        sprocket = np.median(near[:, 0])
-        found[at] = np.median(near[near / sprocket > 0.5]) if sprocket else 0
+    clear = core > 0.5 * sprocket[:, None]
+    more = np.median(core[clear]) / np.median(sprocket) if clear.sum() > 8 else 1.1
+    full = np.empty(len(core))
+    for at in range(len(core)):
+        near = slice(max(0, at - _WINDOW), at + _WINDOW + 1)
+        there = core[near][core[near] > 0.5 * np.median(sprocket[near])]
+        full[at] = np.median(there) if len(there) >= 6 else more * np.median(sprocket[near])
+    return np.maximum(full, 0.01)
+
+
+def _doubts(cells: _Cells, tape: Found, on_paper: Array) -> list[tuple[str, Array, float]]:
+    """Return why a place is doubtful, where (n, 8), and the most confidence that is left to it."""
+    everywhere = np.ones(cells.core.shape, dtype=bool)
+    hole = cells.core > 0.5
+    blank_far, hole_far = cells.most > 0.5, cells.most < 0.25
+    ends = np.nonzero(on_paper)[0][[0, -1]]
+    unseen = ~tape.seen | (cells.sprocket < 0.4) | (cells.sprocket > 1.6)
+    noise = _noise(cells.core, hole)
+    contrast = cells.full[:, None] * cells.paper
+    rows = [
+        ("its sprocket hole is not seen", unseen, 0.4),
+        ("holes are not at their places", tape.astray > 0.13, 0.35),
+        ("an edge of the paper is not seen", ~tape.edged, 0.45),
+    ]
+    del ends
+    return [
+        ("not a round hole: torn, or dirt", hole & ((cells.ring > 0.6).sum(axis=0) >= 2), 0.3),
+        ("a hole that is not dark throughout", hole & hole_far, 0.3),
+        ("paper that is not clear", ~hole & blank_far, 0.3),
+        ("too much noise", abs(cells.core - 0.5) < 4.5 * noise, 0.35),
+        ("too little light", contrast < _LEAST_LIGHT, 0.3),
+        *((reason, everywhere & where[:, None], most) for reason, where, most in rows),
+    ]
+
+
+def _noise(core: Array, hole: Array) -> Array:
+    """Return the standard deviation of what is alike around each place, holes or paper."""
+    found = np.empty(core.shape)
+    for kind in (True, False):
+        for at in range(len(core)):
+            near = slice(max(0, at - _WINDOW), at + _WINDOW + 1)
+            like = core[near][hole[near] == kind]
+            spread = 1.48 * np.median(abs(like - np.median(like))) if len(like) > 3 else 0.05
+            found[at, hole[at] == kind] = max(0.02, spread)
     return found

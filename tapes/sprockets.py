@@ -1,10 +1,12 @@
-"""Where a tape lies in a picture: its paper, the round holes in it, and its sprocket holes in a row.
+"""Rows of small round holes in a picture, followed one by one: a tape's sprocket holes are such a row.
 
-The paper is the brighter or the darker part of the picture by Otsu's threshold, whichever has more round
-holes. Sprocket holes are the small ones a pitch apart; they are followed along a strip over gaps and gentle
-bends. Strips lie one above another.
+    spots     places darker than what is around them, at each of several sizes of the picture
+    starts    ten spots and more in a row, as far apart as it takes
+    rows      from a start on both ways, hole by hole: where the next one is expected, something round and as
+              dark has to be. A few may be missing, and are put in between.
 
-Needs OpenCV, the extra `vision`. Source: ECMA-10 (sprocket holes .046 in, code holes .072 in, a pitch .1 in).
+Rows are found among code holes too, and in many a picture without a tape: sheet.py says which are a tape's.
+Holes are dark; the picture of a tape lit from behind has to be inverted. Needs OpenCV, the extra `vision`.
 """
 
 from typing import Any, NamedTuple
@@ -12,145 +14,245 @@ from typing import Any, NamedTuple
 import cv2
 import numpy as np
 
-from tapes.errors import TapeError
-
 Array = np.ndarray[Any, Any]
 
-_SMALL = (0.06, 0.26)
-"""The area of a sprocket hole in square pitches, .166 by the book; a code hole's is .407."""
-_SMOOTHED = (1.5, 3)
-_DEPTH = 0.35
-"""Where the edge of a hole is put, between paper 0 and hole 1: a blurred sprocket hole is shallow."""
-_ROUND = 0.6
-_REACH = 0.35
-_LONGEST_GAP = 3
-_FEWEST = 4
-_SEEDS = 40
-_HALF_WIDTH = 6
+FEWEST = 10
+"""Frames of a tape: not even a frame of all holes has so many in a row."""
 
-_Place = tuple[float, float, bool]
-
-
-class Tape(NamedTuple):
-    """What was found: paper, 1 or 0 each pixel; the pitch in pixels; the sprocket holes of each strip.
-
-    A strip is an array of (x, y, seen), a row a frame; what is not seen was put in between two that are.
-    """
-
-    paper: Array
-    pitch: float
-    strips: list[Array]
+_STEP = 2**0.5
+"""From one size of the picture to the next."""
+_NEAR, _FAR = 4.7, 10.5
+"""Pixels from hole to hole that are looked for at each size."""
+_MOST_SPOTS = 12_000
+_FAINTEST = 0.015
+_MOST_ROWS = 60
+_LONGEST_GAP = 12
+_AFTER_GAP = 4
+"""So many holes in a row have to follow a gap of more than two."""
+_REACH = 0.32
+_SAMPLES = 10
+"""Of a row's distance, where a hole is measured."""
 
 
-class _Hole(NamedTuple):
-    x: float
-    y: float
-    area: float
+class Row(NamedTuple):
+    """Holes in a row: places (n, 2) in pixels, and which were seen; the others were put in between."""
+
+    places: Array
+    seen: Array
 
 
-def find(light: Array) -> Tape:
-    """Return the tape in a picture in shades of grey, smoothed as far as shows most sprocket holes.
+class Sizes(NamedTuple):
+    """A picture in several sizes, each smaller than the one before by the square root of 2."""
 
-    Raises TapeError if there is none.
-    """
-    found = [_find(light), *(_find(cv2.GaussianBlur(light, (0, 0), pixels)) for pixels in _SMOOTHED)]
-    best = max(found, key=lambda tape: sum(strip[:, 2].sum() for strip in tape.strips))
-    if not best.strips:
-        raise TapeError("no tape in the picture: no row of sprocket holes was found")
-    return best
+    pictures: list[Array]
 
-
-def _find(light: Array) -> Tape:
-    paper, holes = _paper(light)
-    if len(holes) < _FEWEST:
-        return Tape(paper, 0, [])
-    pitch = _pitch(holes)
-    return Tape(paper, pitch, _strips(holes, pitch))
+    def for_step(self, step: float) -> tuple[Array, float]:
+        """Return the picture in which `step` pixels of the first are some 11, and its scale."""
+        at = int(np.clip(np.floor(np.log(step / 9) / np.log(_STEP)), 0, len(self.pictures) - 1))
+        return self.pictures[at], self.pictures[at].shape[1] / self.pictures[0].shape[1]
 
 
-def _paper(light: Array) -> tuple[Array, list[_Hole]]:
-    middle, _ = cv2.threshold(light, 0, 1, cv2.THRESH_BINARY | cv2.THRESH_OTSU)
-    if light.min() == light.max():
-        return light, []
-    below, above = (float(light[where].mean()) for where in (light <= middle, light > middle))
-    masks = [(light > above - _DEPTH * (above - below)), (light < below + _DEPTH * (above - below))]
-    found = [(mask.astype(np.uint8), _round_holes(mask.astype(np.uint8))) for mask in masks]
-    return max(found, key=lambda pair: len(pair[1]))
+def sizes(light: Array) -> Sizes:
+    """Return the picture, shades of grey, in all sizes in which a row may be found."""
+    pictures = [light.astype(np.float32)]
+    while min(pictures[-1].shape) > 90:
+        scale = _STEP ** -len(pictures)
+        wide, high = (max(1, round(length * scale)) for length in light.shape[::-1])
+        pictures.append(cv2.resize(pictures[0], (wide, high), interpolation=cv2.INTER_AREA))
+    return Sizes(pictures)
 
 
-def _round_holes(paper: Array) -> list[_Hole]:
-    outlines, tree = cv2.findContours(paper, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
-    holes = []
-    for number, outline in enumerate(outlines):
-        area, around = cv2.contourArea(outline), cv2.arcLength(outline, True)
-        is_hole = tree[0][number][3] >= 0
-        if is_hole and area >= 4 and 4 * np.pi * area >= _ROUND * around * around:
-            x, y = outline[:, 0].mean(axis=0)
-            holes.append(_Hole(float(x), float(y), area - around / 2))  # its outline runs through the paper
-    return holes
+def starts(pictures: Sizes) -> list[Array]:
+    """Return places (FEWEST, 2) of spots in a row, in pixels, the clearest first."""
+    found: list[tuple[float, Array]] = []
+    for picture in pictures.pictures:
+        scale = picture.shape[1] / pictures.pictures[0].shape[1]
+        places, depths = _spots(picture)
+        for row in _straight(places, picture.shape):
+            found.append((float(np.median(depths[row]) - depths[row].std()), (places[row] + 0.5) / scale - 0.5))
+    return [row for _, row in sorted(found, key=lambda pair: -pair[0])]
 
 
-def _pitch(holes: list[_Hole]) -> float:
-    """Return the distance of most holes to the nearest other."""
-    places = np.array([(hole.x, hole.y) for hole in holes])
-    nearest = [np.partition(_away(places, place), 1)[1] for place in places]
-    return float(np.median(nearest))
+def _spots(picture: Array) -> tuple[Array, Array]:
+    """Return where it is darker than around, and by which part of the light there."""
+    around = cv2.blur(picture, (41, 41)) + 4
+    relative = picture / around
+    depth = cv2.GaussianBlur(relative, (0, 0), 2.1) - cv2.GaussianBlur(relative, (0, 0), 1.1)
+    faintest = max(_FAINTEST, 3 * 1.48 * float(np.median(abs(depth[::5, ::5]))))
+    top = (depth >= cv2.dilate(depth, np.ones((3, 3), np.uint8))) & (depth > faintest)
+    y, x = np.nonzero(top)
+    depths = depth[y, x]
+    if len(x) > _MOST_SPOTS:
+        kept = np.argpartition(-depths, _MOST_SPOTS)[:_MOST_SPOTS]
+        y, x, depths = y[kept], x[kept], depths[kept]
+    return np.stack([x, y], axis=1).astype(float), depths
 
 
-def _away(places: Array, place: Array) -> Array:
-    return np.asarray(np.hypot(places[:, 0] - place[0], places[:, 1] - place[1]))
+def _straight(places: Array, shape: tuple[int, ...]) -> Array:
+    """Return the numbers (n, FEWEST) of spots that follow each other at like distances and directions."""
+    if len(places) < FEWEST:
+        return np.empty((0, FEWEST), int)
+    margin = 2 * int(_FAR) + 4
+    which = np.full((shape[0] + 2 * margin, shape[1] + 2 * margin), -1, np.int32)
+    x, y = (places[:, axis].astype(int) + margin for axis in (0, 1))
+    for aside, down in ((-1, -1), (-1, 1), (1, -1), (1, 1), (-1, 0), (1, 0), (0, -1), (0, 1), (0, 0)):
+        which[y + down, x + aside] = np.arange(len(places))
+
+    def spot_at(place: Array) -> Array:
+        column, line = (np.rint(place[:, axis]).astype(int) + margin for axis in (0, 1))
+        inside = (column >= 0) & (column < which.shape[1]) & (line >= 0) & (line < which.shape[0])
+        return np.where(inside, which[line * inside, column * inside], -1)
+
+    reach = range(-int(_FAR), int(_FAR) + 1, 2)
+    pairs = [np.empty((0, 2), int)]
+    for offset in [(aside, down) for aside in reach for down in reach if (aside, down) > (0, 0)]:
+        if _NEAR - 1 < np.hypot(*offset) < _FAR + 1:
+            other = spot_at(places + offset)
+            pairs.append(np.stack([np.arange(len(places)), other], axis=1)[other >= 0])
+    rows = np.unique(np.concatenate(pairs), axis=0)
+    length = np.hypot(*(places[rows[:, 1]] - places[rows[:, 0]]).T)
+    rows = rows[(length > _NEAR) & (length < _FAR)]
+    while rows.shape[1] < FEWEST and len(rows):
+        last, step = places[rows[:, -1]], places[rows[:, -1]] - places[rows[:, -2]]
+        if rows.shape[1] > 2:
+            step = (step + places[rows[:, -2]] - places[rows[:, -3]]) / 2
+        following = spot_at(last + step)
+        near = np.hypot(*(places[following] - last - step).T) < 0.28 * np.hypot(*step.T)
+        kept = (following >= 0) & near
+        rows = np.concatenate([rows, following[:, None]], axis=1)[kept]
+    return rows
 
 
-def _strips(holes: list[_Hole], pitch: float) -> list[Array]:
-    least, most = (share * pitch * pitch for share in _SMALL)
-    small = np.array([(hole.x, hole.y) for hole in holes if least <= hole.area <= most]).reshape(-1, 2)
-    strips = []
-    while len(small) >= _FEWEST:
-        chain = _longest(small, pitch)
-        if chain is None:
+def follow(pictures: Sizes, start: Array) -> Row:
+    """Return the whole row that a start belongs to."""
+    places = _measured_all(pictures, start)
+    depth = float(np.median([depth for _, depth in places]))
+    chain = [place for place, _ in places]
+    after = _onward(pictures, chain, depth)
+    before = _onward(pictures, chain[::-1], depth)
+    whole = [*before[::-1], *((place, True) for place in chain), *after]
+    return Row(np.array([place for place, _ in whole]), np.array([seen for _, seen in whole]))
+
+
+def _measured_all(pictures: Sizes, start: Array) -> list[tuple[Array, float]]:
+    steps = np.gradient(start, axis=0)
+    return [measured(pictures, place, step)[:2] for place, step in zip(start, steps, strict=True)]
+
+
+def _onward(pictures: Sizes, chain: list[Array], depth: float) -> list[tuple[Array, bool]]:
+    """Follow the holes beyond the chain's last, as far as no gap is too long."""
+    known = [(at, place) for at, place in enumerate(chain)][-14:]
+    found: list[tuple[Array, bool]] = []
+    waiting: list[tuple[Array, bool]] = []
+    at = len(chain)
+    height, width = pictures.pictures[0].shape
+    while len(waiting) - sum(seen for _, seen in waiting) <= _LONGEST_GAP:
+        gap = at - known[-1][0]
+        place, step = _expected(known, at, bend=gap < 4 or len(known) > 12)
+        if not (0 <= place[0] < width and 0 <= place[1] < height) or np.hypot(*step) < 3:
             break
-        strips.append(chain)
-        apart = np.min([_away(small, place) for place in chain], axis=0) > _HALF_WIDTH * pitch
-        small = small[apart]
-    return sorted(strips, key=lambda chain: float(chain[:, 1].mean()))
-
-
-def _longest(small: Array, pitch: float) -> Array | None:
-    """Return the longest row of holes, followed from some of them; None if all are too short."""
-    best: list[_Place] = []
-    for start in small[:: max(1, len(small) // _SEEDS)]:
-        for other in small[abs(_away(small, start) - pitch) < 0.2 * pitch]:
-            step = other - start
-            before, after = (_follow(small, start, way, pitch) for way in (-step, step))
-            chain = [*before[::-1], (float(start[0]), float(start[1]), True), *after]
-            best = max(best, chain, key=_seen)
-        if _seen(best) > len(small) // 2:
-            break
-    return np.array(best, dtype=float) if _seen(best) >= _FEWEST else None
-
-
-def _seen(chain: list[_Place]) -> int:
-    return sum(seen for _, _, seen in chain)
-
-
-def _follow(small: Array, start: Array, step: Array, pitch: float) -> list[_Place]:
-    """Follow the holes from `start` on, a step at a time, as far as no gap is too long."""
-    chain: list[_Place] = []
-    missing: list[_Place] = []
-    here = start
-    while len(missing) <= _LONGEST_GAP:
-        there = here + step
-        away = _away(small, there)
-        nearest = int(away.argmin())
-        seen = bool(away[nearest] <= _REACH * pitch)
+        there, deep, _ = measured(pictures, place, step)
+        seen = deep > 0.45 * depth and np.hypot(*(there - place)) < _REACH * np.hypot(*step)
+        waiting.append((there if seen else place, bool(seen)))
         if seen:
-            there = small[nearest]
-            chain += missing
-            if not missing:
-                step = 0.7 * step + 0.3 * (there - here)
-            missing = []
-            chain.append((float(there[0]), float(there[1]), True))
-        else:
-            missing.append((float(there[0]), float(there[1]), False))
-        here = there
-    return chain
+            known = [*known, (at, there)][-14:]
+            depth = 0.9 * depth + 0.1 * deep
+        run = _run(waiting)
+        if run and (len(waiting) - run <= 2 or run >= _AFTER_GAP):
+            found += waiting
+            waiting = []
+        elif not seen and waiting and any(was for _, was in waiting):
+            lost = {at - len(waiting) + 1 + number for number, (_, was) in enumerate(waiting) if was}
+            known = [pair for pair in known if pair[0] not in lost] or known
+            waiting = [(where, False) for where, _ in waiting]
+        at += 1
+    return found
+
+
+def _run(waiting: list[tuple[Array, bool]]) -> int:
+    run = 0
+    while run < len(waiting) and waiting[-1 - run][1]:
+        run += 1
+    return run
+
+
+def _expected(known: list[tuple[int, Array]], at: int, bend: bool) -> tuple[Array, Array]:
+    """Return where hole `at` is expected and the step there, by those before it."""
+    numbers = np.array([number for number, _ in known], dtype=float) - at
+    places = np.array([place for _, place in known])
+    powers = 2 if bend and len(known) > 5 else 1
+    curve = np.polyfit(numbers, places, powers)
+    return curve[-1], curve[-2]
+
+
+def measured(pictures: Sizes, place: Array, step: Array) -> tuple[Array, float, float]:
+    """Return the middle of the hole that is nearest to `place`, how much darker than around it, as a part of
+    the light there, and that light. `step` leads to the next hole.
+    """
+    picture, scale = pictures.for_step(float(np.hypot(*step)))
+    along = step / _SAMPLES
+    across = np.array([-along[1], along[0]])
+    x = place[0] + along[0] * _GRID[0] + across[0] * _GRID[1]
+    y = place[1] + along[1] * _GRID[0] + across[1] * _GRID[1]
+    patch = _at(picture, (x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5)
+    level = float(np.quantile(patch, 0.7)) + 4
+    depth = cv2.filter2D(patch / level, -1, _HOLE, borderType=cv2.BORDER_REPLICATE)[_INNER]
+    down, aside = np.unravel_index(int(depth.argmax()), depth.shape)
+    top = float(depth[down, aside])
+    off = np.array([aside, down], float) - _INSIDE
+    if 0 < down < depth.shape[0] - 1 and 0 < aside < depth.shape[1] - 1:
+        off += (
+            _vertex(depth[down, aside - 1], top, depth[down, aside + 1]),
+            _vertex(depth[down - 1, aside], top, depth[down + 1, aside]),
+        )
+    return place + off[0] * along + off[1] * across, top, level
+
+
+def _vertex(before: float, top: float, after: float) -> float:
+    curvature = before - 2 * top + after
+    return float(0.5 * (before - after) / curvature) if curvature < 0 else 0.0
+
+
+def _kernel() -> Array:
+    y, x = np.mgrid[-4:5, -4:5] / _SAMPLES
+    away = np.hypot(x, y)
+    inside, ring = np.exp(-0.5 * (away / 0.15) ** 2), ((away > 0.3) & (away < 0.44)).astype(float)
+    return np.asarray((ring / ring.sum() - inside / inside.sum()), dtype=np.float32)
+
+
+_INSIDE = 4
+_SIDE = _INSIDE + 4
+_GRID = np.mgrid[-_SIDE : _SIDE + 1, -_SIDE : _SIDE + 1].astype(float)[::-1]
+_INNER = (slice(4, -4), slice(4, -4))
+_HOLE = _kernel()
+
+
+def _at(picture: Array, x: Array, y: Array) -> Array:
+    return np.asarray(
+        cv2.remap(
+            picture,
+            x.astype(np.float32),
+            y.astype(np.float32),
+            cv2.INTER_LINEAR,
+            borderMode=cv2.BORDER_REPLICATE,
+        )
+    )
+
+
+def rows(pictures: Sizes) -> list[Row]:
+    """Return the rows of holes in a picture, the longest first; none twice."""
+    found: list[Row] = []
+    for start in starts(pictures):
+        if len(found) == _MOST_ROWS:
+            break
+        if all(apart(row, start[FEWEST // 2], 0.5) for row in found):
+            found.append(follow(pictures, start))
+    return sorted((row for row in found if row.seen.sum() >= FEWEST), key=lambda row: -int(row.seen.sum()))
+
+
+def apart(row: Row, place: Array, steps: float) -> bool:
+    """Tell whether a place is farther than so many steps from each hole of a row."""
+    away = np.hypot(*(row.places - place).T)
+    nearest = int(away.argmin())
+    near = row.places[max(0, nearest - 1) : nearest + 2]
+    return bool(away[nearest] > steps * np.hypot(*np.diff(near, axis=0).T).mean())
