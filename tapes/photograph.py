@@ -17,6 +17,7 @@ Needs OpenCV, the extra `vision`. Source: ECMA-10.
 
 from typing import NamedTuple
 
+import cv2
 import numpy as np
 
 from tapes import pixels, sheet, sprockets
@@ -26,7 +27,7 @@ from tapes.sheet import SAMPLES, Flat, Found
 
 DOUBTFUL = 0.5
 """A frame of less confidence wants to be looked at."""
-FEWEST_PIXELS = 5.5
+FEWEST_PIXELS = 5.2
 """From row to row and from track to track."""
 
 _TRACKS = np.array([-3, -2, -1, 1, 2, 3, 4, 5], dtype=float)
@@ -119,10 +120,11 @@ class _Cells(NamedTuple):
 
 def _frames(pictures: sprockets.Sizes, tape: Found) -> list[Frame]:
     flat = sheet.flatten(pictures, tape.sheet)
+    flat = flat._replace(light=cv2.GaussianBlur(flat.light, (0, 0), 0.08 * SAMPLES))
     on_paper = _on_paper(flat, tape.sheet.length)
     cells = _cells(flat, tape.sheet.length)
     along, across = tape.sheet.pitches()
-    least = float(np.minimum(along, across)[on_paper].min())
+    least = float(np.quantile(np.minimum(along, across)[on_paper], 0.02))
     if least < FEWEST_PIXELS:
         raise TapeError(f"rows and tracks are only {least:.1f} pixels apart: 6 are needed")
     doubts = _doubts(cells, tape, on_paper)
@@ -132,8 +134,8 @@ def _frames(pictures: sprockets.Sizes, tape: Found) -> list[Frame]:
         worse = where & (most < confidence)
         confidence = np.where(worse, most, confidence)
         why[worse] = reason
-    u = np.repeat(np.arange(tape.sheet.length, dtype=float)[:, None], 9, axis=1)
-    places = tape.sheet.place(u, np.broadcast_to(np.concatenate([[0], _TRACKS]), u.shape))
+    u = np.arange(tape.sheet.length, dtype=float)[:, None]
+    places = tape.sheet.place(u, np.concatenate([[0], _TRACKS]))
     frames = [
         Frame(
             sum(1 << channel for channel in range(8) if cells.core[at, channel] > 0.5),
@@ -240,7 +242,7 @@ def _doubts(cells: _Cells, tape: Found, on_paper: Array) -> list[tuple[str, Arra
     contrast = cells.full[:, None] * cells.paper
     rows = [
         ("its sprocket hole is not seen", unseen, 0.4),
-        ("holes are not at their places", tape.astray > 0.13, 0.35),
+        ("holes are not at their places", tape.astray > 0.08, 0.35),
         ("an edge of the paper is not seen", ~tape.edged, 0.45),
     ]
     del ends

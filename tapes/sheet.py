@@ -33,9 +33,11 @@ SAMPLES = 12
 _REACH = 8
 """Pitches from the row to each side that are flattened."""
 _WINDOW = 8
-_KNOTS, _STIFF_KNOTS = 6, 16
-_SKEWS = np.linspace(-0.6, 0.6, 25)
-_WIDTHS = np.geomspace(0.6, 1.7, 25)
+_KNOTS, _STIFF_KNOTS = 6, 10
+_SKEW_STEP, _WIDTH_STEP = 0.05, 0.045
+_SKEWS = _SKEW_STEP * np.arange(-12, 13)
+_WIDTHS = np.exp(_WIDTH_STEP * np.arange(-11, 13))
+_EVERY, _STIFFNESS = 4, 0.03
 _ASTRAY = 0.3
 _FULL = 12
 
@@ -72,14 +74,12 @@ class Sheet(NamedTuple):
     narrowing: Array
 
     def place(self, u: Array, v: Array) -> Array:
-        """Return the pixels (..., 2) of places on the tape, arrays of one shape."""
-        flat = u.ravel()
-        rows, number = np.unique(flat, return_inverse=True)
+        """Return the pixels (..., 2) of places on the tape: arrays that are broadcast together."""
+        rows = u.ravel()
         soft, stiff = self.soft.at(rows), self.stiff.at(rows)
-        a, b, w = soft @ self.middle, stiff @ self.across, stiff @ self.narrowing
-        side = v.ravel()[:, None]
-        there = a[number] + side * b[number] / (1 + side * w[number][:, None])
-        return np.asarray(there.reshape(*u.shape, 2))
+        a, b = ((weights @ place).reshape(*u.shape, 2) for weights, place in ((soft, self.middle), (stiff, self.across)))
+        w = (stiff @ self.narrowing).reshape(u.shape)
+        return np.asarray(a + b * (v / (1 + v * w))[..., None])
 
     @property
     def length(self) -> int:
@@ -89,7 +89,7 @@ class Sheet(NamedTuple):
     def pitches(self) -> tuple[Array, Array]:
         """Return the pixels from row to row and from track to track, for each row the least of both sides."""
         u = np.arange(self.length, dtype=float)
-        sides = [np.full_like(u, side) for side in (-THREE, 0, THREE)]
+        sides = [np.array([side]) for side in (-THREE, 0, THREE)]
         along = [np.hypot(*(self.place(u + 0.5, side) - self.place(u - 0.5, side)).T) for side in sides]
         across = [np.hypot(*(self.place(u, side + 0.5) - self.place(u, side - 0.5)).T) for side in sides]
         return np.min(along, axis=0), np.min(across, axis=0)
@@ -117,10 +117,13 @@ def holes_at(u: Array, v: Array, pixels: Array, weight: float = 1) -> Points:
     return Points(u, v, pixels, np.full(len(u), weight), np.zeros((len(u), 2)))
 
 
-def fit(length: int, points: Points, first: Sheet | None = None) -> Sheet:
-    """Return the sheet of `length` rows that fits the points best, by least squares."""
+def fit(length: int, points: Points, first: Sheet | None = None, knots: int = _STIFF_KNOTS) -> Sheet:
+    """Return the sheet of `length` rows that fits the points best, by least squares.
+
+    What crosses the tape may bend every `knots` rows.
+    """
     soft = Spline(length, max(1, round(length / _KNOTS)))
-    stiff = Spline(length, max(1, round(length / _STIFF_KNOTS)))
+    stiff = Spline(length, max(1, round(length / knots)))
     pitch = float(np.hypot(*(points.pixels.max(axis=0) - points.pixels.min(axis=0)))) / max(length, 10)
     base = first.place(points.u, 0 * points.v) if first else points.pixels
     a, b = soft.at(points.u), stiff.at(points.u)
@@ -138,8 +141,8 @@ def fit(length: int, points: Points, first: Sheet | None = None) -> Sheet:
     stiffness = [
         _placed(0.02 * soft.bends(), 0, on_x.shape[1]),
         _placed(0.02 * soft.bends(), count_a, on_x.shape[1]),
-        _placed(0.5 * stiff.bends(), 2 * count_a, on_x.shape[1]),
-        _placed(0.5 * stiff.bends(), 2 * count_a + count_b, on_x.shape[1]),
+        _placed(0.15 * stiff.bends(), 2 * count_a, on_x.shape[1]),
+        _placed(0.15 * stiff.bends(), 2 * count_a + count_b, on_x.shape[1]),
         _placed(20 * stiff.bends(), 2 * count_a + 2 * count_b, on_x.shape[1]),
         _placed(3 * np.eye(count_b), 2 * count_a + 2 * count_b, on_x.shape[1]),
     ]
@@ -202,7 +205,7 @@ def flatten(pictures: Sizes, sheet: Sheet, reach: float = _REACH) -> Flat:
         rows = np.clip(np.rint(part).astype(int), 0, sheet.length - 1)
         step = float(np.sqrt(along[rows].mean() * across[rows].mean()))
         picture, scale = pictures.for_step(step)
-        places = sheet.place(*np.meshgrid(part, v))
+        places = sheet.place(part[None, :], v[:, None])
         x, y = ((places[..., axis] + 0.5) * scale - 0.5 for axis in (0, 1))
         pieces.append(
             cv2.remap(
@@ -279,10 +282,10 @@ def find(pictures: Sizes, row: Row) -> Found:
 def _by_holes(pictures: Sizes, row: Row) -> Sheet:
     """Return the sheet of a row by the holes beside it, whatever track it is."""
     sheet = _first(pictures, row)
-    for reach in (3, 6, 9, 9):
-        flat = flatten(pictures, sheet, _FULL)
+    for reach, knots in ((2, 60), (2, 40), (3, 30), (5, 20), (7, 14), (9, _STIFF_KNOTS)):
+        flat = flatten(pictures, sheet, reach + 1.5)
         holes, _ = _holes(flat, sheet, range(-reach, reach + 1))
-        sheet = fit(sheet.length, _sprocket_points(row).and_(holes).and_(_faint(sheet)), sheet)
+        sheet = fit(sheet.length, _sprocket_points(row).and_(holes).and_(_faint(sheet)), sheet, knots)
     return sheet
 
 
@@ -323,24 +326,38 @@ def _first(pictures: Sizes, row: Row) -> Sheet:
     along = u[:, None, None] + skews[:, None] * tracks * widths[:, None]
     aside = np.broadcast_to(tracks * widths[:, None], along.shape)
     depth = flat.take(np.minimum(spots, np.quantile(spots, 0.98)), along, aside).mean(axis=2)
-    gathered = cv2.blur(depth, (1, 2 * _WINDOW + 1), borderType=cv2.BORDER_REFLECT)
-    best = gathered.argmax(axis=1)
-    weight = np.maximum(gathered.max(axis=1) - 1.5 * np.median(gathered, axis=1), 0) + 1e-6
-    skew, width = (_smoothed(values[best], weight) for values in (skews, widths))
-    return fit(length, _beside(row, (square + skew[:, None] * steps) * width[:, None]))
+    best = _likeliest(depth, np.stack([skews / _SKEW_STEP, np.log(widths) / _WIDTH_STEP], axis=1))
+    across = (square + skews[best][:, None] * steps) * widths[best][:, None]
+    return fit(length, _beside(row, across), None, 60)
 
 
-def _beside(row: Row, across: Array) -> Points:
+def _likeliest(depth: Array, states: Array) -> Array:
+    """Return for each row which state (n, 2) fits best if it changes little from row to row: of all paths,
+    the one that gathers most of `depth` (rows, n).
+    """
+    rows = np.arange(0, len(depth), _EVERY)
+    gathered = cv2.blur(depth, (1, 2 * _WINDOW + 1), borderType=cv2.BORDER_REFLECT)[rows]
+    score = (gathered - np.median(gathered)) / (gathered.max() - np.median(gathered) + 1e-9)
+    change = _STIFFNESS * ((states[:, None] - states) ** 2).sum(axis=2)
+    total, ways = score[0], []
+    for here in score[1:]:
+        reached = total[:, None] - change
+        ways.append(reached.argmax(axis=0))
+        total = reached.max(axis=0) + here
+    path = [int(total.argmax())]
+    for way in ways[::-1]:
+        path.append(int(way[path[-1]]))
+    return np.array(path[::-1])[np.minimum(np.arange(len(depth)) // _EVERY, len(path) - 1)]
+
+
+def _beside(row: Row, across: Array, weight: Array | float = 1) -> Points:
+    """Return the row, and places three pitches beside it that count as `weight` says."""
     points = _sprocket_points(row)
-    for side in (-3, 3):
-        points = points.and_(holes_at(points.u[: len(across)], np.full(len(across), float(side)), row.places + side * across, 0.3))
+    for side in (-3.0, 3.0):
+        u = np.arange(len(across), dtype=float)
+        aside = holes_at(u, np.full_like(u, side), row.places + side * across)
+        points = points.and_(aside._replace(weight=0.3 * weight * np.ones(len(u))))
     return points
-
-
-def _smoothed(values: Array, weight: Array) -> Array:
-    size = (1, 2 * _WINDOW + 1)
-    total = cv2.blur((values * weight)[:, None], size, borderType=cv2.BORDER_REFLECT)
-    return np.asarray((total / cv2.blur(weight[:, None], size, borderType=cv2.BORDER_REFLECT))[:, 0])
 
 
 def _spots(dark: Array) -> Array:
@@ -373,7 +390,24 @@ def _holes(flat: Flat, sheet: Sheet, tracks: range) -> tuple[Points, Array]:
     count = np.bincount(u.astype(int), minlength=sheet.length).astype(float)
     width = np.ones(7)
     astray = np.sqrt(np.convolve(squares, width, "same") / np.maximum(np.convolve(count, width, "same"), 1))
-    return holes_at(u, v, sheet.place(u + off_u, v + off_v)), astray
+    astray = np.maximum(astray, _strays(flat, sheet, spots, 0.6 * sprocket))
+    found = holes_at(u, v, sheet.place(u + off_u, v + off_v))
+    trust = 1 / (1 + (astray / 0.07) ** 4)
+    return found._replace(weight=trust[u.astype(int)] / (1 + (off_u**2 + off_v**2) / 0.1**2)), astray
+
+
+def _strays(flat: Flat, sheet: Sheet, spots: Array, limit: float) -> Array:
+    """Return for each row how far from its place a spot near it is, if it is at no place of a hole at all."""
+    size = round(0.6 * SAMPLES) | 1
+    y, x = np.nonzero((spots > limit) & (spots >= cv2.dilate(spots, np.ones((size, size), np.uint8))))
+    u, v = x / SAMPLES + flat.first, y / SAMPLES - flat.reach
+    off = np.maximum(abs(u - np.rint(u)), abs(v - np.rint(v)))
+    stray = (off > _ASTRAY) & (v > 0.7 - THREE) & (v < FIVE - 0.7) & (u > -0.5) & (u < sheet.length - 0.5)
+    found = np.zeros(sheet.length)
+    for row, away in zip(np.rint(u[stray]).astype(int), off[stray], strict=True):
+        near = slice(max(0, row - 2), row + 3)
+        found[near] = np.maximum(found[near], away)
+    return found
 
 
 def _vertex(before: Array, top: Array, after: Array) -> Array:
