@@ -89,19 +89,15 @@ def _strips(light: Array) -> tuple[list[tuple[sprockets.Sizes, Found]], str]:
     pictures = sprockets.sizes(light)
     found: list[tuple[sprockets.Sizes, Found]] = []
     why: list[str] = []
-    taken: list[sprockets.Row] = []
     for row in sprockets.rows(pictures):
         if len(why) >= _FAILURES:
             break
-        if all(sprockets.apart(other, row.places[len(row.places) // 2], 7) for other in taken):
-            try:
-                tape = sheet.find(pictures, row)
-            except TapeError as error:
-                why.append(str(error))
-                continue
-            u = np.arange(tape.sheet.length, dtype=float)
-            taken.append(sprockets.Row(tape.sheet.place(u, 0 * u), tape.seen))
-            found.append((pictures, tape))
+        if any(tape.sheet.covers(row.places) for _, tape in found):
+            continue
+        try:
+            found.append((pictures, sheet.find(pictures, row)))
+        except TapeError as error:
+            why.append(str(error))
     return found, why[0] if why else "no row of small round holes was found"
 
 
@@ -121,13 +117,15 @@ class _Cells(NamedTuple):
 def _frames(pictures: sprockets.Sizes, tape: Found) -> list[Frame]:
     flat = sheet.flatten(pictures, tape.sheet)
     flat = flat._replace(light=cv2.GaussianBlur(flat.light, (0, 0), 0.08 * SAMPLES))
-    on_paper = _on_paper(flat, tape.sheet.length)
+    on_paper = _on_paper(flat, tape.edged)
+    if on_paper.sum() < sprockets.FEWEST:
+        raise TapeError(_NO_TAPE + "no paper around the row of holes")
     cells = _cells(flat, tape.sheet.length)
     along, across = tape.sheet.pitches()
     least = float(np.quantile(np.minimum(along, across)[on_paper], 0.02))
     if least < FEWEST_PIXELS:
         raise TapeError(f"rows and tracks are only {least:.1f} pixels apart: 6 are needed")
-    doubts = _doubts(cells, tape, on_paper)
+    doubts = _doubts(cells, tape, _ends(flat, tape.sheet, pictures, on_paper))
     confidence = np.minimum(abs(cells.core - 0.5) * 2, 1)
     why = np.full(confidence.shape, "between paper and hole", dtype=object)
     for reason, where, most in doubts:
@@ -157,19 +155,38 @@ def _refuse_doubtful(frames: list[Frame]) -> None:
         raise TapeError(f"{len(why)} of {len(frames)} frames are doubtful, most of them: {most}")
 
 
-def _on_paper(flat: Flat, length: int) -> Array:
-    """Return which rows have paper around them: from the first that has to the last."""
-    u = np.arange(length, dtype=float)[:, None]
+def _on_paper(flat: Flat, edged: Array) -> Array:
+    """Return which rows have paper around them, and a hole in it: from the first that has to the last."""
+    u = np.arange(len(edged), dtype=float)[:, None]
     v = np.arange(-2.5, 5)
-    light = np.stack([flat.take(flat.light, *np.broadcast_arrays(u + off, v)) for off in (-0.3, 0, 0.3)])
-    level = np.median(light, axis=(0, 2))
-    around = np.array([np.median(level[max(0, at - 6) : at + 7]) for at in range(length)])
-    hole = 1 - np.median(flat.take(flat.dark, u, 0 * u))
-    rows = np.nonzero(level > around * (1 + hole) / 2)[0]
-    there = np.zeros(length, dtype=bool)
+    light = [flat.take(flat.light, *np.broadcast_arrays(u + off, v)) for off in (-0.3, 0, 0.3)]
+    paper = np.median(np.concatenate(light, axis=1), axis=1)
+    depth = 1 - flat.take(flat.light, u, 0 * u)[:, 0] / np.maximum(paper, 1)
+    rows = np.nonzero(edged & (depth > 0.5 * np.median(depth)))[0]
+    there = np.zeros(len(edged), dtype=bool)
     if len(rows):
         there[rows[0] : rows[-1] + 1] = True
     return there
+
+
+def _ends(flat: Flat, tape: sheet.Sheet, pictures: sprockets.Sizes, on_paper: Array) -> Array:
+    """Return which rows are a first or last one beyond which there is room for another one on the paper."""
+    found = np.zeros(len(on_paper), dtype=bool)
+    rows = np.nonzero(on_paper)[0]
+    v = np.arange(-2.5, 5)
+    for end, way in ((rows[0], -1), (rows[-1], 1)):
+        near = end - way * np.arange(0.5, 6)[:, None]
+        paper = np.median(flat.take(flat.light, *np.broadcast_arrays(near, v)))
+        hole = np.quantile(flat.take(flat.light, *np.broadcast_arrays(near + 0.5, 0 * v)), 0.25)
+        light, inside = [], True
+        for off in (0.8, 1.1):
+            there = np.array([float(end + way * off)])
+            x, y = tape.place(there, v).T
+            height, width = pictures.pictures[0].shape
+            inside &= bool((x > 0).all() and (y > 0).all() and (x < width - 1).all() and (y < height - 1).all())
+            light.append(np.median(flat.take(flat.light, *np.broadcast_arrays(there, v))))
+        found[end] = inside and min(light) > (paper + hole) / 2
+    return found
 
 
 _OFFSETS = np.arange(-4, 5) / SAMPLES
@@ -231,21 +248,20 @@ def _full(core: Array, sprocket: Array) -> Array:
     return np.maximum(full, 0.01)
 
 
-def _doubts(cells: _Cells, tape: Found, on_paper: Array) -> list[tuple[str, Array, float]]:
+def _doubts(cells: _Cells, tape: Found, beyond: Array) -> list[tuple[str, Array, float]]:
     """Return why a place is doubtful, where (n, 8), and the most confidence that is left to it."""
     everywhere = np.ones(cells.core.shape, dtype=bool)
     hole = cells.core > 0.5
     blank_far, hole_far = cells.most > 0.5, cells.most < 0.25
-    ends = np.nonzero(on_paper)[0][[0, -1]]
     unseen = ~tape.seen | (cells.sprocket < 0.4) | (cells.sprocket > 1.6)
     noise = _noise(cells.core, hole)
     contrast = cells.full[:, None] * cells.paper
     rows = [
+        ("the tape goes on beyond it, where no sprocket hole is seen", beyond, 0.2),
         ("its sprocket hole is not seen", unseen, 0.4),
         ("holes are not at their places", tape.astray > 0.08, 0.35),
         ("an edge of the paper is not seen", ~tape.edged, 0.45),
     ]
-    del ends
     return [
         ("not a round hole: torn, or dirt", hole & ((cells.ring > 0.6).sum(axis=0) >= 2), 0.3),
         ("a hole that is not dark throughout", hole & hole_far, 0.3),

@@ -81,6 +81,14 @@ class Sheet(NamedTuple):
         w = (stiff @ self.narrowing).reshape(u.shape)
         return np.asarray(a + b * (v / (1 + v * w))[..., None])
 
+    def covers(self, places: Array) -> bool:
+        """Tell whether it lies beneath or close beside some of the places (n, 2), in pixels."""
+        u = np.linspace(-1, self.length, 4 * self.length)
+        sides = [self.place(along, np.array([aside])) for along, aside in ((u, -5.5), (u[::-1], 7.5))]
+        outline = np.concatenate(sides).astype(np.float32)
+        inside = [cv2.pointPolygonTest(outline, (float(x), float(y)), False) >= 0 for x, y in places]
+        return sum(inside) > 0.2 * len(inside)
+
     @property
     def length(self) -> int:
         """How many rows it has."""

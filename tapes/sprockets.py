@@ -152,11 +152,11 @@ def _onward(pictures: Sizes, chain: list[Array], depth: float) -> list[tuple[Arr
         if not (0 <= place[0] < width and 0 <= place[1] < height) or np.hypot(*step) < 3:
             break
         there, deep, _ = measured(pictures, place, step)
-        seen = deep > 0.45 * depth and np.hypot(*(there - place)) < _REACH * np.hypot(*step)
+        seen = deep > 0.35 * depth and np.hypot(*(there - place)) < _REACH * np.hypot(*step)
         waiting.append((there if seen else place, bool(seen)))
         if seen:
             known = [*known, (at, there)][-14:]
-            depth = 0.9 * depth + 0.1 * deep
+            depth = 0.8 * depth + 0.2 * deep
         run = _run(waiting)
         if run and (len(waiting) - run <= 2 or run >= _AFTER_GAP):
             found += waiting
