@@ -10,8 +10,12 @@ kinds       the kind of a tape, from its frames
 hydrapoint  what the digits of an EIA tape mean to the Moog Hydra-Point
 captions    what each frame says, in a few letters
 picture     a tape as text and as SVG in true geometry
-sprockets   where a tape lies in a photograph
+pixels      a picture's file becomes light
+sprockets   rows of small round holes in a picture
+sheet       the paper around such a row: where each place of a tape lies
 photograph  a photograph of tape becomes frames
+redundancy  what a tape says of its own frames
+correction  what was read from photographs, and the page to correct it
 notebook    a tape that a notebook draws
 measure     what can be said of a tape: its length, time, lines, checksum
 convert     from one code to another

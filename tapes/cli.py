@@ -4,7 +4,7 @@ from importlib.util import find_spec
 
 import click
 
-from tapes import ascii, captions, command, eia, frames, hydrapoint, kinds, measure, picture, shelf
+from tapes import ascii, captions, command, eia, frames, hydrapoint, kinds, measure, picture, progress, shelf
 from tapes import convert as codes
 from tapes.errors import TapeError, called, naming
 
@@ -239,38 +239,37 @@ def punch(
 @tape.command()
 @click.argument("photos", nargs=-1, required=True)
 @click.option("--underside", is_flag=True, help="The tape was photographed from below.")
+@click.option("--page", metavar="FILE", help="Write a page to look at what was read, and to correct it.")
 @_output
-def read(*, photos: tuple[str, ...], underside: bool, output: str) -> None:
+def read(*, photos: tuple[str, ...], underside: bool, page: str | None, output: str) -> None:
     """Read photographs or scans of a tape into frames, one picture after another.
 
-    A picture shows the whole width of the tape, in any direction: the sprocket holes, three channels on one
-    side and five on the other, say which way it is read. Frames that are doubtful are named on standard
-    error with their place in the picture, and what kind of tape it seems to be. Needs OpenCV, the extra
-    `vision`.
+    A picture shows both edges of the tape, which may lie in any direction, be bent, and be seen from aside.
+    Doubtful frames are named on standard error with their place in the picture, and what kind of tape it
+    seems to be. Where the tape's parity, order or checksum says what a doubtful frame must be, that is
+    written, and said. Needs OpenCV, the extra `vision`.
 
     \b
     Examples:
       pdp8 tape read photo.png > photo.asc
-      pdp8 tape read left.jpg right.jpg -o found.bin
+      pdp8 tape read left.jpg right.jpg --page look.html -o found.bin
     """
-    command.check_files(photos, [output])
+    command.check_files(photos, [output, page])
     if find_spec("cv2") is None:
         raise TapeError("reading a picture needs OpenCV: pip install 'pdp8[vision]'")
-    from tapes import photograph
+    from tapes import correction, photograph
 
-    content = b""
+    pictures = []
     for photo in photos:
         picture = shelf.read(photo)
-        with naming(photo):
-            found = photograph.read(picture, underside)
-        for number, frame in enumerate(found, len(content)):
-            if frame.doubtful:
-                place = f"channel {frame.channel}, at {frame.x}, {frame.y} in {called(photo)}"
-                click.echo(f"frame {number}: {frame.holes:03o} is doubtful: {place}", err=True)
-        content += bytes(frame.holes for frame in found)
-    kind = dict(measure.report(content))["tape"]
-    click.echo(f"{len(content):,} frames: {kind}", err=True)
-    shelf.write(output, content)
+        with naming(photo), progress.Busy(f"reading {called(photo)}", wanted=True):
+            pictures.append(correction.Picture(called(photo), picture, photograph.read(picture, underside)))
+    reading = correction.Reading(pictures)
+    for line in reading.report(underside):
+        click.echo(line, err=True)
+    shelf.write(output, reading.tape)
+    if page is not None:
+        shelf.write(page, correction.page(reading).encode())
 
 
 def _check(first: int, length: int) -> None:

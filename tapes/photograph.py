@@ -30,6 +30,9 @@ DOUBTFUL = 0.5
 FEWEST_PIXELS = 5.2
 """From row to row and from track to track."""
 
+UNSEEN = "its sprocket hole is not seen"
+"""Why a frame is doubtful in a gap: it was counted by its distance from those before."""
+
 _TRACKS = np.array([-3, -2, -1, 1, 2, 3, 4, 5], dtype=float)
 """Channels 1 to 8, in pitches from the sprocket track."""
 _WINDOW = 8
@@ -40,14 +43,15 @@ _NO_TAPE = "no tape in the picture: "
 
 
 class Frame(NamedTuple):
-    """A frame as it was seen: its holes, how sure that is, the channel most in doubt, why it is doubtful, and
-    the places in pixels of the sprocket hole and of channels 1 to 8.
+    """A frame as it was seen: its holes, how sure that is, the channel most in doubt, why it is doubtful, all
+    channels in doubt as a mask, and the places in pixels of the sprocket hole and of channels 1 to 8.
     """
 
     holes: int
     confidence: float
     channel: int
     why: str
+    open: int
     places: tuple[tuple[int, int], ...]
 
     @property
@@ -140,6 +144,7 @@ def _frames(pictures: sprockets.Sizes, tape: Found) -> list[Frame]:
             round(float(confidence[at].min()), 2),
             int(confidence[at].argmin()) + 1,
             str(why[at, confidence[at].argmin()]),
+            sum(1 << channel for channel in range(8) if confidence[at, channel] < DOUBTFUL),
             tuple((round(float(x)), round(float(y))) for x, y in places[at]),
         )
         for at in np.nonzero(on_paper)[0]
@@ -258,7 +263,7 @@ def _doubts(cells: _Cells, tape: Found, beyond: Array) -> list[tuple[str, Array,
     contrast = cells.full[:, None] * cells.paper
     rows = [
         ("the tape goes on beyond it, where no sprocket hole is seen", beyond, 0.2),
-        ("its sprocket hole is not seen", unseen, 0.4),
+        (UNSEEN, unseen, 0.4),
         ("holes are not at their places", tape.astray > 0.08, 0.35),
         ("an edge of the paper is not seen", ~tape.edged, 0.45),
     ]

@@ -25,6 +25,15 @@ def light(picture: bytes) -> Array:
 
     Raises TapeError where it is none, or has more than LARGEST pixels by its header.
     """
+    return max(_colours(_decoded(picture)), key=lambda colour: float(colour[::4, ::4].std()))
+
+
+def shown(picture: bytes) -> bytes:
+    """Return the picture as a JPEG file that a page can show, pixel for pixel the same size."""
+    return bytes(cv2.imencode(".jpg", _decoded(picture), [cv2.IMWRITE_JPEG_QUALITY, 85])[1])
+
+
+def _decoded(picture: bytes) -> Array:
     width, height = _size(picture)
     if width * height > LARGEST:
         raise TapeError(f"{width:,} by {height:,} pixels: a picture may have {LARGEST:,}")
@@ -34,7 +43,7 @@ def light(picture: bytes) -> Array:
         decoded = None
     if decoded is None:
         raise TapeError("no picture that can be read: PNG, JPEG or TIFF is wanted")
-    return max(_colours(decoded), key=lambda colour: float(colour[::4, ::4].std()))
+    return np.asarray(decoded)
 
 
 def _colours(decoded: Array) -> list[Array]:
