@@ -49,7 +49,9 @@ class Reading:
 
     def report(self, underside: bool) -> Iterator[str]:
         """Say what is doubtful, where a gap is, what tape it seems to be, and from which side."""
-        for unseen, run in groupby(self.frames, key=lambda one: (one[1].doubtful and one[1].why == UNSEEN, one[2])):
+        for unseen, run in groupby(
+            self.frames, key=lambda one: (one[1].doubtful and one[1].why == UNSEEN, one[2])
+        ):
             group = list(run)
             if unseen[0] and len(group) > 1:
                 (first, frame, name), (last, _, _) = group[0], group[-1]
@@ -68,10 +70,9 @@ class Reading:
         where = "" if frame.open == 0o377 else f"channel {frame.channel}, "
         place = f"{where}at {frame.x}, {frame.y} in {name}: {frame.why}"
         if number in self.proposed:
-            return f"frame {number}: {self.proposed[number]:03o} by {self.proposed_by}; {frame.holes:03o} was seen: {place}"
+            said = f"{self.proposed[number]:03o} by {self.proposed_by}; {frame.holes:03o} was seen"
+            return f"frame {number}: {said}: {place}"
         return f"frame {number}: {frame.holes:03o} is doubtful: {place}"
-
-
 
 
 def page(read: Reading) -> str:

@@ -133,7 +133,7 @@ def _frames(pictures: sprockets.Sizes, tape: Found) -> list[Frame]:
     confidence = np.minimum(abs(cells.core - 0.5) * 2, 1)
     why = np.full(confidence.shape, "between paper and hole", dtype=object)
     for reason, where, most in doubts:
-        worse = where & (most < confidence)
+        worse = where & (most <= confidence)
         confidence = np.where(worse, most, confidence)
         why[worse] = reason
     u = np.arange(tape.sheet.length, dtype=float)[:, None]
@@ -188,7 +188,9 @@ def _ends(flat: Flat, tape: sheet.Sheet, pictures: sprockets.Sizes, on_paper: Ar
             there = np.array([float(end + way * off)])
             x, y = tape.place(there, v).T
             height, width = pictures.pictures[0].shape
-            inside &= bool((x > 0).all() and (y > 0).all() and (x < width - 1).all() and (y < height - 1).all())
+            inside &= bool(
+                (x > 0).all() and (y > 0).all() and (x < width - 1).all() and (y < height - 1).all()
+            )
             light.append(np.median(flat.take(flat.light, *np.broadcast_arrays(there, v))))
         found[end] = inside and min(light) > (paper + hole) / 2
     return found
@@ -235,7 +237,9 @@ def _cells(flat: Flat, length: int) -> _Cells:
 
 def _smooth_at(flat: Flat, u: Array, v: Array) -> Array:
     near = [-0.1, 0, 0.1]
-    return np.asarray(np.mean([flat.take(flat.light, u + along, v + aside) for along in near for aside in near], axis=0))
+    return np.asarray(
+        np.mean([flat.take(flat.light, u + along, v + aside) for along in near for aside in near], axis=0)
+    )
 
 
 def _full(core: Array, sprocket: Array) -> Array:
@@ -263,7 +267,7 @@ def _doubts(cells: _Cells, tape: Found, beyond: Array) -> list[tuple[str, Array,
     contrast = cells.full[:, None] * cells.paper
     rows = [
         ("the tape goes on beyond it, where no sprocket hole is seen", beyond, 0.2),
-        (UNSEEN, unseen, 0.4),
+        (UNSEEN, unseen, 0.0),
         ("holes are not at their places", tape.astray > 0.08, 0.35),
         ("an edge of the paper is not seen", ~tape.edged, 0.45),
     ]

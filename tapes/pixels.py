@@ -38,7 +38,9 @@ def _decoded(picture: bytes) -> Array:
     if width * height > LARGEST:
         raise TapeError(f"{width:,} by {height:,} pixels: a picture may have {LARGEST:,}")
     try:
-        decoded = cv2.imdecode(np.frombuffer(picture, np.uint8), cv2.IMREAD_COLOR) if width and height else None
+        decoded = (
+            cv2.imdecode(np.frombuffer(picture, np.uint8), cv2.IMREAD_COLOR) if width and height else None
+        )
     except cv2.error:
         decoded = None
     if decoded is None:

@@ -9,7 +9,7 @@ A value is proposed only if one alone differs least from what was seen, in chann
 """
 
 from collections.abc import Callable, Iterator, Mapping
-from itertools import combinations
+from itertools import combinations, pairwise
 
 from tapes import binary, eia, kinds, rim
 from tapes.errors import TapeError
@@ -33,9 +33,13 @@ def propose(frames: bytes, doubtful: Mapping[int, int]) -> tuple[dict[int, int],
         return _by_checksum(frames, doubtful)
     if kind == kinds.RIM:
         start = _first_address(frames)
-        return _by_frame(frames, doubtful, lambda at, frame: frame >> 6 == ((at - start) % 4 == 0)), "RIM's order"
+        return _by_frame(
+            frames, doubtful, lambda at, frame: frame >> 6 == ((at - start) % 4 == 0)
+        ), "RIM's order"
     if kind == kinds.EIA:
-        return _by_frame(frames, doubtful, lambda _, frame: frame in eia.CHARACTERS or frame == BLANK), "EIA's odd holes"
+        return _by_frame(
+            frames, doubtful, lambda _, frame: frame in eia.CHARACTERS or frame == BLANK
+        ), "EIA's odd holes"
     obeyed = parity(sure)
     if kind == kinds.ASCII and obeyed in PARITIES:
         table = PARITIES[obeyed]
@@ -44,9 +48,7 @@ def propose(frames: bytes, doubtful: Mapping[int, int]) -> tuple[dict[int, int],
     return {}, ""
 
 
-def _by_frame(
-    frames: bytes, doubtful: Mapping[int, int], fits: Callable[[int, int], bool]
-) -> dict[int, int]:
+def _by_frame(frames: bytes, doubtful: Mapping[int, int], fits: Callable[[int, int], bool]) -> dict[int, int]:
     found = {}
     for at, mask in doubtful.items():
         if not fits(at, frames[at]):
@@ -118,4 +120,4 @@ def _in_sequence(frames: bytes) -> float:
     except TapeError:
         return 0
     numbers = [int(line[:3]) for line in lines if line[:3].isascii() and line[:3].isdigit()]
-    return sum(after - before == 1 for before, after in zip(numbers, numbers[1:], strict=False))
+    return sum(after - before == 1 for before, after in pairwise(numbers))

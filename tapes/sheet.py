@@ -40,6 +40,8 @@ _WIDTHS = np.exp(_WIDTH_STEP * np.arange(-11, 13))
 _EVERY, _STIFFNESS = 4, 0.03
 _ASTRAY = 0.3
 _FULL = 12
+_FAINT = 0.02
+"""What places count that only hold the sheet where there are no holes."""
 
 
 class Spline(NamedTuple):
@@ -53,7 +55,9 @@ class Spline(NamedTuple):
         x = rows / max(self.length - 1, 1) * self.pieces
         piece = np.clip(np.floor(x), 0, self.pieces - 1).astype(int)
         t = x - piece
-        weights = np.stack([(1 - t) ** 3, 3 * t**3 - 6 * t**2 + 4, -3 * t**3 + 3 * t**2 + 3 * t + 1, t**3], axis=1)
+        weights = np.stack(
+            [(1 - t) ** 3, 3 * t**3 - 6 * t**2 + 4, -3 * t**3 + 3 * t**2 + 3 * t + 1, t**3], axis=1
+        )
         found = np.zeros((len(rows), self.pieces + 3))
         for number in range(4):
             found[np.arange(len(rows)), piece + number] = weights[:, number] / 6
@@ -77,7 +81,10 @@ class Sheet(NamedTuple):
         """Return the pixels (..., 2) of places on the tape: arrays that are broadcast together."""
         rows = u.ravel()
         soft, stiff = self.soft.at(rows), self.stiff.at(rows)
-        a, b = ((weights @ place).reshape(*u.shape, 2) for weights, place in ((soft, self.middle), (stiff, self.across)))
+        a, b = (
+            (weights @ place).reshape(*u.shape, 2)
+            for weights, place in ((soft, self.middle), (stiff, self.across))
+        )
         w = (stiff @ self.narrowing).reshape(u.shape)
         return np.asarray(a + b * (v / (1 + v * w))[..., None])
 
@@ -104,76 +111,65 @@ class Sheet(NamedTuple):
 
 
 class Points(NamedTuple):
-    """Places that were seen: row and track of each, pixels, and how much each counts.
-
-    Of an edge only the distance along `normal` counts; of a hole both, and its `normal` is (0, 0).
+    """Places that were seen: row and track of each, pixels, the direction (a unit vector) along which its
+    distance from the sheet counts, and how much it counts.
     """
 
     u: Array
     v: Array
     pixels: Array
+    direction: Array
     weight: Array
-    normal: Array
 
-    def and_(self, other: "Points") -> "Points":
-        """Return both."""
-        return Points(*(np.concatenate([one, two]) for one, two in zip(self, other, strict=True)))
+    def and_(self, *others: "Points") -> "Points":
+        """Return all of them."""
+        return Points(*(np.concatenate(parts) for parts in zip(self, *others, strict=True)))
 
 
-def holes_at(u: Array, v: Array, pixels: Array, weight: float = 1) -> Points:
-    """Return the middles of holes as points."""
-    return Points(u, v, pixels, np.full(len(u), weight), np.zeros((len(u), 2)))
+def holes_at(u: Array, v: Array, pixels: Array, weight: Array | float = 1) -> Points:
+    """Return the middles of holes as points: their distance counts in all directions."""
+    weights = np.broadcast_to(np.asarray(weight, dtype=float), u.shape)
+    on_x, on_y = (np.tile(way, (len(u), 1)) for way in ((1.0, 0.0), (0.0, 1.0)))
+    return Points(u, v, pixels, on_x, weights).and_(Points(u, v, pixels, on_y, weights))
 
 
 def fit(length: int, points: Points, first: Sheet | None = None, knots: int = _STIFF_KNOTS) -> Sheet:
     """Return the sheet of `length` rows that fits the points best, by least squares.
 
-    What crosses the tape may bend every `knots` rows.
+    What crosses the tape may bend every `knots` rows. How the tracks draw together, `narrowing`, is found
+    only where there is a `first` sheet that says how far each point is from the sprocket track.
     """
     soft = Spline(length, max(1, round(length / _KNOTS)))
     stiff = Spline(length, max(1, round(length / knots)))
-    pitch = float(np.hypot(*(points.pixels.max(axis=0) - points.pixels.min(axis=0)))) / max(length, 10)
-    base = first.place(points.u, 0 * points.v) if first else points.pixels
+    pitch = float(np.hypot(*np.ptp(points.pixels, axis=0))) / max(length, 10)
     a, b = soft.at(points.u), stiff.at(points.u)
+    x, y = points.direction[:, :1], points.direction[:, 1:]
     v = points.v[:, None]
-    nothing = np.zeros_like(a), np.zeros_like(b)
-    narrow = -(v * (points.pixels - base) / pitch) if first else np.zeros_like(points.pixels)
-    on_x = np.concatenate([a, nothing[0], v * b, nothing[1], narrow[:, :1] * b], axis=1)
-    on_y = np.concatenate([nothing[0], a, nothing[1], v * b, narrow[:, 1:] * b], axis=1)
-    is_edge = points.normal.any(axis=1)[:, None]
-    weight = points.weight[:, None]
-    along = points.normal[:, :1] * on_x + points.normal[:, 1:] * on_y
-    wanted = points.pixels / pitch
-    wanted_along = (points.normal * wanted).sum(axis=1)
-    count_a, count_b = a.shape[1], b.shape[1]
-    stiffness = [
-        _placed(0.02 * soft.bends(), 0, on_x.shape[1]),
-        _placed(0.02 * soft.bends(), count_a, on_x.shape[1]),
-        _placed(0.15 * stiff.bends(), 2 * count_a, on_x.shape[1]),
-        _placed(0.15 * stiff.bends(), 2 * count_a + count_b, on_x.shape[1]),
-        _placed(20 * stiff.bends(), 2 * count_a + 2 * count_b, on_x.shape[1]),
-        _placed(3 * np.eye(count_b), 2 * count_a + 2 * count_b, on_x.shape[1]),
-    ]
-    matrix = np.concatenate(
-        [np.where(is_edge, along, on_x) * weight, np.where(is_edge, 0, on_y) * weight, *stiffness]
+    base = first.place(points.u, 0 * points.v) if first else points.pixels
+    away = ((points.pixels - base) * points.direction).sum(axis=1)[:, None] / pitch
+    counts = [a.shape[1], a.shape[1], b.shape[1], b.shape[1], b.shape[1]]
+    stiffness = _blocks(
+        [(0, 0.02, soft), (1, 0.02, soft), (2, 0.15, stiff), (3, 0.15, stiff), (4, 20, stiff)], counts
     )
-    right = np.concatenate(
-        [
-            np.where(is_edge[:, 0], wanted_along, wanted[:, 0]) * points.weight,
-            np.where(is_edge[:, 0], 0, wanted[:, 1]) * points.weight,
-            np.zeros(sum(len(rows) for rows in stiffness)),
-        ]
-    )
-    normal = matrix.T @ matrix + 1e-9 * np.eye(matrix.shape[1])
-    found = np.linalg.solve(normal, matrix.T @ right)
-    ax, ay, bx, by, w = np.split(found, np.cumsum([count_a, count_a, count_b, count_b]))
+    small = np.concatenate([np.zeros((counts[4], sum(counts[:4]))), 3 * np.eye(counts[4])], axis=1)
+    seen = np.concatenate([x * a, y * a, x * v * b, y * v * b, -v * away * b], axis=1)
+    matrix = np.concatenate([seen * points.weight[:, None], stiffness, small])
+    right = np.zeros(len(matrix))
+    right[: len(seen)] = (points.pixels * points.direction).sum(axis=1) / pitch * points.weight
+    found = np.linalg.solve(matrix.T @ matrix + 1e-9 * np.eye(sum(counts)), matrix.T @ right)
+    ax, ay, bx, by, w = np.split(found, np.cumsum(counts)[:-1])
     return Sheet(soft, stiff, np.stack([ax, ay], axis=1) * pitch, np.stack([bx, by], axis=1) * pitch, w)
 
 
-def _placed(rows: Array, at: int, width: int) -> Array:
-    found = np.zeros((len(rows), width))
-    found[:, at : at + rows.shape[1]] = rows
-    return found
+def _blocks(bends: list[tuple[int, float, Spline]], counts: list[int]) -> Array:
+    """Return rows that hold each block of coefficients stiff, by its number and its stiffness."""
+    rows = []
+    for number, stiffness, spline in bends:
+        row = np.zeros((spline.pieces + 1, sum(counts)))
+        start = sum(counts[:number])
+        row[:, start : start + counts[number]] = stiffness * spline.bends()
+        rows.append(row)
+    return np.concatenate(rows)
 
 
 class Flat(NamedTuple):
@@ -193,10 +189,16 @@ class Flat(NamedTuple):
 
     def take(self, picture: Array, u: Array, v: Array) -> Array:
         """Return what a picture of this shape has at places on the tape, between its samples."""
-        x, y = (axis.clip(0, length - 1.001) for axis, length in zip(self.at(u, v), picture.shape[::-1], strict=True))
+        x, y = (
+            axis.clip(0, length - 1.001)
+            for axis, length in zip(self.at(u, v), picture.shape[::-1], strict=True)
+        )
         column, line = x.astype(int), y.astype(int)
         right, down = x - column, y - line
-        above, below = (picture[line + row, column] * (1 - right) + picture[line + row, column + 1] * right for row in (0, 1))
+        above, below = (
+            picture[line + row, column] * (1 - right) + picture[line + row, column + 1] * right
+            for row in (0, 1)
+        )
         return np.asarray(above * (1 - down) + below * down)
 
 
@@ -283,7 +285,7 @@ def find(pictures: Sizes, row: Row) -> Found:
         flat = flatten(pictures, sheet)
         edges, edged = _edges(flat, sheet)
         holes, astray = _holes(flat, sheet, range(-3, 6))
-        sheet = fit(sheet.length, _sprocket_points(row).and_(holes).and_(edges), sheet)
+        sheet = fit(sheet.length, _sprocket_points(row).and_(holes, edges), sheet)
     return Found(sheet, row.seen, astray, edged)
 
 
@@ -293,29 +295,27 @@ def _by_holes(pictures: Sizes, row: Row) -> Sheet:
     for reach, knots in ((2, 60), (2, 40), (3, 30), (5, 20), (7, 14), (9, _STIFF_KNOTS)):
         flat = flatten(pictures, sheet, reach + 1.5)
         holes, _ = _holes(flat, sheet, range(-reach, reach + 1))
-        sheet = fit(sheet.length, _sprocket_points(row).and_(holes).and_(_faint(sheet)), sheet, knots)
+        sheet = fit(
+            sheet.length, _sprocket_points(row).and_(holes, _grid(sheet, weight=_FAINT)), sheet, knots
+        )
     return sheet
 
 
 def _sprocket_points(row: Row) -> Points:
     u = np.arange(len(row.places), dtype=float)
-    return Points(u, 0 * u, row.places, np.where(row.seen, 1, 0.05), np.zeros((len(u), 2)))
+    return holes_at(u, 0 * u, row.places, np.where(row.seen, 1, 0.05))
 
 
-def _grid(sheet: Sheet, width: float = 1) -> Points:
+def _grid(sheet: Sheet, width: float = 1, weight: float = 1) -> Points:
     """Return places of the sheet as points, to fit it again with another width."""
-    u, v = (axis.ravel() for axis in np.meshgrid(np.arange(sheet.length, dtype=float), [-3.0, -1.5, 0, 2.5, 5]))
-    return holes_at(u, v, sheet.place(u, v * width))
+    u, v = (
+        axis.ravel() for axis in np.meshgrid(np.arange(sheet.length, dtype=float), [-3.0, -1.5, 0, 2.5, 5])
+    )
+    return holes_at(u, v, sheet.place(u, v * width), weight)
 
 
 def _turned(points: Points, length: int) -> Points:
     return points._replace(u=length - 1 - points.u, v=-points.v)
-
-
-def _faint(sheet: Sheet) -> Points:
-    """Return places of the sheet that hold it where there are no holes."""
-    points = _grid(sheet)
-    return points._replace(weight=np.full(len(points.u), 0.02))
 
 
 def _first(pictures: Sizes, row: Row) -> Sheet:
@@ -323,7 +323,15 @@ def _first(pictures: Sizes, row: Row) -> Sheet:
     length = len(row.places)
     steps = np.gradient(row.places, axis=0)
     reach = min(8, length // 2)
-    steps = np.stack([np.convolve(np.pad(steps[:, way], reach, mode="edge"), np.ones(2 * reach + 1) / (2 * reach + 1), "valid") for way in (0, 1)], axis=1)
+    steps = np.stack(
+        [
+            np.convolve(
+                np.pad(steps[:, way], reach, mode="edge"), np.ones(2 * reach + 1) / (2 * reach + 1), "valid"
+            )
+            for way in (0, 1)
+        ],
+        axis=1,
+    )
     square = np.stack([-steps[:, 1], steps[:, 0]], axis=1)
     u = np.arange(length, dtype=float)
     sheet = fit(length, _beside(row, square))
@@ -358,19 +366,18 @@ def _likeliest(depth: Array, states: Array) -> Array:
     return np.array(path[::-1])[np.minimum(np.arange(len(depth)) // _EVERY, len(path) - 1)]
 
 
-def _beside(row: Row, across: Array, weight: Array | float = 1) -> Points:
-    """Return the row, and places three pitches beside it that count as `weight` says."""
-    points = _sprocket_points(row)
-    for side in (-3.0, 3.0):
-        u = np.arange(len(across), dtype=float)
-        aside = holes_at(u, np.full_like(u, side), row.places + side * across)
-        points = points.and_(aside._replace(weight=0.3 * weight * np.ones(len(u))))
-    return points
+def _beside(row: Row, across: Array) -> Points:
+    """Return the row, and places three pitches beside it."""
+    u = np.arange(len(across), dtype=float)
+    sides = (holes_at(u, np.full_like(u, side), row.places + side * across, 0.3) for side in (-3.0, 3.0))
+    return _sprocket_points(row).and_(*sides)
 
 
 def _spots(dark: Array) -> Array:
     """Return how much darker each place is than what is around it, within a pitch."""
-    return np.asarray(cv2.GaussianBlur(dark, (0, 0), 0.07 * SAMPLES) - cv2.GaussianBlur(dark, (0, 0), 0.3 * SAMPLES))
+    return np.asarray(
+        cv2.GaussianBlur(dark, (0, 0), 0.07 * SAMPLES) - cv2.GaussianBlur(dark, (0, 0), 0.3 * SAMPLES)
+    )
 
 
 def _holes(flat: Flat, sheet: Sheet, tracks: range) -> tuple[Points, Array]:
@@ -379,29 +386,30 @@ def _holes(flat: Flat, sheet: Sheet, tracks: range) -> tuple[Points, Array]:
     u, v = np.meshgrid(np.arange(sheet.length, dtype=float), np.array(tracks, dtype=float), indexing="ij")
     near = np.arange(-round(_ASTRAY * SAMPLES), round(_ASTRAY * SAMPLES) + 1)
     x, y = (np.rint(axis).astype(int) for axis in flat.at(u, v))
-    patch = spots[(y[..., None, None] + near[:, None]).clip(0, spots.shape[0] - 1), (x[..., None, None] + near).clip(0, spots.shape[1] - 1)]
+    patch = spots[
+        (y[..., None, None] + near[:, None]).clip(0, spots.shape[0] - 1),
+        (x[..., None, None] + near).clip(0, spots.shape[1] - 1),
+    ]
     depth = patch.reshape(*u.shape, -1)
-    top = depth.argmax(axis=2)
     deep = depth.max(axis=2)
-    down, aside = np.unravel_index(top, patch.shape[2:])
+    down, aside = np.unravel_index(depth.argmax(axis=2), patch.shape[2:])
     inside = (down > 0) & (down < len(near) - 1) & (aside > 0) & (aside < len(near) - 1)
     sprocket = np.median(deep[:, list(tracks).index(0)])
     seen = inside & (deep > 0.6 * sprocket)
-    at = np.nonzero(seen)
-    off = [
-        near[middle[seen]] + _vertex(*(patch[(*at, *(axis[seen] + step * way for axis, way in zip((down, aside), (line, 1 - line), strict=True)))] for step in (-1, 0, 1)))
-        for middle, line in ((aside, 0), (down, 1))
-    ]
-    off_u, off_v = ((axis[seen] + away) / SAMPLES - place[seen] for axis, away, place in zip((x - flat.at(u, v)[0], y - flat.at(u, v)[1]), off, (0 * u, 0 * v), strict=True))
+    patch, down, aside, at = patch[seen], down[seen], aside[seen], np.arange(seen.sum())
+    off_x = near[aside] + _vertex(*(patch[at, down, aside + step] for step in (-1, 0, 1)))
+    off_y = near[down] + _vertex(*(patch[at, down + step, aside] for step in (-1, 0, 1)))
+    off_u = (x[seen] + off_x) / SAMPLES + flat.first - u[seen]
+    off_v = (y[seen] + off_y) / SAMPLES - flat.reach - v[seen]
     u, v = u[seen], v[seen]
     squares = np.bincount(u.astype(int), off_u**2 + off_v**2, sheet.length)
     count = np.bincount(u.astype(int), minlength=sheet.length).astype(float)
     width = np.ones(7)
     astray = np.sqrt(np.convolve(squares, width, "same") / np.maximum(np.convolve(count, width, "same"), 1))
     astray = np.maximum(astray, _strays(flat, sheet, spots, 0.6 * sprocket))
-    found = holes_at(u, v, sheet.place(u + off_u, v + off_v))
     trust = 1 / (1 + (astray / 0.07) ** 4)
-    return found._replace(weight=trust[u.astype(int)] / (1 + (off_u**2 + off_v**2) / 0.1**2)), astray
+    weight = trust[u.astype(int)] / (1 + (off_u**2 + off_v**2) / 0.1**2)
+    return holes_at(u, v, sheet.place(u + off_u, v + off_v), weight), astray
 
 
 def _strays(flat: Flat, sheet: Sheet, spots: Array, limit: float) -> Array:
@@ -420,7 +428,9 @@ def _strays(flat: Flat, sheet: Sheet, spots: Array, limit: float) -> Array:
 
 def _vertex(before: Array, top: Array, after: Array) -> Array:
     curvature = before - 2 * top + after
-    return np.where(curvature < -1e-9, 0.5 * (before - after) / np.minimum(curvature, -1e-9), 0).clip(-0.5, 0.5)
+    return np.where(curvature < -1e-9, 0.5 * (before - after) / np.minimum(curvature, -1e-9), 0).clip(
+        -0.5, 0.5
+    )
 
 
 def _side(flat: Flat, sheet: Sheet) -> _Side:
@@ -451,9 +461,13 @@ def _side(flat: Flat, sheet: Sheet) -> _Side:
         raise TapeError("the paper's edges are not 3.92 and 6.08 rows' distances from the sprocket holes")
     likely = [side for side in sides if side.share > 0.75 * best]
     found = min(likely, key=lambda side: (round(mass[side.track] / mass[0], 1), -side.share))
-    others = [mass[track] for track in mass if track != found.track and always[track] > 0.1 and abs(track) <= 3]
+    others = [
+        mass[track] for track in mass if track != found.track and always[track] > 0.1 and abs(track) <= 3
+    ]
     if others and np.median(others) < 1.35 * mass[found.track]:
-        raise TapeError("the holes are all of one size: a tape's sprocket holes are smaller than its code holes")
+        raise TapeError(
+            "the holes are all of one size: a tape's sprocket holes are smaller than its code holes"
+        )
     return found
 
 
@@ -491,16 +505,14 @@ def _profiles(flat: Flat, sheet: Sheet, edge: float, outward: float) -> tuple[Ar
 
 def _share(flat: Flat, sheet: Sheet, side: _Side) -> float:
     """Return at how many of the rows both edges are where they are on a tape."""
-    here = [
-        _profiles(flat, sheet, edge, -1.0 if edge < side.track else 1.0)[2]
-        for edge in side.edges
-    ]
+    here = [_profiles(flat, sheet, edge, -1.0 if edge < side.track else 1.0)[2] for edge in side.edges]
     return float(min(edge.mean() for edge in here))
 
 
 def _edges(flat: Flat, sheet: Sheet) -> tuple[Points, Array]:
     """Return the paper's edges as points, and which rows have both."""
-    points, both = Points(*(np.empty((0, *shape)) for shape in ((), (), (2,), (), (2,)))), []
+    sides: list[Points] = []
+    both: list[Array] = []
     for edge, outward in ((-THREE, -1.0), (FIVE, 1.0)):
         profile, u, there = _profiles(flat, sheet, edge, outward)
         both.append(there[:-1] | there[1:])
@@ -511,15 +523,18 @@ def _edges(flat: Flat, sheet: Sheet) -> tuple[Points, Array]:
         v = np.full_like(u, edge)
         along = sheet.place(u + 0.5, v) - sheet.place(u - 0.5, v)
         normal = np.stack([-along[:, 1], along[:, 0]], axis=1) / np.hypot(*along.T)[:, None]
-        points = points.and_(Points(u, v, sheet.place(u, v + outward * off), np.full_like(u, 0.3), normal))
-    return points, both[0] & both[1]
+        sides.append(Points(u, v, sheet.place(u, v + outward * off), normal, np.full_like(u, 0.3)))
+    return sides[0].and_(sides[1]), both[0] & both[1]
 
 
 def _sprockets(pictures: Sizes, sheet: Sheet, track: int) -> Row:
     """Return the row of sprocket holes on a track of the sheet."""
     u = np.arange(sheet.length, dtype=float)
     places = sheet.place(u, np.full_like(u, track))
-    depth = [measured(pictures, place, step)[1] for place, step in zip(places, np.gradient(places, axis=0), strict=True)]
+    depth = [
+        measured(pictures, place, step)[1]
+        for place, step in zip(places, np.gradient(places, axis=0), strict=True)
+    ]
     total = np.convolve(depth, np.ones(FEWEST), "valid")
     start = int(total.argmax())
     return follow(pictures, places[start : start + FEWEST])

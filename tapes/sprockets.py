@@ -54,7 +54,7 @@ class Sizes(NamedTuple):
 
 def sizes(light: Array) -> Sizes:
     """Return the picture, shades of grey, in all sizes in which a row may be found."""
-    pictures = [light.astype(np.float32)]
+    pictures: list[Array] = [light.astype(np.float32)]
     while min(pictures[-1].shape) > 90:
         scale = _STEP ** -len(pictures)
         wide, high = (max(1, round(length * scale)) for length in light.shape[::-1])
@@ -69,7 +69,9 @@ def starts(pictures: Sizes) -> list[Array]:
         scale = picture.shape[1] / pictures.pictures[0].shape[1]
         places, depths = _spots(picture)
         for row in _straight(places, picture.shape):
-            found.append((float(np.median(depths[row]) - depths[row].std()), (places[row] + 0.5) / scale - 0.5))
+            found.append(
+                (float(np.median(depths[row]) - depths[row].std()), (places[row] + 0.5) / scale - 0.5)
+            )
     return [row for _, row in sorted(found, key=lambda pair: -pair[0])]
 
 
@@ -101,7 +103,7 @@ def _straight(places: Array, shape: tuple[int, ...]) -> Array:
     def spot_at(place: Array) -> Array:
         column, line = (np.rint(place[:, axis]).astype(int) + margin for axis in (0, 1))
         inside = (column >= 0) & (column < which.shape[1]) & (line >= 0) & (line < which.shape[0])
-        return np.where(inside, which[line * inside, column * inside], -1)
+        return np.asarray(np.where(inside, which[line * inside, column * inside], -1))
 
     reach = range(-int(_FAR), int(_FAR) + 1, 2)
     pairs = [np.empty((0, 2), int)]
@@ -120,7 +122,7 @@ def _straight(places: Array, shape: tuple[int, ...]) -> Array:
         near = np.hypot(*(places[following] - last - step).T) < 0.28 * np.hypot(*step.T)
         kept = (following >= 0) & near
         rows = np.concatenate([rows, following[:, None]], axis=1)[kept]
-    return rows
+    return np.asarray(rows)
 
 
 def follow(pictures: Sizes, start: Array) -> Row:

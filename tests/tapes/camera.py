@@ -73,7 +73,9 @@ def develop(light: Array, shot: Shot) -> bytes:
 def picture(frames: bytes, shot: Shot) -> Array:
     """Return the light that falls on the film, in grey levels."""
     eye = _Eye(len(frames), shot)
-    sheet, holes, bare = (Image.new("L", (eye.width * _OVERSAMPLED, eye.height * _OVERSAMPLED)) for _ in range(3))
+    sheet, holes, bare = (
+        Image.new("L", (eye.width * _OVERSAMPLED, eye.height * _OVERSAMPLED)) for _ in range(3)
+    )
     _fill(sheet, eye, _edge(len(frames)))
     for outline in _holes(frames, shot.covered):
         _fill(holes, eye, outline)
@@ -135,7 +137,10 @@ class _Eye:
         towards = np.radians(shot.towards)
         forth, side = x * np.cos(towards) + y * np.sin(towards), -x * np.sin(towards) + y * np.cos(towards)
         forth, depth = forth * np.cos(tilt) - z * np.sin(tilt), away + forth * np.sin(tilt) - z * np.cos(tilt)
-        x, y = forth * np.cos(towards) - side * np.sin(towards), forth * np.sin(towards) + side * np.cos(towards)
+        x, y = (
+            forth * np.cos(towards) - side * np.sin(towards),
+            forth * np.sin(towards) + side * np.cos(towards),
+        )
         return np.stack([x / depth, y / depth], axis=1) * away
 
 
@@ -189,7 +194,7 @@ def _table(shot: Shot, height: int, width: int) -> Array:
             x, y = random.uniform(0, width), random.uniform(0, height)
             wide, high = random.uniform(20, width / 4), random.uniform(20, height / 3)
             level[int(y) : int(y + high), int(x) : int(x + wide)] += random.uniform(-40, 60)
-    return np.clip(level, 4, 250)
+    return np.asarray(np.clip(level, 4, 250))
 
 
 def _light(shot: Shot, height: int, width: int) -> Array:

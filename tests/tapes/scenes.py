@@ -25,7 +25,12 @@ def _dot(draw: ImageDraw.ImageDraw, x: float, y: float, across: float, level: in
 def _text(draw: ImageDraw.ImageDraw) -> None:
     font = ImageFont.load_default(26)
     for row in range(30):
-        draw.text((60, 40 + 44 * row), f"{row} of the holes ........................ and so on: {row * 37}", 30, font)
+        draw.text(
+            (60, 40 + 44 * row),
+            f"{row} of the holes ........................ and so on: {row * 37}",
+            30,
+            font,
+        )
 
 
 def _dots_and_frame(draw: ImageDraw.ImageDraw) -> None:
@@ -91,7 +96,9 @@ def _desk(draw: ImageDraw.ImageDraw) -> None:
         draw.rectangle((x, y, x + wide, y + high), fill=int(random.uniform(30, 250)))
     for row in range(5):
         for key in range(14):
-            draw.rounded_rectangle((200 + 90 * key, 700 + 90 * row, 275 + 90 * key, 775 + 90 * row), 12, fill=40)
+            draw.rounded_rectangle(
+                (200 + 90 * key, 700 + 90 * row, 275 + 90 * key, 775 + 90 * row), 12, fill=40
+            )
             _dot(draw, 237 + 90 * key, 737 + 90 * row, 24, 220)
     draw.rectangle((100, 1250, 1700, 1330), fill=190)
     for at in range(80):
@@ -112,7 +119,14 @@ def _five_channels(draw: ImageDraw.ImageDraw) -> None:
 
 def _noise(scale: float) -> Array:
     texture = _blurred(np.random.default_rng(2).normal(0, 1, _SIZE[::-1]), scale)
-    return 128 + 45 * texture / texture.std()
+    return np.asarray(128 + 45 * texture / texture.std())
+
+
+def _wood() -> Array:
+    y, x = np.mgrid[: _SIZE[1], : _SIZE[0]]
+    return np.asarray(
+        110 + 20 * np.sin(y / 9 + 2 * np.sin(x / 130)) + 9 * np.sin(y / 3.1 + 3 * np.sin(x / 210))
+    )
 
 
 SCENES: dict[str, Callable[[], Array]] = {
@@ -130,10 +144,5 @@ SCENES: dict[str, Callable[[], Array]] = {
     "a toy car": lambda: _drawn(_toy_car),
     "a desk": lambda: _drawn(_desk, 150),
     "five-channel tape": lambda: _drawn(_five_channels),
-    "wood": lambda: _wood(),
+    "wood": _wood,
 }
-
-
-def _wood() -> Array:
-    y, x = np.mgrid[: _SIZE[1], : _SIZE[0]]
-    return np.asarray(110 + 20 * np.sin(y / 9 + 2 * np.sin(x / 130)) + 9 * np.sin(y / 3.1 + 3 * np.sin(x / 210)))
