@@ -37,7 +37,7 @@ _TRACKS = np.array([-3, -2, -1, 1, 2, 3, 4, 5], dtype=float)
 """Channels 1 to 8, in pitches from the sprocket track."""
 _WINDOW = 8
 _MOST_DOUBTFUL = 0.35
-_FAILURES = 6
+_FAILURES = 4
 _LEAST_LIGHT = 6
 _NO_TAPE = "no tape in the picture: "
 

@@ -40,6 +40,8 @@ _WIDTHS = np.exp(_WIDTH_STEP * np.arange(-11, 13))
 _EVERY, _STIFFNESS = 4, 0.03
 _ASTRAY = 0.3
 _FULL = 12
+_BEYOND = 3.5
+_LONGER = 12
 _FAINT = 0.02
 """What places count that only hold the sheet where there are no holes."""
 
@@ -204,8 +206,8 @@ class Flat(NamedTuple):
 
 def flatten(pictures: Sizes, sheet: Sheet, reach: float = _REACH) -> Flat:
     """Return the sheet as if it lay flat."""
-    first = -1.5
-    u = np.arange(first * SAMPLES, (sheet.length + 0.5) * SAMPLES + 1) / SAMPLES
+    first = -_BEYOND
+    u = np.arange(first * SAMPLES, (sheet.length + _BEYOND - 1) * SAMPLES + 1) / SAMPLES
     v = np.arange(-reach * SAMPLES, reach * SAMPLES + 1) / SAMPLES
     along, across = sheet.pitches()
     pieces = []
@@ -281,12 +283,45 @@ def find(pictures: Sizes, row: Row) -> Found:
         sheet = fit(len(row.places), _turned(_grid(sheet, side.width), len(row.places)), None)
     elif side.width != 1:
         sheet = fit(len(row.places), _grid(sheet, side.width), None)
+    for more in reversed(range(_LONGER)):
+        sheet, flat, astray, edged = _refined(pictures, sheet, row)
+        longer, before = _longer(flat, sheet, row)
+        if len(longer.places) == len(row.places) or not more:
+            break
+        known = _grid(sheet)
+        row = longer
+        points = _sprocket_points(row).and_(known._replace(u=known.u + before))
+        sheet = fit(len(row.places), points)
+    return Found(sheet, row.seen, astray, edged)
+
+
+def _refined(pictures: Sizes, sheet: Sheet, row: Row) -> tuple[Sheet, Flat, Array, Array]:
     for _ in range(3):
         flat = flatten(pictures, sheet)
         edges, edged = _edges(flat, sheet)
         holes, astray = _holes(flat, sheet, range(-3, 6))
         sheet = fit(sheet.length, _sprocket_points(row).and_(holes, edges), sheet)
-    return Found(sheet, row.seen, astray, edged)
+    return sheet, flat, astray, edged
+
+
+def _longer(flat: Flat, sheet: Sheet, row: Row) -> tuple[Row, int]:
+    """Return the row with sprocket holes that are seen beyond its ends, and how many were put before it."""
+    spots = _spots(flat.dark)
+    u = np.arange(sheet.length, dtype=float)
+    limit = 0.5 * np.median(flat.take(spots, u, 0 * u))
+    near = np.arange(-3, 4) / SAMPLES
+    ends: list[list[Array]] = []
+    for places in (-1.0 - np.arange(3), sheet.length + np.arange(3.0)):
+        ends.append([])
+        for place in places:
+            depth = flat.take(spots, *np.broadcast_arrays(place + near[:, None], near))
+            along, aside = np.unravel_index(int(depth.argmax()), depth.shape)
+            if depth[along, aside] < limit:
+                break
+            ends[-1].append(sheet.place(np.array(place + near[along]), np.array(near[aside])))
+    before, after = (np.reshape(end, (-1, 2)) for end in (ends[0][::-1], ends[1]))
+    seen = np.concatenate([np.ones(len(before), bool), row.seen, np.ones(len(after), bool)])
+    return Row(np.concatenate([before, row.places, after]), seen), len(before)
 
 
 def _by_holes(pictures: Sizes, row: Row) -> Sheet:
@@ -447,7 +482,7 @@ def _side(flat: Flat, sheet: Sheet) -> _Side:
         always[track] = float((deep > limit).mean())
         mass[track] = _mass(flat, u[deep > limit], track)
     has_codes = sum(always.values()) * sheet.length > sheet.length + 12
-    widths = np.array([1.0]) if has_codes else np.geomspace(0.55, 1.8, 49)
+    widths = np.array([1.0]) if has_codes else np.geomspace(0.55, 1.8, 33)
     sides = [
         _Side(track, three, float(width), 0)
         for track in range(-5, 6)
@@ -455,7 +490,8 @@ def _side(flat: Flat, sheet: Sheet) -> _Side:
         for width in widths
         if always[track] > 0.7 and (has_codes or track == 0)
     ]
-    sides = [side._replace(share=_share(flat, sheet, side)) for side in sides]
+    paper = _paper(flat, sheet)
+    sides = [side._replace(share=_share(flat, paper, side)) for side in sides]
     best = max((side.share for side in sides), default=0)
     if best < 0.5:
         raise TapeError("the paper's edges are not 3.92 and 6.08 rows' distances from the sprocket holes")
@@ -486,37 +522,48 @@ def _mass(flat: Flat, u: Array, track: int) -> float:
 _PROFILE = np.arange(-8, 9) / SAMPLES
 
 
-def _profiles(flat: Flat, sheet: Sheet, edge: float, outward: float) -> tuple[Array, Array, Array]:
-    """Return the light from inside to outside an edge, between each two rows: (rows, places), as a part of
-    the paper's; the rows' places; and which have an edge there.
-    """
+class _Paper(NamedTuple):
+    """The light of the paper between each two rows, `u`, and how dark a sprocket hole is beside it."""
+
+    u: Array
+    light: Array
+    depth: float
+
+
+def _paper(flat: Flat, sheet: Sheet) -> _Paper:
     u = np.arange(-0.5, sheet.length)
-    between = np.arange(-2.5, 3)
-    rows = (u[:, None] + np.array([-0.1, 0, 0.1]))[:, :, None]
-    paper = np.median(flat.take(flat.light, *np.broadcast_arrays(rows, between)), axis=(1, 2)) + 2
-    paper = np.array([np.median(paper[max(0, at - 2) : at + 3]) for at in range(len(paper))])
+    light = np.median(flat.take(flat.light, *np.broadcast_arrays(u[:, None], np.arange(-2.5, 3))), axis=1)
+    rows = np.arange(sheet.length, dtype=float)
+    depth = float(np.median(flat.take(flat.dark, rows, 0 * rows)))
+    return _Paper(u, cv2.medianBlur(light[:, None].astype(np.float32), 5)[:, 0] + 2, depth)
+
+
+def _profiles(flat: Flat, paper: _Paper, edge: float, outward: float) -> tuple[Array, Array]:
+    """Return the light from inside to outside an edge, between each two rows: (rows, places), as a part of
+    the paper's; and which have an edge there.
+    """
+    rows = (paper.u[:, None] + np.array([-0.1, 0, 0.1]))[:, :, None]
     places = edge + outward * _PROFILE
-    profile = flat.take(flat.light, *np.broadcast_arrays(rows, places)).mean(axis=1) / paper[:, None]
+    profile = flat.take(flat.light, *np.broadcast_arrays(rows, places)).mean(axis=1) / paper.light[:, None]
     inside, outside = profile[:, :5].mean(axis=1), profile[:, -5:].mean(axis=1)
-    hole = 1 - np.median(flat.take(flat.dark, np.arange(sheet.length, dtype=float), np.zeros(sheet.length)))
-    sharp = abs(inside - outside) > 0.4 * (1 - hole)
-    return profile, u, sharp & (abs(inside - 1) < 0.35)
+    return profile, (abs(inside - outside) > 0.4 * paper.depth) & (abs(inside - 1) < 0.35)
 
 
-def _share(flat: Flat, sheet: Sheet, side: _Side) -> float:
+def _share(flat: Flat, paper: _Paper, side: _Side) -> float:
     """Return at how many of the rows both edges are where they are on a tape."""
-    here = [_profiles(flat, sheet, edge, -1.0 if edge < side.track else 1.0)[2] for edge in side.edges]
-    return float(min(edge.mean() for edge in here))
+    there = (_profiles(flat, paper, edge, -1.0 if edge < side.track else 1.0)[1] for edge in side.edges)
+    return float(min(edge.mean() for edge in there))
 
 
 def _edges(flat: Flat, sheet: Sheet) -> tuple[Points, Array]:
     """Return the paper's edges as points, and which rows have both."""
+    paper = _paper(flat, sheet)
     sides: list[Points] = []
     both: list[Array] = []
     for edge, outward in ((-THREE, -1.0), (FIVE, 1.0)):
-        profile, u, there = _profiles(flat, sheet, edge, outward)
+        profile, there = _profiles(flat, paper, edge, outward)
         both.append(there[:-1] | there[1:])
-        profile, u = profile[there], u[there]
+        profile, u = profile[there], paper.u[there]
         inside, outside = profile[:, :4].mean(axis=1), profile[:, -4:].mean(axis=1)
         share = ((profile - outside[:, None]) / (inside - outside)[:, None]).clip(0, 1).mean(axis=1)
         off = share * (len(_PROFILE) / SAMPLES) - (len(_PROFILE) / SAMPLES) / 2
