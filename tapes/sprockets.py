@@ -25,7 +25,7 @@ _NEAR, _FAR = 4.7, 10.5
 """Pixels from hole to hole that are looked for at each size."""
 _MOST_SPOTS = 12_000
 _FAINTEST = 0.015
-_MOST_ROWS = 60
+_MOST_ROWS = 40
 _LONGEST_GAP = 12
 _AFTER_GAP = 4
 """So many holes in a row have to follow a gap of more than two."""
@@ -197,7 +197,7 @@ def measured(pictures: Sizes, place: Array, step: Array) -> tuple[Array, float, 
     x = place[0] + along[0] * _GRID[0] + across[0] * _GRID[1]
     y = place[1] + along[1] * _GRID[0] + across[1] * _GRID[1]
     patch = _at(picture, (x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5)
-    level = float(np.quantile(patch, 0.7)) + 4
+    level = float(np.partition(patch, _BRIGHT, axis=None)[_BRIGHT]) + 4
     depth = cv2.filter2D(patch / level, -1, _HOLE, borderType=cv2.BORDER_REPLICATE)[_INNER]
     down, aside = np.unravel_index(int(depth.argmax()), depth.shape)
     top = float(depth[down, aside])
@@ -225,6 +225,7 @@ def _kernel() -> Array:
 _INSIDE = 4
 _SIDE = _INSIDE + 4
 _GRID = np.mgrid[-_SIDE : _SIDE + 1, -_SIDE : _SIDE + 1].astype(float)[::-1]
+_BRIGHT = int(0.7 * _GRID[0].size)
 _INNER = (slice(4, -4), slice(4, -4))
 _HOLE = _kernel()
 
@@ -244,17 +245,16 @@ def _at(picture: Array, x: Array, y: Array) -> Array:
 def rows(pictures: Sizes) -> list[Row]:
     """Return the rows of holes in a picture, the longest first; none twice."""
     found: list[Row] = []
-    for start in starts(pictures):
-        if len(found) == _MOST_ROWS:
-            break
-        if all(apart(row, start[FEWEST // 2], 0.5) for row in found):
-            found.append(follow(pictures, start))
+    left = np.array(starts(pictures)).reshape(-1, FEWEST, 2)
+    while len(left) and len(found) < _MOST_ROWS:
+        row = follow(pictures, left[0])
+        found.append(row)
+        left = left[1:][_apart(row, left[1:, FEWEST // 2])]
     return sorted((row for row in found if row.seen.sum() >= FEWEST), key=lambda row: -int(row.seen.sum()))
 
 
-def apart(row: Row, place: Array, steps: float) -> bool:
-    """Tell whether a place is farther than so many steps from each hole of a row."""
-    away = np.hypot(*(row.places - place).T)
-    nearest = int(away.argmin())
-    near = row.places[max(0, nearest - 1) : nearest + 2]
-    return bool(away[nearest] > steps * np.hypot(*np.diff(near, axis=0).T).mean())
+def _apart(row: Row, places: Array) -> Array:
+    """Tell which places (n, 2) are not within half a step of one of a row's holes."""
+    step = np.hypot(*np.gradient(row.places, axis=0).T)
+    away = np.hypot(*np.moveaxis(places[:, None] - row.places, 2, 0))
+    return np.asarray((away > 0.5 * step).all(axis=1))
