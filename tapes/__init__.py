@@ -12,7 +12,11 @@ captions    what each frame says, in a few letters
 picture     a tape as text and as SVG in true geometry
 pixels      a picture's file becomes light
 sprockets   rows of small round holes in a picture
-sheet       the paper around such a row: where each place of a tape lies
+sheet       where each place of a tape lies in a picture
+flat        a picture of a sheet as if it lay flat
+holes       the holes of a sheet, and where they say it is
+edges       its edges: which way it is read
+paper       a row of holes becomes a tape, or is refused
 photograph  a photograph of tape becomes frames
 redundancy  what a tape says of its own frames
 correction  what was read from photographs, and the page to correct it

@@ -2,7 +2,7 @@
 
     light        the file as shades of grey                                       (pixels.py)
     rows         small round holes in a row, followed one by one                  (sprockets.py)
-    sheet        the paper around such a row: where each place of the tape lies   (sheet.py)
+    paper        a sheet around such a row, with holes and edges at their places  (paper.py)
     channels     here: how dark each place of the flattened sheet is, beside paper around it and holes near
 
 A frame is sure only if everything around it is as on a tape: its sprocket hole and both edges of the paper
@@ -20,10 +20,12 @@ from typing import NamedTuple
 import cv2
 import numpy as np
 
-from tapes import pixels, sheet, sprockets
+from tapes import pixels, sprockets
 from tapes.errors import TapeError
+from tapes.flat import SAMPLES, Flat, flatten
+from tapes.paper import Found, find
 from tapes.pixels import Array
-from tapes.sheet import SAMPLES, Flat, Found
+from tapes.sheet import Sheet
 
 DOUBTFUL = 0.5
 """A frame of less confidence wants to be looked at."""
@@ -99,7 +101,7 @@ def _strips(light: Array) -> tuple[list[tuple[sprockets.Sizes, Found]], str]:
         if any(tape.sheet.covers(row.places) for _, tape in found):
             continue
         try:
-            found.append((pictures, sheet.find(pictures, row)))
+            found.append((pictures, find(pictures, row)))
         except TapeError as error:
             why.append(str(error))
     return found, why[0] if why else "no row of small round holes was found"
@@ -119,7 +121,7 @@ class _Cells(NamedTuple):
 
 
 def _frames(pictures: sprockets.Sizes, tape: Found) -> list[Frame]:
-    flat = sheet.flatten(pictures, tape.sheet)
+    flat = flatten(pictures, tape.sheet)
     flat = flat._replace(light=cv2.GaussianBlur(flat.light, (0, 0), 0.08 * SAMPLES))
     on_paper = _on_paper(flat, tape.edged)
     if on_paper.sum() < sprockets.FEWEST:
@@ -174,7 +176,7 @@ def _on_paper(flat: Flat, edged: Array) -> Array:
     return there
 
 
-def _ends(flat: Flat, tape: sheet.Sheet, pictures: sprockets.Sizes, on_paper: Array) -> Array:
+def _ends(flat: Flat, tape: Sheet, pictures: sprockets.Sizes, on_paper: Array) -> Array:
     """Return which rows are a first or last one beyond which there is room for another one on the paper."""
     found = np.zeros(len(on_paper), dtype=bool)
     rows = np.nonzero(on_paper)[0]
