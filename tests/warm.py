@@ -2,8 +2,8 @@
 
     bash ─► pdp8 (warm.c) ── arguments, folder, environment, streams ──► server ── fork ──► pdp8.cli.main()
 
-A command has a process, streams and an exit status of its own as always; what is saved is the tenth of a second
-in which Python starts and imports. The server ends when the process that started it does. Where there is no C
+A command has a process, streams and an exit status of its own as always; what is saved is the tenth of a
+second in which Python starts and imports. The server ends when the process that started it does. Where there is no C
 compiler, or where the environment says how Python starts, commands start as they are.
 """
 
@@ -21,34 +21,44 @@ from functools import cache
 from importlib import import_module
 from pathlib import Path
 from pkgutil import iter_modules
+from typing import NamedTuple
 
 from tests.reference.compiling import compile_c, compiler
 
+ROOT = Path(__file__).parents[1]
 COMMANDS = ("pdp8", "pal")
 _STREAMS = 3
 _LOADED = ("pal.cli", "tapes.cli", "nc.cli", "programs.cli", "pdp8.cli", "pdp8.lessons", "pdp8.thesis")
 
 
-@cache
 def environment(cold: Path) -> dict[str, str]:
     """Return what finds our commands warm; those in the folder `cold` where they cannot be."""
+    path = f"{cold}{os.pathsep}{os.environ['PATH']}"
     if compiler() is None or "COVERAGE_RUN" in os.environ or not hasattr(socket, "AF_UNIX"):
-        return {"PATH": f"{cold}{os.pathsep}{os.environ['PATH']}"}
-    folder = Path(tempfile.mkdtemp(prefix="pdp8-warm-"))
-    compile_c(folder / COMMANDS[0], "-D_GNU_SOURCE", Path(__file__).with_suffix(".c"))
+        return {"PATH": path}
+    folder = _started().folder.name
+    places = {"WARM_COMMANDS": f"{folder}/server", "COLD_COMMANDS": str(cold)}
+    return {"PATH": f"{folder}{os.pathsep}{path}", **places}
+
+
+class _Server(NamedTuple):
+    """The server and the folder of its commands, for as long as this process lives."""
+
+    process: "subprocess.Popen[bytes]"
+    folder: "tempfile.TemporaryDirectory[str]"
+
+
+@cache
+def _started() -> _Server:
+    folder = tempfile.TemporaryDirectory(prefix="pdp8-warm-")
+    compile_c(Path(folder.name, COMMANDS[0]), "-D_GNU_SOURCE", Path(__file__).with_suffix(".c"))
     for name in COMMANDS[1:]:
-        (folder / name).symlink_to(COMMANDS[0])
-    address = folder / "server"
-    server = subprocess.Popen(
-        [sys.executable, "-m", "tests.warm", address], stdin=subprocess.PIPE, stdout=subprocess.PIPE
-    )
-    assert server.stdout is not None
-    server.stdout.read(1)
-    return {
-        "PATH": f"{folder}{os.pathsep}{cold}{os.pathsep}{os.environ['PATH']}",
-        "WARM_COMMANDS": str(address),
-        "COLD_COMMANDS": str(cold),
-    }
+        Path(folder.name, name).symlink_to(COMMANDS[0])
+    words = [sys.executable, "-m", "tests.warm", f"{folder.name}/server"]
+    process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=ROOT)
+    assert process.stdout is not None
+    process.stdout.read(1)
+    return _Server(process, folder)
 
 
 def serve(address: str) -> None:
@@ -63,7 +73,7 @@ def serve(address: str) -> None:
         listening.listen(64)
         os.write(1, b".")
         signal.signal(signal.SIGCHLD, signal.SIG_IGN)
-        while listening in select.select([listening, 0], [], [])[0]:
+        while listening.fileno() in select.select([listening.fileno(), 0], [], [])[0]:
             taken, _ = listening.accept()
             if os.fork() == 0:
                 listening.close()
