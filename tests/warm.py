@@ -3,13 +3,15 @@
     bash ─► pdp8 (warm.c) ── arguments, folder, environment, streams ──► server ── fork ──► pdp8.cli.main()
 
 A command has a process, streams and an exit status of its own as always; what is saved is the tenth of a
-second in which Python starts and imports. The server ends when the process that started it does. Where there is no C
-compiler, or where the environment says how Python starts, commands start as they are.
+second in which Python starts and imports. The server ends when the process that started it does. Where there
+is no C compiler, or where the environment says how Python starts, commands start as they are.
 """
 
 import array
+import atexit
 import os
 import select
+import shutil
 import signal
 import socket
 import struct
@@ -36,7 +38,7 @@ def environment(cold: Path) -> dict[str, str]:
     path = f"{cold}{os.pathsep}{os.environ['PATH']}"
     if compiler() is None or "COVERAGE_RUN" in os.environ or not hasattr(socket, "AF_UNIX"):
         return {"PATH": path}
-    folder = _started().folder.name
+    folder = _started().folder
     places = {"WARM_COMMANDS": f"{folder}/server", "COLD_COMMANDS": str(cold)}
     return {"PATH": f"{folder}{os.pathsep}{path}", **places}
 
@@ -45,16 +47,17 @@ class _Server(NamedTuple):
     """The server and the folder of its commands, for as long as this process lives."""
 
     process: "subprocess.Popen[bytes]"
-    folder: "tempfile.TemporaryDirectory[str]"
+    folder: Path
 
 
 @cache
 def _started() -> _Server:
-    folder = tempfile.TemporaryDirectory(prefix="pdp8-warm-")
-    compile_c(Path(folder.name, COMMANDS[0]), "-D_GNU_SOURCE", Path(__file__).with_suffix(".c"))
+    folder = Path(tempfile.mkdtemp(prefix="pdp8-warm-"))
+    atexit.register(shutil.rmtree, folder)
+    compile_c(folder / COMMANDS[0], "-D_GNU_SOURCE", Path(__file__).with_suffix(".c"))
     for name in COMMANDS[1:]:
-        Path(folder.name, name).symlink_to(COMMANDS[0])
-    words = [sys.executable, "-m", "tests.warm", f"{folder.name}/server"]
+        (folder / name).symlink_to(COMMANDS[0])
+    words = [sys.executable, "-m", "tests.warm", f"{folder}/server"]
     process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=ROOT)
     assert process.stdout is not None
     process.stdout.read(1)
