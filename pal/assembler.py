@@ -33,7 +33,7 @@ from typing import NamedTuple
 from pal.isa import ADDRESS, CURRENT_PAGE, INDIRECT, PAGE
 from pal.source import Source
 from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT, spelled, typed
-from pal.table import PSEUDO, UNDEFINED, VALUE, Stop, SymbolTable
+from pal.table import ENTRY, PSEUDO, UNDEFINED, VALUE, Stop, SymbolTable
 
 START = 0o200  # the origin before any other
 TELETYPE_SYMBOLS = 585  # room for the source's symbols with the source in the ASR-33's reader
@@ -106,8 +106,9 @@ class Assembler:
         self._pointer = self._symbols.page_zero(0)
         self._made = False
         self._broken = ""  # the item in which there was an illegal character
-        self._letter = False  # whether there was one in the number being read
+        self._letters = 0  # in the number being read
         self._seen: dict[int, int] = {}
+        self._redefined: dict[int, int] = {}  # where a pseudo-operator was
         self.table: list[Entry] = []
         self.lost: list[tuple[int, int]] = []
         self.stopped: tuple[str, int] | None = None
@@ -123,7 +124,8 @@ class Assembler:
         self._broken = ""
         self._checksum = 0
         self._line = 0  # the first item of the line
-        self._pending: list[tuple[str, int]] = []
+        self._pending: list[tuple[str, int, int]] = []
+        self._blamed: int | None = None  # the item that is to blame where PAL III goes no further
         self._places = 1
         self.table = []
         self.lost = []
@@ -136,7 +138,7 @@ class Assembler:
             else:
                 self._list_symbols()
         except Stop as stop:
-            self.stopped = str(stop), self._at
+            self.stopped = str(stop), self._at if self._blamed is None else self._blamed
         return self._output
 
     def values(self) -> dict[str, int]:
@@ -224,7 +226,10 @@ class Assembler:
             if self._reads_ahead and mark != "\r":
                 self._lose()
         elif routine is None:
-            raise Stop(f"PAL III goes on at {self._item:04o}, where there is no routine")
+            self._blamed = self._redefined.get(self._pointer)
+            raise Stop(
+                f"PAL III goes on at {self._item:04o}, where there is no routine, after this definition"
+            )
         elif self._number == 1:
             self._symbols.expunge() if routine == "EXPUNGE" else self._symbols.fix()
         return True
@@ -253,11 +258,13 @@ class Assembler:
         """Give the word to those that wait for it, the last one first."""
         self._room_for(1)
         while self._pending:
-            kind, pointer = self._pending.pop()
+            kind, pointer, begun = self._pending.pop()
             self._places -= _PUSHED[kind]
             self._made = False
             if kind == "=":
+                self._blamed = begun
                 self._symbols.store(pointer + VALUE, self._word)
+                self._blamed = None
             elif kind == "*":
                 self._location = self._word
                 if self._number == 2:
@@ -302,6 +309,7 @@ class Assembler:
         self._output.append(Listed(self._location, self._word if self._made else None, at))
         fed = False
         if self._items[at][1] == "\r":
+            self._symbols.overwrite()
             fed = any(self._line <= feed <= at for feed in self._feeds)
             self._line = at + 1
         if fed or not self._made:
@@ -332,13 +340,17 @@ class Assembler:
         first = self._symbols.word(pointer)
         if not first & UNDEFINED:
             self._say("RD", typed(spelled(self._symbols.name(pointer))))
+        self._blamed = self._at
         self._symbols.store(pointer, first & ~UNDEFINED)
+        self._blamed = None
+        if pointer < PSEUDO:
+            self._redefined.setdefault(pointer, self._at)
         self._wait("=", pointer)
 
     def _wait(self, kind: str, pointer: int) -> None:
         self._room_for(_PUSHED[kind])
         self._places += _PUSHED[kind]
-        self._pending.append((kind, pointer))
+        self._pending.append((kind, pointer, self._at))
 
     def _room_for(self, places: int) -> None:
         if self._places + places > _PLACES:
@@ -357,28 +369,30 @@ class Assembler:
         """
         name, self._broken = self._broken, ""
         if name[0] <= "9":
-            self._letter &= not name.isdigit()
+            if name.isdigit():
+                self._letters = 0
             return _RESUMED + rest
         self._symbols.spill(rest)
         return name
 
     def _numeral(self, name: str) -> int:
-        """Return the value of a number; 8 and 9 count as 8 and 9 in octal too, and letters are illegal."""
-        try:
-            return int(name, self._radix) & _MASK
-        except ValueError:
-            value = 0
+        """Return the value of a number; 8 and 9 count as 8 and 9 in octal too.
+
+        A letter is illegal, and so is each digit after it; a second letter ends it, and what follows in the
+        item is passed over.
+        """
         if name[0] != _RESUMED:
-            self._letter = False
+            self._letters = 0
+        value = 0
         for character in name.lstrip(_RESUMED):
-            if character <= "9" and not self._letter:
-                value = value * self._radix + int(character) & _MASK
-                continue
             if character > "9":
-                if self._letter:
-                    raise Stop("PAL III never ends at a second letter in a number")
-                self._letter = True
-            self._say("IC", f"{ord(character) & 0o77:04o}")
+                self._letters += 1
+            if self._letters > 1:
+                break
+            if self._letters:
+                self._say("IC", f"{ord(character) & 0o77:04o}")
+            else:
+                value = value * self._radix + int(character) & _MASK
         return value
 
     def _enter(self, name: str) -> int:
@@ -411,6 +425,9 @@ class Assembler:
             if undefined and self._number == 1:
                 words[entry] ^= UNDEFINED
                 words[entry + VALUE] = value & PAGE | ADDRESS
+        if self._reads_ahead and self._symbols.full:
+            self._blamed = self._seen[self._symbols.end - ENTRY]
+            raise Stop("the symbol table is just full: the high-speed reader's buffer overwrites this symbol")
 
     @property
     def _at(self) -> int:

@@ -71,10 +71,9 @@ class Assembly:
     def diagnostics(self) -> list["Diagnostic"]:
         """What is wrong, and what to know besides."""
         from pal.diagnostics import diagnose
-        from pal.listing import overlong
         from pal.notes import notes
 
-        stops = [stop for stop in (self.stopped or self._third.stopped, overlong(self.source)) if stop]
+        stops = [stop for stop in (self.stopped or self._third.stopped,) if stop]
         noted = notes(self.source, len(self.names), self._capacity)
         if self.model:
             from pal.portable import portability

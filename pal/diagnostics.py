@@ -136,9 +136,11 @@ def _undefined(name: str, location: int) -> str:
 def _illegal(code: str, location: int) -> str:
     value = int(code, 8)
     if value < 0o200:
+        if value >= 0o60:
+            return f"illegal character: the digit {chr(value)} after a letter in a number"
         letter = chr(value + 0o100)
         return f"illegal character: the letter {letter} in a number; a symbol begins with a letter"
-    return f"illegal character {_spelled(value & 0o177)}: it is passed over; remove it"
+    return f"illegal character {_spelled(value & 0o177)}: PAL III passes over it"
 
 
 def _spelled(character: int) -> str:

@@ -123,7 +123,8 @@ def _line(piece: Piece, labels: "_Labels") -> str:
 class _Labels:
     """Which words have a tag, and which are numbers and not instructions.
 
-    There are no more tags than PAL III's symbol table has room for; jumps have the first claim to them.
+    There are no more tags than PAL III's symbol table has room for by either reader; jumps have the first claim
+    to them. The last place is left free: what the reader's buffer does to it, stands in table.py.
     """
 
     def __init__(self, tape: list[Piece]) -> None:
@@ -136,7 +137,7 @@ class _Labels:
                 jump = piece.value >> 9 == JMP and not piece.value & INDIRECT
                 (self._jumped_to if jump else self._handled).add(target)
         claims = sorted(self._jumped_to) + sorted(self._handled - self._jumped_to)
-        self._tagged = frozenset(claims[:HIGH_SPEED_SYMBOLS])
+        self._tagged = frozenset(claims[: HIGH_SPEED_SYMBOLS - 1])
         self._undefined = set(self._tagged)
 
     def define(self, address: int) -> str:

@@ -107,22 +107,6 @@ def lines(
             yield ListingLine(address, piece.word, next(texts), place.tape, place.line)
 
 
-def overlong(source: Source) -> tuple[str, int] | None:
-    """Return why pass 3 would not list the source, and the item at the end of the line; None if it would."""
-    if max(map(len, source.text.split("\r"))) <= LONGEST:
-        return None
-    start = 0
-    for at, (_, mark) in enumerate(source.items):
-        end = source.spans[at][1]
-        if mark == "$":
-            break
-        if mark == "\r" and end - start > LONGEST:
-            return f"a line of {end - start} characters: pass 3 has room for {LONGEST}", at
-        if mark == "\r":
-            start = end + 1
-    return None
-
-
 def symbol_table(table: Iterable[Entry], number: int) -> bytes:
     """Return what ends pass 1 or 3."""
     typed_lines = "".join(NEW_LINE + _symbol(entry, number) for entry in table)

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from pal.assembler import WORD, Assembler, Listed, Message, Punched
 from pal.isa import ADDRESS, PAGE
+from pal.listing import LONGEST
 from pal.source import Source
 from pal.symbols import PSEUDO_OPERATORS, spelled
 from pal.table import ENTRY, PSEUDO, UNDEFINED, VALUE
@@ -32,7 +33,27 @@ def notes(source: Source, tapes: int, capacity: int) -> list[Note]:
         if watched.stopped:
             return watched.notes
     ended = watched.ended
-    return watched.notes + _lost_operators(source.items[:ended]) + _of_the_end(source, tapes, ended)
+    return [
+        *watched.notes,
+        *_lost_operators(source.items[:ended]),
+        *_overlong(source, ended),
+        *_of_the_end(source, tapes, ended),
+    ]
+
+
+def _overlong(source: Source, ended: int) -> list[Note]:
+    """Note the first line that pass 3 has no room for."""
+    if max(map(len, source.text.split("\r"))) <= LONGEST:
+        return []
+    start = 0
+    for at, (_, mark) in enumerate(source.items[:ended]):
+        end = source.spans[at][1]
+        if mark == "\r" and end - start > LONGEST:
+            message = f"a line of {end - start} characters: pass 3 has room for {LONGEST}"
+            return [Note(at, message, "the tape is good, the listing is not; break the line")]
+        if mark == "\r":
+            start = end + 1
+    return []
 
 
 def _lost_operators(items: list[tuple[str, str]]) -> list[Note]:

@@ -26,6 +26,7 @@ _BOUNDARY = PSEUDO + sum(symbol.memory_reference for symbol in PERMANENT) * ENTR
 _BEYOND = 0o10000  # a boundary after any symbol
 _SPILL = 93  # the word that takes the first character of a name after an illegal one (late)
 _CORE = 0o2266  # the table's address in core (late; the room for symbols agrees)
+_LINE_FEED = 0o212
 _LEFT_THERE = {1: 0o206, 2: 0o1073}  # words of page zero before pass 1; others are 0 (late)
 
 _NAMES = (*PSEUDO_OPERATORS.items(), *((symbol.mnemonic, symbol.octal) for symbol in PERMANENT))
@@ -72,6 +73,14 @@ class SymbolTable:
         self.index[name] = entry
         self.end += ENTRY
         return entry
+
+    def overwrite(self) -> None:
+        """Take the first frame of a line, a line feed, into the buffer of pass 3, as its first line is read.
+
+        The buffer begins at the value of the last symbol that there is room for.
+        """
+        if self.full:
+            self.words[self.end - ENTRY + VALUE] = _LINE_FEED
 
     def name(self, entry: int) -> tuple[int, int, int]:
         """Return the words of a name, without the mark of an undefined one."""
