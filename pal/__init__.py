@@ -1,8 +1,8 @@
-"""DEC's PAL III assembler of February 1967 (DEC-08-ASB1), frame for frame, and its inverse.
+"""DEC's PAL III assembler of February 1967 (DEC-08-ASB1), frame for frame, and its inverse; and PAL8.
 
 isa            what the 4,096 words mean; everything else asks it
 models         what words do on the 8, 8/S, 8/I and 8/E that an 8/L does otherwise
-symbols        the permanent symbols: the one table, for both ways
+symbols        the permanent symbols: the one table, for both ways; symbols8, those of PAL8
 source         frames of source tapes to the items that PAL III reads
 table          the symbol table as it stands in core
 assembler      the mechanism: three passes over the same reading
@@ -11,7 +11,10 @@ listing        what the Teletype typed
 assembly       all of it in one call: `assemble`
 diagnostics    the messages for people: place, line, caret, advice
 portable       what a source does otherwise on another model
-notes          where a source means something else to PAL III than it says
+notes          what a student should know about a program that assembles
+watched        PAL III with an eye on what a source means otherwise than it says
+pal8           the later dialect, a front end of its own
+assembly8      the same as assembly, in PAL8
 dialects       what PAL III has for what other assemblers know
 crossreference where each symbol is defined and used
 record         an assembly as JSON

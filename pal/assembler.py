@@ -27,7 +27,6 @@ never end. Waiting for ever for the rest of a source without ``$``: `pal.source`
 Sources: DEC-08-ASAC-D; DEC-08-ASB1 (February 1967) and its outputs in tests/pal/examples.
 """
 
-from operator import length_hint
 from typing import NamedTuple
 
 from pal.isa import ADDRESS, CURRENT_PAGE, INDIRECT, PAGE
@@ -64,11 +63,12 @@ class Message(NamedTuple):
 
 
 class Punched(NamedTuple):
-    """What pass 2 punches: a WORD, ORIGIN, FIELD or CHECKSUM, and the location."""
+    """What pass 2 punches: a WORD, ORIGIN, FIELD or CHECKSUM, the location, and the item that ends it."""
 
     kind: str
     location: int
     value: int
+    at: int = 0
 
 
 class Listed(NamedTuple):
@@ -117,7 +117,8 @@ class Assembler:
         """Run pass `number`: its messages and what it punches or lists, in order."""
         self._number = number
         self._symbols.safe = _SAFE[number]
-        self._reader = iter(self._items)
+        self._reader = iter(enumerate(self._items))
+        self._at = 0  # the item read last
         self._output: list[Message | Punched | Listed] = []
         self._location = START
         self._radix = 8
@@ -148,7 +149,8 @@ class Assembler:
     def _read(self) -> None:
         """Read the source, to the first ``$``, and do what each character that ends an item says."""
         self._clear()
-        for item, mark in self._reader:
+        for at, (item, mark) in self._reader:
+            self._at = at
             name = self._go_on(item) if self._broken else item
             if not name:
                 self._item = 0
@@ -162,6 +164,9 @@ class Assembler:
             elif mark in _ENDS:
                 if self._made:
                     self._apply()
+                elif not (self._referring or self._pending or self._doubtful or self._number == 3):
+                    self._clear()
+                    continue
                 self._make_word()
                 if self._pending:
                     self._finish()
@@ -174,6 +179,7 @@ class Assembler:
             elif mark == "=":
                 self._assign()
             elif mark == "*":
+                self._watch("star", 0)
                 self._wait("*", 0)
             elif mark == "$":
                 break
@@ -183,7 +189,16 @@ class Assembler:
 
     def _clear(self) -> None:
         self._word = self._address = self._item = self._operator = self._zeros = 0
-        self._made = self._referring = False
+        self._made = self._referring = self._doubtful = False
+
+    def _watch(self, what: str, pointer: int) -> None:
+        """Do nothing: `pal.notes` notes here what is not what it seems.
+
+        what  `before`: something stands before the memory reference at `pointer`; `reference`: one of I alone
+              or with Z; `word`: what was `doubtful` is a word or none; `pseudo`, `tag`, `equals`, `star`:
+              such an item; `moved`: an assignment in pass 2 gives another value; `number`: one that is not
+              octal or does not fit; `point`: an operator is used twice
+        """
 
     def _look_up(self, name: str, mark: str) -> bool:
         """Look an item up; return whether its mark is still to be acted upon."""
@@ -208,6 +223,7 @@ class Assembler:
     def _act(self, mark: str) -> bool:
         """Do what the pseudo-operator just read says; return whether its mark is still to be acted upon."""
         self._room_for(1)
+        self._watch("pseudo", self._pointer)
         self._made = False
         routine = _ROUTINES.get(self._item)
         if routine == "I":
@@ -239,6 +255,8 @@ class Assembler:
         if self._places == _PLACES:
             self._room_for(1)
         if self._refers:
+            if self._address:
+                self._watch("before", self._pointer)
             self._word |= self._item
             self._referring = True
         elif not self._operator:
@@ -249,6 +267,8 @@ class Assembler:
     def _point(self) -> None:
         """``.``: the item is the location, after what was read; the operator stands for both."""
         if self._made:
+            if self._operator:
+                self._watch("point", 0)
             self._apply()
         self._item, self._refers, self._made = self._location, False, True
         self._apply()
@@ -263,6 +283,8 @@ class Assembler:
             self._made = False
             if kind == "=":
                 self._blamed = begun
+                if self._number == 2 and self._word != self._symbols.word(pointer + VALUE):
+                    self._watch("moved", pointer)
                 self._symbols.store(pointer + VALUE, self._word)
                 self._blamed = None
             elif kind == "*":
@@ -276,7 +298,7 @@ class Assembler:
     def _act_upon(self, routine: str) -> None:
         """FIELD in pass 2, FIXMRI in pass 1: do it with the word."""
         if routine == "FIELD" and self._number == 2:
-            self._output.append(Punched(FIELD, self._location, self._word & 7))
+            self._output.append(Punched(FIELD, self._location, self._word & 7, self._at))
         elif routine == "FIXMRI" and self._number == 1:
             self._symbols.fix_reference()
 
@@ -288,6 +310,8 @@ class Assembler:
             return
         self._referring = False
         page = address & PAGE
+        if self._word == INDIRECT or (self._zeros and page):
+            self._watch("reference", 0)
         if not page:
             self._zeros += 1
         elif self._number != 1 and page != self._location & PAGE:
@@ -298,6 +322,8 @@ class Assembler:
 
     def _write(self) -> None:
         """Punch or list the statement, and move on by a word if it makes one."""
+        if self._doubtful:
+            self._watch("word", 0)
         if self._number == 3:
             self._list(self._at)
         elif self._made and self._number == 2:
@@ -316,12 +342,13 @@ class Assembler:
             self._pointer = self._symbols.page_zero(0)
 
     def _punch(self, kind: str, value: int) -> None:
-        self._output.append(Punched(kind, self._location, value))
+        self._output.append(Punched(kind, self._location, value, self._at))
         self._checksum += (value >> 6) + (value & 0o77) + (0o100 if kind == ORIGIN else 0)
         self._pointer = self._symbols.page_zero(value & 0o77)
 
     def _tag(self) -> None:
         """``,``: define what the pointer points to as the location."""
+        self._watch("tag", self._pointer)
         self._made = False
         if self._number != 1:
             return
@@ -337,6 +364,7 @@ class Assembler:
     def _assign(self) -> None:
         """``=``: what the pointer points to is defined, and waits for its value."""
         pointer = self._pointer
+        self._watch("equals", pointer)
         first = self._symbols.word(pointer)
         if not first & UNDEFINED:
             self._say("RD", typed(spelled(self._symbols.name(pointer))))
@@ -381,8 +409,14 @@ class Assembler:
         A letter is illegal, and so is each digit after it; a second letter ends it, and what follows in the
         item is passed over.
         """
+        if name.isdigit() and (self._radix == 10 or ("8" not in name and "9" not in name)):
+            value = int(name[-12:], self._radix)
+            if value > _MASK or len(name) > 12:
+                self._watch("number", value)
+            return value & _MASK
         if name[0] != _RESUMED:
             self._letters = 0
+        self._watch("number", 0)
         value = 0
         for character in name.lstrip(_RESUMED):
             if character > "9":
@@ -406,11 +440,10 @@ class Assembler:
 
     def _lose(self) -> None:
         """PAUSE: lose what the high-speed reader has read ahead."""
-        first = self._at + 1
-        for _, mark in self._reader:
+        for after, (_, mark) in self._reader:
             if mark == "\r":
+                self.lost.append((self._at + 1, after + 1))
                 break
-        self.lost.append((first, len(self._items) - length_hint(self._reader)))
 
     def _list_symbols(self) -> None:
         """End the pass; pass 1 gives what is undefined the last address of its page."""
@@ -428,11 +461,3 @@ class Assembler:
         if self._reads_ahead and self._symbols.full:
             self._blamed = self._seen[self._symbols.end - ENTRY]
             raise Stop("the symbol table is just full: the high-speed reader's buffer overwrites this symbol")
-
-    @property
-    def _at(self) -> int:
-        """The item read last; what PAUSE loses is not read."""
-        at = len(self._items) - length_hint(self._reader) - 1
-        if self.lost and at == self.lost[-1][1] - 1:
-            return self.lost[-1][0] - 1
-        return at

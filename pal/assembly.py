@@ -11,9 +11,11 @@ from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 from pal import punch
-from pal.assembler import TELETYPE_SYMBOLS, Assembler, Entry, Listed, Message, Punched
-from pal.source import Source
-from pal.symbols import typed
+from pal.assembler import TELETYPE_SYMBOLS, Entry, Listed, Message, Punched
+from pal.notes import Mention
+from pal.source import Place, Source
+from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT, typed
+from pal.watched import Watched
 
 if TYPE_CHECKING:
     from pal.diagnostics import Diagnostic
@@ -21,6 +23,10 @@ if TYPE_CHECKING:
 
 MOST = 100
 """Diagnostics that are printed, unless another number is asked for."""
+
+PAL3, PAL8, FOUND = "pal3", "pal8", "auto"
+DIALECTS = (FOUND, PAL3, PAL8)
+_PSEUDO = {name[:SIGNIFICANT] for name in PSEUDO_OPERATORS}
 
 
 class _Third(NamedTuple):
@@ -36,6 +42,7 @@ class _Third(NamedTuple):
 class Assembly:
     """What became of a source.
 
+    dialect      PAL3 or PAL8
     tape         the object tape as the high-speed punch made it, `bytes`; empty if there is none
     words        {address: word} for loading, the field above the twelve bits of the address
     diagnostics  what is wrong, in source order; `ok` if there is no error on the way to the tape
@@ -45,12 +52,14 @@ class Assembly:
     lines        the same by statements
     """
 
+    dialect = PAL3
+
     def __init__(self, source: Source, names: Sequence[str], capacity: int, model: str | None = None) -> None:
         self.source = source
         self.model = model
         self.names = names
         self._capacity = capacity
-        self._assembler = assembler = Assembler(source, capacity)
+        self._assembler = assembler = Watched(source, capacity)
         self._first = assembler.run(1)
         self._table: list[Entry] = assembler.table
         self._second: list[Message | Punched | Listed] = [] if assembler.stopped else assembler.run(2)
@@ -70,16 +79,35 @@ class Assembly:
     @cached_property
     def diagnostics(self) -> list["Diagnostic"]:
         """What is wrong, and what to know besides."""
+        from pal import watched
         from pal.diagnostics import diagnose
-        from pal.notes import notes
 
-        stops = [stop for stop in (self.stopped or self._third.stopped,) if stop]
-        noted = notes(self.source, len(self.names), self._capacity)
+        noted = watched.notes(self.source, len(self.names), self._assembler, self._second, self._table)
+        stopped = self.stopped
+        if self._assembler.moved or self.model:
+            stopped = stopped or self._third.stopped
+            noted += watched.of_pass_3(self._second, self._third.output)
         if self.model:
             from pal.portable import portability
 
             noted += portability(self.source, self._third.output, self.model)
-        return diagnose(self.source, self.names, self.messages, stops, noted)
+        return diagnose(self.source, self.names, self.messages, [stopped] if stopped else [], noted)
+
+    def place(self, at: int) -> Place:
+        """Return where an item of the source stands, as diagnostics and mentions have it."""
+        return self.source.place(at)
+
+    @cached_property
+    def mentions(self) -> list[Mention]:
+        """The symbols where they stand; pseudo-operators are left out."""
+        found = []
+        for at, (item, mark) in enumerate(self.source.items):
+            name = item[:SIGNIFICANT]
+            if name[:1] > "9" and name not in _PSEUDO:
+                found.append(Mention(name, at, mark in (",", "=")))
+            if mark == "$":
+                break
+        return found
 
     @cached_property
     def symbols(self) -> dict[str, int]:
@@ -166,6 +194,7 @@ def assemble(
     modern: bool = False,
     capacity: int = TELETYPE_SYMBOLS,
     model: str | None = None,
+    dialect: str = PAL3,
 ) -> Assembly:
     """Assemble the source tapes, read one after the other.
 
@@ -175,10 +204,21 @@ def assemble(
     capacity  room for symbols of the source, by its reader: TELETYPE_SYMBOLS, or HIGH_SPEED_SYMBOLS, which
               reads ahead and at PAUSE loses the rest of the line
     model     one of models.MODELS: the diagnostics note what other models do otherwise
+    dialect   PAL3, PAL8, or FOUND: PAL8 where the source is in error as PAL III and is none in PAL8, and has
+              what is PAL8's alone; a note says so
 
-    Whatever is wrong with the source is a diagnostic; nothing is raised.
+    Whatever is wrong with the source is a diagnostic. Raises ValueError for another dialect.
     """
-    tapes = [source.encode("ascii", "replace") if isinstance(source, str) else source for source in sources]
-    read = Source(tapes, modern)
-    called = names or [f"tape {number}" for number in range(1, len(tapes) + 1)]
-    return Assembly(read, called, capacity, model)
+    if dialect not in DIALECTS:
+        raise ValueError(f"{dialect!r} is not one of {', '.join(DIALECTS)}")
+    called = names or [f"tape {number}" for number in range(1, len(sources) + 1)]
+    if dialect == PAL8:
+        from pal.assembly8 import Assembly8
+
+        return Assembly8(sources, called, model)
+    assembly = Assembly(Source(sources, modern), called, capacity, model)
+    if dialect == FOUND and not assembly.ok:
+        from pal.assembly8 import found
+
+        return found(assembly, sources)
+    return assembly

@@ -10,9 +10,7 @@ are left out.
 from typing import NamedTuple
 
 from pal.assembly import Assembly
-from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT, codes
-
-_PSEUDO = {name[:SIGNIFICANT] for name in PSEUDO_OPERATORS}
+from pal.symbols import codes
 
 
 class Occurrence(NamedTuple):
@@ -37,14 +35,10 @@ def cross_reference(assembly: Assembly) -> list[Reference]:
     """Return the symbols that occur in the source, in the order of PAL III's symbol table."""
     defined: dict[str, list[Occurrence]] = {}
     used: dict[str, list[Occurrence]] = {}
-    for at, (item, mark) in enumerate(assembly.source.items):
-        name = item[:SIGNIFICANT]
-        if name[:1] > "9" and name not in _PSEUDO:
-            place = assembly.source.place(at)
-            occurrence = Occurrence(assembly.names[place.tape], place.line, place.start + 1)
-            (defined if mark in (",", "=") else used).setdefault(name, []).append(occurrence)
-        if mark == "$":
-            break
+    for mention in assembly.mentions:
+        place = assembly.place(mention.at)
+        occurrence = Occurrence(assembly.names[place.tape], place.line, place.start + 1)
+        (defined if mention.defined else used).setdefault(mention.name, []).append(occurrence)
     return [
         Reference(
             name,

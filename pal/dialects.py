@@ -27,15 +27,18 @@ _ELSEWHERE = {
     ("IFDEF", "IFNDEF", "IFZERO", "IFNZRO"),
     "PAL III assembles everything; keep variants on separate tapes",
 )
-_LATER = "ACL BSW CAF CAM CDF CIF DVI GTF KCF KIE MQA MQL MUY RDF RIB RIF RMF RTF SGT SKON SRQ SWP TFL TSK"
+_LATER = (
+    "ACL ASR BSW CAF CAM CDF CIF DVI GTF KCF KIE LSR MQA MQL MUY NMI RDF RIB RIF RMF RTF SCA SCL SGT SHL "
+    "SKON SRQ SWP TFL TSK"
+)
 _GROUPS = {"OPR": "7000", "IOT": "6000"}
 _CHARACTERS = {
     "!": "PAL III has no ! operator: a space is inclusive OR",
     "&": "PAL III has no & operator",
     "^": "PAL III has no ^ operator",
     "%": "PAL III has no % operator",
-    "(": "PAL III has no literals: give the constant a tag in the program and refer to that",
-    "[": "PAL III has no literals: give the constant a tag on page zero and refer to that",
+    "(": "PAL III has no literals: give the constant a tag and refer to that, or take --dialect pal8",
+    "[": "PAL III has no literals: give the constant a tag and refer to that, or take --dialect pal8",
     '"': "PAL III has no character constants: write the code, as in 301 for A",
     "<": "PAL III has no conditional assembly and no macros",
     "@": "PAL III writes an indirect reference with I, as in JMP I 20",

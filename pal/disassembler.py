@@ -123,8 +123,8 @@ def _line(piece: Piece, labels: "_Labels") -> str:
 class _Labels:
     """Which words have a tag, and which are numbers and not instructions.
 
-    There are no more tags than PAL III's symbol table has room for by either reader; jumps have the first claim
-    to them. The last place is left free: what the reader's buffer does to it, stands in table.py.
+    There are no more tags than PAL III's symbol table has room for by either reader, whose buffer may take
+    the last place; jumps have the first claim to them.
     """
 
     def __init__(self, tape: list[Piece]) -> None:

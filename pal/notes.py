@@ -1,265 +1,269 @@
-"""Where a source means something else to PAL III than it says.
+"""What a student should know about a program that assembles: notes, each with a code that stays.
 
-PAL III is silent here, and the tape is the same; a person would rather know. `Watched` is the assembler
-itself, run once more, which notes what it comes across.
+A note is of a thing that is allowed and is hardly meant. `--strict` takes notes for errors; a comment with
+`pal:` and the code, as in `/ pal: PN06`, silences it on that line. Each code has its paragraph in
+docs/notes.md.
+
+Here are the notes on the words that a program consists of, in either dialect; `pal.watched` has those on what
+PAL III does, `pal.pal8` those on PAL8.
+
+Sources: Small Computer Handbook 1970 (operate groups); DEC-08-ASAC-D.
 """
 
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from pal.assembler import WORD, Assembler, Listed, Message, Punched
-from pal.isa import ADDRESS, PAGE
-from pal.listing import LONGEST
-from pal.source import Source
-from pal.symbols import PSEUDO_OPERATORS, spelled
-from pal.table import ENTRY, PSEUDO, UNDEFINED, VALUE
+from pal.isa import CLA, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, REVERSED, refers_to
 
-_POINTER = "PAL III takes the symbol it looked up last; write the symbol directly before"
-_LOST_OPERATOR = "a space is an operator too, and the last one counts; leave no space after + or -"
+COMBINED, OVERLAID, AFTER_END, TOO_LARGE, NOT_OCTAL = "PN01", "PN02", "PN03", "PN04", "PN05"
+INTO_DATA, INTO_CODE, NO_RETURN, CUT, RESERVED = "PN06", "PN07", "PN08", "PN09", "PN30"
+COLON, NO_SLASH, MEANT, NOT_IN_TABLE, LOWER_CASE = "PN31", "PN32", "PN33", "PN34", "PN35"
+DIALECT, NOT_ON_8L, MODEL = "PN36", "PN37", "PN38"
+
+_SKIPS = 0o160  # the bits of group 2 that test
+_STORE = 3  # DCA
+_SAME_AS = {
+    **{"HALT": "HLT", "STOP": "HLT", "JUMP": "JMP", "BRA": "JMP", "GOTO": "JMP", "CALL": "JMS", "JSR": "JMS"},
+    **{"ADD": "TAD", "LOAD": "TAD", "LDA": "TAD", "STORE": "DCA", "STO": "DCA", "INC": "IAC", "CLEAR": "CLA"},
+    **{"NEG": "CIA", "COM": "CMA", "NOT": "CMA", "CLR": "CLA", "SKIP": "SKP", "ROL": "RAL", "ROR": "RAR"},
+    **{"SUBR": "JMS", "RETURN": "JMP I", "RET": "JMP I", "RTS": "JMP I", "BYTE": "TEXT", "ORG": "*"},
+}
+"""What other machines and assemblers call it."""
 
 
 class Note(NamedTuple):
-    """What is to be noted, at which item, and what to do."""
+    """What is to be noted: its code, at which item or place, and what to do."""
 
+    code: str
     at: int
     message: str
     advice: str
 
 
-def notes(source: Source, tapes: int, capacity: int) -> list[Note]:
-    """Return what is to be noted of a source of so many tapes."""
-    watched = Watched(source, capacity)
-    for number in (1, 2, 3):
-        watched.run(number)
-        if watched.stopped:
-            return watched.notes
-    ended = watched.ended
-    return [
-        *watched.notes,
-        *_lost_operators(source.items[:ended]),
-        *_overlong(source, ended),
-        *_of_the_end(source, tapes, ended),
-    ]
+class Written(NamedTuple):
+    """A word that a source makes: where it goes, and the item or place of its statement.
+
+    `names` are the symbols it is made of, in the order of the source; `literal` tells that it is one of a
+    pool, `link` that it refers to a literal that nobody wrote.
+    """
+
+    address: int
+    word: int
+    at: int
+    names: list[str]
+    literal: bool = False
+    link: bool = False
 
 
-def _overlong(source: Source, ended: int) -> list[Note]:
-    """Note the first line that pass 3 has no room for."""
-    if max(map(len, source.text.split("\r"))) <= LONGEST:
-        return []
-    start = 0
-    for at, (_, mark) in enumerate(source.items[:ended]):
-        end = source.spans[at][1]
-        if mark == "\r" and end - start > LONGEST:
-            message = f"a line of {end - start} characters: pass 3 has room for {LONGEST}"
-            return [Note(at, message, "the tape is good, the listing is not; break the line")]
-        if mark == "\r":
-            start = end + 1
-    return []
+class Mention(NamedTuple):
+    """A symbol in the source: the item or place where it stands, and whether it is defined there."""
+
+    name: str
+    at: int
+    defined: bool
 
 
-def _lost_operators(items: list[tuple[str, str]]) -> list[Note]:
-    return [
-        Note(at, "this makes an inclusive OR of it", _LOST_OPERATOR)
-        for at, (before, blank, after) in enumerate(zip(items, items[1:], items[2:], strict=False), 1)
-        if before[1] in "+-" and blank[0] == "" and blank[1] in " \t" and (after[0] or after[1] == ".")
-    ]
+def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[Note]:
+    """Return the notes on the words of a program, given the symbols that are instructions."""
+    notes: list[Note] = []
+    cells: dict[int, Written] = {}
+    looked_at: dict[str, str] = {}
+    overlaid = -2
+    for written in words:
+        if written.address in cells and not (written.literal and cells[written.address].literal):
+            if overlaid != written.address - 1:
+                notes.append(_overlaid(written))
+            overlaid = written.address
+        cells[written.address] = written
+        if written.word >= IOT << 9 and len(written.names) > 1:
+            key = " ".join(written.names)
+            if key not in looked_at:
+                looked_at[key] = _combination(written, instructions)
+            if looked_at[key]:
+                advice = "write them as two instructions"
+                notes.append(Note(COMBINED, written.at, looked_at[key], advice))
+    return notes + _flow(cells, instructions)
 
 
-def _of_the_end(source: Source, tapes: int, ended: int) -> list[Note]:
-    if ended == len(source.items) - 1:
-        advice = "PAL III would wait for more tape; it is taken as if there were one"
-        return [Note(max(ended - 1, 0), "no $ at the end", advice)]
-    unread = tapes - 1 - source.place(ended).tape
-    if not unread:
-        return []
-    message = f"{unread} more tape{'s' * (unread > 1)} not read"
-    return [Note(ended, message, "$ ends the source; on a tape that others follow, PAUSE stands instead")]
+def _overlaid(written: Written) -> Note:
+    message = f"{written.address:04o} has a word already; the later one is loaded over it"
+    return Note(OVERLAID, written.at, message, "set the origin where there is room")
 
 
-class Watched(Assembler):
-    """The assembler with an eye on what it makes of a source: `notes`, and the item where it `ended`."""
+def _combination(written: Written, instructions: Mapping[str, int]) -> str:
+    """Return what is wrong with the symbols that make an IOT or OPR, "" if they go together."""
+    parts = [(name, instructions[name]) for name in written.names if instructions.get(name, 0) >= IOT << 9]
+    if len(parts) < 2:
+        return ""
+    named = " ".join(name for name, _ in parts)
+    if any(word >> 9 == IOT for _, word in parts):
+        devices = {word >> 3 for _, word in parts}
+        if len(devices) < 2:
+            return ""
+        return f"{named} is {written.word:04o}, neither of them"
+    first = [name for name, word in parts if not word & GROUP_2 and word & ~CLA & 0o377]
+    second = [name for name, word in parts if word & GROUP_2]
+    if first and second:
+        return f"{first[0]} and {second[0]} are of different groups: {named} is {_spelled(written.word)}"
+    senses = {word & REVERSED for _, word in parts if word & GROUP_2 and word & (_SKIPS | REVERSED)}
+    if len(senses) > 1:
+        return f"{named} is {_spelled(written.word)}: of two opposite skips one is turned round"
+    rotations = [name for name, word in parts if not word & GROUP_2 and word & 0o014]
+    if len(rotations) > 1 and len(set(rotations)) > 1:
+        return f"{' and '.join(rotations)}: a word rotates once"
+    return ""
 
-    def __init__(self, source: Source, capacity: int) -> None:
-        super().__init__(source, capacity)
-        self.notes: list[Note] = []
-        self.ended = 0
-        self._twice: set[int] = set()
-        self._assigned = 0
-        self._expunged: int | None = None
-        self._on_tape: list[int] = []
 
-    def run(self, number: int) -> list[Message | Punched | Listed]:
-        """Run a pass, then look at what it made."""
-        output = super().run(number)
-        if self.stopped:
-            return output
-        self.ended = self._at
-        if number == 1:
-            self._look_at_references()
-        elif number == 2:
-            punched = [piece for piece in output if isinstance(piece, Punched)]
-            self._on_tape = [piece.value for piece in punched if piece.kind == WORD]
-            if self._made or self._applied:
-                self._note("what stands before this $ is lost", "put the $ on its own line")
+def _spelled(word: int) -> str:
+    from pal.disassembler import microinstruction
+
+    name = microinstruction(word)
+    return f"{word:04o}, {name}" if name else f"{word:04o}"
+
+
+def _is_instruction(written: Written, instructions: Mapping[str, int]) -> bool:
+    """Tell whether a word is written as an instruction, or as a number that can hardly be anything else."""
+    return any(name in instructions for name in written.names)
+
+
+def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[Note]:
+    """Return the notes on what is called, returned to and run into."""
+    notes = []
+    called: set[int] = set()
+    counted: set[int] = set()
+    stored: set[int] = set()
+    jumps: list[tuple[Written, int]] = []
+    calls: list[tuple[Written, int]] = []
+    for written in cells.values():
+        operation = written.word >> 9
+        if operation > JMP or written.word & INDIRECT or written.link or not written.names:
+            continue
+        if written.literal or not _is_instruction(written, instructions):
+            continue
+        if operation >= JMS and _changes_field(cells, written.address):
+            continue
+        target = written.address & 0o70000 | refers_to(written.word, written.address & 0o7777)
+        if operation == JMP:
+            jumps.append((written, target))
+        elif operation == JMS:
+            called.add(target)
+            calls.append((written, target))
+        elif operation == _STORE:
+            stored.add(target)
         else:
-            self._compare([piece for piece in output if isinstance(piece, Listed) and piece.word is not None])
-        return output
+            counted.add(target)
+    for written, target in calls:
+        cell = cells.get(target)
+        if cell is not None and not cell.literal and _is_instruction(cell, instructions):
+            message = f"JMS stores the return address over the instruction at {target:04o}"
+            notes.append(Note(INTO_CODE, written.at, message, "a subroutine begins with a word of 0"))
+    for written, target in jumps:
+        cell = cells.get(target)
+        if target in called and cell is not None and not _is_instruction(cell, instructions):
+            message = f"JMP to {target:04o} runs the return address; a return is JMP I"
+            notes.append(Note(NO_RETURN, written.at, message, "write I to go where the word says"))
+    for target in sorted(called | (counted - stored)):
+        cell = cells.get(target)
+        before = cells.get(target - 1)
+        if cell is None or before is None or cell.literal or before.literal or cell.word >= IOT << 9:
+            continue
+        if _is_instruction(cell, instructions) or not _is_instruction(before, instructions):
+            continue
+        if _goes_on(before.word, cells.get(target - 2)):
+            message = f"the program runs on from {target - 1:04o} into data at {target:04o}"
+            notes.append(Note(INTO_DATA, cell.at, message, "end what comes before with JMP or HLT"))
+    return notes
 
-    def _look_at_references(self) -> None:
-        if self._expunged is not None and self._symbols.boundary > self._symbols.end and self.table:
-            advice = "define the memory references first after EXPUNGE, each with FIXMRI"
-            message = "with EXPUNGE and no FIXMRI every symbol is a memory reference"
-            self.notes.append(Note(self._expunged, message, advice))
 
-    def _compare(self, listed: list[Listed]) -> None:
-        """Note the first word that pass 2 and pass 3 see differently."""
-        for piece, word in zip(listed, self._on_tape, strict=False):
-            if piece.word != word:
-                message = f"this is {word:04o} on the tape and {piece.word:04o} in the listing"
-                advice = "each pass assigns again, with the values that the last one left"
-                self.notes.append(Note(piece.at, message, advice))
-                return
+def _changes_field(cells: dict[int, Written], address: int) -> bool:
+    """Tell whether a CIF stands just before, so that a JMP or JMS goes to another field."""
+    for before in (address - 1, address - 2, address - 3):
+        cell = cells.get(before)
+        if cell is not None and cell.word & 0o7702 == 0o6202:
+            return True
+    return False
 
-    def _note(self, message: str, advice: str) -> None:
-        """Note something once, in pass 2, when all values are known."""
-        if self._number == 2:
-            self.notes.append(Note(self._at, message, advice))
 
-    @property
-    def _name(self) -> str:
-        return self._items[self._at][0]
+def _goes_on(word: int, before: Written | None) -> bool:
+    """Tell whether the word after `word` is reached: by it, or by a skip over it."""
+    operation = word >> 9
+    if operation == JMS or (operation == OPR and word & 0o7403 == 0o7402):
+        return False
+    if operation != JMP:
+        return True
+    return before is not None and _skips(before.word) and bool(before.names)
 
-    @property
-    def _has_symbol(self) -> bool:
-        """Whether a symbol stands before the mark just read, if with blanks between."""
-        at = self._at
-        while at > self._begun and not self._items[at][0] and self._items[at - 1][1] in " \t":
-            at -= 1
-        return self._items[at][0][:1] > "9"
 
-    @property
-    def _so_far(self) -> int:
-        return self._word | self._address
+def _skips(word: int) -> bool:
+    if word >> 9 == OPR:
+        return word & 0o7401 == 0o7400 and bool(word & (_SKIPS | REVERSED))
+    return word >> 9 == ISZ or word & 0o7007 == 0o6001
 
-    def _clear(self) -> None:
-        super()._clear()
-        self._begun = self._at + 1
-        self._applied = self._operated = False
-        self._swallowed: tuple[int, str] | None = None
-        self._kept: int | None = None
 
-    def _say(self, code: str, subject: str) -> None:
-        super()._say(code, subject)
-        if code in ("DT", "RD"):
-            self._twice.add(self._pointer)
+def meant(name: str, known: Iterable[str]) -> str:
+    """Return the symbol that was probably meant by an undefined one, "" if none is near."""
+    if name in _SAME_AS:
+        return _SAME_AS[name]
+    if len(name) < 3:
+        return ""
+    for other in known:
+        if other != name and _near(name, other):
+            return other
+    return ""
 
-    def _act(self, mark: str) -> bool:
-        routine = list(PSEUDO_OPERATORS)[self._pointer // ENTRY]
-        if self._number == 1 and routine == "EXPUNGE":
-            self._look_at_forgotten()
-        if self._number == 1 and routine == "FIXTAB":
-            self._look_at_undefined()
-        if self._applied and routine not in ("I", "FIELD", "FIXMRI"):
-            self._swallowed = self._at, routine
-        if routine in ("FIELD", "FIXMRI") and mark not in " \t":
-            what = "the next statement" if mark in "\r;" else f"what follows the {mark}"
-            self._note(f"{routine} takes {what}", f"write a space and the operand after {routine}")
-        return super()._act(mark)
 
-    def _look_at_forgotten(self) -> None:
-        self._expunged = self._at
-        if self._symbols.end > self._symbols.first:
-            message = "EXPUNGE forgets the symbols that the source has used before"
-            self.notes.append(Note(self._at, message, "put it first"))
+def _near(name: str, other: str) -> bool:
+    """Tell whether two letters exchanged, one more or less, or one of five, make one name of the other."""
+    if abs(len(name) - len(other)) > 1 or len(other) < 3:
+        return False
+    start = 0
+    while start < min(len(name), len(other)) and name[start] == other[start]:
+        start += 1
+    rest, others = name[start:], other[start:]
+    if rest[1:] == others[1:] and min(len(name), len(other)) > 4:
+        return True
+    if rest[1:] == others or rest == others[1:]:
+        return True
+    return (
+        len(name) == len(other) and rest[:2] == others[1::-1] and len(others) > 1 and rest[2:] == others[2:]
+    )
 
-    def _look_at_undefined(self) -> None:
-        words = self._symbols.words
-        entries = range(self._symbols.first, self._symbols.end, ENTRY)
-        names = [spelled(self._symbols.name(entry)) for entry in entries if words[entry] & UNDEFINED]
-        if names:
-            message = f"FIXTAB keeps what is not defined yet: {' '.join(names)}"
-            advice = "it is in no symbol table and gets no UA; put FIXTAB after the definitions"
-            self.notes.append(Note(self._at, message, advice))
 
-    def _apply(self) -> None:
-        if self._refers and self._pointer >= PSEUDO:
-            self._operated = True
-            if self._address and self._kept is None:
-                self._note(
-                    f"what stands before {self._name} is part of its address",
-                    "write what belongs to the address after the instruction, and nothing else beside it",
-                )
-        self._applied = True
-        super()._apply()
+def of_undefined(undefined: Iterable[tuple[str, int, int]], known: Iterable[str]) -> list[Note]:
+    """Return what was meant by undefined symbols, or that a line of several of them is text.
 
-    def _point(self) -> None:
-        if self._made and self._operator and self._name:
-            sign = "+" if self._operator > 0 else "-"
-            message = f"the {sign} is used for {self._name} and for the location"
-            self._note(message, "write the location first, or a space before the point")
-        super()._point()
+    `undefined` are names, with the item or place where each stands and a number for its line.
+    """
+    lines: dict[int, list[tuple[str, int]]] = {}
+    for name, at, line in undefined:
+        lines.setdefault(line, []).append((name, at))
+    notes = []
+    names = list(known)
+    for found in lines.values():
+        if len(found) > 1:
+            notes.append(Note(NO_SLASH, found[0][1], "this reads as text", "a comment begins with a slash"))
+            continue
+        name, at = found[0]
+        other = meant(name, names)
+        if other:
+            notes.append(Note(MEANT, at, f"{name} is not defined: did you mean {other}?", ""))
+    return notes
 
-    def _make_word(self) -> None:
-        if self._referring and not self._operated:
-            message = "I without a memory-reference symbol makes an AND"
-            self._note(message, "write the instruction before I")
-        page = self._address & PAGE
-        if self._referring and self._zeros and page == self._location & PAGE != 0:
-            message = f"Z makes this refer to {self._address & ADDRESS:04o} on page zero"
-            self._note(message, f"for {self._address:04o}, on this page, leave out Z")
-        super()._make_word()
 
-    def _write(self) -> None:
-        swallowed = self._swallowed
-        if self._number == 2 and swallowed and not self._made:
-            message = f"{swallowed[1]} at the end of a statement leaves no word"
-            advice = "put it on its own line" if swallowed[1] != "Z" else "write Z before the address"
-            self.notes.append(Note(swallowed[0], message, advice))
-        if self._number == 2 and self._kept is not None and self._made:
-            message = "what stands before this comma is part of the word"
-            advice = "a space puts even the tag there; write the tag first, the comma directly after it"
-            self.notes.append(Note(self._kept, message, advice))
-        super()._write()
+def of_names(mentions: Iterable[tuple[str, int]], permanent: Iterable[str]) -> list[Note]:
+    """Return the notes on names that are the same in their first six characters and are spelled otherwise.
 
-    def _tag(self) -> None:
-        if self._so_far:
-            self._kept = self._at
-        if not self._has_symbol:
-            self._note("no symbol stands before this comma", _POINTER)
-        value = self._symbols.word(self._pointer + VALUE)
-        if self._name[:1] > "9" and value != self._location and self._pointer not in self._twice:
-            message = f"{self._name} is {value:04o} from pass 1, and stands at {self._location:04o} in pass 2"
-            self._note(message, "an origin depends on a symbol that is defined after it; define it first")
-        super()._tag()
-
-    def _assign(self) -> None:
-        if not self._has_symbol:
-            self._note("no symbol stands before this equals sign", _POINTER)
-        elif self._so_far:
-            message = f"what stands before the equals sign, {self._so_far:04o}, is part of the value"
-            self._note(message, "a space puts even the symbol there; write the equals sign directly after it")
-        self._assigned = self._pointer
-        super()._assign()
-
-    def _wait(self, kind: str, pointer: int) -> None:
-        if kind == "*" and self._name:
-            self._note(f"{self._name} before the asterisk has no effect", "put the origin on its own line")
-        elif kind in ("*", "FIELD") and self._so_far:
-            message = f"what stands before it, {self._so_far:04o}, is part of the operand"
-            self._note(message, "put it on its own line")
-        super()._wait(kind, pointer)
-
-    def _act_upon(self, routine: str) -> None:
-        boundary = self._symbols.boundary
-        super()._act_upon(routine)
-        moved = self._symbols.boundary
-        if moved == boundary or moved == self._assigned + ENTRY:
-            return
-        name = spelled(self._symbols.name(moved - ENTRY))
-        message = f"FIXMRI makes {name} a memory reference, whatever it defines"
-        self.notes.append(Note(self._at, message, "use it for the first definitions after EXPUNGE"))
-
-    def _lose(self) -> None:
-        super()._lose()
-        first, after = self.lost[-1]
-        if any(name or mark not in " \t\r" for name, mark in self._items[first:after]):
-            self._note("what follows PAUSE on its line is lost", "end the line after PAUSE")
+    `mentions` are names in full, with the item or place where they stand.
+    """
+    notes = []
+    spelled: dict[str, str] = {}
+    known = set(permanent)
+    told: set[str] = set()
+    for name, at in mentions:
+        cut = name[:6]
+        first = spelled.setdefault(cut, name)
+        if first != name and cut not in told and cut not in known:
+            told.add(cut)
+            message = f"{name} is the same symbol as {first}: six characters count"
+            notes.append(Note(CUT, at, message, "let names differ in their first six characters"))
+    return notes

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from pal.assembler import Listed, Message, Punched
 from pal.models import differs
-from pal.notes import Note
+from pal.notes import MODEL, Note
 from pal.source import Source
 
 _ENDS = ("\r", ";", "$")
@@ -26,7 +26,8 @@ def portability(source: Source, output: Iterable[Message | Punched | Listed], mo
         difference = differs(piece.word, model)
         at = _instruction(source, piece.at, tags) if difference else None
         if at is not None:
-            notes.append(Note(at, f"{piece.word:04o} {difference}", "a program for all models does without"))
+            message = f"{piece.word:04o} {difference}"
+            notes.append(Note(MODEL, at, message, "a program for all models does without"))
     return notes
 
 

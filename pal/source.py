@@ -24,6 +24,7 @@ from typing import NamedTuple
 from tapes.frames import PARITIES
 
 _PASSED_OVER = bytes((0o000, 0o200, 0o177, 0o377, 0o212))
+_TOKEN = re.compile(r'[A-Z0-9]+|".|[^\s>]')
 _ITEM = re.compile(r"([A-Z0-9\f]*)(?:/[^\r]*)?([^A-Z0-9\f])")
 
 
@@ -41,13 +42,15 @@ class Source:
     """The source tapes, read one after the other as if they were one.
 
     text     what is on them, each line ended by CR; a CR and a `$` are added at the end
+    shown    the same as a person wrote it: what is not ASCII is `?` in `text`
     items    [(letters and digits, the character that ends them), ...]
     feeds    the items in which, or in the comment after which, there is a form feed
     """
 
-    def __init__(self, tapes: Sequence[bytes], modern: bool = False) -> None:
+    def __init__(self, tapes: Sequence[bytes | str], modern: bool = False) -> None:
         texts = [_characters(tape) for tape in tapes]
-        text = "".join(texts)
+        self.shown = "".join(texts)
+        text = self.shown if self.shown.isascii() else _ascii(self.shown)
         self._starts = [0, *accumulate(map(len, texts))][: len(texts)]
         self.text = text + ("$" if text.endswith("\r") or not text else "\r$")
         self._code = self.text.upper() if modern else self.text
@@ -67,29 +70,89 @@ class Source:
         """Where in `text` each line ends."""
         return [match.start() for match in re.finditer("\r", self.text)]
 
+    @cached_property
+    def _last_items(self) -> list[int]:
+        """The item that each line ends with."""
+        return [at for at, (_, mark) in enumerate(self.items) if mark == "\r"]
+
+    def _span(self, at: int) -> tuple[int, int, int]:
+        """Return the line of item `at`, counted from 0, and its span; only that line is read again."""
+        from bisect import bisect_left
+
+        line = bisect_left(self._last_items, at)
+        first = self._last_items[line - 1] + 1 if line else 0
+        begin = self._ends[line - 1] + 1 if line else 0
+        for number, match in enumerate(_ITEM.finditer(self._code, begin), first):
+            if number == at:
+                return line, match.start(), match.start(2)
+        raise IndexError(at)
+
     def place(self, at: int) -> Place:
         """Return where item `at` stands; for an empty one, the character that ends it."""
-        start, mark = self.spans[at]
+        from bisect import bisect_left
+
+        line, start, mark = self._span(at)
         end = start + len(self.items[at][0])
         if start == end:
             start, end = mark, mark + 1
-        from bisect import bisect_left
-
         tape = max(sum(begin <= start for begin in self._starts) - 1, 0)
-        line = bisect_left(self._ends, start)
         number = line - bisect_left(self._ends, self._starts[tape]) + 1
         first = self._ends[line - 1] + 1 if line else 0
-        text = self.text[first : self._ends[line]] if line < len(self._ends) else self.text[first:-1]
+        text = self.shown[first : self._ends[line]] if line < len(self._ends) else self.shown[first:]
         return Place(tape, number, text, start - first, end - first)
 
 
-def _characters(tape: bytes) -> str:
+def _ascii(text: str) -> str:
+    return text.encode("ascii", "replace").decode("ascii")
+
+
+def _characters(tape: bytes | str) -> str:
     r"""Return the characters of a source tape but for those that are passed over; each line ends with ``\r``.
 
-    A character beyond ASCII in a text (UTF-8, which no tape with channel 8 happens to be) becomes a ``?``.
+    What is beyond ASCII stays in a text, and in UTF-8, which no tape with channel 8 happens to be.
     """
-    if not tape.isascii():
+    if isinstance(tape, bytes) and not tape.isascii():
         with suppress(UnicodeDecodeError):
-            tape = tape.decode("utf-8-sig").encode("ascii", "replace")
-    text = tape.translate(PARITIES["none"], _PASSED_OVER).decode("ascii")
+            tape = tape.decode("utf-8-sig")
+    if isinstance(tape, bytes):
+        text = tape.translate(PARITIES["none"], _PASSED_OVER).decode("ascii")
+    else:
+        text = tape.removeprefix("\ufeff").replace("\0", "").replace("\x7f", "")
     return text.replace("\r\n", "\r").replace("\n", "\r")
+
+
+class Line(NamedTuple):
+    """A line of a source: its tape, counted from 0, its number on it, from 1, and its text."""
+
+    tape: int
+    number: int
+    text: str
+
+
+def lines_of(tapes: Sequence[bytes | str]) -> list[Line]:
+    """Return the lines of the source tapes, read one after the other; a tape's end ends a line."""
+    lines = []
+    for tape, frames in enumerate(tapes):
+        texts = _characters(frames).replace("\x1a", "").split("\r")
+        if not texts[-1]:
+            texts.pop()
+        lines += [Line(tape, number, text) for number, text in enumerate(texts, 1)]
+    return lines
+
+
+def tokens(text: str, start: int = 0) -> list[tuple[str, int, int]]:
+    """Return the tokens of a line of PAL8 from column `start` on: capitals, first column, the one after.
+
+    A name, a number, `"` with its character, or another single character; blanks stand between them, among
+    which are form feed and `>`. The last token is empty: it stands at the comment or the end of the line.
+    """
+    found = []
+    code = (text if text.isascii() else _ascii(text)).upper()
+    for match in _TOKEN.finditer(code, start):
+        token = match.group()
+        if token == "/":
+            found.append(("", match.start(), match.start()))
+            return found
+        found.append((token, match.start(), match.end()))
+    found.append(("", len(text), len(text)))
+    return found

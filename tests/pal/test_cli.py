@@ -59,7 +59,7 @@ def test_with_errors_there_is_no_tape_but_with_force(folder: Path) -> None:
     result = run("bad.pal", folder=folder)
     assert result.returncode == 1
     assert result.stderr.decode().splitlines() == [
-        "bad.pal:2:2: IR  0400  AT  0200",
+        "bad.pal:2:2: error: IR  0400  AT  0200",
         "    \tJMP 400",
         "    \t^^^",
         "  illegal reference: 0400 is neither on page zero nor on the page of 0200; 0200 is used; "
@@ -81,7 +81,7 @@ def test_several_sources_are_one_program(folder: Path) -> None:
     (folder / "one.pal").write_text("*200\n\tJMP B\nPAUSE\n")
     (folder / "two.pal").write_text("B,\tHLT\n\tTAD 400\n$\n")
     result = run("one.pal", "two.pal", "-o", "both.bin", "--force", folder=folder)
-    assert b"two.pal:2:2: IR  0400  AT  0202" in result.stderr
+    assert b"two.pal:2:2: error: IR  0400  AT  0202" in result.stderr
     assert (folder / "both.bin").read_bytes()[65:75].hex(" ") == "42 00 42 00 2a 01 3c 02 0a 00"
 
 
@@ -143,7 +143,7 @@ def test_the_symbol_table_is_full(folder: Path) -> None:
     symbols = "".join(f"A{number}=1\n" for number in range(586))
     (folder / "many.pal").write_text(symbols + "$\n")
     result = run("many.pal", "--force", folder=folder)
-    assert b"many.pal:586:1: ST  A585    AT  0200\n" in result.stderr
+    assert b"many.pal:586:1: error: ST  A585    AT  0200\n" in result.stderr
     assert result.stderr.decode().endswith("pal: 1 error: PAL III goes no further, nothing is written\n")
     assert not (folder / "many.bin").exists()
     (folder / "fits.pal").write_text("".join(symbols.splitlines(keepends=True)[:585]) + "$\n")
@@ -251,6 +251,32 @@ def test_a_pipe_that_is_closed_early_is_no_catastrophe(folder: Path) -> None:
     assert process.stdout
     assert process.stderr
     process.stdout.close()
-    assert process.stderr.read() == b""
+    assert b"Traceback" not in process.stderr.read()
     process.stderr.close()
     process.wait()
+
+
+LITERAL = "*200\n\tTAD (5)\n\tHLT\n$\n"
+
+
+def test_check_says_what_is_wrong_and_writes_nothing(folder: Path) -> None:
+    (folder / "five.pal").write_text(LITERAL)
+    result = run("five.pal", "--check", folder=folder)
+    assert (result.returncode, (folder / "five.bin").exists()) == (0, False)
+    assert result.stderr.startswith(b"five.pal:1:1: note: taken for PAL8")
+    assert run("five.pal", "--check", "--strict", folder=folder).returncode == 1
+    refused = run("five.pal", "--check", "--dialect", "pal3", folder=folder)
+    assert refused.returncode == 1
+    assert refused.stderr.startswith(b"five.pal:2:6: error: IC  0250  AT  0200\n")
+    assert run("five.pal", "--check", "-o", "x.bin", folder=folder).returncode == 2
+
+
+def test_colours_are_for_a_terminal_unless_they_are_asked_for(folder: Path) -> None:
+    (folder / "five.pal").write_text(LITERAL)
+    assert b"\033[" not in run("five.pal", "--check", folder=folder).stderr
+    assert b"\033[" in run("five.pal", "--check", "--color", "always", folder=folder).stderr
+
+
+def test_the_raw_frames_of_three_passes_are_pal_iiis_alone(folder: Path) -> None:
+    (folder / "five.pal").write_text(LITERAL)
+    assert run("five.pal", "--tty", "tapes", folder=folder).returncode == 2

@@ -32,14 +32,14 @@ def test_one_error_of_every_kind_in_source_order() -> None:
         ("IC", 7, 2, "\tA!A"),
         ("UA", 8, 2, "\tPAGE"),
         ("UA", 9, 2, "\tTEXT"),
-        ("", 10, 2, "\t4"),
+        ("PN27", 10, 2, "\t4"),
     ]
 
 
 def test_a_diagnostic_in_full() -> None:
     first = pal.assemble("*200\nX,\t1\n\tCLA; TAD BEYOND\n$\n", names=["a.pal"]).diagnostics[0]
     assert str(first) == (
-        "a.pal:3:11: UA  BEYOND  AT  0202\n"
+        "a.pal:3:11: error: UA  BEYOND  AT  0202\n"
         "    \tCLA; TAD BEYOND\n"
         "    \t         ^^^^^^\n"
         "  undefined: BEYOND is taken as 0377, the last address of its page; "
@@ -71,12 +71,12 @@ def test_another_assemblers_dialect_is_recognised(statement: str, hint: str) -> 
 
 
 NOTED = [
-    ("\t1\n", 1, 2, "note: no $ at the end"),
-    ("\n", 1, 1, "note: no $ at the end"),
-    ("\t1\n\n2;3$\n", 3, 3, "note: what stands before this $ is lost"),
-    ("A=5;\tA + 1\n$\n", 1, 9, "note: this makes an inclusive OR of it"),
-    ("\tB\n,5\n$\n", 2, 1, "note: no symbol stands before this comma"),
-    ("", 1, 1, "note: the source is empty"),
+    ("\t1\n", 1, 2, "no $ at the end"),
+    ("\n", 1, 1, "no $ at the end"),
+    ("\t1\n\n2;3$\n", 3, 3, "what stands before this $ is lost"),
+    ("A=5;\tA + 1\n$\n", 1, 9, "this makes an inclusive OR of it"),
+    ("\tB\n,5\n$\n", 2, 1, "no symbol stands before this comma"),
+    ("", 1, 1, "the source is empty"),
 ]
 
 
@@ -90,7 +90,7 @@ def test_notes_are_no_errors(source: str, line: int, column: int, message: str) 
 
 def test_tapes_after_the_end_are_noted() -> None:
     (note,) = pal.assemble("1\n$\n", "2\n$\n", names=["one.pal", "two.pal"]).diagnostics
-    assert (note.file, note.message) == ("one.pal", "note: 1 more tape not read")
+    assert (note.file, note.message) == ("one.pal", "1 more tape not read")
 
 
 def test_a_good_source_has_nothing_to_say() -> None:

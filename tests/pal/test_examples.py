@@ -116,7 +116,7 @@ def test_after_a_second_letter_the_rest_of_a_number_is_passed_over(number: str, 
 )
 def test_where_pal_iii_is_wrecked_the_definition_is_to_blame(source: str, line: int) -> None:
     assembly = pal.assemble(source + "$\n")
-    (error,) = [diagnostic for diagnostic in assembly.diagnostics if diagnostic.error and not diagnostic.code]
+    (error,) = [diagnostic for diagnostic in assembly.diagnostics if diagnostic.code == "PS01"]
     assert (error.line, error.column) == (line, 1)
 
 

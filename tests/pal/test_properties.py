@@ -1,5 +1,7 @@
 """What holds of any source whatever."""
 
+import re
+
 from hypothesis import example, given
 from hypothesis import strategies as st
 
@@ -57,8 +59,10 @@ def test_any_statements_assemble_to_a_good_tape(source: str) -> None:
 def test_messages_of_the_three_passes_are_the_diagnostics(source: str) -> None:
     assembly = pal.assemble(source)
     printed = (assembly.printed(1) + assembly.printed(2)).splitlines()
-    found = sorted(diagnostic.message for diagnostic in assembly.diagnostics if diagnostic.code)
-    assert found == sorted(line for line in printed if line[2:4] == "  " and "  AT  " in line)
+    found = sorted(diagnostic.message for diagnostic in assembly.diagnostics if len(diagnostic.code) == 2)
+    said = sorted(line for line in printed if line[2:4] == "  " and "  AT  " in line)
+    small = [line for line in said if re.match("IC  03[4-7]", line)]
+    assert found == sorted([line for line in said if line not in small] + small[:1])
 
 
 @given(pieces, pieces)

@@ -1,0 +1,261 @@
+"""An assembly in PAL8: the same as in PAL III for whoever asks, with PAL8's words and messages.
+
+Its listing has the form of PAL III's: location, word, source; a `@` stands after a word that goes by a link.
+"""
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from pal import pal8, punch, symbols8
+from pal.assembly import PAL8, Assembly
+from pal.listing import ListingLine, Teletype
+from pal.models import differs
+from pal.notes import (
+    AFTER_END,
+    DIALECT,
+    MODEL,
+    NOT_ON_8L,
+    OVERLAID,
+    Mention,
+    Note,
+    Written,
+    of_names,
+    of_undefined,
+    of_words,
+)
+from pal.source import Place, lines_of
+from pal.symbols import SIGNIFICANT
+from tapes import frames
+
+if TYPE_CHECKING:
+    from pal.diagnostics import Diagnostic
+
+_UNNUMBERED = " " * 12
+_MARKS = {ord(mark) for mark in '(["<&^%'}
+_NAMES = {name[:SIGNIFICANT] for name in symbols8.PSEUDO_OPERATORS}
+_INSTRUCTIONS = {**symbols8.REFERENCES, **symbols8.INSTRUCTIONS, **symbols8.PALBARTS}
+
+
+class Assembly8(Assembly):
+    """What became of a source in PAL8. `noted` are notes from outside."""
+
+    dialect = PAL8
+
+    def __init__(
+        self, sources: Sequence[str | bytes], names: Sequence[str], model: str | None = None
+    ) -> None:
+        self.model = model
+        self.names = names
+        self.noted: list[Note] = []
+        self._lines = lines_of(sources)
+        self._run = run = pal8.Assembler(self._lines)
+        run.run(1)
+        run.run(2)
+        self.stopped = None
+        self.words = punch.words(run.output)
+
+    @property
+    def ok(self) -> bool:
+        """Whether there is no error."""
+        return not self._problems
+
+    @property
+    def errors(self) -> int:
+        """How many errors there are."""
+        return len(self._problems)
+
+    @cached_property
+    def tape(self) -> bytes:
+        """The object tape: leader, origins and words as they come, checksum, trailer."""
+        body = b"".join([punch.frames_of(piece) for piece in self._run.output])
+        return frames.leader() + body + frames.leader()
+
+    @cached_property
+    def symbols(self) -> dict[str, int]:
+        """The symbols of the source in the order of their names."""
+        known = self._run.symbols
+        return {name: known[name].value & 0o7777 for name in sorted(known) if known[name].passed}
+
+    @cached_property
+    def values(self) -> dict[str, int]:
+        """{name: value} of all symbols, the permanent ones included."""
+        return {
+            name: symbol.value & 0o7777
+            for name, symbol in self._run.symbols.items()
+            if symbol.kind != pal8.PSEUDO
+        }
+
+    @cached_property
+    def mentions(self) -> list[Mention]:
+        """The symbols where they stand."""
+        return self._run.mentions
+
+    def place(self, at: int) -> Place:
+        """Return a place of the source."""
+        index, start, end = self._run.places[at]
+        line = self._lines[index]
+        return Place(line.tape, line.number, line.text, start, end)
+
+    @cached_property
+    def lines(self) -> list[ListingLine]:
+        """The listing by statements; literals stand after the program, where they are put out."""
+        listed: list[ListingLine] = []
+        by_line: dict[int, list[ListingLine]] = {}
+        literals: list[ListingLine] = []
+        for written in self._run.written:
+            index = self._run.places[written.at][0]
+            line = self._lines[index]
+            entry = ListingLine(written.address, written.word, "", line.tape, line.number)
+            (literals if written.literal else by_line.setdefault(index, [])).append(entry)
+        for index, line in enumerate(self._lines[: self._run.ended + 1]):
+            words = by_line.get(index, [])
+            listed += words[:-1]
+            last = words[-1] if words else ListingLine(None, None, "", line.tape, line.number)
+            listed.append(last._replace(source=line.text))
+        return listed + literals
+
+    @cached_property
+    def listing(self) -> str:
+        """The listing with the symbol table, as text."""
+        links = {written.address for written in self._run.written if written.link}
+        text = []
+        for line in self.lines:
+            if line.address is None or line.word is None:
+                text.append(_UNNUMBERED + line.source)
+            else:
+                mark = "@ " if line.address in links else "  "
+                text.append(f"{line.address:04o}  {line.word:04o}{mark}{line.source}")
+        return "".join(f"{line}".rstrip() + "\n" for line in text) + "\n" + self.symbol_table
+
+    def printed(self, number: int) -> str:
+        """Return what pass 1, 2 or 3 has to show: the symbol table, nothing, the listing."""
+        return ("", self.symbol_table, "", self.listing)[number]
+
+    @cached_property
+    def teletype(self) -> Teletype:
+        """Raise ValueError: the frames of an ASR-33 are PAL III's."""
+        raise ValueError("the frames of an ASR-33 are PAL III's alone")
+
+    @cached_property
+    def diagnostics(self) -> list["Diagnostic"]:
+        """What is wrong, and what to know besides, in source order."""
+        from pal.diagnostics import ERROR, NOTE, at_place, empty, silenced
+
+        if not any(line.text for line in self._lines):
+            return [empty(self.names)]
+        found: list[tuple[tuple[int, int], Diagnostic]] = []
+        for problem in self._problems:
+            diagnostic = at_place(
+                ERROR, problem.code, problem.message, problem.advice, self.names, self.place(problem.at)
+            )
+            found.append((self._run.places[problem.at][:2], diagnostic))
+        for note in self._notes():
+            place = self.place(note.at)
+            if not silenced(place.text, note.code):
+                diagnostic = at_place(NOTE, note.code, note.message, note.advice, self.names, place)
+                found.append((self._run.places[note.at][:2], diagnostic))
+        return [diagnostic for _, diagnostic in sorted(found, key=lambda item: item[0])]
+
+    @cached_property
+    def _problems(self) -> list[pal8.Problem]:
+        """Return the errors: also a word and a literal in the same place."""
+        cells: dict[int, Written] = {}
+        full: set[int] = set()
+        problems = list(self._run.problems)
+        for written in self._run.written:
+            page = written.address >> 7
+            other = cells.get(written.address, written)
+            if page not in full and other.literal != written.literal:
+                full.add(page)
+                at = other.at if written.literal else written.at
+                code, which = ("PE", "the current page") if page & 0o37 else ("ZE", "page zero")
+                message = f"{which} is full: a literal and a word are both at {written.address:04o}"
+                problems.append(pal8.Problem(code, message, "put fewer words on the page", at))
+            cells[written.address] = written
+        return problems
+
+    def _notes(self) -> list[Note]:
+        run = self._run
+        notes = [*run.notes, *self.noted]
+        full = any(problem.code in ("PE", "ZE") for problem in self._problems)
+        for note in of_words(run.written, _INSTRUCTIONS):
+            if note.code != OVERLAID or not full:
+                notes.append(note)
+        if self.model:
+            notes += self._of_model(self.model)
+        return notes + self._on_names() + self._of_the_end()
+
+    def _of_model(self, model: str) -> list[Note]:
+        notes = []
+        for written in self._run.written:
+            if any(name in _INSTRUCTIONS for name in written.names) and differs(written.word, model):
+                message = f"{written.word:04o} {differs(written.word, model)}"
+                notes.append(Note(MODEL, written.at, message, "a program for all models does without"))
+        return notes
+
+    def _on_names(self) -> list[Note]:
+        """Note what was meant by undefined names, names cut short, and instructions that an 8/L has not."""
+        run = self._run
+        notes = []
+        told: set[str] = set()
+        known = list(self.symbols)
+        longer = []
+        undefined: list[tuple[str, int]] = []
+        for mention in run.mentions:
+            symbol = run.symbols.get(mention.name)
+            if symbol is None or mention.name in told:
+                continue
+            if symbol.kind == pal8.UNKNOWN:
+                told.add(mention.name)
+                if mention.name not in symbols8.ELSEWHERE:
+                    undefined.append((mention.name, mention.at))
+            elif (
+                symbol.kind == pal8.INSTRUCTION
+                and mention.name in symbols8.NOT_ON_THE_8L
+                and not mention.defined
+            ):
+                told.add(mention.name)
+                message = f"{mention.name}, {symbol.value:04o}, is no instruction of a PDP-8/L"
+                notes.append(Note(NOT_ON_8L, mention.at, message, "it does nothing there, or something else"))
+            elif len(mention.name) == 6:
+                longer.append((self._in_full(mention.at), mention.at))
+        notes += of_undefined(
+            [(name, at, run.places[at][0]) for name, at in undefined], [*known, *_INSTRUCTIONS]
+        )
+        return notes + of_names(longer, _INSTRUCTIONS)
+
+    def _in_full(self, at: int) -> str:
+        index, start, end = self._run.places[at]
+        return self._lines[index].text[start:end].upper()
+
+    def _of_the_end(self) -> list[Note]:
+        run = self._run
+        lines = self._lines
+        if any(problem.code == "PH" for problem in run.problems):
+            return []
+        if run.ended == len(lines):
+            at = run.place_of_line(len(lines) - 1)
+            return [Note("PN27", at, "no $ at the end", "DEC's PAL8 supplies it; palbart asks for it")]
+        for index in range(run.ended + 1, len(lines)):
+            if lines[index].text.strip(" \t\f"):
+                at = run.place_of_line(index)
+                return [Note(AFTER_END, at, "text after $ is not read", "put the $ at the end")]
+        return []
+
+
+def found(assembly: Assembly, sources: Sequence[str | bytes]) -> Assembly:
+    """Return a source with errors in PAL III as PAL8 where it can only be that.
+
+    It has what is an operator in PAL8 alone, and no error there; or a pseudo-operator of PAL8, and fewer.
+    """
+    illegal = {int(message.subject, 8) & 0o177 for message in assembly.messages if message.code == "IC"}
+    undefined = {message.subject.strip() for message in assembly.messages if message.code == "UA"}
+    if not illegal & _MARKS and not undefined & _NAMES:
+        return assembly
+    other = Assembly8(sources, assembly.names, assembly.model)
+    if other.errors >= (len(assembly.messages) if undefined & _NAMES else 1):
+        return assembly
+    at = other._run.place_of_line(0)
+    other.noted.append(Note(DIALECT, at, "taken for PAL8, which it can only be", "--dialect pal8 says so"))
+    return other

@@ -1,0 +1,47 @@
+"""What students write by mistake, in mistakes/: each source with the codes that name it, on its own line.
+
+    SZA CMA     /! PN01         these codes, of errors or notes, and no other note
+
+A `$` is added where there is none, but at the sources of "no end". No advice changes what a source means: it
+names what to write, and never says to take a character away.
+"""
+
+from pathlib import Path
+
+import pytest
+
+import pal
+
+FOLDER = Path(__file__).parent / "mistakes"
+NO_END = ("no end", "a word before the end", "a condition without its end")
+
+
+def mistakes(dialect: str) -> list[tuple[str, str]]:
+    pieces = (FOLDER / f"{dialect}.txt").read_text().split("== ")[1:]
+    return [(title, text) for title, _, text in (piece.partition("\n") for piece in pieces)]
+
+
+CASES = [(dialect, *case) for dialect in ("pal3", "pal8") for case in mistakes(dialect)]
+
+
+def test_there_are_enough() -> None:
+    assert len(mistakes("pal3")) >= 45
+
+
+@pytest.mark.parametrize(("dialect", "title", "text"), CASES, ids=[f"{case[0]}: {case[1]}" for case in CASES])
+def test_each_mistake_is_named_on_its_line(dialect: str, title: str, text: str) -> None:
+    lines = text.splitlines()
+    said = {
+        number: sorted(line.partition("/!")[2].split())
+        for number, line in enumerate(lines, 1)
+        if "/!" in line
+    }
+    source = "\n".join(line.partition("/!")[0].rstrip() for line in lines) + "\n"
+    if title not in NO_END and "\n$" not in source:
+        source += "$\n"
+    found: dict[int, list[str]] = {}
+    for diagnostic in pal.assemble(source, dialect=dialect).diagnostics:
+        if dialect == "pal8" or diagnostic.code.startswith("PN"):
+            found.setdefault(diagnostic.line, []).append(diagnostic.code)
+        assert "remove" not in diagnostic.advice
+    assert {number: sorted(set(codes)) for number, codes in found.items()} == said

@@ -1,0 +1,116 @@
+"""PAL8: what palbart makes of 131 small sources, of random ones, and what ours says besides.
+
+pal8.json has {name: [source, words]}: the core that palbart 2.13's tape loads, the last word winning.
+"""
+
+import json
+from pathlib import Path
+
+import pytest
+
+import pal
+from pal.crossreference import cross_reference, text
+from pal.report import as_json
+from tapes import binary
+from tests.pal.random_pal8 import PALBART, Author, compare
+
+EXAMPLES: dict[str, list[str]] = json.loads((Path(__file__).parent / "pal8.json").read_text())
+
+
+def core(words: str) -> dict[int, int]:
+    loaded = {}
+    address = 0
+    for item in words.split():
+        if item.endswith(":"):
+            address = int(item[:-1], 8)
+        else:
+            loaded[address] = int(item, 8)
+            address += 1
+    return loaded
+
+
+def octal(words: dict[int, int]) -> str:
+    return " ".join(f"{address:05o}:{word:04o}" for address, word in sorted(words.items()))
+
+
+def test_there_are_examples() -> None:
+    assert len(EXAMPLES) == 131
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_the_words_are_palbarts(name: str) -> None:
+    source, words = EXAMPLES[name]
+    assembly = pal.assemble(source.encode("latin-1"), dialect="pal8")
+    assert octal(assembly.words) == octal(core(words))
+    assert [str(diagnostic) for diagnostic in assembly.diagnostics if diagnostic.error] == []
+    assert octal(binary.decode(assembly.tape).words) == octal(core(words))
+
+
+@pytest.mark.skipif(PALBART is None, reason="palbart is not installed")
+@pytest.mark.parametrize("seed", range(40))
+def test_palbart_makes_the_same_words_of_a_random_source(seed: int, tmp_path: Path) -> None:
+    source = Author(seed).source()
+    assert not compare(source, tmp_path), source
+
+
+def test_a_listing_has_words_links_literals_and_symbols() -> None:
+    source = "*200\nA,\tTAD B\n\tTAD (7)\n*400\nB,\t1;2\n$\n"
+    assembly = pal.assemble(source, dialect="pal8")
+    assert assembly.listing.splitlines() == [
+        "            *200",
+        "0200  1777@ A,\tTAD B",
+        "0201  1376  \tTAD (7)",
+        "            *400",
+        "0400  0001",
+        "0401  0002  B,\t1;2",
+        "            $",
+        "0376  0007",
+        "0377  0400",
+        "",
+        "A       0200",
+        "B       0400",
+    ]
+    assert "B       0400  5" in text(cross_reference(assembly))
+    assert json.loads(as_json(assembly))["symbols"] == {"A": "0200", "B": "0400"}
+
+
+def codes(source: str, dialect: str) -> list[str]:
+    return [diagnostic.code for diagnostic in pal.assemble(source, dialect=dialect).diagnostics]
+
+
+@pytest.mark.parametrize(
+    ("source", "dialect"),
+    [
+        ("*200\n\tTAD (5)\n\tHLT\n$\n", "pal8"),
+        ("*200\n\tHLT\n\tPAGE\n\tTEXT /AB/\n$\n", "pal8"),
+        ("*200\n\tTAD (5)\n\tTAD NOWHERE\n\tPAGE\n$\n", "pal8"),
+        ("*200\n\tTAD (5)\n\tTAD NOWHERE\n$\n", "pal3"),
+        ("*200\n\tTAD 5\n\tHLT\n$\n", "pal3"),
+        ("*200\n\tTAD 5!3\n\tJMP NOWHERE\n$\n", "pal3"),
+    ],
+)
+def test_the_dialect_is_found_where_a_source_can_only_be_pal8(source: str, dialect: str) -> None:
+    found = pal.assemble(source, dialect="auto")
+    assert found.dialect == dialect
+    assert ("PN36" in [diagnostic.code for diagnostic in found.diagnostics]) == (dialect == "pal8")
+    assert pal.assemble(source).dialect == "pal3"
+
+
+def test_another_dialect_is_refused() -> None:
+    with pytest.raises(ValueError, match="'pal9' is not one of auto, pal3, pal8"):
+        pal.assemble("$", dialect="pal9")
+
+
+def test_what_a_reader_wrote_is_shown() -> None:
+    (error, *_) = pal.assemble('*200\n\t"é\n\tTEXT /ü/\n$\n', dialect="pal8").diagnostics
+    assert (error.source, error.error) == ('\t"é', True)
+
+
+@pytest.mark.parametrize(
+    "source", ["", "\n", "(", '"', "TEXT", "IFDEF", "<>", "*", "A=", "FIELD 9", "((((", "DUBL;.", "$"]
+)
+def test_any_source_comes_to_an_end(source: str) -> None:
+    assembly = pal.assemble(source, dialect="pal8")
+    assert assembly.ok == (not any(diagnostic.error for diagnostic in assembly.diagnostics))
+    assert binary.decode(assembly.tape).words == assembly.words
+    as_json(assembly)
