@@ -6,7 +6,8 @@ import sys
 import click
 
 from pal.assembler import HIGH_SPEED_SYMBOLS, TELETYPE_SYMBOLS
-from pal.assembly import MOST, Assembly, assemble
+from pal.assembly import DIALECTS, FOUND, MOST, PAL8, Assembly, assemble
+from pal.diagnostics import Diagnostic
 from pal.models import MODELS
 from tapes import command, shelf
 from tapes.errors import WorkError, called, naming
@@ -34,6 +35,20 @@ class AssemblyError(WorkError):
 )
 @click.option("--force", is_flag=True, help="Punch the tape in spite of errors, as DEC's assembler did.")
 @click.option("--strict", is_flag=True, help="Take notes for errors.")
+@click.option("--check", is_flag=True, help="Say what is wrong, and write nothing.")
+@click.option(
+    "--dialect",
+    type=click.Choice(DIALECTS),
+    default=FOUND,
+    show_default=True,
+    help="DEC's PAL III of 1967, or the later PAL8; auto takes PAL8 for a source that can only be that.",
+)
+@click.option(
+    "--color",
+    type=click.Choice(("auto", "always", "never")),
+    default="auto",
+    help="Colour what is said; auto, at a terminal.",
+)
 @click.option(
     "--max-errors",
     type=click.IntRange(1),
@@ -68,12 +83,15 @@ def pal(
     tty: str | None,
     force: bool,
     strict: bool,
+    check: bool,
+    dialect: str,
+    color: str,
     max_errors: int,
     modern: bool,
     model: str | None,
     high_speed_reader: bool,
 ) -> None:
-    """Assemble PAL III source as DEC's assembler of 1967 did: the same tape, the same listing.
+    """Assemble PAL III source as DEC's assembler of 1967 did, the same tape, the same listing; or PAL8.
 
     SOURCE is a file, a bundled program's name, or - for standard input; several are read one after the
     other, as tapes parted by PAUSE were. Exit status 1 if there is any error; then no tape is written
@@ -88,26 +106,39 @@ def pal(
       pal one.pal two.pal -o both.bin --symbols both.sym
       pal old.pal --force --tty tapes      # what the Teletype punched
       pal eia.pal --for 8/L                # what other models do otherwise
+      pal game.pa --dialect pal8           # literals, PAGE, TEXT, conditions
+      pal eia.pal --check --strict         # for an editor, or CI
     """
     if not sources:
         raise click.UsageError("no SOURCE: name a file, or - for standard input")
     tape = output or _beside(sources[0])
-    command.check_files(sources, [tape, listing, symbols, xref, json])
+    if check and (output or listing or symbols or xref or json or tty):
+        raise click.UsageError("--check writes nothing: leave the other outputs out")
+    command.check_files(sources, [None if check else tape, listing, symbols, xref, json])
     capacity = HIGH_SPEED_SYMBOLS if high_speed_reader else TELETYPE_SYMBOLS
     contents = [_read(source) for source in sources]
     names = [called(source) for source in sources]
     with Busy("assembling", sum(map(len, contents)) > _LONG):
-        assembly = assemble(*contents, names=names, modern=modern, capacity=capacity, model=model)
+        assembly = assemble(
+            *contents, names=names, modern=modern, capacity=capacity, model=model, dialect=dialect
+        )
         diagnostics = assembly.diagnostics
     _check_kinds(sources, contents, assembly.ok)
+    if tty and assembly.dialect == PAL8:
+        raise click.UsageError("--tty writes the frames of PAL III's three passes; this is PAL8")
+    coloured = {"auto": None, "always": True, "never": False}[color]
     for diagnostic in diagnostics[:max_errors]:
-        click.echo(str(diagnostic), err=True)
+        click.echo(_coloured(diagnostic), err=True, color=coloured)
     more = len(diagnostics) - max_errors
     if more > 0:
         click.echo(f"and {more:,} more", err=True)
     errors = sum(diagnostic.error or strict for diagnostic in diagnostics)
     if assembly.stopped:
         raise AssemblyError(f"{_counted(errors)}: PAL III goes no further, nothing is written")
+    if check:
+        if errors:
+            raise AssemblyError(_counted(errors))
+        return
     if listing:
         _put_listing(listing, assembly)
     if symbols:
@@ -123,6 +154,17 @@ def pal(
     if tty:
         _put_passes(tty, sources[0], assembly)
     _punch(tape, rim, force, errors, assembly)
+
+
+def _coloured(diagnostic: Diagnostic) -> str:
+    """Return a diagnostic in colours, which click leaves out where there is no terminal."""
+    place, severity, message = diagnostic.headline.partition(f" {diagnostic.severity}: ")
+    severity = click.style(severity.strip(), fg="red" if diagnostic.error else "cyan", bold=True)
+    headline = f"{click.style(place, bold=True)} {severity} {click.style(message, bold=True)}"
+    carets = [
+        click.style(line, fg="green") if number else line for number, line in enumerate(diagnostic.excerpt)
+    ]
+    return "\n".join([headline, *carets, *diagnostic.sentences])
 
 
 def _read(name: str) -> bytes:

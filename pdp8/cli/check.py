@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import click
 
+from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.lessons import answer as answers
 from pdp8.lessons import exercise as exercises
 from pdp8.lessons import marking, proof
@@ -24,6 +25,7 @@ _SHOWN = ("task", "solution")
     "--show", type=click.Choice(_SHOWN), help="Show the exercise's task, or the teacher's solution."
 )
 @click.option("--prove", is_flag=True, help="Mark the exercise's own solution and its known mistakes.")
+@click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
 @click.option("--json", "json_", is_flag=True, help="Write the marks as JSON.")
 @click.option("--junit", metavar="FILE", help="Write the marks into FILE as JUnit does (- standard output).")
 @click.pass_context
@@ -34,6 +36,7 @@ def check(
     listed: bool,
     show: str | None,
     prove: bool,
+    dialect: str,
     json_: bool,
     junit: str | None,
 ) -> None:
@@ -69,7 +72,7 @@ def check(
     elif not answer:
         raise click.UsageError("Give an ANSWER, or --show task, or --prove.")
     else:
-        results = [marking.mark(read, answers.read(name)) for name in answer]
+        results = [marking.mark(read, answers.read(name), dialect) for name in answer]
         _write(read, results, json_, junit)
         ctx.exit(0 if all(result.right for result in results) else 1)
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import click
 
 from pdp8.computer.machine import Machine
+from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.commands import COMMANDS
 from pdp8.monitor.prompt import Monitor
@@ -18,8 +19,9 @@ from tapes.errors import WorkError, called
 @click.command()
 @click.argument("script", required=False)
 @click.option("--highspeed", is_flag=True, help="Fit the PC8/L high-speed reader and punch.")
+@click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
 @click.option("--echo", is_flag=True, help="Show each line of a script before its answer.")
-def monitor(script: str | None, highspeed: bool, echo: bool) -> None:
+def monitor(script: str | None, highspeed: bool, dialect: str, echo: bool) -> None:
     """Operate the machine by commands: examine, deposit, step, break, trace; from SCRIPT or at a prompt.
 
     Answers go to standard output. A script ends at its first error, with exit status 1 and its line number.
@@ -33,6 +35,7 @@ def monitor(script: str | None, highspeed: bool, echo: bool) -> None:
     """
     machine = Machine(highspeed)
     made = Monitor(click.echo, machine)
+    made.dialect = dialect
     if script is None and sys.stdin.isatty():
         converse(made)
     else:

@@ -15,6 +15,7 @@ from pdp8.cli.parameters import octal, one_tape, seconds
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use import program as programs
+from pdp8.computer.use.program import DIALECTS, FOUND
 from tapes import command, shelf
 from tapes.errors import WorkError, called
 
@@ -48,6 +49,7 @@ class Options(NamedTuple):
     realtime: bool
     boot: bool
     loader: str | None
+    dialect: str
     force: bool
     trace: str | None
     cycles: bool
@@ -90,6 +92,7 @@ class Options(NamedTuple):
 @click.option(
     "--loader", metavar="FILE", help="The RIM tape of the BIN loader --boot reads.  [default: bin.pal]"
 )
+@click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
 @click.option("--force", is_flag=True, help="Load a damaged tape as far as it can be read.")
 @click.option("--trace", metavar="FILE", help="Write each instruction: time, L AC, MA MB, its listing.")
 @click.option("--cycles", is_flag=True, help="Let --trace write each memory cycle.")
@@ -154,7 +157,9 @@ def _program(options: Options) -> "Program | None":
     command.check_files(reads, [page, *writes])
     if options.keyboard and not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise click.UsageError("--keyboard needs a terminal to type and print at.")
-    return None if options.program is None else programs.find(options.program, options.force or options.boot)
+    if options.program is None:
+        return None
+    return programs.find(options.program, options.force or options.boot, options.dialect)
 
 
 def _paged(options: Options) -> bool:

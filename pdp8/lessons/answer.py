@@ -84,11 +84,11 @@ def of(content: bytes, name: str) -> Answer:
     return Answer(name, source=source)
 
 
-def assembled(answer: Answer) -> Answer:
-    """Return the answer with the words and symbols of its source; its errors are a fault."""
+def assembled(answer: Answer, dialect: str = program.FOUND) -> Answer:
+    """Return the answer with the words and symbols of its source, in `dialect`; its errors are a fault."""
     if answer.fault or not answer.source:
         return answer
-    assembly = pal.assemble(answer.source, names=[answer.name], modern=True)
+    assembly = pal.assemble(answer.source, names=[answer.name], modern=True, dialect=dialect)
     errors = [diagnostic for diagnostic in assembly.diagnostics if diagnostic.error]
     more = f"\nand {len(errors) - _SHOWN} more" if len(errors) > _SHOWN else ""
     fault = "\n".join(map(str, errors[:_SHOWN])) + more

@@ -7,6 +7,7 @@ and words it must or must not have count for the whole: what breaks them gets no
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from pdp8.computer.use.program import FOUND
 from pdp8.lessons import answer as answers
 from pdp8.lessons import trial
 from pdp8.lessons.answer import Answer
@@ -54,10 +55,10 @@ class Result:
         return not self.fault and not any(mark.failures for mark in self.marks)
 
 
-def mark(exercise: Exercise, answer: Answer) -> Result:
-    """Return the marks of `answer`. Nothing that an answer does raises an error."""
+def mark(exercise: Exercise, answer: Answer, dialect: str = FOUND) -> Result:
+    """Return the marks of `answer`, a source in `dialect`. Nothing that an answer does raises an error."""
     if not exercise.questions:
-        answer = answers.assembled(answer)
+        answer = answers.assembled(answer, dialect)
     fault = answer.fault or _broken(exercise, answer)
     if fault:
         return Result(answer.name, (), exercise.points, fault)

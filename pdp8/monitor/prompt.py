@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pdp8.computer.machine import Machine
 from pdp8.computer.past.history import History
 from pdp8.computer.use.operator import Operator, Pace
+from pdp8.computer.use.program import FOUND
 from pdp8.computer.use.trace import Listing
 from pdp8.monitor.arguments import MonitorError, command, octal
 
@@ -25,6 +26,8 @@ class Monitor:
     ) -> None:
         self.say = say
         self.listing = listing or Listing()
+        self.dialect = FOUND
+        """That of PAL source which is loaded."""
         self.finished = False
         self.stopping = False
         """Set to end a run as the STOP key does."""

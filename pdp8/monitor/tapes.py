@@ -19,7 +19,7 @@ _MARKS = {"\a": "<BEL>", "\x7f": "<RUBOUT>"}
 def load(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Put a program straight into core; `load PROGRAM force` takes a damaged tape too."""
     name, force = _forced(arguments)
-    found = program.read(_read(monitor, name), name, force)
+    found = program.read(_read(monitor, name), name, force, monitor.dialect)
     monitor.machine.load(found.words)
     monitor.listing = found.listing
     monitor.say(f"{name}: {counted(len(found.words), 'words')}")
@@ -29,7 +29,7 @@ def load(monitor: Monitor, arguments: Sequence[str]) -> None:
 def boot(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Load a program from cold as an operator does; with force, whatever its checksum."""
     name, force = _forced(arguments)
-    found = program.read(_read(monitor, name), name, force=True)
+    found = program.read(_read(monitor, name), name, True, monitor.dialect)
     loader = program.read(shelf.read_bundled("bin.pal"), "bin.pal")
     for step in monitor.operator.boot(rim_format.encode(loader.words), found.tape, name, force):
         monitor.say(str(step))
@@ -59,7 +59,7 @@ def _say_notes(monitor: Monitor, found: program.Program) -> None:
 def listing(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Take the listing of a program that is in core already, as after `restore`."""
     (name,) = exactly(arguments, "the name of a program", 1)
-    monitor.listing = program.read(_read(monitor, name), name, force=True).listing
+    monitor.listing = program.read(_read(monitor, name), name, True, monitor.dialect).listing
 
 
 def rim(monitor: Monitor, arguments: Sequence[str]) -> None:

@@ -19,6 +19,11 @@ if TYPE_CHECKING:
     from pdp8.computer.use.trace import Listing
 
 
+FOUND, PAL3, PAL8 = "auto", "pal3", "pal8"
+DIALECTS = (FOUND, PAL3, PAL8)
+"""Dialects, as `pal.assembly` calls them, which is loaded for a source alone."""
+
+
 class Program:
     """A program that goes into 4K of core.
 
@@ -62,15 +67,17 @@ class Program:
         return Listing.of(pal.assemble(disassemble(self.words)))
 
 
-def find(name: str, force: bool = False) -> Program:
+def find(name: str, force: bool = False, dialect: str = FOUND) -> Program:
     """Return the program called `name`: a file, a bundled name, `-` for standard input. Raises WorkError as
     `read` does.
     """
-    return read(shelf.read(name), name, force)
+    return read(shelf.read(name), name, force, dialect)
 
 
-def read(frames: bytes, name: str, force: bool = False) -> Program:
+def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND) -> Program:
     """Return the program of a tape's frames, called `name`; with `force` a damaged tape too.
+
+    `dialect` is that of a source: pal3, pal8, or auto, which finds PAL8 where it can only be that.
 
     Raises WorkError, with the name, saying what is wrong and where: source with errors, a damaged tape, a
     field that a machine of 4K has not, what is no program.
@@ -78,7 +85,7 @@ def read(frames: bytes, name: str, force: bool = False) -> Program:
     kind = kinds.classify(frames)
     with naming(name):
         if kind == kinds.ASCII:
-            program = _assembled(frames, name)
+            program = _assembled(frames, name, dialect)
         elif kind in (kinds.BIN, kinds.RIM):
             program = _loaded(frames, name, kind, force)
         elif kind == kinds.BLANK_TAPE:
@@ -90,13 +97,12 @@ def read(frames: bytes, name: str, force: bool = False) -> Program:
     return program
 
 
-def _assembled(source: bytes, name: str) -> Program:
-    import pal
-    from pal.assembly import MOST
+def _assembled(source: bytes, name: str, dialect: str) -> Program:
+    from pal.assembly import MOST, assemble
 
     if kinds.only_figures(source):
         raise WorkError("nothing but figures: no program, but a tape for the reader")
-    assembly = pal.assemble(source, names=[called(name)])
+    assembly = assemble(source, names=[called(name)], dialect=dialect)
     if not assembly.ok:
         shown = [str(diagnostic) for diagnostic in assembly.diagnostics[:MOST]]
         more = len(assembly.diagnostics) - MOST
@@ -105,7 +111,9 @@ def _assembled(source: bytes, name: str) -> Program:
     for address in assembly.words:
         if address > 0o7777:
             raise WorkError(f"address {address:05o}: a PDP-8/L with 4K of core ends at 07777")
-    return Program(name, kinds.ASCII, assembly.words, assembly)
+    guessed = dialect == FOUND and assembly.dialect != PAL3
+    notes = ("taken for PAL8, which it can only be",) if guessed else ()
+    return Program(name, kinds.ASCII, assembly.words, assembly, notes)
 
 
 def _loaded(frames: bytes, name: str, kind: str, force: bool) -> Program:

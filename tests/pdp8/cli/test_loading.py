@@ -201,3 +201,16 @@ def test_a_tape_that_overwrites_the_loader_ends_the_boot(shell: Shell, tmp_path:
     assert done.returncode == 1
     assert b"over.rim: the RIM loader did not end within 1 min" in done.stderr
     assert b"; STOP was pressed at 77" in done.stderr
+
+
+@pytest.mark.parametrize("command", ["pdp8 run five.pal < /dev/null", "echo load five.pal | pdp8 monitor -"])
+def test_a_source_in_pal8_is_found_and_taken(command: str, shell: Shell) -> None:
+    shell("printf '*200\\n\\tTAD (5)\\n\\tHLT\\n$\\n' > five.pal")
+    done = shell(command)
+    assert done.returncode == 0
+    assert b"five.pal: taken for PAL8, which it can only be" in done.stdout + done.stderr
+    refused = shell(
+        command.replace("five.pal <", "five.pal --dialect pal3 <").replace("r -", "r - --dialect pal3")
+    )
+    assert refused.returncode == 1
+    assert b"five.pal:2:6: error: IC  0250  AT  0200" in refused.stderr
