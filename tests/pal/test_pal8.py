@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 
 import pytest
-from pal.report import as_json
+from pal.record import as_json
 
 import pal
 from pal.crossreference import cross_reference, text
