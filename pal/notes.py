@@ -104,7 +104,7 @@ def _combination(written: Written, instructions: Mapping[str, int]) -> str:
     first = [name for name, word in parts if not word & GROUP_2 and word & ~CLA & 0o377]
     second = [name for name, word in parts if word & GROUP_2]
     if first and second:
-        return f"{first[0]} and {second[0]} are of different groups: {named} is {_spelled(written.word)}"
+        return f"{named} is {_spelled(written.word)}: {first[0]} and {second[0]} are of different groups"
     senses = {word & REVERSED for _, word in parts if word & GROUP_2 and word & (_SKIPS | REVERSED)}
     if len(senses) > 1:
         return f"{named} is {_spelled(written.word)}: of two opposite skips one is turned round"

@@ -61,6 +61,12 @@ class Watched(Assembler):
         self.ended = self._at
         if number == 1 and self._expunged is not None:
             self._look_at_references()
+        if number == 2 and self._symbols.full:
+            last = self._symbols.end - ENTRY
+            name = spelled(self._symbols.name(last))
+            message = f"the symbol table is just full: in the listing {name} is 0212"
+            advice = "the buffer of pass 3 begins at its value; use one symbol fewer"
+            self.notes.append(Note("PN29", self._seen[last], message, advice))
         if number == 2 and self._made:
             self._note("PN27", "what stands before this $ is lost", "put the $ on its own line")
         return output
