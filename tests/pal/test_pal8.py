@@ -7,10 +7,10 @@ import json
 from pathlib import Path
 
 import pytest
-from pal.record import as_json
 
 import pal
 from pal.crossreference import cross_reference, text
+from pal.record import as_json
 from tapes import binary
 from tests.pal.random_pal8 import PALBART, Author, compare
 
