@@ -40,9 +40,9 @@ _RUN = """(Machine, kernels, seconds, repeat) => Object.entries(kernels).map(([n
     machine.processor.pc = 0o200;
     machine.panel.start();
     const began = performance.now();
-    machine.run(seconds * 20e6);
+    machine.run(seconds);
     if (run) times.push(performance.now() - began);
-    if (machine.ticks < seconds * 20e6) throw new Error(`${name} ended`);
+    if (machine.elapsed < seconds) throw new Error(`${name} ended`);
   }
   return [name, Math.min(...times) / 1000];
 })"""
@@ -56,7 +56,7 @@ def kernels() -> dict[str, list[tuple[int, int]]]:
 def in_modules(call: str) -> Any:
     """Return what `call` returns in Node.js, with the page's modules as they are."""
     return in_node(
-        f'async () => {{ const {{ Machine }} = await import("@/computer/machine.mjs"); return {call}; }}'
+        f'async () => {{ const {{ Machine }} = await import("@/pdp8/computer/machine.mjs"); return {call}; }}'
     )
 
 

@@ -146,11 +146,9 @@ class Path:
         spent = dict.fromkeys(_SPENT.values(), 0.0)
         for move in self.moves:
             spent[_SPENT[move.kind]] += move.seconds
-        return Times(
-            reading=self.read_seconds * len(self.steps),
-            tool_changes=self.tool_change_seconds * sum(step.tool_changed for step in self.steps),
-            **spent,
-        )
+        spent["reading"] = self.read_seconds * len(self.steps)
+        spent["tool_changes"] = self.tool_change_seconds * sum(step.tool_changed for step in self.steps)
+        return Times(**spent)
 
     @property
     def milling_blocks(self) -> int:

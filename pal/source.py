@@ -58,7 +58,7 @@ class Source:
         self.feeds: list[int] = []
         if "\f" in text:
             self.items = [(item.replace("\f", ""), mark) for item, mark in self.items]
-            self.feeds = [at for at, span in enumerate(self.spans) if "\f" in self.text[slice(*span)]]
+            self.feeds = [at for at, (start, end) in enumerate(self.spans) if "\f" in self.text[start:end]]
 
     @cached_property
     def spans(self) -> list[tuple[int, int]]:

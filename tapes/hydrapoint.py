@@ -253,7 +253,7 @@ def typed(text: str) -> str | None:
     stand apart, as the thesis prints them, the spaces are for clarity and are left out; else each is a zero.
     Blank lines mean nothing. Raises TextError naming the first other line that is no block.
     """
-    lines = text.splitlines(keepends=True)
+    lines = text.splitlines(True)
     blocks = [line.rstrip("\n") for line in lines if line.strip()]
     if not all(block.replace(" ", "").isdecimal() for block in blocks):
         return None

@@ -25,8 +25,7 @@ _TEXT = bytes([*range(0o007, 0o016), *range(0o040, 0o200)])  # BELL to CR, and a
 _WRITING = bytes(frame for frame in range(256) if frame & 0o177 in _TEXT)
 _EIA_CODES = bytes([*eia.CHARACTERS, eia.DELETE])
 _NO_WORD = bytes([BLANK, LEADER, RUBOUT])
-_FIGURES = b"0123456789 \r\n\0\x7f"
-_FIGURES += bytes(code | 0o200 for code in _FIGURES)  # with channel 8 too
+_FIGURES = bytes(code | channel_8 for code in b"0123456789 \r\n\0\x7f" for channel_8 in (0, 0o200))
 
 
 def classify(frames: bytes) -> str:

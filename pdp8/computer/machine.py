@@ -298,9 +298,7 @@ class Machine:
     def _out_of_tape(self) -> bool:
         """Tell whether the loop the program stands in waits for a reader whose tape has run out."""
         p = self.processor
-        return any(
-            device.out_of_tape() and (p.ion or self.bus.tested >> device.code & 1) for device in self.bus
-        )
+        return any(device.out_of_tape() and (p.ion or device.tested) for device in self.bus)
 
     @property
     def ac(self) -> int:

@@ -93,7 +93,7 @@ def _has_read(machine: Machine) -> bool:
 def _asks(machine: Machine, reason: Reason) -> bool:
     """Tell whether a run ended because only a key, or a tape, would let the program go on."""
     receiver = machine.teletype.receiver
-    tested = machine.bus.tested >> receiver.code & 1
+    tested = receiver.tested
     return reason in (Reason.IDLE, Reason.TAPE_OUT) and bool(tested or machine.ion)
 
 

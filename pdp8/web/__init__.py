@@ -1,14 +1,13 @@
 """Pages for a browser: HTML files with everything inside.
 
-facts         what the scripts know of times, codes and names, from the Python tables: facts.mjs
+translator    our Python as JavaScript: the machine, PAL III, the tapes, the milling machine
 bundle        modules, style and data in one file, and what that file may do
 page          the afternoon as one file, of which these are the pieces
 
-pal.mjs       the assembler, its parts in pal/
-workbench     the live machine as one file: workbench.mjs, its panes in bench/, the milling machine in mill/
+workbench     the live machine as one file: workbench.mjs, its panes in bench/
 shell.html    what is around every page   base.css             how it looks
 page.html     what stands where           page.css             how that looks
-computer/     the PDP-8/L                 panel.mjs      its lamps and switches
+panel.mjs     lamps and switches
 afternoon.mjs any instant again           paper.mjs      listing, printed page, blocks
 tape.mjs      tapes under their heads     cutter.mjs     the staircase in its band
 meaning.mjs   an instruction in words     brightness.mjs how bright a lamp is

@@ -6,11 +6,15 @@
 // the computer is run once from cold, a checkpoint kept every ten seconds, and an instant is the checkpoint before it
 // run forward. `now` is in ticks of 0.05 µs since the afternoon began.
 
-import { Machine } from "./computer/machine.mjs";
-import { grown, restore, snapshot } from "./computer/snapshot.mjs";
-import { ASCII, END_OF_BLOCK, ISA, ROWS, TIMES } from "./facts.mjs";
+import { CYCLE, FRAME, IO_TICKS, TICKS_PER_SECOND as SECOND } from "../computer/hardware/signals.mjs";
+import { Machine } from "../computer/machine.mjs";
+import { FETCH, IOT } from "../../pal/isa.mjs";
+import { CR } from "../../tapes/ascii.mjs";
+import { EOB } from "../../tapes/eia.mjs";
+import { ROWS } from "../../tapes/hydrapoint.mjs";
+import { bytes } from "./translator/runtime.mjs";
 
-const { FRAME, SECOND } = TIMES;
+const LONGEST = 3 * CYCLE + IO_TICKS; // no instruction takes more
 const CHECKPOINT_EVERY = 10 * SECOND;
 
 export class Afternoon {
@@ -31,7 +35,6 @@ export class Afternoon {
 
   #fromCold() {
     this.machine = new Machine();
-    this.machine.teletype.receiver.onFrame = (frame, tick) => this.#received(frame, tick);
     this.now = 0;
     this.done = 0; // actions done
     this.mounted = null;
@@ -44,14 +47,11 @@ export class Afternoon {
     this.characters = starts.concat(actions);
     this.blocks = starts.slice();
     this.checkpoints = [];
-    this.rehearsing = true;
     const computing = this.actions.length ? this.actions.at(-1).at : 0;
     for (let tick = 0; tick < computing + CHECKPOINT_EVERY; tick += CHECKPOINT_EVERY) {
-      this.#advance(tick);
+      this.#rehearseTo(tick);
       this.checkpoints.push(this.#save());
     }
-    this.rehearsing = false;
-    this.rolls = grown(this.machine);
     this.#rehearseTapes();
     this.characters = ordered(this.characters);
     this.blocks = ordered(this.blocks);
@@ -77,20 +77,31 @@ export class Afternoon {
     }
   }
 
+  /** Go on from event to event, and note each character as it is received: the flag rises with it. */
+  #rehearseTo(tick) {
+    const { bus, processor, teletype: { receiver } } = this.machine;
+    while (this.now < tick) {
+      const action = this.actions[this.done]?.at ?? Infinity;
+      const next = Math.min(tick, action, bus.next_event(processor.clock), this.now + FRAME / 4);
+      const down = !receiver.flag;
+      this.#advance(Math.max(next, this.now + 1));
+      if (down && receiver.flag) this.#received(receiver.buffer, this.now);
+    }
+  }
+
   #received(frame, tick) {
-    if (!this.rehearsing) return;
     this.characters.push(tick);
     if (this.act(tick).kind === "translate" && endsLine(frame, "ascii")) this.blocks.push(tick);
   }
 
   #save() {
     const { now, done, mounted } = this;
-    return { now, done, mounted, machine: snapshot(this.machine) };
+    return { now, done, mounted, machine: this.machine.values() };
   }
 
   #restore({ machine, ...rest }) {
     Object.assign(this, rest);
-    restore(this.machine, machine, this.rolls);
+    this.machine.put(machine);
   }
 
   /** Go to an instant. */
@@ -104,19 +115,19 @@ export class Afternoon {
   #advance(tick) {
     while (this.done < this.actions.length && this.actions[this.done].at <= tick) {
       const action = this.actions[this.done];
-      this.machine.to(action.at);
+      goOn(this.machine, action.at);
       this.done++;
       this.now = action.at;
       this.#do(action);
     }
-    this.machine.to(tick);
+    goOn(this.machine, tick);
     this.now = tick;
   }
 
   #do({ key, value }) {
     const { panel, processor, teletype } = this.machine;
     if (key === "sr") processor.sr = value;
-    else if (key === "load add") panel.loadAdd();
+    else if (key === "load add") panel.load_add();
     else if (key === "dep") panel.dep();
     else if (key === "exam") panel.exam();
     else if (key === "stop") panel.stop();
@@ -148,11 +159,11 @@ export class Afternoon {
     if (unit === "character" || !this.processor.run) return this.to(after(this.characters, this.now, this.end));
     const done = this.done;
     do this.#nextCycle();
-    while (unit === "instruction" && this.processor.run && this.processor.next !== ISA.FETCH && this.done === done);
+    while (unit === "instruction" && this.processor.run && this.processor.next !== FETCH && this.done === done);
   }
 
   #nextCycle() {
-    const end = this.processor.clock + this.processor.nextCycle();
+    const end = this.processor.clock + cycleOf(this.processor);
     const action = this.done < this.actions.length ? this.actions[this.done].at : Infinity;
     this.to(Math.min(end, action));
   }
@@ -163,7 +174,7 @@ export class Afternoon {
     const fresh = this.processor.clock <= this.#lastActionAt(); // no cycle since the last action
     if (unit === "character" || !this.processor.run || fresh) return this.to(before(this.characters, this.now));
     do this.#previousCycle();
-    while (unit === "instruction" && this.processor.next !== ISA.FETCH);
+    while (unit === "instruction" && this.processor.next !== FETCH);
   }
 
   #lastActionAt() {
@@ -176,10 +187,36 @@ export class Afternoon {
   }
 }
 
+/** The ticks of the next cycle. */
+function cycleOf({ core, next, pc }) {
+  return next === FETCH && core[pc] >> 9 === IOT ? CYCLE + IO_TICKS : CYCLE;
+}
+
+/** Go on to the last cycle that ends at or before tick `until`; standing still or waiting, just let time pass. */
+function goOn(machine, until) {
+  const p = machine.processor;
+  const room = until - p.clock - LONGEST;
+  if (p.run && room > 0 && machine.run(room / SECOND).reason !== "limit" && p.run) turn(p, until - LONGEST);
+  while (p.run && p.clock + cycleOf(p) <= until) p.cycle();
+  if (!p.run && p.clock < until) p.clock = until;
+  machine.bus.advance(p.clock);
+}
+
+/** Let a processor that waits for ever turn in its loop, by whole turns, as far as tick `until`. */
+function turn(p, until) {
+  const { pc, lac, clock, instructions } = p;
+  do p.instruction();
+  while ((p.pc !== pc || p.lac !== lac) && p.clock < until);
+  const [ticks, count] = [p.clock - clock, p.instructions - instructions];
+  const turns = Math.max(0, Math.floor((until - p.clock) / ticks));
+  p.clock += turns * ticks;
+  p.instructions += turns * count;
+}
+
 /** The record as it is used: tapes from base64 to frames, acts numbered, and where each tape's lines end. */
 export function unpacked(record) {
   for (const tape of Object.values(record.tapes)) {
-    tape.frames = Uint8Array.from(atob(tape.frames), (character) => character.charCodeAt(0));
+    tape.frames = bytes(Array.from(atob(tape.frames), (character) => character.charCodeAt(0)));
     tape.lines = [];
     tape.frames.forEach((frame, index) => endsLine(frame, tape.code) && tape.lines.push(index));
     tape.first = tape.frames.findIndex((frame) => frame !== 0);
@@ -191,7 +228,7 @@ export function unpacked(record) {
 
 /** Whether the frame ends a line of an ASCII tape, or a block of an EIA tape. */
 export function endsLine(frame, code) {
-  return code === "eia" ? frame === END_OF_BLOCK : (frame & 0o177) === ASCII.CR;
+  return code === "eia" ? frame === EOB : (frame & 0o177) === CR;
 }
 
 function ordered(instants) {

@@ -3,7 +3,7 @@
 // A lamp is sampled at instants spread over the time that is shown at once; an instant that would fall on the same
 // cycle of a loop every time is avoided by spreading them at random.
 
-import { ISA } from "./facts.mjs";
+import { STATES } from "../../pal/isa.mjs";
 
 const SAMPLES = 16; // of one picture
 const WORDS = { MA: 12, MB: 12, AC: 12, IR: 3 };
@@ -16,7 +16,7 @@ export function lit({ processor: p }) {
     for (let bit = 0; bit < bits; bit++) lamps[name + bit] = (words[name] >> (bits - 1 - bit)) & 1;
   }
   lamps.LINK = p.lac >> 12;
-  for (const name of ["FETCH", "DEFER", "EXECUTE"]) lamps[name] = p.state === ISA[name] ? 1 : 0;
+  STATES.forEach((name, state) => (lamps[name] = p.state === state ? 1 : 0));
   return Object.assign(lamps, { ION: p.ion, PROTECT: p.protect, RUN: p.run });
 }
 

@@ -1,9 +1,11 @@
 """A page in one file: its script of many modules, its style, and what it may do.
 
-    entry.mjs ──imports──► modules ──► one script, each module in a scope of its own
-                                       style, data as JSON, Content-Security-Policy
+    entry.mjs ──imports──► modules by hand ──┐
+                              │ import       ├──► one script, each module in a scope of its own
+              pal/assembler.py as .mjs ──────┘    style, data as JSON, Content-Security-Policy
 
-A page from disk cannot import modules, so they stand in one script, each after those it imports from.
+A module X.mjs is the one by hand, or the translation of X.py (see translator/). A page from disk cannot
+import modules, so they stand in one script, each after those it imports from, without their comments.
 """
 
 import base64
@@ -16,10 +18,14 @@ from functools import cache
 from importlib.resources import files
 from typing import Any
 
-from pdp8.web import facts
+from pdp8.web import translator
 
-_IMPORT = re.compile(r'^import (\{[^}]*\}|\* as \w+) from "(\.[\w./-]+)\.mjs";$', re.MULTILINE)
-_EXPORT = re.compile(r"^export (?=(?:class|const|function\*?|async function) (\w+|\{[^}]*\}))", re.MULTILINE)
+_HERE = "pdp8/web/"
+_IMPORT = re.compile(r'^import (\{[^}]*\}|\* as [\w$]+) from "(\.[\w./-]+)\.mjs";$', re.MULTILINE)
+_EXPORT = re.compile(
+    r"^export (?=(?:class|const|function\*?|async function) ([\w$]+|\{[^}]*\}))", re.MULTILINE
+)
+_COMMENT = re.compile(r"^\s*(?://.*|/\*\*(?s:.*?)\*/)\n|^[ \t]+|^\n", re.MULTILINE)
 
 
 @cache
@@ -28,32 +34,42 @@ def source(name: str) -> str:
     return files(__package__).joinpath(name).read_text(encoding="utf-8")
 
 
+def module(name: str) -> str:
+    """Return a module, by its path from the house, such as pdp8/web/page or pal/isa."""
+    python = translator.translated().get(name.replace("/", "."))
+    return python if python is not None else source(f"{name.removeprefix(_HERE)}.mjs")
+
+
+def modules(entry: str) -> dict[str, str]:
+    """Return the module `entry` of this package and all it imports, {path: text}, each after its imports."""
+    found: dict[str, str] = {}
+    _collect(_HERE + entry, found)
+    return found
+
+
 def script(entry: str) -> str:
     """Return the module `entry` and all it imports as one script."""
-    modules: dict[str, str] = {}
-    _collect(entry, modules)
-    return "\n".join(modules.values())
+    return "\n".join(_scope(name, text) for name, text in modules(entry).items())
 
 
-def _collect(name: str, modules: dict[str, str]) -> None:
-    """Put the module into `modules`, after those it imports from."""
-    if name in modules:
+def _collect(name: str, found: dict[str, str]) -> None:
+    if name in found:
         return
-    text = facts.module() if name == "facts" else source(f"{name}.mjs")
+    text = module(name)
     for imported in _imported(name, text):
-        _collect(imported, modules)
-    modules[name] = _scope(name, text)
+        _collect(imported, found)
+    found[name] = text
 
 
 def _imported(name: str, text: str) -> Iterator[str]:
-    """Yield the modules that `text` imports from, by their paths from this package."""
+    """Yield the modules that `text` imports from."""
     for _, path in _IMPORT.findall(text):
         yield posixpath.normpath(posixpath.join(posixpath.dirname(name), path))
 
 
 def exports(text: str) -> list[str]:
     """Return the names that a module exports, each declared by itself."""
-    return [name for names in _EXPORT.findall(text) for name in re.findall(r"\w+", names)]
+    return [name for names in _EXPORT.findall(text) for name in re.findall(r"[\w$]+", names)]
 
 
 def _scope(name: str, text: str) -> str:
@@ -65,12 +81,12 @@ def _scope(name: str, text: str) -> str:
         path = posixpath.normpath(posixpath.join(posixpath.dirname(name), match[2]))
         return f"const {names} = {_identifier(path)};"
 
-    body = _EXPORT.sub("", _IMPORT.sub(constant, text))
+    body = _EXPORT.sub("", _IMPORT.sub(constant, _COMMENT.sub("", text)))
     return f"const {_identifier(name)} = (() => {{\n{body}\nreturn {{ {exported} }};\n}})();"
 
 
 def _identifier(name: str) -> str:
-    return re.sub(r"\W", "_", name) + "_module"
+    return re.sub(r"\W", "_", name.removeprefix(_HERE)) + "_module"
 
 
 def page(title: str, body: str, style: str, entry: str, data: Any) -> str:

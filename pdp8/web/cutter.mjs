@@ -4,7 +4,7 @@
 // [tick, x, y, down] between which the cutter goes straight; `down` says that the way to the knot was milled.
 
 import { upper } from "./afternoon.mjs";
-import { ROWS } from "./facts.mjs";
+import { ROWS } from "../../tapes/hydrapoint.mjs";
 
 const PLATE = "#cfd2cf", RULER = "#e8e4d8", GROOVE = "#8f979b", FLOOR = "#a9b0b2";
 const LINE = "#20303a", BAND = "#2f6f5e", TOOL = "#b3401f", FAINT = "#57534a";

@@ -2,13 +2,12 @@
 
 import { Afternoon, unpacked } from "./afternoon.mjs";
 import { over } from "./brightness.mjs";
-import { Machine } from "./computer/machine.mjs";
-import { TIMES } from "./facts.mjs";
+import { Machine } from "../computer/machine.mjs";
+import { TICKS_PER_SECOND as SECOND } from "../computer/hardware/signals.mjs";
 import { Pictures } from "./pictures.mjs";
 import { Scene } from "./scene.mjs";
 import { escaped, find } from "./written.mjs";
 
-const { SECOND } = TIMES;
 const SPEEDS = [
   [1e-6, "1 : 1 000 000, a cycle in 1.6 s"],
   [1e-5, "1 : 100 000"],

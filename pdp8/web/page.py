@@ -1,11 +1,11 @@
 """The afternoon as one page: a self-contained HTML file in which every instant can be looked at.
 
     Afternoon ──► record (JSON: tapes, actions, blocks)  ┐
-    computer/*.mjs afternoon.mjs ... page.mjs          ├──► page.html with everything inside
+    our Python, afternoon.mjs ... page.mjs             ├──► page.html with everything inside
     page.css                                           ┘
 
-The page is no film. Its record holds what was done and what was punched; a small PDP-8/L of its own
-(computer/) makes every instant again, from the actions, and is held in lockstep with the processor by tests.
+The page is no film. Its record holds what was done and what was punched; our own
+PDP-8/L, translated to JavaScript, makes every instant again, from the actions.
 """
 
 import base64

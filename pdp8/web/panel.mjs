@@ -6,7 +6,7 @@
 // Source: PDP-8/L Users Handbook, chapter 2 (console).
 
 import { lit } from "./brightness.mjs";
-import { STATES } from "./facts.mjs";
+import { STATES } from "../../pal/isa.mjs";
 import { octal } from "./written.mjs";
 
 const SIGNS = ["FETCH", "DEFER", "EXECUTE", "WORD COUNT", "CURR ADDR", "BREAK", "ION", "PARITY", "PROTECT", "RUN"];

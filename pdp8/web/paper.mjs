@@ -2,7 +2,9 @@
 
 import { upper } from "./afternoon.mjs";
 import { Current } from "./current.mjs";
-import { ASCII, TIMES } from "./facts.mjs";
+import { FRAME } from "../computer/hardware/signals.mjs";
+import { RUBOUT } from "../../tapes/ascii.mjs";
+import { instructionAt } from "./meaning.mjs";
 import { octal } from "./written.mjs";
 
 export class Paper {
@@ -59,10 +61,10 @@ export class Paper {
   /** The element of the line that is current. */
   #line(name, act, { now, machine }) {
     const sheet = this.sheets.get(name);
-    if (this.record.sheets[name].kind === "listing") return sheet.byAddress.get(machine.processor.at) ?? null;
+    if (this.record.sheets[name].kind === "listing") return sheet.byAddress.get(instructionAt(machine.processor)) ?? null;
     const tape = this.record.tapes.ascii;
     if (act.kind !== "terminal") return sheet.lines[Math.max(0, upper(this.starts(), now) - 1)];
-    const punched = Math.floor(now / TIMES.FRAME);
+    const punched = Math.floor(now / FRAME);
     const line = Math.min(upper(tape.lines, punched - 1), sheet.lines.length - 1);
     sheet.lines.forEach((element, index) => element.classList.toggle("blank", index > line));
     const begins = line ? tape.lines[line - 1] + 1 : 0;
@@ -74,7 +76,7 @@ export class Paper {
   #type(line, text, frames) {
     if (this.typing && this.typing.line !== line) this.typing.line.lastChild.textContent = this.typing.text;
     this.typing = { line, text };
-    const typed = frames.map((frame) => frame & 0o177).filter((code) => code >= ASCII.space && code !== ASCII.RUBOUT).length;
+    const typed = frames.map((frame) => frame & 0o177).filter((code) => code >= 0o40 && code !== RUBOUT).length;
     line.lastChild.textContent = text.slice(0, typed) || " ";
   }
 

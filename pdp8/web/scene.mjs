@@ -1,10 +1,12 @@
 // Everything on the page, shown as it was at one instant.
 
 import { endsLine, upper } from "./afternoon.mjs";
-import { autoindexed } from "./computer/isa.mjs";
+import { FRAME, TICKS_PER_SECOND as SECOND } from "../computer/hardware/signals.mjs";
+import { autoindexed, DCA, DEFER, EXECUTE, ISZ, JMP, JMS } from "../../pal/isa.mjs";
+import { CHARACTERS } from "../../tapes/eia.mjs";
+import { FIELDS } from "../../tapes/hydrapoint.mjs";
 import { drawClose, drawWhole, Mill } from "./cutter.mjs";
-import { EIA, FIELDS, ISA, TIMES } from "./facts.mjs";
-import { inWords } from "./meaning.mjs";
+import { instructionAt, inWords } from "./meaning.mjs";
 import { Panel, stateName } from "./panel.mjs";
 import { Paper } from "./paper.mjs";
 import { READABLE } from "./pictures.mjs";
@@ -12,13 +14,12 @@ import { Sheet, Writer } from "./sheet.mjs";
 import { drawTape, meaning, tapeKey } from "./tape.mjs";
 import { clock, escaped, find, grouped, octal, seconds } from "./written.mjs";
 
-const { FRAME, SECOND } = TIMES;
 const SAID = 8 * SECOND; // how long the operator's last action is shown
 const PRESSED = 0.4 * SECOND; // how long a key shows as pressed
 const FINE = 4000; // steps of the slider: about half a pixel
 const SHORT = { preparatory: "prep.", x: "X", y: "Y", reserved: "res.", miscellaneous: "misc." };
-const CELLS = Object.entries({ ...FIELDS, end: 1 }); // of a block
-const DIGITS = Object.values(FIELDS).reduce((sum, width) => sum + width);
+const CELLS = [...FIELDS.items(), ["end", 1]]; // of a block
+const DIGITS = FIELDS.values().reduce((sum, width) => sum + width);
 
 const LABEL = `<b data-text></b><span data-text></span><span data-text></span>`;
 const PLACE = `<b data-text></b><span data-text></span>`;
@@ -120,7 +121,7 @@ export class Scene {
       ["reader flag", teletype.receiver.flag ? "up" : "down"], ["punch flag", teletype.transmitter.flag ? "up" : "down"],
       ["instructions", grouped(processor.instructions)], ["since START", processor.started ? seconds(machine.ticks) : "–"],
       ["core", wrote(processor) ? `${octal(processor.ma)} ← ${octal(processor.mb)}` : "–"],
-      ["instruction", inWords(machine.core[processor.at], processor.at)],
+      ["instruction", inWords(processor.core[instructionAt(processor)], instructionAt(processor))],
     ];
     for (const [name, value] of shown) this.writer.text(this.#register(name), String(value));
   }
@@ -218,14 +219,16 @@ function cell([name]) {
 
 /** Whether the last cycle wrote the word at MA. */
 function wrote({ state, ir, ma, protect }) {
-  if (state === ISA.EXECUTE) return [ISA.ISZ, ISA.DCA, ISA.JMS].includes(ir) && !protect;
-  return state === ISA.DEFER && autoindexed(ma);
+  if (state === EXECUTE) return [ISZ, DCA, JMS].includes(ir) && !protect;
+  return state === DEFER && autoindexed(ma);
 }
 
 /** What a running machine is waiting for, in words. */
-function waits({ core, processor: { run, at } }) {
-  if (!run) return "";
-  const word = core[at] >> 9 === ISA.JMP ? core[at - 1] : core[at];
+function waits({ processor }) {
+  if (!processor.run) return "";
+  const { core } = processor;
+  const at = instructionAt(processor);
+  const word = core[at] >> 9 === JMP ? core[at - 1] : core[at];
   if (word === 0o6031) return "It waits for the reader.";
   if (word === 0o6041) return "It waits for the punch.";
   return "";
@@ -251,5 +254,5 @@ function digitOf(frame, code) {
     const character = String.fromCharCode(frame & 0o177);
     return character === " " ? "0" : /\d/.test(character) ? character : "";
   }
-  return EIA[frame] ?? "";
+  return CHARACTERS.get(frame, "");
 }

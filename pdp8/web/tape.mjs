@@ -5,7 +5,8 @@
 //
 // Sources: EIA RS-227; thesis (M. S. Wong, 1971), Chapter 2.
 
-import { ASCII, EIA, END_OF_BLOCK } from "./facts.mjs";
+import * as ascii from "../../tapes/ascii.mjs";
+import { CHARACTERS, EOB } from "../../tapes/eia.mjs";
 
 const TRACKS = [8, 7, 6, 5, 4, 0, 3, 2, 1]; // 0 is the sprocket
 const WIDE = 10; // pitches
@@ -122,14 +123,13 @@ function drawChannels(context, { left, pitch, soft }) {
 }
 
 const SPACE = "␣"; // hangs below its line: drawn a little higher, it stays off the next
-const SIGNS = new Map([[ASCII.LF, "↓"], [ASCII.CR, "↵"], [ASCII.space, SPACE], [ASCII.RUBOUT, "×"]]);
+const SIGNS = new Map([[ascii.LF, "↓"], [ascii.CR, "↵"], [0o40, SPACE], [ascii.RUBOUT, "×"]]);
 const NAMES = { "↓": "line feed", "↵": "carriage return", [SPACE]: "space", "×": "rubout", "": "blank" };
-const EIA_SIGNS = { ...EIA, [END_OF_BLOCK]: "↵" };
 
 /** What one frame says in its code, as one sign; a binary frame as its octal digits. */
 export function sign(frame, code) {
   if (code === "ascii") return SIGNS.get(frame & 0o177) ?? String.fromCharCode(frame & 0o177);
-  if (code === "eia") return frame === 0 ? "" : EIA_SIGNS[frame] ?? "?";
+  if (code === "eia") return frame === 0 ? "" : frame === EOB ? "↵" : CHARACTERS.get(frame, "?");
   return frame.toString(8).padStart(3, "0");
 }
 

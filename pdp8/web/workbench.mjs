@@ -12,13 +12,15 @@ import { Sound } from "./bench/sound.mjs";
 import { Switches } from "./bench/switches.mjs";
 import { Tabs } from "./bench/tabs.mjs";
 import { Teletype } from "./bench/teletype.mjs";
-import { Machine } from "./computer/machine.mjs";
-import { isState, restore, save } from "./computer/state.mjs";
-import { TIMES } from "./facts.mjs";
+import { Until } from "./bench/until.mjs";
+import { Machine } from "../computer/machine.mjs";
+import { restore, save } from "../computer/past/state.mjs";
+import { bytes } from "./translator/runtime.mjs";
 import { Writer } from "./sheet.mjs";
 import { find, octal } from "./written.mjs";
 
 const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT", reached: "reached" };
+const WAITS = ["tape out", "idle"]; // the program goes on when somebody does something
 const KEPT = "pdp8 workbench";
 
 class Bench {
@@ -29,6 +31,7 @@ class Bench {
     this.shelf = new Shelf(record.tapes);
     this.sound = new Sound(find("sound"));
     this.history = new History(this);
+    this.until = new Until();
     this.tabs = new Tabs();
     this.switches = new Switches(this);
     this.teletype = new Teletype(this);
@@ -36,7 +39,7 @@ class Bench {
     this.mill = new Mill(this);
     this.editor = new Editor(this, record.source);
     this.exercises = new Exercises(this);
-    this.clock = new Clock(this, (brightness, reason) => this.#pictured(brightness, reason));
+    this.clock = new Clock(this, (brightness, stop) => this.#pictured(brightness, stop));
     this.#controls();
     this.tabs.changed = () => this.show();
     this.show();
@@ -45,22 +48,34 @@ class Bench {
   /** The machine was touched: keep it, show it, let it go on. */
   touched() {
     const { machine } = this;
-    machine.bus.advance(machine.processor.clock);
     machine.waiting.endless = false;
     if (machine.processor.run) this.why = "";
-    this.history.keep();
     this.show();
     this.clock.wake();
   }
 
-  #pictured(brightness, reason) {
-    this.history.keep();
-    if (reason) {
-      this.machine.until = null;
-      if (this.machine.processor.run) this.machine.processor.run = 0;
-      this.why = `${REASONS[reason] ?? reason} at ${octal(this.machine.processor.at)}`;
-    }
-    this.show(reason ? undefined : brightness);
+  #pictured(brightness, stop) {
+    if (stop && !WAITS.includes(stop.reason)) this.ended(stop.reason);
+    else this.show(brightness);
+  }
+
+  /** A run has ended: say why and where. */
+  ended(reason) {
+    const { processor, watch } = this.machine;
+    const { pc, ma } = processor;
+    const asked = reason === "breakpoint" && !watch.breakpoints.has(pc) ? ma : pc; // a JMS to a breakpoint is beyond it
+    const place = reason === "halt" || reason === "protect" ? ma : asked;
+    this.until.over();
+    this.until = new Until();
+    processor.run = 0;
+    this.say(`${REASONS[reason] ?? reason} at ${octal(place)}`);
+  }
+
+  /** START or CONT was pressed and the machine runs; START on a breakpoint stops there. */
+  started(key) {
+    const { pc } = this.machine.processor;
+    this.teletype.started();
+    if (key === "start" && this.machine.watch.breakpoints.has(pc)) this.ended("breakpoint");
   }
 
   show(brightness) {
@@ -69,8 +84,8 @@ class Bench {
     this.switches.show(brightness);
     this.teletype.show();
     this.debug.show(brightness && machine.processor.run && !waits);
-    writer.text(find("clock"), `${(machine.ticks / TIMES.SECOND).toFixed(3)} s`);
-    const running = !waits ? "runs" : machine.outOfTape() ? "waits for tape" : "waits";
+    writer.text(find("clock"), `${machine.elapsed.toFixed(3)} s`);
+    const running = !waits ? "runs" : machine._out_of_tape() ? "waits for tape" : "waits";
     writer.text(find("why"), machine.processor.run ? running : this.why || "stands still");
   }
 
@@ -85,7 +100,7 @@ class Bench {
     this.editor.open("eia.pal", this.shelf.get("eia.pal").frames);
     this.editor.assemble();
     machine.panel.stop();
-    machine.teletype.punch.frames = [];
+    machine.teletype.punch.frames.clear();
     this.editor.load();
     this.teletype.mount(name);
   }
@@ -113,12 +128,13 @@ class Bench {
 
   /** Take a file: a saved state, a program's source, or a tape, which goes into the reader or to the mill. */
   async take(file) {
-    const frames = new Uint8Array(await file.arrayBuffer());
+    const frames = bytes(new Uint8Array(await file.arrayBuffer()));
     const text = new TextDecoder().decode(frames);
-    if (isState(text)) {
-      this.#restore(text);
+    if (text.startsWith("{")) {
+      this.#attempt(() => this.#restore(text));
     } else if (file.name.endsWith(".pal")) {
-      this.editor.open(file.name, frames);
+      this.#attempt(() => this.editor.open(file.name, frames));
+      this.remember();
     } else {
       const name = this.shelf.put(file.name, frames);
       if (this.shelf.get(name).code === "eia") this.mill.cut(name);
@@ -126,14 +142,18 @@ class Bench {
     }
   }
 
-  #restore(text) {
+  /** Do what may fail; say why it did. */
+  #attempt(work) {
     try {
-      this.machine = restore(text);
+      work();
     } catch (error) {
-      this.say(error.message);
-      return;
+      this.say(String(error.message ?? error));
     }
-    this.history.forget();
+  }
+
+  #restore(text) {
+    this.machine = restore(text);
+    this.history.begin();
     this.touched();
   }
 
@@ -173,16 +193,16 @@ class Bench {
     try {
       const shared = await opened();
       if (shared) {
-        this.editor.text = String(shared.source);
+        this.editor.text = String(shared.source ?? "");
         if (shared.state) this.#restore(String(shared.state));
         return;
       }
     } catch (error) {
-      this.say(`the link is damaged: ${error.message}`);
+      this.say(`the link is damaged: ${error.message ?? error}`);
       return;
     }
     const kept = this.#kept();
-    if (kept) this.editor.text = kept;
+    if (kept) this.#attempt(() => (this.editor.text = kept));
     if (this.record.view) this.mill.cut(this.record.view);
   }
 

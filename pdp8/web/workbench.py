@@ -1,7 +1,7 @@
 """The workbench as one page: the whole machine live, with every bundled tape and program at hand.
 
 shelf ──► record (JSON: tapes, a program, the BIN loader)  ┐
-computer/ pal/ mill/ bench/ workbench.mjs                  ├──► one HTML file with everything inside
+our Python, bench/ workbench.mjs                           ├──► one HTML file with everything inside
 base.css workbench.css                                     ┘
 """
 

@@ -1,14 +1,17 @@
 // How things are written on the page, and where.
 
-import { TIMES } from "./facts.mjs";
-
-const { SECOND } = TIMES;
+import { TICKS_PER_SECOND as SECOND } from "../computer/hardware/signals.mjs";
 
 /** The element with that id. */
 export const find = (id) => document.getElementById(id);
 
 export function octal(value, digits = 4) {
   return value.toString(8).padStart(digits, "0");
+}
+
+/** Thousandths of an inch as inches: 2.250. */
+export function inches(thousandths) {
+  return (thousandths / 1000).toFixed(3);
 }
 
 /** 170888757 as 170 888 757. */

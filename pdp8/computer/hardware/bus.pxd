@@ -1,14 +1,14 @@
 # The types with which Cython compiles bus.py; Python itself never reads this.
 
 cimport cython
-from libc.stdint cimport int64_t, uint64_t
+from libc.stdint cimport int64_t
 
 cdef int64_t NEVER
 cdef int SKIP, CLEAR_AC, IOP1, IOP2, IOP4
 
 
 cdef class Device:
-    cdef public int code, flag
+    cdef public int code, flag, tested
     cdef public Device behind
     cdef public int64_t due
 
@@ -24,13 +24,14 @@ cdef class Device:
 @cython.final
 cdef class Bus:
     cdef public Device first
-    cdef public uint64_t tested
     cdef public int64_t actions
 
     @cython.locals(device=Device)
     cpdef Device device(self, int code)
-    @cython.locals(device=Device, bit=uint64_t)
+    @cython.locals(device=Device)
     cpdef int transfer(self, int word, int lac, int64_t clock) except -1
+    @cython.locals(device=Device)
+    cpdef void forget_tests(self) noexcept
     @cython.locals(device=Device)
     cpdef bint request(self, int64_t now) except -1
     @cython.locals(device=Device, event=int64_t)

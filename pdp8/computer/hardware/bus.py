@@ -25,7 +25,7 @@ from pdp8.computer.hardware.signals import CLEAR_AC, IOP1, IOP2, IOP4, NEVER, SK
 class Device:
     """One device code: a flag, and `due`, the tick at which it changes next."""
 
-    fields = saved(flag=BIT, due=TICK)
+    fields = saved(flag=BIT, tested=BIT, due=TICK)
     """What a saved state holds of the device: its attributes, and how each is written (see fields.py)."""
 
     def __init__(self) -> None:
@@ -33,6 +33,8 @@ class Device:
         self.behind: Device | None = None
         """The next device on the cable."""
         self.flag = 0
+        self.tested = 0
+        """Set by IOP1, until the bus forgets the tests."""
         self.due = NEVER
 
     def pulse(self, iop: int, ac: int, now: int) -> int:
@@ -69,12 +71,10 @@ class Device:
 class Bus:
     """The devices that are fitted, one behind the other on the cable; unused codes answer nothing."""
 
-    fields = saved(tested=(1 << 64) - 1, actions=COUNT)
+    fields = saved(actions=COUNT)
 
     def __init__(self) -> None:
         self.first: Device | None = None
-        self.tested = 0
-        """The codes that were sent IOP1 since this was last set to 0, one bit each."""
         self.actions = 0
         """How many pulses other than IOP1, and how many INITIALIZE, ION and IOF, there have been."""
 
@@ -111,8 +111,7 @@ class Bus:
         if device is None:
             return lac
         if word & 1:
-            bit = 1  # compiled, of 64 bits
-            self.tested |= bit << device.code
+            device.tested = 1
             lac = _pulse(device, 1, lac, clock + IOP1)
         if word & 2:
             self.actions += 1
@@ -126,6 +125,13 @@ class Bus:
         """Bring every device to tick `now`."""
         for device in self:
             device.advance(now)
+
+    def forget_tests(self) -> None:
+        """Forget which devices were sent IOP1."""
+        device = self.first
+        while device is not None:
+            device.tested = 0
+            device = device.behind
 
     def request(self, now: int) -> bool:
         """Tell whether any device requests an interrupt at tick `now`."""

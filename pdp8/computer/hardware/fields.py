@@ -20,7 +20,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, Protocol
 
 BIT = 1
-COUNT = 1 << 60
+COUNT = 1 << 52
 TICK, FRAMES, PART, CORE = "tick", "frames", "part", "core"
 
 Values = dict[str, Any]

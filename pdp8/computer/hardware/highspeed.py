@@ -25,7 +25,7 @@ PUNCH_TICKS = 400_000
 class ReaderControl(Device):
     """Device 01."""
 
-    fields = saved(flag=BIT, due=TICK, buffer="377", fetching=BIT, reader=PART)
+    fields = saved(flag=BIT, tested=BIT, due=TICK, buffer="377", fetching=BIT, reader=PART)
 
     def __init__(self) -> None:
         super().__init__()
@@ -83,7 +83,7 @@ class ReaderControl(Device):
 class PunchControl(Device):
     """Device 02."""
 
-    fields = saved(flag=BIT, due=TICK, buffer="377", punched=BIT, punch=PART)
+    fields = saved(flag=BIT, tested=BIT, due=TICK, buffer="377", punched=BIT, punch=PART)
 
     def __init__(self) -> None:
         super().__init__()

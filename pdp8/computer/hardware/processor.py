@@ -109,7 +109,7 @@ class Processor:
         """Instructions fetched since power-up."""
         self.writes = 0
         """A count that rises whenever words of core are written."""
-        self.forms = [0] * 0o10002
+        self.forms = array("H", bytes(2 * 0o10002))
         """The engine's decoded form of each word; writing the word sets it to 0."""
 
     def initialize(self) -> None:

@@ -147,7 +147,7 @@ class Receiver(Device):
     """M706, device 03: takes characters off the line that the reader and the keyboard share."""
 
     fields = saved(
-        **dict.fromkeys(("flag", "reader_run", "active"), BIT),
+        **dict.fromkeys(("flag", "tested", "reader_run", "active"), BIT),
         **dict.fromkeys(("due", "step", "edge", "now", "start", "free", "origin"), TICK),
         buffer="377",
         line="3777",
@@ -398,7 +398,7 @@ class Transmitter(Device):
     """M707, device 04: puts characters on the line, where the printer's selector takes them off."""
 
     fields = saved(
-        **dict.fromkeys(("flag", "mark"), BIT),
+        **dict.fromkeys(("flag", "tested", "mark"), BIT),
         **dict.fromkeys(("start", "free", "began"), COUNT),
         **dict.fromkeys(("sent", "ahead"), 1 << 30),
         due=TICK,

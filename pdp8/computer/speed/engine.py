@@ -19,6 +19,7 @@ This file runs as it is; Cython compiles it with the types in engine.pxd beside 
 Sources: those of processor.py, which tests hold this in lockstep with.
 """
 
+from array import array
 from collections.abc import Set
 
 from pal.isa import (
@@ -101,14 +102,13 @@ class Engine:
         self.conditions = CONDITIONS
         # Two words past the end wrap the PC, which can overrun by a skip.
         self.processor.forms[0o10000] = self.processor.forms[0o10001] = WRAP
-        self.arg = [0] * 0o10002
+        self.arg = array("H", bytes(2 * 0o10002))
         self.registers = [0, 0, 0]
         # Group 1 without its rotate, by its low 8 bits: {L, AC} & keep ^ flip, + plus.
-        self.keep = [
-            (0o10000 if i & 0o200 else 0o17777) & (0o7777 if i & 0o100 else 0o17777) for i in range(256)
-        ]
-        self.flip = [(0o7777 if i & 0o40 else 0) | (0o10000 if i & 0o20 else 0) for i in range(256)]
-        self.plus = [i & 1 for i in range(256)]
+        keep = [(0o10000 if i & 0o200 else 0o17777) & (0o7777 if i & 0o100 else 0o17777) for i in range(256)]
+        flip = [(0o7777 if i & 0o40 else 0) | (0o10000 if i & 0o20 else 0) for i in range(256)]
+        self.keep, self.flip = array("H", keep), array("H", flip)
+        self.plus = array("H", [i & 1 for i in range(256)])
 
     def run(self, until: int, last: int, breakpoints: Set[int] = frozenset()) -> bool:
         """Run to tick `until`, to `last` instructions in all, until RUN goes off, the program waits for ever

@@ -50,7 +50,7 @@ def execute(
     two words past 7777.
     """
     pc = registers[0]
-    lac = registers[1]
+    lac = registers[1] & 0o17777
     time = registers[2]
     op = ops[pc]
     while time < limit:

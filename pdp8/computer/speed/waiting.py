@@ -117,7 +117,7 @@ class Waiting:
         self.stepping = False
         self.core = None
         self.writes = p.writes
-        p.bus.tested = 0
+        p.bus.forget_tests()
 
     def forget(self) -> None:
         """Remember nothing: the machine was set from outside, or the next turn has to be executed."""

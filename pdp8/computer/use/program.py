@@ -61,10 +61,10 @@ class Program:
 
         if not isinstance(self._source, bytes):
             return Listing.of(self._source)
-        import pal
+        from pal.assembly import assemble
         from pal.disassembler import disassemble
 
-        return Listing.of(pal.assemble(disassemble(self.words)))
+        return Listing.of(assemble(disassemble(self.words)))
 
 
 def find(name: str, force: bool = False, dialect: str = FOUND) -> Program:

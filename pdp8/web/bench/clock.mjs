@@ -1,20 +1,26 @@
 // The bench's time: the machine runs while the page is looked at, and nothing is drawn while nothing can change.
 //
 //     awake ──► a picture, some times a second: run, sample the lamps, show ──► asleep when all stands still
+//
+// While the processor stands still or waits for ever no time passes, but for a character on its way in.
 
 import { lit } from "../brightness.mjs";
-import { ISA, TIMES } from "../facts.mjs";
+import { Bus } from "../../computer/hardware/bus.mjs";
+import { Processor } from "../../computer/hardware/processor.mjs";
+import { TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
+import { FETCH } from "../../../pal/isa.mjs";
 import { Pictures } from "../pictures.mjs";
 
-const BUDGET = 24; // ms of computing for a picture at full speed
+const BUDGET = 24; // ms of computing for a picture
 const SLICES = 12; // of a picture, each with a look at the lamps
 export const SPEEDS = [[1, "as it was"], [10, "10 times"], [100, "100 times"], [Infinity, "as fast as it goes"]];
 
 export class Clock {
-  /** `show(brightness, reason)` is called after every picture. */
+  /** `show(brightness, stop)` is called after every picture; `stop` is how a run ended, if it ended. */
   constructor(bench, show) {
     this.bench = bench;
     this.show = show;
+    this.glimpse = new Glimpse();
     this.pictures = new Pictures((passed, now) => this.#picture(passed, now), 1);
     document.addEventListener("visibilitychange", () => document.hidden || this.wake());
   }
@@ -34,50 +40,65 @@ export class Clock {
 
   /** Show what the machine does in some milliseconds; return whether it goes on. */
   #picture(passed, now) {
-    const ticks = (passed / 1000) * TIMES.SECOND * Math.min(this.speed, 1e6);
-    const { brightness, reason } = this.#run(ticks, now);
-    this.show(brightness, reason);
+    const { machine, history } = this.bench;
+    const ticks = Math.ceil((passed / 1000) * SECOND * Math.min(this.speed, SPEEDS[2][0]));
+    const shares = [];
+    let stop = null;
+    if (machine.processor.run) stop = history.together(() => this.#run(ticks, now, shares));
+    else if (this.#busy()) machine.wait(ticks / SECOND);
+    this.show(machine.processor.run && shares.length ? mean(shares) : lit(machine), stop);
     return !document.hidden && this.#moves();
+  }
+
+  /** Whether a character is on its way in. */
+  #busy() {
+    const { receiver } = this.bench.machine.teletype;
+    return receiver.stage > 0 || receiver.keyboard.waiting.length > 0;
   }
 
   /** Whether anything can change of itself. */
   #moves() {
     const { machine } = this.bench;
-    const { transmitter, receiver } = machine.teletype;
-    const busy = transmitter.register || receiver.stage || transmitter.unit;
-    return busy || (machine.processor.run && !machine.waiting.endless);
+    return machine.processor.run ? !machine.waiting.endless : this.#busy();
   }
 
-  /** Run for `ticks`, or at full speed as long as there is time; look at the lamps in between. */
-  #run(ticks, now) {
-    const { machine } = this.bench;
-    const shares = {};
-    let looks = 0;
-    let reason = "";
-    const slice = this.speed === Infinity ? TIMES.SECOND / 30 : ticks / SLICES;
-    const end = this.speed === Infinity ? Infinity : machine.processor.clock + ticks;
-    while (machine.processor.clock < end) {
-      const until = Math.min(end, machine.processor.clock + Math.ceil(slice * (0.5 + Math.random())));
-      if (machine.processor.run) reason = machine.run(until);
-      if (!machine.processor.run && machine.processor.clock < until) machine.wait(until - machine.processor.clock);
-      this.#sample(machine, shares);
-      looks++;
-      if (reason || machine.waiting.endless || performance.now() - now > BUDGET) break;
-      if (this.speed === Infinity && !machine.processor.run) break;
+  /** Run for `ticks`, or at full speed as long as there is time; return how it ended, null if it goes on. */
+  #run(ticks, now, shares) {
+    const { machine, until } = this.bench;
+    const { processor } = machine;
+    const end = this.speed === Infinity ? Infinity : processor.clock + ticks;
+    const slice = this.speed === Infinity ? SECOND / 30 : ticks / SLICES;
+    while (processor.clock < end && performance.now() - now < BUDGET) {
+      const room = Math.max(1, Math.min(end - processor.clock, Math.ceil(slice * (0.5 + Math.random()))));
+      const stop = until.run(machine, room);
+      shares.push(this.glimpse.of(machine));
+      if (stop.reason !== "limit") return stop;
     }
-    if (!reason && machine.waiting.endless && machine.processor.clock < end && end < Infinity) machine.to(end);
-    for (const name in shares) shares[name] /= looks;
-    return { brightness: machine.processor.run ? shares : lit(machine), reason };
+    return null;
+  }
+}
+
+/** The lamps as they are in some cycle of the instruction that comes: a second processor runs it, and writes nothing. */
+class Glimpse {
+  constructor() {
+    this.processor = new Processor(new Bus());
+    this.processor.deposit = () => {};
   }
 
-  /** Look at the lamps in some cycle of the instruction that comes. */
-  #sample(machine, shares) {
-    const { processor, breakpoints } = machine;
+  of(machine) {
+    const { processor } = this;
+    const { lac, pc, ma, mb, ir, state, next, sr, ion, protect, run, core } = machine.processor;
+    Object.assign(processor, { lac, pc, ma, mb, ir, state, next, sr, ion, protect, run, core, _core: core, ion_delayed: 0 });
     for (let cycles = Math.floor(Math.random() * 3); cycles && processor.run; cycles--) {
-      if (processor.next === ISA.FETCH && (breakpoints.has(processor.pc) || machine.until)) break;
       processor.cycle();
+      if (processor.next === FETCH) break;
     }
-    const lamps = lit(machine);
-    for (const name in lamps) shares[name] = (shares[name] ?? 0) + lamps[name];
+    return lit({ processor });
   }
+}
+
+function mean(shares) {
+  const all = {};
+  for (const lamps of shares) for (const name in lamps) all[name] = (all[name] ?? 0) + lamps[name] / shares.length;
+  return all;
 }

@@ -42,7 +42,7 @@ export class Core {
   }
 
   show() {
-    const { core } = this.bench.machine;
+    const { core } = this.bench.machine.processor;
     this.cells.forEach((cell, index) => this.#word(cell, index, core[this.first + index]));
   }
 

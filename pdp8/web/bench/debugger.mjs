@@ -1,11 +1,11 @@
 // The debugger: steps forward and back, run until; beside them the listing, the registers and core.
 
-import { END_OF_BLOCK } from "../facts.mjs";
 import { READABLE } from "../pictures.mjs";
 import { find } from "../written.mjs";
 import { Core } from "./core.mjs";
 import { Listing } from "./listing.mjs";
 import { Registers } from "./registers.mjs";
+import { until, Until } from "./until.mjs";
 
 const PLACED = ["address", "word"]; // what a run goes on until that has an address
 
@@ -25,41 +25,36 @@ export class Debugger {
     find("kind").addEventListener("change", ({ target }) => (find("where").hidden = !PLACED.includes(target.value)));
     find("until").addEventListener("submit", (event) => {
       event.preventDefault();
-      this.#run(this.#condition(find("kind").value, parseInt(find("where").value || "0", 8) & 0o7777));
+      this.#run(until(this.bench.machine, find("kind").value, parseInt(find("where").value || "0", 8) & 0o7777));
     });
   }
 
   #step(unit) {
-    this.bench.machine.until = null;
-    this.bench.history.forward(unit);
-    this.bench.show();
+    const { bench } = this;
+    bench.until = new Until();
+    const reason = bench.history.forward(unit);
+    bench.machine.processor.run = 0;
+    if (reason === "limit") bench.show();
+    else bench.ended(reason);
   }
 
   #back(unit) {
-    this.bench.machine.processor.run = 0;
-    if (!this.bench.history.back(unit)) this.bench.say("nothing is kept from before");
-    this.bench.show();
+    const { bench } = this;
+    try {
+      bench.history.back(unit);
+      bench.machine.processor.run = 0;
+      bench.say("");
+    } catch (error) {
+      bench.machine.processor.run = 0;
+      bench.say(String(error));
+    }
   }
 
-  #run(until = null) {
-    this.bench.machine.until = until;
+  #run(goal = new Until()) {
+    this.bench.until = goal;
     this.bench.machine.panel.cont();
     this.bench.teletype.started();
     this.bench.touched();
-  }
-
-  /** The question whether what was asked for has happened. */
-  #condition(kind, address) {
-    const { core, processor, teletype } = this.bench.machine;
-    const { punch } = teletype;
-    const [word, punched] = [core[address], punch.frames.length];
-    return {
-      address: () => processor.pc === address,
-      word: () => core[address] !== word,
-      flag: aFlagRises(this.bench.machine),
-      frame: () => punch.frames.length > punched,
-      block: () => punch.frames.length > punched && punch.frames.at(-1) === END_OF_BLOCK,
-    }[kind];
   }
 
   /** Show the machine; while it is `running`, no more often than can be read. */
@@ -70,16 +65,4 @@ export class Debugger {
     this.listing.show();
     this.core.show();
   }
-}
-
-/** The question whether a flag of the Teletype has risen since it was last asked. */
-function aFlagRises({ bus, processor, teletype: { receiver, transmitter } }) {
-  let before = [receiver.flag, transmitter.flag];
-  return () => {
-    bus.nextEvent(processor.clock); // lets a flag move whose time has come
-    const now = [receiver.flag, transmitter.flag];
-    const rises = now.some((flag, index) => flag > before[index]);
-    before = now;
-    return rises;
-  };
 }

@@ -1,11 +1,15 @@
 // The editor: PAL III source in colour, assembled in the page, its messages under the places they are at.
 
-import { assemble } from "../pal.mjs";
-import { ERROR, printed } from "../pal/diagnostics.mjs";
-import { LOADERS, PAL_III, PSEUDO_OPERATORS, SYMBOLS } from "../facts.mjs";
-import { escaped, find, grouped, octal } from "../written.mjs";
-import * as kinds from "./kinds.mjs";
+import { MOST, assemble } from "../../../pal/assembly.mjs";
+import { PERMANENT, PSEUDO_OPERATORS } from "../../../pal/symbols.mjs";
+import { Operator } from "../../computer/use/operator.mjs";
+import { escaped, find, grouped } from "../written.mjs";
+import { limited } from "./budget.mjs";
+import { unpacked } from "./shelf.mjs";
 
+const LONGEST = 200_000; // characters of a source that is taken
+const COLOURED = 50_000; // and of one that is shown in colour
+const KNOWN = new Set([...PERMANENT.map(({ mnemonic }) => mnemonic), ...PSEUDO_OPERATORS]);
 const TOKENS = /(\/[^\n]*)|([A-Za-z][A-Za-z0-9]*)(,|=)?|([0-9]+)/g;
 
 export class Editor {
@@ -16,7 +20,10 @@ export class Editor {
     this.assembly = null;
     this.name = "program.pal";
     this.area.value = text;
-    this.area.addEventListener("input", () => this.#changed());
+    this.area.addEventListener("input", () => {
+      this.#changed();
+      bench.remember();
+    });
     this.area.addEventListener("scroll", () => this.#scroll());
     this.area.addEventListener("keydown", (event) => this.#key(event));
     find("assemble").addEventListener("click", () => this.assemble());
@@ -32,7 +39,9 @@ export class Editor {
     return this.area.value;
   }
 
+  /** Show a source. Throws for one that is longer than a page can take. */
   set text(text) {
+    if (text.length > LONGEST) throw new Error(`a source of ${grouped(text.length)} characters; ${grouped(LONGEST)} are allowed`);
     this.area.value = text;
     this.#changed();
   }
@@ -57,7 +66,6 @@ export class Editor {
     this.behind.innerHTML = `${coloured(this.text)}\n`;
     this.#scroll();
     find("load").disabled = find("boot").disabled = true;
-    this.bench.remember();
   }
 
   #scroll() {
@@ -72,15 +80,16 @@ export class Editor {
       event.preventDefault();
       this.area.setRangeText("\t", this.area.selectionStart, this.area.selectionEnd, "end");
       this.#changed();
+      this.bench.remember();
     } else this.leaving = false;
     if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) this.assemble();
   }
 
   /** Assemble what is there; return whether it has no errors. */
   assemble() {
-    this.assembly = assemble(this.text);
+    this.assembly = assemble([this.text], [this.name]);
     const { diagnostics, ok, tape } = this.assembly;
-    const items = diagnostics.slice(0, PAL_III.MOST).map((diagnostic) => this.#item(diagnostic));
+    const items = diagnostics.slice(0, MOST).map((diagnostic) => this.#item(diagnostic));
     const more = diagnostics.length - items.length;
     const rest = more ? `<p>and ${more.toLocaleString("en")} more</p>` : "";
     find("messages").innerHTML = `<p>${summary(this.assembly)}</p><ol>${items.join("")}</ol>${rest}`;
@@ -93,9 +102,9 @@ export class Editor {
 
   /** A diagnostic as `pal` prints it; its first line leads to the place. */
   #item(diagnostic) {
-    const [first, ...rest] = printed(diagnostic, this.name).split("\n");
-    const { line, start, end, severity } = diagnostic;
-    const place = `data-line="${line}" data-start="${start}" data-end="${end}"`;
+    const [first, ...rest] = String(diagnostic).split("\n");
+    const { line, column, width, severity } = diagnostic;
+    const place = `data-line="${line}" data-start="${column - 1}" data-end="${column - 1 + width}"`;
     const said = `<button class="text" ${place}>${escaped(first)}</button><pre>${escaped(rest.join("\n"))}</pre>`;
     return `<li class="${severity}">${said}</li>`;
   }
@@ -110,7 +119,12 @@ export class Editor {
   load() {
     const { machine } = this.bench;
     machine.panel.stop();
-    machine.load(Object.entries(this.assembly.words).filter(([address]) => address < machine.core.length));
+    try {
+      machine.load(this.assembly.words);
+    } catch (error) {
+      this.bench.say(String(error));
+      return;
+    }
     this.bench.debug.listing.lay(this.assembly.lines);
     this.#ready();
   }
@@ -119,50 +133,37 @@ export class Editor {
   boot() {
     const { bench } = this;
     const { machine } = bench;
-    const { reader } = machine.teletype;
+    const { punch, reader } = machine.teletype;
+    const kept = punch.on;
     machine.panel.stop();
-    machine.processor.memProt = machine.processor.singStep = 0;
-    reader.on = true;
-    const kept = machine.teletype.punch.on;
-    LOADERS.RIM.forEach((word, index) => machine.processor.deposit(LOADERS.RIM_START + index, word));
-    this.#read(LOADERS.RIM_START, LOADERS.RIM_START, bench.record.loader, () => machine.outOfTape());
-    machine.panel.stop();
-    const tape = this.assembly.tape.slice(kinds.start(this.assembly.tape));
-    this.#read(LOADERS.BIN_START, LOADERS.TELETYPE_READER, tape, () => !machine.processor.run);
-    machine.teletype.punch.on = kept;
-    const wrong = machine.ac !== 0 || machine.processor.ma !== LOADERS.BIN_HALT;
-    const stopped = `BIN stopped at ${octal(machine.processor.ma)} with AC ${octal(machine.ac)}`;
-    bench.say(wrong ? stopped : "loaded by BIN, checksum right");
-    reader.remove();
+    reader.lever(true);
+    try {
+      const steps = () => [...new Operator(machine).boot(unpacked(bench.record.loader), this.assembly.tape, this.name)];
+      bench.why = String(limited(machine, steps).at(-1));
+    } catch (error) {
+      machine.panel.stop();
+      reader.remove();
+      bench.why = String(error);
+    }
+    punch.on = kept;
     bench.debug.listing.lay(this.assembly.lines);
     this.#ready();
   }
 
-  /** Start a loader on a tape, run until `done`. */
-  #read(start, switches, tape, done) {
-    const { machine } = this.bench;
-    const { panel, processor, teletype } = machine;
-    teletype.reader.load(typeof tape === "string" ? Uint8Array.from(atob(tape), (character) => character.charCodeAt(0)) : tape);
-    panel.loadAddress(start);
-    processor.sr = switches;
-    panel.start();
-    while (processor.run && !done()) machine.run(processor.clock + 20_000_000);
-  }
-
   #ready() {
     const { machine } = this.bench;
-    const addresses = Object.keys(this.assembly.words).map(Number);
+    const addresses = [...this.assembly.words];
     const start = addresses.includes(0o200) ? 0o200 : Math.min(...addresses);
-    machine.processor.sr = start & 0o7777;
-    machine.panel.loadAdd();
+    machine.sr = start;
+    machine.panel.load_add();
     this.bench.touched();
   }
 }
 
 /** What became of a source: its words, its tape, how many errors and notes. */
 function summary({ diagnostics, tape, words }) {
-  const errors = diagnostics.filter(({ severity }) => severity === ERROR).length;
-  const made = `${counted(Object.keys(words).length, "word")}, a tape of ${counted(tape.length, "frame")}`;
+  const errors = diagnostics.filter(({ error }) => error).length;
+  const made = `${counted(words.length, "word")}, a tape of ${counted(tape.length, "frame")}`;
   const said = [[errors, "error"], [diagnostics.length - errors, "note"]].filter(([number]) => number);
   return `${made}${said.length ? "; " : ""}${said.map(([number, what]) => counted(number, what)).join(", ")}.`;
 }
@@ -172,11 +173,12 @@ function counted(number, what) {
 }
 
 function coloured(text) {
+  if (text.length > COLOURED) return escaped(text);
   let html = "";
   let at = 0;
   for (const match of text.matchAll(TOKENS)) {
     const [token, comment, name, mark] = match;
-    const known = name && (name in SYMBOLS || name in PSEUDO_OPERATORS);
+    const known = name && KNOWN.has(name);
     const kind = comment ? "comment" : name ? (mark ? "tag" : known ? "known" : "name") : "number";
     html += `${escaped(text.slice(at, match.index))}<span class="${kind}">${escaped(token)}</span>`;
     at = match.index + token.length;

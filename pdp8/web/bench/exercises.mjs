@@ -1,6 +1,6 @@
 // The tutorial's six exercises on this bench: each is set up by a button, and checked by a look at the machine.
 
-import { EIA } from "../facts.mjs";
+import { CODES } from "../../../tapes/eia.mjs";
 import { escaped, find, octal } from "../written.mjs";
 
 const ZERO = "0".charCodeAt(0);
@@ -29,7 +29,7 @@ const EXERCISES = [
     text: "Put NOP (7000) in place of KCC at 0201, in core, and translate circle.asc to the end. Is the tape another one?",
     prepare: (bench) => bench.translate("circle.asc"),
     check: (bench) => {
-      const { core, teletype } = bench.machine;
+      const { processor: { core }, teletype } = bench.machine;
       if (core[0o201] !== 0o7000) return `0201 holds ${octal(core[0o201])}, not 7000`;
       const whole = bench.shelf.get("circle.eia").frames;
       const { frames } = teletype.punch;
@@ -42,12 +42,12 @@ const EXERCISES = [
     text: "Put 1 in place of the 20 that MSP holds, so that no character is a space any more, and translate 100 frames. What does the Hydra-Point say of the tape?",
     prepare: (bench) => bench.translate("circle.asc"),
     check: (bench) => {
-      const { core, teletype } = bench.machine;
-      const msp = bench.symbols.MSP;
+      const { processor: { core }, teletype } = bench.machine;
+      const msp = bench.symbols.get("MSP");
       if (core[msp] !== 1) return `MSP, at ${octal(msp)}, holds ${octal(core[msp])}, not 0001`;
       if (teletype.reader.position < 100) return `the reader has read ${teletype.reader.position} frames`;
       const zeros = teletype.reader.tape.slice(0, teletype.reader.position).filter((frame) => (frame & 0o177) === ZERO).length;
-      return teletype.punch.frames.filter((frame) => EIA[frame] === "0").length > zeros ? "a space still became a zero" : "";
+      return teletype.punch.frames.filter((frame) => frame === CODES.get("0")).length > zeros ? "a space still became a zero" : "";
     },
   },
   {

@@ -1,27 +1,38 @@
-// Steps, forward and back, by cycle, instruction and character. Back is forward again from an instant that was kept.
+// Steps, forward and back, by cycle, instruction and character. The past is kept by computer/past/history.py.
 
-import { ISA } from "../facts.mjs";
-import { restore, snapshot } from "../computer/snapshot.mjs";
+import { TICKS_PER_SECOND } from "../../computer/hardware/signals.mjs";
+import { History as Past } from "../../computer/past/history.mjs";
+import * as rewind from "../../computer/past/rewind.mjs";
 
-const KEPT = 300;
-const FAR = 20_000_000 * 3; // ticks that a step may take at most
+const MEMORY = 32 << 20; // bytes
+const FAR = 3 * TICKS_PER_SECOND; // ticks that a step may take at most
+const GLANCE = 0.001; // seconds between two looks whether a character has passed
+const BACK = { cycle: rewind.cycles, instruction: rewind.instructions, character: rewind.characters };
 
 export class History {
   constructor(bench) {
     this.bench = bench;
-    this.kept = [];
+    this.begin();
   }
 
-  /** Keep the machine as it is: after every picture, step and touch. */
-  keep() {
-    const { clock } = this.bench.machine.processor;
-    if (this.kept.at(-1)?.clock === clock) this.kept.pop();
-    this.kept.push({ clock, characters: this.#characters(), saved: snapshot(this.bench.machine) });
-    if (this.kept.length > KEPT) this.kept.shift();
+  /** Begin anew, with the machine as it stands. */
+  begin() {
+    this.past = new Past(this.bench.machine, MEMORY);
   }
 
-  forget() {
-    this.kept = [];
+  /** Let `work` do many runs that are kept as one; it returns how the last ended, null if by its limit. */
+  together(work) {
+    const { machine } = this.bench;
+    this.past.begins();
+    machine.recorder = null;
+    let stop = null;
+    try {
+      stop = work();
+    } finally {
+      machine.recorder = this.past;
+      this.past.ended(stop?.reason ?? "limit");
+    }
+    return stop;
   }
 
   /** Characters read and printed so far. */
@@ -30,61 +41,27 @@ export class History {
     return reader.position + printer.frames.length - keyboard.waiting.length;
   }
 
-  /** One step of `unit` forward. */
+  /** One step of `unit` forward; return why it ended, "limit" if by itself. */
   forward(unit) {
     const { machine } = this.bench;
-    const { processor } = machine;
+    if (unit === "cycle") return this.#cycle();
+    if (unit === "instruction") return machine.run(null, 1).reason;
+    const [characters, end] = [this.#characters(), machine.processor.clock + FAR];
+    let reason;
+    do reason = machine.run(GLANCE).reason;
+    while (reason === "limit" && this.#characters() === characters && machine.processor.clock < end);
+    return reason;
+  }
+
+  #cycle() {
+    const { processor } = this.bench.machine;
     processor.run = 1;
-    const characters = this.#characters();
-    const end = processor.clock + FAR;
-    const goesOn = () => processor.run && processor.clock < end && !machine.waiting.endless;
-    do this.#once(unit);
-    while (unit === "character" && this.#characters() === characters && goesOn());
-    machine.bus.advance(processor.clock);
-    processor.run = 0;
-    this.keep();
+    processor.cycle();
+    return processor.run ? "limit" : "halt";
   }
 
-  #once(unit) {
-    const { machine } = this.bench;
-    if (unit === "cycle") machine.processor.cycle();
-    else if (unit === "instruction") machine.run(Infinity, 1);
-    else machine.run(machine.processor.clock + FAR, 50);
-  }
-
-  /** One step of `unit` back; false if nothing was kept that lies before. */
+  /** One step of `unit` back. Throws HistoryError where the past does not go back so far. */
   back(unit) {
-    const { machine } = this.bench;
-    const { processor } = machine;
-    const now = processor.clock;
-    const characters = this.#characters();
-    const before = (kept) => kept.clock < now && (unit !== "character" || kept.characters < characters);
-    const index = this.kept.findLastIndex(before);
-    if (index < 0) return false;
-    const from = this.kept[index];
-    this.kept.length = index + 1;
-    restore(machine, from.saved);
-    processor.run = 1;
-    const target = this.#last(unit, now, characters);
-    restore(machine, from.saved);
-    processor.run = 1;
-    while (processor.run && processor.clock < target) processor.cycle();
-    machine.bus.advance(processor.clock);
-    processor.run = 0;
-    return true;
-  }
-
-  /** The last clock before `now` at which a step of `unit` ends. */
-  #last(unit, now, characters) {
-    const { machine } = this.bench;
-    const { processor } = machine;
-    let last = processor.clock;
-    while (processor.run) {
-      processor.cycle();
-      machine.bus.advance(processor.clock);
-      if (processor.clock >= now || (unit === "character" && this.#characters() >= characters)) break;
-      if (unit === "cycle" || processor.next === ISA.FETCH) last = processor.clock;
-    }
-    return last;
+    BACK[unit](this.past, 1);
   }
 }

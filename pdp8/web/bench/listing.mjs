@@ -1,6 +1,7 @@
 // The listing beside the machine: its current line lit, and a breakpoint at every address that is pressed.
 
 import { Current } from "../current.mjs";
+import { instructionAt } from "../meaning.mjs";
 import { escaped, find, octal } from "../written.mjs";
 
 const CORE = 0o10000;
@@ -36,18 +37,17 @@ export class Listing {
   }
 
   #breakpoint(address) {
-    const { breakpoints } = this.bench.machine;
-    if (!breakpoints.delete(address)) breakpoints.add(address);
+    const { breakpoints } = this.bench.machine.watch;
+    if (!breakpoints.discard(address)) breakpoints.add(address);
     this.#mark();
   }
 
   #mark() {
-    const { breakpoints } = this.bench.machine;
+    const { breakpoints } = this.bench.machine.watch;
     for (const [address, row] of this.rows) row.firstChild.ariaPressed = String(breakpoints.has(address));
   }
 
   show() {
-    const { processor } = this.bench.machine;
-    this.current.light(this.rows.get(processor.run ? processor.at : processor.pc) ?? null);
+    this.current.light(this.rows.get(instructionAt(this.bench.machine.processor)) ?? null);
   }
 }

@@ -2,12 +2,13 @@
 
 import { Current } from "../current.mjs";
 import { drawClose, drawWhole, Mill as Drawing } from "../cutter.mjs";
-import { FIELDS, TIMES } from "../facts.mjs";
-import { inches } from "../mill/blocks.mjs";
-import { cut, pictured } from "../mill/machine.mjs";
+import { TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
+import { CutError, cut } from "../../../nc/machine.mjs";
+import { FIELDS } from "../../../tapes/hydrapoint.mjs";
+import { pictured } from "./path.mjs";
 import { Pictures } from "../pictures.mjs";
 import { Sheet } from "../sheet.mjs";
-import { escaped, find, grouped } from "../written.mjs";
+import { escaped, find, grouped, inches } from "../written.mjs";
 
 const TAKES = 20; // seconds in which a whole tape is cut on the page
 
@@ -34,12 +35,12 @@ export class Mill {
   /** Put a tape of the shelf under the head, and show the whole of what it does. */
   cut(name) {
     this.name = name;
-    const path = cut(this.bench.shelf.get(name).frames);
-    this.steps = path.steps;
-    find("refusal").textContent = path.error ? `Refused: ${path.error.message}` : "";
-    this.drawing = path.steps.length ? new Drawing(pictured(path, TIMES.SECOND, this.bench.record.cutter)) : null;
+    const { path, refusal } = carriedOut(this.bench.shelf.get(name).frames);
+    this.steps = path?.steps ?? [];
+    find("refusal").textContent = refusal;
+    this.drawing = this.steps.length ? new Drawing(pictured(path, this.bench.record.cutter)) : null;
     find("eia").value = name;
-    find("blocks").innerHTML = `<ol>${path.steps.map((step) => row(step)).join("")}</ol>`;
+    find("blocks").innerHTML = `<ol>${this.steps.map((step) => row(step)).join("")}</ol>`;
     this.current.light(null);
     this.rows = [...find("blocks").querySelectorAll("li")];
     this.bench.tabs.open("mill");
@@ -65,7 +66,7 @@ export class Mill {
   }
 
   #where({ block, x, y }) {
-    const minutes = grouped(Math.round((this.drawing.end * this.part) / TIMES.SECOND / 60));
+    const minutes = grouped(Math.round((this.drawing.end * this.part) / SECOND / 60));
     return `${this.name}, block ${block + 1} of ${this.steps.length}: X ${inches(x)} Y ${inches(y)}, ${minutes} min`;
   }
 
@@ -82,6 +83,15 @@ export class Mill {
   }
 }
 
+/** The path of a tape as far as it was cut, and why no further. */
+function carriedOut(frames) {
+  try {
+    return { path: cut(frames), refusal: "" };
+  } catch (error) {
+    return { path: error instanceof CutError ? error.path : null, refusal: `Refused: ${error}` };
+  }
+}
+
 function roundness({ radius, x, y, lowest, highest }) {
   const ideal = `circle of ${inches(radius)} in about ${inches(x)}, ${inches(y)}`;
   return `${ideal}; centre within ${signed(lowest)} and ${signed(highest)}`;
@@ -89,7 +99,7 @@ function roundness({ radius, x, y, lowest, highest }) {
 
 function row({ block, at }) {
   let from = 0;
-  const fields = Object.values(FIELDS).map((width) => block.digits.slice(from, (from += width)));
+  const fields = FIELDS.values().map((width) => block.digits.slice(from, (from += width)));
   return `<li>${escaped(fields.join(" "))} <span>X ${inches(at.x)} Y ${inches(at.y)} Z ${inches(at.z)}</span></li>`;
 }
 

@@ -1,7 +1,8 @@
 // The registers in octal, the flags and the time; PC, L and AC can be written. And what comes next, in words.
 
-import { ISA, STATES } from "../facts.mjs";
-import { inWords, mnemonic } from "../meaning.mjs";
+import { STATES } from "../../../pal/isa.mjs";
+import { instruction } from "../../computer/use/trace.mjs";
+import { inWords } from "../meaning.mjs";
 import { find, grouped, octal, seconds } from "../written.mjs";
 
 export class Registers {
@@ -25,7 +26,7 @@ export class Registers {
   #values() {
     const { machine } = this.bench;
     const { processor, teletype } = machine;
-    const next = machine.core[processor.pc];
+    const next = processor.core[processor.pc];
     return {
       PC: octal(processor.pc),
       L: machine.link,
@@ -38,7 +39,7 @@ export class Registers {
       "printer flag": teletype.transmitter.flag ? "up" : "down",
       instructions: grouped(processor.instructions),
       "since START": seconds(machine.ticks),
-      next: `${mnemonic(next, processor.pc)}: ${inWords(next, processor.pc)}`,
+      next: `${instruction(processor.pc, next)}: ${inWords(next, processor.pc)}`,
     };
   }
 
@@ -49,9 +50,6 @@ export class Registers {
   }
 
   #set(name, word) {
-    const { processor } = this.bench.machine;
-    if (name === "PC") Object.assign(processor, { pc: word, next: ISA.FETCH });
-    else if (name === "AC") processor.lac = (processor.lac & 0o10000) | word;
-    else processor.lac = (processor.lac & 0o7777) | ((word & 1) << 12);
+    this.bench.machine[{ PC: "pc", AC: "ac", L: "link" }[name]] = word;
   }
 }

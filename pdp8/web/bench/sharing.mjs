@@ -10,7 +10,7 @@ export async function opened() {
 export async function address(shared) {
   const written = new TextEncoder().encode(JSON.stringify(shared));
   const packed = await through(new CompressionStream("deflate-raw"), written, "arrayBuffer");
-  const text = btoa(String.fromCharCode(...new Uint8Array(packed)));
+  const text = btoa(Array.from(new Uint8Array(packed), (byte) => String.fromCharCode(byte)).join(""));
   return `${location.href.replace(/#.*/, "")}#s=${text.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
 }
 

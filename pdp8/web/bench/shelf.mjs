@@ -1,18 +1,25 @@
 // The tapes at hand: the bundled ones, those dropped on the page, those punched.
 
-import * as kinds from "./kinds.mjs";
+import { bytes } from "../translator/runtime.mjs";
+import * as kinds from "../../../tapes/kinds.mjs";
+
+const LOOK = 1000; // frames that say in which code a tape is shown
+
+/** The code in which frames are shown: "ascii", "eia" or "bin". */
+export function codeOf(frames) {
+  const kind = kinds.classify(bytes(frames.slice(0, LOOK)));
+  return kind === kinds.EIA || kind === kinds.ASCII ? kind : "bin";
+}
 
 export class Shelf {
   constructor(bundled) {
     this.tapes = new Map();
     this.changed = [];
-    for (const [name, frames] of Object.entries(bundled)) {
-      this.#add(name, Uint8Array.from(atob(frames), (character) => character.charCodeAt(0)));
-    }
+    for (const [name, frames] of Object.entries(bundled)) this.#add(name, unpacked(frames));
   }
 
   #add(name, frames) {
-    this.tapes.set(name, { frames, code: kinds.codeOf(frames) });
+    this.tapes.set(name, { frames, code: codeOf(frames) });
   }
 
   names() {
@@ -28,8 +35,13 @@ export class Shelf {
     const [, stem, ending] = /^(.*?)(\.\w+)?$/.exec(name);
     let free = name;
     for (let number = 2; this.tapes.has(free); number++) free = `${stem} ${number}${ending ?? ""}`;
-    this.#add(free, frames);
+    this.#add(free, bytes(frames));
     this.changed.forEach((changed) => changed());
     return free;
   }
+}
+
+/** Frames written in base64. */
+export function unpacked(text) {
+  return bytes(Array.from(atob(text), (character) => character.charCodeAt(0)));
 }

@@ -2,12 +2,11 @@
 //
 //     0 to 7          an octal digit into the switches, from the right      S L D E C T   START, LOAD ADD, DEP, EXAM, CONT, STOP
 
-import { LOADERS } from "../facts.mjs";
+import { RIM, RIM_START } from "../../computer/use/operator.mjs";
 import { Panel } from "../panel.mjs";
 import { find, octal } from "../written.mjs";
 
-const { RIM, RIM_START } = LOADERS;
-const METHODS = { start: "start", "load add": "loadAdd", dep: "dep", exam: "exam", cont: "cont", stop: "stop" };
+const METHODS = { start: "start", "load add": "load_add", dep: "dep", exam: "exam", cont: "cont", stop: "stop" };
 const LETTERS = { s: "start", l: "load add", d: "dep", e: "exam", c: "cont", t: "stop" };
 
 export class Switches {
@@ -25,7 +24,7 @@ export class Switches {
   show(brightness) {
     const { machine } = this.bench;
     this.panel.show(machine, null, brightness);
-    for (const [name, down] of [["sing step", machine.processor.singStep], ["mem prot", machine.processor.memProt]]) {
+    for (const [name, down] of [["sing step", machine.processor.sing_step], ["mem prot", machine.processor.mem_prot]]) {
       const key = this.panel.keys.get(name);
       if (key.ariaChecked !== String(Boolean(down))) key.ariaChecked = String(Boolean(down));
     }
@@ -39,11 +38,11 @@ export class Switches {
 
   press(name) {
     const { panel, processor } = this.bench.machine;
-    if (name === "sing step") processor.singStep ^= 1;
-    else if (name === "mem prot") processor.memProt ^= 1;
+    if (name === "sing step") processor.sing_step ^= 1;
+    else if (name === "mem prot") processor.mem_prot ^= 1;
     else panel[METHODS[name]]();
-    if (name === "sing step" && processor.singStep) processor.stop();
-    if (processor.run && (name === "start" || name === "cont")) this.bench.teletype.started();
+    if (name === "sing step" && processor.sing_step) processor.stop();
+    if (processor.run && (name === "start" || name === "cont")) this.bench.started(name);
     this.card.pressed(name);
     this.bench.touched();
     this.panel.say(this.bench.machine);
@@ -76,9 +75,9 @@ class Card {
   #toggle() {
     const { machine } = this.bench;
     machine.panel.stop();
-    machine.processor.memProt = 0;
+    machine.processor.mem_prot = 0;
     this.switches.set(RIM_START);
-    machine.panel.loadAdd();
+    machine.panel.load_add();
     for (const word of RIM) {
       machine.processor.sr = word;
       machine.panel.dep();

@@ -1,12 +1,16 @@
 // The Teletype on the bench: its page and keyboard, its reader and punch with their levers, and the shelf of tapes.
 
-import { ASCII, KEYS } from "../facts.mjs";
-import { printed } from "../computer/teletype.mjs";
+import { printed } from "../../computer/hardware/teletype.mjs";
+import { sent } from "../../computer/use/keys.mjs";
+import { CR, LF } from "../../../tapes/ascii.mjs";
+import * as kinds from "../../../tapes/kinds.mjs";
+import { bytes } from "../translator/runtime.mjs";
 import { Sheet } from "../sheet.mjs";
 import { drawTape, meaning, tapeKey } from "../tape.mjs";
 import { find, grouped, octal } from "../written.mjs";
-import * as kinds from "./kinds.mjs";
+import { codeOf } from "./shelf.mjs";
 
+const BELL = 0o7;
 const COLUMNS = 72; // of a Model 33
 const LINES = 400; // kept on the page
 const ROLL = 100_000; // frames on the paper, until it is torn off behind the page
@@ -41,7 +45,7 @@ export class Teletype {
     const { frames } = this.bench.machine.teletype.printer;
     if (frames.length < this.taken) this.#clear();
     else if (frames.length === this.taken && this.drawn === this.taken) return;
-    for (; this.taken < frames.length; this.taken++) this.#type(printed(frames[this.taken]));
+    for (; this.taken < frames.length; this.taken++) this.#type(printed(bytes([frames[this.taken]])).decode("ascii"));
     this.drawn = this.taken;
     this.lines = this.lines.slice(-LINES);
     find("paper").firstElementChild.textContent = this.lines.join("\n");
@@ -51,16 +55,16 @@ export class Teletype {
 
   /** Tear off the paper that has been shown, or hours of printing would fill the memory. No step leads back to it. */
   #tearPaper() {
-    this.bench.machine.teletype.printer.frames = [];
+    this.bench.machine.teletype.printer.frames.clear();
     this.taken = this.drawn = 0;
-    this.bench.history.forget();
+    this.bench.history.begin();
   }
 
   #type(character) {
     const code = character.charCodeAt(0);
-    if (code === ASCII.CR) this.column = 0;
-    else if (code === ASCII.LF) this.lines.push(" ".repeat(this.column));
-    else if (code === ASCII.BELL || !character) this.bench.sound.ring(character !== "");
+    if (code === CR) this.column = 0;
+    else if (code === LF) this.lines.push(" ".repeat(this.column));
+    else if (code === BELL || !character) this.bench.sound.ring(character !== "");
     else {
       const line = this.lines.at(-1).padEnd(this.column);
       this.lines[this.lines.length - 1] = line.slice(0, this.column) + character + line.slice(this.column + 1);
@@ -70,31 +74,30 @@ export class Teletype {
   }
 
   #keyboard() {
-    const press = (frame) => {
-      if (frame === undefined) return;
-      this.bench.machine.teletype.keyboard.press([frame]);
+    const press = (key) => {
+      this.bench.machine.teletype.keyboard.press(sent(key));
       this.bench.touched();
     };
     find("paper").addEventListener("keydown", (event) => {
       if (event.altKey || event.metaKey || event.key === "Tab") return;
       const control = event.ctrlKey && /^[a-z]$/i.test(event.key);
       if (event.ctrlKey && !control) return;
-      const frame = control ? KEYS[String.fromCharCode(event.key.charCodeAt(0) & 0o37)] : KEYS[NAMED[event.key] ?? event.key];
-      if (frame === undefined) return;
+      const key = control ? String.fromCharCode(event.key.charCodeAt(0) & 0o37) : NAMED[event.key] ?? event.key;
+      if (key.length !== 1 || !sent(key).length) return;
       event.preventDefault();
-      press(frame);
+      press(key);
     });
     find("typed").addEventListener("input", (event) => {
-      for (const character of event.target.value) press(KEYS[character]);
+      for (const character of event.target.value) press(character);
       event.target.value = "";
     });
     find("typed").addEventListener("keydown", (event) => {
       if (event.key !== "Enter") return;
       event.preventDefault();
-      press(KEYS[NAMED.Enter]);
+      press(NAMED.Enter);
     });
     for (const button of document.querySelectorAll("[data-key]:not(.key)")) {
-      button.addEventListener("click", () => press(KEYS[TYPED[button.dataset.key]]));
+      button.addEventListener("click", () => press(TYPED[button.dataset.key]));
     }
   }
 
@@ -155,7 +158,7 @@ export class Teletype {
   tear() {
     const { punch } = this.bench.machine.teletype;
     const name = this.bench.shelf.put("punched", Uint8Array.from(punch.frames));
-    punch.frames = [];
+    punch.frames.clear();
     this.bench.touched();
     return name;
   }
@@ -164,7 +167,7 @@ export class Teletype {
     const { reader, punch } = this.bench.machine.teletype;
     const head = Math.max(0, reader.position - 1);
     this.#tape("reader", { frames: reader.tape, head, code: this.code, label: this.name }, reader.loaded);
-    const code = kinds.codeOf(punch.frames);
+    const code = codeOf(punch.frames);
     this.#tape("punch", { frames: punch.frames, head: punch.frames.length - 1, code, label: "", punching: true }, true);
     this.#switch("lever", "Reader", reader.on ? "START" : "STOP", reader.on);
     this.#switch("punch-on", "Punch", punch.on ? "ON" : "OFF", punch.on);

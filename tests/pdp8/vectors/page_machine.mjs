@@ -1,12 +1,14 @@
-// The page's machine plays a folder of vectors: node page_machine.mjs FOLDER. Prints {file: [played, differences]}.
+// The page's machine plays a folder of vectors: node page_machine.mjs MODULES FOLDER. Prints {file: [played, differences]}.
 // Instructions are played cycle by cycle; devices IOT by IOT, looked at whenever one has moved.
 
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { gunzipSync } from "node:zlib";
-import { NEVER } from "../../../pdp8/web/computer/bus.mjs";
-import { Machine } from "../../../pdp8/web/computer/machine.mjs";
-import { halfUnits } from "../../../pdp8/web/computer/teletype.mjs";
+
+const [, , house, folder] = process.argv;
+const { Machine } = await import(join(house, "pdp8/computer/machine.mjs"));
+const { tick_of } = await import(join(house, "pdp8/computer/hardware/teletype.mjs"));
+const { bytes } = await import(join(house, "pdp8/web/translator/runtime.mjs"));
 
 const machine = new Machine(true);
 const p = machine.processor;
@@ -15,12 +17,12 @@ const same = (one, other) => JSON.stringify(one) === JSON.stringify(other);
 
 /** Play the vector of an instruction; return its result, in the form of the vector. */
 function step({ name, models, instructions, initial, final, cycles }) {
-  machine.powerUp();
+  machine.power_up();
   p.pc = initial.pc;
   p.lac = (initial.link << 12) | initial.ac;
   p.sr = initial.sr;
-  p.ion = p.ionDelayed = initial.ion;
-  p.memProt = initial.mem_prot ?? 0;
+  machine.ion = initial.ion;
+  p.mem_prot = initial.mem_prot ?? 0;
   p.run = 1;
   p.core.fill(0);
   for (const [address, word] of initial.ram) p.core[address] = word;
@@ -31,7 +33,7 @@ function step({ name, models, instructions, initial, final, cycles }) {
     return [STATES[p.state], p.ma, p.mb];
   });
   const now = {
-    ...{ pc: p.pc, ac: machine.ac, link: machine.link, sr: p.sr, ion: p.ion, mem_prot: p.memProt },
+    ...{ pc: p.pc, ac: machine.ac, link: machine.link, sr: p.sr, ion: p.ion, mem_prot: p.mem_prot },
     ...{ ram: initial.ram.map(([address]) => [address, p.core[address]]), run: p.run, protect: p.protect },
   };
   const got = Object.fromEntries(Object.keys(final).map((register) => [register, now[register]]));
@@ -42,8 +44,8 @@ function step({ name, models, instructions, initial, final, cycles }) {
 function play({ name, models, instructions, initial, ticks, events }) {
   const machine = new Machine(true);
   const { processor: p, teletype, highspeed } = machine;
-  teletype.reader.load(Uint8Array.from(initial.tape));
-  highspeed.reader.load(Uint8Array.from(initial.tape));
+  teletype.reader.load(bytes(initial.tape));
+  highspeed.reader.load(bytes(initial.tape));
   const done = [];
   const see = () => ({
     read: [[1, highspeed.reader.position], [3, teletype.reader.position]],
@@ -65,9 +67,8 @@ function play({ name, models, instructions, initial, ticks, events }) {
     if (seen.punch !== before.punch) done.push({ tick, punch: highspeed.punch.frames.at(-1) });
   };
   const next = () => {
-    const { register, start, shifts } = teletype.transmitter;
-    const shift = register ? start + halfUnits(2 * shifts + 2) : NEVER;
-    return Math.min(shift, teletype.receiver.step, highspeed.readerControl.due, highspeed.punchControl.due);
+    const line = Math.min(tick_of(teletype.transmitter.next_step()), teletype.receiver.step);
+    return Math.min(line, highspeed.reader_control.due, highspeed.punch_control.due);
   };
   const to = (tick) => {
     for (let due = next(); due <= tick; due = next()) {
@@ -94,7 +95,7 @@ function play({ name, models, instructions, initial, ticks, events }) {
       iot(event.tick, event.iot, event.ac);
     } else {
       done.push({ ...event });
-      if ("key" in event) teletype.keyboard.press([event.key]);
+      if ("key" in event) teletype.keyboard.press(bytes([event.key]));
       else machine.bus.initialize(event.tick);
       if ("start" in event) look(event.tick);
     }
@@ -105,7 +106,6 @@ function play({ name, models, instructions, initial, ticks, events }) {
   return { name, models, instructions, initial, final, ticks, events: done };
 }
 
-const folder = process.argv[2];
 const results = {};
 for (const file of readdirSync(folder).filter((name) => name.endsWith(".json.gz")).sort()) {
   const vectors = JSON.parse(gunzipSync(readFileSync(join(folder, file))));

@@ -16,6 +16,7 @@ from pdp8.vectors.folder import GROUPS
 from tests.conftest import Shell
 from tests.pdp8.vectors.conftest import STATES
 from tests.pdp8.vectors.emulators import EngineEmulator, ProcessorEmulator
+from tests.pdp8.web.node import modules
 
 
 def read(path: Path) -> list[dict[str, Any]]:
@@ -95,7 +96,7 @@ def test_our_machines_pass(folder: Path, emulator: type, capsys: pytest.CaptureF
 @pytest.mark.skipif(shutil.which("node") is None, reason="Node.js is not installed")
 def test_the_machine_of_the_page_passes(folder: Path) -> None:
     driver = Path(__file__).parent / "page_machine.mjs"
-    done = subprocess.run(["node", driver, folder], capture_output=True, text=True, check=True)
+    done = subprocess.run(["node", driver, modules(), folder], capture_output=True, text=True, check=True)
     results = json.loads(done.stdout)
     assert {file: wrong for file, (_, wrong) in results.items() if wrong} == {}
     assert sum(count for count, _ in results.values()) > 4096 * STATES

@@ -27,17 +27,17 @@ P, TTY, EDITOR, MACHINE = (
     "workbench.editor",
     "workbench.machine",
 )
-SENT = f"[{TTY}.keyboard.waiting.length, {TTY}.receiver.frame, {TTY}.receiver.start]"
-STAND = f"{MACHINE}.core.fill(0o7000); Object.assign({P}, {{ run: 0, pc: 0o200, next: 0, lac: 0 }});"
+SENT = f"[{TTY}.keyboard.waiting.length, {TTY}.receiver.line, {TTY}.receiver.start]"
+STAND = f"{P}.core.fill(0o7000); Object.assign({P}, {{ run: 0, pc: 0o200, next: 0, lac: 0 }});"
 OPEN = "document.querySelector('#card details').open = true;"
-PUNCHED = f"{TTY}.punch.frames = [0o60, 0o200, 0o61]; workbench.touched();"
+PUNCHED = f"{TTY}.punch.frames.append(0o60); {TTY}.punch.frames.append(0o200); workbench.touched();"
 SAVED = "window.saved = 0; URL.createObjectURL = () => `data:,${window.saved++}`;"
 CHOSEN = "window.chosen = 0; document.getElementById('file').click = () => { window.chosen++; };"
 WRITTEN = f"workbench.tabs.open('program'); {EDITOR}.open('a.pal', workbench.shelf.get('hello.pal').frames);"
-ASSEMBLED = f"{WRITTEN} {EDITOR}.assemble(); {MACHINE}.core.fill(0);"
+ASSEMBLED = f"{WRITTEN} {EDITOR}.assemble(); {P}.core.fill(0);"
 WRONG = f"workbench.tabs.open('program'); {EDITOR}.text = '*200\\n\\tJMP X\\n$\\n'; {EDITOR}.assemble();"
 LOADED = f"{STAND} {ASSEMBLED} {EDITOR}.load(); workbench.tabs.open('debugger');"
-STEPPED = f"{LOADED} workbench.history.forget(); workbench.history.keep();" + "".join(
+STEPPED = f"{LOADED} workbench.history.begin();" + "".join(
     f" workbench.history.forward('{unit}');" for unit in ("character", "character", "instruction")
 )
 UNTIL = f"{LOADED} document.getElementById('where').value = '0203';"
@@ -70,16 +70,16 @@ def scrolled(selector: str) -> str:
 
 CONTROLS = {
     ".rocker": Control(f"{P}.sr"),
-    "[data-key='mem prot']": Control(f"{P}.memProt"),
-    "[data-key='sing step']": Control(f"{P}.singStep"),
-    "[data-key='start']": Control(f"{P}.started", f"{STAND} {P}.clock += 1; {P}.singStep = 0;"),
+    "[data-key='mem prot']": Control(f"{P}.mem_prot"),
+    "[data-key='sing step']": Control(f"{P}.sing_step"),
+    "[data-key='start']": Control(f"{P}.started", f"{STAND} {P}.clock += 1; {P}.sing_step = 0;"),
     "[data-key='load add']": Control(f"{P}.pc", f"{STAND} {P}.sr = 0o1234;"),
-    "[data-key='dep']": Control(f"{MACHINE}.core[0o200]", f"{STAND} {P}.memProt = 0; {P}.sr = 0o1234;"),
+    "[data-key='dep']": Control(f"{P}.core[0o200]", f"{STAND} {P}.mem_prot = 0; {P}.sr = 0o1234;"),
     "[data-key='exam']": Control(f"{P}.pc", STAND),
     "[data-key='cont']": Control(f"{P}.clock", STAND),
     "[data-key='stop']": Control(f"{P}.run", f"{STAND} {P}.run = 1;"),
     "#card summary": Control("document.querySelector('#card details').open"),
-    "#toggle-rim": Control(f"{MACHINE}.core[0o7756]", STAND + OPEN),
+    "#toggle-rim": Control(f"{P}.core[0o7756]", STAND + OPEN),
     "#drill": Control("document.getElementById('drill').ariaPressed", OPEN),
     "#paper": Control(SENT, keys="a"),
     "#typed": Control(SENT, keys="a"),
@@ -103,8 +103,8 @@ CONTROLS = {
     "[data-opens='exercises']": tab("exercises", "mill", "ArrowRight"),
     "#sources": Control(f"{EDITOR}.name", WRITTEN, "e"),
     "#assemble": Control(f"{EDITOR}.assembly !== null", f"{WRITTEN} {EDITOR}.assembly = null;"),
-    "#load": Control(f"{MACHINE}.core[0o200]", ASSEMBLED),
-    "#boot": Control(f"{MACHINE}.core[0o200]", ASSEMBLED),
+    "#load": Control(f"{P}.core[0o200]", ASSEMBLED),
+    "#boot": Control(f"{P}.core[0o200]", ASSEMBLED),
     "#source": Control(f"{EDITOR}.text", WRITTEN, "a"),
     "#messages button": Control("document.getElementById('source').selectionStart", WRONG),
     "[data-forward='cycle']": Control(f"{P}.clock", LOADED),
@@ -119,10 +119,10 @@ CONTROLS = {
     "#where": Control(value("#where"), "workbench.tabs.open('debugger');", "7"),
     "#until button": Control(f"{P}.clock", UNTIL),
     "#registers input": Control(f"[{P}.pc, {P}.lac]", LOADED, "Control+a 7 Enter"),
-    "#lines button": Control(f"{MACHINE}.breakpoints.size", LOADED),
+    "#lines button": Control(f"{MACHINE}.watch.breakpoints.length", LOADED),
     "#lines": Control(scrolled("#lines"), f"{LOADED} {LONG}", "PageDown"),
     "#core": Control(scrolled("#core"), LOADED, "PageDown", within=" th"),
-    "#core input": Control(f"[...{MACHINE}.core]", LOADED, "Control+a 7 Enter"),
+    "#core input": Control(f"[...{P}.core]", LOADED, "Control+a 7 Enter"),
     "#page": Control("workbench.debug.core.page", "workbench.tabs.open('debugger');", "0"),
     "#eia": Control("workbench.mill.name", CUT, "e"),
     "#at": Control("workbench.mill.part", CUT, "ArrowLeft"),

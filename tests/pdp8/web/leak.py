@@ -24,7 +24,7 @@ HEAP = 4e6
 NODES = 50
 
 _AGAIN = """() => {
-  if (!workbench.machine.outOfTape() && workbench.machine.processor.run) return false;
+  if (!workbench.machine._out_of_tape() && workbench.machine.processor.run) return false;
   document.querySelector("[data-prepare='0']").click();
   document.querySelector("[data-key=start]").click();
   return true;

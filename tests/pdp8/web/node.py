@@ -1,15 +1,19 @@
-"""The pages' modules under Node.js."""
+"""The pages' modules under Node.js: those by hand and those translated, each where a page has it."""
 
 import json
 import shutil
 import subprocess
+import tempfile
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from pdp8.web import translator
+
 NODE = shutil.which("node")
-MODULES = Path(__file__).parents[3] / "pdp8" / "web"
+HOUSE = Path(__file__).parents[3]
 
 needs_node = pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
 
@@ -19,11 +23,36 @@ console.log(JSON.stringify(await (FUNCTION)(JSON.parse(readFileSync(0, "utf8")))
 """
 
 
-def in_node(function: str, given: Any = None) -> Any:
-    """Return what the JavaScript `function` returns of `given`, both as JSON goes. In it "@/" is the modules'
-    folder: `async (given) => { const { pal } = await import("@/pal.mjs"); ... }`.
+@cache
+def _modules() -> tempfile.TemporaryDirectory[str]:
+    folder = tempfile.TemporaryDirectory()
+    write(Path(folder.name), translator.translated())
+    return folder
+
+
+def modules() -> Path:
+    """Return the folder in which all modules stand."""
+    return Path(_modules().name)
+
+
+def write(folder: Path, translated: dict[str, str]) -> None:
+    """Write translated modules, {name: text}, with the runtime and the modules by hand."""
+    for file in (HOUSE / "pdp8" / "web").rglob("*.mjs"):
+        target = folder / file.relative_to(HOUSE)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes(file.read_bytes())
+    for name, text in translated.items():
+        target = folder.joinpath(*name.split(".")).with_suffix(".mjs")
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+
+
+def in_node(function: str, given: Any = None, folder: Path | None = None) -> Any:
+    """Return what the JavaScript `function` returns of `given`, both as JSON goes. In it "@/" is the house:
+    `async (given) => { const { assemble } = await import("@/pal/assembly.mjs"); ... }`.
     """
-    driver = _DRIVER.replace("FUNCTION", function.replace('"@/', f'"{MODULES.as_uri()}/'))
+    house = (folder or modules()).as_uri()
+    driver = _DRIVER.replace("FUNCTION", function.replace('"@/', f'"{house}/'))
     done = subprocess.run(
         [str(NODE), "--input-type=module", "--eval", driver],
         input=json.dumps(given),

@@ -72,7 +72,7 @@ def translate(tab: Tab) -> None:
     choose(tab, "#shelf", "circle.asc")
     fast(tab)
     click(tab, "[data-key=start]")
-    tab.until("workbench.machine.outOfTape()")
+    tab.until("workbench.machine._out_of_tape()")
     tab.until(f"workbench.machine.teletype.punch.frames.length === {len(shelf.read_bundled('circle.eia'))}")
 
 
@@ -87,7 +87,7 @@ def test_the_circle_is_translated_and_cut(tab: Tab) -> None:
 
 def test_a_punched_tape_is_saved_torn_off_and_read(tab: Tab) -> None:
     """The file has its frames; torn off, it goes from the shelf into the reader, and the punch is empty."""
-    tab.run("workbench.machine.teletype.punch.frames = [0o301, 0o302, 0o215]; workbench.touched();")
+    tab.run("workbench.machine.teletype.punch.frames.extend([0o301, 0o302, 0o215]); workbench.touched();")
     assert saved(tab, "#store") == b"\xc1\xc2\x8d"
     click(tab, "#tear")
     assert punched(tab) == b""
@@ -209,7 +209,7 @@ def test_exercise_3_leaves_kcc_out(tab: Tab) -> None:
     write_core(tab, 0o201, 0o7000)
     click(tab, "[data-key=start]")
     assert "frames are punched" in check(tab, 2)
-    tab.until("workbench.machine.outOfTape()")
+    tab.until("workbench.machine._out_of_tape()")
     tab.until(f"workbench.machine.teletype.punch.frames.length === {len(shelf.read_bundled('circle.eia'))}")
     assert check(tab, 2) == "Right."
 
@@ -217,9 +217,9 @@ def test_exercise_3_leaves_kcc_out(tab: Tab) -> None:
 def test_exercise_4_has_no_spaces(tab: Tab) -> None:
     prepare(tab, 3)
     assert "holds 0020, not 0001" in check(tab, 3)
-    write_core(tab, int(tab.run("return workbench.symbols.MSP")), 1)
+    write_core(tab, int(tab.run("return workbench.symbols.get('MSP')")), 1)
     click(tab, "[data-key=start]")
-    tab.until("workbench.machine.outOfTape()")
+    tab.until("workbench.machine._out_of_tape()")
     assert check(tab, 3) == "Right."
 
 

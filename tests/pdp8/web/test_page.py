@@ -132,8 +132,6 @@ def test_registers_and_listing_stand_beside_the_lamps(page: "Page", circle: Afte
         lit = page.locator("#paper .now")
         address = int(lit.locator(".address").inner_text(), 8)
         assert int(lit.locator(".word").inner_text(), 8) == lines[address].word
-        if machine.processor.state == 0:
-            assert address == machine.ma
 
 
 def test_every_button_and_choice_works(page: "Page", circle: Afternoon) -> None:
@@ -384,7 +382,9 @@ def test_all_is_of_one_instant_when_a_play_is_halted(page: "Page", circle: After
         page.evaluate("replay.page.play(true)")
         page.wait_for_timeout(330)
         page.evaluate("replay.page.play(false)")
-        word, at = page.evaluate("(({ ma, at }) => [ma, at])(replay.afternoon.machine.processor)")
+        word, at = page.evaluate(
+            "(({ ma, pc, next }) => [ma, next % 3 ? pc - 1 : pc])(replay.afternoon.machine.processor)"
+        )
         levels = page.evaluate(_LEVELS)
         assert [levels[f"MA{bit}"] for bit in range(12)] == [word >> (11 - bit) & 1 for bit in range(12)]
         assert page.locator("[data-register=MA] dd").inner_text() == f"{word:04o}"

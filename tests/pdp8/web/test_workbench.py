@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 import pal
+from pdp8.computer.past.state import restore
 from pdp8.computer.use.operator import RIM, RIM_START
 from tapes import shelf
 from tests.pdp8.web.browsing import AXE, needs_axe, serious, until
@@ -41,7 +42,7 @@ def test_a_program_is_typed_assembled_and_run(page: "Page") -> None:
     page.locator("#load").click()
     page.locator("[data-key=start]").click()
     until(page, "!workbench.machine.processor.run")
-    assert page.evaluate("workbench.machine.core[0o207]") == 0o1555
+    assert page.evaluate("workbench.machine.processor.core[0o207]") == 0o1555
     assert page.locator("#why").inner_text() == "HLT at 0204"
 
 
@@ -66,7 +67,7 @@ def test_a_note_is_no_error(page: "Page") -> None:
     assert page.locator("#messages p").inner_text() == "2 words, a tape of 139 frames; 1 note."
     assert (page.locator("#messages pre").text_content() or "").startswith("    \t5 + 3\n    \t   ^\n")
     page.locator("#load").click()
-    assert page.evaluate("[...workbench.machine.core.slice(0o200, 0o202)]") == [0o7, 0o7402]
+    assert page.evaluate("[...workbench.machine.processor.core.slice(0o200, 0o202)]") == [0o7, 0o7402]
 
 
 def test_echo_is_typed_at_the_keyboard(page: "Page") -> None:
@@ -90,7 +91,7 @@ def test_the_circle_is_translated(page: "Page") -> None:
     page.locator("#shelf").select_option("circle.asc")
     _fast(page)
     page.locator("[data-key=start]").click()
-    until(page, "workbench.machine.outOfTape()")
+    until(page, "workbench.machine._out_of_tape()")
     page.wait_for_timeout(200)
     assert bytes(page.evaluate("workbench.machine.teletype.punch.frames")) == shelf.read_bundled("circle.eia")
     page.locator("#to-mill").click()
@@ -108,13 +109,15 @@ def test_rim_is_toggled_in_by_clicks_and_a_tape_is_loaded(page: "Page") -> None:
                 switch = locate("#computer .rocker").nth(bit)
                 switch.tap() if bit % 2 else switch.click()
         locate("#computer [data-key='dep']" if number else "#computer [data-key='load add']").click()
-    assert page.evaluate(f"[...workbench.machine.core.slice({RIM_START}, {RIM_START + 17})]") == list(RIM)
+    assert page.evaluate(
+        f"[...workbench.machine.processor.core.slice({RIM_START}, {RIM_START + 17})]"
+    ) == list(RIM)
     locate("#sources").select_option("eia.pal")
     locate("#assemble").click()
     locate("#boot").click()
-    assert locate("#why").inner_text() == "loaded by BIN, checksum right"
+    assert locate("#why").inner_text() == "eia.pal read by BIN: 335 frames, 131 words; 33.5 s"
     words = pal.assemble(shelf.read_bundled("eia.pal")).words
-    assert page.evaluate("[...workbench.machine.core]")[0o200 : 0o200 + 20] == [
+    assert page.evaluate("[...workbench.machine.processor.core]")[0o200 : 0o200 + 20] == [
         words[address] for address in range(0o200, 0o200 + 20)
     ]
     assert page.evaluate("workbench.machine.processor.ma") == 0o200
@@ -133,13 +136,12 @@ def test_the_drill_names_the_wrong_switch(page: "Page") -> None:
 
 def test_every_key_of_the_panel(page: "Page") -> None:
     """DEP, EXAM, LOAD ADD, START, CONT, STOP, SING STEP and MEM PROT, by mouse and keyboard."""
-    state = (
-        "(({ pc, ma, mb, run, singStep, memProt, protect }) => [pc, ma, mb, run, singStep, memProt, protect])"
-    )
+    names = "pc, ma, mb, run, sing_step, mem_prot, protect"
+    state = f"(({{ {names} }}) => [{names}])"
     look = f"{state}(workbench.machine.processor)"
     page.locator("#computer .rocker").first.focus()
     page.keyboard.type("0200l7001d5200d0200l")
-    assert page.evaluate("[...workbench.machine.core.slice(0o200, 0o202)]") == [0o7001, 0o5200]
+    assert page.evaluate("[...workbench.machine.processor.core.slice(0o200, 0o202)]") == [0o7001, 0o5200]
     page.keyboard.type("e")
     assert page.evaluate(look)[:3] == [0o201, 0o200, 0o7001]
     page.keyboard.type("0200l")
@@ -205,7 +207,7 @@ def test_breakpoints_and_rununtil(page: "Page") -> None:
     cell.fill("1234")
     cell.press("Enter")
     page.locator("#core th").first.click()
-    assert page.evaluate("workbench.machine.core[0o200]") == 0o1234
+    assert page.evaluate("workbench.machine.processor.core[0o200]") == 0o1234
 
 
 def test_a_link_holds_program_and_machine(page: "Page", browser: "Browser", file: Path) -> None:
@@ -217,7 +219,7 @@ def test_a_link_holds_program_and_machine(page: "Page", browser: "Browser", file
     other = browser.new_page()
     other.goto(page.url)
     until(other, "workbench.editor.text.includes('onerror')")
-    assert other.evaluate("workbench.machine.core[0o200]") == 0o7402
+    assert other.evaluate("workbench.machine.processor.core[0o200]") == 0o7402
     assert other.locator("img").count() == 0
     other.close()
 
@@ -241,10 +243,10 @@ def test_an_exercise_looks_at_the_machine(page: "Page") -> None:
     page.locator("[data-prepare='3']").click()
     page.locator("[data-check='3']").click()
     assert "holds 0020, not 0001" in page.locator("[data-verdict='3']").inner_text()
-    page.evaluate("workbench.machine.core[workbench.symbols.MSP] = 1")
+    page.evaluate("workbench.machine.processor.core[workbench.symbols.get('MSP')] = 1")
     _fast(page)
     page.locator("[data-key=start]").click()
-    until(page, "workbench.machine.outOfTape()")
+    until(page, "workbench.machine._out_of_tape()")
     page.locator("[data-check='3']").click()
     assert page.locator("[data-verdict='3']").inner_text() == "Right."
 
@@ -290,3 +292,99 @@ def test_axe_finds_nothing_serious(browser: "Browser", file: Path, scheme: str) 
         opened.locator(f"[data-opens={tab}]").click()
         assert serious(opened) == [], tab
     context.close()
+
+
+def _load(page: "Page", source: str, speed: int = 3) -> None:
+    page.locator("#speed").select_option(index=speed)
+    _write(page, source)
+    page.locator("#load").click()
+
+
+def _saved(page: "Page") -> str:
+    page.evaluate("workbench.download = (_, content) => { window.kept = content; }")
+    page.locator("#save").click()
+    return str(page.evaluate("window.kept"))
+
+
+@pytest.mark.parametrize("speed", range(1, 4))
+def test_ticks_are_whole_at_every_speed(page: "Page", speed: int) -> None:
+    """hello.pal stops at the same tick; a state saved after a switch was thrown in it opens."""
+    _load(page, shelf.read_bundled("hello.pal").decode("ascii"), speed)
+    page.locator("[data-key=start]").click()
+    page.locator(".rocker").first.click()
+    assert isinstance(restore(_saved(page)).processor.clock, int)
+    until(page, "!workbench.machine.processor.run")
+    assert page.evaluate("workbench.machine.elapsed") == 1.68185355
+
+
+def test_step_back_shows_what_happened(page: "Page") -> None:
+    """Over a HLT, with a switch thrown in between, to where the history begins; and it says so."""
+    _load(page, "*200\n\tCLA\n\tIAC\n\tHLT\n\tCMA\n\tHLT\n$\n")
+    page.locator("[data-opens=debugger]").click()
+    look = "(({ pc, lac, sr }) => [pc, lac, sr])(workbench.machine.processor)"
+    seen = [page.evaluate(look)]
+    for step in range(4):
+        if step == 2:
+            page.locator(".rocker").last.click()
+        page.locator("[data-forward=instruction]").click()
+        seen.append(page.evaluate(look))
+    assert [pc for pc, *_ in seen] == [0o200, 0o201, 0o202, 0o203, 0o204]
+    for before in (seen[3], [*seen[2][:2], seen[3][2]], seen[1], seen[0]):
+        page.locator("[data-back=instruction]").click()
+        assert page.evaluate(look) in (before, [*before[:2], seen[0][2]])
+    page.locator("[data-back=instruction]").click()
+    assert "cannot be undone: the history goes back 0" in page.locator("#why").inner_text()
+
+
+@pytest.mark.parametrize("speed", range(4))
+def test_no_breakpoint_is_passed(page: "Page", speed: int) -> None:
+    """On the first word that a JMS leads to, at every speed; START on one stops. The message names it."""
+    _load(page, "*200\n\tJMS 210\n\tHLT\n*210\n\t0\n\tJMP I 210\n$\n", speed)
+    page.evaluate("workbench.machine.watch.breakpoints.add(0o210)")
+    page.locator("[data-key=start]").click()
+    until(page, "!workbench.machine.processor.run")
+    assert page.locator("#why").inner_text() == "breakpoint at 0210"
+    page.evaluate("workbench.machine.watch.breakpoints.add(0o200)")
+    page.evaluate("workbench.machine.panel.load_address(0o200)")
+    page.locator("[data-key=start]").click()
+    assert page.locator("#why").inner_text() == "breakpoint at 0200"
+    assert page.evaluate("workbench.machine.processor.pc") == 0o200
+
+
+_HEAD = '{"format": "pdp8 state", "version": 2, "processor": '
+
+
+@pytest.mark.parametrize(
+    ("shared", "said"),
+    [
+        ({"state": _HEAD + '{"run": 1, "clock": 1e20}}'}, "clock: 1e+20 is not a number"),
+        ({"state": _HEAD + '{"run": 1, "clock": 4503599627370000}}'}, "runs"),
+        ({"source": "A" * 1_000_000}, "a source of 1\u2009000\u2009000 characters"),
+        ({"source": "\tCLA!\n" * 14_000}, "stands still"),
+    ],
+)
+def test_a_link_freezes_nothing(page: "Page", shared: dict[str, str], said: str) -> None:
+    """What is wrong with it is said, the page goes on, and nothing of it is remembered."""
+    url = page.evaluate(
+        """async (shared) => {
+          const stream = new Blob([JSON.stringify(shared)]).stream();
+          const through = stream.pipeThrough(new CompressionStream("deflate-raw"));
+          const packed = new Uint8Array(await new Response(through).arrayBuffer());
+          const text = btoa(Array.from(packed, (byte) => String.fromCharCode(byte)).join(""));
+          return `#s=${text.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
+        }""",
+        shared,
+    )
+    other = page.context.new_page()
+    other.goto(page.url + url)
+    until(other, f"document.querySelector('#why').textContent.includes({said!r})")
+    other.wait_for_timeout(600)
+    assert other.evaluate("localStorage.getItem('pdp8 workbench')") is None
+    other.close()
+
+
+def test_a_tape_over_the_loader_freezes_nothing(page: "Page") -> None:
+    """A program that overwrites BIN while BIN reads it: the page says how that ended."""
+    _load(page, "*7700\n" + "\tJMP .\n" * 64 + "$\n")
+    page.locator("#boot").click()
+    until(page, "document.querySelector('#why').textContent.includes('BIN loader')")

@@ -1,0 +1,86 @@
+"""Our Python as JavaScript modules: the typed subset in which the machine, PAL III and the tapes are written.
+
+    pal/assembler.py ──► syntax tree ──► types ──► expressions, statements, modules ──► pal/assembler.mjs
+                                                                                           │ import
+                                                                            runtime.mjs ───┘
+
+types        what is known of an expression: from annotations, and from what is assigned
+expressions  operators, calls, f-strings, comprehensions
+statements   assignments, loops, try, match
+modules      imports, classes, functions
+runtime.mjs  what Python has and JavaScript has not
+
+What has no translation is an error with its file and line. Names stay as they are. Numbers are exact to 2^53.
+"""
+
+import hashlib
+import json
+import os
+from contextlib import suppress
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+
+from pdp8.web.translator.modules import translate
+
+MODULES = {
+    "tapes": "ascii binary eia errors frames hydrapoint kinds measure rim",
+    "pal": "assembler assembly assembly8 diagnostics dialects disassembler isa listing models notes pal8 portable"
+    " punch source symbols symbols8 table watched",
+    "pdp8.computer": "machine stop watch",
+    "pdp8.computer.hardware": "bus core fields highspeed operate panel processor signals teletype",
+    "pdp8.computer.speed": "engine piece waiting",
+    "pdp8.computer.past": "history rewind state",
+    "pdp8.computer.use": "keys operator program trace",
+    "nc": "blocks machine notebook path",
+}
+"""What is translated."""
+
+OMITTED = {
+    "pal.assembly": "_repr_html_",
+    "pdp8.computer.machine": "__reduce__ _copied",
+    "pdp8.computer.use.program": "find",
+    "nc.path": "__repr__",
+    "nc.notebook": "_repr_html_ _repr_svg_",
+}
+"""What of it is not: names of notebooks, files and pickles, which no page has."""
+
+
+@cache
+def translated() -> dict[str, str]:
+    """Return the JavaScript of all modules, {name: text}: as it was kept, if no source is another since."""
+    sources = {
+        f"{package}.{name}": _source(package, name)
+        for package in MODULES
+        for name in MODULES[package].split()
+    }
+    own = [_source(__package__, name)[1] for name in ("types", "expressions", "statements", "modules")]
+    kept = _kept(repr((sources, OMITTED, own, runtime())))
+    try:
+        return dict(json.loads(kept.read_text(encoding="utf-8")))
+    except (OSError, ValueError):
+        modules = translate(sources, OMITTED, runtime())
+    with suppress(OSError):
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        for old in kept.parent.glob("translated-*.json"):
+            old.unlink()
+        kept.write_text(json.dumps(modules), encoding="utf-8")
+    return modules
+
+
+def _source(package: str, name: str) -> tuple[str, str]:
+    """Return the path and the text of a module, wherever it is installed."""
+    path = files(package).joinpath(f"{name}.py")
+    return str(path), path.read_text(encoding="utf-8")
+
+
+def _kept(content: str) -> Path:
+    """Return where the translation of `content` is kept."""
+    folder = Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache"))
+    return folder / "pdp8" / f"translated-{hashlib.sha256(content.encode()).hexdigest()[:16]}.json"
+
+
+@cache
+def runtime() -> str:
+    """Return the text of the runtime."""
+    return files(__package__).joinpath("runtime.mjs").read_text(encoding="utf-8")

@@ -1,0 +1,279 @@
+"""What runs in the pages is our own Python: here each part of it once in Node.js, beside Python itself."""
+
+import random
+from typing import Any
+
+import pal
+from nc.machine import CutError, cut
+from pdp8.computer.hardware.signals import NEVER
+from pdp8.computer.machine import Machine
+from pdp8.computer.past import state
+from tapes import kinds, shelf
+from tests.pdp8.web.node import HOUSE, in_node, needs_node
+
+pytestmark = needs_node
+
+_MACHINE = """async (sessions) => {
+  const { Machine } = await import("@/pdp8/computer/machine.mjs");
+  const { save } = await import("@/pdp8/computer/past/state.mjs");
+  const { bytes } = await import("@/pdp8/web/translator/runtime.mjs");
+  const does = {
+    run: (machine, seconds) => machine.run(seconds),
+    cycle: ({ processor }, count) => { for (; count && processor.run; count--) processor.cycle(); },
+    key: ({ panel }, name) => panel[name](),
+    set: (machine, [name, value]) => { machine.panel[name] = value; },
+    tape: ({ teletype }, frames) => teletype.reader.load(bytes(frames)),
+    fast: ({ highspeed }, frames) => highspeed.reader.load(bytes(frames)),
+    type: ({ teletype }, frames) => teletype.keyboard.press(bytes(frames)),
+    lever: ({ teletype }, on) => teletype.reader.lever(on),
+    wait: (machine, seconds) => machine.wait(seconds),
+  };
+  const sum = (frames) => frames.reduce((total, frame) => (total * 31 + frame) % 1000003, 0);
+  const plain = (value) => (value !== null && typeof value === "object" ? sum(value) : value);
+  return sessions.map(({ core, highspeed, moves }) => {
+    const machine = new Machine(highspeed);
+    machine.load(core.map((word, address) => [address, word]));
+    machine.start(0o200);
+    const seen = moves.map(([what, value]) => {
+      does[what](machine, value);
+      return machine.values().items().map(([name, held]) => [name, plain(held)]);
+    });
+    return [seen, save(machine)];
+  });
+}"""
+
+_IOTS = (*range(0o6000, 0o6050), 0o6101, 0o6214)
+
+
+def _sum(frames: bytes) -> int:
+    total = 0
+    for frame in frames:
+        total = (total * 31 + frame) % 1000003
+    return total
+
+
+def _word(draw: random.Random) -> int:
+    """Return a word of a random program: any, or often an IOT; seldom HLT."""
+    word = draw.choice(_IOTS) if draw.random() < 0.15 else draw.randrange(0o10000)
+    return word & 0o7775 if word & 0o7403 == 0o7402 and draw.random() < 0.99 else word
+
+
+def _move(draw: random.Random) -> tuple[str, Any]:
+    """Return one thing that the operator does."""
+    frames = list(draw.randbytes(draw.randrange(1, 40)))
+    return draw.choice(
+        [
+            *[("run", draw.random() / 10)] * 6,
+            *[("cycle", draw.randrange(300))] * 3,
+            *[("key", draw.choice(["cont", "cont", "start", "stop", "exam", "dep", "load_add"]))] * 3,
+            ("set", ["sr", draw.randrange(0o10000)]),
+            ("set", ["mem_prot", draw.random() < 0.2]),
+            ("set", ["sing_step", draw.random() < 0.1]),
+            *[("tape", frames), ("fast", frames), ("type", frames)],
+            ("lever", draw.random() < 0.8),
+            ("wait", draw.random() / 5),
+        ]
+    )
+
+
+def _do(machine: Machine, what: str, value: Any) -> None:
+    match what:
+        case "run":
+            machine.run(value)
+        case "cycle":
+            for _ in range(value):
+                if machine.processor.run:
+                    machine.processor.cycle()
+        case "key":
+            getattr(machine.panel, value)()
+        case "set":
+            setattr(machine.panel, *value)
+        case "tape":
+            machine.teletype.reader.load(bytes(value))
+        case "fast":
+            machine.highspeed.reader.load(bytes(value))
+        case "type":
+            machine.teletype.keyboard.press(bytes(value))
+        case "lever":
+            machine.teletype.reader.lever(value)
+        case "wait":
+            machine.wait(value)
+
+
+def test_the_machine_in_lockstep() -> None:
+    """Random programs, keys, tapes and switches: after every move every value of the state is the same."""
+    sessions = []
+    for seed in range(8):
+        draw = random.Random(seed)
+        moves = [_move(draw) for _ in range(150)]
+        core = [_word(draw) for _ in range(0o10000)]
+        sessions.append({"core": core, "highspeed": seed % 2 == 1, "moves": moves})
+    for session, (seen, saved) in zip(sessions, in_node(_MACHINE, sessions), strict=True):
+        machine = Machine(session["highspeed"])  # type: ignore[arg-type]
+        machine.load(enumerate(session["core"]))  # type: ignore[arg-type]
+        machine.start(0o200)
+        for (what, value), there in zip(session["moves"], seen, strict=True):  # type: ignore[call-overload]
+            _do(machine, what, value)
+            for (name, here), (_, other) in zip(machine.values().items(), there, strict=True):
+                wanted = _sum(here) if isinstance(here, bytes) else here
+                assert other == wanted or float(other) == wanted == NEVER, f"{name} after {what}"
+        assert saved == state.save(machine)
+
+
+_ASSEMBLE = """async (sources) => {
+  const { assemble } = await import("@/pal/assembly.mjs");
+  const { bytes } = await import("@/pdp8/web/translator/runtime.mjs");
+  return sources.map((tapes) => {
+    const assembly = assemble(tapes.map((tape) => bytes(tape)));
+    return [
+      [...assembly.tape], assembly.words.items(), Array.from(assembly.teletype, (frames) => [...frames]),
+      assembly.listing, assembly.lines.map((line) => [...line]), assembly.symbols.items(),
+      assembly.diagnostics.map(String), assembly.stopped,
+    ];
+  });
+}"""
+_PIECES = (
+    *"+-.; \t\n($IZAB*5,=/!?\f",
+    *(
+        "TAD",
+        "CLA",
+        "A,",
+        "B=",
+        "FIELD",
+        "FIXMRI",
+        "EXPUNGE",
+        "FIXTAB",
+        "DECIMAL",
+        "OCTAL",
+        "PAUSE",
+        "LONGNAME",
+    ),
+    *("189", "7777", "400", "1A", "/X\n", "DCA I ", "JMP .-1\n", "LOOP,", "*200\n", "\n", "\n"),
+)
+
+
+def _source(draw: random.Random) -> bytes:
+    text = "".join(draw.choice(_PIECES) + draw.choice(("", " ", "\t")) for _ in range(draw.randrange(60)))
+    code = text.encode("ascii")
+    return bytes(frame | 0o200 for frame in code) if draw.random() < 0.2 else code
+
+
+def _assembled(tapes: list[bytes]) -> list[Any]:
+    assembly = pal.assemble(*tapes)
+    return [
+        list(assembly.tape),
+        [list(item) for item in assembly.words.items()],
+        [list(frames) for frames in assembly.teletype],
+        assembly.listing,
+        [list(line) for line in assembly.lines],
+        [list(item) for item in assembly.symbols.items()],
+        [str(diagnostic) for diagnostic in assembly.diagnostics],
+        list(assembly.stopped) if assembly.stopped else None,
+    ]
+
+
+def test_the_assembler() -> None:
+    """Every source of the project and 2,000 random ones: tape, words, what is typed, listing, diagnostics."""
+    draw = random.Random(33)
+    sources = [[path.read_bytes()] for path in (*HOUSE.glob("programs/*.pal"), *HOUSE.glob("tests/**/*.pal"))]
+    assert len(sources) > 40
+    sources += [[_source(draw) for _ in range(draw.choice((1, 1, 1, 2)))] for _ in range(1800)]
+    sources += [[draw.randbytes(draw.randrange(120))] for _ in range(200)]
+    there = in_node(_ASSEMBLE, [[list(tape) for tape in tapes] for tapes in sources])
+    for tapes, found in zip(sources, there, strict=True):
+        assert found == _assembled(tapes), tapes
+
+
+_CUT = """async (tapes) => {
+  const { CutError, cut } = await import("@/nc/machine.mjs");
+  const { TapeError } = await import("@/tapes/errors.mjs");
+  const kinds = await import("@/tapes/kinds.mjs");
+  const { bytes } = await import("@/pdp8/web/translator/runtime.mjs");
+  const steps = (path) => path.steps.map((step) => [step.number, step.moves.map(
+    ({ kind, start, end, speed, seconds }) => [kind, [...start], [...end], speed, seconds])]);
+  return tapes.map((tape) => {
+    const frames = bytes(tape);
+    const kind = [kinds.classify(frames), kinds.start(frames)];
+    try { return [kind, "", steps(cut(frames))]; } catch (error) {
+      if (!(error instanceof CutError) && !(error instanceof TapeError)) throw error;
+      return [kind, String(error), error.path ? steps(error.path) : []];
+    }
+  });
+}"""
+
+
+def _damaged(draw: random.Random, tape: bytes) -> bytes:
+    frames = bytearray(tape[: draw.choice((300, 3000, len(tape)))])
+    for _ in range(draw.choice((1, 1, 5))):
+        at = draw.randrange(len(frames))
+        frames[at : at + draw.randrange(2)] = draw.randbytes(draw.randrange(2))
+    return bytes(frames)
+
+
+def _steps(path: Any) -> list[Any]:
+    return [
+        [step.number, [[m.kind, list(m.start), list(m.end), m.speed, m.seconds] for m in step.moves]]
+        for step in path.steps
+    ]
+
+
+def _cut(tape: bytes) -> list[Any]:
+    kind = [kinds.classify(tape), kinds.start(tape)]
+    try:
+        return [kind, "", _steps(cut(tape))]
+    except CutError as error:
+        return [kind, str(error), _steps(error.path)]
+    except ValueError as error:
+        return [kind, str(error), []]
+
+
+def test_tapes_and_the_milling_machine() -> None:
+    """The bundled tapes, whole and damaged: kind, start, every move to the last digit, every refusal."""
+    draw = random.Random(7)
+    whole = [shelf.read_bundled(name) for name in ("circle.asc", "circle.eia", "ellipse.eia", "eia.bin")]
+    tapes = whole + [_damaged(draw, tape) for tape in whole for _ in range(12)]
+    for tape, found in zip(tapes, in_node(_CUT, [list(tape) for tape in tapes]), strict=True):
+        assert found == _cut(tape), len(tape)
+
+
+_REFUSED = """async (texts) => {
+  const { restore } = await import("@/pdp8/computer/past/state.mjs");
+  const { StateError } = await import("@/pdp8/computer/past/state.mjs");
+  return texts.map((text) => { try { restore(text); return ""; } catch (error) {
+    if (!(error instanceof StateError)) throw error;
+    return String(error);
+  } });
+}"""
+
+
+def test_a_state_is_refused_with_the_same_words() -> None:
+    """A clock that is none, a reader beyond its tape, an unknown part, a word that is a number."""
+    begins = '{"format": "pdp8 state", "version": 2, '
+    parts = [
+        *(
+            f'"processor": {{"clock": {clock}}}'
+            for clock in ('"abc"', "-500", "1e20", "1.5", str(1 << 70), "true")
+        ),
+        *(
+            '"devices": {"03": {"reader": {"position": 7}}}',
+            '"devices": {"05": {}}',
+            '"cpu": {}',
+            '"core": {"0200": 5}',
+        ),
+        *(
+            '"core": {"0200": "9"}',
+            '"processor": {"run": 2}',
+            '"processor": {"x": 2}',
+            '"waiting": {"clock": 5}',
+        ),
+    ]
+    texts = [f"{begins}{part}}}" for part in parts] + ["[]", "pdp8 state 1"]
+    expected = []
+    for text in texts:
+        try:
+            state.restore(text)
+            expected.append("")
+        except state.StateError as error:
+            expected.append(str(error))
+    assert in_node(_REFUSED, texts) == expected
+    assert all(expected[:5]), expected

@@ -1,0 +1,453 @@
+"""What the translator knows, a function for each construct: its test calls all of them in Python and in Node.js."""
+
+# ruff: noqa - what is odd is what is tried
+# mypy: ignore-errors
+
+import json
+import re
+from array import array
+from bisect import bisect_left
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field, replace
+from enum import IntEnum, StrEnum
+from functools import cached_property
+from itertools import accumulate, groupby, pairwise
+from math import hypot
+from operator import attrgetter, itemgetter
+from typing import Any, NamedTuple, cast
+
+ONE, TWO = 1, 2
+NEVER = 1 << 62
+
+
+class Colour(StrEnum):
+    """Named texts."""
+
+    RED = "red"
+    BLUE = "blue"
+
+
+class Code(IntEnum):
+    """Named numbers."""
+
+    MILL = 6
+    READ = 9
+
+
+class Point(NamedTuple):
+    """A named tuple with a default and a method."""
+
+    x: int
+    y: int = 5
+
+    def sum(self) -> int:
+        """Return both."""
+        return self.x + self.y
+
+
+@dataclass(frozen=True)
+class Mode:
+    """A dataclass."""
+
+    feed: float | None = None
+    words: list[int] = field(default_factory=list)
+
+
+class Wrong(ValueError):
+    """An error with a place."""
+
+    def __init__(self, message: str, place: int | None = None) -> None:
+        super().__init__(message if place is None else f"{place}: {message}")
+        self.place = place
+
+
+class Base:
+    """A class with all kinds of members."""
+
+    limit = 7
+
+    def __init__(self, start: int) -> None:
+        self.value = start
+        self.seen: list[str] = []
+
+    @property
+    def double(self) -> int:
+        """Twice the value."""
+        return self.value * 2
+
+    @double.setter
+    def double(self, value: int) -> None:
+        self.value = value // 2
+
+    @cached_property
+    def made(self) -> int:
+        """Counts its calls."""
+        self.seen.append("made")
+        return self.value
+
+    @staticmethod
+    def half(value: int) -> int:
+        """Return half."""
+        return value // 2
+
+    @classmethod
+    def of(cls, value: int) -> "Base":
+        """Return one."""
+        return cls(value + 1)
+
+    def __len__(self) -> int:
+        return self.value
+
+    def __iter__(self) -> Iterator[int]:
+        yield self.value
+        yield from range(2)
+
+    @contextmanager
+    def noting(self) -> Iterator[None]:
+        """Note how it ends."""
+        self.seen.append("in")
+        try:
+            yield
+        except Wrong as error:
+            self.seen.append(str(error))
+            raise
+        finally:
+            self.seen.append("out")
+
+
+class Derived(Base):
+    """A class that calls its base's."""
+
+    def __init__(self) -> None:
+        super().__init__(3)
+        self.more = self.value
+
+
+def _note(seen: list[str], value: Any) -> Any:
+    seen.append(str(value))
+    return value
+
+
+def _placed(*values: int, scale: int = 1, add: int = 0) -> list[int]:
+    return [value * scale + add for value in values]
+
+
+def _named(**fields: int) -> Mapping[str, int]:
+    return fields
+
+
+def wide_numbers() -> Any:
+    """Numbers beyond 2^31, up to 2^53, and NEVER."""
+    ticks, least = (1 << 52) + 12345, -(1 << 40) - 7
+    limit = 3 << 26 | 1
+    return [
+        ticks >> 26, ticks & 0o17777, ticks % 4093, ticks // 3, -ticks // 3, least >> 3, least & 0xFFFF, least // 7,
+        least % 7, limit << 13, limit >> 26, ticks | 1 << 40, ticks ^ (1 << 51), ~ticks, ticks < NEVER,
+        min(NEVER, ticks), NEVER == 1 << 62, f"{ticks:o} {ticks:,} {NEVER}", ticks.bit_length(), abs(least),
+    ]  # fmt: skip
+
+
+def precedence() -> Any:
+    """Bit operators bind tighter than comparisons, and as Python has them among each other."""
+    a, b, c = 0o7000, 0o640, 3
+    return [
+        a & b == b,
+        a | b >> c,
+        a ^ b & c + 1,
+        a << 1 & 0o7777 | b >> 2,
+        -c % 2,
+        -(c**2),
+        not a & 1,
+        (a and b) or c,
+    ]
+
+
+def comparisons() -> Any:
+    """Chains look at each operand once; sequences compare item by item."""
+    seen: list[str] = []
+    chain = 0 <= _note(seen, 5) <= 5 < _note(seen, 9)
+    return [
+        chain, seen, (1, 2) < (1, 3), [1, 2] == [1, 2], (1, "a") == (1, "b"), bytes([97, 98]) == b"ab", 1 == True,
+        Point(1, 2) == (1, 2), Point(1) < Point(2), {1: [2]} == {1: [2]}, {1, 2} == {2, 1}, "b" in "abc", 2 in (1, 2),
+        3 not in [1], b"b" in b"abc", 97 in b"abc", Mode(1.0) == Mode(1.0), None is None, Colour.RED == "red",
+    ]  # fmt: skip
+
+
+def truth() -> Any:
+    """What is empty or zero is false, and `and`, `or` give an operand."""
+    nothing: list[int] = []
+    text, some, none = "", [0], cast("bytes | None", None)
+    return [
+        [bool(nothing), not nothing, nothing or "else", some and "yes", text or "none", none or b"x" == b"x"],
+        [
+            bool(Base(0)),
+            bool(Base(1)),
+            bool({}),
+            bool({0}),
+            bool(b""),
+            1 if nothing else 2,
+            not text,
+            len(some) or 9,
+        ],
+    ]
+
+
+def assignments() -> Any:
+    """Targets of all kinds; what is read is read before anything is set."""
+    a, b = 1, 2
+    a, b = b, a
+    first, (second, third), *rest = [1, (2, 3), 4, 5]
+    words = array("H", bytes(8))
+    words[1] = words[2] = 0o7777
+    frames = bytearray(b"abc")
+    frames += b"de"
+    frames[1:3] = b"xyz"
+    del frames[0]
+    frames[:] = frames[::-1]
+    numbers = [0, 1, 2, 3, 4, 5]
+    numbers[-1] = 9
+    numbers[1:3] = []
+    table = {"a": 1}
+    table["a"] += 4
+    table |= {"b": 2}
+    del table["b"]
+    texts = ["x"]
+    other = texts
+    texts += ["y"]
+    return [
+        a,
+        b,
+        first,
+        second,
+        third,
+        rest,
+        list(words),
+        list(frames),
+        numbers,
+        table,
+        other,
+        words[:2].tobytes()[1],
+    ]
+
+
+def loops() -> Any:
+    """for, while, else, break, continue, unpacking."""
+    seen: list[Any] = []
+    for number, (name, value) in enumerate([("a", 1), ("b", 2), ("c", 3)], 1):
+        if name == "b":
+            continue
+        seen.append([number, name, value])
+    for number in range(5):
+        if number == 3:
+            break
+    else:
+        seen.append("never")
+    for number in range(3, 0, -1):
+        seen.append(number)
+    seen.append("else")
+    while True:
+        number += 1
+        for value in (1, 2):
+            if value == 2:
+                break
+        if number > 4:
+            break
+    for value in range(number):
+        number -= 1
+    return [
+        seen,
+        number,
+        value,
+        [*range(2, 9, 3)],
+        range(9)[2:5][1],
+        len(range(3, 30, 4)),
+        [*reversed([1, 2])],
+    ]
+
+
+def switched(op: int = 3) -> Any:
+    """A long chain of ifs on one number; break leaves the loop around it."""
+    seen: list[str] = []
+    for op in (0, ONE, TWO, 3, 4, 5, 6):
+        if op == 0:
+            seen.append("zero")
+        elif op == ONE:
+            seen.append("one")
+        elif op == TWO:
+            continue
+        elif op == 3:
+            seen.append("three")
+        elif op == 4:
+            seen.append("four")
+        elif op == 5:
+            break
+        else:
+            seen.append("else")
+    return seen
+
+
+def matches() -> Any:
+    """match, with values, alternatives, guards and names."""
+    said = []
+    for code in (6, 9, 80, 81, 5):
+        match code:
+            case Code.MILL:
+                said.append("mill")
+            case Code.READ | 80:
+                said.append("read")
+            case other if other > 50:
+                said.append(f"over {other}")
+            case _:
+                said.append("other")
+    return said
+
+
+def errors() -> Any:
+    """raise, try, except in order, else, finally, suppress, a context manager of ours."""
+    seen: list[str] = []
+    base = Base(1)
+    for place in (None, 4):
+        try:
+            with base.noting():
+                raise Wrong("no", place)
+        except KeyError:
+            seen.append("key")
+        except (Wrong, OSError) as error:
+            seen.append(f"{error} {type(error).__name__}")
+        finally:
+            seen.append("finally")
+    try:
+        with base.noting():
+            pass
+    except ValueError:
+        seen.append("not this")
+    else:
+        seen.append("else")
+    for bad in (
+        lambda: {}["x"],
+        lambda: [1][4],
+        lambda: int("x"),
+        lambda: 1 // len(""),
+        lambda: b"\xff".decode("ascii"),
+    ):
+        try:
+            cast("Callable[[], Any]", bad)()
+        except KeyError as error:
+            seen.append(f"KeyError {error}")
+        except (IndexError, ValueError, ZeroDivisionError) as error:
+            seen.append(type(error).__name__)
+    with suppress(KeyError):
+        cast("dict[str, int]", {})["y"] += 1
+    return [seen, base.seen]
+
+
+def classes() -> Any:
+    """Properties, cached ones, methods of all kinds, inheritance, named tuples, dataclasses, enumerations."""
+    base, derived = Base(5), Derived()
+    base.double = 30
+    made = [base.made, base.made, base.seen]
+    bound = base.half
+    point = Point(1)._replace(y=7)
+    mode = replace(Mode(2.0), feed=3.5)
+    return [
+        made, base.double, len(base), [*base], bound(9), Base.half(4), Base.of(2).value, derived.more, Base.limit,
+        derived.limit, point.sum(), [*point], point[1], point == (1, 7), Point(y=1, x=2).x, mode.feed, mode.words,
+        Colour("blue"), [*Code], f"{Code.MILL} {Colour.RED}", isinstance(derived, Base), isinstance(base, Derived),
+        {Point(1, 2): "a"}[Point(1, 2)], {(1, "x"): 2}[1, "x"], str(Point(1, 2)), sorted([Point(2), Point(1)])[0].x,
+    ]  # fmt: skip
+
+
+def calls() -> Any:
+    """Arguments by place and by name, defaults, *, **, functions as values, closures."""
+    count = 0
+
+    def more(by: int = 1) -> int:
+        nonlocal count
+        count += by
+        return count
+
+    spent = {"scale": 2, "add": 5}
+    more()
+    more(4)
+    return [
+        _placed(1, 2), _placed(1, scale=3), _placed(*[1, 2], add=1), _named(a=1, **spent), more(0), Point(**{"x": 3}).x,
+        [*map(len, ["a", "bb"])], [*map(Point, [1, 2])][1].y, (lambda x: x + 1)(2), [f(2) for f in (more, abs)],
+    ]  # fmt: skip
+
+
+def comprehensions() -> Any:
+    """Lists, sets, dicts, nested, with conditions, with a name that is kept."""
+    pairs = [(1, "a"), (2, "b"), (3, "c")]
+    return [
+        [number * 2 for number, _ in pairs if number > 1], {text: number for number, text in pairs}, sorted({n % 2 for n, _ in pairs}),
+        [a + b for a in "xy" for b in "12"], sum(number for number, _ in pairs), any(n > 2 for n, _ in pairs), all([]),
+        next((t for n, t in pairs if n == 2), ""), next(iter([7])), [double for n in (1, 2) if (double := n * 2) > 2],
+        bytes(code + 1 for code in b"abc").decode("ascii"), tuple(x for x in range(3)), max(pairs)[1],
+    ]  # fmt: skip
+
+
+def texts() -> Any:
+    """Methods of str and f-strings."""
+    text, number, part = "a,b,,c", 0o7402, 2.5
+    return [
+        text.split(","), text.split(",", 1), ["a", "b"], "a\nb\r\n".splitlines(), "a\nb".splitlines(True), text.replace(",", ""),
+        text.partition(","), "-".join(["x", "y"]), " x ".strip(), "xxaxx".lstrip("x"), "tape.bin".removesuffix(".bin"), "a\tb".expandtabs(8),
+        text.find("c"), text.rfind(","), text.count(","), "abc".startswith(("x", "a")), "12".isdigit(), "Ab".lower() + "Ab".upper(),
+        "abc"[1:], "abc"[-1], "abc"[::-1], "abc"[0:-1], "aZ".translate(str.maketrans({"a": "b", "Z": None})), "x" * 3, ord("A"), chr(0o101),
+        f"{number:04o} {number:5}|{number:<5}|{number:>6,}|{-number:+06d}|{part:.1f}|{part:g}|{part:8.3f}|{'x':3}|{'x':>3}|{'ab':-^6}",
+        f"{part!r} {text!r} {number / 2} {number // 2} {1e20} {1e-7} {True} {None} {[1, 'x']} {0.1 + 0.2} {100.0:,} {1 / 3:.0%}",
+        f"{2.5:.0f} {3.5:.0f} {0.125:.2f} {1e15:.1f} {1234567.0:g} {0.00001:g} {float('inf')}", str(5.0), str(5), repr("it's"), int("17", 8),
+        round(2.5), round(3.5), round(2.675, 2), round(-0.5), f"{5.0:04}", f"{'é'!r}", "é".encode()[0], "{}`${x}",
+    ]  # fmt: skip
+
+
+def frames() -> Any:
+    """Methods of bytes and bytearray."""
+    tape, roll = b"\0\0AB\x80\0", bytearray(b"xyz")
+    roll.append(0o101)
+    roll.extend(b"!")
+    return [
+        list(tape.strip(b"\0")), list(tape.lstrip(b"\0")), tape.rstrip(bytes([0]))[-1], tape.find(0x41), tape.find(b"B"), tape.find(b"Q"),
+        tape.count(0), list(tape[2:4] + b"c"), list(bytes(3)), list(b"ab" * 2), list(tape.translate(None, b"\0")), tape.hex(), roll.pop(0), len(roll),
+        list(b"abc".translate(bytes(range(255, -1, -1)))), [list(part) for part in b"a\x80b".split(b"\x80")], b"-".join([b"a", b"b"]).decode("ascii"),
+        b"ab".startswith(b"a"), [list(part) for part in b"abc".partition(b"b")], list(b"ab".replace(b"a", b"xx")), b"\x80".isascii(),
+        tape.index(0x42), roll.count(0o101), list(bytes(roll)), bytes.fromhex("0aff")[1], list(tape.ljust(8, b"z"))[-1], tape.rindex(0),
+    ]  # fmt: skip
+
+
+def tables() -> Any:
+    """Methods of dict and set, in the order of entry."""
+    table = {"7000": 1, "0100": 2}
+    table.setdefault("x", 5)
+    table.update({"y": 6})
+    some = {3, 1}
+    some.add(2)
+    some.discard(9)
+    counts = Counter("abca")
+    return [
+        [*table], [*table.items()], [*table.values()], table.get("q"), table.get("q", 7), table.pop("y"), "x" in table, len(table),
+        dict.fromkeys(["a", "b"], 0), {**table, "z": 1}, table | {"w": 2}, sorted(some), sorted(some & {1, 2}), sorted(some - {1}), sorted(some | {8}),
+        some.isdisjoint({7}), counts["a"], counts["z"], sorted(frozenset([2, 1])), json.dumps({"b": [1, "x"], "a": None}, indent=1),
+        json.dumps(json.loads('{"n": [1, 2.0, 1e20, true, null, "\\u00e9"]}')), {None: 1}[None],
+    ]  # fmt: skip
+
+
+def library() -> Any:
+    """What is used of Python's library."""
+    pattern = re.compile(r"([a-z]*)([,;])")
+    points = [Point(2, 1), Point(1, 3)]
+    return [
+        [*pairwise([1, 2, 3])], [*accumulate([1, 2, 3])], [*accumulate([1, 2], initial=5)], [[k, [*g]] for k, g in groupby("aab")],
+        [list(pair) for pair in pattern.findall("ab,c;")], [(m.start(), m.start(2), m.group(1)) for m in pattern.finditer("ab,c;")],
+        bisect_left([1, 3, 5], 3), sorted(points, key=attrgetter("x"))[0].y, max(points, key=itemgetter(1)).x, sorted([3, 1], reverse=True),
+        [*zip("ab", [1, 2], strict=True)], [*enumerate("a", 3)], divmod(-7, 2), hypot(3.0, 4.5), min([4, 2], default=9), max([], default=9), sum([0.5, 1]),
+        [*filter(None, [0, 1])], list(array("H", [1, 2])), getattr(points[0], "x"), abs(-2.5),
+    ]  # fmt: skip
+
+
+FUNCTIONS = [
+    wide_numbers, precedence, comparisons, truth, assignments, loops, switched, matches, errors, classes, calls,
+    comprehensions, texts, frames, tables, library,
+]  # fmt: skip
