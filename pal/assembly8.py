@@ -220,10 +220,14 @@ class Assembly8(Assembly):
                 notes.append(Note(NOT_ON_8L, mention.at, message, "it does nothing there, or something else"))
             elif len(mention.name) == 6:
                 longer.append((self._in_full(mention.at), mention.at))
-        notes += of_undefined(
-            [(name, at, run.places[at][0]) for name, at in undefined], [*known, *_INSTRUCTIONS]
-        )
+        places = [(name, at, self._statement(at)) for name, at in undefined]
+        notes += of_undefined(places, [*known, *_INSTRUCTIONS])
         return notes + of_names(longer, _INSTRUCTIONS)
+
+    def _statement(self, at: int) -> int:
+        """Return a number for the statement at a place: its line and the semicolons before it."""
+        index, start, _ = self._run.places[at]
+        return index << 10 | self._lines[index].text.count(";", 0, start)
 
     def _in_full(self, at: int) -> str:
         index, start, end = self._run.places[at]

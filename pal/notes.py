@@ -232,7 +232,7 @@ def _near(name: str, other: str) -> bool:
 def of_undefined(undefined: Iterable[tuple[str, int, int]], known: Iterable[str]) -> list[Note]:
     """Return what was meant by undefined symbols, or that a line of several of them is text.
 
-    `undefined` are names, with the item or place where each stands and a number for its line.
+    `undefined` are names, with the item or place where each stands and a number for its statement.
     """
     lines: dict[int, list[tuple[str, int]]] = {}
     for name, at, line in undefined:

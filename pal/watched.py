@@ -15,6 +15,7 @@ from pal.notes import (
     AFTER_END,
     COLON,
     LOWER_CASE,
+    NO_SLASH,
     NOT_IN_TABLE,
     NOT_OCTAL,
     RESERVED,
@@ -359,14 +360,21 @@ def _undefined(source: Source, table: list[Entry], known: list[str]) -> list[Not
     """Note undefined symbols that another PDP-8 has, that are misspelled, or that are text."""
     notes = []
     others = []
+    names = {*_NAMES, *(entry.name for entry in table)}
     for entry in sorted(table, key=lambda entry: entry.at):
         octal = INSTRUCTIONS.get(entry.name)
         if octal is not None:
             message = f"{entry.name} is not in PAL III's table; it is {octal:04o}"
             notes.append(Note(NOT_IN_TABLE, entry.at, message, f"define it: {entry.name}={octal:04o}"))
         elif not hint("UA", entry.name):
-            place = source.place(entry.at)
-            others.append((entry.name, entry.at, place.tape << 20 | place.line))
+            before, blank = source.items[entry.at - 1] if entry.at else ("", "")
+            if blank in (" ", "\t") and before and before[:SIGNIFICANT] not in names:
+                notes.append(Note(NO_SLASH, entry.at, "this reads as text", "a comment begins with a slash"))
+                continue
+            end = entry.at
+            while source.items[end][1] not in "\r;$":
+                end += 1
+            others.append((entry.name, entry.at, end))
     return notes + of_undefined(others, [*known, *_INSTRUCTIONS])
 
 
