@@ -25,8 +25,8 @@ from pdp8.web.translator.modules import translate
 
 MODULES = {
     "tapes": "ascii binary eia errors frames hydrapoint kinds measure rim",
-    "pal": "assembler assembly assembly8 diagnostics dialects disassembler isa listing models notes pal8 portable"
-    " punch source symbols symbols8 table watched",
+    "pal": "assembler assembly assembly8 diagnostics dialects disassembler isa listing models notes pal8"
+    " portable punch source symbols symbols8 table watched",
     "pdp8.computer": "machine stop watch",
     "pdp8.computer.hardware": "bus core fields highspeed operate panel processor signals teletype",
     "pdp8.computer.speed": "engine piece waiting",
