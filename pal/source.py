@@ -56,6 +56,8 @@ class Source:
         self._code = self.text.upper() if modern else self.text
         self.items: list[tuple[str, str]] = _ITEM.findall(self._code)
         self.feeds: list[int] = []
+        self._read_again: dict[int, list[tuple[int, int]]] = {}
+        """The spans of the items of a line."""
         if "\f" in text:
             self.items = [(item.replace("\f", ""), mark) for item, mark in self.items]
             self.feeds = [at for at, (start, end) in enumerate(self.spans) if "\f" in self.text[start:end]]
@@ -76,16 +78,18 @@ class Source:
         return [at for at, (_, mark) in enumerate(self.items) if mark == "\r"]
 
     def _span(self, at: int) -> tuple[int, int, int]:
-        """Return the line of item `at`, counted from 0, and its span; only that line is read again."""
+        """Return the line of item `at`, counted from 0, and its span; only that line is read again, once."""
         from bisect import bisect_left
 
         line = bisect_left(self._last_items, at)
+        if line not in self._read_again:
+            begin = self._ends[line - 1] + 1 if line else 0
+            end = self._ends[line] + 1 if line < len(self._ends) else len(self._code)
+            found = _ITEM.finditer(self._code[begin:end])
+            self._read_again[line] = [(begin + match.start(), begin + match.start(2)) for match in found]
         first = self._last_items[line - 1] + 1 if line else 0
-        begin = self._ends[line - 1] + 1 if line else 0
-        for number, match in enumerate(_ITEM.finditer(self._code, begin), first):
-            if number == at:
-                return line, match.start(), match.start(2)
-        raise IndexError(at)
+        start, mark = self._read_again[line][at - first]
+        return line, start, mark
 
     def place(self, at: int) -> Place:
         """Return where item `at` stands; for an empty one, the character that ends it."""
