@@ -2,6 +2,7 @@
 
 computer/   the machine itself: processor, engine, Teletype, panel, operator
 monitor/    the operator's prompt, for people and scripts
+dap/        a debugger for editors
 console/    the front panel in a terminal
 replay/     the whole 1971 afternoon in one call
 thesis/     its figures and tables made again, its programs line by line

@@ -5,6 +5,7 @@ check     the answers of a class           cards    to print
 run       a program and its tape in, the punched tape out;   boot, trace, saved states, keyboard
 monitor   the operator's prompt        replay   the afternoon of 1971        panel     the front panel
 workbench the live machine in a page   nc       `pdp8 nc`, with the page of a tape
+dap       a debugger for editors
 vectors   what every word does, for tests of any emulator
 thesis    the thesis's figures and tables, and its programs line by line
 pacing    a run slice by slice         feed      the reader's tapes          outputs   the punches' tapes

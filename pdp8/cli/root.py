@@ -1,6 +1,6 @@
 """The `pdp8` command: every package's commands hung together, each loaded only when it is called.
 
-run monitor replay panel   the computer                        pdp8/cli
+run monitor dap replay panel  the computer                     pdp8/cli
 thesis                     the thesis, page by page            pdp8/cli
 vectors                    what every word does, for emulators pdp8/cli
 pal dis                    the assembler and its inverse       pal/cli
@@ -21,6 +21,7 @@ _COMMANDS = {
     "cards": ("pdp8.cli.cards", "cards", "Draw cards to print: loader, instructions, codes, timetable."),
     "check": ("pdp8.cli.check", "check", "Mark the answers of a class to an exercise."),
     "monitor": ("pdp8.cli.monitor", "monitor", "The operator's prompt: examine, step, break, trace."),
+    "dap": ("pdp8.cli.dap", "dap", "A debugger for editors: the Debug Adapter Protocol."),
     "replay": ("pdp8.cli.replay", "replay", "Do the whole afternoon of 1971 again, or make a page of it."),
     "pal": ("pal.cli", "pal", "Assemble PAL III source."),
     "dis": ("pal.cli", "dis", "Disassemble a BIN or RIM tape."),

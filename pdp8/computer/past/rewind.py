@@ -3,19 +3,19 @@
     instructions, cycles    so many of them
     seconds                 so much machine time
     characters, blocks      so many frames that the Teletype printed, ends of block that it punched
-    until_left, until_written, until_flag       to the last time that something happened
+    until_left, until_written, until_stopped, until_flag    to the last time that something happened
 
 Each raises HistoryError, and leaves the machine as it is, where the history does not go back so far.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 
 from pal.isa import FETCH
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
 from pdp8.computer.past.history import History, HistoryError
 from pdp8.computer.stop import Reason
-from pdp8.computer.watch import Watch
+from pdp8.computer.watch import Watch, wrote
 from tapes.eia import EOB
 
 _SEARCHED = TICKS_PER_SECOND // 4
@@ -65,23 +65,28 @@ def blocks(history: History, count: int = 1) -> None:
 
 def until_left(history: History, address: int) -> None:
     """Undo as far as before `address` was last executed, or after the last JMS to it."""
-
-    def step(machine: Machine, clock: int) -> int | None:
-        machine.watch.breakpoints.add(address)
-        here = machine.instructions if machine.pc == address and machine.processor.next == FETCH else None
-        return machine.instructions if _run_to(machine, clock) is Reason.BREAKPOINT else here
-
-    _search(history, step, f"nothing was executed at {address:04o}")
+    until_stopped(history, {address}, (), f"nothing was executed at {address:04o}")
 
 
 def until_written(history: History, address: int) -> None:
     """Undo as far as before the last instruction that wrote the word at `address`."""
+    until_stopped(history, (), {address}, f"nothing was written at {address:04o}")
 
-    def step(machine: Machine, clock: int) -> int | None:
-        machine.watch.writes.add(address)
-        return machine.instructions - 1 if _run_to(machine, clock) is Reason.BREAKPOINT else None
 
-    _search(history, step, f"nothing was written at {address:04o}")
+def until_stopped(
+    history: History, breakpoints: Collection[int], writes: Collection[int], otherwise: str = "no breakpoint"
+) -> None:
+    """Undo as far as the last of what `until_left` and `until_written` go to, for any of these addresses."""
+
+    def step(machine: Machine, clock: int) -> Iterator[int]:
+        p, watch = machine.processor, machine.watch
+        watch.breakpoints, watch.writes = set(breakpoints), set(writes)
+        if p.pc in breakpoints and p.next == FETCH:
+            yield machine.instructions
+        if _run_to(machine, clock) is Reason.BREAKPOINT:
+            yield machine.instructions - (wrote(p) and p.ma in writes)
+
+    _search(history, step, otherwise)
 
 
 def until_flag(history: History, code: int) -> None:
@@ -90,21 +95,22 @@ def until_flag(history: History, code: int) -> None:
     if device is None:
         raise HistoryError(f"device {code:02o} is not fitted")
 
-    def step(machine: Machine, clock: int) -> int | None:
+    def step(machine: Machine, clock: int) -> Iterator[int]:
         down = not device.flag
         _run_to(machine, min(clock, machine.bus.next_event(machine.processor.clock)))
-        return machine.instructions if down and device.flag else None
+        if down and device.flag:
+            yield machine.instructions
 
     _search(history, step, f"the flag of device {code:02o} did not rise")
 
 
-_Step = Callable[[Machine, int], int | None]
+_Step = Callable[[Machine, int], Iterator[int]]
 
 
 def _search(history: History, step: _Step, otherwise: str) -> None:
     """Go to the last moment that `step` finds.
 
-    A step runs a machine to a tick at most, and returns the number of instructions at what it found.
+    A step runs a machine to a tick at most, and yields the number of instructions at what it finds.
     """
     machine = history.machine
     now, end = machine.instructions, machine.processor.clock
@@ -127,9 +133,7 @@ def _hits(history: History, step: _Step, end: int) -> Iterator[int]:
     machine = history.machine
     for clock in history.ahead(end):
         while machine.processor.clock < clock:
-            found = step(machine, clock)
-            if found is not None:
-                yield found
+            yield from step(machine, clock)
 
 
 def _run_to(machine: Machine, clock: int) -> Reason:

@@ -23,13 +23,15 @@ class Listing:
     """What is known of the words in core: an assembly's lines and symbols, or nothing.
 
     `lines` are as pass 3 typed them, TABs counted from where the source begins; `words` is {address: word},
-    `places` {address: number of its line}, `symbols` {name: value}.
+    `places` {address: number of its line}, `numbers` {address: number of its line in the source, from 1},
+    `symbols` {name: value}.
     """
 
     def __init__(self, symbols: Mapping[str, int] | None = None) -> None:
         self.lines: list[str] = []
         self.words: dict[int, int] = {}
         self.places: dict[int, int] = {}
+        self.numbers: dict[int, int] = {}
         self.symbols = dict(symbols or {})
 
     @classmethod
@@ -43,6 +45,7 @@ class Listing:
             else:
                 listing.words[line.address] = line.word
                 listing.places[line.address] = len(listing.lines)
+                listing.numbers[line.address] = line.number
                 listing.lines.append(f"{line.address:04o}  {line.word:04o}  {source}".rstrip())
         return listing
 

@@ -1,0 +1,60 @@
+"""Where a run is to stop: before the instructions of lines, of addresses, after words are written."""
+
+from collections.abc import Iterable
+from itertools import count
+
+from pal.isa import EXECUTE, JMS
+from pdp8.computer.hardware.processor import Processor
+from pdp8.computer.watch import Watch, wrote
+
+LINES, ADDRESSES, INSTRUCTIONS, DATA = (
+    "breakpoint",
+    "function breakpoint",
+    "instruction breakpoint",
+    "data breakpoint",
+)
+"""Kinds of breakpoints, by the reason that the protocol has for a stop at one."""
+
+
+class Breakpoints:
+    """Those of one debugger, kind by kind, each with a number."""
+
+    def __init__(self) -> None:
+        self._numbers = count(1)
+        self._set: dict[str, dict[int, int]] = {}
+        self.lines: list[int] = []
+        """The lines for which the editor asked, which may have moved when the program is loaded again."""
+
+    def put(self, kind: str, addresses: Iterable[int]) -> dict[int, int]:
+        """Put breakpoints at `addresses` in place of all others of the kind; return the number of each."""
+        self._set[kind] = {address: next(self._numbers) for address in addresses}
+        return self._set[kind]
+
+    @property
+    def code(self) -> set[int]:
+        """The addresses of the instructions before which a run stops."""
+        return {address for kind, points in self._set.items() if kind != DATA for address in points}
+
+    @property
+    def data(self) -> set[int]:
+        """The addresses of the words after whose writing a run stops."""
+        return set(self._set.get(DATA, ()))
+
+    def watch(self, watch: Watch, others: Iterable[int] = ()) -> None:
+        """Have a machine stop at these, and at `others`."""
+        watch.breakpoints = self.code | set(others)
+        watch.writes = self.data
+
+    def hit(self, processor: Processor) -> tuple[str, list[int]]:
+        """Return at what kind of breakpoint a machine stands, and their numbers; "" if at none."""
+        p = processor
+        places = {p.pc}
+        if p.state == EXECUTE and p.ir == JMS:
+            places.add(p.ma)
+        found = [
+            (kind, number)
+            for kind, points in self._set.items()
+            for address, number in points.items()
+            if (kind != DATA and address in places) or (kind == DATA and wrote(p) and p.ma == address)
+        ]
+        return (found[0][0], [number for _, number in found]) if found else ("", [])

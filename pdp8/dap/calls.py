@@ -1,0 +1,102 @@
+"""Who called: a PDP-8 has no stack, but each subroutine's first word holds where it will return.
+
+    0207  4240          JMS TYPE         ◄── the call: one to four words before the return
+    0210  ...                  ▲
+    0240  0210  TYPE,   0  ────┘             the entry, which holds the return
+    0241  6046          TLS              ◄── PC: control comes here from the word after the entry
+
+An entry is live while its word still names a place behind a JMS to it. A subroutine is the words that control
+can come to from its entry, forwards and up to the next live entry. What the words in core do not say is not
+known: a routine that is left by JMP, a return that was moved elsewhere.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from pal.isa import GROUP_2, GROUP_3, INDIRECT, IOT, ISZ, JMP, JMS, OPR, REVERSED, autoindexed, refers_to
+
+ARGUMENTS = 4
+"""Words behind a JMS, its arguments and skips included, among which it returns."""
+_DEEPEST = 64
+_SKIPS = 0o170
+_INTERRUPT = 0
+
+
+class Frame(NamedTuple):
+    """The next instruction, or a call under way; and the entry of the subroutine it is in, or None."""
+
+    address: int
+    entry: int | None
+
+
+def frames(core: Sequence[int], pc: int, ion: int) -> list[Frame]:
+    """Return where the machine is, the innermost first; with ION off it may be in the interrupt routine."""
+    live = _live(core)
+    if not ion and core[_INTERRUPT] and core[_INTERRUPT + 1]:
+        live[_INTERRUPT] = core[_INTERRUPT]
+    found: list[Frame] = []
+    come = set[int]()
+    while len(found) < _DEEPEST:
+        entry = _entry(core, live, pc)
+        if entry is None or entry in come:
+            break
+        found.append(Frame(pc, entry))
+        come.add(entry)
+        pc = live[entry]
+    return [*found, Frame(pc, None)]
+
+
+def _live(core: Sequence[int]) -> dict[int, int]:
+    """Return the entries that were called, each with the address of the JMS."""
+    live: dict[int, int] = {}
+    for location, word in enumerate(core):
+        if word >> 9 == JMS:
+            entry = _target(core, word, location)
+            if entry is not None and 1 <= core[entry] - location <= ARGUMENTS:
+                live[entry] = location
+    return live
+
+
+def _target(core: Sequence[int], word: int, location: int) -> int | None:
+    """Return where a JMS or JMP goes; None where its pointer was incremented meanwhile."""
+    address = refers_to(word, location)
+    if not word & INDIRECT:
+        return address
+    return None if autoindexed(address) else core[address]
+
+
+def _entry(core: Sequence[int], live: Mapping[int, int], pc: int) -> int | None:
+    for entry in sorted((entry for entry in live if entry < pc or entry == _INTERRUPT), reverse=True):
+        end = min((other for other in live if other > entry), default=len(core))
+        if entry == _INTERRUPT:
+            end = len(core)
+        if (pc < end or entry == _INTERRUPT) and _reaches(core, live, entry, end, pc):
+            return entry
+    return None
+
+
+def _reaches(core: Sequence[int], live: Mapping[int, int], entry: int, end: int, pc: int) -> bool:
+    """Tell whether control comes from `entry` to `pc`, never going back before it, nor to `end` or beyond."""
+    come, ahead = set[int](), [entry + 1]
+    while ahead:
+        at = ahead.pop()
+        if at in come or not entry < at < end:
+            continue
+        if at == pc:
+            return True
+        come.add(at)
+        ahead += _followers(core, live, at)
+    return False
+
+
+def _followers(core: Sequence[int], live: Mapping[int, int], at: int) -> list[int]:
+    """Return the addresses to which the instruction at `at` can hand control; a return hands it to none."""
+    word = core[at]
+    code = word >> 9
+    if code == JMP:
+        returns = word & INDIRECT and refers_to(word, at) in live
+        target = None if returns else _target(core, word, at)
+        return [] if target is None else [target]
+    group_2 = code == OPR and word & GROUP_3 == GROUP_2 and word & (_SKIPS | REVERSED)
+    skips = code in (ISZ, JMS, IOT) or group_2
+    return [at + 1, at + 2] if skips else [at + 1]

@@ -1,0 +1,164 @@
+"""The machine at its monitor, where it is to stop, and what of its output the editor has not seen yet.
+
+run(goal) ──► advance, advance, ... ──► Halt(why)
+              a slice of the run each, so that the editor is heard in between
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from pdp8.computer.hardware.teletype import printed
+from pdp8.computer.stop import Reason, Stop
+from pdp8.dap import motion
+from pdp8.dap.breakpoints import DATA, Breakpoints
+from pdp8.dap.launch import Launch
+from pdp8.dap.places import Places
+from pdp8.monitor.running import slices
+from tapes import shelf
+
+_ENDLESS = 1e9
+_ENDED = {
+    Reason.HALT: "HLT at {ma:04o}",
+    Reason.TAPE_OUT: "the reader ran out of tape; the program waits for it at {pc:04o}",
+    Reason.IDLE: "the program waits at {pc:04o} for a key or a tape",
+    Reason.STOP_KEY: "STOP before {pc:04o}",
+    Reason.PROTECT: "MEM PROT stopped a write at {ma:04o}",
+}
+_WAITS = (Reason.TAPE_OUT, Reason.IDLE)
+
+
+class Halt(NamedTuple):
+    """Why the machine stands: the protocol's reason, a sentence, the numbers of the breakpoints.
+
+    While the program only waits for a key or a tape it is not said to stand: then the reason is "".
+    """
+
+    reason: str
+    description: str = ""
+    breakpoints: tuple[int, ...] = ()
+
+
+class Debuggee:
+    """A machine made ready by a configuration."""
+
+    def __init__(self, launch: Launch, breakpoints: Breakpoints, first_line: int = 1) -> None:
+        self.launch = launch
+        self.breakpoints = breakpoints
+        self.said: list[str] = []
+        """What the monitor has said since this was last emptied."""
+        self.monitor, program = launch.ready(self.said.append)
+        self.said += [f"{program.name}: {note}" for note in program.notes]
+        self.places = Places(program, first_line)
+        self._shown = 0
+        self._punched = b""
+        self._goal: motion.Goal | None = None
+        self._slices: Iterator[Stop] | None = None
+
+    @property
+    def advances(self) -> bool:
+        """Whether the machine has more to do; it may run and only wait."""
+        return self._slices is not None
+
+    @property
+    def knows_source(self) -> bool:
+        """Whether the program in core is still the one that was loaded first."""
+        return self.monitor.listing is self.places.listing
+
+    @property
+    def moment(self) -> tuple[int, int]:
+        """What is another one when the machine has done something."""
+        return self.monitor.machine.processor.clock, self.monitor.machine.instructions
+
+    def run(self, goal: motion.Goal | None = None) -> None:
+        """Let the machine run from now on, as far as `goal`."""
+        self._goal = goal
+        self.go_on()
+
+    def go_on(self) -> None:
+        """Run on, after something may have been changed."""
+        machine = self.monitor.machine
+        watched = Breakpoints() if self.launch.noDebug else self.breakpoints
+        watched.watch(machine.watch, self._goal.places(machine) if self._goal else ())
+        self._slices = slices(self.monitor, _ENDLESS)
+
+    def pause(self) -> None:
+        """Run no further."""
+        self._slices = None
+
+    def advance(self) -> Halt | None:
+        """Run a slice; return why the machine stands if it does then."""
+        assert self._slices is not None
+        stop = next(self._slices)
+        return None if stop.reason is Reason.LIMIT else self._halted(stop)
+
+    def over(self) -> Halt | None:
+        """Do one instruction; if that is a call the machine runs to its return."""
+        stop, goal = motion.over(self.monitor.machine)
+        if stop.reason in (Reason.HALT, Reason.PROTECT):
+            return self._halted(stop)
+        if goal is None:
+            return Halt("step")
+        if goal.reached(self.monitor.machine) and not goal.interrupt:
+            return Halt("step")
+        self.run(goal)
+        return None
+
+    def into(self) -> Halt:
+        """Do one instruction."""
+        stop = motion.into(self.monitor.machine)
+        return self._halted(stop) if stop.reason in (Reason.HALT, Reason.PROTECT) else Halt("step")
+
+    def back(self) -> Halt:
+        """Undo one instruction. Raises HistoryError."""
+        motion.back(self.monitor.history)
+        return Halt("step")
+
+    def back_to(self) -> Halt:
+        """Undo as far as the last breakpoint, or all that can be undone."""
+        points = self.breakpoints
+        found = motion.back_to(self.monitor.history, points.code, points.data)
+        if not found:
+            return Halt("entry", "here the history begins")
+        halt = self.stands()
+        return halt if halt.breakpoints else Halt(DATA)
+
+    def stands(self) -> Halt:
+        """Return how the machine stands, by the breakpoint that it may stand at."""
+        reason, numbers = self.breakpoints.hit(self.monitor.machine.processor)
+        return Halt(reason or "pause", "", tuple(numbers))
+
+    def _halted(self, stop: Stop) -> Halt | None:
+        self._slices = None
+        machine = self.monitor.machine
+        if stop.reason is Reason.BREAKPOINT:
+            halt = self.stands()
+            if halt.breakpoints and not self.launch.noDebug:
+                return halt
+            if self._goal is not None and self._goal.reached(machine):
+                return self.over() if self._goal.interrupt else Halt("step")
+            self.go_on()
+            return None
+        description = _ENDED[stop.reason].format(pc=stop.pc, ma=machine.ma)
+        if stop.reason in _WAITS and not (self.launch.noDebug and stop.reason is Reason.TAPE_OUT):
+            return Halt("", description)
+        return Halt("exception" if stop.reason is Reason.PROTECT else str(stop.reason), description)
+
+    def notes(self) -> str:
+        """Return what the monitor has said since the last time."""
+        said = "".join(f"{line}\n" for line in self.said)
+        self.said.clear()
+        return said
+
+    def printed(self) -> str:
+        """Return what was printed since the last time."""
+        frames = self.monitor.machine.teletype.printer.frames
+        new = bytes(frames[self._shown :])  # none after going back
+        self._shown = len(frames)
+        return printed(new).decode().replace("\r", "")
+
+    def take_off(self) -> None:
+        """Write the tape in the punch into its file, if the configuration names one. Raises ShelfError."""
+        tape = self.monitor.machine.teletype.punch.tape
+        if self.launch.punch and tape != self._punched:
+            shelf.write(self.launch.punch, tape)
+            self._punched = tape

@@ -1,0 +1,104 @@
+"""What launch.json says, and the machine that it makes ready.
+
+"program": "eia.pal"      a PAL source, BIN or RIM tape, or a bundled name
+"start": "0200"           an octal address, or a symbol
+"sr": "0000"              the switch register
+"reader": ["in.asc"]      tapes for the Teletype's reader, one after the other
+"punch": "out.eia"        where what was punched goes, each time that the machine stops
+"highspeed": true         fits the PC8/L
+"boot": true              loads the program from cold: RIM, BIN, tape
+"stopOnEntry": true       stands before the first instruction
+"commands": ["set hands 0"]     lines for the monitor, before START
+"""
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, fields
+from typing import Any, Self
+
+from pdp8.computer.machine import Machine
+from pdp8.computer.use import program
+from pdp8.monitor import tapes
+from pdp8.monitor.prompt import Monitor
+from tapes import shelf
+from tapes.errors import WorkError
+
+
+class LaunchError(WorkError):
+    """A configuration that says something impossible."""
+
+
+@dataclass(frozen=True)
+class Launch:
+    """A configuration of launch.json."""
+
+    program: str = ""
+    start: str = "0200"
+    sr: str = "0000"
+    reader: Sequence[str] = ()
+    punch: str = ""
+    highspeed: bool = False
+    boot: bool = False
+    stopOnEntry: bool = False
+    noDebug: bool = False
+    commands: Sequence[str] = ()
+
+    @classmethod
+    def of(cls, arguments: Mapping[str, Any]) -> Self:
+        """Return what the editor sent. Raises LaunchError; what other debuggers know is passed over."""
+        given: dict[str, Any] = {}
+        for field in fields(cls):
+            value = arguments.get(field.name)
+            if value is not None:
+                given[field.name] = _checked(field.name, value, field.default)
+        made = cls(**given)
+        made._check_files()
+        return made
+
+    def _check_files(self) -> None:
+        if not self.program:
+            raise LaunchError("program: the name of a PAL source or of a tape expected")
+        if "-" in (self.program, self.punch, *self.reader):
+            raise LaunchError("-: standard input and output are the debugger's own; name a file")
+        if self.punch:
+            shelf.check_writable(self.punch)
+            for name in (self.program, *self.reader):
+                if os.path.realpath(self.punch) == os.path.realpath(shelf.find(name)):
+                    raise LaunchError(f"punch: {self.punch} is read too; name another file")
+
+    def ready(self, say: Callable[[str], object]) -> tuple[Monitor, program.Program]:
+        """Return a machine at its monitor, loaded and started but not run, and its program. Raises WorkError.
+
+        `say` takes what the monitor says.
+        """
+        found = program.find(self.program)
+        monitor = Monitor(say, Machine(self.highspeed), found.listing)
+        if self.boot:
+            tapes.boot(monitor, [self.program])
+        else:
+            monitor.machine.load(found.words)
+        if self.reader:
+            tapes.reader(monitor, self.reader)
+        monitor.machine.sr = monitor.address(self.sr)
+        for line in self.commands:
+            monitor.do(line)
+        monitor.machine.panel.stop()
+        monitor.machine.pc = monitor.address(self.start)
+        monitor.operator.press("start")
+        return monitor, found
+
+
+def _checked(name: str, value: Any, default: object) -> Any:
+    """Return a value of the type that its field has by default. Raises LaunchError."""
+    if isinstance(default, bool):
+        if not isinstance(value, bool):
+            raise LaunchError(f"{name}: true or false expected, not {value!r}")
+        return value
+    if isinstance(default, str):
+        if not isinstance(value, str):
+            raise LaunchError(f"{name}: a text in quotes expected, not {value!r}")
+        return value
+    several = [value] if isinstance(value, str) else value
+    if not isinstance(several, list) or not all(isinstance(each, str) for each in several):
+        raise LaunchError(f"{name}: a text or a list of texts expected, not {value!r}")
+    return several

@@ -1,0 +1,81 @@
+"""Steps: into, over and out of subroutines, forwards; and back.
+
+A JMS is stepped over by running until its subroutine returns: until the PC is what the subroutine's first
+word says, which the subroutine itself may have moved past arguments. What is stepped over may be an interrupt
+as well: its routine returns through word 0.
+"""
+
+from typing import NamedTuple
+
+from pal.isa import EXECUTE, JMS
+from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, TICKS_PER_SECOND
+from pdp8.computer.machine import Machine
+from pdp8.computer.past import rewind
+from pdp8.computer.past.history import History, HistoryError
+from pdp8.computer.stop import Stop
+from pdp8.dap.calls import ARGUMENTS, frames
+from tapes.errors import WorkError
+
+
+class MotionError(WorkError):
+    """A step that there is not."""
+
+
+class Goal(NamedTuple):
+    """The return of the subroutine at `entry`; after an interrupt's the instruction is still to be done."""
+
+    entry: int
+    interrupt: bool = False
+
+    def places(self, machine: Machine) -> set[int]:
+        """Return where the subroutine may return to."""
+        back = machine.core[self.entry]
+        return {back + offset & 0o7777 for offset in range(2 * ARGUMENTS)}
+
+    def reached(self, machine: Machine) -> bool:
+        """Tell whether it has returned."""
+        return machine.pc == machine.core[self.entry]
+
+
+def into(machine: Machine) -> Stop:
+    """Do one instruction, or the cycle of an interrupt."""
+    if machine.processor.next == INTERRUPT:
+        return machine.run(seconds=CYCLE / TICKS_PER_SECOND)
+    return machine.run(instructions=1)
+
+
+def over(machine: Machine) -> tuple[Stop, Goal | None]:
+    """Do one instruction; return the goal too if it, or an interrupt before it, was a call."""
+    p = machine.processor
+    interrupt = p.next == INTERRUPT
+    stop = into(machine)
+    called = p.state == EXECUTE and p.ir == JMS
+    return stop, Goal(p.ma, interrupt) if called else None
+
+
+def out(machine: Machine) -> Goal:
+    """Return the end of the subroutine that the machine is in. Raises MotionError outside of one."""
+    entry = frames(list(machine.core), machine.pc, machine.ion)[0].entry
+    if entry is None:
+        raise MotionError(f"{machine.pc:04o} is in no subroutine that was called by JMS: there is no way out")
+    return Goal(entry)
+
+
+def back(history: History) -> None:
+    """Undo one instruction. Raises HistoryError where there is none."""
+    if history.instructions == 0:
+        raise HistoryError("nothing to undo: here the history begins")
+    rewind.instructions(history, 1)
+
+
+def back_to(history: History, breakpoints: set[int], writes: set[int]) -> bool:
+    """Undo as far as the last stop at one of `breakpoints`, or before one of `writes`; else all.
+
+    Returns whether there was one.
+    """
+    try:
+        rewind.until_stopped(history, breakpoints, writes)
+    except HistoryError:
+        rewind.instructions(history, history.instructions)
+        return False
+    return True

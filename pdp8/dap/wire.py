@@ -1,0 +1,121 @@
+r"""Messages of the Debug Adapter Protocol on two streams.
+
+    Content-Length: 119\r\n
+    \r\n
+    {"seq": 153, "type": "request", "command": "next", "arguments": {"threadId": 3}}
+
+A thread reads them as they come, so that a machine which runs can be told to pause.
+"""
+
+import json
+from collections.abc import Callable
+from queue import Empty, Queue
+from threading import Thread
+from typing import Any, BinaryIO
+
+from tapes.errors import WorkError
+
+Body = dict[str, Any]
+
+_LONGEST = 1 << 24
+"""Bytes of a message."""
+
+
+class WireError(WorkError):
+    """What is no message of the protocol, or one that does not end."""
+
+
+class Wire:
+    """Both directions of a connection. `heard` is called with each message as it comes, by another thread."""
+
+    def __init__(
+        self, reader: BinaryIO, writer: BinaryIO, heard: Callable[[Body], object] = lambda message: None
+    ) -> None:
+        self._reader = reader
+        self._writer = writer
+        self._sent = 0
+        self.heard = heard
+        self._come: Queue[Body | WireError | None] = Queue()
+        Thread(target=self._listen, daemon=True).start()
+
+    def _listen(self) -> None:
+        message: Body | WireError | None = {}
+        while isinstance(message, dict):
+            try:
+                message = read(self._reader)
+            except WireError as error:
+                message = error
+            except (OSError, ValueError):  # the stream was closed meanwhile
+                message = None
+            if isinstance(message, dict):
+                self.heard(message)
+            self._come.put(message)
+
+    def receive(self, wait: bool = True) -> Body | None:
+        """Return the next message; without `wait` an empty one if none has come; None at the end.
+
+        Raises WireError.
+        """
+        try:
+            message = self._come.get(block=wait)
+        except Empty:
+            return {}
+        if isinstance(message, WireError):
+            raise message
+        return message
+
+    def event(self, name: str, **body: Any) -> None:
+        """Send an event."""
+        self._send({"type": "event", "event": name, "body": body})
+
+    def respond(self, request: Body, body: Body | None = None, error: str = "") -> None:
+        """Send the response to a request: its body, or the error that a user is to see."""
+        response = {
+            "type": "response",
+            "request_seq": request.get("seq", 0),
+            "command": request.get("command", ""),
+            "success": not error,
+        }
+        if error:
+            response |= {
+                "message": error,
+                "body": {
+                    "error": {"id": 1, "format": "{text}", "variables": {"text": error}, "showUser": True}
+                },
+            }
+        elif body is not None:
+            response["body"] = body
+        self._send(response)
+
+    def _send(self, message: Body) -> None:
+        self._sent += 1
+        content = json.dumps({"seq": self._sent, **message}).encode()
+        self._writer.write(b"Content-Length: %d\r\n\r\n%b" % (len(content), content))
+        self._writer.flush()
+
+
+def read(stream: BinaryIO) -> Body | None:
+    """Return the next message of a stream, None at its end. Raises WireError."""
+    length = None
+    line = stream.readline(_LONGEST)
+    if not line:
+        return None
+    while line not in (b"\r\n", b"\n"):
+        name, _, value = line.partition(b":")
+        if name.strip().lower() == b"content-length" and value.strip().isdigit():
+            length = int(value)
+        line = stream.readline(_LONGEST)
+        if not line:
+            raise WireError("the input ends within the head of a message")
+    if length is None or length > _LONGEST:
+        raise WireError(f"the head of a message has no Content-Length of at most {_LONGEST:,} bytes")
+    content = stream.read(length)
+    if len(content) < length:
+        raise WireError(f"the input ends after {len(content):,} of the {length:,} bytes of a message")
+    try:
+        message = json.loads(content)
+    except (ValueError, RecursionError) as error:
+        raise WireError(f"a message is not JSON: {error}") from error
+    if not isinstance(message, dict):
+        raise WireError("a message is not a JSON object")
+    return message
