@@ -103,7 +103,7 @@ class Debuggee:
         self.run(goal)
         return None
 
-    def into(self) -> Halt:
+    def into(self) -> Halt | None:
         """Do one instruction."""
         stop = motion.into(self.monitor.machine)
         return self._halted(stop) if stop.reason in (Reason.HALT, Reason.PROTECT) else Halt("step")

@@ -17,7 +17,7 @@ from dataclasses import dataclass, fields
 from typing import Any, Self
 
 from pdp8.computer.machine import Machine
-from pdp8.computer.use import program
+from pdp8.computer.use.program import Program, find
 from pdp8.monitor import tapes
 from pdp8.monitor.prompt import Monitor
 from tapes import shelf
@@ -66,15 +66,16 @@ class Launch:
                 if os.path.realpath(self.punch) == os.path.realpath(shelf.find(name)):
                     raise LaunchError(f"punch: {self.punch} is read too; name another file")
 
-    def ready(self, say: Callable[[str], object]) -> tuple[Monitor, program.Program]:
+    def ready(self, say: Callable[[str], object]) -> tuple[Monitor, Program]:
         """Return a machine at its monitor, loaded and started but not run, and its program. Raises WorkError.
 
         `say` takes what the monitor says.
         """
-        found = program.find(self.program)
+        found = find(self.program)
         monitor = Monitor(say, Machine(self.highspeed), found.listing)
         if self.boot:
             tapes.boot(monitor, [self.program])
+            monitor.listing = found.listing
         else:
             monitor.machine.load(found.words)
         if self.reader:

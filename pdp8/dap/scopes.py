@@ -141,8 +141,8 @@ def _given(name: str, kind: int | str | None, text: str) -> int:
 _READ_ONLY = {"attributes": ["readOnly"]}
 
 
-def _variable(name: str, value: str, variablesReference: int = 0, **more: Any) -> Body:
-    return {"name": name, "value": value, "variablesReference": variablesReference, **more}
+def _variable(name: str, value: str, **more: Any) -> Body:
+    return {"name": name, "value": value, "variablesReference": 0, **more}
 
 
 def value_of(monitor: Monitor, expression: str) -> tuple[str, int | None]:

@@ -217,7 +217,7 @@ class Session:
         if room.launch.noDebug:
             self._finish()
             return
-        more = {"hitBreakpointIds": list(halt.breakpoints)} if halt.breakpoints else {}
+        more: Body = {"hitBreakpointIds": list(halt.breakpoints)} if halt.breakpoints else {}
         if halt.description:
             more["description"] = more["text"] = halt.description
         self._wire.event("stopped", reason=halt.reason, threadId=_THREAD, allThreadsStopped=True, **more)

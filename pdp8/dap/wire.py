@@ -77,12 +77,8 @@ class Wire:
             "success": not error,
         }
         if error:
-            response |= {
-                "message": error,
-                "body": {
-                    "error": {"id": 1, "format": "{text}", "variables": {"text": error}, "showUser": True}
-                },
-            }
+            shown = {"id": 1, "format": "{text}", "variables": {"text": error}, "showUser": True}
+            response |= {"message": error, "body": {"error": shown}}
         elif body is not None:
             response["body"] = body
         self._send(response)

@@ -1,0 +1,1 @@
+"""Tests of pdp8/dap/."""
