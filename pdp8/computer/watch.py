@@ -43,11 +43,14 @@ class Watch:
         while processor.next in (DEFER, EXECUTE):
             self._cycle(processor)
 
+    def called(self, processor: Processor) -> bool:
+        """Tell whether the last cycle was that of a JMS to a breakpoint."""
+        return processor.state == EXECUTE and processor.ir == JMS and processor.ma in self.breakpoints
+
     def _cycle(self, processor: Processor) -> None:
         processor.cycle()
         if wrote(processor):
-            called = processor.state == EXECUTE and processor.ir == JMS
-            self.reached |= processor.ma in self.writes or (called and processor.ma in self.breakpoints)
+            self.reached |= processor.ma in self.writes or self.called(processor)
         if self.observer:
             self.observer.cycle(processor)
 

@@ -3,8 +3,8 @@
 from collections.abc import Iterable
 from itertools import count
 
-from pal.isa import EXECUTE, JMS
-from pdp8.computer.hardware.processor import Processor
+from pal.isa import EXECUTE, JMS, autoindexed
+from pdp8.computer.machine import Machine
 from pdp8.computer.watch import Watch, wrote
 
 LINES, ADDRESSES, INSTRUCTIONS, DATA = (
@@ -45,16 +45,17 @@ class Breakpoints:
         watch.breakpoints = self.code | set(others)
         watch.writes = self.data
 
-    def hit(self, processor: Processor) -> tuple[str, list[int]]:
+    def hit(self, machine: Machine) -> tuple[str, list[int]]:
         """Return at what kind of breakpoint a machine stands, and their numbers; "" if at none."""
-        p = processor
-        places = {p.pc}
-        if p.state == EXECUTE and p.ir == JMS:
-            places.add(p.ma)
+        p = machine.processor
+        places = {p.pc, p.ma} if p.state == EXECUTE and p.ir == JMS else {p.pc}
+        written = set[int]()
+        if machine.watch.reached:
+            written = {p.ma} & self.data if wrote(p) else set(filter(autoindexed, self.data))
         found = [
             (kind, number)
             for kind, points in self._set.items()
             for address, number in points.items()
-            if (kind != DATA and address in places) or (kind == DATA and wrote(p) and p.ma == address)
+            if address in (written if kind == DATA else places)
         ]
         return (found[0][0], [number for _, number in found]) if found else ("", [])

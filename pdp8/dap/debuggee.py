@@ -124,7 +124,7 @@ class Debuggee:
 
     def stands(self) -> Halt:
         """Return how the machine stands, by the breakpoint that it may stand at."""
-        reason, numbers = self.breakpoints.hit(self.monitor.machine.processor)
+        reason, numbers = self.breakpoints.hit(self.monitor.machine)
         return Halt(reason or "pause", "", tuple(numbers))
 
     def _halted(self, stop: Stop) -> Halt | None:

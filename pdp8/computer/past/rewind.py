@@ -15,7 +15,7 @@ from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
 from pdp8.computer.past.history import History, HistoryError
 from pdp8.computer.stop import Reason
-from pdp8.computer.watch import Watch, wrote
+from pdp8.computer.watch import Watch
 from tapes.eia import EOB
 
 _SEARCHED = TICKS_PER_SECOND // 4
@@ -84,7 +84,11 @@ def until_stopped(
         if p.pc in breakpoints and p.next == FETCH:
             yield machine.instructions
         if _run_to(machine, clock) is Reason.BREAKPOINT:
-            yield machine.instructions - (wrote(p) and p.ma in writes)
+            called = watch.called(p)
+            if watch.reached and not called:
+                yield machine.instructions - 1
+            if called or p.pc in breakpoints:
+                yield machine.instructions
 
     _search(history, step, otherwise)
 
