@@ -1,7 +1,7 @@
 """An editor that debugs: a conversation with `pdp8 dap`, held by Microsoft's own client under Node.js.
 
-    seen = play(folder, *launched({"program": "hello.pal"}), ["continue", {}, "stopped"])
-    seen.answers[-1]["event"]["reason"], seen.page
+seen = play(folder, *launched({"program": "hello.pal"}), ["continue", {}, "stopped"])
+seen.answers[-1]["event"]["reason"], seen.page
 """
 
 import json
@@ -37,7 +37,11 @@ def play(folder: Path, *steps: Step, port: int = 0) -> Seen:
     """Hold a conversation: each step is a request, its arguments, the event that is to come of it."""
     if NODE is None or not (NPM / "node_modules" / "@vscode").exists():
         pytest.skip("the debug client is not installed: npm install --prefix tests/node")
-    asked = {"adapter": [str(BIN / "pdp8"), "dap"], "port": port, "steps": [[*step, *({}, None)[len(step) - 1 :]] for step in steps]}
+    asked = {
+        "adapter": [str(BIN / "pdp8"), "dap"],
+        "port": port,
+        "steps": [[*step, *({}, None)[len(step) - 1 :]] for step in steps],
+    }
     done = subprocess.run(
         [NODE, str(CLIENT)],
         input=json.dumps(asked),
