@@ -20,6 +20,9 @@ crossreference where each symbol is defined and used
 record         an assembly as JSON
 disassembler   words and tapes back to source
 lexer          PAL III in colour, for Pygments
+document       a source as an editor asks about it; meaning   what words and names mean
+columns        a source set in columns
+server         the language server
 notebook       an assembly as a notebook shows it
 cli            the commands `pal` and `dis`
 """

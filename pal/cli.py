@@ -57,6 +57,7 @@ class AssemblyError(WorkError):
     show_default=True,
     help="Print so many errors and notes, and count the rest.",
 )
+@click.option("--lsp", is_flag=True, help="Serve an editor on standard input and output (docs/editors.md).")
 @click.option("--modern", is_flag=True, help="Read lower case as capitals; nothing else differs.")
 @click.option(
     "--for",
@@ -87,6 +88,7 @@ def pal(
     dialect: str,
     color: str,
     max_errors: int,
+    lsp: bool,
     modern: bool,
     model: str | None,
     high_speed_reader: bool,
@@ -109,6 +111,9 @@ def pal(
       pal game.pa --dialect pal8           # literals, PAGE, TEXT, conditions
       pal eia.pal --check --strict         # for an editor, or CI
     """
+    if lsp:
+        _serve(dialect)
+        return
     if not sources:
         raise click.UsageError("no SOURCE: name a file, or - for standard input")
     tape = output or _beside(sources[0])
@@ -205,6 +210,17 @@ def _punch(name: str, rim: bool, force: bool, errors: int, assembly: Assembly) -
         shelf.write(name, assembly.tape)
     if errors:
         raise AssemblyError(f"{_counted(errors)}; {name} punched all the same")
+
+
+def _serve(dialect: str) -> None:
+    """Be the language server, until the editor ends it."""
+    from importlib.metadata import version
+
+    try:
+        from pal import server
+    except ImportError:
+        raise AssemblyError('--lsp needs pygls: pip install "pdp8[lsp]"') from None
+    server.made(version("pdp8"), dialect).start_io()
 
 
 def _beside(source: str) -> str:

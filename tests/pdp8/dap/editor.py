@@ -37,11 +37,8 @@ def play(folder: Path, *steps: Step, port: int = 0) -> Seen:
     """Hold a conversation: each step is a request, its arguments, the event that is to come of it."""
     if NODE is None or not (NPM / "node_modules" / "@vscode").exists():
         pytest.skip("the debug client is not installed: npm install --prefix tests/node")
-    asked = {
-        "adapter": [str(BIN / "pdp8"), "dap"],
-        "port": port,
-        "steps": [[*step, *({}, None)[len(step) - 1 :]] for step in steps],
-    }
+    whole = [[*step, *({}, None)[len(step) - 1 :]] for step in steps]
+    asked = {"adapter": [str(BIN / "pdp8"), "dap"], "port": port, "steps": whole}
     done = subprocess.run(
         [NODE, str(CLIENT)],
         input=json.dumps(asked),

@@ -163,8 +163,8 @@ def test_a_program_that_waits_is_typed_to_paused_and_restarted(folder: Path) -> 
         ["evaluate", {"expression": "PC"}],
         ["terminate", {}, "terminated"],
     )
-    assert seen.answers[5]["error"] == "the machine runs: pause comes first"
-    assert [answer["error"] for answer in seen.answers if "error" in answer] == [seen.answers[5]["error"]]
+    assert seen.answers[4]["error"] == "the machine runs: pause comes first"
+    assert [answer["error"] for answer in seen.answers if "error" in answer] == [seen.answers[4]["error"]]
     assert seen.page == "PAL"
     assert stops(seen) == ["entry", "pause", "entry"]
     assert seen.answers[-2]["body"]["result"] == "0200"

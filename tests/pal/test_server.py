@@ -1,0 +1,121 @@
+"""`pal --lsp`, asked by a real client (pytest-lsp): what an editor shows is what `pal` says."""
+
+import asyncio
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from lsprotocol import types as lsp
+from pytest_lsp import make_test_lsp_client
+
+import pal
+from pal.columns import formatted
+from tapes import shelf
+from tests.commands import BIN, run
+
+SOURCE = """\
+/ TWO COMMENTS
+/ ABOVE
+COUNT=20
+*200
+START, CLA CMA IAC
+\tDCA COUNT /KEEP
+LOOP,\tTAD I 10
+\tISZ COUNT
+\tJMP LOOP
+\tJMP CUONT
+$
+"""
+URI = "file:///tmp/loop.pal"
+HERE = lsp.TextDocumentIdentifier(URI)
+
+
+async def _ask(folder: Path) -> dict[str, Any]:
+    client = make_test_lsp_client()
+    await client.start_io(str(BIN / "pal"), "--lsp")
+    await client.initialize_session(
+        lsp.InitializeParams(capabilities=lsp.ClientCapabilities(), root_uri=folder.as_uri())
+    )
+    client.text_document_did_open(lsp.DidOpenTextDocumentParams(lsp.TextDocumentItem(URI, "pal", 1, SOURCE)))
+    await client.wait_for_notification(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
+    found: dict[str, Any] = {"diagnostics": list(client.diagnostics[URI])}
+
+    def at(line: int, column: int) -> dict[str, Any]:
+        return {"text_document": HERE, "position": lsp.Position(line, column)}
+
+    for name, line, column in (("or", 4, 9), ("tad", 6, 6), ("count", 5, 7), ("comment", 5, 12)):
+        hover = await client.text_document_hover_async(lsp.HoverParams(**at(line, column)))
+        found[f"hover {name}"] = hover and hover.contents.value  # type: ignore[union-attr]
+    found["definition"] = await client.text_document_definition_async(lsp.DefinitionParams(**at(8, 6)))
+    context = lsp.ReferenceContext(include_declaration=True)
+    found["references"] = await client.text_document_references_async(
+        lsp.ReferenceParams(context=context, **at(5, 6))
+    )
+    found["rename"] = await client.text_document_rename_async(lsp.RenameParams(new_name="TALLY", **at(5, 6)))
+    found["no rename"] = await client.text_document_rename_async(lsp.RenameParams(new_name="X", **at(8, 2)))
+    found["completion"] = await client.text_document_completion_async(lsp.CompletionParams(**at(8, 1)))
+    found["symbols"] = await client.text_document_document_symbol_async(lsp.DocumentSymbolParams(HERE))
+    found["folding"] = await client.text_document_folding_range_async(lsp.FoldingRangeParams(HERE))
+    options = lsp.FormattingOptions(tab_size=8, insert_spaces=False)
+    found["format"] = await client.text_document_formatting_async(lsp.DocumentFormattingParams(HERE, options))
+    client.text_document_did_change(
+        lsp.DidChangeTextDocumentParams(
+            lsp.VersionedTextDocumentIdentifier(2, URI),
+            [lsp.TextDocumentContentChangeWholeDocument("*200\n\tHLT\n$\n")],
+        )
+    )
+    await client.wait_for_notification(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
+    found["mended"] = list(client.diagnostics[URI])
+    await client.shutdown_session()
+    await client.stop()  # type: ignore[no-untyped-call]
+    return found
+
+
+def spans(places: list[Any]) -> list[tuple[int, int, int]]:
+    ranges = [place.range for place in places]
+    return [(each.start.line, each.start.character, each.end.character) for each in ranges]
+
+
+def test_an_editor_asks_for_all_there_is(tmp_path: Path) -> None:
+    found = asyncio.run(_ask(tmp_path))
+    (tmp_path / "loop.pal").write_text(SOURCE)
+    run("pal", "loop.pal", "--force", "--json", "loop.json", folder=tmp_path)
+    said = json.loads((tmp_path / "loop.json").read_text())["diagnostics"]
+    ranges = [each.range for each in found["diagnostics"]]
+    codes = [each.code for each in found["diagnostics"]]
+    shown = [
+        (each.start.line + 1, each.start.character + 1, code)
+        for each, code in zip(ranges, codes, strict=True)
+    ]
+    assert shown == [(each["line"], each["column"], each["code"]) for each in said]
+    assert shown[0] == (10, 6, "UA")
+    assert "complement the AC; increment the AC" in found["hover or"]
+    assert "1 cycle, 1.6 µs" in found["hover or"]
+    assert "0010 holds the address, and is incremented first" in found["hover tad"]
+    assert "3 cycles, 4.8 µs" in found["hover tad"]
+    assert "`COUNT` = 0020, defined in line 3, used 2 times" in found["hover count"]
+    assert found["hover comment"] is None
+    assert spans(found["definition"]) == [(6, 0, 4)]
+    places = [(2, 0, 5), (5, 5, 10), (7, 5, 10)]
+    assert spans(found["references"]) == places
+    assert spans(found["rename"].changes[URI]) == places
+    assert found["no rename"] is None
+    assert {"LOOP", "COUNT", "TAD", "FIELD"} <= {item.label for item in found["completion"]}
+    assert [(each.name, each.detail) for each in found["symbols"]] == [
+        ("COUNT", "0020"),
+        ("START", "0200"),
+        ("LOOP", "0202"),
+    ]
+    assert [(each.start_line, each.end_line) for each in found["folding"]] == [(3, 10), (0, 1)]
+    assert found["format"][0].new_text.splitlines()[4:6] == ["START,\tCLA CMA IAC", "\tDCA COUNT\t/KEEP"]
+    assert found["mended"] == []
+
+
+@pytest.mark.parametrize("name", ["eia.pal", "echo.pal", "hello.pal"])
+def test_columns_change_no_word(name: str) -> None:
+    source = shelf.read(name).decode()
+    text = formatted(source.replace("\t", "  "), "pal3")
+    assert text != source.replace("\t", "  ")
+    assert pal.assemble(text).words == pal.assemble(source).words
+    assert formatted(text, "pal3") == text
