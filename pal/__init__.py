@@ -19,7 +19,7 @@ dialects       what PAL III has for what other assemblers know
 crossreference where each symbol is defined and used
 record         an assembly as JSON
 disassembler   words and tapes back to source
-lexer          PAL III in colour, for Pygments
+lexer          PAL III in colour, for Pygments; grammar   the same for editors
 document       a source as an editor asks about it; meaning   what words and names mean
 columns        a source set in columns
 server         the language server
