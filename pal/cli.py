@@ -214,13 +214,11 @@ def _punch(name: str, rim: bool, force: bool, errors: int, assembly: Assembly) -
 
 def _serve(dialect: str) -> None:
     """Be the language server, until the editor ends it."""
-    from importlib.metadata import version
-
     try:
         from pal import server
     except ImportError:
         raise AssemblyError('--lsp needs pygls: pip install "pdp8[lsp]"') from None
-    server.made(version("pdp8"), dialect).start_io()
+    server.made(dialect).start_io()
 
 
 def _beside(source: str) -> str:

@@ -10,13 +10,14 @@ from pal import columns, meaning
 from pal.diagnostics import Diagnostic
 from pal.document import NAME, TAG, Document, Span
 
+_VERSION = "1"
 _Placed = lsp.HoverParams | lsp.DefinitionParams | lsp.ReferenceParams | lsp.RenameParams
 _SEVERITIES = {True: lsp.DiagnosticSeverity.Error, False: lsp.DiagnosticSeverity.Warning}
 
 
-def made(version: str, dialect: str) -> LanguageServer:
+def made(dialect: str) -> LanguageServer:
     """Return a server that takes sources to be in `dialect`."""
-    server = LanguageServer("pal", version)
+    server = LanguageServer("pal", _VERSION)
     documents: dict[str, Document] = {}
 
     def document(uri: str) -> Document:

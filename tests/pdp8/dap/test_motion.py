@@ -102,7 +102,7 @@ def test_the_callers_are_those_that_called(source: str) -> None:
     machine.teletype.reader.load(bytes(0o200 | code for code in b"N10 X3\r\n"))
     stack = Stack()
     depths = set()
-    for _ in range(3000):
+    for _ in range(1200):
         if machine.run(instructions=1).reason not in ("limit", "halt"):
             break
         core = list(machine.core)
