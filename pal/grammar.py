@@ -52,7 +52,7 @@ def _patterns() -> Iterator[tuple[str, str]]:
     for pattern, token in PalLexer.tokens["root"]:
         if token is Name:
             for known, kind in _PAL8:
-                yield f"\\b{known.get()}", _SCOPES[kind]
+                yield f"\\b{known.get()}", _SCOPES[kind]  # type: ignore[no-untyped-call]
         if token in _SCOPES:
             yield pattern if isinstance(pattern, str) else f"\\b{pattern.get()}", _SCOPES[token]
 

@@ -3,6 +3,7 @@
 import os
 import socket
 import sys
+from contextlib import redirect_stdout
 from typing import BinaryIO
 
 import click
@@ -36,8 +37,8 @@ def _at_standard_streams() -> None:
     error.
     """
     reader, writer = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
-    with open(os.devnull) as nothing:
-        sys.stdin, sys.stdout = nothing, sys.stderr
+    with open(os.devnull) as nothing, redirect_stdout(sys.stderr):
+        sys.stdin = nothing
         Session(Wire(reader, writer)).serve()
 
 

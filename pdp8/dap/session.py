@@ -14,7 +14,7 @@ from pdp8.dap.breakpoints import Breakpoints
 from pdp8.dap.debuggee import Debuggee, Halt
 from pdp8.dap.launch import Launch
 from pdp8.dap.stops import STOPS, place_lines
-from pdp8.dap.wire import Body, Wire
+from pdp8.dap.wire import NOTHING, Body, Wire
 from tapes.errors import WorkError
 
 _THREAD = 1
@@ -76,7 +76,7 @@ class Session:
             message = self._wire.receive(wait=not (self._runs and self._loaded.advances))
             if message is None:
                 self._ended = True
-            elif message:
+            elif message is not NOTHING:
                 self._answer(message)
             else:
                 self._advance()

@@ -17,6 +17,8 @@ from tapes.errors import WorkError
 
 Body = dict[str, Any]
 
+NOTHING: Body = {}
+"""What stands for a message where none has come yet."""
 _LONGEST = 1 << 24
 """Bytes of a message."""
 
@@ -52,14 +54,14 @@ class Wire:
             self._come.put(message)
 
     def receive(self, wait: bool = True) -> Body | None:
-        """Return the next message; without `wait` an empty one if none has come; None at the end.
+        """Return the next message; without `wait` NOTHING if none has come; None at the end.
 
         Raises WireError.
         """
         try:
             message = self._come.get(block=wait)
         except Empty:
-            return {}
+            return NOTHING
         if isinstance(message, WireError):
             raise message
         return message
