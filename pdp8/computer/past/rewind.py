@@ -8,7 +8,7 @@
 Each raises HistoryError, and leaves the machine as it is, where the history does not go back so far.
 """
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Iterator
 
 from pal.isa import FETCH
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
@@ -65,30 +65,33 @@ def blocks(history: History, count: int = 1) -> None:
 
 def until_left(history: History, address: int) -> None:
     """Undo as far as before `address` was last executed, or after the last JMS to it."""
-    until_stopped(history, {address}, (), f"nothing was executed at {address:04o}")
+    until_stopped(history, {address}, set(), f"nothing was executed at {address:04o}")
 
 
 def until_written(history: History, address: int) -> None:
     """Undo as far as before the last instruction that wrote the word at `address`."""
-    until_stopped(history, (), {address}, f"nothing was written at {address:04o}")
+    until_stopped(history, set(), {address}, f"nothing was written at {address:04o}")
 
 
 def until_stopped(
-    history: History, breakpoints: Collection[int], writes: Collection[int], otherwise: str = "no breakpoint"
+    history: History, breakpoints: set[int], writes: set[int], otherwise: str = "no breakpoint was come to"
 ) -> None:
     """Undo as far as the last of what `until_left` and `until_written` go to, for any of these addresses."""
 
-    def step(machine: Machine, clock: int) -> Iterator[int]:
-        p, watch = machine.processor, machine.watch
-        watch.breakpoints, watch.writes = set(breakpoints), set(writes)
-        if p.pc in breakpoints and p.next == FETCH:
-            yield machine.instructions
+    def step(machine: Machine, clock: int) -> list[int]:
+        watch = machine.watch
+        watch.breakpoints = breakpoints
+        watch.writes = writes
+        found: list[int] = []
+        if machine.pc in breakpoints and machine.processor.next == FETCH:
+            found.append(machine.instructions)
         if _run_to(machine, clock) is Reason.BREAKPOINT:
-            called = watch.called(p)
+            called = watch.called(machine.processor)
             if watch.reached and not called:
-                yield machine.instructions - 1
-            if called or p.pc in breakpoints:
-                yield machine.instructions
+                found.append(machine.instructions - 1)
+            if called or machine.pc in breakpoints:
+                found.append(machine.instructions)
+        return found
 
     _search(history, step, otherwise)
 
@@ -99,22 +102,21 @@ def until_flag(history: History, code: int) -> None:
     if device is None:
         raise HistoryError(f"device {code:02o} is not fitted")
 
-    def step(machine: Machine, clock: int) -> Iterator[int]:
+    def step(machine: Machine, clock: int) -> list[int]:
         down = not device.flag
         _run_to(machine, min(clock, machine.bus.next_event(machine.processor.clock)))
-        if down and device.flag:
-            yield machine.instructions
+        return [machine.instructions] if down and device.flag else []
 
     _search(history, step, f"the flag of device {code:02o} did not rise")
 
 
-_Step = Callable[[Machine, int], Iterator[int]]
+_Step = Callable[[Machine, int], list[int]]
 
 
 def _search(history: History, step: _Step, otherwise: str) -> None:
     """Go to the last moment that `step` finds.
 
-    A step runs a machine to a tick at most, and yields the number of instructions at what it finds.
+    A step runs a machine to a tick at most, and returns the numbers of instructions at what it finds.
     """
     machine = history.machine
     now, end = machine.instructions, machine.processor.clock
