@@ -119,3 +119,8 @@ def test_columns_change_no_word(name: str) -> None:
     assert text != source.replace("\t", "  ")
     assert pal.assemble(text).words == pal.assemble(source).words
     assert formatted(text, "pal3") == text
+
+
+def test_columns_leave_texts_alone() -> None:
+    source = '*200\n  CLA  /X\n TEXT "A / B"\n$\n'
+    assert formatted(source, "pal8") == '*200\n\tCLA\t\t/X\n TEXT "A / B"\n$\n'

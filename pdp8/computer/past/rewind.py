@@ -86,11 +86,10 @@ def until_stopped(
         if machine.pc in breakpoints and machine.processor.next == FETCH:
             found.append(machine.instructions)
         if _run_to(machine, clock) is Reason.BREAKPOINT:
-            called = watch.called(machine.processor)
-            if watch.reached and not called:
-                found.append(machine.instructions - 1)
-            if called or machine.pc in breakpoints:
+            if watch.called(machine.processor):
                 found.append(machine.instructions)
+            elif watch.reached:
+                found.append(machine.instructions - 1)
         return found
 
     _search(history, step, otherwise)
