@@ -1,7 +1,5 @@
 """The `pdp8 nc` commands: list, cut, plot, inspect and export an EIA tape at the Hydra-Point."""
 
-from os.path import basename, splitext
-from sys import stdout
 from typing import Any
 
 import click
@@ -16,10 +14,11 @@ from nc.options import (
     tape_options,
     within,
 )
-from tapes import command, shelf
+from tapes import command
+from tapes.arguments import Group, Target, output
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(cls=Group)
 def nc() -> None:
     """The Moog Hydra-Point: list, cut, plot, inspect and export an EIA tape.
 
@@ -51,7 +50,7 @@ def list_(modes: bool, **options: Any) -> None:
     from nc.listing import lines
 
     path, error = cut_so_far(**options)
-    click.echo("\n".join(lines(path, modes)))
+    command.echo("\n".join(lines(path, modes)))
     if error is not None:
         raise error
 
@@ -79,7 +78,7 @@ def cut(passes: int, **options: Any) -> None:
     from nc.report import cut_report
 
     path, error = cut_so_far(**options)
-    click.echo("\n".join(cut_report(path, passes)))
+    command.echo("\n".join(cut_report(path, passes)))
     if error is not None:
         raise error
 
@@ -105,13 +104,9 @@ def cut(passes: int, **options: Any) -> None:
     show_default=True,
     help="Scale of the close view.",
 )
-@command.output("FILE.svg", None, "Where to.")
-def plot(
-    output: str | None, block: int | None, at: tuple[float, float] | None, zoom: float, **options: Any
-) -> None:
+@output(Target("SVG"), "FILE.svg")
+def plot(output: str, block: int | None, at: tuple[float, float] | None, zoom: float, **options: Any) -> None:
     """Draw the path and the cut surface to scale as SVG.
-
-    The drawing goes to standard output, or where that is a terminal to the tape's name with .svg.
 
     \b
     Examples:
@@ -121,7 +116,6 @@ def plot(
     """
     from nc.plot import plot as drawing
 
-    command.check_files([options["tape"]], [output])
     path = cut_tape(**options)
     close_at = (at[0] * 1000, at[1] * 1000) if at else None
     text = drawing(
@@ -133,20 +127,22 @@ def plot(
         zoom=(zoom, zoom),
         close_at=close_at,
     )
-    _put(text, output or _beside(options["tape"], ".svg"))
+    command.put(output, text)
 
 
 @nc.command()
 @tape_options
 @curve_options
-@click.option("--talyrond", metavar="FILE.svg", help="Draw the polar graph of both walls.")
+@click.option(
+    "--talyrond", type=Target("SVG"), metavar="FILE.svg", help="Draw the polar graph of both walls."
+)
 @click.option(
     "--magnification",
     type=click.IntRange(1),
     metavar="TIMES",
     help="Of the polar graph; 100 by default, or what fits.",
 )
-@click.option("--talysurf", metavar="FILE.svg", help="Draw both walls laid out straight.")
+@click.option("--talysurf", type=Target("SVG"), metavar="FILE.svg", help="Draw both walls laid out straight.")
 @click.option(
     "--stretch",
     callback=numbers("FROM,TO"),
@@ -177,7 +173,6 @@ def inspect(
 
     if stretch and not talysurf:
         raise click.UsageError("--stretch needs --talysurf")
-    command.check_files([options["tape"]], [talyrond, talysurf])
     path = cut_tape(**options)
     found = measure(path, curve(**options), options["cutter"] * 1000, options["tolerance"] * 1000)
     drawings = []
@@ -191,9 +186,12 @@ def inspect(
         part = (stretch[0] * 1000, stretch[1] * 1000) if stretch else None
         drawings.append((talysurf, trace(found, part)))
     for name, text in drawings:
-        _put(text, name)
-    to_standard_output = any(name == "-" for name, _ in drawings)
-    click.echo("\n".join(inspection_report(found)), err=to_standard_output)
+        command.put(name, text)
+    report = "\n".join(inspection_report(found))
+    if any(name == "-" for name, _ in drawings):
+        command.tell(report)
+    else:
+        command.echo(report)
 
 
 @nc.command()
@@ -201,7 +199,7 @@ def inspect(
 @curve_options
 @click.option("--gcode", is_flag=True, help="RS-274, one linear move a block, for today's controllers.")
 @click.option("--dxf", is_flag=True, help="A drawing of the path (needs ezdxf, the extra `nc`).")
-@command.output()
+@output(Target("text"))
 def export(gcode: bool, dxf: bool, output: str, **options: Any) -> None:
     """Write the path as G-code or DXF, in inches.
 
@@ -212,28 +210,12 @@ def export(gcode: bool, dxf: bool, output: str, **options: Any) -> None:
     """
     if gcode == dxf:
         raise click.UsageError("give one of --gcode and --dxf")
-    command.check_files([options["tape"]], [output])
     path = cut_tape(**options)
     if gcode:
         from nc.gcode import gcode as program
 
-        _put("\n".join(program(path)) + "\n", output)
+        command.put(output, "\n".join(program(path)) + "\n")
         return
     from nc.dxf import dxf as drawing
 
-    _put(drawing(path, curve_or_followed(path, **options), options["cutter"] * 1000), output)
-
-
-def _beside(tape: str, suffix: str) -> str:
-    """Return the default output of a drawing: standard output, or a file if that is a terminal."""
-    if tape == "-" or not stdout.isatty():
-        return "-"
-    return splitext(basename(tape))[0] + suffix
-
-
-def _put(text: str, output: str) -> None:
-    if output == "-":
-        click.echo(text.encode(), nl=False)
-        return
-    shelf.write(output, text.encode())
-    click.echo(f"wrote {output}", err=True)
+    command.put(output, drawing(path, curve_or_followed(path, **options), options["cutter"] * 1000))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from tapes import shelf
-from tapes.command import Option
+from tapes.arguments import Option, Source
 from tapes.errors import WorkError, named, naming
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def within(
 def tape_options(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add the tape and the settings of the machine to a command."""
     options: tuple[_Decorator, ...] = (
-        click.argument("tape", metavar="[FILE.eia]", default="-"),
+        click.argument("tape", type=Source(), metavar="[FILE.eia]", default="-"),
         click.option("--strict", is_flag=True, help="Read as later controls did: odd parity, no blank rows."),
         click.option(
             "--feed-error",

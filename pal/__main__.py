@@ -1,5 +1,5 @@
-"""`python -m pal`: the command `pal`."""
+"""`python -m pal`: the command `pal`, with the bundled programs on the shelf."""
 
-from pal.cli import main
+from pdp8.cli import pal
 
-main()
+pal()

@@ -9,12 +9,14 @@ from pal.assembler import HIGH_SPEED_SYMBOLS, TELETYPE_SYMBOLS
 from pal.assembly import DIALECTS, FOUND, MOST, PAL8, Assembly, assemble
 from pal.diagnostics import Diagnostic
 from pal.models import MODELS
-from tapes import command, shelf
-from tapes.errors import WorkError, called, naming
+from tapes import arguments, command, shelf
+from tapes.arguments import Command, Folder, Source, Target, output
+from tapes.errors import WorkError, called, naming, visible
 from tapes.progress import Busy
 
 _LONG = 500_000
 """Bytes of source that take a second or so."""
+_TEXT = Target("text")
 _PASSES = ("pass1", "pass2", "pass3")
 
 
@@ -22,16 +24,26 @@ class AssemblyError(WorkError):
     """A source with errors: the last line of what is said about it."""
 
 
-@click.command(context_settings={"help_option_names": ["-h", "--help"]})
-@click.argument("sources", nargs=-1, metavar="SOURCE...")
-@command.output("FILE", None, "The tape; without it SOURCE's name with .bin.")
+@click.command(cls=Command)
+@click.argument("sources", type=Source(), nargs=-1, metavar="SOURCE...")
+@output(Target("tape"), "FILE", None, "Where to.  [default: SOURCE's name with .bin]")
 @click.option("--rim", is_flag=True, help="Punch a RIM tape instead of DEC's BIN tape.")
-@click.option("--listing", metavar="FILE", help="Write what pass 3 typed, with its symbol table.")
-@click.option("--symbols", metavar="FILE", help="Write the symbol table.")
-@click.option("--xref", metavar="FILE", help="Write each symbol, its value, where it is defined and used.")
-@click.option("--json", metavar="FILE", help="Write words, symbols, lines and diagnostics as JSON.")
+@click.option("--listing", type=_TEXT, metavar="FILE", help="Write what pass 3 typed, with its symbol table.")
+@click.option("--symbols", type=_TEXT, metavar="FILE", help="Write the symbol table.")
 @click.option(
-    "--tty", metavar="FOLDER", help="Write NAME.pass1, .pass2, .pass3: the raw frames of an ASR-33."
+    "--xref", type=_TEXT, metavar="FILE", help="Write each symbol, its value, where it is defined and used."
+)
+@click.option(
+    "--json",
+    type=Target("JSON"),
+    metavar="FILE",
+    help="Write words, symbols, lines and diagnostics as JSON.",
+)
+@click.option(
+    "--tty",
+    type=Folder(),
+    metavar="FOLDER",
+    help="Write NAME.pass1, .pass2, .pass3: the raw frames of an ASR-33.",
 )
 @click.option("--force", is_flag=True, help="Punch the tape in spite of errors, as DEC's assembler did.")
 @click.option("--strict", is_flag=True, help="Take notes for errors.")
@@ -119,7 +131,9 @@ def pal(
     tape = output or _beside(sources[0])
     if check and (output or listing or symbols or xref or json or tty):
         raise click.UsageError("--check writes nothing: leave the other outputs out")
-    command.check_files(sources, [None if check else tape, listing, symbols, xref, json])
+    passes = _passes(tty, sources[0])
+    written = [None if check else tape, listing, symbols, xref, json, *filter(os.path.exists, passes)]
+    arguments.check_files(sources, written)
     capacity = HIGH_SPEED_SYMBOLS if high_speed_reader else TELETYPE_SYMBOLS
     contents = [_read(source) for source in sources]
     names = [called(source) for source in sources]
@@ -133,10 +147,10 @@ def pal(
         raise click.UsageError("--tty writes the frames of PAL III's three passes; this is PAL8")
     coloured = {"auto": None, "always": True, "never": False}[color]
     for diagnostic in diagnostics[:max_errors]:
-        click.echo(_coloured(diagnostic), err=True, color=coloured)
+        command.tell(_coloured(diagnostic), styled=True, color=coloured)
     more = len(diagnostics) - max_errors
     if more > 0:
-        click.echo(f"and {more:,} more", err=True)
+        command.tell(f"and {more:,} more")
     errors = sum(diagnostic.error or strict for diagnostic in diagnostics)
     if assembly.stopped:
         raise AssemblyError(f"{_counted(errors)}: PAL III goes no further, nothing is written")
@@ -147,29 +161,30 @@ def pal(
     if listing:
         _put_listing(listing, assembly)
     if symbols:
-        _put(symbols, assembly.symbol_table)
+        command.put(symbols, assembly.symbol_table)
     if xref:
         from pal.crossreference import cross_reference, text
 
-        _put(xref, text(cross_reference(assembly)))
+        command.put(xref, text(cross_reference(assembly)))
     if json:
         from pal.record import as_json
 
-        _put(json, as_json(assembly))
+        command.put(json, as_json(assembly))
     if tty:
-        _put_passes(tty, sources[0], assembly)
+        command.put_all(tty, zip(map(os.path.basename, passes), assembly.teletype, strict=True))
     _punch(tape, rim, force, errors, assembly)
 
 
 def _coloured(diagnostic: Diagnostic) -> str:
     """Return a diagnostic in colours, which click leaves out where there is no terminal."""
-    place, severity, message = diagnostic.headline.partition(f" {diagnostic.severity}: ")
+    place, severity, message = visible(diagnostic.headline).partition(f" {diagnostic.severity}: ")
     severity = click.style(severity.strip(), fg="red" if diagnostic.error else "cyan", bold=True)
     headline = f"{click.style(place, bold=True)} {severity} {click.style(message, bold=True)}"
     carets = [
-        click.style(line, fg="green") if number else line for number, line in enumerate(diagnostic.excerpt)
+        click.style(line, fg="green") if number else line
+        for number, line in enumerate(map(visible, diagnostic.excerpt))
     ]
-    return "\n".join([headline, *carets, *diagnostic.sentences])
+    return "\n".join([headline, *carets, *map(visible, diagnostic.sentences)])
 
 
 def _read(name: str) -> bytes:
@@ -205,9 +220,9 @@ def _punch(name: str, rim: bool, force: bool, errors: int, assembly: Assembly) -
     if rim:
         from tapes.rim import encode
 
-        shelf.write(name, encode(assembly.words))
+        command.put(name, encode(assembly.words))
     else:
-        shelf.write(name, assembly.tape)
+        command.put(name, assembly.tape)
     if errors:
         raise AssemblyError(f"{_counted(errors)}; {name} punched all the same")
 
@@ -225,13 +240,6 @@ def _beside(source: str) -> str:
     return "-" if source == "-" else os.path.splitext(source)[0] + ".bin"
 
 
-def _put(name: str, text: str) -> None:
-    if name == "-":
-        click.echo(text, nl=False)
-    else:
-        shelf.write(name, text.encode("ascii"))
-
-
 def _put_listing(name: str, assembly: Assembly) -> None:
     if name == "-" and sys.stdout.isatty():
         from rich.console import Console
@@ -239,25 +247,21 @@ def _put_listing(name: str, assembly: Assembly) -> None:
 
         from pal.lexer import PalLexer
 
-        coloured = Syntax("", PalLexer(stripnl=False), theme="ansi_dark").highlight(assembly.listing)
+        coloured = Syntax("", PalLexer(stripnl=False), theme="ansi_dark").highlight(visible(assembly.listing))
         Console().print(coloured, soft_wrap=True)
     else:
-        _put(name, assembly.listing)
+        command.put(name, assembly.listing)
 
 
-def _put_passes(folder: str, source: str, assembly: Assembly) -> None:
-    try:
-        os.makedirs(folder, exist_ok=True)
-    except OSError as error:
-        raise shelf.ShelfError(f"{folder}: {error.strerror}") from error
+def _passes(folder: str | None, source: str) -> list[str]:
+    """Return the files of the three passes, none without a folder."""
     name = os.path.splitext(os.path.basename(source))[0] if source != "-" else "stdin"
-    for ending, frames in zip(_PASSES, assembly.teletype, strict=True):
-        shelf.write(os.path.join(folder, f"{name}.{ending}"), frames)
+    return [os.path.join(folder, f"{name}.{ending}") for ending in _PASSES] if folder else []
 
 
-@click.command(context_settings={"help_option_names": ["-h", "--help"]})
-@click.argument("tape", default="-")
-@command.output()
+@click.command(cls=Command)
+@click.argument("tape", type=Source(), default="-")
+@output(Target("source"))
 def dis(*, tape: str, output: str) -> None:
     """Disassemble a BIN or RIM tape to PAL III source that assembles to the same words and fields.
 
@@ -272,13 +276,12 @@ def dis(*, tape: str, output: str) -> None:
     from pal.disassembler import disassemble_tape
     from tapes.measure import left_out
 
-    command.check_files([tape], [output])
     frames = shelf.read(tape)
     with naming(tape):
         kind = _program_kind(frames)
         source = disassemble_tape(frames)
         notes = left_out(frames, kind)
-    _put(output, source)
+    command.put(output, source)
     command.say_of(tape, notes)
 
 

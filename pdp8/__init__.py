@@ -24,7 +24,8 @@ import warnings
 from collections.abc import Sequence
 from importlib import import_module
 from importlib.machinery import ModuleSpec, PathFinder
-from typing import TYPE_CHECKING
+
+TYPE_CHECKING = False  # as of typing, which would take longer to import than all the rest
 
 if TYPE_CHECKING:
     from types import ModuleType

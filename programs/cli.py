@@ -11,8 +11,9 @@ from programs.arithmetic import ARITHMETICS
 from programs.parts import PARTS, Part
 from programs.units import THOUSANDTHS
 from tapes import ascii, command, frames, shelf
+from tapes.arguments import Command, Group, Source, Target, output
 
-_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
+_SETTINGS = {"max_content_width": 100}
 
 _TAPE_OPTIONS: list[click.Parameter] = [
     click.Option(
@@ -33,7 +34,7 @@ _TAPE_OPTIONS: list[click.Parameter] = [
 ]
 
 
-class _Parts(click.Group):
+class _Parts(Group):
     """A command for each part program, which is imported when it is called."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
@@ -42,13 +43,10 @@ class _Parts(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         return _command(PARTS[cmd_name]) if cmd_name in PARTS else super().get_command(ctx, cmd_name)
 
-    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        parts = [
-            (name, PARTS[name].summary.split(". ")[0]) for name in self.list_commands(ctx) if name in PARTS
-        ]
-        own = [(name, command.get_short_help_str(limit=70)) for name, command in self.commands.items()]
-        with formatter.section("Commands"):
-            formatter.write_dl([*parts, *own])
+    def lines(self, ctx: click.Context) -> list[tuple[str, str]]:
+        own = [(name, f"{made.short_help}") for name, made in self.commands.items()]
+        parts = [name for name in self.list_commands(ctx) if name in PARTS]
+        return [*((name, PARTS[name].summary.split(". ")[0]) for name in parts), *own]
 
 
 @click.group(cls=_Parts, context_settings=_SETTINGS)
@@ -70,9 +68,9 @@ def _command(part: Part) -> click.Command:
 
     def punch(*, fill: int, parity: str, output: str, **values: Any) -> None:
         text = program(**options.arguments(program, values))
-        shelf.write(output, ascii.encode(text, parity, fill))
+        command.put(output, ascii.encode(text, parity, fill))
 
-    made = click.Command(
+    made = Command(
         part.name,
         callback=punch,
         params=[*options.parameters(program), *_TAPE_OPTIONS],
@@ -82,7 +80,7 @@ def _command(part: Part) -> click.Command:
         ),
         context_settings=_SETTINGS,
     )
-    return command.output()(made)
+    return output(Target("tape"))(made)
 
 
 class _Compared(_Parts):
@@ -114,13 +112,13 @@ def _comparison(part: Part) -> click.Command:
         first, second = values["arithmetic"], other
         one = program(**options.arguments(program, values)).splitlines()
         two = program(**options.arguments(program, {**values, "arithmetic": other})).splitlines()
-        click.echo(f"block  {first:19}  {second:19}")
+        command.echo(f"block  {first:19}  {second:19}")
         differing = 0
         for number, (left, right) in enumerate(zip_longest(one, two, fillvalue="-"), 1):
             if left != right:
                 differing += 1
-                click.echo(f"{number:5}  {left:19}  {right:19}")
-        click.echo(f"{part.name}: {len(one)} blocks {first}, {len(two)} {second}, {differing} differ")
+                command.echo(f"{number:5}  {left:19}  {right:19}")
+        command.echo(f"{part.name}: {len(one)} blocks {first}, {len(two)} {second}, {differing} differ")
 
     other = click.Option(
         ["--with", "other"],
@@ -130,7 +128,7 @@ def _comparison(part: Part) -> click.Command:
         help="The arithmetic to compare with.",
     )
     examples = [f"pdp8 part compare {part.name}", f"pdp8 part compare {part.name} --with cdc6400"]
-    return click.Command(
+    return Command(
         part.name,
         callback=show,
         params=[other, *options.parameters(program)],
@@ -142,7 +140,7 @@ def _comparison(part: Part) -> click.Command:
 
 
 @part.command(short_help="A function from measured points")
-@click.argument("points", metavar="POINTS", default="-")
+@click.argument("points", type=Source(), metavar="[POINTS]", default="-")
 @click.option(
     "--degree",
     type=click.IntRange(0),
@@ -168,12 +166,12 @@ def fit(points: str, degree: int) -> None:
 
     with naming(points):
         found = least_squares.fit(least_squares.read(convert.typed(shelf.read(points))), degree)
-    click.echo(found.expression)
-    click.echo(f"at most {found.worst:.4f} in from a point", err=True)
+    command.echo(found.expression)
+    command.tell(f"at most {found.worst:.4f} in from a point")
 
 
 @part.command(short_help="The other hand of a part")
-@click.argument("tape", metavar="FILE.asc", default="-")
+@click.argument("tape", type=Source(), metavar="[FILE.asc]", default="-")
 @click.option(
     "--across", type=click.Choice(["x", "y"]), default="x", show_default=True, help="The axis to reflect."
 )
@@ -183,7 +181,7 @@ def fit(points: str, degree: int) -> None:
     metavar="INCHES",
     help="Where the mirror is; the middle of the part by default.",
 )
-@command.output()
+@output(Target("tape"))
 def mirror(
     tape: str, across: Literal["x", "y"], about: float | None, fill: int, parity: str, output: str
 ) -> None:
@@ -199,12 +197,11 @@ def mirror(
     from tapes.convert import convert
     from tapes.errors import naming
 
-    command.check_files([tape], [output])
     content = shelf.read(tape)
     with naming(tape):
         text = convert(content, kinds.classify(content), "text").decode()
         other = mirrored(text, across, about)
-    shelf.write(output, ascii.encode(other, parity, fill))
+    command.put(output, ascii.encode(other, parity, fill))
 
 
 mirror.params += _TAPE_OPTIONS

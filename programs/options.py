@@ -22,7 +22,7 @@ from programs.arithmetic import ARITHMETICS, Arithmetic
 from programs.drill import Holes
 from programs.parts import PartProgram
 from programs.units import INCHES, Unit, UnitError
-from tapes.command import Option
+from tapes.arguments import Option
 
 
 def parameters(part: PartProgram) -> list[click.Parameter]:

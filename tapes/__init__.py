@@ -24,7 +24,8 @@ notebook    a tape that a notebook draws
 measure     what can be said of a tape: its length, time, lines, checksum
 convert     from one code to another
 shelf       where files are found, read and written
-command     how every command ends
+arguments   the files that a command takes: completed, compared, never lost
+command     how every command ends, and what it says
 progress    a bar on work that lasts
 expression  y = f(x) as a command takes it
 errors      what is raised when the work given is wrong

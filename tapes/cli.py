@@ -6,10 +6,12 @@ import click
 
 from tapes import ascii, captions, command, eia, frames, hydrapoint, kinds, measure, picture, progress, shelf
 from tapes import convert as codes
+from tapes.arguments import Group, Option, Source, Target, output
 from tapes.errors import TapeError, called, naming
 
 _AUTO = "auto"
-_output = command.output()
+_output = output(Target("tape"))
+_file = click.argument("file", type=Source(), default="-")
 _parity = click.option(
     "--parity",
     type=click.Choice(list(frames.PARITIES)),
@@ -19,7 +21,7 @@ _parity = click.option(
 )
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(cls=Group)
 def tape() -> None:
     """Show, measure, convert and punch paper tapes.
 
@@ -35,7 +37,7 @@ def tape() -> None:
 
 
 @tape.command()
-@click.argument("file", default="-")
+@_file
 @click.option(
     "--from",
     "first",
@@ -53,7 +55,12 @@ def tape() -> None:
     show_default=True,
     help="What the captions take the tape for.",
 )
-@click.option("--svg", metavar="FILE", help="Draw it in true size as SVG into FILE (- for standard output).")
+@click.option(
+    "--svg",
+    type=Target("SVG"),
+    metavar="FILE",
+    help="Draw it in true size as SVG into FILE (- for standard output).",
+)
 @click.option(
     "--strip",
     type=click.IntRange(1),
@@ -76,7 +83,6 @@ def show(
     """
     if last is not None and count is not None:
         raise click.UsageError("--to and --frames both say where to end: give one of them")
-    command.check_files([file], [svg])
     if last is not None and last < first:
         raise click.UsageError(f"--to {last} lies before --from {first}")
     content = shelf.read(file)
@@ -85,16 +91,16 @@ def show(
     stop = first + count if count is not None else None if last is None else last + 1
     code = kinds.classify(content) if code == _AUTO else code
     if svg is None:
-        click.echo(picture.text(content, code, first, stop), nl=False)
+        command.echo(picture.text(content, code, first, stop), nl=False)
         for label in captions.labels(content, code):
             for row in frames.draw_label(content[:stop][max(first, label.start) : label.stop]):
-                click.echo(f"   label    {row}".rstrip())
+                command.echo(f"   label    {row}".rstrip())
     else:
-        _put_text(svg, picture.svg(content, code, first, stop, strip).encode())
+        command.put(svg, picture.svg(content, code, first, stop, strip))
 
 
 @tape.command()
-@click.argument("files", nargs=-1)
+@click.argument("files", type=Source(), nargs=-1, callback=lambda _, __, files: files or ("-",))
 def info(files: tuple[str, ...]) -> None:
     """Say what each tape is, how long, how many minutes it takes, its lines or blocks, parity and checksum.
 
@@ -103,18 +109,18 @@ def info(files: tuple[str, ...]) -> None:
       pdp8 tape info circle.asc circle.eia
       pdp8 part ellipse | pdp8 tape info -
     """
-    for file in files or ("-",):
+    for file in files:
         report = measure.report(shelf.read(file))
-        click.echo(called(file))
+        command.echo(called(file))
         for name, value in report:
-            click.echo(f"    {name:10} {value}".rstrip())
+            command.echo(f"    {name:10} {value}".rstrip())
 
 
 @tape.command()
-@click.argument("file", default="-")
+@_file
 @click.option(
     "--code",
-    cls=command.Option,
+    cls=Option,
     also=("--from",),
     type=click.Choice([_AUTO, *codes.CODES]),
     default=_AUTO,
@@ -135,7 +141,7 @@ def info(files: tuple[str, ...]) -> None:
     metavar="FRAMES",
     help="RUBOUTs after CR LF; 6, or as an ASCII tape has them.",
 )
-@_output
+@output(Target())
 def convert(*, file: str, code: str, target: str, parity: str, fill: int | None, output: str) -> None:
     """Convert a tape: characters (text, ascii, eia), words (bin, rim), or any to octal digits and back to
     frames.
@@ -148,21 +154,17 @@ def convert(*, file: str, code: str, target: str, parity: str, fill: int | None,
       pdp8 tape convert eia.bin --to octal > eia.txt
       pdp8 tape convert eia.txt --code octal --to frames -o eia.bin
     """
-    command.check_files([file], [output])
     content = shelf.read(file)
     found = kinds.classify(content) if code == _AUTO else code
     with naming(file):
         converted = codes.convert(content, found, target, parity, fill)
-    if target in ("text", "octal"):
-        _put_text(output, converted)
-    else:
-        shelf.write(output, converted)
+    command.put(output, converted.decode() if target in ("text", "octal") else converted)
     if found in codes.WORDS and target in codes.WORDS:
         command.say_of(file, measure.left_out(content, found))
 
 
 @tape.command()
-@click.argument("file", metavar="FILE.eia", default="-")
+@click.argument("file", type=Source(), metavar="[FILE.eia]", default="-")
 @_output
 def clean(*, file: str, output: str) -> None:
     """Keep only the digits and ends of block of an EIA tape, as a second pass through a Flexowriter did.
@@ -174,15 +176,14 @@ def clean(*, file: str, output: str) -> None:
     Examples:
       pdp8 run eia2.pal < circle.asc | pdp8 tape clean > circle.eia
     """
-    command.check_files([file], [output])
     content = shelf.read(file)
     with naming(file):
         cleaned = eia.clean(content)
-    shelf.write(output, cleaned)
+    command.put(output, cleaned)
 
 
 @tape.command()
-@click.argument("file", default="-")
+@_file
 @click.option(
     "--code", type=click.Choice(["ascii", "eia"]), default="ascii", show_default=True, help="The tape's code."
 )
@@ -223,7 +224,6 @@ def punch(
       pdp8 tape punch eia.pal --parity even --leader 100 -o eia.asc  # for PAL III
       echo "001 0 00000 00000 0 35 88" | pdp8 tape punch --code eia -o drill.eia
     """
-    command.check_files([file], [output])
     content = shelf.read(file)
     with naming(file):
         text = codes.typed(content)
@@ -233,13 +233,18 @@ def punch(
             punched = eia.encode(text, skip=" " if drop_spaces else "")
         else:
             punched = ascii.encode(text.replace(" ", "") if drop_spaces else text, parity, fill)
-    shelf.write(output, frames.blank(leader) + punched + frames.blank(leader))
+    command.put(output, frames.blank(leader) + punched + frames.blank(leader))
 
 
 @tape.command()
-@click.argument("photos", nargs=-1, required=True)
+@click.argument("photos", type=Source(), nargs=-1, required=True)
 @click.option("--underside", is_flag=True, help="The tape was photographed from below.")
-@click.option("--page", metavar="FILE", help="Write a page to look at what was read, and to correct it.")
+@click.option(
+    "--page",
+    type=Target("HTML"),
+    metavar="FILE",
+    help="Write a page to look at what was read, and to correct it.",
+)
 @_output
 def read(*, photos: tuple[str, ...], underside: bool, page: str | None, output: str) -> None:
     """Read photographs or scans of a tape into frames, one picture after another.
@@ -254,7 +259,6 @@ def read(*, photos: tuple[str, ...], underside: bool, page: str | None, output: 
       pdp8 tape read photo.png > photo.asc
       pdp8 tape read left.jpg right.jpg --page look.html -o found.bin
     """
-    command.check_files(photos, [output, page])
     if find_spec("cv2") is None:
         raise TapeError("reading a picture needs OpenCV: pip install 'pdp8[vision]'")
     from tapes import correction, photograph
@@ -266,10 +270,10 @@ def read(*, photos: tuple[str, ...], underside: bool, page: str | None, output: 
             pictures.append(correction.Picture(called(photo), picture, photograph.read(picture, underside)))
     reading = correction.Reading(pictures)
     for line in reading.report(underside):
-        click.echo(line, err=True)
-    shelf.write(output, reading.tape)
+        command.tell(line)
+    command.put(output, reading.tape)
     if page is not None:
-        shelf.write(page, correction.page(reading).encode())
+        command.put(page, correction.page(reading))
 
 
 def _check(first: int, length: int) -> None:
@@ -277,11 +281,3 @@ def _check(first: int, length: int) -> None:
         raise TapeError("empty tape", 0)
     if first >= length:
         raise TapeError(f"the tape has only {length}", first)
-
-
-def _put_text(file: str, content: bytes) -> None:
-    """Text may go to a terminal, where a tape may not."""
-    if file == "-":
-        click.echo(content, nl=False)
-    else:
-        shelf.write(file, content)

@@ -1,53 +1,31 @@
-"""What all our commands have in common: how they end.
+"""What all our commands have in common: how they end, what they say, how a product leaves them.
 
 0 done, 1 the job failed, 2 misuse, 130 interrupted. An error is one line on standard error that names its
-place; a closed pipe is no error, the reader had enough; a full disk is. No traceback reaches a user.
+place; a closed pipe is no error, the reader had enough, and every named file is written all the same; a full
+disk is one. No traceback reaches a user, and no control code of a file's at a terminal.
 """
 
 import os
 import signal
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from io import TextIOWrapper, UnsupportedOperation
 from types import FrameType
-from typing import Any, TextIO, TypeVar
+from typing import TextIO
 
 import click
 
 from tapes import shelf
-from tapes.errors import WorkError, called
+from tapes.errors import WorkError, called, visible
 
-_Function = TypeVar("_Function", bound=Callable[..., Any])
+_NAMED = 6
+"""Files in a folder that are named one by one."""
+_NO_CLOBBER = "tapes.command.no_clobber"
+QUIET = "tapes.command.quiet"
+"""Where a command's context keeps that it says nothing of what it wrote."""
 
 _NoArguments = getattr(click.exceptions, "NoArgsIsHelpError", ())  # click 8.2 and later; 8.1 prints the help
-
-
-class Option(click.Option):
-    """An option that also answers to other names, which its help leaves out."""
-
-    def __init__(self, names: Sequence[str], *, also: Sequence[str] = (), **settings: Any) -> None:
-        super().__init__(names, **settings)
-        self._also = also
-
-    def add_to_parser(self, parser: Any, ctx: click.Context) -> None:
-        """Let the parser know all names."""
-        shown, self.opts = self.opts, [*self.opts, *self._also]
-        super().add_to_parser(parser, ctx)
-        self.opts = shown
-
-
-def output(
-    metavar: str = "FILE",
-    default: str | None = "-",
-    help: str = "Where to; standard output if not given.",
-    **settings: Any,
-) -> Callable[[_Function], _Function]:
-    """Return the decorator that adds `-o`, `--out`: where a command's product goes, a file or a folder."""
-    names = "-o", "--out", "output"
-    if default is not None:  # click takes a given None for an answer, even where one is required
-        settings["default"] = default
-    return click.option(*names, cls=Option, also=("--output",), metavar=metavar, help=help, **settings)
 
 
 def run(command: click.Command, name: str, arguments: Sequence[str] | None = None) -> None:
@@ -55,7 +33,13 @@ def run(command: click.Command, name: str, arguments: Sequence[str] | None = Non
     _reopen_closed_streams()
     _take_any_character()
     _take_signals()
-    sys.exit(status(command, name, sys.argv[1:] if arguments is None else arguments))
+    given = sys.argv[1:] if arguments is None else arguments
+    before = signal.getsignal(signal.SIGINT)
+    if before is not signal.SIG_IGN:  # as a shell has it for what runs in the background
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+    ended = status(command, name, given)
+    signal.signal(signal.SIGINT, before)
+    sys.exit(ended)
 
 
 def _take_signals() -> None:
@@ -71,9 +55,19 @@ def _end(number: int, frame: FrameType | None) -> None:
     sys.exit(128 + number)
 
 
+def tell(message: str, styled: bool = False, color: bool | None = None) -> None:
+    """Write a line on standard error; that nobody reads it there is no reason to end. One that is `styled` has
+    its colours and no other control codes.
+    """
+    try:
+        click.echo(message if styled else visible(message), err=True, color=color)
+    except OSError:
+        silence(sys.stderr)
+
+
 def say(message: str) -> None:
     """Say on standard error how the work goes, after the name of the command."""
-    click.echo(f"{click.get_current_context().command_path}: {message}", err=True)
+    tell(f"{click.get_current_context().command_path}: {message}")
 
 
 def say_of(file: str, notes: Iterable[str]) -> None:
@@ -82,32 +76,66 @@ def say_of(file: str, notes: Iterable[str]) -> None:
         say(f"{called(file)}: {note}")
 
 
-def check_files(sources: Iterable[str | None], outputs: Iterable[str | None]) -> None:
-    """Raise a UsageError where standard input is to be read twice, two outputs are one, or one is a source;
-    a ShelfError where an output cannot be written. Nothing is opened. Say where a file hides a bundled one.
-
-    Both are names as the commands take them, None for none.
+def echo(text: str, nl: bool = True) -> None:
+    """Write text on standard output: at a terminal its control codes are shown, not sent. A closed pipe ends
+    nothing: what else there is to write is written.
     """
-    read = [name for name in sources if name is not None]
-    if read.count("-") > 1:
-        raise click.UsageError("standard input can be read only once")
-    files = [name for name in read if name != "-"]
-    taken = {os.path.realpath(shelf.find(name)): f"{name} is the source; name another file" for name in files}
-    for source in files:
-        if shelf.hides(source):
-            say(f"{source} {shelf.HIDES}")
-    for name in outputs:
-        if name is None:
-            continue
-        if name in files:
-            raise click.UsageError(f"{name} is the source; name another file")
-        shelf.check_writable(name)
-        if os.path.exists(name) and not os.path.isfile(name):
-            continue
-        path = name if name == "-" else os.path.realpath(name)
-        if path in taken:
-            raise click.UsageError(taken[path])
-        taken[path] = f"two outputs go to {'standard output' if name == '-' else name}"
+    try:
+        click.echo(visible(text) if sys.stdout.isatty() else text, nl=nl)
+    except BrokenPipeError:
+        silence(sys.stdout)
+
+
+def keep(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
+    """Take --no-clobber: no file is replaced."""
+    ctx.meta[_NO_CLOBBER] = wanted
+
+
+def check_output(name: str) -> None:
+    """Raise ShelfError where `name` cannot be written, or is a file and --no-clobber was given."""
+    shelf.check_writable(name)
+    kept = click.get_current_context().meta.get(_NO_CLOBBER)
+    if kept and os.path.isfile(name):
+        raise shelf.ShelfError(f"{name} is there already; it would be replaced but for --no-clobber")
+
+
+def put(name: str, product: str | bytes) -> None:
+    """Put a command's product where it was asked for, a tape as bytes or a text, and say which file it is.
+
+    Raises ShelfError.
+    """
+    if name != "-":
+        content = product.encode("utf-8", "backslashreplace") if isinstance(product, str) else product
+        tell_written(name, shelf.write(name, content))
+    elif isinstance(product, str):
+        echo(product, nl=False)
+    else:
+        try:
+            shelf.write(name, product)
+        except BrokenPipeError:
+            silence(sys.stdout)
+
+
+def put_all(folder: str, files: Iterable[tuple[str, bytes]]) -> None:
+    """Write files into a folder, which is made, and say in one line which they are. Raises ShelfError."""
+    names, replaced = [], 0
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError as error:
+        raise shelf.ShelfError(f"{folder}: {error.strerror}") from error
+    for name, content in files:
+        path = os.path.join(folder, name)
+        check_output(path)
+        replaced += shelf.write(path, content)
+        names.append(name)
+    said = ", ".join(names) if len(names) <= _NAMED else f"{len(names)} files"
+    tell(f"wrote {said} in {folder}" + (f"; {replaced} replaced" if replaced else ""))
+
+
+def tell_written(name: str, replaced: bool) -> None:
+    """Say that a file was written, in the one form that all commands have."""
+    if not click.get_current_context().meta.get(QUIET):
+        tell(f"{'replaced' if replaced else 'wrote'} {name}")
 
 
 def _take_any_character() -> None:
@@ -148,14 +176,18 @@ def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
     except (click.Abort, KeyboardInterrupt):
         return _complain(f"{_path(command, name, arguments)}: interrupted", 130)
     except BrokenPipeError:
-        _silence(sys.stdout)
+        silence(sys.stdout)
         return 0
+    except RecursionError:
+        return _complain(f"{_path(command, name, arguments)}: nested too deeply", 1)
+    except MemoryError:
+        return _complain(f"{_path(command, name, arguments)}: the memory does not suffice", 1)
     except SystemExit:
         if sys.stdout is not stdout:  # click puts a silent one there as it meets a closed pipe
             return 0
         raise
     except OSError as error:
-        _silence(sys.stdout)
+        silence(sys.stdout)
         where = error.filename or "standard output"  # every file's errors are named by the shelf
         return _complain(f"{_path(command, name, arguments)}: {where}: {error.strerror or error}", 1)
     return ended if isinstance(ended, int) else 0
@@ -174,8 +206,7 @@ def _path(command: click.Command, name: str, arguments: Sequence[str]) -> str:
 
 
 def _complain(message: str, status: int) -> int:
-    with suppress(BrokenPipeError):
-        click.echo(message, err=True)
+    tell(message)
     return status
 
 
@@ -184,10 +215,10 @@ def _write_or_drop(stream: TextIO) -> None:
     try:
         stream.flush()
     except OSError:
-        _silence(stream)
+        silence(stream)
 
 
-def _silence(stream: object) -> None:
+def silence(stream: object) -> None:
     """Point the closed stream at nothing, so that Python's own flush at exit stays quiet.
 
     A notebook's stream has no file, and is left alone.

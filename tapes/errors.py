@@ -31,9 +31,25 @@ class TextError(WorkError):
         super().__init__(f"line {line}, column {column}: {message}")
 
 
+_CONTROLS = {
+    **{code: chr(0x2400 + code) for code in range(0x20) if code not in (0o11, 0o12)},
+    0x7F: "\u2421",
+    **{code: f"\\x{code:02x}" for code in range(0x80, 0xA0)},
+    0xFFFE: "\\ufffe",
+    0xFFFF: "\\uffff",
+}
+
+
+def visible(text: str) -> str:
+    """Return a text with its control codes as pictures, tabs and line ends apart, and what is no character as
+    an escape: a terminal shows it and does not obey it, and XML and JSON may have it.
+    """
+    return text.translate(_CONTROLS).encode("utf-8", "backslashreplace").decode()
+
+
 def called(file: str) -> str:
     """Return what messages call a file that is read: its name, "standard input" for `-`."""
-    return "standard input" if file == "-" else file
+    return "standard input" if file == "-" else file.encode("utf-8", "backslashreplace").decode()
 
 
 def named(file: str, error: WorkError) -> WorkError:

@@ -2,13 +2,15 @@
 
 import sys
 import time
+from collections.abc import Iterable, Iterator
 from types import TracebackType
-from typing import TYPE_CHECKING, Self
+from typing import TYPE_CHECKING, Self, TypeVar
 
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
 _DELAY = 1.0
+_Step = TypeVar("_Step")
 
 
 class Bar:
@@ -31,6 +33,12 @@ class Bar:
             self._shown = _open(self._label, self._total)
         progress, task = self._shown
         progress.update(task, completed=done)
+
+    def along(self, steps: Iterable[_Step]) -> Iterator[_Step]:
+        """Yield `steps`, and show that each is done."""
+        for number, step in enumerate(steps, 1):
+            yield step
+            self.show(number)
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None

@@ -12,10 +12,13 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from typing import BinaryIO
 
-from tapes.errors import WorkError
+from tapes.errors import WorkError, called
 
 HIDES = "is the file in this folder, not the bundled one of that name"
+LARGEST = 4 << 20
+"""Bytes of a file, frames of a tape: 6.6 miles, which a Teletype reads in five days."""
 
+_BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _bundled: dict[str, str] = {}
 
 
@@ -56,7 +59,7 @@ def hides(name: str) -> bool:
     if name not in _bundled or not os.path.isfile(name):
         return False
     with open(name, "rb") as here, open(_bundled[name], "rb") as there:
-        return here.read() != there.read()
+        return here.read(LARGEST) != there.read()
 
 
 def read_bundled(name: str) -> bytes:
@@ -65,34 +68,77 @@ def read_bundled(name: str) -> bytes:
         return file.read()
 
 
-def read(name: str) -> bytes:
-    """Return the whole content of file `name`, bundled name, or standard input for `-`. Raises ShelfError."""
+def read(name: str, most: int = LARGEST) -> bytes:
+    """Return the whole content of file `name`, bundled name, or standard input for `-`.
+
+    Raises ShelfError, also for more than `most` bytes and for text in UTF-16, which nothing here reads.
+    """
     if name == "-":
-        return sys.stdin.buffer.read()
-    path = find(name)
+        content = sys.stdin.buffer.read(most + 1)
+    else:
+        path = find(name)
+        try:
+            with open(path, "rb") as file:
+                content = file.read(most + 1)
+        except OSError as error:
+            raise ShelfError(f"{name}: {error.strerror}") from error
+    if len(content) > most:
+        raise ShelfError(f"{called(name)}: longer than {most:,} bytes, the most that is read of a file")
+    if is_utf16(content):
+        raise ShelfError(
+            f"{called(name)}: UTF-16, as PowerShell's > writes it; let the command write the file itself: "
+            "-o FILE, or --punch FILE of pdp8 run"
+        )
+    return content
+
+
+def read_text(name: str) -> str:
+    """Return the text of a file as `read` does, without a byte order mark. Raises ShelfError if not UTF-8."""
     try:
-        with open(path, "rb") as file:
-            return file.read()
-    except OSError as error:
-        raise ShelfError(f"{name}: {error.strerror}") from error
+        return read(name).decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise ShelfError(f"{called(name)}: byte {error.start}: not UTF-8") from error
 
 
-def write(name: str, content: bytes) -> None:
-    """Write `content` to file `name` whole or not at all; `-` is standard output. Raises ShelfError."""
+def is_utf16(content: bytes) -> bool:
+    """Tell whether a file is text in UTF-16: its byte order mark, then characters of Latin scripts or those
+    that stand for bytes that were none.
+    """
+    if content[:2] == b"\xff\xfe":
+        low, high = content[2::2], content[3::2]
+    elif content[:2] == b"\xfe\xff":
+        low, high = content[3::2], content[2::2]
+    else:
+        return False
+    plain = high.count(0) + sum(pair == (0xFD, 0xFF) for pair in zip(low, high, strict=False))
+    return len(high) > 0 and plain * 4 >= len(high)
+
+
+def without_mark(content: bytes) -> bytes:
+    """Return the content of a text file without the byte order mark that an editor put there."""
+    return content.removeprefix(_BYTE_ORDER_MARK)
+
+
+def write(name: str, content: bytes) -> bool:
+    """Write `content` to file `name` whole or not at all; `-` is standard output. Return whether it took the
+    place of a file. Raises ShelfError.
+    """
     if name == "-":
         stream = open_punch("-")
         stream.write(content)
         stream.flush()
-        return
-    _check_named(name)
-    if os.path.exists(name) and not os.path.isfile(name):  # a device such as /dev/null, a directory
+        return False
+    check_writable(name)
+    if os.path.exists(name) and not os.path.isfile(name):  # a device such as /dev/null
         _write_through(name, content)
-        return
+        return False
+    replaced = os.path.exists(name)
     try:
         with replacing(name) as beside, open(beside, "wb") as file:
             file.write(content)
     except OSError as error:
         raise ShelfError(f"{name}: {error.strerror}; nothing was written") from error
+    return replaced
 
 
 @contextmanager
@@ -113,7 +159,7 @@ def replacing(name: str) -> Iterator[str]:
 
 
 def check_writable(name: str) -> None:
-    """Raise ShelfError where file `name` cannot be written; nothing is opened, made or emptied."""
+    """Raise ShelfError where file `name` cannot be written or is read-only; nothing is opened or made."""
     if name == "-":
         return
     _check_named(name)
@@ -123,14 +169,18 @@ def check_writable(name: str) -> None:
     if not os.path.isdir(folder):
         raise ShelfError(f"{name}: No such file or directory")
     place = name if os.path.exists(name) else folder
-    if not os.access(place, os.W_OK):
+    if (
+        not os.access(place, os.W_OK) or not os.stat(place).st_mode & 0o222
+    ):  # the superuser may, but did not ask
         raise ShelfError(f"{name}: Permission denied")
 
 
 def _check_named(name: str) -> None:
-    """Raise ShelfError for the empty name that a script's unset variable gives."""
+    """Raise ShelfError for the empty name that a script's unset variable gives, and for one with NUL."""
     if not name:
         raise ShelfError("the name of a file is empty")
+    if "\0" in name:
+        raise ShelfError(f"{name}: NUL in the name of a file")
 
 
 def _write_through(name: str, content: bytes) -> None:
@@ -152,6 +202,7 @@ def open_punch(name: str) -> BinaryIO:
                 "a tape is binary and standard output is a terminal: send it to a file or a pipe"
             )
         return sys.stdout.buffer
+    check_writable(name)
     try:
         return open(name, "wb")
     except OSError as error:

@@ -26,7 +26,7 @@ ALLOWED = {
     "programs": {"tapes", "programs"},
     "nc": {"tapes", "nc"},
 }
-ACROSS = ("pdp8.__main__", "pdp8.cli", "pdp8.replay", "pdp8.thesis", "pdp8.web")
+ACROSS = ("pal.__main__", "pdp8.__main__", "pdp8.cli", "pdp8.replay", "pdp8.thesis", "pdp8.web")
 
 
 def sources() -> list[Path]:

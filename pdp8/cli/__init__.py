@@ -16,7 +16,8 @@ parameters  what options take          interrupt Ctrl-C is the STOP key
 """
 
 import gc
-import sys
+import os
+import signal
 from importlib import import_module
 
 _SELDOM = 50_000
@@ -36,13 +37,12 @@ def _run(module: str) -> None:
     """Run the command whose `main` is in `module`, with the bundled programs on the shelf; Ctrl-C is quiet
     from the first moment, while the rest is being imported too.
     """
+    if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
+        signal.signal(signal.SIGINT, lambda number, _: os._exit(128 + number))
     gc.set_threshold(_SELDOM)  # what a command imports is no garbage: a tenth of the start went into looking
-    try:
-        import programs  # noqa: F401
+    import programs  # noqa: F401
 
-        run = import_module(module).main
-    except KeyboardInterrupt:
-        sys.exit(130)
+    run = import_module(module).main
     try:
         run()
     finally:

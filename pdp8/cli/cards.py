@@ -1,21 +1,21 @@
 """`pdp8 cards`: cards to print and lay beside the machine."""
 
-import os
 from importlib.util import find_spec
 
 import click
 
 from pdp8.lessons import cards as drawn
-from tapes import command, shelf
+from tapes import command
+from tapes.arguments import Command, Folder, output
 from tapes.errors import WorkError
 
 _AFTERNOON = "afternoon"
 _NAMES = (*drawn.CARDS, _AFTERNOON)
 
 
-@click.command()
+@click.command(cls=Command)
 @click.argument("names", nargs=-1, type=click.Choice([*_NAMES, "all"]), metavar="NAME...")
-@command.output("FOLDER", ".", "Where to.  [default: this folder]")
+@output(Folder(), "FOLDER", ".", "Where to.  [default: this folder]")
 @click.option("--part", metavar="PART", default="circle", show_default=True, help="Whose afternoon it is.")
 @click.option("--pdf", is_flag=True, help="Write PDF; needs CairoSVG, the extra `print`.")
 def cards(names: tuple[str, ...], output: str, part: str, pdf: bool) -> None:
@@ -34,12 +34,13 @@ def cards(names: tuple[str, ...], output: str, part: str, pdf: bool) -> None:
         raise click.UsageError(f"Give a card's name: {', '.join(_NAMES)}, or all.")
     if pdf and find_spec("cairosvg") is None:
         raise WorkError("PDF needs CairoSVG: pip install 'pdp8[print]'; a browser prints the SVG as well")
-    os.makedirs(output, exist_ok=True)
-    for name in _NAMES if "all" in names else dict.fromkeys(names):
-        svg = _afternoon(part) if name == _AFTERNOON else drawn.CARDS[name]()
-        path = os.path.join(output, f"{name}.{'pdf' if pdf else 'svg'}")
-        shelf.write(path, _pdf(svg) if pdf else svg.encode())
-        click.echo(path)
+    wanted = _NAMES if "all" in names else dict.fromkeys(names)
+    command.put_all(output, (_card(name, part, pdf) for name in wanted))
+
+
+def _card(name: str, part: str, pdf: bool) -> tuple[str, bytes]:
+    svg = _afternoon(part) if name == _AFTERNOON else drawn.CARDS[name]()
+    return (f"{name}.pdf", _pdf(svg)) if pdf else (f"{name}.svg", svg.encode())
 
 
 def _pdf(svg: str) -> bytes:

@@ -94,6 +94,10 @@ class Feed:
                     return b""
                 select.select([self._file], [], [], _LOOK)
             frames = os.read(self._file, _PIECE)
+            if len(self._reader.tape) + len(frames) > shelf.LARGEST:
+                raise shelf.ShelfError(
+                    f"{called(self._name)}: longer than {shelf.LARGEST:,} frames, the most of a tape"
+                )
             if not self._reader.tape and not self._quiet:
                 _warn(self._name, frames)
             return frames

@@ -16,6 +16,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop
 from pdp8.computer.use.keys import sent
 from pdp8.computer.use.trace import Listing
+from tapes import command
 
 ESCAPE = "\x1d"
 _SLICE = 0.05
@@ -93,4 +94,4 @@ def _to_the_monitor(machine: Machine, listing: Listing | None) -> None:
     from pdp8.cli.monitor import converse
     from pdp8.monitor.prompt import Monitor
 
-    converse(Monitor(click.echo, machine, listing))
+    converse(Monitor(command.echo, machine, listing))

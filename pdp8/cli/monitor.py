@@ -12,12 +12,13 @@ from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.commands import COMMANDS
 from pdp8.monitor.prompt import Monitor
-from tapes import shelf
+from tapes import command, shelf
+from tapes.arguments import Command, Source
 from tapes.errors import WorkError, called
 
 
-@click.command()
-@click.argument("script", required=False)
+@click.command(cls=Command)
+@click.argument("script", type=Source(), required=False)
 @click.option("--highspeed", is_flag=True, help="Fit the PC8/L high-speed reader and punch.")
 @click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
 @click.option("--echo", is_flag=True, help="Show each line of a script before its answer.")
@@ -34,7 +35,7 @@ def monitor(script: str | None, highspeed: bool, dialect: str, echo: bool) -> No
       pdp8 monitor lesson.txt --echo
     """
     machine = Machine(highspeed)
-    made = Monitor(click.echo, machine)
+    made = Monitor(command.echo, machine)
     made.dialect = dialect
     if script is None and sys.stdin.isatty():
         converse(made)
@@ -47,7 +48,7 @@ def _follow(made: Monitor, script: str, echo: bool) -> None:
     text = shelf.read(script).decode("utf-8-sig", "replace")
     for number, line in enumerate(text.splitlines(), 1):
         if echo:
-            click.echo(f"* {line}")
+            command.echo(f"* {line}")
         try:
             made.do(line)
         except WorkError as error:
@@ -64,7 +65,7 @@ def converse(made: Monitor) -> None:
         try:
             made.do(line)
         except WorkError as error:
-            click.echo(str(error), err=True)
+            command.tell(str(error))
         finally:
             signal.signal(signal.SIGINT, before)
         if made.finished:

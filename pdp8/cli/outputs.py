@@ -1,12 +1,13 @@
 """Where the frames of a punch go as they are punched; at a terminal, the printed page instead."""
 
+import os
 import sys
 from collections.abc import Iterable
 from contextlib import suppress
 from typing import BinaryIO
 
 from pdp8.computer.hardware.teletype import Punch, printed
-from tapes import shelf
+from tapes import command, shelf
 
 
 class Output:
@@ -16,6 +17,8 @@ class Output:
         self._punch = punch
         self._name = name or "standard output"
         self._sent = len(punch.frames)
+        self._gone = False
+        self._replaced = name is not None and os.path.isfile(name) and os.path.getsize(name) > 0
         self._page = name is None and sys.stdout.isatty()
         self._stream: BinaryIO = sys.stdout.buffer if self._page else shelf.open_punch(name or "-")
 
@@ -25,15 +28,21 @@ class Output:
             with suppress(OSError):
                 self._stream.close()
 
+    def tell(self) -> None:
+        """Say which file was written, if it is one."""
+        if self._stream is not sys.stdout.buffer:
+            command.tell_written(self._name, self._replaced)
+
     def send(self) -> None:
-        """Pass on what was punched since the last time."""
+        """Pass on what was punched since the last time. Raises BrokenPipeError once where nobody reads it."""
         fresh = bytes(self._punch.frames[self._sent :])
-        if not fresh:
+        if not fresh or self._gone:
             return
         try:
             self._stream.write(printed(fresh) if self._page else fresh)
             self._stream.flush()
         except BrokenPipeError:
+            self._gone = True
             raise
         except OSError as error:
             raise shelf.ShelfError(f"{self._name}: {error.strerror} after {self._sent:,} frames") from error

@@ -8,6 +8,7 @@ import click
 
 from pdp8.cli.parameters import octal
 from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, Tapes, find
+from tapes.arguments import Command, Source
 from tapes.errors import WorkError
 
 if TYPE_CHECKING:
@@ -15,9 +16,9 @@ if TYPE_CHECKING:
     from pdp8.console.session import Session
 
 
-@click.command()
-@click.argument("program", required=False)
-@click.option("--reader", metavar="FILE", help="Tape in the Teletype's reader to begin with.")
+@click.command(cls=Command)
+@click.argument("program", type=Source(), required=False)
+@click.option("--reader", type=Source(), metavar="FILE", help="Tape in the Teletype's reader to begin with.")
 @click.option("--start", type=octal, default="0200", show_default=True, help="Where PROGRAM starts, octal.")
 @click.option("--sr", type=octal, help="Switch register to begin with, octal.  [default: --start]")
 @click.option("--drill", type=click.Choice(NAMES), help="Follow a card key by key; what is wrong is named.")

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import click
 
 from programs.parts import PARTS
-from tapes import command, shelf
+from tapes import command
+from tapes.arguments import Command, Folder, Target, output
 from tapes.progress import Bar
 
 if TYPE_CHECKING:
@@ -17,11 +18,14 @@ REPLAYED = tuple(name for name, part in PARTS.items() if part.has_defaults)
 _GLANCE = 0.25  # seconds between two looks at the clock
 
 
-@click.command()
+@click.command(cls=Command)
 @click.argument("part", type=click.Choice(REPLAYED), metavar="PART")
-@command.output("FOLDER", None, "Where tapes, listings and pictures go.  [default: replay-PART]")
+@output(Folder(), "FOLDER", None, "Where tapes, listings and pictures go.  [default: replay-PART]")
 @click.option(
-    "--html", metavar="FILE", help="Write the afternoon as a page too: any instant of it, in one file."
+    "--html",
+    type=Target("HTML"),
+    metavar="FILE",
+    help="Write the afternoon as a page too: any instant of it, in one file.",
 )
 @click.option(
     "--realtime",
@@ -47,8 +51,6 @@ def replay(part: str, output: str | None, html: str | None, realtime: bool) -> N
     folder = output or f"replay-{part}"
     if html is not None:
         _check_page(html, folder, part)
-    os.makedirs(folder, exist_ok=True)
-    command.check_files([], [html])
     afternoon = whole(part, _keep_quiet if realtime else _say_act)
     _leave(afternoon, folder, html)
     if realtime:
@@ -76,7 +78,7 @@ def _say_act(act: "Act") -> None:
     from pdp8.replay import clock
 
     took = f"{_span(act.seconds):>6} in 1971, {act.real:5.2f} s today"
-    click.echo(f"{clock(act.starts):>11}  {act.name:<14} {took}  {act.outcome}", err=True)
+    command.tell(f"{clock(act.starts):>11}  {act.name:<14} {took}  {act.outcome}")
 
 
 def _pass(act: "Act") -> None:
@@ -98,16 +100,11 @@ def _leave(afternoon: "Afternoon", folder: str, html: str | None) -> None:
     """Write everything that stays."""
     from pdp8.replay.desk import desk
 
-    files = desk(afternoon)
-    for name, content in files.items():
-        shelf.write(os.path.join(folder, name), content)
-    command.say(f"{len(files)} tapes, listings and pictures in {folder}")
+    command.put_all(folder, desk(afternoon).items())
     if html:
         from pdp8.web.page import page
 
-        shelf.write(html, page(afternoon).encode())
-        if html != "-":
-            command.say(f"the afternoon as a page in {html}")
+        command.put(html, page(afternoon))
 
 
 def _show(afternoon: "Afternoon", aside: bool) -> None:
@@ -122,4 +119,7 @@ def _show(afternoon: "Afternoon", aside: bool) -> None:
         table.add_column(column)
     for line in compare(afternoon):
         table.add_row(*line)
-    Console(stderr=aside).print(table)
+    console = Console(stderr=aside)
+    with console.capture() as shown:
+        console.print(table)
+    click.echo(shown.get(), nl=False, err=aside)

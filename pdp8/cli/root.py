@@ -15,6 +15,7 @@ from importlib import import_module
 import click
 
 from tapes import command
+from tapes.arguments import Group
 
 _COMMANDS = {
     "run": ("pdp8.cli.run", "run", "Run a program on the PDP-8/L."),
@@ -35,7 +36,7 @@ _COMMANDS = {
 }
 
 
-class _Lazy(click.Group):
+class _Lazy(Group):
     """A group that knows its commands by name and one line of help, and imports one when it is called."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
@@ -66,7 +67,7 @@ def _show_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
     ctx.exit()
 
 
-@click.group(cls=_Lazy, context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(cls=_Lazy)
 @click.option(
     "--version",
     is_flag=True,

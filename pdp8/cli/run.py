@@ -1,9 +1,10 @@
 """`pdp8 run`: a program and its tape go in, the punched tape comes out, as it is punched."""
 
 import sys
+from collections.abc import Sequence
 from contextlib import AbstractContextManager, ExitStack
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 import click
 from click.core import ParameterSource
@@ -16,7 +17,8 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use import program as programs
 from pdp8.computer.use.program import DIALECTS, FOUND
-from tapes import command, shelf
+from tapes import arguments, command, shelf
+from tapes.arguments import Command, Source, Target
 from tapes.errors import WorkError, called
 
 if TYPE_CHECKING:
@@ -31,6 +33,9 @@ _WHY = {
     Reason.PROTECT: "MEM PROT stopped a write at {last:04o}",
 }
 _DONE = (Reason.HALT, Reason.TAPE_OUT)
+_CLOSED: Final = "closed"
+_Ended = Stop | Literal["closed"] | None
+"""How a run ended; None, interrupted."""
 
 
 class Options(NamedTuple):
@@ -61,49 +66,80 @@ class Options(NamedTuple):
     quiet: bool
 
 
-@click.command()
-@click.argument("program", required=False)
+@click.command(cls=Command, context_settings={"allow_extra_args": True})
+@click.argument("program", type=Source(), required=False)
 @click.option("--start", type=octal, default="0200", show_default=True, help="Address to start at, octal.")
 @click.option("--sr", type=octal, default="0000", show_default=True, help="Switch register, octal.")
 @click.option(
     "--reader",
+    type=Source(),
     metavar="FILE",
     multiple=True,
     help="Tape in the Teletype's reader; several go in one after another.  [default: standard input]",
 )
-@click.option("--punch", metavar="FILE", help="Where the punched tape goes.  [default: standard output]")
+@click.option(
+    "--punch",
+    type=Target("tape"),
+    metavar="FILE",
+    help="Where the punched tape goes.  [default: standard output]",
+)
 @click.option(
     "--fast-reader",
+    type=Source(),
     multiple=True,
     callback=one_tape,
     metavar="FILE",
     help="Fit the high-speed reader, with this tape.",
 )
-@click.option("--fast-punch", metavar="FILE", help="Fit the high-speed punch; its tape goes here.")
+@click.option(
+    "--fast-punch",
+    type=Target("tape"),
+    metavar="FILE",
+    help="Fit the high-speed punch; its tape goes here.",
+)
 @click.option(
     "--keyboard", is_flag=True, help="Type at the Teletype and see it print; Ctrl-] leaves to the monitor."
 )
 @click.option(
-    "--tty", metavar="PATH", help="The Teletype is a line: a serial port, a pty. At 110 baud's pace."
+    "--tty",
+    type=click.Path(),
+    metavar="PATH",
+    help="The Teletype is a line: a serial port, a pty. At 110 baud's pace.",
 )
 @click.option("--max-time", type=seconds, metavar="SECONDS", help="Stop after this machine time.")
 @click.option("--realtime", is_flag=True, help="Run no faster than a PDP-8/L did: 10 frames a second.")
 @click.option("--boot", is_flag=True, help="From cold: toggle RIM in, read the BIN loader, read the program.")
 @click.option(
-    "--loader", metavar="FILE", help="The RIM tape of the BIN loader --boot reads.  [default: bin.pal]"
+    "--loader",
+    type=Source(),
+    metavar="FILE",
+    help="The RIM tape of the BIN loader --boot reads.  [default: bin.pal]",
 )
 @click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
 @click.option("--force", is_flag=True, help="Load a damaged tape as far as it can be read.")
-@click.option("--trace", metavar="FILE", help="Write each instruction: time, L AC, MA MB, its listing.")
+@click.option(
+    "--trace",
+    type=Target("text"),
+    metavar="FILE",
+    help="Write each instruction: time, L AC, MA MB, its listing.",
+)
 @click.option("--cycles", is_flag=True, help="Let --trace write each memory cycle.")
 @click.option(
     "--count", "table", is_flag=True, help="Count instructions, cycles, waiting; a table as the run ends."
 )
-@click.option("--annotate", metavar="FILE", help="Write the listing with each word's count in its margin.")
-@click.option("--count-json", metavar="FILE", help="Write what was counted as JSON.")
-@click.option("--save", metavar="FILE", help="Write the machine's state as the run ends.")
+@click.option(
+    "--annotate",
+    type=Target("text"),
+    metavar="FILE",
+    help="Write the listing with each word's count in its margin.",
+)
+@click.option("--count-json", type=Target("JSON"), metavar="FILE", help="Write what was counted as JSON.")
+@click.option(
+    "--save", type=Target("JSON"), metavar="FILE", help="Write the machine's state as the run ends."
+)
 @click.option(
     "--restore",
+    type=Source(),
     metavar="FILE",
     help="Go on from a saved state and the tape in its reader, as CONT does; with --start, START there. "
     "--sr sets the switches, --reader changes the tape (- for standard input).",
@@ -134,7 +170,8 @@ def run(ctx: click.Context, /, **given: Any) -> None:
       pdp8 run mine.bin --start 400 --sr 7777 --fast-reader in.tape --fast-punch out.tape
     """
     options = Options(**given)
-    _check_options(options)
+    ctx.meta[command.QUIET] = options.quiet
+    _check_options(options, ctx.args)
     found = _program(options)
     machine = _machine(options, found)
     explicit = {name for name in given if ctx.get_parameter_source(name) is ParameterSource.COMMANDLINE}
@@ -154,7 +191,7 @@ def _program(options: Options) -> "Program | None":
     reads = [options.program, *options.reader, options.fast_reader, options.restore, options.loader]
     page = "-" if options.punch is None and not _paged(options) else options.punch
     writes = [options.fast_punch, options.trace, options.annotate, options.count_json, options.save]
-    command.check_files(reads, [page, *writes])
+    arguments.check_files(reads, [page, *writes])
     if options.keyboard and not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise click.UsageError("--keyboard needs a terminal to type and print at.")
     if options.program is None:
@@ -188,25 +225,31 @@ def _feed(options: Options, machine: Machine) -> Feed:
     return feed
 
 
-def _run(options: Options, machine: Machine, found: "Program | None", feed: Feed) -> Stop | None:
-    """Run to the end, watched as was asked for; return how it ended, None if it was interrupted."""
+def _run(options: Options, machine: Machine, found: "Program | None", feed: Feed) -> _Ended:
+    """Run to the end, watched as was asked for; return how it ended."""
     outputs = _outputs(machine, options.punch, options.fast_punch, _paged(options))
     with ExitStack() as stack:
         for output in outputs:
+            stack.callback(output.tell)
             stack.callback(output.close)
         if options.trace is not None:
             stack.enter_context(_traced(machine, options.trace, found, options.cycles))
         if options.table or options.annotate or options.count_json:
             counts = _counted(machine, found, options.table, options.annotate, options.count_json)
             stack.enter_context(counts)
-        if options.keyboard:
-            return _typed(machine, found, outputs, options.max_time, options.realtime)
-        if options.tty is not None:
-            return _on_line(machine, options.tty, outputs, options.max_time)
-        return pacing.run(machine, feed, outputs, options.max_time, options.realtime, options.quiet)
+        try:
+            if options.keyboard:
+                return _typed(machine, found, outputs, options.max_time, options.realtime)
+            if options.tty is not None:
+                return _on_line(machine, options.tty, outputs, options.max_time)
+            return pacing.run(machine, feed, outputs, options.max_time, options.realtime, options.quiet)
+        except BrokenPipeError:  # whoever reads the tape has enough; what else was asked for is written
+            command.silence(sys.stdout)
+            send(outputs)
+            return _CLOSED
 
 
-def _report(options: Options, machine: Machine, feed: Feed, stop: Stop | None) -> int:
+def _report(options: Options, machine: Machine, feed: Feed, stop: _Ended) -> int:
     """Say how the run ended; return the exit status."""
     if stop is None and options.keyboard:
         return 0
@@ -218,6 +261,10 @@ def _report(options: Options, machine: Machine, feed: Feed, stop: Stop | None) -
     if stop is None:
         command.say(f"interrupted at {machine.pc:04o}{counts}")
         return 130
+    if stop == _CLOSED:
+        if not options.quiet:
+            command.say(f"nobody reads standard output any more, at {machine.pc:04o}{counts}")
+        return 0
     done = stop.reason in _DONE
     if not (options.quiet and done):
         last = machine.ma if stop.reason is Reason.HALT else stop.pc - 1 & 0o7777
@@ -225,8 +272,12 @@ def _report(options: Options, machine: Machine, feed: Feed, stop: Stop | None) -
     return 0 if done else 1
 
 
-def _check_options(options: Options) -> None:
-    """Raise UsageError for options that mean nothing together."""
+def _check_options(options: Options, more: Sequence[str]) -> None:
+    """Raise UsageError for options that mean nothing together, and for what stands after the program."""
+    if more:
+        raise click.UsageError(
+            f"{more[0]}: one PROGRAM is run; a tape goes into the reader: --reader {more[0]}"
+        )
     if (options.program is None) == (options.restore is None):
         raise click.UsageError("give a PROGRAM, or --restore FILE and none.")
     for option, needed, wrong in (
@@ -308,7 +359,7 @@ def _counted(
 def _save(machine: Machine, name: str) -> None:
     from pdp8.computer.past import state
 
-    shelf.write(name, state.save(machine).encode())
+    command.put(name, state.save(machine))
 
 
 def _restored(name: str, highspeed: bool) -> Machine:
@@ -316,7 +367,7 @@ def _restored(name: str, highspeed: bool) -> Machine:
     from pdp8.computer.past import state
 
     try:
-        machine = state.restore(shelf.read(name).decode("ascii", "replace"))
+        machine = state.restore(shelf.read_text(name))
     except state.StateError as error:
         raise WorkError(f"{called(name)}: {error}") from error
     if highspeed and not machine.highspeed.fitted:

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Final
 
 import click
 
-from tapes import command, shelf
+from tapes import command
+from tapes.arguments import Folder, Group, Target, output
 
 if TYPE_CHECKING:
     from pdp8.thesis.table import Table
@@ -24,7 +25,7 @@ _STYLES: Final = {
 }
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(cls=Group)
 def thesis() -> None:
     """The thesis, page by page: its figures, tables and listings reproduced, its programs line by line.
 
@@ -59,7 +60,7 @@ def list_() -> None:
 
 @thesis.command("numbers")
 @click.option("--chapter", type=click.IntRange(1, 10), metavar="NUMBER", help="Those of one chapter.")
-@command.output()
+@output(Target("text"))
 def numbers_(chapter: int | None, output: str) -> None:
     """List every number of the thesis: page, words, ours, its state, and what makes it.
 
@@ -79,7 +80,7 @@ def numbers_(chapter: int | None, output: str) -> None:
 
 @thesis.command()
 @click.argument("number", metavar="NUMBER|all")
-@command.output("FOLDER", "thesis", "Where the files are written.", show_default=True)
+@output(Folder(), "FOLDER", "thesis", "Where the files are written.", show_default=True)
 @click.option(
     "--facsimile", is_flag=True, help="Listing B, C or D as it stood on its pages, without comments."
 )
@@ -103,7 +104,7 @@ def make(number: str, output: str, facsimile: bool) -> None:
         from pdp8.thesis import facsimile as page
 
         text = page.facsimile(number)
-        _write(output, {f"facsimile-{number.upper()}.txt": text.encode()})
+        command.put_all(output, [(f"facsimile-{number.upper()}.txt", text.encode())])
         return
     whole = number == "all"
     items = [item for item in catalogue() if item.maker] if whole else [find(number)]
@@ -117,25 +118,15 @@ def make(number: str, output: str, facsimile: bool) -> None:
         from pdp8.thesis import gallery
 
         files["index.html"] = gallery.page(made).encode()
-    _write(output, files)
-
-
-def _write(folder: str, files: dict[str, bytes]) -> None:
-    """Write files into a folder and say so."""
-    os.makedirs(folder, exist_ok=True)
-    for name, content in files.items():
-        shelf.write(os.path.join(folder, name), content)
-    whole = "index.html" in files
-    said = (
-        f"{len(files)} files, begin with {folder}/index.html" if whole else f"{', '.join(files)} in {folder}"
-    )
-    click.echo(said, err=True)
+    command.put_all(output, files.items())
+    if whole:
+        command.tell(f"begin with {os.path.join(output, 'index.html')}")
 
 
 @thesis.command()
 @click.argument("file", metavar="FILE")
 @click.option("--source", "as_source", is_flag=True, help="Make FILE itself, as it is in programs/.")
-@command.output()
+@output(Target("source"))
 def evidence(file: str, as_source: bool, output: str) -> None:
     """Show for every line of FILE the page, the scan's reading, ours, its evidence and the reason.
 
@@ -152,7 +143,7 @@ def evidence(file: str, as_source: bool, output: str) -> None:
     from pdp8.thesis.table import Table
 
     if as_source:
-        shelf.write(output, known.source(file).encode())
+        command.put(output, known.source(file))
         return
     rows = tuple((row.page, row.kind, row.scan, row.ours, row.reason) for row in known.table(file))
     _show(Table(_EVIDENCE, rows), file, coloured_by=1, output=output)
@@ -161,7 +152,7 @@ def evidence(file: str, as_source: bool, output: str) -> None:
 def _show(table: "Table", title: str, coloured_by: int, output: str = "-") -> None:
     """Print a table, at a terminal with the colours of one column; in a pipe or a file, as plain text."""
     if output != "-" or not sys.stdout.isatty():
-        shelf.write(output, table.text().encode())
+        command.put(output, table.text())
         return
     from rich.console import Console
     from rich.markup import escape

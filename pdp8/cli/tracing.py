@@ -10,7 +10,8 @@ from typing import TextIO
 
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.trace import Listing, Trace
-from tapes import shelf
+from tapes import command, shelf
+from tapes.errors import visible
 
 
 @contextmanager
@@ -23,8 +24,7 @@ def tracing(machine: Machine, name: str, listing: Listing, cycles: bool) -> Iter
         with _observed(machine, sys.stdout, listing, cycles):
             yield
         return
-    shelf.check_writable(name)
-    special = os.path.exists(name) and not os.path.isfile(name)
+    special, replaced = os.path.exists(name) and not os.path.isfile(name), os.path.isfile(name)
     try:
         with ExitStack() as stack:
             path = name if special else stack.enter_context(shelf.replacing(name))
@@ -32,15 +32,15 @@ def tracing(machine: Machine, name: str, listing: Listing, cycles: bool) -> Iter
             with _observed(machine, file, listing, cycles):
                 yield
             file.close()
-    except BrokenPipeError:
-        raise
     except OSError as error:
         raise shelf.ShelfError(f"{name}: {error.strerror}; no trace was written") from error
+    command.tell_written(name, replaced)
 
 
 @contextmanager
 def _observed(machine: Machine, file: TextIO, listing: Listing, cycles: bool) -> Iterator[None]:
-    trace = Trace(lambda line: file.write(line + "\n"), listing, cycles)
+    shown = visible if file.isatty() else str
+    trace = Trace(lambda line: file.write(shown(line) + "\n"), listing, cycles)
     trace.begin(machine.processor)
     machine.watch.observer = trace
     try:

@@ -1,15 +1,14 @@
 """`pdp8 vectors`: single-step vectors for any emulator."""
 
-import os
-
 import click
 
-from tapes import command, shelf
+from tapes import command
+from tapes.arguments import Command, Folder, output
 from tapes.progress import Bar
 
 
-@click.command()
-@command.output("FOLDER", None, "Where the files go.", required=True)
+@click.command(cls=Command)
+@output(Folder(), "FOLDER", None, "Where the files go.", required=True)
 @click.option(
     "--states",
     metavar="NUMBER",
@@ -31,11 +30,5 @@ def vectors(output: str, states: int) -> None:
     """
     from pdp8.vectors import folder
 
-    os.makedirs(output, exist_ok=True)
-    size = 0
     with Bar("vectors", folder.COUNT) as bar:
-        for number, (name, content) in enumerate(folder.files(states), 1):
-            shelf.write(os.path.join(output, name), content)
-            size += len(content)
-            bar.show(number)
-    click.echo(f"{folder.COUNT} files in {output}, {size / 1e6:.1f} MB", err=True)
+        command.put_all(output, bar.along(folder.files(states)))

@@ -5,10 +5,11 @@ from os.path import basename
 import click
 
 from tapes import command, shelf
+from tapes.arguments import Command, Source, Target, output
 
 
-@click.command()
-@command.output("PAGE", "pdp8.html", "The page.", show_default=True)
+@click.command(cls=Command)
+@output(Target("HTML"), "PAGE", "pdp8.html", "The page.", show_default=True)
 def workbench(output: str) -> None:
     """Write the workbench: a live PDP-8/L with Teletype, assembler, debugger and Hydra-Point, in one page.
 
@@ -21,12 +22,12 @@ def workbench(output: str) -> None:
     """
     from pdp8.web.workbench import page
 
-    _write(output, page())
+    command.put(output, page())
 
 
-@click.command()
-@click.argument("tape", metavar="FILE.eia")
-@command.output("PAGE", None, "The page.", required=True)
+@click.command(cls=Command)
+@click.argument("tape", type=Source(), metavar="FILE.eia")
+@output(Target("HTML"), "PAGE", None, "The page.", required=True)
 def view(tape: str, output: str) -> None:
     """Write a page that cuts a tape: path, band, blocks, and where the machine refuses it.
 
@@ -36,11 +37,4 @@ def view(tape: str, output: str) -> None:
     """
     from pdp8.web.workbench import page
 
-    command.check_files([tape], [output])
-    _write(output, page((basename(tape), shelf.read(tape))))
-
-
-def _write(output: str, html: str) -> None:
-    shelf.write(output, html.encode())
-    if output != "-":
-        click.echo(f"the page is {output}", err=True)
+    command.put(output, page((basename(tape), shelf.read(tape))))

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 import pal
 from pdp8.computer.use import program
-from tapes import kinds
+from tapes import kinds, shelf
 from tapes.errors import WorkError, called
 
 LARGEST = 16 * 1024
@@ -52,10 +52,12 @@ def read(name: str) -> Answer:
     """Return the answer in file `name`, `-` for standard input; what cannot be read has a fault."""
     try:
         if name != "-" and os.path.exists(name) and not os.path.isfile(name):
-            return Answer(name, fault="not a file")
+            return Answer(called(name), fault="not a file")
         return of(_content(name), called(name))
     except OSError as error:
         return Answer(called(name), fault=f"{error.strerror}")
+    except ValueError:
+        return Answer(called(name), fault="NUL in the name of a file")
 
 
 def _content(name: str) -> bytes:
@@ -71,6 +73,9 @@ def of(content: bytes, name: str) -> Answer:
         return Answer(name, fault="an empty file")
     if len(content) > LARGEST:
         return Answer(name, fault=f"more than {LARGEST:,} bytes")
+    if shelf.is_utf16(content):
+        return Answer(name, fault="text in UTF-16: save it as UTF-8 or ASCII, or write it with an editor")
+    content = shelf.without_mark(content)
     kind = kinds.classify(content)
     try:
         if kind in (kinds.BIN, kinds.RIM):

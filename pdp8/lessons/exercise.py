@@ -28,6 +28,7 @@ slips = { "184" = "that is decimal" } wrong answers that deserve a hint of their
 """
 
 import os
+import re
 import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -126,19 +127,20 @@ def read(name: str) -> Exercise:
     path = name if os.path.exists(name) or stem not in bundled() else os.path.join(FOLDER, f"{stem}.toml")
     if not os.path.exists(path):
         raise ExerciseError(f"{name}: no such file, and no bundled exercise ({', '.join(bundled())})")
-    try:
-        text = shelf.read(path).decode("utf-8")
-    except UnicodeDecodeError as error:
-        raise ExerciseError(f"{name}: byte {error.start}: not UTF-8") from error
-    return parse(text, os.path.basename(stem))
+    return parse(shelf.read_text(path), os.path.basename(stem))
 
 
 def parse(text: str, name: str) -> Exercise:
     """Return the exercise that `text` says, called `name`. Raises ExerciseError."""
     try:
-        given = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+        deep = any(_DEEP.fullmatch(line.partition("=")[0]) for line in text.splitlines())
+        given = {} if deep else tomllib.loads(text)
+    except RecursionError:
+        deep = True
+    except ValueError as error:
         raise ExerciseError(f"{name}: {error}") from error
+    if deep:
+        raise ExerciseError(f"{name}: nested too deeply")
     found = _table(given, name, _EXERCISE)
     cases = tuple(Case(**_table(case, f"{name}: case {number}", _CASE)) for number, case in
                   enumerate(found.pop("case", ()), 1))  # fmt: skip
@@ -152,6 +154,8 @@ def parse(text: str, name: str) -> Exercise:
 
 
 _Field = Callable[[Any], Any]
+_DEEP = re.compile(r"\s*\[{0,2}\s*[\w\"'-]+(?:\s*\.\s*[\w\"'-]+){32,}\s*\]{0,2}\s*")
+"""A key of so many parts as take tomllib the square of their number."""
 
 
 def _table(given: object, where: str, fields: Mapping[str, tuple[_Field, bool]]) -> dict[str, Any]:

@@ -7,6 +7,7 @@ from xml.etree import ElementTree
 from pdp8.lessons import scores
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.marking import Failure, Mark, Result
+from tapes import errors
 
 
 def as_json(exercise: Exercise, results: Sequence[Result]) -> str:
@@ -53,13 +54,16 @@ def as_junit(exercise: Exercise, results: Sequence[Result]) -> str:
         marks = result.marks or (Mark("the answer", 0, result.of, (Failure("fault", "", result.fault),)),)
         failed = sum(bool(mark.failures) for mark in marks)
         counts = {"tests": f"{len(marks)}", "failures": f"{failed}"}
-        suite = ElementTree.SubElement(suites, "testsuite", {"name": scores.visible(result.answer), **counts})
+        suite = ElementTree.SubElement(suites, "testsuite", {"name": result.answer, **counts})
         for mark in marks:
             case = ElementTree.SubElement(suite, "testcase", name=mark.name, classname=exercise.name)
             if mark.failures:
                 what = ", ".join(failure.what for failure in mark.failures)
                 failure = ElementTree.SubElement(case, "failure", message=f"not as expected: {what}")
                 failure.text = "\n".join(_said(result, mark))
+    for element in suites.iter():
+        element.attrib.update({key: errors.visible(value) for key, value in element.attrib.items()})
+        element.text = element.text and errors.visible(element.text)
     ElementTree.indent(suites)
     return f'<?xml version="1.0" encoding="utf-8"?>\n{ElementTree.tostring(suites, encoding="unicode")}\n'
 

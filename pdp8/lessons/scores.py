@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.marking import Failure, Mark, Result
+from tapes import errors
 from tapes.frames import draw
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 _AROUND = 2
 """Frames of a tape shown before the first wrong one, and twice as many after it."""
 _WIDEST = 60
-_CONTROLS = {code: chr(0x2400 + code) for code in range(0x20)} | {0x7F: "\u2421"}
+_ON_ONE_LINE = {0o11: "\u2409", 0o12: "\u240a"}
 
 
 def table(exercise: Exercise, results: Sequence[Result]) -> "Table":
@@ -35,11 +36,11 @@ def table(exercise: Exercise, results: Sequence[Result]) -> "Table":
     made = Table(box=None, pad_edge=False)
     made.add_column("answer", no_wrap=True)
     for part in exercise.parts:
-        made.add_column(Text(part.name), justify="center")
+        made.add_column(Text(visible(part.name)), justify="center")
     made.add_column("points", justify="right", no_wrap=True)
     for result in results:
         cells = [Text(_cell(mark)) for mark in result.marks] or [Text("-")] * len(exercise.parts)
-        made.add_row(Text(result.answer), *cells, Text(f"{result.points} / {result.of}"))
+        made.add_row(Text(visible(result.answer)), *cells, Text(f"{result.points} / {result.of}"))
     return made
 
 
@@ -84,7 +85,7 @@ def lines(failure: Failure) -> Iterator[str]:
 
 def visible(text: str) -> str:
     """Return a text on one line, its control codes as pictures."""
-    return text.translate(_CONTROLS)
+    return errors.visible(text).translate(_ON_ONE_LINE)
 
 
 def _cut(text: str, start: int) -> str:

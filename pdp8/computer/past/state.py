@@ -115,6 +115,8 @@ def _parsed(text: str) -> dict[str, Any]:
         raise StateError(begins)
     try:
         state: dict[str, Any] = json.loads(text)
+    except RecursionError as error:
+        raise StateError("the saved state is nested too deeply") from error
     except ValueError as error:
         raise StateError(f"the saved state is cut short or damaged: {error}") from error
     if {name: state.get(name) for name in HEAD} != HEAD:

@@ -1,0 +1,260 @@
+"""The kinds of files that a command takes, one click type each, and what holds for them in every command.
+
+Source    a file that is read, or a bundled name      completed by both
+Target    a file that is written                      never one that was read, nor one of another kind
+Folder    where several files go
+
+`Command` and `Group` are click's, with what all of ours have: -h, --no-clobber where something is written,
+files compared as files before anything is opened, names that are nearly right, whole lines of help.
+"""
+
+import os
+import sys
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+from click.core import augment_usage_errors
+from click.shell_completion import CompletionItem
+
+from tapes import command, shelf
+from tapes.errors import visible
+
+if TYPE_CHECKING:
+    _Type = click.ParamType[str]
+else:
+    _Type = click.ParamType  # before click 8.5 it takes no argument
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+
+_TAPES = (".asc", ".eia", ".bin", ".rim")
+_BY_HAND = (".pal", ".pa", ".for", ".toml", ".jpg", ".jpeg", ".png")
+_BEGINS = {"JSON": b"{", "XML": b"<", "SVG": b"<", "HTML": b"<"}
+_KEEPS = {"tape": _BY_HAND, "text": (*_BY_HAND, *_TAPES)}
+"""What a product of each kind never replaces: a forgotten name after an option would cost a day's work."""
+
+
+class Source(_Type):
+    """A file that is read: its name, a bundled one, or `-`; `found` false: what is missing is said later."""
+
+    name = "file"
+
+    def __init__(self, found: bool = True, more: Callable[[], Iterable[str]] = lambda: ()) -> None:
+        self.found = found
+        self._more = more
+
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list[CompletionItem]:
+        """Complete the files of the folder and bundled names; files alone as the shell itself does."""
+        names = [name for name in (*shelf.bundled(), *self._more()) if name.startswith(incomplete)]
+        if os.path.dirname(incomplete) or not names:
+            return [CompletionItem(incomplete, type="file")]
+        here = [f"{entry.name}{'/' * entry.is_dir()}" for entry in os.scandir() if entry.name[:1] != "."]
+        found = {*names, *(name for name in here if name.startswith(incomplete))}
+        return [CompletionItem(name) for name in sorted(found)]
+
+
+class Target(_Type):
+    """A file that is written, `-` for standard output. `makes` is its kind, a key of _BEGINS or _KEEPS, or
+    nothing for a product that may be of any.
+    """
+
+    name = "file"
+
+    def __init__(self, makes: str = "") -> None:
+        self._makes = makes
+
+    def check(self, name: str) -> None:
+        """Raise a UsageError where a file called `name` is there, and of a kind that this one never is."""
+        if not os.path.isfile(name) or not os.path.getsize(name):
+            return
+        kept = name.lower().endswith(_KEEPS.get(self._makes, ()))
+        if self._makes in _BEGINS:
+            with open(name, "rb") as file:
+                kept = not shelf.without_mark(file.read(64)).lstrip().startswith(_BEGINS[self._makes])
+        if kept:
+            raise click.UsageError(
+                f"{name} is there, and is no {self._makes}: it is not replaced; name another"
+            )
+
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list[CompletionItem]:
+        """Complete the names of files as the shell itself does."""
+        return [CompletionItem(incomplete, type="file")]
+
+
+class Folder(_Type):
+    """A folder that files are written into; it is made."""
+
+    name = "folder"
+
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list[CompletionItem]:
+        """Complete the names of folders as the shell itself does."""
+        return [CompletionItem(incomplete, type="dir")]
+
+
+class Option(click.Option):
+    """An option that also answers to other names, which its help leaves out."""
+
+    def __init__(self, names: Sequence[str], *, also: Sequence[str] = (), **settings: Any) -> None:
+        super().__init__(names, **settings)
+        self._also = also
+
+    def add_to_parser(self, parser: Any, ctx: click.Context) -> None:
+        """Let the parser know all names."""
+        shown, self.opts = self.opts, [*self.opts, *self._also]
+        super().add_to_parser(parser, ctx)
+        self.opts = shown
+
+
+def output(
+    kind: _Type,
+    metavar: str = "FILE",
+    default: str | None = "-",
+    help: str = "Where to.  [default: standard output]",
+    **settings: Any,
+) -> Callable[[_Function], _Function]:
+    """Return the decorator that adds `-o`, `--out`: where a command's product goes, a file or a folder."""
+    if default is not None:  # click takes a given None for an answer, even where one is required
+        settings["default"] = default
+    names = "-o", "--out", "output"
+    return click.option(
+        *names, cls=Option, also=("--output",), type=kind, metavar=metavar, help=help, **settings
+    )
+
+
+class Command(click.Command):
+    """A command whose files are compared before it begins."""
+
+    def __init__(self, *arguments: Any, **settings: Any) -> None:
+        settings["context_settings"] = {
+            "help_option_names": ["-h", "--help"],
+            **(settings.get("context_settings") or {}),
+        }
+        super().__init__(*arguments, **settings)
+
+    def get_params(self, ctx: click.Context) -> list[click.Parameter]:
+        """Return the parameters, with --no-clobber before --help where something is written."""
+        params = super().get_params(ctx)
+        if any(isinstance(param.type, Target | Folder) for param in params):
+            params.insert(-1, self._no_clobber)
+        return params
+
+    _no_clobber = click.Option(
+        ["--no-clobber"], is_flag=True, expose_value=False, callback=command.keep, help="Replace no file."
+    )
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Parse, then compare the files that are named."""
+        rest = super().parse_args(ctx, args)
+        if not ctx.resilient_parsing:
+            with augment_usage_errors(ctx):
+                self._check(ctx)
+        return rest
+
+    def _check(self, ctx: click.Context) -> None:
+        sources, outputs, made = [], [], []
+        for param, name in _named(self, ctx):
+            if isinstance(param.type, Source) and (param.type.found or os.path.exists(name)):
+                sources.append(name)
+            elif isinstance(param.type, Target):
+                outputs.append(name)
+                param.type.check(name)
+            elif isinstance(param.type, Folder):
+                made.append(os.path.realpath(name))
+                if os.path.exists(name) and not os.path.isdir(name):
+                    raise shelf.ShelfError(f"{name}: is there, and no folder")
+        in_made = [name for name in outputs if os.path.dirname(os.path.realpath(name)) in made]
+        check_files(sources, [name for name in outputs if name not in in_made or os.path.exists(name)])
+        for name in sources:
+            if shelf.hides(name):
+                command.say(f"{name} {shelf.HIDES}")
+        if "-" in sources and sys.stdin.isatty():
+            command.say("waits for standard input, which is this terminal; Ctrl-D ends it, --help tells more")
+
+
+def _named(command: click.Command, ctx: click.Context) -> Iterator[tuple[click.Parameter, str]]:
+    """Yield each name of a file that a command was given, with its parameter."""
+    for param in command.params:
+        value = ctx.params.get(param.name or "")
+        for name in value if isinstance(value, tuple) else (value,):
+            if isinstance(name, str):
+                yield param, name
+
+
+class Group(click.Group):
+    """A group of commands: its list has whole lines, and a name that is nearly one of them finds it."""
+
+    command_class = Command
+
+    def __init__(self, *arguments: Any, **settings: Any) -> None:
+        settings["context_settings"] = {
+            "help_option_names": ["-h", "--help"],
+            **(settings.get("context_settings") or {}),
+        }
+        super().__init__(*arguments, **settings)
+
+    def lines(self, ctx: click.Context) -> list[tuple[str, str]]:
+        """Return the name of each command, and what it does in one line."""
+        found = [(name, self.get_command(ctx, name)) for name in self.list_commands(ctx)]
+        return [(name, command.get_short_help_str(200).rstrip(".")) for name, command in found if command]
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the list of commands."""
+        with formatter.section("Commands"):
+            formatter.write_dl(self.lines(ctx))
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Find the command; where there is none, name those that are spelled much alike."""
+        name = args[0]
+        if self.get_command(ctx, name) is None and not name.startswith("-") and not ctx.resilient_parsing:
+            from difflib import get_close_matches
+
+            near = get_close_matches(name, self.list_commands(ctx))
+            meant = f"; did you mean {' or '.join(near)}?" if near else ""
+            ctx.fail(f"there is no command {visible(name)!r}{meant}")
+        return super().resolve_command(ctx, args)
+
+
+def check_files(sources: Iterable[str | None], outputs: Iterable[str | None]) -> None:
+    """Raise a UsageError where standard input is to be read twice, two outputs are one, or one is a source;
+    a ShelfError where a source is not there or an output cannot be written. Nothing is opened.
+
+    Both are names as the commands take them, None for none. Files are compared as files: a link, a hard one
+    too, and another spelling on a disk that takes both, are the same.
+    """
+    read = [name for name in sources if name is not None]
+    if read.count("-") > 1:
+        raise click.UsageError("standard input can be read only once")
+    files = [name for name in read if name != "-"]
+    taken = {_identity(shelf.find(name)): f"{name} is the source; name another file" for name in files}
+    for name in outputs:
+        if name is None:
+            continue
+        if name in files:
+            raise click.UsageError(f"{name} is the source; name another file")
+        command.check_output(name)
+        if os.path.exists(name) and not os.path.isfile(name):
+            continue
+        identity = _identity(name)
+        if identity in taken:
+            raise click.UsageError(taken[identity].format(name=name))
+        taken[identity] = f"two outputs go to {'standard output' if name == '-' else name}"
+
+
+def _identity(name: str) -> object:
+    """Return what two names of one file have in common."""
+    if name == "-":
+        return name
+    try:
+        found = os.stat(name)
+    except OSError:
+        path = os.path.normcase(os.path.realpath(name))
+        return path.casefold() if sys.platform == "darwin" else path
+    return found.st_dev, found.st_ino

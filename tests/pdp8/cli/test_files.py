@@ -1,0 +1,330 @@
+"""One contract for files in every command: what is never replaced, what is said, and that nothing is lost."""
+
+import io
+import json
+import os
+import shlex
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from xml.etree import ElementTree
+
+import click
+import pytest
+
+from pal.cli import pal
+from pdp8.cli.root import pdp8
+from pdp8.computer.machine import Machine
+from pdp8.computer.past import state
+from pdp8.lessons import exercise
+from tapes import command, shelf
+from tests import commands
+from tests.conftest import Shell
+
+HALT = "*200\n\tHLT\n$\n"
+RIGHT = exercise.read("add").solution
+Call = Callable[..., tuple[int, str, str]]
+
+
+class Terminal(io.TextIOWrapper):
+    """A stream that takes itself for a terminal."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.fixture
+def call(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Call:
+    """Call a command in this process, in an empty folder; return its status, standard output and error."""
+    monkeypatch.chdir(tmp_path)
+
+    def called(
+        line: str, stdin: bytes = b"", stream: type[io.TextIOWrapper] = io.TextIOWrapper
+    ) -> tuple[int, str, str]:
+        out, said = (stream(io.BytesIO(), encoding="utf-8", write_through=True) for _ in range(2))
+        monkeypatch.setattr(sys, "stdin", stream(io.BytesIO(stdin)))
+        monkeypatch.setattr(sys, "stdout", out)
+        monkeypatch.setattr(sys, "stderr", said)
+        name, *words = shlex.split(line)
+        groups: dict[str, click.Command] = {"pdp8": pdp8, "pal": pal}
+        status = command.status(groups[name], name, words)
+        shown = (each.buffer.getvalue().decode("utf-8", "replace") for each in (out, said))  # type: ignore[attr-defined]
+        return status, *shown
+
+    return called
+
+
+@pytest.fixture
+def answers(tmp_path: Path) -> Path:
+    for name in ("ana", "ben"):
+        (tmp_path / f"{name}.pal").write_text(RIGHT)
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "pdp8 check add --junit ana.pal ben.pal",
+        "pdp8 check add --json ana.pal ben.pal",
+        "pdp8 check add ben.pal --junit ana.pal",
+        "pal --json ana.pal ben.pal",
+        "pal --listing ana.pal ben.pal",
+        "pal -o ana.pal ben.pal",
+        "pdp8 run ben.pal --save ana.pal",
+        "pdp8 run ben.pal --punch ana.pal",
+        "pdp8 run ben.pal --trace ana.pal",
+        "pdp8 nc plot circle.eia -o ana.pal",
+        "pdp8 tape show --svg ana.pal circle.eia",
+        "pdp8 part circle -o ana.pal",
+    ],
+)
+def test_work_is_not_replaced_where_a_name_was_forgotten(line: str, call: Call, answers: Path) -> None:
+    status, _, said = call(line)
+    assert status == 2
+    assert "ana.pal is there, and is no " in said
+    assert (answers / "ana.pal").read_text() == RIGHT
+
+
+@pytest.mark.parametrize("name", ["hard.bin", "soft.bin", "sub/../own.bin"])
+def test_no_other_name_of_a_source_is_written(name: str, call: Call, tmp_path: Path) -> None:
+    (tmp_path / "sub").mkdir()
+    (tmp_path / "own.bin").write_bytes(shelf.read_bundled("eia.bin"))
+    os.link("own.bin", "hard.bin")
+    os.symlink("own.bin", "soft.bin")
+    for line in (
+        "run own.bin --punch",
+        "run eia.pal --reader own.bin --fast-punch",
+        "tape convert own.bin --to rim -o",
+    ):
+        status, _, said = call(f"pdp8 {line} {name}")
+        assert status == 2
+        assert "own.bin is the source; name another file" in said
+    assert (tmp_path / "own.bin").read_bytes() == shelf.read_bundled("eia.bin")
+
+
+def test_a_pass_is_not_written_over_its_source(call: Call, tmp_path: Path) -> None:
+    (tmp_path / "odd.pass1").write_text(HALT)
+    assert call("pal odd.pass1 --tty .")[0] == 2
+    assert (tmp_path / "odd.pass1").read_text() == HALT
+
+
+def test_a_record_goes_to_a_file_in_every_command(call: Call, answers: Path) -> None:
+    for line in (
+        "pdp8 check add ana.pal --json x.json",
+        "pal ana.pal --json y.json",
+        "pdp8 run ana.pal --count-json z.json",
+    ):
+        status, _, said = call(line)
+        assert status == 0
+        assert f"wrote {line.split()[-1]}\n" in said
+        assert json.loads((answers / line.split()[-1]).read_text())
+    _, out, _ = call("pdp8 check add ana.pal --json -")
+    assert json.loads(out)["answers"][0]["right"]
+    assert call("pdp8 check add ana.pal --json - --junit -")[0] == 2
+
+
+def test_what_is_written_and_what_is_replaced_is_said(call: Call, tmp_path: Path) -> None:
+    for line in (
+        "pal eia.pal -o x.bin",
+        "pdp8 run hello.pal --punch x.tape",
+        "pdp8 run hello.pal --save x.state",
+        "pdp8 run hello.pal --trace x.trace",
+        "pdp8 part drill -o x.asc",
+        "pdp8 nc export circle.eia --gcode -o x.ngc",
+        "pdp8 dis eia.bin -o x.pal",
+    ):
+        name = line.split()[-1]
+        assert f"wrote {name}\n" in call(line)[2]
+        assert f"replaced {name}\n" in call(line)[2]
+        assert "run" not in line or "replaced" not in call(f"{line} --quiet")[2]
+    assert "wrote rim.svg, eia.svg in cards\n" in call("pdp8 cards rim eia -o cards")[2]
+    assert "wrote rim.svg in cards; 1 replaced\n" in call("pdp8 cards rim -o cards")[2]
+
+
+@pytest.mark.parametrize(
+    "line", ["pal eia.pal -o x", "pdp8 run hello.pal --punch x", "pdp8 tape clean circle.eia -o x"]
+)
+def test_no_clobber_and_a_file_without_write_permission(line: str, call: Call, tmp_path: Path) -> None:
+    (tmp_path / "x").write_bytes(b"kept")
+    status, _, said = call(f"{line} --no-clobber")
+    assert (status, "x is there already" in said) == (1, True)
+    (tmp_path / "x").chmod(0o444)
+    status, _, said = call(line)
+    assert (status, "x: Permission denied" in said) == (1, True)
+    assert (tmp_path / "x").read_bytes() == b"kept"
+
+
+def test_no_clobber_holds_in_a_folder(call: Call, tmp_path: Path) -> None:
+    (tmp_path / "rim.svg").write_bytes(b"kept")
+    assert call("pdp8 cards rim --no-clobber")[0] == 1
+    assert (tmp_path / "rim.svg").read_bytes() == b"kept"
+
+
+def test_a_drawing_goes_to_standard_output_at_a_terminal_too(call: Call, tmp_path: Path) -> None:
+    assert call("pdp8 nc plot circle.eia", stream=Terminal)[1].startswith("<svg")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_byte_order_mark_means_nothing(call: Call, tmp_path: Path) -> None:
+    mark = b"\xef\xbb\xbf"
+    (tmp_path / "own.toml").write_bytes(mark + Path(exercise.FOLDER, "add.toml").read_bytes())
+    (tmp_path / "own.pal").write_bytes(mark + RIGHT.encode())
+    (tmp_path / "own.state").write_bytes(mark + state.save(Machine()).encode())
+    assert call("pdp8 check own.toml own.pal")[0] == 0
+    assert call("pal own.pal")[0] == 0
+    assert call("pdp8 run own.pal")[0] == 0
+    assert call("pdp8 run --restore own.state --max-time 0")[0] in (0, 1)
+
+
+@pytest.mark.parametrize("order", ["utf-16", "utf-16-be"])
+def test_what_powershell_wrote_is_named(order: str, call: Call, tmp_path: Path) -> None:
+    mark = b"\xfe\xff" if order == "utf-16-be" else b""
+    tape = shelf.read_bundled("circle.asc")[:600].decode("cp437")
+    (tmp_path / "x.asc").write_bytes(mark + tape.encode(order))
+    (tmp_path / "x.pal").write_bytes(mark + RIGHT.replace("\n", "\r\n").encode(order))
+    for line in ("run eia.pal --reader x.asc", "run x.pal", "tape info x.asc", "nc cut x.asc"):
+        status, _, said = call(f"pdp8 {line}")
+        assert status == 1
+        assert ": UTF-16, as PowerShell's > writes it; " in said
+    status, out, _ = call("pdp8 check add x.pal")
+    assert (status, "text in UTF-16" in out) == (1, True)
+
+
+def test_a_tape_that_begins_with_rubouts_is_not_utf16() -> None:
+    assert not shelf.is_utf16(b"\xff\xff" * 50)
+    assert not shelf.is_utf16(b"\xff\xfe" + shelf.read_bundled("circle.asc"))
+    assert not shelf.is_utf16(b"\xff\xfe")
+
+
+def test_a_closed_pipe_loses_no_named_output(shell: Shell, tmp_path: Path) -> None:
+    line = "pdp8 run eia.pal --reader circle.asc --save s.st --trace t.tr --fast-punch f"
+    done = shell(f"{line} | head -c 5 > five; echo ${{PIPESTATUS[0]}}")
+    assert done.stdout == b"0\n"
+    assert b"nobody reads standard output any more" in done.stderr
+    assert state.restore((tmp_path / "s.st").read_text()).instructions > 100
+    assert (tmp_path / "t.tr").stat().st_size > 10_000
+    assert (tmp_path / "five").read_bytes() == shelf.read_bundled("circle.eia")[:5]
+    shell("pdp8 cards all -o c 2>&1 | true; pal eia.pal --listing - -o x.bin 2>&1 | true")
+    assert len(list((tmp_path / "c").iterdir())) == 5
+    assert (tmp_path / "x.bin").read_bytes() == shelf.read_bundled("eia.bin")
+
+
+@pytest.mark.parametrize("text", ["[" * 20_000, "{" * 3 + '"a":' * 1 + "[" * 20_000])
+def test_what_is_nested_too_deeply_is_refused(text: str, call: Call, tmp_path: Path) -> None:
+    head = json.dumps({"a": 0})[:-1]
+    (tmp_path / "deep.state").write_text(f'{head}, "b": {text}')
+    (tmp_path / "deep.toml").write_text(f"a = {text}")
+    (tmp_path / "dotted.toml").write_text(f"{'.'.join('a' * 20_000)} = 1")
+    for line in ("run --restore deep.state", "check deep.toml --show task", "check dotted.toml --show task"):
+        status, _, said = call(f"pdp8 {line}")
+        assert (status, "Traceback" in said) == (1, False), said
+
+
+@pytest.mark.parametrize(
+    "line", ["tape info", "run", "pal", "nc cut", "check add", "dis", "run eia.pal --reader"]
+)
+def test_a_name_that_is_no_text_is_shown(line: str, call: Call, tmp_path: Path) -> None:
+    name = os.fsdecode(b"\xff\x1b[31m.pal")
+    status, out, said = call(f"{'' if line == 'pal' else 'pdp8 '}{line} {shlex.quote(name)}")
+    assert status in (1, 2)
+    assert "\\udcff␛[31m.pal" in (out if line == "check add" else said)
+    assert "\x1b" not in said
+    status, out, said = call(f"{'' if line == 'pal' else 'pdp8 '}{line} 'a\0b'")
+    assert status in (1, 2)
+    assert "NUL in the name of a file" in out + said
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["run /dev/zero", "tape info /dev/zero", "pal /dev/zero -o x", "run eia.pal --reader /dev/zero --quiet"],
+)
+def test_a_tape_without_end_is_refused(line: str, call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(shelf, "LARGEST", 200_000)
+    monkeypatch.setattr(shelf.read, "__defaults__", (200_000,))
+    status, _, said = call(f"{'' if line.startswith('pal') else 'pdp8 '}{line} ")
+    assert status == 1
+    assert "/dev/zero: longer than 200,000 " in said
+
+
+def test_escapes_are_shown_and_valid_in_records(call: Call, tmp_path: Path) -> None:
+    escape = "\\u001b[2J\\u0000\\uffff"
+    (tmp_path / "own.toml").write_text(
+        f'title = "T{escape}"\ntask = "t{escape}"\nsolution = "x"\n[[question]]\nname = "a{escape}"\n'
+        f'ask = "?"\nanswer = "1"\nhint = "h{escape}"\n'
+    )
+    name = "\x1b[31mana.txt"
+    (tmp_path / name).write_text("a: 2\x1b[2J\n")
+    for line in ("--show task", f"'{name}'"):
+        _, out, said = call(f"pdp8 check own.toml {line}", stream=Terminal)
+        assert "␛[2J" in out + said
+        assert "\x1b[2J" not in out + said
+        assert "\x1b[31m" not in out + said
+    assert call(f"pdp8 check own.toml '{name}' --junit x.xml --json x.json")[0] == 1
+    assert ElementTree.parse(tmp_path / "x.xml").getroot()[0].attrib["name"] == "␛[31mana.txt"
+    assert json.loads((tmp_path / "x.json").read_text())["answers"][0]["answer"] == name
+    (tmp_path / "own.pal").write_text("*200\n\tHLT / \x1b[2J\n\tQQ / \x1b[2J\n$\n")
+    _, out, said = call("pal own.pal --force --listing -", stream=Terminal)
+    assert "\x1b[2J" not in out + said
+
+
+def completed(group: click.Command, words: list[str], incomplete: str) -> list[tuple[str, str]]:
+    from click.shell_completion import ShellComplete
+
+    found = ShellComplete(group, {}, "pdp8", "_X").get_completions(words, incomplete)
+    return [(item.value, item.type) for item in found]
+
+
+def test_completion_has_files_and_bundled_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "eia-mine.pal").touch()
+    (tmp_path / "eia-tapes").mkdir()
+    assert completed(pdp8, ["run"], "eia") == [
+        (name, "plain")
+        for name in ("eia-mine.pal", "eia-tapes/", "eia.bin", "eia.pal", "eia1.pal", "eia2.pal")
+    ]
+    assert completed(pal, [], "eia.") == [("eia.bin", "plain"), ("eia.pal", "plain")]
+    assert completed(pdp8, ["run"], "mi") == [("mi", "file")]
+    assert completed(pdp8, ["run", "eia.pal", "--punch"], "") == [("", "file")]
+    assert completed(pdp8, ["cards", "-o"], "") == [("", "dir")]
+    assert ("add", "plain") in completed(pdp8, ["check"], "ad")
+    assert ("circle.eia", "plain") in completed(pdp8, ["nc", "cut"], "circ")
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("monitr", "there is no command 'monitr'; did you mean monitor?"),
+        ("part circel", "there is no command 'circel'; did you mean circle?"),
+        ("run eia.pal circle.asc", "a tape goes into the reader: --reader circle.asc"),
+    ],
+)
+def test_what_was_meant_is_named(line: str, said: str, call: Call) -> None:
+    status, _, error = call(f"pdp8 {line}")
+    assert status == 2
+    assert said in error
+
+
+def test_a_command_that_waits_for_a_terminal_says_so(call: Call) -> None:
+    for line in ("nc cut", "tape info", "dis", "tape punch"):
+        assert "waits for standard input, which is this terminal" in call(f"pdp8 {line}", stream=Terminal)[2]
+        assert "waits" not in call(f"pdp8 {line}")[2]
+
+
+def test_lists_of_commands_have_whole_lines(call: Call) -> None:
+    for group in ("", "tape", "nc", "part", "thesis"):
+        assert "..." not in call(f"pdp8 {group} --help")[1].partition("Commands:")[2]
+
+
+def test_python_m_pal_finds_bundled_programs(tmp_path: Path) -> None:
+    done = commands.run(sys.executable, "-m", "pal", "eia.pal", folder=tmp_path)
+    assert (done.returncode, done.stderr) == (0, b"wrote eia.bin\n")
+
+
+def test_ctrl_c_while_modules_are_imported_is_quiet(tmp_path: Path) -> None:
+    script = (
+        "import os, signal, sys, pdp8.cli as cli\n"
+        "cli.import_module = lambda name: os.kill(os.getpid(), signal.SIGINT)\n"
+        "cli.main()\n"
+    )
+    done = commands.run(sys.executable, "-c", script, folder=tmp_path)
+    assert (done.returncode, done.stdout, done.stderr) == (130, b"", b"")
