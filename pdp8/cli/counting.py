@@ -23,10 +23,10 @@ def counting(
         yield
     finally:
         machine.watch.observer = None
+        if table:
+            for line in count.table(listing):
+                command.tell(line)
         if annotate is not None:
             command.put(annotate, "".join(f"{line}\n" for line in count.annotated(listing)))
         if record is not None:
             command.put(record, f"{json.dumps(count.record(listing), indent=1)}\n")
-        if table:
-            for line in count.table(listing):
-                command.tell(line)

@@ -1,14 +1,4 @@
-"""The `pdp8` command: every package's commands hung together, each loaded only when it is called.
-
-run monitor dap replay panel  the computer                     pdp8/cli
-thesis                     the thesis, page by page            pdp8/cli
-vectors                    what every word does, for emulators pdp8/cli
-pal dis                    the assembler and its inverse       pal/cli
-part                       the part programs                   programs/cli
-tape                       tapes as tapes                      tapes/cli
-nc                         the Hydra-Point                     nc/cli, pdp8/cli
-workbench                  the live machine in one page        pdp8/cli
-"""
+"""The `pdp8` command: every package's commands hung together, each loaded only when it is called."""
 
 from importlib import import_module
 
@@ -17,23 +7,37 @@ import click
 from tapes import command
 from tapes.arguments import Group
 
-_COMMANDS = {
-    "run": ("pdp8.cli.run", "run", "Run a program on the PDP-8/L."),
-    "cards": ("pdp8.cli.cards", "cards", "Draw cards to print: loader, instructions, codes, timetable."),
-    "check": ("pdp8.cli.check", "check", "Mark the answers of a class to an exercise."),
-    "monitor": ("pdp8.cli.monitor", "monitor", "The operator's prompt: examine, step, break, trace."),
-    "dap": ("pdp8.cli.dap", "dap", "A debugger for editors: the Debug Adapter Protocol."),
-    "replay": ("pdp8.cli.replay", "replay", "Do the whole afternoon of 1971 again, or make a page of it."),
-    "pal": ("pal.cli", "pal", "Assemble PAL III source."),
-    "dis": ("pal.cli", "dis", "Disassemble a BIN or RIM tape."),
-    "part": ("programs.cli", "part", "Run a FORTRAN part program: an ASCII tape for the translation."),
-    "tape": ("tapes.cli", "tape", "Show, measure and convert paper tapes."),
-    "panel": ("pdp8.cli.panel", "panel", "The front panel, in the terminal."),
-    "vectors": ("pdp8.cli.vectors", "vectors", "Write single-step vectors for any emulator."),
-    "thesis": ("pdp8.cli.thesis", "thesis", "The thesis page by page: its figures, tables and programs."),
-    "workbench": ("pdp8.cli.workbench", "workbench", "Write the live machine as one page for a browser."),
-    "nc": ("pdp8.cli.nc", "nc", "The Moog Hydra-Point: list, cut and inspect an EIA tape."),
+_GROUPS = {
+    "Run": {
+        "run": ("pdp8.cli.run", "run", "Run a program on the PDP-8/L."),
+        "panel": ("pdp8.cli.panel", "panel", "The front panel, in the terminal."),
+        "workbench": ("pdp8.cli.workbench", "workbench", "Write the live machine as one page for a browser."),
+        "monitor": ("pdp8.cli.monitor", "monitor", "The operator's prompt: examine, step, break, trace."),
+        "dap": ("pdp8.cli.dap", "dap", "A debugger for editors: the Debug Adapter Protocol."),
+    },
+    "Assemble": {
+        "pal": ("pal.cli", "pal", "Assemble PAL III or PAL8 source."),
+        "dis": ("pal.cli", "dis", "Disassemble a BIN or RIM tape."),
+    },
+    "Tapes": {
+        "tape": ("tapes.cli", "tape", "Show, measure, convert and punch paper tapes; read photographs."),
+    },
+    "Parts and machine tool": {
+        "part": ("programs.cli", "part", "Run a FORTRAN part program: an ASCII tape for the translation."),
+        "nc": ("pdp8.cli.nc", "nc", "The Moog Hydra-Point: list, cut, plot and inspect an EIA tape."),
+    },
+    "Teach": {
+        "check": ("pdp8.cli.check", "check", "Mark the answers of a class to an exercise."),
+        "cards": ("pdp8.cli.cards", "cards", "Draw cards to print: loader, instructions, codes, timetable."),
+    },
+    "Research": {
+        "replay": ("pdp8.cli.replay", "replay", "Do the whole afternoon of 1971 again, or make a page of it."),
+        "thesis": ("pdp8.cli.thesis", "thesis", "The thesis page by page: its figures, tables and programs."),
+        "vectors": ("pdp8.cli.vectors", "vectors", "Write single-step vectors for any emulator."),
+    },
 }
+"""Module, name there and one line of help of each command, as README has them."""
+_COMMANDS = {name: found for group in _GROUPS.values() for name, found in group.items()}
 
 
 class _Lazy(Group):
@@ -50,8 +54,11 @@ class _Lazy(Group):
         return found
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        with formatter.section("Commands"):
-            formatter.write_dl([(name, line) for name, (_, _, line) in _COMMANDS.items()])
+        column = max(map(len, _COMMANDS))
+        for title, group in _GROUPS.items():
+            with formatter.section(title):
+                rows = [(name.ljust(column), line) for name, (_, _, line) in group.items()]
+                formatter.write_dl(rows)
 
 
 def _show_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
@@ -83,7 +90,7 @@ def pdp8() -> None:
     The 1971 chain:
       pdp8 part circle > circle.asc
       pdp8 run eia.pal < circle.asc > circle.eia
-      pdp8 nc plot circle.eia
+      pdp8 nc plot circle.eia > circle.svg
     """
 
 
