@@ -56,8 +56,8 @@ def _end(number: int, frame: FrameType | None) -> None:
 
 
 def tell(message: str, styled: bool = False, color: bool | None = None) -> None:
-    """Write a line on standard error; that nobody reads it there is no reason to end. One that is `styled` has
-    its colours and no other control codes.
+    """Write a line on standard error; that nobody reads it is no reason to end. One that is `styled` has its
+    colours and no other control codes.
     """
     try:
         click.echo(message if styled else visible(message), err=True, color=color)
@@ -104,16 +104,19 @@ def put(name: str, product: str | bytes) -> None:
 
     Raises ShelfError.
     """
+    content = product.encode("utf-8", "backslashreplace") if isinstance(product, str) else product
     if name != "-":
-        content = product.encode("utf-8", "backslashreplace") if isinstance(product, str) else product
         tell_written(name, shelf.write(name, content))
-    elif isinstance(product, str):
-        echo(product, nl=False)
-    else:
-        try:
-            shelf.write(name, product)
-        except BrokenPipeError:
-            silence(sys.stdout)
+        return
+    try:
+        if isinstance(product, bytes):
+            shelf.write(name, content)
+        elif sys.stdout.isatty():
+            click.echo(visible(product), nl=False)
+        else:  # in UTF-8, whatever the stream's encoding is
+            click.echo(content, nl=False)
+    except BrokenPipeError:
+        silence(sys.stdout)
 
 
 def put_all(folder: str, files: Iterable[tuple[str, bytes]]) -> None:

@@ -7,20 +7,21 @@ Terminal("pdp8", "run", "echo.pal")           at a terminal of its own
 """
 
 import os
-import pty
 import re
 import select
 import subprocess
 import sys
-import termios
+import sysconfig
 import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import IO
 
+import pytest
+
 from tests import warm
 
-BIN = Path(sys.executable).parent
+BIN = Path(sysconfig.get_path("scripts"))
 LONGEST = 300
 """Seconds after which a command that does not end fails its test."""
 
@@ -97,6 +98,7 @@ class Terminal:
     """A command at a terminal of its own; `seen` is what it has shown since `until` returned."""
 
     def __init__(self, *words: Word, folder: Path | None = None, **variables: str) -> None:
+        pty, termios = pytest.importorskip("pty"), pytest.importorskip("termios")
         self.file, terminal = pty.openpty()
         self.before = termios.tcgetattr(self.file)
         self.seen = b""
@@ -124,7 +126,9 @@ class Terminal:
 
     def restored(self) -> bool:
         """Return whether the terminal has the modes it had before."""
-        return termios.tcgetattr(self.file)[:4] == self.before[:4]
+        import termios
+
+        return bool(termios.tcgetattr(self.file)[:4] == self.before[:4])
 
     def ended(self, seconds: float = 30) -> int:
         """Read to the end; return the exit status."""

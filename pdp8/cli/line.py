@@ -24,6 +24,8 @@ from pdp8.computer.stop import Reason, Stop
 from tapes import command
 from tapes.shelf import ShelfError
 
+assert sys.platform != "win32"  # `pdp8 run` says so before it comes here
+
 _SLICE = 0.02
 _GOING_ON = (Reason.LIMIT, Reason.TAPE_OUT, Reason.IDLE)
 
@@ -105,7 +107,7 @@ class Line:
 
     def _reader_run(self, on: bool) -> None:
         """Let RTS follow READER RUN, as far as the line has such a signal."""
-        if not self._modem or sys.platform == "win32":
+        if not self._modem:
             return
         try:
             request = termios.TIOCMBIS if on else termios.TIOCMBIC

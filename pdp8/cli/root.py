@@ -31,7 +31,11 @@ _GROUPS = {
         "cards": ("pdp8.cli.cards", "cards", "Draw cards to print: loader, instructions, codes, timetable."),
     },
     "Research": {
-        "replay": ("pdp8.cli.replay", "replay", "Do the whole afternoon of 1971 again, or make a page of it."),
+        "replay": (
+            "pdp8.cli.replay",
+            "replay",
+            "Do the whole afternoon of 1971 again; make a page of it.",
+        ),
         "thesis": ("pdp8.cli.thesis", "thesis", "The thesis page by page: its figures, tables and programs."),
         "vectors": ("pdp8.cli.vectors", "vectors", "Write single-step vectors for any emulator."),
     },

@@ -332,10 +332,12 @@ def _typed(
 
 
 def _on_line(machine: Machine, path: str, outputs: list[Output], max_time: float | None) -> Stop | None:
-    from pdp8.cli.line import Line
+    if sys.platform != "win32":  # as _check_options has it
+        from pdp8.cli.line import Line
 
-    with Line(path) as line:
-        return line.run(machine, max_time, partial(send, outputs))
+        with Line(path) as line:
+            return line.run(machine, max_time, partial(send, outputs))
+    return None
 
 
 def _traced(

@@ -28,7 +28,7 @@ def tracing(machine: Machine, name: str, listing: Listing, cycles: bool) -> Iter
     try:
         with ExitStack() as stack:
             path = name if special else stack.enter_context(shelf.replacing(name))
-            file = stack.enter_context(open(path, "w"))
+            file = stack.enter_context(open(path, "w", encoding="utf-8", newline="\n"))
             with _observed(machine, file, listing, cycles):
                 yield
             file.close()

@@ -1,6 +1,7 @@
 """How the reference's C is compiled, and how its structures are told to Python."""
 
 import ctypes
+import getpass
 import hashlib
 import os
 import shutil
@@ -30,7 +31,7 @@ def compiled(sources: Iterable[Path], headers: Iterable[Path]) -> ctypes.CDLL:
     """Return the library of `sources`; it is kept among the temporary files, named by all it is made from."""
     sources = tuple(sources)
     made_from = hashlib.sha256(b"".join(path.read_bytes() for path in (*sources, *headers))).hexdigest()[:16]
-    path = Path(tempfile.gettempdir()) / f"pdp8l-reference-{os.getuid()}-{made_from}.so"
+    path = Path(tempfile.gettempdir()) / f"pdp8l-reference-{getpass.getuser()}-{made_from}.so"
     if not path.exists():
         new = path.with_suffix(f".{os.getpid()}")
         compile_c(new, "-shared", "-fPIC", *sources)
