@@ -369,7 +369,7 @@ def _restored(name: str, highspeed: bool) -> Machine:
     from pdp8.computer.past import state
 
     try:
-        machine = state.restore(shelf.read_text(name))
+        machine = state.restore(shelf.read_text(name, state.LARGEST))
     except state.StateError as error:
         raise WorkError(f"{called(name)}: {error}") from error
     if highspeed and not machine.highspeed.fitted:

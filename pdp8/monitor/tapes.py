@@ -149,7 +149,7 @@ def restore(monitor: Monitor, arguments: Sequence[str]) -> None:
     (name,) = exactly(arguments, "the name of a file", 1)
     watch, pace = monitor.machine.watch, monitor.operator.pace
     with naming(name):
-        restored = state.restore(shelf.read_text(name))
+        restored = state.restore(shelf.read_text(name, state.LARGEST))
     monitor.attend(restored)
     monitor.machine.watch, monitor.operator.pace = watch, pace
     monitor.expected = monitor.shown = 0

@@ -78,6 +78,10 @@ def _rows(words: "array[int]", usual: "array[int]") -> dict[str, str]:
     }
 
 
+LARGEST = 32 << 20
+"""Bytes of a saved state: a frame on each of its tapes is four."""
+
+
 def restore(text: str, others: Mapping[int, type[Device]] | None = None) -> Machine:
     """Return the machine whose state `text` is; what the text does not name is as at power-up. Raises
     StateError.
