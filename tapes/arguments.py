@@ -157,19 +157,21 @@ class Command(click.Command):
         return rest
 
     def _check(self, ctx: click.Context) -> None:
-        sources, outputs, made = [], [], []
+        sources, outputs, made, kinds = [], [], [], []
         for param, name in _named(self, ctx):
             if isinstance(param.type, Source) and (param.type.found or os.path.exists(name)):
                 sources.append(name)
             elif isinstance(param.type, Target):
                 outputs.append(name)
-                param.type.check(name)
+                kinds.append(param.type)
             elif isinstance(param.type, Folder):
                 made.append(os.path.realpath(name))
                 if os.path.exists(name) and not os.path.isdir(name):
                     raise shelf.ShelfError(f"{name}: is there, and no folder")
         in_made = [name for name in outputs if os.path.dirname(os.path.realpath(name)) in made]
         check_files(sources, [name for name in outputs if name not in in_made or os.path.exists(name)])
+        for name, kind in zip(outputs, kinds, strict=True):
+            kind.check(name)
         for name in sources:
             if shelf.hides(name):
                 command.say(f"{name} {shelf.HIDES}")

@@ -1,7 +1,5 @@
 """`pdp8 nc` as a user meets it: its products, its manners, and every bad input in one line."""
 
-import shutil
-
 import pytest
 from click.testing import CliRunner
 
@@ -86,14 +84,6 @@ def test_drawings_go_where_they_are_told(shell: Shell) -> None:
     assert done.stdout.startswith(b"<svg")
     assert done.stdout.rstrip().endswith(b"</svg>")
     assert b"worst trough to peak" in done.stderr
-
-
-@pytest.mark.skipif(
-    shutil.which("script") is None, reason="script, which provides a terminal, is not installed"
-)
-def test_at_a_terminal_the_drawing_goes_beside_the_tape(shell: Shell) -> None:
-    done = shell("script -qec 'pdp8 nc plot circle.eia' /dev/null; head -c4 circle.svg")
-    assert done.stdout.decode().replace("\r", "") == "wrote circle.svg\n<svg"
 
 
 def test_the_polynomial_against_its_band(shell: Shell) -> None:

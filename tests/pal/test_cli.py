@@ -47,7 +47,7 @@ def test_force_gives_decs_tape_and_decs_listing(name: str, folder: Path) -> None
 
 def test_the_tape_takes_the_name_of_the_source(folder: Path) -> None:
     result = run("good.pal", folder=folder)
-    assert (result.returncode, result.stdout, result.stderr) == (0, b"", b"")
+    assert (result.returncode, result.stdout, result.stderr) == (0, b"", b"wrote good.bin\n")
     assert (folder / "good.bin").read_bytes() == pal.assemble(GOOD).tape
 
 
@@ -242,6 +242,7 @@ def test_a_listing_at_a_terminal_is_coloured(folder: Path) -> None:
     shown = terminal.seen.decode()
     assert "\x1b[" in shown
     plain = re.sub(r"\x1b\[[0-9;]*m", "", shown).replace("\r\n", "\n")
+    plain = plain.removesuffix("wrote good.bin\n")
     assert plain.rstrip() == pal.assemble(GOOD).listing.expandtabs(8).rstrip()
 
 

@@ -159,7 +159,7 @@ def test_the_command_writes_the_tape_and_says_what_it_is(shell: Shell, tmp_path:
     tape = shelf.read("circle.asc")[:PART]
     (tmp_path / "photo.jpg").write_bytes(camera.photograph(tape, Shot(angle=3)))
     done = shell("pdp8 tape read photo.jpg -o found.asc")
-    assert (done.returncode, done.stderr) == (0, b"60 frames: ASCII\n")
+    assert (done.returncode, done.stderr) == (0, b"60 frames: ASCII\nwrote found.asc\n")
     assert (tmp_path / "found.asc").read_bytes() == tape
 
 
