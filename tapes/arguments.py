@@ -159,6 +159,8 @@ class Command(click.Command):
     def _check(self, ctx: click.Context) -> None:
         sources, outputs, made, kinds = [], [], [], []
         for param, name in _named(self, ctx):
+            if isinstance(param.type, Target | Folder):
+                shelf.check_named(name)
             if isinstance(param.type, Source) and (param.type.found or os.path.exists(name)):
                 sources.append(name)
             elif isinstance(param.type, Target):
@@ -254,9 +256,9 @@ def _identity(name: str) -> object:
     """Return what two names of one file have in common."""
     if name == "-":
         return name
+    path = os.path.realpath(name)  # as the shelf writes it
     try:
-        found = os.stat(name)
+        found = os.stat(path)
     except OSError:
-        path = os.path.normcase(os.path.realpath(name))
-        return path.casefold() if sys.platform == "darwin" else path
+        return path.casefold() if sys.platform == "darwin" else os.path.normcase(path)
     return found.st_dev, found.st_ino

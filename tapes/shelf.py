@@ -46,7 +46,7 @@ def find(name: str) -> str:
 
     Raises ShelfError if there is neither.
     """
-    _check_named(name)
+    check_named(name)
     if os.path.exists(name):
         return name
     if name in _bundled:
@@ -162,7 +162,7 @@ def check_writable(name: str) -> None:
     """Raise ShelfError where file `name` cannot be written or is read-only; nothing is opened or made."""
     if name == "-":
         return
-    _check_named(name)
+    check_named(name)
     if os.path.isdir(name):
         raise ShelfError(f"{name}: Is a directory")
     folder = os.path.dirname(os.path.realpath(name))
@@ -175,7 +175,7 @@ def check_writable(name: str) -> None:
         raise ShelfError(f"{name}: Permission denied")
 
 
-def _check_named(name: str) -> None:
+def check_named(name: str) -> None:
     """Raise ShelfError for the empty name that a script's unset variable gives, and for one with NUL."""
     if not name:
         raise ShelfError("the name of a file is empty")

@@ -13,6 +13,7 @@ or leaves a file it was still writing. Each failure is printed with the seed tha
 """
 
 import argparse
+import errno
 import io
 import os
 import random
@@ -23,11 +24,13 @@ import sys
 import tempfile
 import time
 import traceback
+import zlib
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from pdp8.cli.root import pdp8
 from tapes import ascii, binary, command, rim, shelf
@@ -117,7 +120,8 @@ OPTIONS = {
     "part mirror": ("--across", "--about", "--fill", "--parity"),
     "pal": ("--rim", "--force", "--modern", "--high-speed-reader", "--max-errors", "--strict"),
     "nc view": (),
-    "check": ("--json", "--junit", "--prove", "--show"),
+    "tape read": ("--underside",),
+    "check": ("--prove", "--show"),
     "cards": ("--part", "--pdf"),
     "thesis make": (),
     "thesis evidence": ("--source",),
@@ -135,14 +139,48 @@ NAMES = {  # what stands before the tape, or in its place
     "part compare": ("circle", "polynomial", "nothing"),
     "replay": ("slope", "drill", "circle", "nothing"),
 }
-INSTEAD = ("-", ".", "nowhere", "no/where", "hello.pal", "/dev/null", "")  # of the tape, one call in twenty
-OUTPUTS = ("out", "out", "tape", "no/out", "/dev/full", ".")
+AWKWARD = ("\x1b[31mname", os.fsdecode(b"\xff\xfe"), "n" * 300, "a\0b", " ", "-x", "CON")
+"""Names that a file may have, or that a careless program breaks at."""
+LINKS = ("hard", "soft", "no/../tape")
+"""Other names of the tape; soft is a link to it, hard the same file."""
+KEPT = b"kept"
+INSTEAD = (
+    "-",
+    ".",
+    "nowhere",
+    "no/where",
+    "hello.pal",
+    "/dev/null",
+    "/dev/zero",
+    "",
+    *AWKWARD,
+)  # of the tape, one call in twenty
+OUTPUTS = ("out", "out", "tape", "no/out", "/dev/full", ".", *LINKS, *AWKWARD, "kept", "locked/out")
 WRITES = (
-    *("pal", "tape punch", "nc plot", "tape convert", "tape clean", "part mirror", "nc view", "cards"),
+    *(
+        "pal",
+        "tape punch",
+        "tape read",
+        "nc plot",
+        "tape convert",
+        "tape clean",
+        "part mirror",
+        "nc view",
+        "cards",
+    ),
     *("thesis make", "thesis evidence", "vectors", "replay", "workbench"),
 )
+RECORDS = {  # what else is written
+    "pal": ("--json", "--listing", "--symbols", "--xref"),
+    "check": ("--json", "--junit"),
+    "run": ("--punch", "--count-json", "--save"),
+    "tape show": ("--svg",),
+    "nc inspect": ("--talyrond", "--talysurf"),
+}
 RARE = {  # which part of their calls is made
-    **dict.fromkeys(("check", "cards", "nc view", "thesis make", "part compare", "vectors"), 0.1),
+    **dict.fromkeys(
+        ("check", "cards", "nc view", "thesis make", "part compare", "vectors", "tape read"), 0.1
+    ),
     "workbench": 0.03,
     "replay": 0.01,
 }
@@ -162,7 +200,7 @@ MILLING = ("--tolerance", "--technique", "--feed-code", "--fastest", "--feed-err
 FLAGS = {
     *("--quiet", "--boot", "--force", "--cycles", "--drop-spaces", "--keep-spaces", "--modes", "--strict"),
     *("--gcode", "--dxf", "--rim", "--modern", "--high-speed-reader"),
-    *("--json", "--prove", "--pdf", "--source", "--kiosk", "--cold"),
+    *("--prove", "--pdf", "--source", "--kiosk", "--cold", "--no-clobber", "--underside"),
 }
 EXPRESSIONS = (
     "sin(x)",
@@ -201,7 +239,27 @@ def seeds() -> list[bytes]:
         b"*200\n\tCLA CLL\nL,\tISZ 10\n\tJMP L\n\tHLT\n$\n",
         state.save(Machine()).encode(),
         b"",
+        b'{"a": ' + b"[" * 20_000,
+        b"a = " + b"{a = " * 20_000,
+        b"[" + b"a." * 3000 + b"a]",
+        b"\xef\xbb\xbf*200\n\tHLT\n$\n",
+        "*200\r\n\tHLT / \x1b[2J\r\n$\r\n".encode("utf-16"),
+        b"*200\n\tQQ / \x1b[2J\x9b2J\n$\n",
+        _picture(40_000, 40_000),
+        _picture(64, 64),
     ]
+
+
+def _picture(width: int, height: int) -> bytes:
+    """Return a PNG whose header tells of so many pixels; there are none."""
+
+    def chunk(kind: bytes, content: bytes) -> bytes:
+        body = kind + content
+        return len(content).to_bytes(4) + body + zlib.crc32(body).to_bytes(4)
+
+    size = width.to_bytes(4) + height.to_bytes(4) + bytes([8, 0, 0, 0, 0])
+    picture = chunk(b"IHDR", size) + chunk(b"IDAT", zlib.compress(bytes(1000))) + chunk(b"IEND", b"")
+    return b"\x89PNG\r\n\x1a\n" + picture
 
 
 def mutated(content: bytes, chance: random.Random) -> bytes:
@@ -245,7 +303,9 @@ def arguments(chance: random.Random) -> list[str]:
         part = chance.choice(list(PARTS))
         return ["part", part, *_options(chance, (*PARTS[part], *MILLING), at_least=1)]
     tape = [] if name in NO_TAPE else [chance.choice(INSTEAD) if chance.random() < 0.05 else "tape"]
-    outputs = [path for path in OUTPUTS if path != "tape" or path in tape]  # no source, no damage
+    outputs = [
+        path for path in OUTPUTS if path not in ("tape", *LINKS) or "tape" in tape
+    ]  # no source, no damage
     options = _options(chance, OPTIONS.get(name, ()), at_least=name == "vectors")
     line = [*name.split(), *_named(chance, name), *tape, *options]
     if name == "run":
@@ -266,6 +326,10 @@ def arguments(chance: random.Random) -> list[str]:
         line += ["--gcode"]
     if name in WRITES and chance.random() < 0.8:
         line += ["-o", chance.choice(outputs)]
+    if name in RECORDS and chance.random() < 0.5:
+        line += [chance.choice(RECORDS[name]), chance.choice(outputs)]
+    if name in WRITES and chance.random() < 0.1:
+        line += ["--no-clobber"]
     if name == "replay":
         line += chance.choice(([], ["--html", chance.choice(outputs)]))
     return line
@@ -318,20 +382,44 @@ def limited() -> Iterator[None]:
             signal.signal(number, handler)
 
 
+class Stream(io.TextIOWrapper):
+    """A stream kept in memory, or a pipe that nobody reads."""
+
+    closed_pipe = False
+
+    def __init__(self) -> None:
+        super().__init__(_Kept(self), encoding="utf-8", write_through=True)
+
+
+class _Kept(io.BytesIO):
+    """What a stream was given."""
+
+    def __init__(self, stream: Stream) -> None:
+        super().__init__()
+        self._stream = stream
+
+    def write(self, content: Any) -> int:
+        if self._stream.closed_pipe:
+            raise BrokenPipeError(errno.EPIPE, "Broken pipe")
+        return super().write(content)
+
+
 @cache
-def streams() -> tuple[io.TextIOWrapper, io.TextIOWrapper]:
+def streams() -> tuple[Stream, Stream]:
     """Return a standard output and error for all calls: click keeps every stream it has written to."""
-    out, said = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8", write_through=True) for _ in range(2))
-    return out, said
+    return Stream(), Stream()
 
 
-def called(line: list[str]) -> tuple[int | str, str]:
-    """Call the command; return its status, or what it raised, and what it said."""
+def called(line: list[str], closed: bool = False) -> tuple[int | str, str]:
+    """Call the command, with nobody to read its output where `closed`; return its status, or what it raised,
+    and what it said.
+    """
     before = sys.stdin, sys.stdout, sys.stderr
     out, said = streams()
     for stream in (out, said):
         stream.seek(0)
         stream.truncate()
+    out.closed_pipe = closed
     status: int | str
     with open("reader") as stdin, limited():
         sys.stdin, sys.stdout, sys.stderr = stdin, out, said
@@ -354,10 +442,18 @@ def fault(seed: int, good: list[bytes]) -> str:
     for name, content in files.items():
         Path(name).write_bytes(content)
     line = arguments(chance)
-    status, said = called(line)
+    os.link("tape", "hard")
+    os.symlink("tape", "soft")
+    os.mkdir("locked")
+    os.chmod("locked", 0o555)
+    Path("kept").write_bytes(KEPT)
+    os.chmod("kept", 0o444)
+    status, said = called(line, closed=chance.random() < 0.1)
     wrong = ""
-    if status not in STATUSES or "Traceback" in said or "Warning: " in said:
+    if status not in STATUSES or "Traceback" in said or "Warning: " in said or "\x1b" in said:
         wrong = f"ended with {status}\n{said[-500:]}"
+    if Path("kept").read_bytes() != KEPT or os.listdir("locked"):
+        wrong += "\nwrites where it has no permission"
     for name in os.listdir():
         if name.endswith(".part"):
             wrong += f"\nleaves {name}"
