@@ -105,15 +105,18 @@ BUILT_FROM := pyproject.toml setup.py release/threaded.py $(COMPILED) $(COMPILED
 BYTECODE = $(BIN)/python -m compileall -q tapes pal pdp8 programs nc
 
 .venv/bin/pip:
-	$(PYTHON) -m venv .venv
+	@echo "Making .venv, the virtual environment of this folder; nothing outside it is changed"
+	@$(PYTHON) -m venv .venv
 
 .venv/ready: $(BUILT_FROM) | .venv/bin/pip
-	$(BIN)/pip install -q --disable-pip-version-check -e ".[panel]"
+	@echo "Installing pdp8 and what it needs into .venv, and compiling its core: a minute, without a word"
+	@$(BIN)/pip install -q --disable-pip-version-check -e ".[panel]"
 	$(BYTECODE)
 	touch $@
 
 .venv/ready-dev: $(BUILT_FROM) | .venv/bin/pip
-	$(BIN)/pip install -q --disable-pip-version-check -e ".[dev]"
+	@echo "Installing pdp8 and its developers' tools into .venv, and compiling its core: two minutes"
+	@$(BIN)/pip install -q --disable-pip-version-check -e ".[dev]"
 	$(BYTECODE)
 	touch .venv/ready $@
 

@@ -31,15 +31,20 @@ if TYPE_CHECKING:
     from types import ModuleType
 
     from nc import cut as cut
+    from nc.plot import plot as plot
     from pal import Assembly as Assembly
     from pal import assemble as assemble
+    from pdp8.computer.hardware.bus import Device as Device
     from pdp8.computer.machine import LoadError as LoadError
     from pdp8.computer.machine import Machine as Machine
+    from pdp8.computer.past import state as state
     from pdp8.computer.stop import Stop as Stop
+    from pdp8.computer.use.count import Count as Count
     from programs.parts import part as part
     from tapes import ascii as ascii
     from tapes import binary as binary
     from tapes import eia as eia
+    from tapes import picture as picture
     from tapes import rim as rim
     from tapes import shelf
 
@@ -49,6 +54,8 @@ if TYPE_CHECKING:
 
 _PLACES = {
     "Assembly": ("pal", "Assembly"),
+    "Count": ("pdp8.computer.use.count", "Count"),
+    "Device": ("pdp8.computer.hardware.bus", "Device"),
     "LoadError": ("pdp8.computer.machine", "LoadError"),
     "Machine": ("pdp8.computer.machine", "Machine"),
     "Stop": ("pdp8.computer.stop", "Stop"),
@@ -58,7 +65,10 @@ _PLACES = {
     "cut": ("nc", "cut"),
     "eia": ("tapes.eia", ""),
     "part": ("programs.parts", "part"),
+    "picture": ("tapes.picture", ""),
+    "plot": ("nc.plot", "plot"),
     "rim": ("tapes.rim", ""),
+    "state": ("pdp8.computer.past.state", ""),
     "tape": ("tapes.shelf", "read"),
 }
 """Where each name is: a module, and the name there, or the module itself."""
