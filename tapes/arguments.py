@@ -35,12 +35,11 @@ _KEEPS = {"tape": _BY_HAND, "text": (*_BY_HAND, *_TAPES)}
 
 
 class Source(_Type):
-    """A file that is read: its name, a bundled one, or `-`; `found` false: what is missing is said later."""
+    """A file that is read: its name, a bundled one, or `-`; also completed by what `more` names."""
 
     name = "file"
 
-    def __init__(self, found: bool = True, more: Callable[[], Iterable[str]] = lambda: ()) -> None:
-        self.found = found
+    def __init__(self, more: Callable[[], Iterable[str]] = lambda: ()) -> None:
         self._more = more
 
     def shell_complete(
@@ -161,7 +160,7 @@ class Command(click.Command):
         for param, name in _named(self, ctx):
             if isinstance(param.type, Target | Folder):
                 shelf.check_named(name)
-            if isinstance(param.type, Source) and (param.type.found or os.path.exists(name)):
+            if isinstance(param.type, Source) and (name == "-" or shelf.has(name)):
                 sources.append(name)
             elif isinstance(param.type, Target):
                 outputs.append(name)

@@ -54,6 +54,11 @@ def find(name: str) -> str:
     raise ShelfError(f"{name}: no such file, here or among the bundled ones ({', '.join(bundled())})")
 
 
+def has(name: str) -> bool:
+    """Tell whether `find` finds `name`."""
+    return os.path.exists(name) or name in _bundled
+
+
 def hides(name: str) -> bool:
     """Tell whether the file called `name` hides a bundled one of other content."""
     if name not in _bundled or not os.path.isfile(name):

@@ -19,8 +19,8 @@ _SHOWN = ("task", "solution")
 
 
 @click.command(cls=Command)
-@click.argument("exercise", type=Source(found=False, more=exercises.bundled), required=False)
-@click.argument("answer", type=Source(found=False), nargs=-1)
+@click.argument("exercise", type=Source(exercises.bundled), required=False)
+@click.argument("answer", type=Source(), nargs=-1)
 @click.option("--list", "listed", is_flag=True, help="List the bundled exercises.")
 @click.option(
     "--show", type=click.Choice(_SHOWN), help="Show the exercise's task, or the teacher's solution."
