@@ -168,7 +168,7 @@ class Command(click.Command):
             elif isinstance(param.type, Folder):
                 made.append(os.path.realpath(name))
                 if os.path.exists(name) and not os.path.isdir(name):
-                    raise shelf.ShelfError(f"{name}: is there, and no folder")
+                    raise shelf.ShelfError(f"{name}: File exists")
         in_made = [name for name in outputs if os.path.dirname(os.path.realpath(name)) in made]
         check_files(sources, [name for name in outputs if name not in in_made or os.path.exists(name)])
         for name, kind in zip(outputs, kinds, strict=True):
