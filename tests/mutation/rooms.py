@@ -1,0 +1,32 @@
+"""The rooms: whose sources are changed and whose tests run; and the mutants that change nothing."""
+
+import tomllib
+from pathlib import Path
+
+HOUSE = Path(__file__).parents[2]
+
+ROOMS = {
+    "tapes": ("tapes", ["tests/tapes"]),
+    "pal": ("pal", ["tests/pal"]),
+    "programs": ("programs", ["tests/programs"]),
+    "nc": ("nc", ["tests/nc", "tests/tapes/test_hydrapoint.py"]),
+    "lessons": ("pdp8/lessons", ["tests/pdp8/lessons"]),
+    "monitor": ("pdp8/monitor", ["tests/pdp8/monitor"]),
+    "computer": ("pdp8/computer", ["tests/pdp8/computer"]),
+}
+"""The folder and the tests of each room."""
+
+
+def sources(room: str) -> list[Path]:
+    """Return the sources of a room, relative to the house."""
+    return sorted(path.relative_to(HOUSE) for path in (HOUSE / ROOMS[room][0]).rglob("*.py"))
+
+
+def equal() -> dict[tuple[str, str, str], str]:
+    """Return why a mutant changes nothing, by its file, its scope and the change as the table shows it."""
+    found = tomllib.loads((Path(__file__).parent / "equal.toml").read_text())
+    return {
+        (entry["file"], entry["scope"], change): entry["why"]
+        for entry in found.get("mutant", [])
+        for change in entry["changes"]
+    }
