@@ -2,8 +2,9 @@
 
 The pneumatic head senses channels 1 to 4 and channel 8. The other channels are masked off: parity is not
 checked, and a row without holes is the digit 0, as 040 is. A block is 20 rows. The operator sets the first
-punched row under the head: a blank leader is not read, and blank rows after the last end of block are the
-trailer.
+row under the head: a blank leader is not read, and blank rows after the last end of block are the trailer.
+The first row is the first that is punched; on a tape without parity, where a zero is blank, it is the first
+of the 20 that the first end of block closes.
 
     frame     040 040 001 040 001 031 ... 200        as punched, with parity
     sensed      0   0   1   0   1   9 ... end        & 217
@@ -20,6 +21,7 @@ from typing import NamedTuple
 from tapes.errors import TapeError
 from tapes.hydrapoint import (
     CAROUSEL,
+    DIGITS,
     MISCELLANEOUS,
     NEXT_TOOL,
     PREPARATORY,
@@ -82,9 +84,9 @@ def read(frames: bytes, strict: bool = False) -> Iterator[tuple[Row, Block]]:
     """
     sensed = frames.translate(_STRICT if strict else _SENSED)
     end = len(frames.rstrip(b"\0"))
-    start = len(frames) - len(frames.lstrip(b"\0"))
-    if start >= end:
+    if not end:
         raise TapeError("no row is punched: the tape is empty or blank")
+    start = _first_row(frames)
     for number, frame in enumerate(range(start, end, ROWS), 1):
         rows = sensed[frame : frame + ROWS]
         place = Row(number, frame)
@@ -93,6 +95,14 @@ def read(frames: bytes, strict: bool = False) -> Iterator[tuple[Row, Block]]:
         found = block(rows[:-1])
         _check(place, found)
         yield place, found
+
+
+def _first_row(frames: bytes) -> int:
+    """Return the frame of the first row that is to be under the head."""
+    punched = len(frames) - len(frames.lstrip(b"\0"))
+    zeros_are_punched = any(frame & ~HEAD for frame in set(frames))
+    closed = frames.find(END_OF_BLOCK) - DIGITS
+    return punched if zeros_are_punched or closed < 0 else min(punched, closed)
 
 
 def _head(frame: int) -> int:

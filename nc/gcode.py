@@ -7,7 +7,8 @@ One linear move for each move of the machine, so the path is the same on a contr
 the Hydra-Point's axes move at unequal feeds, each corner is written out, and G61 (exact path) prevents the
 controller from rounding it. The quill's depth becomes a negative Z with zero at the top. Program stop, end of
 program and manual tool change wait for START: M0. M2 ends the program. The feeds are those the path was cut
-with.
+with. RS-274's M6 leaves the spindle standing, and it can have both coolants on: M3 after the one and M9
+between the others keep to what the Hydra-Point does.
 
 Source: RS-274/NGC (T. Kramer, F. Proctor, E. Messina, NIST, 2000), the common part of every dialect.
 """
@@ -49,6 +50,8 @@ def _changes(before: Modes, step: Step) -> Iterator[str]:
     if modes.spindle != before.spindle:
         yield f"S{modes.spindle} M3"
     if modes.coolant != before.coolant:
+        if "off" not in (modes.coolant, before.coolant):
+            yield _COOLANT["off"]
         yield _COOLANT[modes.coolant]
 
 
@@ -75,5 +78,7 @@ def _feed(speed: float) -> str:
 def _stops(step: Step) -> Iterator[str]:
     if step.tool_changed:
         yield f"T{step.modes.tool} M6"
+        if step.modes.spindle:
+            yield "M3"
     elif step.stop or step.block.miscellaneous == Miscellaneous.INDEX:
         yield "M0"

@@ -13,11 +13,13 @@ the other moves alone (thesis, Figure 3.1). X, Y and the quill begin at zero. Th
 every stop; the operator's time and the time of indexing are not counted.
 
 The thesis does not say the following; this machine assumes it. The quill moves at the positioning speed
-outside the work. Bored and tapped holes are left at the Z feed, drilled ones at positioning speed. The quill
-goes up for a tool change and for indexing. Program stop, end of program and manual tool change each wait for
-START, and the tape continues after them. An automatic tool change with tool function 00 selects the next tool
-of the carousel, 01 after 24: Chapter 2 has random and sequential tool selection and gives no code for the
-second. A tool change takes the time given in the settings, by default none.
+outside the work. Where it is in the work already, milling at another final depth, deeper or not, feeds it
+there. Bored and tapped holes are left at the Z feed, drilled ones at positioning speed. A peck
+withdraws to the Z feed point. The quill goes up for a tool change and for indexing, after the block's moves.
+Program stop, end of program and manual tool change each wait for START, and the tape continues after them. An
+automatic tool change with tool function 00 selects the next tool of the carousel, 01 after 24: Chapter 2 has
+random and sequential tool selection and gives no code for the second. A tool change takes the time given in
+the settings, by default none.
 
 Not emulated: pneumatics and hydraulics, backlash, settling, the zero adjustment, the pitch of a tap (it
 runs at the Z feed), spindle start and stop, the manual dials, positioning errors of .0003 in.

@@ -2,8 +2,8 @@
 
     python -m tests.mutation nc tapes [--sample 300] [--seed 0] [--since REF] [-j JOBS]
 
-The score is the part of the mutants that a test catches, of those that change something: equal.toml names those
-that do not, each with its reason. Exit status 1 where a room is below the floor.
+The score is the part of the mutants that a test catches, of those that change something: equal.toml names
+those that do not, each with its reason. Exit status 1 where a room is below the floor.
 """
 
 import argparse

@@ -5,8 +5,8 @@
     7         8                     if a      if not a     x.y = a     (nothing)
     "word"    "word?"               case a if b   case a   raise E     (nothing)
 
-Not changed: docstrings, annotations, decorators, imports, assertions, texts with a space or in an f-string (what
-messages say), and what stands only for a type checker.
+Not changed: docstrings, annotations, decorators, imports, assertions, texts with a space or in an f-string
+(what messages say), and what stands only for a type checker.
 """
 
 import ast
@@ -44,7 +44,7 @@ _FIELDS_FOR_READERS = {"annotation", "returns", "decorator_list", "format_spec"}
 
 
 class Mutant(NamedTuple):
-    """One change. `lines` are those of its statement up to it; `whole` where it works outside every function."""
+    """One change. `lines`: of its statement, up to it; `whole`: it works outside every function."""
 
     number: int
     lines: range
@@ -61,25 +61,25 @@ class Mutant(NamedTuple):
 
 
 class _Place(NamedTuple):
-    """A node that may change: the field of its parent that holds it, and its place there if that is a list."""
+    """A node that may change: the field of its parent that holds it, and which element of a list."""
 
     parent: ast.AST
     field: str
-    index: int | None
+    element: int | None
     node: ast.expr | ast.stmt
     scope: tuple[str, ...]
     statement: int
     inside: bool
 
     def put(self, node: ast.AST) -> None:
-        if self.index is None:
+        if self.element is None:
             setattr(self.parent, self.field, node)
         else:
-            getattr(self.parent, self.field)[self.index] = node
+            getattr(self.parent, self.field)[self.element] = node
 
 
 def mutants(source: str) -> Iterator[Mutant]:
-    """Yield the mutants of a source in the order of its lines; `tree` has the change until the next is asked."""
+    """Yield the mutants of a source in order; `tree` has the change until the next is asked for."""
     tree = ast.parse(source)
     number = 0
     for place in _places(tree, (), 0, inside=False):

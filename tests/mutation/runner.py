@@ -1,7 +1,7 @@
 """A warm pytest that forks for each mutant.
 
     this process ──fork──► collected: the room's tests, each run once under coverage (in a fork of its own);
-         │                  then, for each mutant in a function, fork ► put in its code ► run the tests of its lines
+         │                  then, for each mutant in a function, fork ► put in its code ► its lines' tests
          └────────fork──► for each mutant outside a function: import it ► run the tests of its module
 
 A mutant is caught when a test fails, or takes LONGER times as long as all of them did.
@@ -74,7 +74,7 @@ def run(tests: list[str], chosen: Chosen, jobs: int) -> Iterator[tuple[str, int,
         os.waitpid(pid, 0)
         runs, verdicts = pickle.loads(answer.read_bytes())
         if runs.failed:
-            raise SystemExit(f"these tests fail without a mutant: {' '.join(runs.failed)}")
+            print(f"left out, as they fail without a mutant: {' '.join(runs.failed)}", file=sys.stderr)
         for name in runs.loaded:
             try:
                 importlib.import_module(name)
@@ -90,7 +90,7 @@ def run(tests: list[str], chosen: Chosen, jobs: int) -> Iterator[tuple[str, int,
 
 
 def _fork(work: Callable[[], int], folder: Path, limit: float | None = None, quiet: bool = True) -> int:
-    """Do `work` in a process of its own, for at most `limit` seconds of processor time; its result is the status."""
+    """Do `work` in a process of its own, for at most `limit` seconds of its time; the status tells."""
     pid = os.fork()
     if pid:
         return pid
@@ -191,7 +191,7 @@ class _Collected:
             names = set().union(*(lines.get(line, set()) for line in mutant.lines))
             if mutant.whole or "" in names:
                 imported.add((file, mutant.number))
-            names.discard("")
+            names &= runs.seconds.keys()
             if mutant.whole:
                 return "import"
             if not names:
@@ -227,6 +227,7 @@ class _Collected:
             began = time.process_time()
             if any(report.failed for report in runtestprotocol(item, log=False, nextitem=after)):
                 failed.append(item.nodeid)
+                continue
             seconds[item.nodeid] = time.process_time() - began
         self.measured.stop()
         data = self.measured.get_data()
@@ -285,7 +286,7 @@ def _whole(
 
     def begin(mutant: Mutant, file: str) -> int | str:
         lines = runs.tests.get(file, {})
-        names = set().union(*lines.values()) - {""} if lines else set()
+        names = set().union(*lines.values()) & runs.seconds.keys() if lines else set()
         order = sorted(names or runs.seconds, key=lambda name: runs.seconds[name])
         code = compile(mutant.tree, str(Path(file).resolve()), "exec")
         limit = 2 * LEAST + LONGER * sum(runs.seconds[name] for name in order)

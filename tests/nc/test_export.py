@@ -1,10 +1,12 @@
 """G-code run by interpreters that are not ours, DXF read back by ezdxf."""
 
 import io
+import random
 import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import ezdxf
@@ -18,83 +20,109 @@ from nc.curves import Ellipse
 from nc.dxf import dxf
 from nc.gcode import gcode
 from nc.machine import Settings
-from nc.path import MoveKind, Position
-from tapes import shelf
+from nc.path import MoveKind
 from tapes.errors import WorkError
 from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, tape
+from tests.nc.test_second_machine import ALL_SET, CODES, program
 
 SLOPES = tape(*HEADER, "007 6 02250 04000 0 02 84", "008 6 05250 05000 0 01 85", "009 6 01333 02777 0 04 84")
-TAPES = {
-    "circle": CIRCLE,
-    "ellipse": shelf.read("ellipse.eia"),
-    "four holes": tape(*FOUR_HOLES),
-    "slopes": SLOPES,
-    "every preparatory function": tape(
-        *HEADER,
-        *(f"01{code} {code} 01{code}00 02000 0 03 89" for code in (1, 4, 5, 7, 8)),
-        "020 6 03000 02000 0 05 84",
-        "021 0 04000 02000 0 12 86",
-        "022 0 04000 02000 0 00 83",
-        "023 0 04000 02000 0 00 09",
-    ),
-}
 
 
-def signed(point: Position) -> tuple[float, float, float]:
-    return point.x / 1000, point.y / 1000, -point.z / 1000
+def everything() -> Iterator[str]:
+    """Yield a program with every code of Tables 2.3 and 2.4, and cuts, holes and stops between them."""
+    yield from ALL_SET
+    draw = random.Random(1)
+    for code, tools in CODES.items():
+        for tool in tools:
+            yield f"001 6 {draw.randrange(20000):05} {draw.randrange(10000):05} 0 {tool:02} {code}"
+            yield f"002 {draw.choice((1, 4, 5, 7, 8))} {draw.randrange(20000):05} 02000 0 00 80"
+    for _ in range(8):
+        yield from program(draw)
 
 
-def travelled(path: nc.Path) -> list[tuple[bool, tuple[float, float, float]]]:
-    """Return for each move whether it is at a feed, and where it ends in inches."""
-    feeds = (MoveKind.MILL, MoveKind.FEED_IN, MoveKind.FEED_OUT)
-    return [(move.kind in feeds, signed(move.end)) for move in path.moves]
+EVERYTHING = tape(*everything())
+FEEDS = (MoveKind.MILL, MoveKind.FEED_IN, MoveKind.FEED_OUT)
+Event = tuple[object, ...]
 
 
-@pytest.mark.parametrize("name", TAPES)
-def test_pygcode_goes_the_same_way_in_the_same_time(name: str) -> None:
-    path = nc.cut(TAPES[name], settings=Settings(feed_error=(0.1, -0.2, 0.2)))
+def events(path: nc.Path) -> Iterator[Event]:
+    """Yield each move, its end in inches, its feed, spindle and coolant; each stop and each tool."""
+    for step in path.steps:
+        for move in step.moves:
+            x, y, z = move.end
+            feed = round(move.speed, 4) if move.kind in FEEDS else None
+            yield (x / 1000, y / 1000, -z / 1000), feed, step.modes.spindle or 0, step.modes.coolant
+        if step.tool_changed:
+            yield "tool", step.modes.tool
+        elif step.stop or step.block.miscellaneous == 83:
+            yield "stop", None
+
+
+CANON = re.compile(r"^ *\d+ +N\S+ +(\w+)\((.*)\)$", re.MULTILINE)
+
+
+def linuxcnc(lines: Iterable[str], folder: Path) -> Iterator[Event]:
+    """Yield the same of a program as LinuxCNC's interpreter carries it out; the coolants that are on."""
+    (folder / "part.ngc").write_text("\n".join(lines) + "\n")
+    (folder / "tools").write_text("".join(f"T{tool} P{tool} Z0 D0.5\n" for tool in range(1, 25)))
+    (folder / "variables").touch()
+    command = [str(shutil.which("rs274")), "-g", "-t", "tools", "-v", "variables", "part.ngc", "canon"]
+    subprocess.run(command, cwd=folder, check=True, capture_output=True, timeout=60)
+    speed = turning = feed = 0.0
+    coolants: set[str] = set()
+    for call, given in CANON.findall((folder / "canon").read_text()):
+        match call, given.split(", "):
+            case "STRAIGHT_FEED" | "STRAIGHT_TRAVERSE", [*place, _, _, _]:
+                at = tuple(map(float, place))
+                yield at, feed if call == "STRAIGHT_FEED" else None, turning, "+".join(coolants) or "off"
+            case "SET_FEED_RATE", [rate]:
+                feed = float(rate)
+            case "SET_SPINDLE_SPEED", [_, rpm]:
+                speed = float(rpm)
+                turning = speed if turning else 0
+            case "START_SPINDLE_CLOCKWISE", _:
+                turning = speed
+            case "STOP_SPINDLE_TURNING", _:
+                turning = 0
+            case (("MIST_ON" | "FLOOD_ON"), _):
+                coolants.add(call[:-3].lower())
+            case (("MIST_OFF" | "FLOOD_OFF"), _):
+                coolants.discard(call[:-4].lower())
+            case "SELECT_TOOL", [tool]:
+                yield "tool", int(tool)
+            case "PROGRAM_STOP", _:
+                yield "stop", None
+
+
+@pytest.mark.skipif(not shutil.which("rs274"), reason="LinuxCNC's interpreter (rs274) is not installed")
+@pytest.mark.parametrize("frames", [CIRCLE, EVERYTHING], ids=["circle", "everything"])
+def test_linuxcnc_does_the_same(frames: bytes, tmp_path: Path) -> None:
+    path = nc.cut(frames, settings=Settings(feed_error=(0.1, -0.2, 0.2)))
+    done = list(linuxcnc(gcode(path), tmp_path))
+    for here, there in zip(done, events(path), strict=True):
+        assert here[1:] == there[1:], f"{here}, not {there}"
+        assert here[0] == (pytest.approx(there[0], abs=0.00011) if len(there) > 2 else there[0])
+
+
+def test_pygcode_goes_the_same_way_in_the_same_time() -> None:
+    """The judge where LinuxCNC is not installed."""
+    path = nc.cut(EVERYTHING[: 1 + 20 * 60], settings=Settings(feed_error=(0.1, -0.2, 0.2)))
     machine = pygcode.Machine()
     went, minutes = [], 0.0
     for line in gcode(path):
         before = machine.pos
         block = pygcode.Line(line).block
         machine.process_block(block)
-        if machine.pos != before or any(code.word_key in ("G00", "G01") for code in block.gcodes):
+        if any(code.word_key in ("G00", "G01") for code in block.gcodes):
             way = machine.pos - before
             length = sum(value**2 for value in way.values.values()) ** 0.5
             at_feed = str(machine.mode.modal_groups[1]).startswith("G01")
             minutes += length / machine.mode.feed_rate.word.value if at_feed else 0
-            went.append((at_feed, tuple(machine.pos.values[axis] for axis in "XYZ")))
-    assert [at_feed for at_feed, _ in went] == [at_feed for at_feed, _ in travelled(path)]
-    for (_, here), (_, there) in zip(went, travelled(path), strict=True):
-        assert here == pytest.approx(there, abs=0.00006)
+            went.append(tuple(machine.pos.values[axis] for axis in "XYZ"))
+    for here, move in zip(went, path.moves, strict=True):
+        x, y, z = move.end
+        assert here == pytest.approx((x / 1000, y / 1000, -z / 1000), abs=0.00006)
     assert minutes * 60 == pytest.approx(path.times.milling + path.times.z_feed, abs=0.05)
-
-
-RS274 = shutil.which("rs274")
-CANON = re.compile(r"STRAIGHT_(TRAVERSE|FEED)\((-?[\d.]+), (-?[\d.]+), (-?[\d.]+),")
-
-
-@pytest.mark.skipif(RS274 is None, reason="LinuxCNC's interpreter (rs274) is not installed")
-@pytest.mark.parametrize("name", TAPES)
-def test_linuxcnc_goes_the_same_way(name: str, tmp_path: Path) -> None:
-    path = nc.cut(TAPES[name])
-    (tmp_path / "part.ngc").write_text("\n".join(gcode(path)) + "\n")
-    (tmp_path / "tools").write_text("".join(f"T{tool} P{tool} Z0 D0.5\n" for tool in range(1, 25)))
-    (tmp_path / "variables").touch()
-    subprocess.run(
-        [str(RS274), "-g", "-t", "tools", "-v", "variables", "part.ngc", "canon"],
-        cwd=tmp_path,
-        check=True,
-        capture_output=True,
-        timeout=60,
-    )
-    found = CANON.findall((tmp_path / "canon").read_text())
-    went = [(how == "FEED", tuple(map(float, place))) for how, *place in found]
-    assert len(went) == len(path.moves)
-    for (at_feed, here), (feeds, there) in zip(went, travelled(path), strict=True):
-        assert at_feed == feeds
-        assert here == pytest.approx(there, abs=0.00011)
 
 
 def test_every_milling_block_is_one_line() -> None:

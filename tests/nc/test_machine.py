@@ -42,16 +42,6 @@ def test_the_four_holes_of_chapter_3() -> None:
     assert path.times.z_feed == pytest.approx(4 * 30)
 
 
-def test_positions_are_reached_axis_by_axis_at_300() -> None:
-    """X and Y run together until Y is there; X goes on alone."""
-    assert moves(nc.cut(tape("001 0 03000 01000 0 00 80"))) == [
-        ("position", Position(1000, 1000, 0), pytest.approx(300 * 2**0.5)),
-        ("position", Position(3000, 1000, 0), 300),
-    ]
-    path = nc.cut(tape("001 0 03000 01000 0 00 80"))
-    assert path.times.positioning == pytest.approx(3 / 300 * 60)
-
-
 def test_two_feeds_leave_the_slope_where_one_axis_arrives() -> None:
     """Figure 3.1: a slope of 30 degrees with X at 1.9 and Y at 1.0; Y is not there yet when X is."""
     both = last(READ_Z, "001 6 00000 00000 0 02 84", "002 6 17321 10000 0 01 85")
@@ -61,84 +51,12 @@ def test_two_feeds_leave_the_slope_where_one_axis_arrives() -> None:
     assert sum(move.seconds for move in both) == pytest.approx(10 / 1.0 * 60)
 
 
-def test_equal_feeds_and_ways_arrive_together() -> None:
-    both = last(READ_Z, "001 6 00000 00000 0 01 84", "002 6 01000 01000 0 01 85")
-    assert [move.end for move in both] == [Position(1000, 1000, 3500)]
-
-
-def test_the_quill_goes_down_once_and_up_to_position() -> None:
-    path = nc.cut(
-        tape(READ_Z, "001 6 00100 00000 0 01 84", "002 6 00200 00000 0 01 84", "003 0 00000 00000 0 00 80")
-    )
-    assert [[str(move.kind) for move in step.moves] for step in path.steps] == [
-        [],
-        ["approach", "feed in", "mill"],
-        ["mill"],
-        ["retract", "position"],
-    ]
-
-
-def test_a_new_depth_in_the_cut_is_fed_to() -> None:
-    deeper = last(
-        READ_Z, "001 6 00100 00000 0 01 84", "002 9 03000 03600 0 01 89", "003 6 00200 00000 0 01 84"
-    )
-    assert [(move.kind, move.start.z, move.end.z) for move in deeper] == [
-        (MoveKind.FEED_IN, 3500, 3600),
-        (MoveKind.MILL, 3600, 3600),
-    ]
-
-
-@pytest.mark.parametrize(
-    ("preparatory", "kinds"),
-    [
-        (1, ["position", "approach", "feed in", "feed out", "retract"]),
-        (5, ["position", "approach", "feed in", "retract"]),
-        (7, ["position", "approach", "feed in", "feed out", "retract"]),
-        (8, ["position", "approach", "feed in", "feed out", "retract"]),
-    ],
-)
-def test_holes(preparatory: int, kinds: list[str]) -> None:
-    hole = last(READ_Z, f"001 {preparatory} 01000 00000 0 01 89")
-    assert [str(move.kind) for move in hole] == kinds
-
-
-def test_a_peck_withdraws_to_the_feed_point() -> None:
-    hole = last(READ_Z, "001 4 01000 00000 0 01 89", settings=Settings(peck=200))
-    down = [(move.start.z, move.end.z) for move in hole if move.kind is MoveKind.FEED_IN]
-    assert down == [(3000, 3200), (3200, 3400), (3400, 3500)]
-    assert [move.end.z for move in hole if move.kind is MoveKind.RETRACT] == [3000, 3000, 0]
-
-
-def test_partial_retract_waits_at_the_feed_point() -> None:
-    path = nc.cut(
-        tape(
-            READ_Z,
-            "001 5 01000 01000 0 00 81",
-            "002 5 02000 01000 0 00 80",
-            "003 5 03000 01000 0 00 82",
-            "004 5 04000 01000 0 00 80",
-        )
-    )
-    assert [step.at.z for step in path.steps] == [0, 3000, 3000, 0, 0]
-    assert [step.modes.partial_retract for step in path.steps] == [False, True, True, False, False]
-
-
 def test_a_tool_change_needs_the_quill_up_and_takes_its_time() -> None:
     blocks = (READ_Z, "001 6 01000 00000 0 01 84", "002 6 02000 00000 0 07 86")
     path = nc.cut(tape(*blocks), settings=Settings(tool_change_seconds=8))
     assert [str(move.kind) for move in path.steps[-1].moves] == ["mill", "retract"]
     assert path.steps[-1].modes.tool == 7
     assert path.times.tool_changes == 8
-
-
-def test_modes_stay_until_another_block_changes_them() -> None:
-    path = nc.cut(
-        tape(*HEADER, "007 0 00000 00000 0 00 07", "008 0 00000 00000 0 00 09", "009 0 00000 00000 0 12 06")
-    )
-    assert [step.modes.coolant for step in path.steps] == ["off", "off", *["mist"] * 4, "flood", "off", "off"]
-    assert [step.modes.spindle for step in path.steps] == [None, None, None, *[2000] * 6]
-    assert [step.modes.tool for step in path.steps] == [None, *[1] * 7, 12]
-    assert path.steps[-1].stop == "tool change, manual"
 
 
 def test_stops_wait_for_the_operator_and_the_tape_goes_on() -> None:
@@ -197,13 +115,6 @@ def test_a_feed_error_changes_the_times_and_not_the_staircase() -> None:
     assert slow.times.milling == pytest.approx(true.times.milling / 0.8)
 
 
-def test_a_feed_error_bends_a_slope() -> None:
-    """Chapter 3: two feeds off by 20 % against each other."""
-    blocks = (READ_Z, "001 6 00000 00000 0 01 84", "002 6 01000 01000 0 01 85")
-    (first, _) = last(*blocks, settings=Settings(feed_error=(0.2, -0.2, 0)))
-    assert first.end == pytest.approx((1000, 1000 * 0.8 / 1.2, 3500))
-
-
 class TestTheCircle:
     """4 in, +-.005, 1 in/min: 36 minutes in Chapter 7."""
 
@@ -248,13 +159,6 @@ class TestTheEllipse:
         assert path.times.reading / 60 == pytest.approx(32.5, abs=0.05)
         contour = 970 * 2 + path.times.milling
         assert contour / 60 == pytest.approx(minutes, abs=0.05)
-
-
-def test_a_tool_change_without_a_tool_takes_the_next_of_the_carousel() -> None:
-    """Chapter 2: random or sequential tool selection; after tool 24 comes 01."""
-    codes = ("00", "07", "00", "24", "00")
-    path = nc.cut(tape(*(f"{n:03} 0 00000 00000 0 {code} 86" for n, code in enumerate(codes, 1))))
-    assert [step.modes.tool for step in path.steps] == [1, 7, 8, 24, 1]
 
 
 def test_a_path_is_one_line_to_look_at() -> None:

@@ -1,10 +1,10 @@
 """A second Hydra-Point, written from the thesis's Chapters 2 and 3: it shares nothing with nc/ or tapes/.
 
-Lengths are thousandths of an inch, times are exact seconds. What the thesis leaves open is decided here once:
-the methods of `HydraPoint` say so with "open:".
+Lengths are thousandths of an inch; times are exact, in seconds. Where the thesis leaves something open, the
+assumptions of nc/machine.py hold here too, marked "open": there the two cannot judge each other.
 """
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -14,6 +14,7 @@ ROWS = 20
 TRAVEL = (20000, 10000, 5000)
 RAPID = Fraction(300)
 READING = 2  # seconds a block
+THOUSANDTHS_A_SECOND = Fraction(1000, 60)  # for each inch a minute
 
 # Table 2.4, line by line: code, X and Y feed, Z feed, spindle; code, spindle.
 TABLE_2_4 = """\
@@ -48,21 +49,23 @@ POSITION, TAP_FEED, PECK, DRILL, MILL, BORE, TAP_PITCH, READ_Z = 0, 1, 4, 5, 6, 
 HOLES = (TAP_FEED, PECK, DRILL, BORE, TAP_PITCH)
 PREPARATORY = (POSITION, MILL, READ_Z, *HOLES)
 STOPS = (0, 2, 6)
+QUILL_UP = (6, 83, 86)  # open: for these the quill goes up after the block's moves
 COOLANT = {7: "flood", 8: "mist", 9: "off"}
 MISCELLANEOUS = (*STOPS, *COOLANT, *range(80, 87), 88, 89)
 
 
 class RefusedError(Exception):
-    """A tape or block that the machine cannot carry out: the block's place on the tape, from 1, and why."""
+    """What the machine cannot carry out: the block's place on the tape and the rows to blame, from 1."""
 
-    def __init__(self, block: int, why: str) -> None:
-        super().__init__(block, why)
-        self.block, self.why = block, why
+    def __init__(self, block: int, *rows: int) -> None:
+        super().__init__(block, rows)
+        self.block, self.rows = block, rows
 
 
 class Block(NamedTuple):
     """What a block's digits say."""
 
+    sequence: int
     preparatory: int
     x: int
     y: int
@@ -72,188 +75,200 @@ class Block(NamedTuple):
 
 
 class Leg(NamedTuple):
-    """A straight piece of the tool's way: its block, its end, its speed (None where rapid), its seconds."""
+    """A straight piece of the cutter's way: where it ends, whether at 300 in/min, its seconds."""
 
-    block: int
-    end: tuple[Fraction, Fraction, Fraction]
+    end: tuple[Fraction, ...]
     rapid: bool
     seconds: Fraction
 
 
 def blocks(frames: bytes) -> Iterator[Block]:
-    """Yield the blocks of a tape; rows before the first block and blank tape after the last one do not count."""
-    rows = [frame & SENSED for frame in frames]
-    while rows and not rows[-1]:
-        rows.pop()
-    if END_OF_BLOCK not in rows:
-        raise RefusedError(1, "no end of block")
-    start = rows.index(END_OF_BLOCK) - (ROWS - 1)
-    if start < 0:
-        raise RefusedError(1, "short")
+    """Yield the blocks of a tape, blank leader and trailer left out.
+
+    Zeros are punched 040 or, on a tape without parity, not at all: only there do blank rows before the first
+    hole belong to the first block, as many as it needs.
+    """
+    rows = [frame & SENSED for frame in frames.rstrip(b"\0")]
+    start = next(at for at, frame in enumerate(frames) if frame)
+    if not any(frame & ~SENSED for frame in frames) and END_OF_BLOCK in rows:
+        start = min(start, max(rows.index(END_OF_BLOCK) - (ROWS - 1), 0))
     for number, at in enumerate(range(start, len(rows), ROWS), 1):
         block = rows[at : at + ROWS]
-        if len(block) < ROWS or block[-1] != END_OF_BLOCK or any(row > 9 for row in block[:-1]):
-            raise RefusedError(number, "rows")
+        for row, value in enumerate(block, 1):
+            if value > 9 and (value != END_OF_BLOCK or row < ROWS):
+                raise RefusedError(number, row)
+        if block[-1] != END_OF_BLOCK or len(block) < ROWS:
+            raise RefusedError(number, len(block))
         digits = "".join(map(str, block[:-1]))
-        yield Block(*(int(digits[a:b]) for a, b in ((3, 4), (4, 9), (9, 14), (14, 15), (15, 17), (17, 19))))
+        fields = ((0, 3), (3, 4), (4, 9), (9, 14), (14, 15), (15, 17), (17, 19))
+        yield Block(*(int(digits[first:last]) for first, last in fields))
 
 
 class HydraPoint:
-    """The machine while a tape runs: where it is, which modes hold, and every leg so far."""
+    """The machine while a tape runs: where it is, what is in force, and for each block its legs."""
 
-    def __init__(self) -> None:
+    def __init__(self, peck: int = 100, errors: Sequence[Fraction] = (Fraction(0),) * 3) -> None:
+        self.peck = peck
+        self.right = [1 + error for error in errors]
         self.at = [Fraction(0)] * 3
         self.feeds: list[Fraction | None] = [None, None, None]
         self.feed_point: int | None = None
         self.depth = 0
         self.partial = False
         self.coolant = "off"
-        self.speed = 0
-        self.tool = 0
-        self.legs: list[Leg] = []
+        self.speed: int | None = None
+        self.tool: int | None = None
+        self.done: list[list[Leg]] = []
         self.stops: list[int] = []
-        self.block = 0
-        self.read = 0
 
     @property
     def seconds(self) -> Fraction:
         """Return the machining time: the reading of every block and every leg."""
-        return READING * self.read + sum((leg.seconds for leg in self.legs), Fraction(0))
+        legs = sum((leg.seconds for legs in self.done for leg in legs), Fraction(0))
+        return READING * len(self.done) + legs
 
-    def run(self, frames: bytes) -> None:
-        """Carry out a tape to its end."""
-        for self.block, block in enumerate(blocks(frames), 1):
-            self.read += 1
-            self._obey(block)
+    @property
+    def state(self) -> tuple[object, ...]:
+        """Return what is in force, feeds in inches a minute."""
+        return (*self.feeds, self.speed, self.tool, self.coolant, self.partial, self.feed_point)
 
-    def _refuse(self, why: str) -> None:
-        raise RefusedError(self.block, why)
-
-    def _obey(self, block: Block) -> None:
-        if block.preparatory not in PREPARATORY:
-            self._refuse("preparatory")
-        if block.miscellaneous not in MISCELLANEOUS:
-            self._refuse("miscellaneous")
-        if block.reserved:
-            self._refuse("reserved")
-        self._modes(block)
+    def obey(self, block: Block) -> None:
+        """Carry out one block. Raises RefusedError; then the machine is not to be used any more."""
+        self.number = len(self.done) + 1
+        self._check(block)
+        self.legs: list[Leg] = []
+        self._set(block)
         if block.preparatory == READ_Z:
-            self._read_z(block.x, block.y)
+            self.feed_point, self.depth = block.x, block.y
         else:
-            if block.x > TRAVEL[0] or block.y > TRAVEL[1]:
-                self._refuse("travel")
-            self._move(block.preparatory, Fraction(block.x), Fraction(block.y))
+            self._move(block)
+        if block.miscellaneous in QUILL_UP:
+            self._rapid_quill(0)
         if block.miscellaneous in STOPS:
-            self.stops.append(self.block)
+            self.stops.append(self.number)
+        self.done.append(self.legs)
 
-    def _modes(self, block: Block) -> None:
-        """Carry out what the block says beside its motion, before it: the first contour block sets its own feed.
+    def _check(self, block: Block) -> None:
+        """Refuse what Tables 2.3 and 2.4 and the travels do not have, at the first row of its field.
 
-        Open: whether the quill goes up for a tool change or an index; here it does, all the way.
+        Open: a tool function that the block does not use has to be 00, a code of Table 2.4 or a tool.
         """
-        code = block.tool
+        selects: dict[int, Collection[int]] = {
+            84: XY_FEEDS,
+            85: XY_FEEDS,
+            89: Z_FEEDS,
+            88: SPEEDS,
+            86: range(25),
+        }
+        reads_z = block.preparatory == READ_Z
+        wrong = {
+            4: block.preparatory not in PREPARATORY,
+            5: block.x > TRAVEL[2 if reads_z else 0],
+            10: block.y > TRAVEL[2 if reads_z else 1] or (reads_z and block.y < block.x),
+            15: block.reserved != 0,
+            16: block.tool not in selects.get(block.miscellaneous, {*SPEEDS, *range(25)}),
+            18: block.miscellaneous not in MISCELLANEOUS,
+        }
+        if any(wrong.values()):
+            raise RefusedError(self.number, *(row for row, is_wrong in wrong.items() if is_wrong))
+
+    def _set(self, block: Block) -> None:
+        """Carry out the miscellaneous function; a feed holds for its own block.
+
+        Open: an automatic tool change with 00 takes the next tool of the carousel, a manual one any tool.
+        """
         match block.miscellaneous:
             case 7 | 8 | 9 as coolant:
                 self.coolant = COOLANT[coolant]
-            case 81:
-                self.partial = True
-            case 82:
-                self.partial = False
-            case 83 | 86 as function:
-                self._quill(Fraction(0), rapid=True)
-                if function == 86:
-                    if not 1 <= code <= 24:
-                        self._refuse("tool")
-                    self.tool = code
-            case 84 | 85 | 89 as axis:
-                table = Z_FEEDS if axis == 89 else XY_FEEDS
-                if code not in table:
-                    self._refuse("feed")
-                self.feeds[{84: 0, 85: 1, 89: 2}[axis]] = table[code]
+            case 81 | 82 as retract:
+                self.partial = retract == 81
+            case 84 | 85:
+                axis = block.miscellaneous - 84
+                self.feeds[axis] = XY_FEEDS[block.tool] * self.right[axis]
+            case 89:
+                self.feeds[2] = Z_FEEDS[block.tool] * self.right[2]
             case 88:
-                if code not in SPEEDS:
-                    self._refuse("speed")
-                self.speed = SPEEDS[code]
+                self.speed = SPEEDS[block.tool]
+            case 86:
+                self.tool = block.tool or (self.tool or 0) % 24 + 1
+            case 6 if block.tool:
+                self.tool = block.tool
 
-    def _read_z(self, point: int, depth: int) -> None:
-        if max(point, depth) > TRAVEL[2]:
-            self._refuse("travel")
-        if depth < point:
-            self._refuse("depth")
-        self.feed_point, self.depth = point, depth
-
-    def _move(self, function: int, x: Fraction, y: Fraction) -> None:
-        if function == MILL:
-            self._plunge()
-            self._feed_table(x, y)
+    def _move(self, block: Block) -> None:
+        goal = (block.x, block.y)
+        if block.preparatory == MILL:
+            for axis in (0, 1):
+                if goal[axis] != self.at[axis] and self.feeds[axis] is None:
+                    raise RefusedError(self.number, 4)
+            self._check_quill()
+            self._mill_down()
+            self._table(goal, rapid=False)
             return
-        self._retract()
-        self._rapid_table(x, y)
-        if function in HOLES:
-            self._hole(function)
+        if block.preparatory in HOLES:
+            self._check_quill()
+        self._rapid_quill(min(self.at[2], Fraction(self._up())))
+        self._table(goal, rapid=True)
+        if block.preparatory in HOLES:
+            self._hole(block.preparatory)
 
-    def _retract(self) -> None:
-        """Take the quill out of the work: to the feed point with partial retract, else all the way up."""
-        if self.partial and self.feed_point is not None:
-            self._quill(min(self.at[2], Fraction(self.feed_point)), rapid=True)
-        else:
-            self._quill(Fraction(0), rapid=True)
+    def _check_quill(self) -> None:
+        """Open: the quill needs a Z feed even where it stands at the final depth already."""
+        if self.feed_point is None or self.feeds[2] is None:
+            raise RefusedError(self.number, 4)
 
-    def _plunge(self) -> None:
-        """Go to the final depth: rapidly to the feed point, from there at Z's feed."""
-        if self.feed_point is None:
-            self._refuse("no depth")
-            return
-        if self.at[2] > self.depth:
-            self._retract()
-        if self.at[2] < self.feed_point:
-            self._quill(Fraction(self.feed_point), rapid=True)
-        self._quill(Fraction(self.depth))
+    def _up(self) -> int:
+        """Return the quill's place between holes: at the feed point with partial retract, else at zero."""
+        return (self.feed_point or 0) if self.partial else 0
+
+    def _mill_down(self) -> None:
+        """Open: from within the work the quill is fed to another final depth, deeper or not."""
+        if self.at[2] != self.depth:
+            assert self.feed_point is not None
+            self._rapid_quill(max(self.at[2], Fraction(self.feed_point)))
+            self._feed_quill(self.depth)
 
     def _hole(self, function: int) -> None:
-        """Make a hole. Open: how deep a peck is, here none; what tapping adds; boring and tapping feed out."""
-        self._plunge()
-        if function in (BORE, TAP_FEED, TAP_PITCH) and self.feed_point is not None:
-            self._quill(Fraction(self.feed_point))
-        self._retract()
+        """Make a hole. Open: how deep a peck is, that it leaves to the feed point; a tap's feed, here Z's."""
+        point = self.feed_point
+        assert point is not None
+        self._rapid_quill(point)
+        depth = point
+        while function == PECK and depth + self.peck < self.depth:
+            self._rapid_quill(depth)
+            depth += self.peck
+            self._feed_quill(depth)
+            self._rapid_quill(point)
+        self._rapid_quill(depth)
+        self._feed_quill(self.depth)
+        if function in (BORE, TAP_FEED, TAP_PITCH):
+            self._feed_quill(point)
+        self._rapid_quill(self._up())
 
-    def _quill(self, z: Fraction, rapid: bool = False) -> None:
-        """Move the quill alone. Open: its rapid speed; here the table's."""
-        distance = abs(z - self.at[2])
-        if distance:
-            self._leg([self.at[0], self.at[1], z], rapid, distance / self._rate(2, rapid))
+    def _rapid_quill(self, z: Fraction | int) -> None:
+        """Open: the quill's rapid speed; here the table's."""
+        self._leg((*self.at[:2], Fraction(z)), True, abs(z - self.at[2]) / THOUSANDTHS_A_SECOND / RAPID)
 
-    def _rate(self, axis: int, rapid: bool) -> Fraction:
-        """Return the speed of an axis in thousandths a second."""
-        feed = RAPID if rapid else self.feeds[axis]
-        if feed is None:
-            self._refuse("no feed")
+    def _feed_quill(self, z: int) -> None:
+        feed = self.feeds[2]
         assert feed is not None
-        return feed * 1000 / 60
+        self._leg((*self.at[:2], Fraction(z)), False, abs(z - self.at[2]) / THOUSANDTHS_A_SECOND / feed)
 
-    def _rapid_table(self, x: Fraction, y: Fraction) -> None:
-        """Position: both axes at once, each at full speed. Open: whether one line; here it is drawn as one."""
-        distance = max(abs(x - self.at[0]), abs(y - self.at[1]))
-        if distance:
-            self._leg([x, y, self.at[2]], True, distance / self._rate(0, True))
+    def _table(self, goal: tuple[int, int], rapid: bool) -> None:
+        """Move X and Y, each at its own speed: the first to arrive leaves the other to go on alone."""
+        needs = [Fraction(0)] * 2
+        for axis in (0, 1):
+            speed = RAPID if rapid else self.feeds[axis]
+            if goal[axis] != self.at[axis]:
+                assert speed is not None
+                needs[axis] = abs(goal[axis] - self.at[axis]) / THOUSANDTHS_A_SECOND / speed
+        start, spent = self.at, Fraction(0)
+        for now in sorted({need for need in needs if need}):
+            part = [min(now / need, Fraction(1)) if need else Fraction(0) for need in needs]
+            x, y = (start[axis] + part[axis] * (goal[axis] - start[axis]) for axis in (0, 1))
+            self._leg((x, y, start[2]), rapid, now - spent)
+            spent = now
 
-    def _feed_table(self, x: Fraction, y: Fraction) -> None:
-        """Mill: each axis at its own feed until it is there, so that a second axis leaves a bend."""
-        goal = (x, y)
-        left = {
-            axis: abs(goal[axis] - self.at[axis]) / self._rate(axis, False)
-            for axis in (0, 1)
-            if goal[axis] != self.at[axis]
-        }
-        for seconds in sorted(set(left.values())):
-            spent = seconds - max((s for s in left.values() if s < seconds), default=Fraction(0))
-            end = list(self.at)
-            for axis, needs in left.items():
-                if needs >= seconds:
-                    way = self._rate(axis, False) * spent
-                    end[axis] += way if goal[axis] > self.at[axis] else -way
-            self._leg(end, False, spent)
-
-    def _leg(self, end: list[Fraction], rapid: bool, seconds: Fraction) -> None:
+    def _leg(self, end: tuple[Fraction, ...], rapid: bool, seconds: Fraction) -> None:
+        if seconds:
+            self.legs.append(Leg(end, rapid, seconds))
         self.at = list(end)
-        self.legs.append(Leg(self.block, (end[0], end[1], end[2]), rapid, seconds))
