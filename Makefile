@@ -67,6 +67,14 @@ leak: .venv/ready-dev
 faults: .venv/ready-dev
 	$(BIN)/python -m tests.faults -j $(shell nproc)
 
+# `make mutants ROOM=nc` changes one thing at a time in a room and says which changes no test finds.
+# SAMPLE=300 draws so many a room, SINCE=main takes changed lines alone.
+ROOM ?=
+SAMPLE ?= 0
+.PHONY: mutants
+mutants: .venv/ready-dev
+	nice $(BIN)/python -m tests.mutation $(ROOM) --sample $(SAMPLE) $(if $(SINCE),--since $(SINCE)) -j $(shell nproc)
+
 # `make fuzz COUNT=1000000` calls every command with hostile inputs, from SEED on.
 COUNT ?= 100000
 .PHONY: fuzz

@@ -15,6 +15,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
 
 from tests.faults.workshop import Workshop
@@ -83,24 +84,28 @@ def _room(room: str, arguments: argparse.Namespace, changed: dict[str, set[int]]
     return found
 
 
-def _tried(tests: list[str], chosen: dict[str, set[int]], jobs: int) -> list[tuple[str, int, str]]:
+def _tried(tests: list[str], chosen: dict[str, set[int]], jobs: int) -> Iterator[tuple[str, int, str]]:
     """Try mutants in a copy of the sources, where nothing is compiled."""
     if not chosen:
-        return []
+        return
     with tempfile.TemporaryDirectory(prefix="pdp8-mutation-") as name:
         copy = Path(name)
         Workshop(copy)
         work = "import sys; from tests.mutation.runner import main; main(*sys.argv[1:])"
-        done = subprocess.run(
+        with subprocess.Popen(
             [sys.executable, "-c", work, repr(tests), repr(chosen), str(jobs)],
             cwd=copy,
             env=os.environ | {"PYTHONPATH": str(copy), "PYTHONHASHSEED": "0"},
             stdout=subprocess.PIPE,
             text=True,
-            check=True,
-        )
-    lines = (line.split("\t") for line in done.stdout.splitlines() if line.count("\t") == 2)
-    return [(file, int(number), verdict) for file, number, verdict in lines]
+        ) as running:
+            assert running.stdout
+            for line in running.stdout:
+                if line.count("\t") == 2:
+                    file, number, verdict = line.split("\t")
+                    yield file, int(number), verdict.rstrip()
+    if running.returncode:
+        raise SystemExit(f"the runner ended with status {running.returncode}")
 
 
 def _changed(since: str) -> dict[str, set[int]]:

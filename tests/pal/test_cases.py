@@ -7,12 +7,17 @@
 What a line does not say must not be: a line without `/=` makes no word, and one without `/!` gets no message.
 """
 
+import os
 import re
+import sys
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
 
 import pal
+from pal import cli
+from pal.cli import AssemblyError
 from tapes import binary
 
 CASES = sorted((Path(__file__).parent / "cases").glob("*.pal"))
@@ -54,6 +59,19 @@ def test_the_tape_has_the_words_of_the_lines(path: Path) -> None:
     assembly = pal.assemble(source)
     assert binary.decode(assembly.tape).words == words
     assert assembly.words == words
+
+
+@pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
+def test_a_pipe_gives_the_same_tape(
+    path: Path, monkeypatch: pytest.MonkeyPatch, capfdbinary: pytest.CaptureFixture[bytes]
+) -> None:
+    reading, writing = os.pipe()
+    assert os.write(writing, path.read_bytes()) == path.stat().st_size
+    os.close(writing)
+    with open(reading) as pipe, suppress(AssemblyError):
+        monkeypatch.setattr(sys, "stdin", pipe)
+        cli.pal.main(["-", "--force", "-o", "-"], standalone_mode=False)
+    assert capfdbinary.readouterr().out == pal.assemble(path.read_text()).tape
 
 
 @pytest.mark.parametrize("path", WITH_TABLE, ids=lambda path: path.stem)

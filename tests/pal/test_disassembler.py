@@ -57,6 +57,11 @@ def test_fields_and_overlapping_origins_come_back_frame_for_frame() -> None:
     assert pal.assemble(disassemble_tape(tape)).tape == tape
 
 
+def test_a_second_section_begins_in_field_0() -> None:
+    tape = pal.assemble("FIELD 1\n*200\n1\n$\n").tape + pal.assemble("*300\n2\n$\n").tape
+    assert pal.assemble(disassemble_tape(tape)).words == {0o10200: 1, 0o300: 2}
+
+
 @given(cores)
 def test_a_bin_tape_comes_back_with_its_words_and_fields(core: dict[int, int]) -> None:
     tape = binary.encode(core)

@@ -123,3 +123,10 @@ def test_anything_has_an_answer(tape: bytes) -> None:
 def test_what_a_program_for_ascii_does_not_find(tape: bytes, said: str) -> None:
     assert kinds.doubt(tape).startswith(said)
     assert bool(kinds.doubt(tape)) == bool(said)
+
+
+def test_a_damaged_bin_tape_of_single_words_is_no_rim_tape() -> None:
+    """Origin, word, origin, word: as on a RIM tape, but six frames from the last to the trailer."""
+    tape = bytearray(binary.encode(dict.fromkeys(range(0o200, 0o400, 0o20), 0o1234)))
+    tape[tape.index(0o34)] ^= 1
+    assert classify(bytes(tape)) == "bin"

@@ -48,6 +48,8 @@ LOOP = "*200\n\tJMP .\n$\n"
         ("page='AB'", PUNCH, [("the page", "A")]),
         ("tape=''", PUNCH, [("the tape", b"\xc1")]),
         ("stop='idle'", LOOP, []),
+        ("starts=2\ninstructions=4", IAC, []),
+        ("starts=2\ntape=[0o301]\npage='A'", PUNCH, []),
         ("seconds=0.1\nstop='limit'", "*200\n\tISZ 300\n\tJMP 200\n\tJMP 200\n$\n", []),
     ],
 )  # fmt: skip
@@ -68,6 +70,18 @@ def test_an_expectation_notices_what_differs(
 def test_a_source_that_breaks_a_rule_has_no_points(program: str, fault: str) -> None:
     result = mark("ac=1", IAC, program)
     assert (result.fault, result.points, result.right) == (fault, 0, False)
+
+
+def test_a_rule_that_is_kept_to_the_last_word() -> None:
+    assert mark("ac=1", IAC, "[program]\nwords=5\nrequired=['IAC']").right
+
+
+@pytest.mark.parametrize("line", ["a: 1,234 OR 7", "A) 01234 or  007", "a=1234 or 7"])
+def test_case_blanks_commas_and_leading_zeros_of_a_sheet_do_not_matter(line: str) -> None:
+    sheet = parse(
+        "title='t'\ntask='t'\nsolution='x'\n[[question]]\nname='a'\nask='?'\nanswer='1234 or 7'\n", "e"
+    )
+    assert marking.mark(sheet, answer.of(line.encode(), "a.txt")).right
 
 
 def test_what_stands_in_a_comment_is_not_used() -> None:

@@ -84,6 +84,17 @@ def test_a_limit_that_is_no_round_number_of_ticks_ends() -> None:
     assert monitor.machine.elapsed == pytest.approx(0.7 + 0.1 + 0.0773 + 0.333333333, abs=20e-6)
 
 
+def test_go_stops_a_program_that_runs() -> None:
+    """START does nothing while RUN is lit; after STOP it clears the AC."""
+    monitor = Monitor(lambda line: None)
+    monitor.do("deposit 200 7001 5200")
+    monitor.do("deposit 300 5300")
+    monitor.do("go 200 0.01")
+    assert monitor.machine.ac
+    monitor.do("go 300 0.01")
+    assert (monitor.machine.pc, monitor.machine.ac) == (0o300, 0)
+
+
 def test_boot_and_the_page() -> None:
     said: list[str] = []
     monitor = Monitor(said.append)

@@ -56,6 +56,16 @@ def test_back_until(monitor: Monitor) -> None:
     assert monitor.machine.teletype.transmitter.flag == 1
 
 
+def test_what_is_expected_is_printed_again_after_back() -> None:
+    monitor = Monitor(lambda line: None)
+    monitor.machine.load(program.find("hello.pal").words)
+    monitor.do("go 200 until WORLD.")
+    monitor.do("back 4 characters")
+    monitor.do("cont until .")
+    monitor.do("back 4 characters")
+    monitor.do("expect LD.")
+
+
 def test_what_was_set_goes_back_too(monitor: Monitor) -> None:
     monitor.do("deposit HOLD 1234")
     monitor.do("set sr 7")

@@ -231,3 +231,15 @@ def test_a_word_deposited_by_the_panel_is_executed(machine: Machine) -> None:
     load_address(machine.panel, 0o210)
     machine.panel.cont()
     assert machine.run(instructions=100).reason == "halt"
+
+
+def test_the_lamp_ion_is_lit_by_ion_and_put_out_by_iof_and_by_an_interrupt() -> None:
+    machine = Machine()
+    machine.load({0o200: 0o6001, 0o201: 0o6002, 0o202: 0o6001, 0o203: 0o7000})
+    machine.start(0o200)
+    seen = []
+    for _ in range(5):
+        machine.teletype.transmitter.flag = int(machine.pc >= 0o202)
+        machine.processor.instruction()
+        seen.append(machine.panel.lamps.ion)
+    assert seen == [1, 0, 1, 1, 0]

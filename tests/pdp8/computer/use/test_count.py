@@ -74,6 +74,15 @@ def test_by_hand() -> None:
     assert count.cycles == 3 * 2 + 2 * 1 + 2 + 1
 
 
+def test_a_jms_to_0000_is_no_interrupt() -> None:
+    machine = Machine()
+    machine.load({0o200: 0o4000, 1: 0o7402})
+    machine.start(0o200)
+    count = machine.watch.observer = Count()
+    machine.run()
+    assert (dict(count.executed), count.interrupts) == ({0o200: 1, 1: 1}, 0)
+
+
 def test_interrupts_are_counted() -> None:
     _, count = counted("echo.pal", keys=b"\xc1", seconds=0.5)
     assert count.interrupts == 2  # the key, and its echo

@@ -97,6 +97,18 @@ def test_a_watched_word_stops_after_it_is_written() -> None:
     assert machine.run().reason == "halt"
 
 
+def test_a_word_watched_in_the_middle_of_a_wait_stops_at_its_next_writing() -> None:
+    """DCA 0220, KSF, JMP 0200: turns of it have been passed over before."""
+    machine = program(*octal("3220 6031 5200"))
+    machine.teletype.keyboard.press(b"A")
+    machine.run(seconds=0.01)
+    machine.watch.writes.add(0o220)
+    for _ in range(3):
+        before = machine.instructions
+        assert machine.run(seconds=1).reason == "breakpoint"
+        assert machine.instructions - before <= 3
+
+
 def test_watching_changes_nothing() -> None:
     plain, watched = (Machine() for _ in range(2))
     for machine in (plain, watched):
