@@ -90,13 +90,26 @@ def mutants(source: str) -> Iterator[Mutant]:
                 number,
                 range(place.statement, place.node.lineno + 1),
                 ".".join(place.scope),
-                ast.unparse(place.node),
-                "(nothing)" if isinstance(after, ast.Pass) else ast.unparse(after),
+                *_shown(place.node, after),
                 not place.inside,
                 tree,
             )
             number += 1
         place.put(place.node)
+
+
+def _shown(node: ast.AST, after: ast.AST) -> tuple[str, str]:
+    """Return the text of what changes, and of what it becomes."""
+    match node, after:
+        case (ast.If(), ast.If()) | (ast.While(), ast.While()):
+            return f"if {ast.unparse(node.test)}", f"if {ast.unparse(after.test)}"
+        case ast.Match(cases=cases), ast.Match(cases=others):
+            case = next(case for case, other in zip(cases, others, strict=True) if case is not other)
+            assert case.guard
+            return f"if {ast.unparse(case.guard)}", "(always)"
+        case _, ast.Pass():
+            return ast.unparse(node), "(nothing)"
+    return ast.unparse(node), ast.unparse(after)
 
 
 def _places(parent: ast.AST, scope: tuple[str, ...], statement: int, inside: bool) -> Iterator[_Place]:

@@ -2,7 +2,7 @@
 
     this process ──fork──► collected: the room's tests, each run once under coverage (in a fork of its own);
          │                  then, for each mutant in a function, fork ► put in its code ► its lines' tests
-         └────────fork──► for each mutant outside a function: import it ► run the tests of its module
+         └────────fork──► for each mutant outside a function: import it ► run all tests
 
 A mutant is caught when a test fails, or takes LONGER times as long as all of them did.
 """
@@ -284,12 +284,11 @@ def _fails(items: list[pytest.Item]) -> int:
 def _whole(
     trials: list[tuple[str, int]], runs: Runs, jobs: int, folder: Path
 ) -> Iterator[tuple[str, int, str]]:
-    """Try mutants by importing them: the tests that run anything of their module, the quickest first."""
+    """Try mutants by importing them: all tests, those that run anything of their module first, quick ones before."""
 
     def begin(mutant: Mutant, file: str) -> int | str:
-        lines = runs.tests.get(file, {})
-        names = set().union(*lines.values()) & runs.seconds.keys() if lines else set()
-        order = sorted(names or runs.seconds, key=lambda name: runs.seconds[name])
+        names = set().union(*runs.tests.get(file, {}).values())
+        order = sorted(runs.seconds, key=lambda name: (name not in names, runs.seconds[name]))
         code = compile(mutant.tree, str(Path(file).resolve()), "exec")
         limit = 2 * LEAST + LONGER * sum(runs.seconds[name] for name in order)
         return _fork(lambda: _import_and_run(file, code, order), folder, limit)

@@ -67,13 +67,15 @@ def test_impossible_fill_and_parity() -> None:
         ascii.encode("A", "both")
 
 
-NAMES = ["blank", *"SOH STX ETX EOT WRU ACK BELL BS TAB LF VT FF CR SO SI DLE X-ON TAPE X-OFF".split()]
-NAMES += ["TAPE OFF", *"NAK SYN ETB CAN EM SUB ESC FS GS RS US space".split()]
+NAMES = (
+    "blank SOH STX ETX EOT WRU ACK BELL BS TAB LF VT FF CR SO SI "
+    "DLE X-ON TAPE X-OFF TAPE_OFF NAK SYN ETB CAN EM SUB ESC FS GS RS US space"
+)
 """Codes 000 to 040, as a Teletype's keys and handbook have them."""
 
 
 def test_every_code_has_its_name_with_channel_8_and_without() -> None:
     printing = [chr(code) for code in range(0o041, 0o177)]
-    names = [*NAMES, *printing, "RUBOUT"]
+    names = [*(name.replace("_", " ") for name in NAMES.split()), *printing, "RUBOUT"]
     assert [ascii.name(frame) for frame in range(0o200)] == names
     assert [ascii.name(frame) for frame in range(0o200, 0o400)] == ["leader", *names[1:]]
