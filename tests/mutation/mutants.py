@@ -101,10 +101,10 @@ def mutants(source: str) -> Iterator[Mutant]:
 def _shown(node: ast.AST, after: ast.AST) -> tuple[str, str]:
     """Return the text of what changes, and of what it becomes."""
     match node, after:
-        case (ast.If(), ast.If()) | (ast.While(), ast.While()):
-            return f"if {ast.unparse(node.test)}", f"if {ast.unparse(after.test)}"
+        case ast.If(test) | ast.While(test), ast.If(other) | ast.While(other):
+            return f"if {ast.unparse(test)}", f"if {ast.unparse(other)}"
         case ast.Match(cases=cases), ast.Match(cases=others):
-            case = next(case for case, other in zip(cases, others, strict=True) if case is not other)
+            case = next(case for case, changed in zip(cases, others, strict=True) if case is not changed)
             assert case.guard
             return f"if {ast.unparse(case.guard)}", "(always)"
         case _, ast.Pass():

@@ -284,7 +284,7 @@ def _fails(items: list[pytest.Item]) -> int:
 def _whole(
     trials: list[tuple[str, int]], runs: Runs, jobs: int, folder: Path
 ) -> Iterator[tuple[str, int, str]]:
-    """Try mutants by importing them: all tests, those that run anything of their module first, quick ones before."""
+    """Try mutants by importing them: with all tests, first those that run anything of their module."""
 
     def begin(mutant: Mutant, file: str) -> int | str:
         names = set().union(*runs.tests.get(file, {}).values())
