@@ -117,6 +117,7 @@ def _places(parent: ast.AST, scope: tuple[str, ...], statement: int, inside: boo
     for field, value in ast.iter_fields(parent):
         if field in _FIELDS_FOR_READERS:
             continue
+        within = inside or (isinstance(parent, ast.FunctionDef) and field == "body")
         children = enumerate(value) if isinstance(value, list) else ((None, value),)
         for index, node in children:
             if not isinstance(node, ast.AST) or _for_readers(parent, node):
@@ -124,9 +125,8 @@ def _places(parent: ast.AST, scope: tuple[str, ...], statement: int, inside: boo
             if isinstance(node, ast.stmt):
                 statement = node.lineno
             if isinstance(node, ast.expr | ast.stmt):
-                yield _Place(parent, field, index, node, scope, statement, inside)
+                yield _Place(parent, field, index, node, scope, statement, within)
             deeper = (*scope, node.name) if isinstance(node, ast.FunctionDef | ast.ClassDef) else scope
-            within = inside or (isinstance(parent, ast.FunctionDef) and field == "body")
             yield from _places(node, deeper, statement, within)
 
 

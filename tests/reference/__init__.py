@@ -10,4 +10,8 @@ And the Teletype's interface a second time, as the flip-flops of DEC's modules:
 
 teletype_gates.c, .h     M706, M707, their clocks, the mechanisms at both ends of the line
 gates.py                 compiles it and calls it from Python
+
+And the Hydra-Point, from the thesis's Chapters 2 and 3:
+
+hydrapoint.py   blocks, modes, moves and times; random tapes are held against it
 """
