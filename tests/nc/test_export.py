@@ -135,6 +135,7 @@ def test_every_milling_block_is_one_line() -> None:
 
 
 def test_the_header_of_the_circle() -> None:
+    assert list(gcode(nc.cut(CIRCLE)))[-3:] == ["M5", "M9", "M2"]
     assert list(gcode(nc.cut(CIRCLE)))[:13] == [
         "(Moog Hydra-Point 83-1000 MC, 20-row block tape)",
         "G20 G90 G17 G94 G40 G80 G61",

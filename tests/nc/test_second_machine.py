@@ -74,7 +74,7 @@ def settings(draw: random.Random) -> tuple[Settings, HydraPoint]:
     errors = [Fraction(draw.choice((-20, -7, 0, 0, 13, 20)), 100) for _ in "XYZ"]
     peck = draw.choice((1000, 367, 100))
     x, y, z = map(float, errors)
-    return Settings(feed_error=(x, y, z), peck=peck), HydraPoint(peck, errors)
+    return Settings(feed_error=(x, y, z), peck=peck, tool_change_seconds=8), HydraPoint(peck, errors)
 
 
 def judge(frames: bytes, seed: int) -> Path:
@@ -101,7 +101,9 @@ def judge(frames: bytes, seed: int) -> Path:
         ]
     assert len(path) == len(second.done), f"seed {seed}: {error}, {refused}"
     assert [step.number for step in path.steps if step.stop] == second.stops, seed
-    assert path.times.total == pytest.approx(float(second.seconds)), seed
+    changes = sum(step.block.miscellaneous == 86 for step in path.steps)
+    assert path.times.total == pytest.approx(float(second.seconds) + 8 * changes), seed
+    assert [0.0, *path.clock()][-1] == pytest.approx(path.times.total), seed
     assert_same_refusal(error, refused, f"seed {seed}")
     return path
 
