@@ -43,13 +43,6 @@ def environment(cold: Path) -> dict[str, str]:
     return {"PATH": f"{folder}{os.pathsep}{path}", **places}
 
 
-def make_clients(folder: Path) -> None:
-    """Put into `folder` what stands for our commands there; the server listens at `server` in it."""
-    compile_c(folder / COMMANDS[0], "-D_GNU_SOURCE", Path(__file__).with_suffix(".c"))
-    for name in COMMANDS[1:]:
-        (folder / name).symlink_to(COMMANDS[0])
-
-
 class _Server(NamedTuple):
     """The server and the folder of its commands, for as long as this process lives."""
 
@@ -61,7 +54,9 @@ class _Server(NamedTuple):
 def _started() -> _Server:
     folder = Path(tempfile.mkdtemp(prefix="pdp8-warm-"))
     atexit.register(shutil.rmtree, folder)
-    make_clients(folder)
+    compile_c(folder / COMMANDS[0], "-D_GNU_SOURCE", Path(__file__).with_suffix(".c"))
+    for name in COMMANDS[1:]:
+        (folder / name).symlink_to(COMMANDS[0])
     words = [sys.executable, "-m", "tests.warm", f"{folder}/server"]
     process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=ROOT)
     assert process.stdout is not None
@@ -69,18 +64,13 @@ def _started() -> _Server:
     return _Server(process, folder)
 
 
-def load() -> None:
-    """Import what commands need."""
+def serve(address: str) -> None:
+    """Run commands until standard input ends."""
     for package in _LOADED:
         module = import_module(package)
         for inner in iter_modules(getattr(module, "__path__", []), f"{package}."):
             with suppress(ImportError):
                 import_module(inner.name)
-
-
-def serve(address: str) -> None:
-    """Run commands until standard input ends."""
-    load()
     with socket.socket(socket.AF_UNIX) as listening:
         listening.bind(address)
         listening.listen(64)

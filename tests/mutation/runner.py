@@ -32,15 +32,13 @@ import coverage
 import pytest
 from _pytest.runner import runtestprotocol
 
-from tests import warm
+from tests import commands
 from tests.mutation.mutants import Mutant, mutants
-from tests.mutation.served import lines_of_commands, serve
 
 LONGER = 20
 LEAST = 20.0
 """Seconds of processor time that every mutant may take."""
 
-CLIENTS = "clients"
 _MEMORY = 6 << 30
 _PYTEST = [
     "-q",
@@ -73,13 +71,11 @@ def run(tests: list[str], chosen: Chosen, jobs: int) -> Iterator[tuple[str, int,
     """Yield for each mutant its file, its number and the verdict: caught, survived or not run."""
     with tempfile.TemporaryDirectory(prefix="pdp8-mutants-") as folder:
         answer = Path(folder) / "answer"
-        (Path(folder) / CLIENTS).mkdir()
-        warm.make_clients(Path(folder) / CLIENTS)
         pid = _fork(lambda: _collected(tests, chosen, jobs, answer), Path(folder), quiet=False)
         os.waitpid(pid, 0)
         runs, verdicts = pickle.loads(answer.read_bytes())
         if runs.failed:
-            print(f"left out, as they fail without a mutant: {' '.join(runs.failed)}", file=sys.stderr)
+            print(f"left out {len(runs.failed)} tests that run commands of their own", file=sys.stderr)
         for name in runs.loaded:
             try:
                 importlib.import_module(name)
@@ -186,7 +182,6 @@ class _Collected:
 
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
         items = {item.nodeid: item for item in session.items}
-        warm.load()
         runs = self._measure(list(items.values()))
         functions = _functions({str(Path(file).resolve()) for file in self.chosen})
         folder = self.answer.parent
@@ -206,9 +201,7 @@ class _Collected:
             order = sorted(names, key=lambda name: runs.seconds[name])
             limit = LEAST + LONGER * sum(runs.seconds[name] for name in order)
             return _fork(
-                lambda: _swap(functions, code) or _fails([items[name] for name in order], folder / CLIENTS),
-                folder,
-                limit,
+                lambda: _swap(functions, code) or _fails([items[name] for name in order]), folder, limit
             )
 
         trials = [(file, number) for file, numbers in self.chosen.items() for number in numbers]
@@ -229,9 +222,7 @@ class _Collected:
         return runs
 
     def _run_all(self, items: list[pytest.Item], found: Path) -> int:
-        own = found.parent / "commands of all"
-        serve(found.parent / CLIENTS, own, self.measured)
-        by_commands: dict[str, set[tuple[str, int]]] = {}
+        setattr(commands, "subprocess", None)  # noqa: B010 -- a command of its own has no mutant in it
         seconds, failed = {}, []
         for item, after in zip(items, [*items[1:], None], strict=True):
             self.measured.switch_context(item.nodeid)
@@ -240,7 +231,6 @@ class _Collected:
                 failed.append(item.nodeid)
                 continue
             seconds[item.nodeid] = time.process_time() - began
-            by_commands[item.nodeid] = lines_of_commands(own)
         self.measured.stop()
         data = self.measured.get_data()
         tests = {
@@ -249,10 +239,6 @@ class _Collected:
             }
             for file in self.chosen
         }
-        for name, lines in by_commands.items():
-            for file, line in lines:
-                if (short := os.path.relpath(file)) in tests:
-                    tests[short].setdefault(line, set()).add(name)
         found.write_bytes(pickle.dumps(Runs(tests, seconds, failed, _loaded())))
         return 0
 
@@ -284,9 +270,8 @@ def _swap(functions: dict[tuple[str, int, str], list[FunctionType]], code: CodeT
     return 0
 
 
-def _fails(items: list[pytest.Item], clients: Path) -> int:
+def _fails(items: list[pytest.Item]) -> int:
     """Run tests up to the first that fails; return 1 if one does."""
-    serve(clients, clients.parent / f"commands of {os.getpid()}")
     for item, after in zip(items, [*items[1:], None], strict=True):
         if any(report.failed for report in runtestprotocol(item, log=False, nextitem=after)):
             return 1
@@ -306,15 +291,14 @@ def _whole(
         order = sorted(runs.seconds, key=lambda name: (name not in names, runs.seconds[name]))
         code = compile(mutant.tree, str(Path(file).resolve()), "exec")
         limit = 2 * LEAST + LONGER * sum(runs.seconds[name] for name in order)
-        return _fork(lambda: _import_and_run(file, code, order, folder / CLIENTS), folder, limit)
+        return _fork(lambda: _import_and_run(file, code, order), folder, limit)
 
     return _each(trials, begin, jobs)
 
 
-def _import_and_run(file: str, code: CodeType, tests: list[str], clients: Path) -> int:
+def _import_and_run(file: str, code: CodeType, tests: list[str]) -> int:
     _calm_hypothesis()
     sys.meta_path.insert(0, _Changed(file, code))
-    serve(clients, clients.parent / f"commands of {os.getpid()}")
     return int(pytest.main([*_PYTEST, "-x", "--tb=no", *tests]))
 
 
