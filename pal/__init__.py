@@ -8,13 +8,14 @@ table          the symbol table as it stands in core
 assembler      the mechanism: three passes over the same reading
 punch          the object tape
 listing        what the Teletype typed
-assembly       all of it in one call: `assemble`
+assembly       all of it together: `Assembly`
 diagnostics    the messages for people: place, line, caret, advice
 portable       what a source does otherwise on another model
 notes          what a student should know about a program that assembles
 watched        PAL III with an eye on what a source means otherwise than it says
 pal8           the later dialect, a front end of its own
 assembly8      the same as assembly, in PAL8
+assembling     the call: `assemble`, in either dialect
 dialects       what PAL III has for what other assemblers know
 crossreference where each symbol is defined and used
 record         an assembly as JSON
@@ -30,7 +31,8 @@ cli            the commands `pal` and `dis`
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from pal.assembly import Assembly, assemble
+    from pal.assembling import assemble
+    from pal.assembly import Assembly
 
 __all__ = ["Assembly", "assemble"]
 
@@ -39,9 +41,9 @@ def __getattr__(name: str) -> object:
     """Import the assembler when it is asked for: the computer needs only `isa`."""
     if name not in __all__:
         raise AttributeError(f"module 'pal' has no attribute {name!r}")
-    from pal import assembly
+    from pal import assembling
 
-    return getattr(assembly, name)
+    return getattr(assembling, name)
 
 
 def __dir__() -> list[str]:

@@ -1,7 +1,5 @@
 """The whole of an assembly: source tapes in, the object tape, its words, and all that was typed out.
 
-    assemble("*200\\n\\tCLA\\n\\tHLT\\n$\\n").words  ->  {0o200: 0o7200, 0o201: 0o7402}
-
 Passes 1 and 2 are run at once, for the words; the tape, pass 3, and whatever is for people to read, only
 when it is asked for: the program that is to run starts the sooner.
 """
@@ -11,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 from pal import punch
-from pal.assembler import TELETYPE_SYMBOLS, Entry, Listed, Message, Punched
+from pal.assembler import Entry, Listed, Message, Punched
 from pal.notes import Mention
 from pal.source import Place, Source
 from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT, typed
@@ -24,8 +22,7 @@ if TYPE_CHECKING:
 MOST = 100
 """Diagnostics that are printed, unless another number is asked for."""
 
-PAL3, PAL8, FOUND = "pal3", "pal8", "auto"
-DIALECTS = (FOUND, PAL3, PAL8)
+PAL3, PAL8 = "pal3", "pal8"
 _PSEUDO = {name[:SIGNIFICANT] for name in PSEUDO_OPERATORS}
 
 
@@ -186,39 +183,3 @@ class Assembly:
             if self._second and not entry.defined
         ]
         return said + undefined
-
-
-def assemble(
-    *sources: str | bytes,
-    names: Sequence[str] | None = None,
-    modern: bool = False,
-    capacity: int = TELETYPE_SYMBOLS,
-    model: str | None = None,
-    dialect: str = PAL3,
-) -> Assembly:
-    """Assemble the source tapes, read one after the other.
-
-    sources   frames, with channel 8 or without, or texts; in a text a character beyond ASCII is illegal
-    names     what the diagnostics call each tape
-    modern    fold lower case
-    capacity  room for symbols of the source, by its reader: TELETYPE_SYMBOLS, or HIGH_SPEED_SYMBOLS, which
-              reads ahead and at PAUSE loses the rest of the line
-    model     one of models.MODELS: the diagnostics note what other models do otherwise
-    dialect   PAL3, PAL8, or FOUND: PAL8 where the source is in error as PAL III and is none in PAL8, and has
-              what is PAL8's alone; a note says so
-
-    Whatever is wrong with the source is a diagnostic. Raises ValueError for another dialect.
-    """
-    if dialect not in DIALECTS:
-        raise ValueError(f"{dialect!r} is not one of {', '.join(DIALECTS)}")
-    called = names or [f"tape {number}" for number in range(1, len(sources) + 1)]
-    if dialect == PAL8:
-        from pal.assembly8 import Assembly8
-
-        return Assembly8(sources, called, model)
-    assembly = Assembly(Source(sources, modern), called, capacity, model)
-    if dialect == FOUND and not assembly.ok:
-        from pal.assembly8 import found
-
-        return found(assembly, sources)
-    return assembly

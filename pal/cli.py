@@ -6,7 +6,8 @@ import sys
 import click
 
 from pal.assembler import HIGH_SPEED_SYMBOLS, TELETYPE_SYMBOLS
-from pal.assembly import DIALECTS, FOUND, MOST, PAL8, Assembly, assemble
+from pal.assembling import DIALECTS, FOUND, assemble
+from pal.assembly import MOST, PAL8, Assembly
 from pal.diagnostics import Diagnostic
 from pal.models import MODELS
 from tapes import arguments, command, shelf

@@ -37,6 +37,7 @@ _OPERATORS = frozenset("+-!&^%")
 _STOPS = frozenset(["", ";", ")", "]", "<"])
 _LINKED = INDIRECT | CURRENT_PAGE
 _MODES = ("DUBL", "FLTG")
+_MOST_FIGURES = 15  # with the point; a number is less than 2^53
 
 # What a symbol is.
 UNKNOWN, USER, INSTRUCTION, REFERENCE, PSEUDO = "unknown", "user", "instruction", "reference", "pseudo"
@@ -515,6 +516,7 @@ class Assembler:
 
     def _figures(self, token: str) -> int:
         value = 0
+        large = False
         for figure in token:
             if not figure.isdigit():
                 self._fail(
@@ -525,10 +527,12 @@ class Assembler:
                 self._fail("IC", f"the digit {figure} in the octal number {token}", "after DECIMAL it is one")
                 return 0
             value = value * self._radix + int(figure)
-        if value > _MASK:
-            message = f"{token} does not fit into twelve bits: it is {value & _MASK:04o}"
-            self._note(TOO_LARGE, message, f"write it so: {value & _MASK:o} octal")
-        return value & _MASK
+            large = large or value > _MASK
+            value &= _MASK
+        if large:
+            message = f"{token} does not fit into twelve bits: it is {value:04o}"
+            self._note(TOO_LARGE, message, f"write it so: {value:o} octal")
+        return value
 
     # Literals
 
@@ -839,7 +843,12 @@ class Assembler:
         if not figures or figures == "." or "." in fraction or (fraction and self._mode == "DUBL"):
             self._fail("IC", f"no number for {self._mode}", "write decimal digits, with a sign or without")
             return
-        value = int(whole + fraction or "0")
+        value = int(whole + fraction) if len(figures) <= _MOST_FIGURES else 0
+        if len(figures) > _MOST_FIGURES or (self._mode == "DUBL" and value - negative >= 1 << 23):
+            message = f"{figures} does not fit into the words of {self._mode}"
+            advice = f"the most is 8388607 after DUBL, {_MOST_FIGURES} figures after FLTG"
+            self._fail("IC", message, advice, start, end)
+            return
         at = self._at(start, end)
         self._take_line(end)
         self._names = []

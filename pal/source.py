@@ -24,7 +24,7 @@ from typing import NamedTuple
 from tapes.frames import PARITIES
 
 _PASSED_OVER = bytes((0o000, 0o200, 0o177, 0o377, 0o212))
-_TOKEN = re.compile(r'[A-Z0-9]+|".|[^\s>]')
+_TOKEN = re.compile(r'[A-Z0-9]+|".|[^\t-\r\x1c- >]')
 _ITEM = re.compile(r"([A-Z0-9\f]*)(?:/[^\r]*)?([^A-Z0-9\f])")
 
 

@@ -61,7 +61,7 @@ class Program:
 
         if not isinstance(self._source, bytes):
             return Listing.of(self._source)
-        from pal.assembly import assemble
+        from pal.assembling import assemble
         from pal.disassembler import disassemble
 
         return Listing.of(assemble(disassemble(self.words)))
@@ -98,7 +98,8 @@ def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND) ->
 
 
 def _assembled(source: bytes, name: str, dialect: str) -> Program:
-    from pal.assembly import MOST, assemble
+    from pal.assembling import assemble
+    from pal.assembly import MOST
 
     if kinds.only_figures(source):
         raise WorkError("nothing but figures: no program, but a tape for the reader")

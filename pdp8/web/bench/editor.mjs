@@ -1,6 +1,7 @@
-// The editor: PAL III source in colour, assembled in the page, its messages under the places they are at.
+// The editor: PAL source in colour, assembled in the page, its messages under the places they are at.
 
-import { MOST, assemble } from "../../../pal/assembly.mjs";
+import { FOUND, assemble } from "../../../pal/assembling.mjs";
+import { MOST } from "../../../pal/assembly.mjs";
 import { PERMANENT, PSEUDO_OPERATORS } from "../../../pal/symbols.mjs";
 import { Operator } from "../../computer/use/operator.mjs";
 import { escaped, find, grouped } from "../written.mjs";
@@ -87,7 +88,7 @@ export class Editor {
 
   /** Assemble what is there; return whether it has no errors. */
   assemble() {
-    this.assembly = assemble([this.text], [this.name]);
+    this.assembly = assemble([this.text], [this.name], false, undefined, null, FOUND);
     const { diagnostics, ok, tape } = this.assembly;
     const items = diagnostics.slice(0, MOST).map((diagnostic) => this.#item(diagnostic));
     const more = diagnostics.length - items.length;

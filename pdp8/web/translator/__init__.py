@@ -1,4 +1,4 @@
-"""Our Python as JavaScript modules: the typed subset in which the machine, PAL III and the tapes are written.
+"""Our Python as JavaScript modules: the typed subset in which the machine, PAL and the tapes are written.
 
     pal/assembler.py ──► syntax tree ──► types ──► expressions, statements, modules ──► pal/assembler.mjs
                                                                                            │ import
@@ -25,8 +25,8 @@ from pdp8.web.translator.modules import translate
 
 MODULES = {
     "tapes": "ascii binary eia errors frames hydrapoint kinds measure rim",
-    "pal": "assembler assembly assembly8 diagnostics dialects disassembler isa listing models notes pal8"
-    " portable punch source symbols symbols8 table watched",
+    "pal": "assembler assembling assembly assembly8 diagnostics dialects disassembler isa listing models"
+    " notes pal8 portable punch source symbols symbols8 table watched",
     "pdp8.computer": "machine stop watch",
     "pdp8.computer.hardware": "bus core fields highspeed operate panel processor signals teletype",
     "pdp8.computer.speed": "engine piece waiting",

@@ -393,7 +393,7 @@ class Expressions(Types):
             if special:
                 return special
         if isinstance(function, ast.Attribute) and leaf(getattr(function.value, "func", None)) == "super":
-            return f"{'super' if name == '__init__' else 'super.' + name}({self.all(node.args)})"
+            return f"super.{name}({self.all(node.args)})"
         if name in ("_replace", "replace") and node.keywords:
             of = node.args[0] if node.args else getattr(function, "value", None) or self.fail(node)
             fields = (f"{keyword.arg}: {self.e(keyword.value)}" for keyword in node.keywords)

@@ -270,7 +270,7 @@ class Writer(Statements):
                     if name not in self.module.omitted and not any(
                         leaf(d) == "overload" for d in member.decorator_list
                     ):
-                        lines += self._member(member, base, after)
+                        lines += self._member(member, node, base, after)
                 case ast.Assign([ast.Name(name)], value) | ast.AnnAssign(ast.Name(name), _, value):
                     if fields is None and value is not None:
                         after.append(f"{node.name}.prototype.{name} = {node.name}.{name} = {self.e(value)};")
@@ -290,6 +290,16 @@ class Writer(Statements):
             else "$.Record"
         )
 
+    def _started(self, module: Module, node: ast.ClassDef) -> bool:
+        """Tell whether the constructor of a base class calls `__init__`."""
+        for base in node.bases:
+            found = self.program.find(module, leaf(base))
+            if found is None or not isinstance(found.node, ast.ClassDef):
+                return leaf(base) in self.program.errors
+            if self.program.made_with(found.module, found.node) or self._started(found.module, found.node):
+                return True
+        return False
+
     def _record(self, fields: list[ast.AnnAssign]) -> list[str]:
         names = [leaf(field.target) for field in fields]
         parameters = []
@@ -303,7 +313,7 @@ class Writer(Statements):
         made = f"constructor({', '.join(parameters)}) {{ super(); {sets} this.__post_init__?.(); }}"
         return [f"static $fields = [{listed}];", made]
 
-    def _member(self, node: ast.FunctionDef, base: str, after: list[str]) -> list[str]:
+    def _member(self, node: ast.FunctionDef, owner: ast.ClassDef, base: str, after: list[str]) -> list[str]:
         marks = {leaf(mark) for mark in node.decorator_list}
         if strange := marks - {
             "property",
@@ -315,18 +325,20 @@ class Writer(Statements):
         }:
             self.fail(node, f"decorator {strange}")
         if node.name == "__init__":
-            head, *rest = self.function(node, "")
-            if base and not any("super(" in line for line in rest):
-                rest.insert(0, "super();")
-            return [head.replace("__init__(", "constructor(", 1), *rest]
+            begins = "super(...$a); " if base else ""
+            made = (
+                []
+                if self._started(self.module, owner)
+                else [f"constructor(...$a) {{ {begins}this.__init__(...$a); }}"]
+            )
+            return [*made, *self.function(node, "")]
         if "property" in marks:
             return self.function(node, "get ")
         if "setter" in marks:
             return self.function(node, "set ")
         if marks & {"staticmethod", "classmethod"}:
             if "staticmethod" in marks:
-                owner = self.owner.rpartition(".")[2]
-                after.append(f"{owner}.prototype.{node.name} = {owner}.{node.name};")
+                after.append(f"{owner.name}.prototype.{node.name} = {owner.name}.{node.name};")
             return self.function(node, "static ")
         lines = self.function(node, "")
         lines[0] = lines[0].replace(node.name, RENAMED.get(node.name, node.name), 1)

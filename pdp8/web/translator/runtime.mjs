@@ -9,8 +9,11 @@ const NUMBER = "number";
 export class Exception extends Error {
   constructor(...args) {
     super();
-    this.args = args;
+    this.__init__(...args);
     Object.defineProperty(this, "message", { get: () => str(this) });
+  }
+  __init__(...args) {
+    this.args = args;
   }
   __str__() {
     return this.args.map(str).join(", ");
@@ -280,6 +283,7 @@ give(String, {
   isdigit: matching(/^\d+$/),
   isdecimal: matching(/^\d+$/),
   isalpha: matching(/^\p{L}+$/u),
+  isalnum: matching(/^[\p{L}\p{N}]+$/u),
   isspace: matching(/^\s+$/),
   isprintable: matching(/^[^\p{C}\p{Zl}\p{Zp}]*$/u),
   islower() {
@@ -913,8 +917,10 @@ class Pattern {
   constructor(source) {
     this.source = source.replaceAll("(?P<", "(?<");
   }
-  *finditer(text) {
-    for (const match of text.matchAll(new RegExp(this.source, "dgu"))) yield new Match(match);
+  *finditer(text, from = 0) {
+    const pattern = new RegExp(this.source, "dgu");
+    pattern.lastIndex = from;
+    for (const match of text.matchAll(pattern)) yield new Match(match);
   }
   findall(text) {
     return Array.from(text.matchAll(new RegExp(this.source, "gu")), ([whole, ...parts]) => (parts.length > 1 ? parts : parts[0] ?? whole));

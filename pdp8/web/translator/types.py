@@ -52,7 +52,7 @@ _TEXTS = Type("list", (STR,))
 _TEXT_AND_BYTES = {
     "same": "strip lstrip rstrip replace translate join ljust rjust removesuffix removeprefix lower upper",
     "int": "find rfind index rindex count",
-    "bool": "startswith endswith isascii isdigit isdecimal isalpha isspace islower isprintable",
+    "bool": "startswith endswith isalnum isascii isdigit isdecimal isalpha isspace islower isprintable",
     "list same": "split partition splitlines",
 }
 _SEQUENCE = {"int": "index count", "None": "append extend insert clear remove reverse sort", "item": "pop"}

@@ -49,7 +49,7 @@ def write(folder: Path, translated: dict[str, str]) -> None:
 
 def in_node(function: str, given: Any = None, folder: Path | None = None) -> Any:
     """Return what the JavaScript `function` returns of `given`, both as JSON goes. In it "@/" is the house:
-    `async (given) => { const { assemble } = await import("@/pal/assembly.mjs"); ... }`.
+    `async (given) => { const { assemble } = await import("@/pal/assembling.mjs"); ... }`.
     """
     house = (folder or modules()).as_uri()
     driver = _DRIVER.replace("FUNCTION", function.replace('"@/', f'"{house}/'))

@@ -9,6 +9,7 @@ from pdp8.computer.hardware.signals import NEVER
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from tapes import kinds, shelf
+from tests.pal.random_pal8 import Author
 from tests.pdp8.web.node import HOUSE, in_node, needs_node
 
 pytestmark = needs_node
@@ -121,12 +122,15 @@ def test_the_machine_in_lockstep() -> None:
 
 
 _ASSEMBLE = """async (sources) => {
-  const { assemble } = await import("@/pal/assembly.mjs");
+  const { assemble } = await import("@/pal/assembling.mjs");
   const { bytes } = await import("@/pdp8/web/translator/runtime.mjs");
-  return sources.map((tapes) => {
-    const assembly = assemble(tapes.map((tape) => bytes(tape)));
+  return sources.map(([dialect, tapes]) => {
+    const others = [undefined, undefined, undefined, undefined, dialect];
+    const assembly = assemble(tapes.map((tape) => bytes(tape)), ...others);
+    const typed = assembly.dialect === "pal3" ? assembly.teletype : [];
     return [
-      [...assembly.tape], assembly.words.items(), Array.from(assembly.teletype, (frames) => [...frames]),
+      assembly.dialect, [...assembly.tape], assembly.words.items(),
+      Array.from(typed, (frames) => [...frames]),
       assembly.listing, assembly.lines.map((line) => [...line]), assembly.symbols.items(),
       assembly.diagnostics.map(String), assembly.stopped,
     ];
@@ -158,12 +162,13 @@ def _source(draw: random.Random) -> bytes:
     return bytes(frame | 0o200 for frame in code) if draw.random() < 0.2 else code
 
 
-def _assembled(tapes: list[bytes]) -> list[Any]:
-    assembly = pal.assemble(*tapes)
+def _assembled(dialect: str, tapes: list[bytes]) -> list[Any]:
+    assembly = pal.assemble(*tapes, dialect=dialect)
     return [
+        assembly.dialect,
         list(assembly.tape),
         [list(item) for item in assembly.words.items()],
-        [list(frames) for frames in assembly.teletype],
+        [list(frames) for frames in (assembly.teletype if assembly.dialect == "pal3" else ())],
         assembly.listing,
         [list(line) for line in assembly.lines],
         [list(item) for item in assembly.symbols.items()],
@@ -179,9 +184,39 @@ def test_the_assembler() -> None:
     assert len(sources) > 40
     sources += [[_source(draw) for _ in range(draw.choice((1, 1, 1, 2)))] for _ in range(1800)]
     sources += [[draw.randbytes(draw.randrange(120))] for _ in range(200)]
-    there = in_node(_ASSEMBLE, [[list(tape) for tape in tapes] for tapes in sources])
+    _same("pal3", sources)
+
+
+def test_the_assembler_in_pal8() -> None:
+    """Random sources in PAL8, some damaged; numbers beyond 2^53; what is found to be PAL8 and what is not."""
+    written = [Author(seed).source() for seed in range(60)]
+    draw = random.Random(8)
+    spoiled = [_spoiled(draw, text) for text in written]
+    sources = [[text.encode("latin-1", "replace")] for text in written + spoiled + list(_LARGE)]
+    _same("pal8", sources)
+    _same("auto", sources[::3] + [[_source(draw)] for _ in range(100)])
+
+
+_LARGE = (
+    "*200\n\t99999999999999999999\nDECIMAL\n\t99999999999999999999\n$\n",
+    *(
+        f"*200\nDUBL\n\t{n}\n\t-{n}\nFLTG\n\t{n}\n\t-{n[:9]}.{n[9:]}\n$\n"
+        for n in ("16777217", "9007199254740993", "123456789012345678", "99999999999999999999")
+    ),
+)
+
+
+def _spoiled(draw: random.Random, text: str) -> str:
+    for _ in range(draw.randrange(1, 5)):
+        at = draw.randrange(len(text))
+        text = text[:at] + draw.choice('()[]<>,=;"$%^&!?\x0c\xb2\xe9') + text[at + draw.randrange(2) :]
+    return text
+
+
+def _same(dialect: str, sources: list[list[bytes]]) -> None:
+    there = in_node(_ASSEMBLE, [[dialect, [list(tape) for tape in tapes]] for tapes in sources])
     for tapes, found in zip(sources, there, strict=True):
-        assert found == _assembled(tapes), tapes
+        assert found == _assembled(dialect, tapes), tapes
 
 
 _CUT = """async (tapes) => {
