@@ -204,17 +204,18 @@ class Assembler:
         """Look an item up; return whether its mark is still to be acted upon."""
         self._made = True
         symbols = self._symbols
-        pointer = symbols.index.get(name)
-        if pointer is None:
+        found = symbols.index.get(name)
+        if found is None:
             if name[0] <= "9":
                 self._item = self._numeral(name)
                 self._refers = False
                 return True
-            pointer = symbols.index.get(name[:SIGNIFICANT])
-        if pointer is None:
+            found = symbols.index.get(name[:SIGNIFICANT])
+        if found is None:
             self._pointer = self._enter(name[:SIGNIFICANT])
             self._refers = False
             return True
+        pointer = found
         self._pointer = pointer
         self._item = symbols.words[pointer + VALUE]
         self._refers = pointer < symbols.boundary
@@ -336,7 +337,8 @@ class Assembler:
         fed = False
         if self._items[at][1] == "\r":
             self._symbols.overwrite()
-            fed = any(self._line <= feed <= at for feed in self._feeds)
+            for feed in self._feeds:
+                fed = fed or self._line <= feed <= at
             self._line = at + 1
         if fed or not self._made:
             self._pointer = self._symbols.page_zero(0)
@@ -410,7 +412,7 @@ class Assembler:
         item is passed over.
         """
         if name.isdigit() and (self._radix == 10 or ("8" not in name and "9" not in name)):
-            value = int(name[-12:], self._radix)
+            value = int(name[max(len(name) - 12, 0) :], self._radix)
             if value > _MASK or len(name) > 12:
                 self._watch("number", value)
             return value & _MASK

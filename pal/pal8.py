@@ -412,7 +412,7 @@ class Assembler:
             self._fail("IC", f"a blank after {self._token}", "write the operand directly after it")
         elif self._start != self._before and self._next > 1:
             last = self._tokens[self._next - 2][0]
-            if last[-1].isalnum() and self._names_value(last):
+            if last[len(last) - 1].isalnum() and self._names_value(last):
                 message = f"this is an OR with {self._token}{token}; DEC's PAL8 drops the {self._token} (IC)"
                 self._note("PN44", message, f"leave no blank before {self._token}, to add or subtract")
 
@@ -568,7 +568,8 @@ class Assembler:
             self._complain(code, message, "use [ for some, or another page", *self._here())
             return 0
         pool.values.append(value)
-        pool.places.append(self._at(*self._here()))
+        start, end = self._here()
+        pool.places.append(self._at(start, end))
         return ADDRESS - len(pool.values) + 1
 
     def _here(self) -> tuple[int, int]:

@@ -13,7 +13,7 @@ import pal
 
 HOUSE = Path(pal.__file__).parents[1]
 COMPILED = (
-    "pal.isa",
+    *(f"pal.{name}" for name in ("isa", "table", "assembler", "pal8")),
     *(f"pdp8.computer.hardware.{name}" for name in ("bus", "processor", "teletype")),
     *(f"pdp8.computer.speed.{name}" for name in ("waiting", "engine")),
 )

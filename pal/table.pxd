@@ -1,0 +1,10 @@
+# The types with which Cython compiles table.py; Python itself never reads this.
+
+cdef int _MASK, _PERMANENT_END, _BOUNDARY, _BEYOND, _SPILL, _CORE, _LINE_FEED
+
+
+cdef class SymbolTable:
+    cdef public list words
+    cdef public dict index
+    cdef public int first, end, boundary, safe
+    cdef int _room
