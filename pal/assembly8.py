@@ -109,10 +109,13 @@ class Assembly8(Assembly):
             entry = ListingLine(written.address, written.word, "", line.tape, line.number)
             (literals if written.literal else by_line.setdefault(index, [])).append(entry)
         for index, line in enumerate(self._lines[: self._run.ended + 1]):
-            words = by_line.get(index, [])
-            listed += words[:-1]
-            last = words[-1] if words else ListingLine(None, None, "", line.tape, line.number)
-            listed.append(last._replace(source=line.text))
+            words = by_line.get(index)
+            if words is None:
+                listed.append(ListingLine(None, None, line.text, line.tape, line.number))
+            else:
+                last = words.pop()
+                listed += words
+                listed.append(ListingLine(last.address, last.word, line.text, line.tape, line.number))
         return listed + literals
 
     @cached_property
@@ -126,7 +129,7 @@ class Assembly8(Assembly):
             else:
                 mark = "@ " if line.address in links else "  "
                 text.append(f"{line.address:04o}  {line.word:04o}{mark}{line.source}")
-        return "".join(f"{line}".rstrip() + "\n" for line in text) + "\n" + self.symbol_table
+        return "".join([line.rstrip() + "\n" for line in text]) + "\n" + self.symbol_table
 
     def printed(self, number: int) -> str:
         """Return what pass 1, 2 or 3 has to show: the symbol table, nothing, the listing."""

@@ -32,7 +32,7 @@ NEW_LINE = "\r\n"
 LONGEST = 222  # characters of a line that pass 3 has room for
 
 _UNNUMBERED = " " * 12
-_TYPED = str.maketrans({"\t": "\t" + RUBOUT, "\f": "\0" * 6 + "\f" + "\0" * 6, "\r": ""})
+_FORM_FEED = "\0" * 6 + "\f" + "\0" * 6
 _MARKED = bytes([0, *frames.PARITIES["mark"][1:]])
 _SILENT = bytes((0, 0o200, 0o204, 0o215, 0o377))
 
@@ -92,7 +92,8 @@ def listing(
         _statement(piece, next(texts)) if isinstance(piece, Listed) else _message(str(piece))
         for piece in output
     ]
-    return punch.START_UP + frames.leader() + _frames("".join(pieces))
+    typed_text = "".join(pieces).replace("\t", "\t" + RUBOUT).replace("\f", _FORM_FEED)
+    return punch.START_UP + frames.leader() + _frames(typed_text)
 
 
 def lines(
@@ -130,20 +131,28 @@ def _texts(
     for first, after in reversed(list(lost)):
         text = text[: source.spans[first - 1][1] + 1] + text[source.spans[after - 1][1] :]
     texts = text.split("\r")
-    ends = [at for at, (_, mark) in enumerate(source.items) if mark == "\r"]
+    items = source.items
+    ends = [at for at, (_, mark) in enumerate(items) if mark == "\r"]
     line = 0
     for piece in output:
         if not isinstance(piece, Listed):
             continue
-        begun = line
-        if source.items[piece.at][1] == "\r":
+        if items[piece.at][1] != "\r":
+            yield ""
+        elif ends[line] == piece.at:
+            yield texts[line]
+            line += 1
+        else:
+            begun = line
             line = ends.index(piece.at, begun) + 1
-        yield "".join(texts[begun:line])
+            yield "".join(texts[begun:line])
 
 
 def _statement(listed: Listed, text: str) -> str:
-    numbers = _UNNUMBERED if listed.word is None else f"{listed.location:04o}  {listed.word:04o}  "
-    return NEW_LINE + numbers + text.translate(_TYPED)
+    location, word, _ = listed
+    if word is None:
+        return NEW_LINE + _UNNUMBERED + text
+    return f"{NEW_LINE}{location:04o}  {word:04o}  {text}"
 
 
 def _message(text: str) -> str:

@@ -70,18 +70,18 @@ def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[
     looked_at: dict[str, str] = {}
     overlaid = -2
     for written in words:
-        if written.address in cells and not (written.literal and cells[written.address].literal):
-            if overlaid != written.address - 1:
+        address, word, at, names, literal, _ = written
+        if address in cells and not (literal and cells[address].literal):
+            if overlaid != address - 1:
                 notes.append(_overlaid(written))
-            overlaid = written.address
-        cells[written.address] = written
-        if written.word >= IOT << 9 and len(written.names) > 1:
-            key = " ".join(written.names)
+            overlaid = address
+        cells[address] = written
+        if word >= IOT << 9 and len(names) > 1:
+            key = " ".join(names)
             if key not in looked_at:
                 looked_at[key] = _combination(written, instructions)
             if looked_at[key]:
-                advice = "write them as two instructions"
-                notes.append(Note(COMBINED, written.at, looked_at[key], advice))
+                notes.append(Note(COMBINED, at, looked_at[key], "write them as two instructions"))
     return notes + _flow(cells, instructions)
 
 

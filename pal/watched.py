@@ -7,7 +7,7 @@ source and in the words.
 
 from collections.abc import Sequence
 
-from pal.assembler import WORD, Assembler, Entry, Listed, Message, Punched
+from pal.assembler import FIELD, WORD, Assembler, Entry, Listed, Message, Punched
 from pal.dialects import hint
 from pal.isa import ADDRESS, INDIRECT, PAGE
 from pal.listing import LONGEST
@@ -348,11 +348,12 @@ def _written(
     for piece in punched:
         if not isinstance(piece, Punched):
             continue
-        if piece.kind == WORD:
-            at, names = statements.get(piece.at) or (piece.at, nameless)
-            words.append(Written(field | piece.location, piece.value, at, names))
-        elif piece.kind == "field":
-            field = piece.value << 12
+        kind, location, value, end = piece
+        if kind == WORD:
+            at, names = statements.get(end) or (end, nameless)
+            words.append(Written(field | location, value, at, names, False, False))
+        elif kind == FIELD:
+            field = value << 12
     return words
 
 
