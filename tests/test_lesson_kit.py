@@ -89,12 +89,12 @@ def test_the_instruction_card_has_what_an_8l_executes() -> None:
 
 
 @pytest.mark.skipif(find_spec("cairosvg") is None, reason="CairoSVG is not installed")
-def test_a_card_as_pdf_is_seven_by_five_inches(shell: Shell, tmp_path: Path) -> None:
-    done = shell("pdp8 cards rim --pdf --out handout")
-    assert (done.returncode, done.stdout) == (0, b"handout/rim.pdf\n")
-    pdf = (tmp_path / "handout" / "rim.pdf").read_bytes()
+def test_cards_as_pdf_are_sheets_of_a4_in_one_file(shell: Shell, tmp_path: Path) -> None:
+    done = shell("pdp8 cards rim eia --pdf --out handout")
+    assert done.returncode == 0
+    pdf = (tmp_path / "handout" / "cards.pdf").read_bytes()
     assert pdf.startswith(b"%PDF")
-    assert re.search(rb"MediaBox\s*\[\s*0 0 504 360\s*\]", pdf)
+    assert len(re.findall(rb"MediaBox\s*\[\s*0 0 841\.\d+ 595\.\d+\s*\]", pdf)) == 2
 
 
 def test_the_command_asks_for_a_card(shell: Shell) -> None:

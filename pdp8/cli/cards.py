@@ -1,6 +1,8 @@
 """`pdp8 cards`: cards to print and lay beside the machine."""
 
+from collections.abc import Iterable
 from importlib.util import find_spec
+from io import BytesIO
 
 import click
 
@@ -10,6 +12,8 @@ from tapes.arguments import Command, Folder, output
 from tapes.errors import WorkError
 
 _AFTERNOON = "afternoon"
+_A4 = 841.89, 595.28
+"""Points, the long side across."""
 _NAMES = (*drawn.CARDS, _AFTERNOON)
 
 
@@ -17,9 +21,11 @@ _NAMES = (*drawn.CARDS, _AFTERNOON)
 @click.argument("names", nargs=-1, type=click.Choice([*_NAMES, "all"]), metavar="NAME...")
 @output(Folder(), "FOLDER", ".", "Where to.  [default: this folder]")
 @click.option("--part", metavar="PART", default="circle", show_default=True, help="Whose afternoon it is.")
-@click.option("--pdf", is_flag=True, help="Write PDF; needs CairoSVG, the extra `print`.")
+@click.option(
+    "--pdf", is_flag=True, help="Write all into cards.pdf, a page each; needs CairoSVG, the extra `print`."
+)
 def cards(names: tuple[str, ...], output: str, part: str, pdf: bool) -> None:
-    """Draw cards of 7 by 5 inches, NAME.svg each: rim, instructions, ascii, eia, afternoon, or all.
+    """Draw cards of A4, NAME.svg each: rim, instructions, ascii, eia, afternoon, or all.
 
     The afternoon's timetable is that of a replay: `pdp8 replay` shows it too.
 
@@ -35,18 +41,33 @@ def cards(names: tuple[str, ...], output: str, part: str, pdf: bool) -> None:
     if pdf and find_spec("cairosvg") is None:
         raise WorkError("PDF needs CairoSVG: pip install 'pdp8[print]'; a browser prints the SVG as well")
     wanted = _NAMES if "all" in names else dict.fromkeys(names)
-    command.put_all(output, (_card(name, part, pdf) for name in wanted))
+    svgs = {name: _afternoon(part) if name == _AFTERNOON else drawn.CARDS[name]() for name in wanted}
+    if pdf:
+        command.put_all(output, [("cards.pdf", _pdf(svgs.values()))])
+    else:
+        command.put_all(output, ((f"{name}.svg", svg.encode()) for name, svg in svgs.items()))
 
 
-def _card(name: str, part: str, pdf: bool) -> tuple[str, bytes]:
-    svg = _afternoon(part) if name == _AFTERNOON else drawn.CARDS[name]()
-    return (f"{name}.pdf", _pdf(svg)) if pdf else (f"{name}.svg", svg.encode())
+def _pdf(svgs: Iterable[str]) -> bytes:
+    """Return a PDF with a page for each of `svgs`."""
+    import cairocffi  # type: ignore[import-untyped]
+    from cairosvg.parser import Tree  # type: ignore[import-untyped]
+    from cairosvg.surface import PDFSurface  # type: ignore[import-untyped]
 
+    written = BytesIO()
+    pages = cairocffi.PDFSurface(written, *_A4)
 
-def _pdf(svg: str) -> bytes:
-    import cairosvg  # type: ignore[import-untyped]
+    class Page(PDFSurface):  # type: ignore[misc]
+        """A page of the one file that all share."""
 
-    return bytes(cairosvg.svg2pdf(bytestring=svg.encode()))
+        def _create_surface(self, width: float, height: float) -> tuple[object, float, float]:
+            return pages, width, height
+
+    for svg in svgs:
+        Page(Tree(bytestring=svg.encode()), None, 96)
+        pages.show_page()
+    pages.finish()
+    return written.getvalue()
 
 
 def _afternoon(part: str) -> str:

@@ -1,4 +1,4 @@
-"""Cards to print and lay beside the machine: 7 by 5 inches each, SVG.
+"""Cards to print and lay beside the machine: a sheet of A4 each, SVG.
 
     rim            the 17 words of the RIM loader, as switches, and how they go in
     instructions   what a word does: memory reference, operate, the Teletype's IOTs
@@ -18,13 +18,13 @@ from pdp8.computer.use.operator import RIM, RIM_HIGH_SPEED, RIM_START
 from tapes import ascii, eia
 from tapes.frames import draw
 
-WIDTH, HEIGHT = 700, 500
-"""Hundredths of an inch."""
+WIDTH, HEIGHT = 707, 500
+"""In units of 0.42 mm; A4 is 297 by 210 mm, and type of 9 is 14 pixels high on it."""
 
 _MARGIN = 30
 _STYLE = """<style>
 .card { fill: #fffdf6; stroke: #888; }
-text { font-family: "DejaVu Sans Mono", Menlo, monospace; font-size: 11px; fill: #111; white-space: pre }
+text { font-family: "DejaVu Sans Mono", Menlo, monospace; font-size: 11px; fill: #111 }
 .title { font-size: 19px; font-weight: bold }
 .list { font-size: 9px } .head { font-weight: bold } .small { font-size: 9px; fill: #444 }
 .up { fill: #111 } .down { fill: #fff; stroke: #111 } .hole { fill: #111 } .sprocket { fill: #888 }
@@ -40,11 +40,11 @@ class Slot(NamedTuple):
 
 
 class _Card:
-    """A card while it is drawn; x and y are hundredths of an inch from its upper left corner."""
+    """A card while it is drawn; x and y are units from its upper left corner."""
 
     def __init__(self, title: str, below: str = "") -> None:
         self._parts = [
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH / 100}in" height="{HEIGHT / 100}in"'
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="297mm" height="210mm"'
             f' viewBox="0 0 {WIDTH} {HEIGHT}">',
             _STYLE,
             f'<rect class="card" x="1" y="1" width="{WIDTH - 2}" height="{HEIGHT - 2}" rx="12"/>',
@@ -54,7 +54,7 @@ class _Card:
 
     def text(self, x: float, y: float, text: str, kind: str = "") -> None:
         named = f' class="{kind}"' if kind else ""
-        self._parts.append(f'<text x="{x:g}" y="{y:g}"{named}>{escape(text)}</text>')
+        self._parts.append(f'<text x="{x:g}" y="{y:g}"{named} xml:space="preserve">{escape(text)}</text>')
 
     def lines(self, x: float, y: float, lines: Iterable[str], step: float, kind: str = "") -> None:
         """Write lines one below the other; those that end with a colon are headings."""
@@ -113,11 +113,11 @@ def instructions() -> str:
     card = _Card("PDP-8/L instructions", _WORD)
     left = (
         *_column("Memory reference, 3.2 us (JMP 1.6); I takes 1.6 more:", PERMANENT[:6]),
-        *_column("Operate, group 1, 1.6 us: CLA CLL, CMA CML, IAC, rotate:", _between(0o7000, 0o7377)),
+        *_column("OPR group 1, 1.6 us: CLA CLL, CMA CML, IAC, rotate:", _between(0o7000, 0o7377)),
         *_column("Combined:", [each for each in PERMANENT if each.mnemonic in _COMBINED]),
     )
     right = (
-        *_column("Operate, group 2, 1.6 us: skip, CLA, OSR, HLT:", _between(0o7400, 0o7777)),
+        *_column("OPR group 2, 1.6 us: skip, CLA, OSR, HLT:", _between(0o7400, 0o7777)),
         *_column("Input and output, 4.25 us:", _between(0o6000, 0o6047)),
     )
     step = (HEIGHT - 110) / max(len(left), len(right))
@@ -134,7 +134,7 @@ _WORD = (
 
 def _column(title: str, instructions: Sequence[Permanent]) -> Iterator[str]:
     yield title
-    yield from (f"{each.mnemonic} {each.octal:04o}  {each.meaning}" for each in instructions)
+    yield from (f"{each.mnemonic} {each.octal:04o} {each.meaning}" for each in instructions)
     yield ""
 
 
@@ -171,8 +171,8 @@ def _codes(title: str, codes: Sequence[tuple[int, str]], columns: int) -> str:
     for number, (frame, name) in enumerate(codes):
         x, y = _MARGIN + number // rows * across, 68 + number % rows * step
         card.text(x, y, name[:6])
-        card.text(x + 42, y, f"{frame:03o}")
-        _holes(card, x + 74, y - 4, frame, (across - 90) / 9)
+        card.text(x + 46, y, f"{frame:03o}")
+        _holes(card, x + 78, y - 4, frame, (across - 94) / 9)
     return card.svg()
 
 
