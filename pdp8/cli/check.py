@@ -1,25 +1,26 @@
 """`pdp8 check`: the answers of a class to an exercise, marked."""
 
+import os
 import sys
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterator, Sequence
 
 import click
 
 from pdp8.computer.use.program import DIALECTS, FOUND
-from pdp8.lessons import answer as answers
-from pdp8.lessons import exercise as exercises
-from pdp8.lessons import marking, proof
+from pdp8.lessons import alike, bounded, form, handed, page, proof, records, scores, student
+from pdp8.lessons.answer import Answer
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.marking import Result
 from tapes import command
-from tapes.arguments import Command, Source, Target
+from tapes.arguments import Command, Folder, Source, Target
 from tapes.errors import WorkError
 
 _SHOWN = ("task", "solution")
 
 
 @click.command(cls=Command)
-@click.argument("exercise", type=Source(exercises.bundled), required=False)
+@click.argument("exercise", type=Source(form.bundled), required=False)
 @click.argument("answer", type=Source(), nargs=-1)
 @click.option("--list", "listed", is_flag=True, help="List the bundled exercises.")
 @click.option(
@@ -28,7 +29,15 @@ _SHOWN = ("task", "solution")
 @click.option("--prove", is_flag=True, help="Mark the exercise's own solution and its known mistakes.")
 @click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
 @click.option("--json", type=Target("JSON"), metavar="FILE", help="Write the marks as JSON.")
+@click.option("--csv", type=Target("text"), metavar="FILE", help="Write the marks for a spreadsheet.")
 @click.option("--junit", type=Target("XML"), metavar="FILE", help="Write the marks as JUnit does.")
+@click.option("--pages", type=Folder(), metavar="FOLDER", help="Write a page for each student into FOLDER.")
+@click.option("--seed", type=int, default=form.SEED, show_default=True, help="Draw random cases from this.")
+@click.option("--cpu", type=click.FloatRange(0.1, 3600), default=bounded.SECONDS, metavar="SECONDS",
+              show_default=True, help="Of processor time, the most an answer may take.")  # fmt: skip
+@click.option(
+    "--export-student", is_flag=True, help="Write the exercise without what students must not have."
+)
 @click.pass_context
 def check(
     ctx: click.Context,
@@ -39,14 +48,21 @@ def check(
     prove: bool,
     dialect: str,
     json: str | None,
+    csv: str | None,
     junit: str | None,
+    pages: str | None,
+    seed: int,
+    cpu: float,
+    export_student: bool,
 ) -> None:
     """Mark each ANSWER to EXERCISE: run it on the exercise's cases, or compare a sheet of answers.
 
     EXERCISE is a file in TOML, or the name of a bundled one; docs/lessons.md of the sources says how to write
     your own. An ANSWER is PAL III source, a BIN or RIM tape, or a text with a line for each question; - is
     standard input. An answer gets a bounded time, core and tape, whatever it does. The table of marks goes to
-    standard output, unless --json - or --junit - does.
+    standard output, unless --json, --csv or --junit does.
+
+    Answers that look alike, but for comments and names, are named below the table: a hint, no proof.
 
     Exit status: 0 every answer is right, 1 one is not.
 
@@ -56,6 +72,8 @@ def check(
       pdp8 check add --show task
       pdp8 check add ana.pal ben.pal
       pdp8 check homework.toml answers/*.pal --json marks.json
+      pdp8 check homework.toml answers/*.pal --csv marks.csv --pages marks --seed 3
+      pdp8 check homework.toml --export-student > homework-student.toml
       pdp8 check homework.toml --prove
     """
     if listed:
@@ -63,39 +81,52 @@ def check(
         return
     if exercise is None:
         raise click.UsageError("Give an EXERCISE; --list has the bundled ones.")
-    read = exercises.read(exercise)
-    if show:
-        command.echo((read.task if show == "task" else read.solution).strip("\n"))
+    read = form.read(exercise, student.SEED if export_student else seed)
+    if export_student:
+        command.put("-", student.form(read))
+    elif show == "task":
+        command.echo(read.task.strip("\n"))
+    elif not read.solution and (show or prove):
+        raise WorkError(f"{exercise}: a student's form, which has no solution")
+    elif show:
+        command.echo(read.solution.strip("\n"))
     elif prove:
         _prove(read)
     elif not answer:
         raise click.UsageError("Give an ANSWER, or --show task, or --prove.")
     else:
-        results = [marking.mark(read, answers.read(name), dialect) for name in answer]
-        _write(read, results, json, junit)
+        answers = [handed.read(name) for name in answer]
+        results = bounded.marked(read, answers, cpu, dialect)
+        if pages is not None:
+            command.put_all(pages, _pages(read, results))
+        if csv is not None:
+            command.put(csv, records.as_csv(read, results))
+        if junit is not None:
+            command.put(junit, records.as_junit(read, results))
+        if json is not None:
+            command.put(json, records.as_json(read, results))
+        if "-" not in (csv, junit, json):
+            _show(read, answers, results)
         ctx.exit(0 if all(result.right for result in results) else 1)
 
 
 def _list() -> None:
-    for name in exercises.bundled():
-        command.echo(f"{name:18} {exercises.read(name).title}")
+    for name in form.bundled():
+        command.echo(f"{name:18} {form.title(name)}")
 
 
-def _write(exercise: Exercise, results: Sequence[Result], json: str | None, junit: str | None) -> None:
-    from pdp8.lessons import records
+def _pages(exercise: Exercise, results: Sequence[Result]) -> Iterator[tuple[str, bytes]]:
+    """Yield a page an answer, called as its file is; of those with one name the later have a number."""
+    taken: Counter[str] = Counter()
+    for result in results:
+        stem = os.path.splitext(os.path.basename(result.answer))[0]
+        taken[stem] += 1
+        name = f"{stem}-{taken[stem]}" if taken[stem] > 1 else stem
+        yield f"{name}.html", page.html(exercise, result).encode()
 
-    if junit is not None:
-        command.put(junit, records.as_junit(exercise, results))
-    if json is not None:
-        command.put(json, records.as_json(exercise, results))
-    if "-" not in (json, junit):
-        _show(exercise, results)
 
-
-def _show(exercise: Exercise, results: Sequence[Result]) -> None:
+def _show(exercise: Exercise, answers: Sequence[Answer], results: Sequence[Result]) -> None:
     from rich.console import Console
-
-    from pdp8.lessons import scores
 
     command.echo(f"{exercise.title}\n")
     console = Console(file=sys.stdout, highlight=False)
@@ -106,12 +137,15 @@ def _show(exercise: Exercise, results: Sequence[Result]) -> None:
         said = "\n".join(scores.details(result))
         if said:
             command.echo(f"\n{said}")
+    found = alike.pairs(answers) if exercise.cases else []
+    if found:
+        command.echo("\nalike but for comments and names, a hint and no proof:")
+    for pair in found:
+        command.echo(f"  {scores.visible(pair.one)}  {scores.visible(pair.other)}  {pair.shared:.0%}")
 
 
 def _prove(exercise: Exercise) -> None:
     """Say whether the exercise tells its known mistakes from its solution. Raises WorkError if not."""
-    from pdp8.lessons import scores
-
     solved = proof.solution(exercise)
     if not solved.right:
         said = "\n".join(scores.details(solved))

@@ -1,10 +1,16 @@
 """A teacher's room: exercises, and the answers of a class marked against them.
 
-exercise   an exercise's file: the task, the cases or questions, the solution, the usual mistakes
-answer     a student's file, whatever is in it, read within bounds
-trial      an answer run on one case: what it punched, printed and left in core
-marking    points and failures of an answer;   proof   that an exercise tells its mistakes from its solution
-scores     marks as a table for people;   records   the same as JSON and JUnit
-cards      cards to print             drill      drills at the panel, and their coach
-exercises/ the bundled ones
+exercise   an exercise as data;           form      its file, in TOML;   draw   its random cases
+student    the form that students get
+answer     a student's answer;            handed    the file it is in, read within bounds
+trial      an answer run on one trial: what it punched, printed and left in core
+marking    points and failures of an answer;        diagnosis   what happened;   values   a sheet's answers
+bounded    a class marked, each answer within bounds of time and memory
+proof      that an exercise tells its mistakes from its solution
+scores     marks as a table for people;   records   as CSV, JSON and JUnit;      page   a page for a student
+alike      which answers look alike
+cards      cards to print                 drill     drills at the panel, and their coach
+exercises/ the bundled ones, and the functions that draw for them
+
+exercise, answer, trial, marking, diagnosis and values are written in the subset that pages translate.
 """

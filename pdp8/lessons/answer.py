@@ -1,27 +1,14 @@
-"""A student's file, read within bounds: a program as words and symbols, or the lines of a sheet.
+"""A student's answer: a program as words and symbols, or the lines of a sheet."""
 
-Whatever the file holds, reading it takes little time and room: 16 KiB at most, from a regular file or from
-standard input, in lines of 200 characters, and of a source's errors the first few are kept.
-"""
-
-import os
-import re
-import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-import pal
-from pdp8.computer.use import program
-from tapes import kinds, shelf
-from tapes.errors import WorkError, called
+from pal.assembly import assemble
+from pdp8.computer.use.program import FOUND
+from tapes.errors import WorkError
 
-LARGEST = 16 * 1024
-LONGEST = 200
-"""Characters of a line."""
 _SHOWN = 5
-_COMMENT = re.compile(r"/.*")
-_ITEM = re.compile(r"[A-Z][A-Z0-9]*|[0-7]+")
-_LINE = re.compile(r"\s*([^\s:=.)]+)\s*[:=.)]?\s*(.*?)\s*$")
+"""Errors of a source that are told."""
 
 
 @dataclass(frozen=True)
@@ -38,65 +25,53 @@ class Answer:
         """Return the address that octal digits or a symbol name; None for a symbol it has not."""
         return int(place, 8) if place[0].isdigit() else self.symbols.get(place)
 
-    def items(self) -> set[str]:
-        """Return the symbols and numbers that stand in the source, comments apart."""
-        return {item for line in self.source.splitlines() for item in _ITEM.findall(_COMMENT.sub("", line))}
+    def items(self) -> list[str]:
+        """Return the symbols and numbers of the source as they stand, comments apart."""
+        return [item for line in self.source.splitlines() for item in parted(line.partition("/")[0])
+                if _of_a_word(item[0])]  # fmt: skip
 
     def lines(self) -> dict[str, str]:
         """Return a sheet's answers by their questions' names: `a: 270`."""
-        found = (_LINE.match(line) for line in self.source.splitlines())
-        return {line[1].lower(): line[2] for line in found if line}
+        found: dict[str, str] = {}
+        for line in self.source.splitlines():
+            plain = line.strip()
+            end = 0
+            while end < len(plain) and not plain[end].isspace() and plain[end] not in ":=.)":
+                end += 1
+            rest = plain[end:].lstrip()
+            if end:
+                found[plain[:end].lower()] = (rest[1:] if rest[:1] in (":", "=", ".", ")") else rest).strip()
+        return found
 
 
-def read(name: str) -> Answer:
-    """Return the answer in file `name`, `-` for standard input; what cannot be read has a fault."""
-    try:
-        if name != "-" and os.path.exists(name) and not os.path.isfile(name):
-            return Answer(called(name), fault="not a file")
-        return of(_content(name), called(name))
-    except OSError as error:
-        return Answer(called(name), fault=f"{error.strerror}")
-    except ValueError:
-        return Answer(called(name), fault="NUL in the name of a file")
+def parted(line: str) -> list[str]:
+    """Return the symbols, numbers and single marks of a line of PAL."""
+    found: list[str] = []
+    item = ""
+    for character in line.upper() + " ":
+        if _of_a_word(character):
+            item += character
+            continue
+        if item:
+            found.append(item)
+            item = ""
+        if not character.isspace():
+            found.append(character)
+    return found
 
 
-def _content(name: str) -> bytes:
-    if name == "-":
-        return sys.stdin.buffer.read(LARGEST + 1)
-    with open(name, "rb") as file:
-        return file.read(LARGEST + 1)
+def _of_a_word(character: str) -> bool:
+    return character.isascii() and (character.isalpha() or character.isdigit())
 
 
-def of(content: bytes, name: str) -> Answer:
-    """Return the answer a file of that content gives: PAL III source, a BIN or RIM tape, a sheet."""
-    if not content:
-        return Answer(name, fault="an empty file")
-    if len(content) > LARGEST:
-        return Answer(name, fault=f"more than {LARGEST:,} bytes")
-    if shelf.is_utf16(content):
-        return Answer(name, fault="text in UTF-16: save it as UTF-8 or ASCII, or write it with an editor")
-    content = shelf.without_mark(content)
-    kind = kinds.classify(content)
-    try:
-        if kind in (kinds.BIN, kinds.RIM):
-            return Answer(name, program.read(content, name).words)
-    except WorkError as error:
-        return Answer(name, fault=str(error))
-    source = content.decode("ascii", "replace").replace("\r\n", "\n")
-    for number, line in enumerate(source.splitlines(), 1):
-        if len(line) > LONGEST:
-            return Answer(name, fault=f"line {number} has {len(line):,} characters; at most {LONGEST} can be")
-    return Answer(name, source=source)
-
-
-def assembled(answer: Answer, dialect: str = program.FOUND) -> Answer:
+def assembled(answer: Answer, dialect: str = FOUND) -> Answer:
     """Return the answer with the words and symbols of its source, in `dialect`; its errors are a fault."""
     if answer.fault or not answer.source:
         return answer
-    assembly = pal.assemble(answer.source, names=[answer.name], modern=True, dialect=dialect)
+    assembly = assemble(answer.source, names=[answer.name], modern=True, dialect=dialect)
     errors = [diagnostic for diagnostic in assembly.diagnostics if diagnostic.error]
     more = f"\nand {len(errors) - _SHOWN} more" if len(errors) > _SHOWN else ""
-    fault = "\n".join(map(str, errors[:_SHOWN])) + more
+    fault = "\n".join([str(error) for error in errors[:_SHOWN]]) + more
     if not fault and not assembly.words:
         fault = "no word for core in it"
     source = answer.source.upper()

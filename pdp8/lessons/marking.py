@@ -1,38 +1,45 @@
 """Points and failures: an answer held against every case or question of its exercise.
 
-A case gives its points when everything it looks at is as expected, and none otherwise. Bounds on the source
-and words it must or must not have count for the whole: what breaks them gets no points.
+A case gives its points when everything it looks at is as expected in every trial, and none otherwise; the
+first trial that fails is shown. Bounds on the source and words it must or must not have count for the whole:
+what breaks them gets no points. Of a hidden case nothing is kept but what was wrong.
 """
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 from pdp8.computer.use.program import FOUND
-from pdp8.lessons import answer as answers
-from pdp8.lessons import trial
-from pdp8.lessons.answer import Answer
-from pdp8.lessons.exercise import Case, Exercise, Question
+from pdp8.lessons import diagnosis, trial, values
+from pdp8.lessons.answer import Answer, assembled
+from pdp8.lessons.exercise import Case, Exercise, Question, Trial
 from pdp8.lessons.trial import Outcome
+from tapes import rim
 
 
 @dataclass(frozen=True)
 class Failure:
-    """One thing that is not as expected; a tape's is shown as holes, any other's as text."""
+    """One thing that is not as expected; a tape's is shown as holes, any other's as text.
+
+    `happened` is diagnosis's word for it. Both values are empty in a hidden case.
+    """
 
     what: str
     expected: str | bytes
     got: str | bytes
+    happened: str = diagnosis.RESULT
 
 
 @dataclass(frozen=True)
 class Mark:
-    """What one case or question brought; `hint` is for whom it failed."""
+    """What one case or question brought; `inputs` are those of the trial that failed."""
 
     name: str
     points: int
     of: int
     failures: tuple[Failure, ...] = ()
     hint: str = ""
+    inputs: str = ""
+    hidden: bool = False
 
 
 @dataclass(frozen=True)
@@ -57,8 +64,8 @@ class Result:
 
 def mark(exercise: Exercise, answer: Answer, dialect: str = FOUND) -> Result:
     """Return the marks of `answer`, a source in `dialect`. Nothing that an answer does raises an error."""
-    if not exercise.questions:
-        answer = answers.assembled(answer, dialect)
+    if exercise.cases:
+        answer = assembled(answer, dialect)
     fault = answer.fault or _broken(exercise, answer)
     if fault:
         return Result(answer.name, (), exercise.points, fault)
@@ -82,51 +89,116 @@ def _broken(exercise: Exercise, answer: Answer) -> str:
             return f"{item} is not to be used"
     if source.words is not None and len(answer.words) > source.words:
         return f"{len(answer.words)} words of core; at most {source.words} are allowed"
-    missing = [name for case in exercise.cases for name in trial.needs(case) if name not in answer.symbols]
-    return f"the tag {missing[0]} is missing; the exercise looks for it" if missing else ""
+    for case in exercise.cases:
+        for each in case.trials:
+            for name in trial.needs(each):
+                if name not in answer.symbols:
+                    return f"the tag {name} is missing; the exercise looks for it"
+    return ""
 
 
 def _try(case: Case, answer: Answer) -> Mark:
-    failures = tuple(_failures(case, answer, trial.run(answer, case)))
-    if failures:
-        return Mark(case.name, 0, case.points, failures, case.hint)
-    return Mark(case.name, case.points, case.points)
+    for each in case.trials:
+        outcome = trial.run(answer, each)
+        failures = list(_failures(each, answer, outcome))
+        if failures:
+            return _failed(case, each, answer, outcome, failures)
+    return Mark(case.name, case.points, case.points, hidden=case.hidden)
 
 
-def _failures(case: Case, answer: Answer, outcome: Outcome) -> Iterator[Failure]:
+def _failed(case: Case, tried: Trial, answer: Answer, outcome: Outcome, failures: list[Failure]) -> Mark:
+    """Return the mark of a case whose trial failed, with the hint that fits."""
+    over = trial.overwritten(answer, tried, outcome)
+    if over is not None:
+        failures.append(Failure("the program", "", f"wrote over itself at {over:04o}", diagnosis.ITSELF))
+    hint = _hint(case, failures)
+    if case.hidden:
+        bare = tuple(Failure(failure.what, "", "", failure.happened) for failure in failures)
+        return Mark(case.name, 0, case.points, bare, hint, hidden=True)
+    inputs = _inputs(tried) if len(case.trials) > 1 else ""
+    return Mark(case.name, 0, case.points, tuple(failures), hint, inputs)
+
+
+def _hint(case: Case, failures: list[Failure]) -> str:
+    """Return the case's hint for what happened or what differs, or for any result; or the diagnosis's."""
+    for failure in failures:
+        for key in (failure.happened, failure.what):
+            if key in case.hints:
+                return case.hints[key]
+    happened = [failure.happened for failure in failures]
+    if diagnosis.ITSELF in happened:
+        return diagnosis.HINTS[diagnosis.ITSELF]
+    if happened[0] not in diagnosis.ENDS and "" in case.hints:
+        return case.hints[""]
+    return diagnosis.HINTS.get(happened[0], "")
+
+
+def _inputs(tried: Trial) -> str:
+    """Return the inputs of a trial on one line."""
+    said = [
+        f"{place} = {word if isinstance(word, str) else f'{word:04o}'}"
+        for place, word in tried.deposit.items()
+    ]
+    if tried.sr:
+        said.append(f"switches {tried.sr:04o}")
+    if tried.reader:
+        said.append(f"tape {_frames(tried.reader)}")
+    if tried.keys:
+        said.append(f"keys {_frames(tried.keys)}")
+    return ", ".join(said)
+
+
+def _frames(frames: bytes) -> str:
+    more = " ..." if len(frames) > 24 else ""
+    return " ".join(f"{frame:03o}" for frame in frames[:24]) + more
+
+
+def _failures(tried: Trial, answer: Answer, outcome: Outcome) -> Iterator[Failure]:
     stop = outcome.stop
-    if case.stop not in (stop.reason, "any"):
-        limit = f" after {case.seconds:g} s" if stop.reason == "limit" else ""
-        yield Failure("the end", case.stop, f"{stop.reason}{limit}, before {stop.pc:04o}")
-    if case.ac not in (None, outcome.ac):
-        yield Failure("AC", f"{case.ac:04o}", f"{outcome.ac:04o}")
-    if case.link not in (None, outcome.link):
-        yield Failure("L", f"{case.link}", f"{outcome.link}")
-    for place, word in case.core.items():
+    if tried.stop not in ("any", stop.reason):
+        happened, got = diagnosis.end(answer, tried, outcome)
+        yield Failure("the end", diagnosis.wanted(tried.stop), got, happened)
+    yield from _registers(tried, outcome)
+    for place, word in tried.core.items():
         found = outcome.core[answer.address(place) or 0]
         if found != word:
-            yield Failure(place, f"{word:04o}", f"{found:04o}")
-    for place in case.changed:
+            yield Failure(place, f"{word:04o}", f"{found:04o}", diagnosis.word(word, found))
+    for place in tried.changed:
         address = answer.address(place) or 0
         if outcome.core[address] == outcome.before[address]:
             yield Failure(place, "another word", f"{outcome.core[address]:04o}, as before")
-    if case.page not in (None, outcome.page):
-        yield Failure("the page", str(case.page), outcome.page)
-    if case.tape not in (None, outcome.tape):
-        yield Failure("the tape", case.tape or b"", outcome.tape)
-    if case.instructions is not None and outcome.instructions > case.instructions:
-        yield Failure("instructions", f"at most {case.instructions:,}", f"{outcome.instructions:,}")
+    yield from _products(tried, answer, outcome)
+    if tried.instructions is not None and outcome.instructions > tried.instructions:
+        yield Failure("instructions", f"at most {tried.instructions:,}", f"{outcome.instructions:,}")
+    if tried.takes is not None and not tried.takes[0] <= stop.elapsed <= tried.takes[1]:
+        wanted = f"{tried.takes[0]:.6g} to {tried.takes[1]:.6g} s"
+        yield Failure("the time", wanted, f"{stop.elapsed:.6g} s")
+
+
+def _registers(tried: Trial, outcome: Outcome) -> Iterator[Failure]:
+    if tried.ac is not None and tried.ac != outcome.ac:
+        happened = diagnosis.word(tried.ac, outcome.ac)
+        yield Failure("AC", f"{tried.ac:04o}", f"{outcome.ac:04o}", happened)
+    if tried.link is not None and tried.link != outcome.link:
+        yield Failure("L", f"{tried.link}", f"{outcome.link}")
+
+
+def _products(tried: Trial, answer: Answer, outcome: Outcome) -> Iterator[Failure]:
+    if tried.page is not None and tried.page != outcome.page:
+        yield Failure("the page", tried.page, outcome.page, diagnosis.sequence(tried.page, outcome.page))
+    tape = _program(answer, outcome) if tried.itself else tried.tape
+    if tape is not None and tape != outcome.tape:
+        yield Failure("the tape", tape, outcome.tape, diagnosis.sequence(tape, outcome.tape))
+
+
+def _program(answer: Answer, outcome: Outcome) -> bytes:
+    """Return the answer's words before the start as a RIM tape has them, without leader and trailer."""
+    words = {address: outcome.before[address] for address in answer.words}
+    return bytes(frame for frame in rim.encode(words) if frame < 0o200)
 
 
 def _compare(question: Question, given: str) -> Mark:
-    if _plain(given) in [_plain(right) for right in question.answer]:
+    if values.right(question, given):
         return Mark(question.name, question.points, question.points)
-    slips = {_plain(slip): hint for slip, hint in question.slips.items()}
-    hint = slips.get(_plain(given), question.hint)
+    hint = values.hint(question, given)
     return Mark(question.name, 0, question.points, (Failure("answer", "", given or "nothing"),), hint)
-
-
-def _plain(answer: str) -> str:
-    """Return an answer without what does not matter: case, blanks, commas between digits, leading zeros."""
-    words = answer.lower().replace(",", "").split()
-    return " ".join(word.lstrip("0") or "0" for word in words)

@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator
 
-from pdp8.lessons import answer as answers
-from pdp8.lessons.exercise import Exercise, ExerciseError
+from pdp8.lessons import handed
+from pdp8.lessons.exercise import Exercise
+from pdp8.lessons.form import ExerciseError
 from pdp8.lessons.marking import Result, mark
 
 
@@ -23,7 +24,7 @@ def mistakes(exercise: Exercise) -> Iterator[tuple[str, Result]]:
                 f"{exercise.name}: mistake {what!r}: {piece!r} stands {count} times in the solution, not once"
             )
         yield what, _marked(exercise, exercise.solution.replace(piece, instead), what)
-    sheet = answers.of(exercise.solution.encode(), "the solution").lines()
+    sheet = handed.of(exercise.solution.encode(), "the solution").lines()
     for question in exercise.questions:
         for slip in question.slips:
             lines = {**sheet, question.name.lower(): slip}
@@ -32,4 +33,4 @@ def mistakes(exercise: Exercise) -> Iterator[tuple[str, Result]]:
 
 
 def _marked(exercise: Exercise, text: str, name: str) -> Result:
-    return mark(exercise, answers.of(text.encode(), name))
+    return mark(exercise, handed.of(text.encode(), name))

@@ -1,5 +1,9 @@
-"""Marks for machines: JSON with everything, and the XML that JUnit writes, which every CI service shows."""
+"""Marks for machines: JSON with everything, CSV for spreadsheets, and the XML that JUnit writes, which every
+CI service shows.
+"""
 
+import csv
+import io
 import json
 from collections.abc import Sequence
 from xml.etree import ElementTree
@@ -8,6 +12,23 @@ from pdp8.lessons import scores
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.marking import Failure, Mark, Result
 from tapes import errors
+
+
+def as_csv(exercise: Exercise, results: Sequence[Result]) -> str:
+    """Return the marks as CSV: a row an answer, a column a case or question."""
+    text = io.StringIO()
+    rows = csv.writer(text, lineterminator="\n")
+    rows.writerow(["answer", *map(_cell, exercise.names), "points", "of", "fault"])
+    for result in results:
+        points = [f"{mark.points}" for mark in result.marks] or ["0"] * len(exercise.names)
+        rows.writerow([_cell(result.answer), *points, result.points, result.of, _cell(result.fault)])
+    return text.getvalue()
+
+
+def _cell(text: str) -> str:
+    """Return a text that no spreadsheet takes for a formula."""
+    plain = scores.visible(text)
+    return f"'{plain}" if plain[:1] in ("=", "+", "-", "@") else plain
 
 
 def as_json(exercise: Exercise, results: Sequence[Result]) -> str:
@@ -35,9 +56,16 @@ def _mark(mark: Mark) -> dict[str, object]:
         "name": mark.name,
         "points": mark.points,
         "of": mark.of,
+        "hidden": mark.hidden,
+        "inputs": mark.inputs or None,
         "hint": mark.hint or None,
         "failures": [
-            {"what": failure.what, "expected": _value(failure.expected), "got": _value(failure.got)}
+            {
+                "what": failure.what,
+                "happened": failure.happened,
+                "expected": _value(failure.expected),
+                "got": _value(failure.got),
+            }
             for failure in mark.failures
         ],
     }
@@ -51,7 +79,9 @@ def as_junit(exercise: Exercise, results: Sequence[Result]) -> str:
     """Return the marks as JUnit's XML: a test suite an answer, a test case each case or question."""
     suites = ElementTree.Element("testsuites", name=exercise.name)
     for result in results:
-        marks = result.marks or (Mark("the answer", 0, result.of, (Failure("fault", "", result.fault),)),)
+        marks = result.marks or [
+            Mark(name, 0, 0, (Failure("fault", "", result.fault),)) for name in exercise.names
+        ]
         failed = sum(bool(mark.failures) for mark in marks)
         counts = {"tests": f"{len(marks)}", "failures": f"{failed}"}
         suite = ElementTree.SubElement(suites, "testsuite", {"name": result.answer, **counts})
@@ -71,5 +101,4 @@ def as_junit(exercise: Exercise, results: Sequence[Result]) -> str:
 def _said(result: Result, mark: Mark) -> list[str]:
     if result.fault:
         return list(scores.fault(result))
-    said = [line for failure in mark.failures for line in scores.lines(failure)]
-    return [*said, *[f"hint: {mark.hint}"] * bool(mark.hint)]
+    return [*scores.said(mark), *[f"hint: {mark.hint}"] * bool(mark.hint)]

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 _AROUND = 2
 """Frames of a tape shown before the first wrong one, and twice as many after it."""
 _WIDEST = 60
+_FAILURES = 6
+_NO_CARET = ("the end", "the time", "instructions")
 _ON_ONE_LINE = {0o11: "\u2409", 0o12: "\u240a"}
 
 
@@ -35,11 +37,11 @@ def table(exercise: Exercise, results: Sequence[Result]) -> "Table":
 
     made = Table(box=None, pad_edge=False)
     made.add_column("answer", no_wrap=True)
-    for part in exercise.parts:
-        made.add_column(Text(visible(part.name)), justify="center")
+    for name in exercise.names:
+        made.add_column(Text(visible(name)), justify="center")
     made.add_column("points", justify="right", no_wrap=True)
     for result in results:
-        cells = [Text(_cell(mark)) for mark in result.marks] or [Text("-")] * len(exercise.parts)
+        cells = [Text(_cell(mark)) for mark in result.marks] or [Text("-")] * len(exercise.names)
         made.add_row(Text(visible(result.answer)), *cells, Text(f"{result.points} / {result.of}"))
     return made
 
@@ -55,11 +57,18 @@ def details(result: Result) -> Iterator[str]:
         yield from (f"  {line}" for line in fault(result))
     for mark in result.marks:
         if mark.failures:
-            yield f"{result.answer}: {mark.name}"
-        for failure in mark.failures:
-            yield from (f"  {line}" for line in lines(failure))
+            yield f"{result.answer}: {mark.name}{', with ' * bool(mark.inputs)}{mark.inputs}"
+        yield from (f"  {line}" for line in said(mark))
         if mark.hint:
             yield f"  hint: {mark.hint}"
+
+
+def said(mark: Mark) -> Iterator[str]:
+    """Yield the lines of what failed, of the first few failures."""
+    for failure in mark.failures[:_FAILURES]:
+        yield from lines(failure)
+    if len(mark.failures) > _FAILURES:
+        yield f"and {len(mark.failures) - _FAILURES} more"
 
 
 def fault(result: Result) -> Iterator[str]:
@@ -69,6 +78,9 @@ def fault(result: Result) -> Iterator[str]:
 
 def lines(failure: Failure) -> Iterator[str]:
     """Yield what was expected, what was found, and a caret under the first difference; a tape as holes."""
+    if not failure.expected and not failure.got:
+        yield f"{failure.what:12} {failure.happened}"
+        return
     if isinstance(failure.expected, bytes) and isinstance(failure.got, bytes):
         yield from _tapes(failure.what, failure.expected, failure.got)
         return
@@ -80,7 +92,8 @@ def lines(failure: Failure) -> Iterator[str]:
     start = max(0, at - _WIDEST // 2)
     yield f"{failure.what:12} expected {_cut(expected, start)}"
     yield f"{'':17} got {_cut(got, start)}"
-    yield f"{'':21} {'-' * (at - start)}^"
+    if failure.what not in _NO_CARET:
+        yield f"{'':21} {'-' * (at - start)}^"
 
 
 def visible(text: str) -> str:

@@ -121,7 +121,7 @@ OPTIONS = {
     "pal": ("--rim", "--force", "--modern", "--high-speed-reader", "--max-errors", "--strict"),
     "nc view": (),
     "tape read": ("--underside",),
-    "check": ("--prove", "--show"),
+    "check": ("--prove", "--show", "--seed", "--cpu", "--export-student"),
     "cards": ("--part", "--pdf"),
     "thesis make": (),
     "thesis evidence": ("--source",),
@@ -172,7 +172,7 @@ WRITES = (
 )
 RECORDS = {  # what else is written
     "pal": ("--json", "--listing", "--symbols", "--xref"),
-    "check": ("--json", "--junit"),
+    "check": ("--json", "--junit", "--csv"),
     "run": ("--punch", "--count-json", "--save"),
     "tape show": ("--svg",),
     "nc inspect": ("--talyrond", "--talysurf"),

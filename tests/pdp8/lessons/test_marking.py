@@ -7,8 +7,9 @@ from xml.etree import ElementTree
 
 import pytest
 
-from pdp8.lessons import answer, marking, records, scores
-from pdp8.lessons.exercise import Exercise, parse
+from pdp8.lessons import handed, marking, records, scores
+from pdp8.lessons.exercise import Exercise
+from pdp8.lessons.form import parse
 from pdp8.lessons.marking import Result
 from tests.conftest import Shell
 
@@ -19,7 +20,7 @@ def exercise(case: str, program: str = "") -> Exercise:
 
 
 def mark(case: str, source: str, program: str = "") -> Result:
-    return marking.mark(exercise(case, program), answer.of(source.encode(), "a.pal"))
+    return marking.mark(exercise(case, program), handed.of(source.encode(), "a.pal"))
 
 
 def failed(case: str, source: str) -> list[tuple[str, str | bytes]]:
@@ -40,7 +41,7 @@ LOOP = "*200\n\tJMP .\n$\n"
         ("core={A=3}", IAC, [("A", "0001")]),
         ('core={"0204"=3}', IAC, [("0204", "0001")]),
         ('changed=["A", "0200"]', IAC, [("0200", "7301, as before")]),
-        ("stop='tape out'", IAC, [("the end", "halt, before 0204")]),
+        ("stop='tape out'", IAC, [("the end", "a halt at 0203")]),
         ("instructions=4", IAC, []),
         ("instructions=3", IAC, [("instructions", "4")]),
         ("tape=[0o301]\npage='A'", PUNCH, []),
@@ -109,7 +110,7 @@ HOSTILE = [
 def test_a_hostile_answer_is_marked_like_any_other(content: bytes) -> None:
     given = exercise("ac=1\nseconds=10\ntape='AB'\npage='x'")
     began = time.process_time()
-    result = marking.mark(given, answer.of(content, "a\x1b[2J.pal"))
+    result = marking.mark(given, handed.of(content, "a\x1b[2J.pal"))
     said = "\n".join(scores.details(result))
     ElementTree.fromstring(records.as_junit(given, [result]).partition("\n")[2])
     json.loads(records.as_json(given, [result]))
@@ -133,7 +134,7 @@ def test_two_long_tapes_are_shown_where_they_differ() -> None:
 
 def test_marks_as_junit_are_what_they_are() -> None:
     given = exercise("ac=2\nhint='look'")
-    results = [marking.mark(given, answer.of(text.encode(), text[-2:])) for text in (IAC, "\tJMP Q\n$")]
+    results = [marking.mark(given, handed.of(text.encode(), text[-2:])) for text in (IAC, "\tJMP Q\n$")]
     suites = ElementTree.fromstring(records.as_junit(given, results).partition("\n")[2])
     assert [(suite.get("tests"), suite.get("failures")) for suite in suites] == [("1", "1")] * 2
     messages = [failure.get("message") for failure in suites.iter("failure")]
@@ -144,7 +145,7 @@ def test_marks_as_junit_are_what_they_are() -> None:
 def test_what_is_no_file_has_no_points(name: str, shell: Shell) -> None:
     done = shell(f"pdp8 check add {name}")
     assert done.returncode == 1
-    assert b"0 / 5" in done.stdout
+    assert b"0 / 7" in done.stdout
     assert b"Traceback" not in done.stderr
 
 

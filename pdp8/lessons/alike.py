@@ -1,0 +1,62 @@
+"""Which answers of a class look alike: a hint to the teacher, and no proof.
+
+Comments, blanks and the names of tags do not count: tags are numbered as they come. Two answers are as alike
+as the runs of five items they share, of all the runs that either has. In a class of six or more, a run
+that more than a third of them has says nothing: the exercise asks for it.
+
+Source: Schleimer, Wilkerson, Aiken: Winnowing, SIGMOD 2003, for the runs and for leaving out the common ones.
+"""
+
+from collections import Counter
+from collections.abc import Sequence
+from itertools import combinations
+from typing import NamedTuple
+
+from pal.symbols import PERMANENT
+from pdp8.lessons.answer import Answer, parted
+
+_RUN = 5
+_LEAST = 12
+"""Runs of its own an answer must have: short programs are all alike."""
+_CLASS = 6
+_ALIKE = 0.7
+_OWN = frozenset(each.mnemonic for each in PERMANENT)
+
+
+class Pair(NamedTuple):
+    """Two answers, and how much of what they have is shared, 0 to 1."""
+
+    one: str
+    other: str
+    shared: float
+
+
+def pairs(answers: Sequence[Answer]) -> list[Pair]:
+    """Return the pairs that look alike, the likest first."""
+    runs = {answer.name: _runs(answer.source) for answer in answers if answer.source}
+    if len(runs) >= _CLASS:
+        often = Counter(run for found in runs.values() for run in found)
+        common = {run for run, count in often.items() if count > max(2, len(runs) // 3)}
+        runs = {name: found - common for name, found in runs.items()}
+    long = {name: found for name, found in runs.items() if len(found) >= _LEAST}
+    found = [
+        Pair(one, other, len(long[one] & long[other]) / len(long[one] | long[other]))
+        for one, other in combinations(long, 2)
+    ]
+    return sorted((pair for pair in found if pair.shared >= _ALIKE), key=lambda pair: -pair.shared)
+
+
+def _runs(source: str) -> set[tuple[str, ...]]:
+    items = _plain(source)
+    return {tuple(items[at : at + _RUN]) for at in range(len(items) - _RUN + 1)}
+
+
+def _plain(source: str) -> list[str]:
+    """Return the items of a source, its tags as they come: t0, t1, ..."""
+    tags: dict[str, str] = {}
+    items = []
+    for line in source.splitlines():
+        for item in parted(line.partition("/")[0]):
+            tag = item[0].isalpha() and item not in _OWN
+            items.append(tags.setdefault(item, f"t{len(tags)}") if tag else item)
+    return items

@@ -1,0 +1,119 @@
+"""What happened where an answer is wrong: a word for it, what is said of it, and a hint where none is given.
+
+A case's own hints are by these words too.
+"""
+
+from collections.abc import Sequence
+
+from pdp8.computer.stop import Reason
+from pdp8.lessons.answer import Answer
+from pdp8.lessons.exercise import Trial
+from pdp8.lessons.trial import Outcome, turns
+
+NO_WORD = "no word at the start"
+NOT_STOPPED = "did not stop"
+JUMP = "jumps to itself"
+INPUT = "waits for a key or a tape"
+OUTPUT = "waits for the printer"
+ELSEWHERE = "stopped elsewhere"
+ITSELF = "wrote over itself"
+NOTHING = "nothing came"
+SHORT = "too short"
+LONG = "too long"
+FIRST = "the first is wrong"
+SHIFTED = "one lost or doubled"
+PARITY = "parity"
+ONE_OFF = "one off"
+NEGATIVE = "the negative"
+RESULT = "wrong"
+
+ENDS = (NO_WORD, NOT_STOPPED, JUMP, INPUT, OUTPUT, ELSEWHERE)
+"""What can be wrong with the end, all else with the result."""
+HINTS = {
+    NO_WORD: "Begin the program where it is started: *200, say, before its first word.",
+    NOT_STOPPED: "What is to end this loop? Look at its count, and at what the skip skips.",
+    JUMP: "A jump to itself does nothing for ever. HLT stops the machine.",
+    INPUT: "All there was has been read. How does the program know that it is done?",
+    OUTPUT: "The flag goes up when a character is done: print one (TLS) before you wait for it (TSF).",
+    ITSELF: "Which DCA, ISZ or JMS writes there? Words of data stand where the program never comes.",
+    NOTHING: "TLS prints and punches what is in the AC.",
+    SHORT: "It ends too soon, or does not wait until the last one is done.",
+    LONG: "How often does the loop go round?",
+    FIRST: "What is in the AC, and in L, before the first?",
+    SHIFTED: "From there on all is moved by one: one is lost, or comes twice.",
+    PARITY: "The characters are right; the channel for parity is not.",
+    ONE_OFF: "It is wrong by one: is the loop gone through once too often, or once too seldom?",
+    NEGATIVE: "It is the negative of what is wanted.",
+}
+_INPUTS = (0o6031, 0o6011)
+_OUTPUTS = (0o6041, 0o6021)
+_WANTED = {
+    "halt": "a halt", "tape out": "waiting for a frame that does not come",
+    "idle": "a loop that nothing ends", "limit": "running on",
+}  # fmt: skip
+
+
+def wanted(stop: str) -> str:
+    """Return how a case's stop is called."""
+    return _WANTED[stop]
+
+
+def end(answer: Answer, trial: Trial, outcome: Outcome) -> tuple[str, str]:
+    """Return what happened where the end is not as wanted, and what is said of it."""
+    stop, start = outcome.stop, answer.address(trial.start) or 0
+    if start not in answer.words and trial.start not in trial.deposit:
+        return NO_WORD, f"no word of yours is at {start:04o}"
+    if stop.reason is Reason.LIMIT:
+        low, high = turns(answer, trial)
+        return NOT_STOPPED, f"still running after {trial.seconds:g} s, between {low:04o} and {high:04o}"
+    if stop.reason is Reason.HALT:
+        return ELSEWHERE, f"a halt at {stop.pc - 1 & 0o7777:04o}"
+    near = [outcome.core[stop.pc + step & 0o7777] for step in (-1, 0, 1)]
+    if _jumps_to(stop.pc, near[1]) == stop.pc:
+        return JUMP, f"a jump to itself at {stop.pc:04o}"
+    if stop.reason is Reason.TAPE_OUT or any(word in _INPUTS for word in near):
+        return INPUT, f"waiting at {stop.pc:04o} for a key or a frame that does not come"
+    if any(word in _OUTPUTS for word in near):
+        return OUTPUT, f"waiting at {stop.pc:04o} for a printer that has nothing to print"
+    return NOT_STOPPED, f"a loop at {stop.pc:04o} that nothing ends"
+
+
+def _jumps_to(address: int, word: int) -> int | None:
+    """Return where a JMP without I goes, None for any other word."""
+    if word & 0o7400 != 0o5000 and word & 0o7400 != 0o5200:
+        return None
+    return (address & 0o7600 if word & 0o200 else 0) | word & 0o177
+
+
+def word(expected: int, got: int) -> str:
+    """Return in which way a word differs."""
+    if (expected - got) & 0o7777 in (1, 0o7777):
+        return ONE_OFF
+    return NEGATIVE if (expected + got) & 0o7777 == 0 else RESULT
+
+
+def sequence(expected: Sequence[object], got: Sequence[object]) -> str:
+    """Return in which way a tape or a printed page differs."""
+    if not got:
+        return NOTHING
+    at = next((each for each in range(min(len(expected), len(got))) if expected[each] != got[each]), None)
+    if at is None:
+        return SHORT if len(got) < len(expected) else LONG
+    if _parity(expected, got, 0o200) or _parity(expected, got, 0o20):
+        return PARITY
+    if at == 0:
+        return FIRST
+    lost, doubled = expected[at + 1 :], got[at + 1 :]
+    if (lost and got[at:] == lost) or (doubled and doubled == expected[at:]):
+        return SHIFTED
+    return RESULT
+
+
+def _parity(expected: Sequence[object], got: Sequence[object], channel: int) -> bool:
+    """Tell whether nothing but a channel differs."""
+    if len(expected) != len(got):
+        return False
+    pairs = list(zip(expected, got, strict=True))
+    return all(
+        isinstance(one, int) and isinstance(two, int) and one ^ two in (0, channel) for one, two in pairs
+    )

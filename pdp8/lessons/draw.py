@@ -1,0 +1,181 @@
+"""Random cases: inputs drawn by ranges and kinds, and what the solution, or a Python function, makes of them.
+
+[[random]]                                  the keys of a case, and
+trials = 20                                 how many are drawn
+deposit = { A = { from = 0, to = 0o77 }, "0300-0311" = { from = 0, to = 0o777 }, B = { pick = [0, 1] } }
+sr = { from = 0, to = 0o7777 }
+reader = [0o200, { length = [1, 20], pick = "0123456789" }, { length = 3, from = 0, to = 0o377 }]   keys too
+compare = ["SUM", "0400-0410", "AC", "L", "tape", "page", "instructions"]    what must be as in the solution
+within = 1.5                                how often the solution's count of instructions is allowed
+python = "oracle.py:name"    name(random, case) gets a random.Random and the case's keys so far, as in
+                             [[case]], and returns them with what it adds
+
+The same seed and name of a case draw the same.
+"""
+
+import importlib.util
+import os
+from collections.abc import Callable
+from random import Random
+from typing import Any
+
+from pdp8.lessons import trial
+from pdp8.lessons.answer import Answer, assembled
+from pdp8.lessons.exercise import Case, Trial
+from pdp8.lessons.form import CASE, TRIAL, ExerciseError, Field, frames, number, table, word
+from tapes.errors import WorkError
+
+_MOST = 200
+"""Frames or words drawn at once are at most 4096, trials so many."""
+
+
+def case(given: object, where: str, solution: str, seed: int, folder: str) -> Case:
+    """Return the case with its trials drawn. Raises ExerciseError."""
+    found = table(given, where, _RANDOM)
+    own = {key: found.pop(key) for key in CASE if key in found}
+    trials = found.pop("trials", 20)
+    compare, within = found.pop("compare", ()), found.pop("within", 1.0)
+    function = _function(found.pop("python"), where, folder) if "python" in found else None
+    if not compare and function is None:
+        raise ExerciseError(f"{where}: compare or python is missing: nothing says what is right")
+    program = assembled(Answer("the solution", source=solution)) if compare else Answer("")
+    if program.fault:
+        raise ExerciseError(f"{where}: {program.fault}")
+    made = []
+    for count in range(trials):
+        random = Random(f"{seed} {own['name']} {count}")
+        try:
+            inputs = {
+                key: _DRAWN[key](value, random) if key in _DRAWN else value for key, value in found.items()
+            }
+            if function is not None:
+                inputs = function(random, inputs)
+        except (ValueError, TypeError, WorkError) as error:
+            raise ExerciseError(f"{where}: {error}") from error
+        drawn = Trial(**table(inputs, f"{where}: drawn trial {count + 1}", TRIAL))
+        made.append(_expected(drawn, program, compare, within, where) if compare else drawn)
+    return Case(trials=tuple(made), hints=own.pop("hint", {}), **own)
+
+
+def _expected(drawn: Trial, program: Answer, compare: tuple[str, ...], within: float, where: str) -> Trial:
+    """Return the trial with what the solution made of it."""
+    missing = [name for name in (*trial.needs(drawn), *_tags(compare)) if name not in program.symbols]
+    if missing:
+        raise ExerciseError(f"{where}: the solution has no tag {missing[0]}")
+    outcome = trial.run(program, drawn)
+    if drawn.stop not in (outcome.stop.reason, "any"):
+        raise ExerciseError(f"{where}: the solution ends with {outcome.stop.reason}, not {drawn.stop}")
+    core = dict(drawn.core)
+    core |= {each: outcome.core[program.address(each) or 0] for item in compare if item not in _WHAT
+             for each in _places(item)}  # fmt: skip
+    return Trial(
+        start=drawn.start, starts=drawn.starts, sr=drawn.sr, deposit=drawn.deposit, reader=drawn.reader,
+        keys=drawn.keys, seconds=drawn.seconds, stop=drawn.stop, changed=drawn.changed, itself=drawn.itself,
+        takes=drawn.takes, core=core,
+        tape=outcome.tape if "tape" in compare else drawn.tape,
+        page=outcome.page if "page" in compare else drawn.page,
+        ac=outcome.ac if "AC" in compare else drawn.ac,
+        link=outcome.link if "L" in compare else drawn.link,
+        instructions=int(outcome.instructions * within) if "instructions" in compare else drawn.instructions,
+    )  # fmt: skip
+
+
+_WHAT = ("AC", "L", "tape", "page", "instructions")
+
+
+def _tags(compare: tuple[str, ...]) -> list[str]:
+    return [item for item in compare if item not in _WHAT and not item[0].isdigit()]
+
+
+def _places(item: str) -> list[str]:
+    """Return a place, or each address of a range as "0300-0311"."""
+    first, dash, last = item.partition("-")
+    if not dash or not item[0].isdigit():
+        return [item]
+    return [f"{address:04o}" for address in range(int(first, 8), int(last, 8) + 1)]
+
+
+def _function(name: str, where: str, folder: str) -> Callable[[Random, dict[str, Any]], dict[str, Any]]:
+    file, _, called = name.partition(":")
+    path = os.path.join(folder, file)
+    spec = importlib.util.spec_from_file_location("oracle", path)
+    if spec is None or spec.loader is None or not os.path.isfile(path):
+        raise ExerciseError(f"{where}: python: {file!r} is no Python file beside the exercise")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    function: Callable[[Random, dict[str, Any]], dict[str, Any]] | None = vars(module).get(called)
+    if function is None:
+        raise ExerciseError(f"{where}: python: {file} has no function {called!r}")
+    return function
+
+
+def _word(given: Any, random: Random) -> int | str:
+    """Return a word: as given, of a range, or one of a list."""
+    if not isinstance(given, dict):
+        return given if isinstance(given, str) else int(word(given))
+    if set(given) == {"pick"} and given["pick"]:
+        return int(word(random.choice(given["pick"])))
+    if set(given) == {"from", "to"}:
+        return (
+            random.randint(number(-0o4000, 0o7777)(given["from"]), number(-0o4000, 0o7777)(given["to"]))
+            & 0o7777
+        )
+    raise ValueError(f"a word, {{ from, to }} or {{ pick = [...] }} is wanted, not {given!r}")
+
+
+def _deposit(given: Any, random: Random) -> dict[str, int | str]:
+    return {each: _word(value, random) for place, value in dict(given).items() for each in _places(place)}
+
+
+def _tape(given: Any, random: Random) -> list[int]:
+    """Return the frames of a tape: as given, or its parts one after the other, each drawn."""
+    if isinstance(given, list):
+        return [frame for part in given for frame in _tape(part, random)]
+    if isinstance(given, int):
+        return [given]
+    if not isinstance(given, dict) or "length" not in given:
+        return list(frames(given))
+    length = given["length"]
+    least, most = length if isinstance(length, list) else (length, length)
+    count = random.randint(number(0, 4096)(least), number(0, 4096)(most))
+    if set(given) == {"length", "pick"}:
+        among = list(frames(given["pick"]))
+    elif set(given) == {"length", "from", "to"}:
+        among = list(range(number(0, 0o377)(given["from"]), number(0, 0o377)(given["to"]) + 1))
+    else:
+        raise ValueError(f"{{ length, pick }} or {{ length, from, to }} is wanted, not {given!r}")
+    return [random.choice(among) for _ in range(count)]
+
+
+_DRAWN: dict[str, Callable[[Any, Random], Any]] = {
+    "sr": _word, "deposit": _deposit, "reader": _tape, "keys": _tape,
+}  # fmt: skip
+
+
+def _as_given(value: Any) -> Any:
+    return value
+
+
+def _compare(value: Any) -> tuple[str, ...]:
+    if not isinstance(value, list) or not value or not all(isinstance(item, str) and item for item in value):
+        raise ValueError(f"a list of tags, addresses or {', '.join(_WHAT)} is wanted, not {value!r}")
+    return tuple(value)
+
+
+def _within(value: Any) -> float:
+    if not isinstance(value, int | float) or isinstance(value, bool) or not value > 0:
+        raise ValueError(f"a factor above 0 is wanted, not {value!r}")
+    return float(value)
+
+
+def _named(value: Any) -> str:
+    if not isinstance(value, str) or ":" not in value:
+        raise ValueError(f'"file.py:function" is wanted, not {value!r}')
+    return value
+
+
+_RANDOM: dict[str, tuple[Field, bool]] = {
+    **CASE, **{key: (_as_given, False) for key in TRIAL},
+    "trials": (number(1, _MOST), False), "compare": (_compare, False), "within": (_within, False),
+    "python": (_named, False),
+}  # fmt: skip

@@ -1,0 +1,56 @@
+"""A student's file, read within bounds: 16 KiB at most, from a regular file or from standard input, in lines
+of 200 characters.
+"""
+
+import os
+import sys
+
+from pdp8.computer.use import program
+from pdp8.lessons.answer import Answer
+from tapes import kinds, shelf
+from tapes.errors import WorkError, called
+
+LARGEST = 16 * 1024
+LONGEST = 200
+"""Characters of a line."""
+
+
+def read(name: str) -> Answer:
+    """Return the answer in file `name`, `-` for standard input; what cannot be read has a fault."""
+    try:
+        if name != "-" and os.path.exists(name) and not os.path.isfile(name):
+            return Answer(called(name), fault="not a file")
+        return of(_content(name), called(name))
+    except OSError as error:
+        return Answer(called(name), fault=f"{error.strerror}")
+    except ValueError:
+        return Answer(called(name), fault="NUL in the name of a file")
+
+
+def _content(name: str) -> bytes:
+    if name == "-":
+        return sys.stdin.buffer.read(LARGEST + 1)
+    with open(name, "rb") as file:
+        return file.read(LARGEST + 1)
+
+
+def of(content: bytes, name: str) -> Answer:
+    """Return the answer a file of that content gives: PAL III source, a BIN or RIM tape, a sheet."""
+    if not content:
+        return Answer(name, fault="an empty file")
+    if len(content) > LARGEST:
+        return Answer(name, fault=f"more than {LARGEST:,} bytes")
+    if shelf.is_utf16(content):
+        return Answer(name, fault="text in UTF-16: save it as UTF-8 or ASCII, or write it with an editor")
+    content = shelf.without_mark(content)
+    kind = kinds.classify(content)
+    try:
+        if kind in (kinds.BIN, kinds.RIM):
+            return Answer(name, program.read(content, name).words)
+    except WorkError as error:
+        return Answer(name, fault=str(error))
+    source = content.decode("ascii", "replace").replace("\r\n", "\n")
+    for number, line in enumerate(source.splitlines(), 1):
+        if len(line) > LONGEST:
+            return Answer(name, fault=f"line {number} has {len(line):,} characters; at most {LONGEST} can be")
+    return Answer(name, source=source)

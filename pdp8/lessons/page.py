@@ -1,0 +1,56 @@
+"""An answer's marks as a page for the student who wrote it: HTML with nothing outside it."""
+
+from collections.abc import Iterator
+from html import escape
+
+from pdp8.lessons import scores
+from pdp8.lessons.exercise import Exercise
+from pdp8.lessons.marking import Mark, Result
+
+_STYLE = """
+body { font: 1rem/1.5 system-ui, sans-serif; max-width: 46rem; margin: 2rem auto; padding: 0 1rem }
+table { border-collapse: collapse } th, td { text-align: left; padding: .2rem 1rem .2rem 0 }
+pre { background: #f4f2ea; color: #111; padding: .8rem; overflow-x: auto }
+.hint { border-left: 4px solid #b8860b; padding-left: .8rem }
+@media print { body { margin: 0 } }
+"""
+
+
+def html(exercise: Exercise, result: Result) -> str:
+    """Return the page of `result`."""
+    name = escape(scores.visible(result.answer))
+    title = f"{escape(exercise.title)}: {name}"
+    parts = [
+        "<!doctype html>",
+        f'<html lang="en"><head><meta charset="utf-8"><title>{title}</title>',
+        f'<meta name="viewport" content="width=device-width"><style>{_STYLE}</style></head><body>',
+        f"<h1>{escape(exercise.title)}</h1>",
+        f"<p><strong>{name}: {result.points} of {result.of} points</strong></p>",
+        f"<p>{escape(exercise.task.strip())}</p>",
+        *_body(result),
+        "</body></html>\n",
+    ]
+    return "\n".join(parts)
+
+
+def _body(result: Result) -> Iterator[str]:
+    if result.fault:
+        yield f"<h2>It was not tried</h2><pre>{escape(chr(10).join(scores.fault(result)))}</pre>"
+        return
+    yield "<table><tr><th>tried</th><th>points</th><th></th></tr>"
+    for mark in result.marks:
+        right = "not yet" if mark.failures else "right"
+        yield f"<tr><td>{escape(mark.name)}</td><td>{mark.points} of {mark.of}</td><td>{right}</td></tr>"
+    yield "</table>"
+    for mark in result.marks:
+        if mark.failures:
+            yield from _failed(mark)
+
+
+def _failed(mark: Mark) -> Iterator[str]:
+    yield f"<h2>{escape(mark.name)}</h2>"
+    if mark.inputs:
+        yield f"<p>Tried with {escape(mark.inputs)}.</p>"
+    yield f"<pre>{escape(chr(10).join(scores.said(mark)))}</pre>"
+    if mark.hint:
+        yield f'<p class="hint">{escape(mark.hint)}</p>'

@@ -1,0 +1,250 @@
+"""A class: random and hidden cases, hints by what happened, numbers with units, bounds, and its results."""
+
+import csv
+import io
+import time
+from dataclasses import replace
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from pdp8.lessons import alike, bounded, form, handed, marking, page, records, scores, student, values
+from pdp8.lessons.answer import Answer
+from pdp8.lessons.exercise import Exercise, Source
+from pdp8.lessons.form import ExerciseError, parse
+from pdp8.lessons.marking import Result
+from tests.conftest import Shell
+from tests.pdp8.lessons.cheat import cheat
+
+PROGRAMS = [name for name in form.bundled() if form.read(name).cases]
+UNCHEATED = ("delay", "interrupt", "itself", "multiply", "subroutine", "table")
+"""Those in which time, counts or the answer's own words are looked at in a shown case."""
+
+HEAD = "title='t'\ntask='t'\n"
+PUNCH = "*200\n\tTAD A\n\tTLS\n\tTSF\n\tJMP .-1\n\tHLT\nA,\t{}\n$"
+DOUBLE = '''solution="""*200
+	TAD A
+	CLL RAL
+	DCA B
+	HLT
+A,	0
+B,	0
+$
+"""
+'''
+RANDOM = HEAD + DOUBLE + "[[random]]\nname='r'\ntrials=5\ndeposit={A={from=1,to=0o3777}}\ncompare=['B']\n"
+
+
+def mark(exercise: Exercise, source: str) -> Result:
+    return marking.mark(exercise, handed.of(source.encode(), "a.pal"))
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_who_knows_the_shown_cases_and_computes_nothing_is_found_out(name: str) -> None:
+    exercise = replace(form.read(name), source=Source())
+    result = marking.mark(exercise, cheat(exercise))
+    assert not result.fault
+    assert not result.right
+    shown = {case.name for case in exercise.cases if not case.hidden and len(case.trials) == 1}
+    if name not in UNCHEATED:
+        assert all(not mark.failures for mark in result.marks if mark.name in shown)
+
+
+def test_a_seed_draws_the_same_and_another_seed_others() -> None:
+    one, same, other = (parse(RANDOM, "e", seed).cases[0].trials for seed in (1, 1, 2))
+    assert one == same
+    assert one != other
+    assert all(trial.core["B"] == 2 * int(trial.deposit["A"]) for trial in one)
+
+
+def test_inputs_are_drawn_by_ranges_and_kinds() -> None:
+    text = RANDOM.replace(
+        "deposit={", 'sr={pick=[3,5]}\nreader=[0o200,{length=[2,4],pick="01"}]\nkeys={length=2,from=1,to=3}\n'
+        'deposit={"0300-0302"={from=7,to=7},',
+    )  # fmt: skip
+    for trial in parse(text, "e").cases[0].trials:
+        assert trial.sr in (3, 5)
+        assert trial.reader[0] == 0o200
+        assert 3 <= len(trial.reader) <= 5
+        assert set(trial.reader[1:]) <= {0o260, 0o261}
+        assert set(trial.keys) <= {1, 2, 3}
+        assert [trial.deposit[place] for place in ("0300", "0301", "0302")] == [7, 7, 7]
+
+
+def test_a_python_function_is_the_oracle(tmp_path: Path) -> None:
+    (tmp_path / "own.py").write_text(
+        "def triple(random, case):\n    return {**case, 'core': {'B': 3 * case['deposit']['A']}}\n"
+    )
+    text = RANDOM.replace("compare=['B']", "python='own.py:triple'").replace("to=0o3777", "to=100")
+    exercise = parse(text, "e", folder=str(tmp_path))
+    assert not mark(exercise, form.parse(RANDOM, "e").solution).right
+    assert all(trial.core["B"] == 3 * int(trial.deposit["A"]) for trial in exercise.cases[0].trials)
+
+
+@pytest.mark.parametrize(
+    ("change", "complaint"),
+    [
+        (("compare=['B']", ""), "compare or python is missing"),
+        (("['B']", "['C']"), "random 1: the solution has no tag C"),
+        (("{from=1,to=0o3777}", "{from=1}"), r"a word, \{ from, to \} or"),
+        (("compare=['B']", "python='no.py:f'"), "no Python file beside the exercise"),
+        (("trials=5", "trials=0"), "random 1: trials: a number from 1 to 200"),
+        (("[[random]]", "[[case]]\nname='r'\n[[random]]"), "two cases or questions are called 'r'"),
+        (("\tHLT", "\tJMP ."), "the solution ends with idle, not halt"),
+    ],
+)
+def test_a_random_case_that_cannot_be_drawn_is_refused(change: tuple[str, str], complaint: str) -> None:
+    with pytest.raises(ExerciseError, match=complaint):
+        parse(RANDOM.replace(*change), "e")
+
+
+def test_nothing_of_a_hidden_case_is_written() -> None:
+    text = (
+        HEAD
+        + "[[case]]\nname='h'\nhidden=true\ndeposit={A=0o6543}\ncore={A=0o3456}\ntape=[0o123]\nsr=0o4567\n"
+    )
+    exercise = parse(text, "e")
+    results = [mark(exercise, "*200\n\tTAD A\n\tDCA 300\n\tTAD 300\n\tTLS\n\tHLT\nA,\t0\n$\n")]
+    said = [
+        *scores.details(results[0]), records.as_json(exercise, results), records.as_csv(exercise, results),
+        records.as_junit(exercise, results), page.html(exercise, results[0]), student.form(exercise),
+    ]  # fmt: skip
+    assert not results[0].right
+    assert [
+        number for number in ("6543", "3456", "123", "103", "4567") for each in said if number in each
+    ] == []
+
+
+@pytest.mark.parametrize(
+    ("case", "source", "happened", "says"),
+    [
+        ("ac=1", "*300\n\tHLT\n$", "no word at the start", "no word of yours is at 0200"),
+        ("ac=1", "*200\n\tISZ 210\n\tJMP 200\n\tJMP 200\n$", "did not stop", "between 0200 and 0201"),
+        ("ac=1", "*200\n\tJMP .\n$", "jumps to itself", "a jump to itself at 0200"),
+        ("ac=1", "*200\n\tKSF\n\tJMP .-1\n\tHLT\n$", "waits for a key or a tape", "that does not come"),
+        ("ac=1", "*200\n\tTSF\n\tJMP .-1\n\tHLT\n$", "waits for the printer", "nothing to print"),
+        ("stop='tape out'", "*200\n\tCLA\n\tHLT\n$", "stopped elsewhere", "a halt at 0201"),
+        ("ac=2", "*200\n\tCLA CLL IAC\n\tHLT\n$", "one off", "0001"),
+        ("ac=2", "*200\n\tCLA CLL CMA RAL\n\tHLT\n$", "the negative", "7776"),
+        ("tape='AB'", "*200\n\tCLA\n\tHLT\n$", "nothing came", "0 frames, 2 expected"),
+        ("tape='A'", PUNCH.format("101"), "parity", "frame 0"),
+        ("tape='AB'", PUNCH.format("301"), "too short", "frame 1"),
+        ("tape='A'", PUNCH.format("302"), "the first is wrong", "frame 0"),
+        ("ac=1", "*200\n\tDCA B\nB,\tIAC\n\tHLT\n$", "wrote over itself", "at 0201"),
+    ],
+)  # fmt: skip
+def test_what_happened_is_told(case: str, source: str, happened: str, says: str) -> None:
+    (found,) = mark(parse(f"{HEAD}[[case]]\nname='c'\n{case}\n", "e"), source).marks
+    assert happened in [failure.happened for failure in found.failures]
+    assert says in "\n".join(scores.said(found))
+    assert "TSF" not in found.hint or happened == "waits for the printer"
+
+
+def test_a_hint_is_said_where_it_fits() -> None:
+    one = parse(HEAD + "[[case]]\nname='c'\nac=1\nhint='look at AC'\n", "e")
+    assert mark(one, "*200\n\tCLA\n\tHLT\n$").marks[0].hint == "look at AC"
+    assert "look at AC" not in mark(one, "*200\n\tJMP .\n$").marks[0].hint
+    each = parse(HEAD + "[[case]]\nname='c'\nac=1\nhint={'jumps to itself'='no JMP .', AC='look'}\n", "e")
+    assert [mark(each, f"*200\n\t{word}\n$").marks[0].hint for word in ("JMP .", "HLT")] == [
+        "no JMP .",
+        "look",
+    ]
+
+
+SHEET = "title='t'\ntask='t'\n[[question]]\nname='a'\nask='How many?'\n"
+
+
+@pytest.mark.parametrize(
+    ("answer", "given", "right"),
+    [
+        ("43.2\nunit='us'", "43.2 43.20 43,2 43.2us 43.2_us 43.2_µs 0.0432_ms 4.32e1", "11111110"),
+        ("43.2\nunit='us'", "43.3 -43.2 43.2_ms 43.2_in us", "00000"),
+        ("43.2\nunit='us'\ntolerance=0.1", "43.3 43.1 43.4", "110"),
+        ("1798.2\nunit='in'", "1,798.2 1798,2 149.85_ft 1798.2_inches 1798,200", "11111"),
+        ("17982", "17,982 17982 17.982 17982_frames", "1100"),
+        ("'no'", "no No. yes", "110"),
+        ("['the same','same']", "same the_same! not_the_same", "110"),
+    ],
+)  # fmt: skip
+def test_numbers_are_right_by_value_and_unit_and_texts_by_what_matters(
+    answer: str, given: str, right: str
+) -> None:
+    (question,) = parse(f"{SHEET}answer={answer}\n", "e").questions
+    found = [values.right(question, each.replace("_", " ")) for each in given.split()]
+    assert found == [digit == "1" for digit in right]
+
+
+def test_a_wrong_unit_is_told() -> None:
+    (question,) = parse(f"{SHEET}answer=43.2\nunit='us'\nslips={{ '27' = 'cycles' }}\n", "e").questions
+    assert values.hint(question, "43.2 ms") == values.WRONG_UNIT
+    assert values.hint(question, "27.0") == "cycles"
+
+
+def test_an_answer_that_takes_too_long_is_ended_and_the_next_is_marked() -> None:
+    exercise = parse(HEAD + "[[case]]\nname='c'\nseconds=3600\nac=1\n", "e")
+    loop = handed.of(b"*200\nL,\tTLS\n\tJMP L\n$\n", "loop.pal")
+    good = handed.of(b"*200\n\tCLA CLL IAC\n\tHLT\n$\n", "good.pal")
+    results = bounded.marked(exercise, [good, loop, good], 0.3)
+    assert [result.right for result in results] == [True, False, True]
+    assert results[1].fault == "it took more than 0.3 s of processor time, and was ended"
+
+
+def test_an_answer_that_takes_too_much_memory_is_ended(monkeypatch: pytest.MonkeyPatch) -> None:
+    def hungry(exercise: Exercise, answer: Answer, dialect: str) -> Result:
+        bytearray(2 * bounded.MEMORY)
+        return Result(answer.name, (), 0)
+
+    monkeypatch.setattr(marking, "mark", hungry)
+    exercise = parse(HEAD + "[[case]]\nname='c'\n", "e")
+    (result,) = bounded.marked(exercise, [handed.of(b"*200\n\tHLT\n$\n", "a.pal")])
+    assert result.fault == "it took more than 512 MiB of memory, and was ended"
+
+
+def test_answers_that_differ_in_names_and_comments_look_alike() -> None:
+    source = form.read("decimal").solution
+    other = source.replace("TAKE", "AGAIN").replace("REST", "LEFT").replace("HLT", "HLT  / ALL MY OWN WORK")
+    answers = [handed.of(text.encode(), name) for name, text in
+               (("a", source), ("b", other), ("c", form.read("step-wise").solution))]  # fmt: skip
+    assert alike.pairs(answers) == [alike.Pair("a", "b", 1.0)]
+
+
+@pytest.mark.parametrize("name", form.bundled())
+def test_a_students_form_marks_without_the_solution(name: str) -> None:
+    whole = form.read(name, student.SEED)
+    text = student.form(whole)
+    given = parse(text, name)
+    assert given.solution == ""
+    assert not any(case.hidden for case in given.cases)
+    assert all(question.answer == () and question.number is None for question in given.questions)
+    assert mark(given, whole.solution).right
+
+
+def test_results_go_to_a_spreadsheet_to_junit_and_to_the_students(shell: Shell, tmp_path: Path) -> None:
+    (tmp_path / "=ana.pal").write_text(form.read("add").solution)
+    (tmp_path / "ben.pal").write_text("*200\n\tJMP Q\n$\n")
+    done = shell("pdp8 check add =ana.pal ben.pal --csv marks.csv --junit marks.xml --pages pages")
+    assert done.returncode == 1
+    rows = list(csv.reader(io.StringIO((tmp_path / "marks.csv").read_text())))
+    assert [row[0] for row in rows] == ["answer", "'=ana.pal", "ben.pal"]
+    assert [row[-3] for row in rows] == ["points", "7", "0"]
+    suites = ElementTree.fromstring((tmp_path / "marks.xml").read_text().partition("\n")[2])
+    assert [len(suite) for suite in suites] == [5, 5]
+    assert "7 of 7 points" in (tmp_path / "pages" / "=ana.html").read_text()
+    assert "JMP Q" in (tmp_path / "pages" / "ben.html").read_text()
+
+
+@pytest.mark.parametrize("option", ["--show solution", "--prove"])
+def test_a_students_form_has_no_solution_to_show(option: str, shell: Shell, tmp_path: Path) -> None:
+    (tmp_path / "s.toml").write_bytes(shell("pdp8 check add --export-student").stdout)
+    done = shell(f"pdp8 check s.toml {option}")
+    assert done.returncode == 1
+    assert b"a student's form, which has no solution" in done.stderr
+
+
+def test_three_hundred_answers_would_take_less_than_ten_seconds() -> None:
+    exercise = form.read("add")
+    answers = [handed.of(exercise.solution.encode(), f"{number}.pal") for number in range(30)]
+    began = time.process_time()
+    assert all(mark(exercise, answer.source).right for answer in answers)
+    assert time.process_time() - began < 1
