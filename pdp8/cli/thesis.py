@@ -36,7 +36,28 @@ def thesis() -> None:
       pdp8 thesis make all --out figures
       pdp8 thesis evidence eia.pal
       pdp8 thesis numbers --chapter 7
+      pdp8 thesis page -o curve.html
     """
+
+
+@thesis.command()
+@command.output("PAGE", "curve.html", "The page.", show_default=True)
+def page(output: str) -> None:
+    """Write "A curve in ten minutes": a page that teaches the thesis's method with live figures.
+
+    Slope, band, steps, circle, tape, translation, roundness: each figure runs the programs and machines
+    themselves. The page needs no network and nothing beside it: a browser opens it from disk.
+
+    \b
+    Examples:
+      pdp8 thesis page
+      pdp8 thesis page -o lesson.html
+    """
+    from pdp8.web import curve
+
+    shelf.write(output, curve.page().encode())
+    if output != "-":
+        click.echo(f"the page is {output}", err=True)
 
 
 @thesis.command("list")

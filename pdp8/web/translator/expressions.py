@@ -179,6 +179,8 @@ class Expressions(Types):
         if isinstance(operator, ast.Invert):
             return f"(-{self.e(value)} - 1)"
         native = self.infer(value) in NUMBERS
+        if isinstance(operator, ast.UAdd):
+            return self.e(value) if native else self.fail(value, "a sign + before what may be no number")
         return f"(-{self.e(value)})" if native else f"$.neg({self.e(value)})"
 
     def binary(

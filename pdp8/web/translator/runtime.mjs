@@ -839,7 +839,7 @@ export const itemgetter = (index) => (of) => at(of, index);
 export const bisect_left = (of, value, low = 0, high = of.length, by = (each) => each) => {
   while (low < high) {
     const middle = (low + high) >> 1;
-    if (lt(by(of[middle]), value)) low = middle + 1;
+    if (lt(by(of[middle] ?? at(of, middle)), value)) low = middle + 1;
     else high = middle;
   }
   return low;
@@ -855,6 +855,10 @@ export const monotonic = () => performance.now() / 1000;
 export const floor = Math.floor;
 export const ceil = Math.ceil;
 export const sqrt = Math.sqrt;
+export const cos = Math.cos;
+export const sin = Math.sin;
+export const radians = (degrees) => degrees * (Math.PI / 180);
+export const isfinite = Number.isFinite;
 /** CPython's way, to the last place: the squares and what they round off added apart, and a step of Newton's. */
 export const hypot = (...of) => {
   const top = Math.max(...of.map(Math.abs));

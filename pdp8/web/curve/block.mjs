@@ -1,0 +1,113 @@
+// One block as holes, in ASCII as it was punched first, and in EIA; and how the PDP-8/L makes the second of the first.
+
+import * as ascii from "../../../tapes/ascii.mjs";
+import * as eia from "../../../tapes/eia.mjs";
+import { FIELDS } from "../../../tapes/hydrapoint.mjs";
+import { Figure, rect, text } from "./drawing.mjs";
+import { punchedTape, translated } from "./computer.mjs";
+import { escaped, octal } from "../written.mjs";
+
+const NAMES = { sequence: "number", preparatory: "mill", x: "X", y: "Y", reserved: "0", tool: "feed", miscellaneous: "axis" };
+const TRACKS = [1, 2, 4, 0, 8, 16, 32, 64, 128]; // from the edge; the guide holes are the fourth
+const ROWS = 27;
+
+/** A tape lying: row by row to the right, track 1 at the top. */
+function tape(frames, box, pitch, now = -1) {
+  const up = pitch * 1.02;
+  const height = up * 9.6;
+  const paper = rect({ x: box.x, y: box.y, width: pitch * (frames.length + 0.4), height }, 'class="paper"');
+  const marked = now < 0 ? "" : rect({ x: box.x + pitch * (now + 0.2), y: box.y, width: pitch, height }, 'class="under"');
+  const holes = Array.from(frames, (frame, row) => TRACKS.map((bit, track) => {
+    const [x, y] = [box.x + pitch * (row + 0.7), box.y + up * (track + 0.8)];
+    if (bit && !(frame & bit)) return "";
+    return `<circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="${(pitch * (bit ? 0.36 : 0.2)).toFixed(1)}" class="hole"/>`;
+  }).join(""));
+  return [paper + marked + holes.join(""), height];
+}
+
+function lines(made) {
+  return made.text.split("\n").slice(0, -1);
+}
+
+export function holes(made) {
+  const all = lines(made);
+  return new Figure("holes", ({ block }, width) => {
+    const line = all[block - 1];
+    const [first, second] = [ascii.encode(`${line}\n`), eia.encode(`${line.replaceAll(" ", "0")}\n`)];
+    const pitch = Math.min(22, (width - 2) / (ROWS + 0.5));
+    const size = Math.max(8, Math.min(12, pitch * 0.8));
+    const [upper, tall] = tape(first, { x: 0, y: 34 }, pitch);
+    const below = 34 + tall + 74;
+    const [lower] = tape(second, { x: 0, y: below }, pitch);
+    const typed = [...line, "CR", "LF"].map((character, row) => text(pitch * (row + 0.7), 28, character === " " ? "␣" : character, `class="type" font-size="${character.length > 1 ? size * 0.72 : size}" text-anchor="middle"`)).join("");
+    const digits = [...line.replaceAll(" ", "0"), "EOB"].map((digit, row) => text(pitch * (row + 0.7), below - 6, digit, `class="type" font-size="${digit.length > 1 ? size * 0.6 : size}" text-anchor="middle"`)).join("");
+    const content = text(0, 12, "ASCII, from the time-sharing terminal: 27 rows", 'class="small"') + typed + upper + text(0, below - 46, "EIA, for the Hydra-Point: 20 rows", 'class="small"') + fields(pitch, below - 22, width) + digits + lower;
+    return [content, below + tall + 6, meaning(line.replaceAll(" ", "0"))];
+  }, { block: (number) => `${number} of ${all.length}` });
+}
+
+function fields(pitch, y, width) {
+  let row = 0;
+  return [...FIELDS.items()].map(([name, wide]) => {
+    const x = pitch * (row + 0.2);
+    row += wide;
+    const word = width < 500 ? { number: "no.", mill: "", "0": "", feed: "f", axis: "ax" }[NAMES[name]] ?? NAMES[name] : NAMES[name];
+    return `<path d="M${x + 1.5} ${y}v-4h${pitch * wide - 3}v4" class="bracket"/>` + text(x + (pitch * wide) / 2, y - 8, word, 'class="small" text-anchor="middle"');
+  }).join("");
+}
+
+function meaning(digits) {
+  const [number, what, x, y, , tool, code] = FIELDS.values().reduce(([parts, at], wide) => [[...parts, digits.slice(at, at + wide)], at + wide], [[], 0])[0];
+  const place = (text_) => `${Number(text_) / 1000}`;
+  if (what === "6") return `Block ${number}: <b>mill</b> to X ${(Number(x) / 1000).toFixed(3)}, Y ${(Number(y) / 1000).toFixed(3)} in, with the ${code === "84" ? "X" : "Y"} feed at code ${tool}. A row with one hole alone, at the right, ends the block.`;
+  if (what === "9") return `Block ${number}: <b>depths</b>: feed from Z ${place(x)} in down to ${place(y)} in.`;
+  return `Block ${number}: <b>position</b>, one of the six that open the tape: park, tool, coolant, spindle, start of the contour, depth.`;
+}
+
+export function computer(made, record) {
+  const all = lines(made);
+  const listing = new Map(record.listing.map(([address, word, source]) => [`${address} ${word}`, source]));
+  const kept = new Map();
+  const run = (block) => {
+    if (!kept.has(block)) kept.clear(), kept.set(block, translated(record.words, ascii.encode(`${all[block - 1]}\n`)));
+    return kept.get(block);
+  };
+  const words = { block: (number) => `${number} of ${all.length}`, character: (at, { block }) => `${at + 1} of 27: ${shown(run(block)[at].character)}` };
+  const figure = new Figure("computer", ({ block, character: at }, width) => {
+    const done = run(block);
+    const pitch = Math.min(20, (width - 2) / (ROWS + 0.5));
+    const punched = done.slice(0, at + 1).filter((each) => each.punched !== null).map((each) => each.punched);
+    const [reader, tall] = tape(done.map(({ character }) => character), { x: 0, y: 20 }, pitch, at);
+    const [punch] = tape(punched, { x: 0, y: tall + 50 }, pitch, done[at].punched === null ? -1 : punched.length - 1);
+    const content = text(0, 12, "under the reader", 'class="small"') + reader + text(0, tall + 42, "out of the punch", 'class="small"') + punch;
+    return [content, 2 * tall + 58, told(done[at], listing)];
+  }, words);
+  const [button, said] = [document.getElementById("translate"), document.getElementById("translated")];
+  button.addEventListener("click", () => {
+    const began = performance.now();
+    const { tape: frames, seconds } = punchedTape(record.words, ascii.encode(made.text));
+    const here = (performance.now() - began) / 1000;
+    said.textContent = `${all.length} blocks: ${(seconds / 60).toFixed(1)} minutes at the computer, ${here.toFixed(1)} s in this page; ${frames.length - 1} frames and a blank one came out.`;
+  });
+  return figure;
+}
+
+function shown(character) {
+  const name = ascii.name(character);
+  return name === "space" ? "a space" : name;
+}
+
+/** What was done with one character: the steps of the method, and every instruction. */
+function told({ character, rows, punched, waited }, listing) {
+  const seven = character & 0o177;
+  const reduced = (seven + 0o7720) & 0o7777;
+  const signed = reduced > 0o3777 ? `−${(0o10000 - reduced).toString(8)}` : reduced.toString(8);
+  const end = punched === null ? "it is none of the twelve: <b>nothing is punched</b>" : `punch <b>${octal(punched, 3)}</b>, ${escaped(eia.name(punched))} in EIA`;
+  const steps = `<b>${escaped(shown(character))}</b> arrives as ${octal(character, 3)}; without channel 8, ${octal(seven, 3)}; less 60, ${signed}; ${end}. All numbers octal.`;
+  const body = rows.map(({ address, word, ac }) => `<tr><td>${octal(address)}</td><td>${octal(word)}</td><td>${escaped(source(listing, address, word))}</td><td>${octal(ac)}</td></tr>`).join("");
+  return `${steps} <details><summary>${rows.length} instructions, and ${waited} more that only wait for the Teletype</summary><table><thead><tr><th>at</th><th>word</th><th>instruction</th><th>AC after</th></tr></thead><tbody>${body}</tbody></table></details>`;
+}
+
+function source(listing, address, word) {
+  return (listing.get(`${address} ${word}`) ?? "").split("/")[0].replaceAll("\t", " ").trim();
+}

@@ -1,0 +1,109 @@
+// The step-wise technique on a curve: what the tolerance, the cutter and the feed change, and what they cost.
+
+import { CENTRE, quarter, RADIUS } from "./method.mjs";
+import { clipped, Figure, grown, mils, minutes, rect, straightened, text, View } from "./drawing.mjs";
+import { troughToPeak, walls } from "./walls.mjs";
+import { XY_FEED } from "../../../tapes/hydrapoint.mjs";
+
+const ARC = (RADIUS * Math.PI) / 2;
+const STATIONS = 1800;
+const COMPARED = [1, 2, 3, 5, 7, 10, 15, 20, 30, 50]; // tolerances of the chart
+const CIRCLE = { x: CENTRE, y: CENTRE, radius: RADIUS };
+
+export function curved() {
+  const words = {
+    tolerance: (step) => `±${mils(grown(step, 1, 50))} in`,
+    cutter: (sixteenths) => `${(sixteenths / 16).toFixed(4).replace(/0+$/, "").replace(/\.$/, "")} in`,
+    feed: (code) => `${XY_FEED.at(code).toFixed(1)} in/min`,
+    place: (degrees) => `${degrees}°`,
+  };
+  const kept = new Map();
+  const cost = (tolerance, feed) => {
+    const key = `${tolerance} ${feed}`;
+    if (!kept.has(key)) kept.set(key, quarter(tolerance, feed));
+    return kept.get(key);
+  };
+  return new Figure("curved", ({ tolerance: step, cutter, feed, place }, width) => {
+    const tolerance = grown(step, 1, 50);
+    const made = cost(tolerance, feed);
+    const wall = walls(made.way, CIRCLE, (cutter * 1000) / 16, Math.PI, -Math.PI / 2, STATIONS);
+    const wide = width >= 560;
+    const side = wide ? (width - 16) / 2 : width;
+    const tall = Math.min(side, 300);
+    const whole = { x: 0, y: 20, width: side, height: tall };
+    const close = wide ? { ...whole, x: side + 16 } : { ...whole, y: tall + 50 };
+    const strip = { x: 8, y: close.y + tall + 28, width: width - 66, height: 110 };
+    const chart = { x: 40, y: strip.y + strip.height + 40, width: width - 60, height: 130 };
+    const content = pictured(made, cutter, tolerance, place, whole, close) + unrolled(made, wall, tolerance, place, strip) + compared(cost, tolerance, feed, chart);
+    return [content, chart.y + chart.height + 34, said(made, wall)];
+  }, words);
+}
+
+function said({ blocks, reading, milling, minutes: took }, { outer, inner }) {
+  const tenth = STATIONS / 9, middle = STATIONS / 2, five = STATIONS / 18;
+  const wall = Math.max(troughToPeak(outer), troughToPeak(inner));
+  const diagonal = Math.max(...[outer, inner].map((errors) => troughToPeak(errors.subarray(middle - five, middle + five))));
+  const apex = Math.max(...[outer, inner].map((errors) => troughToPeak(errors.subarray(STATIONS - tenth))));
+  return `<b>${blocks} blocks</b>: reading ${minutes(reading)} + cutting ${minutes(milling)} = <b>${minutes(took)}</b>. Wall, trough to peak: <b>${mils(wall, 4)} in</b> at most; ${mils(apex, 4)} near the top, ${mils(diagonal, 4)} at 45°.`;
+}
+
+function pictured({ way }, cutter, tolerance, place, whole, close) {
+  const turn = Math.PI - (place * Math.PI) / 180;
+  const at = { x: CENTRE + RADIUS * Math.cos(turn), y: CENTRE + RADIUS * Math.sin(turn) };
+  const room = 320;
+  const far = new View({ left: CENTRE - RADIUS - room, right: CENTRE + room, bottom: CENTRE - room, top: CENTRE + RADIUS + room }, whole);
+  const radius = (cutter * 1000) / 32;
+  const groove = far.line(way, `class="groove" style="stroke-width:${2 * radius * far.sx}"`);
+  const half = Math.max(26, 4 * tolerance);
+  const near = new View({ left: at.x - half, right: at.x + half, bottom: at.y - half, top: at.y + half }, close);
+  const ring = (off, name) => near.dot({ x: CENTRE, y: CENTRE }, (RADIUS + off) * near.sx, `class="${name}"`);
+  const seen = around(way, at, 3 * half);
+  const drawn = ring(0, "ring") .replace('class="ring"', `class="ring" style="stroke-width:${2 * tolerance * near.sx}"`) + ring(tolerance, "limit") + ring(-tolerance, "limit") + ring(0, "intended") + near.line(seen, 'class="way"') + seen.map((stop) => near.dot(stop, 3.2, 'class="stop"')).join("");
+  const times = Math.round(near.sx / far.sx);
+  return (
+    text(whole.x, whole.y - 6, "the cut, and the cutter", 'class="small"') + clipped(whole, groove + far.line(way, 'class="way"') + far.dot(at, radius * far.sx, 'class="tool"') + far.dot(at, 2.5, 'class="stop"')) + rect(whole, 'class="frame"') +
+    text(close.x, close.y - 6, `its centre's way there, ${times} times nearer`, 'class="small"') + clipped(close, drawn) + rect(close, 'class="frame"')
+  );
+}
+
+/** The part of a way that is near a place, with a stop more at each end. */
+function around(way, at, reach) {
+  const near = ({ x, y }) => Math.abs(x - at.x) < reach && Math.abs(y - at.y) < reach;
+  const first = way.findIndex(near);
+  const last = way.findLastIndex(near);
+  return first < 0 ? [] : way.slice(Math.max(0, first - 1), last + 2);
+}
+
+function unrolled({ way }, { outer, inner }, tolerance, place, box) {
+  const flat = way.map(({ x, y }) => ({ x: (Math.PI - Math.atan2(y - CENTRE, x - CENTRE)) * RADIUS, y: Math.hypot(x - CENTRE, y - CENTRE) - RADIUS }));
+  const wall = (errors) => Array.from(errors, (error, station) => ({ x: (ARC * station) / STATIONS, y: error })).filter(({ y }) => !Number.isNaN(y));
+  const reach = 1.7 * tolerance + 1;
+  const times = Math.round(box.height / (2 * reach) / (box.width / ARC));
+  const at = box.x + (box.width * place) / 90;
+  const legend = `the band made straight, ${times} times higher: `;
+  return (
+    `<text x="${box.x}" y="${box.y - 7}" class="small">${legend}<tspan class="t-way">way</tspan>, <tspan class="t-outer">outer wall</tspan>, <tspan class="t-inner">inner wall</tspan></text>` +
+    straightened(box, ARC, tolerance, reach, [[flat, "way thin"], [wall(outer), "outer"], [wall(inner), "inner"]]) + `<path d="M${at} ${box.y}v${box.height}" class="miss"/>`
+  );
+}
+
+/** Minutes for each tolerance: the reading below, the cutting above it. */
+function compared(cost, tolerance, feed, box) {
+  const all = [...new Set([...COMPARED, tolerance])].sort((a, b) => a - b);
+  const made = all.map((each) => cost(each, feed));
+  const most = Math.max(...made.map(({ minutes: took }) => took));
+  const wide = box.width / all.length;
+  const up = (value) => (box.height * value) / most;
+  const bars = made.map(({ reading, milling, blocks }, n) => {
+    const x = box.x + n * wide + wide * 0.12, width = wide * 0.76, floor = box.y + box.height;
+    const now = all[n] === tolerance ? " now" : "";
+    const middle = x + width / 2;
+    return rect({ x, y: floor - up(reading), width, height: up(reading) }, `class="reading${now}"`) + rect({ x, y: floor - up(reading + milling), width, height: up(milling) }, `class="cutting${now}"`) +
+      text(middle, floor + 13, mils(all[n]), `class="small${now}" text-anchor="middle"`) + text(middle, floor - up(reading + milling) - 4, String(blocks), `class="small${now}" text-anchor="middle"`);
+  });
+  const floor = box.y + box.height;
+  const axis = `<path d="M${box.x} ${box.y}V${floor}H${box.x + box.width}" class="axis"/>` + text(box.x - 5, box.y + 6, most.toFixed(0), 'class="small" text-anchor="end"') + text(box.x - 5, floor, "0", 'class="small" text-anchor="end"');
+  const legend = `<text x="0" y="${box.y - 20}" class="small">minutes: <tspan class="t-reading">reading</tspan> and <tspan class="t-cutting">cutting</tspan>; above, blocks; below, tolerance</text>`;
+  return legend + axis + bars.join("");
+}
+

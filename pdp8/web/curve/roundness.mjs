@@ -1,0 +1,79 @@
+// What the Talyrond sees: the walls of the circle's groove, their errors magnified and nothing else.
+
+import { CENTRE, circle, RADIUS } from "./method.mjs";
+import { clipped, Figure, mils, text } from "./drawing.mjs";
+import { troughToPeak, walls } from "./walls.mjs";
+
+const STATIONS = 36000; // as many as nc/inspection.py has
+const PLACES = [["+X", 0, 10], ["45°", 45, 5], ["+Y", 90, 10], ["135°", 135, 5], ["−X", 180, 10], ["225°", 225, 5], ["−Y", 270, 10], ["315°", 315, 5]];
+
+export function roundness() {
+  const kept = new Map();
+  const measured = (closed, cutter) => {
+    const key = `${closed} ${cutter}`;
+    if (!kept.has(key)) kept.set(key, walls(circle(5, 1, closed).way, { x: CENTRE, y: CENTRE, radius: RADIUS }, (cutter * 1000) / 16, 0, 2 * Math.PI, STATIONS));
+    return kept.get(key);
+  };
+  const words = { times: (value) => `${value} ×`, cutter: (sixteenths) => `${sixteenths / 16} in` };
+  return new Figure("roundness", ({ times, closed, cutter }, width) => {
+    const wall = measured(closed, cutter);
+    const height = Math.min(width, 560);
+    const mean = height * 0.31;
+    const scale = times / ((2 * RADIUS) / (2 * mean)) / 8; // the paper of the instrument is smaller than the work
+    const content = rings(width / 2, height / 2, mean, scale, height) + trace(wall.outer, width, height, mean, scale, "outer") + trace(wall.inner, width, height, mean, scale, "inner") + places(wall, width, height);
+    return [clipped({ x: 0, y: 0, width, height }, content), height, said(wall, closed)];
+  }, words);
+}
+
+function rings(x, y, mean, scale, height) {
+  const rings_ = [];
+  for (let off = -20; off <= 20; off++) {
+    const radius = mean + off * scale;
+    if (radius < 8 || radius > height * 0.46 || (scale < 3 && off % 5)) continue;
+    rings_.push(`<circle cx="${x}" cy="${y}" r="${radius.toFixed(1)}" class="${off === 0 ? "intended" : off % 5 ? "division" : "heavy"}"/>`);
+  }
+  return rings_.join("");
+}
+
+function trace(errors, width, height, mean, scale, name) {
+  let d = "";
+  let down = false;
+  for (let station = 0; station <= STATIONS; station += 12) {
+    const some = errors.subarray(station, station + 12);
+    const error = extreme(some.length ? some : errors.subarray(0, 12));
+    if (Number.isNaN(error)) { down = false; continue; }
+    const angle = (2 * Math.PI * station) / STATIONS;
+    const radius = Math.max(0, mean + error * scale);
+    d += `${down ? "L" : "M"}${(width / 2 + radius * Math.cos(angle)).toFixed(1)} ${(height / 2 - radius * Math.sin(angle)).toFixed(1)}`;
+    down = true;
+  }
+  return `<path d="${d}" class="${name}"/>`;
+}
+
+/** The error that is furthest from 0: a peak must not be lost between two points of the drawing. */
+function extreme(errors) {
+  return errors.reduce((most, error) => (Math.abs(error) > Math.abs(most) ? error : most), errors[0]);
+}
+
+export function readingAt(errors, degrees, reach) {
+  const [from, to] = [degrees - reach, degrees + reach].map((angle) => Math.round((angle * STATIONS) / 360));
+  const seen = [];
+  for (let station = from; station <= to; station++) seen.push(errors[(station + STATIONS) % STATIONS]);
+  return troughToPeak(seen);
+}
+
+function places({ outer, inner }, width, height) {
+  const far = height * 0.46;
+  return PLACES.map(([, angle, reach]) => {
+    const turn = (angle * Math.PI) / 180;
+    const [x, y] = [width / 2 + (far - 6) * Math.cos(turn), height / 2 - (far - 6) * Math.sin(turn)];
+    return text(x, y - 2, mils(readingAt(outer, angle, reach), 4), 'class="small t-outer" text-anchor="middle"') + text(x, y + 11, mils(readingAt(inner, angle, reach), 4), 'class="small t-inner" text-anchor="middle"');
+  }).join("");
+}
+
+function said({ outer, inner }, closed) {
+  const at = (angle, reach) => Math.max(readingAt(outer, angle, reach), readingAt(inner, angle, reach));
+  const diagonals = Math.max(...[45, 135, 225, 315].map((angle) => at(angle, 5)));
+  const start = `${mils(at(180, 10), 4)} in at −X, ${closed ? "where it starts and ends" : "where the last cut is missing"}`;
+  return `Trough to peak: <b>${mils(at(90, 10), 4)} in</b> at +Y and −Y; <b>${start}</b>; at most ${mils(diagonals, 4)} at 45°. The thesis measured .009 at the axes and about .001 at 45°.`;
+}

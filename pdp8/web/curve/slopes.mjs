@@ -1,0 +1,100 @@
+// Chapter 3's slope: one instruction misses it, pieces come near, steps stay in the band whatever the feeds do.
+
+import { furthest, pieces, SLOPE, slope } from "./method.mjs";
+import { Figure, grown, inch, mils, minutes, straightened, text, View } from "./drawing.mjs";
+import { XY_FEED } from "../../../tapes/hydrapoint.mjs";
+
+const [FROM, TO] = SLOPE;
+const LENGTH = Math.hypot(TO.x - FROM.x, TO.y - FROM.y);
+const BAND = 5;
+const percent = (value) => `${value > 0 ? "+" : value < 0 ? "−" : ""}${Math.abs(value)} %`;
+const feed = (code) => `${XY_FEED.at(code).toFixed(1)} in/min`;
+
+/** Places as the band's: how far along the slope, and how far off to its left. */
+function beside(places) {
+  const [ux, uy] = [(TO.x - FROM.x) / LENGTH, (TO.y - FROM.y) / LENGTH];
+  return places.map(({ x, y }) => ({ x: (x - FROM.x) * ux + (y - FROM.y) * uy, y: (y - FROM.y) * ux - (x - FROM.x) * uy }));
+}
+
+function plan(width) {
+  const height = Math.round(Math.min(330, width * 0.56));
+  const room = width / 30 + 14;
+  return [new View({ left: FROM.x, right: TO.x, bottom: FROM.y, top: TO.y }, { x: room, y: room, width: width - 2 * room, height: height - 2 * room }), height];
+}
+
+function ends(view) {
+  return view.line([FROM, TO], 'class="intended"') + named(view, FROM, "A", -14, 14) + named(view, TO, "B", 6, -4);
+}
+
+function named(view, place, name, dx, dy) {
+  return view.dot(place, 3.2, 'class="stop"') + text(view.x(place.x) + dx, view.y(place.y) + dy, name, 'class="name"');
+}
+
+export function one() {
+  const words = { x: feed, y: feed, dx: percent, dy: percent };
+  return new Figure("one", ({ x, y, dx, dy }, width) => {
+    const [view, height] = plan(width);
+    const { way } = pieces(1, x, y, dx / 100, dy / 100);
+    const extreme = [[0.2, -0.2], [-0.2, 0.2]].map(([a, b]) => furthest(pieces(1, x, y, a, b).way).where);
+    const cone = view.line([FROM, extreme[0], TO, extreme[1]], 'class="cone"', true);
+    const { worst, where } = furthest(way);
+    const angle = (Math.atan2(where.y - FROM.y, where.x - FROM.x) * 180) / Math.PI;
+    const miss = worst < 0.5 ? "" : view.line([where, foot(where)], 'class="miss"');
+    const content = cone + ends(view) + miss + view.line(way, 'class="way"');
+    return [content, height, `It leaves A at <b>${angle.toFixed(1)}°</b>; the slope is 30.0°. When one axis has arrived it is <b>${inch(worst)}</b> off; then the other goes on alone.`];
+  }, words);
+}
+
+function foot({ x, y }) {
+  const [ux, uy] = [(TO.x - FROM.x) / LENGTH, (TO.y - FROM.y) / LENGTH];
+  const along = (x - FROM.x) * ux + (y - FROM.y) * uy;
+  return { x: FROM.x + along * ux, y: FROM.y + along * uy };
+}
+
+export function piecewise() {
+  const words = { pieces: (step) => String(grown(step, 1, 250)), error: percent };
+  return new Figure("piecewise", ({ pieces: step, error }, width) => {
+    const count = grown(step, 1, 250);
+    const [view, height] = plan(width);
+    const { way, minutes: took } = pieces(count, 2, 1, error / 100, -error / 100);
+    const stops = Array.from({ length: count - 1 }, (_, n) => along((n + 1) / count));
+    const dots = count < 60 ? stops.map((place) => view.dot(place, 3, 'class="stop"')).join("") : "";
+    const { worst } = furthest(way);
+    const reach = Math.max(1.7 * BAND, 1.15 * worst);
+    const box = { x: 8, y: height + 24, width: width - 62, height: 120 };
+    const content = ends(view) + view.line(way, 'class="way"') + dots + title(box, reach) + straightened(box, LENGTH, BAND, reach, [[beside(way), "way"]]);
+    const inside = worst <= BAND;
+    const verdict = inside ? '<b class="good">inside the band</b>' : '<b class="bad">outside the band</b>';
+    return [content, box.y + box.height + 8, `${count} ${count === 1 ? "piece" : "pieces"}: at most <b>${inch(worst)}</b> off, ${verdict} of ±.005 in; ${minutes(took)}.`];
+  }, words);
+}
+
+function along(part) {
+  return { x: FROM.x + (TO.x - FROM.x) * part, y: FROM.y + (TO.y - FROM.y) * part };
+}
+
+function title(box, reach) {
+  const times = Math.round(box.height / (2 * reach) / (box.width / LENGTH));
+  return text(box.x, box.y - 7, `the band made straight${times > 1 ? `, ${times} times higher than it is long` : ""}`, 'class="small"');
+}
+
+export function stepwise() {
+  const words = { tolerance: (step) => `±${mils(grown(step, 1, 400))} in`, dx: percent };
+  return new Figure("stepwise", ({ tolerance: step, dx }, width) => {
+    const tolerance = grown(step, 1, 400);
+    const [view, height] = plan(width);
+    const { way, stops, blocks, reading, milling, minutes: took } = slope(tolerance, "step", dx / 100, -dx / 100);
+    const sides = [tolerance, -tolerance].map((off) => view.line(moved(off), 'class="limit"')).join("");
+    const few = stops.length <= 14;
+    const names = few ? stops.slice(0, -1).map((place, n) => named(view, place, "CDEFGHIJKLMNO"[n], n % 2 ? 5 : -13, n % 2 ? 14 : -5)).join("") : "";
+    const box = { x: 8, y: height + 24, width: width - 62, height: 120 };
+    const reach = 1.5 * tolerance + 1;
+    const content = view.line([...moved(tolerance), ...moved(-tolerance).reverse()], 'class="band"', true) + sides + ends(view) + view.line(way, 'class="way"') + names + title(box, reach) + straightened(box, LENGTH, tolerance, reach, [[beside(way), "way"]]);
+    return [content, box.y + box.height + 8, `<b>${blocks} blocks</b>. Reading them takes ${minutes(reading)}, cutting ${minutes(milling)}: <b>${minutes(took)}</b>. Furthest off: ${inch(furthest(way).worst)}.`];
+  }, words);
+}
+
+function moved(off) {
+  const [nx, ny] = [(-off * (TO.y - FROM.y)) / LENGTH, (off * (TO.x - FROM.x)) / LENGTH];
+  return [FROM, TO].map(({ x, y }) => ({ x: x + nx, y: y + ny }));
+}

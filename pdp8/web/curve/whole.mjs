@@ -1,0 +1,101 @@
+// The circle whole, minute by minute: what is cut, and where the time goes.
+
+import { MoveKind } from "../../../nc/path.mjs";
+import { CENTRE, RADIUS } from "./method.mjs";
+import { clipped, Figure, minutes, rect, text, View } from "./drawing.mjs";
+
+const CUTTER = 250; // its radius
+const TAKES = 20; // seconds in which the whole is played
+
+export function whole(made, playing) {
+  const { path } = made;
+  const first = path.steps.findIndex(({ block }) => block.preparatory === 6);
+  const before = clocked(path, first);
+  const takes = before.at(-1);
+  const clock = (part) => `${((takes * part) / 1000 / 60).toFixed(1)} min`;
+  const figure = new Figure("whole", ({ time }, width) => picture(made, before, first, (takes * time) / 1000, width), { time: clock });
+  new Play(figure, playing);
+  return figure;
+}
+
+/** The second at which each block begins, and the last ends: the contour's alone, without the quill, as in Chapter 7. */
+function clocked({ steps, read_seconds }, first) {
+  let now = 0;
+  const clock = [0];
+  steps.forEach((step, at) => clock.push((now += at < first ? 0 : read_seconds + milling(step))));
+  return clock;
+}
+
+function milling({ moves }) {
+  return moves.filter(({ kind }) => kind === MoveKind.MILL).reduce((sum, { seconds }) => sum + seconds, 0);
+}
+
+/** Move the slider by itself; where motion is not wanted, a minute a press. */
+class Play {
+  constructor(figure, button) {
+    const still = matchMedia("(prefers-reduced-motion: reduce)");
+    const stop = () => {
+      this.from = null;
+      button.textContent = "Cut";
+    };
+    const step = (now) => {
+      if (this.from === null) return;
+      const part = Math.min(1000, ((now - this.from) / TAKES / 1000) * 1000);
+      figure.set("time", part);
+      if (part < 1000) requestAnimationFrame(step);
+      else stop();
+    };
+    this.from = null;
+    button.addEventListener("click", () => {
+      const { time } = figure.values;
+      const begins = time >= 1000 ? 0 : time;
+      if (still.matches) return figure.set("time", Math.min(1000, begins + 28));
+      if (this.from !== null) return stop();
+      this.from = performance.now() - (begins / 1000) * TAKES * 1000;
+      button.textContent = "Stop";
+      requestAnimationFrame(step);
+    });
+    figure.inputs[0].addEventListener("pointerdown", stop);
+  }
+}
+
+function picture({ path, way }, before, first, now, width) {
+  const height = Math.min(440, Math.round(width * 0.8));
+  const box = { x: 0, y: 0, width, height: height - 64 };
+  const reach = RADIUS + CUTTER + 120;
+  const view = new View({ left: CENTRE - reach, right: CENTRE + reach, bottom: CENTRE - reach, top: CENTRE + reach }, box);
+  let last = before.findIndex((end) => end > now) - 1;
+  if (last < 0) last = path.length; // no block begins later: all is cut
+  const done = path.steps.slice(first, last).map(({ at }) => at);
+  const step = path.steps[Math.min(last, path.length - 1)];
+  const into = last < path.length ? now - before[last] : 0;
+  const reading = last < path.length && into < path.read_seconds;
+  const milled = [way[0], ...done];
+  const tip = last < path.length && !reading ? between(milled.at(-1), step.at, (into - path.read_seconds) / (before[last + 1] - before[last] - path.read_seconds)) : milled.at(-1);
+  const cut = [...milled, tip];
+  const groove = view.line(cut, `class="groove" style="stroke-width:${2 * CUTTER * view.sx}"`);
+  const content = groove + view.line(cut, 'class="way"') + view.dot(tip, CUTTER * view.sx, `class="tool${reading ? " waits" : ""}"`);
+  const [read, milling] = spent(path, before, first, last, into);
+  const what = last >= path.length ? "done" : reading ? "stands still: the reader reads a block" : `cuts along ${step.block.miscellaneous === 84 ? "X" : "Y"}`;
+  const digits = text(width / 2, box.height / 2 - 4, String(step.block.digits), 'class="digits" text-anchor="middle"') + text(width / 2, box.height / 2 + 16, what, 'class="small" text-anchor="middle"');
+  const bars = bar(width, height - 50, "reading", read) + bar(width, height - 24, "cutting", milling);
+  const blocks = last - first;
+  const said = `Block <b>${Math.min(last + 1, path.length)}</b> of ${path.length}. Of ${minutes((read + milling) / 60)} the reader took ${minutes(read / 60)} (${blocks} blocks of 2 s), the cutter ${minutes(milling / 60)}: it cut <b>${read + milling ? Math.round((100 * milling) / (read + milling)) : 0} %</b> of the time.`;
+  return [clipped(box, content) + digits + bars, height, said];
+}
+
+function between(from, to, part) {
+  return { x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part };
+}
+
+/** Seconds of reading and of milling so far. */
+function spent({ read_seconds }, before, first, last, into) {
+  const read = (last - first) * read_seconds + Math.min(into, read_seconds);
+  return [read, before[last] + into - read];
+}
+
+function bar(width, y, name, seconds) {
+  const room = width - 150;
+  const long = (room * seconds) / 60 / 24;
+  return text(0, y + 13, name, `class="small t-${name}"`) + rect({ x: 62, y, width: long, height: 17 }, `class="${name}"`) + text(68 + long, y + 13, minutes(seconds / 60), 'class="small"');
+}
