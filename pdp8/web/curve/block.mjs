@@ -35,12 +35,12 @@ export function holes(made) {
     const line = all[block - 1];
     const [first, second] = [ascii.encode(`${line}\n`), eia.encode(`${line.replaceAll(" ", "0")}\n`)];
     const pitch = Math.min(22, (width - 2) / (ROWS + 0.5));
-    const size = Math.max(8, Math.min(12, pitch * 0.8));
-    const [upper, tall] = tape(first, { x: 0, y: 34 }, pitch);
-    const below = 34 + tall + 74;
+    const size = Math.max(9, Math.min(16, pitch * 0.85));
+    const [upper, tall] = tape(first, { x: 0, y: 42 }, pitch);
+    const below = 42 + tall + 74;
     const [lower] = tape(second, { x: 0, y: below }, pitch);
-    const typed = [...line, "CR", "LF"].map((character, row) => text(pitch * (row + 0.7), 28, character === " " ? "␣" : character, `class="type" font-size="${character.length > 1 ? size * 0.72 : size}" text-anchor="middle"`)).join("");
-    const digits = [...line.replaceAll(" ", "0"), "EOB"].map((digit, row) => text(pitch * (row + 0.7), below - 6, digit, `class="type" font-size="${digit.length > 1 ? size * 0.6 : size}" text-anchor="middle"`)).join("");
+    const typed = [...line, "CR", "LF"].map((character, row) => text(pitch * (row + 0.7), 36, character === " " ? "␣" : character, `class="type" style="font-size:${character.length > 1 ? size * 0.72 : size}px" text-anchor="middle"`)).join("");
+    const digits = [...line.replaceAll(" ", "0"), "EOB"].map((digit, row) => text(pitch * (row + 0.7), below - 6, digit, `class="type" style="font-size:${digit.length > 1 ? size * 0.6 : size}px" text-anchor="middle"`)).join("");
     const content = text(0, 12, "ASCII, from the time-sharing terminal: 27 rows", 'class="small"') + typed + upper + text(0, below - 46, "EIA, for the Hydra-Point: 20 rows", 'class="small"') + fields(pitch, below - 22, width) + digits + lower;
     return [content, below + tall + 6, meaning(line.replaceAll(" ", "0"))];
   }, { block: (number) => `${number} of ${all.length}` });
@@ -73,7 +73,7 @@ export function computer(made, record) {
     return kept.get(block);
   };
   const words = { block: (number) => `${number} of ${all.length}`, character: (at, { block }) => `${at + 1} of 27: ${shown(run(block)[at].character)}` };
-  const figure = new Figure("computer", ({ block, character: at }, width) => {
+  const figure = new Figure("translating", ({ block, character: at }, width) => {
     const done = run(block);
     const pitch = Math.min(20, (width - 2) / (ROWS + 0.5));
     const punched = done.slice(0, at + 1).filter((each) => each.punched !== null).map((each) => each.punched);

@@ -112,7 +112,9 @@ export function straightened(box, length, tolerance, reach, traces) {
   const band = rect({ x: box.x, y: view.y(tolerance), width: box.width, height: view.y(-tolerance) - view.y(tolerance) }, 'class="band"');
   const drawn = traces.map(([places, name]) => view.line(places, `class="${name}"`)).join("");
   const centre = view.line([{ x: 0, y: 0 }, { x: length, y: 0 }], 'class="intended"');
-  const labels = [tolerance, -tolerance].map((off) => text(box.x + box.width + 4, view.y(off) + 4, `${off > 0 ? "+" : "−"}${mils(Math.abs(off))}`, 'class="small"')).join("");
+  const label = (off, sign) => text(box.x + box.width + 4, view.y(off) + 4, `${sign}${mils(tolerance)}`, 'class="small"');
+  const apart = view.y(-tolerance) - view.y(tolerance) > 14;
+  const labels = apart ? label(tolerance, "+") + label(-tolerance, "−") : label(0, "±");
   return clipped(box, band + limit(tolerance) + limit(-tolerance) + centre + drawn) + labels + rect(box, 'class="frame"');
 }
 

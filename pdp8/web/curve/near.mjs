@@ -17,8 +17,7 @@ export function near() {
 function picture(way, at, times, width) {
   const height = Math.min(420, Math.round(width * 0.72));
   const half = 2000 / times;
-  const part = (times - 1) / (NEAREST - 1);
-  const pull = Math.min(1, 1.004 * (1 - 1 / times) + part * 0.01);
+  const pull = 1 - 1 / times ** 2; // from the circle's centre to the place
   const middle = { x: CENTRE + (at.x - CENTRE) * pull, y: CENTRE + (at.y - CENTRE) * pull };
   const wide = (half * width) / height;
   const box = { x: 0, y: 0, width, height };
@@ -26,7 +25,7 @@ function picture(way, at, times, width) {
   const seen = way.filter(({ x, y }) => Math.abs(x - middle.x) < wide + 200 && Math.abs(y - middle.y) < half + 200);
   const ring = (off, name) => view.dot({ x: CENTRE, y: CENTRE }, (RADIUS + off) * view.sx, `class="${name}"`);
   const thick = `<circle cx="${view.x(CENTRE)}" cy="${view.y(CENTRE)}" r="${RADIUS * view.sx}" class="ring" style="stroke-width:${Math.max(0.5, 10 * view.sx)}"/>`;
-  const stops = times > 40 ? seen.map((place) => view.dot(place, 3, 'class="stop"')).join("") : "";
+  const stops = times > 25 ? seen.map((place) => view.dot(place, 3, 'class="stop"')).join("") : "";
   const bar = scale(view, width, height);
   const drawn = thick + ring(5, "limit") + ring(-5, "limit") + view.line(times < 4 ? way : seen, 'class="way"') + stops;
   return [clipped(box, drawn) + bar, height, said(times, seen.length)];
@@ -39,7 +38,7 @@ function scale(view, width, height) {
 }
 
 function said(times, stops) {
-  if (times < 8) return "A circle of 3.500 in, the way of the cutter's centre.";
-  if (times < 40) return "Something is not quite smooth. The pale ring is the band: .010 in wide.";
+  if (times < 6) return "A circle of 3.500 in, the way of the cutter's centre.";
+  if (times < 20) return "Something is not quite smooth. The pale ring is the band: .010 in wide.";
   return `Every corner is a stop: here are ${stops} of the 662. Between two stops the cutter moves along X or along Y, never along both.`;
 }

@@ -54,11 +54,11 @@ function pictured({ way }, cutter, tolerance, place, whole, close) {
   const far = new View({ left: CENTRE - RADIUS - room, right: CENTRE + room, bottom: CENTRE - room, top: CENTRE + RADIUS + room }, whole);
   const radius = (cutter * 1000) / 32;
   const groove = far.line(way, `class="groove" style="stroke-width:${2 * radius * far.sx}"`);
-  const half = Math.max(26, 4 * tolerance);
+  const half = Math.max(4 * tolerance, 0.7 * longest(around(way, at, 10 * tolerance)));
   const near = new View({ left: at.x - half, right: at.x + half, bottom: at.y - half, top: at.y + half }, close);
   const ring = (off, name) => near.dot({ x: CENTRE, y: CENTRE }, (RADIUS + off) * near.sx, `class="${name}"`);
   const seen = around(way, at, 3 * half);
-  const drawn = ring(0, "ring") .replace('class="ring"', `class="ring" style="stroke-width:${2 * tolerance * near.sx}"`) + ring(tolerance, "limit") + ring(-tolerance, "limit") + ring(0, "intended") + near.line(seen, 'class="way"') + seen.map((stop) => near.dot(stop, 3.2, 'class="stop"')).join("");
+  const drawn = ring(0, "ring").replace('class="ring"', `class="ring" style="stroke-width:${2 * tolerance * near.sx}"`) + ring(tolerance, "limit") + ring(-tolerance, "limit") + ring(0, "intended") + near.line(seen, 'class="way"') + seen.map((stop) => near.dot(stop, 3.2, 'class="stop"')).join("");
   const times = Math.round(near.sx / far.sx);
   return (
     text(whole.x, whole.y - 6, "the cut, and the cutter", 'class="small"') + clipped(whole, groove + far.line(way, 'class="way"') + far.dot(at, radius * far.sx, 'class="tool"') + far.dot(at, 2.5, 'class="stop"')) + rect(whole, 'class="frame"') +
@@ -66,12 +66,18 @@ function pictured({ way }, cutter, tolerance, place, whole, close) {
   );
 }
 
+function longest(way) {
+  return Math.max(0, ...way.slice(1).map(({ x, y }, index) => Math.abs(x - way[index].x) + Math.abs(y - way[index].y)));
+}
+
 /** The part of a way that is near a place, with a stop more at each end. */
 function around(way, at, reach) {
-  const near = ({ x, y }) => Math.abs(x - at.x) < reach && Math.abs(y - at.y) < reach;
-  const first = way.findIndex(near);
-  const last = way.findLastIndex(near);
-  return first < 0 ? [] : way.slice(Math.max(0, first - 1), last + 2);
+  const passes = ({ x, y }, index) => {
+    const from = way[Math.max(0, index - 1)];
+    return Math.min(x, from.x) < at.x + reach && Math.max(x, from.x) > at.x - reach && Math.min(y, from.y) < at.y + reach && Math.max(y, from.y) > at.y - reach;
+  };
+  const first = way.findIndex(passes);
+  return first < 0 ? [] : way.slice(Math.max(0, first - 1), way.findLastIndex(passes) + 1);
 }
 
 function unrolled({ way }, { outer, inner }, tolerance, place, box) {
@@ -80,7 +86,7 @@ function unrolled({ way }, { outer, inner }, tolerance, place, box) {
   const reach = 1.7 * tolerance + 1;
   const times = Math.round(box.height / (2 * reach) / (box.width / ARC));
   const at = box.x + (box.width * place) / 90;
-  const legend = `the band made straight, ${times} times higher: `;
+  const legend = box.width > 450 ? `the band made straight, ${times} times higher: ` : `the band, ${times} times higher: `;
   return (
     `<text x="${box.x}" y="${box.y - 7}" class="small">${legend}<tspan class="t-way">way</tspan>, <tspan class="t-outer">outer wall</tspan>, <tspan class="t-inner">inner wall</tspan></text>` +
     straightened(box, ARC, tolerance, reach, [[flat, "way thin"], [wall(outer), "outer"], [wall(inner), "inner"]]) + `<path d="M${at} ${box.y}v${box.height}" class="miss"/>`

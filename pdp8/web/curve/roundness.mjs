@@ -5,6 +5,7 @@ import { clipped, Figure, mils, text } from "./drawing.mjs";
 import { troughToPeak, walls } from "./walls.mjs";
 
 const STATIONS = 36000; // as many as nc/inspection.py has
+const PAPER = 10000; // thousandths of an inch that the drawing is wide, at the instrument
 const PLACES = [["+X", 0, 10], ["45°", 45, 5], ["+Y", 90, 10], ["135°", 135, 5], ["−X", 180, 10], ["225°", 225, 5], ["−Y", 270, 10], ["315°", 315, 5]];
 
 export function roundness() {
@@ -18,8 +19,8 @@ export function roundness() {
   return new Figure("roundness", ({ times, closed, cutter }, width) => {
     const wall = measured(closed, cutter);
     const height = Math.min(width, 560);
-    const mean = height * 0.31;
-    const scale = times / ((2 * RADIUS) / (2 * mean)) / 8; // the paper of the instrument is smaller than the work
+    const mean = height * 0.29;
+    const scale = (times * height) / PAPER;
     const content = rings(width / 2, height / 2, mean, scale, height) + trace(wall.outer, width, height, mean, scale, "outer") + trace(wall.inner, width, height, mean, scale, "inner") + places(wall, width, height);
     return [clipped({ x: 0, y: 0, width, height }, content), height, said(wall, closed)];
   }, words);
@@ -29,7 +30,7 @@ function rings(x, y, mean, scale, height) {
   const rings_ = [];
   for (let off = -20; off <= 20; off++) {
     const radius = mean + off * scale;
-    if (radius < 8 || radius > height * 0.46 || (scale < 3 && off % 5)) continue;
+    if (radius < 8 || radius > height * 0.42 || (scale < 3 && off % 5)) continue;
     rings_.push(`<circle cx="${x}" cy="${y}" r="${radius.toFixed(1)}" class="${off === 0 ? "intended" : off % 5 ? "division" : "heavy"}"/>`);
   }
   return rings_.join("");

@@ -60,7 +60,7 @@ class Play {
 }
 
 function picture({ path, way }, before, first, now, width) {
-  const height = Math.min(440, Math.round(width * 0.8));
+  const height = Math.min(460, Math.round(width * 0.8) + 64);
   const box = { x: 0, y: 0, width, height: height - 64 };
   const reach = RADIUS + CUTTER + 120;
   const view = new View({ left: CENTRE - reach, right: CENTRE + reach, bottom: CENTRE - reach, top: CENTRE + reach }, box);
@@ -74,7 +74,8 @@ function picture({ path, way }, before, first, now, width) {
   const tip = last < path.length && !reading ? between(milled.at(-1), step.at, (into - path.read_seconds) / (before[last + 1] - before[last] - path.read_seconds)) : milled.at(-1);
   const cut = [...milled, tip];
   const groove = view.line(cut, `class="groove" style="stroke-width:${2 * CUTTER * view.sx}"`);
-  const content = groove + view.line(cut, 'class="way"') + view.dot(tip, CUTTER * view.sx, `class="tool${reading ? " waits" : ""}"`);
+  const intended = view.dot({ x: CENTRE, y: CENTRE }, RADIUS * view.sx, 'class="intended"');
+  const content = intended + groove + view.line(cut, 'class="way"') + view.dot(tip, CUTTER * view.sx, `class="tool${reading ? " waits" : ""}"`);
   const [read, milling] = spent(path, before, first, last, into);
   const what = last >= path.length ? "done" : reading ? "stands still: the reader reads a block" : `cuts along ${step.block.miscellaneous === 84 ? "X" : "Y"}`;
   const digits = text(width / 2, box.height / 2 - 4, String(step.block.digits), 'class="digits" text-anchor="middle"') + text(width / 2, box.height / 2 + 16, what, 'class="small" text-anchor="middle"');
