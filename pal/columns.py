@@ -9,7 +9,7 @@ Only blanks and TABs before a statement and before a comment change: the words s
 
 import re
 
-from pal.assembly import assemble
+from pal.assembling import assemble
 
 _LINE = re.compile(
     r"[ \t]*(?P<tag>[A-Za-z][A-Za-z0-9]*[ \t]*,)?[ \t]*(?P<rest>[^/]*?)[ \t]*(?P<comment>/.*)?"

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from pal import meaning
-from pal.assembly import FOUND, assemble
+from pal.assembling import FOUND, assemble
 from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9]*")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from tapes import command
-from tapes.arguments import Folder, Group, Target, output
+from tapes.arguments import Command, Folder, Group, Target, output
 
 if TYPE_CHECKING:
     from pdp8.thesis.table import Table
@@ -40,8 +40,8 @@ def thesis() -> None:
     """
 
 
-@thesis.command()
-@command.output("PAGE", "curve.html", "The page.", show_default=True)
+@thesis.command(cls=Command)
+@output(Target("HTML"), "PAGE", "curve.html", "The page.", show_default=True)
 def page(output: str) -> None:
     """Write "A curve in ten minutes": a page that teaches the thesis's method with live figures.
 
@@ -55,9 +55,7 @@ def page(output: str) -> None:
     """
     from pdp8.web import curve
 
-    shelf.write(output, curve.page().encode())
-    if output != "-":
-        click.echo(f"the page is {output}", err=True)
+    command.put(output, curve.page())
 
 
 @thesis.command("list")

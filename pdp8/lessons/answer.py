@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from pal.assembly import assemble
+from pal.assembling import assemble
 from pdp8.computer.use.program import FOUND
 from tapes.errors import WorkError
 

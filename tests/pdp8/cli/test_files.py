@@ -16,13 +16,13 @@ from pal.cli import pal
 from pdp8.cli.root import pdp8
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
-from pdp8.lessons import exercise
+from pdp8.lessons import form
 from tapes import command, shelf
 from tests import commands
 from tests.conftest import Shell
 
 HALT = "*200\n\tHLT\n$\n"
-RIGHT = exercise.read("add").solution
+RIGHT = form.read("add").solution
 Call = Callable[..., tuple[int, str, str]]
 
 
@@ -167,7 +167,7 @@ def test_a_drawing_goes_to_standard_output_at_a_terminal_too(call: Call, tmp_pat
 
 def test_a_byte_order_mark_means_nothing(call: Call, tmp_path: Path) -> None:
     mark = b"\xef\xbb\xbf"
-    (tmp_path / "own.toml").write_bytes(mark + Path(exercise.FOLDER, "add.toml").read_bytes())
+    (tmp_path / "own.toml").write_bytes(mark + Path(form.FOLDER, "add.toml").read_bytes())
     (tmp_path / "own.pal").write_bytes(mark + RIGHT.encode())
     (tmp_path / "own.state").write_bytes(mark + state.save(Machine()).encode())
     assert call("pdp8 check own.toml own.pal")[0] == 0

@@ -82,7 +82,7 @@ def test_case_blanks_commas_and_leading_zeros_of_a_sheet_do_not_matter(line: str
     sheet = parse(
         "title='t'\ntask='t'\nsolution='x'\n[[question]]\nname='a'\nask='?'\nanswer='1234 or 7'\n", "e"
     )
-    assert marking.mark(sheet, answer.of(line.encode(), "a.txt")).right
+    assert marking.mark(sheet, handed.of(line.encode(), "a.txt")).right
 
 
 def test_what_stands_in_a_comment_is_not_used() -> None:
