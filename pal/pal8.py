@@ -96,6 +96,11 @@ def _signed(value: int) -> int:
     return (value + 0o100000 & 0o177777) - 0o100000
 
 
+def _is_item(token: str) -> bool:
+    """Tell whether a token is a name or a number."""
+    return token[:1].isalpha() or token[:1].isdigit()
+
+
 class Assembler:
     """One run of PAL8 over the lines of a source: `run` pass 1, then pass 2.
 
@@ -412,7 +417,7 @@ class Assembler:
             self._fail("IC", f"a blank after {self._token}", "write the operand directly after it")
         elif self._start != self._before and self._next > 1:
             last = self._tokens[self._next - 2][0]
-            if last[len(last) - 1].isalnum() and self._names_value(last):
+            if _is_item(last[len(last) - 1 :]) and self._names_value(last):
                 message = f"this is an OR with {self._token}{token}; DEC's PAL8 drops the {self._token} (IC)"
                 self._note("PN44", message, f"leave no blank before {self._token}, to add or subtract")
 
@@ -810,7 +815,7 @@ class Assembler:
 
     def _file(self, name: str, start: int) -> None:
         """DEVICE: four characters in two words; FILENAME: six in three, and two of the extension in one."""
-        given = self._token if self._token[:1].isalnum() else ""
+        given = self._token if _is_item(self._token) else ""
         if not given:
             self._fail("IC", f"{name} without a name", f"write it so: {name} SYS", start, self._before)
             return
@@ -820,7 +825,7 @@ class Assembler:
         if name == "FILENAME" and joined == ".":
             joined = self._joined()
             self._advance()
-            if joined[:1].isalnum():
+            if _is_item(joined):
                 extension = joined
                 self._advance()
         at = self._at(start, self._before)
