@@ -73,4 +73,4 @@ def test_the_command_notes_and_punches(shell: Shell) -> None:
 
 
 def test_the_translation_runs_on_every_model_with_a_teletype(shell: Shell) -> None:
-    assert shell("pal eia.pal -o eia.bin --for 8/L").stderr == b""
+    assert shell("pal eia.pal -o eia.bin --for 8/L").stderr == b"wrote eia.bin\n"
