@@ -213,10 +213,10 @@ function turn(p, until) {
   p.instructions += turns * count;
 }
 
-/** The record as it is used: tapes from base64 to frames, acts numbered, and where each tape's lines end. */
-export function unpacked(record) {
+/** The record as it is used: tapes as frames, acts numbered, and where each tape's lines end. */
+export function prepared(record) {
   for (const tape of Object.values(record.tapes)) {
-    tape.frames = bytes(Array.from(atob(tape.frames), (character) => character.charCodeAt(0)));
+    tape.frames = tape.frames.encode("latin-1");
     tape.lines = [];
     tape.frames.forEach((frame, index) => endsLine(frame, tape.code) && tape.lines.push(index));
     tape.first = tape.frames.findIndex((frame) => frame !== 0);

@@ -2,7 +2,7 @@
 
     entry.mjs ──imports──► modules by hand ──┐
                               │ import       ├──► one script, each module in a scope of its own
-              pal/assembler.py as .mjs ──────┘    style, data as JSON, Content-Security-Policy
+              pal/assembler.py as .mjs ──────┘    style, data as compressed JSON, Content-Security-Policy
 
 A module X.mjs is the one by hand, or the translation of X.py (see translator/). A page from disk cannot
 import modules, so they stand in one script, each after those it imports from, without their comments.
@@ -13,6 +13,7 @@ import hashlib
 import json
 import posixpath
 import re
+import zlib
 from collections.abc import Iterator
 from functools import cache
 from importlib.resources import files
@@ -48,8 +49,8 @@ def modules(entry: str) -> dict[str, str]:
 
 
 def script(entry: str) -> str:
-    """Return the module `entry` and all it imports as one script."""
-    return "\n".join(_scope(name, text) for name, text in modules(entry).items())
+    """Return the module `entry` and all it imports as one script; what `entry` does stands at its end."""
+    return "\n".join(_scope(name, text, name == _HERE + entry) for name, text in modules(entry).items())
 
 
 def _collect(name: str, found: dict[str, str]) -> None:
@@ -72,7 +73,7 @@ def exports(text: str) -> list[str]:
     return [name for names in _EXPORT.findall(text) for name in re.findall(r"[\w$]+", names)]
 
 
-def _scope(name: str, text: str) -> str:
+def _scope(name: str, text: str, bare: bool) -> str:
     """Return `text` as a constant that holds what it exports; its imports come from those before."""
     exported = ", ".join(exports(text))
 
@@ -82,7 +83,9 @@ def _scope(name: str, text: str) -> str:
         return f"const {names} = {_identifier(path)};"
 
     body = _EXPORT.sub("", _IMPORT.sub(constant, _COMMENT.sub("", text)))
-    return f"const {_identifier(name)} = (() => {{\n{body}\nreturn {{ {exported} }};\n}})();"
+    return (
+        body if bare else f"const {_identifier(name)} = (() => {{\n{body}\nreturn {{ {exported} }};\n}})();"
+    )
 
 
 def _identifier(name: str) -> str:
@@ -95,11 +98,12 @@ def page(title: str, body: str, style: str, entry: str, data: Any) -> str:
     The policy lets the page run its own script and style, and ask for nothing.
     """
     code, css = f"\n{script(entry)}\n", "".join(map(source, ("base.css", style)))
-    record = json.dumps(data, separators=(",", ":")).replace("<", "\\u003c")
+    written = json.dumps(data, separators=(",", ":"), ensure_ascii=False).encode()
+    record = base64.b64encode(zlib.compress(written, 9, wbits=-15)).decode("ascii")
     html = source("shell.html").replace("<!-- title -->", title).replace("<!-- body -->", source(body))
     html = html.replace("<!-- policy -->", _policy(code))
     html = html.replace("/* style */", css).replace("/* script */", code)
-    return html.replace('type="application/json">{}<', f'type="application/json">{record}<')
+    return html.replace('type="text/plain"><', f'type="text/plain">{record}<')
 
 
 def _policy(code: str) -> str:

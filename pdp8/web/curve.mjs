@@ -7,8 +7,9 @@ import { curved } from "./curve/quarter.mjs";
 import { roundness } from "./curve/roundness.mjs";
 import { one, piecewise, stepwise } from "./curve/slopes.mjs";
 import { whole } from "./curve/whole.mjs";
+import { unpacked } from "./packed.mjs";
 
-const record = JSON.parse(document.getElementById("record").textContent);
+const record = await unpacked(document.getElementById("record").textContent);
 const made = circle(5);
 const figures = { near: near(), one: one(), piecewise: piecewise(), stepwise: stepwise(), curved: curved() };
 figures.whole = whole(made, document.getElementById("cut"));

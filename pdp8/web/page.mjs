@@ -1,6 +1,7 @@
 // The page's controls: slider, buttons and keys, and the clock of a play.
 
-import { Afternoon, unpacked } from "./afternoon.mjs";
+import { Afternoon, prepared } from "./afternoon.mjs";
+import { unpacked } from "./packed.mjs";
 import { over } from "./brightness.mjs";
 import { Machine } from "../computer/machine.mjs";
 import { TICKS_PER_SECOND as SECOND } from "../computer/hardware/signals.mjs";
@@ -236,6 +237,6 @@ function cell(text) {
   return `<td>${escaped(text)}</td>`;
 }
 
-const page = new Page(unpacked(JSON.parse(find("record").textContent)));
+const page = new Page(prepared(await unpacked(find("record").textContent)));
 // For the curious, at the browser's console: replay.page.go(tick), replay.afternoon.machine.core[0o200] ...
 window.replay = { page, afternoon: page.afternoon, Machine, SECOND };

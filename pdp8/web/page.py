@@ -8,7 +8,6 @@ The page is no film. Its record holds what was done and what was punched; our ow
 PDP-8/L, translated to JavaScript, makes every instant again, from the actions.
 """
 
-import base64
 from collections.abc import Iterator
 from itertools import accumulate, pairwise
 from typing import Any
@@ -66,7 +65,7 @@ def _key(name: str) -> str:
 
 def _tape(name: str, frames: bytes) -> dict[str, str]:
     code = _CODES[name.rpartition(".")[2]]
-    return {"label": name, "code": code, "frames": base64.b64encode(frames).decode("ascii")}
+    return {"label": name, "code": code, "frames": frames.decode("latin-1")}
 
 
 _SHEETS = {Kind.TERMINAL: "page", Kind.INSPECT: "graph"}

@@ -15,6 +15,7 @@ import { Teletype } from "./bench/teletype.mjs";
 import { Until } from "./bench/until.mjs";
 import { Machine } from "../computer/machine.mjs";
 import { restore, save } from "../computer/past/state.mjs";
+import { unpacked } from "./packed.mjs";
 import { bytes } from "./translator/runtime.mjs";
 import { Writer } from "./sheet.mjs";
 import { find, octal } from "./written.mjs";
@@ -223,7 +224,7 @@ function embed(pane) {
   for (const section of sections) section.classList.toggle("out", section.dataset.pane !== pane);
 }
 
-const bench = new Bench(JSON.parse(find("record").textContent));
+const bench = new Bench(await unpacked(find("record").textContent));
 const asked = new URLSearchParams(location.search).get("embed");
 if (asked !== null) embed(asked || "panel");
 if (asked && bench.tabs.has(asked)) bench.tabs.open(asked);

@@ -5,7 +5,6 @@ our Python, bench/ workbench.mjs                           ├──► one HTML
 base.css workbench.css                                     ┘
 """
 
-import base64
 from typing import Any
 
 import pal
@@ -22,19 +21,15 @@ def page(view: tuple[str, bytes] | None = None) -> str:
 
 
 def record(view: tuple[str, bytes] | None = None) -> dict[str, Any]:
-    """Return what the page has at hand, ready for JSON; tapes in base64."""
+    """Return what the page has at hand, ready for JSON; tapes as text, a character a frame."""
     tapes = {name: shelf.read_bundled(name) for name in shelf.bundled() if not name.endswith(".for")}
     if view is not None:
         tapes |= {view[0]: view[1]}
     loader = pal.assemble(shelf.read_bundled("bin.pal"))
     return {
-        "tapes": {name: _text(frames) for name, frames in tapes.items()},
-        "loader": _text(rim.encode(loader.words)),
+        "tapes": {name: frames.decode("latin-1") for name, frames in tapes.items()},
+        "loader": rim.encode(loader.words).decode("latin-1"),
         "source": shelf.read_bundled(_OPENS_WITH).decode("ascii"),
         "cutter": PARTS["circle"].cutter * 1000,
         "view": view[0] if view else "",
     }
-
-
-def _text(frames: bytes) -> str:
-    return base64.b64encode(frames).decode("ascii")

@@ -6,7 +6,6 @@ import { PERMANENT, PSEUDO_OPERATORS } from "../../../pal/symbols.mjs";
 import { Operator } from "../../computer/use/operator.mjs";
 import { escaped, find, grouped } from "../written.mjs";
 import { limited } from "./budget.mjs";
-import { unpacked } from "./shelf.mjs";
 
 const LONGEST = 200_000; // characters of a source that is taken
 const COLOURED = 50_000; // and of one that is shown in colour
@@ -104,8 +103,8 @@ export class Editor {
   /** A diagnostic as `pal` prints it; its first line leads to the place. */
   #item(diagnostic) {
     const [first, ...rest] = String(diagnostic).split("\n");
-    const { line, column, width, severity } = diagnostic;
-    const place = `data-line="${line}" data-start="${column - 1}" data-end="${column - 1 + width}"`;
+    const { line, column, end_column, severity } = diagnostic;
+    const place = `data-line="${line}" data-start="${column - 1}" data-end="${end_column - 1}"`;
     const said = `<button class="text" ${place}>${escaped(first)}</button><pre>${escaped(rest.join("\n"))}</pre>`;
     return `<li class="${severity}">${said}</li>`;
   }
@@ -139,7 +138,7 @@ export class Editor {
     machine.panel.stop();
     reader.lever(true);
     try {
-      const steps = () => [...new Operator(machine).boot(unpacked(bench.record.loader), this.assembly.tape, this.name)];
+      const steps = () => [...new Operator(machine).boot(bench.record.loader.encode("latin-1"), this.assembly.tape, this.name)];
       bench.why = String(limited(machine, steps).at(-1));
     } catch (error) {
       machine.panel.stop();

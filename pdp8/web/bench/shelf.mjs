@@ -15,7 +15,7 @@ export class Shelf {
   constructor(bundled) {
     this.tapes = new Map();
     this.changed = [];
-    for (const [name, frames] of Object.entries(bundled)) this.#add(name, unpacked(frames));
+    for (const [name, frames] of Object.entries(bundled)) this.#add(name, frames.encode("latin-1"));
   }
 
   #add(name, frames) {
@@ -39,9 +39,4 @@ export class Shelf {
     this.changed.forEach((changed) => changed());
     return free;
   }
-}
-
-/** Frames written in base64. */
-export function unpacked(text) {
-  return bytes(Array.from(atob(text), (character) => character.charCodeAt(0)));
 }

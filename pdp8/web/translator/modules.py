@@ -310,7 +310,8 @@ class Writer(Statements):
             parameters.append(named(name) + (f" = {self.e(value)}" if value else ""))
         sets = " ".join(f"this.{name} = {named(name)};" for name in names)
         listed = ", ".join(f'"{name}"' for name in names)
-        made = f"constructor({', '.join(parameters)}) {{ super(); {sets} this.__post_init__?.(); }}"
+        after = "this.__post_init__(); " if self.of_class(self.owner, "__post_init__")[1] else ""
+        made = f"constructor({', '.join(parameters)}) {{ super(); {sets} {after}}}"
         return [f"static $fields = [{listed}];", made]
 
     def _member(self, node: ast.FunctionDef, owner: ast.ClassDef, base: str, after: list[str]) -> list[str]:
