@@ -4,6 +4,7 @@ Both are asked in the same words: a script of the page, and a condition to wait 
 """
 
 import base64
+import re
 from pathlib import Path
 
 import pytest
@@ -161,7 +162,7 @@ def test_what_the_assembler_says_is_what_pal_prints(tab: Tab, tmp_path: Path, so
     click(tab, "#assemble")
     said = "[...document.querySelectorAll('#messages li > *, #messages ol + p')]"
     shown = tab.run(f"return {said}.map(({{ textContent }}) => textContent).join('\\n')")
-    assert shown == done.stderr.decode().partition("\npal: ")[0].rstrip("\n")
+    assert shown == re.split("\n(?:pal:|wrote) ", done.stderr.decode())[0].rstrip("\n")
 
 
 def check(tab: Tab, number: int, answer: str = "") -> str:
