@@ -1,5 +1,5 @@
 """What mkdocs.yml adds to docs/: README, CONTRIBUTING and CHANGELOG, a page for each module,
-and the workbench itself.
+the workbench itself, and the page that teaches the method.
 
 README and its like stand at the top of the repository, where a forge shows them; their links are rewritten
 for the site, the first page of which is the README.
@@ -11,7 +11,7 @@ from pathlib import Path
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 
-from pdp8.web import workbench
+from pdp8.web import curve, workbench
 
 HOUSE = Path(__file__).parent.parent
 TOP = {"README.md": "index.md", "CONTRIBUTING.md": "CONTRIBUTING.md", "CHANGELOG.md": "CHANGELOG.md"}
@@ -33,6 +33,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
     for module in modules():
         files.append(File.generated(config, f"api/{module}.md", content=f"# `{module}`\n\n::: {module}\n"))
     files.append(File.generated(config, "workbench-live.html", content=workbench.page()))
+    files.append(File.generated(config, "curve-live.html", content=curve.page()))
     return files
 
 

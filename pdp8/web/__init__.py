@@ -5,6 +5,7 @@ bundle        modules, style and data in one file, and what that file may do
 page          the afternoon as one file, of which these are the pieces
 
 workbench     the live machine as one file: workbench.mjs, its panes in bench/
+curve         the page that teaches the method: curve.mjs, its figures in curve/
 shell.html    what is around every page   base.css             how it looks
 page.html     what stands where           page.css             how that looks
 panel.mjs     lamps and switches

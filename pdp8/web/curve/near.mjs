@@ -25,10 +25,11 @@ function picture(way, at, times, width) {
   const seen = way.filter(({ x, y }) => Math.abs(x - middle.x) < wide + 200 && Math.abs(y - middle.y) < half + 200);
   const ring = (off, name) => view.dot({ x: CENTRE, y: CENTRE }, (RADIUS + off) * view.sx, `class="${name}"`);
   const thick = `<circle cx="${view.x(CENTRE)}" cy="${view.y(CENTRE)}" r="${RADIUS * view.sx}" class="ring" style="stroke-width:${Math.max(0.5, 10 * view.sx)}"/>`;
-  const stops = times > 25 ? seen.map((place) => view.dot(place, 3, 'class="stop"')).join("") : "";
+  const dots = times > 25 ? seen.map((place) => view.dot(place, 3, 'class="stop"')).join("") : "";
   const bar = scale(view, width, height);
-  const drawn = thick + ring(5, "limit") + ring(-5, "limit") + view.line(times < 4 ? way : seen, 'class="way"') + stops;
-  return [clipped(box, drawn) + bar, height, said(times, seen.length)];
+  const drawn = thick + ring(5, "limit") + ring(-5, "limit") + view.line(times < 4 ? way : seen, 'class="way"') + dots;
+  const stops = way.filter(({ x, y }) => Math.abs(x - middle.x) < wide && Math.abs(y - middle.y) < half);
+  return [clipped(box, drawn) + bar, height, said(times, stops.length)];
 }
 
 function scale(view, width, height) {
@@ -40,5 +41,5 @@ function scale(view, width, height) {
 function said(times, stops) {
   if (times < 6) return "A circle of 3.500 in, the way of the cutter's centre.";
   if (times < 20) return "Something is not quite smooth. The pale ring is the band: .010 in wide.";
-  return `Every corner is a stop: here are ${stops} of the 662. Between two stops the cutter moves along X or along Y, never along both.`;
+  return `Every corner is a stop: here are ${stops} of its 662. Between two stops the cutter moves along X or along Y, never along both.`;
 }

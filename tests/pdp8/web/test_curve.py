@@ -18,7 +18,7 @@ from programs.milling import Milling
 from programs.printout import Printout
 from programs.stretches import Curve, Point, arc, line
 from tapes import ascii, eia, shelf
-from tests.pdp8.web.browsing import until
+from tests.pdp8.web.browsing import AXE, needs_axe, serious, until
 from tests.pdp8.web.chromium import opened
 from tests.pdp8.web.node import in_node, needs_node
 
@@ -33,6 +33,7 @@ _COMPUTED = """async () => {
   const plain = ({ text, blocks, minutes, way }) => [text, blocks, minutes, way.map(({ x, y }) => [x, y])];
   const made = {
     circle: method.circle(5), closed: method.circle(5, 1, true), steps: method.slope(7),
+    "fine steps": method.slope(5),
     "wrong feeds": method.slope(7, "step", 0.2, -0.2), pieces: method.slope(5, "piece", 0.1, -0.1),
     quarter: method.quarter(5, 3), coarse: method.quarter(10, 3),
   };
@@ -85,6 +86,7 @@ def test_slopes_and_curve_are_those_of_the_techniques(computed: dict[str, Any]) 
     assert computed["steps"] == _cut(steps)
     assert computed["wrong feeds"] == _cut(steps, (0.2, -0.2, 0))
     assert computed["wrong feeds"][3] == computed["steps"][3]
+    assert [computed[name][1] - 6 for name in ("pieces", "fine steps")] == [174, 408]
     assert computed["pieces"] == _cut(pieces, (0.1, -0.1, 0))
     for name, tolerance in (("quarter", 5), ("coarse", 10)):
         text, _ = _made(arc(Point(4000, 4000), 1750, 180, -90, tolerance), Milling(feed_code=3))
@@ -168,6 +170,13 @@ def test_the_page_answers_its_questions(page: "Page") -> None:
     for question in ("why a staircase", "What the tolerance buys", "Why 36 minutes"):
         assert question in text
     assert page.locator("main > details").count() == 3
+
+
+@needs_axe
+def test_the_page_is_accessible(page: "Page") -> None:
+    """Nothing that axe-core finds serious."""
+    page.evaluate(Path(AXE).read_text(encoding="utf-8"))
+    assert serious(page) == []
 
 
 def test_the_file_is_whole(tmp_path: Path) -> None:
