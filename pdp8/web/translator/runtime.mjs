@@ -653,7 +653,8 @@ export const format = (of, spec = "") => {
   let [sign, body] = ["", ""];
   if (number) {
     const size = Math.abs(of);
-    sign = of < 0 || Object.is(+of, -0) ? "-" : plus === "-" ? "" : plus;
+    const float = of instanceof Number || "fFgGeE%".includes(kind || " ") || places !== undefined;
+    sign = of < 0 || (float && Object.is(+of, -0)) ? "-" : plus === "-" ? "" : plus;
     const radix = { o: 8, x: 16, X: 16, b: 2 }[kind];
     if (radix) body = kind === "X" ? size.toString(radix).toUpperCase() : size.toString(radix);
     else if (!Number.isFinite(size)) body = digits(size);

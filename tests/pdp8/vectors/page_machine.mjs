@@ -67,7 +67,8 @@ function play({ name, models, instructions, initial, ticks, events }) {
     if (seen.punch !== before.punch) done.push({ tick, punch: highspeed.punch.frames.at(-1) });
   };
   const next = () => {
-    const line = Math.min(tick_of(teletype.transmitter.next_step()), teletype.receiver.step);
+    const { receiver, transmitter } = teletype;
+    const line = Math.min(tick_of(transmitter.next_step()), receiver.due, receiver.step);
     return Math.min(line, highspeed.reader_control.due, highspeed.punch_control.due);
   };
   const to = (tick) => {
