@@ -53,7 +53,7 @@ class _Server(NamedTuple):
 @cache
 def _started() -> _Server:
     folder = Path(tempfile.mkdtemp(prefix="pdp8-warm-"))
-    atexit.register(shutil.rmtree, folder)
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
     compile_c(folder / COMMANDS[0], "-D_GNU_SOURCE", Path(__file__).with_suffix(".c"))
     for name in COMMANDS[1:]:
         (folder / name).symlink_to(COMMANDS[0])

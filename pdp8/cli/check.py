@@ -32,7 +32,9 @@ _SHOWN = ("task", "solution")
 @click.option("--csv", type=Target("text"), metavar="FILE", help="Write the marks for a spreadsheet.")
 @click.option("--junit", type=Target("XML"), metavar="FILE", help="Write the marks as JUnit does.")
 @click.option("--pages", type=Folder(), metavar="FOLDER", help="Write a page for each student into FOLDER.")
-@click.option("--seed", type=int, default=form.SEED, show_default=True, help="Draw random cases from this.")
+@click.option(
+    "--seed", metavar="N", type=int, default=form.SEED, show_default=True, help="Draw random cases from this."
+)
 @click.option("--cpu", type=click.FloatRange(0.1, 3600), default=bounded.SECONDS, metavar="SECONDS",
               show_default=True, help="Of processor time, the most an answer may take.")  # fmt: skip
 @click.option(

@@ -14,14 +14,19 @@ from tapes import command
 
 
 @click.command()
-@click.option("--port", type=click.IntRange(0, 65535), help="Listen at this port of 127.0.0.1; 0 is any.")
+@click.option(
+    "--port",
+    type=click.IntRange(0, 65535),
+    metavar="PORT",
+    help="Listen at this port of 127.0.0.1; 0 is any.",
+)
 def dap(port: int | None) -> None:
     """Debug programs in an editor that speaks the Debug Adapter Protocol: VS Code, Neovim, Emacs.
 
     Breakpoints, steps into, over, out and back; registers, lamps, symbols, devices; core as memory and as
     instructions; the debug console takes the monitor's commands. docs/editors.md says how editors start it.
 
-    \\b
+    \b
     Examples:
       pdp8 dap
       pdp8 dap --port 4711

@@ -148,8 +148,9 @@ def restore(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Read the machine's state from a file; the listing stays."""
     (name,) = exactly(arguments, "the name of a file", 1)
     watch, pace = monitor.machine.watch, monitor.operator.pace
+    text = shelf.read_text(name, state.LARGEST)
     with naming(name):
-        restored = state.restore(shelf.read_text(name, state.LARGEST))
+        restored = state.restore(text)
     monitor.attend(restored)
     monitor.machine.watch, monitor.operator.pace = watch, pace
     monitor.expected = monitor.shown = 0

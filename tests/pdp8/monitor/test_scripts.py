@@ -125,7 +125,7 @@ def test_a_file_that_hides_a_bundled_one_is_named(
 
 
 def test_a_wrong_state_is_named(monitor: Monitor) -> None:
-    with pytest.raises(WorkError, match=r"^circle\.asc: a saved state begins with"):
+    with pytest.raises(WorkError, match=r"^circle\.asc: byte 0: not UTF-8$"):
         do(monitor, "restore circle.asc")
 
 

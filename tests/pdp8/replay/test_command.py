@@ -19,8 +19,8 @@ def test_the_acts_are_said_and_the_table_printed(shell: Shell, tmp_path: Path) -
     assert said[0].startswith(" 1:00:00 pm  FORTRAN          0:16 in 1971,")
     assert "checksum right" in said[3]
     assert said[-2:] == [
-        "pdp8 replay: 13 tapes, listings and pictures in desk",
-        "pdp8 replay: the afternoon as a page in page.html",
+        "wrote 13 files in desk",
+        "wrote page.html",
     ]
     assert "thesis beside replay" in done.stdout.decode()
     assert len(list((tmp_path / "desk").iterdir())) == 13

@@ -66,5 +66,5 @@ def test_what_has_no_facsimile_is_refused() -> None:
 
 def test_the_command_writes_it(shell: Shell, tmp_path: Path) -> None:
     done = shell("pdp8 thesis make b --facsimile --out pages")
-    assert (done.returncode, done.stderr) == (0, b"facsimile-B.txt in pages\n")
+    assert (done.returncode, done.stderr) == (0, b"wrote facsimile-B.txt in pages\n")
     assert (tmp_path / "pages" / "facsimile-B.txt").read_text() == facsimile("B")

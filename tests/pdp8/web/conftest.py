@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from pdp8.web.workbench import page as workbench
-from tests.pdp8.web.browsing import ChromiumTab, Tab
+from tests.pdp8.web.browsing import ChromiumTab, Tab, until
 from tests.pdp8.web.firefox import FIREFOX, Firefox, opened
 
 if TYPE_CHECKING:
@@ -31,6 +31,7 @@ def page(browser: "Browser", file: Path) -> "Iterator[Page]":
     opened.on("console", lambda message: complaints.append(message.text))
     opened.on("pageerror", lambda error: complaints.append(str(error)))
     opened.goto(file.as_uri())
+    until(opened, "!!window.workbench")
     yield opened
     context.close()
     assert complaints == []
@@ -53,5 +54,5 @@ def tab(request: pytest.FixtureRequest) -> Tab:
     driver: Firefox = request.getfixturevalue("firefox")
     driver.run("localStorage.clear(); location.hash = '';")
     driver.call("WebDriver:Refresh")
-    driver.until("window.workbench")
+    driver.until("!!window.workbench")
     return driver

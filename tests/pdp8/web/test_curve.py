@@ -19,11 +19,10 @@ from programs.printout import Printout
 from programs.stretches import Curve, Point, arc, line
 from tapes import ascii, eia, shelf
 from tests.pdp8.web.browsing import AXE, needs_axe, serious, until
-from tests.pdp8.web.chromium import opened
 from tests.pdp8.web.node import in_node, needs_node
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Locator, Page
+    from playwright.sync_api import Browser, Locator, Page
 
 _SLOPE = (Point(1000, 1000), Point(5330, 3500))
 
@@ -124,14 +123,16 @@ def test_the_computer_punches_the_bundled_tape() -> None:
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory: pytest.TempPathFactory) -> Iterator["Page"]:
+def page(browser: "Browser", tmp_path_factory: pytest.TempPathFactory) -> Iterator["Page"]:
     """The page in Chromium, from disk, on a phone; `errors` of it are kept in the page."""
-    with opened(tmp_path_factory.mktemp("curve"), curve.page()) as found:
-        found.set_viewport_size({"width": 390, "height": 800})
-        found.add_init_script("errors = []; addEventListener('error', ({ message }) => errors.push(message))")
-        found.reload()
-        until(found, "[...document.querySelectorAll('.said')].every((each) => each.textContent)")
-        yield found
+    file = tmp_path_factory.mktemp("curve") / "curve.html"
+    file.write_text(curve.page(), encoding="utf-8")
+    found = browser.new_page(viewport={"width": 390, "height": 800})
+    found.add_init_script("errors = []; addEventListener('error', ({ message }) => errors.push(message))")
+    found.goto(file.as_uri())
+    until(found, "[...document.querySelectorAll('.said')].every((each) => each.textContent)")
+    yield found
+    found.close()
 
 
 def test_each_control_changes_its_figure(page: "Page") -> None:

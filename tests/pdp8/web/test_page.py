@@ -28,6 +28,7 @@ def page(browser: "Browser", circle_page: Path) -> "Iterator[Page]":
     opened.on("pageerror", lambda error: complaints.append(str(error)))
     opened.on("request", lambda request: complaints.append(request.url) if _outside(request.url) else None)
     opened.goto(circle_page.as_uri())
+    until(opened, "!!window.replay")
     yield opened
     opened.close()
     assert complaints == []
@@ -227,6 +228,7 @@ def test_the_link_to_an_instant(browser: "Browser", circle_page: Path) -> None:
     """#t=SECONDS opens the page at that instant of the afternoon."""
     opened = browser.new_page()
     opened.goto(circle_page.as_uri() + "#t=2500.5")
+    until(opened, "!!window.replay")
     assert _now(opened) == 2500.5 * TICKS_PER_SECOND
     assert opened.locator("#clock").inner_text() == clock(_now(opened))
     opened.close()
@@ -458,6 +460,7 @@ def test_axe_finds_nothing_serious(
     context = browser.new_context(color_scheme=scheme, bypass_csp=True)  # type: ignore[arg-type]
     opened = context.new_page()
     opened.goto(circle_page.as_uri())
+    until(opened, "!!window.replay")
     opened.add_script_tag(path=AXE)
     for act in circle.acts:
         _go(opened, (act.starts + act.ends) // 2)

@@ -226,6 +226,7 @@ def test_a_link_holds_program_and_machine(page: "Page", browser: "Browser", file
     until(page, "location.hash.startsWith('#s=')")
     other = browser.new_page()
     other.goto(page.url)
+    until(other, "!!window.workbench")
     until(other, "workbench.editor.text.includes('onerror')")
     assert other.evaluate("workbench.machine.processor.core[0o200]") == 0o7402
     assert other.locator("img").count() == 0
@@ -237,9 +238,11 @@ def test_an_embedded_pane(browser: "Browser", file: Path) -> None:
     opened = browser.new_page()
     for pane, shown in (("panel", "#computer"), ("debugger", "#debugger"), ("teletype", "#teletype")):
         opened.goto(f"{file.as_uri()}?embed={pane}")
+        until(opened, "!!window.workbench")
         assert opened.locator(shown).is_visible()
         assert not opened.locator("#program").is_visible()
     opened.goto(f"{file.as_uri()}?embed=nothing")
+    until(opened, "!!window.workbench")
     assert opened.locator("#computer").is_visible()
     assert opened.locator("#program").is_visible()
     opened.close()
@@ -294,6 +297,7 @@ def test_axe_finds_nothing_serious(browser: "Browser", file: Path, scheme: str) 
     context = browser.new_context(color_scheme=scheme, bypass_csp=True)  # type: ignore[arg-type]
     opened = context.new_page()
     opened.goto(file.as_uri())
+    until(opened, "!!window.workbench")
     opened.add_script_tag(path=AXE)
     _write(opened, "\tCLA!\n\t5 + 3\n$\n")
     for tab in ("program", "debugger", "mill", "exercises"):
@@ -385,6 +389,7 @@ def test_a_link_freezes_nothing(page: "Page", shared: dict[str, str], said: str)
     )
     other = page.context.new_page()
     other.goto(page.url + url)
+    until(other, "!!window.workbench")
     until(other, f"document.querySelector('#why').textContent.includes({said!r})")
     other.wait_for_timeout(600)
     assert other.evaluate("localStorage.getItem('pdp8 workbench')") is None
