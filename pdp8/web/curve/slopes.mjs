@@ -75,7 +75,7 @@ function along(part) {
 
 function title(box, reach) {
   const times = Math.round(box.height / (2 * reach) / (box.width / LENGTH));
-  return text(box.x, box.y - 7, `the band made straight${times > 1 ? `, ${times} times higher than it is long` : ""}`, 'class="small"');
+  return text(box.x, box.y - 7, `the band made straight${times > 1 ? `, its height ${times} times as large` : ""}`, 'class="small"');
 }
 
 export function stepwise() {
