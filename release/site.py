@@ -21,7 +21,8 @@ LINK = re.compile(r"\]\((?!https?:|#|mailto:)([^)\s]+?)(#[^)\s]*)?\)")
 
 def modules() -> list[str]:
     """Return the names of all modules that have something to call, sorted."""
-    paths = (path for package in PACKAGES for path in (HOUSE / package).rglob("*.py"))
+    folders = {found.parent for package in PACKAGES for found in (HOUSE / package).rglob("__init__.py")}
+    paths = (path for folder in folders for path in folder.glob("*.py"))
     names = (".".join(path.relative_to(HOUSE).with_suffix("").parts) for path in paths)
     return sorted({name.removesuffix(".__init__") for name in names if not name.endswith("__main__")})
 
