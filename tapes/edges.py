@@ -11,7 +11,8 @@ import numpy as np
 
 from tapes.errors import TapeError
 from tapes.flat import SAMPLES, Flat, find_spots
-from tapes.sheet import FIVE, THREE, Array, Points, Sheet
+from tapes.pixels import Array
+from tapes.sheet import FIVE, THREE, Points, Sheet
 
 _PROFILE = np.arange(-8, 9) / SAMPLES
 """Places across an edge, from inside to outside."""

@@ -5,7 +5,8 @@ from typing import NamedTuple
 import cv2
 import numpy as np
 
-from tapes.sheet import Array, Sheet
+from tapes.pixels import Array, between
+from tapes.sheet import Sheet
 from tapes.sprockets import Sizes
 
 SAMPLES = 12
@@ -62,15 +63,7 @@ def flatten(pictures: Sizes, sheet: Sheet, reach: float = _REACH) -> Flat:
         picture, scale = pictures.for_step(step)
         places = sheet.place(part[None, :], v[:, None])
         x, y = ((places[..., axis] + 0.5) * scale - 0.5 for axis in (0, 1))
-        pieces.append(
-            cv2.remap(
-                picture,
-                x.astype(np.float32),
-                y.astype(np.float32),
-                cv2.INTER_CUBIC,
-                borderMode=cv2.BORDER_REPLICATE,
-            )
-        )
+        pieces.append(between(picture, x, y, cv2.INTER_CUBIC))
     light = np.concatenate(pieces, axis=1)
     return Flat(light, _darkness(light), first, reach)
 

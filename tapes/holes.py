@@ -9,7 +9,8 @@ import cv2
 import numpy as np
 
 from tapes.flat import SAMPLES, Flat, find_spots, flatten
-from tapes.sheet import FIVE, KNOTS, THREE, Array, Points, Sheet, fit, holes_at
+from tapes.pixels import Array
+from tapes.sheet import FIVE, KNOTS, THREE, Points, Sheet, fit, holes_at
 from tapes.sprockets import Row, Sizes
 
 FULL = 12

@@ -8,7 +8,8 @@ from tapes.edges import find_edges, find_side
 from tapes.errors import TapeError
 from tapes.flat import SAMPLES, Flat, find_spots, flatten
 from tapes.holes import FULL, by_holes, find_holes, grid, sprocket_points
-from tapes.sheet import Array, Points, Sheet, fit
+from tapes.pixels import Array
+from tapes.sheet import Points, Sheet, fit
 from tapes.sprockets import FEWEST, Row, Sizes, follow, measured
 
 _LONGER = 12

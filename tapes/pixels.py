@@ -33,6 +33,15 @@ def shown(picture: bytes) -> bytes:
     return bytes(cv2.imencode(".jpg", _decoded(picture), [cv2.IMWRITE_JPEG_QUALITY, 85])[1])
 
 
+def between(picture: Array, x: Array, y: Array, how: int = cv2.INTER_LINEAR) -> Array:
+    """Return the light at places between the pixels; beyond the picture it is that of its edge.
+
+    `x` and `y` are in pixels, of the shape of what is returned; `how` is one of OpenCV's interpolations.
+    """
+    places = x.astype(np.float32), y.astype(np.float32)
+    return np.asarray(cv2.remap(picture, *places, how, borderMode=cv2.BORDER_REPLICATE))
+
+
 def _decoded(picture: bytes) -> Array:
     width, height = _size(picture)
     if width * height > LARGEST:
@@ -54,7 +63,7 @@ def _colours(decoded: Array) -> list[Array]:
 
 
 def _size(picture: bytes) -> tuple[int, int]:
-    """Return width and height by the file's header; (0, 0) if it is no header of a picture."""
+    """Return width and height by the file's header; (0, 0) where no picture begins so."""
     if picture.startswith(_PNG):
         return int.from_bytes(picture[16:20], "big"), int.from_bytes(picture[20:24], "big")
     if picture.startswith(_JPEG):

@@ -7,12 +7,12 @@
 Each row of holes is a straight line, seen in perspective; from row to row everything may change slowly.
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import cv2
 import numpy as np
 
-Array = np.ndarray[Any, Any]
+from tapes.pixels import Array
 
 THREE, FIVE = 3.92, 6.08
 """Pitches from the sprocket track to the edges beside three and five channels (ECMA-10)."""

@@ -9,12 +9,12 @@ Rows are found among code holes too, and in many a picture without a tape: sheet
 Holes are dark; the picture of a tape lit from behind has to be inverted. Needs OpenCV, the extra `vision`.
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import cv2
 import numpy as np
 
-Array = np.ndarray[Any, Any]
+from tapes.pixels import Array, between
 
 FEWEST = 10
 """Frames of a tape: not even a frame of all holes has so many in a row."""
@@ -196,7 +196,7 @@ def measured(pictures: Sizes, place: Array, step: Array) -> tuple[Array, float, 
     across = np.array([-along[1], along[0]])
     x = place[0] + along[0] * _GRID[0] + across[0] * _GRID[1]
     y = place[1] + along[1] * _GRID[0] + across[1] * _GRID[1]
-    patch = _at(picture, (x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5)
+    patch = between(picture, (x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5)
     level = float(np.partition(patch, _BRIGHT, axis=None)[_BRIGHT]) + 4
     depth = cv2.filter2D(patch / level, -1, _HOLE, borderType=cv2.BORDER_REPLICATE)[_INNER]
     down, aside = np.unravel_index(int(depth.argmax()), depth.shape)
@@ -228,18 +228,6 @@ _GRID = np.mgrid[-_SIDE : _SIDE + 1, -_SIDE : _SIDE + 1].astype(float)[::-1]
 _BRIGHT = int(0.7 * _GRID[0].size)
 _INNER = (slice(4, -4), slice(4, -4))
 _HOLE = _kernel()
-
-
-def _at(picture: Array, x: Array, y: Array) -> Array:
-    return np.asarray(
-        cv2.remap(
-            picture,
-            x.astype(np.float32),
-            y.astype(np.float32),
-            cv2.INTER_LINEAR,
-            borderMode=cv2.BORDER_REPLICATE,
-        )
-    )
 
 
 def rows(pictures: Sizes) -> list[Row]:
