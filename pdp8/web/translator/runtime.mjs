@@ -678,21 +678,7 @@ export const len = (of) => of.length;
 export const bool = (of = false) => truth(of);
 export const chr = (code) => String.fromCodePoint(code);
 export const ord = (of) => (typeof of === "string" ? of.codePointAt(0) : of[0]);
-/** An iterator that knows how much of its list is left. */
-class ListIterator {
-  constructor(of) {
-    this.of = of;
-    this.at = 0;
-  }
-  next() {
-    return this.at < this.of.length ? { value: this.of[this.at++], done: false } : { value: undefined, done: true };
-  }
-  [Symbol.iterator]() {
-    return this;
-  }
-}
-export const iter = (of) => (Array.isArray(of) ? new ListIterator(of) : of[Symbol.iterator]());
-export const length_hint = (of) => of.of.length - of.at;
+export const iter = (of) => of[Symbol.iterator]();
 export const next = (of, otherwise) => {
   const { value, done } = (of.next ? of : iter(of)).next();
   if (!done) return value;

@@ -73,7 +73,7 @@ METHODS: dict[str, dict[str, str]] = {
 }  # fmt: skip
 _CALLS = {
     **dict.fromkeys(("len", "ord"), WORD),
-    **dict.fromkeys(("int", "round", "isqrt", "length_hint"), INT),
+    **dict.fromkeys(("int", "round", "isqrt"), INT),
     **dict.fromkeys(("float", "dist", "hypot", "sqrt", "cos", "sin", "copysign", "fsum"), FLOAT),
     **dict.fromkeys(("bool", "isinstance", "any", "all", "hasattr", "callable"), BOOL),
     **dict.fromkeys(("str", "chr", "repr", "format"), STR),
