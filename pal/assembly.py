@@ -55,7 +55,6 @@ class Assembly:
         self.source = source
         self.model = model
         self.names = names
-        self._capacity = capacity
         self._assembler = assembler = Watched(source, capacity)
         self._first = assembler.run(1)
         self._table: list[Entry] = assembler.table
