@@ -1,4 +1,4 @@
-"""An assembly in PAL8: the same as in PAL III for whoever asks, with PAL8's words and messages.
+"""An assembly in PAL8: with the same names as in PAL III, and PAL8's words and messages.
 
 Its listing has the form of PAL III's: location, word, source; a `@` stands after a word that goes by a link.
 """

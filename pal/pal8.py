@@ -309,7 +309,7 @@ class Assembler:
         return symbol
 
     def _replaced(self, name: str, symbol: Symbol, start: int, end: int) -> None:
-        """Note that a permanent symbol is defined anew; that is in pass 1."""
+        """Note that a permanent symbol is defined again; that is in pass 1."""
         message = f"{name} is a permanent symbol, {symbol.value:04o}, and becomes the source's"
         advice = "DEC's PAL8 keeps a tag's old value (ID) and warns of = (RD); use another name"
         self.places.append((self._index, start, end))
@@ -631,7 +631,7 @@ class Assembler:
         elif name == "EJECT":
             self._take_line(len(self._lines[self._index].text))
         elif name == "FIXTAB":
-            pass  # what is permanent may be defined anew, so that nothing changes
+            pass  # what is permanent may be defined again, so that nothing changes
         elif name == "PAUSE":
             self._note("PN48", "DEC's PAL8 ends the file at PAUSE; here it does nothing", "", start, end)
         elif name in ("SEGMNT", "RIMPUNCH", "BINPUNCH"):

@@ -243,7 +243,7 @@ def _run(options: Options, machine: Machine, found: "Program | None", feed: Feed
             if options.tty is not None:
                 return _on_line(machine, options.tty, outputs, options.max_time)
             return pacing.run(machine, feed, outputs, options.max_time, options.realtime, options.quiet)
-        except BrokenPipeError:  # whoever reads the tape has enough; what else was asked for is written
+        except BrokenPipeError:  # the reader of the tape has closed it; what else was asked for is written
             command.silence(sys.stdout)
             send(outputs)
             return _CLOSED

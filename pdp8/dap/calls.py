@@ -90,7 +90,7 @@ def _reaches(core: Sequence[int], live: Mapping[int, int], entry: int, end: int,
 
 
 def _followers(core: Sequence[int], live: Mapping[int, int], at: int) -> list[int]:
-    """Return the addresses to which the instruction at `at` can hand control; a return hands it to none."""
+    """Return the addresses to which the instruction at `at` can pass control; none for a return."""
     word = core[at]
     code = word >> 9
     if code == JMP:

@@ -24,7 +24,7 @@ _LONGEST = 1 << 24
 
 
 class WireError(WorkError):
-    """What is no message of the protocol, or one that does not end."""
+    """Bytes that are not a message of the protocol, or a message that does not end."""
 
 
 class Wire:

@@ -28,7 +28,7 @@ _SLASHED = str.maketrans("0", "Ø")
 
 
 def facsimile(appendix: str) -> str:
-    """Return the text of an appendix. Raises WorkError if it is none of B, C and D."""
+    """Return the text of an appendix. Raises WorkError for another than B, C or D."""
     if appendix.upper() not in HEADINGS:
         raise WorkError(f"{appendix}: no facsimile; there is one of {', '.join(HEADINGS)}")
     artefact, heading = HEADINGS[appendix.upper()]

@@ -15,7 +15,7 @@ export class History {
     this.begin();
   }
 
-  /** Begin anew, with the machine as it stands. */
+  /** Begin again, with the machine as it stands. */
   begin() {
     this.past = new Past(this.bench.machine, MEMORY);
   }
