@@ -12,7 +12,6 @@ import { FETCH, IOT } from "../../pal/isa.mjs";
 import { CR } from "../../tapes/ascii.mjs";
 import { EOB } from "../../tapes/eia.mjs";
 import { ROWS } from "../../tapes/hydrapoint.mjs";
-import { bytes } from "./translator/runtime.mjs";
 
 const LONGEST = 3 * CYCLE + IO_TICKS; // no instruction takes more
 const CHECKPOINT_EVERY = 10 * SECOND;

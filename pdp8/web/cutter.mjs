@@ -11,8 +11,14 @@ const LINE = "#20303a", BAND = "#2f6f5e", TOOL = "#b3401f", FAINT = "#57534a";
 const LEFT = 22, BELOW = 18; // the rulers, in pixels
 
 export class Mill {
-  constructor(mill) {
-    Object.assign(this, mill);
+  /** `circle` and `end`, the last tick, where they are known. */
+  constructor({ path, blocks, diameter, band, circle = null, end = NaN }) {
+    this.path = path;
+    this.blocks = blocks;
+    this.diameter = diameter;
+    this.band = band;
+    this.circle = circle;
+    this.end = end;
     this.times = Float64Array.from(this.path, (knot) => knot[0]);
     this.starts = Float64Array.from(this.blocks, (block) => block.at);
     this.bounds = bounds(this.path.filter((knot) => knot[3]), this.diameter / 2);

@@ -12,11 +12,11 @@ export function instructionAt({ next, pc }) {
   return next === DEFER || next === EXECUTE ? (pc - 1) & 0o7777 : pc;
 }
 
-/** What `word`, fetched from `location`, does. */
-export function inWords(word, location) {
+/** What `word`, fetched from address `at`, does. */
+export function inWords(word, at) {
   const code = word >> 9;
   if (code < IOT) {
-    const address = octal(refers_to(word, location));
+    const address = octal(refers_to(word, at));
     return `${MEANINGS.get(OPERATIONS[code])}: ${word & INDIRECT ? `address in ${address}` : address}`;
   }
   const names = microinstruction(word)?.split(" ") ?? [];

@@ -9,6 +9,7 @@ import { Pictures } from "./pictures.mjs";
 import { Scene } from "./scene.mjs";
 import { escaped, find } from "./written.mjs";
 
+/** @type {[number, string][]} */
 const SPEEDS = [
   [1e-6, "1 : 1 000 000, a cycle in 1.6 s"],
   [1e-5, "1 : 100 000"],

@@ -14,6 +14,7 @@ export class Paper {
     this.record = record;
     this.sheets = new Map();
     this.shown = null;
+    this.blockStarts = null;
     this.current = new Current(place);
   }
 

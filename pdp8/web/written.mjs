@@ -2,7 +2,8 @@
 
 import { TICKS_PER_SECOND as SECOND } from "../computer/hardware/signals.mjs";
 
-/** The element with that id. */
+/** The element with that id.
+ * @returns {any} */
 export const find = (id) => document.getElementById(id);
 
 export function octal(value, digits = 4) {

@@ -13,6 +13,7 @@ import { Pictures } from "../pictures.mjs";
 
 const BUDGET = 24; // ms of computing for a picture
 const SLICES = 12; // of a picture, each with a look at the lamps
+/** @type {[number, string][]} */
 export const SPEEDS = [[1, "as it was"], [10, "10 times"], [100, "100 times"], [Infinity, "as fast as it goes"]];
 
 export class Clock {
@@ -40,11 +41,11 @@ export class Clock {
 
   /** Show what the machine does in some milliseconds; return whether it goes on. */
   #picture(passed, now) {
-    const { machine, history } = this.bench;
+    const { machine } = this.bench;
     const ticks = Math.ceil((passed / 1000) * SECOND * Math.min(this.speed, SPEEDS[2][0]));
     const shares = [];
     let stop = null;
-    if (machine.processor.run) stop = history.together(() => this.#run(ticks, now, shares));
+    if (machine.processor.run) stop = this.bench.history.together(() => this.#run(ticks, now, shares));
     else if (this.#busy()) machine.wait(ticks / SECOND);
     this.show(machine.processor.run && shares.length ? mean(shares) : lit(machine), stop);
     return !document.hidden && this.#moves();

@@ -11,7 +11,7 @@ export class Core {
     this.bench = bench;
     this.page = 1;
     this.seen = []; // the words as they are shown
-    find("page").replaceChildren(...Array.from({ length: 0o40 }, (_, page) => new Option(octal(page * PAGE), page)));
+    find("page").replaceChildren(...Array.from({ length: 0o40 }, (_, page) => new Option(octal(page * PAGE), String(page))));
     find("page").value = String(this.page);
     find("page").addEventListener("change", ({ target }) => this.turn(Number(target.value)));
     find("words").innerHTML = `<tr><th scope="row"></th>${CELL.repeat(WIDE)}</tr>`.repeat(PAGE / WIDE);

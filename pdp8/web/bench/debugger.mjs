@@ -16,7 +16,7 @@ export class Debugger {
     this.registers = new Registers(bench);
     this.core = new Core(bench);
     this.written = 0; // when, in ms
-    document.querySelector("#debugger .steps").addEventListener("click", ({ target: { dataset } }) => {
+    document.querySelector("#debugger .steps").addEventListener("click", (/** @type {any} */ { target: { dataset } }) => {
       if (dataset.forward) this.#step(dataset.forward);
       if (dataset.back) this.#back(dataset.back);
     });

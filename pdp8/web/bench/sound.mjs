@@ -3,6 +3,7 @@
 export class Sound {
   constructor(box) {
     this.on = false;
+    this.context = null;
     box.addEventListener("change", () => {
       this.on = box.checked;
       if (this.on) this.context ??= new AudioContext();

@@ -11,7 +11,8 @@ const NAMES = { sequence: "number", preparatory: "mill", x: "X", y: "Y", reserve
 const TRACKS = [1, 2, 4, 0, 8, 16, 32, 64, 128]; // from the edge; the guide holes are the fourth
 const ROWS = 27;
 
-/** A tape lying: row by row to the right, track 1 at the top. */
+/** A tape lying: row by row to the right, track 1 at the top.
+ * @returns {[string, number]} */
 function tape(frames, box, pitch, now = -1) {
   const up = pitch * 1.02;
   const height = up * 9.6;
@@ -69,7 +70,10 @@ export function computer(made, record) {
   const listing = new Map(record.listing.map(([address, word, source]) => [`${address} ${word}`, source]));
   const kept = new Map();
   const run = (block) => {
-    if (!kept.has(block)) kept.clear(), kept.set(block, translated(record.words, ascii.encode(`${all[block - 1]}\n`)));
+    if (!kept.has(block)) {
+      kept.clear();
+      kept.set(block, translated(record.words, ascii.encode(`${all[block - 1]}\n`)));
+    }
     return kept.get(block);
   };
   const words = { block: (number) => `${number} of ${all.length}`, character: (at, { block }) => `${at + 1} of 27: ${shown(run(block)[at].character)}` };

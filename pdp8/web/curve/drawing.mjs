@@ -58,7 +58,8 @@ export class Figure {
 export class View {
   constructor({ left, right, bottom, top }, box, uniform = true) {
     const across = box.width / (right - left), up = box.height / (top - bottom);
-    [this.sx, this.sy] = uniform ? [Math.min(across, up), Math.min(across, up)] : [across, up];
+    this.sx = uniform ? Math.min(across, up) : across;
+    this.sy = uniform ? Math.min(across, up) : up;
     this.ox = box.x + box.width / 2 - (this.sx * (left + right)) / 2;
     this.oy = box.y + box.height / 2 + (this.sy * (bottom + top)) / 2;
     this.box = box;

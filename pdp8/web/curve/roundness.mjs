@@ -6,6 +6,7 @@ import { troughToPeak, walls } from "./walls.mjs";
 
 const STATIONS = 36000; // as many as nc/inspection.py has
 const PAPER = 10000; // thousandths of an inch that the drawing is wide, at the instrument
+/** @type {[string, number, number][]} */
 const PLACES = [["+X", 0, 10], ["45°", 45, 5], ["+Y", 90, 10], ["135°", 135, 5], ["−X", 180, 10], ["225°", 225, 5], ["−Y", 270, 10], ["315°", 315, 5]];
 
 export function roundness() {

@@ -16,6 +16,8 @@ function beside(places) {
   return places.map(({ x, y }) => ({ x: (x - FROM.x) * ux + (y - FROM.y) * uy, y: (y - FROM.y) * ux - (x - FROM.x) * uy }));
 }
 
+/** Where the slope stands, and how high the drawing is.
+ * @returns {[View, number]} */
 function plan(width) {
   const height = Math.round(Math.min(330, width * 0.56));
   const room = width / 30 + 14;

@@ -59,13 +59,13 @@ function disc(place, { x, y, nx, ny }, half, found) {
   span(towards - root, towards + root, found);
 }
 
-function rectangle(each, ray, half, found) {
-  const dx = ray.x - each.x, dy = ray.y - each.y;
+function rectangle(each, from, half, found) {
+  const dx = from.x - each.x, dy = from.y - each.y;
   const { ux, uy } = each;
   let enter = -Infinity, leave = Infinity;
   for (const [place, speed, reach] of [
-    [dx * ux + dy * uy, ray.nx * ux + ray.ny * uy, each.long],
-    [dy * ux - dx * uy, ray.ny * ux - ray.nx * uy, half],
+    [dx * ux + dy * uy, from.nx * ux + from.ny * uy, each.long],
+    [dy * ux - dx * uy, from.ny * ux - from.nx * uy, half],
   ]) {
     if (Math.abs(speed) < 1e-12) {
       if (Math.abs(place) > reach) return;

@@ -76,12 +76,12 @@ function picture({ path, way }, before, first, now, width) {
   const groove = view.line(cut, `class="groove" style="stroke-width:${2 * CUTTER * view.sx}"`);
   const intended = view.dot({ x: CENTRE, y: CENTRE }, RADIUS * view.sx, 'class="intended"');
   const content = intended + groove + view.line(cut, 'class="way"') + view.dot(tip, CUTTER * view.sx, `class="tool${reading ? " waits" : ""}"`);
-  const [read, milling] = spent(path, before, first, last, into);
+  const [read, cutting] = spent(path, before, first, last, into);
   const what = last >= path.length ? "done" : reading ? "stands still: the reader reads a block" : `cuts along ${step.block.miscellaneous === 84 ? "X" : "Y"}`;
   const digits = text(width / 2, box.height / 2 - 4, String(step.block.digits), 'class="digits" text-anchor="middle"') + text(width / 2, box.height / 2 + 16, what, 'class="small" text-anchor="middle"');
-  const bars = bar(width, height - 50, "reading", read) + bar(width, height - 24, "cutting", milling);
+  const bars = bar(width, height - 50, "reading", read) + bar(width, height - 24, "cutting", cutting);
   const blocks = last - first;
-  const said = `Block <b>${Math.min(last + 1, path.length)}</b> of ${path.length}. Of ${minutes((read + milling) / 60)} the reader took ${minutes(read / 60)} (${blocks} blocks of 2 s), the cutter ${minutes(milling / 60)}: it cut <b>${read + milling ? Math.round((100 * milling) / (read + milling)) : 0} %</b> of the time.`;
+  const said = `Block <b>${Math.min(last + 1, path.length)}</b> of ${path.length}. Of ${minutes((read + cutting) / 60)} the reader took ${minutes(read / 60)} (${blocks} blocks of 2 s), the cutter ${minutes(cutting / 60)}: it cut <b>${read + cutting ? Math.round((100 * cutting) / (read + cutting)) : 0} %</b> of the time.`;
   return [clipped(box, content) + digits + bars, height, said];
 }
 

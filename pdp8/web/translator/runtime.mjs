@@ -4,6 +4,8 @@
 // array("H") a Uint16Array, a number a number. Python's methods are put beside JavaScript's own, under Python's names;
 // where both have one that means something else, Python's ends in _ (pop_, replace_, sort_, split_).
 
+// @ts-nocheck: what it takes has any of Python's types
+
 const NUMBER = "number";
 
 export class Exception extends Error {
@@ -519,7 +521,7 @@ export const grown = (a, b) => {
   return a;
 };
 export const eq = (a, b) => {
-  if (a === b || (num(a) && num(b))) return a == b;
+  if (a === b || (num(a) && num(b))) return a === b || Number(a) === Number(b);
   if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return false;
   if (a.__eq__) return a.__eq__(b);
   if (ArrayBuffer.isView(a) && ArrayBuffer.isView(b)) return a.length === b.length && a.every((each, at) => each === b[at]);
@@ -638,9 +640,9 @@ const fixed = (of, places) => {
   return /^50*$/.test(tail) && Number(kept_.replace(/\.$/, "").at(-1)) % 2 === 0 ? kept_.replace(/\.$/, "") : made;
 };
 const general = (of, places) => {
-  const [digits, power] = of.toExponential((places || 1) - 1).split("e");
+  const [mantissa, power] = of.toExponential((places || 1) - 1).split("e");
   if (of !== 0 && (power < -4 || power >= (places || 1))) {
-    const short = digits.includes(".") ? digits.replace(/\.?0+$/, "") : digits;
+    const short = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
     return `${short}e${power.replace(/^([+-])(\d)$/, "$10$2")}`;
   }
   const text = fixed(of, Math.max(0, (places || 1) - 1 - power));
@@ -650,7 +652,7 @@ const SPEC = /^(?:(.)?([<>=^]))?([-+ ])?(0)?(\d+)?([,_])?(?:\.(\d+))?([a-zA-Z%])
 export const format = (of, spec = "") => {
   const [, fill, align, plus = "-", zero, width = 0, comma, places, kind = ""] = SPEC.exec(spec);
   const number = typeof of === NUMBER || of instanceof Number || (typeof of === "boolean" && kind);
-  let [sign, body] = ["", ""];
+  let sign = "", body;
   if (number) {
     const size = Math.abs(of);
     const float = of instanceof Number || "fFgGeE%".includes(kind || " ") || places !== undefined;
@@ -662,7 +664,7 @@ export const format = (of, spec = "") => {
     else if (kind === "%") body = `${fixed(size * 100, +(places ?? 6))}%`;
     else if (kind === "g" || (!kind && places !== undefined)) body = general(size, +(places ?? 6));
     else body = of instanceof Number ? String(new Floating(size)) : digits(size);
-    if (comma) body = body.replace(/^\d+/, (digits) => digits.replace(/\B(?=(\d{3})+$)/g, comma));
+    if (comma) body = body.replace(/^\d+/, (whole) => whole.replace(/\B(?=(\d{3})+$)/g, comma));
   } else body = places === undefined ? str(of) : str(of).slice(0, +places);
   const room = Math.max(0, width - sign.length - body.length);
   const how = align ?? (zero && number ? "=" : number ? ">" : "<");
@@ -687,6 +689,7 @@ export const next = (of, otherwise) => {
 };
 export const list = (of = []) => [...of];
 export const tuple = (of = []) => [...of];
+/** @type {(of?: any) => Bytes} */
 export const bytes = (of = []) => (of instanceof Bytes ? of : new Bytes(of));
 const EMPTY = new Bytes(0);
 bytes.fromhex = (text) => Bytes.from(text.replace(/\s/g, "").match(/../g) ?? [], (two) => parseInt(two, 16));
@@ -786,9 +789,9 @@ export const enumerate = function* (of, start = 0) {
   for (const each of of) yield [start++, each];
 };
 export const zip = function* (...of) {
-  const all = of.map(iter);
+  const iterators = of.map(iter);
   for (;;) {
-    const items = all.map((each) => each.next());
+    const items = iterators.map((each) => each.next());
     if (items.some(({ done }) => done)) return;
     yield items.map(({ value }) => value);
   }

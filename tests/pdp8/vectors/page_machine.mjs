@@ -10,13 +10,13 @@ const { Machine } = await import(join(house, "pdp8/computer/machine.mjs"));
 const { tick_of } = await import(join(house, "pdp8/computer/hardware/teletype.mjs"));
 const { bytes } = await import(join(house, "pdp8/web/translator/runtime.mjs"));
 
-const machine = new Machine(true);
-const p = machine.processor;
+const kept = new Machine(true);
 const STATES = ["FETCH", "DEFER", "EXECUTE"];
 const same = (one, other) => JSON.stringify(one) === JSON.stringify(other);
 
 /** Play the vector of an instruction; return its result, in the form of the vector. */
 function step({ name, models, instructions, initial, final, cycles }) {
+  const machine = kept, p = kept.processor;
   machine.power_up();
   p.pc = initial.pc;
   p.lac = (initial.link << 12) | initial.ac;

@@ -35,14 +35,14 @@ def modules() -> Path:
     return Path(_modules().name)
 
 
-def write(folder: Path, translated: dict[str, str]) -> None:
+def write(folder: Path, translated: dict[str, str], suffix: str = ".mjs") -> None:
     """Write translated modules, {name: text}, with the runtime and the modules by hand."""
     for file in (HOUSE / "pdp8" / "web").rglob("*.mjs"):
         target = folder / file.relative_to(HOUSE)
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_bytes(file.read_bytes())
     for name, text in translated.items():
-        target = folder.joinpath(*name.split(".")).with_suffix(".mjs")
+        target = folder.joinpath(*name.split(".")).with_suffix(suffix)
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(text, encoding="utf-8")
 

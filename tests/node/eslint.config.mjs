@@ -1,0 +1,28 @@
+// What is asked of the modules by hand: ESLint's recommended rules, and nothing hides a global name or an outer one.
+
+import js from "@eslint/js";
+
+const BROWSER = "document window location history navigator localStorage performance console prompt matchMedia "
+  + "getComputedStyle addEventListener setTimeout clearTimeout requestAnimationFrame cancelAnimationFrame "
+  + "ResizeObserver Option Blob Response URL URLSearchParams TextDecoder TextEncoder atob btoa CompressionStream "
+  + "DecompressionStream OffscreenCanvas AudioContext AudioBufferSourceNode GainNode OscillatorNode";
+const readonly = (names) => Object.fromEntries(names.split(" ").map((name) => [name, "readonly"]));
+
+export default [
+  js.configs.recommended,
+  {
+    rules: {
+      "eqeqeq": ["error", "always", { null: "ignore" }],
+      "no-control-regex": "off", // text of 1971 has control characters
+      "no-loop-func": "error",
+      "no-self-compare": "error",
+      "no-shadow": ["error", { builtinGlobals: true, hoist: "never" }],
+      "no-unused-expressions": "error",
+      "no-var": "error",
+      "prefer-const": "error",
+    },
+  },
+  { files: ["pdp8/**"], languageOptions: { globals: readonly(BROWSER) } },
+  { files: ["**/runtime.mjs"], rules: { "no-shadow": "off" } }, // its names are Python's
+  { files: ["tests/**"], languageOptions: { globals: readonly("process console setTimeout") } },
+];
