@@ -14,7 +14,7 @@ import json
 import posixpath
 import re
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache
 from importlib.resources import files
 from typing import Any
@@ -26,6 +26,7 @@ _IMPORT = re.compile(r'^import (\{[^}]*\}|\* as [\w$]+) from "(\.[\w./-]+)\.mjs"
 _EXPORT = re.compile(
     r"^export (?=(?:class|const|function\*?|async function) ([\w$]+|\{[^}]*\}))", re.MULTILINE
 )
+_INCLUDED = re.compile(r"<!-- ([\w/]+\.html) -->")
 _COMMENT = re.compile(r"^\s*(?://.*|/\*\*(?s:.*?)\*/)\n|^[ \t]+|^\n", re.MULTILINE)
 
 
@@ -92,25 +93,36 @@ def _identifier(name: str) -> str:
     return re.sub(r"\W", "_", name.removeprefix(_HERE)) + "_module"
 
 
-def page(title: str, body: str, style: str, entry: str, data: Any) -> str:
-    """Return the page with the HTML file `body`, its style, script and data inside, and the policy for them.
+def page(title: str, body: str, styles: Iterable[str], entry: str, data: Any) -> str:
+    """Return the page with the HTML file `body`, its styles, script and data inside, and the policy for them.
 
-    The policy lets the page run its own script and style, and ask for nothing.
+    Script and data are compressed. The policy lets the page run its own script and style, and ask for
+    nothing.
     """
-    code, css = f"\n{script(entry)}\n", "".join(map(source, ("base.css", style)))
-    written = json.dumps(data, separators=(",", ":"), ensure_ascii=False).encode()
-    record = base64.b64encode(zlib.compress(written, 9, wbits=-15)).decode("ascii")
-    html = source("shell.html").replace("<!-- title -->", title).replace("<!-- body -->", source(body))
-    html = html.replace("<!-- policy -->", _policy(code))
-    html = html.replace("/* style */", css).replace("/* script */", code)
-    return html.replace('type="text/plain"><', f'type="text/plain">{record}<')
+    code, start = script(entry), source("start.js")
+    written = json.dumps(data, separators=(",", ":"), ensure_ascii=False)
+    parts = {
+        "title": title,
+        "policy": _policy(code, start),
+        "body": _INCLUDED.sub(lambda part: source(part[1]).rstrip(), source(body)),
+        "style": "".join(map(source, ("base.css", *styles))),
+        "record": _packed(written),
+        "code": _packed(code),
+        "start": start,
+    }
+    return re.sub(r"<!-- (\w+) -->", lambda part: parts[part[1]], source("shell.html"))
 
 
-def _policy(code: str) -> str:
-    digest = base64.b64encode(hashlib.sha256(code.encode()).digest()).decode("ascii")
+def _packed(text: str) -> str:
+    """Return `text` compressed (deflate) and in base64."""
+    return base64.b64encode(zlib.compress(text.encode(), 9, wbits=-15)).decode("ascii")
+
+
+def _policy(*scripts: str) -> str:
+    digests = (base64.b64encode(hashlib.sha256(each.encode()).digest()).decode("ascii") for each in scripts)
     rules = (
         "default-src 'none'",
-        f"script-src 'sha256-{digest}'",
+        "script-src " + " ".join(f"'sha256-{digest}'" for digest in digests),
         "style-src 'unsafe-inline'",
         "img-src data: blob:",
         "base-uri 'none'",

@@ -19,7 +19,7 @@ from tapes import shelf
 
 def page() -> str:
     """Return the whole page."""
-    return bundle.page("A curve in ten minutes", "curve.html", "curve.css", "curve", record())
+    return bundle.page("A curve in ten minutes", "curve.html", ("curve.css",), "curve", record())
 
 
 def record() -> dict[str, Any]:

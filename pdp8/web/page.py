@@ -31,7 +31,7 @@ _CURVE_POINTS = 1440
 
 def page(afternoon: Afternoon) -> str:
     """Return the whole page."""
-    return bundle.page("An afternoon in 1971", "page.html", "page.css", "page", record(afternoon))
+    return bundle.page("An afternoon in 1971", "page.html", ("page.css",), "page", record(afternoon))
 
 
 def record(afternoon: Afternoon) -> dict[str, Any]:

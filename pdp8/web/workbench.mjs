@@ -1,4 +1,11 @@
-// The workbench: a whole PDP-8/L with its Teletype, assembler, debugger and milling machine, live.
+// The one page: a whole PDP-8/L with its Teletype, assembler and milling machine, live, and the afternoon that plays on it.
+//
+//     Bench ──► panes, each a class of bench/NAME.mjs and a section of HTML: what is seen and what is pressed
+//           ──► clock, history, until, shelf, sound: what they share
+//
+// A pane is made with the bench. What it does to `bench.machine` it tells by `bench.touched()`; `bench.say(words)` says
+// what happened. Its show(brightness), if it has one, writes what has changed; brightness is there while time goes on.
+// In HTML its section has data-pane, the name that ?embed= knows, and data-tab, if it is a tab of the desk.
 
 import { Clock, SPEEDS } from "./bench/clock.mjs";
 import { Debugger } from "./bench/debugger.mjs";
@@ -40,6 +47,7 @@ class Bench {
     this.mill = new Mill(this);
     this.editor = new Editor(this, record.source);
     this.exercises = new Exercises(this);
+    this.panes = [this.switches, this.teletype, this.debug, this.editor, this.exercises];
     this.clock = new Clock(this, (brightness, stop) => this.#pictured(brightness, stop));
     this.#controls();
     this.tabs.changed = () => this.show();
@@ -82,12 +90,11 @@ class Bench {
   show(brightness) {
     const { machine, writer } = this;
     const waits = machine.processor.run && machine.waiting.endless;
-    this.switches.show(brightness);
-    this.teletype.show();
-    this.debug.show(brightness && machine.processor.run && !waits);
+    const running = brightness && machine.processor.run && !waits ? brightness : undefined;
+    for (const pane of this.panes) pane.show?.(brightness, running);
     writer.text(find("clock"), `${machine.elapsed.toFixed(3)} s`);
-    const running = !waits ? "runs" : machine._out_of_tape() ? "waits for tape" : "waits";
-    writer.text(find("why"), machine.processor.run ? running : this.why || "stands still");
+    const doing = !waits ? "runs" : machine._out_of_tape() ? "waits for tape" : "waits";
+    writer.text(find("why"), machine.processor.run ? doing : this.why || "stands still");
   }
 
   say(words) {

@@ -12,12 +12,15 @@ from pdp8.web import bundle
 from programs.parts import PARTS
 from tapes import rim, shelf
 
+_STYLES = ("workbench.css", "bench/desk.css")
 _OPENS_WITH = "hello.pal"
 
 
 def page(view: tuple[str, bytes] | None = None) -> str:
     """Return the whole page; with `view`, the name and frames of an EIA tape, opened at the Hydra-Point."""
-    return bundle.page("PDP-8/L workbench", "bench.html", "workbench.css", "workbench", record(view))
+    return bundle.page(
+        "PDP-8/L workbench", "bench.html", ("workbench.css", "bench/desk.css"), "workbench", record(view)
+    )
 
 
 def record(view: tuple[str, bytes] | None = None) -> dict[str, Any]:

@@ -58,7 +58,7 @@ export class Debugger {
   }
 
   /** Show the machine; while it is `running`, no more often than can be read. */
-  show(running) {
+  show(_, running) {
     if (find("debugger").hidden || (running && performance.now() - this.written < READABLE)) return;
     this.written = performance.now();
     this.registers.show();
