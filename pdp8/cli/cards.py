@@ -72,7 +72,7 @@ def _pdf(svgs: Iterable[str]) -> bytes:
 
 def _afternoon(part: str) -> str:
     from pdp8.replay import replay
-    from pdp8.replay.afternoon import clock
+    from pdp8.replay.day import clock
 
     slots = [drawn.Slot(clock(act.starts), act.name, act.outcome) for act in replay(part).acts]
     return drawn.afternoon(slots, f"The afternoon: {part}")

@@ -1,11 +1,14 @@
 """The whole 1971 afternoon, done again.
 
-afternoon     from part program to milled part, in one call
+day           the operator's hands: from part program to milled part, act by act
+script        any instant of a day again
+afternoon     the whole day in one call, measured
 figures       the thesis's figures beside the afternoon's
 implied       what the thesis's figures imply: feed, range, size, allowance
 desk          what it leaves: tapes, listings, pictures
 """
 
-from pdp8.replay.afternoon import Act, Afternoon, clock, replay
+from pdp8.replay.afternoon import Afternoon, replay
+from pdp8.replay.day import Act, clock
 
 __all__ = ["Act", "Afternoon", "clock", "replay"]

@@ -18,7 +18,8 @@ from nc.path import MoveKind as Move
 from nc.talyrond import talyrond
 from nc.talysurf import talysurf
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
-from pdp8.replay.afternoon import OPENS, Act, Afternoon, Kind
+from pdp8.replay.afternoon import Afternoon
+from pdp8.replay.day import OPENS, Act, Kind
 from pdp8.replay.figures import COLUMNS, compare
 from pdp8.web import bundle
 from programs.parts import PARTS

@@ -174,6 +174,13 @@ class Operator:
         """Start at `address`, with `switches` set then if they are another word; run until the program halts
         or waits for a reader that has no more tape, or for `seconds` of machine time.
         """
+        self.begin(address, switches)
+        return self.machine.run(seconds)
+
+    def begin(self, address: int, switches: int | None = None) -> None:
+        """Press START at `address`, with `switches` set then if they are another word; throw the lever that
+        waits.
+        """
         self.load_address(address)
         if switches not in (None, address):
             self.set_switches(int(switches or 0))
@@ -183,7 +190,6 @@ class Operator:
         if self.lever_waits:
             self._run_on(self.pace.lever)
             self.throw_lever()
-        return self.machine.run(seconds)
 
     def go_on(self, seconds: float | None = None) -> Stop:
         """Press CONT and run as `start` does."""

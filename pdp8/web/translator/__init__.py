@@ -32,6 +32,7 @@ MODULES = {
     "pdp8.computer.speed": "engine piece waiting",
     "pdp8.computer.past": "history rewind state",
     "pdp8.computer.use": "keys operator program trace",
+    "pdp8.replay": "day script",
     "nc": "blocks machine notebook path",
     "programs": "format header milling piecewise printout stepwise stretches",
 }

@@ -6,7 +6,7 @@ import pal
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.use.operator import Operator
 from pdp8.replay import Act, Afternoon, clock, replay
-from pdp8.replay.afternoon import Kind
+from pdp8.replay.day import Kind
 from pdp8.replay.desk import desk, names
 from pdp8.replay.figures import compare
 from tapes import shelf

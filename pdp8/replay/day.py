@@ -1,0 +1,282 @@
+"""The afternoon as a script of the operator's hands, from a part program's printout to a milled part.
+
+    terminal ──► RIM toggled ──► BIN loaded ──► eia.pal loaded ──► translation ──► Hydra-Point ──► judged
+    ASCII tape      switches      RIM tape         BIN tape          EIA tape         path
+
+Times of the terminal, the Teletype, the processor and the Hydra-Point are the machines' own. What a man takes
+to carry a tape, mount it or set switches is nowhere recorded; those seconds are ours (see PACE and the
+constants here) and stand apart from the figures that are compared with the thesis.
+
+Not emulated: the GE time-sharing service's own delays, the telephone line, a misread switch.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from enum import StrEnum
+from time import monotonic
+from typing import Final, NamedTuple
+
+from nc.machine import cut
+from nc.path import Path
+from pal.assembling import assemble
+from pal.assembly import Assembly
+from pdp8.computer.hardware.signals import FRAME, TICKS_PER_SECOND
+from pdp8.computer.machine import Machine
+from pdp8.computer.stop import Reason, Stop
+from pdp8.computer.use.operator import BIN_START, RIM_START, Action, Operator, Pace
+from tapes import ascii, frames, rim
+from tapes.errors import WorkError
+
+OPENS: Final = 13 * 3600
+"""The afternoon begins at one o'clock: seconds since midnight."""
+
+PACE: Final = Pace(setting=4, pressing=1, mounting=20, lever=0.25)
+"""The operator's: five seconds to set the twelve switches and press a key, and one hand on the reader's lever
+while the other presses START. Ours, not the thesis's."""
+
+WALK_SECONDS, CLAMP_SECONDS, MEASURE_SECONDS = 60, 180, 120
+"""To the next room; a plate onto the table; one turn of the Talyrond. Ours."""
+
+PROGRAMS: Final = ("rim.pal", "bin.pal", "eia.pal")
+"""What is read beside the part program: the sources of the two loaders and of the translation."""
+
+_SLICE: Final = 10
+"""Seconds of machine time after which whoever lets the day pass can look at it."""
+
+
+def clock(tick: int) -> str:
+    """Return the time of day at a tick of the afternoon: "1:29:58 pm"."""
+    minutes, seconds = divmod(OPENS + tick // TICKS_PER_SECOND, 60)
+    hours, minutes = divmod(minutes, 60)
+    half = "am" if hours % 24 < 12 else "pm"
+    return f"{(hours + 11) % 12 + 1}:{minutes:02}:{seconds:02} {half}"
+
+
+class Kind(StrEnum):
+    """What an act is about."""
+
+    TERMINAL = "terminal"
+    TOGGLE = "toggle"
+    LOAD = "load"
+    TRANSLATE = "translate"
+    MILL = "mill"
+    INSPECT = "inspect"
+
+
+class Act(NamedTuple):
+    """A part of the afternoon, in ticks since it began.
+
+    `program` is the one that runs in the PDP-8/L, or ""; `outcome` is its result; `real` is in seconds of
+    today.
+    """
+
+    kind: Kind
+    name: str
+    program: str
+    say: str
+    starts: int
+    ends: int
+    outcome: str
+    real: float
+
+    @property
+    def seconds(self) -> float:
+        """How long it took in 1971."""
+        return (self.ends - self.starts) / TICKS_PER_SECOND
+
+
+class Judgement(NamedTuple):
+    """What the inspection found: the act's name, its sentence, its outcome."""
+
+    name: str
+    say: str
+    outcome: str
+
+
+class Day:
+    """The afternoon while it happens, for the part program `part` that printed `text`.
+
+    `sources` holds PROGRAMS, {name: source}; `judge` inspects the path that was cut; `tell` hears of every act
+    as it is done.
+    """
+
+    def __init__(
+        self,
+        part: str,
+        text: str,
+        sources: Mapping[str, bytes],
+        judge: Callable[[Path], Judgement],
+        tell: Callable[[Act], object] = lambda act: None,
+    ) -> None:
+        self.part = part
+        self.text = text
+        self.sources = sources
+        self.judge = judge
+        self.tell = tell
+        self.machine = Machine()
+        self.actions: list[Action] = []
+        self.operator = Operator(self.machine, PACE, self.actions.append)
+        self.acts: list[Act] = []
+        self.tapes: dict[str, bytes] = {}
+        self.programs: dict[str, Assembly] = {}
+        self.minutes: dict[str, float] = {}
+        """What the thesis timed: punch, translate and cut."""
+        self.path: Path | None = None
+        self.mill_starts = 0
+        self.ended = Stop(Reason.LIMIT, 0, 0.0)
+        """How the last run ended."""
+        self.began = monotonic()
+
+    def through(self) -> Iterator[None]:
+        """Do it all; stop now and then so that whoever asks can look, or do something else.
+
+        Raises WorkError, naming its place, where something goes wrong, as it would have in 1971.
+        """
+        yield from self._punch()
+        yield from self._toggle()
+        yield from self._load_bin()
+        yield from self._load_program()
+        yield from self._translate()
+        path = self.path = cut(self.tapes[f"{self.part}.eia"])
+        yield from self._mill(path)
+        yield from self._inspect(path)
+
+    @property
+    def now(self) -> int:
+        """Ticks of 0.05 µs since the machine was switched on."""
+        return self.machine.processor.clock
+
+    def _elapsed(self, key: str) -> float:
+        """Return the seconds since the last action with `key`."""
+        at = next(action.at for action in reversed(self.actions) if action.key == key)
+        return (self.now - at) / TICKS_PER_SECOND
+
+    def _act(self, kind: Kind, name: str, say: str, outcome: str, program: str = "") -> None:
+        """Write down the act that has just ended."""
+        starts = self.acts[-1].ends if self.acts else 0
+        act = Act(kind, name, program, say, starts, self.now, outcome, monotonic() - self.began)
+        self.acts.append(act)
+        self.tell(act)
+        self.began = monotonic()
+
+    def _wait(self, seconds: float) -> Iterator[None]:
+        """Let time pass, a minute at a time."""
+        while seconds > 60:
+            self.operator.wait(60)
+            seconds -= 60
+            yield
+        self.operator.wait(seconds)
+        yield
+
+    def _run(self, address: int) -> Iterator[None]:
+        """Start at `address`, and run until the program halts or the tape is out."""
+        self.operator.begin(address)
+        while True:
+            self.ended = self.machine.run(_SLICE)
+            yield
+            if self.ended.reason is not Reason.LIMIT:
+                return
+
+    def _punch(self) -> Iterator[None]:
+        tape = self.tapes[f"{self.part}.asc"] = ascii.encode(self.text)
+        yield from self._wait(len(tape) * FRAME / TICKS_PER_SECOND)
+        self.minutes["punch"] = len(tape) * FRAME / TICKS_PER_SECOND / 60
+        lines = self.text.count("\n")
+        self._act(
+            Kind.TERMINAL,
+            "FORTRAN",
+            f"The part program runs in Toronto; the terminal types and punches its {lines} blocks.",
+            f"{lines} lines, {len(tape):,} frames",
+        )
+
+    def _toggle(self) -> Iterator[None]:
+        yield from self._wait(WALK_SECONDS)
+        assembly = self._assemble("rim.pal")
+        words = list(assembly.words.values())
+        yield from self.operator.toggle(min(assembly.words), words)
+        self._act(
+            Kind.TOGGLE,
+            "RIM toggled in",
+            f"The core is empty. The RIM loader goes in by the switches, {len(words)} words.",
+            f"{len(words)} words at {min(assembly.words):04o}",
+            "rim.pal",
+        )
+
+    def _load_bin(self) -> Iterator[None]:
+        assembly = self._assemble("bin.pal")
+        self._mount("bin.rim", rim.encode(assembly.words))
+        yield from self._run(RIM_START)
+        stop = self.ended
+        self._expect(stop.reason == Reason.TAPE_OUT, f"RIM stopped at {stop.pc:04o}: {stop.reason}")
+        self.operator.stop()
+        self._act(
+            Kind.LOAD,
+            "BIN loaded",
+            "RIM reads the BIN loader into the last page of core, ten frames a second.",
+            f"{len(assembly.words)} words",
+            "rim.pal",
+        )
+
+    def _load_program(self) -> Iterator[None]:
+        assembly = self._assemble("eia.pal")
+        self._mount("eia.bin", assembly.tape[frames.leader_start(assembly.tape) or 0 :])
+        yield from self._run(BIN_START)
+        stop, ac = self.ended, self.machine.ac
+        self._expect(stop.reason == Reason.HALT, f"BIN stopped at {stop.pc:04o}: {stop.reason}")
+        self._expect(ac == 0, f"BIN halted with AC {ac:04o}: the checksum of eia.bin is wrong")
+        self._act(
+            Kind.LOAD,
+            "eia.pal loaded",
+            "BIN reads the translation program and halts with AC 0000: the checksum is right.",
+            f"{len(assembly.words)} words, checksum right",
+            "bin.pal",
+        )
+
+    def _translate(self) -> Iterator[None]:
+        name = f"{self.part}.asc"
+        self._mount(name, self.tapes[name])
+        punched = len(self.machine.teletype.punch.tape)
+        yield from self._run(0o200)
+        stop = self.ended
+        self._expect(stop.reason == Reason.TAPE_OUT, f"eia.pal stopped at {stop.pc:04o}: {stop.reason}")
+        self.minutes["translate"] = self._elapsed("lever") / 60
+        self.operator.stop()
+        tape = self.machine.teletype.punch.tape[punched:]
+        self.tapes[f"{self.part}.eia"] = tape
+        self._act(
+            Kind.TRANSLATE,
+            "Translation",
+            "eia.pal reads ASCII and punches EIA: a space as a zero, a carriage return as end of block.",
+            f"{len(tape):,} frames, {self.machine.instructions:,} instructions",
+            "eia.pal",
+        )
+
+    def _mill(self, path: Path) -> Iterator[None]:
+        times = path.times
+        yield from self._wait(WALK_SECONDS + CLAMP_SECONDS)
+        self.mill_starts = self.now
+        yield from self._wait(times.total)
+        self.minutes["cut"] = times.total / 60
+        self._act(
+            Kind.MILL,
+            "Hydra-Point",
+            "The Hydra-Point reads a block in two seconds, moves, and reads the next.",
+            f"{len(path)} blocks, {times.reading / 60:.1f} min reading, {times.milling / 60:.1f} min milling",
+        )
+
+    def _inspect(self, path: Path) -> Iterator[None]:
+        yield from self._wait(MEASURE_SECONDS)
+        found = self.judge(path)
+        self._act(Kind.INSPECT, found.name, found.say, found.outcome)
+
+    def _assemble(self, name: str) -> Assembly:
+        assembly = self.programs[name] = assemble(self.sources[name], names=[name])
+        self._expect(assembly.ok, f"{name}: does not assemble")
+        return assembly
+
+    def _mount(self, name: str, tape: bytes) -> None:
+        self.tapes[name] = tape
+        self.operator.mount(name, tape)
+
+    def _expect(self, met: bool, otherwise: str) -> None:
+        if not met:
+            raise WorkError(otherwise)

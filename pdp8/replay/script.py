@@ -1,0 +1,292 @@
+"""Any instant of a day: the operator's actions done again on a machine, on from a snapshot.
+
+    Day ──► actions, snapshots ──► Script ──► its machine, as it was at `now`
+                                     ▲
+                    to(tick), next(unit), previous(unit)
+
+A day leaves what the operator did and when, and a snapshot of its machine each ten seconds. An instant is the
+snapshot before it, the actions since done again, and the machine run on, as far as the last cycle that ended.
+Whoever wants to work at the machine in between says `leave`: the script sets it right when it goes on.
+"""
+
+from bisect import bisect_left
+from collections.abc import Iterator
+from enum import StrEnum
+from typing import Final, NamedTuple
+
+from pal.isa import FETCH, IOT
+from pdp8.computer.hardware.fields import Values
+from pdp8.computer.hardware.signals import CYCLE, FRAME, IO_TICKS, TICKS_PER_SECOND
+from pdp8.computer.machine import Machine
+from pdp8.computer.stop import Reason
+from pdp8.computer.use.operator import Action
+from pdp8.replay.day import Act, Day, Kind
+from tapes import kinds
+from tapes.ascii import CR
+from tapes.hydrapoint import ROWS
+
+_LONGEST: Final = 3 * CYCLE + IO_TICKS
+"""Ticks: no instruction takes more."""
+
+
+class Unit(StrEnum):
+    """What a step is."""
+
+    BLOCK = "block"
+    CHARACTER = "character"
+    INSTRUCTION = "instruction"
+    CYCLE = "cycle"
+
+
+class _Snapshot(NamedTuple):
+    """The day's machine at a tick, so many actions done."""
+
+    done: int
+    values: Values
+
+
+class Script:
+    """A day that can be looked at, at any instant: `now` is in ticks of 0.05 µs since it began."""
+
+    def __init__(self, day: Day) -> None:
+        self.day = day
+        self.machine = Machine()
+        self.now = 0
+        self.done = 0
+        """Actions done."""
+        self.left = False
+        """Whether somebody else is at the machine."""
+        self._ticks: list[int] = []
+        self._snapshots: list[_Snapshot] = []
+        self._starts: list[int] = []
+        """The ticks at which the acts start."""
+        self._rows: list[int] = []
+        """The ticks at which a row of the EIA tape comes under the Hydra-Point's head."""
+        self._blocks: list[int] = []
+        """Those at which a block begins there."""
+
+    def rehearse(self) -> Iterator[None]:
+        """Let the day pass, and keep what is needed to go to any instant of it."""
+        self._keep()
+        for _ in self.day.through():
+            self._keep()
+            yield
+        self._starts = [act.starts for act in self.day.acts]
+        self._reading()
+
+    def _keep(self) -> None:
+        machine = self.day.machine
+        self._ticks.append(machine.processor.clock)
+        self._snapshots.append(_Snapshot(len(self.day.actions), machine.values()))
+
+    def _reading(self) -> None:
+        """Note when the Hydra-Point reads."""
+        path = self.day.path
+        if path is None:
+            return
+        now = float(self.day.mill_starts)
+        reading = path.read_seconds * TICKS_PER_SECOND
+        for step in path.steps:
+            self._blocks.append(round(now))
+            self._rows += [round(now + reading * row / ROWS) for row in range(ROWS)]
+            now += reading + step.tool_changed * path.tool_change_seconds * TICKS_PER_SECOND
+            now += sum(move.seconds for move in step.moves) * TICKS_PER_SECOND
+
+    @property
+    def end(self) -> int:
+        """The tick at which the day ends, as far as it has passed."""
+        return self._ticks[-1]
+
+    @property
+    def act(self) -> Act:
+        """The act that is under way."""
+        return self.day.acts[bisect_left(self._starts, self.now + 1) - 1]
+
+    @property
+    def action(self) -> Action | None:
+        """The last action that was done."""
+        return self.day.actions[self.done - 1] if self.done else None
+
+    @property
+    def mounted(self) -> str:
+        """The name of the tape that is in the reader, or ""."""
+        mounts = (action for action in reversed(self.day.actions[: self.done]) if action.key == "mount")
+        action = next(mounts, None)
+        return str(action.value) if action else ""
+
+    def leave(self) -> None:
+        """Let somebody else work at the machine, from this instant on."""
+        self.left = True
+
+    def to(self, tick: int) -> None:
+        """Go to an instant."""
+        tick = min(max(0, tick), self.end)
+        nearest = bisect_left(self._ticks, tick + 1) - 1
+        if self.left or tick < self.now or self._ticks[nearest] > self.now:
+            self._restore(nearest)
+        self._advance(tick)
+
+    def next(self, unit: Unit) -> None:
+        """Go to the next instant by `unit`."""
+        in_machine = unit in (Unit.INSTRUCTION, Unit.CYCLE) and self.machine.processor.run
+        if in_machine:
+            self._next_cycle(unit == Unit.INSTRUCTION)
+            return
+        for _ in self._instants(unit, self.end):
+            return
+
+    def previous(self, unit: Unit) -> None:
+        """Go to the instant before by `unit`."""
+        processor = self.machine.processor
+        fresh = processor.clock <= self._acted  # no cycle since the last action
+        if unit in (Unit.INSTRUCTION, Unit.CYCLE) and processor.run and not fresh:
+            self._previous_cycle(unit == Unit.INSTRUCTION)
+            return
+        until = self.now - 1
+        for at in range(bisect_left(self._ticks, self.now) - 1, -1, -1):
+            self._restore(at)
+            found = list(self._instants(unit, until))
+            if found:
+                self.to(found[-1])
+                return
+            until = self._ticks[at]
+        self.to(0)
+
+    @property
+    def _acted(self) -> int:
+        """When the last action was done."""
+        return self.action.at if self.action else 0
+
+    def _next_cycle(self, whole: bool) -> None:
+        """Go on by a cycle, or to the end of the instruction, or as far as the next action."""
+        processor, done = self.machine.processor, self.done
+        while True:
+            self.to(min(processor.clock + _cycle(self.machine), self._next_action))
+            if not (whole and processor.run and processor.next != FETCH and self.done == done):
+                return
+
+    def _previous_cycle(self, whole: bool) -> None:
+        processor = self.machine.processor
+        while True:
+            self.to(processor.clock - 1)
+            self.now = max(processor.clock, self._acted)
+            if not (whole and processor.next != FETCH):
+                return
+
+    @property
+    def _next_action(self) -> int:
+        """When the next action is done, or the day ends."""
+        return self.day.actions[self.done].at if self.done < len(self.day.actions) else self.end
+
+    def _instants(self, unit: Unit, until: int) -> Iterator[int]:
+        """Go on from event to event as far as tick `until`; yield the ticks that are instants of `unit`."""
+        receiver = self.machine.teletype.receiver
+        blocks = unit == Unit.BLOCK
+        while self.now < until:
+            act, done, flag = self.act, self.done, receiver.flag
+            self._advance(min(until, self._event(act)))
+            received = bool(receiver.flag) and not flag
+            if self.act.starts != act.starts or self.now == self.end:
+                yield self.now
+            elif act.kind == Kind.TERMINAL:
+                if self.now % FRAME == 0 and (not blocks or self._printed_line()):
+                    yield self.now
+            elif act.kind == Kind.MILL:
+                ticks = self._blocks if blocks else self._rows
+                if self.now == _first_from(ticks, self.now):
+                    yield self.now
+            elif blocks:
+                if received and act.kind == Kind.TRANSLATE and receiver.buffer & 0o177 == CR:
+                    yield self.now
+            elif received or self.done != done:
+                yield self.now
+
+    def _event(self, act: Act) -> int:
+        """Return the tick of what may come next."""
+        soon = min(self._next_action, act.ends)
+        if act.kind == Kind.TERMINAL:
+            return min(soon, (self.now // FRAME + 1) * FRAME)
+        if act.kind == Kind.MILL:
+            return min(soon, _first_from(self._rows, self.now + 1))
+        if not self.machine.processor.run:
+            return soon
+        event = self.machine.bus.next_event(self.machine.processor.clock)
+        return max(self.now + 1, min(soon, event, self.now + FRAME // 4))
+
+    def _printed_line(self) -> bool:
+        """Tell whether the frame that the terminal punched just now ends a line."""
+        tape = self.day.tapes[f"{self.day.part}.asc"]
+        frame = self.now // FRAME - 1
+        return frame < len(tape) and tape[frame] & 0o177 == CR
+
+    def _restore(self, at: int) -> None:
+        snapshot = self._snapshots[at]
+        self.machine.put(snapshot.values)
+        self.now, self.done, self.left = self._ticks[at], snapshot.done, False
+
+    def _advance(self, tick: int) -> None:
+        while self.done < len(self.day.actions) and self.day.actions[self.done].at <= tick:
+            action = self.day.actions[self.done]
+            go_on(self.machine, action.at)
+            self._do(action)
+            self.now = action.at
+            self.done += 1
+        go_on(self.machine, tick)
+        self.now = tick
+
+    def _do(self, action: Action) -> None:
+        """Do what the operator did."""
+        panel, reader = self.machine.panel, self.machine.teletype.reader
+        if action.key == "sr":
+            panel.sr = int(action.value or 0)
+        elif action.key == "lever":
+            reader.lever(not reader.on)
+        elif action.key == "mount":
+            tape = self.day.tapes[str(action.value)]
+            if reader.on and not panel.lamps.run:
+                reader.lever(False)
+            reader.load(tape[kinds.start(tape) :])
+        else:
+            getattr(panel, action.key.replace(" ", "_"))()
+
+
+def go_on(machine: Machine, until: int) -> None:
+    """Go on to the last cycle that ends at tick `until` or before; a machine that stands still lets time pass."""
+    p = machine.processor
+    while p.run and p.next != FETCH and p.clock + CYCLE <= until:
+        p.cycle()
+    room = until - p.clock - _LONGEST
+    if p.run and p.next == FETCH and room > 0:
+        stop = machine.run(room / TICKS_PER_SECOND)
+        if stop.reason is not Reason.LIMIT and p.run:
+            _turn(machine, until - _LONGEST)
+    while p.run and p.clock + _cycle(machine) <= until:
+        p.cycle()
+    if not p.run and p.clock < until:
+        p.clock = until
+    machine.bus.advance(p.clock)
+
+
+def _cycle(machine: Machine) -> int:
+    """Return the ticks of the next cycle."""
+    p = machine.processor
+    return CYCLE + IO_TICKS if p.next == FETCH and p.core[p.pc] >> 9 == IOT else CYCLE
+
+
+def _turn(machine: Machine, until: int) -> None:
+    """Let a processor that waits for ever turn in its loop, by whole turns, as far as tick `until`."""
+    p = machine.processor
+    pc, lac, clock, instructions = p.pc, p.lac, p.clock, p.instructions
+    p.instruction()
+    while (p.pc != pc or p.lac != lac) and p.clock < until:
+        p.instruction()
+    ticks, count = p.clock - clock, p.instructions - instructions
+    turns = max(0, (until - p.clock) // ticks)
+    p.clock += turns * ticks
+    p.instructions += turns * count
+
+
+def _first_from(ticks: list[int], tick: int) -> int:
+    """Return the first of `ticks` that is not before `tick`; a tick that never comes if there is none."""
+    at = bisect_left(ticks, tick)
+    return ticks[at] if at < len(ticks) else 1 << 52
