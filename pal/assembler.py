@@ -38,7 +38,7 @@ START = 0o200  # the origin before any other
 TELETYPE_SYMBOLS = 585  # room for the source's symbols with the source in the ASR-33's reader
 HIGH_SPEED_SYMBOLS = 489  # and in the high-speed reader, whose buffer takes the rest
 
-WORD, ORIGIN, FIELD, CHECKSUM = "word", "origin", "field", "checksum"
+ORIGIN, FIELD, CHECKSUM = "origin", "field", "checksum"
 
 _MASK = 0o7777
 _OPERATORS = {" ": 0, "\t": 0, "+": 1, "-": -1}
@@ -63,20 +63,39 @@ class Message(NamedTuple):
 
 
 class Punched(NamedTuple):
-    """What pass 2 punches: a WORD, ORIGIN, FIELD or CHECKSUM, the location, and the item that ends it."""
+    """What pass 2 punches besides words: an ORIGIN, FIELD or CHECKSUM."""
 
     kind: str
-    location: int
     value: int
-    at: int = 0
 
 
-class Listed(NamedTuple):
+class Written:
+    """A word that a source makes.
+
+    address  where it is loaded, the field above the twelve bits
+    at       the item that ends its statement; in PAL8, the place of the statement
+    names    the symbols it is made of, in the order of the source
+    literal  whether it is one of a pool; `link`, whether it refers to a literal that nobody wrote
+    """
+
+    def __init__(
+        self, address: int, word: int, at: int, names: list[str], literal: bool = False, link: bool = False
+    ) -> None:
+        self.address = address
+        self.word = word
+        self.at = at
+        self.names = names
+        self.literal = literal
+        self.link = link
+
+
+class Listed:
     """A statement of the listing: its location, its word or None, and the item that ends it."""
 
-    location: int
-    word: int | None
-    at: int
+    def __init__(self, location: int, word: int | None, at: int) -> None:
+        self.location = location
+        self.word = word
+        self.at = at
 
 
 class Entry(NamedTuple):
@@ -113,14 +132,15 @@ class Assembler:
         self.lost: list[tuple[int, int]] = []
         self.stopped: tuple[str, int] | None = None
 
-    def run(self, number: int) -> list[Message | Punched | Listed]:
+    def run(self, number: int) -> list[Message | Punched | Written | Listed]:
         """Run pass `number`: its messages and what it punches or lists, in order."""
         self._number = number
         self._symbols.safe = _SAFE[number]
         self._reader = iter(enumerate(self._items))
         self._at = 0  # the item read last
-        self._output: list[Message | Punched | Listed] = []
+        self._output: list[Message | Punched | Written | Listed] = []
         self._location = START
+        self._field = 0
         self._radix = 8
         self._broken = ""
         self._checksum = 0
@@ -153,6 +173,8 @@ class Assembler:
             self._at = at
             name = self._go_on(item) if self._broken else item
             if not name:
+                if self._operator:
+                    self._watch("lost", 0)
                 self._item = 0
                 self._refers = False
             elif not self._look_up(name, mark):
@@ -190,6 +212,7 @@ class Assembler:
     def _clear(self) -> None:
         self._word = self._address = self._item = self._operator = self._zeros = 0
         self._made = self._referring = self._doubtful = False
+        self._names: list[str] = []
 
     def _watch(self, what: str, pointer: int) -> None:
         """Do nothing: `pal.notes` notes here what is not what it seems.
@@ -197,7 +220,8 @@ class Assembler:
         what  `before`: something stands before the memory reference at `pointer`; `reference`: one of I alone
               or with Z; `word`: what was `doubtful` is a word or none; `pseudo`, `tag`, `equals`, `star`:
               such an item; `moved`: an assignment in pass 2 gives another value; `number`: one that is not
-              octal or does not fit; `point`: an operator is used twice
+              octal or does not fit; `point`: an operator is used twice; `lost`: or not at all; `long`: more
+              than six characters
         """
 
     def _look_up(self, name: str, mark: str) -> bool:
@@ -211,6 +235,10 @@ class Assembler:
                 self._refers = False
                 return True
             found = symbols.index.get(name[:SIGNIFICANT])
+            if found is not None:
+                self._watch("long", found)
+        if self._number == 2 and mark != ",":
+            self._names.append(name)
         if found is None:
             self._pointer = self._enter(name[:SIGNIFICANT])
             self._refers = False
@@ -299,7 +327,8 @@ class Assembler:
     def _act_upon(self, routine: str) -> None:
         """FIELD in pass 2, FIXMRI in pass 1: do it with the word."""
         if routine == "FIELD" and self._number == 2:
-            self._output.append(Punched(FIELD, self._location, self._word & 7, self._at))
+            self._field = (self._word & 7) << 12
+            self._output.append(Punched(FIELD, self._word & 7))
         elif routine == "FIXMRI" and self._number == 1:
             self._symbols.fix_reference()
 
@@ -328,7 +357,8 @@ class Assembler:
         if self._number == 3:
             self._list(self._at)
         elif self._made and self._number == 2:
-            self._punch(WORD, self._word)
+            self._output.append(Written(self._field | self._location, self._word, self._at, self._names))
+            self._sum(self._word)
         if self._made:
             self._location = self._location + 1 & _MASK
 
@@ -344,8 +374,13 @@ class Assembler:
             self._pointer = self._symbols.page_zero(0)
 
     def _punch(self, kind: str, value: int) -> None:
-        self._output.append(Punched(kind, self._location, value, self._at))
-        self._checksum += (value >> 6) + (value & 0o77) + (0o100 if kind == ORIGIN else 0)
+        self._output.append(Punched(kind, value))
+        self._checksum += 0o100
+        self._sum(value)
+
+    def _sum(self, value: int) -> None:
+        """Add the frames of a word to the checksum."""
+        self._checksum += (value >> 6) + (value & 0o77)
         self._pointer = self._symbols.page_zero(value & 0o77)
 
     def _tag(self) -> None:

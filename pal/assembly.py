@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 from pal import punch
-from pal.assembler import Entry, Listed, Message, Punched
+from pal.assembler import Entry, Listed, Message, Punched, Written
 from pal.notes import Mention
 from pal.source import Place, Source
 from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT, typed
@@ -29,7 +29,7 @@ _PSEUDO = {name[:SIGNIFICANT] for name in PSEUDO_OPERATORS}
 class _Third(NamedTuple):
     """What pass 3 left."""
 
-    output: list[Message | Punched | Listed]
+    output: list[Message | Punched | Written | Listed]
     table: list[Entry]
     lost: list[tuple[int, int]]
     stopped: tuple[str, int] | None
@@ -58,7 +58,7 @@ class Assembly:
         self._assembler = assembler = Watched(source, capacity)
         self._first = assembler.run(1)
         self._table: list[Entry] = assembler.table
-        self._second: list[Message | Punched | Listed] = [] if assembler.stopped else assembler.run(2)
+        self._second: list[Message | Punched | Written | Listed] = [] if assembler.stopped else assembler.run(2)
         self.stopped = assembler.stopped
         self.words = {} if self.stopped else punch.words(self._second)
 
@@ -78,7 +78,7 @@ class Assembly:
         from pal import watched
         from pal.diagnostics import diagnose
 
-        noted = watched.notes(self.source, len(self.names), self._assembler, self._second, self._table)
+        noted = watched.notes(self.source, len(self.names), self._assembler, self.messages, self._second, self._table)
         stopped = self.stopped
         if self._assembler.moved or self.model:
             stopped = stopped or self._third.stopped

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from pal import pal8, punch, symbols8
+from pal.assembler import Written
 from pal.assembly import PAL8, Assembly
 from pal.listing import ListingLine, Teletype
 from pal.models import differs
@@ -19,7 +20,6 @@ from pal.notes import (
     OVERLAID,
     Mention,
     Note,
-    Written,
     of_names,
     of_undefined,
     of_words,

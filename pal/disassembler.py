@@ -19,10 +19,11 @@ Sources: the table of symbols; Small Computer Handbook (operate groups).
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
-from pal.assembler import FIELD, HIGH_SPEED_SYMBOLS, ORIGIN, START, WORD
+from pal.assembler import HIGH_SPEED_SYMBOLS, START
 from pal.isa import CURRENT_PAGE, INDIRECT, IOT, JMP, OPERATIONS, PAGE, refers_to
 from pal.symbols import PERMANENT
 from tapes import binary, kinds, rim
+from tapes.binary import FIELD, ORIGIN, WORD
 
 _BARE = binary.tape(binary.origin(START), sum(binary.origin(START)))
 """What PAL III punches for a source without a word; its checksum would be a word of a RIM tape."""
@@ -89,16 +90,16 @@ def _pieces_on(frames: bytes) -> Iterator[Piece]:
             bank = 0
             yield Piece(FIELD, 0, 0)
         for kind, value, _ in section.items:
-            if kind == binary.FIELD:
+            if kind == FIELD:
                 bank = value
                 yield Piece(FIELD, 0, value)
                 continue
-            if kind == binary.WORD:
+            if kind == WORD:
                 yield Piece(WORD, bank << 12 | location, value)
                 location = location + 1 & 0o7777
             elif not silent or value != location:
                 yield Piece(ORIGIN, value, value)
-            if kind == binary.ORIGIN:
+            if kind == ORIGIN:
                 location = value
             silent = False
 

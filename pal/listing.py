@@ -21,7 +21,7 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from pal import punch
-from pal.assembler import Entry, Listed, Message, Punched
+from pal.assembler import Entry, Listed, Message, Punched, Written
 from pal.source import Source
 from pal.symbols import typed
 from tapes import frames
@@ -64,27 +64,27 @@ def printed(raw: bytes) -> str:
     return raw.translate(frames.PARITIES["none"], _SILENT).decode("ascii")
 
 
-def definitions(messages: Iterable[Message | Punched | Listed]) -> bytes:
+def definitions(messages: Iterable[Message | Punched | Written | Listed]) -> bytes:
     """Return what pass 1 types before its symbol table."""
     return punch.START_UP + complaints(messages)
 
 
-def complaints(output: Iterable[Message | Punched | Listed]) -> bytes:
+def complaints(output: Iterable[Message | Punched | Written | Listed]) -> bytes:
     """Return the messages, which pass 2 types while the high-speed punch works."""
     return _frames("".join(_message(str(piece)) for piece in output if isinstance(piece, Message)))
 
 
-def object_tape(output: list[Message | Punched | Listed], finished: bool) -> bytes:
+def object_tape(output: list[Message | Punched | Written | Listed], finished: bool) -> bytes:
     """Return the tape of pass 2 as the ASR-33 punches it, messages and all."""
     body = b"".join(
-        punch.frames_of(piece) if isinstance(piece, Punched) else _frames(_message(str(piece)))
+        punch.frames_of(piece) if isinstance(piece, Written | Punched) else _frames(_message(str(piece)))
         for piece in output
     )
     return punch.START_UP + frames.leader() + body + (frames.leader() if finished else b"")
 
 
 def listing(
-    source: Source, output: list[Message | Punched | Listed], lost: Iterable[tuple[int, int]]
+    source: Source, output: list[Message | Punched | Written | Listed], lost: Iterable[tuple[int, int]]
 ) -> bytes:
     """Return what pass 3 types before its symbol table; `lost` are the items that PAUSE lost."""
     texts = _texts(source, output, lost)
@@ -97,7 +97,7 @@ def listing(
 
 
 def lines(
-    source: Source, output: Iterable[Message | Punched | Listed], lost: Iterable[tuple[int, int]]
+    source: Source, output: Iterable[Message | Punched | Written | Listed], lost: Iterable[tuple[int, int]]
 ) -> Iterator[ListingLine]:
     """Yield the listing by statements."""
     texts = _texts(source, output, lost)
@@ -124,7 +124,7 @@ def _frames(text: str) -> bytes:
 
 
 def _texts(
-    source: Source, output: Iterable[Message | Punched | Listed], lost: Iterable[tuple[int, int]]
+    source: Source, output: Iterable[Message | Punched | Written | Listed], lost: Iterable[tuple[int, int]]
 ) -> Iterator[str]:
     """Yield the text of each statement: that of its line where CR ends it, else none."""
     text = source.text
@@ -149,10 +149,9 @@ def _texts(
 
 
 def _statement(listed: Listed, text: str) -> str:
-    location, word, _ = listed
-    if word is None:
+    if listed.word is None:
         return NEW_LINE + _UNNUMBERED + text
-    return f"{NEW_LINE}{location:04o}  {word:04o}  {text}"
+    return f"{NEW_LINE}{listed.location:04o}  {listed.word:04o}  {text}"
 
 
 def _message(text: str) -> str:

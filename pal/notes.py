@@ -13,6 +13,7 @@ Sources: Small Computer Handbook 1970 (operate groups); DEC-08-ASAC-D.
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
+from pal.assembler import Written
 from pal.isa import CLA, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, REVERSED, refers_to
 
 COMBINED, OVERLAID, AFTER_END, TOO_LARGE, NOT_OCTAL = "PN01", "PN02", "PN03", "PN04", "PN05"
@@ -40,21 +41,6 @@ class Note(NamedTuple):
     advice: str
 
 
-class Written(NamedTuple):
-    """A word that a source makes: where it goes, and the item or place of its statement.
-
-    `names` are the symbols it is made of, in the order of the source; `literal` tells that it is one of a
-    pool, `link` that it refers to a literal that nobody wrote.
-    """
-
-    address: int
-    word: int
-    at: int
-    names: list[str]
-    literal: bool = False
-    link: bool = False
-
-
 class Mention(NamedTuple):
     """A symbol in the source: the item or place where it stands, and whether it is defined there."""
 
@@ -70,8 +56,9 @@ def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[
     looked_at: dict[str, str] = {}
     overlaid = -2
     for written in words:
-        address, word, at, names, literal, _ = written
-        if address in cells and not (literal and cells[address].literal):
+        address, word, names = written.address, written.word, written.names
+        other = cells.get(address)
+        if other is not None and not (written.literal and other.literal):
             if overlaid != address - 1:
                 notes.append(_overlaid(written))
             overlaid = address
@@ -81,7 +68,7 @@ def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[
             if key not in looked_at:
                 looked_at[key] = _combination(written, instructions)
             if looked_at[key]:
-                notes.append(Note(COMBINED, at, looked_at[key], "write them as two instructions"))
+                notes.append(Note(COMBINED, written.at, looked_at[key], "write them as two instructions"))
     return notes + _flow(cells, instructions)
 
 

@@ -2,6 +2,8 @@
 
 cimport cython
 
+from pal.assembler cimport Written
+
 cdef int START, ADDRESS, CURRENT_PAGE, INDIRECT, PAGE, SIGNIFICANT, _MASK, _LINKED
 
 
@@ -41,6 +43,7 @@ cdef class Assembler:
     cdef _word(self)
     @cython.locals(address=int)
     cdef _write(self, int value, int at)
+    cdef _put_word(self, Written written)
     cdef _put(self, str kind, int value)
     @cython.locals(word=int, refers=bint, start=int, addressed=bint, address=int, item=int, also=bint)
     cdef int _expressions(self) except? -1

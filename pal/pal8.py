@@ -26,9 +26,9 @@ Sources: palbart 2.13 and DEC's PAL8 V10D under OS/8, each run on several hundre
 from typing import NamedTuple
 
 from pal import symbols8
-from pal.assembler import CHECKSUM, FIELD, ORIGIN, START, WORD, Punched
+from pal.assembler import CHECKSUM, FIELD, ORIGIN, START, Punched, Written
 from pal.isa import ADDRESS, CURRENT_PAGE, INDIRECT, PAGE
-from pal.notes import COLON, RESERVED, TOO_LARGE, Mention, Note, Written
+from pal.notes import COLON, RESERVED, TOO_LARGE, Mention, Note
 from pal.source import Line, tokens
 from pal.symbols import SIGNIFICANT
 
@@ -116,7 +116,7 @@ class Assembler:
         self._read: dict[int, list[tuple[str, int, int]]] = {}
         self.symbols = _permanent()
         self.written: list[Written] = []
-        self.output: list[Punched] = []
+        self.output: list[Punched | Written] = []
         self.places: list[tuple[int, int, int]] = []
         self.problems: list[Problem] = []
         self.notes: list[Note] = []
@@ -133,7 +133,7 @@ class Assembler:
         self._mode = ""  # DUBL or FLTG
         self._punching = True
         self._pools: dict[int, Pool] = {}
-        self._loading = START  # where the loader stands
+        self._loading = START  # where the loader stands, its field above the twelve bits
         self._checksum = 0
         self._index = -1
         self._names: list[str] = []
@@ -250,22 +250,30 @@ class Assembler:
         """Put a word where the location is."""
         if self._number == 2:
             address = self._field << 12 | self._location
-            self.written.append(Written(address, value, at, self._names, False, self._link))
-        self._put(WORD, value)
+            self._put_word(Written(address, value, at, self._names, False, self._link))
         self._location = self._location + 1 & _MASK
 
+    def _put_word(self, written: Written) -> None:
+        """Keep a word, and punch it: after NOPUNCH it may be loaded elsewhere."""
+        self.written.append(written)
+        if not self._punching:
+            return
+        if written.address != self._loading:
+            written = Written(self._loading, written.word, written.at, written.names)
+        self.output.append(written)
+        self._loading = self._loading & ~_MASK | self._loading + 1 & _MASK
+        self._checksum += (written.word >> 6) + (written.word & 0o77)
+
     def _put(self, kind: str, value: int) -> None:
-        """Punch something, in pass 2."""
+        """Punch an origin, a field or the checksum, in pass 2."""
         if self._number == 1 or not self._punching:
             return
-        self.output.append(Punched(kind, self._loading, value))
-        if kind == ORIGIN:
-            self._loading = value
-            self._checksum += 0o100
-        if kind == WORD:
-            self._loading = self._loading + 1 & _MASK
-        if kind in (ORIGIN, WORD):
-            self._checksum += (value >> 6) + (value & 0o77)
+        self.output.append(Punched(kind, value))
+        if kind == FIELD:
+            self._loading = value << 12 | self._loading & _MASK
+        elif kind == ORIGIN:
+            self._loading = self._loading & ~_MASK | value
+            self._checksum += 0o100 + (value >> 6) + (value & 0o77)
 
     def _tag(self) -> None:
         name, start, end = self._token[:SIGNIFICANT], self._start, self._end
@@ -591,8 +599,7 @@ class Assembler:
                 value = pool.values[number]
                 if self._number == 2:
                     address = self._field << 12 | page << 7 | ADDRESS - number
-                    self.written.append(Written(address, value, pool.places[number], [], True))
-                self._put(WORD, value)
+                    self._put_word(Written(address, value, pool.places[number], [], True))
             pool.out = len(pool.values)
 
     # Pseudo-operators

@@ -5,7 +5,7 @@ Only what is written as an instruction is looked at: a statement with a symbol o
 
 from collections.abc import Iterable
 
-from pal.assembler import Listed, Message, Punched
+from pal.assembler import Listed, Message, Punched, Written
 from pal.models import differs
 from pal.notes import MODEL, Note
 from pal.source import Source
@@ -13,7 +13,7 @@ from pal.source import Source
 _ENDS = ("\r", ";", "$")
 
 
-def portability(source: Source, output: Iterable[Message | Punched | Listed], model: str) -> list[Note]:
+def portability(source: Source, output: Iterable[Message | Punched | Written | Listed], model: str) -> list[Note]:
     """Return a note for each word in the output of pass 3 that another model than `model` does otherwise.
 
     Raises ValueError for a model that is not one of models.MODELS.

@@ -12,36 +12,29 @@ Source: tapes of DEC-08-ASB1.
 
 from collections.abc import Iterable
 
-from pal.assembler import FIELD, ORIGIN, WORD, Listed, Message, Punched
+from pal.assembler import FIELD, ORIGIN, Listed, Message, Punched, Written
 from tapes import binary, frames
 
 START_UP = b"\0"
 
 
-def tape(output: Iterable[Message | Punched | Listed]) -> bytes:
+def tape(output: Iterable[Message | Punched | Written | Listed]) -> bytes:
     """Return the whole tape."""
-    body = b"".join([frames_of(piece) for piece in output if isinstance(piece, Punched)])
+    body = b"".join([frames_of(piece) for piece in output if isinstance(piece, Written | Punched)])
     return START_UP + frames.leader() + body + frames.leader()
 
 
-def frames_of(punched: Punched) -> bytes:
+def frames_of(piece: Written | Punched) -> bytes:
     """Return what stands on the tape for it."""
-    if punched.kind == FIELD:
-        return binary.field(punched.value)
-    if punched.kind == ORIGIN:
-        return binary.origin(punched.value)
-    return binary.word(punched.value)
+    if isinstance(piece, Written):
+        return binary.word(piece.word)
+    if piece.kind == FIELD:
+        return binary.field(piece.value)
+    if piece.kind == ORIGIN:
+        return binary.origin(piece.value)
+    return binary.word(piece.value)
 
 
-def words(output: Iterable[Message | Punched | Listed]) -> dict[int, int]:
+def words(output: Iterable[Message | Punched | Written | Listed]) -> dict[int, int]:
     """Return {address: word}, field n from n0000 on; where an address comes twice, the later word."""
-    core = {}
-    bank = 0
-    for piece in output:
-        if not isinstance(piece, Punched):
-            continue
-        if piece.kind == WORD:
-            core[bank | piece.location] = piece.value
-        elif piece.kind == FIELD:
-            bank = piece.value << 12
-    return core
+    return {piece.address: piece.word for piece in output if isinstance(piece, Written)}

@@ -7,7 +7,7 @@ source and in the words.
 
 from collections.abc import Sequence
 
-from pal.assembler import FIELD, WORD, Assembler, Entry, Listed, Message, Punched
+from pal.assembler import Assembler, Entry, Listed, Message, Punched, Written
 from pal.dialects import hint
 from pal.isa import ADDRESS, INDIRECT, PAGE
 from pal.listing import LONGEST
@@ -21,7 +21,6 @@ from pal.notes import (
     RESERVED,
     TOO_LARGE,
     Note,
-    Written,
     of_names,
     of_undefined,
     of_words,
@@ -41,6 +40,7 @@ class Watched(Assembler):
     """The assembler with an eye on what it makes of a source: `notes`, and the item where it `ended`.
 
     moved     whether an assignment in pass 2 gave another value, so that pass 3 may differ
+    cuts      whether a name has more than six characters
     """
 
     def __init__(self, source: Source, capacity: int) -> None:
@@ -48,13 +48,14 @@ class Watched(Assembler):
         self.notes: list[Note] = []
         self.ended = 0
         self.moved = False
+        self.cuts = False
         self._twice: set[int] = set()
         self._assigned = 0
         self._expunged: int | None = None
         self._swallowed: tuple[int, str] | None = None
         self._kept: int | None = None
 
-    def run(self, number: int) -> list[Message | Punched | Listed]:
+    def run(self, number: int) -> list[Message | Punched | Written | Listed]:
         """Run a pass, then look at how it ended."""
         output = super().run(number)
         if self.stopped:
@@ -129,6 +130,10 @@ class Watched(Assembler):
             self._see_star()
         elif what == "moved":
             self.moved = True
+        elif what == "long":
+            self.cuts = True
+        elif what == "lost":
+            self._see_lost()
         elif what == "number":
             self._see_number(pointer)
         elif what == "point" and self._name:
@@ -145,6 +150,15 @@ class Watched(Assembler):
         elif name.isdigit():
             message = f"{name} is octal here, and has an 8 or a 9"
             self._note(NOT_OCTAL, message, "DECIMAL before it makes it decimal")
+
+    def _see_lost(self) -> None:
+        """Note an operator with a space after it."""
+        at = self._at
+        mark = self._items[at][1]
+        after, point = self._items[at + 1] if mark in " \t" else ("", "")
+        if (after or point == ".") and self._items[at - 1][1] in "+-":
+            advice = "a space is an operator too, and the last one counts; leave no space after + or -"
+            self._note("PN17", "this makes an inclusive OR of it", advice)
 
     def _see_before(self, pointer: int) -> None:
         if pointer >= PSEUDO and self._kept is None:
@@ -275,86 +289,45 @@ def notes(
     source: Source,
     tapes: int,
     watched: Watched,
-    punched: Sequence[Message | Punched | Listed],
+    messages: Sequence[Message],
+    punched: Sequence[Message | Punched | Written | Listed],
     table: Sequence[Entry],
 ) -> list[Note]:
     """Return what is to be noted of a source of so many tapes, after passes 1 and 2.
 
-    `punched` is what pass 2 punched, `table` the symbols as pass 1 left them.
+    `messages` are theirs, `punched` is what pass 2 punched, `table` the symbols as pass 1 left them.
     """
     found = list(watched.notes)
     if watched.stopped:
         return found
     ended = watched.ended
-    items = source.items[: ended + 1]
-    marks = {mark for _, mark in items}
-    statements, defined, colons = _statements(items)
-    found += of_words(_written(punched, statements), _INSTRUCTIONS)
-    if marks & {"+", "-"}:
-        found += _lost_operators(source, ended)
+    items = source.items
+    words = [piece for piece in punched if isinstance(piece, Written)]
+    found += [note._replace(at=_first_symbol(items, note.at)) for note in of_words(words, _INSTRUCTIONS)]
     undefined = [entry for entry in table if not entry.defined]
     if undefined:
         found += _undefined(source, undefined, [entry.name for entry in table if entry.defined])
-    found += [
-        Note(COLON, at, "a colon ends no tag in PAL III", "write a comma after a tag, as in A,")
-        for at in colons
-    ]
-    long = [(item, at) for item, at in defined if len(item) >= SIGNIFICANT]
-    if long:
-        found += of_names(long, _NAMES)
+    if watched.cuts:
+        long = [(item, at) for at, (item, _) in enumerate(items[:ended]) if len(item) >= SIGNIFICANT]
+        found += of_names([(item, at) for item, at in long if item > ":"], _NAMES)
     return [
         *found,
-        *_lower_case(source, ended, marks),
+        *_illegal(source, messages),
         *_overlong(source, ended),
         *_of_the_end(source, tapes, ended),
     ]
 
 
-def _statements(
-    items: list[tuple[str, str]],
-) -> tuple[dict[int, tuple[int, list[str]]], list[tuple[str, int]], list[int]]:
-    """Return the first symbol of each statement and all of its symbols, by the item that ends it; the longer
-    symbols; the colons.
-    """
-    statements: dict[int, tuple[int, list[str]]] = {}
-    longer: list[tuple[str, int]] = []
-    colons: list[int] = []
-    names: list[str] = []
-    first = 0
-    for at, (item, mark) in enumerate(items):
-        if item > ":":
-            if mark != ",":
-                if not names:
-                    first = at
-                names.append(item)
-            if len(item) >= SIGNIFICANT:
-                longer.append((item, at))
-        if mark in "\r;":
-            if names:
-                statements[at] = first, names
-                names = []
-        elif mark == ":" and item:
-            colons.append(at)
-    return statements, longer, colons
-
-
-def _written(
-    punched: Sequence[Message | Punched | Listed], statements: dict[int, tuple[int, list[str]]]
-) -> list[Written]:
-    """Return the words of pass 2 with the symbols they are made of."""
-    words = []
-    nameless: list[str] = []
-    field = 0
-    for piece in punched:
-        if not isinstance(piece, Punched):
-            continue
-        kind, location, value, end = piece
-        if kind == WORD:
-            at, names = statements.get(end) or (end, nameless)
-            words.append(Written(field | location, value, at, names, False, False))
-        elif kind == FIELD:
-            field = value << 12
-    return words
+def _first_symbol(items: list[tuple[str, str]], end: int) -> int:
+    """Return the first symbol but a tag of the statement that ends at `end`; `end` where there is none."""
+    first = at = end
+    while True:
+        item, mark = items[at]
+        if item > ":" and mark != ",":
+            first = at
+        at -= 1
+        if at < 0 or items[at][1] in "\r;":
+            return first
 
 
 def _undefined(source: Source, table: list[Entry], known: list[str]) -> list[Note]:
@@ -379,30 +352,19 @@ def _undefined(source: Source, table: list[Entry], known: list[str]) -> list[Not
     return notes + of_undefined(others, [*known, *_INSTRUCTIONS])
 
 
-def _lower_case(source: Source, ended: int, marks: set[str]) -> list[Note]:
-    """Note the first of the small letters."""
-    if not any("a" <= mark <= "z" for mark in marks):
-        return []
-    small = [at for at, (_, mark) in enumerate(source.items[:ended]) if "a" <= mark <= "z"]
-    if not small:
-        return []
-    message = f"small letters are illegal characters in PAL III: {len(small):,} of them"
-    return [Note(LOWER_CASE, small[0], message, "--modern reads them as capitals")]
-
-
-def _lost_operators(source: Source, ended: int) -> list[Note]:
-    """Note each operator with a space after it."""
-    items = source.items
-    found = []
-    signs = [at for at, (_, mark) in enumerate(items[:ended]) if mark in ("+", "-")]
-    for at in signs:
-        item, mark = items[at + 1]
-        if item == "" and mark in " \t":
-            after, point = items[at + 2]
-            if after or point == ".":
-                advice = "a space is an operator too, and the last one counts; leave no space after + or -"
-                found.append(Note("PN17", at + 1, "this makes an inclusive OR of it", advice))
-    return found
+def _illegal(source: Source, messages: Sequence[Message]) -> list[Note]:
+    """Note colons after tags, and the first of the small letters."""
+    illegal = [(chr(int(said.subject, 8) & 0o177), said.at) for said in messages if said.code == "IC"]
+    notes = [
+        Note(COLON, at, "a colon ends no tag in PAL III", "write a comma after a tag, as in A,")
+        for character, at in illegal
+        if character == ":" and source.items[at][0]
+    ]
+    small = [at for character, at in illegal if "a" <= character <= "z"]
+    if small:
+        message = f"small letters are illegal characters in PAL III: {len(small):,} of them"
+        notes.append(Note(LOWER_CASE, small[0], message, "--modern reads them as capitals"))
+    return notes
 
 
 def _overlong(source: Source, ended: int) -> list[Note]:
@@ -440,14 +402,14 @@ def _of_the_end(source: Source, tapes: int, ended: int) -> list[Note]:
 
 
 def of_pass_3(
-    punched: Sequence[Message | Punched | Listed], listed: Sequence[Message | Punched | Listed]
+    punched: Sequence[Message | Punched | Written | Listed], listed: Sequence[Message | Punched | Written | Listed]
 ) -> list[Note]:
     """Note the first word that pass 2 and pass 3 see differently."""
-    on_tape = [piece for piece in punched if isinstance(piece, Punched) and piece.kind == WORD]
+    on_tape = [piece for piece in punched if isinstance(piece, Written)]
     words = [piece for piece in listed if isinstance(piece, Listed) and piece.word is not None]
     for word, piece in zip(on_tape, words, strict=False):
-        if piece.word != word.value:
-            message = f"this is {word.value:04o} on the tape and {piece.word:04o} in the listing"
+        if piece.word != word.word:
+            message = f"this is {word.word:04o} on the tape and {piece.word:04o} in the listing"
             advice = "each pass assigns again, with the values that the last one left"
             return [Note("PN24", piece.at, message, advice)]
     return []

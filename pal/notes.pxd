@@ -1,0 +1,21 @@
+# The types with which Cython compiles notes.py; Python itself never reads this.
+
+cimport cython
+
+from pal.assembler cimport Written
+from pal.isa cimport refers_to
+
+cdef int CLA, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, REVERSED, _SKIPS, _STORE
+
+
+@cython.locals(cells=dict, looked_at=dict, written=Written, other=Written, names=list, overlaid=int, address=int)
+cpdef list of_words(object words, dict instructions)
+@cython.locals(name=str)
+cdef bint _is_instruction(Written written, dict instructions) except -1
+@cython.locals(written=Written, cell=Written, before=Written, operation=int, target=int,
+               called=set, counted=set, stored=set, jumps=list, calls=list)
+cdef list _flow(dict cells, dict instructions)
+@cython.locals(cell=Written, before=int)
+cdef bint _changes_field(dict cells, int address) except -1
+cdef bint _goes_on(int word, Written before) except -1
+cdef bint _skips(int word) noexcept
