@@ -13,9 +13,13 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
 from math import dist
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from tapes.hydrapoint import HOLE_MAKING, Block, Preparatory
+
+if TYPE_CHECKING:
+    from numpy import float64
+    from numpy.typing import NDArray
 
 
 class Position(NamedTuple):
@@ -149,6 +153,15 @@ class Path:
         spent["reading"] = self.read_seconds * len(self.steps)
         spent["tool_changes"] = self.tool_change_seconds * sum(step.tool_changed for step in self.steps)
         return Times(**spent)
+
+    def array(self) -> "NDArray[float64]":
+        """Return where the tip was, before the first move and after each: X, Y, Z of shape (moves + 1, 3), in
+        thousandths of an inch; (0, 3) if nothing moved.
+        """
+        import numpy
+
+        places = [move.start for move in self.moves[:1]] + [move.end for move in self.moves]
+        return numpy.array(places, dtype=numpy.float64).reshape(-1, 3)
 
     @property
     def milling_blocks(self) -> int:

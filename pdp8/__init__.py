@@ -1,4 +1,36 @@
-"""The machine room, and the one name a script needs: what it uses is reachable from `import pdp8`.
+"""A PDP-8/L with its Teletype, PAL III, paper tapes, part programs and a Hydra-Point: all a script needs.
+
+    machine = pdp8.Machine()
+    machine.load(pdp8.assemble(pdp8.tape("eia.pal")).words)
+    machine.teletype.reader.load(pdp8.ascii.encode(pdp8.part("circle")))
+    machine.start(0o200)
+    stop = machine.run()                            # its reason, pc and elapsed seconds
+    path = pdp8.cut(machine.teletype.punch.tape)    # what the Hydra-Point does with the tape
+
+A tape is bytes, a byte a frame; a word is an int; words in core are {address: word}.
+
+    tape(name)              a file's frames; bundled: eia.pal hello.pal echo.pal eia.bin circle.eia ...
+    assemble(source, ...)   PAL III or PAL8: an Assembly with tape, words, symbols, diagnostics, listing
+    part(name, ...)         a part program's printout; constants are the options of `pdp8 part NAME`
+    ascii eia binary rim    the codes: encode(...) makes frames of text or words, decode(frames) the reverse,
+                            binary.decode(frames).words; eia.EOB ends a block
+    picture                 text(frames, "eia", start, stop), svg(...): a tape as holes; or "ascii", "bin"
+    Machine                 load, start, run, stop, wait, count; ac link pc sr core[0o200] elapsed
+                            machine.teletype: reader.load(frames), keyboard.press(frames), punch.tape,
+                            printer.frames; punch.on_frame and printer.on_frame are called with each
+                            machine.watch.breakpoints, a set; machine.bus.fit(0o05, device)
+    Device                  one of your own: pulse, advance, initialize; fields.saved(flag=fields.BIT,
+                            due=fields.TICK) is what is saved; signals.SKIP CLEAR_AC NEVER TICKS_PER_SECOND
+    Count                   what `with machine.count() as count` gives: executed, operations, waiting ...
+    state                   save(machine) makes text, restore(text) a machine
+    cut, plot               a Path: steps, moves, times.total in seconds, array(); plot(path) makes SVG
+    WorkError               what goes wrong with what was given; TapeError (frame) and LoadError are its kinds
+
+Eight scripts stand in docs/python.md. Each name is imported when it is first used, so that `import pdp8`
+alone is quick. The packages beside this one have plain names (`tapes`, `programs`); a script may have files
+of the same names: ours are found first, and a warning names both.
+
+The rooms:
 
 computer/   the machine itself: processor, engine, Teletype, panel, operator
 monitor/    the operator's prompt, for people and scripts
@@ -9,13 +41,6 @@ thesis/     its figures and tables made again, its programs line by line
 web/        pages for a browser
 lessons/    exercises, and the answers of a class marked
 cli/        the command; `python -m pdp8` is the same
-
-    machine = pdp8.Machine()
-    machine.load(pdp8.assemble(pdp8.tape("eia.pal")).words)
-
-Each name is imported when it is first used, so that `import pdp8` alone is quick. The packages beside this
-one have plain names (`tapes`, `programs`); a script may have files of the same names: ours are found first,
-and a warning names both.
 """
 
 import os
@@ -34,12 +59,14 @@ if TYPE_CHECKING:
     from nc.plot import plot as plot
     from pal import Assembly as Assembly
     from pal import assemble as assemble
+    from pdp8.computer.count import Count as Count
+    from pdp8.computer.hardware import fields as fields
+    from pdp8.computer.hardware import signals as signals
     from pdp8.computer.hardware.bus import Device as Device
     from pdp8.computer.machine import LoadError as LoadError
     from pdp8.computer.machine import Machine as Machine
     from pdp8.computer.past import state as state
     from pdp8.computer.stop import Stop as Stop
-    from pdp8.computer.use.count import Count as Count
     from programs.parts import part as part
     from tapes import ascii as ascii
     from tapes import binary as binary
@@ -47,6 +74,8 @@ if TYPE_CHECKING:
     from tapes import picture as picture
     from tapes import rim as rim
     from tapes import shelf
+    from tapes.errors import TapeError as TapeError
+    from tapes.errors import WorkError as WorkError
 
     tape = shelf.read
 
@@ -54,20 +83,24 @@ if TYPE_CHECKING:
 
 _PLACES = {
     "Assembly": ("pal", "Assembly"),
-    "Count": ("pdp8.computer.use.count", "Count"),
+    "Count": ("pdp8.computer.count", "Count"),
     "Device": ("pdp8.computer.hardware.bus", "Device"),
     "LoadError": ("pdp8.computer.machine", "LoadError"),
     "Machine": ("pdp8.computer.machine", "Machine"),
     "Stop": ("pdp8.computer.stop", "Stop"),
+    "TapeError": ("tapes.errors", "TapeError"),
+    "WorkError": ("tapes.errors", "WorkError"),
     "ascii": ("tapes.ascii", ""),
     "assemble": ("pal", "assemble"),
     "binary": ("tapes.binary", ""),
     "cut": ("nc", "cut"),
     "eia": ("tapes.eia", ""),
+    "fields": ("pdp8.computer.hardware.fields", ""),
     "part": ("programs.parts", "part"),
     "picture": ("tapes.picture", ""),
     "plot": ("nc.plot", "plot"),
     "rim": ("tapes.rim", ""),
+    "signals": ("pdp8.computer.hardware.signals", ""),
     "state": ("pdp8.computer.past.state", ""),
     "tape": ("tapes.shelf", "read"),
 }

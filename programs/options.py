@@ -13,7 +13,7 @@ A number has a unit, the second note of its annotation: units.py says what the c
 import inspect
 import types
 from collections.abc import Iterator, Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 import click
@@ -52,15 +52,39 @@ def explained(part: PartProgram) -> str:
 
 
 def arguments(part: PartProgram, values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the keywords to call `part` with, for the `values` that click has of its parameters."""
-    hints = get_type_hints(part)
-    keywords = {name: values[name] for name in hints if name in values}
-    for name, hint in hints.items():
-        if is_dataclass(hint) and isinstance(hint, type):
-            keywords[name] = hint(**{field.name: values[field.name] for field in fields(hint)})
-    if "arithmetic" in hints:
-        keywords["arithmetic"] = ARITHMETICS[values["arithmetic"]]
+    """Return the keywords to call `part` with, for the `values` of its parameters, all or some."""
+    keywords: dict[str, Any] = {}
+    for name, parameter in inspect.signature(part).parameters.items():
+        if is_dataclass(parameter.default) and not isinstance(parameter.default, type):
+            own = values.keys() & {field.name for field in fields(parameter.default)}
+            keywords[name] = replace(parameter.default, **{each: values[each] for each in own})
+        elif name in values:
+            keywords[name] = ARITHMETICS[values[name]] if name == "arithmetic" else values[name]
     return keywords
+
+
+def taken(part: PartProgram, constants: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the keywords to call `part` with, for `constants` in the units of its command.
+
+    Raises ValueError for one that it has not, and for a value that its command does not take.
+    """
+    known = {f"{parameter.name}": parameter for parameter in parameters(part)}
+    values = {}
+    for name, value in constants.items():
+        if name not in known:
+            raise ValueError(f"no constant {name!r}; there are {', '.join(known)}")
+        try:
+            values[name] = known[name].type(_typed(value), known[name])
+        except click.UsageError as error:
+            raise ValueError(f"{name}: {error.message}") from error
+    return arguments(part, values)
+
+
+def _typed(value: object) -> object:
+    """Return a value of a script as it would be typed; a flag, and None, as it is."""
+    if isinstance(value, tuple | list):
+        return " ".join(f"{x},{y}" for x, y in value)
+    return value if isinstance(value, bool | None) else str(value)
 
 
 def _options(default: Any) -> Iterator[click.Parameter]:

@@ -105,10 +105,19 @@ def find(name: str) -> Part:
     return PARTS[name]
 
 
-def part(name: str, **constants: Any) -> str:
+def part(name: str, *expression: str, **constants: Any) -> str:
     """Return the printout of the part program `name`: blocks of 19 characters, each ended by a line feed.
 
-    `constants` replace those of its listing, in the units that their annotations name (programs/units.py).
-    Raises WorkError.
+    `constants` are the options of its command, `pdp8 part NAME --help`, in the same units: lengths in inches,
+    as numbers or as text, part("circle", radius=1.5, tolerance=".003", technique="piece"). The part "curve"
+    takes an expression, part("curve", "sin(x)", from_=0, to=6.283). Raises WorkError.
     """
-    return find(name).program()(**constants)
+    program = find(name).program()
+    if not constants:
+        return program(*expression)
+    from programs import options
+
+    try:
+        return program(*expression, **options.taken(program, constants))
+    except ValueError as error:
+        raise WorkError(f"{name}: {error}") from error

@@ -44,9 +44,9 @@ class Unit(NamedTuple):
         return self._replace(limit=limit)
 
     def keep(self, text: str) -> Decimal:
-        """Return what is kept for `text`, exactly. Raises UnitError."""
+        """Return what is kept for `text`, with its unit behind it or without, exactly. Raises UnitError."""
         try:
-            asked = Decimal(text)
+            asked = Decimal(text.removesuffix(self.short.strip()))
         except InvalidOperation:
             raise UnitError(f"{text!r} is not a number") from None
         if not asked.is_finite():

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from pdp8.computer.machine import Machine
-from pdp8.computer.use.count import Count
+from pdp8.computer.use import counted
 from pdp8.computer.use.trace import Listing
 from tapes import command
 
@@ -17,16 +17,15 @@ def counting(
     """Count what `machine` does meanwhile; at the end show the `table` on standard error, write the annotated
     listing and the JSON into files of those names. Raises ShelfError.
     """
-    count = Count()
-    machine.watch.observer = count
-    try:
-        yield
-    finally:
-        machine.watch.observer = None
-        if table:
-            for line in count.table(listing):
-                command.tell(line)
-        if annotate is not None:
-            command.put(annotate, "".join(f"{line}\n" for line in count.annotated(listing)))
-        if record is not None:
-            command.put(record, f"{json.dumps(count.record(listing), indent=1)}\n")
+    with machine.count() as count:
+        try:
+            yield
+        finally:
+            if table:
+                for line in counted.table(count, listing):
+                    command.tell(line)
+            if annotate is not None:
+                lines = counted.annotated(count, listing)
+                command.put(annotate, "".join(f"{line}\n" for line in lines))
+            if record is not None:
+                command.put(record, f"{json.dumps(counted.record(count, listing), indent=1)}\n")

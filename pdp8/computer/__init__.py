@@ -2,13 +2,14 @@
 
 Its rooms import only from those to their left:
 
-    hardware  ◄──  speed  ◄──  machine, watch, stop  ◄──  past  ◄──  use
+    hardware  ◄──  speed  ◄──  machine, watch, stop, count  ◄──  past  ◄──  use
 
 hardware/    processor, devices, core and panel, as they were: the ones to read
 speed/       the same machine for long runs, held in lockstep with the processor by tests
 machine      the one place that knows every part and wires it; run until halt, tape out or limit
 watch        breakpoints, words being written, observers
+count        how often words were executed and written
 stop         why, where and when a run ended
 past/        a machine's state in memory and as text; what it has done, and back
-use/         what people do with it: programs, the operator's hands, keys, trace, counts
+use/         what people do with it: programs, the operator's hands, keys, trace, reports of counts
 """

@@ -13,8 +13,9 @@ tapes and the same times. While a program only waits, time jumps (see waiting.py
 
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from time import monotonic
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from pal.isa import FETCH, halts
 from pdp8.computer.hardware.bus import Bus, Device
@@ -30,6 +31,9 @@ from pdp8.computer.speed.waiting import Waiting
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.watch import Watch
 from tapes.errors import WorkError
+
+if TYPE_CHECKING:
+    from pdp8.computer.count import Count
 
 _LONGEST = 1e9
 """Seconds, 31 years: more is no limit."""
@@ -181,6 +185,18 @@ class Machine:
             self.bus.finish()
             self.waiting.left.forget()
         return reason
+
+    @contextmanager
+    def count(self) -> Iterator["Count"]:
+        """Count what the runs within do, `with machine.count() as count:`; they are slower meanwhile."""
+        from pdp8.computer.count import Count
+
+        count = Count()
+        before, self.watch.observer = self.watch.observer, count
+        try:
+            yield count
+        finally:
+            self.watch.observer = before
 
     def parts(self) -> list[tuple[str, Part]]:
         """Return what has a state, each with its path; parts within these are in their fields."""

@@ -2,7 +2,8 @@
 
 from collections.abc import Sequence
 
-from pdp8.computer.use.count import Count
+from pdp8.computer.count import Count
+from pdp8.computer.use import counted
 from pdp8.computer.use.trace import Trace
 from pdp8.monitor.arguments import MonitorError, at_most, exactly, octal, seconds, some
 from pdp8.monitor.prompt import Monitor
@@ -123,7 +124,8 @@ def count(monitor: Monitor, arguments: Sequence[str]) -> None:
     elif not isinstance(observer, Count):
         raise MonitorError("nothing is counted: count on begins")
     else:
-        for line in observer.annotated(monitor.listing) if what else observer.table(monitor.listing):
+        report = counted.annotated if what else counted.table
+        for line in report(observer, monitor.listing):
             monitor.say(line)
 
 

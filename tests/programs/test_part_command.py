@@ -1,12 +1,15 @@
 """`pdp8 part`: tapes that the chain translates into whole blocks, or one clear sentence."""
 
+import re
 import shlex
 
 import pytest
 
 from pdp8.cli.root import pdp8
+from programs import parts
 from programs.units import THOUSANDTHS
-from tapes import command
+from tapes import ascii, command
+from tapes.errors import WorkError
 from tests.conftest import Shell
 
 PARTS = [
@@ -75,7 +78,7 @@ REFUSED = [
 
 MISUSED = [
     ("circle --radius x", "--radius"),
-    ("circle --radius 1750", "1750 in: must be less than 100 in; for 1750 thousandths write 1.75"),
+    ("circle --radius 1750", "1750 in: must be less than 100 in; for 1750 thousandths write"),
     ("circle --radius 1.7505", "1.7505 is not a whole number of thousandths of an inch"),
     ("circle --tolerance 5", "for 5 thousandths write 0.005"),
     ("circle --outer 1e999999999", "1e999999999 in: must be less than 100 in."),
@@ -241,3 +244,38 @@ def test_a_folder_is_no_file(shell: Shell) -> None:
     done = shell("mkdir here && pdp8 part circle -o here")
     assert done.returncode == 1
     assert done.stderr.decode().count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("typed", "constants"),
+    [
+        ("circle --radius 1 --tolerance .003", {"radius": 1, "tolerance": ".003"}),
+        ("circle --radius 1.5in --close --park-x 18", {"radius": "1.5in", "close": True, "park_x": 18}),
+        ("ellipse --arithmetic ge635 --feed 2", {"arithmetic": "ge635", "feed_code": 2, "outer_major": None}),
+        ("slope --technique piece --feed-error 10%", {"technique": "piece", "feed_error": 10}),
+        ("drill --holes '1,1 2.5,1.125'", {"holes": ((1, 1), (2.5, 1.125))}),
+        ("curve 'sin(x)' --from 1 --to 2", {"from_": 1, "to": "2"}),
+    ],
+)
+def test_a_script_gives_constants_as_the_command_takes_them(
+    typed: str, constants: dict[str, object], shell: Shell
+) -> None:
+    name, *more = shlex.split(typed)
+    done = shell(f"pdp8 part {typed}")
+    assert done.stdout == ascii.encode(parts.part(name, *more[: name == "curve"], **constants)), done.stderr
+
+
+@pytest.mark.parametrize(
+    ("constants", "message"),
+    [
+        (
+            {"radius": 1750},
+            "circle: radius: 1750 in: must be less than 100 in; for 1750 thousandths write 1.75",
+        ),
+        ({"radus": 1}, "circle: no constant 'radus'; there are radius, tolerance"),
+        ({"technique": "leap"}, "circle: technique: 'leap' is not one of"),
+    ],
+)
+def test_a_script_is_told_what_the_command_says(constants: dict[str, object], message: str) -> None:
+    with pytest.raises(WorkError, match=re.escape(message)):
+        parts.part("circle", **constants)

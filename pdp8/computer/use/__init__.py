@@ -4,5 +4,5 @@ program      a program from a tape's bytes: its kind, words, tape and listing
 operator     who sets switches, presses keys and loads tapes, at a pace
 keys         what a key of the Teletype sends
 trace        an instruction or a cycle a line, as in the listing
-count        how often words were executed and written
+counted      what was counted, as a table, in the listing, for machines
 """

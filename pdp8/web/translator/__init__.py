@@ -40,9 +40,9 @@ MODULES = {
 
 OMITTED = {
     "pal.assembly": "_repr_html_",
-    "pdp8.computer.machine": "__reduce__ _copied",
+    "pdp8.computer.machine": "__reduce__ _copied count",
     "pdp8.computer.use.program": "find",
-    "nc.path": "__repr__",
+    "nc.path": "__repr__ array",
     "nc.notebook": "_repr_html_ _repr_svg_",
 }
 """What of it is not: names of notebooks, files and pickles, which no page has."""

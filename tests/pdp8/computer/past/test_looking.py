@@ -9,10 +9,10 @@ from typing import Any
 
 import pytest
 
+from pdp8.computer.count import Count
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.computer.past.history import History
-from pdp8.computer.use.count import Count
 from pdp8.computer.use.trace import Trace
 from pdp8.computer.watch import Observer
 from tests.pdp8.computer.past.test_history import act, set_up

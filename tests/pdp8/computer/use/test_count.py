@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
+from pdp8.computer.count import Count
 from pdp8.computer.machine import Machine
 from pdp8.computer.use import program
-from pdp8.computer.use.count import Count
 from tapes import ascii
 from tests.conftest import Shell
 
@@ -18,8 +18,9 @@ def counted(name: str, tape: bytes = b"", seconds: float = 100, keys: bytes = b"
     machine.teletype.reader.load(tape)
     machine.start(0o200)
     machine.teletype.keyboard.press(keys)
-    count = machine.watch.observer = Count()
-    machine.run(seconds=seconds)
+    with machine.count() as count:
+        machine.run(seconds=seconds)
+    assert machine.watch.observer is None
     return machine, count
 
 

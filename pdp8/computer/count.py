@@ -1,29 +1,25 @@
 """How often each word was executed and written, each operation done, and how long the program waited.
 
-A Count watches a machine (`machine.watch.observer = Count()`), which then runs instruction by instruction;
+A Count watches a machine (`with machine.count() as count`), which then runs instruction by instruction;
 without one a run costs nothing more. What is passed over of a waiting loop is counted as if it had been run:
 the loop is known by the instructions before.
 """
 
 from collections import Counter, deque
-from collections.abc import Iterator
 
+from pal.disassembler import microinstruction
 from pal.isa import FETCH, INDIRECT, IOT, OPERATIONS, jumps_to, tests_flag
 from pdp8.computer.hardware.processor import Processor
-from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, IO_TICKS, TICKS_PER_SECOND
-from pdp8.computer.use.trace import Listing, instruction
+from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, IO_TICKS
 from pdp8.computer.watch import wrote
-from tapes.measure import duration, ranges
 
 _RING = 8192
 """Instructions that are remembered: more than the longest loop that is passed over."""
-_COLUMN = 12
 
 
 class Count:
-    """What was counted: of each address how often its word was executed, and written; operations by name.
-
-    `ticks` is the time in all, `waiting` that of the turns passed over.
+    """What was counted: executed[address] and written[address], how often each word was; operations[name];
+    interrupts, cycles, and `ticks` of 0.05 us in all, `waiting` those of the loops that only wait.
     """
 
     def __init__(self) -> None:
@@ -88,59 +84,10 @@ class Count:
         """How many instructions there were."""
         return self.executed.total()
 
-    def record(self, listing: Listing) -> dict[str, object]:
-        """Return all of it as JSON has it; addresses are octal strings."""
-        return {
-            "instructions": self.instructions,
-            "cycles": self.cycles,
-            "interrupts": self.interrupts,
-            "seconds": self.ticks / TICKS_PER_SECOND,
-            "waiting_seconds": self.waiting / TICKS_PER_SECOND,
-            "operations": dict(self.operations.most_common()),
-            "executed": {f"{address:04o}": self.executed[address] for address in sorted(self.executed)},
-            "written": {f"{address:04o}": self.written[address] for address in sorted(self.written)},
-            "never_executed": [f"{address:04o}" for address in self.never_executed(listing)],
-        }
-
-    def table(self, listing: Listing) -> Iterator[str]:
-        """Yield the lines of a table for people."""
-        share = 100 / max(1, self.instructions)
-        yield f"{self.instructions:,} instructions, {self.cycles:,} cycles, {_time(self.ticks)}"
-        yield f"waiting {100 * self.waiting / max(1, self.ticks):.2f} %, {_time(self.waiting)}"
-        if self.interrupts:
-            yield f"interrupts {self.interrupts:,}"
-        for name, times in self.operations.most_common():
-            yield f"    {name:12} {times:15,} {share * times:7.2f} %"
-        yield f"never executed: {ranges(self.never_executed(listing))}"
-        yield f"written: {ranges(self.written)}"
-
-    def never_executed(self, listing: Listing) -> list[int]:
-        """Return the addresses of the listing whose words were never executed, data among them."""
-        return sorted(listing.words.keys() - self.executed.keys())
-
-    def annotated(self, listing: Listing) -> list[str]:
-        """Return the listing with, in its margin, how often each word was executed, or written (w)."""
-        at = {place: address for address, place in listing.places.items()}
-        return [
-            f"{self._margin(at.get(place)):>{_COLUMN}}  {line}".rstrip()
-            for place, line in enumerate(listing.lines)
-        ]
-
-    def _margin(self, address: int | None) -> str:
-        if address is None:
-            return ""
-        if self.executed[address]:
-            return f"{self.executed[address]:,}"
-        return f"{self.written[address]:,} w" if self.written[address] else "-"
-
-
-def _time(ticks: int) -> str:
-    return duration(ticks / TICKS_PER_SECOND)
-
 
 def _operation(word: int) -> str:
     """Return what is counted together: an operation, with I its own; an OPR or IOT by its name."""
     code = word >> 9
     if code >= IOT:
-        return instruction(0, word)
+        return microinstruction(word) or f"{word:04o}"
     return f"{OPERATIONS[code]} I" if word & INDIRECT else OPERATIONS[code]

@@ -1,0 +1,64 @@
+"""What a Count counted, for people and machines, by the listing of the program that ran."""
+
+from collections.abc import Iterator
+
+from pdp8.computer.count import Count
+from pdp8.computer.hardware.signals import TICKS_PER_SECOND
+from pdp8.computer.use.trace import Listing
+from tapes.measure import duration, ranges
+
+_COLUMN = 12
+
+
+def record(count: Count, listing: Listing) -> dict[str, object]:
+    """Return all of it as JSON has it; addresses are octal strings."""
+    return {
+        "instructions": count.instructions,
+        "cycles": count.cycles,
+        "interrupts": count.interrupts,
+        "seconds": count.ticks / TICKS_PER_SECOND,
+        "waiting_seconds": count.waiting / TICKS_PER_SECOND,
+        "operations": dict(count.operations.most_common()),
+        "executed": {f"{address:04o}": count.executed[address] for address in sorted(count.executed)},
+        "written": {f"{address:04o}": count.written[address] for address in sorted(count.written)},
+        "never_executed": [f"{address:04o}" for address in never_executed(count, listing)],
+    }
+
+
+def table(count: Count, listing: Listing) -> Iterator[str]:
+    """Yield the lines of a table for people."""
+    share = 100 / max(1, count.instructions)
+    yield f"{count.instructions:,} instructions, {count.cycles:,} cycles, {_time(count.ticks)}"
+    yield f"waiting {100 * count.waiting / max(1, count.ticks):.2f} %, {_time(count.waiting)}"
+    if count.interrupts:
+        yield f"interrupts {count.interrupts:,}"
+    for name, times in count.operations.most_common():
+        yield f"    {name:12} {times:15,} {share * times:7.2f} %"
+    yield f"never executed: {ranges(never_executed(count, listing))}"
+    yield f"written: {ranges(count.written)}"
+
+
+def never_executed(count: Count, listing: Listing) -> list[int]:
+    """Return the addresses of the listing whose words were never executed, data among them."""
+    return sorted(listing.words.keys() - count.executed.keys())
+
+
+def annotated(count: Count, listing: Listing) -> list[str]:
+    """Return the listing with, in its margin, how often each word was executed, or written (w)."""
+    at = {place: address for address, place in listing.places.items()}
+    return [
+        f"{_margin(count, at.get(place)):>{_COLUMN}}  {line}".rstrip()
+        for place, line in enumerate(listing.lines)
+    ]
+
+
+def _margin(count: Count, address: int | None) -> str:
+    if address is None:
+        return ""
+    if count.executed[address]:
+        return f"{count.executed[address]:,}"
+    return f"{count.written[address]:,} w" if count.written[address] else "-"
+
+
+def _time(ticks: int) -> str:
+    return duration(ticks / TICKS_PER_SECOND)
