@@ -5,13 +5,14 @@ from typing import Any
 import click
 
 from nc.options import (
+    CURVE,
+    TAPE,
+    TIMES,
     curve,
-    curve_options,
     curve_or_followed,
     cut_so_far,
     cut_tape,
     numbers,
-    tape_options,
     within,
 )
 from tapes import command
@@ -36,7 +37,7 @@ def nc() -> None:
 
 
 @nc.command("list")
-@tape_options
+@TAPE
 @click.option("--modes", is_flag=True, help="Add what is in force after each block, and the time.")
 def list_(modes: bool, **options: Any) -> None:
     """Print the program as a table: each block and what it does.
@@ -56,7 +57,8 @@ def list_(modes: bool, **options: Any) -> None:
 
 
 @nc.command()
-@tape_options
+@TAPE
+@TIMES
 @click.option(
     "--passes",
     type=click.IntRange(1),
@@ -84,8 +86,8 @@ def cut(passes: int, **options: Any) -> None:
 
 
 @nc.command()
-@tape_options
-@curve_options
+@TAPE
+@CURVE
 @click.option(
     "--block", type=click.IntRange(1), metavar="NUMBER", help="The current block; the last by default."
 )
@@ -131,16 +133,10 @@ def plot(output: str, block: int | None, at: tuple[float, float] | None, zoom: f
 
 
 @nc.command()
-@tape_options
-@curve_options
+@TAPE
+@CURVE
 @click.option(
     "--talyrond", type=Target("SVG"), metavar="FILE.svg", help="Draw the polar graph of both walls."
-)
-@click.option(
-    "--magnification",
-    type=click.IntRange(1),
-    metavar="TIMES",
-    help="Of the polar graph; 100 by default, or what fits.",
 )
 @click.option("--talysurf", type=Target("SVG"), metavar="FILE.svg", help="Draw both walls laid out straight.")
 @click.option(
@@ -151,7 +147,6 @@ def plot(output: str, block: int | None, at: tuple[float, float] | None, zoom: f
 )
 def inspect(
     talyrond: str | None,
-    magnification: int | None,
     talysurf: str | None,
     stretch: tuple[float, float] | None,
     **options: Any,
@@ -179,7 +174,7 @@ def inspect(
     if talyrond:
         from nc.talyrond import talyrond as polar
 
-        drawings.append((talyrond, polar(found, magnification)))
+        drawings.append((talyrond, polar(found)))
     if talysurf:
         from nc.talysurf import talysurf as trace
 
@@ -195,8 +190,8 @@ def inspect(
 
 
 @nc.command()
-@tape_options
-@curve_options
+@TAPE
+@CURVE
 @click.option("--gcode", is_flag=True, help="RS-274, one linear move a block, for today's controllers.")
 @click.option("--dxf", is_flag=True, help="A drawing of the path (needs ezdxf, the extra `nc`).")
 @output(Target("text"))

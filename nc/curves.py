@@ -219,28 +219,22 @@ class Graph:
         )
 
 
-def _polynomial(a: float, b: float, c: float) -> str:
-    """Return the thesis's polynomial y = A x (x - B) (x - C) as an expression (Chapter 6)."""
-    return f"{a:.12g}*x*(x{-b:+.12g})*(x{-c:+.12g})"
-
-
 def nominal(
     *,
     circle: Sequence[float] | None = None,
     ellipse: Sequence[float] | None = None,
     line: Sequence[float] | None = None,
-    polynomial: Sequence[float] | None = None,
     function: str | None = None,
     origin: Sequence[float] = (0, 0),
     range_: Sequence[float] | None = None,
 ) -> Curve | None:
     """Return the one curve that is named, lengths in inches; None if none is.
 
-    `circle` is X, Y, radius; `ellipse` X, Y and the semi-axes; `line` X and Y of both ends; `polynomial` X
-    and Y of its origin, A, B, C, by default from x = 0 to C; `function` an expression in x, with its `origin`
-    and `range_`. Raises WorkError for two curves, or one that does not exist.
+    `circle` is X, Y, radius; `ellipse` X, Y and the semi-axes; `line` X and Y of both ends; `function`
+    an expression in x, with its `origin` and `range_`. Raises WorkError for two curves, or one that does not
+    exist.
     """
-    named = [curve for curve in (circle, ellipse, line, polynomial, function) if curve is not None]
+    named = [curve for curve in (circle, ellipse, line, function) if curve is not None]
     if len(named) > 1:
         raise WorkError(f"{len(named)} curves are named; at most one is allowed")
     if circle:
@@ -250,10 +244,6 @@ def nominal(
         return Ellipse(*_thousandths(ellipse))
     if line:
         return StraightLine(*_thousandths(line))
-    if polynomial:
-        x, y = _thousandths(polynomial[:2])
-        first, last = range_ or (0, polynomial[4])
-        return Graph(x, y, _polynomial(*polynomial[2:]), first, last)
     if function is not None:
         if range_ is None:
             raise WorkError(f"function {function}: its range of x is needed")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from tapes import shelf
-from tapes.arguments import Option, Source
+from tapes.arguments import Source
 from tapes.errors import WorkError, named, naming
 
 if TYPE_CHECKING:
@@ -54,127 +54,125 @@ def within(
     return check
 
 
-def tape_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Add the tape and the settings of the machine to a command."""
-    options: tuple[_Decorator, ...] = (
-        click.argument("tape", type=Source(), metavar="[FILE.eia]", default="-"),
-        click.option("--strict", is_flag=True, help="Read as later controls did: odd parity, no blank rows."),
-        click.option(
-            "--feed-error",
-            callback=numbers("X,Y,Z", one_for_all=True),
-            default="0",
-            metavar="PERCENT",
-            help="Error of the feeds, within +-20; one number, or X,Y,Z.",
-        ),
-        click.option(
-            "--feed-code",
-            cls=Option,
-            also=("--feed",),
-            type=click.IntRange(1, 18),
-            metavar="CODE",
-            help="Mill at this code of Table 2.4 in place of the tape's.",
-        ),
-        click.option(
-            "--peck",
-            type=float,
-            callback=within(0.001, 5),
-            metavar="INCHES",
-            default=0.1,
-            show_default=True,
-            help="Depth the drill goes between two withdrawals; not in the thesis.",
-        ),
-        click.option(
-            "--tool-change",
-            type=float,
-            callback=within(0, 3600),
-            default=0.0,
-            metavar="SECONDS",
-            help="Time of an automatic tool change; not in the thesis.",
-        ),
-        click.option(
-            "--read-seconds",
-            type=float,
-            callback=within(0, 3600),
-            default=2.0,
-            show_default=True,
-            metavar="SECONDS",
-            help="Time to read a block; an electronic reader takes less (Chapter 10).",
-        ),
-    )
-    for option in reversed(options):
-        command = option(command)
-    return command
+def _adding(*options: _Decorator) -> _Decorator:
+    """Return the decorator that adds options to a command, in their order."""
+
+    def add(command: Callable[..., Any]) -> Callable[..., Any]:
+        for option in reversed(options):
+            command = option(command)
+        return command
+
+    return add
 
 
-def curve_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Add the cutter and the nominal curve to a command."""
-    options: tuple[_Decorator, ...] = (
-        click.option(
-            "--circle",
-            callback=numbers("X,Y,RADIUS"),
-            metavar="X,Y,RADIUS",
-            help="Nominal curve of the cutter's centre, inches.",
-        ),
-        click.option(
-            "--ellipse",
-            callback=numbers("X,Y,A,B"),
-            metavar="X,Y,A,B",
-            help="The same, with semi-axes along X and Y.",
-        ),
-        click.option(
-            "--line",
-            callback=numbers("X1,Y1,X2,Y2"),
-            metavar="X1,Y1,X2,Y2",
-            help="The same, from one place to another.",
-        ),
-        click.option(
-            "--polynomial",
-            callback=numbers("X,Y,A,B,C"),
-            metavar="X,Y,A,B,C",
-            help="The same: y = Ax(x-B)(x-C), its origin at X,Y, by default from x = 0 to C.",
-        ),
-        click.option(
-            "--function",
-            metavar="EXPRESSION",
-            help="The same: y as a function of x, as `pdp8 part curve` has it.",
-        ),
-        click.option(
-            "--origin",
-            callback=numbers("X,Y"),
-            metavar="X,Y",
-            default="4,5",
-            show_default=True,
-            help="Origin of --function on the table, inches.",
-        ),
-        click.option(
-            "--range",
-            "range_",
-            callback=numbers("FROM,TO"),
-            metavar="FROM,TO",
-            help="Range of x of --function or --polynomial, inches.",
-        ),
-        click.option(
-            "--cutter",
-            type=float,
-            callback=within(0, 10, above=True),
-            metavar="INCHES",
-            default=0.5,
-            show_default=True,
-            help="Diameter of the cutter.",
-        ),
-        click.option(
-            "--tolerance",
-            type=float,
-            callback=within(0, 1, above=True),
-            metavar="INCHES",
-            default=0.005,
-            show_default=True,
-            help="Half the width of the band.",
-        ),
-    )
-    for option in reversed(options):
-        command = option(command)
-    return command
+TAPE = _adding(
+    click.argument("tape", type=Source(), metavar="[FILE.eia]", default="-"),
+    click.option("--strict", is_flag=True, help="Read as later controls did: odd parity, no blank rows."),
+    click.option(
+        "--feed-error",
+        callback=numbers("X,Y,Z", one_for_all=True),
+        default="0",
+        metavar="PERCENT",
+        help="Error of the feeds, within +-20; one number, or X,Y,Z.",
+    ),
+    click.option(
+        "--feed-code",
+        type=click.IntRange(1, 18),
+        metavar="CODE",
+        help="Mill at this code of Table 2.4 in place of the tape's.",
+    ),
+)
+"""The tape, and how the machine reads and feeds."""
+
+TIMES = _adding(
+    click.option(
+        "--peck",
+        type=float,
+        callback=within(0.001, 5),
+        metavar="INCHES",
+        default=0.1,
+        show_default=True,
+        help="Depth the drill goes between two withdrawals; not in the thesis.",
+    ),
+    click.option(
+        "--tool-change",
+        type=float,
+        callback=within(0, 3600),
+        default=0.0,
+        metavar="SECONDS",
+        help="Time of an automatic tool change; not in the thesis.",
+    ),
+    click.option(
+        "--read-seconds",
+        type=float,
+        callback=within(0, 3600),
+        default=2.0,
+        show_default=True,
+        metavar="SECONDS",
+        help="Time to read a block; an electronic reader takes less (Chapter 10).",
+    ),
+)
+"""What only the time of a cut depends on."""
+
+CURVE = _adding(
+    click.option(
+        "--circle",
+        callback=numbers("X,Y,RADIUS"),
+        metavar="X,Y,RADIUS",
+        help="Nominal curve of the cutter's centre, inches.",
+    ),
+    click.option(
+        "--ellipse",
+        callback=numbers("X,Y,A,B"),
+        metavar="X,Y,A,B",
+        help="The same, with semi-axes along X and Y.",
+    ),
+    click.option(
+        "--line",
+        callback=numbers("X1,Y1,X2,Y2"),
+        metavar="X1,Y1,X2,Y2",
+        help="The same, from one place to another.",
+    ),
+    click.option(
+        "--function",
+        metavar="EXPRESSION",
+        help="The same: y as a function of x, as `pdp8 part curve` has it.",
+    ),
+    click.option(
+        "--origin",
+        callback=numbers("X,Y"),
+        metavar="X,Y",
+        default="4,5",
+        show_default=True,
+        help="Origin of --function on the table, inches.",
+    ),
+    click.option(
+        "--range",
+        "range_",
+        callback=numbers("FROM,TO"),
+        metavar="FROM,TO",
+        help="Range of x of --function, inches.",
+    ),
+    click.option(
+        "--cutter",
+        type=float,
+        callback=within(0, 10, above=True),
+        metavar="INCHES",
+        default=0.5,
+        show_default=True,
+        help="Diameter of the cutter.",
+    ),
+    click.option(
+        "--tolerance",
+        type=float,
+        callback=within(0, 1, above=True),
+        metavar="INCHES",
+        default=0.005,
+        show_default=True,
+        help="Half the width of the band.",
+    ),
+)
+"""The nominal curve, the cutter and the band."""
 
 
 def cut_tape(**options: Any) -> "Path":
@@ -190,9 +188,9 @@ def cut_so_far(
     strict: bool,
     feed_error: tuple[float, float, float],
     feed_code: int | None,
-    peck: float,
-    tool_change: float,
-    read_seconds: float,
+    peck: float = 0.1,
+    tool_change: float = 0.0,
+    read_seconds: float = 2.0,
     **_: Any,
 ) -> tuple["Path", WorkError | None]:
     """Return the path and the error that stopped the machine, if any; raise it if the path is empty."""
@@ -230,7 +228,6 @@ def curve(
     circle: tuple[float, ...] | None,
     ellipse: tuple[float, ...] | None,
     line: tuple[float, ...] | None,
-    polynomial: tuple[float, ...] | None,
     function: str | None,
     origin: tuple[float, ...],
     range_: tuple[float, ...] | None,
@@ -239,17 +236,16 @@ def curve(
     """Return the curve that is named, if one is."""
     from nc.curves import nominal
 
-    if sum(given is not None for given in (circle, ellipse, line, polynomial, function)) > 1:
-        raise click.UsageError("give one of --circle, --ellipse, --line, --polynomial and --function")
+    if sum(given is not None for given in (circle, ellipse, line, function)) > 1:
+        raise click.UsageError("give one of --circle, --ellipse, --line and --function")
     if function is not None and range_ is None:
         raise click.UsageError("--function needs --range")
-    if range_ is not None and function is None and polynomial is None:
-        raise click.UsageError("--range needs --function or --polynomial")
+    if range_ is not None and function is None:
+        raise click.UsageError("--range needs --function")
     return nominal(
         circle=circle,
         ellipse=ellipse,
         line=line,
-        polynomial=polynomial,
         function=function,
         origin=origin,
         range_=range_,

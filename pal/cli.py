@@ -56,20 +56,6 @@ class AssemblyError(WorkError):
     show_default=True,
     help="DEC's PAL III of 1967, or the later PAL8; auto takes PAL8 for a source that can only be that.",
 )
-@click.option(
-    "--color",
-    type=click.Choice(("auto", "always", "never")),
-    default="auto",
-    help="Colour what is said; auto, at a terminal.",
-)
-@click.option(
-    "--max-errors",
-    type=click.IntRange(1),
-    metavar="NUMBER",
-    default=MOST,
-    show_default=True,
-    help="Print so many errors and notes, and count the rest.",
-)
 @click.option("--lsp", is_flag=True, help="Serve an editor on standard input and output (docs/editors.md).")
 @click.option("--modern", is_flag=True, help="Read lower case as capitals; nothing else differs.")
 @click.option(
@@ -99,8 +85,6 @@ def pal(
     strict: bool,
     check: bool,
     dialect: str,
-    color: str,
-    max_errors: int,
     lsp: bool,
     modern: bool,
     model: str | None,
@@ -146,10 +130,9 @@ def pal(
     _check_kinds(sources, contents, assembly.ok)
     if tty and assembly.dialect == PAL8:
         raise click.UsageError("--tty writes the frames of PAL III's three passes; this is PAL8")
-    coloured = {"auto": None, "always": True, "never": False}[color]
-    for diagnostic in diagnostics[:max_errors]:
-        command.tell(_coloured(diagnostic), styled=True, color=coloured)
-    more = len(diagnostics) - max_errors
+    for diagnostic in diagnostics[:MOST]:
+        command.tell(_coloured(diagnostic), styled=True)
+    more = len(diagnostics) - MOST
     if more > 0:
         command.tell(f"and {more:,} more")
     errors = sum(diagnostic.error or strict for diagnostic in diagnostics)

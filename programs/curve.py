@@ -5,7 +5,6 @@ Source: thesis, Chapters 3 and 6.
 
 from typing import Annotated
 
-from programs.format import Overflow
 from programs.function import Range, Side, centre_path, offset_path
 from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
@@ -30,7 +29,6 @@ def part(
     side: Side = "above",
     milling: Milling = SLOWEST,
     header: Header = THESIS,
-    overflow: Overflow = "low-digits",
 ) -> str:
     """Return the printout of y = `expression`; lengths are inches. Raises WorkError."""
     y = function(expression)
@@ -39,7 +37,7 @@ def part(
         curve = centre_path(lambda x: y(float(x)), where, tolerance)
     else:
         curve = offset_path(y, where, tolerance, cutter, side)
-    printout = Printout(overflow)
+    printout = Printout()
     printout.header(header, *curve.start)
     milling.print(printout, curve)
     return printout.text

@@ -22,7 +22,6 @@ from programs.arithmetic import ARITHMETICS, Arithmetic
 from programs.drill import Holes
 from programs.parts import PartProgram
 from programs.units import INCHES, Unit, UnitError
-from tapes.arguments import Option
 
 
 def parameters(part: PartProgram) -> list[click.Parameter]:
@@ -108,19 +107,14 @@ def _named(name: str, kind: click.ParamType[Any], default: Any, help_line: str) 
     spelling = "--" + name.strip("_").replace("_", "-")
     if default is not None and isinstance(kind, Number | _Places):
         default = kind.written(default)
-    return Option(
+    return click.Option(
         [spelling, name],
-        also=_ALSO.get(name, ()),
         type=kind,
         default=default,
         show_default=default is not None,
         metavar=None if isinstance(kind, click.Choice) else kind.name,
         help=help_line,
     )
-
-
-_ALSO = {"feed_code": ("--feed",)}
-"""Other spellings."""
 
 
 def _type(hint: Any, unit: Unit | None = None) -> click.ParamType[Any]:

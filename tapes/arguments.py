@@ -10,7 +10,7 @@ files compared as files before anything is opened, names that are nearly right, 
 
 import os
 import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
@@ -96,20 +96,6 @@ class Folder(_Type):
         return [CompletionItem(incomplete, type="dir")]
 
 
-class Option(click.Option):
-    """An option that also answers to other names, which its help leaves out."""
-
-    def __init__(self, names: Sequence[str], *, also: Sequence[str] = (), **settings: Any) -> None:
-        super().__init__(names, **settings)
-        self._also = also
-
-    def add_to_parser(self, parser: Any, ctx: click.Context) -> None:
-        """Let the parser know all names."""
-        shown, self.opts = self.opts, [*self.opts, *self._also]
-        super().add_to_parser(parser, ctx)
-        self.opts = shown
-
-
 def output(
     kind: _Type,
     metavar: str = "FILE",
@@ -120,10 +106,7 @@ def output(
     """Return the decorator that adds `-o`, `--out`: where a command's product goes, a file or a folder."""
     if default is not None:  # click takes a given None for an answer, even where one is required
         settings["default"] = default
-    names = "-o", "--out", "output"
-    return click.option(
-        *names, cls=Option, also=("--output",), type=kind, metavar=metavar, help=help, **settings
-    )
+    return click.option("-o", "--out", "output", type=kind, metavar=metavar, help=help, **settings)
 
 
 class Command(click.Command):

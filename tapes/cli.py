@@ -6,7 +6,7 @@ import click
 
 from tapes import ascii, captions, command, eia, frames, hydrapoint, kinds, measure, picture, progress, shelf
 from tapes import convert as codes
-from tapes.arguments import Group, Option, Source, Target, output
+from tapes.arguments import Group, Source, Target, output
 from tapes.errors import TapeError, called, naming
 
 _AUTO = "auto"
@@ -29,7 +29,7 @@ def tape() -> None:
 
     \b
     Examples:
-      pdp8 tape show circle.eia --frames 21
+      pdp8 tape show circle.eia --to 20
       pdp8 tape info circle.asc circle.eia eia.bin
       pdp8 tape convert eia.bin --to rim > eia.rim
       pdp8 tape punch typed.txt > typed.asc
@@ -47,7 +47,6 @@ def tape() -> None:
     help="The first frame to show; the tape's first is 0.",
 )
 @click.option("--to", "last", type=click.IntRange(0), metavar="FRAME", help="The last frame to show.")
-@click.option("--frames", "count", type=click.IntRange(1), metavar="NUMBER", help="How many frames to show.")
 @click.option(
     "--code",
     type=click.Choice([_AUTO, *captions.CODES, "none"]),
@@ -61,34 +60,22 @@ def tape() -> None:
     metavar="FILE",
     help="Draw it in true size as SVG into FILE (- for standard output).",
 )
-@click.option(
-    "--strip",
-    type=click.IntRange(1),
-    metavar="FRAMES",
-    default=80,
-    show_default=True,
-    help="Frames a strip of the SVG.",
-)
-def show(
-    *, file: str, first: int, last: int | None, count: int | None, code: str, svg: str | None, strip: int
-) -> None:
+def show(*, file: str, first: int, last: int | None, code: str, svg: str | None) -> None:
     """Show a tape as rows of holes, each with its number, its octal and what it says.
 
     \b
     Examples:
-      pdp8 tape show circle.eia --frames 21
+      pdp8 tape show circle.eia --to 20
       pdp8 tape show circle.asc --from 162 --to 188
-      pdp8 tape show eia.bin --code bin --from 60 --frames 40
-      pdp8 part circle | pdp8 tape show - --frames 27 --svg line.svg
+      pdp8 tape show eia.bin --code bin --from 60 --to 99
+      pdp8 part circle | pdp8 tape show - --to 26 --svg line.svg
     """
-    if last is not None and count is not None:
-        raise click.UsageError("--to and --frames both say where to end: give one of them")
     if last is not None and last < first:
         raise click.UsageError(f"--to {last} lies before --from {first}")
     content = shelf.read(file)
     with naming(file):
         _check(first, len(content))
-    stop = first + count if count is not None else None if last is None else last + 1
+    stop = None if last is None else last + 1
     code = kinds.classify(content) if code == _AUTO else code
     if svg is None:
         command.echo(picture.text(content, code, first, stop), nl=False)
@@ -96,7 +83,7 @@ def show(
             for row in frames.draw_label(content[:stop][max(first, label.start) : label.stop]):
                 command.echo(f"   label    {row}".rstrip())
     else:
-        command.put(svg, picture.svg(content, code, first, stop, strip))
+        command.put(svg, picture.svg(content, code, first, stop))
 
 
 @tape.command()
@@ -120,8 +107,6 @@ def info(files: tuple[str, ...]) -> None:
 @_file
 @click.option(
     "--code",
-    cls=Option,
-    also=("--from",),
     type=click.Choice([_AUTO, *codes.CODES]),
     default=_AUTO,
     show_default=True,

@@ -55,12 +55,13 @@ def _end(number: int, frame: FrameType | None) -> None:
     sys.exit(128 + number)
 
 
-def tell(message: str, styled: bool = False, color: bool | None = None) -> None:
+def tell(message: str, styled: bool = False) -> None:
     """Write a line on standard error; that nobody reads it is no reason to end. One that is `styled` has its
     colours and no other control codes.
     """
     try:
-        click.echo(message if styled else visible(message), err=True, color=color)
+        plain = False if os.environ.get("NO_COLOR") else None
+        click.echo(message if styled else visible(message), err=True, color=plain)
     except OSError:
         silence(sys.stderr)
 

@@ -12,6 +12,7 @@ from tapes.arguments import Command, Folder, output
 from tapes.errors import WorkError
 
 _AFTERNOON = "afternoon"
+_PART = "circle"
 _A4 = 841.89, 595.28
 """Points, the long side across."""
 _NAMES = (*drawn.CARDS, _AFTERNOON)
@@ -20,28 +21,26 @@ _NAMES = (*drawn.CARDS, _AFTERNOON)
 @click.command(cls=Command)
 @click.argument("names", nargs=-1, type=click.Choice([*_NAMES, "all"]), metavar="NAME...")
 @output(Folder(), "FOLDER", ".", "Where to.  [default: this folder]")
-@click.option("--part", metavar="PART", default="circle", show_default=True, help="Whose afternoon it is.")
 @click.option(
     "--pdf", is_flag=True, help="Write all into cards.pdf, a page each; needs CairoSVG, the extra `print`."
 )
-def cards(names: tuple[str, ...], output: str, part: str, pdf: bool) -> None:
+def cards(names: tuple[str, ...], output: str, pdf: bool) -> None:
     """Draw cards of A4, NAME.svg each: rim, instructions, ascii, eia, afternoon, or all.
 
-    The afternoon's timetable is that of a replay: `pdp8 replay` shows it too.
+    The afternoon's timetable is that of `pdp8 replay circle`.
 
     \b
     Examples:
       pdp8 cards all
       pdp8 cards rim instructions --out handout
       pdp8 cards all --pdf --out handout
-      pdp8 cards afternoon --part ellipse
     """
     if not names:
         raise click.UsageError(f"Give a card's name: {', '.join(_NAMES)}, or all.")
     if pdf and find_spec("cairosvg") is None:
         raise WorkError("PDF needs CairoSVG: pip install 'pdp8[print]'; a browser prints the SVG as well")
     wanted = _NAMES if "all" in names else dict.fromkeys(names)
-    svgs = {name: _afternoon(part) if name == _AFTERNOON else drawn.CARDS[name]() for name in wanted}
+    svgs = {name: _afternoon() if name == _AFTERNOON else drawn.CARDS[name]() for name in wanted}
     if pdf:
         command.put_all(output, [("cards.pdf", _pdf(svgs.values()))])
     else:
@@ -70,9 +69,9 @@ def _pdf(svgs: Iterable[str]) -> bytes:
     return written.getvalue()
 
 
-def _afternoon(part: str) -> str:
+def _afternoon() -> str:
     from pdp8.replay import replay
     from pdp8.replay.day import clock
 
-    slots = [drawn.Slot(clock(act.starts), act.name, act.outcome) for act in replay(part).acts]
-    return drawn.afternoon(slots, f"The afternoon: {part}")
+    slots = [drawn.Slot(clock(act.starts), act.name, act.outcome) for act in replay(_PART).acts]
+    return drawn.afternoon(slots, f"The afternoon: {_PART}")

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 import click
 
+from pdp8.cli.parameters import processor_seconds
 from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.lessons import alike, bounded, form, handed, page, proof, records, scores, student
 from pdp8.lessons.answer import Answer
@@ -35,7 +36,7 @@ _SHOWN = ("task", "solution")
 @click.option(
     "--seed", metavar="N", type=int, default=form.SEED, show_default=True, help="Draw random cases from this."
 )
-@click.option("--cpu", type=click.FloatRange(0.1, 3600), default=bounded.SECONDS, metavar="SECONDS",
+@click.option("--cpu", type=processor_seconds, default=bounded.SECONDS, metavar="SECONDS",
               show_default=True, help="Of processor time, the most an answer may take.")  # fmt: skip
 @click.option(
     "--export-student", is_flag=True, help="Write the exercise without what students must not have."

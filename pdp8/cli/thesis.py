@@ -144,9 +144,8 @@ def make(number: str, output: str, facsimile: bool) -> None:
 
 @thesis.command()
 @click.argument("file", metavar="FILE")
-@click.option("--source", "as_source", is_flag=True, help="Make FILE itself, as it is in programs/.")
-@output(Target("source"))
-def evidence(file: str, as_source: bool, output: str) -> None:
+@output(Target("text"))
+def evidence(file: str, output: str) -> None:
     """Show for every line of FILE the page, the scan's reading, ours, its evidence and the reason.
 
     FILE is eia.pal, eia1.pal, eia2.pal, circle.for or ellipse.for. A line is legible, damaged, implied (by a
@@ -156,14 +155,10 @@ def evidence(file: str, as_source: bool, output: str) -> None:
     Examples:
       pdp8 thesis evidence eia.pal
       pdp8 thesis evidence circle.for | grep conjecture
-      pdp8 thesis evidence eia.pal --source -o eia.pal
     """
     from pdp8.thesis import evidence as known
     from pdp8.thesis.table import Table
 
-    if as_source:
-        command.put(output, known.source(file))
-        return
     rows = tuple((row.page, row.kind, row.scan, row.ours, row.reason) for row in known.table(file))
     _show(Table(_EVIDENCE, rows), file, coloured_by=1, output=output)
 

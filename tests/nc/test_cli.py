@@ -90,7 +90,8 @@ def test_the_polynomial_against_its_band(shell: Shell) -> None:
     """Chapter 7: y = 0.2 x (x - 2) (x - 6), +-.01, cut along its centre line."""
     printed = product(shell, "pdp8 part polynomial --parity none --fill 0")
     frames = tape(*printed.replace(" ", "0").split())
-    line = "pdp8 nc inspect --polynomial 4,6,0.2,2,6 --tolerance 0.01 --cutter 0.125"
+    curve = "--function '0.2*x*(x-2)*(x-6)' --range 0,6 --origin 4,6"
+    line = f"pdp8 nc inspect {curve} --tolerance 0.01 --cutter 0.125"
     said = product(shell, line, frames)
     assert "curve y = 0.2*x*(x-2)*(x-6), x from 0 to 6, origin X 4.000 Y 6.000" in said
     assert float(said.split("worst trough to peak ")[1].split()[0]) < 0.0215
@@ -151,7 +152,7 @@ def test_strict_reads_parity(shell: Shell) -> None:
         "inspect circle.eia --function x",
         "inspect circle.eia --range 0,1",
         "inspect circle.eia --function x --range 0",
-        "list circle.eia --peck 0",
+        "cut circle.eia --peck 0",
         "export circle.eia",
         "export circle.eia --gcode --dxf",
     ],
@@ -180,7 +181,7 @@ def test_misuse_from_the_shell(shell: Shell) -> None:
         ("plot circle.eia --block 667", "block 667: the tape has blocks 1 to 666"),
         ("inspect circle.eia --circle 15,5,1", "the cutter did not reach the curve"),
         ("inspect circle.eia --circle 4,4,0", "greater than 0"),
-        ("inspect circle.eia --polynomial 1,1,1,1,0", "from 0 to 0: must go from less to more"),
+        ("inspect circle.eia --function x --range 0,0", "from 0 to 0: must go from less to more"),
         ("inspect circle.eia --function y --range 0,1", "column 1: 'y'"),
         ("inspect circle.eia --line 1,1,1,1", "two different ends"),
         (

@@ -272,10 +272,13 @@ def test_check_says_what_is_wrong_and_writes_nothing(folder: Path) -> None:
     assert run("five.pal", "--check", "-o", "x.bin", folder=folder).returncode == 2
 
 
-def test_colours_are_for_a_terminal_unless_they_are_asked_for(folder: Path) -> None:
+def test_colours_are_for_a_terminal_that_may_have_them(folder: Path) -> None:
     (folder / "five.pal").write_text(LITERAL)
     assert b"\033[" not in run("five.pal", "--check", folder=folder).stderr
-    assert b"\033[" in run("five.pal", "--check", "--color", "always", folder=folder).stderr
+    for variables, coloured in (({}, True), ({"NO_COLOR": "1"}, False)):
+        terminal = commands.Terminal("pal", "five.pal", "--check", folder=folder, TERM="xterm", **variables)
+        assert terminal.ended() == 0
+        assert (b"\033[" in terminal.seen) is coloured
 
 
 def test_the_raw_frames_of_three_passes_are_pal_iiis_alone(folder: Path) -> None:

@@ -132,7 +132,7 @@ def test_info_and_show_say_label(shell: Shell) -> None:
     said = shell("pdp8 tape info labels.bin").stdout.decode()
     assert "label      9 frames from frame 8 on" in said
     assert "label      9 frames from frame 305 on" in said
-    shown = shell("pdp8 tape show labels.bin --frames 26").stdout.decode()
+    shown = shell("pdp8 tape show labels.bin --to 25").stdout.decode()
     assert "|  label" in shown
     assert shown.splitlines()[-1].startswith("   label    ")
     assert shell("pdp8 dis two.bin").returncode == 0

@@ -228,11 +228,6 @@ def test_the_command_prints_a_line_of_the_table(shell: Shell) -> None:
     ]
 
 
-def test_the_command_makes_the_source(shell: Shell, tmp_path: Path) -> None:
-    assert shell("pdp8 thesis evidence circle.for --source -o mine.for").returncode == 0
-    assert (tmp_path / "mine.for").read_bytes() == shelf.read("circle.for")
-
-
 def test_the_command_refuses_what_it_does_not_know(shell: Shell) -> None:
     done = shell("pdp8 thesis evidence echo.pal")
     assert (done.returncode, done.stdout) == (1, b"")
