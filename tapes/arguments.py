@@ -27,12 +27,6 @@ else:
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 
-_TAPES = (".asc", ".eia", ".bin", ".rim")
-_BY_HAND = (".pal", ".pa", ".for", ".toml", ".jpg", ".jpeg", ".png")
-_BEGINS = {"JSON": b"{", "XML": b"<", "SVG": b"<", "HTML": b"<"}
-_KEEPS = {"tape": _BY_HAND, "text": (*_BY_HAND, *_TAPES)}
-"""What a product of each kind never replaces: a forgotten name after an option would cost a day's work."""
-
 
 class Source(_Type):
     """A file that is read: its name, a bundled one, or `-`; also completed by what `more` names."""
@@ -55,8 +49,8 @@ class Source(_Type):
 
 
 class Target(_Type):
-    """A file that is written, `-` for standard output. `makes` is its kind, a key of _BEGINS or _KEEPS, or
-    nothing for a product that may be of any.
+    """A file that is written, `-` for standard output. `makes` is its kind, as `shelf.check_kind` has
+    it, or nothing for a product that may be of any.
     """
 
     name = "file"
@@ -66,16 +60,10 @@ class Target(_Type):
 
     def check(self, name: str) -> None:
         """Raise a UsageError where a file called `name` is there, and of a kind that this one never is."""
-        if not os.path.isfile(name) or not os.path.getsize(name):
-            return
-        kept = name.lower().endswith(_KEEPS.get(self._makes, ()))
-        if self._makes in _BEGINS:
-            with open(name, "rb") as file:
-                kept = not shelf.without_mark(file.read(64)).lstrip().startswith(_BEGINS[self._makes])
-        if kept:
-            raise click.UsageError(
-                f"{name} is there, and is no {self._makes}: it is not replaced; name another"
-            )
+        try:
+            shelf.check_kind(name, self._makes)
+        except shelf.ShelfError as error:
+            raise click.UsageError(str(error)) from error
 
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
@@ -212,14 +200,13 @@ def check_files(sources: Iterable[str | None], outputs: Iterable[str | None]) ->
     """Raise a UsageError where standard input is to be read twice, two outputs are one, or one is a source;
     a ShelfError where a source is not there or an output cannot be written. Nothing is opened.
 
-    Both are names as the commands take them, None for none. Files are compared as files: a link, a hard one
-    too, and another spelling on a disk that takes both, are the same.
+    Both are names as the commands take them, None for none. Files are compared as files.
     """
     read = [name for name in sources if name is not None]
     if read.count("-") > 1:
         raise click.UsageError("standard input can be read only once")
     files = [name for name in read if name != "-"]
-    taken = {_identity(shelf.find(name)): f"{name} is the source; name another file" for name in files}
+    taken = {shelf.identity(shelf.find(name)): f"{name} is the source; name another file" for name in files}
     for name in outputs:
         if name is None:
             continue
@@ -228,19 +215,7 @@ def check_files(sources: Iterable[str | None], outputs: Iterable[str | None]) ->
         command.check_output(name)
         if os.path.exists(name) and not os.path.isfile(name):
             continue
-        identity = _identity(name)
+        identity = shelf.identity(name)
         if identity in taken:
             raise click.UsageError(taken[identity].format(name=name))
         taken[identity] = f"two outputs go to {'standard output' if name == '-' else name}"
-
-
-def _identity(name: str) -> object:
-    """Return what two names of one file have in common."""
-    if name == "-":
-        return name
-    path = os.path.realpath(name)  # as the shelf writes it
-    try:
-        found = os.stat(path)
-    except OSError:
-        return path.casefold() if sys.platform == "darwin" else os.path.normcase(path)
-    return found.st_dev, found.st_ino

@@ -139,7 +139,7 @@ def put_all(folder: str, files: Iterable[tuple[str, bytes]]) -> None:
 def tell_written(name: str, replaced: bool) -> None:
     """Say that a file was written, in the one form that all commands have."""
     if not click.get_current_context().meta.get(QUIET):
-        tell(f"{'replaced' if replaced else 'wrote'} {name}")
+        tell(shelf.told(name, replaced))
 
 
 def _take_any_character() -> None:
@@ -163,7 +163,8 @@ def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
     """Run `command` as program `name`; say what is wrong with it, and return its exit status."""
     stdout = sys.stdout
     try:
-        ended = command.main(args=list(arguments), prog_name=name, standalone_mode=False)
+        with shelf.watched():
+            ended = command.main(args=list(arguments), prog_name=name, standalone_mode=False)
         sys.stdout.flush()
     except WorkError as error:
         _write_or_drop(sys.stdout)

@@ -2,7 +2,8 @@
 
 `-` is a standard stream. A name that is not in the current folder may be a bundled one: a sample tape of this
 package, or what another package has laid on the shelf with `add`. A file is written whole or not at all; only
-a punch streams, and what it punched stays.
+a punch streams, and what it punched stays. While the shelf is watched, as in every command, nothing that was
+read is written over.
 """
 
 import os
@@ -10,6 +11,7 @@ import stat
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from typing import BinaryIO
 
 from tapes.errors import WorkError, called
@@ -19,7 +21,14 @@ LARGEST = 2 << 20
 """Bytes of a file, frames of a tape: 3.3 miles, which a Teletype reads in 58 hours."""
 
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
+_TAPES = (".asc", ".eia", ".bin", ".rim")
+_BY_HAND = (".pal", ".pa", ".for", ".toml", ".jpg", ".jpeg", ".png")
+_BEGINS = {"JSON": b"{", "XML": b"<", "SVG": b"<", "HTML": b"<"}
+_KEEPS = {"tape": _BY_HAND, "text": (*_BY_HAND, *_TAPES)}
+"""What a product of each kind never replaces: a forgotten name after an option would cost a day's work."""
+
 _bundled: dict[str, str] = {}
+_watched: ContextVar["_Watch | None"] = ContextVar("watched", default=None)
 
 
 def add(folder: str, *endings: str) -> None:
@@ -29,7 +38,25 @@ def add(folder: str, *endings: str) -> None:
             _bundled[name] = os.path.join(folder, name)
 
 
-add(os.path.dirname(os.path.abspath(__file__)), ".asc", ".eia", ".bin", ".rim")
+add(os.path.dirname(os.path.abspath(__file__)), *_TAPES)
+
+
+class _Watch:
+    """The files that were read, and those that were written, by what identifies them."""
+
+    def __init__(self) -> None:
+        self.read: set[object] = set()
+        self.written: set[object] = set()
+
+
+@contextmanager
+def watched() -> Iterator[None]:
+    """Watch the shelf: what is read inside is not written inside, unless it was written there first."""
+    token = _watched.set(_Watch())
+    try:
+        yield
+    finally:
+        _watched.reset(token)
 
 
 class ShelfError(WorkError):
@@ -87,6 +114,8 @@ def read(name: str, most: int = LARGEST) -> bytes:
                 content = file.read(most + 1)
         except OSError as error:
             raise ShelfError(f"{name}: {error.strerror}") from error
+        if watch := _watched.get():
+            watch.read.add(identity(path))
     if len(content) > most:
         raise ShelfError(f"{called(name)}: longer than {most:,} bytes, the most that is read of a file")
     if is_utf16(content):
@@ -124,6 +153,43 @@ def without_mark(content: bytes) -> bytes:
     return content.removeprefix(_BYTE_ORDER_MARK)
 
 
+def identity(name: str) -> object:
+    """Return what all names of one file have in common: a link, a hard one too, and another spelling on a
+    disk that takes both.
+    """
+    if name == "-":
+        return name
+    path = os.path.realpath(name)  # as it is written
+    try:
+        found = os.stat(path)
+    except OSError:
+        return path.casefold() if sys.platform == "darwin" else os.path.normcase(path)
+    return found.st_dev, found.st_ino
+
+
+def check_kind(name: str, kind: str) -> None:
+    """Raise ShelfError where a file called `name` is there, and is what no product of that kind replaces."""
+    if not os.path.isfile(name) or not os.path.getsize(name):
+        return
+    kept = name.lower().endswith(_KEEPS.get(kind, ()))
+    if kind in _BEGINS:
+        with open(name, "rb") as file:
+            kept = not without_mark(file.read(64)).lstrip().startswith(_BEGINS[kind])
+    if kept:
+        raise ShelfError(f"{name} is there, and is no {kind}: it is not replaced; name another")
+
+
+def leave(name: str, content: bytes, kind: str) -> str:
+    """Write a product of a session, of a kind that `check_kind` knows; return what to say of it."""
+    check_kind(name, kind)
+    return told(name, write(name, content))
+
+
+def told(name: str, replaced: bool) -> str:
+    """Return what is said of a file that was written."""
+    return f"{'replaced' if replaced else 'wrote'} {name}"
+
+
 def write(name: str, content: bytes) -> bool:
     """Write `content` to file `name` whole or not at all; `-` is standard output. Return whether it took the
     place of a file. Raises ShelfError.
@@ -143,6 +209,8 @@ def write(name: str, content: bytes) -> bool:
             file.write(content)
     except OSError as error:
         raise ShelfError(f"{name}: {error.strerror}; nothing was written") from error
+    if watch := _watched.get():
+        watch.written.add(identity(name))
     return replaced
 
 
@@ -174,10 +242,12 @@ def check_writable(name: str) -> None:
     if not os.path.isdir(folder):
         raise ShelfError(f"{name}: No such file or directory")
     place = name if os.path.exists(name) else folder
-    if (
-        not os.access(place, os.W_OK) or not os.stat(place).st_mode & 0o222
-    ):  # the superuser may, but did not ask
+    barred = sys.platform != "win32" and not os.stat(place).st_mode & 0o222
+    if barred or not os.access(place, os.W_OK):  # the superuser may, but did not ask
         raise ShelfError(f"{name}: Permission denied")
+    watch = _watched.get()
+    if watch and os.path.isfile(name) and identity(name) in watch.read - watch.written:
+        raise ShelfError(f"{name} was read: it is not replaced; name another")
 
 
 def check_named(name: str) -> None:

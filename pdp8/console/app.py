@@ -264,12 +264,12 @@ class Room(App[None]):
         if name is None:
             return
         try:
-            shelf.write(name, self.session.machine.teletype.punch.tape)
+            wrote = shelf.leave(name, self.session.machine.teletype.punch.tape, "tape")
         except WorkError as error:
             self.notify(str(error), severity="error", markup=False)
             return
         tape = self.session.tear_off(name)
-        self.notify(f"{name}: {len(tape.frames):,} frames", markup=False)
+        self.notify(f"{wrote}: {len(tape.frames):,} frames", markup=False)
         self.look()
 
     async def action_leave(self) -> None:

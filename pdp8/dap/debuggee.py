@@ -160,5 +160,5 @@ class Debuggee:
         """Write the tape in the punch into its file, if the configuration names one. Raises ShelfError."""
         tape = self.monitor.machine.teletype.punch.tape
         if self.launch.punch and tape != self._punched:
-            shelf.write(self.launch.punch, tape)
+            shelf.leave(self.launch.punch, tape, "tape")
             self._punched = tape

@@ -11,7 +11,6 @@
 "commands": ["set hands 0"]     lines for the monitor, before START
 """
 
-import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, Self
@@ -62,8 +61,9 @@ class Launch:
             raise LaunchError("-: standard input and output are the debugger's own; name a file")
         if self.punch:
             shelf.check_writable(self.punch)
+            shelf.check_kind(self.punch, "tape")
             for name in (self.program, *self.reader):
-                if os.path.realpath(self.punch) == os.path.realpath(shelf.find(name)):
+                if shelf.identity(self.punch) == shelf.identity(shelf.find(name)):
                     raise LaunchError(f"punch: {self.punch} is read too; name another file")
 
     def ready(self, say: Callable[[str], object]) -> tuple[Monitor, Program]:

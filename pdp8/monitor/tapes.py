@@ -119,8 +119,8 @@ def _take_off(monitor: Monitor, device: Punch, arguments: Sequence[str]) -> None
     if what in ("on", "off"):
         device.on = what == "on"
     else:
-        shelf.write(what, device.tape)
-        monitor.say(f"{what}: {counted(len(device.tape), 'frames')}")
+        wrote = shelf.leave(what, device.tape, "tape")
+        monitor.say(f"{wrote}: {counted(len(device.tape), 'frames')}")
         device.frames.clear()
 
 
@@ -141,7 +141,7 @@ def page(monitor: Monitor, arguments: Sequence[str]) -> None:
 def save(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Write the machine's state into a file."""
     (name,) = exactly(arguments, "the name of a file", 1)
-    shelf.write(name, state.save(monitor.machine).encode())
+    monitor.say(shelf.leave(name, state.save(monitor.machine).encode(), "JSON"))
 
 
 def restore(monitor: Monitor, arguments: Sequence[str]) -> None:

@@ -23,7 +23,7 @@ def printout(part: str, **constants: Any) -> str:
 def translated(text: str, program: str = "eia.pal") -> bytes:
     """Return the EIA tape of a printout, translated on the PDP-8/L by a conversion program."""
     machine = pdp8.Machine()
-    machine.load(pal.assemble(shelf.read(program)).words)
+    machine.load(pal.assemble(shelf.read_bundled(program)).words)
     machine.start(0o200)
     machine.teletype.reader.load(ascii.encode(text))
     machine.run()

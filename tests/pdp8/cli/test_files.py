@@ -102,6 +102,48 @@ def test_no_other_name_of_a_source_is_written(name: str, call: Call, tmp_path: P
     assert (tmp_path / "own.bin").read_bytes() == shelf.read_bundled("eia.bin")
 
 
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        ("reader own.bin; punch hard.bin", "hard.bin was read: it is not replaced"),
+        ("restore own.state; save own.state", "own.state was read: it is not replaced"),
+        ("load own.bin; punch script", "script was read: it is not replaced"),
+        ("punch own.pal", "own.pal is there, and is no tape"),
+        ("save own.bin", "own.bin is there, and is no JSON"),
+    ],
+)
+def test_the_monitor_keeps_what_it_read(lines: str, said: str, call: Call, tmp_path: Path) -> None:
+    (tmp_path / "own.bin").write_bytes(shelf.read_bundled("eia.bin"))
+    (tmp_path / "own.pal").write_text(HALT)
+    (tmp_path / "own.state").write_text(state.save(Machine()))
+    os.link("own.bin", "hard.bin")
+    (tmp_path / "script").write_text(lines.replace("; ", "\n"))
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    status, _, error = call("pdp8 monitor script")
+    assert (status, said in error) == (1, True), error
+    assert before == {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+
+
+def test_the_monitor_reads_and_writes_again_what_it_wrote(call: Call, tmp_path: Path) -> None:
+    lines = "save x.state", "restore x.state", "save x.state", "punch x.asc", "reader x.asc", "punch x.asc"
+    status, out, said = call("pdp8 monitor -", "\n".join(lines).encode())
+    assert (status, said) == (0, "")
+    assert out.splitlines() == [
+        *("wrote x.state", "replaced x.state", "wrote x.asc: no frames", "x.asc: no frames"),
+        "replaced x.asc: no frames",
+    ]
+
+
+def test_check_keeps_the_files_that_an_exercise_names(call: Call, answers: Path) -> None:
+    (answers / "in.csv").write_text("A")
+    (answers / "own.toml").write_text(
+        'title = "t"\ntask = "t"\n[[case]]\nname = "a"\nreader = { file = "in.csv" }\n'
+    )
+    status, _, said = call("pdp8 check own.toml ana.pal --csv in.csv")
+    assert (status, "in.csv was read: it is not replaced" in said) == (1, True)
+    assert (answers / "in.csv").read_text() == "A"
+
+
 def test_a_pass_is_not_written_over_its_source(call: Call, tmp_path: Path) -> None:
     (tmp_path / "odd.pass1").write_text(HALT)
     assert call("pal odd.pass1 --tty .")[0] == 2
