@@ -56,6 +56,12 @@ class AssemblyError(WorkError):
     show_default=True,
     help="DEC's PAL III of 1967, or the later PAL8; auto takes PAL8 for a source that can only be that.",
 )
+@click.option(
+    "--color",
+    type=click.Choice(("auto", "always", "never")),
+    default="auto",
+    help="Colour what is said; auto, at a terminal.",
+)
 @click.option("--lsp", is_flag=True, help="Serve an editor on standard input and output (docs/editors.md).")
 @click.option("--modern", is_flag=True, help="Read lower case as capitals; nothing else differs.")
 @click.option(
@@ -85,6 +91,7 @@ def pal(
     strict: bool,
     check: bool,
     dialect: str,
+    color: str,
     lsp: bool,
     modern: bool,
     model: str | None,
@@ -130,8 +137,9 @@ def pal(
     _check_kinds(sources, contents, assembly.ok)
     if tty and assembly.dialect == PAL8:
         raise click.UsageError("--tty writes the frames of PAL III's three passes; this is PAL8")
+    coloured = {"auto": None, "always": True, "never": False}[color]
     for diagnostic in diagnostics[:MOST]:
-        command.tell(_coloured(diagnostic), styled=True)
+        command.tell(_coloured(diagnostic), styled=True, color=coloured)
     more = len(diagnostics) - MOST
     if more > 0:
         command.tell(f"and {more:,} more")

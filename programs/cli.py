@@ -1,5 +1,6 @@
 """`pdp8 part`: each part program as a command whose options are its constants."""
 
+from inspect import signature
 from itertools import zip_longest
 from typing import Any, Literal
 
@@ -31,11 +32,6 @@ _TAPE_OPTIONS: list[click.Parameter] = [
         help="Channel 8.",
     ),
 ]
-_COMPARE = click.Option(
-    ["--compare"],
-    type=click.Choice(list(ARITHMETICS)),
-    help="Show the blocks that differ from those of this arithmetic, and punch nothing.",
-)
 
 
 class _Parts(Group):
@@ -63,28 +59,21 @@ def part() -> None:
     Examples:
       pdp8 part circle > circle.asc
       pdp8 part ellipse --arithmetic ge635 -o ellipse.asc
-      pdp8 part ellipse --compare ge635
+      pdp8 part compare ellipse
     """
 
 
 def _command(part: Part) -> click.Command:
     program = part.program()
 
-    def punch(*, fill: int, parity: str, output: str, compare: str | None = None, **values: Any) -> None:
+    def punch(*, fill: int, parity: str, output: str, **values: Any) -> None:
         text = program(**options.arguments(program, values))
-        if compare is None:
-            command.put(output, ascii.encode(text, parity, fill))
-            return
-        other = program(**options.arguments(program, {**values, "arithmetic": compare}))
-        lines = _differing(values["arithmetic"], text, compare, other)
-        command.put(output, "\n".join([*lines[:-1], f"{part.name}: {lines[-1]}", ""]))
+        command.put(output, ascii.encode(text, parity, fill))
 
-    params = options.parameters(program)
-    comparable = any(param.name == "arithmetic" for param in params)
     made = Command(
         part.name,
         callback=punch,
-        params=[*params, *[_COMPARE] * comparable, *_TAPE_OPTIONS],
+        params=[*options.parameters(program), *_TAPE_OPTIONS],
         help=_help(
             f"{part.summary} Lengths are inches. {options.explained(program)}".strip(),
             [f"pdp8 part {part.name} {example}" for example in part.examples],
@@ -94,16 +83,60 @@ def _command(part: Part) -> click.Command:
     return output(Target("tape"))(made)
 
 
-def _differing(arithmetic: str, text: str, compared: str, other: str) -> list[str]:
-    """Return the blocks of two printouts that differ, side by side, and last how many there are."""
-    one, two = text.splitlines(), other.splitlines()
-    lines = [
-        f"{number:5}  {left:19}  {right:19}"
-        for number, (left, right) in enumerate(zip_longest(one, two, fillvalue="-"), 1)
-        if left != right
-    ]
-    counted = f"{len(one)} blocks {arithmetic}, {len(two)} {compared}, {len(lines)} differ"
-    return [f"block  {arithmetic:19}  {compared:19}", *lines, counted]
+class _Compared(_Parts):
+    """A command for each part program that can be run in another arithmetic."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return [name for name, part in PARTS.items() if "arithmetic" in signature(part.program()).parameters]
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        return _comparison(PARTS[cmd_name]) if cmd_name in self.list_commands(ctx) else None
+
+
+@part.group(cls=_Compared, short_help="A part in two arithmetics, side by side", context_settings=_SETTINGS)
+def compare() -> None:
+    """Run a part program in two arithmetics and show the blocks that differ, side by side.
+
+    \b
+    Examples:
+      pdp8 part compare ellipse
+      pdp8 part compare ellipse --arithmetic ge635 --with cdc6400
+      pdp8 part compare circle --radius 3 --with ieee32
+    """
+
+
+def _comparison(part: Part) -> click.Command:
+    program = part.program()
+
+    def show(*, other: str, **values: Any) -> None:
+        first, second = values["arithmetic"], other
+        one = program(**options.arguments(program, values)).splitlines()
+        two = program(**options.arguments(program, {**values, "arithmetic": other})).splitlines()
+        command.echo(f"block  {first:19}  {second:19}")
+        differing = 0
+        for number, (left, right) in enumerate(zip_longest(one, two, fillvalue="-"), 1):
+            if left != right:
+                differing += 1
+                command.echo(f"{number:5}  {left:19}  {right:19}")
+        command.echo(f"{part.name}: {len(one)} blocks {first}, {len(two)} {second}, {differing} differ")
+
+    other = click.Option(
+        ["--with", "other"],
+        type=click.Choice(list(ARITHMETICS)),
+        default="ge635",
+        show_default=True,
+        help="The arithmetic to compare with.",
+    )
+    examples = [f"pdp8 part compare {part.name}", f"pdp8 part compare {part.name} --with cdc6400"]
+    return Command(
+        part.name,
+        callback=show,
+        params=[other, *options.parameters(program)],
+        help=_help(
+            f"The blocks of {part.name} that differ between two arithmetics. Lengths are inches.", examples
+        ),
+        context_settings=_SETTINGS,
+    )
 
 
 @part.command(short_help="A function from measured points")

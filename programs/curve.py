@@ -5,6 +5,7 @@ Source: thesis, Chapters 3 and 6.
 
 from typing import Annotated
 
+from programs.format import Overflow
 from programs.function import Range, Side, centre_path, offset_path
 from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
@@ -29,6 +30,7 @@ def part(
     side: Side = "above",
     milling: Milling = SLOWEST,
     header: Header = THESIS,
+    overflow: Overflow = "low-digits",
 ) -> str:
     """Return the printout of y = `expression`; lengths are inches. Raises WorkError."""
     y = function(expression)
@@ -37,7 +39,7 @@ def part(
         curve = centre_path(lambda x: y(float(x)), where, tolerance)
     else:
         curve = offset_path(y, where, tolerance, cutter, side)
-    printout = Printout()
+    printout = Printout(overflow)
     printout.header(header, *curve.start)
     milling.print(printout, curve)
     return printout.text

@@ -17,6 +17,7 @@ from typing import Annotated, Final, Literal
 
 from programs import ellipse
 from programs.arithmetic import EXACT, Arithmetic
+from programs.format import Overflow
 from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
 from programs.units import THOUSANDTHS
@@ -39,6 +40,7 @@ def part(
     milling: Milling = SLOWEST,
     header: Header = THESIS,
     arithmetic: Arithmetic = EXACT,
+    overflow: Overflow = "low-digits",
 ) -> str:
     """Return the printout of one of the die's three tapes; lengths are thousandths. Raises WorkError."""
     return ellipse.part(
@@ -50,4 +52,5 @@ def part(
         milling=milling,
         header=header,
         arithmetic=arithmetic,
+        overflow=overflow,
     )

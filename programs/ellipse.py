@@ -19,6 +19,7 @@ Sources: thesis, Appendix D.
 from typing import Annotated, Any, Final
 
 from programs.arithmetic import EXACT, Arithmetic
+from programs.format import Overflow
 from programs.header import THESIS, Header
 from programs.milling import Milling
 from programs.printout import Printout, check_band, check_codes, check_start
@@ -56,6 +57,7 @@ def part(
     milling: Milling = MILLING,
     header: Header = THESIS,
     arithmetic: Arithmetic = EXACT,
+    overflow: Overflow = "low-digits",
 ) -> str:
     r"""Return the printout: a block is a line of 19 characters and "\n". Lengths are thousandths of an inch.
 
@@ -70,7 +72,7 @@ def part(
     check_band("semi-minor axis", minor, inner_minor, outer_minor)
     check_start(start_x, start_y, outer_major, outer_minor)
     check_codes(sequence, preparatory, x_feed, y_feed)
-    printout = Printout()
+    printout = Printout(overflow)
     printout.header(header, centre_x - start_x, centre_y + start_y)
 
     if not milling.is_of_the_listings:

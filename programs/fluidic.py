@@ -35,6 +35,7 @@ Source: thesis, Chapter 8.
 from itertools import pairwise
 from typing import Annotated, Final, Literal, NamedTuple
 
+from programs.format import Overflow
 from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling, position
 from programs.printout import Printout
@@ -146,13 +147,14 @@ def part(
     base_y: Annotated[float, "Y of the end of the supply", INCHES] = 0.25,
     milling: Milling = SLOWEST,
     header: Header = THESIS,
+    overflow: Overflow = "low-digits",
 ) -> str:
     """Return the printout of the element or one of its programs; lengths are inches. Raises WorkError."""
     right = channel(control)
     left = tuple(segment.mirrored() for segment in reversed(right))
     origin = Point(thousandths("axis X", axis_x), thousandths("base Y", base_y))
     paths = {"main": (outline(),), "control": (right, left), "both": (outline(), right, left)}[program]
-    printout = Printout()
+    printout = Printout(overflow)
     for number, path in enumerate(paths):
         curves = [_curve(segment, origin, tolerance_units(tolerance)) for segment in path]
         if number:

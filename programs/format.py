@@ -5,14 +5,17 @@
 
 An I-field takes a REAL and prints its whole part, as both listings need. A number wider than its field (a
 sequence number past 999 in I3) keeps its low digits: the thesis's polynomial had 1200 blocks and was cut, and
-stars, the other convention of the time, which the translation drops, would have made its blocks short.
+stars, which the translation drops, would have made its blocks short. Stars, the other convention of the time,
+are an option.
 
 Not emulated: every field but I and X, repeat counts, groups, slashes.
 
 Sources: thesis, Chapter 6 and Appendices C and D.
 """
 
-from typing import SupportsInt
+from typing import Annotated, Literal, SupportsInt
+
+Overflow = Annotated[Literal["low-digits", "stars"], "how a number wider than its field is printed"]
 
 
 class Format:
@@ -26,12 +29,12 @@ class Format:
         """Characters of a line."""
         return sum(width for _, width in self._fields)
 
-    def line(self, *values: SupportsInt) -> str:
+    def line(self, *values: SupportsInt, overflow: Overflow = "low-digits") -> str:
         r"""Return the line that PRINT gives for `values`, one for each I-field, ended by "\n"."""
         numbers = iter(values)
         return (
             "".join(
-                _integer(int(next(numbers)), width) if takes_value else " " * width
+                _integer(int(next(numbers)), width, overflow) if takes_value else " " * width
                 for takes_value, width in self._fields
             )
             + "\n"
@@ -43,5 +46,8 @@ def _field(field: str) -> tuple[bool, int]:
     return (False, int(field[:-1])) if field.endswith("X") else (True, int(field[1:]))
 
 
-def _integer(number: int, width: int) -> str:
-    return str(number)[-width:].rjust(width)
+def _integer(number: int, width: int, overflow: Overflow) -> str:
+    digits = str(number)
+    if len(digits) <= width:
+        return digits.rjust(width)
+    return "*" * width if overflow == "stars" else digits[-width:]

@@ -18,6 +18,7 @@ Source: thesis, Chapters 6 and 7.
 from typing import Annotated, Any
 
 from programs.arithmetic import EXACT, Arithmetic
+from programs.format import Overflow
 from programs.function import Range, Side, centre_path, offset_path
 from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
@@ -44,6 +45,7 @@ def part(
     milling: Milling = SLOWEST,
     header: Header = THESIS,
     arithmetic: Arithmetic = EXACT,
+    overflow: Overflow = "low-digits",
 ) -> str:
     """Return the printout of the polynomial; lengths are inches. Raises WorkError."""
     where = Range(from_, to, origin_x, origin_y)
@@ -56,7 +58,7 @@ def part(
         curve = centre_path(polynomial, where, tolerance, arithmetic)
     else:
         curve = offset_path(lambda x: a * x * (x - b) * (x - c), where, tolerance, cutter, side)
-    printout = Printout()
+    printout = Printout(overflow)
     printout.header(header, *curve.start)
     milling.print(printout, curve)
     return printout.text

@@ -12,7 +12,7 @@ Sources: thesis, Chapter 6 and Appendices C and D; travel from Chapter 2.
 from math import isfinite
 from typing import SupportsInt
 
-from programs.format import Format
+from programs.format import Format, Overflow
 from programs.header import Header
 from tapes.errors import WorkError
 from tapes.hydrapoint import MISCELLANEOUS, PREPARATORY, X_TRAVEL, XY_FEED, Y_TRAVEL, Block, Preparatory
@@ -28,7 +28,8 @@ FORMAT_30 = Format("I3,I1,I5,I5,I3,I2")
 class Printout:
     """Collects the lines that a part program prints."""
 
-    def __init__(self) -> None:
+    def __init__(self, overflow: Overflow = "low-digits") -> None:
+        self._overflow = overflow
         self._lines: list[str] = []
 
     @property
@@ -50,7 +51,7 @@ class Printout:
         """PRINT 10: a block whose first digit is 0, by the digits of its groups."""
         digits = block.digits
         groups = (digits[1:6], digits[6:10], digits[10:15], digits[15:19])
-        self._lines.append(FORMAT_10.line(*map(int, groups)))
+        self._lines.append(FORMAT_10.line(*map(int, groups), overflow=self._overflow))
 
     def digits(self, block: Block) -> None:
         """A block typed with all its digits. Raises WorkError where it leaves the table."""
@@ -69,7 +70,9 @@ class Printout:
     ) -> None:
         """PRINT 30: a block of the contour. Raises WorkError where `x`, `y` is off the table."""
         x, y = self._on_table(x, y, int(sequence))
-        self._lines.append(FORMAT_30.line(sequence, preparatory, x, y, tool, miscellaneous))
+        self._lines.append(
+            FORMAT_30.line(sequence, preparatory, x, y, tool, miscellaneous, overflow=self._overflow)
+        )
 
     @staticmethod
     def _on_table(x: SupportsInt, y: SupportsInt, sequence: int) -> tuple[int, int]:

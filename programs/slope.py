@@ -8,6 +8,7 @@ Source: thesis, Chapter 3.
 
 from typing import Annotated
 
+from programs.format import Overflow
 from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
 from programs.printout import Printout
@@ -27,6 +28,7 @@ def part(
     ] = 0.005,
     milling: Milling = SLOWEST,
     header: Header = THESIS,
+    overflow: Overflow = "low-digits",
 ) -> str:
     """Return the printout of a slope between two points; lengths are inches. Raises WorkError."""
     start = Point(thousandths("X", from_x), thousandths("Y", from_y))
@@ -36,7 +38,7 @@ def part(
             f"slope from X {from_x:g} Y {from_y:g} to the same point: it needs two different ends"
         )
     curve = line(start, end, tolerance_units(tolerance))
-    printout = Printout()
+    printout = Printout(overflow)
     printout.header(header, *start)
     milling.print(printout, curve)
     return printout.text

@@ -279,6 +279,7 @@ def test_colours_are_for_a_terminal_that_may_have_them(folder: Path) -> None:
         terminal = commands.Terminal("pal", "five.pal", "--check", folder=folder, TERM="xterm", **variables)
         assert terminal.ended() == 0
         assert (b"\033[" in terminal.seen) is coloured
+    assert b"\033[" in run("five.pal", "--check", "--color", "always", folder=folder).stderr
 
 
 def test_the_raw_frames_of_three_passes_are_pal_iiis_alone(folder: Path) -> None:

@@ -3,7 +3,7 @@
 import pytest
 
 from programs import drill
-from programs.format import Format
+from programs.format import Format, Overflow
 from programs.header import Header
 from programs.printout import FORMAT_10, FORMAT_30
 from tapes.errors import WorkError
@@ -25,8 +25,9 @@ def test_a_line_as_format_has_it(fields: str, values: list[float], line: str) ->
     assert Format(fields).line(*values) == line + "\n"
 
 
-def test_a_number_too_wide() -> None:
-    assert Format("I3,I5").line(1000, 23456) == "00023456\n"
+@pytest.mark.parametrize(("overflow", "line"), [("low-digits", "00023456\n"), ("stars", "***23456\n")])
+def test_a_number_too_wide(overflow: Overflow, line: str) -> None:
+    assert Format("I3,I5").line(1000, 23456, overflow=overflow) == line
 
 
 def test_both_formats_are_nineteen_wide() -> None:

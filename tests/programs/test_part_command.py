@@ -99,7 +99,7 @@ MISUSED = [
     ("curve", "EXPRESSION"),
     ("drill --holes 1", "not a list of places"),
     ("square", "square"),
-    ("slope --compare ge635", "--compare"),
+    ("compare slope", "slope"),
 ]
 
 
@@ -212,7 +212,7 @@ def test_a_tape_to_a_file_is_the_tape_to_a_pipe(shell: Shell, options: str) -> N
 
 
 def test_compare_shows_the_nine_blocks_side_by_side(shell: Shell) -> None:
-    lines = shell("pdp8 part ellipse --compare ge635").stdout.decode().splitlines()
+    lines = shell("pdp8 part compare ellipse").stdout.decode().splitlines()
     assert lines[0].split() == ["block", "exact", "ge635"]
     assert lines[1] == "  587  5876 6404 2647  585  5876 6404 2646  585"
     assert len(lines) == 11
@@ -220,7 +220,7 @@ def test_compare_shows_the_nine_blocks_side_by_side(shell: Shell) -> None:
 
 
 def test_compare_of_two_that_agree(shell: Shell) -> None:
-    lines = shell("pdp8 part circle --compare ieee32").stdout.decode().splitlines()
+    lines = shell("pdp8 part compare circle --with ieee32").stdout.decode().splitlines()
     assert lines[1:] == ["circle: 666 blocks exact, 666 ieee32, 0 differ"]
 
 
@@ -243,7 +243,10 @@ def test_a_folder_is_no_file(shell: Shell) -> None:
     [
         ("circle --radius 1 --tolerance .003", {"radius": 1, "tolerance": ".003"}),
         ("circle --radius 1.5in --close --park-x 18", {"radius": "1.5in", "close": True, "park_x": 18}),
-        ("ellipse --arithmetic ge635 --feed 2", {"arithmetic": "ge635", "feed_code": 2, "outer_major": None}),
+        (
+            "ellipse --arithmetic ge635 --feed-code 2",
+            {"arithmetic": "ge635", "feed_code": 2, "outer_major": None},
+        ),
         ("slope --technique piece --feed-error 10%", {"technique": "piece", "feed_error": 10}),
         ("drill --holes '1,1 2.5,1.125'", {"holes": ((1, 1), (2.5, 1.125))}),
         ("curve 'sin(x)' --from 1 --to 2", {"from_": 1, "to": "2"}),

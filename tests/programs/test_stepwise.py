@@ -213,9 +213,13 @@ def test_the_control_channels_move_downstream_and_nothing_else_does() -> None:
     assert ys[1] - ys[0] == 800
 
 
-def test_a_sequence_past_999_keeps_its_low_digits() -> None:
-    lines = fluidic.part().splitlines()
-    assert [lines[at][:3] for at in (998, 999, 1233)] == ["999", "000", "234"]
+def test_a_sequence_past_999_keeps_its_low_digits_or_prints_stars() -> None:
+    low, stars = fluidic.part().splitlines(), fluidic.part(overflow="stars").splitlines()
+    assert low[998][:3] == stars[998][:3] == "999"
+    assert low[999][:3] == "000"
+    assert low[1233][:3] == "234"
+    assert stars[999][:3] == "***"
+    assert [line[3:] for line in low] == [line[3:] for line in stars]
 
 
 def test_a_band_that_lets_no_cut_begin_is_named() -> None:
