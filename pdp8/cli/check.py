@@ -76,7 +76,7 @@ def check(
       pdp8 check add ana.pal ben.pal
       pdp8 check homework.toml answers/*.pal --json marks.json
       pdp8 check homework.toml answers/*.pal --csv marks.csv --pages marks --seed 3
-      pdp8 check homework.toml --export-student > homework-student.toml
+      pdp8 check homework.toml --export-student > homework-student.json
       pdp8 check homework.toml --prove
     """
     if listed:

@@ -8,8 +8,11 @@ solution = '''...'''                  the teacher's own answer, or { file = "add
 [[random]]                            a program on drawn inputs (draw.py)
 [[question]]                          a line of a sheet
 [mistakes]                            what students do wrong: a piece of the solution, what they write
+
+The same tables in JSON are a student's form (student.py).
 """
 
+import json
 import os
 import re
 import tomllib
@@ -48,7 +51,7 @@ def read(name: str, seed: int = SEED) -> Exercise:
 
     Raises ExerciseError, ShelfError.
     """
-    stem = name.removesuffix(".toml")
+    stem = name.removesuffix(".toml").removesuffix(".json")
     path = name if os.path.exists(name) or stem not in bundled() else os.path.join(FOLDER, f"{stem}.toml")
     if not os.path.exists(path):
         raise ExerciseError(f"{name}: no such file, and no bundled exercise ({', '.join(bundled())})")
@@ -64,7 +67,7 @@ def parse(text: str, name: str, seed: int = SEED, folder: str = "") -> Exercise:
 
     try:
         deep = any(_DEEP.fullmatch(line.partition("=")[0]) for line in text.splitlines())
-        given = {} if deep else tomllib.loads(text)
+        given = {} if deep else (json if text.startswith("{") else tomllib).loads(text)
     except RecursionError:
         deep = True
     except ValueError as error:

@@ -1,14 +1,15 @@
-"""The student's form of an exercise: its file without solution, mistakes, hidden cases and a sheet's answers.
+"""The student's form of an exercise, in JSON: no solution, no mistakes, no hidden cases, no answers of a sheet.
 
 Random cases stand in it as cases, drawn from a seed of their own and with what is expected: the checker needs
-no solution to mark them, and the teacher's are others.
+no solution to mark them, and the teacher's are others. The command reads it as it reads TOML, and so do pages.
 """
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, Field, fields
+from typing import Any
 
-from pdp8.lessons.exercise import Case, Exercise, Question, Source, Trial
+from pdp8.lessons.exercise import Case, Exercise, Question
 
 SEED = 0
 _SHOWN = 3
@@ -16,62 +17,49 @@ _SHOWN = 3
 
 
 def form(exercise: Exercise) -> str:
-    """Return the TOML of the student's form."""
-    lines = [f"title = {_value(exercise.title)}", f"task = {_value(exercise.task)}"]
-    source = list(_keys(exercise.source))
-    lines += ["", "[program]", *source] * bool(source)
-    for case in exercise.cases:
-        if not case.hidden:
-            lines += ["", *_case(case)]
-    for question in exercise.questions:
-        lines += ["", *_question(question)]
-    return "\n".join(lines) + "\n"
+    """Return the JSON of the student's form."""
+    cases = [case for case in exercise.cases if not case.hidden]
+    questions = [Question(each.name, each.ask, points=each.points) for each in exercise.questions]
+    return json.dumps(tables(exercise, cases, questions, _SHOWN), indent=1, ensure_ascii=False) + "\n"
 
 
-def _case(case: Case) -> Iterator[str]:
-    yield "[[case]]"
-    yield f"name = {_value(case.name)}"
-    if case.points != 1:
-        yield f"points = {case.points}"
-    if case.hints:
-        yield f"hint = {_value(case.hints)}"
-    if len(case.trials) == 1:
-        yield from _keys(case.trials[0])
-        return
-    for trial in case.trials[:_SHOWN]:
-        yield "[[case.trial]]"
-        yield from _keys(trial)
+def whole(exercise: Exercise) -> dict[str, Any]:
+    """Return all by which answers are marked: every case, every answer of a sheet, but no solution."""
+    return tables(exercise, exercise.cases, exercise.questions)
 
 
-def _question(question: Question) -> Iterator[str]:
-    yield "[[question]]"
-    yield f"name = {_value(question.name)}"
-    yield f"ask = {_value(question.ask)}"
-    if question.points != 1:
-        yield f"points = {question.points}"
+def tables(
+    exercise: Exercise, cases: Iterable[Case], questions: Iterable[Question], trials: int | None = None
+) -> dict[str, Any]:
+    """Return an exercise as its file has it, ready for JSON; of a case so many trials."""
+    found = {
+        "title": exercise.title,
+        "task": exercise.task,
+        "program": _table(exercise.source),
+        "case": [{**_table(case), "trial": list(map(_table, case.trials[:trials]))} for case in cases],
+        "question": list(map(_table, questions)),
+    }
+    return {key: value for key, value in found.items() if value}
 
 
-def _keys(table: Trial | Source) -> Iterator[str]:
-    """Yield the keys of a table that are not as they are if not given."""
-    for each in fields(table):
-        value = vars(table)[each.name]
-        if value != _default(each):
-            yield f"{each.name} = {_value(value)}"
+_CALLED = {"hints": "hint", "number": "answer"}
+"""What a file calls them."""
+
+
+def _table(of: Any) -> dict[str, Any]:
+    """Return the keys of a table that are not as they are if not given."""
+    return {
+        _CALLED.get(each.name, each.name): _value(value)
+        for each in fields(of)
+        if each.name != "trials" and (value := getattr(of, each.name)) != _default(each)
+    }
 
 
 def _default(each: "Field[object]") -> object:
     return each.default_factory() if each.default_factory is not MISSING else each.default
 
 
-def _value(value: object) -> str:
-    if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007F")
-    if isinstance(value, bytes):
-        return "[" + ", ".join(f"0o{frame:03o}" for frame in value) + "]"
+def _value(value: object) -> object:
     if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{_value(key)} = {_value(each)}" for key, each in value.items()) + " }"
-    if isinstance(value, tuple):
-        return "[" + ", ".join(map(_value, value)) + "]"
-    return repr(value)
+        return dict(value)
+    return list(value) if isinstance(value, bytes | tuple) else value

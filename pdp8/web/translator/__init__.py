@@ -33,6 +33,7 @@ MODULES = {
     "pdp8.computer.past": "history rewind state",
     "pdp8.computer.use": "keys operator program trace",
     "pdp8.replay": "day script",
+    "pdp8.lessons": "answer diagnosis exercise marking trial values",
     "nc": "blocks machine notebook path",
     "programs": "format header milling piecewise printout stepwise stretches",
 }
