@@ -156,7 +156,14 @@ def _of(kind: type, called: str) -> Field:
 _text = _of(str, "a text")
 _list = _of(list, "a list")
 _tables = _of(list, "[[...]] tables")
-_mapping = _of(dict, "a table")
+
+
+def _mapping(value: Any) -> dict[str, Any]:
+    """Return a table, which JSON may have as pairs."""
+    try:
+        return dict(value)
+    except (TypeError, ValueError):
+        raise ValueError(f"a table is wanted, not {value!r}") from None
 
 
 def number(least: int, most: int) -> Field:

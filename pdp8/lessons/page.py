@@ -27,13 +27,14 @@ def html(exercise: Exercise, result: Result) -> str:
         f"<h1>{escape(exercise.title)}</h1>",
         f"<p><strong>{name}: {result.points} of {result.of} points</strong></p>",
         f"<p>{escape(exercise.task.strip())}</p>",
-        *_body(result),
+        *body(result),
         "</body></html>\n",
     ]
     return "\n".join(parts)
 
 
-def _body(result: Result) -> Iterator[str]:
+def body(result: Result) -> Iterator[str]:
+    """Yield what is said of an answer: its points, what failed, the hints."""
     if result.fault:
         yield f"<h2>It was not tried</h2><pre>{escape(chr(10).join(scores.fault(result)))}</pre>"
         return

@@ -11,7 +11,6 @@ ben.pal: wraps at 12 bits
 """
 
 from collections.abc import Iterator, Sequence
-from itertools import zip_longest
 from typing import TYPE_CHECKING
 
 from pdp8.lessons.exercise import Exercise
@@ -106,8 +105,8 @@ def _cut(text: str, start: int) -> str:
 
 
 def _first_difference(one: Sequence[object], other: Sequence[object]) -> int:
-    pairs = zip_longest(one, other)
-    return next((at for at, pair in enumerate(pairs) if pair[0] != pair[1]), len(one))
+    both = min(len(one), len(other))
+    return next((at for at in range(both) if one[at] != other[at]), both)
 
 
 def _tapes(what: str, expected: bytes, got: bytes) -> Iterator[str]:

@@ -1,7 +1,7 @@
-"""The student's form of an exercise, in JSON: no solution, no mistakes, no hidden cases, no answers of a sheet.
+"""The student's form of an exercise, in JSON: no solution, mistakes, hidden cases, nor answers of a sheet.
 
 Random cases stand in it as cases, drawn from a seed of their own and with what is expected: the checker needs
-no solution to mark them, and the teacher's are others. The command reads it as it reads TOML, and so do pages.
+no solution to mark them, and the teacher's are others. The command reads it like TOML, and so do pages.
 """
 
 import json
@@ -60,6 +60,7 @@ def _default(each: "Field[object]") -> object:
 
 
 def _value(value: object) -> object:
+    """Return a value for JSON; a table as pairs, since JavaScript would put its numbers into order."""
     if isinstance(value, Mapping):
-        return dict(value)
+        return [[key, each] for key, each in value.items()]
     return list(value) if isinstance(value, bytes | tuple) else value

@@ -33,7 +33,7 @@ MODULES = {
     "pdp8.computer.past": "history rewind state",
     "pdp8.computer.use": "keys operator program trace",
     "pdp8.replay": "day script",
-    "pdp8.lessons": "answer diagnosis exercise marking trial values",
+    "pdp8.lessons": "answer diagnosis exercise marking page scores trial values",
     "nc": "blocks machine notebook path",
     "programs": "format header milling piecewise printout stepwise stretches",
 }
@@ -44,6 +44,8 @@ OMITTED = {
     "pdp8.computer.machine": "__reduce__ _copied count",
     "pdp8.computer.use.program": "find",
     "nc.path": "__repr__ array",
+    "pdp8.lessons.page": "html _STYLE",
+    "pdp8.lessons.scores": "table _cell",
     "nc.notebook": "_repr_html_ _repr_svg_",
 }
 """What of it is not: names of notebooks, files and pickles, which no page has."""

@@ -841,6 +841,8 @@ export const suppress = function* (...kinds) {
     if (!isinstance(error, kinds)) throw error;
   }
 };
+const ENTITIES = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#x27;" };
+export const escape = (text) => text.replace(/[&<>"']/g, (c) => ENTITIES[c]);
 export const monotonic = () => performance.now() / 1000;
 export const floor = Math.floor;
 export const ceil = Math.ceil;
