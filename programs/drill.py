@@ -16,13 +16,21 @@ from typing import Annotated
 
 from programs.header import Header
 from programs.printout import Printout
-from programs.units import CODE, INCHES, thousandths
+from programs.units import CODE, INCHES, UnitError, thousandths
 from tapes.errors import WorkError
 from tapes.hydrapoint import Block, Miscellaneous, Preparatory
 
 Holes = tuple[tuple[float, float], ...]
 
 THE_FOUR: Holes = ((1.0, 1.0), (1.0, 2.0), (4.0, 2.0), (4.0, 1.0))
+
+
+def places(text: str) -> Holes:
+    """Return the places that "1,1 2.5,1" says. Raises UnitError."""
+    pairs = [place.split(",") for place in text.split()]
+    if any(len(pair) != 2 for pair in pairs):
+        raise UnitError(f"{text!r} is not a list of places such as '1,1 1,2 4,2'")
+    return tuple((INCHES.keep(x), INCHES.keep(y)) for x, y in pairs)
 
 
 def part(

@@ -12,9 +12,10 @@ cannot be cut.
 Source: thesis, Chapter 6, equations 2 and 3; 1, lost in the scan, follows from them.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from math import floor
+from itertools import pairwise
+from math import atan, ceil, cos, floor, sin
 from typing import Annotated, Any, Literal
 
 from programs.arithmetic import EXACT, Arithmetic
@@ -95,29 +96,44 @@ def offset_path(
 
     Raises WorkError where the surface is tighter than the cutter, or the path too steep.
     """
-    import numpy as np  # only the exact cutter path needs it
-
     if not 0 < cutter <= _WIDEST:
         raise WorkError(f"cutter of diameter {cutter:g} in: must be greater than 0, and {_WIDEST} at most")
     across, up = where.origin
     radius = cutter * 500 * (1 if side == "above" else -1)
-    x1 = np.array(where.tabulated, dtype=float)
-    y1 = np.array([float(function(x / 1000)) * 1000 for x in where.tabulated])
-    if len(x1) < 3:
+    x1 = where.tabulated
+    y1 = [float(function(x / 1000)) * 1000 for x in x1]
+    if len(y1) < 3:
         raise WorkError(f"X from {where.first:g} to {where.last:g} is too short: at least .002 in is needed")
-    beyond = np.flatnonzero(~(np.abs(y1) < _BEYOND))
-    if beyond.size:
-        raise WorkError(f"at x = {x1[beyond[0]] / 1000:g} the curve is off the table")
-    angle = np.arctan(np.gradient(y1, edge_order=2))
-    x2 = x1 - radius * np.sin(angle)
-    y2 = y1 + radius * np.cos(angle)
-    backwards = np.flatnonzero(np.diff(x2) <= 0)
-    if backwards.size:
-        raise WorkError(
-            f"cutter of {cutter:g} in is too big: at x = {x1[backwards[0]] / 1000:.3f} the radius of the "
-            "surface is less than the cutter's"
-        )
-    grid = np.arange(np.ceil(x2[0]), np.floor(x2[-1]) + 1)
-    middle = np.interp(grid, x2, y2) + up
+    for x, y in zip(x1, y1, strict=True):
+        if not abs(y) < _BEYOND:
+            raise WorkError(f"at x = {x / 1000:g} the curve is off the table")
+    angles = [atan(slope) for slope in _slopes(y1)]
+    x2 = [x - radius * sin(angle) for x, angle in zip(x1, angles, strict=True)]
+    y2 = [y + radius * cos(angle) for y, angle in zip(y1, angles, strict=True)]
+    for x, (here, there) in zip(x1, pairwise(x2), strict=False):
+        if there <= here:
+            raise WorkError(
+                f"cutter of {cutter:g} in is too big: at x = {x / 1000:.3f} the radius of the "
+                "surface is less than the cutter's"
+            )
+    first, middle = ceil(x2[0]), [y + up for y in _at_each_thousandth(x2, y2)]
     error = tolerance_units(tolerance)
-    return graph(int(grid[0]) + across, (middle - error).tolist(), (middle + error).tolist())
+    return graph(first + across, [y - error for y in middle], [y + error for y in middle])
+
+
+def _slopes(heights: list[float]) -> list[float]:
+    """Return the slope at each of three heights or more: half the way between its neighbours, or a parabola's."""
+    a, b, c = heights[:3]
+    x, y, z = heights[-3:]
+    inner = [(there - here) / 2 for here, there in zip(heights, heights[2:], strict=False)]
+    return [(4 * b - 3 * a - c) / 2, *inner, (x - 4 * y + 3 * z) / 2]
+
+
+def _at_each_thousandth(across: list[float], up: list[float]) -> Iterator[float]:
+    """Yield the heights of a line through places at each thousandth of X between its ends."""
+    place = 0
+    for x in range(ceil(across[0]), floor(across[-1]) + 1):
+        while across[place + 1] < x:
+            place += 1
+        slope = (up[place + 1] - up[place]) / (across[place + 1] - across[place])
+        yield up[place] + slope * (x - across[place])

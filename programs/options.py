@@ -19,9 +19,9 @@ from typing import Any, Literal, get_args, get_origin, get_type_hints
 import click
 
 from programs.arithmetic import ARITHMETICS, Arithmetic
-from programs.drill import Holes
+from programs.drill import Holes, places
 from programs.parts import PartProgram
-from programs.units import INCHES, Unit, UnitError
+from programs.units import Unit, UnitError
 
 
 def parameters(part: PartProgram) -> list[click.Parameter]:
@@ -105,7 +105,7 @@ def _option(name: str, hint: Any, default: Any) -> click.Parameter:
 
 def _named(name: str, kind: click.ParamType[Any], default: Any, help_line: str) -> click.Option:
     spelling = "--" + name.strip("_").replace("_", "-")
-    if default is not None and isinstance(kind, Number | _Places):
+    if default is not None and isinstance(kind, Number | Places):
         default = kind.written(default)
     return click.Option(
         [spelling, name],
@@ -121,7 +121,7 @@ def _type(hint: Any, unit: Unit | None = None) -> click.ParamType[Any]:
     if get_origin(hint) is Literal:
         return click.Choice(list(get_args(hint)))
     if hint == Holes:
-        return _Places()
+        return Places()
     kinds = get_args(hint) if get_origin(hint) is types.UnionType else (hint,)
     assert unit is not None, "a number has a unit"
     return Number(unit, whole=int in kinds)
@@ -132,40 +132,32 @@ class Number(click.ParamType[float]):
 
     def __init__(self, unit: Unit, whole: bool = False) -> None:
         self.name = unit.metavar
-        self._unit = unit
-        self._whole = whole
+        self.unit = unit
+        self.whole = whole
 
     def written(self, kept: float) -> str:
         """Return what to write for the value `kept`."""
-        return self._unit.ask(int(kept) if self._whole else kept)
+        return self.unit.ask(kept)
 
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> float:
         try:
-            number = self._unit.keep(value)
+            number = self.unit.keep(value, self.whole)
         except UnitError as error:
             self.fail(f"{error}.", param, ctx)
-        if not self._whole:
-            return float(number)
-        if number != number.to_integral_value():
-            of = " of thousandths of an inch" if self._unit.places else ""
-            self.fail(f"{value} is not a whole number{of}.", param, ctx)
-        return int(number)
+        return int(number) if self.whole else number
 
 
-class _Places(click.ParamType[Holes]):
+class Places(click.ParamType[Holes]):
     """Places on the table, "1,1 1,2 4,2": X and Y of each, inches, with a comma between."""
 
     name = "X,Y ..."
 
-    def written(self, places: Holes) -> str:
-        """Return what to write for `places`."""
-        return " ".join(f"{x:g},{y:g}" for x, y in places)
+    def written(self, kept: Holes) -> str:
+        """Return what to write for the places `kept`."""
+        return " ".join(f"{x:g},{y:g}" for x, y in kept)
 
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> Holes:
         try:
-            pairs = [place.split(",") for place in value.split()]
-            return tuple((float(INCHES.keep(x)), float(INCHES.keep(y))) for x, y in pairs)
+            return places(value)
         except UnitError as error:
             self.fail(f"{error}.", param, ctx)
-        except ValueError:
-            self.fail(f"{value!r} is not a list of places such as '1,1 1,2 4,2'.", param, ctx)

@@ -9,13 +9,11 @@
 A command asks for each length in inches. Its decimal point is moved to what is kept: no digit is lost.
 """
 
-from decimal import MAX_EMAX, MAX_PREC, MIN_EMIN, Context, Decimal, InvalidOperation
 from math import isfinite
 from typing import Final, NamedTuple
 
 from tapes.errors import WorkError
 
-_EXACT: Final = Context(prec=MAX_PREC, Emax=MAX_EMAX, Emin=MIN_EMIN)
 _THOUSANDTHS = 3
 """Decimal places from inches to thousandths."""
 
@@ -34,42 +32,41 @@ class Unit(NamedTuple):
     metavar: str
     short: str = ""
     places: int = 0
-    least: float = 0
-    limit: float = 1_000_000
+    least: int = 0
+    limit: int = 1_000_000
     of_another: str = ""
     shift: int = 0
 
-    def below(self, limit: float) -> "Unit":
+    def below(self, limit: int) -> "Unit":
         """Return the unit for values less than `limit`."""
         return self._replace(limit=limit)
 
-    def keep(self, text: str) -> Decimal:
-        """Return what is kept for `text`, with its unit behind it or without, exactly. Raises UnitError."""
-        try:
-            asked = Decimal(text.removesuffix(self.short.strip()))
-        except InvalidOperation:
-            raise UnitError(f"{text!r} is not a number") from None
-        if not asked.is_finite():
-            raise UnitError(f"{text!r} is not a finite number")
-        if asked and not self.least <= asked.copy_abs() < self.limit:
+    def keep(self, text: str, whole: bool = False) -> float:
+        """Return what is kept for `text`, with its unit behind it or without, to the last digit of a float.
+
+        Raises UnitError.
+        """
+        text = text.removesuffix(self.short.strip())
+        asked = _moved(text, 0)
+        if asked and not self.least <= abs(asked) < self.limit:
             raise UnitError(self._refusal(text, asked))
-        return asked.scaleb(self.places, _EXACT)
+        kept = _moved(text, self.places)
+        if whole and kept != int(kept):
+            of = " of thousandths of an inch" if self.places else ""
+            raise UnitError(f"{text} is not a whole number{of}")
+        return kept
 
     def ask(self, kept: float) -> str:
         """Return what to write for a value that is kept."""
-        return f"{Decimal(repr(kept)).scaleb(-self.places, _EXACT).normalize():f}"
+        return _plain(_moved(repr(float(kept)), -self.places))
 
-    def _refusal(self, text: str, asked: Decimal) -> str:
-        bound = (
-            f"less than {self.limit:,}"
-            if asked.copy_abs() >= self.limit
-            else f"0, or at least {self.least:,}"
-        )
+    def _refusal(self, text: str, asked: float) -> str:
+        bound = f"less than {self.limit:,}" if abs(asked) >= self.limit else f"0, or at least {self.least:,}"
         refusal = f"{text}{self.short}: must be {bound}{self.short}"
-        meant = asked.scaleb(self.shift, _EXACT)
-        if not (self.shift and self.least <= meant.copy_abs() < self.limit):
+        meant = _moved(text, self.shift)
+        if not (self.shift and self.least <= abs(meant) < self.limit):
             return refusal
-        return f"{refusal}; for {text} {self.of_another} write {meant.normalize():f}"
+        return f"{refusal}; for {text} {self.of_another} write {_plain(meant)}"
 
 
 INCHES: Final = Unit("INCHES", " in", limit=100, of_another="thousandths", shift=-3)
@@ -82,18 +79,35 @@ NUMBER: Final = Unit("NUMBER")
 
 def thousandths(name: str, inches: float) -> int:
     """Return `inches` in thousandths. Raises WorkError unless it is a whole number of them."""
-    units = _moved(name, inches)
-    if units != units.to_integral_value():
+    units = _units(name, inches)
+    if units != int(units):
         raise WorkError(f"{name} {inches!r} in: must be a whole number of thousandths of an inch")
     return int(units)
 
 
 def tolerance_units(tolerance: float) -> float:
     """Return `tolerance`, inches, in thousandths to the last digit given. Raises WorkError if not finite."""
-    return float(_moved("tolerance", tolerance))
+    return _units("tolerance", tolerance)
 
 
-def _moved(name: str, inches: float) -> Decimal:
+def _units(name: str, inches: float) -> float:
     if not isfinite(inches):
         raise WorkError(f"{name} {inches:g} in: must be a finite number")
-    return Decimal(repr(float(inches))).scaleb(_THOUSANDTHS, _EXACT)
+    return _moved(repr(float(inches)), _THOUSANDTHS)
+
+
+def _moved(text: str, places: int) -> float:
+    """Return the number that `text` says, its decimal point moved to the right. Raises UnitError."""
+    digits, _, power = text.strip().lower().partition("e")
+    if digits.lstrip("+-") in ("nan", "inf", "infinity"):
+        raise UnitError(f"{text!r} is not a finite number")
+    try:
+        if not all(digit in "+-.0123456789" for digit in digits):
+            raise ValueError
+        return float(f"{digits}e{int(power or '0') + places}")
+    except ValueError:
+        raise UnitError(f"{text!r} is not a number") from None
+
+
+def _plain(number: float) -> str:
+    return f"{number:.9f}".rstrip("0").rstrip(".")

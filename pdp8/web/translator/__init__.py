@@ -35,7 +35,8 @@ MODULES = {
     "pdp8.replay": "day script",
     "pdp8.lessons": "answer diagnosis exercise marking page scores trial values",
     "nc": "blocks machine notebook path",
-    "programs": "format header milling piecewise printout stepwise stretches",
+    "programs": "arithmetic circle die drill ellipse fluidic format function header milling piecewise polynomial"
+    " printout slope stepwise stretches units",
 }
 """What is translated."""
 
@@ -46,6 +47,8 @@ OMITTED = {
     "nc.path": "__repr__ array",
     "pdp8.lessons.page": "html _STYLE",
     "pdp8.lessons.scores": "table _cell",
+    "programs.arithmetic": "Float FloatingPoint IEEE32 CDC6400 GE635 ARITHMETICS"
+    " _magnitude_bits _normal _towards_zero _chopped _nearest _quotient _root",
     "nc.notebook": "_repr_html_ _repr_svg_",
 }
 """What of it is not: names of notebooks, files and pickles, which no page has."""

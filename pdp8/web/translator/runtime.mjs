@@ -479,9 +479,10 @@ export const add = (a, b) => {
   if (a instanceof Bytes) return EMPTY.join([a, b]);
   return like(a, [...a, ...b]);
 };
-export const sub = (a, b) => (a instanceof PySet || a instanceof Dict ? set([...a].filter((each) => !has(b, each))) : a - b);
+export const sub = (a, b) => (a?.__sub__ ? a.__sub__(b) : a instanceof PySet || a instanceof Dict ? set([...a].filter((each) => !has(b, each))) : a - b);
 export const mul = (a, b) => {
   if (num(a) && num(b)) return a * b;
+  if (a?.__mul__) return a.__mul__(b);
   const [of, times] = num(a) ? [b, Math.max(0, a)] : [a, Math.max(0, b)];
   if (typeof of === "string") return of.repeat(times);
   if (of.length === 1 && !(of instanceof Bytes)) return like(of, new Array(+times).fill(of[0]));
@@ -491,15 +492,15 @@ const divisor = (b) => {
   if (b === 0) throw new ZeroDivisionError("division by zero");
   return b;
 };
-export const div = (a, b) => a / divisor(b);
+export const div = (a, b) => (a?.__truediv__ ? a.__truediv__(b) : a / divisor(b));
 export const mod = (a, b) => {
   const rest = a % divisor(b);
   return rest !== 0 && rest < 0 !== b < 0 ? rest + b : rest;
 };
 export const floordiv = (a, b) => (a - mod(a, b)) / b;
 export const divmod = (a, b) => [floordiv(a, b), mod(a, b)];
-export const pow = (a, b) => a ** b;
-export const shl = (a, b) => a * 2 ** b;
+export const pow = (a, b) => (a?.__pow__ ? a.__pow__(b) : a ** b);
+export const shl = (a, b) => (typeof a === "bigint" ? a << BigInt(b) : a * 2 ** b);
 export const shr = (a, b) => Math.floor(a / 2 ** b);
 export const and_ = (a, b) => {
   if (a instanceof PySet) return set([...a].filter((each) => b.has(each)));
@@ -522,8 +523,8 @@ export const grown = (a, b) => {
 };
 export const eq = (a, b) => {
   if (a === b || (num(a) && num(b))) return a === b || Number(a) === Number(b);
+  if (a?.__eq__) return a.__eq__(b);
   if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return false;
-  if (a.__eq__) return a.__eq__(b);
   if (ArrayBuffer.isView(a) && ArrayBuffer.isView(b)) return a.length === b.length && a.every((each, at) => each === b[at]);
   if (a instanceof Dict) return b instanceof Dict && a.length === b.length && a.items().every(([k, v]) => b.has(k) && eq(v, b.get(k)));
   if (a instanceof PySet) return b instanceof PySet && a.length === b.length && [...a].every((each) => b.has(each));
@@ -537,6 +538,7 @@ export const eq = (a, b) => {
   return true;
 };
 export const lt = (a, b) => {
+  if (a instanceof Rational || b instanceof Rational) return rational(a).__sub__(b).numerator < 0n;
   if (typeof a !== "object") return a < b;
   if (a instanceof PySet) return a.length < b.length && [...a].every((each) => b.has(each));
   const [one, other] = [[...a], [...b]];
@@ -705,7 +707,7 @@ str.maketrans = (a, b, gone = "") => {
 export const bytearray = (of = []) => ByteArray.from(typeof of === NUMBER ? new Array(of).fill(0) : of);
 export const array = (_, of) => (of instanceof Uint8Array ? new Words(of.slice().buffer) : Words.from(of));
 export const int = (of = 0, base = 10) => {
-  if (typeof of === NUMBER || typeof of === "boolean") return Math.trunc(+of);
+  if (num(of.valueOf())) return Math.trunc(+of);
   const text = (typeof of === "string" ? of : latin(of)).trim().replace(/_/g, "");
   const form = base === 10 ? /^[-+]?\d+$/ : base === 8 ? /^[-+]?(0o)?[0-7]+$/ : /^[-+]?[0-9a-zA-Z]+$/;
   if (!form.test(text)) throw new ValueError(`invalid literal for int() with base ${base}: ${repr(of)}`);
@@ -850,6 +852,63 @@ export const sqrt = Math.sqrt;
 export const cos = Math.cos;
 export const sin = Math.sin;
 export const radians = (degrees) => degrees * (Math.PI / 180);
+export const atan = Math.atan;
+/** The whole root of a whole number, a BigInt, by Newton's steps from above. */
+export const isqrt = (of) => {
+  const square = BigInt(of);
+  let root = BigInt(Math.ceil(Math.sqrt(Number(square))));
+  for (let next_ = root + (root >> 50n) + 1n; next_ < root || root * root > square; ) {
+    root = next_;
+    next_ = (root + square / root) >> 1n;
+  }
+  return root;
+};
+const gcd = (a, b) => (b ? gcd(b, a % b) : a);
+/** An exact quotient, in lowest terms. */
+class Rational {
+  constructor(over, under) {
+    const common = gcd(over, under) * (under < 0n ? -1n : 1n);
+    const sign = common < 0n === under < 0n ? 1n : -1n;
+    this.numerator = (sign * over) / common;
+    this.denominator = (sign * under) / common;
+  }
+  __add__(of) {
+    const { numerator, denominator } = rational(of);
+    return new Rational(this.numerator * denominator + numerator * this.denominator, this.denominator * denominator);
+  }
+  __sub__(of) {
+    const { numerator, denominator } = rational(of);
+    return this.__add__(new Rational(-numerator, denominator));
+  }
+  __mul__(of) {
+    const { numerator, denominator } = rational(of);
+    return new Rational(this.numerator * numerator, this.denominator * denominator);
+  }
+  __truediv__(of) {
+    const { numerator, denominator } = rational(of);
+    return new Rational(this.numerator * denominator, this.denominator * numerator);
+  }
+  __pow__(of) {
+    return new Rational(this.numerator ** BigInt(of), this.denominator ** BigInt(of));
+  }
+  __eq__(of) {
+    return this.__sub__(of).numerator === 0n;
+  }
+  /** The nearest float: of 128 bits after the point the last says whether there are more. */
+  valueOf() {
+    const long = this.numerator << 128n;
+    const bits_ = long / this.denominator | (long % this.denominator ? 1n : 0n);
+    return Number(bits_) / 2 ** 128;
+  }
+}
+const rational = (of) => (of instanceof Rational ? of : Fraction(of));
+export const Fraction = (of, under = 1) => {
+  if (typeof of !== "string") return new Rational(BigInt(of), BigInt(under));
+  const [digits, power = 0] = of.split("e");
+  const [whole, part = ""] = digits.split(".");
+  const places = Number(power) - part.length;
+  return new Rational(BigInt(whole + part) * 10n ** BigInt(Math.max(0, places)), 10n ** BigInt(Math.max(0, -places)));
+};
 export const isfinite = Number.isFinite;
 /** CPython's way, to the last place: the squares and what they round off added apart, and a step of Newton's. */
 export const hypot = (...of) => {
