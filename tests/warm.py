@@ -38,39 +38,49 @@ def environment(cold: Path) -> dict[str, str]:
     path = f"{cold}{os.pathsep}{os.environ['PATH']}"
     if compiler() is None or "COVERAGE_RUN" in os.environ or not hasattr(socket, "AF_UNIX"):
         return {"PATH": path}
-    folder = _started().folder
+    folder = started().folder
     places = {"WARM_COMMANDS": f"{folder}/server", "COLD_COMMANDS": str(cold)}
     return {"PATH": f"{folder}{os.pathsep}{path}", **places}
 
 
-class _Server(NamedTuple):
-    """The server and the folder of its commands, for as long as this process lives."""
+class Server(NamedTuple):
+    """The folder of the commands and of their server's address; the server ends when `life` does."""
 
-    process: "subprocess.Popen[bytes]"
     folder: Path
+    life: object
 
 
 @cache
-def _started() -> _Server:
+def started() -> Server:
+    """Start the server."""
     folder = Path(tempfile.mkdtemp(prefix="pdp8-warm-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
-    compile_c(folder / COMMANDS[0], "-D_GNU_SOURCE", Path(__file__).with_suffix(".c"))
-    for name in COMMANDS[1:]:
-        (folder / name).symlink_to(COMMANDS[0])
+    compile_commands(folder)
     words = [sys.executable, "-m", "tests.warm", f"{folder}/server"]
     process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=ROOT)
     assert process.stdout is not None
     process.stdout.read(1)
-    return _Server(process, folder)
+    return Server(folder, process)
 
 
-def serve(address: str) -> None:
-    """Run commands until standard input ends."""
+def compile_commands(folder: Path) -> None:
+    """Put into a folder the commands that the server there is asked by."""
+    compile_c(folder / COMMANDS[0], "-D_GNU_SOURCE", Path(__file__).with_suffix(".c"))
+    for name in COMMANDS[1:]:
+        (folder / name).symlink_to(COMMANDS[0])
+
+
+def load() -> None:
+    """Import all that a command may."""
     for package in _LOADED:
         module = import_module(package)
         for inner in iter_modules(getattr(module, "__path__", []), f"{package}."):
             with suppress(ImportError):
                 import_module(inner.name)
+
+
+def serve(address: str) -> None:
+    """Run commands until standard input ends."""
     with socket.socket(socket.AF_UNIX) as listening:
         listening.bind(address)
         listening.listen(64)
@@ -135,7 +145,7 @@ def _become(fields: list[str], streams: list[int]) -> None:
     from pdp8 import cli
 
     run = cli.pal if words[0] == "pal" else cli.main
-    status = _status(run)
+    status = status_of(run)
     for out in (sys.stdout, sys.stderr):
         try:
             out.flush()
@@ -144,7 +154,7 @@ def _become(fields: list[str], streams: list[int]) -> None:
     os._exit(status)
 
 
-def _status(run: object) -> int:
+def status_of(run: object) -> int:
     """Run the command; return its exit status as Python does."""
     try:
         run()  # type: ignore[operator]
@@ -160,4 +170,5 @@ def _status(run: object) -> int:
 
 
 if __name__ == "__main__":
+    load()
     serve(sys.argv[1])

@@ -73,7 +73,7 @@ def _room(room: str, arguments: argparse.Namespace, changed: dict[str, set[int]]
             found["equal"] += 1
         else:
             chosen.setdefault(file, set()).add(number)
-    for file, number, verdict in _tried(ROOMS[room][1], chosen, arguments.jobs):
+    for file, number, verdict in _tried(room, chosen, arguments.jobs):
         found[verdict] += 1
         if verdict != "caught":
             mutant = known[file, number]
@@ -84,18 +84,23 @@ def _room(room: str, arguments: argparse.Namespace, changed: dict[str, set[int]]
     return found
 
 
-def _tried(tests: list[str], chosen: dict[str, set[int]], jobs: int) -> Iterator[tuple[str, int, str]]:
-    """Try mutants in a copy of the sources, where nothing is compiled."""
+def _tried(room: str, chosen: dict[str, set[int]], jobs: int) -> Iterator[tuple[str, int, str]]:
+    """Try mutants in a copy of the sources, where nothing of the room is compiled."""
     if not chosen:
         return
     with tempfile.TemporaryDirectory(prefix="pdp8-mutation-") as name:
         copy = Path(name)
         Workshop(copy)
+        folder, tests = ROOMS[room]
+        for built in () if room == "pal" else HOUSE.glob("p*/**/*.so"):
+            path = built.relative_to(HOUSE)
+            if not path.is_relative_to(folder):
+                (copy / path).symlink_to(built)
         work = "import sys; from tests.mutation.runner import main; main(*sys.argv[1:])"
         with subprocess.Popen(
             [sys.executable, "-c", work, repr(tests), repr(chosen), str(jobs)],
             cwd=copy,
-            env=os.environ | {"PYTHONPATH": str(copy), "PYTHONHASHSEED": "0"},
+            env=os.environ | {"PYTHONPATH": str(copy)},
             stdout=subprocess.PIPE,
             text=True,
         ) as running:

@@ -18,26 +18,33 @@ import pickle
 import resource
 import shutil
 import signal
+import subprocess
 import sys
 import tempfile
 import time
 import traceback
+import warnings
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from functools import partial
 from importlib.machinery import ModuleSpec
 from pathlib import Path
-from types import CodeType, FunctionType, ModuleType
+from types import CodeType, FunctionType, ModuleType, SimpleNamespace
 from typing import NamedTuple
 
 import coverage
+import coverage.exceptions
 import pytest
 from _pytest.runner import runtestprotocol
 
-from tests import commands
+from tests import commands, warm
 from tests.mutation.mutants import Mutant, mutants
 
-LONGER = 20
-LEAST = 20.0
-"""Seconds of processor time that every mutant may take."""
+LONGER = 4
+LEAST = 5.0
+"""Seconds of processor time that every mutant may take, and as often the time of its tests."""
+LONGEST = 120.0
+"""Seconds of processor time that a test may take when its lines are noted."""
 
 _MEMORY = 6 << 30
 _PYTEST = [
@@ -59,10 +66,11 @@ Chosen = dict[str, set[int]]
 
 
 class Runs(NamedTuple):
-    """What the tests run: for each file and line its tests; how long each takes; what is run at import."""
+    """What the tests run: for each file and line its tests; how long each takes, and which run commands."""
 
     tests: dict[str, dict[int, set[str]]]
     seconds: dict[str, float]
+    asking: set[str]
     failed: list[str]
     loaded: list[str]
 
@@ -71,11 +79,11 @@ def run(tests: list[str], chosen: Chosen, jobs: int) -> Iterator[tuple[str, int,
     """Yield for each mutant its file, its number and the verdict: caught, survived or not run."""
     with tempfile.TemporaryDirectory(prefix="pdp8-mutants-") as folder:
         answer = Path(folder) / "answer"
-        pid = _fork(lambda: _collected(tests, chosen, jobs, answer), Path(folder), quiet=False)
+        pid = _fork(lambda _own: _collected(tests, chosen, jobs, answer), Path(folder), quiet=False)
         os.waitpid(pid, 0)
         runs, verdicts = pickle.loads(answer.read_bytes())
         if runs.failed:
-            print(f"left out {len(runs.failed)} tests that run commands of their own", file=sys.stderr)
+            print(f"left out: {' '.join(runs.failed)}"[:2000], file=sys.stderr)
         for name in runs.loaded:
             try:
                 importlib.import_module(name)
@@ -90,8 +98,10 @@ def run(tests: list[str], chosen: Chosen, jobs: int) -> Iterator[tuple[str, int,
         yield from _whole(again, runs, jobs, Path(folder))
 
 
-def _fork(work: Callable[[], int], folder: Path, limit: float | None = None, quiet: bool = True) -> int:
-    """Do `work` in a process of its own, for at most `limit` seconds of its time; the status tells."""
+def _fork(work: Callable[[Path], int], folder: Path, limit: float | None = None, quiet: bool = True) -> int:
+    """Do `work` in a process of its own, in a folder of its own, and all that it starts for at most `limit`
+    seconds of processor time; the status tells.
+    """
     pid = os.fork()
     if pid:
         return pid
@@ -102,19 +112,51 @@ def _fork(work: Callable[[], int], folder: Path, limit: float | None = None, qui
             os.dup2(nowhere, 1)
             os.dup2(nowhere, 2)
         if limit is not None:
-            signal.signal(signal.SIGPROF, signal.SIG_DFL)
-            signal.setitimer(signal.ITIMER_PROF, limit)
-            signal.alarm(int(limit * 10))
+            os.setpgid(0, 0)
+            signal.alarm(int(limit * 6))
+            resource.setrlimit(resource.RLIMIT_CPU, (int(limit), int(limit)))
             resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, _MEMORY))
         own = folder / str(os.getpid())
         own.mkdir()
         os.environ["PYTEST_DEBUG_TEMPROOT"] = os.environ["HYPOTHESIS_STORAGE_DIRECTORY"] = str(own)
-        status = work()
+        status = work(own)
         shutil.rmtree(own, ignore_errors=True)
     except BaseException:
         traceback.print_exc()
     finally:
         os._exit(status)
+
+
+def _wait() -> tuple[int, int]:
+    """Wait for one process of `_fork`, and end all that it started; return its number and status."""
+    pid, status = os.wait()
+    with suppress(ProcessLookupError):
+        os.killpg(pid, signal.SIGKILL)
+    return pid, status
+
+
+def _serve_commands(own: Path, clients: Path, status_of: Callable[[object], int] = warm.status_of) -> None:
+    """Have the tests' commands run in forks of this process, with whatever is changed in it."""
+    for name in warm.COMMANDS:
+        (own / name).symlink_to(clients / warm.COMMANDS[0])
+    (asked, life), (heard, ready) = os.pipe(), os.pipe()
+    if os.fork() == 0:
+        os.dup2(asked, 0)
+        os.dup2(ready, 1)
+        os.closerange(3, 1024)
+        warnings.resetwarnings()
+        warm.status_of = status_of
+        warm.serve(str(own / "server"))
+        os._exit(0)
+    os.close(asked)
+    os.read(heard, 1)
+    server = warm.Server(own, life)
+    setattr(warm, "started", lambda: server)  # noqa: B010
+    setattr(commands, "subprocess", SimpleNamespace(**vars(subprocess) | {"Popen": _refused}))  # noqa: B010
+
+
+def _refused(*_words: object, **_options: object) -> None:
+    raise OSError("what starts as it is has no mutant in it")
 
 
 def _each(
@@ -127,7 +169,7 @@ def _each(
     alive: dict[int, tuple[str, int]] = {}
 
     def ended() -> tuple[str, int, str]:
-        pid, status = os.wait()
+        pid, status = _wait()
         return *alive.pop(pid), "survived" if status == 0 else "caught"
 
     for file, numbers in wanted.items():
@@ -151,11 +193,17 @@ def _each(
 def _collected(tests: list[str], chosen: Chosen, jobs: int, answer: Path) -> int:
     """Collect the tests, find what each runs, try the mutants in functions; leave all of it in `answer`."""
     _calm_hypothesis()
-    files = [str(Path(file).resolve()) for file in chosen]
-    measured = coverage.Coverage(data_file=None, config_file=False, include=files, messages=False)
-    measured.start()
+    measured = _measuring([str(Path(file).resolve()) for file in chosen])
+    warm.load()
     plugin = _Collected(measured, chosen, jobs, answer)
     return int(pytest.main([*_PYTEST, *tests], plugins=[plugin]))
+
+
+def _measuring(files: list[str]) -> coverage.Coverage:
+    """Begin to note which lines of these files run."""
+    measured = coverage.Coverage(data_file=None, config_file=False, include=files, messages=False)
+    measured.start()
+    return measured
 
 
 def _calm_hypothesis() -> None:
@@ -177,8 +225,10 @@ class _Collected:
     def __init__(self, measured: coverage.Coverage, chosen: Chosen, jobs: int, answer: Path) -> None:
         self.measured = measured
         self.chosen = chosen
+        self.files = {file: str(Path(file).resolve()) for file in chosen}
         self.jobs = jobs
         self.answer = answer
+        self.clients = answer.parent / "clients"
 
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
         items = {item.nodeid: item for item in session.items}
@@ -190,19 +240,23 @@ class _Collected:
         def begin(mutant: Mutant, file: str) -> int | str:
             lines = runs.tests.get(file, {})
             names = set().union(*(lines.get(line, set()) for line in mutant.lines))
-            if mutant.whole or "" in names:
+            code = compile(mutant.tree, str(Path(file).resolve()), "exec")
+            if mutant.whole or (names and not _fits(functions, code)):
+                return "import"
+            if "" in names:
                 imported.add((file, mutant.number))
             names &= runs.seconds.keys()
-            if mutant.whole:
-                return "import"
             if not names:
                 return "import" if (file, mutant.number) in imported else "not run"
-            code = compile(mutant.tree, str(Path(file).resolve()), "exec")
             order = sorted(names, key=lambda name: runs.seconds[name])
-            limit = LEAST + LONGER * sum(runs.seconds[name] for name in order)
-            return _fork(
-                lambda: _swap(functions, code) or _fails([items[name] for name in order]), folder, limit
-            )
+
+            def work(own: Path) -> int:
+                _swap(functions, code)
+                if not runs.asking.isdisjoint(names):
+                    _serve_commands(own, self.clients)
+                return _fails([items[name] for name in order])
+
+            return _fork(work, folder, LEAST + LONGER * sum(runs.seconds[name] for name in order))
 
         trials = [(file, number) for file, numbers in self.chosen.items() for number in numbers]
         verdicts = {}
@@ -213,34 +267,69 @@ class _Collected:
         return True
 
     def _measure(self, items: list[pytest.Item]) -> Runs:
-        """Run every test once in a fork, under coverage."""
-        found = self.answer.with_suffix(".runs")
-        pid = _fork(lambda: self._run_all(items, found), found.parent)
-        os.waitpid(pid, 0)
-        self.measured.stop()
-        runs: Runs = pickle.loads(found.read_bytes())
+        """Run every test once under coverage, each in a fork: none finds what another has cached."""
+        folder = self.answer.parent
+        self.clients.mkdir()
+        warm.compile_commands(self.clients)
+        runs = Runs({file: {} for file in self.files}, {}, set(), [], _loaded())
+        self._note(runs, "", self._lines(self.measured))
+        alive: dict[int, str] = {}
+
+        def note() -> None:
+            pid, _ = _wait()
+            name, found = alive.pop(pid), folder / f"{pid}.ran"
+            lines, seconds, asks, failed = pickle.loads(found.read_bytes()) if found.exists() else _NOTHING
+            if failed:
+                runs.failed.append(name)
+                return
+            runs.seconds[name] = seconds
+            runs.asking.update([name] if asks else [])
+            self._note(runs, name, lines)
+
+        for item in items:
+            alive[_fork(partial(self._run, item), folder, LONGEST)] = item.nodeid
+            if len(alive) == self.jobs:
+                note()
+        while alive:
+            note()
         return runs
 
-    def _run_all(self, items: list[pytest.Item], found: Path) -> int:
-        setattr(commands, "subprocess", None)  # noqa: B010 -- a command of its own has no mutant in it
-        seconds, failed = {}, []
-        for item, after in zip(items, [*items[1:], None], strict=True):
-            self.measured.switch_context(item.nodeid)
-            began = time.process_time()
-            if any(report.failed for report in runtestprotocol(item, log=False, nextitem=after)):
-                failed.append(item.nodeid)
-                continue
-            seconds[item.nodeid] = time.process_time() - began
-        self.measured.stop()
-        data = self.measured.get_data()
-        tests = {
-            file: {
-                line: set(names) for line, names in data.contexts_by_lineno(str(Path(file).resolve())).items()
-            }
-            for file in self.chosen
-        }
-        found.write_bytes(pickle.dumps(Runs(tests, seconds, failed, _loaded())))
+    def _run(self, item: pytest.Item, own: Path) -> int:
+        """Run a test; leave its lines and seconds, whether it asks for commands and whether it fails."""
+        measured = _measuring(list(self.files.values()))
+        plain = warm.status_of
+
+        def status_of(run: object) -> int:
+            status = plain(run)
+            (own / f"{os.getpid()}.lines").write_bytes(pickle.dumps(self._lines(measured)))
+            return status
+
+        _serve_commands(own, self.clients, status_of)
+        began = time.monotonic()
+        failed = _fails([item])
+        seconds = time.monotonic() - began
+        lines = self._lines(measured)
+        asked = list(own.glob("*.lines"))
+        for one in asked:
+            for file, there in pickle.loads(one.read_bytes()).items():
+                lines[file] |= there
+        own.with_suffix(".ran").write_bytes(pickle.dumps((lines, seconds, bool(asked), failed)))
         return 0
+
+    def _lines(self, measured: coverage.Coverage) -> dict[str, set[int]]:
+        measured.stop()
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", coverage.exceptions.CoverageWarning)  # no line is an answer
+            data = measured.get_data()
+        return {file: set(data.lines(path) or ()) for file, path in self.files.items()}
+
+    def _note(self, runs: Runs, name: str, lines: dict[str, set[int]]) -> None:
+        for file, there in lines.items():
+            for line in there:
+                runs.tests[file].setdefault(line, set()).add(name)
+
+
+_NOTHING: tuple[dict[str, set[int]], float, bool, bool] = {}, 0.0, False, True
 
 
 def _loaded() -> list[str]:
@@ -259,15 +348,26 @@ def _functions(files: set[str]) -> dict[tuple[str, int, str], list[FunctionType]
     return found
 
 
-def _swap(functions: dict[tuple[str, int, str], list[FunctionType]], code: CodeType) -> int:
+def _fits(functions: dict[tuple[str, int, str], list[FunctionType]], code: CodeType) -> bool:
+    """Tell whether the code of a changed module can be put into the functions that are there."""
+    return all(
+        all(
+            function.__code__.co_freevars == inner.co_freevars
+            for function in functions.get((inner.co_filename, inner.co_firstlineno, inner.co_qualname), ())
+        )
+        and _fits(functions, inner)
+        for inner in code.co_consts
+        if isinstance(inner, CodeType)
+    )
+
+
+def _swap(functions: dict[tuple[str, int, str], list[FunctionType]], code: CodeType) -> None:
     """Put the code of a changed module into the functions that are there."""
     for inner in code.co_consts:
         if isinstance(inner, CodeType):
             for function in functions.get((inner.co_filename, inner.co_firstlineno, inner.co_qualname), ()):
-                if function.__code__.co_freevars == inner.co_freevars:
-                    function.__code__ = inner
+                function.__code__ = inner
             _swap(functions, inner)
-    return 0
 
 
 def _fails(items: list[pytest.Item]) -> int:
@@ -290,16 +390,19 @@ def _whole(
         names = set().union(*runs.tests.get(file, {}).values())
         order = sorted(runs.seconds, key=lambda name: (name not in names, runs.seconds[name]))
         code = compile(mutant.tree, str(Path(file).resolve()), "exec")
-        limit = 2 * LEAST + LONGER * sum(runs.seconds[name] for name in order)
-        return _fork(lambda: _import_and_run(file, code, order), folder, limit)
+        limit = LEAST + LONGER * sum(runs.seconds[name] for name in order)
+
+        def work(own: Path) -> int:
+            sys.meta_path.insert(0, _Changed(file, code))
+            if runs.asking:
+                warm.load()
+                _serve_commands(own, folder / "clients")
+            _calm_hypothesis()
+            return int(pytest.main([*_PYTEST, "-x", "--tb=no", *order]))
+
+        return _fork(work, folder, limit)
 
     return _each(trials, begin, jobs)
-
-
-def _import_and_run(file: str, code: CodeType, tests: list[str]) -> int:
-    _calm_hypothesis()
-    sys.meta_path.insert(0, _Changed(file, code))
-    return int(pytest.main([*_PYTEST, "-x", "--tb=no", *tests]))
 
 
 class _Changed(importlib.abc.MetaPathFinder):
