@@ -1,6 +1,9 @@
 """The drawings: to scale, in inches, nothing clipped, and the metal drawn is the metal cut."""
 
 import re
+from collections.abc import Callable
+from functools import cache
+from hashlib import sha256
 from importlib.util import find_spec
 from io import BytesIO
 from itertools import pairwise
@@ -34,35 +37,63 @@ def words(drawing: str) -> list[str]:
     return [str(text.text) for text in elements(drawing, "text")]
 
 
-def drawings() -> dict[str, str]:
-    circle, ellipse = nc.cut(CIRCLE), nc.cut(shelf.read("ellipse.eia"))
-    slope = tape(*HEADER, *milling([(2250, 4003), (2300, 4003), (2300, 4029), (2350, 4029)], (2250, 4000)))
-    return {
-        "circle": plot(circle, THE_CIRCLE),
-        "circle, block 120": plot(circle, THE_CIRCLE, block=120),
-        "circle, block 1": plot(circle, THE_CIRCLE, block=1),
-        "ellipse": plot(ellipse, Ellipse(4000, 4000, 3000, 2250)),
-        "four holes": plot(nc.cut(tape(*FOUR_HOLES))),
-        "long words": plot(
-            nc.cut(
-                tape("001 9 01000 02000 0 18 89", "002 9 01000 02000 0 00 81", "003 8 19000 09000 0 00 00")
-            )
-        ),
-        "one position": plot(nc.cut(tape("001 0 20000 10000 0 00 02"))),
-        "talyrond, circle": talyrond(inspect(circle)),
-        "talyrond, ellipse": talyrond(inspect(ellipse)),
-        "talyrond, small cutter": talyrond(inspect(circle, cutter=20)),
-        "talysurf, circle": talysurf(inspect(circle)),
-        "talysurf, slope": talysurf(inspect(nc.cut(slope), StraightLine(2250, 4000, 2350, 4030))),
-    }
+@cache
+def circle() -> nc.Path:
+    return nc.cut(CIRCLE)
 
 
-DRAWINGS = drawings()
+@cache
+def ellipse() -> nc.Path:
+    return nc.cut(shelf.read("ellipse.eia"))
+
+
+def slope() -> nc.Path:
+    steps = [(2250, 4003), (2300, 4003), (2300, 4029), (2350, 4029)]
+    return nc.cut(tape(*HEADER, *milling(steps, (2250, 4000))))
+
+
+def words_that_wrap() -> nc.Path:
+    return nc.cut(
+        tape("001 9 01000 02000 0 18 89", "002 9 01000 02000 0 00 81", "003 8 19000 09000 0 00 00")
+    )
+
+
+def half() -> nc.Path:
+    return nc.cut(tape(*HEADER, *milling(staircase(1750, 5), (2250, 4000))[:330]))
+
+
+DRAWINGS: dict[str, tuple[str, Callable[[], str]]] = {
+    "circle": ("", lambda: plot(circle(), THE_CIRCLE)),
+    "circle, block 120": ("", lambda: plot(circle(), THE_CIRCLE, block=120)),
+    "circle, block 1": ("", lambda: plot(circle(), THE_CIRCLE, block=1)),
+    "circle, stretched": ("", lambda: plot(circle(), THE_CIRCLE, close_at=(4000, 5735), zoom=(8, 80))),
+    "ellipse": ("", lambda: plot(ellipse(), Ellipse(4000, 4000, 3000, 2250))),
+    "four holes": ("", lambda: plot(nc.cut(tape(*FOUR_HOLES)))),
+    "long words": ("", lambda: plot(words_that_wrap())),
+    "one position": ("", lambda: plot(nc.cut(tape("001 0 20000 10000 0 00 02")))),
+    "talyrond, circle": ("", lambda: talyrond(inspect(circle()))),
+    "talyrond, ellipse": ("", lambda: talyrond(inspect(ellipse()))),
+    "talyrond, small cutter": ("", lambda: talyrond(inspect(circle(), cutter=20))),
+    "talyrond, half": ("", lambda: talyrond(inspect(half(), THE_CIRCLE))),
+    "talysurf, circle": ("", lambda: talysurf(inspect(circle()))),
+    "talysurf, slope": ("", lambda: talysurf(inspect(slope(), StraightLine(2250, 4000, 2350, 4030)))),
+}
+"""Each drawing, with the digest of what was looked at, by eye and beside Figures 7.2 to 7.8."""
+
+
+@cache
+def drawn(name: str) -> str:
+    return DRAWINGS[name][1]()
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_a_drawing_is_the_one_that_was_looked_at(name: str) -> None:
+    assert sha256(drawn(name).encode()).hexdigest()[:8] == DRAWINGS[name][0], "look at it again"
 
 
 @pytest.mark.parametrize("name", DRAWINGS)
 def test_nothing_written_leaves_the_sheet(name: str) -> None:
-    root = ET.fromstring(DRAWINGS[name])
+    root = ET.fromstring(drawn(name))
     _, _, width, height = map(float, root.get("viewBox", "").split())
     assert root.get("width") == f"{width / 100:g}in"
     assert width <= 850
@@ -88,13 +119,13 @@ def _is_clipped(root: ET.Element, text: ET.Element) -> bool:
     "name", [name for name in DRAWINGS if name.startswith(("circle", "ellipse", "four"))]
 )
 def test_axes_are_labelled_in_inches(name: str) -> None:
-    assert words(DRAWINGS[name]).count("X, inches") == 2
-    assert words(DRAWINGS[name]).count("Y, inches") == 2
+    assert words(drawn(name)).count("X, inches") == 2
+    assert words(drawn(name)).count("Y, inches") == 2
 
 
 def test_the_part_is_drawn_true_size() -> None:
     """At 1:1 a hundred units of paper are an inch; the metal is the path stroked as wide as the cutter."""
-    drawing = DRAWINGS["circle"]
+    drawing = drawn("circle")
     metal = [path for path in elements(drawing, "path") if path.get("stroke-linejoin") == "round"]
     assert float(metal[0].get("stroke-width", "0")) == 50.0
     numbers = [float(number) for number in re.findall(r"[\d.]+", metal[0].get("d", ""))]
@@ -104,7 +135,7 @@ def test_the_part_is_drawn_true_size() -> None:
 
 
 def test_the_close_view_stands_about_the_current_block() -> None:
-    drawing = DRAWINGS["circle, block 120"]
+    drawing = drawn("circle, block 120")
     assert "block 120: 120 6 03034 05453 0 01 84 — mill X to 3.034 at 1.0 in/min" in words(drawing)
     assert any("at X 3.034 Y 5.453" in line for line in words(drawing))
     assert "120" in words(drawing)
@@ -115,12 +146,12 @@ def test_the_close_view_stands_about_the_current_block() -> None:
 
 
 def test_the_contour_does_not_close_and_the_picture_says_so() -> None:
-    assert "the contour ends 0.156 in from its start" in words(DRAWINGS["circle"])
+    assert "the contour ends 0.156 in from its start" in words(drawn("circle"))
 
 
 def test_a_close_view_stretched_has_the_band_s_true_height_on_its_own_scale() -> None:
     """Y 80:1: the .010 in of the band are .8 in of paper; X 8:1: a step of .12 in is .96 in."""
-    drawing = plot(nc.cut(CIRCLE), THE_CIRCLE, close_at=(4000, 5735), zoom=(8, 80))
+    drawing = drawn("circle, stretched")
     assert any(line.startswith("stretched, X 8:1, Y 80:1; band ±0.005 in") for line in words(drawing))
     band = [path for path in elements(drawing, "path") if path.get("stroke") == "#2e7d32"]
     highest = [
@@ -155,7 +186,7 @@ def test_no_such_block() -> None:
 
 
 def test_the_talyrond_magnifies_100_times_as_figure_7_2() -> None:
-    drawing = DRAWINGS["talyrond, circle"]
+    drawing = drawn("talyrond, circle")
     assert any("radial magnification 100" in line for line in words(drawing))
     rings = sorted(float(ring.get("r", "0")) for ring in elements(drawing, "circle"))
     assert {round(outer - inner, 6) for inner, outer in pairwise(rings)} == {10.0}
@@ -170,7 +201,7 @@ def test_the_talyrond_takes_round_work_only() -> None:
 
 
 def test_the_talysurf_says_the_roughness_of_its_stretch() -> None:
-    said = words(DRAWINGS["talysurf, circle"])
+    said = words(drawn("talysurf, circle"))
     assert "outer wall, trough to peak .0106 in" in said
     assert "inner wall, trough to peak .0057 in" in said
 
@@ -182,8 +213,7 @@ def test_a_stretch_beyond_the_curve_is_refused() -> None:
 
 
 def test_a_wall_with_a_gap_is_drawn_in_parts() -> None:
-    half = nc.cut(tape(*HEADER, *milling(staircase(1750, 5), (2250, 4000))[:330]))
-    drawing = talyrond(inspect(half, THE_CIRCLE))
+    drawing = drawn("talyrond, half")
     assert len(elements(drawing, "path")) >= 2
     assert "nan" not in drawing
 
