@@ -67,12 +67,12 @@ def _room(room: str, arguments: argparse.Namespace, changed: dict[str, set[int]]
     picked = sorted(known)
     if arguments.sample and len(picked) > arguments.sample:
         picked = sorted(random.Random(arguments.seed).sample(picked, arguments.sample))
-    chosen: dict[str, set[int]] = {}
+    chosen: dict[str, set[int]] = {path.as_posix(): set() for path in sources(room)}
     for file, number in picked:
         if (file, known[file, number].scope, known[file, number].text) in same:
             found["equal"] += 1
         else:
-            chosen.setdefault(file, set()).add(number)
+            chosen[file].add(number)
     for file, number, verdict in _tried(room, chosen, arguments.jobs):
         found[verdict] += 1
         if verdict != "caught":
@@ -86,8 +86,10 @@ def _room(room: str, arguments: argparse.Namespace, changed: dict[str, set[int]]
 
 def _tried(room: str, chosen: dict[str, set[int]], jobs: int) -> Iterator[tuple[str, int, str]]:
     """Try mutants in a copy of the sources, where nothing of the room is compiled."""
-    if not chosen:
+    if not any(chosen.values()):
         return
+    kept = HOUSE / "build" / "mutation" / room
+    kept.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="pdp8-mutation-") as name:
         copy = Path(name)
         Workshop(copy)
@@ -98,7 +100,7 @@ def _tried(room: str, chosen: dict[str, set[int]], jobs: int) -> Iterator[tuple[
                 (copy / path).symlink_to(built)
         work = "import sys; from tests.mutation.runner import main; main(*sys.argv[1:])"
         with subprocess.Popen(
-            [sys.executable, "-c", work, repr(tests), repr(chosen), str(jobs)],
+            [sys.executable, "-c", work, repr(tests), repr(chosen), str(jobs), str(kept)],
             cwd=copy,
             env=os.environ | {"PYTHONPATH": str(copy)},
             stdout=subprocess.PIPE,

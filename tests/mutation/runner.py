@@ -27,6 +27,7 @@ import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
+from hashlib import sha256
 from importlib.machinery import ModuleSpec
 from pathlib import Path
 from types import CodeType, FunctionType, ModuleType, SimpleNamespace
@@ -75,11 +76,14 @@ class Runs(NamedTuple):
     loaded: list[str]
 
 
-def run(tests: list[str], chosen: Chosen, jobs: int) -> Iterator[tuple[str, int, str]]:
-    """Yield for each mutant its file, its number and the verdict: caught, survived or not run."""
+def run(tests: list[str], chosen: Chosen, jobs: int, kept: Path) -> Iterator[tuple[str, int, str]]:
+    """Yield for each mutant its file, its number and the verdict: caught, survived or not run.
+
+    `kept` has the lines of each test from one call to the next: what has not changed is not run again.
+    """
     with tempfile.TemporaryDirectory(prefix="pdp8-mutants-") as folder:
         answer = Path(folder) / "answer"
-        pid = _fork(lambda _own: _collected(tests, chosen, jobs, answer), Path(folder), quiet=False)
+        pid = _fork(lambda _own: _collected(tests, chosen, jobs, answer, kept), Path(folder), quiet=False)
         os.waitpid(pid, 0)
         runs, verdicts = pickle.loads(answer.read_bytes())
         if runs.failed:
@@ -145,7 +149,7 @@ def _serve_commands(own: Path, clients: Path, status_of: Callable[[object], int]
         os.dup2(ready, 1)
         os.closerange(3, 1024)
         warnings.resetwarnings()
-        warm.status_of = status_of
+        setattr(warm, "status_of", status_of)  # noqa: B010
         warm.serve(str(own / "server"))
         os._exit(0)
     os.close(asked)
@@ -190,12 +194,12 @@ def _each(
 # The collected process
 
 
-def _collected(tests: list[str], chosen: Chosen, jobs: int, answer: Path) -> int:
+def _collected(tests: list[str], chosen: Chosen, jobs: int, answer: Path, kept: Path) -> int:
     """Collect the tests, find what each runs, try the mutants in functions; leave all of it in `answer`."""
     _calm_hypothesis()
     measured = _measuring([str(Path(file).resolve()) for file in chosen])
     warm.load()
-    plugin = _Collected(measured, chosen, jobs, answer)
+    plugin = _Collected(measured, chosen, jobs, answer, kept)
     return int(pytest.main([*_PYTEST, *tests], plugins=[plugin]))
 
 
@@ -221,8 +225,15 @@ def _calm_hypothesis() -> None:
     settings.load_profile("mutants")
 
 
+_Ran = tuple[dict[str, set[int]], float, bool]
+"""The lines that a test runs, by file; its seconds; whether it runs commands."""
+
+
 class _Collected:
-    def __init__(self, measured: coverage.Coverage, chosen: Chosen, jobs: int, answer: Path) -> None:
+    def __init__(
+        self, measured: coverage.Coverage, chosen: Chosen, jobs: int, answer: Path, kept: Path
+    ) -> None:
+        self.kept = kept
         self.measured = measured
         self.chosen = chosen
         self.files = {file: str(Path(file).resolve()) for file in chosen}
@@ -274,28 +285,37 @@ class _Collected:
         runs = Runs({file: {} for file in self.files}, {}, set(), [], _loaded())
         self._note(runs, "", self._lines(self.measured))
         alive: dict[int, str] = {}
+        before = pickle.loads(self.kept.read_bytes()) if self.kept.exists() else {}
+        kept: dict[str, tuple[str, _Ran]] = {}
+        room = b"".join(Path(file).read_bytes() for file in sorted(self.files))
+        keys = {item.nodeid: sha256(room + item.path.read_bytes()).hexdigest() for item in items}
 
         def note() -> None:
             pid, _ = _wait()
             name, found = alive.pop(pid), folder / f"{pid}.ran"
-            lines, seconds, asks, failed = pickle.loads(found.read_bytes()) if found.exists() else _NOTHING
-            if failed:
+            if found.exists():
+                kept[name] = keys[name], pickle.loads(found.read_bytes())
+            else:
                 runs.failed.append(name)
-                return
-            runs.seconds[name] = seconds
-            runs.asking.update([name] if asks else [])
-            self._note(runs, name, lines)
 
         for item in items:
+            if before.get(item.nodeid, ("",))[0] == keys[item.nodeid]:
+                kept[item.nodeid] = before[item.nodeid]
+                continue
             alive[_fork(partial(self._run, item), folder, LONGEST)] = item.nodeid
             if len(alive) == self.jobs:
                 note()
         while alive:
             note()
+        self.kept.write_bytes(pickle.dumps(kept))
+        for name, (_, (lines, seconds, asks)) in kept.items():
+            runs.seconds[name] = seconds
+            runs.asking.update([name] if asks else [])
+            self._note(runs, name, lines)
         return runs
 
     def _run(self, item: pytest.Item, own: Path) -> int:
-        """Run a test; leave its lines and seconds, whether it asks for commands and whether it fails."""
+        """Run a test; leave what it ran, unless it fails."""
         measured = _measuring(list(self.files.values()))
         plain = warm.status_of
 
@@ -306,14 +326,16 @@ class _Collected:
 
         _serve_commands(own, self.clients, status_of)
         began = time.monotonic()
-        failed = _fails([item])
+        if _fails([item]):
+            return 1
         seconds = time.monotonic() - began
         lines = self._lines(measured)
         asked = list(own.glob("*.lines"))
         for one in asked:
             for file, there in pickle.loads(one.read_bytes()).items():
                 lines[file] |= there
-        own.with_suffix(".ran").write_bytes(pickle.dumps((lines, seconds, bool(asked), failed)))
+        ran: _Ran = lines, seconds, bool(asked)
+        own.with_suffix(".ran").write_bytes(pickle.dumps(ran))
         return 0
 
     def _lines(self, measured: coverage.Coverage) -> dict[str, set[int]]:
@@ -327,9 +349,6 @@ class _Collected:
         for file, there in lines.items():
             for line in there:
                 runs.tests[file].setdefault(line, set()).add(name)
-
-
-_NOTHING: tuple[dict[str, set[int]], float, bool, bool] = {}, 0.0, False, True
 
 
 def _loaded() -> list[str]:
@@ -432,8 +451,8 @@ class _Loader(importlib.machinery.SourceFileLoader):
         return self.code
 
 
-def main(tests: str, chosen: str, jobs: str) -> None:
+def main(tests: str, chosen: str, jobs: str, kept: str) -> None:
     """Print the verdicts line by line, their parts between tabs; the arguments are Python literals."""
-    lines = run(ast.literal_eval(tests), ast.literal_eval(chosen), int(jobs))
+    lines = run(ast.literal_eval(tests), ast.literal_eval(chosen), int(jobs), Path(kept))
     for file, number, verdict in lines:
         print(f"{file}\t{number}\t{verdict}", flush=True)
