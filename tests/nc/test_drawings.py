@@ -53,9 +53,7 @@ def slope() -> nc.Path:
 
 
 def words_that_wrap() -> nc.Path:
-    return nc.cut(
-        tape("001 9 01000 02000 0 18 89", "002 9 01000 02000 0 00 81", "003 8 19000 09000 0 00 00")
-    )
+    return nc.cut(tape("001 9 01000 02000 0 18 89", "002 9 01000 02000 0 00 81", "003 8 19000 09000 0 00 00"))
 
 
 def half() -> nc.Path:
@@ -63,20 +61,23 @@ def half() -> nc.Path:
 
 
 DRAWINGS: dict[str, tuple[str, Callable[[], str]]] = {
-    "circle": ("", lambda: plot(circle(), THE_CIRCLE)),
-    "circle, block 120": ("", lambda: plot(circle(), THE_CIRCLE, block=120)),
-    "circle, block 1": ("", lambda: plot(circle(), THE_CIRCLE, block=1)),
-    "circle, stretched": ("", lambda: plot(circle(), THE_CIRCLE, close_at=(4000, 5735), zoom=(8, 80))),
-    "ellipse": ("", lambda: plot(ellipse(), Ellipse(4000, 4000, 3000, 2250))),
-    "four holes": ("", lambda: plot(nc.cut(tape(*FOUR_HOLES)))),
-    "long words": ("", lambda: plot(words_that_wrap())),
-    "one position": ("", lambda: plot(nc.cut(tape("001 0 20000 10000 0 00 02")))),
-    "talyrond, circle": ("", lambda: talyrond(inspect(circle()))),
-    "talyrond, ellipse": ("", lambda: talyrond(inspect(ellipse()))),
-    "talyrond, small cutter": ("", lambda: talyrond(inspect(circle(), cutter=20))),
-    "talyrond, half": ("", lambda: talyrond(inspect(half(), THE_CIRCLE))),
-    "talysurf, circle": ("", lambda: talysurf(inspect(circle()))),
-    "talysurf, slope": ("", lambda: talysurf(inspect(slope(), StraightLine(2250, 4000, 2350, 4030)))),
+    "circle": ("9872bc2b", lambda: plot(circle(), THE_CIRCLE)),
+    "circle, block 120": ("bf7f47f6", lambda: plot(circle(), THE_CIRCLE, block=120)),
+    "circle, block 1": ("e2307458", lambda: plot(circle(), THE_CIRCLE, block=1)),
+    "circle, stretched": (
+        "df3a2791",
+        lambda: plot(circle(), THE_CIRCLE, close_at=(4000, 5735), zoom=(8, 80)),
+    ),
+    "ellipse": ("a5554b20", lambda: plot(ellipse(), Ellipse(4000, 4000, 3000, 2250))),
+    "four holes": ("22742d1f", lambda: plot(nc.cut(tape(*FOUR_HOLES)))),
+    "long words": ("23d32c07", lambda: plot(words_that_wrap())),
+    "one position": ("5450ef2b", lambda: plot(nc.cut(tape("001 0 20000 10000 0 00 02")))),
+    "talyrond, circle": ("cf4c68a1", lambda: talyrond(inspect(circle()))),
+    "talyrond, ellipse": ("d9f264f7", lambda: talyrond(inspect(ellipse()))),
+    "talyrond, small cutter": ("85a13f86", lambda: talyrond(inspect(circle(), cutter=20))),
+    "talyrond, half": ("9c2882a5", lambda: talyrond(inspect(half(), THE_CIRCLE))),
+    "talysurf, circle": ("c15ddb80", lambda: talysurf(inspect(circle()))),
+    "talysurf, slope": ("e149efb9", lambda: talysurf(inspect(slope(), StraightLine(2250, 4000, 2350, 4030)))),
 }
 """Each drawing, with the digest of what was looked at, by eye and beside Figures 7.2 to 7.8."""
 
