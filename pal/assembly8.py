@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from pal import pal8, punch, symbols8
 from pal.assembler import Written
 from pal.assembly import PAL8, Assembly
-from pal.listing import ListingLine, Teletype
+from pal.listing import ListingLine, Teletype, octal
 from pal.models import differs
 from pal.notes import (
     AFTER_END,
@@ -128,7 +128,7 @@ class Assembly8(Assembly):
                 text.append(_UNNUMBERED + line.source)
             else:
                 mark = "@ " if line.address in links else "  "
-                text.append(f"{line.address:04o}  {line.word:04o}{mark}{line.source}")
+                text.append(f"{octal(line.address)}  {octal(line.word)}{mark}{line.source}")
         return "".join([line.rstrip() + "\n" for line in text]) + "\n" + self.symbol_table
 
     def printed(self, number: int) -> str:

@@ -18,6 +18,7 @@ Source: the frames of DEC-08-ASB1.
 """
 
 from collections.abc import Iterable, Iterator
+from functools import cache
 from typing import NamedTuple
 
 from pal import punch
@@ -59,6 +60,12 @@ class Teletype(NamedTuple):
     pass3: bytes
 
 
+@cache
+def octal(number: int) -> str:
+    """Return a word or an address as it is typed."""
+    return f"{number:04o}"
+
+
 def printed(raw: bytes) -> str:
     r"""Return what is to be read of typed frames: without codes that do not print, CR LF as ``\n``."""
     return raw.translate(frames.PARITIES["none"], _SILENT).decode("ascii")
@@ -77,7 +84,7 @@ def complaints(output: Iterable[Message | Punched | Written | Listed]) -> bytes:
 def object_tape(output: list[Message | Punched | Written | Listed], finished: bool) -> bytes:
     """Return the tape of pass 2 as the ASR-33 punches it, messages and all."""
     body = b"".join(
-        punch.frames_of(piece) if isinstance(piece, Written | Punched) else _frames(_message(str(piece)))
+        punch.frames_of(piece) if isinstance(piece, (Written, Punched)) else _frames(_message(str(piece)))
         for piece in output
     )
     return punch.START_UP + frames.leader() + body + (frames.leader() if finished else b"")
@@ -132,7 +139,7 @@ def _texts(
         text = text[: source.spans[first - 1][1] + 1] + text[source.spans[after - 1][1] :]
     texts = text.split("\r")
     items = source.items
-    ends = [at for at, (_, mark) in enumerate(items) if mark == "\r"]
+    ends = source.line_ends
     line = 0
     for piece in output:
         if not isinstance(piece, Listed):
@@ -151,7 +158,7 @@ def _texts(
 def _statement(listed: Listed, text: str) -> str:
     if listed.word is None:
         return NEW_LINE + _UNNUMBERED + text
-    return f"{NEW_LINE}{listed.location:04o}  {listed.word:04o}  {text}"
+    return f"{NEW_LINE}{octal(listed.location)}  {octal(listed.word)}  {text}"
 
 
 def _message(text: str) -> str:

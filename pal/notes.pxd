@@ -8,6 +8,12 @@ from pal.isa cimport refers_to
 cdef int CLA, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, REVERSED, _SKIPS, _STORE
 
 
+cdef class Mention:
+    cdef public str name
+    cdef public int at
+    cdef public bint defined
+
+
 @cython.locals(cells=dict, looked_at=dict, written=Written, other=Written, names=list, overlaid=int, address=int)
 cpdef list of_words(object words, dict instructions)
 @cython.locals(name=str)

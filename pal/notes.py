@@ -41,12 +41,13 @@ class Note(NamedTuple):
     advice: str
 
 
-class Mention(NamedTuple):
+class Mention:
     """A symbol in the source: the item or place where it stands, and whether it is defined there."""
 
-    name: str
-    at: int
-    defined: bool
+    def __init__(self, name: str, at: int, defined: bool) -> None:
+        self.name = name
+        self.at = at
+        self.defined = defined
 
 
 def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[Note]:

@@ -3,6 +3,7 @@
 cimport cython
 
 from pal.assembler cimport Written
+from pal.notes cimport Mention
 
 cdef int START, ADDRESS, CURRENT_PAGE, INDIRECT, PAGE, SIGNIFICANT, _MASK, _LINKED
 
@@ -32,8 +33,9 @@ cdef class Assembler:
 
     @cython.locals(found=list)
     cdef _take_line(self, int column)
+    @cython.locals(blanks=str, token=str)
     cdef _advance(self)
-    @cython.locals(token=str, start=int)
+    @cython.locals(blanks=str, token=str)
     cdef str _joined(self)
     cdef int _at(self, int start, int end) except -2
     cdef bint _line(self) except -1
@@ -49,14 +51,14 @@ cdef class Assembler:
     cdef int _expressions(self) except? -1
     cdef int _refer(self, int word, int address, int start) except? -1
     @cython.locals(sign=str, value=int, operator=str, operand=int)
-    cdef tuple _expression(self)
+    cdef (int, bint) _expression(self) except *
     cdef int _operate(self, int value, str operator, int operand) except? -1
     @cython.locals(token=str, first=str, value=int)
-    cdef tuple _term(self)
+    cdef (int, bint) _term(self) except *
     @cython.locals(joined=bint)
     cdef _end_term(self)
     @cython.locals(start=int, end=int, symbol=Symbol)
-    cdef tuple _symbol(self, str name)
+    cdef (int, bint) _symbol(self, str name) except *
     @cython.locals(pool=Pool, number=int)
     cdef int _literal(self, int page, int value) except? -1
     @cython.locals(symbol=Symbol)

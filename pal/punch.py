@@ -20,7 +20,7 @@ START_UP = b"\0"
 
 def tape(output: Iterable[Message | Punched | Written | Listed]) -> bytes:
     """Return the whole tape."""
-    body = b"".join([frames_of(piece) for piece in output if isinstance(piece, Written | Punched)])
+    body = b"".join([frames_of(piece) for piece in output if isinstance(piece, (Written, Punched))])
     return START_UP + frames.leader() + body + frames.leader()
 
 

@@ -24,7 +24,7 @@ from typing import NamedTuple
 from tapes.frames import PARITIES
 
 _PASSED_OVER = bytes((0o000, 0o200, 0o177, 0o377, 0o212))
-_TOKEN = re.compile(r'[A-Z0-9]+|".|[^\t-\r\x1c- >]')
+_TOKEN = re.compile(r'([\t-\r\x1c- >]*)(?:([A-Z0-9]+|".|[^/\t-\r\x1c- >])|/.*|$)')
 _ITEM = re.compile(r"([A-Z0-9\f]*)(?:/[^\r]*)?([^A-Z0-9\f])")
 
 
@@ -73,7 +73,7 @@ class Source:
         return [match.start() for match in re.finditer("\r", self.text)]
 
     @cached_property
-    def _last_items(self) -> list[int]:
+    def line_ends(self) -> list[int]:
         """The item that each line ends with."""
         return [at for at, (_, mark) in enumerate(self.items) if mark == "\r"]
 
@@ -81,13 +81,13 @@ class Source:
         """Return the line of item `at`, counted from 0, and its span; only that line is read again, once."""
         from bisect import bisect_left
 
-        line = bisect_left(self._last_items, at)
+        line = bisect_left(self.line_ends, at)
         if line not in self._read_again:
             begin = self._ends[line - 1] + 1 if line else 0
             end = self._ends[line] + 1 if line < len(self._ends) else len(self._code)
             found = _ITEM.finditer(self._code[begin:end])
             self._read_again[line] = [(begin + match.start(), begin + match.start(2)) for match in found]
-        first = self._last_items[line - 1] + 1 if line else 0
+        first = self.line_ends[line - 1] + 1 if line else 0
         start, mark = self._read_again[line][at - first]
         return line, start, mark
 
@@ -144,19 +144,11 @@ def lines_of(tapes: Sequence[bytes | str]) -> list[Line]:
     return lines
 
 
-def tokens(text: str, start: int = 0) -> list[tuple[str, int, int]]:
-    """Return the tokens of a line of PAL8 from column `start` on: capitals, first column, the one after.
+def tokens(text: str, start: int = 0) -> list[tuple[str, str]]:
+    """Return the tokens of a line of PAL8 from column `start` on, each after the blanks before it; capitals.
 
-    A name, a number, `"` with its character, or another single character; blanks stand between them, among
-    which are form feed and `>`. The last token is empty: it stands at the comment or the end of the line.
+    A name, a number, `"` with its character, or another single character; among the blanks are form feed and
+    `>`. The last ones are empty: they stand at the comment or the end of the line.
     """
-    found = []
     code = (text if text.isascii() else _ascii(text)).upper()
-    for match in _TOKEN.finditer(code, start):
-        token = match.group()
-        if token == "/":
-            found.append(("", match.start(), match.start()))
-            return found
-        found.append((token, match.start(), match.end()))
-    found.append(("", len(text), len(text)))
-    return found
+    return _TOKEN.findall(code[start:])

@@ -20,6 +20,7 @@ Sources: Small Computer Handbook (DEC), "Binary Loader"; the loader's documented
 """
 
 from collections.abc import Iterable, Mapping
+from functools import cache
 from typing import NamedTuple
 
 from tapes.errors import TapeError
@@ -78,6 +79,7 @@ def origin(address: int) -> bytes:
     return bytes((0o100 | address >> 6 & 0o77, address & 0o77))
 
 
+@cache
 def word(value: int) -> bytes:
     """Return the two frames of a word."""
     return bytes((value >> 6 & 0o77, value & 0o77))
