@@ -101,22 +101,28 @@ class Assembly8(Assembly):
     def lines(self) -> list[ListingLine]:
         """The listing by statements; literals stand after the program, where they are put out."""
         listed: list[ListingLine] = []
-        by_line: dict[int, list[ListingLine]] = {}
         literals: list[ListingLine] = []
+        last = -1
         for written in self._run.written:
             index = self._run.places[written.at][0]
             line = self._lines[index]
-            entry = ListingLine(written.address, written.word, "", line.tape, line.number)
-            (literals if written.literal else by_line.setdefault(index, [])).append(entry)
-        for index, line in enumerate(self._lines[: self._run.ended + 1]):
-            words = by_line.get(index)
-            if words is None:
-                listed.append(ListingLine(None, None, line.text, line.tape, line.number))
-            else:
-                last = words.pop()
-                listed += words
-                listed.append(ListingLine(last.address, last.word, line.text, line.tape, line.number))
-        return listed + literals
+            entry = ListingLine(written.address, written.word, line.text, line.tape, line.number)
+            if written.literal:
+                literals.append(entry._replace(source=""))
+                continue
+            if index == last:
+                listed[-1] = listed[-1]._replace(source="")
+            elif index > last + 1:
+                listed += self._wordless(last + 1, index)
+            last = index
+            listed.append(entry)
+        return [*listed, *self._wordless(last + 1, self._run.ended + 1), *literals]
+
+    def _wordless(self, first: int, after: int) -> list[ListingLine]:
+        """Return lines without a word."""
+        return [
+            ListingLine(None, None, line.text, line.tape, line.number) for line in self._lines[first:after]
+        ]
 
     @cached_property
     def listing(self) -> str:
@@ -205,19 +211,16 @@ class Assembly8(Assembly):
         known = list(self.symbols)
         longer = []
         undefined: list[tuple[str, int]] = []
+        noteworthy = {name for name, symbol in run.symbols.items() if self._is_noteworthy(symbol)}
         for mention in run.mentions:
-            symbol = run.symbols.get(mention.name)
-            if symbol is None or mention.name in told:
+            if mention.name not in noteworthy or mention.name in told:
                 continue
+            symbol = run.symbols[mention.name]
             if symbol.kind == pal8.UNKNOWN:
                 told.add(mention.name)
                 if mention.name not in symbols8.ELSEWHERE:
                     undefined.append((mention.name, mention.at))
-            elif (
-                symbol.kind == pal8.INSTRUCTION
-                and mention.name in symbols8.NOT_ON_THE_8L
-                and not mention.defined
-            ):
+            elif symbol.kind == pal8.INSTRUCTION and not mention.defined:
                 told.add(mention.name)
                 message = f"{mention.name}, {symbol.value:04o}, is no instruction of a PDP-8/L"
                 notes.append(Note(NOT_ON_8L, mention.at, message, "it does nothing there, or something else"))
@@ -226,6 +229,12 @@ class Assembly8(Assembly):
         places = [(name, at, self._statement(at)) for name, at in undefined]
         notes += of_undefined(places, [*known, *_INSTRUCTIONS])
         return notes + of_names(longer, _INSTRUCTIONS)
+
+    @staticmethod
+    def _is_noteworthy(symbol: pal8.Symbol) -> bool:
+        if symbol.kind == pal8.INSTRUCTION:
+            return symbol.name in symbols8.NOT_ON_THE_8L
+        return symbol.kind == pal8.UNKNOWN or len(symbol.name) == SIGNIFICANT
 
     def _statement(self, at: int) -> int:
         """Return a number for the statement at a place: its line and the semicolons before it."""

@@ -33,9 +33,8 @@ cdef class Assembler:
 
     @cython.locals(found=list)
     cdef _take_line(self, int column)
-    @cython.locals(blanks=str, token=str)
+    @cython.locals(blanks=str)
     cdef _advance(self)
-    @cython.locals(blanks=str, token=str)
     cdef str _joined(self)
     cdef int _at(self, int start, int end) except -2
     cdef bint _line(self) except -1

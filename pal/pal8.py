@@ -113,7 +113,7 @@ class Assembler:
 
     def __init__(self, lines: list[Line]) -> None:
         self._lines = lines
-        self._read: dict[int, list[tuple[str, str]]] = {}
+        self._read: dict[int, list[str]] = {}
         self.symbols = _permanent()
         self.written: list[Written] = []
         self.output: list[Punched | Written] = []
@@ -169,18 +169,16 @@ class Assembler:
 
     def _advance(self) -> None:
         """Take the next token; `_before` is the column after the one that was taken before it."""
-        blanks, token = self._tokens[self._next]
         self._before = self._end
-        self._token = token
-        self._start = self._end + len(blanks)
-        self._end = self._start + len(token)
-        if self._next < len(self._tokens) - 1:
-            self._next += 1
+        self._start = self._end + len(self._tokens[self._next])
+        self._token = self._tokens[self._next + 1]
+        self._end = self._start + len(self._token)
+        if self._next + 2 < len(self._tokens):
+            self._next += 2
 
     def _joined(self) -> str:
         """Return the token directly after this one, "" where a blank stands between."""
-        blanks, token = self._tokens[self._next]
-        return "" if blanks else token
+        return "" if self._tokens[self._next] else self._tokens[self._next + 1]
 
     def _at(self, start: int, end: int) -> int:
         """Keep a place, in pass 2; return its index."""
@@ -423,11 +421,11 @@ class Assembler:
 
     def _check_sign(self) -> None:
         """A sign at the beginning of an expression: no blank after it; after a blank, DEC's drops it."""
-        blanks, token = self._tokens[self._next]
-        if blanks:
+        token = self._tokens[self._next + 1]
+        if self._tokens[self._next]:
             self._fail("IC", f"a blank after {self._token}", "write the operand directly after it")
-        elif self._start != self._before and self._next > 1:
-            _, last = self._tokens[self._next - 2]
+        elif self._start != self._before and self._next > 2:
+            last = self._tokens[self._next - 3]
             if _is_item(last[len(last) - 1 :]) and self._names_value(last):
                 message = f"this is an OR with {self._token}{token}; DEC's PAL8 drops the {self._token} (IC)"
                 self._note("PN44", message, f"leave no blank before {self._token}, to add or subtract")

@@ -24,7 +24,7 @@ from typing import NamedTuple
 from tapes.frames import PARITIES
 
 _PASSED_OVER = bytes((0o000, 0o200, 0o177, 0o377, 0o212))
-_TOKEN = re.compile(r'([\t-\r\x1c- >]*)(?:([A-Z0-9]+|".|[^/\t-\r\x1c- >])|/.*|$)')
+_TOKEN = re.compile(r'([A-Z0-9]+|".|/.*|[^\t-\r\x1c- >])')
 _ITEM = re.compile(r"([A-Z0-9\f]*)(?:/[^\r]*)?([^A-Z0-9\f])")
 
 
@@ -144,11 +144,15 @@ def lines_of(tapes: Sequence[bytes | str]) -> list[Line]:
     return lines
 
 
-def tokens(text: str, start: int = 0) -> list[tuple[str, str]]:
-    """Return the tokens of a line of PAL8 from column `start` on, each after the blanks before it; capitals.
+def tokens(text: str, start: int = 0) -> list[str]:
+    """Return blanks, token, blanks, token ... of a line of PAL8 from column `start` on; in capitals.
 
-    A name, a number, `"` with its character, or another single character; among the blanks are form feed and
-    `>`. The last ones are empty: they stand at the comment or the end of the line.
+    A token is a name, a number, `"` with its character, or another single character; among the blanks, of
+    which there may be none, are form feed and `>`. The last tokens are empty: they stand at the comment or
+    the end of the line.
     """
     code = (text if text.isascii() else _ascii(text)).upper()
-    return _TOKEN.findall(code[start:])
+    found = _TOKEN.split(code[start:])
+    if len(found) > 1 and found[-2].startswith("/"):
+        found[-2] = ""
+    return [*found, "", "", ""]

@@ -978,7 +978,10 @@ class Pattern {
     for (const match of text.matchAll(pattern)) yield new Match(match);
   }
   findall(text) {
-    return Array.from(text.matchAll(new RegExp(this.source, "gu")), ([whole, ...parts]) => (parts.length > 1 ? parts.map((part) => part ?? "") : parts[0] ?? whole));
+    return Array.from(text.matchAll(new RegExp(this.source, "gu")), ([whole, ...parts]) => (parts.length > 1 ? parts : parts[0] ?? whole));
+  }
+  split_(text) {
+    return text.split(new RegExp(this.source, "u"));
   }
 }
 export const re = { compile: (source) => new Pattern(source), finditer: (source, text) => new Pattern(source).finditer(text) };
