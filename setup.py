@@ -23,7 +23,7 @@ HOUSE = Path(__file__).parent
 BUILD = Path("build")
 
 MODULES = (
-    *(f"pal.{name}" for name in ("isa", "table", "assembler", "pal8", "notes")),
+    *(f"pal.{name}" for name in ("isa", "source", "table", "assembler", "pal8", "notes")),
     *(f"pdp8.computer.hardware.{name}" for name in ("bus", "processor", "teletype")),
     *(f"pdp8.computer.speed.{name}" for name in ("waiting", "engine")),
 )

@@ -124,6 +124,7 @@ class Assembler:
         self._symbols = SymbolTable(capacity)
         self._pointer = self._symbols.page_zero(0)
         self._made = False
+        self._names: list[str] = []  # in the statement
         self._broken = ""  # the item in which there was an illegal character
         self._letters = 0  # in the number being read
         self._seen: dict[int, int] = {}
@@ -212,7 +213,7 @@ class Assembler:
     def _clear(self) -> None:
         self._word = self._address = self._item = self._operator = self._zeros = 0
         self._made = self._referring = self._doubtful = False
-        self._names: list[str] = []
+        self._names = []
 
     def _watch(self, what: str, pointer: int) -> None:
         """Do nothing: `pal.notes` notes here what is not what it seems.

@@ -58,7 +58,9 @@ class Assembly:
         self._assembler = assembler = Watched(source, capacity)
         self._first = assembler.run(1)
         self._table: list[Entry] = assembler.table
-        self._second: list[Message | Punched | Written | Listed] = [] if assembler.stopped else assembler.run(2)
+        self._second: list[Message | Punched | Written | Listed] = (
+            [] if assembler.stopped else assembler.run(2)
+        )
         self.stopped = assembler.stopped
         self.words = {} if self.stopped else punch.words(self._second)
 
@@ -78,7 +80,9 @@ class Assembly:
         from pal import watched
         from pal.diagnostics import diagnose
 
-        noted = watched.notes(self.source, len(self.names), self._assembler, self.messages, self._second, self._table)
+        noted = watched.notes(
+            self.source, len(self.names), self._assembler, self.messages, self._second, self._table
+        )
         stopped = self.stopped
         if self._assembler.moved or self.model:
             stopped = stopped or self._third.stopped

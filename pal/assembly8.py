@@ -24,7 +24,7 @@ from pal.notes import (
     of_undefined,
     of_words,
 )
-from pal.source import Place, lines_of
+from pal.source import Line, Place, lines_of
 from pal.symbols import SIGNIFICANT
 from tapes import frames
 
@@ -98,44 +98,47 @@ class Assembly8(Assembly):
         return Place(line.tape, line.number, line.text, start, end)
 
     @cached_property
-    def lines(self) -> list[ListingLine]:
-        """The listing by statements; literals stand after the program, where they are put out."""
-        listed: list[ListingLine] = []
-        literals: list[ListingLine] = []
+    def _rows(self) -> list[tuple[Written | None, Line, str]]:
+        """The words, or None, with their lines and what is listed of these: all of it at the last word."""
+        rows: list[tuple[Written | None, Line, str]] = []
+        literals: list[tuple[Written | None, Line, str]] = []
         last = -1
         for written in self._run.written:
             index = self._run.places[written.at][0]
             line = self._lines[index]
-            entry = ListingLine(written.address, written.word, line.text, line.tape, line.number)
             if written.literal:
-                literals.append(entry._replace(source=""))
+                literals.append((written, line, ""))
                 continue
             if index == last:
-                listed[-1] = listed[-1]._replace(source="")
+                rows[-1] = (*rows[-1][:2], "")
             elif index > last + 1:
-                listed += self._wordless(last + 1, index)
+                rows += [(None, other, other.text) for other in self._lines[last + 1 : index]]
             last = index
-            listed.append(entry)
-        return [*listed, *self._wordless(last + 1, self._run.ended + 1), *literals]
+            rows.append((written, line, line.text))
+        rows += [(None, other, other.text) for other in self._lines[last + 1 : self._run.ended + 1]]
+        return rows + literals
 
-    def _wordless(self, first: int, after: int) -> list[ListingLine]:
-        """Return lines without a word."""
+    @cached_property
+    def lines(self) -> list[ListingLine]:
+        """The listing by statements; literals stand after the program, where they are put out."""
         return [
-            ListingLine(None, None, line.text, line.tape, line.number) for line in self._lines[first:after]
+            ListingLine(written.address, written.word, text, line.tape, line.number)
+            if written
+            else ListingLine(None, None, text, line.tape, line.number)
+            for written, line, text in self._rows
         ]
 
     @cached_property
     def listing(self) -> str:
         """The listing with the symbol table, as text."""
-        links = {written.address for written in self._run.written if written.link}
-        text = []
-        for line in self.lines:
-            if line.address is None or line.word is None:
-                text.append(_UNNUMBERED + line.source)
+        listed = []
+        for written, _, text in self._rows:
+            if written is None:
+                listed.append((_UNNUMBERED + text).rstrip())
             else:
-                mark = "@ " if line.address in links else "  "
-                text.append(f"{octal(line.address)}  {octal(line.word)}{mark}{line.source}")
-        return "".join([line.rstrip() + "\n" for line in text]) + "\n" + self.symbol_table
+                mark = "@ " if written.link else "  "
+                listed.append(f"{octal(written.address)}  {octal(written.word)}{mark}{text}".rstrip())
+        return "\n".join([*listed, "", self.symbol_table])
 
     def printed(self, number: int) -> str:
         """Return what pass 1, 2 or 3 has to show: the symbol table, nothing, the listing."""
@@ -169,9 +172,11 @@ class Assembly8(Assembly):
     @cached_property
     def _problems(self) -> list[pal8.Problem]:
         """Return the errors: also a word and a literal in the same place."""
+        problems = list(self._run.problems)
+        if not any(written.literal for written in self._run.written):
+            return problems
         cells: dict[int, Written] = {}
         full: set[int] = set()
-        problems = list(self._run.problems)
         for written in self._run.written:
             page = written.address >> 7
             other = cells.get(written.address, written)

@@ -4,6 +4,7 @@ cimport cython
 
 from pal.assembler cimport Written
 from pal.notes cimport Mention
+from pal.source cimport Line, tokens
 
 cdef int START, ADDRESS, CURRENT_PAGE, INDIRECT, PAGE, SIGNIFICANT, _MASK, _LINKED
 
@@ -31,7 +32,7 @@ cdef class Assembler:
     cdef bint _punching, _link, _failed
     cdef int _number, _location, _field, _shift, _radix, _loading, _checksum, _index, _next, _start, _end, _before
 
-    @cython.locals(found=list)
+    @cython.locals(found=list, line=Line)
     cdef _take_line(self, int column)
     @cython.locals(blanks=str)
     cdef _advance(self)

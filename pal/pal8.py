@@ -159,7 +159,8 @@ class Assembler:
         """Go to `column` of the line: at 0 its tokens are kept for pass 2."""
         found = None if column else self._read.get(self._index)
         if found is None:
-            found = tokens(self._lines[self._index].text, column)
+            line = self._lines[self._index]
+            found = tokens(line.text, column)
             if not column:
                 self._read[self._index] = found
         self._tokens = found

@@ -13,7 +13,9 @@ from pal.source import Source
 _ENDS = ("\r", ";", "$")
 
 
-def portability(source: Source, output: Iterable[Message | Punched | Written | Listed], model: str) -> list[Note]:
+def portability(
+    source: Source, output: Iterable[Message | Punched | Written | Listed], model: str
+) -> list[Note]:
     """Return a note for each word in the output of pass 3 that another model than `model` does otherwise.
 
     Raises ValueError for a model that is not one of models.MODELS.

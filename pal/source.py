@@ -125,12 +125,13 @@ def _characters(tape: bytes | str) -> str:
     return text.replace("\r\n", "\r").replace("\n", "\r")
 
 
-class Line(NamedTuple):
+class Line:
     """A line of a source: its tape, counted from 0, its number on it, from 1, and its text."""
 
-    tape: int
-    number: int
-    text: str
+    def __init__(self, tape: int, number: int, text: str) -> None:
+        self.tape = tape
+        self.number = number
+        self.text = text
 
 
 def lines_of(tapes: Sequence[bytes | str]) -> list[Line]:
@@ -138,8 +139,9 @@ def lines_of(tapes: Sequence[bytes | str]) -> list[Line]:
     lines = []
     for tape, frames in enumerate(tapes):
         texts = _characters(frames).replace("\x1a", "").split("\r")
-        if not texts[-1]:
-            texts.pop()
+        last = texts.pop()
+        if last:
+            texts.append(last)
         lines += [Line(tape, number, text) for number, text in enumerate(texts, 1)]
     return lines
 
@@ -153,6 +155,7 @@ def tokens(text: str, start: int = 0) -> list[str]:
     """
     code = (text if text.isascii() else _ascii(text)).upper()
     found = _TOKEN.split(code[start:])
-    if len(found) > 1 and found[-2].startswith("/"):
-        found[-2] = ""
+    end = len(found) - 2
+    if end > 0 and found[end].startswith("/"):
+        found[end] = ""
     return [*found, "", "", ""]

@@ -402,7 +402,8 @@ def _of_the_end(source: Source, tapes: int, ended: int) -> list[Note]:
 
 
 def of_pass_3(
-    punched: Sequence[Message | Punched | Written | Listed], listed: Sequence[Message | Punched | Written | Listed]
+    punched: Sequence[Message | Punched | Written | Listed],
+    listed: Sequence[Message | Punched | Written | Listed],
 ) -> list[Note]:
     """Note the first word that pass 2 and pass 3 see differently."""
     on_tape = [piece for piece in punched if isinstance(piece, Written)]
