@@ -7,7 +7,7 @@ BIN := .venv/bin
 # `make samples` makes the bundled tapes of tapes/ again; a test holds them against the chain.
 # `make evidence` makes the sources of programs/ and the tables of docs/restoration.md and docs/thesis.md; a test too.
 # `make figures` makes every figure, table and listing of the thesis, with a page of them, in figures/.
-# `make lockstep N=1e9` runs random situations on the machine and on the reference, for so many instructions.
+# `make lockstep N=1e9` runs random situations on the machine in all its forms and on the reference, for so many instructions.
 # `make faults` puts every fault of tests/faults/ into a copy of the sources and says which test finds it.
 
 .PHONY: demo
@@ -60,7 +60,7 @@ N ?= 1e8
 SEED ?= 0
 .PHONY: lockstep
 lockstep: .venv/ready-dev
-	$(BIN)/python -m tests.pdp8.computer.lockstep $(N) $(SEED)
+	$(BIN)/python -m tests.pdp8.computer.lockstep $(N) $(SEED) $(shell nproc)
 
 # `make leak SECONDS=600` translates the circle on the workbench at full speed, and compares the heap before and after.
 SECONDS ?= 600

@@ -6,15 +6,25 @@ the loop is known by the instructions before.
 """
 
 from collections import Counter, deque
+from typing import NamedTuple
 
 from pal.disassembler import microinstruction
-from pal.isa import FETCH, INDIRECT, IOT, OPERATIONS, jumps_to, tests_flag
+from pal.isa import FETCH, INDIRECT, IOT, OPERATIONS
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, IO_TICKS
 from pdp8.computer.watch import wrote
 
 _RING = 8192
 """Instructions that are remembered: more than the longest loop that is passed over."""
+
+
+class _Executed(NamedTuple):
+    """An instruction: its address and word, the tick at which it began, and the addresses it wrote."""
+
+    address: int
+    word: int
+    began: int
+    written: list[int]
 
 
 class Count:
@@ -30,8 +40,8 @@ class Count:
         self.cycles = 0
         self.ticks = 0
         self.waiting = 0
-        self._last: deque[tuple[int, int, int]] = deque(maxlen=_RING)
-        """The instructions before: address, word and the tick at which they began."""
+        self._last: deque[_Executed] = deque(maxlen=_RING)
+        """The instructions before."""
         self._next = FETCH
 
     def cycle(self, processor: Processor) -> None:
@@ -39,7 +49,7 @@ class Count:
         p = processor
         if p.state == FETCH:
             self._execute(p.ma, p.mb, 1)
-            self._last.append((p.ma, p.mb, self.ticks))
+            self._last.append(_Executed(p.ma, p.mb, self.ticks, []))
             if p.ir == IOT:
                 self.ticks += IO_TICKS
         elif self._next == INTERRUPT:
@@ -48,6 +58,8 @@ class Count:
         self.ticks += CYCLE
         if wrote(p):
             self.written[p.ma] += 1
+            if self._last:
+                self._last[-1].written.append(p.ma)
         self._next = p.next
 
     def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
@@ -56,26 +68,26 @@ class Count:
         self.ticks += ticks
         self.waiting += ticks
         turns = instructions // len(ring)
-        for address, word in ring:
-            self._execute(address, word, turns)
-        self.cycles += (ticks - IO_TICKS * turns * sum(word >> 9 == IOT for _, word in ring)) // CYCLE
+        for executed in ring:
+            self._execute(executed.address, executed.word, turns)
+            for address in executed.written:
+                self.written[address] += turns
+        tests = sum(executed.word >> 9 == IOT for executed in ring)
+        self.cycles += (ticks - IO_TICKS * turns * tests) // CYCLE
 
     def _execute(self, address: int, word: int, times: int) -> None:
         self.executed[address] += times
         self.operations[_operation(word)] += times
 
-    def _ring(self, processor: Processor, instructions: int, ticks: int) -> list[tuple[int, int]]:
-        """Return one turn of the loop: a flag's test and the JMP back, or what was executed since the PC was
-        here before, if turns of it make so many instructions in so many ticks.
+    def _ring(self, processor: Processor, instructions: int, ticks: int) -> list[_Executed]:
+        """Return one turn of the loop: what was executed since the PC was here before, if turns of it make so
+        many instructions in so many ticks.
         """
-        pc, core = processor.pc, processor.core
-        after = pc + 1 & 0o7777
-        if tests_flag(core[pc]) and jumps_to(pc, core[after], after):
-            return [(pc, core[pc]), (after, core[after])]
         ring = []
-        for address, word, began in reversed(self._last):
-            ring.append((address, word))
-            if address == pc and instructions * (self.ticks - began) == ticks * len(ring):
+        for executed in reversed(self._last):
+            ring.append(executed)
+            turn = self.ticks - executed.began
+            if executed.address == processor.pc and instructions * turn == ticks * len(ring):
                 break
         return ring
 

@@ -29,7 +29,7 @@ from pdp8.computer.hardware.teletype import Teletype
 from pdp8.computer.speed.engine import Engine
 from pdp8.computer.speed.waiting import Waiting
 from pdp8.computer.stop import Reason, Stop
-from pdp8.computer.watch import Watch
+from pdp8.computer.watch import Observer, Watch
 from tapes.errors import WorkError
 
 if TYPE_CHECKING:
@@ -88,6 +88,8 @@ class Machine:
         """Who records what happens, so that it can be undone."""
         self._breakpoints = frozenset[int]()
         """Those of the last run."""
+        self._observer: Observer | None = None
+        """That of the last run."""
         self.highspeed = HighSpeed()
         if highspeed:
             self.highspeed.connect(self.bus)
@@ -251,12 +253,15 @@ class Machine:
                 return
 
     def _take_breakpoints(self) -> None:
-        """Let no turn of a loop be passed over that has a breakpoint in it or writes a watched word."""
-        breakpoints = frozenset(self.watch.breakpoints)
+        """Let no turn of a loop be passed over that has a breakpoint in it or writes a watched word, nor one
+        that its observer has never seen.
+        """
+        breakpoints, observer = frozenset(self.watch.breakpoints), self.watch.observer
         self.waiting.watched = self.watch.each_cycle() or len(breakpoints) > 0
-        if self.watch.writes or self.processor.pc in breakpoints or breakpoints != self._breakpoints:
+        seen = breakpoints == self._breakpoints and observer is self._observer
+        if self.watch.writes or self.processor.pc in breakpoints or not seen:
             self.waiting.forget()
-            self._breakpoints = breakpoints
+            self._breakpoints, self._observer = breakpoints, observer
 
     def _run(self, until: int, last: int) -> Reason:
         """Let the engine run: breakpoints are all that is watched."""

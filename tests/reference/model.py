@@ -46,6 +46,21 @@ class _FastPunch(Structure):
     _fields_ = [("at", c_int64), *numbers(c_int32, "flag buffer ahead")]
 
 
+class Counts(Structure):
+    """What was done in runs."""
+
+    _fields_ = [
+        ("executed", c_int32 * 4096),
+        ("written", c_int32 * 4096),
+        *numbers(c_int32, "interrupts cycles"),
+        ("ticks", c_int64),
+    ]
+
+    def by_address(self, name: str) -> dict[int, int]:
+        """Return {address: number} of what is `executed` or `written`, where it is not 0."""
+        return {address: number for address, number in enumerate(getattr(self, name)) if number}
+
+
 class Reference(Structure):
     """The state of the reference, as pdp8l.h has it."""
 
@@ -62,6 +77,7 @@ class Reference(Structure):
         ("page", _Paper),
         ("punched", _Paper),
         ("fast_punched", _Paper),
+        ("counts", POINTER(Counts)),
     ]
 
     def __init__(self, fast: bool = False) -> None:
@@ -89,7 +105,17 @@ class Reference(Structure):
             marks[address] |= 1
         for address in writes:
             marks[address] |= 2
-        return REASONS[self._call("run", until, last, bytes(marks) if any(marks) else None)]
+        return REASONS[self._call("run", until, last, bytes(marks) if any(marks) or self.counts else None)]
+
+    def count(self, counts: Counts | None = None) -> Counts:
+        """Count from now on, on `counts` or from 0; return the counts."""
+        counts = counts or Counts()
+        self.counts = ctypes.pointer(counts)
+        return counts
+
+    def copied(self) -> "Reference":
+        """Return another that does the same from here on; counts are shared."""
+        return Reference.from_buffer_copy(self)
 
     def endless(self) -> bool:
         """Tell whether the program, left alone, goes round for ever and no device will do anything."""

@@ -37,6 +37,12 @@ struct fast_punch { /* 02 */
     int32_t ahead;
 };
 
+/* What was done in runs since these are all 0. */
+struct counts {
+    int32_t executed[4096], written[4096], interrupts, cycles;
+    tick ticks;
+};
+
 struct pdp8l {
     uint16_t core[4096];
     int32_t ac, link, pc, ma, mb, ir, sr;
@@ -51,6 +57,7 @@ struct pdp8l {
     int32_t punch_on, fast_punch_on;
     struct reader fast_tape;
     struct paper page, punched, fast_punched;
+    struct counts *counts; /* who counts, or nobody */
 };
 
 /* The machine as it is switched on; `fast` fits the PC8/L. */

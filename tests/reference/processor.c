@@ -196,11 +196,25 @@ static int wrote(const struct pdp8l *m)
     return m->state == EXECUTE && m->ir >= 2 && m->ir <= 4 && !m->protect;
 }
 
+static void counted_cycle(struct pdp8l *m)
+{
+    struct counts *counts = m->counts;
+    tick began = m->now;
+    int interrupts = m->next == INTERRUPT;
+    pdp8l_cycle(m);
+    if (!counts) return;
+    counts->executed[m->ma] += m->state == FETCH;
+    counts->written[m->ma] += wrote(m);
+    counts->interrupts += interrupts;
+    counts->cycles++;
+    counts->ticks += m->now - began;
+}
+
 static int marked(struct pdp8l *m, const uint8_t *marks)
 {
     int reached = 0;
     do {
-        pdp8l_cycle(m);
+        counted_cycle(m);
         if (wrote(m)) reached |= marks[m->ma] & 2 || (m->state == EXECUTE && m->ir == 4 && marks[m->ma] & 1);
     } while (m->next == DEFER || m->next == EXECUTE);
     return reached;

@@ -1,8 +1,9 @@
-"""The machine beside the reference, in random situations: after every piece of a run they differ in nothing.
+"""The machine in all its forms beside the reference: after every act of a situation they differ in nothing.
 
 situations  what is in core, and what the operator does
-sides       the machine and the reference, each doing the same
-play        one situation, on both
+sides       the machine, compiled, plain and in JavaScript, and the reference, each doing the same
+side.mjs    the machine in JavaScript
+play        one situation, on all of them
 shrink      the smallest situation that still differs
 __main__    `make lockstep N=...`
 """

@@ -1,69 +1,85 @@
-"""One situation on the machine and on the reference; and the first difference in the terms of the machine."""
+"""One situation on the machine in its forms and on the reference; the first difference in its terms."""
 
 from array import array
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
-from tests.pdp8.computer.lockstep.sides import MachineSide, ReferenceSide
-from tests.pdp8.computer.lockstep.situations import Situation
+from tests.pdp8.computer.lockstep.sides import ReferenceSide, Seen, Side, side
+from tests.pdp8.computer.lockstep.situations import Act, Situation
 
 ENDLESS = ("idle", "tape out")
 AS_REFERENCE_SAYS = {"halt": "stopped", "stop key": "stopped", "protect": "stopped"}
-DECIMAL = ("clock", "instructions", "read", "fast read", "keys")
+DECIMAL = ("clock", "instructions", "read", "fast read", "keys", "counted", "cycles", "ticks", "interrupts")
 
 
 class Played(NamedTuple):
-    """How many instructions both have run, and the first difference, if there was one."""
+    """How many instructions all have run, and the first difference, if there was one."""
 
     instructions: int
     difference: str
 
 
-def play(situation: Situation, form: str) -> Played:
-    """Do all of `situation` on both; stop at the first difference."""
-    machine = MachineSide(form, situation.fast, situation.words)
-    reference = ReferenceSide(situation.fast, situation.words)
+def play(situation: Situation, forms: Sequence[str]) -> Played:
+    """Do all of `situation` in each of `forms` and on the reference; stop at the first difference."""
+    sides = {form: side(form, situation) for form in forms}
+    reference = ReferenceSide(situation)
     for number, act in enumerate(situation.acts):
-        if act.name == "run":
-            difference = _run(machine, reference, *act.values)
-        else:
-            for side in (machine, reference):
-                getattr(side, act.name)(*act.values)
-            difference = ""
-        difference = difference or _difference(machine.seen(), reference.seen())
-        if difference:
-            return Played(reference.reference.instructions, f"act {number}, {act.name}: {difference}")
+        for form, difference in _after(act, sides, reference):
+            if difference:
+                return Played(
+                    reference.reference.instructions, f"act {number}, {act.name}: {form}: {difference}"
+                )
     return Played(reference.reference.instructions, "")
 
 
-def _run(machine: MachineSide, reference: ReferenceSide, ticks: int | None, instructions: int) -> str:
-    """Run one piece on both; return how they differ in why it ended."""
-    reason = machine.run(ticks, instructions)
+def _after(act: Act, sides: dict[str, Side], reference: ReferenceSide) -> Iterator[tuple[str, str]]:
+    """Do `act` on all; yield for each form how it differs, in why a run ended and in what is seen."""
+    reasons = {form: each.do(act) for form, each in sides.items()}
+    seen = {form: each.seen() for form, each in sides.items()}
+    if act.name == "run":
+        first, *_ = sides
+        reason = str(reasons[first])
+        for form, other in reasons.items():
+            yield form, "" if other == reason else f"ended with {other!r}, {first} with {reason!r}"
+        yield first, _run(reason, seen[first]["instructions"], act, reference)
+    else:
+        reference.do(act)
+    expected = reference.seen()
+    for form, ours in seen.items():
+        yield form, _difference(ours, expected)
+
+
+def _run(reason: str, instructions: int, act: Act, reference: ReferenceSide) -> str:
+    """Run a piece on the reference; return how it differs in why it ended."""
     if reason in ENDLESS:
-        endless = reference.run_endless(machine.machine.instructions)
-        return "" if endless else f"the machine says {reason!r}, but the program goes on"
-    expected = reference.run(ticks, instructions)
+        return "" if reference.run_endless(instructions) else f"says {reason!r}, but the program goes on"
+    expected = reference.do(act)
     if AS_REFERENCE_SAYS.get(reason, reason) != expected:
-        return f"the machine ended with {reason!r}, the reference with {expected!r}"
+        return f"ended with {reason!r}, the reference with {expected!r}"
     return ""
 
 
-def _difference(ours: dict[str, Any], expected: dict[str, Any]) -> str:
+def _difference(ours: Seen, expected: Seen) -> str:
     return ", ".join(_differences(ours, expected)) if ours != expected else ""
 
 
-def _differences(ours: dict[str, Any], expected: dict[str, Any]) -> Iterator[str]:
-    for name, value in expected.items():
-        if ours[name] == value:
+def _differences(ours: Seen, expected: Seen) -> Iterator[str]:
+    """Yield what differs of all that can be seen of a form: the pages have no counts by address."""
+    for name, own in ours.items():
+        value = expected[name]
+        if own == value:
             continue
-        if name == "core":
-            yield from _words(ours[name], value)
+        if isinstance(value, dict):
+            addresses = [address for address in {**own, **value} if own.get(address) != value.get(address)]
+            yield f"{name} at {addresses[0]:04o} {own.get(addresses[0])}, not {value.get(addresses[0])}"
+        elif name == "core":
+            yield from _words(own, value)
         elif isinstance(value, bytes):
-            yield f"{name} {ours[name].hex(' ') or 'nothing'}, not {value.hex(' ') or 'nothing'}"
+            yield f"{name} {own.hex(' ') or 'nothing'}, not {value.hex(' ') or 'nothing'}"
         elif name in DECIMAL:
-            yield f"{name} {ours[name]}, not {value}"
+            yield f"{name} {own}, not {value}"
         else:
-            yield f"{name} {ours[name]:o}, not {value:o}"
+            yield f"{name} {own:o}, not {value:o}"
 
 
 def _words(ours: bytes, expected: bytes) -> Iterator[str]:

@@ -37,6 +37,11 @@ ODD_IOTS = (
     0o6214,
     0o6171,
 )
+LOOKS = (
+    *("values", "lamps", "save", "copy", "repr", "out of tape"),
+    *("no time", "no seconds", "no instructions", "no slice"),
+)
+"""Ways to look at a machine, which change nothing."""
 ION, IOF, SKP, JMP_I_0 = 0o6001, 0o6002, 0o7410, 0o5400
 
 
@@ -67,10 +72,10 @@ def situation(seed: int, longest: int = 100_000) -> Situation:
 
 
 def _nonsense(draw: random.Random, base: int) -> dict[int, int]:
-    return {address: _any_word(draw) for address in range(0o10000)}
+    return {address: any_word(draw) for address in range(0o10000)}
 
 
-def _any_word(draw: random.Random) -> int:
+def any_word(draw: random.Random) -> int:
     """Return a word by chance, with more IOT, OPR and JMP in the page than chance alone would give."""
     kind = draw.random()
     if kind < 0.1:
@@ -199,6 +204,8 @@ def _acts(draw: random.Random, base: int, longest: int) -> Iterator[Act]:
     for fast in (False, True):
         if draw.random() < 0.7:
             yield Act("load_tape", (fast, draw.randbytes(draw.choice((1, 5, 40)))))
+    if draw.random() < 0.3:
+        yield Act("record")
     yield Act("switches", (base,))
     yield Act("mem_prot", (draw.random() < 0.3,))
     yield Act("press", ("load_add",))
@@ -221,7 +228,7 @@ def _run(draw: random.Random, longest: int) -> Act:
 def _hands(draw: random.Random, base: int) -> list[Act]:
     """Return what is done between two pieces of a run; a key that is dead while RUN is on may be among it."""
     fast = draw.random() < 0.5
-    word = _any_word(draw)
+    word = any_word(draw)
     return draw.choice(
         (
             [Act("deposit", (draw.choice((base + draw.randrange(20) & 0o7777, draw.randrange(0o30))), word))],
@@ -241,6 +248,10 @@ def _hands(draw: random.Random, base: int) -> list[Act]:
             [Act("set", ("ion", draw.randrange(2)))],
             [Act("set", ("ac", draw.randrange(0o10000))), Act("set", ("link", draw.randrange(2)))],
             [Act("save_and_restore")],
+            [Act("record")],
+            [Act("back", (draw.randrange(1, 5),))],
+            [Act("back", (draw.randrange(1, 5),)), _run(draw, 5), Act("back", (1,))],
+            [Act("look", (draw.choice(LOOKS),))],
             [Act("delays", (draw.random() < 0.5,))],
             [Act("single_cycles", (draw.randrange(1, 6),))],
             [Act("breakpoints", (frozenset(draw.sample(range(0o10000), draw.choice((0, 20, 300)))),))],
@@ -257,5 +268,5 @@ def _key_sequence(draw: random.Random, base: int) -> list[Act]:
     place = draw.choice((base + draw.randrange(20) & 0o7777, draw.choice(EDGES)))
     acts = [Act("switches", (place,)), Act("press", ("load_add",))]
     for _ in range(draw.randrange(3)):
-        acts += [Act("switches", (_any_word(draw),)), Act("press", (draw.choice(("dep", "exam")),))]
+        acts += [Act("switches", (any_word(draw),)), Act("press", (draw.choice(("dep", "exam")),))]
     return [*acts, Act("switches", (base,)), Act("press", ("load_add",))]

@@ -1,7 +1,6 @@
 """What a machine has done is undone exactly: over tapes, waits, interrupts, and whatever was set between."""
 
 import json
-import random
 import time
 from typing import Any
 
@@ -19,78 +18,11 @@ PROGRAMS = {
 TAPE = ascii.encode("  76 2250 4133  185\n 123\n")
 
 
-def set_up(draw: random.Random) -> Machine:
-    machine = Machine(highspeed=draw.random() < 0.3)
-    name = draw.choice([*PROGRAMS, "random"])
-    if name == "random":
-        machine.load({address: some_word(draw) for address in range(0o400)})
-    else:
-        machine.load(PROGRAMS[name])
-    machine.teletype.reader.load(TAPE)
-    machine.start(0o200)
-    return machine
-
-
-def some_word(draw: random.Random) -> int:
-    common = (0o6031, 0o5201, 0o6036, 0o6046, 0o6041, 0o6001, 0o6002, 0o7001, 0o2377, 0o5200, 0o7000, 0o4300)
-    return draw.choice([draw.choice(common), draw.randrange(0o10000)])
-
-
-def act(machine: Machine, draw: random.Random) -> None:
-    """Do one of the things that are done to a machine between two runs."""
-    choice = draw.randrange(9)
-    if choice == 0:
-        machine.teletype.keyboard.press(bytes([draw.randrange(0o300, 0o340)]))
-    elif choice == 1:
-        machine.sr = draw.randrange(0o10000)
-    elif choice == 2:
-        machine.core[draw.randrange(0o400)] = some_word(draw)
-    elif choice == 3:
-        machine.wait(draw.choice([0, 0.00001, 0.05, 1]))
-    elif choice == 4:
-        machine.teletype.reader.load(TAPE[draw.randrange(20) :])
-    elif choice == 5:
-        machine.teletype.reader.lever(draw.random() < 0.5)
-    elif choice == 6:
-        machine.start(draw.choice([0o200, 0o201, 0o300]))
-    elif choice == 7:
-        machine.panel.sing_step = draw.random() < 0.3
-    else:
-        machine.ion = draw.randrange(2)
-
-
 def saved(machine: Machine) -> dict[str, Any]:
     """Return the saved state; `writes` is a stamp, of which it matters only whether waiting has the same."""
     saved: dict[str, Any] = json.loads(state.save(machine))
     saved["unwritten"] = saved["processor"].pop("writes") == saved["waiting"].pop("writes")
     return saved
-
-
-def run(machine: Machine, draw: random.Random) -> None:
-    if draw.random() < 0.5:
-        machine.run(instructions=draw.choice([0, 1, 2, 7, 100, 5000, 60_000]))
-    else:
-        machine.run(seconds=draw.choice([0.000002, 0.0001, 0.01, 0.1, 0.35, 7]))
-
-
-@pytest.mark.parametrize("part", range(10))
-def test_n_forward_and_n_back_leave_the_same_state(part: int) -> None:
-    """500 random runs in ten parts."""
-    for seed in range(part * 50, part * 50 + 50):
-        draw = random.Random(seed)
-        machine = set_up(draw)
-        history = History(machine)
-        stood = {}  # by number of instructions, of which the last moment is gone back to
-        for _ in range(draw.randrange(1, 7)):
-            if draw.random() < 0.6:
-                act(machine, draw)
-            stood[machine.instructions] = saved(machine)
-            run(machine, draw)
-        for number, was in reversed(stood.items()):
-            if number < machine.instructions:
-                rewind.instructions(history, machine.instructions - number)
-                assert saved(machine) == was, seed
-                machine.run(instructions=draw.randrange(5))
 
 
 @pytest.fixture

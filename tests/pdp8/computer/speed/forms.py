@@ -18,7 +18,11 @@ COMPILED = (
     *(f"pdp8.computer.speed.{name}" for name in ("waiting", "engine")),
 )
 FORMS = ("plain", "compiled")
-_MACHINE, _STATE = "pdp8.computer.machine", "pdp8.computer.past.state"
+USED = (
+    *("pdp8.computer.machine", "pdp8.computer.use.count"),
+    *(f"pdp8.computer.past.{name}" for name in ("state", "history", "rewind")),
+)
+"""What tests take of both."""
 
 
 def beside(name: str, suffix: str) -> Path:
@@ -46,14 +50,14 @@ class _Sources(MetaPathFinder):
 
 
 def _plain() -> dict[str, ModuleType]:
-    """Import machine and state from sources alone, and leave the modules in use as they were."""
+    """Import what is USED from sources alone, and leave the modules in use as they were."""
     used = {name: module for name, module in sys.modules.items() if _is_ours(name)}
     finder = _Sources()
     for name in used:
         del sys.modules[name]
     sys.meta_path.insert(0, finder)
     try:
-        return {name: importlib.import_module(name) for name in (_MACHINE, _STATE)}
+        return {name: importlib.import_module(name) for name in USED}
     finally:
         sys.meta_path.remove(finder)
         for name in [name for name in sys.modules if _is_ours(name)]:
@@ -71,15 +75,11 @@ _PLAIN = _plain()
 
 def machine_module(form: str) -> ModuleType:
     """Return pdp8.computer.machine in one of the FORMS; skip the test if it was not built."""
-    return _module(form, _MACHINE)
+    return module(form, "pdp8.computer.machine")
 
 
-def state_module(form: str) -> ModuleType:
-    """Return pdp8.computer.past.state in one of the FORMS; skip the test if it was not built."""
-    return _module(form, _STATE)
-
-
-def _module(form: str, name: str) -> ModuleType:
+def module(form: str, name: str) -> ModuleType:
+    """Return a module of those USED in one of the FORMS; skip the test if it was not built."""
     if form == "plain":
         return _PLAIN[name]
     missing = [name for name in COMPILED if extension(name) is None]

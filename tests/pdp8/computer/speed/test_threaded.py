@@ -11,8 +11,8 @@ import pytest
 
 from pdp8.computer.speed.piece import LEFT, WRAP, execute
 from release.threaded import translate
+from tests.pdp8.computer.lockstep.situations import any_word
 from tests.pdp8.computer.speed.forms import HOUSE, machine_module
-from tests.pdp8.computer.speed.test_lockstep import random_word
 
 PIECE = HOUSE / "pdp8/computer/speed/piece.py"
 
@@ -46,7 +46,7 @@ def decoded(draw: random.Random) -> "list[array[int]]":
     """Return a core of nonsense, its operations and their operands; some words are not decoded."""
     engine = machine_module("plain").Machine().engine
     for address in range(0o10000):
-        engine.core[address] = random_word(draw)
+        engine.core[address] = any_word(draw)
     for page in range(0o200, 0o10000, 0o200):  # ISZ x110, JMP .-1
         engine.core[page], engine.core[page + 1] = 0o2310, 0o5200
     for address in range(0o10000):

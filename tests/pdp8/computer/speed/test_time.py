@@ -28,16 +28,6 @@ def started(form: ModuleType, words: tuple[int, ...], tape: bytes = b"") -> Any:
     return machine
 
 
-def test_waits_passed_over_count_as_if_they_were_executed(form: ModuleType) -> None:
-    fast, slow = started(form, COPY, b"ABC"), started(form, COPY, b"ABC")
-    fast.run(seconds=0.25)
-    processor = slow.processor
-    while processor.clock < 5_000_000:
-        processor.instruction()
-    assert (fast.instructions, fast.ticks, fast.pc) == (processor.instructions, processor.clock, processor.pc)
-    assert (fast.ac, fast.teletype.reader.position) == (slow.ac, 3)
-
-
 def test_a_delay_loop_counts_all_its_turns(form: ModuleType) -> None:
     """4096 turns of ISZ, JMP .-1 (the last of them skips), then one of ISZ, JMP .-3, 4096 times; HLT."""
     machine = started(form, DELAY)
@@ -54,40 +44,6 @@ def test_delays_can_be_left_to_run(form: ModuleType) -> None:
         assert machine.run().reason == "halt"
     assert machines[0].ticks == machines[1].ticks
     assert machines[0].instructions == machines[1].instructions == 8 * 8191 + 8 + 7 + 1
-
-
-@pytest.mark.parametrize("slice_of", [1e-4, 0.013, 1.0])
-def test_a_run_in_slices_is_the_run_at_once(form: ModuleType, slice_of: float) -> None:
-    whole, sliced = started(form, COPY, b"AB"), started(form, COPY, b"AB")
-    expected = whole.run()
-    stop = sliced.run(seconds=slice_of)
-    while stop.reason == "limit":
-        stop = sliced.run(seconds=slice_of)
-    assert expected.reason == "tape out"
-    assert (stop, sliced.instructions, sliced.ticks) == (expected, whole.instructions, whole.ticks)
-    assert sliced.teletype.punch.tape == whole.teletype.punch.tape
-
-
-def test_switching_between_engine_and_processor_in_the_middle_changes_nothing(form: ModuleType) -> None:
-    whole, switched = started(form, COPY, b"AB"), started(form, COPY, b"AB")
-    expected = whole.run()
-    reason, turn = "limit", 0
-    while reason == "limit":
-        turn += 1
-        switched.watch.writes = {0o7777} if turn % 2 else set()
-        reason = switched.run(seconds=0.01).reason
-    assert (reason, switched.instructions, switched.ticks) == (
-        expected.reason,
-        whole.instructions,
-        whole.ticks,
-    )
-
-
-def test_words_poked_between_runs_are_executed(form: ModuleType) -> None:
-    machine = started(form, (0o7001, 0o5200))
-    machine.run(instructions=1000)
-    machine.core[0o201] = 0o7402
-    assert machine.run(instructions=10).reason == "halt"
 
 
 def test_eight_hours_of_1971() -> None:
