@@ -1,5 +1,6 @@
 """The pages' modules under Node.js: those by hand and those translated, each where a page has it."""
 
+import atexit
 import json
 import shutil
 import subprocess
@@ -24,15 +25,12 @@ console.log(JSON.stringify(await (FUNCTION)(JSON.parse(readFileSync(0, "utf8")))
 
 
 @cache
-def _modules() -> tempfile.TemporaryDirectory[str]:
-    folder = tempfile.TemporaryDirectory()
-    write(Path(folder.name), translator.translated())
-    return folder
-
-
 def modules() -> Path:
-    """Return the folder in which all modules stand."""
-    return Path(_modules().name)
+    """Return the folder in which all modules stand, for as long as this process lives."""
+    folder = Path(tempfile.mkdtemp(prefix="pdp8-modules-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    write(folder, translator.translated())
+    return folder
 
 
 def write(folder: Path, translated: dict[str, str], suffix: str = ".mjs") -> None:
