@@ -167,6 +167,11 @@ class Assembler:
         """Return {name: value} of all symbols as they stand, the permanent ones included."""
         return self._symbols.values()
 
+    def _clear(self) -> None:
+        self._word = self._address = self._item = self._operator = self._zeros = 0
+        self._made = self._referring = self._doubtful = False
+        self._names = []
+
     def _read(self) -> None:
         """Read the source, to the first ``$``, and do what each character that ends an item says."""
         self._clear()
@@ -209,11 +214,6 @@ class Assembler:
             else:
                 self._say("IC", f"{ord(mark) | 0o200:04o}")
                 self._broken = name
-
-    def _clear(self) -> None:
-        self._word = self._address = self._item = self._operator = self._zeros = 0
-        self._made = self._referring = self._doubtful = False
-        self._names = []
 
     def _watch(self, what: str, pointer: int) -> None:
         """Do nothing: `pal.notes` notes here what is not what it seems.
