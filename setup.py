@@ -17,13 +17,14 @@ import tarfile
 from pathlib import Path
 
 from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
 from setuptools.command.sdist import sdist
 
 HOUSE = Path(__file__).parent
 BUILD = Path("build")
 
-MODULES = (
-    *(f"pal.{name}" for name in ("isa", "source", "table", "assembler", "pal8", "notes")),
+MODULES = (  # the largest first: no core waits for it at the end
+    *(f"pal.{name}" for name in ("pal8", "assembler", "table", "notes", "source", "isa")),
     *(f"pdp8.computer.hardware.{name}" for name in ("bus", "processor", "teletype")),
     *(f"pdp8.computer.speed.{name}" for name in ("waiting", "engine")),
 )
@@ -36,6 +37,7 @@ if "gcc" in (os.environ.get("CC") or sysconfig.get_config_var("CC") or ""):
     FLAGS += ["-falign-labels=16"]
 DIRECTIVES = {
     "annotation_typing": False,
+    "auto_pickle": False,
     "boundscheck": False,
     "cdivision": True,
     "embedsignature": False,
@@ -83,11 +85,20 @@ def extensions(required: bool) -> list[Extension]:
             for name in MODULES
         ],
         build_dir=str(BUILD),
+        quiet=True,
         compiler_directives=DIRECTIVES,
     )
     for extension in built:  # cythonize does not keep it
         extension.optional = not required
     return list(built)
+
+
+class SpokenBuild(build_ext):
+    """A build that says which module it compiles, each core another."""
+
+    def build_extension(self, ext: Extension) -> None:
+        print(f"compiling {ext.name}", flush=True)
+        super().build_extension(ext)
 
 
 class ReproducibleSdist(sdist):
@@ -115,5 +126,6 @@ class ReproducibleSdist(sdist):
 
 setup(
     ext_modules=[] if choice() == "forbid" else extensions(choice() == "require"),
-    cmdclass={"sdist": ReproducibleSdist},
+    cmdclass={"build_ext": SpokenBuild, "sdist": ReproducibleSdist},
+    options={"build_ext": {"parallel": os.cpu_count() or 1}},
 )

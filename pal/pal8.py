@@ -769,8 +769,9 @@ class Assembler:
     def _expunge(self) -> None:
         """Forget all symbols but the pseudo-operators, I and Z."""
         kept = {name: symbol for name, symbol in self.symbols.items() if symbol.kind == PSEUDO}
-        for name in ("I", "Z"):
-            kept[name] = Symbol(name, REFERENCE, symbols8.REFERENCES[name])
+        for name, word in symbols8.REFERENCES.items():
+            if name in ("I", "Z"):
+                kept[name] = Symbol(name, REFERENCE, word)
         self.symbols = kept
 
     def _fix_reference(self) -> None:
