@@ -164,8 +164,9 @@ def fit(points: str, degree: int) -> None:
     from tapes import convert
     from tapes.errors import naming
 
+    content = shelf.read(points)
     with naming(points):
-        found = least_squares.fit(least_squares.read(convert.typed(shelf.read(points))), degree)
+        found = least_squares.fit(least_squares.read(convert.typed(content)), degree)
     command.echo(found.expression)
     command.tell(f"at most {found.worst:.4f} in from a point")
 

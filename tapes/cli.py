@@ -246,11 +246,11 @@ def read(*, photos: tuple[str, ...], underside: bool, page: str | None, output: 
     """
     if find_spec("cv2") is None:
         raise TapeError("reading a picture needs OpenCV: pip install 'pdp8[vision]'")
-    from tapes import correction, photograph
+    from tapes import correction, photograph, pixels
 
     pictures = []
     for photo in photos:
-        picture = shelf.read(photo)
+        picture = shelf.read(photo, pixels.LARGEST_FILE)
         with naming(photo), progress.Busy(f"reading {called(photo)}", wanted=True):
             pictures.append(correction.Picture(called(photo), picture, photograph.read(picture, underside)))
     reading = correction.Reading(pictures)

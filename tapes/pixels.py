@@ -14,6 +14,8 @@ Array = np.ndarray[Any, Any]
 
 LARGEST = 64_000_000
 """Pixels of a picture."""
+LARGEST_FILE = 64 << 20
+"""Bytes of its file; a camera's has some 8 MB, a scanner's 35."""
 
 _PNG, _JPEG = b"\x89PNG\r\n\x1a\n", b"\xff\xd8"
 _NOT_A_FRAME = (0xC4, 0xC8, 0xCC)

@@ -181,6 +181,8 @@ def check_kind(name: str, kind: str) -> None:
 
 def leave(name: str, content: bytes, kind: str) -> str:
     """Write a product of a session, of a kind that `check_kind` knows; return what to say of it."""
+    if name == "-":
+        raise ShelfError("-: standard output has what is said; name a file")
     check_kind(name, kind)
     return told(name, write(name, content))
 

@@ -93,10 +93,10 @@ def varied(shot: Shot, seed: int) -> Shot:
     )
 
 
-def count(tape: bytes, shot: Shot) -> Count:
-    """Photograph a tape, read it, and count its frames."""
+def count(tape: bytes, picture: bytes) -> Count:
+    """Read a picture of a tape, and count its frames."""
     try:
-        found = photograph.read(camera.photograph(tape, shot))
+        found = photograph.read(picture)
     except TapeError as error:
         return Count(len(tape), refused=len(tape), why=(str(error),))
     doubtful = marked = silent = lost = 0
@@ -148,7 +148,8 @@ def main(pictures: int, only: str = "") -> None:
             continue
         found = Count()
         for seed in range(201, 201 + pictures):
-            found = found.plus(count(some_tape(seed), varied(shot, seed)))
+            tape = some_tape(seed)
+            found = found.plus(count(tape, camera.photograph(tape, varied(shot, seed))))
         print(
             "|", kind, "|", " | ".join(f"{number:,}" for number in found[:-1]), "|", *sorted(set(found.why))
         )

@@ -4,6 +4,7 @@ The whole table of pictures is in docs/photographs.md, and made by survey.py.
 """
 
 import json
+import os
 import struct
 import zlib
 from pathlib import Path
@@ -31,6 +32,9 @@ def holes(frames: list[photograph.Frame]) -> bytes:
 def doubtful(frames: list[photograph.Frame]) -> list[int]:
     return [number for number, frame in enumerate(frames) if frame.doubtful]
 
+
+OWN = os.environ.get("PDP8_PHOTOGRAPHS", "")
+"""A folder of photographs, and beside each a file of its name, .tape, with the frames that it shows."""
 
 WITHIN = [
     "perspective .3, from a corner",
@@ -68,9 +72,19 @@ def test_within_the_limits_every_frame_is_right(kind: str) -> None:
 @pytest.mark.parametrize("kind", HARDEST)
 def test_no_frame_is_wrong_or_lost_in_silence_even_there(kind: str) -> None:
     shot = {**survey.WITHIN, **survey.BEYOND}[kind]
-    found = survey.count(survey.some_tape(7, PART), survey.varied(shot, 7))
+    tape = survey.some_tape(7, PART)
+    found = survey.count(tape, camera.photograph(tape, survey.varied(shot, 7)))
     assert found.silent == 0
     assert found.doubtful or not found.lost
+
+
+@pytest.mark.skipif(not OWN, reason="PDP8_PHOTOGRAPHS names no folder")
+def test_your_own_photographs_have_no_frame_that_is_wrong_in_silence() -> None:
+    tapes = sorted(Path(OWN).glob("*.tape"))
+    assert tapes, f"{OWN}: no NAME.tape beside a picture NAME"
+    for tape in tapes:
+        (picture,) = (path for path in tape.parent.glob(f"{tape.stem}.*") if path != tape)
+        assert survey.count(tape.read_bytes(), picture.read_bytes()).silent == 0, picture
 
 
 def test_rows_too_close_together_are_refused_with_their_distance() -> None:
@@ -157,7 +171,8 @@ def test_what_is_no_picture_or_too_large_a_one_is_refused(content: bytes, compla
 
 def test_the_command_writes_the_tape_and_says_what_it_is(shell: Shell, tmp_path: Path) -> None:
     tape = shelf.read("circle.asc")[:PART]
-    (tmp_path / "photo.jpg").write_bytes(camera.photograph(tape, Shot(angle=3)))
+    picture = camera.photograph(tape, Shot(angle=3)) + bytes(3 << 20)  # a file as long as a camera's
+    (tmp_path / "photo.jpg").write_bytes(picture)
     done = shell("pdp8 tape read photo.jpg -o found.asc")
     assert (done.returncode, done.stderr) == (0, b"60 frames: ASCII\nwrote found.asc\n")
     assert (tmp_path / "found.asc").read_bytes() == tape
