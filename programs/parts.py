@@ -60,7 +60,7 @@ PARTS: Final = {
             "polynomial",
             "The third degree polynomial of Chapters 6 and 7.",
             ("> polynomial.asc", "--b 1.5 --c 5 --to 5", "--cutter 0.5 --side above --technique piece"),
-            nominal={"polynomial": (4, 6, 0.2, 2, 6), "range_": (-0.75, 6.25)},
+            nominal={"function": "0.2*x*(x-2)*(x-6)", "origin": (4, 6), "range_": (-0.75, 6.25)},
             tolerance=0.01,
         ),
         Part(

@@ -21,6 +21,7 @@ from tapes.errors import WorkError, called, visible
 
 _NAMED = 6
 """Files in a folder that are named one by one."""
+_IMPORTING = "<frozen importlib._bootstrap>"
 _NO_CLOBBER = "tapes.command.no_clobber"
 QUIET = "tapes.command.quiet"
 """Where a command's context keeps that it says nothing of what it wrote."""
@@ -36,7 +37,7 @@ def run(command: click.Command, name: str, arguments: Sequence[str] | None = Non
     given = sys.argv[1:] if arguments is None else arguments
     before = signal.getsignal(signal.SIGINT)
     if before is not signal.SIG_IGN:  # as a shell has it for what runs in the background
-        signal.signal(signal.SIGINT, signal.default_int_handler)
+        signal.signal(signal.SIGINT, _interrupt)
     ended = status(command, name, given)
     signal.signal(signal.SIGINT, before)
     sys.exit(ended)
@@ -48,6 +49,17 @@ def _take_signals() -> None:
         number = getattr(signal, name, None)
         if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(number, _end)
+
+
+def _interrupt(number: int, frame: FrameType | None) -> None:
+    """Take Ctrl-C. While a module is imported it ends the process: an exception there can be lost, or leave a
+    compiled module half made.
+    """
+    while frame:
+        if frame.f_code.co_filename == _IMPORTING:
+            os._exit(128 + number)
+        frame = frame.f_back
+    raise KeyboardInterrupt
 
 
 def _end(number: int, frame: FrameType | None) -> None:

@@ -102,30 +102,33 @@ SCRIPT = (
         "save state",
     ),
     *("punch out", "punch off", "reader none", "reader stop", "fast-reader tape", "quit", "exit", "run 0.1"),
+    *("reader tape\npunch hard", "load soft\npunch tape", "restore tape\nsave no/../tape", "listing -"),
+    *("punch script", "save script", "save kept", "punch locked/out", "save no/out", "punch /dev/full"),
+    *("punch .", "save -", 'save ""', "reader /dev/zero", 'load "a\0b"', "save \x1b[2J", "watch 0:7777"),
 )
 OPTIONS = {
     "run": ("--start", "--sr", "--quiet", "--boot", "--force", "--cycles", "--realtime"),
-    "tape show": ("--from", "--to", "--frames", "--strip", "--code"),
+    "tape show": ("--from", "--to", "--code"),
     "tape punch": ("--fill", "--leader", "--code", "--parity", "--drop-spaces", "--keep-spaces"),
     "tape convert": ("--parity", "--fill", "--code"),
     "tape clean": (),
     "tape info": (),
     "dis": (),
-    "nc list": ("--modes", "--strict", "--feed-error", "--feed-code", "--peck", "--tool-change"),
+    "nc list": ("--modes", "--strict", "--feed-error", "--feed-code"),
     "nc cut": ("--strict", "--feed-error", "--feed-code", "--peck", "--tool-change"),
     "nc plot": ("--block", "--at", "--zoom", "--cutter", "--tolerance", "--circle", "--ellipse", "--line"),
-    "nc inspect": ("--cutter", "--tolerance", "--circle", "--polynomial", "--magnification"),
+    "nc inspect": ("--cutter", "--tolerance", "--circle", "--function", "--range"),
     "nc export": ("--gcode", "--dxf", "--cutter", "--tolerance"),
     "part fit": ("--degree",),
     "part mirror": ("--across", "--about", "--fill", "--parity"),
-    "pal": ("--rim", "--force", "--modern", "--high-speed-reader", "--max-errors", "--strict"),
+    "pal": ("--rim", "--force", "--modern", "--high-speed-reader", "--strict"),
     "nc view": (),
     "tape read": ("--underside",),
     "check": ("--prove", "--show", "--seed", "--cpu", "--export-student"),
-    "cards": ("--part", "--pdf"),
+    "cards": ("--pdf",),
     "thesis make": (),
-    "thesis evidence": ("--source",),
-    "part compare": ("--major", "--outer", "--cut", "--degree"),
+    "thesis evidence": (),
+    "thesis numbers": ("--chapter",),
     "vectors": ("--states",),  # of numbers that it refuses: what it writes takes half a minute
     "replay": (),
     "workbench": (),
@@ -136,7 +139,6 @@ NAMES = {  # what stands before the tape, or in its place
     "cards": ("rim", "ascii", "afternoon", "nothing"),
     "thesis make": ("2.2", "5.3", "ch2-block", "all.", ""),
     "thesis evidence": ("eia.pal", "circle.for", "tape", "nothing"),
-    "part compare": ("circle", "polynomial", "nothing"),
     "replay": ("slope", "drill", "circle", "nothing"),
 }
 AWKWARD = ("\x1b[31mname", os.fsdecode(b"\xff\xfe"), "n" * 300, "a\0b", " ", "-x", "CON")
@@ -168,25 +170,32 @@ WRITES = (
         "nc view",
         "cards",
     ),
-    *("thesis make", "thesis evidence", "vectors", "replay", "workbench"),
+    *("thesis make", "thesis evidence", "thesis numbers", "vectors", "replay", "workbench"),
 )
 RECORDS = {  # what else is written
     "pal": ("--json", "--listing", "--symbols", "--xref"),
-    "check": ("--json", "--junit", "--csv"),
+    "check": ("--json", "--junit", "--csv", "--pages"),
     "run": ("--punch", "--count-json", "--save"),
     "tape show": ("--svg",),
     "nc inspect": ("--talyrond", "--talysurf"),
 }
 RARE = {  # which part of their calls is made
-    **dict.fromkeys(
-        ("check", "cards", "nc view", "thesis make", "part compare", "vectors", "tape read"), 0.1
-    ),
+    **dict.fromkeys(("check", "cards", "nc view", "thesis make", "vectors", "tape read"), 0.1),
     "workbench": 0.03,
     "replay": 0.01,
 }
-NO_TAPE = ("cards", "part compare", "vectors", "replay", "workbench", "thesis make", "thesis evidence")
+NO_TAPE = ("cards", "thesis numbers", "vectors", "replay", "workbench", "thesis make", "thesis evidence")
 PARTS = {
-    "circle": ("--radius", "--outer", "--inner", "--start-x", "--centre-y", "--sequence", "--arithmetic"),
+    "circle": (
+        "--radius",
+        "--outer",
+        "--inner",
+        "--start-x",
+        "--centre-y",
+        "--sequence",
+        "--arithmetic",
+        "--compare",
+    ),
     "ellipse": ("--major", "--minor", "--outer-major", "--start-y", "--x-feed"),
     "die": ("--major", "--minor", "--centre-x", "--cut"),
     "drill": ("--holes", "--z-depth", "--spindle", "--z-feed"),
@@ -200,7 +209,7 @@ MILLING = ("--tolerance", "--technique", "--feed-code", "--fastest", "--feed-err
 FLAGS = {
     *("--quiet", "--boot", "--force", "--cycles", "--drop-spaces", "--keep-spaces", "--modes", "--strict"),
     *("--gcode", "--dxf", "--rim", "--modern", "--high-speed-reader"),
-    *("--prove", "--pdf", "--source", "--kiosk", "--cold", "--no-clobber", "--underside"),
+    *("--prove", "--pdf", "--kiosk", "--cold", "--no-clobber", "--underside"),
 }
 EXPRESSIONS = (
     "sin(x)",

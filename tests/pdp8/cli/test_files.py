@@ -362,10 +362,15 @@ def test_python_m_pal_finds_bundled_programs(tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (0, b"wrote eia.bin\n")
 
 
-def test_ctrl_c_while_modules_are_imported_is_quiet(tmp_path: Path) -> None:
+@pytest.mark.parametrize("module", ["pdp8.cli.root", "pdp8.cli.run", "pal.assembling"])
+def test_ctrl_c_while_a_module_is_imported_is_quiet(module: str, tmp_path: Path) -> None:
     script = (
         "import os, signal, sys, pdp8.cli as cli\n"
-        "cli.import_module = lambda name: os.kill(os.getpid(), signal.SIGINT)\n"
+        "class Ctrl:\n"
+        "    def find_spec(name, path=None, target=None):\n"
+        f"        if name == {module!r}: os.kill(os.getpid(), signal.SIGINT)\n"
+        "sys.meta_path.insert(0, Ctrl)\n"
+        "sys.argv = ['pdp8', 'run', 'hello.pal']\n"
         "cli.main()\n"
     )
     done = commands.run(sys.executable, "-c", script, folder=tmp_path)
