@@ -136,10 +136,7 @@ def put(name: str, product: str | bytes) -> None:
 def put_all(folder: str, files: Iterable[tuple[str, bytes]]) -> None:
     """Write files into a folder, which is made, and say in one line which they are. Raises ShelfError."""
     names, replaced = [], 0
-    try:
-        os.makedirs(folder, exist_ok=True)
-    except OSError as error:
-        raise shelf.ShelfError(f"{folder}: {error.strerror}") from error
+    shelf.make_folder(folder)
     for name, content in files:
         path = os.path.join(folder, name)
         check_output(path)

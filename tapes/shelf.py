@@ -243,13 +243,29 @@ def check_writable(name: str) -> None:
     folder = os.path.dirname(os.path.realpath(name))
     if not os.path.isdir(folder):
         raise ShelfError(f"{name}: No such file or directory")
-    place = name if os.path.exists(name) else folder
-    barred = sys.platform != "win32" and not os.stat(place).st_mode & 0o222
-    if barred or not os.access(place, os.W_OK):  # the superuser may, but did not ask
-        raise ShelfError(f"{name}: Permission denied")
+    _check_permission(name, name if os.path.exists(name) else folder)
     watch = _watched.get()
     if watch and os.path.isfile(name) and identity(name) in watch.read - watch.written:
         raise ShelfError(f"{name} was read: it is not replaced; name another")
+
+
+def make_folder(name: str) -> None:
+    """Make a folder, with those above it. Raises ShelfError."""
+    check_named(name)
+    above = os.path.abspath(name)
+    while not os.path.exists(above):
+        above = os.path.dirname(above)
+    _check_permission(name, above)
+    try:
+        os.makedirs(name, exist_ok=True)
+    except OSError as error:
+        raise ShelfError(f"{name}: {error.strerror}") from error
+
+
+def _check_permission(name: str, place: str) -> None:
+    barred = sys.platform != "win32" and not os.stat(place).st_mode & 0o222
+    if barred or not os.access(place, os.W_OK):  # the superuser may, but did not ask
+        raise ShelfError(f"{name}: Permission denied")
 
 
 def check_named(name: str) -> None:

@@ -102,7 +102,7 @@ class Options(NamedTuple):
 )
 @click.option(
     "--tty",
-    type=click.Path(),
+    type=Target(),
     metavar="PATH",
     help="The Teletype is a line: a serial port, a pty. At 110 baud's pace.",
 )

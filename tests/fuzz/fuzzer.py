@@ -129,6 +129,7 @@ OPTIONS = {
     "thesis make": (),
     "thesis evidence": (),
     "thesis numbers": ("--chapter",),
+    "part compare": ("--major", "--outer", "--cut", "--degree"),
     "vectors": ("--states",),  # of numbers that it refuses: what it writes takes half a minute
     "replay": (),
     "workbench": (),
@@ -139,6 +140,7 @@ NAMES = {  # what stands before the tape, or in its place
     "cards": ("rim", "ascii", "afternoon", "nothing"),
     "thesis make": ("2.2", "5.3", "ch2-block", "all.", ""),
     "thesis evidence": ("eia.pal", "circle.for", "tape", "nothing"),
+    "part compare": ("circle", "polynomial", "nothing"),
     "replay": ("slope", "drill", "circle", "nothing"),
 }
 AWKWARD = ("\x1b[31mname", os.fsdecode(b"\xff\xfe"), "n" * 300, "a\0b", " ", "-x", "CON")
@@ -180,11 +182,22 @@ RECORDS = {  # what else is written
     "nc inspect": ("--talyrond", "--talysurf"),
 }
 RARE = {  # which part of their calls is made
-    **dict.fromkeys(("check", "cards", "nc view", "thesis make", "vectors", "tape read"), 0.1),
+    **dict.fromkeys(
+        ("check", "cards", "nc view", "thesis make", "part compare", "vectors", "tape read"), 0.1
+    ),
     "workbench": 0.03,
     "replay": 0.01,
 }
-NO_TAPE = ("cards", "thesis numbers", "vectors", "replay", "workbench", "thesis make", "thesis evidence")
+NO_TAPE = (
+    "cards",
+    "part compare",
+    "thesis numbers",
+    "vectors",
+    "replay",
+    "workbench",
+    "thesis make",
+    "thesis evidence",
+)
 PARTS = {
     "circle": (
         "--radius",
@@ -194,7 +207,6 @@ PARTS = {
         "--centre-y",
         "--sequence",
         "--arithmetic",
-        "--compare",
     ),
     "ellipse": ("--major", "--minor", "--outer-major", "--start-y", "--x-feed"),
     "die": ("--major", "--minor", "--centre-x", "--cut"),

@@ -196,6 +196,13 @@ def test_no_clobber_and_a_file_without_write_permission(line: str, call: Call, t
     assert (tmp_path / "x").read_bytes() == b"kept"
 
 
+def test_no_folder_is_made_where_nothing_may_be_written(call: Call, tmp_path: Path) -> None:
+    (tmp_path / "locked").mkdir(mode=0o555)
+    status, _, said = call("pdp8 cards rim -o locked/sub/cards")
+    assert (status, "locked/sub/cards: Permission denied" in said) == (1, True)
+    assert not list((tmp_path / "locked").iterdir())
+
+
 def test_no_clobber_holds_in_a_folder(call: Call, tmp_path: Path) -> None:
     (tmp_path / "rim.svg").write_bytes(b"kept")
     assert call("pdp8 cards rim --no-clobber")[0] == 1
@@ -263,7 +270,8 @@ def test_what_is_nested_too_deeply_is_refused(text: str, call: Call, tmp_path: P
 
 
 @pytest.mark.parametrize(
-    "line", ["tape info", "run", "pal", "nc cut", "check add", "dis", "run eia.pal --reader"]
+    "line",
+    ["tape info", "run", "pal", "nc cut", "check add", "dis", "run eia.pal --reader", "run eia.pal --tty"],
 )
 def test_a_name_that_is_no_text_is_shown(line: str, call: Call, tmp_path: Path) -> None:
     name = os.fsdecode(b"\xff\x1b[31m.pal")
