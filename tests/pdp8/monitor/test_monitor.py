@@ -16,12 +16,13 @@ FOLDER = Path(__file__).parent
 LINE = bytes(0o200 | code for code in b" 19\r\n")
 
 
-def test_a_script_and_its_answers(shell: Shell, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["lesson", "session"])
+def test_a_script_and_its_answers(shell: Shell, tmp_path: Path, name: str) -> None:
     (tmp_path / "line.asc").write_bytes(LINE)
-    (tmp_path / "lesson.txt").write_bytes((FOLDER / "lesson.txt").read_bytes())
-    ran = shell("pdp8 monitor lesson.txt --echo")
+    (tmp_path / "script").write_bytes((FOLDER / f"{name}.txt").read_bytes())
+    ran = shell("pdp8 monitor script --echo")
     assert ran.stderr == b""
-    assert ran.stdout.decode().splitlines() == (FOLDER / "lesson.expected").read_text().splitlines()
+    assert ran.stdout.decode().splitlines() == (FOLDER / f"{name}.expected").read_text().splitlines()
     assert ran.returncode == 0
 
 
@@ -47,6 +48,10 @@ def test_a_pipe_is_a_script(shell: Shell) -> None:
         ("cont soon", "seconds of machine time"),
         ("cont nan", "not between 0 and 1e9 seconds"),
         ("trace maybe", "on, cycles or off"),
+        ("count maybe", "on, off or listing, or nothing"),
+        ("count", "nothing is counted: count on begins"),
+        ("registers all", "nothing expected"),
+        ("rim 7756", "nothing expected"),
         ("reader nothing.asc", "no such file"),
         ("punch /nowhere/x", "No such file or directory"),
         ("save /dev/full", "No space left"),
