@@ -10,7 +10,7 @@ ROOMS = {
     "pal": ("pal", ["tests/pal"]),
     "programs": ("programs", ["tests/programs"]),
     "nc": ("nc", ["tests/nc", "tests/tapes/test_hydrapoint.py"]),
-    "lessons": ("pdp8/lessons", ["tests/pdp8/lessons"]),
+    "lessons": ("pdp8/lessons", ["tests/pdp8/lessons", "tests/test_lesson_kit.py"]),
     "monitor": ("pdp8/monitor", ["tests/pdp8/monitor"]),
     "computer": ("pdp8/computer", ["tests/pdp8/computer"]),
 }

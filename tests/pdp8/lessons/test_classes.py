@@ -61,7 +61,7 @@ def test_a_seed_draws_the_same_and_another_seed_others() -> None:
 def test_inputs_are_drawn_by_ranges_and_kinds() -> None:
     text = RANDOM.replace(
         "deposit={", 'sr={pick=[3,5]}\nreader=[0o200,{length=[2,4],pick="01"}]\nkeys={length=2,from=1,to=3}\n'
-        'deposit={"0300-0302"={from=7,to=7},',
+        'deposit={"0300-0302"={from=7,to=7},"0310"={pick=[5]},',
     )  # fmt: skip
     for trial in parse(text, "e").cases[0].trials:
         assert trial.sr in (3, 5)
@@ -69,7 +69,8 @@ def test_inputs_are_drawn_by_ranges_and_kinds() -> None:
         assert 3 <= len(trial.reader) <= 5
         assert set(trial.reader[1:]) <= {0o260, 0o261}
         assert set(trial.keys) <= {1, 2, 3}
-        assert [trial.deposit[place] for place in ("0300", "0301", "0302")] == [7, 7, 7]
+        assert [trial.deposit[place] for place in ("0300", "0301", "0302", "0310")] == [7, 7, 7, 5]
+        assert "0303" not in trial.deposit
 
 
 def test_a_python_function_is_the_oracle(tmp_path: Path) -> None:
@@ -163,7 +164,18 @@ SHEET = "title='t'\ntask='t'\n[[question]]\nname='a'\nask='How many?'\n"
         ("43.2\nunit='us'\ntolerance=0.1", "43.3 43.1 43.4", "110"),
         ("1798.2\nunit='in'", "1,798.2 1798,2 149.85_ft 1798.2_inches 1798,200", "11111"),
         ("17982", "17,982 17982 17.982 17982_frames", "1100"),
+        ("5", "+5 5. 5 5- +-5 -5 ٥", "1110000"),
+        ("-5", "-5 −5 5 +5", "1100"),
+        ("1\nunit='h'", "1_hour 1_hours 60_min 60_minute 60_minutes 3600_sec 3.6e3_s 61_min", "11111100"),
+        ("2\nunit='ms'", "2000_us 2000_μs 2000_microsec 2000_microsecond 2000_microseconds", "11111"),
+        ("2\nunit='ms'", "2_millisecond 2_milliseconds 0.002_second 0.002_seconds 2_mil", "11110"),
+        ("12\nunit='in'", "1_ft 1_foot 1_feet 1_' 12_\" 12_inch 12000_mil 12000_mils 12_s", "111111110"),
+        ("12\nunit='in'", "12000_thou 304.8_mm 30.48_cm 0.3048_m 1_mm", "11110"),
+        ("2", "2 2_many 2_words", "110"),
         ("'no'", "no No. yes", "110"),
+        ("'many'", "many how 'many' (many) many? `many`", "101111"),
+        ("'0'", "0 00 000. 1", "1110"),
+        ("'1,000 words'", "1000_words 1000_(words) 0100_words the_1000_words words_1000", "11010"),
         ("['the same','same']", "same the_same! not_the_same", "110"),
     ],
 )  # fmt: skip
@@ -178,7 +190,7 @@ def test_numbers_are_right_by_value_and_unit_and_texts_by_what_matters(
 def test_a_wrong_unit_is_told() -> None:
     (question,) = parse(f"{SHEET}answer=43.2\nunit='us'\nslips={{ '27' = 'cycles' }}\n", "e").questions
     assert values.hint(question, "43.2 ms") == values.WRONG_UNIT
-    assert values.hint(question, "27.0") == "cycles"
+    assert [values.hint(question, given) for given in ("27.0", "27", "28")] == ["cycles", "cycles", ""]
 
 
 def test_an_answer_that_takes_too_long_is_ended_and_the_next_is_marked() -> None:

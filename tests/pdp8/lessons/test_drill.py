@@ -55,9 +55,10 @@ def follow(session: Session, coach: Coach) -> None:
         advance(session, coach, 0.1)
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_who_follows_the_card_is_done(name: str) -> None:
+@pytest.mark.parametrize(("name", "keys"), [("rim", 18), ("deposit", 6), ("examine", 8), ("boot", 23)])
+def test_who_follows_the_card_is_done(name: str, keys: int) -> None:
     session, coach = room(name)
+    assert sum(bool(step.key) for step in coach.drill.steps) == keys
     follow(session, coach)
     assert coach.said.startswith("Done in ")
     assert coach.said.endswith("no mistake.")
@@ -66,6 +67,7 @@ def test_who_follows_the_card_is_done(name: str) -> None:
 def test_rim_by_the_book() -> None:
     session, coach = room("rim")
     press(session, coach, "load_add", 0o7756)
+    assert coach.said == "right: 7756  LOAD ADD"
     for word in RIM:
         advance(session, coach, 2)
         assert press(session, coach, "dep", word)
@@ -87,7 +89,10 @@ def test_boot_leaves_the_program_in_core() -> None:
         ("load_add", 0o7757, "switch 11 should be down: 7756, not 7757"),
         ("load_add", 0o0001, "switch 0 should be up: 7756, not 0001"),
         ("dep", 0o7756, "LOAD ADD is next, not DEP"),
+        ("exam", 0o7756, "LOAD ADD is next, not EXAM"),
         ("start", 0o7756, "LOAD ADD is next, not START"),
+        ("cont", 0o7756, "LOAD ADD is next, not CONT"),
+        ("stop", 0o7756, "LOAD ADD is next, not STOP"),
     ],
 )
 def test_the_first_wrong_switch_is_named_and_the_key_not_pressed(key: str, sr: int, said: str) -> None:
@@ -97,11 +102,22 @@ def test_the_first_wrong_switch_is_named_and_the_key_not_pressed(key: str, sr: i
     assert press(session, coach, "load_add", 0o7756)
 
 
-def test_a_locking_switch_that_is_wrong_is_named() -> None:
+@pytest.mark.parametrize(("name", "said"), [("mem_prot", "MEM PROT is up"), ("sing_step", "SING STEP is on")])
+def test_a_locking_switch_that_is_wrong_is_named(name: str, said: str) -> None:
     session, coach = room("rim")
-    session.machine.panel.mem_prot = True
+    setattr(session.machine.panel, name, True)
     assert not press(session, coach, "load_add", 0o7756)
-    assert coach.said == "MEM PROT is up: put it back first"
+    assert coach.said == f"{said}: put it back first"
+
+
+def test_a_chain_of_addresses_is_in_core_again_and_again() -> None:
+    session, coach = room("examine")
+    chain = (0o300, 0o345, 0o1234, 0o4571, 0o7402)
+    follow(session, coach)
+    assert session.machine.pc == 0o4572
+    session.machine.core[chain[1]] = 0
+    coach.again()
+    assert [session.machine.core[address] for address in chain] == [*chain[1:], 0]
 
 
 def test_a_kiosk_begins_again_when_it_is_left_alone() -> None:

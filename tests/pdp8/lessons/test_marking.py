@@ -132,6 +132,43 @@ def test_two_long_tapes_are_shown_where_they_differ() -> None:
     assert len(shown.splitlines()) < 12
 
 
+DETAILS = """\
+ana.pal: no points
+  too long
+ana.pal: wraps, with A 1
+  SUM          expected 0001
+                    got 0000
+                        ---^
+  the time     10 s
+  instructions got 7
+  the tape: 2 frames, 3 expected; the first difference is frame 2
+     frame    expected               got
+         0    |     .  o| 001      |     .  o| 001
+         1    |     . o | 002      |     . o | 002
+         2    |     . oo| 003      no frame           <--
+  the end      expected a
+                    got b
+  AC           expected 1
+                    got 2
+                        ^
+  and 1 more
+  hint: look
+""".splitlines()
+
+
+def test_what_failed_is_shown_with_carets_and_holes() -> None:
+    failures = (
+        marking.Failure("SUM", "0001", "0000"),
+        marking.Failure("the time", "", "", "10 s"),
+        marking.Failure("instructions", "", "7"),
+        marking.Failure("the tape", b"\1\2\3", b"\1\2"),
+        marking.Failure("the end", "a", "b"),
+        marking.Failure("AC", "1", "2"),
+    )
+    found = marking.Mark("wraps", 0, 2, (*failures, failures[0]), "look", "A 1")
+    assert list(scores.details(marking.Result("ana.pal", (found,), 2, "too long"))) == DETAILS
+
+
 def test_marks_as_junit_are_what_they_are() -> None:
     given = exercise("ac=2\nhint='look'")
     results = [marking.mark(given, handed.of(text.encode(), text[-2:])) for text in (IAC, "\tJMP Q\n$")]
