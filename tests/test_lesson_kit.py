@@ -2,6 +2,7 @@
 
 import json
 import re
+from hashlib import sha256
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -41,6 +42,14 @@ def card(name: str) -> ElementTree.Element:
 
 def texts(card: ElementTree.Element) -> list[str]:
     return [text.text or "" for text in card.iter(f"{SVG}text")]
+
+
+@pytest.mark.parametrize(
+    ("name", "digest"),
+    [("rim", "fa102400"), ("instructions", "adc79e48"), ("ascii", "6ea0432c"), ("eia", "872fe939")],
+)
+def test_a_card_is_the_one_that_was_looked_at(name: str, digest: str) -> None:
+    assert sha256(drawn.CARDS[name]().encode()).hexdigest()[:8] == digest, "look at it again"
 
 
 @pytest.mark.parametrize("name", list(drawn.CARDS))

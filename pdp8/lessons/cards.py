@@ -77,7 +77,7 @@ def rim() -> str:
         y = 84 + number * 22
         other = f"({fast:04o})" if fast != word else ""
         card.text(_MARGIN, y, f"{RIM_START + number:04o}     {word:04o}  {other}")
-        _switches(card, _MARGIN + 152, y - 4, word)
+        _switches(card, _MARGIN + 160, y - 4, word)
     card.lines(430, 66, _RIM_STEPS.splitlines(), 20)
     return card.svg()
 
