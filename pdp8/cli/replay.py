@@ -102,9 +102,9 @@ def _leave(afternoon: "Afternoon", folder: str, html: str | None) -> None:
 
     command.put_all(folder, desk(afternoon).items())
     if html:
-        from pdp8.web.page import page
+        from pdp8.web.workbench import page
 
-        command.put(html, page(afternoon))
+        command.put(html, page(afternoon=afternoon))
 
 
 def _show(afternoon: "Afternoon", aside: bool) -> None:

@@ -37,7 +37,7 @@ def source(name: str) -> str:
 
 
 def module(name: str) -> str:
-    """Return a module, by its path from the house, such as pdp8/web/page or pal/isa."""
+    """Return a module, by its path from the house, such as pdp8/web/workbench or pal/isa."""
     python = translator.translated().get(name.replace("/", "."))
     return python if python is not None else source(f"{name.removeprefix(_HERE)}.mjs")
 

@@ -3,7 +3,7 @@
 // Coordinates are thousandths of an inch, Y upward, as the tape has them; `path` is a list of knots
 // [tick, x, y, down] between which the cutter goes straight; `down` says that the way to the knot was milled.
 
-import { upper } from "./afternoon.mjs";
+import { bisect_left as before } from "./translator/runtime.mjs";
 import { ROWS } from "../../tapes/hydrapoint.mjs";
 
 const PLATE = "#cfd2cf", RULER = "#e8e4d8", GROOVE = "#8f979b", FLOOR = "#a9b0b2";
@@ -26,8 +26,8 @@ export class Mill {
 
   /** Where the cutter is: {knot, x, y, down, block}; `knot` is the last one passed. */
   at(tick) {
-    const knot = Math.max(0, upper(this.times, tick) - 1);
-    const block = upper(this.starts, tick) - 1;
+    const knot = Math.max(0, before(this.times, tick + 1) - 1);
+    const block = before(this.starts, tick + 1) - 1;
     const [since, x, y] = this.path[knot];
     const following = this.path[knot + 1];
     if (!following || tick <= since) return { knot, x, y, down: false, block };
@@ -44,7 +44,7 @@ export class Mill {
 
   /** The row under the head of the Hydra-Point's reader, counted from the first that is punched. */
   row(tick) {
-    const block = upper(this.starts, tick) - 1;
+    const block = before(this.starts, tick + 1) - 1;
     if (block < 0) return 0;
     const { at, reading } = this.blocks[block];
     return block * ROWS + Math.min(ROWS - 1, Math.floor(((tick - at) / reading) * ROWS));

@@ -7,17 +7,22 @@
 // what happened. Its show(brightness), if it has one, writes what has changed; brightness is there while time goes on.
 // In HTML its section has data-pane, the name that ?embed= knows, and data-tab, if it is a tab of the desk.
 
-import { Clock, SPEEDS } from "./bench/clock.mjs";
+import { Afternoon } from "./bench/afternoon.mjs";
+import { Clock } from "./bench/clock.mjs";
 import { Debugger } from "./bench/debugger.mjs";
+import { Doors } from "./bench/doors.mjs";
 import { Editor } from "./bench/editor.mjs";
 import { Exercises } from "./bench/exercises.mjs";
+import { Figures } from "./bench/figures.mjs";
 import { History } from "./bench/history.mjs";
+import { keep, kept } from "./bench/kept.mjs";
 import { Mill } from "./bench/mill.mjs";
 import { address, opened } from "./bench/sharing.mjs";
 import { Shelf } from "./bench/shelf.mjs";
 import { Sound } from "./bench/sound.mjs";
 import { Switches } from "./bench/switches.mjs";
 import { Tabs } from "./bench/tabs.mjs";
+import { Time } from "./bench/time.mjs";
 import { Teletype } from "./bench/teletype.mjs";
 import { Until } from "./bench/until.mjs";
 import { Machine } from "../computer/machine.mjs";
@@ -41,13 +46,18 @@ class Bench {
     this.history = new History(this);
     this.until = new Until();
     this.tabs = new Tabs();
+    this.afternoon = new Afternoon(this);
     this.switches = new Switches(this);
     this.teletype = new Teletype(this);
     this.debug = new Debugger(this);
     this.mill = new Mill(this);
     this.editor = new Editor(this, record.source);
     this.exercises = new Exercises(this);
-    this.panes = [this.switches, this.teletype, this.debug, this.editor, this.exercises];
+    this.figures = new Figures(record.afternoon);
+    this.time = new Time(this);
+    this.doors = new Doors(this);
+    /** @type {any[]} */
+    this.panes = [this.afternoon, this.switches, this.teletype, this.debug, this.editor, this.mill, this.exercises, this.time];
     this.clock = new Clock(this, (brightness, stop) => this.#pictured(brightness, stop));
     this.#controls();
     this.tabs.changed = () => this.show();
@@ -56,6 +66,7 @@ class Bench {
 
   /** The machine was touched: keep it, show it, let it go on. */
   touched() {
+    this.afternoon.takeOver();
     const { machine } = this;
     machine.waiting.endless = false;
     if (machine.processor.run) this.why = "";
@@ -92,6 +103,7 @@ class Bench {
     const waits = machine.processor.run && machine.waiting.endless;
     const running = brightness && machine.processor.run && !waits ? brightness : undefined;
     for (const pane of this.panes) pane.show?.(brightness, running);
+    if (this.afternoon.on) return;
     writer.text(find("clock"), `${machine.elapsed.toFixed(3)} s`);
     const doing = !waits ? "runs" : machine._out_of_tape() ? "waits for tape" : "waits";
     writer.text(find("why"), machine.processor.run ? doing : this.why || "stands still");
@@ -100,6 +112,16 @@ class Bench {
   say(words) {
     this.why = words;
     this.show();
+  }
+
+  /** Say something to who listens, and in the time bar. */
+  tell(words) {
+    this.writer.text(find("said"), words);
+  }
+
+  /** Lay the listing of a program on the desk. */
+  lay(name, assembly) {
+    this.debug.listing.lay(assembly.lines);
   }
 
   /** Load eia.pal with a tape in the reader, and an empty punch: what the exercises begin with. */
@@ -118,11 +140,6 @@ class Bench {
   }
 
   #controls() {
-    find("speed").replaceChildren(...SPEEDS.map(([, label]) => new Option(label)));
-    find("speed").addEventListener("change", ({ target }) => {
-      this.clock.speed = SPEEDS[target.selectedIndex][0];
-      this.clock.wake();
-    });
     find("share").addEventListener("click", () => this.#share());
     find("save").addEventListener("click", () => this.download("pdp8.state", save(this.machine)));
     find("open").addEventListener("click", () => find("file").click());
@@ -160,6 +177,7 @@ class Bench {
   }
 
   #restore(text) {
+    this.afternoon.takeOver();
     this.machine = restore(text);
     this.history.begin();
     this.touched();
@@ -188,16 +206,13 @@ class Bench {
   remember() {
     clearTimeout(this.remembering);
     this.remembering = setTimeout(() => {
-      try {
-        localStorage.setItem(KEPT, this.editor.text);
-      } catch {
-        // a browser that keeps nothing for a page from disk
-      }
+      keep(KEPT, this.editor.text);
     }, 500);
   }
 
   /** Open what the address holds, or what this browser has kept. */
   async open() {
+    if (this.afternoon.asked()) return;
     try {
       const shared = await opened();
       if (shared) {
@@ -209,32 +224,25 @@ class Bench {
       this.say(`the link is damaged: ${error.message ?? error}`);
       return;
     }
-    const kept = this.#kept();
-    if (kept) this.#attempt(() => (this.editor.text = kept));
+    const stored = kept(KEPT);
+    if (stored) this.#attempt(() => (this.editor.text = stored));
     if (this.record.view) this.mill.cut(this.record.view);
-  }
-
-  #kept() {
-    try {
-      return localStorage.getItem(KEPT);
-    } catch {
-      return null;
-    }
+    if (this.record.door) this.doors.open(this.record.door);
   }
 }
 
-/** ?embed=PANE shows one pane alone, for a frame in another page; a name that no pane has shows them all. */
-function embed(pane) {
+/** ?embed=PANE,PANE shows these panes alone, and the time bar, for a frame in another page. */
+function embed(asked) {
   const sections = [...document.querySelectorAll("[data-pane]")];
-  if (!sections.some((section) => section.dataset.pane === pane)) return;
+  const panes = asked.split(",").filter((pane) => sections.some((section) => section.dataset.pane === pane));
+  if (!panes.length) return;
   document.body.classList.add("embed");
-  for (const section of sections) section.classList.toggle("out", section.dataset.pane !== pane);
+  for (const section of sections) section.classList.toggle("out", !panes.includes(section.dataset.pane));
+  bench.tabs.only(sections.filter((section) => panes.includes(section.dataset.pane)).map(({ id }) => id));
 }
 
 const bench = new Bench(await unpacked(find("record").textContent));
-const asked = new URLSearchParams(location.search).get("embed");
-if (asked !== null) embed(asked || "panel");
-if (asked && bench.tabs.has(asked)) bench.tabs.open(asked);
+embed(new URLSearchParams(location.search).get("embed") ?? "");
 bench.open();
 // For the curious, at the browser's console: workbench.machine.core[0o200] ...
 window.workbench = bench;

@@ -26,14 +26,6 @@ export function seconds(ticks) {
   return `${whole}.${parts.slice(0, 3)} ${parts.slice(3, 6)} ${parts.slice(6)} s`;
 }
 
-/** The time of day, `opens` seconds after midnight and a number of ticks: 1:41:40 pm. */
-export function clock(opens, ticks) {
-  const whole = Math.floor(opens + ticks / SECOND);
-  const hours = Math.floor(whole / 3600);
-  const [minutes, rest] = [Math.floor(whole / 60) % 60, whole % 60].map((part) => String(part).padStart(2, "0"));
-  return `${((hours + 11) % 12) + 1}:${minutes}:${rest} ${hours % 24 < 12 ? "am" : "pm"}`;
-}
-
 /** Text that may stand in HTML. */
 export function escaped(text) {
   return text.replace(/[&<>"]/g, (character) => `&#${character.charCodeAt(0)};`);

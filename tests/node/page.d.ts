@@ -22,6 +22,5 @@ interface Element extends HTMLOrSVGElement {}
 
 interface Window {
   curve: any;
-  replay: any;
   workbench: any;
 }

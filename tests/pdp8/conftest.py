@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from pdp8.replay import Afternoon, replay
-from pdp8.web.page import page
+from pdp8.web.workbench import page
 from tests.pdp8.web.chromium import CHROMIUM, launched
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ def circle() -> Afternoon:
 def circle_page(circle: Afternoon, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The circle's page on disk."""
     file = tmp_path_factory.mktemp("page") / "page.html"
-    file.write_text(page(circle), encoding="utf-8")
+    file.write_text(page(afternoon=circle), encoding="utf-8")
     return file
 
 

@@ -1,20 +1,35 @@
-// The bench's time: the machine runs while the page is looked at, and nothing is drawn while nothing can change.
+// The page's time: the machine runs while the page is looked at, and nothing is drawn while nothing can change.
 //
 //     awake ──► a picture, some times a second: run, sample the lamps, show ──► asleep when all stands still
 //
-// While the processor stands still or waits for ever no time passes, but for a character on its way in.
+// While the processor stands still or waits for ever no time passes, but for a character on its way in. In slow motion
+// the machine goes cycle by cycle. In the afternoon it is led by the script.
 
 import { lit } from "../brightness.mjs";
 import { Bus } from "../../computer/hardware/bus.mjs";
 import { Processor } from "../../computer/hardware/processor.mjs";
-import { TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
+import { CYCLE, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { FETCH } from "../../../pal/isa.mjs";
 import { Pictures } from "../pictures.mjs";
 
 const BUDGET = 24; // ms of computing for a picture
 const SLICES = 12; // of a picture, each with a look at the lamps
-/** @type {[number, string][]} */
-export const SPEEDS = [[1, "as it was"], [10, "10 times"], [100, "100 times"], [Infinity, "as fast as it goes"]];
+const SLOW = 0.01; // and slower: cycle by cycle
+const FORGETS = 0.15; // what a measured speed loses of the pictures before, a picture
+export const SPEEDS = [
+  [1e-6, "1 : 1 000 000, a cycle in 1.6 s"],
+  [1e-5, "1 : 100 000"],
+  [1e-4, "1 : 10 000"],
+  [1e-3, "1 : 1000"],
+  [1e-2, "1 : 100"],
+  [0.1, "1 : 10"],
+  [1, "as it was"],
+  [10, "10 times"],
+  [60, "a minute a second"],
+  [300, "5 minutes a second"],
+  [Infinity, "as fast as it goes"],
+];
+export const USUAL = 6;
 
 export class Clock {
   /** `show(brightness, stop)` is called after every picture; `stop` is how a run ended, if it ended. */
@@ -22,8 +37,10 @@ export class Clock {
     this.bench = bench;
     this.show = show;
     this.glimpse = new Glimpse();
+    this.due = 0; // ticks that have passed in slow motion and are not yet run
+    this.measured = 0; // how many times as fast as it was the machine has run
     this.pictures = new Pictures((passed, now) => this.#picture(passed, now), 1);
-    document.addEventListener("visibilitychange", () => document.hidden || this.wake());
+    document.addEventListener("visibilitychange", () => (document.hidden ? this.#leave() : this.#return()));
   }
 
   get speed() {
@@ -32,23 +49,68 @@ export class Clock {
 
   set speed(speed) {
     this.pictures.speed = speed;
+    this.measured = 0;
+  }
+
+  /** The speed that is kept, as measured: "17 x". */
+  get kept() {
+    const { measured } = this;
+    if (!measured) return "";
+    return measured >= 0.9 ? `${measured.toFixed(measured < 9.5 ? 1 : 0)} x` : `1 : ${Math.round(1 / measured)}`;
   }
 
   /** Something was touched: go on, from now. */
   wake() {
-    this.pictures.start();
+    if (!document.hidden) this.pictures.start();
   }
 
-  /** Show what the machine does in some milliseconds; return whether it goes on. */
+  /** The tab is hidden: the machine stops, and the tab says so. */
+  #leave() {
+    this.left = this.pictures.running ? performance.now() : 0;
+    if (!this.left) return;
+    this.pictures.stop();
+    this.title = document.title;
+    document.title = `Stopped: ${this.title}`;
+  }
+
+  #return() {
+    if (this.left) {
+      document.title = this.title;
+      const seconds = Math.round((performance.now() - this.left) / 1000);
+      this.bench.tell(`The tab was hidden; everything stood still for ${seconds} s.`);
+    }
+    this.left = 0;
+    this.wake();
+  }
+
+  /** Show what happens in some milliseconds; return whether it goes on. */
   #picture(passed, now) {
+    const { afternoon, machine } = this.bench;
+    const before = afternoon.on ? afternoon.position : machine.processor.clock;
+    const more = afternoon.on ? this.#led(passed, now) : this.#live(passed, now);
+    const ticks = (afternoon.on ? afternoon.position : this.bench.machine.processor.clock) - before;
+    const speed = ticks / SECOND / (passed / 1000);
+    if (ticks > 0 && passed > 0) this.measured += (speed - this.measured) * (this.measured ? FORGETS : 1);
+    return more && !document.hidden;
+  }
+
+  #led(passed, now) {
+    const { afternoon } = this.bench;
+    this.show(afternoon.pass(passed, this.speed, now + BUDGET), null);
+    return afternoon.on ? afternoon.playing : this.#moves();
+  }
+
+  #live(passed, now) {
     const { machine } = this.bench;
-    const ticks = Math.ceil((passed / 1000) * SECOND * Math.min(this.speed, SPEEDS[2][0]));
+    const ticks = (passed / 1000) * SECOND * this.speed;
     const shares = [];
     let stop = null;
-    if (machine.processor.run) stop = this.bench.history.together(() => this.#run(ticks, now, shares));
-    else if (this.#busy()) machine.wait(ticks / SECOND);
+    if (!machine.processor.run) {
+      if (this.#busy()) machine.wait(Math.min(ticks, SECOND) / SECOND);
+    } else if (this.speed <= SLOW) stop = this.#crawl(ticks, now);
+    else stop = this.bench.history.together(() => this.#run(Math.ceil(ticks), now, shares));
     this.show(machine.processor.run && shares.length ? mean(shares) : lit(machine), stop);
-    return !document.hidden && this.#moves();
+    return this.#moves();
   }
 
   /** Whether a character is on its way in. */
@@ -63,12 +125,26 @@ export class Clock {
     return machine.processor.run ? !machine.waiting.endless : this.#busy();
   }
 
+  /** Go on cycle by cycle for `ticks`; return how it ended, null if it goes on. */
+  #crawl(ticks, now) {
+    const { processor, watch } = this.bench.machine;
+    this.due += ticks;
+    while (this.due >= CYCLE && performance.now() - now < BUDGET) {
+      const { clock } = processor;
+      processor.cycle();
+      this.due -= processor.clock - clock;
+      if (!processor.run) return { reason: "halt" };
+      if (processor.next === FETCH && watch.breakpoints.has(processor.pc)) return { reason: "breakpoint" };
+    }
+    return null;
+  }
+
   /** Run for `ticks`, or at full speed as long as there is time; return how it ended, null if it goes on. */
   #run(ticks, now, shares) {
     const { machine, until } = this.bench;
     const { processor } = machine;
-    const end = this.speed === Infinity ? Infinity : processor.clock + ticks;
-    const slice = this.speed === Infinity ? SECOND / 30 : ticks / SLICES;
+    const end = processor.clock + ticks;
+    const slice = Math.min(SECOND / 30, ticks / SLICES);
     while (processor.clock < end && performance.now() - now < BUDGET) {
       const room = Math.max(1, Math.min(end - processor.clock, Math.ceil(slice * (0.5 + Math.random()))));
       const stop = until.run(machine, room);

@@ -26,6 +26,7 @@ export class Editor {
     });
     this.area.addEventListener("scroll", () => this.#scroll());
     this.area.addEventListener("keydown", (event) => this.#key(event));
+    find("run-it").addEventListener("click", () => this.run());
     find("assemble").addEventListener("click", () => this.assemble());
     find("load").addEventListener("click", () => this.load());
     find("boot").addEventListener("click", () => this.boot());
@@ -117,6 +118,7 @@ export class Editor {
 
   /** Put the words into core, and the switches and PC on the first of them from 0200 on. */
   load() {
+    this.bench.afternoon.takeOver();
     const { machine } = this.bench;
     machine.panel.stop();
     try {
@@ -129,9 +131,17 @@ export class Editor {
     this.#ready();
   }
 
+  /** Assemble, load and start; where it cannot be assembled, its errors are shown. */
+  run() {
+    if (!this.assemble()) return;
+    this.load();
+    this.bench.switches.press("start");
+  }
+
   /** Load as an operator does: RIM toggled in, RIM reads BIN, BIN reads the program's tape; at full speed. */
   boot() {
     const { bench } = this;
+    bench.afternoon.takeOver();
     const { machine } = bench;
     const { punch, reader } = machine.teletype;
     const kept = punch.on;

@@ -3,11 +3,12 @@
 import { TICKS_PER_SECOND } from "../../computer/hardware/signals.mjs";
 import { History as Past } from "../../computer/past/history.mjs";
 import * as rewind from "../../computer/past/rewind.mjs";
+import { EOB } from "../../../tapes/eia.mjs";
 
 const MEMORY = 32 << 20; // bytes
 const FAR = 3 * TICKS_PER_SECOND; // ticks that a step may take at most
 const GLANCE = 0.001; // seconds between two looks whether a character has passed
-const BACK = { cycle: rewind.cycles, instruction: rewind.instructions, character: rewind.characters };
+const BACK = { block: rewind.blocks, cycle: rewind.cycles, instruction: rewind.instructions, character: rewind.characters };
 
 export class History {
   constructor(bench) {
@@ -18,6 +19,11 @@ export class History {
   /** Begin again, with the machine as it stands. */
   begin() {
     this.past = new Past(this.bench.machine, MEMORY);
+  }
+
+  /** Record no more. */
+  end() {
+    this.past.close();
   }
 
   /** Let `work` do many runs that are kept as one; it returns how the last ended, null if by its limit. */
@@ -46,10 +52,20 @@ export class History {
     const { machine } = this.bench;
     if (unit === "cycle") return this.#cycle();
     if (unit === "instruction") return machine.run(null, 1).reason;
-    const [characters, end] = [this.#characters(), machine.processor.clock + FAR];
+    const characters = this.#characters();
+    if (unit === "character") return this.#until(FAR, () => this.#characters() !== characters);
+    const { punch } = machine.teletype;
+    const punched = punch.frames.length;
+    return this.#until(10 * FAR, () => punch.frames.slice(punched).includes(EOB));
+  }
+
+  /** Run until something has happened, for so many ticks at most. */
+  #until(ticks, happened) {
+    const { machine } = this.bench;
+    const end = machine.processor.clock + ticks;
     let reason;
     do reason = machine.run(GLANCE).reason;
-    while (reason === "limit" && this.#characters() === characters && machine.processor.clock < end);
+    while (reason === "limit" && !happened() && machine.processor.clock < end);
     return reason;
   }
 

@@ -8,7 +8,8 @@ import { FIELDS } from "../../../tapes/hydrapoint.mjs";
 import { pictured } from "./path.mjs";
 import { Pictures } from "../pictures.mjs";
 import { Sheet } from "../sheet.mjs";
-import { escaped, find, grouped, inches } from "../written.mjs";
+import { drawTape, meaning, tapeKey } from "../tape.mjs";
+import { escaped, find, grouped, inches, octal } from "../written.mjs";
 
 const TAKES = 20; // seconds in which a whole tape is cut on the page
 
@@ -18,7 +19,8 @@ export class Mill {
     this.drawing = null;
     this.current = new Current(find("blocks"));
     this.pictures = new Pictures((passed) => this.#picture(passed));
-    this.sheets = { whole: new Sheet(find("whole"), () => this.show()), close: new Sheet(find("close"), () => this.show()) };
+    const canvases = { whole: find("whole"), close: find("close"), tape: find("mill-reader").querySelector("canvas") };
+    this.sheets = Object.fromEntries(Object.entries(canvases).map(([name, canvas]) => [name, new Sheet(canvas, () => this.show())]));
     find("eia").addEventListener("change", ({ target }) => target.value && this.cut(target.value));
     find("at").addEventListener("input", ({ target }) => this.#go(Number(target.value)));
     find("run-mill").addEventListener("click", () => this.#run());
@@ -35,27 +37,42 @@ export class Mill {
   /** Put a tape of the shelf under the head, and show the whole of what it does. */
   cut(name) {
     this.name = name;
-    const { path, refusal } = carriedOut(this.bench.shelf.get(name).frames);
-    this.steps = path?.steps ?? [];
-    find("refusal").textContent = refusal;
-    this.drawing = this.steps.length ? new Drawing(pictured(path, this.bench.record.cutter)) : null;
-    find("eia").value = name;
-    find("blocks").innerHTML = `<ol>${this.steps.map((step) => row(step)).join("")}</ol>`;
-    this.current.light(null);
-    this.rows = [...find("blocks").querySelectorAll("li")];
+    const frames = this.bench.shelf.get(name).frames;
+    const { path, refusal } = carriedOut(frames);
+    this.lay(name, frames, path, refusal);
     this.bench.tabs.open("mill");
     this.#go(1);
   }
 
-  /** Go to a part, 0 to 1, of the time that the tape takes. */
+  /** Show the path of a tape: what of it is cut, and what is still to come; `nominal` is the curve, if it is known. */
+  lay(name, frames, path, refusal = "", nominal = null) {
+    if (this.path === path) return;
+    this.path = path;
+    this.name = name;
+    this.tape = { label: name, code: "eia", frames, first: frames.findIndex((frame) => frame !== 0) };
+    this.steps = path?.steps ?? [];
+    find("refusal").textContent = refusal;
+    this.drawing = this.steps.length ? new Drawing(pictured(path, this.bench.record.cutter, nominal)) : null;
+    find("eia").value = name;
+    find("blocks").innerHTML = `<ol>${this.steps.map((step) => row(step)).join("")}</ol>`;
+    this.current.light(null);
+    this.rows = [...find("blocks").querySelectorAll("li")];
+  }
+
+  /** Show it so many ticks after it began; before, it waits for its tape. */
+  follow(ticks) {
+    this.#go(ticks / this.drawing.end);
+  }
+
+  /** Go to a part, 0 to 1, of the time that the tape takes; before 0 nothing has begun. */
   #go(part) {
-    this.part = part;
+    this.part = Math.min(part, 1);
     find("at").value = String(part);
     this.show();
   }
 
   #run() {
-    if (this.part >= 1) this.part = 0;
+    if (this.part >= 1 || this.part < 0) this.part = 0;
     this.pictures.start();
   }
 
@@ -72,14 +89,27 @@ export class Mill {
 
   show() {
     const { drawing, sheets, bench } = this;
-    if (!drawing) return;
-    const place = drawing.at(Math.floor(drawing.end * this.part));
-    const key = `${this.name} ${place.knot} ${place.x} ${place.y}`;
-    bench.writer.text(find("whole-label"), this.#where(place));
+    if (!drawing || find("mill").hidden) return;
+    const started = this.part >= 0;
+    const tick = Math.floor(drawing.end * this.part);
+    const place = started ? drawing.at(tick) : drawing.first();
+    const key = `${this.name} ${place.knot} ${place.x} ${place.y} ${started}`;
+    bench.writer.text(find("whole-label"), started ? this.#where(place) : `waits for its tape: ${this.steps.length} blocks`);
     bench.writer.text(find("close-label"), drawing.circle ? roundness(drawing.circle) : "close by, squares of .010 in");
-    sheets.whole.draw(key, (context, ...size) => drawWhole(context, drawing, place, true, ...size));
-    sheets.close.draw(key, (context, ...size) => drawClose(context, drawing, place, true, ...size));
+    sheets.whole.draw(key, (context, ...size) => drawWhole(context, drawing, place, started, ...size));
+    sheets.close.draw(key, (context, ...size) => drawClose(context, drawing, place, started, ...size));
+    this.#tape({ ...this.tape, head: this.tape.first + (started ? drawing.row(tick) : 0) });
     this.current.light(this.rows[place.block] ?? null);
+  }
+
+  /** The tape under the head of the Hydra-Point's reader. */
+  #tape(view) {
+    const { bench, sheets } = this;
+    const frame = view.frames[view.head];
+    const says = `frame ${grouped(view.head)} of ${grouped(view.frames.length)}: ${octal(frame, 3)} ${meaning(frame, "eia")}`;
+    bench.writer.text(find("mill-reader").querySelector(".name"), says);
+    bench.writer.label(find("mill-reader").querySelector("canvas"), `${view.label}, ${says}`);
+    sheets.tape.draw(tapeKey(view), (context, ...size) => drawTape(context, view, ...size));
   }
 }
 

@@ -5,15 +5,17 @@ import { TICKS_PER_SECOND } from "../../computer/hardware/signals.mjs";
 
 const CUTTING = [MoveKind.MILL, MoveKind.FEED_IN, MoveKind.FEED_OUT];
 
-/** What is drawn of a path: blocks and knots [tick, x, y, whether it cut on the way], a circle's band. */
-export function pictured({ steps, read_seconds }, cutter) {
+/** What is drawn of a path: blocks and knots [tick, x, y, whether it cut on the way]; the band about the circle that it
+ *  follows, or about the curve `nominal`: {points, tolerance}.
+ */
+export function pictured({ steps, read_seconds, tool_change_seconds }, cutter, nominal) {
   const reading = Math.round(read_seconds * TICKS_PER_SECOND);
   const path = [[0, 0, 0, false]];
   const blocks = [];
   let now = 0;
-  for (const { moves } of steps) {
+  for (const { moves, tool_changed: changed } of steps) {
     blocks.push({ at: Math.round(now), reading });
-    now += reading;
+    now += reading + (changed ? tool_change_seconds * TICKS_PER_SECOND : 0);
     if (moves.length) path.push([Math.round(now), moves[0].start.x, moves[0].start.y, false]);
     for (const { kind, end, seconds } of moves) {
       now += seconds * TICKS_PER_SECOND;
@@ -21,7 +23,8 @@ export function pictured({ steps, read_seconds }, cutter) {
     }
   }
   const circle = followed(steps);
-  return { blocks, path, diameter: cutter, band: circle && band(circle), circle, end: now };
+  const outlines = nominal ? beside(nominal) : circle && band(circle);
+  return { blocks, path, diameter: cutter, band: outlines, circle, end: now };
 }
 
 const TOLERANCE = 5; // thousandths, half the width of the band
@@ -56,4 +59,14 @@ function band({ x, y, radius }) {
     return [x + (radius + offset) * Math.cos(angle), y + (radius + offset) * Math.sin(angle)];
   });
   return { inner: outline(-TOLERANCE), nominal: outline(0), outer: outline(TOLERANCE) };
+}
+
+/** The curve through points and its two limits, at right angles to the way between the neighbours of each point. */
+function beside({ points, tolerance }) {
+  const limit = (offset) => points.map(([x, y], index) => {
+    const [[x0, y0], [x1, y1]] = [points[index - 1] ?? points[index], points[index + 1] ?? points[index]];
+    const long = Math.hypot(x1 - x0, y1 - y0) || 1;
+    return [x + ((y1 - y0) / long) * offset, y - ((x1 - x0) / long) * offset];
+  });
+  return { inner: limit(-tolerance), nominal: points, outer: limit(tolerance) };
 }

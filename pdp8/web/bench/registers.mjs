@@ -1,6 +1,6 @@
 // The registers in octal, the flags and the time; PC, L and AC can be written. And what comes next, in words.
 
-import { STATES } from "../../../pal/isa.mjs";
+import { autoindexed, DCA, DEFER, EXECUTE, ISZ, JMS, STATES } from "../../../pal/isa.mjs";
 import { instruction } from "../../computer/use/trace.mjs";
 import { inWords } from "../meaning.mjs";
 import { find, grouped, octal, seconds } from "../written.mjs";
@@ -8,7 +8,7 @@ import { find, grouped, octal, seconds } from "../written.mjs";
 export class Registers {
   constructor(bench) {
     this.bench = bench;
-    this.cells = new Map([...find("registers").children].map((row) => [row.dataset.register, row.lastElementChild]));
+    this.cells = new Map([...find("registers").firstElementChild.children].map((row) => [row.dataset.register, row.lastElementChild]));
     for (const input of find("registers").querySelectorAll("input")) {
       input.addEventListener("change", () => this.#write(input));
     }
@@ -33,12 +33,14 @@ export class Registers {
       AC: octal(machine.ac),
       MA: octal(processor.ma),
       MB: octal(processor.mb),
+      IR: processor.ir,
       state: STATES[processor.state],
       ION: processor.ion ? "on" : "off",
       "reader flag": teletype.receiver.flag ? "up" : "down",
       "printer flag": teletype.transmitter.flag ? "up" : "down",
+      core: wrote(processor) ? `${octal(processor.ma)} ← ${octal(processor.mb)}` : "–",
       instructions: grouped(processor.instructions),
-      "since START": seconds(machine.ticks),
+      "since START": processor.started ? seconds(machine.ticks) : "–",
       next: `${instruction(processor.pc, next)}: ${inWords(next, processor.pc)}`,
     };
   }
@@ -50,6 +52,13 @@ export class Registers {
   }
 
   #set(name, word) {
+    this.bench.afternoon.takeOver();
     this.bench.machine[{ PC: "pc", AC: "ac", L: "link" }[name]] = word;
   }
+}
+
+/** Whether the last cycle wrote the word at MA. */
+function wrote({ state, ir, ma, protect }) {
+  if (state === EXECUTE) return [ISZ, DCA, JMS].includes(ir) && !protect;
+  return state === DEFER && autoindexed(ma);
 }

@@ -1,6 +1,6 @@
 // The panel's switches and keys, by mouse, touch and keyboard, and the RIM loader's card beside them.
 //
-//     0 to 7          an octal digit into the switches, from the right      S L D E C T   START, LOAD ADD, DEP, EXAM, CONT, STOP
+//     0 to 7          an octal digit into the switches, from the right      S L D E C T W   START, LOAD ADD, DEP, EXAM, CONT, STOP, in words
 
 import { RIM, RIM_START } from "../../computer/use/operator.mjs";
 import { Panel } from "../panel.mjs";
@@ -12,7 +12,7 @@ const LETTERS = { s: "start", l: "load add", d: "dep", e: "exam", c: "cont", t: 
 export class Switches {
   constructor(bench) {
     this.bench = bench;
-    this.panel = new Panel(find("computer"), true);
+    this.panel = new Panel(find("computer"));
     this.panel.rockers.forEach((rocker, bit) => {
       rocker.addEventListener("click", () => this.set(bench.machine.processor.sr ^ (0o4000 >> bit)));
     });
@@ -23,20 +23,18 @@ export class Switches {
 
   show(brightness) {
     const { machine } = this.bench;
-    this.panel.show(machine, null, brightness);
-    for (const [name, down] of [["sing step", machine.processor.sing_step], ["mem prot", machine.processor.mem_prot]]) {
-      const key = this.panel.keys.get(name);
-      if (key.ariaChecked !== String(Boolean(down))) key.ariaChecked = String(Boolean(down));
-    }
+    this.panel.show(machine, this.bench.afternoon.on ? this.bench.afternoon.pressed : null, brightness);
   }
 
   /** Set the switch register. */
   set(word) {
+    this.bench.afternoon.takeOver();
     this.bench.machine.processor.sr = word & 0o7777;
     this.bench.touched();
   }
 
   press(name) {
+    this.bench.afternoon.takeOver();
     const { panel, processor } = this.bench.machine;
     if (name === "sing step") processor.sing_step ^= 1;
     else if (name === "mem prot") processor.mem_prot ^= 1;
@@ -45,12 +43,12 @@ export class Switches {
     if (processor.run && (name === "start" || name === "cont")) this.bench.started(name);
     this.card.pressed(name);
     this.bench.touched();
-    this.panel.say(this.bench.machine);
   }
 
   #key(event) {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     if (/^[0-7]$/.test(event.key)) this.set((this.bench.machine.processor.sr << 3) | Number(event.key));
+    else if (event.key.toLowerCase() === "w") this.panel.speak();
     else if (LETTERS[event.key.toLowerCase()]) this.press(LETTERS[event.key.toLowerCase()]);
     else return;
     event.preventDefault();
@@ -72,7 +70,15 @@ class Card {
     find("drill").addEventListener("click", () => this.#start());
   }
 
+  /** Lay the card open, and practise. */
+  practise() {
+    find("card").querySelector("details").open = true;
+    if (this.drill < 0) this.#start();
+    find("computer").querySelector(".rocker").focus();
+  }
+
   #toggle() {
+    this.bench.afternoon.takeOver();
     const { machine } = this.bench;
     machine.panel.stop();
     machine.processor.mem_prot = 0;

@@ -22,7 +22,18 @@ export class Tabs {
     return this.panes.has(id);
   }
 
+  /** Show these panes alone, and of the tabs theirs. */
+  only(ids) {
+    const tabs = [...this.list.children];
+    for (const tab of tabs) tab.hidden = !ids.includes(tab.dataset.opens);
+    const shown = tabs.filter((tab) => !tab.hidden);
+    this.list.hidden = shown.length < 2;
+    this.list.parentElement.hidden = !shown.length;
+    if (shown.length) this.open(shown[0].dataset.opens);
+  }
+
   open(opened) {
+    if (this.list.parentElement.hidden) return;
     for (const [id, pane] of this.panes) pane.hidden = id !== opened;
     for (const tab of this.list.children) {
       const chosen = tab.dataset.opens === opened;
@@ -35,6 +46,7 @@ export class Tabs {
   #key(event) {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!step) return;
+    event.preventDefault();
     const tabs = [...this.list.children];
     const next = tabs[(tabs.indexOf(event.target) + step + tabs.length) % tabs.length];
     this.open(next.dataset.opens);

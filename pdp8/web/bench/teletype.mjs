@@ -8,6 +8,7 @@ import { bytes } from "../translator/runtime.mjs";
 import { Sheet } from "../sheet.mjs";
 import { drawTape, meaning, tapeKey } from "../tape.mjs";
 import { find, grouped, octal } from "../written.mjs";
+import { BLOCK, blockAt } from "./block.mjs";
 import { codeOf } from "./shelf.mjs";
 
 const BELL = 0o7;
@@ -30,8 +31,17 @@ export class Teletype {
   }
 
   show() {
-    this.#page();
+    const { afternoon, machine } = this.bench;
+    if (afternoon.on) this.named(afternoon.mounted.name, afternoon.mounted.code);
+    this.terminal = afternoon.terminal;
+    this.#page(this.terminal?.frames ?? machine.teletype.printer.frames);
     this.#tapes();
+  }
+
+  /** Call the tape in the reader by its name. */
+  named(name, code) {
+    this.name = name;
+    this.code = code ?? "bin";
   }
 
   #clear() {
@@ -41,16 +51,16 @@ export class Teletype {
   }
 
   /** Type what has been printed since the last look. */
-  #page() {
-    const { frames } = this.bench.machine.teletype.printer;
-    if (frames.length < this.taken) this.#clear();
+  #page(frames) {
+    if (frames.length < this.taken || Boolean(this.terminal) !== this.typed) this.#clear();
     else if (frames.length === this.taken && this.drawn === this.taken) return;
+    this.typed = Boolean(this.terminal);
     for (; this.taken < frames.length; this.taken++) this.#type(printed(bytes([frames[this.taken]])).decode("ascii"));
     this.drawn = this.taken;
     this.lines = this.lines.slice(-LINES);
     find("paper").firstElementChild.textContent = this.lines.join("\n");
     find("paper").scrollTop = find("paper").scrollHeight;
-    if (this.taken > ROLL) this.#tearPaper();
+    if (this.taken > ROLL && !this.bench.afternoon.on) this.#tearPaper();
   }
 
   /** Tear off the paper that has been shown, or hours of printing would fill the memory. No step leads back to it. */
@@ -75,6 +85,7 @@ export class Teletype {
 
   #keyboard() {
     const press = (key) => {
+      this.bench.afternoon.takeOver();
       this.bench.machine.teletype.keyboard.press(sent(key));
       this.bench.touched();
     };
@@ -104,12 +115,14 @@ export class Teletype {
   #levers() {
     const { bench } = this;
     find("lever").addEventListener("click", () => {
+      bench.afternoon.takeOver();
       const { reader } = bench.machine.teletype;
       reader.lever(!reader.on);
       this.leverWaits = false;
       bench.touched();
     });
     find("punch-on").addEventListener("click", () => {
+      bench.afternoon.takeOver();
       const { punch } = bench.machine.teletype;
       punch.on = !punch.on;
       bench.touched();
@@ -137,9 +150,9 @@ export class Teletype {
    */
   mount(name) {
     const { code, frames } = this.bench.shelf.get(name);
+    this.bench.afternoon.takeOver();
     const { reader } = this.bench.machine.teletype;
-    this.name = name;
-    this.code = code;
+    this.named(name, code);
     if (reader.on && !this.bench.machine.processor.run) {
       reader.lever(false);
       this.leverWaits = true;
@@ -156,6 +169,7 @@ export class Teletype {
 
   /** Tear the punched tape off; it goes onto the shelf. Return its name. */
   tear() {
+    this.bench.afternoon.takeOver();
     const { punch } = this.bench.machine.teletype;
     const name = this.bench.shelf.put("punched", Uint8Array.from(punch.frames));
     punch.frames.clear();
@@ -166,21 +180,29 @@ export class Teletype {
   #tapes() {
     const { reader, punch } = this.bench.machine.teletype;
     const head = Math.max(0, reader.position - 1);
-    this.#tape("reader", { frames: reader.tape, head, code: this.code, label: this.name }, reader.loaded);
-    const code = codeOf(punch.frames);
-    this.#tape("punch", { frames: punch.frames, head: punch.frames.length - 1, code, label: "", punching: true }, true);
-    this.#switch("lever", "Reader", reader.on ? "START" : "STOP", reader.on);
-    this.#switch("punch-on", "Punch", punch.on ? "ON" : "OFF", punch.on);
+    const read = { frames: reader.tape, head, code: this.code, label: this.name };
+    const frames = this.terminal?.frames ?? punch.frames;
+    const punched = { frames, head: frames.length - 1, code: codeOf(frames), label: this.terminal?.name ?? "", punching: true };
+    this.#tape("reader", read, reader.loaded);
+    this.#tape("punch", punched, true);
+    this.#block(this.terminal ? punched : reader.loaded ? read : null);
+    this.#lever("lever", "Reader", reader.on ? "START" : "STOP", reader.on ? "STOP" : "START");
+    this.#lever("punch-on", "Punch", punch.on ? "ON" : "OFF", punch.on ? "OFF" : "ON");
     const empty = !punch.frames.length;
     for (const id of ["tear", "store", "to-mill"]) if (find(id).disabled !== empty) find(id).disabled = empty;
   }
 
-  #switch(id, whose, position, on) {
-    const button = find(id);
-    if (button.textContent === position) return;
-    button.textContent = position;
-    button.ariaLabel = `${whose} ${position}`;
-    button.ariaChecked = String(on);
+  /** A lever says where it goes when it is pressed; its name says where it stands, too. */
+  #lever(id, whose, stands, goes) {
+    this.bench.writer.text(find(id), id === "lever" ? `Lever to ${goes}` : `Punch ${goes}`);
+    this.bench.writer.label(find(id), `${whose} ${stands}: ${find(id).textContent}`);
+  }
+
+  /** The block that is passing: its fields, the digits read so far dark. */
+  #block(tape) {
+    const shown = tape && (tape.code === "ascii" || tape.code === "eia") ? blockAt(tape) : null;
+    if (find("block").hidden !== !shown) find("block").hidden = !shown;
+    if (shown) this.bench.writer.fill(find("block"), BLOCK, ...shown);
   }
 
   #tape(which, view, loaded) {

@@ -450,6 +450,9 @@ class Expressions(Types):
                     return f"Math.{name}({self.all(args)})"
             case (("min" | "max"), [_, _, *_]):
                 return f"$.{name}([{self.all(args)}]{self._keywords(node, name, 1)})"
+            case "isinstance", [value, ast.BinOp(left, ast.BitOr(), right)]:
+                either = [ast.Call(node.func, [value, kind], []) for kind in (left, right)]
+                return f"({' || '.join(map(self.e, either))})"
             case "type", [value]:
                 return f"{self.e(value)}.constructor"
             case "super", _:

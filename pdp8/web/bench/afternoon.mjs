@@ -1,0 +1,296 @@
+// The afternoon: a script of the operator's hands (pdp8/replay/day.py) that leads the page's machine to any instant.
+//
+//     Day, once, in slices ──► Script ──► bench.machine at `position`          `on`: the script leads the machine
+//                                          touched: taken over, it is yours    `way`: what leads back to the script
+//
+// Positions are in ticks of 0.05 µs since one o'clock; in slow motion they have parts.
+
+import { clock, Day, Judgement, Kind } from "../../replay/day.mjs";
+import { Script } from "../../replay/script.mjs";
+import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
+import { decode } from "../../../tapes/ascii.mjs";
+import { dict } from "../translator/runtime.mjs";
+import { instructionAt } from "../meaning.mjs";
+import { over } from "../brightness.mjs";
+import { READABLE } from "../pictures.mjs";
+import { escaped, find } from "../written.mjs";
+import { codeOf } from "./shelf.mjs";
+
+const SAID = 8 * SECOND; // how long the operator's last action is shown
+const PRESSED = 0.4 * SECOND; // how long a key shows as pressed
+const FINE = 4000; // steps of the slider: about half a pixel
+const STEP = 5 * SECOND; // of a play as fast as it goes
+const TASK = 12; // ms of computing, until the page has its turn
+const [READER, PRINTER] = [0o6031, 0o6041]; // KSF and TSF
+const TABS = { terminal: "mill", mill: "mill", inspect: "figures" };
+
+export class Afternoon {
+  constructor(bench) {
+    this.bench = bench;
+    this.script = null;
+    this.rehearsed = null; // when it is there
+    this.on = this.playing = false;
+    this.position = 0;
+    this.way = "";
+    find("slider").addEventListener("input", ({ target }) => this.#drag(Number(target.value)));
+    find("slider").addEventListener("change", () => this.#drop());
+    find("link").addEventListener("click", () => this.#copyLink());
+    find("next-act").addEventListener("click", () => this.act(1));
+    find("previous-act").addEventListener("click", () => this.act(-1));
+    find("acts").addEventListener("click", ({ target }) => {
+      const mark = target.closest("[data-act]");
+      if (mark) this.go(this.script.day.acts[mark.dataset.act].starts);
+    });
+    find("next").addEventListener("click", ({ target }) => target.dataset.return !== undefined && this.back());
+    addEventListener("hashchange", () => this.asked());
+    this.#mode();
+  }
+
+  /** Go to the instant that the address names, #t=SECONDS; return whether it names one. */
+  asked() {
+    const named = /^#t=(\d+(?:\.\d+)?)$/.exec(location.hash);
+    if (named && location.hash !== this.address) this.#begin(Number(named[1]) * SECOND);
+    return Boolean(named);
+  }
+
+  /** Play it from one o'clock. */
+  async watch() {
+    await this.#begin(0);
+    this.bench.time.choose("character");
+    this.bench.time.setSpeed(60);
+    this.play(true);
+  }
+
+  async #begin(tick) {
+    this.bench.doors.close();
+    await this.#rehearse();
+    this.go(tick);
+  }
+
+  /** Let the day pass once, a slice at a time: the snapshots that lead to any instant are made. */
+  #rehearse() {
+    this.rehearsed ??= this.#day();
+    return this.rehearsed;
+  }
+
+  async #day() {
+    const { record: { afternoon: { part, found } }, shelf } = this.bench;
+    const sources = dict(["rim.pal", "bin.pal", "eia.pal"].map((name) => [name, shelf.get(name).frames]));
+    const text = decode(shelf.get(`${part}.asc`).frames);
+    const script = new Script(new Day(part, text, sources, () => new Judgement(...found)));
+    this.bench.tell("The afternoon is done once, to be had at any instant …");
+    let began = performance.now();
+    const rehearsal = script.rehearse();
+    while (!rehearsal.next().done) {
+      if (performance.now() - began < TASK) continue;
+      await new Promise((done) => setTimeout(done));
+      began = performance.now();
+    }
+    this.#lay(script);
+  }
+
+  #lay(script) {
+    this.script = script;
+    const { acts } = script.day;
+    const end = acts.at(-1).ends;
+    find("slider").max = end;
+    find("acts").innerHTML = acts.map((act, index) => mark(act, index, (act.ends - act.starts) / end)).join("");
+    this.codes = new Map(script.day.tapes.items().map(([name, frames]) => [name, codeOf(frames)]));
+  }
+
+  /** Go to an instant, in ticks, and show it. */
+  async go(tick) {
+    if (!this.script) return this.#begin(tick);
+    if (!this.on) this.#lead();
+    this.script.to(Math.floor(Math.min(tick, this.script.end)));
+    this.#arrived();
+  }
+
+  /** The script leads the machine. */
+  #lead() {
+    const { bench } = this;
+    bench.history.end();
+    bench.until.over();
+    this.on = true;
+    this.program = null;
+    bench.machine = this.script.machine;
+    this.#mode();
+  }
+
+  #mode() {
+    document.body.classList.toggle("afternoon", this.on);
+    document.querySelector(".rail").hidden = !this.on;
+    for (const button of document.querySelectorAll("[data-live=no]")) button.hidden = !this.on;
+  }
+
+  /** Somebody touches the machine: it is theirs, and stops if the afternoon stood still. */
+  takeOver() {
+    if (!this.on) return;
+    const { bench, script, playing } = this;
+    this.on = this.playing = false;
+    script.leave();
+    if (!playing) bench.machine.panel.stop();
+    this.way = `<button class="text" data-return>Back to the afternoon, ${clock(script.now)}</button>`;
+    this.address = null;
+    if (location.hash.startsWith("#t=")) history.replaceState(null, "", location.href.replace(/#.*/, ""));
+    bench.teletype.named(script.mounted, this.codes.get(script.mounted));
+    bench.history.begin();
+    this.#mode();
+    bench.why = `You have taken over at ${clock(script.now)}`;
+  }
+
+  /** Go on with the script from where it was left. */
+  back() {
+    this.go(this.script.now);
+  }
+
+  /** Go on (1) or back (-1) by a unit. */
+  step(unit, direction) {
+    this.play(false);
+    if (direction > 0) this.script.next(unit);
+    else this.script.previous(unit);
+    this.#arrived();
+  }
+
+  #arrived() {
+    this.position = this.script.now;
+    this.bench.show();
+    if (!this.playing) this.#say();
+  }
+
+  /** The instant stands still: say it to who listens, and let the address name it. */
+  #say() {
+    clearTimeout(this.saying);
+    this.saying = setTimeout(() => {
+      if (!this.on) return;
+      const { now, act } = this.script;
+      this.bench.tell(`${clock(now)}, ${act.name}. ${this.bench.switches.panel.words}`);
+      this.address = `#t=${now / SECOND}`;
+      history.replaceState(null, "", this.address);
+    }, 150);
+  }
+
+  play(on) {
+    if (on === this.playing) return;
+    if (on && this.script.now >= this.script.end) this.go(0);
+    this.playing = on;
+    if (on) this.bench.clock.wake();
+    else this.#arrived();
+  }
+
+  /** Let time pass at a speed, until `late` at most; return the lamps' brightness. */
+  pass(milliseconds, speed, late) {
+    const { script } = this;
+    if (speed === Infinity) {
+      while (performance.now() < late && this.position < script.end) script.to((this.position += STEP));
+    } else this.position += (milliseconds / 1000) * SECOND * speed;
+    const brightness = over(script.machine, script.now, Math.floor(this.position), (tick) => script.to(tick));
+    if (this.position >= script.end) this.play(false);
+    return brightness;
+  }
+
+  /** Go to the beginning of the act before (-1), or of this one if it is under way; or of the next (1). */
+  act(direction) {
+    if (!this.on) return;
+    const { acts } = this.script.day;
+    const { act, now, end } = this.script;
+    const index = acts.indexOf(act);
+    if (direction > 0) this.go(acts[index + 1]?.starts ?? end);
+    else this.go(now - act.starts > SECOND ? act.starts : acts[Math.max(0, index - 1)].starts);
+  }
+
+  /** The slider is dragged: a play waits until it is let go. */
+  #drag(tick) {
+    this.dragged ??= this.playing;
+    this.play(false);
+    this.go(tick);
+  }
+
+  #drop() {
+    if (this.dragged) this.play(true);
+    this.dragged = undefined;
+  }
+
+  /** Copy the address of this instant; where the browser does not let a page do that, show it. */
+  async #copyLink() {
+    const link = location.href.replace(/#.*/, "") + `#t=${this.script.now / SECOND}`;
+    try {
+      await navigator.clipboard.writeText(link);
+      find("link").textContent = "Copied";
+    } catch {
+      prompt("The address of this instant:", link);
+    }
+    setTimeout(() => (find("link").textContent = "Copy link"), 1500);
+  }
+
+  /** The key that is being pressed. */
+  get pressed() {
+    const { now, action } = this.script;
+    return action && now - action.at < PRESSED ? action.key : null;
+  }
+
+  /** What the terminal in Toronto has typed and punched, while it does; null otherwise. */
+  get terminal() {
+    if (!this.on || this.script.act.kind !== Kind.TERMINAL) return null;
+    const { day, now } = this.script;
+    return { name: `${day.part}.asc`, frames: day.tapes.get(`${day.part}.asc`).slice(0, Math.floor(now / FRAME)) };
+  }
+
+  /** The tape in the Teletype's reader: its name and code. */
+  get mounted() {
+    const name = this.script.mounted;
+    return { name, code: this.codes.get(name) };
+  }
+
+  show(brightness) {
+    if (!this.on) return;
+    const { bench, script } = this;
+    const { act, now } = script;
+    const time = clock(now);
+    bench.writer.text(find("clock"), time);
+    if (Math.abs(find("slider").value - now) > script.end / FINE) find("slider").value = now;
+    if (time !== this.time) find("slider").setAttribute("aria-valuetext", `${time}, ${act.name}`);
+    this.time = time;
+    if (this.shown !== act || this.program === null) this.#open(act);
+    if (act.kind === Kind.MILL || act.kind === Kind.TERMINAL) bench.mill.follow(now - script.day.mill_starts);
+    if (brightness && performance.now() - this.written < READABLE) return;
+    this.written = performance.now();
+    bench.writer.text(find("why"), act.name);
+    bench.writer.html(find("next"), this.#caption(act));
+  }
+
+  /** An act begins: what belongs to it lies open on the desk. */
+  #open(act) {
+    const { bench, script: { day } } = this;
+    this.shown = act;
+    this.program = act.program;
+    [...find("acts").children].forEach((each, index) => each.classList.toggle("now", day.acts[index] === act));
+    if (act.program) bench.lay(act.program, day.programs.get(act.program));
+    const tape = `${day.part}.eia`;
+    bench.mill.lay(tape, day.tapes.get(tape), day.path, "", bench.record.afternoon.nominal);
+    bench.tabs.open(TABS[act.kind] ?? "program");
+  }
+
+  #caption(act) {
+    const { action, machine, now } = this.script;
+    const fresh = action && action.at >= act.starts && now - action.at < SAID;
+    const doing = fresh ? action.say : waits(machine.processor);
+    return `<span><b>${escaped(act.name)}.</b> ${escaped(act.say)} <em>${escaped(doing)}</em></span> <small>Touch a switch, a key or a lever to take over.</small>`;
+  }
+}
+
+/** An act on the rail, as wide as its time; where there is no room, its number alone. */
+function mark({ name }, index, share) {
+  const inside = share > 0.07 ? ` ${escaped(name)}` : "";
+  return `<span data-act="${index}" style="flex-grow:${share}" title="${escaped(name)}"><b>${index + 1}</b>${inside}</span>`;
+}
+
+/** What a running processor is waiting for, in words. */
+function waits(processor) {
+  if (!processor.run) return "";
+  const { core } = processor;
+  const at = instructionAt(processor);
+  const around = [core[at], core[(at - 1) & 0o7777]];
+  if (around.includes(READER)) return "It waits for the reader.";
+  return around.includes(PRINTER) ? "It waits for the punch." : "";
+}
