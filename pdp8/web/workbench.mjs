@@ -8,6 +8,7 @@
 // In HTML its section has data-pane, the name that ?embed= knows, and data-tab, if it is a tab of the desk.
 
 import { Afternoon } from "./bench/afternoon.mjs";
+import { embed, enlargeable } from "./bench/alone.mjs";
 import { Clock } from "./bench/clock.mjs";
 import { Debugger } from "./bench/debugger.mjs";
 import { Doors } from "./bench/doors.mjs";
@@ -231,18 +232,9 @@ class Bench {
   }
 }
 
-/** ?embed=PANE,PANE shows these panes alone, and the time bar, for a frame in another page. */
-function embed(asked) {
-  const sections = [...document.querySelectorAll("[data-pane]")];
-  const panes = asked.split(",").filter((pane) => sections.some((section) => section.dataset.pane === pane));
-  if (!panes.length) return;
-  document.body.classList.add("embed");
-  for (const section of sections) section.classList.toggle("out", !panes.includes(section.dataset.pane));
-  bench.tabs.only(sections.filter((section) => panes.includes(section.dataset.pane)).map(({ id }) => id));
-}
-
 const bench = new Bench(await unpacked(find("record").textContent));
-embed(new URLSearchParams(location.search).get("embed") ?? "");
+embed(bench.tabs);
+enlargeable();
 bench.open();
 // For the curious, at the browser's console: workbench.machine.core[0o200] ...
 window.workbench = bench;

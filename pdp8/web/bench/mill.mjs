@@ -5,6 +5,7 @@ import { drawClose, drawWhole, Mill as Drawing } from "../cutter.mjs";
 import { TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { CutError, cut } from "../../../nc/machine.mjs";
 import { FIELDS } from "../../../tapes/hydrapoint.mjs";
+import { BLOCK, blockAt } from "./block.mjs";
 import { pictured } from "./path.mjs";
 import { Pictures } from "../pictures.mjs";
 import { Sheet } from "../sheet.mjs";
@@ -109,6 +110,7 @@ export class Mill {
     const says = `frame ${grouped(view.head)} of ${grouped(view.frames.length)}: ${octal(frame, 3)} ${meaning(frame, "eia")}`;
     bench.writer.text(find("mill-reader").querySelector(".name"), says);
     bench.writer.label(find("mill-reader").querySelector("canvas"), `${view.label}, ${says}`);
+    bench.writer.fill(find("mill-block"), BLOCK, ...(blockAt(view) ?? []));
     sheets.tape.draw(tapeKey(view), (context, ...size) => drawTape(context, view, ...size));
   }
 }

@@ -1,4 +1,4 @@
-"""The page in a real browser, opened from disk."""
+"""The afternoon on the page, in a real browser, opened from disk."""
 
 import re
 from collections.abc import Iterator
@@ -9,7 +9,6 @@ import pytest
 
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.replay import Afternoon, clock
-from pdp8.web.bundle import script
 from tests.pdp8.web.browsing import AXE, needs_axe, serious, until
 from tests.pdp8.web.follower import Follower
 
@@ -27,8 +26,8 @@ def page(browser: "Browser", circle_page: Path) -> "Iterator[Page]":
     opened.on("console", lambda message: complaints.append(message.text))
     opened.on("pageerror", lambda error: complaints.append(str(error)))
     opened.on("request", lambda request: complaints.append(request.url) if _outside(request.url) else None)
-    opened.goto(circle_page.as_uri())
-    until(opened, "!!window.replay")
+    opened.goto(circle_page.as_uri() + "#t=0")
+    until(opened, "!!window.workbench?.afternoon.on")
     yield opened
     opened.close()
     assert complaints == []
@@ -39,11 +38,11 @@ def _outside(url: str) -> bool:
 
 
 def _now(page: "Page") -> int:
-    return int(page.evaluate("replay.afternoon.now"))
+    return int(page.evaluate("workbench.afternoon.script.now"))
 
 
 def _go(page: "Page", tick: int) -> None:
-    page.evaluate("(tick) => replay.page.go(tick)", tick)
+    page.evaluate("(tick) => workbench.afternoon.go(tick)", tick)
 
 
 def _translating(circle: Afternoon, seconds: float = 100.05) -> int:
@@ -51,18 +50,9 @@ def _translating(circle: Afternoon, seconds: float = 100.05) -> int:
     return lever + round(seconds * TICKS_PER_SECOND)
 
 
-def test_the_file_is_small_and_whole(circle_page: Path) -> None:
-    """Under 3 MB; nothing to fetch; every import resolved within."""
-    html = circle_page.read_text(encoding="utf-8")
-    assert len(html) < 3_000_000
-    assert not re.search(r"(?:src|href)=\"(?!data:)", html)
-    assert not re.search(r"^(?:import|export) ", script("page"), re.MULTILINE)
-
-
 def test_it_opens_at_one_o_clock(page: "Page") -> None:
     """The clock, the title, an empty machine."""
     assert page.locator("#clock").inner_text() == "1:00:00 pm"
-    assert page.title() == "An afternoon in 1971: circle"
     assert page.locator(".lamp.on").count() == 1  # FETCH
 
 
@@ -103,7 +93,7 @@ def test_the_lamps_are_the_processors(page: "Page", circle: Afternoon) -> None:
 def test_a_block_is_shown_by_its_fields(page: "Page", circle: Afternoon) -> None:
     """The first block under the head of the Hydra-Point: digits above their names."""
     _go(page, circle.mill_starts + round(1.95 * TICKS_PER_SECOND))
-    cells = page.locator("#block p > span").all()
+    cells = page.locator("#mill-block p > span").all()
     shown = {cell.locator("small").inner_text(): cell.locator("b").inner_text() for cell in cells}
     assert list(shown.items()) == [
         ("sequence", "001"), ("prep.", "0"), ("X", "19000"), ("Y", "00000"),
@@ -120,18 +110,15 @@ def test_registers_and_listing_stand_beside_the_lamps(page: "Page", circle: Afte
         follower.to(tick)
         _go(page, tick)
         machine = follower.machine
-        shown = dict(
-            zip(
-                page.locator("#registers dt").all_inner_texts(),
-                page.locator("#registers dd").all_inner_texts(),
-                strict=True,
-            )
-        )
+        shown = page.evaluate(_REGISTERS)
         assert (shown["L"], shown["AC"]) == (str(machine.link), f"{machine.ac:04o}")
         assert (shown["MA"], shown["MB"]) == (f"{machine.ma:04o}", f"{machine.mb:04o}")
-        lit = page.locator("#paper .now")
-        address = int(lit.locator(".address").inner_text(), 8)
-        assert int(lit.locator(".word").inner_text(), 8) == lines[address].word
+        address, word = page.locator("#lines .now button, #lines .now b").all_inner_texts()
+        assert int(word, 8) == lines[int(address, 8)].word
+
+
+_REGISTERS = """() => Object.fromEntries([...document.querySelectorAll("[data-register]")].map((row) =>
+  [row.dataset.register, row.querySelector("input")?.value ?? row.lastElementChild.textContent]))"""
 
 
 def test_every_button_and_choice_works(page: "Page", circle: Afternoon) -> None:
@@ -171,7 +158,7 @@ def test_every_button_and_choice_works(page: "Page", circle: Afternoon) -> None:
     assert _now(page) == 10**10
     page.locator("#speed").select_option(index=9)
     page.locator("#play").click()
-    until(page, "replay.afternoon.now > 1e10 + 20e6 * 10")
+    until(page, "workbench.afternoon.script.now > 1e10 + 20e6 * 10")
     page.locator("#play").click()
     stopped = _now(page)
     page.wait_for_timeout(200)
@@ -207,9 +194,9 @@ def test_every_key_works(page: "Page", circle: Afternoon) -> None:
     assert page.locator("#speed").evaluate("(select) => select.selectedIndex") == chosen - 1
     before = _now(page)
     press(" ")
-    until(page, f"replay.afternoon.now > {before}")
+    until(page, f"workbench.afternoon.script.now > {before}")
     press(" ")
-    assert not page.evaluate("replay.page.playing")
+    assert not page.evaluate("workbench.afternoon.playing")
 
 
 def test_slow_motion_goes_cycle_by_cycle(page: "Page", circle: Afternoon) -> None:
@@ -227,7 +214,7 @@ def test_the_link_to_an_instant(browser: "Browser", circle_page: Path) -> None:
     """#t=SECONDS opens the page at that instant of the afternoon."""
     opened = browser.new_page()
     opened.goto(circle_page.as_uri() + "#t=2500.5")
-    until(opened, "!!window.replay")
+    until(opened, "!!window.workbench?.afternoon.on")
     assert _now(opened) == 2500.5 * TICKS_PER_SECOND
     assert opened.locator("#clock").inner_text() == clock(_now(opened))
     opened.close()
@@ -236,13 +223,13 @@ def test_the_link_to_an_instant(browser: "Browser", circle_page: Path) -> None:
 def test_the_tapes_are_those_on_the_desk(page: "Page", circle: Afternoon) -> None:
     """The page's machine punches the very tape; the block and the frame under each head are named."""
     _go(page, circle.acts[4].ends - 1)
-    punched = page.evaluate("replay.afternoon.machine.teletype.punch.frames")
+    punched = page.evaluate("workbench.machine.teletype.punch.frames")
     assert bytes(punched) == circle.tapes["circle.eia"]
-    assert "13\u2009321 frames punched" in page.locator("#out-label").inner_text()
-    named = page.locator("#in-tape").get_attribute("aria-label")
-    assert named == "circle.asc, frame 17\u2009981 of 17\u2009982: 377 rubout"
+    assert "13\u2009321 frames" in page.locator("#punch .name").inner_text()
+    named = page.locator("#reader canvas").get_attribute("aria-label")
+    assert named == "the reader's tape, under the head: 377 rubout"
     _go(page, circle.mill_starts + round(1.95 * TICKS_PER_SECOND))
-    named = page.locator("#in-tape").get_attribute("aria-label")
+    named = page.locator("#mill-reader canvas").get_attribute("aria-label")
     assert named == "circle.eia, frame 20 of 13\u2009321: 200 carriage return"
 
 
@@ -253,13 +240,13 @@ def test_nothing_hangs_over_the_edge(page: "Page", circle: Afternoon, size: tupl
     for act in circle.acts:
         _go(page, (act.starts + act.ends) // 2)
         assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), act.name
-        box = page.locator("#transport").bounding_box()
+        box = page.locator("#time").bounding_box()
         assert box is not None
         assert box["y"] + box["height"] <= size[1] + 1
         assert page.evaluate(_CLIPPED) == [], act.name
 
 
-_CLIPPED = """() => [...document.querySelectorAll("#registers dd, #block span, .key small, #units span")]
+_CLIPPED = """() => [...document.querySelectorAll("#registers dd, .block span, .key small, #units span")]
   .filter((element) => element.checkVisibility() && element.scrollWidth > element.clientWidth + 1)
   .map((element) => element.textContent)"""
 
@@ -303,12 +290,13 @@ def test_everything_has_a_name(page: "Page", circle: Afternoon) -> None:
     _go(page, _translating(circle))
     nameless: list[Any] = page.evaluate(
         """() => [...document.querySelectorAll("button, input, select, canvas, section, [tabindex]")]
-          .filter((element) => !(element.getAttribute("aria-label") || element.labels?.length))
+          .filter((element) => !(element.ariaLabel || element.labels?.length || element.textContent.trim()))
+          .filter((element) => element.checkVisibility())
           .map((element) => element.outerHTML.slice(0, 80))"""
     )
     assert nameless == []
-    page.locator("#computer .spoken", has_text="memory").wait_for(state="attached")  # a frame later
-    spoken = page.locator("#computer .spoken").inner_text()
+    page.locator("#in-words").click()
+    spoken = page.locator("#computer .words p").inner_text()
     assert re.match(
         r"memory address [0-7]{4}, memory buffer [0-7]{4}, link [01], accumulator [0-7]{4}", spoken
     )
@@ -319,8 +307,8 @@ def test_one_line_is_current_whatever_sheet_comes_back(page: "Page", circle: Aft
     ends = [act.ends - 1 for act in circle.acts[:-1]]
     for tick in [*ends, *reversed(ends), *ends]:
         _go(page, tick)
-        assert page.locator("#paper .now").count() <= 1
-        assert page.locator("#paper [aria-current]").count() == page.locator("#paper .now").count()
+        assert page.locator("#lines .now").count() <= 1
+        assert page.locator("#lines [aria-current]").count() == page.locator("#lines .now").count()
 
 
 def test_the_address_names_the_instant(page: "Page") -> None:
@@ -345,18 +333,19 @@ def test_a_page_that_slept_does_not_jump(page: "Page") -> None:
         }"""
     )
     page.locator("#speed").select_option(index=8)
-    page.evaluate("replay.page.play(true)")
-    until(page, "replay.afternoon.now > 0")
-    page.evaluate("replay.page.play(false)")
+    page.evaluate("workbench.afternoon.play(true)")
+    until(page, "workbench.afternoon.script.now > 0")
+    page.evaluate("workbench.afternoon.play(false)")
     assert _now(page) <= 60 * 60 * TICKS_PER_SECOND / 4
-    page.evaluate("replay.page.play(true)")
+    page.evaluate("workbench.afternoon.play(true)")
     page.evaluate(
         """() => {
           Object.defineProperty(document, "hidden", { get: () => true });
           document.dispatchEvent(new Event("visibilitychange"));
         }"""
     )
-    assert not page.evaluate("replay.page.playing")
+    assert not page.evaluate("workbench.clock.pictures.running")
+    assert page.title() == "Stopped: PDP-8/L workbench"
 
 
 _LEVELS = """() => Object.fromEntries([...document.querySelectorAll("[data-lamp]")].map((lamp) =>
@@ -367,7 +356,7 @@ def test_lamps_are_as_bright_as_they_were_often_lit(page: "Page", circle: Aftern
     """While a character is awaited RUN is full, WORD COUNT dark, and some lamp of KSF, JMP .-1 between."""
     _go(page, _translating(circle))
     page.locator("#speed").select_option(index=6)
-    page.evaluate("replay.page.play(true)")
+    page.evaluate("workbench.afternoon.play(true)")
     page.wait_for_timeout(400)
     levels = page.evaluate(_LEVELS)
     assert levels["RUN"] == 1
@@ -380,16 +369,16 @@ def test_all_is_of_one_instant_when_a_play_is_halted(page: "Page", circle: After
     _go(page, _translating(circle))
     page.locator("#speed").select_option(index=6)
     for _ in range(5):
-        page.evaluate("replay.page.play(true)")
+        page.evaluate("workbench.afternoon.play(true)")
         page.wait_for_timeout(330)
-        page.evaluate("replay.page.play(false)")
+        page.evaluate("workbench.afternoon.play(false)")
         word, at = page.evaluate(
-            "(({ ma, pc, next }) => [ma, next % 3 ? pc - 1 : pc])(replay.afternoon.machine.processor)"
+            "(({ ma, pc, next }) => [ma, next % 3 ? pc - 1 : pc])(workbench.machine.processor)"
         )
         levels = page.evaluate(_LEVELS)
         assert [levels[f"MA{bit}"] for bit in range(12)] == [word >> (11 - bit) & 1 for bit in range(12)]
         assert page.locator("[data-register=MA] dd").inner_text() == f"{word:04o}"
-        assert page.locator("#paper .now .address").inner_text() == f"{at:04o}"
+        assert page.locator("#lines .now button").text_content() == f"{at:04o}"
 
 
 def test_a_lamp_is_full_or_dark_where_the_machine_stands(page: "Page", circle: Afternoon) -> None:
@@ -397,12 +386,12 @@ def test_a_lamp_is_full_or_dark_where_the_machine_stands(page: "Page", circle: A
     _go(page, _translating(circle))
     page.evaluate(
         """() => {
-          const { panel } = replay.page.scene;
+          const { panel } = workbench.switches;
           for (const [name, lamp] of panel.lamps) {
             panel.levels.set(name, 11);
             lamp.style.setProperty("--lit", 11 / 12);
           }
-          replay.page.scene.show();
+          workbench.show();
         }"""
     )
     names = "MA MB AC IR LINK FETCH DEFER EXECUTE ION PROTECT RUN"
@@ -432,12 +421,12 @@ def test_a_pane_alone_for_a_projector(page: "Page") -> None:
     page.locator("#computer .enlarge").click()
     assert page.locator("main > section:visible").count() == 1
     page.locator("#computer .enlarge").click()
-    assert page.locator("main > section:visible").count() == 4
+    assert page.locator("main > section:visible").count() == 5
 
 
 def test_a_play_waits_while_the_slider_is_dragged(page: "Page") -> None:
     """Held, it stays where it was put; let go, it plays on from there."""
-    page.evaluate("replay.page.play(true)")
+    page.evaluate("workbench.afternoon.play(true)")
     box = page.locator("#slider").bounding_box()
     assert box is not None
     page.mouse.move(box["x"] + box["width"] / 4, box["y"] + box["height"] / 2)
@@ -447,7 +436,7 @@ def test_a_play_waits_while_the_slider_is_dragged(page: "Page") -> None:
     page.wait_for_timeout(200)
     assert _now(page) == held > 0
     page.mouse.up()
-    until(page, f"replay.page.playing && replay.afternoon.now > {held}")
+    until(page, f"workbench.afternoon.playing && workbench.afternoon.script.now > {held}")
 
 
 @needs_axe
@@ -459,7 +448,7 @@ def test_axe_finds_nothing_serious(
     context = browser.new_context(color_scheme=scheme, bypass_csp=True)  # type: ignore[arg-type]
     opened = context.new_page()
     opened.goto(circle_page.as_uri())
-    until(opened, "!!window.replay")
+    until(opened, "!!window.workbench?.afternoon.on")
     opened.add_script_tag(path=AXE)
     for act in circle.acts:
         _go(opened, (act.starts + act.ends) // 2)

@@ -1,0 +1,32 @@
+// Some panes alone: for a frame in another page, by ?embed=PANE,PANE; one for a projector, by the button in its corner.
+
+const CORNER = `<svg viewBox="0 0 20 20" aria-hidden="true"><path d="M3 3h6v2H5v4H3zM11 15h4v-4h2v6h-6z"/></svg>`;
+
+/** Show the panes that the address asks for, with the time bar; all, where it asks for none that is there. */
+export function embed(tabs) {
+  const asked = (new URLSearchParams(location.search).get("embed") ?? "").split(",");
+  const sections = [...document.querySelectorAll("[data-pane]")];
+  const shown = sections.filter((section) => asked.includes(section.dataset.pane));
+  if (!shown.length) return;
+  document.body.classList.add("embed");
+  for (const section of sections) section.classList.toggle("out", !shown.includes(section));
+  tabs.only(shown.map(({ id }) => id));
+}
+
+/** Give the large panes a button that shows one alone, as large as the page, and all again. */
+export function enlargeable() {
+  for (const pane of document.querySelectorAll("#computer, #desk, #teletype")) {
+    const button = document.createElement("button");
+    button.className = "enlarge";
+    button.ariaLabel = `${pane.ariaLabel}: alone`;
+    button.ariaPressed = "false";
+    button.title = "This alone, or all";
+    button.innerHTML = CORNER;
+    button.addEventListener("click", () => {
+      const alone = pane.classList.toggle("alone");
+      document.querySelector("main").classList.toggle("one", alone);
+      button.ariaPressed = String(alone);
+    });
+    pane.append(button);
+  }
+}
