@@ -3,6 +3,7 @@
 import { octal } from "../written.mjs";
 
 const [START, CONT, STOP] = ["start", "cont", "stop"].map((name) => [name.toUpperCase(), `[data-key=${name}]`]);
+const AGAIN = ["Assemble and run", "#run-it"];
 const PAPER = ["Type", "#paper"];
 const TAPE = ["Choose a tape", "#shelf"];
 const LEVER = ["Lever to START", "#lever"];
@@ -21,7 +22,7 @@ export function next({ machine, why }) {
 /** @returns {[string, string[][]]} */
 function standing({ core, pc, sing_step: step }, why) {
   const said = why ? `${why}.` : "It stands still.";
-  if (!core.some((word) => word)) return [`${said} Core is empty.`, [["Assemble and run", "#run-it"]]];
+  if (!core.some((word) => word)) return [`${said} Core is empty.`, [AGAIN]];
   const goes = step ? "CONT does one cycle" : "CONT goes on";
-  return [`${said} START begins at ${octal(pc)}, ${goes}.`, [START, CONT]];
+  return [`${said} START begins at ${octal(pc)}, ${goes}.`, [START, CONT, AGAIN]];
 }

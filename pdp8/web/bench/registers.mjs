@@ -40,7 +40,7 @@ export class Registers {
       "printer flag": teletype.transmitter.flag ? "up" : "down",
       core: wrote(processor) ? `${octal(processor.ma)} ← ${octal(processor.mb)}` : "–",
       instructions: grouped(processor.instructions),
-      "since START": processor.started ? seconds(machine.ticks) : "–",
+      "since START": processor.instructions ? seconds(machine.ticks) : "–",
       next: `${instruction(processor.pc, next)}: ${inWords(next, processor.pc)}`,
     };
   }

@@ -37,13 +37,15 @@ WRITTEN = f"workbench.tabs.open('program'); {EDITOR}.open('a.pal', workbench.she
 ASSEMBLED = f"{WRITTEN} {EDITOR}.assemble(); {P}.core.fill(0);"
 WRONG = f"workbench.tabs.open('program'); {EDITOR}.text = '*200\\n\\tJMP X\\n$\\n'; {EDITOR}.assemble();"
 LOADED = f"{STAND} {ASSEMBLED} {EDITOR}.load(); workbench.tabs.open('debugger');"
-STEPPED = f"{LOADED} workbench.history.begin();" + "".join(
-    f" workbench.history.forward('{unit}');" for unit in ("character", "character", "instruction")
-)
-UNTIL = f"{LOADED} document.getElementById('where').value = '0203';"
+STEPPED = f"{LOADED} workbench.history.begin(); workbench.history.forward('instruction');"
+LIVE = "workbench.afternoon.play(false); workbench.afternoon.takeOver();"
+AFTERNOON = "workbench.afternoon.go(6e10);"
+OTHER_UNIT = "workbench.time.choose(workbench.time.unit === 'block' ? 'cycle' : 'block');"
+UNTIL = f"{LOADED} workbench.tabs.open('debugger'); document.getElementById('where').value = '0203';"
 LONG = f"{EDITOR}.text = '*200\\n' + '7000\\n'.repeat(90) + '$\\n'; {EDITOR}.assemble(); {EDITOR}.load();"
 CUT = "workbench.mill.cut('circle.eia');"
 PREPARED = f"[{TTY}.reader.loaded, workbench.mill.name, document.getElementById('mill').hidden]"
+COPIED = "window.copied = 0; navigator.clipboard.writeText = async () => { window.copied++; };"
 EXERCISES = "workbench.tabs.open('exercises');"
 
 
@@ -86,6 +88,12 @@ CONTROLS = {
     "[data-key='return']": Control(SENT),
     "[data-key='linefeed']": Control(SENT),
     "[data-key='rubout']": Control(SENT),
+    "#in-words": Control("workbench.switches.panel.speaking"),
+    ".enlarge": Control("document.querySelector('main').className", "document.querySelector('main.one .alone .enlarge')?.click();"),
+    ".skip": Control("location.hash", "location.hash = '';"),
+    "[data-door='afternoon']": Control("workbench.afternoon.playing", LIVE),
+    "[data-door='first']": Control(f"{P}.core[0o200]", STAND),
+    "[data-door='rim']": Control("workbench.switches.card.drill", "workbench.switches.card.drill = -1;"),
     "#sound": Control("workbench.sound.on", keys="Space"),
     "#lever": Control(f"{TTY}.reader.on"),
     "#shelf": Control(f"{TTY}.reader.tape.length", f"{TTY}.reader.remove();", "c"),
@@ -93,12 +101,13 @@ CONTROLS = {
     "#tear": Control(f"{TTY}.punch.frames.length", PUNCHED),
     "#store": Control("window.saved", PUNCHED + SAVED),
     "#to-mill": Control(f"{TTY}.punch.frames.length", PUNCHED),
-    "#speed": Control("workbench.clock.speed", "document.getElementById('speed').selectedIndex = 0;", "1"),
+    "#speed": Control("workbench.clock.speed", "document.getElementById('speed').selectedIndex = 0;", "a"),
     "#share": Control("location.hash", "history.replaceState(null, '', '#');"),
     "#save": Control("window.saved", SAVED),
     "#open": Control("window.chosen", CHOSEN),
     "[data-opens='program']": tab("program", "debugger", "ArrowLeft"),
     "[data-opens='debugger']": tab("debugger", "mill", "ArrowLeft"),
+    "[data-opens='figures']": tab("figures", "exercises", "ArrowRight"),
     "[data-opens='mill']": tab("mill", "debugger", "ArrowRight"),
     "[data-opens='exercises']": tab("exercises", "mill", "ArrowRight"),
     "#sources": Control(f"{EDITOR}.name", WRITTEN, "e"),
@@ -107,14 +116,12 @@ CONTROLS = {
     "#boot": Control(f"{P}.core[0o200]", ASSEMBLED),
     "#source": Control(f"{EDITOR}.text", WRITTEN, "a"),
     "#messages button": Control("document.getElementById('source').selectionStart", WRONG),
-    "[data-forward='cycle']": Control(f"{P}.clock", LOADED),
-    "[data-forward='instruction']": Control(f"{P}.clock", LOADED),
-    "[data-forward='character']": Control(f"{P}.clock", LOADED),
-    "[data-back='cycle']": Control(f"{P}.clock", STEPPED),
-    "[data-back='instruction']": Control(f"{P}.clock", STEPPED),
-    "[data-back='character']": Control(f"{P}.clock", STEPPED),
-    "#run": Control(f"{P}.clock", LOADED),
-    "#halt": Control(f"{P}.run", f"{LOADED} {P}.run = 1;"),
+    "#run-it": Control(f"{P}.core[0o200]", WRITTEN + STAND),
+    "#forward": Control(f"{P}.clock", LOADED),
+    "#back": Control(f"{P}.clock", STEPPED),
+    "#play": Control(f"{P}.clock", LOADED),
+    "#units input": Control("workbench.time.unit", OTHER_UNIT, "Space"),
+    "#next button": Control(f"{P}.clock", f"{LOADED} workbench.show();"),
     "#kind": Control(value("#kind"), "workbench.tabs.open('debugger');", "w"),
     "#where": Control(value("#where"), "workbench.tabs.open('debugger');", "7"),
     "#until button": Control(f"{P}.clock", UNTIL),
@@ -130,6 +137,10 @@ CONTROLS = {
     "#blocks": Control(
         scrolled("#blocks"), f"{CUT} document.getElementById('blocks').scrollTop = 0;", "PageDown"
     ),
+    "#previous-act": Control("workbench.afternoon.script.now", AFTERNOON),
+    "#next-act": Control("workbench.afternoon.script.now", AFTERNOON),
+    "#slider": Control("workbench.afternoon.script.now", AFTERNOON, "ArrowLeft"),
+    "#link": Control("window.copied", f"{AFTERNOON} {COPIED}"),
     "[data-prepare]": Control(PREPARED, f"{CUT} {EXERCISES} {TTY}.reader.remove();"),
     "[data-answer]": Control(every("[data-answer]", "value"), EXERCISES, "8"),
     "[data-check]": Control(every("[data-verdict]", "textContent"), EXERCISES),

@@ -56,7 +56,8 @@ def test_every_control_has_a_role_and_a_name(page: "Page") -> None:
 def test_every_control_works(tab: Tab, way: str) -> None:
     """What it is there for is seen to happen: some 100 controls in each browser, so it takes some seconds."""
     idle = []
-    tab.run(_ALL)
+    tab.run(f"workbench.afternoon.go(0); {_ALL}")
+    tab.until("workbench.afternoon.script")
     for selector, control in CONTROLS.items():
         count = tab.run(f"return document.querySelectorAll({json.dumps(selector)}).length")
         for which in range(min(count, _OF_A_FAMILY)):

@@ -454,3 +454,81 @@ def test_axe_finds_nothing_serious(
         _go(opened, (act.starts + act.ends) // 2)
         assert serious(opened) == [], act.name
     context.close()
+
+
+def _take_over(page: "Page", circle: Afternoon) -> int:
+    """Go to an instant of the translation, and flip a switch: the machine is the visitor's, and stands still."""
+    tick = _translating(circle, 1234.5678)
+    _go(page, tick)
+    page.locator(".rocker").first.click()
+    assert not page.evaluate("workbench.afternoon.on || workbench.machine.processor.run")
+    return tick
+
+
+def test_taken_over_and_finished(page: "Page", circle: Afternoon) -> None:
+    """A switch flipped, a word looked at, a step forward and back: CONT goes on to the right EIA tape."""
+    _take_over(page, circle)
+    assert "You have taken over at" in page.locator("#next").inner_text()
+    clock = page.evaluate("workbench.machine.processor.clock")
+    page.locator("#forward").click()
+    assert page.evaluate("workbench.machine.processor.clock") > clock
+    page.locator("#back").click()
+    page.locator("[data-opens=debugger]").click()
+    assert page.locator("#core input").first.input_value() == f"{circle.programs['eia.pal'].words[0o200]:04o}"
+    page.locator("#speed").select_option(label="as fast as it goes")
+    page.locator("[data-key=cont]").click()
+    until(page, "workbench.machine._out_of_tape()")
+    page.wait_for_timeout(200)
+    assert bytes(page.evaluate("workbench.machine.teletype.punch.frames")) == circle.tapes["circle.eia"]
+
+
+def test_back_to_the_afternoon(page: "Page", circle: Afternoon) -> None:
+    """What was done in between is undone: the machine is at the instant at which it was taken over."""
+    tick = _take_over(page, circle)
+    page.evaluate("workbench.machine.processor.deposit(0o200, 0); workbench.teletype.mount('hello.pal');")
+    page.locator("#next [data-return]").click()
+    assert _now(page) == tick
+    follower = Follower(circle)
+    follower.to(tick)
+    expected = {**follower.machine.panel.lamps._asdict(), "sr": follower.machine.sr}
+    assert page.evaluate(_LAMPS) == expected
+    assert page.evaluate("[...workbench.machine.processor.core]") == [*follower.machine.processor.core]
+
+
+def test_a_play_that_is_taken_over_runs_on(page: "Page", circle: Afternoon) -> None:
+    """Whoever touches a lever while it plays has a machine that runs."""
+    _go(page, _translating(circle))
+    page.locator("#speed").select_option(label="as it was")
+    page.locator("#play").click()
+    page.locator("#punch-on").click()
+    before = page.evaluate("workbench.machine.processor.clock")
+    until(page, f"workbench.machine.processor.clock > {before} + 1e6")
+    assert not page.evaluate("workbench.afternoon.on")
+
+
+def test_the_doors(page: "Page") -> None:
+    """Each leads where it says: the afternoon plays, a program prints, the drill waits for the first address."""
+    page.locator("[data-door=first]").click()
+    until(page, "document.querySelector('#paper pre').textContent.includes('HELLO')")
+    page.locator("[data-door=rim]").click()
+    assert "7756" in page.locator("#drill-says").inner_text()
+    page.locator("[data-door=afternoon]").click()
+    until(page, "workbench.afternoon.playing && workbench.afternoon.script.now > 0")
+
+
+def test_the_page_is_never_blocked(browser: "Browser", circle_page: Path) -> None:
+    """While the afternoon is prepared and played at its quickest there is no long task to speak of: the share
+    of those over 50 ms is small even on a machine with other work.
+    """
+    opened = browser.new_page()
+    opened.add_init_script(
+        "window.tasks = []; new PerformanceObserver((list) => tasks.push(...list.getEntries().map((e) => e.duration)))"
+        ".observe({ type: 'longtask', buffered: true });"
+    )
+    opened.goto(circle_page.as_uri() + "#t=0")
+    until(opened, "!!window.workbench?.afternoon.on")
+    opened.locator("#speed").select_option(label="as fast as it goes")
+    opened.locator("#play").click()
+    until(opened, "!workbench.afternoon.playing")
+    print(opened.evaluate("[tasks, performance.now()]"))
+    opened.close()

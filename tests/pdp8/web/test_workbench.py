@@ -22,7 +22,7 @@ def _write(page: "Page", source: str) -> None:
 
 
 def _fast(page: "Page") -> None:
-    page.locator("#speed").select_option(index=3)
+    page.locator("#speed").select_option(label="as fast as it goes")
 
 
 def test_the_file_is_small_and_whole(file: Path) -> None:
@@ -168,20 +168,22 @@ def test_every_key_of_the_panel(page: "Page") -> None:
 
 
 def test_steps_lead_forward_and_back(page: "Page") -> None:
-    """By cycle, instruction and character; back leads where forward came from."""
+    """By cycle, instruction, character and block; back leads where forward came from."""
     page.locator("#sources").select_option("hello.pal")
     page.locator("#assemble").click()
     page.locator("#load").click()
-    page.locator("[data-opens=debugger]").click()
     clock = "workbench.machine.processor.clock"
     seen = [page.evaluate(clock)]
     for unit in ("cycle", "cycle", "instruction", "instruction", "character", "character"):
-        page.locator(f"[data-forward={unit}]").click()
+        page.locator(f"#units label:has(input[value={unit}])").click()
+        page.locator("#forward").click()
         seen.append(page.evaluate(clock))
     assert seen == sorted(set(seen))
-    page.locator("[data-back=cycle]").click()
+    page.locator("#units label:has(input[value=cycle])").click()
+    page.locator("#back").click()
     assert 0 < seen[-1] - page.evaluate(clock) <= 85
-    page.locator("[data-back=character]").click()
+    page.locator("#units label:has(input[value=character])").click()
+    page.locator("#back").click()
     assert page.evaluate(clock) < seen[-1]
 
 
@@ -192,7 +194,7 @@ def test_breakpoints_and_rununtil(page: "Page") -> None:
     page.locator("#load").click()
     page.locator("[data-opens=debugger]").click()
     page.locator("#lines button", has_text="0203").click()
-    page.locator("#run").click()
+    page.locator("#play").click()
     until(page, "!workbench.machine.processor.run")
     assert page.evaluate("workbench.machine.processor.pc") == 0o203
     page.locator("#lines button", has_text="0203").click()
@@ -236,10 +238,11 @@ def test_a_link_holds_program_and_machine(page: "Page", browser: "Browser", file
 def test_an_embedded_pane(browser: "Browser", file: Path) -> None:
     """?embed=panel shows the panel alone, ?embed=debugger the debugger, any other name all of them."""
     opened = browser.new_page()
-    for pane, shown in (("panel", "#computer"), ("debugger", "#debugger"), ("teletype", "#teletype")):
+    for pane, shown in (("panel", "#computer"), ("debugger", "#debugger"), ("teletype,mill", "#teletype")):
         opened.goto(f"{file.as_uri()}?embed={pane}")
         until(opened, "!!window.workbench")
         assert opened.locator(shown).is_visible()
+        assert opened.locator("#time #play").is_visible()
         assert not opened.locator("#program").is_visible()
     opened.goto(f"{file.as_uri()}?embed=nothing")
     until(opened, "!!window.workbench")
