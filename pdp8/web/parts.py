@@ -38,7 +38,12 @@ def _declared(part: Part) -> dict[str, Any]:
 def _option(option: click.Parameter) -> dict[str, Any]:
     found: dict[str, Any] = {"name": option.name}
     if isinstance(option, click.Option):
-        found |= {"default": option.default, "help": option.help, "spelling": option.opts[0].removeprefix("--"), "flag": option.is_flag}
+        found |= {
+            "default": option.default,
+            "help": option.help,
+            "spelling": option.opts[0].removeprefix("--"),
+            "flag": option.is_flag,
+        }
     match option.type:
         case click.Choice(choices=choices):
             found["choices"] = list(choices)

@@ -86,6 +86,7 @@ export class Clock {
   /** Show what happens in some milliseconds; return whether it goes on. */
   #picture(passed, now) {
     const { afternoon, machine } = this.bench;
+    if (afternoon.on && !afternoon.playing) return false;
     const before = afternoon.on ? afternoon.position : machine.processor.clock;
     const more = afternoon.on ? this.#led(passed, now) : this.#live(passed, now);
     const ticks = (afternoon.on ? afternoon.position : this.bench.machine.processor.clock) - before;
@@ -134,7 +135,8 @@ export class Clock {
       processor.cycle();
       this.due -= processor.clock - clock;
       if (!processor.run) return { reason: "halt" };
-      if (processor.next === FETCH && watch.breakpoints.has(processor.pc)) return { reason: "breakpoint" };
+      const reached = watch.breakpoints.has(processor.pc) || watch.called(processor);
+      if (processor.next === FETCH && reached) return { reason: "breakpoint" };
     }
     return null;
   }

@@ -89,7 +89,10 @@ CONTROLS = {
     "[data-key='linefeed']": Control(SENT),
     "[data-key='rubout']": Control(SENT),
     "#in-words": Control("workbench.switches.panel.speaking"),
-    ".enlarge": Control("document.querySelector('main').className", "document.querySelector('main.one .alone .enlarge')?.click();"),
+    ".enlarge": Control(
+        "document.querySelector('main').className",
+        "document.querySelector('main.one .alone .enlarge')?.click();",
+    ),
     ".skip": Control("location.hash", "location.hash = '';"),
     "[data-door='afternoon']": Control("workbench.afternoon.playing", LIVE),
     "[data-door='first']": Control(f"{P}.core[0o200]", STAND),
