@@ -16,18 +16,20 @@ import click
 from rich.console import Console
 from rich.table import Table
 
-from pdp8.replay import replay
-from pdp8.web import page, workbench
+from pdp8.web import workbench
 from tests.pdp8.web.chromium import launched
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, CDPSession
 
-_GO = """([kind, speed]) => {
-  const act = replay.afternoon.acts.find((act) => act.kind === kind);
-  replay.page.go(act.from + 100 * replay.SECOND);
-  document.getElementById("speed").selectedIndex = speed;
-  replay.page.play(speed >= 0);
+_GO = """async ([kind, speed]) => {
+  const { afternoon } = workbench;
+  await afternoon.go(0);
+  const act = afternoon.script.day.acts.find((each) => each.kind === kind);
+  afternoon.go(act.starts + 2e9);
+  if (!speed) return;
+  workbench.time.setSpeed(speed);
+  afternoon.play(true);
 }"""
 _TRANSLATE = """(tab) => {
   workbench.tabs.open(tab);
@@ -40,18 +42,18 @@ _WAIT = """() => {
   workbench.editor.load();
   workbench.switches.press("start");
 }"""
-_PAUSED, _AS_IT_WAS, _QUICKEST = -1, 6, 9
+_PAUSED, _AS_IT_WAS, _QUICKEST = 0, 1, 300
 
-CASES: dict[str, tuple[str, str, object]] = {
-    "replay, paused": ("circle", _GO, ["translate", _PAUSED]),
-    "replay as it was, translation": ("circle", _GO, ["translate", _AS_IT_WAS]),
-    "replay as it was, Hydra-Point": ("circle", _GO, ["mill", _AS_IT_WAS]),
-    "replay at its quickest, translation": ("circle", _GO, ["translate", _QUICKEST]),
-    "replay at its quickest, Hydra-Point": ("circle", _GO, ["mill", _QUICKEST]),
-    "workbench, standing still": ("workbench", "() => {}", None),
-    "workbench, waiting for a key": ("workbench", _WAIT, None),
-    "workbench as it was, translation": ("workbench", _TRANSLATE, "program"),
-    "workbench as it was, with its debugger": ("workbench", _TRANSLATE, "debugger"),
+CASES: dict[str, tuple[str, object]] = {
+    "afternoon, paused": (_GO, ["translate", _PAUSED]),
+    "afternoon as it was, translation": (_GO, ["translate", _AS_IT_WAS]),
+    "afternoon as it was, Hydra-Point": (_GO, ["mill", _AS_IT_WAS]),
+    "afternoon at its quickest, translation": (_GO, ["translate", _QUICKEST]),
+    "afternoon at its quickest, Hydra-Point": (_GO, ["mill", _QUICKEST]),
+    "workbench, standing still": ("() => {}", None),
+    "workbench, waiting for a key": (_WAIT, None),
+    "workbench as it was, translation": (_TRANSLATE, "program"),
+    "workbench as it was, with its debugger": (_TRANSLATE, "debugger"),
 }
 
 
@@ -78,11 +80,10 @@ def share(browser: "Browser", file: Path, script: str, given: object, seconds: f
 def measured(seconds: float) -> Iterator[tuple[str, float]]:
     """Yield what was done and its share."""
     with tempfile.TemporaryDirectory() as folder, launched() as browser:
-        files = {"circle": page.page(replay("circle")), "workbench": workbench.page()}
-        for name, html in files.items():
-            (Path(folder) / f"{name}.html").write_text(html, encoding="utf-8")
-        for label, (name, script, given) in CASES.items():
-            yield label, share(browser, Path(folder) / f"{name}.html", script, given, seconds)
+        file = Path(folder) / "page.html"
+        file.write_text(workbench.page(), encoding="utf-8")
+        for label, (script, given) in CASES.items():
+            yield label, share(browser, file, script, given, seconds)
 
 
 @click.command()

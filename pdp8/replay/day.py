@@ -95,8 +95,8 @@ class Judgement(NamedTuple):
 class Day:
     """The afternoon while it happens, for the part program `part` that printed `text`.
 
-    `sources` holds PROGRAMS, {name: source}; `judge` inspects the path that was cut; `tell` hears of every act
-    as it is done.
+    `sources` holds PROGRAMS, {name: source}; `judge` inspects the path that was cut; `tell` hears of every
+    act as it is done.
     """
 
     def __init__(

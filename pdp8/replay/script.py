@@ -251,7 +251,7 @@ class Script:
 
 
 def go_on(machine: Machine, until: int) -> None:
-    """Go on to the last cycle that ends at tick `until` or before; a machine that stands still lets time pass."""
+    """Go on to the last cycle that ends at tick `until` or before; standing still, let time pass."""
     p = machine.processor
     while p.run and p.next != FETCH and p.clock + CYCLE <= until:
         p.cycle()

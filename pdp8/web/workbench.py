@@ -1,4 +1,4 @@
-"""The one page: the whole machine live, every bundled tape and program at hand, and the afternoon that plays on it.
+"""The one page: the whole machine live, every bundled tape at hand, and the afternoon that plays on it.
 
 shelf ──► record (JSON: tapes, a program, the BIN loader)  ┐
 Afternoon ──► what was measured, and the thesis's figures  │

@@ -354,7 +354,7 @@ def test_step_back_shows_what_happened(page: "Page") -> None:
     assert "cannot be undone: the history goes back 0" in page.locator("#why").inner_text()
 
 
-@pytest.mark.parametrize("speed", ("1 : 100", "as it was", *_QUICK))
+@pytest.mark.parametrize("speed", ["1 : 100", "as it was", *_QUICK])
 def test_no_breakpoint_is_passed(page: "Page", speed: str) -> None:
     """On the first word that a JMS leads to, at every speed; START on one stops. The message names it."""
     _load(page, "*200\n\tJMS 210\n\tHLT\n*210\n\t0\n\tJMP I 210\n$\n", speed)
