@@ -122,7 +122,7 @@ def offset_path(
 
 
 def _slopes(heights: list[float]) -> list[float]:
-    """Return the slope at each of three heights or more: half the way between its neighbours, or a parabola's."""
+    """Return the slope at each of three heights or more: that of its neighbours, at the ends a parabola's."""
     a, b, c = heights[:3]
     x, y, z = heights[-3:]
     inner = [(there - here) / 2 for here, there in zip(heights, heights[2:], strict=False)]

@@ -1,36 +1,46 @@
 """y = f(x) as a command takes it: sin(x)/x, 0.2*x*(x-2)*(x-6).
 
-LANGUAGE says what it has; capitals, as FORTRAN writes them, are the same. Python's parser makes a
-tree of it; each node of the tree that is listed here becomes a function, any other is refused with its
-column. Nothing is evaluated as Python.
+    sum       product + product - ...          LANGUAGE says what it has; capitals, as in FORTRAN, are the
+    product   factor * factor / ...            same. Signs and powers bind as in Python and FORTRAN:
+    factor    - factor, atom ** factor, atom   -x**2 is -(x**2), 2**3**x is 2**(3**x).
+    atom      number, name, (sum), name(sum)
+
+Each becomes a function of x; what cannot be read is refused with its column.
 """
 
-import ast
-import math
-import operator
 from collections.abc import Callable
-from typing import Final
+from math import (
+    acos,
+    asin,
+    atan,
+    cos,
+    cosh,
+    exp,
+    isfinite,
+    log,
+    pow,
+    sin,
+    sinh,
+    sqrt,
+    tan,
+    tanh,
+)
+from typing import Final, NoReturn
 
 from tapes.errors import WorkError
 
-FUNCTIONS: Final[dict[str, Callable[[float], float]]] = {
-    name: getattr(math, name)
-    for name in ("sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh")
-} | {"abs": abs}
-CONSTANTS: Final = {"pi": math.pi, "e": math.e}
+Function = Callable[[float], float]
+
+FUNCTIONS: Final[dict[str, Function]] = {
+    "sqrt": sqrt, "exp": exp, "log": log, "sin": sin, "cos": cos, "tan": tan, "asin": asin, "acos": acos,
+    "atan": atan, "sinh": sinh, "cosh": cosh, "tanh": tanh, "abs": abs,
+}  # fmt: skip
+CONSTANTS: Final = {"pi": 3.141592653589793, "e": 2.718281828459045}
 LANGUAGE: Final = f"numbers, x, {', '.join(CONSTANTS)}, + - * / ** ( ) and {', '.join(FUNCTIONS)}"
 
-_OPERATORS: Final[dict[type[ast.operator], Callable[[float, float], float]]] = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.truediv,
-    ast.Pow: math.pow,
-}
 _LONGEST = 500
 _LARGEST = 1e6
-
-Function = Callable[[float], float]
+_DIGITS = ".0123456789"
 
 
 def function(text: str) -> Function:
@@ -40,12 +50,10 @@ def function(text: str) -> Function:
     """
     if len(text) > _LONGEST:
         raise WorkError(f"expression of {len(text)} characters: at most {_LONGEST} are allowed")
+    text = text.strip()
     try:
-        text = text.strip()
-        inner = _node(_tree(text), text)
-    except OverflowError:
-        raise WorkError(f"a number of {text[:20]!r}... is too large") from None
-    except (RecursionError, MemoryError):
+        inner = _Reader(text).whole()
+    except RecursionError:
         raise WorkError(f"{text[:20]!r}... is nested too deeply") from None
 
     def value(x: float) -> float:
@@ -60,39 +68,117 @@ def function(text: str) -> Function:
     return value
 
 
-def _tree(text: str) -> ast.expr:
-    try:
-        return ast.parse(text.lower() if text.isascii() else text, mode="eval").body
-    except (SyntaxError, ValueError) as error:
-        column = getattr(error, "offset", None) or 1
-        raise WorkError(f"column {column}: {text!r} is not an expression in x: {LANGUAGE}") from None
+class _Reader:
+    """Reads an expression from left to right; `at` is the next character."""
 
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self._plain = f"{text.lower()} "
+        self._at = 0
 
-def _node(node: ast.expr, text: str) -> Function:
-    match node:
-        case ast.Constant(value=int() | float() as number) if not isinstance(number, bool):
-            constant = float(number)
-            return lambda x: constant
-        case ast.Name(id="x"):
+    def whole(self) -> Function:
+        found = self._sum()
+        if self._at < len(self._text):
+            self._refuse()
+        return found
+
+    def _sum(self) -> Function:
+        found = self._product()
+        while sign := self._taken("+") or self._taken("-"):
+            found = _joined(sign, found, self._product())
+        return found
+
+    def _product(self) -> Function:
+        found = self._factor()
+        while not self._follows("**") and (sign := self._taken("*") or self._taken("/")):
+            found = _joined(sign, found, self._factor())
+        return found
+
+    def _factor(self) -> Function:
+        if self._taken("+"):
+            return self._factor()
+        if self._taken("-"):
+            negated = self._factor()
+            return lambda x: -negated(x)
+        found = self._atom()
+        return _joined("**", found, self._factor()) if self._taken("**") else found
+
+    def _atom(self) -> Function:
+        self._skip()
+        start = self._at
+        if self._taken("("):
+            return self._closed()
+        while self._plain[self._at].isascii() and self._plain[self._at].isalpha():
+            self._at += 1
+        name = self._plain[start : self._at]
+        if name == "x":
             return lambda x: x
-        case ast.Name(id=name) if name in CONSTANTS:
+        if name in CONSTANTS:
             named = CONSTANTS[name]
             return lambda x: named
-        case ast.UnaryOp(op=ast.UAdd(), operand=operand):
-            return _node(operand, text)
-        case ast.UnaryOp(op=ast.USub(), operand=operand):
-            negated = _node(operand, text)
-            return lambda x: -negated(x)
-        case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATORS:
-            join, one, other = _OPERATORS[type(op)], _node(left, text), _node(right, text)
-            return lambda x: join(one(x), other(x))
-        case ast.Call(func=ast.Name(id=name), args=[argument], keywords=[]) if name in FUNCTIONS:
-            outer, inner = FUNCTIONS[name], _node(argument, text)
-            return lambda x: outer(inner(x))
-    said = ast.get_source_segment(text, node) or text
-    hint = (
-        "; a power is written **" if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitXor) else ""
-    )
-    raise WorkError(
-        f"column {node.col_offset + 1}: {said!r} is not in the language of expressions: {LANGUAGE}{hint}"
-    )
+        if name in FUNCTIONS and self._taken("("):
+            outer, argument = FUNCTIONS[name], self._closed()
+            return lambda x: outer(argument(x))
+        if name:
+            self._refuse(start)
+        return self._number()
+
+    def _closed(self) -> Function:
+        found = self._sum()
+        if not self._taken(")"):
+            self._refuse()
+        return found
+
+    def _number(self) -> Function:
+        start = self._at
+        self._digits()
+        power = self._at + (2 if self._plain[self._at + 1 : self._at + 2] in ("+", "-") else 1)
+        if self._at > start and self._plain[self._at] == "e" and self._plain[power : power + 1].isdigit():
+            self._at = power
+            self._digits()
+        try:
+            number = float(self._plain[start : self._at])
+        except ValueError:
+            self._refuse(start)
+        if not isfinite(number):
+            raise WorkError(f"a number of {self._text[start : start + 20]!r}... is too large")
+        return lambda x: number
+
+    def _digits(self) -> None:
+        while self._plain[self._at] in _DIGITS:
+            self._at += 1
+
+    def _skip(self) -> None:
+        while self._at < len(self._text) and self._text[self._at].isspace():
+            self._at += 1
+
+    def _follows(self, mark: str) -> bool:
+        self._skip()
+        return self._plain[self._at : self._at + len(mark)] == mark
+
+    def _taken(self, mark: str) -> str:
+        """Return the mark and go on behind it, "" if it does not follow."""
+        if not self._follows(mark):
+            return ""
+        self._at += len(mark)
+        return mark
+
+    def _refuse(self, start: int | None = None) -> NoReturn:
+        """Raise WorkError for what stands at `start`, or next."""
+        self._skip()
+        start = self._at if start is None else start
+        said = repr(self._text[start : max(self._at, start + 1)]) if start < len(self._text) else "the end"
+        hint = "; a power is written **" if said == "'^'" else ""
+        raise WorkError(f"column {start + 1}: {said} is not an expression in x: {LANGUAGE}{hint}")
+
+
+def _joined(sign: str, one: Function, other: Function) -> Function:
+    if sign == "+":
+        return lambda x: one(x) + other(x)
+    if sign == "-":
+        return lambda x: one(x) - other(x)
+    if sign == "*":
+        return lambda x: one(x) * other(x)
+    if sign == "/":
+        return lambda x: one(x) / other(x)
+    return lambda x: pow(one(x), other(x))

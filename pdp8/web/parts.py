@@ -25,7 +25,9 @@ def _declared(part: Part) -> dict[str, Any]:
     program = part.program()
     asked = [option for option in options.parameters(program) if option.name != _OURS]
     arguments = [
-        [name, hint.__name__, list(get_type_hints(hint))] if is_dataclass(hint) else [name]
+        [name, hint.__name__, list(get_type_hints(hint))]
+        if isinstance(hint, type) and is_dataclass(hint)
+        else [name]
         for name, hint in get_type_hints(program).items()
         if name != "return"
     ]

@@ -18,6 +18,7 @@ import { Figures } from "./bench/figures.mjs";
 import { History } from "./bench/history.mjs";
 import { keep, kept } from "./bench/kept.mjs";
 import { Mill } from "./bench/mill.mjs";
+import { Parts } from "./bench/parts.mjs";
 import { address, opened } from "./bench/sharing.mjs";
 import { Shelf } from "./bench/shelf.mjs";
 import { Sound } from "./bench/sound.mjs";
@@ -54,11 +55,12 @@ class Bench {
     this.mill = new Mill(this);
     this.editor = new Editor(this, record.source);
     this.exercises = new Exercises(this);
+    this.parts = new Parts(this);
     this.figures = new Figures(record.afternoon);
     this.time = new Time(this);
     this.doors = new Doors(this);
     /** @type {any[]} */
-    this.panes = [this.afternoon, this.switches, this.teletype, this.debug, this.editor, this.mill, this.exercises, this.time];
+    this.panes = [this.afternoon, this.switches, this.teletype, this.debug, this.editor, this.mill, this.exercises, this.parts, this.time];
     this.clock = new Clock(this, (brightness, stop) => this.#pictured(brightness, stop));
     this.#controls();
     this.tabs.changed = () => this.show();

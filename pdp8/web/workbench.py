@@ -13,9 +13,10 @@ from typing import Any
 import pal
 from nc.talyrond import talyrond
 from nc.talysurf import talysurf
+from pdp8.lessons import form, student
 from pdp8.replay import Afternoon, replay
 from pdp8.replay.figures import COLUMNS, compare
-from pdp8.web import bundle
+from pdp8.web import bundle, parts
 from programs.parts import PARTS
 from tapes import rim, shelf
 
@@ -49,6 +50,8 @@ def record(view: tuple[str, bytes] | None = None, afternoon: Afternoon | None = 
         "view": view[0] if view else "",
         "door": "afternoon" if afternoon else "",
         "afternoon": _afternoon(done),
+        "parts": parts.declared(),
+        "exercises": {name: student.whole(form.read(name)) for name in form.bundled()},
     }
 
 

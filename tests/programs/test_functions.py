@@ -80,7 +80,6 @@ def test_the_column_of_what_is_not_known_is_named() -> None:
         ("sqrt(x)", -1.0),
         ("log(x)", 0.0),
         ("10**400*x", 1.0),
-        ("1e400", 0.0),
         ("exp(x)", 14.0),
         ("x**0.5", -2),
     ],

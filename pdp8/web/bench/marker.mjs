@@ -37,10 +37,10 @@ function exercise({ title, task, program = {}, case: cases = [], question: quest
 /** The marks of a source: { right, points, of, marks, html }. */
 export function marks({ tables, name, source }) {
   const result = mark(exercise(tables), new Answer(name, undefined, undefined, source));
-  const { points, of, right, fault } = result;
-  const failed = result.marks.map(({ name, points, failures, hint }) => [
-    name, points, Array.from(failures, ({ what, happened }) => [what, happened]), hint,
+  const failed = result.marks.map((each) => [
+    each.name, each.points, Array.from(each.failures, ({ what, happened }) => [what, happened]), each.hint,
   ]);
+  const { right, points, of, fault } = result;
   return { right, points, of, fault, marks: failed, html: [...body(result)].join("\n") };
 }
 

@@ -83,6 +83,12 @@ export class Mill {
     return this.part < 1;
   }
 
+  /** How many blocks were cut, and how long it takes. */
+  get summary() {
+    const minutes = grouped(Math.round((this.drawing?.end ?? 0) / SECOND / 60));
+    return find("refusal").textContent || `${grouped(this.steps.length)} blocks are cut: ${minutes} minutes at the Hydra-Point.`;
+  }
+
   #where({ block, x, y }) {
     const minutes = grouped(Math.round((this.drawing.end * this.part) / SECOND / 60));
     return `${this.name}, block ${block + 1} of ${this.steps.length}: X ${inches(x)} Y ${inches(y)}, ${minutes} min`;

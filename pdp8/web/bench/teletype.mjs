@@ -168,10 +168,10 @@ export class Teletype {
   }
 
   /** Tear the punched tape off; it goes onto the shelf. Return its name. */
-  tear() {
+  tear(called = "punched") {
     this.bench.afternoon.takeOver();
     const { punch } = this.bench.machine.teletype;
-    const name = this.bench.shelf.put("punched", Uint8Array.from(punch.frames));
+    const name = this.bench.shelf.put(called, Uint8Array.from(punch.frames));
     punch.frames.clear();
     this.bench.touched();
     return name;

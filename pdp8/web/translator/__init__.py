@@ -24,7 +24,7 @@ from pathlib import Path
 from pdp8.web.translator.modules import translate
 
 MODULES = {
-    "tapes": "ascii binary eia errors frames hydrapoint kinds measure rim",
+    "tapes": "ascii binary eia errors expression frames hydrapoint kinds measure rim",
     "pal": "assembler assembling assembly assembly8 diagnostics dialects disassembler isa listing models"
     " notes pal8 portable punch source symbols symbols8 table watched",
     "pdp8.computer": "machine stop watch",
@@ -35,8 +35,8 @@ MODULES = {
     "pdp8.replay": "day script",
     "pdp8.lessons": "answer diagnosis exercise marking page scores trial values",
     "nc": "blocks machine notebook path",
-    "programs": "arithmetic circle die drill ellipse fluidic format function header milling piecewise polynomial"
-    " printout slope stepwise stretches units",
+    "programs": "arithmetic circle curve die drill ellipse fluidic format function header milling piecewise"
+    " polynomial printout slope stepwise stretches units",
 }
 """What is translated."""
 

@@ -473,7 +473,7 @@ const bits = (by) => (a, b) => {
 const [low_and, low_or, low_xor] = [bits((a, b) => a & b), bits((a, b) => a | b), bits((a, b) => a ^ b)];
 
 export const add = (a, b) => {
-  if (num(a) && num(b)) return a + b;
+  if (num(a) && (num(b) || b instanceof Rational)) return a + b;
   if (typeof a === "string" && typeof b === "string") return a + b;
   if (a?.__add__) return a.__add__(b);
   if (a instanceof Bytes) return EMPTY.join([a, b]);
@@ -481,7 +481,7 @@ export const add = (a, b) => {
 };
 export const sub = (a, b) => (a?.__sub__ ? a.__sub__(b) : a instanceof PySet || a instanceof Dict ? set([...a].filter((each) => !has(b, each))) : a - b);
 export const mul = (a, b) => {
-  if (num(a) && num(b)) return a * b;
+  if (num(a) && (num(b) || b instanceof Rational)) return a * b;
   if (a?.__mul__) return a.__mul__(b);
   const [of, times] = num(a) ? [b, Math.max(0, a)] : [a, Math.max(0, b)];
   if (typeof of === "string") return of.repeat(times);
@@ -852,7 +852,15 @@ export const sqrt = Math.sqrt;
 export const cos = Math.cos;
 export const sin = Math.sin;
 export const radians = (degrees) => degrees * (Math.PI / 180);
+export const acos = Math.acos;
+export const asin = Math.asin;
 export const atan = Math.atan;
+export const cosh = Math.cosh;
+export const exp = Math.exp;
+export const log = Math.log;
+export const sinh = Math.sinh;
+export const tan = Math.tan;
+export const tanh = Math.tanh;
 /** The whole root of a whole number, a BigInt, by Newton's steps from above. */
 export const isqrt = (of) => {
   const square = BigInt(of);
@@ -864,7 +872,7 @@ export const isqrt = (of) => {
   return root;
 };
 const gcd = (a, b) => (b ? gcd(b, a % b) : a);
-/** An exact quotient, in lowest terms. */
+/** An exact quotient, in lowest terms. At the left of it a number is a float, at its right a whole one. */
 class Rational {
   constructor(over, under) {
     const common = gcd(over, under) * (under < 0n ? -1n : 1n);

@@ -1,0 +1,131 @@
+// Part programs with the options of `pdp8 part`, through to the cut.
+//
+//     options ── part() ──► ASCII tape in the reader ── eia.pal ──► EIA tape on the punch ──► Hydra-Point
+//
+// The record's `parts` (pdp8/web/parts.py) say what is asked for.
+
+import * as circle from "../../../programs/circle.mjs";
+import * as curve from "../../../programs/curve.mjs";
+import * as die from "../../../programs/die.mjs";
+import * as drill from "../../../programs/drill.mjs";
+import * as ellipse from "../../../programs/ellipse.mjs";
+import * as fluidic from "../../../programs/fluidic.mjs";
+import { Header } from "../../../programs/header.mjs";
+import { Milling } from "../../../programs/milling.mjs";
+import * as polynomial from "../../../programs/polynomial.mjs";
+import * as slope from "../../../programs/slope.mjs";
+import { Unit } from "../../../programs/units.mjs";
+import { encode } from "../../../tapes/ascii.mjs";
+import { escaped, find, grouped } from "../written.mjs";
+
+const PROGRAMS = { circle, curve, die, drill, ellipse, fluidic, polynomial, slope };
+const RECORDS = { Header, Milling };
+const FRAMES_A_MINUTE = 600; // of the ASR-33
+
+/** What is kept for an option as it was typed; undefined: as it is by itself. */
+function kept({ choices, default: by_itself, flag, places, spelling, unit, whole }, typed) {
+  const text = typed || by_itself;
+  if (flag || choices || !text) return text;
+  try {
+    return unit ? new Unit(...unit).keep(text, whole ?? false) : places ? drill.places(text) : text;
+  } catch (error) {
+    throw new Error(`${spelling}: ${error.message}`, { cause: error });
+  }
+}
+
+/** The printout of a part, for options as they were typed, {name: text}. Throws what the command would say. */
+export function printout({ name, options, arguments: places }, typed) {
+  const values = Object.fromEntries(options.map((option) => [option.name, kept(option, typed[option.name])]));
+  const record = (kind, fields) => new RECORDS[kind](...fields.map((field) => values[field]));
+  return PROGRAMS[name].part(...places.map(([place, kind, fields]) => (kind ? record(kind, fields) : values[place])));
+}
+
+export class Parts {
+  constructor(bench) {
+    this.bench = bench;
+    this.translating = false;
+    find("part-name").replaceChildren(...bench.record.parts.map(({ name }) => new Option(name)));
+    find("part-name").addEventListener("change", () => this.#ask());
+    find("part").addEventListener("submit", (event) => {
+      event.preventDefault();
+      this.#punch();
+    });
+    find("part-translate").addEventListener("click", () => this.#translate());
+    find("part-cut").addEventListener("click", () => this.#cut());
+    this.#ask();
+  }
+
+  get part() {
+    return this.bench.record.parts[find("part-name").selectedIndex];
+  }
+
+  /** Show the options of the part that is chosen; those of milling and header behind a door. */
+  #ask() {
+    const shared = this.part.arguments.flatMap(([, , fields]) => fields ?? []);
+    const own = this.part.options.filter(({ name }) => !shared.includes(name));
+    const others = this.part.options.filter(({ name }) => shared.includes(name));
+    const more = others.length ? `<details><summary>Milling and header</summary>${others.map(field).join("")}</details>` : "";
+    find("part-is").textContent = this.part.summary;
+    find("part-options").innerHTML = own.map(field).join("") + more;
+  }
+
+  #punch() {
+    const typed = Object.fromEntries([...find("part-options").querySelectorAll("[name]")].map(
+      (input) => [input.name, input.type === "checkbox" ? input.checked : input.value.trim()],
+    ));
+    const { part, bench } = this;
+    find("part-translate").disabled = find("part-cut").disabled = true;
+    find("part-translated").textContent = find("part-is-cut").textContent = "";
+    try {
+      const text = printout(part, typed);
+      const tape = encode(text);
+      this.name = bench.shelf.put(`${part.name}.asc`, tape);
+      bench.teletype.mount(this.name);
+      const minutes = grouped(Math.round(tape.length / FRAMES_A_MINUTE));
+      const blocks = grouped(text.split("\n").length - 1);
+      find("part-punched").textContent = `${blocks} blocks: ${this.name}, ${grouped(tape.length)} frames, is in the reader. Punching it took ${minutes} minutes.`;
+      find("part-translate").disabled = false;
+    } catch (error) {
+      find("part-punched").textContent = error.message;
+    }
+  }
+
+  /** Let eia.pal run on the tape, at full speed; show() sees its end. */
+  #translate() {
+    const { bench } = this;
+    bench.translate(this.name);
+    bench.switches.press("start");
+    this.speed = bench.clock.speed;
+    bench.clock.speed = Infinity;
+    this.translating = true;
+    find("part-translated").textContent = "eia.pal is running.";
+  }
+
+  #cut() {
+    const { mill, teletype } = this.bench;
+    mill.cut(teletype.tear(this.name.replace(".asc", ".eia")));
+    find("part-is-cut").textContent = mill.summary;
+  }
+
+  show() {
+    const { clock, machine } = this.bench;
+    if (!this.translating || (machine.processor.run && !machine.waiting.endless)) return;
+    this.translating = false;
+    clock.speed = this.speed;
+    const { frames } = machine.teletype.punch;
+    const minutes = grouped(Math.round(machine.elapsed / 60));
+    find("part-translated").textContent = `${grouped(frames.length)} frames of EIA are punched: ${minutes} minutes on the PDP-8/L.`;
+    find("part-cut").disabled = !frames.length;
+  }
+}
+
+/** An option, as HTML. */
+function field({ choices, default: by_itself = "", flag, help = "y as a function of x, inches: sin(x), x**2/4", name, spelling = name, unit }) {
+  const about = `name="${name}" title="${escaped(help)}"`;
+  const given = (choice) => `<option${choice === by_itself ? " selected" : ""}>${choice}</option>`;
+  const size = unit ? 8 : 24;
+  const asked = flag ? `<input type="checkbox" ${about}>`
+    : choices ? `<select ${about}>${choices.map(given).join("")}</select>`
+    : `<input type="text" ${about} placeholder="${escaped(by_itself)}" size="${size}">`;
+  return `<label>${spelling.replaceAll("-", " ")} ${asked}<small>${escaped(unit?.[0] === "INCHES" ? "in" : "")}</small></label>`;
+}

@@ -1,0 +1,108 @@
+"""Part programs in the page: the tape that `pdp8 part` punches, and the refusal that it says."""
+
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+
+from nc import cut
+from pdp8.computer.machine import Machine
+from pdp8.computer.use.program import read
+from pdp8.web import parts
+from programs.cli import part
+from tapes import shelf
+from tests.pdp8.web.node import in_node, needs_node
+
+pytestmark = needs_node
+
+_PRINTED = """async ([declared, asked]) => {
+  const { printout } = await import("@/pdp8/web/bench/parts.mjs");
+  const { encode } = await import("@/tapes/ascii.mjs");
+  const said = ([name, typed]) => {
+    try {
+      return [...encode(printout(declared.find((part) => part.name === name), typed))];
+    } catch (error) {
+      return error.message;
+    }
+  };
+  return asked.map(said);
+}"""
+_PUNCHED = """async ([program, tape]) => {
+  const { Machine } = await import("@/pdp8/computer/machine.mjs");
+  const { bytes } = await import("@/pdp8/web/translator/runtime.mjs");
+  const { cut } = await import("@/nc/machine.mjs");
+  const machine = new Machine(false);
+  machine.load(program);
+  machine.start(0o200);
+  machine.teletype.reader.load(bytes(tape));
+  machine.run();
+  const eia = machine.teletype.punch.tape;
+  return [[...eia], cut(eia).steps.map(({ at: { x, y, z } }) => [x, y, z])];
+}"""
+
+ASKED: tuple[tuple[str, dict[str, Any]], ...] = (
+    ("circle", {}),
+    ("circle", {"radius": "1.2", "tolerance": "0.0033", "close": True, "overflow": "stars"}),
+    ("circle", {"technique": "piece", "fastest": "8", "spindle": "35"}),
+    ("ellipse", {}),
+    ("ellipse", {"major": "2.9", "minor": "1.15", "tolerance": "0.0051", "feed_code": "2"}),
+    ("polynomial", {}),
+    ("polynomial", {"b": "1.5", "c": "5", "to": "5", "cutter": "0.25", "side": "below"}),
+    ("slope", {"to_x": "6 in", "to_y": "9", "stop": "inside"}),
+    ("curve", {"expression": "2*SIN(x)**2/x + 1e-1", "from_": "0.5", "to": "4"}),
+    ("curve", {"expression": "x**2/4", "from_": "-2", "to": "2", "tolerance": ".01", "cutter": "0.5"}),
+    ("die", {"cut": "groove", "technique": "piece"}),
+    ("drill", {"holes": "1,1 2.5,1 4,1", "z_depth": "3.25"}),
+    ("fluidic", {"program": "control", "control": "0.8"}),
+)
+REFUSED: tuple[tuple[str, dict[str, Any]], ...] = (
+    ("circle", {"radius": "1750"}),
+    ("circle", {"radius": "1.75005"}),
+    ("circle", {"tolerance": "nan"}),
+    ("ellipse", {"major": "12"}),
+    ("slope", {"to_x": "21"}),
+    ("drill", {"holes": "1,1 2"}),
+    ("curve", {"expression": "x + y"}),
+    ("polynomial", {"cutter": "11"}),
+)
+
+
+def _command(name: str, typed: dict[str, Any]) -> tuple[bytes, str]:
+    """Return what the command punches, and what it says."""
+    given = {key.strip("_").replace("_", "-"): value for key, value in typed.items()}
+    words = [given.pop("expression")] if "expression" in given else []
+    for option, value in given.items():
+        words += [f"--{option}"] if value is True else [f"--{option}", value]
+    done = CliRunner().invoke(part, [name, *words])
+    return done.stdout_bytes, done.stderr or str(done.exception)
+
+
+@pytest.fixture(scope="module")
+def printed() -> list[Any]:
+    """What the page makes of all that is asked."""
+    return list(in_node(_PRINTED, [parts.declared(), [*ASKED, *REFUSED]]))
+
+
+@pytest.mark.parametrize("number", range(len(ASKED)), ids=[f"{name} {typed}" for name, typed in ASKED])
+def test_the_page_punches_what_the_command_does(number: int, printed: list[Any]) -> None:
+    assert bytes(printed[number]) == _command(*ASKED[number])[0]
+
+
+@pytest.mark.parametrize("number", range(len(REFUSED)), ids=[f"{name} {typed}" for name, typed in REFUSED])
+def test_the_page_refuses_what_the_command_does(number: int, printed: list[Any]) -> None:
+    said = printed[len(ASKED) + number]
+    assert isinstance(said, str)
+    assert said.partition(": ")[2].rstrip(".") in _command(*REFUSED[number])[1].replace("\n", " ")
+
+
+def test_an_ellipse_of_ones_own_goes_through_to_the_cut(printed: list[Any]) -> None:
+    """Translated and cut in the page, its tape and its path are those of the commands."""
+    program = read(shelf.read_bundled("eia.pal"), "eia.pal").words
+    machine = Machine()
+    machine.load(program)
+    machine.start(0o200)
+    machine.teletype.reader.load(_command(*ASKED[4])[0])
+    machine.run()
+    eia, places = in_node(_PUNCHED, [list(program.items()), printed[4]])
+    assert bytes(eia) == machine.teletype.punch.tape
+    assert places == [list(step.at) for step in cut(bytes(eia)).steps]
