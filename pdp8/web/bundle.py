@@ -125,6 +125,7 @@ def _policy(*scripts: str) -> str:
         "script-src " + " ".join(f"'sha256-{digest}'" for digest in digests),
         "style-src 'unsafe-inline'",
         "img-src data: blob:",
+        "worker-src blob:",
         "base-uri 'none'",
         "form-action 'none'",
     )

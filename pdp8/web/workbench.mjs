@@ -8,6 +8,8 @@
 // In HTML its section has data-pane, the name that ?embed= knows, and data-tab, if it is a tab of the desk.
 
 import { Afternoon } from "./bench/afternoon.mjs";
+import { Apart, serve } from "./bench/apart.mjs";
+import { checked } from "./bench/checker.mjs";
 import { embed, enlargeable } from "./bench/alone.mjs";
 import { Clock } from "./bench/clock.mjs";
 import { Debugger } from "./bench/debugger.mjs";
@@ -17,9 +19,11 @@ import { Exercises } from "./bench/exercises.mjs";
 import { Figures } from "./bench/figures.mjs";
 import { History } from "./bench/history.mjs";
 import { keep, kept } from "./bench/kept.mjs";
+import { marks } from "./bench/marker.mjs";
 import { Mill } from "./bench/mill.mjs";
 import { Parts } from "./bench/parts.mjs";
-import { address, opened } from "./bench/sharing.mjs";
+import { Programs } from "./bench/programs.mjs";
+import { LONGEST, linked, opened, shortened, whole } from "./bench/sharing.mjs";
 import { Shelf } from "./bench/shelf.mjs";
 import { Sound } from "./bench/sound.mjs";
 import { Switches } from "./bench/switches.mjs";
@@ -32,11 +36,11 @@ import { restore, save } from "../computer/past/state.mjs";
 import { unpacked } from "./packed.mjs";
 import { bytes } from "./translator/runtime.mjs";
 import { Writer } from "./sheet.mjs";
-import { find, octal } from "./written.mjs";
+import { find, grouped, octal } from "./written.mjs";
 
 const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT", reached: "reached" };
 const WAITS = ["tape out", "idle"]; // the program goes on when somebody does something
-const KEPT = "pdp8 workbench";
+const OPEN = "pdp8 program"; // the name of that which was open
 
 class Bench {
   constructor(record) {
@@ -53,7 +57,9 @@ class Bench {
     this.teletype = new Teletype(this);
     this.debug = new Debugger(this);
     this.mill = new Mill(this);
-    this.editor = new Editor(this, record.source);
+    this.apart = new Apart();
+    this.programs = new Programs();
+    this.editor = new Editor(this);
     this.exercises = new Exercises(this);
     this.parts = new Parts(this);
     this.figures = new Figures(record.afternoon);
@@ -124,7 +130,7 @@ class Bench {
 
   /** Lay the listing of a program on the desk. */
   lay(name, assembly) {
-    this.debug.listing.lay(assembly.lines);
+    this.editor.lay(name, assembly);
   }
 
   /** Load eia.pal with a tape in the reader, and an empty punch: what the exercises begin with. */
@@ -136,10 +142,6 @@ class Bench {
     machine.teletype.punch.frames.clear();
     this.editor.load();
     this.teletype.mount(name);
-  }
-
-  get symbols() {
-    return this.editor.assembly.symbols;
   }
 
   #controls() {
@@ -154,20 +156,30 @@ class Bench {
     });
   }
 
-  /** Take a file: a saved state, a program's source, or a tape, which goes into the reader or to the mill. */
+  /** Take a file for what it is: a saved state or session, an exercise, a program's source, or a tape, which goes into
+   *  the reader or to the mill.
+   */
   async take(file) {
     const frames = bytes(new Uint8Array(await file.arrayBuffer()));
     const text = new TextDecoder().decode(frames);
-    if (text.startsWith("{")) {
-      this.#attempt(() => this.#restore(text));
-    } else if (file.name.endsWith(".pal")) {
-      this.#attempt(() => this.editor.open(file.name, frames));
-      this.remember();
-    } else {
-      const name = this.shelf.put(file.name, frames);
-      if (this.shelf.get(name).code === "eia") this.mill.cut(name);
-      else this.teletype.mount(name);
-    }
+    this.#attempt(() => {
+      if (text.startsWith("{")) this.#written(file.name, JSON.parse(text), text);
+      else if (file.name.endsWith(".toml")) this.say(`pdp8 check ${file.name} --export-student writes what this page takes`);
+      else if (/\.pa[l8]?$/i.test(file.name)) this.editor.open(file.name, frames);
+      else this.#tape(this.shelf.put(file.name, frames));
+    });
+  }
+
+  #tape(name) {
+    if (this.shelf.get(name).code === "eia") this.mill.cut(name);
+    else this.teletype.mount(name);
+  }
+
+  /** Take what a file in JSON is. */
+  #written(name, what, text) {
+    if (what.task) this.exercises.take(name, what);
+    else if (what.program || what.machine) this.#open(what);
+    else this.#restore(text);
   }
 
   /** Do what may fail; say why it did. */
@@ -194,8 +206,30 @@ class Bench {
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
 
+  /** The program and the machine, short: bundled tapes by name. */
+  session() {
+    const state = JSON.parse(save(this.machine));
+    const { format, version } = state;
+    const machine = shortened(state, JSON.parse(save(new Machine(true))), this.#bundled());
+    return { program: { name: this.editor.name, text: this.editor.text }, machine: { format, version, ...machine } };
+  }
+
+  /** The bundled tapes, frame by frame as a saved state has them. */
+  #bundled() {
+    const written = (frames) => Array.from(frames, (frame) => octal(frame, 3)).join(" ");
+    return new Map(Object.keys(this.record.tapes).map((name) => [name, written(this.shelf.get(name).frames)]));
+  }
+
   async #share() {
-    const link = await address({ source: this.editor.text, state: save(this.machine) });
+    const session = this.session();
+    const link = await linked(session);
+    if (link.length <= LONGEST) return this.give(link);
+    this.download("session.json", JSON.stringify(session));
+    return this.say(`a link would have ${grouped(link.length)} characters, and ${grouped(LONGEST)} are allowed: here is a file instead`);
+  }
+
+  /** Give a link to whoever asked for it. */
+  async give(link) {
     history.replaceState(null, "", link);
     try {
       await navigator.clipboard.writeText(link);
@@ -205,38 +239,47 @@ class Bench {
     }
   }
 
-  /** Keep the program in this browser. */
-  remember() {
-    clearTimeout(this.remembering);
-    this.remembering = setTimeout(() => {
-      keep(KEPT, this.editor.text);
-    }, 500);
+  /** Open what a link or a file of a session holds. */
+  #open({ program, machine, exercise }) {
+    if (typeof exercise === "string") this.exercises.open(exercise);
+    else if (exercise) this.exercises.take(exercise.name, exercise.tables);
+    if (exercise) this.tabs.open("exercises");
+    if (program) this.editor.put(String(program.name), String(program.text));
+    if (machine) this.#restore(JSON.stringify(whole(machine, this.#bundled())));
   }
 
-  /** Open what the address holds, or what this browser has kept. */
+  /** A program was opened: so it is when the page is opened again. */
+  opened(name) {
+    keep(OPEN, name);
+  }
+
+  /** Open what the address holds, and what this browser has kept. A link that cannot be opened is forgotten. */
   async open() {
+    await this.programs.open();
+    if (!this.programs.names().length) this.programs.take("hello.pal", this.record.source);
+    this.editor.begin(kept(OPEN));
     if (this.afternoon.asked()) return;
     try {
       const shared = await opened();
-      if (shared) {
-        this.editor.text = String(shared.source ?? "");
-        if (shared.state) this.#restore(String(shared.state));
-        return;
-      }
+      if (shared) this.#open(shared);
     } catch (error) {
-      this.say(`the link is damaged: ${error.message ?? error}`);
+      history.replaceState(null, "", location.href.replace(/#.*/, ""));
+      this.say(`the link cannot be opened: ${error.message ?? error}`);
       return;
     }
-    const stored = kept(KEPT);
-    if (stored) this.#attempt(() => (this.editor.text = stored));
     if (this.record.view) this.mill.cut(this.record.view);
     if (this.record.door) this.doors.open(this.record.door);
   }
 }
 
-const bench = new Bench(await unpacked(find("record").textContent));
-embed(bench.tabs);
-enlargeable();
-bench.open();
-// For the curious, at the browser's console: workbench.machine.core[0o200] ...
-window.workbench = bench;
+async function start() {
+  const bench = new Bench(await unpacked(find("record").textContent));
+  embed(bench.tabs);
+  enlargeable();
+  // For the curious, at the browser's console: workbench.machine.core[0o200] ...
+  window.workbench = bench;
+  await bench.open();
+}
+
+if (globalThis.document) start();
+else serve({ checked, marks });

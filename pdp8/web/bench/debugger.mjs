@@ -1,9 +1,8 @@
-// The debugger: registers, listing and core, and what a run goes on until.
+// The debugger: registers and core, and what a run goes on until.
 
 import { READABLE } from "../pictures.mjs";
 import { find } from "../written.mjs";
 import { Core } from "./core.mjs";
-import { Listing } from "./listing.mjs";
 import { Registers } from "./registers.mjs";
 import { until } from "./until.mjs";
 
@@ -11,7 +10,6 @@ const PLACED = ["address", "word"]; // what a run goes on until that has an addr
 
 export class Debugger {
   constructor(bench) {
-    this.listing = new Listing(bench);
     this.registers = new Registers(bench);
     this.core = new Core(bench);
     this.written = 0; // when, in ms
@@ -28,7 +26,6 @@ export class Debugger {
     if (running && performance.now() - this.written < READABLE) return;
     this.written = performance.now();
     this.registers.show();
-    this.listing.show();
     if (!find("debugger").hidden) this.core.show();
   }
 }

@@ -1,133 +1,294 @@
-// The editor: PAL source in colour, assembled in the page, its messages under the places they are at.
+// Editor and listing in one: PAL source in colour, and beside each line its number, address and word, breakpoint,
+// count, and where the processor is. What is wrong is said at its line while it is typed.
+//
+//     keys ──► text ──► the lines that are seen, drawn at once
+//                └── a pause ──► Worker, checked() ──► places, diagnostics ──► drawn
 
-import { FOUND, assemble } from "../../../pal/assembling.mjs";
-import { MOST } from "../../../pal/assembly.mjs";
+import * as rim from "../../../tapes/rim.mjs";
+import { decode } from "../../../tapes/ascii.mjs";
 import { PERMANENT, PSEUDO_OPERATORS } from "../../../pal/symbols.mjs";
 import { Operator } from "../../computer/use/operator.mjs";
-import { escaped, find, grouped } from "../written.mjs";
+import { instructionAt } from "../meaning.mjs";
+import { READABLE } from "../pictures.mjs";
+import { escaped, find, grouped, octal } from "../written.mjs";
 import { limited } from "./budget.mjs";
+import { assembled, checked, findings } from "./checker.mjs";
+import { Counts } from "./counts.mjs";
 
 const LONGEST = 200_000; // characters of a source that is taken
-const COLOURED = 50_000; // and of one that is shown in colour
+const WIDEST = 400; // of a line that is drawn
+const TALL = 21; // pixels of a line; desk.css says it too
+const PAUSE = 250; // ms without a key, and what was typed is looked at
+const SECONDS = 5; // the most that may take
+const CORE = 0o10000;
 const KNOWN = new Set([...PERMANENT.map(({ mnemonic }) => mnemonic), ...PSEUDO_OPERATORS]);
-const TOKENS = /(\/[^\n]*)|([A-Za-z][A-Za-z0-9]*)(,|=)?|([0-9]+)/g;
+const TOKENS = /(\/.*)|([A-Za-z][A-Za-z0-9]*)(,|=)?|([0-9]+)/g;
+const NEW = "/ A new program\n*200\n\tCLA CLL\n\tHLT\n$\n";
 
 export class Editor {
-  constructor(bench, text) {
+  constructor(bench) {
     this.bench = bench;
     this.area = find("source");
     this.behind = this.area.previousElementSibling;
-    this.assembly = null;
-    this.name = "program.pal";
-    this.area.value = text;
-    this.area.addEventListener("input", () => {
-      this.#changed();
-      bench.remember();
-    });
-    this.area.addEventListener("scroll", () => this.#scroll());
-    this.area.addEventListener("keydown", (event) => this.#key(event));
-    find("run-it").addEventListener("click", () => this.run());
-    find("assemble").addEventListener("click", () => this.assemble());
-    find("load").addEventListener("click", () => this.load());
-    find("boot").addEventListener("click", () => this.boot());
-    find("sources").addEventListener("change", (event) => this.#open(event.target));
+    this.counts = new Counts();
+    this.name = "";
+    this.core = { text: null, lines: new Map() }; // of what is in core: its source, {address: line}
+    this.now = null; // the line that the processor is in
+    this.#found({ places: [], diagnostics: [], summary: "" });
+    this.#controls();
     bench.shelf.changed.push(() => this.#sources());
-    this.#sources();
-    this.#changed();
   }
 
   get text() {
     return this.area.value;
   }
 
-  /** Show a source. Throws for one that is longer than a page can take. */
+  /** Write the program anew. Throws for one that is longer than a page can take. */
   set text(text) {
-    if (text.length > LONGEST) throw new Error(`a source of ${grouped(text.length)} characters; ${grouped(LONGEST)} are allowed`);
+    bounded(text);
     this.area.value = text;
     this.#changed();
   }
 
-  #sources() {
-    const names = this.bench.shelf.names().filter((name) => name.endsWith(".pal"));
-    find("sources").replaceChildren(new Option("Open a program …", ""), ...names.map((name) => new Option(name, name)));
+  /** Open the program that was open, or the first one, as the programs have been read. */
+  begin(name) {
+    const { programs } = this.bench;
+    this.#turn(programs.get(name) === undefined ? programs.names()[0] ?? programs.take("program.pal", NEW) : name);
+    if (programs.refused) this.#say(`This browser keeps no programs for this page (${programs.refused}): save them as files.`);
   }
 
-  #open(select) {
-    if (select.value) this.open(select.value, this.bench.shelf.get(select.value).frames);
+  /** Open the source that a tape or a file holds, as a program of its own. */
+  open(name, frames) {
+    this.put(name, frames[0] & 0o200 ? decode(frames) : new TextDecoder().decode(frames).replaceAll("\r\n", "\n"));
+  }
+
+  /** Open a source as a program of its own: nothing that is kept is written over. */
+  put(name, text) {
+    bounded(text);
+    this.#turn(this.bench.programs.take(name, text));
+  }
+
+  #turn(name) {
+    this.keep();
+    this.name = name;
+    this.area.readOnly = false;
+    this.#show(this.bench.programs.get(name));
+    this.#sources();
+    this.bench.opened?.(name);
+  }
+
+  #show(text) {
+    this.area.value = text;
+    this.area.scrollTop = this.area.scrollLeft = 0;
+    find("program-name").value = this.name;
+    this.#say("");
+    this.#changed();
+  }
+
+  /** Show the source of what is in core, to be read. */
+  lay(name, assembly) {
+    const tape = this.bench.shelf.get(name);
+    this.keep();
+    this.area.readOnly = true;
+    this.#show(tape ? new TextDecoder().decode(tape.frames) : assembly.lines.map(({ source }) => source).join("\n"));
+    this.#say(`${name} is in core. <button class="text" data-back>Back to ${escaped(this.name)}</button>`);
+    this.assembly = assembly;
+    this.#found(findings(assembly));
+    this.#inCore();
+  }
+
+  /** Keep what is written. */
+  keep() {
+    clearTimeout(this.pause);
+    const { programs } = this.bench;
+    if (this.name && !this.area.readOnly && programs.get(this.name) !== this.text) programs.keep(this.name, this.text);
+  }
+
+  #controls() {
+    const clicks = {
+      "run-it": () => this.run(), assemble: () => this.assemble(), load: () => this.load(), boot: () => this.boot(),
+      list: () => this.assemble() && this.#inCore(), "new-program": () => this.put("program.pal", NEW), "delete-program": () => this.#delete(),
+    };
+    for (const [id, work] of Object.entries(clicks)) find(id).addEventListener("click", work);
+    this.area.addEventListener("input", () => this.#changed());
+    this.area.addEventListener("scroll", () => this.#draw());
+    this.area.addEventListener("keydown", (event) => this.#key(event));
+    new ResizeObserver(() => this.#draw()).observe(this.area);
+    find("sources").addEventListener("change", ({ target }) => this.#choose(target));
+    find("program-name").addEventListener("change", ({ target }) => this.#rename(target.value.trim()));
+    find("save-as").addEventListener("change", ({ target }) => this.#save(target));
+    find("gutter").addEventListener("click", ({ target }) => target.dataset.address && this.#breakpoint(Number(target.dataset.address)));
+    find("counts").addEventListener("change", ({ target }) => this.#count(target.checked));
+    find("messages").addEventListener("click", ({ target }) => target.dataset.line && this.#goTo(target.dataset));
+    find("program-says").addEventListener("click", ({ target }) => {
+      if (target.dataset.undo !== undefined) this.put(...this.deleted);
+      if (target.dataset.back !== undefined) this.#turn(this.name);
+    });
+    addEventListener("pagehide", () => this.keep());
+  }
+
+  #sources() {
+    const options = (names) => names.map((name) => `<option>${escaped(name)}</option>`).join("");
+    const bundled = this.bench.shelf.names().filter((name) => name.endsWith(".pal"));
+    find("sources").innerHTML = `<option value="">Open a program …</option><optgroup label="Yours">${options(this.bench.programs.names())}</optgroup>`
+      + `<optgroup label="Bundled">${options(bundled)}</optgroup>`;
+  }
+
+  #choose(select) {
+    const { label } = select.selectedOptions[0].parentElement;
+    if (label === "Yours") this.#turn(select.value);
+    else if (select.value) this.open(select.value, this.bench.shelf.get(select.value).frames);
     select.value = "";
   }
 
-  /** Open the source that a tape or a file holds. */
-  open(name, frames) {
-    this.name = name;
-    this.text = new TextDecoder("ascii").decode(frames).replaceAll("\r\n", "\n");
+  #rename(name) {
+    const { programs } = this.bench;
+    if (name && name !== this.name && !this.area.readOnly) {
+      const old = this.name;
+      this.keep();
+      this.name = programs.take(name, this.text);
+      programs.remove(old);
+      this.#sources();
+      this.bench.opened?.(this.name);
+    }
+    find("program-name").value = this.name;
+  }
+
+  #delete() {
+    const { programs } = this.bench;
+    this.keep();
+    this.deleted = [this.name, programs.get(this.name)];
+    programs.remove(this.name);
+    this.name = "";
+    this.begin();
+    this.#say(`${escaped(this.deleted[0])} is deleted. <button class="text" data-undo>Undo</button>`);
+  }
+
+  #save(select) {
+    const kind = select.value;
+    select.value = "";
+    if (!kind || (kind !== "pal" && !this.assemble())) return;
+    const made = { pal: () => this.text, bin: () => this.assembly.tape, rim: () => rim.encode(this.assembly.words), lst: () => this.assembly.listing };
+    this.bench.download(`${this.name.replace(/\.\w+$/, "")}.${kind}`, made[kind]());
+  }
+
+  #say(html) {
+    find("program-says").innerHTML = html;
   }
 
   #changed() {
-    this.behind.innerHTML = `${coloured(this.text)}\n`;
-    this.#scroll();
-    find("load").disabled = find("boot").disabled = true;
+    this.lines = this.text.split("\n");
+    this.#draw();
+    clearTimeout(this.pause);
+    this.pause = setTimeout(() => this.#check(), PAUSE);
   }
 
-  #scroll() {
-    this.behind.scrollTop = this.area.scrollTop;
-    this.behind.scrollLeft = this.area.scrollLeft;
+  /** Keep what was typed, and have it looked at. */
+  async #check() {
+    const { name, text, bench } = this;
+    this.keep();
+    if (this.area.readOnly) return;
+    try {
+      const found = await bench.apart.ask("checked", { name, text }, SECONDS);
+      if (text === this.text) this.#found(found);
+    } catch (error) {
+      if (!bench.apart.worker) this.#found(checked({ name, text }));
+      else this.#say(escaped(error.message));
+    }
+  }
+
+  #found({ places, diagnostics, summary }) {
+    this.places = new Map();
+    for (const [line, address, word] of places) if (!this.places.has(line)) this.places.set(line, { address, word });
+    this.wrong = new Map(diagnostics.map((each) => [each.line, each]).reverse());
+    const items = diagnostics.map(({ line, start, end, severity, whole }) => {
+      const [first, ...rest] = whole.split("\n");
+      const place = `data-line="${line}" data-start="${start}" data-end="${end}"`;
+      return `<li class="${severity}"><button class="text" ${place}>${escaped(first)}</button><pre>${escaped(rest.join("\n"))}</pre></li>`;
+    });
+    find("messages").innerHTML = `<p>${summary}</p><ol>${items.join("")}</ol>`;
+    for (const id of ["load", "boot", "list"]) find(id).disabled = !places.length;
+    this.#draw();
+  }
+
+  #goTo({ line, start, end }) {
+    const begins = this.lines.slice(0, line - 1).join("\n").length + (line > 1 ? 1 : 0);
+    this.area.focus();
+    this.area.setSelectionRange(begins + Number(start), begins + Number(end));
+    this.#bringIntoView(Number(line));
+  }
+
+  /** Draw the lines that are seen. */
+  #draw() {
+    if (!this.lines) return;
+    const { scrollTop, scrollLeft, clientHeight } = this.area;
+    const first = Math.floor(scrollTop / TALL);
+    const seen = this.lines.slice(first, first + Math.ceil(clientHeight / TALL) + 1);
+    this.behind.innerHTML = seen.map((line, index) => coloured(line, this.wrong.get(first + index + 1))).join("\n");
+    this.behind.style.transform = `translate(${-scrollLeft}px, ${first * TALL - scrollTop}px)`;
+    find("gutter").innerHTML = `<div style="transform: translateY(${first * TALL - scrollTop}px)">${seen.map((_, index) => this.#beside(first + index + 1)).join("")}</div>`;
+  }
+
+  /** What stands beside a line. */
+  #beside(line) {
+    const place = this.places.get(line);
+    const classes = `line${line === this.now ? " now" : ""} ${this.wrong.get(line)?.severity ?? ""}`;
+    const current = line === this.now ? ' aria-current="true"' : "";
+    if (!place || place.address >= CORE) return `<div class="${classes}" role="listitem"><span>${line}</span></div>`;
+    const { address, word } = place;
+    const set = this.bench.machine.watch.breakpoints.has(address);
+    const count = find("counts").checked ? `<i>${grouped(this.counts.executed[address])}</i>` : "";
+    const button = `<button tabindex="-1" data-address="${address}" aria-pressed="${set}" aria-label="breakpoint at ${octal(address)}">${octal(address)}</button>`;
+    return `<div class="${classes}" role="listitem"${current}><span>${line}</span>${button}<b>${octal(word)}</b>${count}</div>`;
+  }
+
+  #breakpoint(address) {
+    const { breakpoints } = this.bench.machine.watch;
+    if (!breakpoints.discard(address)) breakpoints.add(address);
+    this.#draw();
+  }
+
+  #count(on) {
+    this.counts = new Counts();
+    this.bench.machine.watch.observer = on ? this.counts : null;
+    this.#draw();
   }
 
   /** TAB is a tabulator here; Escape, then Tab, leaves the editor. */
   #key(event) {
     if (event.key === "Escape") this.leaving = true;
-    else if (event.key === "Tab" && !event.shiftKey && !this.leaving) {
+    else if (event.key === "Tab" && !event.shiftKey && !this.leaving && !this.area.readOnly) {
       event.preventDefault();
       this.area.setRangeText("\t", this.area.selectionStart, this.area.selectionEnd, "end");
       this.#changed();
-      this.bench.remember();
     } else this.leaving = false;
-    if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) this.assemble();
+    if (event.key === "F9") {
+      const place = this.places.get(this.text.slice(0, this.area.selectionStart).split("\n").length);
+      if (place) this.#breakpoint(place.address);
+    }
+    if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) this.run();
   }
 
   /** Assemble what is there; return whether it has no errors. */
   assemble() {
-    this.assembly = assemble([this.text], [this.name], false, undefined, null, FOUND);
-    const { diagnostics, ok, tape } = this.assembly;
-    const items = diagnostics.slice(0, MOST).map((diagnostic) => this.#item(diagnostic));
-    const more = diagnostics.length - items.length;
-    const rest = more ? `<p>and ${more.toLocaleString("en")} more</p>` : "";
-    find("messages").innerHTML = `<p>${summary(this.assembly)}</p><ol>${items.join("")}</ol>${rest}`;
-    for (const button of find("messages").querySelectorAll("button")) {
-      button.addEventListener("click", () => this.#goTo(button.dataset));
-    }
-    find("load").disabled = find("boot").disabled = tape.length === 0;
-    return ok;
-  }
-
-  /** A diagnostic as `pal` prints it; its first line leads to the place. */
-  #item(diagnostic) {
-    const [first, ...rest] = String(diagnostic).split("\n");
-    const { line, column, end_column, severity } = diagnostic;
-    const place = `data-line="${line}" data-start="${column - 1}" data-end="${end_column - 1}"`;
-    const said = `<button class="text" ${place}>${escaped(first)}</button><pre>${escaped(rest.join("\n"))}</pre>`;
-    return `<li class="${severity}">${said}</li>`;
-  }
-
-  #goTo({ line, start, end }) {
-    const begins = this.text.split("\n").slice(0, line - 1).join("\n").length + (line > 1 ? 1 : 0);
-    this.area.focus();
-    this.area.setSelectionRange(begins + Number(start), begins + Number(end));
+    this.keep();
+    this.assembly = assembled(this.name, this.text);
+    this.#found(findings(this.assembly));
+    return this.assembly.ok;
   }
 
   /** Put the words into core, and the switches and PC on the first of them from 0200 on. */
   load() {
-    this.bench.afternoon.takeOver();
-    const { machine } = this.bench;
-    machine.panel.stop();
+    const { bench } = this;
+    bench.afternoon.takeOver();
+    this.assemble();
+    bench.machine.panel.stop();
     try {
-      machine.load(this.assembly.words);
+      bench.machine.load(this.assembly.words);
     } catch (error) {
-      this.bench.say(String(error));
+      bench.say(String(error));
       return;
     }
-    this.bench.debug.listing.lay(this.assembly.lines);
     this.#ready();
   }
 
@@ -142,6 +303,7 @@ export class Editor {
   boot() {
     const { bench } = this;
     bench.afternoon.takeOver();
+    this.assemble();
     const { machine } = bench;
     const { punch, reader } = machine.teletype;
     const kept = punch.on;
@@ -156,7 +318,6 @@ export class Editor {
       bench.why = String(error);
     }
     punch.on = kept;
-    bench.debug.listing.lay(this.assembly.lines);
     this.#ready();
   }
 
@@ -166,32 +327,53 @@ export class Editor {
     const start = addresses.includes(0o200) ? 0o200 : Math.min(...addresses);
     machine.sr = start;
     machine.panel.load_add();
+    this.#inCore();
     this.bench.touched();
   }
+
+  /** What is assembled is what core holds: the processor's place is shown in it. */
+  #inCore() {
+    this.core = { text: this.text, lines: new Map() };
+    for (const [line, { address }] of this.places) this.core.lines.set(address, line);
+    this.#count(find("counts").checked);
+    this.shown = 0;
+    this.show();
+  }
+
+  /** Show where the processor is; while it runs, no more often than can be read. */
+  show(_, running) {
+    if (find("program").hidden || (running && performance.now() - this.shown < READABLE)) return;
+    this.shown = performance.now();
+    const { machine } = this.bench;
+    if (find("counts").checked && machine.watch.observer !== this.counts) machine.watch.observer = this.counts;
+    const now = this.core.text === this.text ? this.core.lines.get(instructionAt(machine.processor)) ?? null : null;
+    if (now === this.now && !find("counts").checked) return;
+    this.now = now;
+    if (now && document.activeElement !== this.area) this.#bringIntoView(now);
+    this.#draw();
+  }
+
+  #bringIntoView(line) {
+    const top = (line - 1) * TALL - this.area.scrollTop;
+    if (top < TALL || top > this.area.clientHeight - 3 * TALL) this.area.scrollTop = (line - 1) * TALL - this.area.clientHeight / 2;
+  }
 }
 
-/** What became of a source: its words, its tape, how many errors and notes. */
-function summary({ diagnostics, tape, words }) {
-  const errors = diagnostics.filter(({ error }) => error).length;
-  const made = `${counted(words.length, "word")}, a tape of ${counted(tape.length, "frame")}`;
-  const said = [[errors, "error"], [diagnostics.length - errors, "note"]].filter(([number]) => number);
-  return `${made}${said.length ? "; " : ""}${said.map(([number, what]) => counted(number, what)).join(", ")}.`;
+function bounded(text) {
+  if (text.length > LONGEST) throw new Error(`a source of ${grouped(text.length)} characters; ${grouped(LONGEST)} are allowed`);
 }
 
-function counted(number, what) {
-  return `${grouped(number)} ${what}${number === 1 ? "" : "s"}`;
-}
-
-function coloured(text) {
-  if (text.length > COLOURED) return escaped(text);
+/** A line in colour, and what is wrong with it. */
+function coloured(whole, wrong) {
+  const line = whole.slice(0, WIDEST);
   let html = "";
   let at = 0;
-  for (const match of text.matchAll(TOKENS)) {
+  for (const match of line.matchAll(TOKENS)) {
     const [token, comment, name, mark] = match;
-    const known = name && KNOWN.has(name);
-    const kind = comment ? "comment" : name ? (mark ? "tag" : known ? "known" : "name") : "number";
-    html += `${escaped(text.slice(at, match.index))}<span class="${kind}">${escaped(token)}</span>`;
+    const kind = comment ? "comment" : name ? (mark ? "tag" : KNOWN.has(name) ? "known" : "name") : "number";
+    html += `${escaped(line.slice(at, match.index))}<span class="${kind}">${escaped(token)}</span>`;
     at = match.index + token.length;
   }
-  return html + escaped(text.slice(at));
+  html += escaped(line.slice(at));
+  return wrong ? `<u class="${wrong.severity}">${html || " "}</u>  <em>${escaped(wrong.brief)}</em>` : html;
 }

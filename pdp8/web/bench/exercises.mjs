@@ -1,100 +1,89 @@
-// The tutorial's six exercises on this bench: each is set up by a button, and checked by a look at the machine.
+// The exercises of `pdp8 check`, and a teacher's own: the task, an answer in the editor or on a sheet, its marks.
 
-import { CODES } from "../../../tapes/eia.mjs";
-import { escaped, find, octal } from "../written.mjs";
+import { escaped, find } from "../written.mjs";
+import { linked } from "./sharing.mjs";
 
-const ZERO = "0".charCodeAt(0);
-
-const answered = (right, why) => (bench, answer) => (answer.trim() === right ? "" : why);
-
-const EXERCISES = [
-  {
-    title: "Read a frame",
-    text: "circle.asc is in the reader. START at 0200 and stop when frame 179 is under the head. Which digit is it?",
-    prepare: (bench) => bench.translate("circle.asc"),
-    check: (bench, answer) => {
-      const { position } = bench.machine.teletype.reader;
-      if (position < 180) return `the reader has read ${position} frames; frame 179 is the 180th`;
-      return answered("8", "look at the holes in channels 1 to 4: 8 and nothing else")(bench, answer);
-    },
-  },
-  {
-    title: "Follow one digit through CHK",
-    text: "Step through CHK (0227) for a 3, in instructions. A cycle is 1.6 µs. How many microseconds does CHK take, with the JMS that calls it?",
-    prepare: (bench) => bench.translate("circle.asc"),
-    check: answered("43.2", "count the cycles from JMS CHK to the instruction after it: TAD, DCA, JMS and JMP I take two, the others one"),
-  },
-  {
-    title: "What KCC does",
-    text: "Put NOP (7000) in place of KCC at 0201, in core, and translate circle.asc to the end. Is the tape another one?",
-    prepare: (bench) => bench.translate("circle.asc"),
-    check: (bench) => {
-      const { processor: { core }, teletype } = bench.machine;
-      if (core[0o201] !== 0o7000) return `0201 holds ${octal(core[0o201])}, not 7000`;
-      const whole = bench.shelf.get("circle.eia").frames;
-      const { frames } = teletype.punch;
-      if (frames.length < whole.length) return `${frames.length} of ${whole.length} frames are punched`;
-      return whole.every((frame, index) => frame === frames[index]) ? "" : "the tape differs";
-    },
-  },
-  {
-    title: "Why spaces are zeros",
-    text: "Put 1 in place of the 20 that MSP holds, so that no character is a space any more, and translate 100 frames. What does the Hydra-Point say of the tape?",
-    prepare: (bench) => bench.translate("circle.asc"),
-    check: (bench) => {
-      const { processor: { core }, teletype } = bench.machine;
-      const msp = bench.symbols.get("MSP");
-      if (core[msp] !== 1) return `MSP, at ${octal(msp)}, holds ${octal(core[msp])}, not 0001`;
-      if (teletype.reader.position < 100) return `the reader has read ${teletype.reader.position} frames`;
-      const zeros = teletype.reader.tape.slice(0, teletype.reader.position).filter((frame) => (frame & 0o177) === ZERO).length;
-      return teletype.punch.frames.filter((frame) => frame === CODES.get("0")).length > zeros ? "a space still became a zero" : "";
-    },
-  },
-  {
-    title: "Find the block where truncation shows",
-    text: "ellipse.eia was made with exact arithmetic. With a GE-635 that drops the bits it has no room for, one block's Y is 2646 instead of 2647, at X 6404. Which block is the first?",
-    prepare: (bench) => bench.mill.cut("ellipse.eia"),
-    check: answered("587", "look among the blocks of the ellipse for X 06404"),
-  },
-  {
-    title: "Break a tape, and see the machine refuse it",
-    text: "Lose frame 1990 of circle.eia: the tape without it is on the shelf as torn.eia. Cut it. Which block is refused?",
-    prepare: (bench) => {
-      const { frames } = bench.shelf.get("circle.eia");
-      if (!bench.shelf.get("torn.eia")) bench.shelf.put("torn.eia", Uint8Array.from([...frames].toSpliced(1990, 1)));
-      bench.tabs.open("mill");
-    },
-    check: (bench, answer) => {
-      if (bench.mill.name !== "torn.eia") return "torn.eia has not been cut";
-      return answered("100", "the Hydra-Point says it in its first line")(bench, answer);
-    },
-  },
-];
-
-function item({ title, text }, index) {
-  return `<li><h3>${escaped(title)}</h3><p>${escaped(text)}</p>
-    <div class="tools">
-      <button class="text" data-prepare="${index}">Prepare</button>
-      <label>Answer <input type="text" size="8" data-answer="${index}"></label>
-      <button class="text" data-check="${index}">Check</button>
-      <span role="status" data-verdict="${index}"></span>
-    </div></li>`;
-}
+const SECONDS = 10; // of an answer, as `pdp8 check` gives it
+const BEGUN = "/ NAME\n*200\n\tHLT\n$\n"; // what an answer begins with
 
 export class Exercises {
   constructor(bench) {
-    find("exercises").innerHTML = `<ol>${EXERCISES.map(item).join("")}</ol>`;
-    find("exercises").addEventListener("click", ({ target }) => {
-      const { prepare, check } = target.dataset;
-      if (prepare !== undefined) EXERCISES[prepare].prepare(bench);
-      if (check !== undefined) this.#check(bench, check);
+    this.bench = bench;
+    this.all = new Map(Object.entries(bench.record.exercises));
+    this.done = new Set(); // those that were right
+    find("exercise").addEventListener("change", ({ target }) => this.open(target.value));
+    find("exercise-link").addEventListener("click", () => this.#link());
+    find("asked").addEventListener("click", ({ target }) => target.dataset.begin !== undefined && this.#begin());
+    find("asked").addEventListener("submit", (event) => {
+      event.preventDefault();
+      this.#mark();
     });
+    this.open("add");
   }
 
-  #check(bench, index) {
-    const field = (name) => document.querySelector(`[data-${name}="${index}"]`);
-    const why = EXERCISES[index].check(bench, field("answer").value);
-    field("verdict").textContent = why ? `Not yet: ${why}.` : "Right.";
-    field("verdict").className = why ? "" : "right";
+  /** Take an exercise from a file or a link, and open it. Throws where it is none. */
+  take(name, tables) {
+    if (typeof tables.title !== "string" || typeof tables.task !== "string") throw new Error(`${name}: no exercise`);
+    this.all.set(name, tables);
+    this.open(name);
+    this.bench.tabs.open("exercises");
+  }
+
+  /** Open an exercise. Throws where there is none of that name. */
+  open(name) {
+    if (!this.all.has(name)) throw new Error(`there is no exercise ${name}; there are ${[...this.all.keys()].join(", ")}`);
+    this.name = name;
+    const { title, task, question: questions = [] } = this.all.get(name);
+    const asks = questions.map(({ name: called, ask }) =>
+      `<label>${escaped(called)} <span>${escaped(ask)}</span> <input type="text" name="${escaped(called)}" autocomplete="off"></label>`);
+    const begin = questions.length ? "" : `<button class="text" type="button" data-begin>Begin ${escaped(this.#answer)}</button> `;
+    find("asked").innerHTML = `<h2>${escaped(title)}</h2><p>${escaped(task.trim().replace(/(\S)\n(?=[^\s*-])/g, "$1 "))}</p><form>${asks.join("")}<div class="tools">${begin}<button class="text go">Mark ${questions.length ? "the sheet" : "the program"}</button></div></form>`;
+    find("marks").replaceChildren();
+    this.#list();
+  }
+
+  /** The name of the program that answers. */
+  get #answer() {
+    return `${this.name.replace(/\.\w+$/, "")}.pal`;
+  }
+
+  #list() {
+    const options = [...this.all].map(([name, { title }]) => {
+      const option = new Option(`${this.done.has(name) ? "✓ " : ""}${title}`, name);
+      option.selected = name === this.name;
+      return option;
+    });
+    find("exercise").replaceChildren(...options);
+  }
+
+  #begin() {
+    const { editor, programs, tabs } = this.bench;
+    editor.put(this.#answer, programs.get(this.#answer) ?? BEGUN.replace("NAME", this.all.get(this.name).title));
+    tabs.open("program");
+  }
+
+  /** Mark the program that is open, or the sheet. */
+  async #mark() {
+    const { apart, editor } = this.bench;
+    const { name } = this;
+    const tables = this.all.get(name);
+    const lines = [...find("asked").querySelectorAll("input")].map((input) => `${input.name}: ${input.value}\n`);
+    const source = tables.question ? lines.join("") : editor.text;
+    find("marks").innerHTML = "<p>It is tried …</p>";
+    try {
+      const { right, points, of, html } = await apart.ask("marks", { tables, name: tables.question ? name : editor.name, source }, SECONDS);
+      if (right) this.done.add(name);
+      if (name !== this.name) return;
+      find("marks").innerHTML = `<p><b class="${right ? "right" : ""}">${escaped(tables.question ? "The sheet" : editor.name)}: ${points} of ${of} points</b></p>${html}`;
+      this.#list();
+    } catch (error) {
+      find("marks").innerHTML = `<p>${escaped(error.message)}</p>`;
+    }
+  }
+
+  async #link() {
+    const { name, bench } = this;
+    const whole = location.href.replace(/#.*/, "");
+    bench.give(name in bench.record.exercises ? `${whole}#exercise=${name}` : await linked({ exercise: { name, tables: this.all.get(name) } }));
   }
 }

@@ -1,6 +1,4 @@
-// Answers marked as `pdp8 check` marks them, in a Worker: no loop of a student's stops the page.
-//
-//     page ── the exercise's tables, the source ──► Worker, which runs the page's own script ── marks ──► page
+// Answers marked as `pdp8 check` marks them, by its own code.
 
 import { Answer } from "../../lessons/answer.mjs";
 import { Case, Exercise, Question, Source, Trial } from "../../lessons/exercise.mjs";
@@ -8,7 +6,6 @@ import { mark } from "../../lessons/marking.mjs";
 import { body } from "../../lessons/page.mjs";
 import { bytes, dict } from "../translator/runtime.mjs";
 
-const SECONDS = 10; // the most that an answer may take
 const TAPES = ["reader", "keys", "tape"];
 const TABLES = ["deposit", "core", "hints", "slips"];
 
@@ -42,25 +39,4 @@ export function marks({ tables, name, source }) {
   ]);
   const { right, points, of, fault } = result;
   return { right, points, of, fault, marks: failed, html: [...body(result)].join("\n") };
-}
-
-/** What the page's script does in a Worker. */
-export function serve() {
-  globalThis.onmessage = ({ data }) => globalThis.postMessage(marks(data));
-}
-
-/** The marks of a source, by a Worker. Throws where it takes too long, or the exercise is none. */
-export function marked(asked) {
-  const script = document.querySelector("script[type=module]").textContent;
-  const url = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
-  const worker = new Worker(url, { type: "module" });
-  return new Promise((resolve, reject) => {
-    worker.onmessage = ({ data }) => resolve(data);
-    worker.onerror = ({ message }) => reject(new Error(`no exercise: ${message}`));
-    worker.postMessage(asked);
-    setTimeout(() => reject(new Error(`it took more than ${SECONDS} s, and was ended`)), SECONDS * 1000);
-  }).finally(() => {
-    worker.terminate();
-    URL.revokeObjectURL(url);
-  });
 }

@@ -64,7 +64,7 @@ export class Parts {
     const shared = this.part.arguments.flatMap(([, , fields]) => fields ?? []);
     const own = this.part.options.filter(({ name }) => !shared.includes(name));
     const others = this.part.options.filter(({ name }) => shared.includes(name));
-    const more = others.length ? `<details><summary>Milling and header</summary>${others.map(field).join("")}</details>` : "";
+    const more = others.length ? `<details><summary>Milling and header</summary><div>${others.map(field).join("")}</div></details>` : "";
     find("part-is").textContent = this.part.summary;
     find("part-options").innerHTML = own.map(field).join("") + more;
   }
@@ -93,10 +93,11 @@ export class Parts {
   /** Let eia.pal run on the tape, at full speed; show() sees its end. */
   #translate() {
     const { bench } = this;
+    find("counts").checked = false;
     bench.translate(this.name);
     bench.switches.press("start");
     this.speed = bench.clock.speed;
-    bench.clock.speed = Infinity;
+    bench.time.setSpeed(Infinity);
     this.translating = true;
     find("part-translated").textContent = "eia.pal is running.";
   }
@@ -108,10 +109,10 @@ export class Parts {
   }
 
   show() {
-    const { clock, machine } = this.bench;
+    const { machine, time } = this.bench;
     if (!this.translating || (machine.processor.run && !machine.waiting.endless)) return;
     this.translating = false;
-    clock.speed = this.speed;
+    time.setSpeed(this.speed);
     const { frames } = machine.teletype.punch;
     const minutes = grouped(Math.round(machine.elapsed / 60));
     find("part-translated").textContent = `${grouped(frames.length)} frames of EIA are punched: ${minutes} minutes on the PDP-8/L.`;

@@ -1,15 +1,58 @@
-// A link that holds the program and the machine: #s=...
+// Links: #s= holds a program, the machine, an exercise; #exercise= the name of a bundled one. A bundled tape goes by its
+// name, and of the machine only what is not as at power-up.
 
 import { packed, unpacked } from "../packed.mjs";
 
-/** What the address holds, or null. Throws where the address is damaged. */
+export const LONGEST = 8000; // characters of a link that mail and chat leave whole
+
+/** What the address holds, or null. Throws where it is damaged. */
 export async function opened() {
-  const found = /^#s=([\w-]+)$/.exec(location.hash);
-  return found ? unpacked(found[1]) : null;
+  const [, kind, text] = /^#(s|exercise)=(.*)$/.exec(location.hash) ?? [];
+  if (kind === "exercise") return { exercise: decodeURIComponent(text) };
+  if (!text) return null;
+  if (text.length > 2 * LONGEST) throw new Error(`it has ${text.length} characters; ${2 * LONGEST} are allowed`);
+  try {
+    return await unpacked(text);
+  } catch (error) {
+    throw new Error("it is damaged or cut short", { cause: error });
+  }
 }
 
 /** The address of this page with `shared` in it. */
-export async function address(shared) {
+export async function linked(shared) {
   const text = await packed(shared);
   return `${location.href.replace(/#.*/, "")}#s=${text.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
+}
+
+const plain = (value) => value?.constructor === Object;
+const tape = (value) => Array.isArray(value) && value.length > 1;
+
+/** What of a state is not as in `usual`; a tape that is a piece of one of `tapes` by [its name, from, to]. */
+export function shortened(state, usual, tapes) {
+  const parts = Object.entries(state).map(([name, value]) => {
+    if (JSON.stringify(value) === JSON.stringify(usual?.[name])) return [name, undefined];
+    if (plain(value)) return [name, shortened(value, usual?.[name], tapes)];
+    return [name, tape(value) ? piece(value.join(" "), tapes) ?? value : value];
+  });
+  return Object.fromEntries(parts.filter(([, value]) => value !== undefined));
+}
+
+/** The state that was shortened. Throws for a tape that is not at hand. */
+export function whole(state, tapes) {
+  const parts = Object.entries(state).map(([name, value]) => {
+    if (!plain(value)) return [name, value];
+    if (!value.$tape) return [name, whole(value, tapes)];
+    const [called, from, to] = value.$tape;
+    if (!tapes.has(called)) throw new Error(`no tape ${called} is bundled`);
+    return [name, [tapes.get(called).slice(from, to)]];
+  });
+  return Object.fromEntries(parts);
+}
+
+function piece(text, tapes) {
+  for (const [name, frames] of tapes) {
+    const from = frames.indexOf(text);
+    if (from >= 0) return { $tape: [name, from, from + text.length] };
+  }
+  return null;
 }

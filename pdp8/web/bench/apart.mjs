@@ -1,0 +1,52 @@
+// Work apart from the page, in a Worker that runs the page's own script: no loop of a program stops the page.
+//
+//     page ── [number, what, given] ──► Worker ── [number, made, why not] ──► page
+
+/** What the page's script does in a Worker: `work` by its name. */
+export function serve(work) {
+  globalThis.onmessage = ({ data: [number, what, given] }) => {
+    try {
+      globalThis.postMessage([number, work[what](given)]);
+    } catch (error) {
+      globalThis.postMessage([number, null, String(error.message ?? error)]);
+    }
+  };
+}
+
+export class Apart {
+  constructor() {
+    this.asked = new Map();
+    this.number = 0;
+  }
+
+  #begin() {
+    const script = document.querySelector("script[type=module]").textContent;
+    const url = URL.createObjectURL(new Blob(["\"use strict\";\n", script], { type: "text/javascript" }));
+    this.worker = new Worker(url);
+    this.worker.onerror = ({ message }) => this.#end(message ?? "this browser lets no Worker run");
+    this.worker.onmessage = ({ data: [number, made, why] }) => {
+      const { resolve, reject } = this.asked.get(number) ?? {};
+      this.asked.delete(number);
+      if (why === undefined) resolve?.(made);
+      else reject?.(new Error(why));
+    };
+  }
+
+  /** What the Worker makes of `given`. Throws what it throws, or that it takes more than some seconds. */
+  ask(what, given, seconds) {
+    if (!this.worker) this.#begin();
+    const number = this.number++;
+    const made = new Promise((resolve, reject) => this.asked.set(number, { resolve, reject }));
+    this.worker.postMessage([number, what, given]);
+    const late = setTimeout(() => this.#end(`it took more than ${seconds} s, and was ended`), seconds * 1000);
+    return made.finally(() => clearTimeout(late));
+  }
+
+  /** End the Worker, and all that is asked of it; the next question begins another. */
+  #end(why) {
+    this.worker.terminate();
+    this.worker = null;
+    for (const { reject } of this.asked.values()) reject(new Error(why));
+    this.asked.clear();
+  }
+}

@@ -1,0 +1,42 @@
+// What the assembler says of a source while it is typed: where its words are, and what is wrong, line by line.
+
+import { FOUND, assemble } from "../../../pal/assembling.mjs";
+import { MOST } from "../../../pal/assembly.mjs";
+import { grouped } from "../written.mjs";
+
+/** Assemble a source, in the dialect that it is written in. */
+export function assembled(name, text) {
+  return assemble([text], [name], false, undefined, null, FOUND);
+}
+
+export function checked({ name, text }) {
+  return findings(assembled(name, text));
+}
+
+/** The words of each line, [[line, address, word]], the first diagnostics, and what is said of the whole. */
+export function findings(assembly) {
+  const placed = assembly.lines.filter(({ address }) => address !== null);
+  return {
+    places: placed.map(({ number, address, word }) => [number, address, word]),
+    diagnostics: assembly.diagnostics.slice(0, MOST).map(said),
+    summary: summary(assembly),
+  };
+}
+
+function said(diagnostic) {
+  const { line, column, end_column, severity, message, advice } = diagnostic;
+  return { line, start: column - 1, end: end_column - 1, severity, brief: `${message}  ${advice}`.trim(), whole: String(diagnostic) };
+}
+
+/** What became of a source: its words, its tape, how many errors and notes. */
+function summary({ diagnostics, tape, words }) {
+  const errors = diagnostics.filter(({ error }) => error).length;
+  const made = `${counted(words.length, "word")}, a tape of ${counted(tape.length, "frame")}`;
+  const found = [[errors, "error"], [diagnostics.length - errors, "note"]].filter(([number]) => number);
+  const more = diagnostics.length > MOST ? `; the first ${MOST} are shown` : "";
+  return `${made}${found.length ? "; " : ""}${found.map(([number, what]) => counted(number, what)).join(", ")}${more}.`;
+}
+
+function counted(number, what) {
+  return `${grouped(number)} ${what}${number === 1 ? "" : "s"}`;
+}
