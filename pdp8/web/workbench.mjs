@@ -276,9 +276,9 @@ async function start() {
   const bench = new Bench(await unpacked(find("record").textContent));
   embed(bench.tabs);
   enlargeable();
+  await bench.open();
   // For the curious, at the browser's console: workbench.machine.core[0o200] ...
   window.workbench = bench;
-  await bench.open();
 }
 
 if (globalThis.document) start();

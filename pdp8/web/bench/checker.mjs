@@ -19,6 +19,7 @@ export function findings(assembly) {
   return {
     places: placed.map(({ number, address, word }) => [number, address, word]),
     diagnostics: assembly.diagnostics.slice(0, MOST).map(said),
+    more: Math.max(0, assembly.diagnostics.length - MOST),
     summary: summary(assembly),
   };
 }
@@ -33,8 +34,7 @@ function summary({ diagnostics, tape, words }) {
   const errors = diagnostics.filter(({ error }) => error).length;
   const made = `${counted(words.length, "word")}, a tape of ${counted(tape.length, "frame")}`;
   const found = [[errors, "error"], [diagnostics.length - errors, "note"]].filter(([number]) => number);
-  const more = diagnostics.length > MOST ? `; the first ${MOST} are shown` : "";
-  return `${made}${found.length ? "; " : ""}${found.map(([number, what]) => counted(number, what)).join(", ")}${more}.`;
+  return `${made}${found.length ? "; " : ""}${found.map(([number, what]) => counted(number, what)).join(", ")}.`;
 }
 
 function counted(number, what) {

@@ -34,7 +34,7 @@ export class Editor {
     this.name = "";
     this.core = { text: null, lines: new Map() }; // of what is in core: its source, {address: line}
     this.now = null; // the line that the processor is in
-    this.#found({ places: [], diagnostics: [], summary: "" });
+    this.#found({ places: [], diagnostics: [], more: 0, summary: "" });
     this.#controls();
     bench.shelf.changed.push(() => this.#sources());
   }
@@ -197,7 +197,7 @@ export class Editor {
     }
   }
 
-  #found({ places, diagnostics, summary }) {
+  #found({ places, diagnostics, more, summary }) {
     this.places = new Map();
     for (const [line, address, word] of places) if (!this.places.has(line)) this.places.set(line, { address, word });
     this.wrong = new Map(diagnostics.map((each) => [each.line, each]).reverse());
@@ -206,7 +206,7 @@ export class Editor {
       const place = `data-line="${line}" data-start="${start}" data-end="${end}"`;
       return `<li class="${severity}"><button class="text" ${place}>${escaped(first)}</button><pre>${escaped(rest.join("\n"))}</pre></li>`;
     });
-    find("messages").innerHTML = `<p>${summary}</p><ol>${items.join("")}</ol>`;
+    find("messages").innerHTML = `<p>${summary}</p><ol>${items.join("")}</ol>${more ? `<p>and ${more.toLocaleString("en")} more</p>` : ""}`;
     for (const id of ["load", "boot", "list"]) find(id).disabled = !places.length;
     this.#draw();
   }

@@ -42,11 +42,16 @@ LIVE = "workbench.afternoon.play(false); workbench.afternoon.takeOver();"
 AFTERNOON = "workbench.afternoon.go(6e10);"
 OTHER_UNIT = "workbench.time.choose(workbench.time.unit === 'block' ? 'cycle' : 'block');"
 UNTIL = f"{LOADED} workbench.tabs.open('debugger'); document.getElementById('where').value = '0203';"
-LONG = f"{EDITOR}.text = '*200\\n' + '7000\\n'.repeat(90) + '$\\n'; {EDITOR}.assemble(); {EDITOR}.load();"
+LONG = (
+    f"workbench.tabs.open('program'); {EDITOR}.text = '*200\\n' + '7000\\n'.repeat(90) + '$\\n';"
+    f" {EDITOR}.assemble(); {EDITOR}.load();"
+)
 CUT = "workbench.mill.cut('circle.eia');"
-PREPARED = f"[{TTY}.reader.loaded, workbench.mill.name, document.getElementById('mill').hidden]"
 COPIED = "window.copied = 0; navigator.clipboard.writeText = async () => { window.copied++; };"
-EXERCISES = "workbench.tabs.open('exercises');"
+EXERCISES = "workbench.tabs.open('exercises'); workbench.exercises.open('add');"
+PARTS = "workbench.tabs.open('parts');"
+PRESS_PUNCH = "document.querySelector('#part .go').click();"
+CUTTABLE = "document.getElementById('part-cut').disabled = false;"
 
 
 def tab(name: str, neighbour: str, key: str) -> Control:
@@ -112,7 +117,7 @@ CONTROLS = {
     "[data-opens='debugger']": tab("debugger", "mill", "ArrowLeft"),
     "[data-opens='figures']": tab("figures", "exercises", "ArrowRight"),
     "[data-opens='mill']": tab("mill", "debugger", "ArrowRight"),
-    "[data-opens='exercises']": tab("exercises", "mill", "ArrowRight"),
+    "[data-opens='exercises']": tab("exercises", "parts", "ArrowRight"),
     "#sources": Control(f"{EDITOR}.name", WRITTEN, "e"),
     "#assemble": Control(f"{EDITOR}.assembly !== null", f"{WRITTEN} {EDITOR}.assembly = null;"),
     "#load": Control(f"{P}.core[0o200]", ASSEMBLED),
@@ -129,8 +134,17 @@ CONTROLS = {
     "#where": Control(value("#where"), "workbench.tabs.open('debugger');", "7"),
     "#until button": Control(f"{P}.clock", UNTIL),
     "#registers input": Control(f"[{P}.pc, {P}.lac]", LOADED, "Control+a 7 Enter"),
-    "#lines button": Control(f"{MACHINE}.watch.breakpoints.length", LOADED),
-    "#lines": Control(scrolled("#lines"), f"{LOADED} {LONG}", "PageDown"),
+    "#gutter button": Control(f"{MACHINE}.watch.breakpoints.length", f"{LOADED} {LONG}"),
+    "#program-name": Control(f"{EDITOR}.name", WRITTEN, "End 7 Enter"),
+    "#new-program": Control(f"{EDITOR}.name", WRITTEN),
+    "#delete-program": Control("document.getElementById('program-says').textContent", WRITTEN),
+    "#save-as": Control("window.saved", WRITTEN + SAVED, "."),
+    "#list": Control(
+        f"{EDITOR}.core.text", f"{LOADED} workbench.tabs.open('program'); {EDITOR}.core.text = null;"
+    ),
+    "#counts": Control(
+        "document.getElementById('counts').checked", "workbench.tabs.open('program');", "Space"
+    ),
     "#core": Control(scrolled("#core"), LOADED, "PageDown", within=" th"),
     "#core input": Control(f"[...{P}.core]", LOADED, "Control+a 7 Enter"),
     "#page": Control("workbench.debug.core.page", "workbench.tabs.open('debugger');", "0"),
@@ -144,7 +158,15 @@ CONTROLS = {
     "#next-act": Control("workbench.afternoon.script.now", AFTERNOON),
     "#slider": Control("workbench.afternoon.script.now", AFTERNOON, "ArrowLeft"),
     "#link": Control("window.copied", f"{AFTERNOON} {COPIED}"),
-    "[data-prepare]": Control(PREPARED, f"{CUT} {EXERCISES} {TTY}.reader.remove();"),
-    "[data-answer]": Control(every("[data-answer]", "value"), EXERCISES, "8"),
-    "[data-check]": Control(every("[data-verdict]", "textContent"), EXERCISES),
+    "[data-opens='parts']": tab("parts", "mill", "ArrowRight"),
+    "#part-name": Control(value("#part-name"), PARTS, "e"),
+    "#part-options [name]": Control(every("#part-options [name]", "value"), PARTS, "7"),
+    "#part-options summary": Control("document.querySelector('#part-options details').open", PARTS),
+    "#part .go": Control(f"{TTY}.reader.tape.length", f"{PARTS} {TTY}.reader.remove();"),
+    "#part-translate": Control(f"{TTY}.reader.position", f"{PARTS} {PRESS_PUNCH}"),
+    "#part-cut": Control("workbench.mill.name", f"{PARTS} {PRESS_PUNCH} {CUTTABLE} {PUNCHED}"),
+    "#exercise": Control("workbench.exercises.name", EXERCISES, "m"),
+    "#exercise-link": Control("location.hash", f"{EXERCISES} history.replaceState(null, '', '#');"),
+    "[data-begin]": Control(f"{EDITOR}.name", f"{WRITTEN} {EXERCISES}"),
+    "#asked .go": Control("document.getElementById('marks').textContent.length", EXERCISES),
 }

@@ -37,7 +37,7 @@ def test_every_control_has_a_role_and_a_name(page: "Page") -> None:
     """As the browser tells them to a screen reader, on every tab."""
     session = page.context.new_cdp_session(page)
     page.evaluate(f"() => {{ {_ALL} }}")
-    for name in ("program", "debugger", "mill", "exercises"):
+    for name in ("program", "debugger", "mill", "parts", "exercises"):
         page.evaluate(f"workbench.tabs.open('{name}')")
         nodes = session.send("Accessibility.getFullAXTree")["nodes"]
         nameless = [

@@ -1,4 +1,4 @@
-"""What a class does on the workbench, in Chromium and in Firefox: tapes, files, sound, the six exercises.
+"""What a class does on the workbench, in Chromium and in Firefox: tapes, files, sound, what the assembler says.
 
 Both are asked in the same words: a script of the page, and a condition to wait for.
 """
@@ -163,76 +163,3 @@ def test_what_the_assembler_says_is_what_pal_prints(tab: Tab, tmp_path: Path, so
     said = "[...document.querySelectorAll('#messages li > *, #messages ol + p')]"
     shown = tab.run(f"return {said}.map(({{ textContent }}) => textContent).join('\\n')")
     assert shown == re.split("\n(?:pal:|wrote) ", done.stderr.decode())[0].rstrip("\n")
-
-
-def check(tab: Tab, number: int, answer: str = "") -> str:
-    """Write an answer, press Check, return the verdict."""
-    choose(tab, f"[data-answer='{number}']", answer)
-    click(tab, f"[data-check='{number}']")
-    return str(tab.run(f"return document.querySelector(\"[data-verdict='{number}']\").textContent"))
-
-
-def prepare(tab: Tab, number: int) -> None:
-    """Press the exercise's Prepare, and let the machine go as fast as it can."""
-    click(tab, "[data-opens=exercises]", f"[data-prepare='{number}']")
-    fast(tab)
-
-
-def write_core(tab: Tab, address: int, word: int) -> None:
-    """Write a word in the debugger's table of core."""
-    click(tab, "[data-opens=debugger]")
-    choose(tab, "#page", str(address >> 7))
-    tab.run(
-        f"const cell = document.querySelectorAll('#core input')[{address & 0o177}];"
-        f"cell.value = '{word:04o}';"
-        "cell.dispatchEvent(new Event('change'));"
-    )
-
-
-def test_exercise_1_reads_a_frame(tab: Tab) -> None:
-    prepare(tab, 0)
-    assert "the reader has read 0 frames" in check(tab, 0, "8")
-    click(tab, "[data-key=start]")
-    tab.until("workbench.machine.teletype.reader.position > 180")
-    assert "look at the holes" in check(tab, 0, "5")
-    assert check(tab, 0, "8") == "Right."
-
-
-def test_exercise_2_follows_a_digit(tab: Tab) -> None:
-    prepare(tab, 1)
-    assert "count the cycles" in check(tab, 1, "40")
-    assert check(tab, 1, "43.2") == "Right."
-
-
-def test_exercise_3_leaves_kcc_out(tab: Tab) -> None:
-    prepare(tab, 2)
-    assert "0201 holds 6032, not 7000" in check(tab, 2)
-    write_core(tab, 0o201, 0o7000)
-    click(tab, "[data-key=start]")
-    assert "frames are punched" in check(tab, 2)
-    tab.until("workbench.machine._out_of_tape()")
-    tab.until(f"workbench.machine.teletype.punch.frames.length === {len(shelf.read_bundled('circle.eia'))}")
-    assert check(tab, 2) == "Right."
-
-
-def test_exercise_4_has_no_spaces(tab: Tab) -> None:
-    prepare(tab, 3)
-    assert "holds 0020, not 0001" in check(tab, 3)
-    write_core(tab, int(tab.run("return workbench.symbols.get('MSP')")), 1)
-    click(tab, "[data-key=start]")
-    tab.until("workbench.machine._out_of_tape()")
-    assert check(tab, 3) == "Right."
-
-
-def test_exercise_5_finds_the_block(tab: Tab) -> None:
-    prepare(tab, 4)
-    assert "look among the blocks" in check(tab, 4, "586")
-    assert check(tab, 4, "587") == "Right."
-
-
-def test_exercise_6_breaks_a_tape(tab: Tab) -> None:
-    prepare(tab, 5)
-    assert "torn.eia has not been cut" in check(tab, 5, "100")
-    choose(tab, "#eia", "torn.eia")
-    assert "Refused" in tab.run("return document.getElementById('refusal').textContent")
-    assert check(tab, 5, "100") == "Right."

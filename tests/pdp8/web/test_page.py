@@ -113,7 +113,7 @@ def test_registers_and_listing_stand_beside_the_lamps(page: "Page", circle: Afte
         shown = page.evaluate(_REGISTERS)
         assert (shown["L"], shown["AC"]) == (str(machine.link), f"{machine.ac:04o}")
         assert (shown["MA"], shown["MB"]) == (f"{machine.ma:04o}", f"{machine.mb:04o}")
-        address, word = page.locator("#lines .now button, #lines .now b").all_inner_texts()
+        address, word = page.locator("#gutter .now button, #gutter .now b").all_inner_texts()
         assert int(word, 8) == lines[int(address, 8)].word
 
 
@@ -307,8 +307,8 @@ def test_one_line_is_current_whatever_sheet_comes_back(page: "Page", circle: Aft
     ends = [act.ends - 1 for act in circle.acts[:-1]]
     for tick in [*ends, *reversed(ends), *ends]:
         _go(page, tick)
-        assert page.locator("#lines .now").count() <= 1
-        assert page.locator("#lines [aria-current]").count() == page.locator("#lines .now").count()
+        assert page.locator("#gutter .now").count() <= 1
+        assert page.locator("#gutter [aria-current]").count() == page.locator("#gutter .now").count()
 
 
 def test_the_address_names_the_instant(page: "Page") -> None:
@@ -378,7 +378,7 @@ def test_all_is_of_one_instant_when_a_play_is_halted(page: "Page", circle: After
         levels = page.evaluate(_LEVELS)
         assert [levels[f"MA{bit}"] for bit in range(12)] == [word >> (11 - bit) & 1 for bit in range(12)]
         assert page.locator("[data-register=MA] dd").inner_text() == f"{word:04o}"
-        assert page.locator("#lines .now button").text_content() == f"{at:04o}"
+        assert page.locator("#gutter .now button").text_content() == f"{at:04o}"
 
 
 def test_a_lamp_is_full_or_dark_where_the_machine_stands(page: "Page", circle: Afternoon) -> None:
