@@ -114,8 +114,7 @@ def read(name: str, most: int = LARGEST) -> bytes:
                 content = file.read(most + 1)
         except OSError as error:
             raise ShelfError(f"{name}: {error.strerror}") from error
-        if watch := _watched.get():
-            watch.read.add(identity(path))
+        remember(path)
     if len(content) > most:
         raise ShelfError(f"{called(name)}: longer than {most:,} bytes, the most that is read of a file")
     if is_utf16(content):
@@ -124,6 +123,12 @@ def read(name: str, most: int = LARGEST) -> bytes:
             "-o FILE, or --punch FILE of pdp8 run"
         )
     return content
+
+
+def remember(path: str) -> None:
+    """Remember that the file at `path` was read, if the shelf is watched."""
+    if watch := _watched.get():
+        watch.read.add(identity(path))
 
 
 def read_text(name: str, most: int = LARGEST) -> str:

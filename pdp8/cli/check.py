@@ -39,7 +39,10 @@ _SHOWN = ("task", "solution")
 @click.option("--cpu", type=processor_seconds, default=bounded.SECONDS, metavar="SECONDS",
               show_default=True, help="Of processor time, the most an answer may take.")  # fmt: skip
 @click.option(
-    "--export-student", is_flag=True, help="Write the exercise without what students must not have."
+    "--export-student",
+    type=Target("JSON"),
+    metavar="FILE",
+    help="Write the exercise without what students must not have.",
 )
 @click.pass_context
 def check(
@@ -56,7 +59,7 @@ def check(
     pages: str | None,
     seed: int,
     cpu: float,
-    export_student: bool,
+    export_student: str | None,
 ) -> None:
     """Mark each ANSWER to EXERCISE: run it on the exercise's cases, or compare a sheet of answers.
 
@@ -76,7 +79,7 @@ def check(
       pdp8 check add ana.pal ben.pal
       pdp8 check homework.toml answers/*.pal --json marks.json
       pdp8 check homework.toml answers/*.pal --csv marks.csv --pages marks --seed 3
-      pdp8 check homework.toml --export-student > homework-student.json
+      pdp8 check homework.toml --export-student homework-student.json
       pdp8 check homework.toml --prove
     """
     if listed:
@@ -86,7 +89,7 @@ def check(
         raise click.UsageError("Give an EXERCISE; --list has the bundled ones.")
     read = form.read(exercise, student.SEED if export_student else seed)
     if export_student:
-        command.put("-", student.form(read))
+        command.put(export_student, student.form(read))
     elif show == "task":
         command.echo(read.task.strip("\n"))
     elif not read.solution and (show or prove):

@@ -30,6 +30,7 @@ def read(name: str) -> Answer:
 def _content(name: str) -> bytes:
     if name == "-":
         return sys.stdin.buffer.read(LARGEST + 1)
+    shelf.remember(name)
     with open(name, "rb") as file:
         return file.read(LARGEST + 1)
 

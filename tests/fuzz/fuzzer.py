@@ -124,7 +124,7 @@ OPTIONS = {
     "pal": ("--rim", "--force", "--modern", "--high-speed-reader", "--strict"),
     "nc view": (),
     "tape read": ("--underside",),
-    "check": ("--prove", "--show", "--seed", "--cpu", "--export-student"),
+    "check": ("--prove", "--show", "--seed", "--cpu"),
     "cards": ("--pdf",),
     "thesis make": (),
     "thesis evidence": (),
@@ -176,7 +176,7 @@ WRITES = (
 )
 RECORDS = {  # what else is written
     "pal": ("--json", "--listing", "--symbols", "--xref"),
-    "check": ("--json", "--junit", "--csv", "--pages"),
+    "check": ("--json", "--junit", "--csv", "--pages", "--export-student"),
     "run": ("--punch", "--count-json", "--save"),
     "tape show": ("--svg",),
     "nc inspect": ("--talyrond", "--talysurf"),

@@ -66,6 +66,7 @@ def answers(tmp_path: Path) -> Path:
     [
         "pdp8 check add --junit ana.pal ben.pal",
         "pdp8 check add --json ana.pal ben.pal",
+        "pdp8 check add --export-student ana.pal",
         "pdp8 check add ben.pal --junit ana.pal",
         "pal --json ana.pal ben.pal",
         "pal --listing ana.pal ben.pal",
@@ -142,6 +143,9 @@ def test_check_keeps_the_files_that_an_exercise_names(call: Call, answers: Path)
     status, _, said = call("pdp8 check own.toml ana.pal --csv in.csv")
     assert (status, "in.csv was read: it is not replaced" in said) == (1, True)
     assert (answers / "in.csv").read_text() == "A"
+    (answers / "cleo.html").write_text(RIGHT)
+    status, _, said = call("pdp8 check add cleo.html --pages .")
+    assert (status, "cleo.html was read: it is not replaced" in said) == (1, True)
 
 
 def test_a_pass_is_not_written_over_its_source(call: Call, tmp_path: Path) -> None:

@@ -248,7 +248,7 @@ def test_results_go_to_a_spreadsheet_to_junit_and_to_the_students(shell: Shell, 
 
 @pytest.mark.parametrize("option", ["--show solution", "--prove"])
 def test_a_students_form_has_no_solution_to_show(option: str, shell: Shell, tmp_path: Path) -> None:
-    (tmp_path / "s.json").write_bytes(shell("pdp8 check add --export-student").stdout)
+    assert shell("pdp8 check add --export-student s.json").stderr == b"wrote s.json\n"
     done = shell(f"pdp8 check s.json {option}")
     assert done.returncode == 1
     assert b"a student's form, which has no solution" in done.stderr
