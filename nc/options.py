@@ -174,6 +174,8 @@ CURVE = _adding(
 )
 """The nominal curve, the cutter and the band."""
 
+_CURVES = ("circle", "ellipse", "line", "function")
+
 
 def cut_tape(**options: Any) -> "Path":
     """Return the path of the whole tape. Raises WorkError at its first bad block."""
@@ -224,32 +226,16 @@ def _not_eia(frames: bytes, error: "CutError") -> WorkError | None:
     return WorkError(f"{error}; the tape seems to be {kind.upper()}, and the machine reads EIA")
 
 
-def curve(
-    circle: tuple[float, ...] | None,
-    ellipse: tuple[float, ...] | None,
-    line: tuple[float, ...] | None,
-    function: str | None,
-    origin: tuple[float, ...],
-    range_: tuple[float, ...] | None,
-    **_: Any,
-) -> "Curve | None":
+def curve(origin: tuple[float, ...], range_: tuple[float, ...] | None, **options: Any) -> "Curve | None":
     """Return the curve that is named, if one is."""
     from nc.curves import nominal
 
-    if sum(given is not None for given in (circle, ellipse, line, function)) > 1:
+    named = {name: options[name] for name in _CURVES if options[name] is not None}
+    if len(named) > 1:
         raise click.UsageError("give one of --circle, --ellipse, --line and --function")
-    if function is not None and range_ is None:
-        raise click.UsageError("--function needs --range")
-    if range_ is not None and function is None:
-        raise click.UsageError("--range needs --function")
-    return nominal(
-        circle=circle,
-        ellipse=ellipse,
-        line=line,
-        function=function,
-        origin=origin,
-        range_=range_,
-    )
+    if ("function" in named) != (range_ is not None):
+        raise click.UsageError("--function and --range go together")
+    return nominal(**named, origin=origin, range_=range_)
 
 
 def curve_or_followed(path: "Path", tolerance: float, **options: Any) -> "Curve | None":

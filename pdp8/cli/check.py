@@ -16,8 +16,11 @@ from pdp8.lessons.marking import Result
 from tapes import command
 from tapes.arguments import Command, Folder, Source, Target
 from tapes.errors import WorkError
+from tapes.measure import counted
 
 _SHOWN = ("task", "solution")
+_BYTE_ORDER_MARK = "\ufeff"
+"""Without it Excel takes a CSV file for the system's own code, and names for others."""
 
 
 @click.command(cls=Command)
@@ -106,7 +109,8 @@ def check(
         if pages is not None:
             command.put_all(pages, _pages(read, results))
         if csv is not None:
-            command.put(csv, records.as_csv(read, results))
+            mark = "" if csv == "-" else _BYTE_ORDER_MARK
+            command.put(csv, mark + records.as_csv(read, results))
         if junit is not None:
             command.put(junit, records.as_junit(read, results))
         if json is not None:
@@ -160,4 +164,5 @@ def _prove(exercise: Exercise) -> None:
     passed = [what for what, result in marked if result.right]
     if passed:
         raise WorkError(f"{exercise.name}: taken for right: {'; '.join(passed)}")
-    command.echo(f"{exercise.name}: the solution has {solved.of} points; {len(marked)} mistakes, all noticed")
+    noticed = counted(len(marked), "mistakes")
+    command.echo(f"{exercise.name}: the solution has {solved.of} points; {noticed}, all noticed")

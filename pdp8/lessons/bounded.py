@@ -9,6 +9,7 @@ Where there is no fork (Windows) the answers are marked here, and nothing but ma
 import os
 import pickle
 import signal
+import sys
 import traceback
 from collections.abc import Callable, Iterator, Sequence
 
@@ -31,7 +32,7 @@ def marked(
     exercise: Exercise, answers: Sequence[Answer], seconds: float = SECONDS, dialect: str = FOUND
 ) -> list[Result]:
     """Return the marks of each answer; those of one that takes more than `seconds` are a fault."""
-    if not hasattr(os, "fork"):
+    if sys.platform == "win32" or not hasattr(os, "fork"):  # mypy knows the first, a browser has the second
         return [marking.mark(exercise, answer, dialect) for answer in answers]
     done: list[Result] = []
     while len(done) < len(answers):
@@ -44,6 +45,7 @@ def marked(
 
 def _fault(status: int, seconds: float) -> str:
     """Return why the process of an answer ended. Raises RuntimeError where no bound was the reason."""
+    assert sys.platform != "win32"
     if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGPROF:
         return f"it took more than {seconds:g} s of processor time, and was ended"
     if os.WIFSIGNALED(status) or os.WEXITSTATUS(status) == _NO_MEMORY:
@@ -55,6 +57,7 @@ def _process(
     exercise: Exercise, answers: Sequence[Answer], seconds: float, dialect: str
 ) -> tuple[list[Result], int]:
     """Return the results of the answers up to the first that is ended, and the process's exit status."""
+    assert sys.platform != "win32"
     source, sink = os.pipe()
     child = os.fork()
     if child == 0:
@@ -78,6 +81,7 @@ def _received(read: Callable[[int], bytes]) -> Iterator[Result]:
 
 def _work(exercise: Exercise, answers: Sequence[Answer], seconds: float, dialect: str, sink: int) -> None:
     """Mark the answers in this process, which ends with it and never returns."""
+    assert sys.platform != "win32"
     status = 1
     try:
         signal.signal(signal.SIGPROF, signal.SIG_DFL)
@@ -107,6 +111,7 @@ def _content(exercise: Exercise, answer: Answer, dialect: str) -> bytes:
 
 
 def _bound_memory() -> None:
+    assert sys.platform != "win32"
     import resource
 
     if not os.path.exists("/proc/self/statm"):  # macOS bounds no address space

@@ -237,7 +237,9 @@ def test_results_go_to_a_spreadsheet_to_junit_and_to_the_students(shell: Shell, 
     (tmp_path / "ben.pal").write_text("*200\n\tJMP Q\n$\n")
     done = shell("pdp8 check add =ana.pal ben.pal --csv marks.csv --junit marks.xml --pages pages")
     assert done.returncode == 1
-    rows = list(csv.reader(io.StringIO((tmp_path / "marks.csv").read_text())))
+    text = (tmp_path / "marks.csv").read_text("utf-8")
+    rows = list(csv.reader(io.StringIO(text.removeprefix("\ufeff"))))
+    assert text.startswith("\ufeff"), "as Excel knows UTF-8"
     assert [row[0] for row in rows] == ["answer", "'=ana.pal", "ben.pal"]
     assert [row[-3] for row in rows] == ["points", "7", "0"]
     suites = ElementTree.fromstring((tmp_path / "marks.xml").read_text().partition("\n")[2])
