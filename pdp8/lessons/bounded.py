@@ -7,11 +7,8 @@ Where there is no fork (Windows) the answers are marked here, and nothing but ma
 """
 
 import os
-import pickle
-import signal
 import sys
-import traceback
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 
 from pdp8.computer.use.program import FOUND
 from pdp8.lessons import marking
@@ -21,103 +18,20 @@ from pdp8.lessons.marking import Result
 
 SECONDS = 10
 """Of processor time an answer."""
-MEMORY = 512 << 20
-"""Bytes more than the command has."""
-LARGEST = 1 << 20
-"""Bytes of an answer's marks."""
-_NO_MEMORY = 3
 
 
 def marked(
     exercise: Exercise, answers: Sequence[Answer], seconds: float = SECONDS, dialect: str = FOUND
 ) -> list[Result]:
     """Return the marks of each answer; those of one that takes more than `seconds` are a fault."""
-    if sys.platform == "win32" or not hasattr(os, "fork"):  # mypy knows the first, a browser has the second
-        return [marking.mark(exercise, answer, dialect) for answer in answers]
-    done: list[Result] = []
-    while len(done) < len(answers):
-        results, status = _process(exercise, answers[len(done) :], seconds, dialect)
-        done += results
-        if len(done) < len(answers):
-            done.append(Result(answers[len(done)].name, (), exercise.points, _fault(status, seconds)))
-    return done
+    if sys.platform != "win32" and hasattr(os, "fork"):
+        from pdp8.lessons.process import fault, process
 
-
-def _fault(status: int, seconds: float) -> str:
-    """Return why the process of an answer ended. Raises RuntimeError where no bound was the reason."""
-    assert sys.platform != "win32"
-    if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGPROF:
-        return f"it took more than {seconds:g} s of processor time, and was ended"
-    if os.WIFSIGNALED(status) or os.WEXITSTATUS(status) == _NO_MEMORY:
-        return f"it took more than {MEMORY >> 20} MiB of memory, and was ended"
-    raise RuntimeError("marking an answer failed; the traceback is above")
-
-
-def _process(
-    exercise: Exercise, answers: Sequence[Answer], seconds: float, dialect: str
-) -> tuple[list[Result], int]:
-    """Return the results of the answers up to the first that is ended, and the process's exit status."""
-    assert sys.platform != "win32"
-    source, sink = os.pipe()
-    child = os.fork()
-    if child == 0:
-        os.close(source)
-        _work(exercise, answers, seconds, dialect, sink)
-    os.close(sink)
-    with os.fdopen(source, "rb") as pipe:
-        results = list(_received(pipe.read))
-    return results, os.waitpid(child, 0)[1]
-
-
-def _received(read: Callable[[int], bytes]) -> Iterator[Result]:
-    while len(head := read(4)) == 4:
-        size = int.from_bytes(head, "big")
-        content = read(size)
-        if len(content) < size:
-            return
-        result: Result = pickle.loads(content)
-        yield result
-
-
-def _work(exercise: Exercise, answers: Sequence[Answer], seconds: float, dialect: str, sink: int) -> None:
-    """Mark the answers in this process, which ends with it and never returns."""
-    assert sys.platform != "win32"
-    status = 1
-    try:
-        signal.signal(signal.SIGPROF, signal.SIG_DFL)
-        _bound_memory()
-        with os.fdopen(sink, "wb") as pipe:
-            for answer in answers:
-                signal.setitimer(signal.ITIMER_PROF, seconds)
-                content = _content(exercise, answer, dialect)
-                pipe.write(len(content).to_bytes(4, "big") + content)
-                pipe.flush()
-        status = 0
-    except MemoryError:
-        status = _NO_MEMORY
-    except Exception:
-        traceback.print_exc()
-    finally:
-        os._exit(status)
-
-
-def _content(exercise: Exercise, answer: Answer, dialect: str) -> bytes:
-    result = marking.mark(exercise, answer, dialect)
-    content = pickle.dumps(result)
-    if len(content) > LARGEST:
-        fault = f"its tapes and pages have more than {LARGEST:,} bytes"
-        return pickle.dumps(Result(answer.name, (), result.of, fault))
-    return content
-
-
-def _bound_memory() -> None:
-    assert sys.platform != "win32"
-    import resource
-
-    if not os.path.exists("/proc/self/statm"):  # macOS bounds no address space
-        return
-    with open("/proc/self/statm", encoding="ascii") as file:
-        now = int(file.read().split()[0]) * resource.getpagesize()
-    soft, hard = resource.getrlimit(resource.RLIMIT_AS)
-    bounds = [now + MEMORY, *(bound for bound in (soft, hard) if bound != resource.RLIM_INFINITY)]
-    resource.setrlimit(resource.RLIMIT_AS, (min(bounds), hard))
+        done: list[Result] = []
+        while len(done) < len(answers):
+            results, status = process(exercise, answers[len(done) :], seconds, dialect)
+            done += results
+            if len(done) < len(answers):
+                done.append(Result(answers[len(done)].name, (), exercise.points, fault(status, seconds)))
+        return done
+    return [marking.mark(exercise, answer, dialect) for answer in answers]

@@ -2,6 +2,7 @@
 
 import csv
 import io
+import sys
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -193,6 +194,10 @@ def test_a_wrong_unit_is_told() -> None:
     assert [values.hint(question, given) for given in ("27.0", "27", "28")] == ["cycles", "cycles", ""]
 
 
+FORK = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no fork")
+
+
+@FORK
 def test_an_answer_that_takes_too_long_is_ended_and_the_next_is_marked() -> None:
     exercise = parse(HEAD + "[[case]]\nname='c'\nseconds=3600\nac=1\n", "e")
     loop = handed.of(b"*200\nL,\tTLS\n\tJMP L\n$\n", "loop.pal")
@@ -202,9 +207,10 @@ def test_an_answer_that_takes_too_long_is_ended_and_the_next_is_marked() -> None
     assert results[1].fault == "it took more than 0.3 s of processor time, and was ended"
 
 
+@FORK
 def test_an_answer_that_takes_too_much_memory_is_ended(monkeypatch: pytest.MonkeyPatch) -> None:
     def hungry(exercise: Exercise, answer: Answer, dialect: str) -> Result:
-        bytearray(2 * bounded.MEMORY)
+        bytearray(1 << 30)
         return Result(answer.name, (), 0)
 
     monkeypatch.setattr(marking, "mark", hungry)
