@@ -57,7 +57,6 @@ def choice() -> str:
 
 def translate_piece() -> None:
     """Write the C of pdp8/computer/speed/piece.py, which piece.pxd asks for."""
-    sys.path.insert(0, str(HOUSE))
     from release.threaded import translate
 
     BUILD.mkdir(exist_ok=True)
@@ -93,6 +92,13 @@ def extensions(required: bool) -> list[Extension]:
     return list(built)
 
 
+def readme() -> str:
+    """Return the README as PyPI shows it."""
+    from release.links import absolute
+
+    return absolute((HOUSE / "README.md").read_text(encoding="utf-8"))
+
+
 class SpokenBuild(build_ext):
     """A build that says which module it compiles, each core another."""
 
@@ -124,7 +130,10 @@ class ReproducibleSdist(sdist):
         return path
 
 
+sys.path.insert(0, str(HOUSE))
 setup(
+    long_description=readme(),
+    long_description_content_type="text/markdown",
     ext_modules=[] if choice() == "forbid" else extensions(choice() == "require"),
     cmdclass={"build_ext": SpokenBuild, "sdist": ReproducibleSdist},
     options={"build_ext": {"parallel": os.cpu_count() or 1}},

@@ -224,7 +224,9 @@ def _serve(dialect: str) -> None:
     try:
         from pal import server
     except ImportError:
-        raise AssemblyError('--lsp needs pygls: pip install "pdp8[lsp]"') from None
+        from tapes.extras import hint
+
+        raise AssemblyError(f"--lsp needs pygls: {hint('lsp')}") from None
     server.made(dialect).start_io()
 
 

@@ -11,6 +11,7 @@ pass the same checks:
 
     python release/dist.py                 build and check
     python release/dist.py --check WHEEL…  check wheels that were built elsewhere
+    python release/dist.py --tag v1.2.3    check that a tag is the version's
 
 Needs uv and twine: `pip install ".[release]"`.
 """
@@ -18,16 +19,19 @@ Needs uv and twine: `pip install ".[release]"`.
 import argparse
 import filecmp
 import os
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import tomllib
 from pathlib import Path
 from zipfile import ZipFile
 
 HOUSE = Path(__file__).parent.parent
 PYTHONS = ("3.11", "3.12", "3.13", "3.14")
-SCRIPT = Path(__file__).with_name("script.py")
+SCRIPT = re.compile(r"```python\n(.*?)```", re.DOTALL)
+"""The first one of docs/python.md."""
 
 
 def run(*command: str | Path, env: dict[str, str] | None = None, **options: object) -> bytes:
@@ -130,23 +134,37 @@ def check(wheel: Path, python: str) -> None:
 
 
 def check_script(room: Path, bin_: Path) -> None:
-    """Run release/script.py, a user's script, beside files that bear the names of our packages; type it."""
+    """Run the first script of docs/python.md beside files that bear the names of our packages; type it."""
+    (shown, *_) = SCRIPT.findall((HOUSE / "docs" / "python.md").read_text(encoding="utf-8"))
+    script = room / "script.py"
+    script.write_text(shown)
     for name in ("programs", "tapes", "nc", "pal"):
         (room / f"{name}.py").write_text("raise SystemExit('a user\\'s own file was imported')\n")
-    script = shutil.copy(SCRIPT, room)
     said = run(bin_ / "python", script, cwd=room)
-    if said.split() != [b"tape", b"out", b"13321"]:
-        sys.exit(f"{SCRIPT.name}: printed {said!r}")
+    if said.strip() not in shown.encode():
+        sys.exit(f"docs/python.md: its first script printed {said!r}")
     typed = room / "typed"
     typed.mkdir()
-    run(bin_ / "mypy", "--strict", shutil.copy(SCRIPT, typed), cwd=typed)
+    run(bin_ / "mypy", "--strict", shutil.copy(script, typed), cwd=typed)
+
+
+def check_tag(tag: str) -> None:
+    """Exit unless `tag` is v and the version of pyproject.toml."""
+    version = tomllib.loads((HOUSE / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
+    if tag != f"v{version}":
+        sys.exit(f"tag {tag}: pyproject.toml has version {version}, which is v{version}")
 
 
 def main() -> None:
-    """Build and check, or check the wheels that are named."""
+    """Build and check, or check the wheels or the tag that is named."""
     parser = argparse.ArgumentParser(description="Build what a release consists of, and check it.")
     parser.add_argument("--check", nargs="+", type=Path, metavar="WHEEL", help="only check these wheels")
-    wheels = parser.parse_args().check
+    parser.add_argument("--tag", help="only check that this tag is the version's")
+    asked = parser.parse_args()
+    if asked.tag:
+        check_tag(asked.tag)
+        return
+    wheels = asked.check
     if wheels:
         for wheel in wheels:
             check(wheel, sys.executable)
@@ -168,4 +186,5 @@ def main() -> None:
     say(run(sys.executable, "-m", "twine", "check", "--strict", *archives).decode().strip())
 
 
-main()
+if __name__ == "__main__":
+    main()

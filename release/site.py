@@ -1,11 +1,13 @@
-"""What mkdocs.yml adds to docs/: README, CONTRIBUTING and CHANGELOG, a page for each module,
+"""What mkdocs.yml adds to docs/: README and its like, a page for each module and one of all commands,
 the workbench itself, and the page that teaches the method.
 
 README and its like stand at the top of the repository, where a forge shows them; their links are rewritten
 for the site, the first page of which is the README.
 """
 
-import re
+import ast
+import html
+import sys
 from pathlib import Path
 
 from mkdocs.config.defaults import MkDocsConfig
@@ -14,9 +16,12 @@ from mkdocs.structure.files import File, Files
 from pdp8.web import curve, workbench
 
 HOUSE = Path(__file__).parent.parent
-TOP = {"README.md": "index.md", "CONTRIBUTING.md": "CONTRIBUTING.md", "CHANGELOG.md": "CHANGELOG.md"}
+sys.path.insert(0, str(HOUSE))
+
+from release.links import TOP, moved  # noqa: E402
+from release.reference import reference  # noqa: E402
+
 PACKAGES = ("pdp8", "pal", "tapes", "programs", "nc")
-LINK = re.compile(r"\]\((?!https?:|#|mailto:)([^)\s]+?)(#[^)\s]*)?\)")
 
 
 def modules() -> list[str]:
@@ -33,28 +38,26 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
         files.append(File.generated(config, place, content=(HOUSE / name).read_text(encoding="utf-8")))
     for module in modules():
         files.append(File.generated(config, f"api/{module}.md", content=f"# `{module}`\n\n::: {module}\n"))
+    files.append(File.generated(config, "api/index.md", content=index()))
+    files.append(File.generated(config, "reference.md", content=reference()))
     files.append(File.generated(config, "workbench-live.html", content=workbench.page()))
     files.append(File.generated(config, "curve-live.html", content=curve.page()))
     return files
 
 
-def on_config(config: MkDocsConfig) -> MkDocsConfig:
-    """List the modules under "Modules", a section a package."""
-    names = modules()
-    sections = [
-        {package: [{name: f"api/{name}.md"} for name in names if name.split(".")[0] == package]}
-        for package in PACKAGES
-    ]
-    config.nav = [*config.nav, {"Modules": sections}]
-    return config
+def index() -> str:
+    """Return the page that lists the modules, a package after the other, each with what it is."""
+    lines = ["# Modules", ""]
+    for name in modules():
+        path = HOUSE.joinpath(*name.split("."))
+        package = path / "__init__.py"
+        source = package if package.exists() else path.with_suffix(".py")
+        said = (ast.get_docstring(ast.parse(source.read_text(encoding="utf-8"))) or "").partition("\n")[0]
+        lines += [f"## {name}\n"] if name in PACKAGES else []
+        lines.append(f"- [`{name}`]({name}.md) {html.escape(said)}")
+    return "\n".join(lines)
 
 
 def on_page_markdown(markdown: str, page: object, config: MkDocsConfig, files: Files) -> str:
     """Rewrite links between the top of the repository and docs/."""
-    return LINK.sub(lambda found: f"]({_moved(found[1])}{found[2] or ''})", markdown)
-
-
-def _moved(target: str) -> str:
-    """Return where a link of the repository leads on the site."""
-    name = target.removeprefix("../")
-    return TOP.get(name, name.removeprefix("docs/"))
+    return moved(markdown)

@@ -245,7 +245,9 @@ def read(*, photos: tuple[str, ...], underside: bool, page: str | None, output: 
       pdp8 tape read left.jpg right.jpg --page look.html -o found.bin
     """
     if find_spec("cv2") is None:
-        raise TapeError("reading a picture needs OpenCV: pip install 'pdp8[vision]'")
+        from tapes.extras import hint
+
+        raise TapeError(f"reading a picture needs OpenCV: {hint('vision')}")
     from tapes import correction, photograph, pixels
 
     pictures = []

@@ -38,7 +38,9 @@ def cards(names: tuple[str, ...], output: str, pdf: bool) -> None:
     if not names:
         raise click.UsageError(f"Give a card's name: {', '.join(_NAMES)}, or all.")
     if pdf and find_spec("cairosvg") is None:
-        raise WorkError("PDF needs CairoSVG: pip install 'pdp8[print]'; a browser prints the SVG as well")
+        from tapes.extras import hint
+
+        raise WorkError(f"PDF needs CairoSVG: {hint('print')}; a browser prints the SVG as well")
     wanted = _NAMES if "all" in names else dict.fromkeys(names)
     svgs = {name: _afternoon() if name == _AFTERNOON else drawn.CARDS[name]() for name in wanted}
     if pdf:

@@ -61,7 +61,9 @@ def panel(
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise WorkError("the panel needs a terminal; `pdp8 run` works without one")
     if find_spec("textual") is None:
-        raise WorkError("the panel needs Textual: pip install 'pdp8[panel]'")
+        from tapes.extras import hint
+
+        raise WorkError(f"the panel needs Textual: {hint('panel')}")
     from pdp8.console.opening import opening
 
     session, programs = opening(program, reader, start, cold)

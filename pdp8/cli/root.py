@@ -92,9 +92,9 @@ def pdp8() -> None:
 
     \b
     The 1971 chain:
-      pdp8 part circle > circle.asc
-      pdp8 run eia.pal < circle.asc > circle.eia
-      pdp8 nc plot circle.eia > circle.svg
+      pdp8 part circle -o circle.asc
+      pdp8 run eia.pal --reader circle.asc --punch circle.eia
+      pdp8 nc plot circle.eia -o circle.svg
     """
 
 

@@ -46,8 +46,9 @@ def _plain_wheel(folder: Path) -> Path:
     source = folder / "source"
     for name in ("tapes", "pal", "pdp8", "programs", "nc"):
         shutil.copytree(HOUSE / name, source / name, ignore=shutil.ignore_patterns("__pycache__", "*.so"))
-    for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):
-        shutil.copy(HOUSE / name, source)
+    for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE", "release/links.py"):
+        (source / name).parent.mkdir(exist_ok=True)
+        shutil.copy(HOUSE / name, source / name)
     subprocess.run(
         [
             sys.executable,

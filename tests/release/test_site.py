@@ -6,7 +6,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import click
 import pytest
+
+from pdp8.cli.root import pdp8
+from release.reference import commands
 
 HOUSE = Path(__file__).parents[2]
 
@@ -35,6 +39,20 @@ def test_the_first_page_is_the_readme(site: Path) -> None:
     page = (site / "index.html").read_text()
     assert "Moses Wong" in page
     assert 'href="pdp8.html"' in page
+    assert 'href="start.html#words"' in page
+
+
+def test_all_commands_stand_on_a_page(site: Path) -> None:
+    page = (site / "reference.html").read_text()
+    for context in commands(click.Context(pdp8, info_name="pdp8")):
+        assert f"<code>{context.command_path}</code>" in page
+        for option in context.command.params:
+            assert max(option.opts, key=len) in page
+
+
+def test_the_site_is_small(site: Path) -> None:
+    """Pages of modules show no sources, which stand in the repository."""
+    assert sum(path.stat().st_size for path in site.rglob("*") if path.is_file()) < 16 << 20
 
 
 def test_a_page_is_made_of_each_module(site: Path) -> None:

@@ -25,7 +25,7 @@ def test_the_version_of_the_assembler(shell: Shell) -> None:
 def test_the_help_names_every_command_in_one_line_each_in_groups(option: str, shell: Shell) -> None:
     done = shell(f"pdp8 {option}")
     shown = done.stdout.decode()
-    assert "pdp8 run eia.pal < circle.asc > circle.eia" in shown
+    assert "pdp8 run eia.pal --reader circle.asc --punch circle.eia" in shown
     groups = shown[shown.index("Run:\n") :].split("\n\n")
     assert [group.partition(":\n")[0] for group in groups] == [
         *("Run", "Assemble", "Tapes", "Parts and machine tool", "Teach", "Research")
