@@ -9,7 +9,7 @@ import click
 
 from pdp8.cli.root import pdp8
 
-_WIDTH = 100
+_WIDTH = 84
 
 
 def commands(context: click.Context) -> Iterator[click.Context]:
