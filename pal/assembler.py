@@ -47,6 +47,9 @@ _ROUTINES = {address: name for name, address in PSEUDO_OPERATORS.items()}
 _PLACES = 7  # of the push-down list
 _PUSHED = {"=": 2, "*": 1, "FIELD": 2, "FIXMRI": 2}  # places that each takes while it waits
 _SAFE = {1: 0o17, 2: 0o17, 3: 0o12}  # up to here in page zero a pass does not mind what is stored
+_REREAD = 7  # the letter of a number that is read twice, and counts so
+_TO_BLANKS = (10, 13, 14)  # letters of a number after which blank frames seem to be read
+_BLANK = "\x80"
 _RESUMED = "!"  # a number that goes on after an illegal character begins so
 
 
@@ -114,6 +117,7 @@ class Assembler:
               reader, which at PAUSE loses what it has read ahead, the rest of the line
     table     the symbols of the source as the last pass left them, in the order of the symbol table
     lost      items that PAUSE lost in it, as pairs of the first and the one after the last
+    again     what it typed besides, each with the item and the number of its character that it comes after
     stopped   why it went no further, and at which item; None if it ended
     """
 
@@ -131,6 +135,7 @@ class Assembler:
         self._redefined: dict[int, int] = {}  # where a pseudo-operator was
         self.table: list[Entry] = []
         self.lost: list[tuple[int, int]] = []
+        self.again: list[tuple[int, int, str]] = []
         self.stopped: tuple[str, int] | None = None
 
     def run(self, number: int) -> list[Message | Punched | Written | Listed]:
@@ -151,6 +156,7 @@ class Assembler:
         self._places = 1
         self.table = []
         self.lost = []
+        self.again = []
         try:
             if number == 2:
                 self._punch(ORIGIN, START)
@@ -444,8 +450,9 @@ class Assembler:
     def _numeral(self, name: str) -> int:
         """Return the value of a number; 8 and 9 count as 8 and 9 in octal too.
 
-        A letter is illegal, and so is each digit after it; a second letter ends it, and what follows in the
-        item is passed over.
+        A letter is illegal, and so is each digit after it. From the second letter on all is passed over; but
+        each sends PAL III one word further in its reader's routine, where it reads a letter twice, or takes
+        what it has read for the frame 0200, which is illegal, and the number begins again at 0.
         """
         if name.isdigit() and (self._radix == 10 or ("8" not in name and "9" not in name)):
             value = int(name[max(len(name) - 12, 0) :], self._radix)
@@ -456,15 +463,20 @@ class Assembler:
             self._letters = 0
         self._watch("number", 0)
         value = 0
-        for character in name.lstrip(_RESUMED):
+        for at, character in enumerate(name.lstrip(_RESUMED)):
             if character > "9":
                 self._letters += 1
-            if self._letters > 1:
-                break
-            if self._letters:
-                self._say("IC", f"{ord(character) & 0o77:04o}")
-            else:
+                if self._letters == _REREAD:
+                    self._letters += 1
+                    self.again.append((self._at, at, character))
+            if not self._letters:
                 value = value * self._radix + int(character) & _MASK
+            elif self._letters == 1:
+                self._say("IC", f"{ord(character) & 0o77:04o}")
+            elif self._letters in _TO_BLANKS:
+                self._say("IC", "0200")
+                self.again.append((self._at, at, _BLANK))
+                value = 0
         return value
 
     def _enter(self, name: str) -> int:

@@ -32,6 +32,7 @@ class _Third(NamedTuple):
     output: list[Message | Punched | Written | Listed]
     table: list[Entry]
     lost: list[tuple[int, int]]
+    again: list[tuple[int, int, str]]
     stopped: tuple[str, int] | None
     values: dict[str, int]
 
@@ -157,7 +158,8 @@ class Assembly:
         if self.stopped:
             return b""
         table = b"" if self._third.stopped else listing.symbol_table(self._third.table, 3)
-        return listing.listing(self.source, self._third.output, self._third.lost) + table
+        third = self._third
+        return listing.listing(self.source, third.output, third.lost, third.again) + table
 
     @cached_property
     def values(self) -> dict[str, int]:
@@ -174,7 +176,9 @@ class Assembly:
     def _third(self) -> _Third:
         assembler = self._assembler
         output = [] if self.stopped else assembler.run(3)
-        return _Third(output, assembler.table, assembler.lost, assembler.stopped, assembler.values())
+        return _Third(
+            output, assembler.table, assembler.lost, assembler.again, assembler.stopped, assembler.values()
+        )
 
     @cached_property
     def messages(self) -> list[Message]:

@@ -195,6 +195,8 @@ def _illegal(code: str, location: int) -> str:
             return f"illegal character: the digit {chr(value)} after a letter in a number"
         letter = chr(value + 0o100)
         return f"illegal character: the letter {letter} in a number; a symbol begins with a letter"
+    if value == 0o200:
+        return "so many letters in a number that PAL III loses its way; a symbol begins with a letter"
     return f"illegal character {_spelled(value & 0o177)}: PAL III passes over it"
 
 

@@ -91,10 +91,13 @@ def object_tape(output: list[Message | Punched | Written | Listed], finished: bo
 
 
 def listing(
-    source: Source, output: list[Message | Punched | Written | Listed], lost: Iterable[tuple[int, int]]
+    source: Source,
+    output: list[Message | Punched | Written | Listed],
+    lost: Iterable[tuple[int, int]],
+    again: Iterable[tuple[int, int, str]],
 ) -> bytes:
-    """Return what pass 3 types before its symbol table; `lost` are the items that PAUSE lost."""
-    texts = _texts(source, output, lost)
+    """Return what pass 3 types before its symbol table; `lost` and `again` are the assembler's."""
+    texts = _texts(source, output, lost, again)
     pieces = [
         _statement(piece, next(texts)) if isinstance(piece, Listed) else _message(str(piece))
         for piece in output
@@ -127,16 +130,24 @@ def symbol_table(table: Iterable[Entry], number: int) -> bytes:
 
 
 def _frames(text: str) -> bytes:
-    return text.encode("ascii").translate(_MARKED)
+    return text.encode("latin-1").translate(_MARKED)
 
 
 def _texts(
-    source: Source, output: Iterable[Message | Punched | Written | Listed], lost: Iterable[tuple[int, int]]
+    source: Source,
+    output: Iterable[Message | Punched | Written | Listed],
+    lost: Iterable[tuple[int, int]],
+    again: Iterable[tuple[int, int, str]] = (),
 ) -> Iterator[str]:
     """Yield the text of each statement: that of its line where CR ends it, else none."""
+    spans = source.spans if lost or again else []
+    changes = [(spans[first - 1][1] + 1, spans[after - 1][1], "") for first, after in lost]
+    for at, number, character in again:
+        place = spans[at][0] + number + 1
+        changes.append((place, place, character))
     text = source.text
-    for first, after in reversed(list(lost)):
-        text = text[: source.spans[first - 1][1] + 1] + text[source.spans[after - 1][1] :]
+    for start, end, typed_besides in sorted(changes, reverse=True):
+        text = text[:start] + typed_besides + text[end:]
     texts = text.split("\r")
     items = source.items
     ends = source.line_ends
