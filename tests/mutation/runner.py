@@ -257,8 +257,12 @@ class _Collected:
             if "" in names:
                 imported.add((file, mutant.number))
             names &= runs.seconds.keys()
+            if not names and (file, mutant.number) in imported:
+                return "import"
+            # what no test is seen to run, one may in a process that it starts
+            names = names or set().union(*lines.values()) & runs.seconds.keys()
             if not names:
-                return "import" if (file, mutant.number) in imported else "not run"
+                return "not run"
             order = sorted(names, key=lambda name: runs.seconds[name])
 
             def work(own: Path) -> int:

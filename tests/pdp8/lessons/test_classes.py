@@ -6,12 +6,26 @@ import sys
 import time
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 import pytest
 
-from pdp8.lessons import alike, bounded, form, handed, marking, page, records, scores, student, values
+from pdp8.lessons import (
+    alike,
+    bounded,
+    diagnosis,
+    form,
+    handed,
+    marking,
+    page,
+    records,
+    scores,
+    student,
+    values,
+)
 from pdp8.lessons.answer import Answer
+from pdp8.lessons.diagnosis import sequence, word
 from pdp8.lessons.exercise import Exercise, Source
 from pdp8.lessons.form import ExerciseError, parse
 from pdp8.lessons.marking import Result
@@ -141,6 +155,24 @@ def test_what_happened_is_told(case: str, source: str, happened: str, says: str)
     assert happened in [failure.happened for failure in found.failures]
     assert says in "\n".join(scores.said(found))
     assert "TSF" not in found.hint or happened == "waits for the printer"
+
+
+DIFFERENCES: dict[str, list[tuple[Any, Any]]] = {
+    "nothing came": [("1234", "")], "too short": [("1234", "123")], "too long": [("1234", "12345")],
+    "the first is wrong": [("1234", "2234")],
+    "one lost or doubled": [("1234", "124"), ("1234", "12234")],
+    "wrong": [("1234", "1244"), ("1234", "123X"), ("1234", "12X4"), (b"A", b"\322"), (b"AB", b"AC"), (5, 3)],
+    "parity": [(b"AB", b"A\302"), (b"AB", b"AR")],
+    "one off": [(2, 1), (1, 2), (0, 0o7777)],
+    "the negative": [(5, 0o7773)],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("found", DIFFERENCES)
+def test_in_which_way_a_tape_a_page_or_a_word_differs(found: str) -> None:
+    for one, two in DIFFERENCES[found]:
+        differs = word(one, two) if isinstance(one, int) else sequence(one, two)
+        assert differs == found, (one, two)
 
 
 def test_a_hint_is_said_where_it_fits() -> None:
