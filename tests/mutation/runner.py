@@ -117,7 +117,7 @@ def _fork(work: Callable[[Path], int], folder: Path, limit: float | None = None,
             os.dup2(nowhere, 2)
         if limit is not None:
             os.setpgid(0, 0)
-            signal.alarm(int(limit * 6))
+            signal.alarm(int(limit * 30))
             resource.setrlimit(resource.RLIMIT_CPU, (int(limit), int(limit)))
             resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, _MEMORY))
         own = folder / str(os.getpid())

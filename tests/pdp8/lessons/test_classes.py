@@ -14,7 +14,6 @@ import pytest
 from pdp8.lessons import (
     alike,
     bounded,
-    diagnosis,
     form,
     handed,
     marking,
