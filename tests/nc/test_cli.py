@@ -4,6 +4,11 @@ import pytest
 from click.testing import CliRunner
 
 from nc.cli import nc
+from nc.curves import Ellipse
+from nc.inspection import inspect
+from nc.machine import cut
+from nc.plot import plot
+from nc.talysurf import talysurf
 from tests.conftest import Shell
 from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, FOUR_HOLES, tape
 
@@ -84,6 +89,27 @@ def test_drawings_go_where_they_are_told(shell: Shell) -> None:
     assert done.stdout.startswith(b"<svg")
     assert done.stdout.rstrip().endswith(b"</svg>")
     assert b"worst trough to peak" in done.stderr
+
+
+def test_lengths_are_inches_at_the_commands(shell: Shell) -> None:
+    path, around = cut(CIRCLE), Ellipse(4000, 4000, 1750, 1750)
+    near = plot(path, around, block=100, cutter=250, tolerance=10, zoom=(8, 8), close_at=(4000, 5735))
+    options = "--block 100 --cutter .25 --tolerance .01 --zoom 8 --at 4,5.735"
+    assert product(shell, f"pdp8 nc plot circle.eia {options}") == near
+    options += " --circle 4,4,1.75"
+    assert product(shell, f"pdp8 nc plot circle.eia {options}") == near
+    trace = talysurf(inspect(path, around, 250, 10), (1000, 2000))
+    options = "--circle 4,4,1.75 --cutter .25 --tolerance .01 --talysurf - --stretch 1,2"
+    assert shell(f"pdp8 nc inspect circle.eia {options}").stdout.decode() == trace
+    assert product(shell, "pdp8 nc export circle.eia --dxf").count("LWPOLYLINE") > 1
+
+
+def test_a_day_with_other_times(shell: Shell) -> None:
+    """666 blocks at half a second are 5.55 minutes; one tool change of a minute; all three times over."""
+    said = product(shell, "pdp8 nc cut circle.eia --read-seconds 0.5 --tool-change 60 --passes 3")
+    assert "reading           5.5 min   666 blocks at 0.5 s" in said
+    assert "tool changes      1.0 min   1 at 60 s" in said
+    assert "3 passes         63.2 min   21.1 each" in said
 
 
 def test_the_polynomial_against_its_band(shell: Shell) -> None:
