@@ -5,8 +5,8 @@
     7         8                     if a      if not a     x.y = a     (nothing)
     "word"    "word?"               case a if b   case a   raise E     (nothing)
 
-Not changed: docstrings, annotations, decorators, imports, assertions, texts with a space or in an f-string
-(what messages say), and what stands only for a type checker.
+Not changed: docstrings, annotations, decorators, imports, assertions (`strict` of zip is one), texts with a
+space or in an f-string (what messages say), help and metavar, and what stands only for a type checker.
 """
 
 import ast
@@ -135,6 +135,8 @@ def _for_readers(parent: ast.AST, node: ast.AST) -> bool:
         case _, ast.Expr(ast.Constant()):
             return True
         case ast.JoinedStr(), ast.Constant():
+            return True
+        case ast.Call(), ast.keyword("strict" | "help" | "metavar"):
             return True
         case _, ast.If(ast.Name("TYPE_CHECKING")) | ast.Assign([ast.Name("__all__")]):
             return True

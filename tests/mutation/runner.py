@@ -26,7 +26,7 @@ import traceback
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from functools import partial
+from functools import cache, partial
 from hashlib import sha256
 from importlib.machinery import ModuleSpec
 from pathlib import Path
@@ -67,11 +67,10 @@ Chosen = dict[str, set[int]]
 
 
 class Runs(NamedTuple):
-    """What the tests run: for each file and line its tests; how long each takes, and which run commands."""
+    """What the tests run: for each file and line its tests; how long each takes; what is loaded."""
 
     tests: dict[str, dict[int, set[str]]]
     seconds: dict[str, float]
-    asking: set[str]
     failed: list[str]
     loaded: list[str]
 
@@ -141,21 +140,26 @@ def _wait() -> tuple[int, int]:
 
 def _serve_commands(own: Path, clients: Path, status_of: Callable[[object], int] = warm.status_of) -> None:
     """Have the tests' commands run in forks of this process, with whatever is changed in it."""
-    for name in warm.COMMANDS:
-        (own / name).symlink_to(clients / warm.COMMANDS[0])
-    (asked, life), (heard, ready) = os.pipe(), os.pipe()
-    if os.fork() == 0:
-        os.dup2(asked, 0)
-        os.dup2(ready, 1)
-        os.closerange(3, 1024)
-        warnings.resetwarnings()
-        setattr(warm, "status_of", status_of)  # noqa: B010
-        warm.serve(str(own / "server"))
-        os._exit(0)
-    os.close(asked)
-    os.read(heard, 1)
-    server = warm.Server(own, life)
-    setattr(warm, "started", lambda: server)  # noqa: B010
+
+    @cache
+    def started() -> warm.Server:
+        for name in warm.COMMANDS:
+            (own / name).symlink_to(clients / warm.COMMANDS[0])
+        (asked, life), (heard, ready) = os.pipe(), os.pipe()
+        if os.fork() == 0:
+            os.dup2(asked, 0)
+            os.dup2(ready, 1)
+            os.closerange(3, 1024)
+            warnings.resetwarnings()
+            setattr(warm, "status_of", status_of)  # noqa: B010
+            warm.load()
+            warm.serve(str(own / "server"))
+            os._exit(0)
+        os.close(asked)
+        os.read(heard, 1)
+        return warm.Server(own, life)
+
+    setattr(warm, "started", started)  # noqa: B010
     setattr(commands, "subprocess", SimpleNamespace(**vars(subprocess) | {"Popen": _refused}))  # noqa: B010
 
 
@@ -225,8 +229,8 @@ def _calm_hypothesis() -> None:
     settings.load_profile("mutants")
 
 
-_Ran = tuple[dict[str, set[int]], float, bool]
-"""The lines that a test runs, by file; its seconds; whether it runs commands."""
+_Ran = tuple[dict[str, set[int]], float]
+"""The lines that a test runs, by file, and its seconds."""
 
 
 class _Collected:
@@ -267,8 +271,7 @@ class _Collected:
 
             def work(own: Path) -> int:
                 _swap(functions, code)
-                if not runs.asking.isdisjoint(names):
-                    _serve_commands(own, self.clients)
+                _serve_commands(own, self.clients)
                 return _fails([items[name] for name in order])
 
             return _fork(work, folder, LEAST + LONGER * sum(runs.seconds[name] for name in order))
@@ -286,7 +289,7 @@ class _Collected:
         folder = self.answer.parent
         self.clients.mkdir()
         warm.compile_commands(self.clients)
-        runs = Runs({file: {} for file in self.files}, {}, set(), [], _loaded())
+        runs = Runs({file: {} for file in self.files}, {}, [], _loaded())
         self._note(runs, "", self._lines(self.measured))
         alive: dict[int, str] = {}
         before = pickle.loads(self.kept.read_bytes()) if self.kept.exists() else {}
@@ -312,9 +315,8 @@ class _Collected:
         while alive:
             note()
         self.kept.write_bytes(pickle.dumps(kept))
-        for name, (_, (lines, seconds, asks)) in kept.items():
+        for name, (_, (lines, seconds)) in kept.items():
             runs.seconds[name] = seconds
-            runs.asking.update([name] if asks else [])
             self._note(runs, name, lines)
         return runs
 
@@ -334,11 +336,10 @@ class _Collected:
             return 1
         seconds = time.monotonic() - began
         lines = self._lines(measured)
-        asked = list(own.glob("*.lines"))
-        for one in asked:
+        for one in own.glob("*.lines"):
             for file, there in pickle.loads(one.read_bytes()).items():
                 lines[file] |= there
-        ran: _Ran = lines, seconds, bool(asked)
+        ran: _Ran = lines, seconds
         own.with_suffix(".ran").write_bytes(pickle.dumps(ran))
         return 0
 
@@ -417,9 +418,7 @@ def _whole(
 
         def work(own: Path) -> int:
             sys.meta_path.insert(0, _Changed(file, code))
-            if runs.asking:
-                warm.load()
-                _serve_commands(own, folder / "clients")
+            _serve_commands(own, folder / "clients")
             _calm_hypothesis()
             return int(pytest.main([*_PYTEST, "-x", "--tb=no", *order]))
 
