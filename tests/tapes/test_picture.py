@@ -2,12 +2,13 @@
 
 import re
 import xml.etree.ElementTree as ET
+from hashlib import sha256
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tapes import ascii, captions, eia, octal, picture, rim
+from tapes import ascii, captions, eia, octal, picture, rim, shelf
 from tapes.errors import TextError
 from tests.tapes.strips import FORMAT_BIN
 from tests.tapes.strips import octal as holes
@@ -113,6 +114,12 @@ def test_the_strip_s_frames_are_all_there() -> None:
     tape = FORMAT_BIN
     holes_in_the_tape = sum(frame.bit_count() for frame in tape)
     assert len(circles(picture.svg(tape, "bin", strip=7))) == holes_in_the_tape + len(tape)
+
+
+def test_a_drawing_is_the_one_that_was_looked_at() -> None:
+    typed, binary = ascii.encode("<&A 12\n"), shelf.read("eia.bin")[:260]
+    drawn = picture.svg(typed, "ascii", 1, -1, tracks=True), picture.svg(binary, "bin", strip=60)
+    assert [sha256(page.encode()).hexdigest()[:8] for page in drawn] == ["a3ce6df4", "a2f9ceb0"]
 
 
 @given(st.binary())
