@@ -5,6 +5,6 @@ rooms     which sources and tests belong to a room, and the mutants that change 
 runner    a warm pytest that forks for each mutant
 __main__  the table of scores, and the survivors
 
-Tests that run a command as a process of its own do not see a mutant and are left out: the commands' modules
-(cli.py) and what only they reach come out as not run.
+A test may run commands: they start in forks of the process that has the mutant. One that starts a command by
+`commands.start` or at a terminal is left out, and so is one that fails where nothing of the room is compiled.
 """

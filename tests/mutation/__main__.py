@@ -32,22 +32,20 @@ def main(arguments: argparse.Namespace) -> int:
     for room in arguments.rooms or ROOMS:
         began = time.monotonic()
         found = _room(room, arguments, changed)
-        if found:
+        if found["tried"]:
             table.append((room, found, time.monotonic() - began))
-    print(
-        f"\n{'room':10} {'mutants':>8} {'caught':>8} {'survive':>8} {'not run':>8} {'equal':>8} {'score':>7}"
-    )
+    print("\n| room | mutants | tried | caught | survive | not run | change nothing | score |")
+    print("|---|--:|--:|--:|--:|--:|--:|--:|")
     for room, found, seconds in table:
-        print(
-            f"{room:10} {found.total():8} {found['caught']:8} {found['survived']:8} {found['not run']:8} "
-            f"{found['equal']:8} {score(found):7.1%}   {seconds:.0f} s"
-        )
+        numbers = (found[verdict] for verdict in ("there", "tried", "caught", "survived", "not run", "equal"))
+        print(f"| {room} | {' | '.join(map(str, numbers))} | {score(found):.1%} |")
+        print(f"{room}: {seconds:.0f} s", file=sys.stderr)
     return int(any(score(found) < FLOOR for _, found, _ in table))
 
 
 def score(found: Counter[str]) -> float:
     """Return the part that is caught of the mutants that change something."""
-    counted = found.total() - found["equal"]
+    counted = found["tried"] - found["equal"]
     return found["caught"] / counted if counted else 1.0
 
 
@@ -67,6 +65,7 @@ def _room(room: str, arguments: argparse.Namespace, changed: dict[str, set[int]]
     picked = sorted(known)
     if arguments.sample and len(picked) > arguments.sample:
         picked = sorted(random.Random(arguments.seed).sample(picked, arguments.sample))
+    found.update(there=len(known), tried=len(picked))
     chosen: dict[str, set[int]] = {path.as_posix(): set() for path in sources(room)}
     for file, number in picked:
         if (file, known[file, number].scope, known[file, number].text) in same:
