@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Protocol
 from pal.isa import FETCH, halts
 from pdp8.computer.hardware.bus import Bus, Device
 from pdp8.computer.hardware.core import SIZE, Core
-from pdp8.computer.hardware.fields import Part, Values, put, take
+from pdp8.computer.hardware.fields import Field, Part, Values, all_fields, put, take
 from pdp8.computer.hardware.highspeed import HighSpeed
 from pdp8.computer.hardware.panel import Panel
 from pdp8.computer.hardware.processor import Processor
@@ -206,9 +206,16 @@ class Machine:
         devices = [(f"devices {device.code:02o}", device) for device in bus]
         return [("processor", p), ("bus", bus), ("waiting", waiting), *devices]
 
-    def values(self) -> Values:
-        """Return the state as values in memory: those of every field (see fields.py), and `core`."""
-        return {"core": self.processor.core.tobytes(), **take(self.parts())}
+    def fields(self) -> list[Field]:
+        """Return the fields of all parts (see fields.py)."""
+        return all_fields(self.parts())
+
+    def values(self, fields: list[Field] | None = None) -> Values:
+        """Return the state as values in memory: those of `fields`, this machine's, and `core`.
+
+        Who takes them often finds the fields but once.
+        """
+        return {"core": self.processor.core.tobytes(), **take(fields or self.fields())}
 
     def put(self, values: Values) -> None:
         """Set the machine to `values` of its own or of another with the same devices, all or some."""
@@ -217,7 +224,7 @@ class Machine:
             for address in range(SIZE if words != core else 0):
                 if words[address] != core[address]:
                     self.processor.deposit(address, words[address])
-        put(self.parts(), values)
+        put(self.fields(), values)
 
     def slices(
         self,
@@ -257,7 +264,7 @@ class Machine:
         that its observer has never seen.
         """
         breakpoints, observer = frozenset(self.watch.breakpoints), self.watch.observer
-        self.waiting.watched = self.watch.each_cycle() or len(breakpoints) > 0
+        self.waiting.turn_first = self.watch.each_cycle() or len(breakpoints) > 0
         seen = breakpoints == self._breakpoints and observer is self._observer
         if self.watch.writes or self.processor.pc in breakpoints or not seen:
             self.waiting.forget()

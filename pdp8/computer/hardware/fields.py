@@ -24,6 +24,8 @@ COUNT = 1 << 52
 TICK, FRAMES, PART, CORE = "tick", "frames", "part", "core"
 
 Values = dict[str, Any]
+Field = tuple[str, "Part", str, int | str]
+"""A field: its key among the values, the part, the attribute there, and how it is written."""
 _VALUE = 100
 """About what a value that is no tape takes, in bytes."""
 
@@ -48,35 +50,41 @@ def walk(roots: Iterable[tuple[str, Part]]) -> Iterator[tuple[str, Part]]:
                 yield f"{path} {name}", getattr(part, name)
 
 
-def take(roots: Iterable[tuple[str, Part]]) -> Values:
-    """Return the values of all parts."""
+def all_fields(roots: Iterable[tuple[str, Part]]) -> list[Field]:
+    """Return the fields of all parts but those that are parts."""
+    return [
+        (f"{path} {name}", part, name, kind)
+        for path, part in walk(roots)
+        for name, kind in part.fields.items()
+        if kind != PART
+    ]
+
+
+def take(fields: Iterable[Field]) -> Values:
+    """Return the values of `fields`."""
     values: Values = {}
-    for path, part in walk(roots):
-        for name, kind in part.fields.items():
-            value = getattr(part, name)
-            if kind == FRAMES:
-                value = bytes(value)
-            elif kind == CORE and value is not None:
-                value = value.tobytes()
-            if kind != PART:
-                values[f"{path} {name}"] = value
+    for key, part, name, kind in fields:
+        value = getattr(part, name)
+        if kind == FRAMES:
+            value = bytes(value)
+        elif kind == CORE and value is not None:
+            value = value.tobytes()
+        values[key] = value
     return values
 
 
-def put(roots: Iterable[tuple[str, Part]], values: Mapping[str, Any]) -> None:
-    """Set the parts to `values`, all or some."""
-    for path, part in walk(roots):
-        for name, kind in part.fields.items():
-            key = f"{path} {name}"
-            if kind == PART or key not in values:
-                continue
-            value, now = values[key], getattr(part, name)
-            if isinstance(now, bytearray):
-                now[:] = value  # others hold the same bytearray
-            elif kind == CORE and value is not None:
-                setattr(part, name, array("H", value))
-            else:
-                setattr(part, name, bool(value) if isinstance(now, bool) else value)
+def put(fields: Iterable[Field], values: Mapping[str, Any]) -> None:
+    """Set `fields` to `values`, all or some."""
+    for key, part, name, kind in fields:
+        if key not in values:
+            continue
+        value, now = values[key], getattr(part, name)
+        if isinstance(now, bytearray):
+            now[:] = value  # others hold the same bytearray
+        elif kind == CORE and value is not None:
+            setattr(part, name, array("H", value))
+        else:
+            setattr(part, name, bool(value) if isinstance(now, bool) else value)
 
 
 def changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Values:

@@ -57,6 +57,7 @@ class History:
 
     def __init__(self, machine: Machine, memory: int = MEMORY) -> None:
         self.machine = machine
+        self._fields = machine.fields()
         self._memory = memory
         self._apart = _APART
         self._marks: list[_Mark] = []
@@ -120,7 +121,7 @@ class History:
         self._add(changed(self._left, now), jump=stepped)
 
     def _values(self) -> Values:
-        return self.machine.values()
+        return self.machine.values(self._fields)
 
     def _moment(self) -> tuple[int, int]:
         return self.machine.processor.clock, self.machine.instructions
