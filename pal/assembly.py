@@ -123,7 +123,7 @@ class Assembly:
     @cached_property
     def listing(self) -> str:
         """What pass 3 typed, `\\n` for CR LF."""
-        return self.printed(3)
+        return self.text(3)
 
     @cached_property
     def lines(self) -> list["ListingLine"]:
@@ -132,20 +132,20 @@ class Assembly:
 
         return list(listing.lines(self.source, self._third.output, self._third.lost))
 
-    def printed(self, number: int) -> str:
+    def text(self, number: int) -> str:
         """Return what pass 1, 2 or 3 typed, without the codes that do not print."""
         from pal import listing
 
         if number == 2:
-            return listing.printed(listing.complaints(self._second))
-        return listing.printed(self._typed(number))
+            return listing.text_of(listing.complaints(self._second))
+        return listing.text_of(self._typed(number))
 
     @cached_property
     def teletype(self) -> "Teletype":
         """The frames of the three passes when the ASR-33 does it all; a pass that was not run has none."""
         from pal.listing import Teletype
 
-        return Teletype(*map(self._typed, (1, 2, 3)))
+        return Teletype(*(self._typed(number) for number in (1, 2, 3)))
 
     def _typed(self, number: int) -> bytes:
         from pal import listing

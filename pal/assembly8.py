@@ -140,7 +140,7 @@ class Assembly8(Assembly):
                 listed.append(f"{octal(written.address)}  {octal(written.word)}{mark}{text}".rstrip())
         return "\n".join([*listed, "", self.symbol_table])
 
-    def printed(self, number: int) -> str:
+    def text(self, number: int) -> str:
         """Return what pass 1, 2 or 3 has to show: the symbol table, nothing, the listing."""
         return ("", self.symbol_table, "", self.listing)[number]
 

@@ -66,7 +66,7 @@ def octal(number: int) -> str:
     return f"{number:04o}"
 
 
-def printed(raw: bytes) -> str:
+def text_of(raw: bytes) -> str:
     r"""Return what is to be read of typed frames: without codes that do not print, CR LF as ``\n``."""
     return raw.translate(frames.PARITIES["none"], _SILENT).decode("ascii")
 

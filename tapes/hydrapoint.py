@@ -260,11 +260,11 @@ def typed(text: str) -> str | None:
     near = [block for block in blocks if abs(len(block.replace(" ", "")) - DIGITS) <= 1]
     if not near:
         return None
-    printed = any(len(block) > DIGITS and " " in block for block in near)
+    spaced = any(len(block) > DIGITS and " " in block for block in near)
     at = 0
     for line in lines:
-        digits = line.rstrip("\n").replace(" ", "") if printed else line.rstrip("\n")
+        digits = line.rstrip("\n").replace(" ", "") if spaced else line.rstrip("\n")
         if line.strip() and len(digits) != DIGITS:
             raise TextError(f"a block of {len(digits)} digits; it has {DIGITS}", text, at)
         at += len(line)
-    return "".join(f"{block.replace(' ', '') if printed else block}\n" for block in blocks)
+    return "".join(f"{block.replace(' ', '') if spaced else block}\n" for block in blocks)

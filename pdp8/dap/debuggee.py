@@ -149,7 +149,7 @@ class Debuggee:
         self.said.clear()
         return said
 
-    def printed(self) -> str:
+    def typed(self) -> str:
         """Return what was printed since the last time."""
         frames = self.monitor.machine.teletype.printer.frames
         new = bytes(frames[self._shown :])  # none after going back

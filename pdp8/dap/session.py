@@ -224,7 +224,7 @@ class Session:
 
     def _tell(self, room: Debuggee) -> None:
         """Show what was printed, and what the monitor says."""
-        for category, text in (("console", room.notes()), ("stdout", room.printed())):
+        for category, text in (("console", room.notes()), ("stdout", room.typed())):
             if text:
                 self._wire.event("output", category=category, output=text)
 

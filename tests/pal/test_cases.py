@@ -86,6 +86,6 @@ def test_the_symbol_table_is_as_said(path: Path) -> None:
 
 def test_each_pass_assigns_again_so_that_tape_and_listing_may_differ() -> None:
     assembly = pal.assemble("P=Q\nQ=R\nR=3\n\tP\n$\n")
-    assert "\nP       0000\nQ       0200\nR       0003\n" in assembly.printed(1)
+    assert "\nP       0000\nQ       0200\nR       0003\n" in assembly.text(1)
     assert assembly.words == {0o200: 0o200}
-    assert "0200  0003  " in assembly.printed(3)
+    assert "0200  0003  " in assembly.text(3)

@@ -105,7 +105,7 @@ def test_a_full_table_ends_the_assembly_in_pass_1() -> None:
     assembly = pal.assemble("A=1\nB=2\nC=3\n\t7\n$\n", capacity=2)
     assert [diagnostic.message for diagnostic in assembly.diagnostics] == ["ST  C       AT  0200"]
     assert (assembly.tape, assembly.words, assembly.listing) == (b"", {}, "")
-    assert assembly.printed(1) == "\nST  C       AT  0200"
+    assert assembly.text(1) == "\nST  C       AT  0200"
     assert assembly.teletype.pass1.endswith(b"\xff")
 
 

@@ -53,7 +53,7 @@ def test_the_tape_is_decs_frame_for_frame(name: str) -> None:
 @pytest.mark.parametrize("number", [1, 2, 3])
 @pytest.mark.parametrize("name", NAMES)
 def test_the_teletype_prints_what_it_printed(name: str, number: int) -> None:
-    assert_same_print(assembled(name).printed(number), (EXAMPLES / f"{name}.pass{number}.txt").read_text())
+    assert_same_print(assembled(name).text(number), (EXAMPLES / f"{name}.pass{number}.txt").read_text())
 
 
 def typed(text: str) -> bytes:
@@ -157,7 +157,7 @@ def test_what_dec_never_finishes_is_an_error_and_makes_nothing(name: str) -> Non
     before = ast.literal_eval(
         (EXAMPLES / "stops" / f"{name}.stops.txt").read_text().split("typed ")[1].split(" ...")[0]
     )
-    assert before.startswith(assembly.printed(1))
+    assert before.startswith(assembly.text(1))
 
 
 def test_nested_expressions_of_seven_places_are_the_most() -> None:

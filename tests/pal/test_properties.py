@@ -26,7 +26,7 @@ pieces = st.lists(
 
 def look_at_everything(assembly: pal.Assembly) -> None:
     for number in (1, 2, 3):
-        assert assembly.printed(number).isascii()
+        assert assembly.text(number).isascii()
     assert len(assembly.teletype) == 3
     assert [str(diagnostic) for diagnostic in assembly.diagnostics if diagnostic.error] or assembly.ok
     text(cross_reference(assembly))
@@ -58,7 +58,7 @@ def test_any_statements_assemble_to_a_good_tape(source: str) -> None:
 @example("B ,5=A ")  # 5= puts a name into the table that has blanks in it
 def test_messages_of_the_three_passes_are_the_diagnostics(source: str) -> None:
     assembly = pal.assemble(source)
-    printed = (assembly.printed(1) + assembly.printed(2)).splitlines()
+    printed = (assembly.text(1) + assembly.text(2)).splitlines()
     found = sorted(diagnostic.message for diagnostic in assembly.diagnostics if len(diagnostic.code) == 2)
     said = sorted(line for line in printed if line[2:4] == "  " and "  AT  " in line)
     small = [line for line in said if re.match("IC  03[4-7]", line)]

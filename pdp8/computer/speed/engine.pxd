@@ -17,7 +17,7 @@ cdef class Engine:
     cdef Processor processor
     cdef Waiting waiting
     cdef public bint delays
-    cdef bint watched
+    cdef bint has_breakpoints
     cdef unsigned short[::1] core
     cdef int wall
     cdef frozenset breakpoints

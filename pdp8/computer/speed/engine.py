@@ -97,7 +97,7 @@ class Engine:
         self.wall = 0o10000
         """The first address that may not be written: MEM PROT's, or that after the end of core."""
         self.breakpoints: Set[int] = frozenset()
-        self.watched = False
+        self.has_breakpoints = False
         """Whether there are any."""
         self.conditions = CONDITIONS
         # Two words past the end wrap the PC, which can overrun by a skip.
@@ -137,7 +137,7 @@ class Engine:
             return
         self.wall = wall
         self.breakpoints = frozenset(breakpoints)
-        self.watched = len(breakpoints) > 0
+        self.has_breakpoints = len(breakpoints) > 0
         for address in range(0o10000):
             self.processor.forms[address] = UNDECODED
 
@@ -171,7 +171,7 @@ class Engine:
             operand, op = word & 0o377, _group1(word & 0o377)
         else:
             operand, op = _group2(word)
-        if self.watched and self._may_lead_to_one(word, operand, address):
+        if self.has_breakpoints and self._may_lead_to_one(word, operand, address):
             op = LEFT
         self.arg[address] = operand
         self.processor.forms[address] = op
@@ -201,7 +201,7 @@ class Engine:
             if word & INDIRECT:
                 return True
             after = {operand, operand + 1 & 0o7777}
-        return not self.breakpoints.isdisjoint(after)
+        return bool(self.breakpoints & after)
 
     def _run_pieces(self, until: int, last: int) -> bool:
         """Run piece by piece; return whether it ended with a JMS to a breakpoint."""
@@ -209,12 +209,12 @@ class Engine:
         while p.clock < until and p.instructions < last:
             if p.forms[p.pc & 0o7777] == LEFT or not self._run_piece(self._room(until, last) << 26):
                 p.instruction()
-                if self.watched and self._called():
+                if self.has_breakpoints and self._called():
                     return True
                 if not p.run:
                     return False
             waiting.look(until, last)
-            if waiting.endless or (self.watched and p.pc in self.breakpoints):
+            if waiting.endless or (self.has_breakpoints and p.pc in self.breakpoints):
                 return False
         return False
 

@@ -14,7 +14,7 @@ cdef int CYCLE, FETCH, IOT, IO_TICKS, JMP, _TESTS, _STEPS, _FORGOTTEN
 @cython.final
 cdef class Waiting:
     cdef public Processor processor
-    cdef public bint endless, stepping, watched
+    cdef public bint endless, stepping, turn_first
     cdef public int pc, lac, tries, sr, mem_prot, ion
     cdef public int64_t next_look, actions, clock, instructions, quiet_until, writes
     cdef public object core, left

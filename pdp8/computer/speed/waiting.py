@@ -91,7 +91,7 @@ class Waiting:
         self.processor = processor
         self.endless = False
         """Set when the processor is in a loop that no event will ever end."""
-        self.watched = False
+        self.turn_first = False
         """Set while single instructions are watched: a turn is executed before others are passed over."""
         self.next_look = 0
         """The tick from which the next look is due wherever the processor is."""
@@ -148,7 +148,7 @@ class Waiting:
         """
         p = self.processor
         event = p.bus.next_event(p.clock)  # whoever sees a frame now may have stopped the machine, or set it
-        if self.watched or event == NEVER or not p.run or p.next != FETCH or p.ion != p.ion_delayed:
+        if self.turn_first or event == NEVER or not p.run or p.next != FETCH or p.ion != p.ion_delayed:
             return False
         word, behind = self._words[p.pc], p.pc + 1 & 0o7777
         code = word >> 3 & 0o77
