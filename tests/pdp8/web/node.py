@@ -15,6 +15,8 @@ from pdp8.web import translator
 
 NODE = shutil.which("node")
 HOUSE = Path(__file__).parents[3]
+SECONDS = 300
+"""What a call may take on a busy machine; more is a loop that does not end."""
 
 needs_node = pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
 
@@ -57,6 +59,7 @@ def in_node(function: str, given: Any = None, folder: Path | None = None) -> Any
         capture_output=True,
         text=True,
         check=False,
+        timeout=SECONDS,
     )
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
