@@ -29,7 +29,7 @@ Source: thesis, Chapters 2 and 3, Tables 2.3 and 2.4; 2 s a block: Chapters 7 an
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from math import dist, hypot
+from math import sqrt
 
 from nc.blocks import BlockError, Row, read
 from nc.notebook import DrawnPath
@@ -120,23 +120,25 @@ class HydraPoint:
         modes = self.modes
         if block.preparatory == Preparatory.READ_Z:
             modes = replace(modes, feed_point=block.x, final_depth=block.y)
-        match block.miscellaneous:
-            case Miscellaneous.X_FEED if modes.x_feed != (feed := self._xy_feed(block.tool, axis=0)):
-                return replace(modes, x_feed=feed)
-            case Miscellaneous.Y_FEED if modes.y_feed != (feed := self._xy_feed(block.tool, axis=1)):
-                return replace(modes, y_feed=feed)
-            case Miscellaneous.Z_FEED:
-                return replace(modes, z_feed=Z_FEED[block.tool] * (1 + self.settings.feed_error[2]))
-            case Miscellaneous.SPINDLE_SPEED:
-                return replace(modes, spindle=SPINDLE[block.tool])
-            case Miscellaneous.TOOL_CHANGE:
-                return replace(modes, tool=self._next_tool() if block.tool == NEXT_TOOL else block.tool)
-            case Miscellaneous.MANUAL_TOOL_CHANGE if block.tool:
-                return replace(modes, tool=block.tool)
-            case coolant if coolant in COOLANT:
-                return replace(modes, coolant=COOLANT[coolant])
-            case Miscellaneous.PARTIAL_RETRACT_ON | Miscellaneous.PARTIAL_RETRACT_OFF as retract:
-                return replace(modes, partial_retract=retract == Miscellaneous.PARTIAL_RETRACT_ON)
+        function = block.miscellaneous
+        if function == Miscellaneous.X_FEED:
+            feed = self._xy_feed(block.tool, axis=0)
+            return modes if feed == modes.x_feed else replace(modes, x_feed=feed)
+        if function == Miscellaneous.Y_FEED:
+            feed = self._xy_feed(block.tool, axis=1)
+            return modes if feed == modes.y_feed else replace(modes, y_feed=feed)
+        if function == Miscellaneous.Z_FEED:
+            return replace(modes, z_feed=Z_FEED[block.tool] * (1 + self.settings.feed_error[2]))
+        if function == Miscellaneous.SPINDLE_SPEED:
+            return replace(modes, spindle=SPINDLE[block.tool])
+        if function == Miscellaneous.TOOL_CHANGE:
+            return replace(modes, tool=self._next_tool() if block.tool == NEXT_TOOL else block.tool)
+        if function == Miscellaneous.MANUAL_TOOL_CHANGE and block.tool:
+            return replace(modes, tool=block.tool)
+        if function in COOLANT:
+            return replace(modes, coolant=COOLANT[function])
+        if function in (Miscellaneous.PARTIAL_RETRACT_ON, Miscellaneous.PARTIAL_RETRACT_OFF):
+            return replace(modes, partial_retract=function == Miscellaneous.PARTIAL_RETRACT_ON)
         return modes
 
     def _next_tool(self) -> int:
@@ -158,16 +160,14 @@ class _Motion:
     settings: Settings
 
     def moves(self) -> Iterator[Move]:
-        match self.block.preparatory:
-            case Preparatory.POSITION:
-                yield from self._quill(MoveKind.RETRACT, min(self.at.z, self._clear()))
-                yield from self._table(MoveKind.POSITION, POSITIONING_SPEED, POSITIONING_SPEED)
-            case Preparatory.MILL:
-                yield from self._mill()
-            case Preparatory.READ_Z:
-                pass
-            case _:
-                yield from self._make_hole()
+        preparatory = self.block.preparatory
+        if preparatory == Preparatory.POSITION:
+            yield from self._quill(MoveKind.RETRACT, min(self.at.z, self._clear()))
+            yield from self._table(MoveKind.POSITION, POSITIONING_SPEED, POSITIONING_SPEED)
+        elif preparatory == Preparatory.MILL:
+            yield from self._mill()
+        elif preparatory != Preparatory.READ_Z:
+            yield from self._make_hole()
         if self.block.miscellaneous in _QUILL_UP:
             yield from self._quill(MoveKind.RETRACT, 0)
 
@@ -231,7 +231,7 @@ class _Motion:
         x, y, z = self.at
         together = corner((x, y), (self.block.x, self.block.y), x_speed, y_speed)
         if together != (x, y):
-            yield self._move(kind, Position(*together, z), hypot(x_speed, y_speed))
+            yield self._move(kind, Position(*together, z), sqrt(x_speed * x_speed + y_speed * y_speed))
         if self.at.x != self.block.x:
             yield self._move(kind, Position(self.block.x, self.at.y, z), x_speed)
         if self.at.y != self.block.y:
@@ -239,7 +239,7 @@ class _Motion:
 
     def _move(self, kind: MoveKind, end: Position, speed: float) -> Move:
         start, self.at = self.at, end
-        return Move(kind, start, end, speed, dist(start, end) / _UNITS / speed * 60)
+        return Move(kind, start, end, speed, start.distance(end) / _UNITS / speed * 60)
 
 
 def cut(frames: bytes, *, strict: bool = False, settings: Settings | None = None) -> DrawnPath:

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
-from math import dist
+from math import sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
 from tapes.hydrapoint import HOLE_MAKING, Block, Preparatory
@@ -28,6 +28,11 @@ class Position(NamedTuple):
     x: float
     y: float
     z: float
+
+    def distance(self, other: "Position") -> float:
+        """Return how far it is from here to there."""
+        x, y, z = other.x - self.x, other.y - self.y, other.z - self.z
+        return sqrt(x * x + y * y + z * z)
 
 
 class MoveKind(StrEnum):
@@ -54,7 +59,7 @@ class Move:
     @property
     def length(self) -> float:
         """Length in thousandths."""
-        return dist(self.start, self.end)
+        return self.start.distance(self.end)
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,9 +155,13 @@ class Path:
         spent = dict.fromkeys(_SPENT.values(), 0.0)
         for move in self.moves:
             spent[_SPENT[move.kind]] += move.seconds
-        spent["reading"] = self.read_seconds * len(self.steps)
-        spent["tool_changes"] = self.tool_change_seconds * sum(step.tool_changed for step in self.steps)
-        return Times(**spent)
+        return Times(
+            reading=self.read_seconds * len(self.steps),
+            positioning=spent["positioning"],
+            z_feed=spent["z_feed"],
+            milling=spent["milling"],
+            tool_changes=self.tool_change_seconds * sum(step.tool_changed for step in self.steps),
+        )
 
     def array(self) -> "NDArray[float64]":
         """Return where the tip was, before the first move and after each: X, Y, Z of shape (moves + 1, 3), in
@@ -191,7 +200,7 @@ class Path:
         """The distance from the end of the milling to its start, in thousandths; 0 if nothing is milled."""
         if not self.cuts:
             return 0.0
-        return dist(self.cuts[0].start, self.cuts[-1].end)
+        return self.cuts[0].start.distance(self.cuts[-1].end)
 
     @cached_property
     def holes(self) -> tuple[Position, ...]:

@@ -14,7 +14,6 @@ Sources: DEC-08-ASAC-D, "Diagnostics"; the output of DEC-08-ASB1.
 """
 
 from collections.abc import Callable, Iterable, Sequence
-from operator import itemgetter
 from typing import NamedTuple
 
 from pal.assembler import Message
@@ -137,7 +136,7 @@ def diagnose(
         place = source.place(note.at)
         if not silenced(place.text, note.code):
             found.append((note.at, at_place(NOTE, note.code, note.message, note.advice, names, place)))
-    return [diagnostic for _, diagnostic in sorted(found, key=itemgetter(0))]
+    return [diagnostic for _, diagnostic in sorted(found, key=lambda each: each[0])]
 
 
 def empty(names: Sequence[str]) -> Diagnostic:

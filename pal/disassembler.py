@@ -145,7 +145,7 @@ class _Labels:
         """Return the tag for the word at `address`, the first time; otherwise ""."""
         if address not in self._undefined:
             return ""
-        self._undefined.remove(address)
+        self._undefined.discard(address)
         return _tag(address) + ","
 
     def text(self, piece: Piece) -> str:

@@ -213,7 +213,10 @@ def _near(name: str, other: str) -> bool:
     if rest[1:] == others or rest == others[1:]:
         return True
     return (
-        len(name) == len(other) and rest[:2] == others[1::-1] and len(others) > 1 and rest[2:] == others[2:]
+        len(name) == len(other)
+        and rest[:2] == others[1:2] + others[:1]
+        and len(others) > 1
+        and rest[2:] == others[2:]
     )
 
 

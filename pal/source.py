@@ -16,9 +16,7 @@ Sources: DEC-08-ASAC-D, "Characters"; the output of DEC-08-ASB1.
 
 import re
 from collections.abc import Sequence
-from contextlib import suppress
 from functools import cached_property
-from itertools import accumulate
 from typing import NamedTuple
 
 from tapes.frames import PARITIES
@@ -51,7 +49,11 @@ class Source:
         texts = [_characters(tape) for tape in tapes]
         self.shown = "".join(texts)
         text = self.shown if self.shown.isascii() else _ascii(self.shown)
-        self._starts = [0, *accumulate(map(len, texts))][: len(texts)]
+        self._starts: list[int] = []
+        start = 0
+        for each in texts:
+            self._starts.append(start)
+            start += len(each)
         self.text = text + ("$" if text.endswith("\r") or not text else "\r$")
         self._code = self.text.upper() if modern else self.text
         self.items: list[tuple[str, str]] = _ITEM.findall(self._code)
@@ -115,14 +117,20 @@ def _characters(tape: bytes | str) -> str:
 
     What is beyond ASCII stays in a text, and in UTF-8, which no tape with channel 8 happens to be.
     """
-    if isinstance(tape, bytes) and not tape.isascii():
-        with suppress(UnicodeDecodeError):
-            tape = tape.decode("utf-8-sig")
-    if isinstance(tape, bytes):
-        text = tape.translate(PARITIES["none"], _PASSED_OVER).decode("ascii")
+    given = _utf_8(tape) if isinstance(tape, bytes) and not tape.isascii() else tape
+    if isinstance(given, bytes):
+        text = given.translate(PARITIES["none"], _PASSED_OVER).decode("ascii")
     else:
-        text = tape.removeprefix("\ufeff").replace("\0", "").replace("\x7f", "")
+        text = given.removeprefix("\ufeff").replace("\0", "").replace("\x7f", "")
     return text.replace("\r\n", "\r").replace("\n", "\r")
+
+
+def _utf_8(tape: bytes) -> bytes | str:
+    """Return the text that a tape is in UTF-8, the tape itself if it is none."""
+    try:
+        return tape.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return tape
 
 
 class Line:

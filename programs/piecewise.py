@@ -16,7 +16,7 @@ Sources: thesis, Chapter 3, Figures 3.1 and 3.2, Tables 2.4 and 10.1. The choice
 from bisect import bisect_left
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import ceil, hypot
+from math import ceil, sqrt
 from typing import NamedTuple
 
 from programs.stretches import Curve, Point, Stretch
@@ -75,7 +75,8 @@ class Technique:
         for feeds in self._choices(stretch, force):
             blocks = 1 + all(code and code != now for code, now in zip(feeds, force, strict=True))
             stop = self._reach(stretch, at, feeds, most * blocks)
-            gain = hypot(stop.x - at.x, stop.y - at.y) / blocks
+            x, y = stop.x - at.x, stop.y - at.y
+            gain = sqrt(x * x + y * y) / blocks
             if gain > most:
                 best, most = Ray(feeds, stop), gain
         if best is None:
@@ -105,7 +106,7 @@ class Technique:
             return not _passes(stretch, at, there) and self._keeps(stretch, at, there, speeds)
 
         both_move = ceil(1 / min(abs(part) for part in (across, up) if part))
-        steps = max(both_move, int(beyond / hypot(across, up)) + 1)
+        steps = max(both_move, int(beyond / sqrt(across * across + up * up)) + 1)
         if not kept(steps):
             return at
         while kept(2 * steps):

@@ -19,7 +19,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from itertools import pairwise
-from math import ceil, cos, dist, hypot, radians, sin
+from math import ceil, cos, radians, sin, sqrt
 from typing import Any, Literal, NamedTuple
 
 from tapes.errors import WorkError
@@ -91,11 +91,12 @@ class Curve(NamedTuple):
 
 def line(start: Point, end: Point, tolerance: float) -> Curve:
     """Return the straight line between two points. Raises WorkError for a tolerance out of range."""
-    check_tolerance(tolerance, dist(start, end))
     across, up = end.x - start.x, end.y - start.y
+    length = sqrt(across * across + up * up)
+    check_tolerance(tolerance, length)
     if not across or not up:
         return Curve(start, (), end)
-    limit = tolerance * hypot(across, up)
+    limit = tolerance * length
 
     def side(x: float, y: float) -> Side:
         off = across * (y - start.y) - up * (x - start.x)
@@ -143,7 +144,7 @@ def arc(centre: Point, radius: float, start: float, sweep: float, tolerance: flo
 def _right_angles_between(start: float, last: float) -> list[float]:
     low, high = min(start, last), max(start, last)
     between = [90.0 * turn for turn in range(ceil(low / 90), ceil(high / 90)) if low < 90 * turn < high]
-    return between if start <= last else between[::-1]
+    return between if start <= last else list(reversed(between))
 
 
 def oval(centre: Point, major: int, inner: Limits, outer: Limits) -> Curve:

@@ -4,7 +4,6 @@ Sources: 10 frames an inch (ECMA-10); ASR-33 10 characters a second, PC8/L reade
 Computer Handbook, DEC).
 """
 
-from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 
 from tapes import ascii, binary, eia, frames, kinds, rim
@@ -127,10 +126,10 @@ def _sections(tape: bytes) -> Iterator[Row]:
         good = section.computed == section.punched
         verdict = "good" if good else f"WRONG, {section.computed:04o} computed"
         yield "checksum", f"{section.punched:04o} at frame {section.frame}: {verdict}"
-        held = Counter(item.kind for item in section.items)
+        held = [item.kind for item in section.items]
         yield (
             "holds",
-            ", ".join(f"{kind}s {held[kind]}" for kind in (binary.WORD, binary.ORIGIN, binary.FIELD)),
+            ", ".join(f"{kind}s {held.count(kind)}" for kind in (binary.WORD, binary.ORIGIN, binary.FIELD)),
         )
     if reading.damage:
         yield "damage", str(reading.damage)

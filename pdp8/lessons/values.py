@@ -75,7 +75,7 @@ def _parted(text: str) -> tuple[list[float], str]:
     digits, unit = plain[:end].rstrip(".,"), plain[end:].strip().rstrip(".")
     forms = [digits.replace(",", "")]
     if digits.count(",") == 1 and "." not in digits:
-        after = len(digits) - digits.index(",") - 1
+        after = len(digits) - digits.find(",") - 1
         forms = [digits.replace(",", "."), *forms] if after == 3 else [digits.replace(",", ".")]
     return [float(form) for form in forms if _number(form)], unit
 

@@ -165,7 +165,7 @@ def _before(history: History, counted: Callable[[Machine], int], count: int, wha
             if counted(machine) < fewer:
                 break
             above = mark.instructions
-        else:
+        if counted(machine) >= fewer:
             raise HistoryError(f"{count:,} {what} cannot be undone: the history does not go back so far")
         below = machine.instructions
         while above - below > 1:

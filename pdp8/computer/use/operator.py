@@ -259,7 +259,7 @@ class Operator:
         gap = rest[: len(rest) - len(rest.lstrip(bytes((LEADER, BLANK))))]
         if BLANK not in gap:
             return 0
-        self.mount(name, rest[gap.rindex(BLANK) + 1 :])
+        self.mount(name, rest[gap.rfind(BLANK) + 1 :])
         return read
 
     def _judge(self, stop: Stop, tape: bytes, name: str, force: bool) -> None:

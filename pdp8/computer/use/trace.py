@@ -34,10 +34,10 @@ class Listing:
         self.numbers: dict[int, int] = {}
         self.symbols = dict(symbols or {})
 
-    @classmethod
-    def of(cls, assembly: "Assembly") -> "Listing":
+    @staticmethod
+    def of(assembly: "Assembly") -> "Listing":
         """Return the listing of an assembly."""
-        listing = cls(assembly.symbols)
+        listing = Listing(assembly.symbols)
         for line in assembly.lines:
             source = line.source.expandtabs(8)
             if line.address is None or line.word is None:

@@ -6,7 +6,7 @@
 
 types        what is known of an expression: from annotations, and from what is assigned
 expressions  operators, calls, f-strings, comprehensions
-statements   assignments, loops, try, match
+statements   assignments, loops, try
 modules      imports, classes, functions
 runtime.mjs  what Python has and JavaScript has not
 
@@ -62,7 +62,9 @@ def translated() -> dict[str, str]:
         for package in MODULES
         for name in MODULES[package].split()
     }
-    own = [_source(__package__, name)[1] for name in ("types", "expressions", "statements", "modules")]
+    own = [
+        _source(__package__, name)[1] for name in ("types", "program", "expressions", "statements", "modules")
+    ]
     kept = _kept(repr((sources, OMITTED, own, runtime())))
     try:
         return dict(json.loads(kept.read_text(encoding="utf-8")))

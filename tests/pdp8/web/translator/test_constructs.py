@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 from pdp8.web.translator import runtime
-from pdp8.web.translator.expressions import Untranslated
 from pdp8.web.translator.modules import translate
+from pdp8.web.translator.program import Untranslated
 from tests.pdp8.web.node import in_node, needs_node, write
 from tests.pdp8.web.translator import constructs
 
@@ -60,13 +60,18 @@ def test_every_construct_does_as_in_python(tmp_path: Path) -> None:
         ("async def f() -> None:\n    pass\n", "m.py:1: no translation"),
         ("def f(x: str) -> str:\n    return x.swapcase()\n", "m.py:2: str has no swapcase"),
         ("X = 1\nX = 2\n", "m.py:2: X is set twice"),
-        ("X = (1 << 60) + 1\n", "m.py: 1152921504606846977 is no number of JavaScript's"),
+        ("X = (1 << 60) + 1\n", "m.py:1: 1152921504606846977 is no number of JavaScript's"),
         ("class A:\n    @functools.lru_cache\n    def f(self) -> None: ...\n", "m.py:3: decorator"),
         ("from pal import cli\nX = cli\n", "m.py:2: the runtime has no cli"),
         ("def f() -> None:\n    def g():\n        yield 1\n", "m.py:2: a generator within a function"),
         ("X = print('a', end='')\n", "m.py:1: keywords of print"),
         ("def f(x: int) -> None:\n    global y\n    y = x\n", "m.py:2: no translation"),
         ("def f(a: int) -> int:\n    return f(a, b=1)\n", "m.py:2: keywords that are no parameters"),
+        (
+            "def f(a: str) -> None:\n    for x in a:\n        pass\n    else:\n        f(a)\n",
+            "m.py:2: no translation",
+        ),
+        ("def f(a: str) -> str:\n    return a[::-1]\n", "m.py:2: a slice by steps"),
     ],
 )
 def test_what_has_no_translation_is_an_error_with_its_place(source: str, said: str) -> None:

@@ -37,7 +37,7 @@ wholes: st.SearchStrategy[str] = st.deferred(
         numbers.map(lambda number: f"({number})"),
         st.builds("({} {} {})".format, wholes, _OPERATORS, wholes),
         st.builds("({} {} {})".format, wholes, st.sampled_from(["<<", ">>"]), st.integers(0, 34)),
-        st.builds("({}{})".format, st.sampled_from("-~+"), wholes),
+        st.builds("({}{})".format, st.sampled_from("-~"), wholes),
         st.builds("({} if {} else {})".format, wholes, truths, wholes),
         st.builds("{}({}, {})".format, st.sampled_from(["min", "max"]), wholes, wholes),
         st.builds("(a {} b {} {})".format, st.sampled_from("&|^+"), st.sampled_from("&+-*"), wholes),
