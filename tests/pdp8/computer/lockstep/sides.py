@@ -109,7 +109,7 @@ class InPython(Acting):
 
     def watch(self, writes: frozenset[int], observed: bool) -> None:
         super().watch(writes, observed)
-        self.count = self.module("pdp8.computer.use.count").Count() if observed else None
+        self.count = self.module("pdp8.computer.count").Count() if observed else None
 
     def deposit(self, address: int, word: int) -> None:
         self.machine.core[address] = word

@@ -19,7 +19,7 @@ COMPILED = (
 )
 FORMS = ("plain", "compiled")
 USED = (
-    *("pdp8.computer.machine", "pdp8.computer.use.count"),
+    *("pdp8.computer.machine", "pdp8.computer.count"),
     *(f"pdp8.computer.past.{name}" for name in ("state", "history", "rewind")),
 )
 """What tests take of both."""
