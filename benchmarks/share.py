@@ -17,6 +17,7 @@ from rich.console import Console
 from rich.table import Table
 
 from pdp8.web import workbench
+from tests.pdp8.web.browsing import until
 from tests.pdp8.web.chromium import launched
 
 if TYPE_CHECKING:
@@ -68,6 +69,7 @@ def share(browser: "Browser", file: Path, script: str, given: object, seconds: f
     session = browser.new_browser_cdp_session()
     tab = browser.new_page(viewport={"width": 1366, "height": 768})
     tab.goto(file.as_uri())
+    until(tab, "!!window.workbench")
     tab.evaluate(script, given)
     tab.wait_for_timeout(1000)
     used, began = rendering(session), time.monotonic()

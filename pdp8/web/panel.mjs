@@ -17,7 +17,7 @@ const INERTIA = 0.6; // what a filament keeps of its brightness from one picture
 
 export class Panel {
   constructor(place) {
-    place.innerHTML = `
+    place.innerHTML = `<h2 class="spoken">The front panel</h2>
       <div class="brand"><b>digital</b><span>programmed data processor <i>PDP-8/L</i></span></div>
       <div class="lamps">
         ${row("MA", "MEMORY ADDRESS", 12, "EMA", "EMA")}${row("MB", "MEMORY BUFFER", 12)}${row("AC", "ACCUMULATOR", 12, "LINK", "L")}

@@ -8,7 +8,7 @@ import { find, grouped, octal, seconds } from "../written.mjs";
 export class Registers {
   constructor(bench) {
     this.bench = bench;
-    this.cells = new Map([...find("registers").firstElementChild.children].map((row) => [row.dataset.register, row.lastElementChild]));
+    this.cells = new Map([...find("registers").querySelector("dl").children].map((row) => [row.dataset.register, row.lastElementChild]));
     for (const input of find("registers").querySelectorAll("input")) {
       input.addEventListener("change", () => this.#write(input));
     }
