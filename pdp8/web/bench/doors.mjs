@@ -35,5 +35,6 @@ export class Doors {
     bench.tabs.open("program");
     bench.editor.open("hello.pal", bench.shelf.get("hello.pal").frames);
     bench.editor.run();
+    find("teletype").scrollIntoView({ block: "nearest" });
   }
 }

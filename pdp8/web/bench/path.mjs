@@ -23,7 +23,7 @@ export function pictured({ steps, read_seconds, tool_change_seconds }, cutter, n
     }
   }
   const circle = followed(steps);
-  const outlines = nominal ? beside(nominal) : circle && band(circle);
+  const outlines = nominal ? beside(nominal) : circle && beside({ points: around(circle), tolerance: TOLERANCE });
   return { blocks, path, diameter: cutter, band: outlines, circle, end: now };
 }
 
@@ -53,12 +53,9 @@ function fitted(points) {
   return { x, y, radius: Math.round(mean((point) => Math.hypot(point.x - x, point.y - y))) };
 }
 
-function band({ x, y, radius }) {
-  const outline = (offset) => Array.from({ length: 721 }, (_, step) => {
-    const angle = (step * Math.PI) / 360;
-    return [x + (radius + offset) * Math.cos(angle), y + (radius + offset) * Math.sin(angle)];
-  });
-  return { inner: outline(-TOLERANCE), nominal: outline(0), outer: outline(TOLERANCE) };
+function around({ x, y, radius }) {
+  const angles = Array.from({ length: 721 }, (_, step) => (step * Math.PI) / 360);
+  return angles.map((angle) => [x + radius * Math.cos(angle), y + radius * Math.sin(angle)]);
 }
 
 /** The curve through points and its two limits, at right angles to the way between the neighbours of each point. */

@@ -2,9 +2,10 @@
 //
 //     0 to 7          an octal digit into the switches, from the right      S L D E C T W   START, LOAD ADD, DEP, EXAM, CONT, STOP, in words
 
-import { RIM, RIM_START } from "../../computer/use/operator.mjs";
+import { Operator, RIM, RIM_START } from "../../computer/use/operator.mjs";
+import { Coach, find as drill } from "../../lessons/drill.mjs";
 import { Panel } from "../panel.mjs";
-import { find, octal } from "../written.mjs";
+import { find } from "../written.mjs";
 
 const METHODS = { start: "start", "load add": "load_add", dep: "dep", exam: "exam", cont: "cont", stop: "stop" };
 const LETTERS = { s: "start", l: "load add", d: "dep", e: "exam", c: "cont", t: "stop" };
@@ -18,7 +19,7 @@ export class Switches {
     });
     for (const [name, key] of this.panel.keys) key.addEventListener("click", () => this.press(name));
     find("computer").addEventListener("keydown", (event) => this.#key(event));
-    this.card = new Card(bench, this);
+    this.card = new Card(bench);
   }
 
   show(brightness) {
@@ -35,13 +36,13 @@ export class Switches {
 
   press(name) {
     this.bench.afternoon.takeOver();
+    if (!this.card.allows(METHODS[name])) return;
     const { panel, processor } = this.bench.machine;
     if (name === "sing step") processor.sing_step ^= 1;
     else if (name === "mem prot") processor.mem_prot ^= 1;
     else panel[METHODS[name]]();
     if (name === "sing step" && processor.sing_step) processor.stop();
     if (processor.run && (name === "start" || name === "cont")) this.bench.started(name);
-    this.card.pressed(name);
     this.bench.touched();
   }
 
@@ -57,85 +58,56 @@ export class Switches {
 
 /** The RIM loader as it was stuck on the panel; it can be toggled in, or practised. */
 class Card {
-  constructor(bench, switches) {
+  constructor(bench) {
     this.bench = bench;
-    this.switches = switches;
-    this.drill = -1; // the word that is to be deposited next; -1: no drill
-    const rows = RIM.map((word, index) => `<li><span>${octal(RIM_START + index)}</span> <b>${octal(word)}</b></li>`);
+    this.card = drill("rim", null);
+    this.coach = null; // who looks on while it is practised
     find("card").innerHTML = `<details><summary>RIM loader</summary>
-      <ol>${rows.join("")}</ol>
+      <ol>${this.card.steps.map(({ say }) => `<li>${say}</li>`).join("")}</ol>
       <div class="tools"><button class="text" id="toggle-rim">Toggle it in for me</button><button class="text" id="drill" aria-pressed="false">Drill</button></div>
       <p role="status" id="drill-says"></p></details>`;
     find("toggle-rim").addEventListener("click", () => this.#toggle());
-    find("drill").addEventListener("click", () => this.#start());
+    find("drill").addEventListener("click", () => this.#practise(!this.coach));
   }
 
   /** Lay the card open, and practise. */
   practise() {
     find("card").querySelector("details").open = true;
-    if (this.drill < 0) this.#start();
+    this.#practise(true);
     find("computer").querySelector(".rocker").focus();
   }
 
   #toggle() {
+    const { bench } = this;
+    bench.afternoon.takeOver();
+    bench.machine.panel.stop();
+    bench.machine.panel.mem_prot = false;
+    const keys = [...new Operator(bench.machine).toggle(RIM_START, RIM)].length;
+    bench.touched();
+    this.#say(`${keys} keys: the RIM loader is in 7756 to 7776.`);
+  }
+
+  #practise(on) {
     this.bench.afternoon.takeOver();
-    const { machine } = this.bench;
-    machine.panel.stop();
-    machine.processor.mem_prot = 0;
-    this.switches.set(RIM_START);
-    machine.panel.load_add();
-    for (const word of RIM) {
-      machine.processor.sr = word;
-      machine.panel.dep();
-    }
-    this.bench.touched();
-    this.#say("18 keys: the RIM loader is in 7756 to 7776.");
+    this.coach = on ? new Coach(this.card, this.bench.machine) : null;
+    this.#say(this.coach?.said ?? "");
   }
 
-  #start() {
-    this.drill = this.drill < 0 ? 0 : -1;
-    find("drill").ariaPressed = String(this.drill >= 0);
-    this.address = false;
-    this.#say(this.drill < 0 ? "" : `Set ${octal(RIM_START)} into the switches and press LOAD ADD.`);
-    this.#mark();
-  }
-
-  /** A key was pressed: say what was wrong with it, or what comes next. */
-  pressed(name) {
-    if (this.drill < 0) return;
-    const { processor } = this.bench.machine;
-    const wanted = this.address ? RIM[this.drill] : RIM_START;
-    const key = this.address ? "dep" : "load add";
-    if (name !== key) {
-      this.#say(`That was ${name.toUpperCase()}; ${key.toUpperCase()} is due.`);
-    } else if (processor.sr !== wanted) {
-      this.#say(`${wrong(processor.sr, wanted)}. Press LOAD ADD with ${octal(RIM_START + this.drill)} to go back to it.`);
-      if (this.address) this.address = false;
-    } else if (!this.address) {
-      this.address = true;
-      this.#say(`Now ${octal(RIM[this.drill])} and DEP.`);
-    } else if (++this.drill === RIM.length) {
-      this.drill = -1;
-      find("drill").ariaPressed = "false";
-      this.#say("All 17 words are in core.");
-    } else {
-      this.#say(`${octal(wanted)} is in ${octal(processor.ma)}. Now ${octal(RIM[this.drill])} and DEP.`);
-    }
-    this.#mark();
-  }
-
-  #mark() {
-    [...find("card").querySelectorAll("li")].forEach((row, index) => row.classList.toggle("now", index === this.drill));
+  /** Whether a key may be pressed: where the card is practised, the next one alone. */
+  allows(key) {
+    const { coach } = this;
+    if (!coach || !key) return true;
+    coach.machine = this.bench.machine;
+    const allowed = coach.allows(key);
+    this.#say(coach.said);
+    if (coach.done) this.coach = null;
+    return allowed;
   }
 
   #say(words) {
+    const at = this.coach && !this.coach.done ? this.coach.at : -1;
+    [...find("card").querySelectorAll("li")].forEach((row, index) => row.classList.toggle("now", index === at));
+    find("drill").ariaPressed = String(Boolean(this.coach && !this.coach.done));
     find("drill-says").textContent = words;
   }
-}
-
-/** Which switches are wrong. */
-function wrong(set, wanted) {
-  const bits = [...Array(12).keys()].filter((bit) => (set ^ wanted) & (0o4000 >> bit));
-  const each = bits.map((bit) => `${bit} should be ${wanted & (0o4000 >> bit) ? "up" : "down"}`);
-  return `${octal(set)} is set, ${octal(wanted)} is wanted: switch ${each.join(", switch ")}`;
 }

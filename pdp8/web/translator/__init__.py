@@ -33,7 +33,7 @@ MODULES = {
     "pdp8.computer.past": "history rewind state",
     "pdp8.computer.use": "keys operator program trace",
     "pdp8.replay": "day script",
-    "pdp8.lessons": "answer diagnosis exercise marking page scores trial values",
+    "pdp8.lessons": "answer diagnosis drill exercise marking page scores trial values",
     "nc": "blocks machine notebook path",
     "programs": "arithmetic circle curve die drill ellipse fluidic format function header milling piecewise"
     " polynomial printout slope stepwise stretches units",

@@ -34,7 +34,7 @@ def page(browser: "Browser", circle_page: Path) -> "Iterator[Page]":
 
 
 def _outside(url: str) -> bool:
-    return not url.startswith(("file:", "data:"))
+    return not url.startswith(("file:", "data:", "blob:"))
 
 
 def _now(page: "Page") -> int:

@@ -139,7 +139,8 @@ def test_the_drill_names_the_wrong_switch(page: "Page") -> None:
     page.keyboard.type("7757l")
     assert "switch 11 should be down" in page.locator("#drill-says").inner_text()
     page.keyboard.type("7756l")
-    assert page.locator("#drill-says").inner_text() == f"Now {RIM[0]:04o} and DEP."
+    assert page.locator("#drill-says").inner_text() == "right: 7756  LOAD ADD"
+    assert page.locator("#card .now").inner_text().startswith(f"{RIM[0]:04o}  DEP")
 
 
 def test_every_key_of_the_panel(page: "Page") -> None:
