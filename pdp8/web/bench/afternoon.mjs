@@ -78,7 +78,7 @@ export class Afternoon {
     const sources = dict(["rim.pal", "bin.pal", "eia.pal"].map((name) => [name, shelf.get(name).frames]));
     const text = decode(shelf.get(`${part}.asc`).frames);
     const script = new Script(new Day(part, text, sources, () => new Judgement(...found)));
-    this.bench.tell("The afternoon is done once, to be had at any instant …");
+    this.bench.writer.html(find("next"), "<span>The afternoon is done once, so that any instant can be had …</span>");
     let began = performance.now();
     const rehearsal = script.rehearse();
     while (!rehearsal.next().done) {
