@@ -17,6 +17,7 @@ import { Doors } from "./bench/doors.mjs";
 import { Editor } from "./bench/editor.mjs";
 import { Exercises } from "./bench/exercises.mjs";
 import { Figures } from "./bench/figures.mjs";
+import { HighSpeed } from "./bench/highspeed.mjs";
 import { History } from "./bench/history.mjs";
 import { keep, kept } from "./bench/kept.mjs";
 import { marks } from "./bench/marker.mjs";
@@ -55,6 +56,7 @@ class Bench {
     this.afternoon = new Afternoon(this);
     this.switches = new Switches(this);
     this.teletype = new Teletype(this);
+    this.highspeed = new HighSpeed(this);
     this.debug = new Debugger(this);
     this.mill = new Mill(this);
     this.apart = new Apart();
@@ -66,7 +68,7 @@ class Bench {
     this.time = new Time(this);
     this.doors = new Doors(this);
     /** @type {any[]} */
-    this.panes = [this.afternoon, this.switches, this.teletype, this.debug, this.editor, this.mill, this.exercises, this.parts, this.time];
+    this.panes = [this.afternoon, this.switches, this.teletype, this.highspeed, this.debug, this.editor, this.mill, this.exercises, this.parts, this.time];
     this.clock = new Clock(this, (brightness, stop) => this.#pictured(brightness, stop));
     this.#controls();
     this.tabs.changed = () => this.show();
@@ -165,7 +167,7 @@ class Bench {
     this.#attempt(() => {
       if (text.startsWith("{")) this.#written(file.name, JSON.parse(text), text);
       else if (file.name.endsWith(".toml")) this.say(`pdp8 check ${file.name} --export-student writes what this page takes`);
-      else if (/\.pa[l8]?$/i.test(file.name)) this.editor.open(file.name, frames);
+      else if (/\.(pa[l8]?|txt|src)$/i.test(file.name)) this.editor.open(file.name, frames);
       else this.#tape(this.shelf.put(file.name, frames));
     });
   }

@@ -91,13 +91,15 @@ export class Teletype {
     };
     find("paper").addEventListener("keydown", (event) => {
       if (event.altKey || event.metaKey || event.key === "Tab") return;
-      const control = event.ctrlKey && /^[a-z]$/i.test(event.key);
+      const copied = event.ctrlKey && event.key === "c" && String(getSelection());
+      const control = event.ctrlKey && /^[a-z]$/i.test(event.key) && !copied;
       if (event.ctrlKey && !control) return;
       const key = control ? String.fromCharCode(event.key.charCodeAt(0) & 0o37) : NAMED[event.key] ?? event.key;
       if (key.length !== 1 || !sent(key).length) return;
       event.preventDefault();
       press(key);
     });
+    find("save-page").addEventListener("click", () => this.bench.download("page.txt", `${this.lines.join("\n")}\n`));
     find("typed").addEventListener("input", (event) => {
       for (const character of event.target.value) press(character);
       event.target.value = "";

@@ -49,6 +49,7 @@ LONG = (
 CUT = "workbench.mill.cut('circle.eia');"
 COPIED = "window.copied = 0; navigator.clipboard.writeText = async () => { window.copied++; };"
 EXERCISES = "workbench.tabs.open('exercises'); workbench.exercises.open('add');"
+PC8 = "document.querySelector('#pc8').open = true;"
 PARTS = "workbench.tabs.open('parts');"
 PRESS_PUNCH = "document.querySelector('#part .go').click();"
 CUTTABLE = "document.getElementById('part-cut').disabled = false;"
@@ -105,6 +106,14 @@ CONTROLS = {
     "#sound": Control("workbench.sound.on", keys="Space"),
     "#lever": Control(f"{TTY}.reader.on"),
     "#shelf": Control(f"{TTY}.reader.tape.length", f"{TTY}.reader.remove();", "c"),
+    "#save-page": Control("window.saved", SAVED),
+    "#pc8 summary": Control("document.querySelector('#pc8').open"),
+    "#pc8-shelf": Control(
+        f"{MACHINE}.highspeed.reader.tape.length", f"{PC8} {MACHINE}.highspeed.reader.remove();", "c"
+    ),
+    "#pc8-tear": Control(
+        f"{MACHINE}.highspeed.punch.frames.length", f"{PC8} {MACHINE}.highspeed.punch.frames.append(1);"
+    ),
     "#punch-on": Control(f"{TTY}.punch.on"),
     "#tear": Control(f"{TTY}.punch.frames.length", PUNCHED),
     "#store": Control("window.saved", PUNCHED + SAVED),

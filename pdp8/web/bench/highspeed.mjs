@@ -1,0 +1,48 @@
+// The PC8/L beside the Teletype: a tape from the shelf into its reader, and what its punch has punched.
+
+import * as kinds from "../../../tapes/kinds.mjs";
+import { find, grouped } from "../written.mjs";
+
+export class HighSpeed {
+  constructor(bench) {
+    this.bench = bench;
+    find("pc8-shelf").addEventListener("change", ({ target }) => {
+      if (target.value) this.mount(target.value);
+      target.value = "";
+    });
+    find("pc8-tear").addEventListener("click", () => this.#tear());
+    bench.shelf.changed.push(() => this.#shelf());
+    this.#shelf();
+  }
+
+  #shelf() {
+    const names = this.bench.shelf.names().filter((name) => !name.endsWith(".pal"));
+    find("pc8-shelf").replaceChildren(new Option("Put a tape in …", ""), ...names.map((name) => new Option(name, name)));
+  }
+
+  /** Put a tape from the shelf into the reader, a loader's on its leader. */
+  mount(name) {
+    this.bench.afternoon.takeOver();
+    const { frames } = this.bench.shelf.get(name);
+    this.bench.machine.highspeed.reader.load(frames.slice(kinds.start(frames)));
+    this.bench.touched();
+  }
+
+  #tear() {
+    this.bench.afternoon.takeOver();
+    const { frames } = this.bench.machine.highspeed.punch;
+    this.bench.shelf.put("punched", Uint8Array.from(frames));
+    frames.clear();
+    this.bench.touched();
+  }
+
+  show() {
+    const { machine: { highspeed }, writer } = this.bench;
+    const frames = highspeed?.punch.frames ?? [];
+    const tape = highspeed?.reader.loaded ? `${grouped(highspeed.reader.position)} of ${grouped(highspeed.reader.tape.length)}` : "no tape";
+    writer.text(find("pc8-reader"), highspeed ? tape : "not fitted");
+    writer.text(find("pc8-punch"), `${grouped(frames.length)} frames punched`);
+    if (find("pc8-tear").disabled === frames.length > 0) find("pc8-tear").disabled = !frames.length;
+    if (find("pc8-shelf").disabled === Boolean(highspeed)) find("pc8-shelf").disabled = !highspeed;
+  }
+}

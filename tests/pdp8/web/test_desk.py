@@ -1,0 +1,167 @@
+"""The desk: programs that are kept, what is typed, files and links, exercises and parts, in Chromium."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from pdp8.lessons import form, student
+from tapes import shelf
+from tests.pdp8.web.browsing import until
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
+
+LINES = 1000
+_KEY = 0.016
+"""Seconds that a key may take."""
+
+
+def _reopened(page: "Page") -> None:
+    page.reload()
+    until(page, "!!window.workbench")
+
+
+def _drop(page: "Page", name: str, content: str) -> None:
+    page.evaluate(
+        "([name, content]) => workbench.take(new File([content], name))",
+        [name, content],
+    )
+
+
+def test_programs_are_kept_and_never_written_over(page: "Page") -> None:
+    """By name, from visit to visit; a file of a taken name gets another, what is deleted comes back."""
+    page.locator("#new-program").click()
+    page.locator("#program-name").fill("mine.pal")
+    page.locator("#program-name").press("Enter")
+    page.locator("#source").fill("*200\n\tHLT\n$\n")
+    _reopened(page)
+    assert page.evaluate("[workbench.editor.name, workbench.editor.text]") == ["mine.pal", "*200\n\tHLT\n$\n"]
+    _drop(page, "mine.pal", "*300\n\tHLT\n$\n")
+    until(page, "workbench.editor.name === 'mine 2.pal'")
+    page.evaluate("workbench.editor.put('mine.pal', '*200\\n\\tHLT\\n$\\n')")
+    assert page.evaluate("workbench.editor.name") == "mine.pal"
+    page.locator("#delete-program").click()
+    assert "mine.pal" not in page.evaluate("workbench.programs.names()")
+    page.locator("[data-undo]").click()
+    _reopened(page)
+    assert page.evaluate("workbench.programs.get('mine.pal')") == "*200\n\tHLT\n$\n"
+    assert page.evaluate("workbench.programs.get('mine 2.pal')") == "*300\n\tHLT\n$\n"
+
+
+def test_a_browser_that_keeps_nothing_says_so(browser: "Browser", file: Path) -> None:
+    page = browser.new_page()
+    page.add_init_script("indexedDB.open = () => { throw new Error('forbidden'); };")
+    page.goto(file.as_uri())
+    until(page, "!!window.workbench")
+    assert "keeps no programs for this page (forbidden)" in page.locator("#program-says").inner_text()
+    page.locator("#source").fill("*200\n\tHLT\n$\n")
+    assert page.evaluate("workbench.editor.assemble()")
+    page.close()
+
+
+def test_what_is_wrong_is_said_at_its_line_while_it_is_typed(page: "Page") -> None:
+    page.locator("#source").fill("*200\n\tCLA\n\tJMP NOWHERE\n$\n")
+    until(page, "document.querySelectorAll('#gutter .error').length === 1")
+    assert "undefined: NOWHERE" in page.locator(".typed em").inner_text()
+    rows = page.locator("#gutter .line").all_inner_texts()
+    assert [row.split() for row in rows[1:3]] == [["2", "0200", "7200"], ["3", "0201", "5377"]]
+
+
+def test_a_thousand_lines_are_typed_without_delay(page: "Page") -> None:
+    """The time of a key is from before its input to the next task; the usual one, since others work too."""
+    source = "*200\n" + "".join(f"/ LINE {n}: TAD COUNT, AND THEN SOME MORE\n" for n in range(LINES)) + "$\n"
+    page.evaluate("(text) => { workbench.editor.text = text; }", source)
+    until(page, "document.getElementById('messages').textContent.length > 0")
+    page.evaluate(
+        """() => {
+          const area = document.getElementById("source");
+          window.took = [];
+          area.addEventListener("beforeinput", () => {
+            const began = performance.now();
+            setTimeout(() => window.took.push((performance.now() - began) / 1000));
+          });
+          area.focus();
+          area.setSelectionRange(20000, 20000);
+        }"""
+    )
+    page.keyboard.type("THE QUICK BROWN FOX JUMPS OVER A DOG", delay=20)
+    took = sorted(page.evaluate("window.took"))
+    assert took[len(took) // 2] < _KEY
+
+
+def test_counts_and_the_current_line(page: "Page") -> None:
+    page.locator("#source").fill("*200\n\tISZ N\n\tJMP .-1\n\tHLT\nN,\t-5\n$\n")
+    page.locator("#counts").check()
+    page.locator("#run-it").click()
+    until(page, "!workbench.machine.processor.run && workbench.machine.processor.pc === 0o203")
+    rows = [row.split() for row in page.locator("#gutter .line").all_inner_texts()]
+    assert [row[3] for row in rows[1:4]] == ["5", "4", "1"]
+    page.evaluate("workbench.machine.pc = 0o201; workbench.touched();")
+    assert page.locator("#gutter .now").inner_text().split()[:2] == ["3", "0201"]
+
+
+def test_a_link_to_two_lines_and_the_circles_tape_is_short(page: "Page", browser: "Browser") -> None:
+    page.locator("#source").fill("*200\n\tHLT\n$\n")
+    page.locator("#assemble").click()
+    page.locator("#load").click()
+    page.evaluate("workbench.teletype.mount('circle.asc')")
+    page.locator("#share").click()
+    until(page, "location.hash.startsWith('#s=')")
+    assert len(page.url) < 1500
+    other = browser.new_page()
+    other.goto(page.url)
+    until(other, "!!window.workbench")
+    tape = other.evaluate("[...workbench.machine.teletype.reader.tape]")
+    assert bytes(tape) == shelf.read_bundled("circle.asc")
+    other.close()
+
+
+def test_a_link_that_is_too_long_becomes_a_file(page: "Page") -> None:
+    page.evaluate(
+        """() => {
+          let seed = 1;
+          const { core } = workbench.machine.processor;
+          for (let at = 0; at < 4096; at++) core[at] = seed = (seed * 5 + 12345) & 0o7777 ^ (at * at & 0o7777);
+        }"""
+    )
+    with page.expect_download() as download:
+        page.locator("#share").click()
+    assert "allowed: here is a file instead" in page.locator("#why").inner_text()
+    words = page.evaluate("[...workbench.machine.processor.core]")
+    text = download.value.path().read_text()
+    _reopened(page)
+    _drop(page, "session.json", text)
+    until(page, f"workbench.machine.processor.core[4095] === {words[4095]}")
+    assert page.evaluate("[...workbench.machine.processor.core]") == words
+
+
+def test_an_exercise_of_a_teachers_is_dropped_and_marked(page: "Page") -> None:
+    """The form for students is marked by a Worker; a link leads to a bundled exercise."""
+    exercise = form.read("add", student.SEED)
+    _drop(page, "homework.json", student.form(exercise))
+    until(page, "workbench.exercises.name === 'homework.json'")
+    page.locator("[data-begin]").click()
+    assert page.evaluate("workbench.editor.name") == "homework.pal"
+    page.locator("#source").fill(exercise.solution)
+    page.locator("[data-opens=exercises]").click()
+    page.locator("#asked .go").click()
+    until(page, "document.getElementById('marks').textContent.includes('homework.pal: 7 of 7 points')")
+    page.goto(page.url.split("#")[0] + "#exercise=octal")
+    _reopened(page)
+    assert page.evaluate("workbench.exercises.name") == "octal"
+
+
+def test_from_a_radius_to_a_wall(page: "Page") -> None:
+    """A small circle is punched, translated and cut by three buttons."""
+    page.locator("[data-opens=parts]").click()
+    page.locator("[name=radius]").fill("0.25")
+    page.locator("#part .go").click()
+    assert "blocks: circle 2.asc" in page.locator("#part-punched").inner_text()
+    page.locator("#part-translate").click()
+    until(page, "!document.getElementById('part-cut').disabled")
+    page.locator("#part-cut").click()
+    assert "minutes at the Hydra-Point" in page.evaluate("document.getElementById('part-is-cut').textContent")
+    assert page.evaluate("workbench.mill.name") == "circle 2.eia"
+    page.locator("[name=radius]").evaluate("(input) => { input.value = '1750'; }")
+    page.evaluate("workbench.tabs.open('parts')")
+    page.locator("#part .go").click()
+    assert "for 1750 thousandths write 1.75" in page.locator("#part-punched").inner_text()
