@@ -14,6 +14,7 @@ import { escaped, find, grouped, octal } from "../written.mjs";
 import { limited } from "./budget.mjs";
 import { assembled, checked, findings } from "./checker.mjs";
 import { Counts } from "./counts.mjs";
+import { leave } from "./programs.mjs";
 
 const LONGEST = 200_000; // characters of a source that is taken
 const WIDEST = 400; // of a line that is drawn
@@ -124,7 +125,9 @@ export class Editor {
       if (target.dataset.undo !== undefined) this.put(...this.deleted);
       if (target.dataset.back !== undefined) this.#turn(this.name);
     });
-    addEventListener("pagehide", () => this.keep());
+    addEventListener("pagehide", () => {
+      if (!this.area.readOnly && this.bench.programs.get(this.name) !== this.text) leave(this.name, this.text);
+    });
   }
 
   #sources() {

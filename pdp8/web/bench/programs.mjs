@@ -1,7 +1,15 @@
 // The programs that are kept, by their names, in this browser (IndexedDB). None is ever written over by another: what
 // comes from elsewhere under a name that is taken gets a free one.
 
+import { keep, kept } from "./kept.mjs";
+
 const NAME = "pdp8";
+const LEFT = "pdp8 left"; // what was typed as the page was left, when IndexedDB has no time
+
+/** Keep a program while the page is being left. */
+export function leave(name, text) {
+  keep(LEFT, JSON.stringify([name, text]));
+}
 
 /** What IndexedDB makes of a request. */
 function done(request) {
@@ -25,6 +33,9 @@ export class Programs {
       this.base = await done(asked);
       const [names, texts] = await Promise.all([done(this.#store("readonly").getAllKeys()), done(this.#store("readonly").getAll())]);
       names.forEach((name, index) => this.texts.set(name, texts[index]));
+      const left = kept(LEFT);
+      if (left) this.keep(...JSON.parse(left));
+      keep(LEFT, "");
     } catch (error) {
       this.base = null;
       this.refused = String(error?.message ?? error);

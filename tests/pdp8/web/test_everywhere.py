@@ -1,4 +1,4 @@
-"""What a class does on the workbench, in Chromium and in Firefox: tapes, files, sound, what the assembler says.
+"""What a class does on the workbench, in Chromium and in Firefox: tapes, files, sound, messages.
 
 Both are asked in the same words: a script of the page, and a condition to wait for.
 """
