@@ -59,7 +59,7 @@ def set_variable(room: Debuggee, arguments: Body) -> Body:
 def evaluate(room: Debuggee, arguments: Body) -> Body:
     """Return what an expression is, or what the monitor says to a line of the console."""
     line = arguments["expression"].strip()
-    named = command(line)[0].lower() in COMMANDS
+    named = line not in room.monitor.listing.symbols and command(line)[0].lower() in COMMANDS
     if arguments.get("context") == "repl" and (named or not _is_place(room, line)):
         room.monitor.do(line)
         said = "\n".join(room.said)

@@ -7,7 +7,7 @@ as well: its routine returns through word 0.
 
 from typing import NamedTuple
 
-from pal.isa import EXECUTE, JMS
+from pal.isa import EXECUTE, ISZ, JMS, refers_to
 from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind
@@ -28,9 +28,15 @@ class Goal(NamedTuple):
     interrupt: bool = False
 
     def places(self, machine: Machine) -> set[int]:
-        """Return where the subroutine may return to."""
-        back = machine.core[self.entry]
-        return {back + offset & 0o7777 for offset in range(2 * ARGUMENTS)}
+        """Return where the subroutine may return to: past arguments if it counts its first word up by ISZ."""
+        core = machine.core
+        back = core[self.entry]
+        counts = any(
+            word >> 8 == ISZ << 1 and refers_to(word, address) == self.entry
+            for address, word in enumerate(core)
+        )
+        places = [back + offset & 0o7777 for offset in range(2 * ARGUMENTS if counts else 1)]
+        return set(places[: places.index(self.entry)] if self.entry in places else places)
 
     def reached(self, machine: Machine) -> bool:
         """Tell whether it has returned."""

@@ -94,6 +94,21 @@ def test_breakpoints_and_steps_in_both_directions(folder: Path) -> None:
     assert [answer for answer in seen.answers if "error" in answer] == []
 
 
+def test_a_subroutine_that_waits_right_behind_its_call_is_left(folder: Path) -> None:
+    """At 10 characters a second it waits for 27,000 instructions, each of them where it might return to."""
+    (folder / "behind.pal").write_text(
+        "*200\n\tJMS TYPE\n\tHLT\nTYPE,\t0\n\tTLS\n\tTSF\n\tJMP .-1\n\tJMP I TYPE\nCOUNT,\t5\n$\n"
+    )
+    seen = play(
+        folder,
+        *launched({"program": "behind.pal"}),
+        *(step for move in ("stepIn", "stepOut") for step in ([move, {"threadId": 1}, "stopped"], WHERE)),
+        console("COUNT"),
+    )
+    assert where(seen.answers[-2]) == [("0201  main program", 3)]
+    assert seen.answers[-1]["body"]["result"] == "0207  0005  COUNT,  5"  # no command of the monitor
+
+
 def test_what_the_machine_holds_is_shown_and_set(folder: Path) -> None:
     words = base64.b64encode(bytes([0o7402 >> 8, 0o7402 & 0xFF])).decode()
     seen = play(
