@@ -117,31 +117,31 @@ BUILT_FROM := pyproject.toml setup.py release/threaded.py $(COMPILED) $(COMPILED
 # PYTHONDONTWRITEBYTECODE is set, and then at every start.
 BYTECODE = $(BIN)/python -m compileall -q -j 0 tapes pal pdp8 programs nc
 
+COMMA := ,
 PIP := $(BIN)/pip install -q --disable-pip-version-check
 # What the build takes goes into .venv: the compilation then says what it does, which pip would keep to itself.
 BUILDERS := $(shell sed -n '/^requires = /{s/^requires = //;s/[][,]//g;p;}' pyproject.toml)
 
+# Installs pdp8 with extra $(1) while the core is compiled: pip waits for the network, and compiles nothing.
+define INSTALL
+	@echo "2 of 3: Cython, which makes C of the core"
+	@$(PIP) $(BUILDERS)
+	@echo "3 of 3: packages to be had, $(2), while the core is compiled, half a minute on two cores:"
+	@PDP8_EXTENSIONS=forbid $(PIP) --no-build-isolation -e ".[$(1)]" & \
+	    $(BIN)/python setup.py -q build_ext --inplace && wait $$!
+	@$(BYTECODE)
+endef
+
 .venv/bin/pip:
-	@echo "1 of 4: .venv, the virtual environment of this folder; nothing outside it is changed"
+	@echo "1 of 3: .venv, the virtual environment of this folder; nothing outside it is changed"
 	@$(PYTHON) -m venv .venv
 
-.venv/compiled: $(BUILT_FROM) | .venv/bin/pip
-	@echo "2 of 4: Cython, which makes C of the core"
-	@$(PIP) $(BUILDERS)
-	@echo "3 of 4: the core, compiled: half a minute on two cores"
-	@$(BIN)/python setup.py -q build_ext --inplace
+.venv/ready: $(BUILT_FROM) | .venv/bin/pip
+	$(call INSTALL,panel$(COMMA)nc,40 MB)
 	@touch $@
 
-.venv/ready: .venv/compiled
-	@echo "4 of 4: pdp8 and the packages it needs, 30 MB"
-	@PDP8_EXTENSIONS=forbid $(PIP) --no-build-isolation -e ".[panel]"
-	@$(BYTECODE)
-	@touch $@
-
-.venv/ready-dev: .venv/compiled
-	@echo "4 of 4: pdp8 and its developers' tools, 700 MB"
-	@PDP8_EXTENSIONS=forbid $(PIP) --no-build-isolation -e ".[dev]"
-	@$(BYTECODE)
+.venv/ready-dev: $(BUILT_FROM) | .venv/bin/pip
+	$(call INSTALL,dev,700 MB)
 	@touch .venv/ready $@
 
 .PHONY: clean
