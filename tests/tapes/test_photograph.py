@@ -47,14 +47,15 @@ WITHIN = [
     "dark tape, lit from behind",
     "on a desk",
 ]
-HARDEST = ["all at once", "perspective .5", "curl 25 %", "noise 60"]
+SLOW = pytest.mark.slow("four seconds of a core for a picture")
+HARDEST = ["all at once", pytest.param("perspective .5", marks=SLOW), "curl 25 %", "noise 60"]
 WITHOUT = [
     "noise",
     "wood",
     "text with dots",
     "a chessboard",
     "a strip of it",
-    "stamps",
+    pytest.param("stamps", marks=SLOW),
     "a toy car",
     "a desk",
 ]
