@@ -160,5 +160,7 @@ class Debuggee:
         """Write the tape in the punch into its file, if the configuration names one. Raises ShelfError."""
         tape = self.monitor.machine.teletype.punch.tape
         if self.launch.punch and tape != self._punched:
-            shelf.leave(self.launch.punch, tape, "tape")
+            wrote = shelf.leave(self.launch.punch, tape, "tape")
+            if not self._punched:  # each stop writes it again
+                self.said.append(wrote)
             self._punched = tape

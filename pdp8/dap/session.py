@@ -166,6 +166,7 @@ class Session:
         self._runs = False
         if self._room is not None:
             self._take_off(self._room)
+            self._tell(self._room)
         self._wire.event("exited", exitCode=0)
         self._wire.event("terminated")
 
@@ -210,8 +211,8 @@ class Session:
         room = self._loaded
         self._runs = False
         room.pause()
-        self._tell(room)
         self._take_off(room)
+        self._tell(room)
         if halt.description:
             self._wire.event("output", category="console", output=f"{halt.description}\n")
         if room.launch.noDebug:

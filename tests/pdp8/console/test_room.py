@@ -226,13 +226,15 @@ def test_tearing_off_and_reading_again(tmp_path: Path) -> None:
         turn(room, 0.5)
         punched = room.session.machine.teletype.punch.tape
         await press(pilot, "w")
-        for name, stays in ((str(tmp_path), True), (f"{tmp_path}/mine.eia", False)):
-            room.screen.query_one("Input").value = name  # type: ignore[attr-defined]
+        (tmp_path / "own.pal").write_text("*200\n")
+        for name, stays in ((".", True), ("own.pal", True), ("mine.eia", False)):
+            room.screen.query_one("Input").value = f"{tmp_path}/{name}"  # type: ignore[attr-defined]
             await press(pilot, "enter")
             await pilot.pause()
             assert bool(room.session.machine.teletype.punch.frames) == stays
             if stays:
                 await press(pilot, "w")
+        assert (tmp_path / "own.pal").read_text() == "*200\n"
         assert (tmp_path / "mine.eia").read_bytes() == punched
         assert room.session.tapes[-1].frames == punched
 

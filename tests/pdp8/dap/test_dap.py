@@ -188,17 +188,22 @@ def test_a_program_that_waits_is_typed_to_paused_and_restarted(folder: Path) -> 
 def test_tapes_of_the_configuration_and_a_run_without_debugging(folder: Path) -> None:
     (folder / "three.asc").write_bytes(bytes(0o200 | code for code in b"3\r\n"))
     (folder / "four.asc").write_bytes(bytes(0o200 | code for code in b"4\r\n"))
+    (folder / "own.pal").write_text("*200\n\tHLT\n$\n")
     tapes = {"reader": ["three.asc", "four.asc"], "punch": "out.eia"}
     seen = play(
         folder,
         ["initialize", {"adapterID": "pdp8"}],
         ["launch", {"program": "eia.pal", "punch": "three.asc", "reader": "three.asc"}],
+        ["launch", {"program": "eia.pal", "punch": "own.pal"}],
         ["launch", {"program": "eia.pal", "noDebug": True, **tapes}, "initialized"],
         ["setFunctionBreakpoints", {"breakpoints": [{"name": "CHK"}]}],
         ["configurationDone", {}, "terminated"],
     )
     assert "three.asc is read too" in seen.answers[1]["error"]
-    assert "four.asc goes into the reader\n" in [text for _, text in seen.output]
+    assert "own.pal is there, and is no tape" in seen.answers[2]["error"]
+    said = "".join(text for _, text in seen.output)
+    assert "four.asc goes into the reader\n" in said
+    assert said.count("wrote out.eia\n") == 1
     assert (folder / "out.eia").read_bytes().strip(b"\0") == bytes([0o023, 0o200, 0o004, 0o200])
 
 
