@@ -63,7 +63,7 @@ def half() -> nc.Path:
 DRAWINGS: dict[str, tuple[str, Callable[[], str]]] = {
     "circle": ("9872bc2b", lambda: plot(circle(), THE_CIRCLE)),
     "circle, block 120": ("bf7f47f6", lambda: plot(circle(), THE_CIRCLE, block=120)),
-    "circle, block 1": ("e2307458", lambda: plot(circle(), THE_CIRCLE, block=1)),
+    "circle, block 1": ("e5e9233c", lambda: plot(circle(), THE_CIRCLE, block=1, close_at=(5750, 4000))),
     "circle, stretched": (
         "df3a2791",
         lambda: plot(circle(), THE_CIRCLE, close_at=(4000, 5735), zoom=(8, 80)),

@@ -1,11 +1,14 @@
 """The program as a table, and what the reports say."""
 
+import pytest
+
 import nc
+from nc.curves import StraightLine
 from nc.inspection import inspect
 from nc.listing import does, in_force, lines
 from nc.machine import Settings
 from nc.report import cut_report, inspection_report
-from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, tape
+from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, milling, tape
 
 
 def test_the_circle_begins() -> None:
@@ -119,3 +122,15 @@ def test_the_inspection_stands_beside_the_thesis() -> None:
 
 def test_other_parts_have_no_thesis_beside_them() -> None:
     assert "thesis" not in "\n".join(inspection_report(inspect(nc.cut(CIRCLE), cutter=250)))
+
+
+@pytest.mark.parametrize(("y", "said"), [(3999.5, "+.0005"), (4000, "+.0000"), (4000.5, "-.0005")])
+def test_half_a_thousandth_has_its_sign(y: float, said: str) -> None:
+    path = nc.cut(tape(*HEADER, *milling([(3250, 4000)], (2250, 4000))))
+    report = inspection_report(inspect(path, StraightLine(2250, y, 3250, y)))
+    assert f"whole length  outer     {said}   {said}           .0000" in report
+
+
+def test_the_contour_alone_is_read_and_milled() -> None:
+    """660 blocks at 2 s, and 13.861 in at 1 in/min: nothing is positioned, no tool is changed."""
+    assert nc.cut(CIRCLE).contour.total == pytest.approx(1320 + 13.861 * 60, abs=0.05)

@@ -85,9 +85,9 @@ def test_keys_pressed_without_waiting_are_lost_where_the_program_prints() -> Non
 
 def test_keys_alone_are_texts_and_codes() -> None:
     monitor = started(LISTEN, PRINT)
-    monitor.do(r'keyboard a "B c" CR "\n\f\177\e\a\"\\\003\301\034" # a comment')
+    monitor.do(r'keyboard a "B c" CR "\n\f\177\e\a\"\\\003\301\034\r\t" # a comment')
     monitor.do("wait 1")
-    codes = [0o215, 0o212, 0o214, 0o377, 0o375, 0o207, 0o242, 0o334, 0o203, 0o301, 0o234]
+    codes = [0o215, 0o212, 0o214, 0o377, 0o375, 0o207, 0o242, 0o334, 0o203, 0o301, 0o234, 0o215, 0o211]
     assert stored(monitor) == [*frames("AB C"), *codes]
 
 

@@ -86,6 +86,14 @@ def test_a_diagnostic_that_rings_the_bell_at_each_pass(monitor: Monitor) -> None
     assert list(monitor.machine.teletype.printer.frames) == [0o207] * 3
     do(monitor, "run until BEL 5", "until BEL 2 times")
     assert len(monitor.machine.teletype.printer.frames) == 6
+    with pytest.raises(MonitorError, match=r"BEL was printed 10 times of 99: 1 s have passed"):
+        do(monitor, "until BEL 99 times 1")
+
+
+def test_what_the_page_shows_already_is_expected_once(monitor: Monitor) -> None:
+    do(monitor, "load hello.pal", "go 200", "expect CR", "expect HELLO")
+    with pytest.raises(MonitorError, match="the machine stands still"):
+        do(monitor, "expect HELLO")
 
 
 def test_a_key_press_takes_its_time(monitor: Monitor) -> None:
@@ -133,6 +141,7 @@ def test_a_wrong_state_is_named(monitor: Monitor) -> None:
     ("line", "message"),
     [
         ("type É", "É: a Model 33 has no such key"),
+        ("type \uf800", "\uf800: a Model 33 has no such key"),
         ("type {", "{: a Model 33 has no such key"),
         ("type A", "the program asks for no key: the machine stands still; no keys of 2 sent"),
         ('keyboard now "É"', "É: a Model 33 has no such key"),
