@@ -10,9 +10,6 @@ A mutant is caught when a test fails, or takes LONGER times as long as all of th
 import ast
 import gc
 import importlib
-import importlib.abc
-import importlib.machinery
-import importlib.util
 import os
 import pickle
 import resource
@@ -28,9 +25,9 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from functools import cache, partial
 from hashlib import sha256
-from importlib.machinery import ModuleSpec
+from importlib.machinery import SourceFileLoader
 from pathlib import Path
-from types import CodeType, FunctionType, ModuleType, SimpleNamespace
+from types import CodeType, FunctionType, SimpleNamespace
 from typing import NamedTuple
 
 import coverage
@@ -271,6 +268,7 @@ class _Collected:
 
             def work(own: Path) -> int:
                 _swap(functions, code)
+                _load(code)
                 _serve_commands(own, self.clients)
                 return _fails([items[name] for name in order])
 
@@ -394,6 +392,16 @@ def _swap(functions: dict[tuple[str, int, str], list[FunctionType]], code: CodeT
             _swap(functions, inner)
 
 
+def _load(code: CodeType) -> None:
+    """Have the changed module be what is loaded from its file from now on."""
+    plain = SourceFileLoader.get_code
+
+    def get_code(self: SourceFileLoader, fullname: str) -> CodeType | None:
+        return code if self.path == code.co_filename else plain(self, fullname)
+
+    setattr(SourceFileLoader, "get_code", get_code)  # noqa: B010
+
+
 def _fails(items: list[pytest.Item]) -> int:
     """Run tests up to the first that fails; return 1 if one does."""
     for item, after in zip(items, [*items[1:], None], strict=True):
@@ -417,7 +425,7 @@ def _whole(
         limit = LEAST + LONGER * sum(runs.seconds[name] for name in order)
 
         def work(own: Path) -> int:
-            sys.meta_path.insert(0, _Changed(file, code))
+            _load(code)
             _serve_commands(own, folder / "clients")
             _calm_hypothesis()
             return int(pytest.main([*_PYTEST, "-x", "--tb=no", *order]))
@@ -425,33 +433,6 @@ def _whole(
         return _fork(work, folder, limit)
 
     return _each(trials, begin, jobs)
-
-
-class _Changed(importlib.abc.MetaPathFinder):
-    """Finds one module, with a mutant in it."""
-
-    def __init__(self, file: str, code: CodeType) -> None:
-        self.name = file.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
-        self.file = file
-        self.code = code
-
-    def find_spec(
-        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
-    ) -> ModuleSpec | None:
-        """Return the changed module's specification."""
-        if fullname != self.name:
-            return None
-        file = str(Path(self.file).resolve())
-        loader = _Loader(fullname, file)
-        loader.code = self.code
-        return importlib.util.spec_from_file_location(fullname, file, loader=loader)
-
-
-class _Loader(importlib.machinery.SourceFileLoader):
-    code: CodeType
-
-    def get_code(self, fullname: str) -> CodeType:
-        return self.code
 
 
 def main(tests: str, chosen: str, jobs: str, kept: str) -> None:

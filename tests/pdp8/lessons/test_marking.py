@@ -93,6 +93,19 @@ def test_a_missing_tag_is_named() -> None:
     assert mark("core={SUM=1}", IAC).fault == "the tag SUM is missing; the exercise looks for it"
 
 
+@pytest.mark.parametrize(
+    ("content", "fault"),
+    [
+        ((b"/" * 199 + b"\n") * 81 + b"/" * 184, ""),
+        ((b"/" * 199 + b"\n") * 81 + b"/" * 185, "more than 16,384 bytes"),
+        (b"/" * 200, ""),
+        (b"\n" + b"/" * 201, "line 2 has 201 characters; at most 200 can be"),
+    ],
+)
+def test_an_answer_has_16_kib_in_lines_of_200(content: bytes, fault: str) -> None:
+    assert handed.of(content, "a.pal").fault == fault
+
+
 HOSTILE = [
     b"", b"\0" * 1000, b"\xff" * 16_000, (b"\xff" * 100 + b"\n") * 150, b"x" * 70_000, bytes(range(256)) * 60,
     b"*200\n\tTLS\n\tJMP .-1\n$\n",  # punches for ever
