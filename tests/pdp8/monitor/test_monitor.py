@@ -40,7 +40,7 @@ def test_a_pipe_is_a_script(shell: Shell) -> None:
         ("examine 9", "neither an octal number nor a symbol"),
         ("examine 10000", "not between 0000 and 7777"),
         ("deposit 200", "an address and words expected"),
-        ("set mq 0", "no register or switch"),
+        ("set mq 0", "there are ac link pc ma mb ir sr mem_prot sing_step hands"),
         ("load nothing.pal", "no such file"),
         ("load .", "Is a directory"),
         ("load empty", "empty"),
@@ -87,6 +87,15 @@ def test_a_limit_that_is_no_round_number_of_ticks_ends() -> None:
     for seconds in ("0.1", "0.0773", "1e-9", "0.333333333", "0"):
         monitor.do(f"cont {seconds}")
     assert monitor.machine.elapsed == pytest.approx(0.7 + 0.1 + 0.0773 + 0.333333333, abs=20e-6)
+
+
+@pytest.mark.parametrize(("value", "position"), [("1", True), ("on", True), ("0", False), ("OFF", False)])
+def test_a_switch_is_put_up_and_down(value: str, position: bool) -> None:
+    monitor = Monitor(lambda line: None)
+    for name in ("mem_prot", "sing_step"):
+        setattr(monitor.machine.panel, name, not position)
+        monitor.do(f"set {name} {value}")
+        assert getattr(monitor.machine.panel, name) is position
 
 
 def test_go_stops_a_program_that_runs() -> None:

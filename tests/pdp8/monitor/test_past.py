@@ -77,7 +77,8 @@ def test_what_was_set_goes_back_too(monitor: Monitor) -> None:
     ("line", "complaint"),
     [
         ("back 3 inches", "inches: there are instructions, cycles, characters, blocks and seconds"),
-        ("back 77777777777", "instructions cannot be undone: the history goes back"),
+        ("back 777777777777", "instructions cannot be undone: the history goes back"),
+        ("back 1000000000000", "not between 000000000000 and 777777777777"),
         ("back 8", "8: neither an octal number"),
         ("back 100 characters", "64 characters cannot be undone: the history goes back 7"),
         ("back until", "expected"),
