@@ -5,8 +5,9 @@ from pathlib import Path
 import pytest
 
 from pdp8.computer.use import program
-from pdp8.monitor.arguments import MonitorError
+from pdp8.monitor.arguments import MonitorError, Quoted
 from pdp8.monitor.prompt import Monitor
+from pdp8.monitor.running import text_of
 from tapes.errors import WorkError
 from tests.conftest import Shell
 
@@ -77,6 +78,12 @@ def test_what_fails_ends_a_script_with_status_1(
 def test_a_script_may_begin_with_the_mark_that_windows_puts_there(shell: Shell, tmp_path: Path) -> None:
     (tmp_path / "script").write_text("assert ac 0\n", "utf-8-sig")
     assert shell("pdp8 monitor script").stderr == b""
+
+
+def test_codes_by_their_names() -> None:
+    codes = {"BEL": 7, "CR": 13, "LF": 10, "FF": 12, "RUBOUT": 127, "rubout": 127, "A": 65}
+    assert {name: ord(text_of(name)) for name in codes} == codes
+    assert text_of(Quoted("BEL")) == "BEL"
 
 
 def test_a_diagnostic_that_rings_the_bell_at_each_pass(monitor: Monitor) -> None:
