@@ -6,12 +6,12 @@ from pathlib import Path
 HOUSE = Path(__file__).parents[2]
 
 ROOMS = {
-    "tapes": ("tapes", ["tests/tapes"]),
+    "tapes": ("tapes", ["tests/tapes", "tests/pdp8/cli/test_files.py"]),
     "pal": ("pal", ["tests/pal"]),
     "programs": ("programs", ["tests/programs"]),
     "nc": ("nc", ["tests/nc", "tests/tapes/test_hydrapoint.py"]),
     "lessons": ("pdp8/lessons", ["tests/pdp8/lessons", "tests/test_lesson_kit.py"]),
-    "monitor": ("pdp8/monitor", ["tests/pdp8/monitor"]),
+    "monitor": ("pdp8/monitor", ["tests/pdp8/monitor", "tests/pdp8/cli/test_files.py"]),
     "computer": ("pdp8/computer", ["tests/pdp8/computer"]),
 }
 """The folder and the tests of each room."""
