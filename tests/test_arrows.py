@@ -100,7 +100,8 @@ def reached(path: Path) -> Iterator[str]:
     others = {
         id(node.value)
         for node in ast.walk(tree)
-        if isinstance(node, ast.Expr) or (isinstance(node, ast.keyword) and node.arg == "package_name")
+        if isinstance(node, ast.Expr)
+        or (isinstance(node, ast.keyword) and node.arg in ("name", "package_name"))
     }
     for node in ast.walk(tree):
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in others:

@@ -8,6 +8,7 @@ types        what is known of an expression: from annotations, and from what is 
 expressions  operators, calls, f-strings, comprehensions
 statements   assignments, loops, try
 modules      imports, classes, functions
+program      all modules: what each defines and imports, and where a name leads
 runtime.mjs  what Python has and JavaScript has not
 
 What has no translation is an error with its file and line. Names stay as they are. Numbers are exact to 2^53.
