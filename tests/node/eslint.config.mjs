@@ -24,5 +24,5 @@ export default [
   },
   { files: ["pdp8/**"], languageOptions: { globals: readonly(BROWSER) } },
   { files: ["**/runtime.mjs"], rules: { "no-shadow": "off" } }, // its names are Python's
-  { files: ["tests/**"], languageOptions: { globals: readonly("process console setTimeout") } },
+  { files: ["tests/**"], languageOptions: { globals: readonly("process console setTimeout Buffer") } },
 ];

@@ -13,7 +13,7 @@ import { FETCH } from "../../../pal/isa.mjs";
 import { Pictures } from "../pictures.mjs";
 
 const BUDGET = 24; // ms of computing for a picture
-const SLICES = 12; // of a picture, each with a look at the lamps
+const SLICES = 8; // of a picture, each with a look at the lamps
 const SLOW = 0.01; // and slower: cycle by cycle
 const FORGETS = 0.15; // what a measured speed loses of the pictures before, a picture
 export const SPEEDS = [

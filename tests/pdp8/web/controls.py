@@ -102,7 +102,9 @@ CONTROLS = {
     ".skip": Control("location.hash", "location.hash = '';"),
     "[data-door='afternoon']": Control("workbench.afternoon.playing", LIVE),
     "[data-door='first']": Control(f"{P}.core[0o200]", STAND),
-    "[data-door='rim']": Control("workbench.switches.card.coach !== null", "workbench.switches.card.coach = null;"),
+    "[data-door='rim']": Control(
+        "workbench.switches.card.coach !== null", "workbench.switches.card.coach = null;"
+    ),
     "#sound": Control("workbench.sound.on", keys="Space"),
     "#lever": Control(f"{TTY}.reader.on"),
     "#shelf": Control(f"{TTY}.reader.tape.length", f"{TTY}.reader.remove();", "c"),
