@@ -17,7 +17,7 @@ MODES_HEADING = "         Z  X feed  Y feed  Z feed   rpm tool coolant retract  
 
 def lines(path: Path, modes: bool = False) -> Iterator[str]:
     """Yield the table line by line, without line ends; `modes` adds what is in force and the clock."""
-    yield HEADING[: -len("does")] + MODES_HEADING.strip("\n") + "  does" if modes else HEADING
+    yield HEADING[: -len("does")] + MODES_HEADING + "  does" if modes else HEADING
     for step, now in zip(path.steps, path.clock(), strict=True):
         columns = _columns(step)
         yield f"{columns}{_modes(step, now)}  {does(step)}" if modes else f"{columns}{does(step)}"
