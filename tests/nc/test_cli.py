@@ -9,7 +9,7 @@ from nc.inspection import inspect
 from nc.machine import cut
 from nc.plot import plot
 from nc.talysurf import talysurf
-from tests.conftest import Shell
+from tests.conftest import Shell, case
 from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, FOUR_HOLES, tape
 
 COMMANDS = {
@@ -157,9 +157,8 @@ def test_strict_reads_parity(shell: Shell) -> None:
     assert "block 35, row 20: wrong parity" in complaint(shell, "pdp8 nc list --strict", bytes(changed))
 
 
-@pytest.mark.parametrize(
-    "line",
-    [
+def test_misuse() -> None:
+    for line in [
         "cut circle.eia --feed-error 21",
         "cut circle.eia --feed-error nan",
         "cut circle.eia --feed-error 1,2",
@@ -181,12 +180,11 @@ def test_strict_reads_parity(shell: Shell) -> None:
         "cut circle.eia --peck 0",
         "export circle.eia",
         "export circle.eia --gcode --dxf",
-    ],
-)
-def test_misuse(line: str) -> None:
-    done = CliRunner().invoke(nc, line.split())
-    assert done.exit_code == 2
-    assert done.output.splitlines()[-1].startswith("Error: ")
+    ]:
+        with case(line):
+            done = CliRunner().invoke(nc, line.split())
+            assert done.exit_code == 2
+            assert done.output.splitlines()[-1].startswith("Error: ")
 
 
 def test_a_feed_error_that_is_too_large_is_named() -> None:

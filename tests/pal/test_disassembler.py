@@ -10,6 +10,7 @@ import pal
 from pal.disassembler import disassemble, disassemble_tape, microinstruction
 from tapes import binary, kinds, rim
 from tapes.errors import TapeError
+from tests.conftest import case
 
 EXAMPLES = sorted((Path(__file__).parent / "examples").glob("*.bin"))
 
@@ -45,10 +46,11 @@ def test_a_full_core_needs_no_more_symbols_than_there_is_room_for() -> None:
     assert assembly.ok
 
 
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_a_tape_of_pal_comes_back_frame_for_frame(path: Path) -> None:
-    tape = path.read_bytes()
-    assert pal.assemble(disassemble_tape(tape)).tape == tape
+def test_a_tape_of_pal_comes_back_frame_for_frame() -> None:
+    for path in EXAMPLES:
+        with case(path):
+            tape = path.read_bytes()
+            assert pal.assemble(disassemble_tape(tape)).tape == tape
 
 
 def test_fields_and_overlapping_origins_come_back_frame_for_frame() -> None:

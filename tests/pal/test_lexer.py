@@ -2,12 +2,12 @@
 
 from pathlib import Path
 
-import pytest
 from pygments import lex
 from pygments.lexers import get_lexer_by_name, get_lexer_for_filename
 from pygments.token import Comment, Error, Generic, Keyword, Name, Number
 
 from pal.lexer import PalLexer
+from tests.conftest import case
 
 EXAMPLES = Path(__file__).parent / "examples"
 
@@ -32,13 +32,14 @@ def test_a_line_of_a_listing() -> None:
     ]
 
 
-@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.pass3.txt")), ids=lambda path: path.stem)
-def test_it_keeps_every_character(path: Path) -> None:
-    text = path.read_text()
-    pieces = list(lex(text, PalLexer(stripnl=False)))
-    assert "".join(piece for _, piece in pieces) == text
-    messages = [piece for kind, piece in pieces if kind is Generic.Error]
-    assert messages == [line for line in text.splitlines() if line.startswith("IR  ")]
+def test_it_keeps_every_character() -> None:
+    for path in sorted(EXAMPLES.glob("*.pass3.txt")):
+        with case(path):
+            text = path.read_text()
+            pieces = list(lex(text, PalLexer(stripnl=False)))
+            assert "".join(piece for _, piece in pieces) == text
+            messages = [piece for kind, piece in pieces if kind is Generic.Error]
+            assert messages == [line for line in text.splitlines() if line.startswith("IR  ")]
 
 
 def test_illegal_characters_are_errors() -> None:

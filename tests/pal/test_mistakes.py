@@ -8,9 +8,8 @@ names what to write, and never says to take a character away.
 
 from pathlib import Path
 
-import pytest
-
 import pal
+from tests.conftest import case
 
 FOLDER = Path(__file__).parent / "mistakes"
 NO_END = ("no end", "a word before the end", "a condition without its end")
@@ -28,20 +27,21 @@ def test_there_are_enough() -> None:
     assert len(mistakes("pal3")) >= 45
 
 
-@pytest.mark.parametrize(("dialect", "title", "text"), CASES, ids=[f"{case[0]}: {case[1]}" for case in CASES])
-def test_each_mistake_is_named_on_its_line(dialect: str, title: str, text: str) -> None:
-    lines = text.splitlines()
-    said = {
-        number: sorted(line.partition("/!")[2].split())
-        for number, line in enumerate(lines, 1)
-        if "/!" in line
-    }
-    source = "\n".join(line.partition("/!")[0].rstrip() for line in lines) + "\n"
-    if title not in NO_END and "\n$" not in source:
-        source += "$\n"
-    found: dict[int, list[str]] = {}
-    for diagnostic in pal.assemble(source, dialect=dialect).diagnostics:
-        if dialect == "pal8" or diagnostic.code.startswith("PN"):
-            found.setdefault(diagnostic.line, []).append(diagnostic.code)
-        assert "remove" not in diagnostic.advice
-    assert {number: sorted(set(codes)) for number, codes in found.items()} == said
+def test_each_mistake_is_named_on_its_line() -> None:
+    for dialect, title, text in CASES:
+        with case(dialect, title, text):
+            lines = text.splitlines()
+            said = {
+                number: sorted(line.partition("/!")[2].split())
+                for number, line in enumerate(lines, 1)
+                if "/!" in line
+            }
+            source = "\n".join(line.partition("/!")[0].rstrip() for line in lines) + "\n"
+            if title not in NO_END and "\n$" not in source:
+                source += "$\n"
+            found: dict[int, list[str]] = {}
+            for diagnostic in pal.assemble(source, dialect=dialect).diagnostics:
+                if dialect == "pal8" or diagnostic.code.startswith("PN"):
+                    found.setdefault(diagnostic.line, []).append(diagnostic.code)
+                assert "remove" not in diagnostic.advice
+            assert {number: sorted(set(codes)) for number, codes in found.items()} == said

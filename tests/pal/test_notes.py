@@ -6,6 +6,7 @@ import pytest
 
 import pal
 from pal.assembler import HIGH_SPEED_SYMBOLS
+from tests.conftest import case
 
 EXAMPLES = Path(__file__).parent / "examples"
 PROGRAMS = Path(__file__).parents[2] / "programs"
@@ -74,9 +75,10 @@ def test_our_programs_have_none(path: Path) -> None:
     assert pal.assemble(path.read_bytes()).diagnostics == []
 
 
-@pytest.mark.parametrize(("source", "line", "column", "message"), NOTED)
-def test_each_is_found_where_it_stands(source: str, line: int, column: int, message: str) -> None:
-    assert (line, column, f"{message}") in noted(source + "\n$\n")
+def test_each_is_found_where_it_stands() -> None:
+    for source, line, column, message in NOTED:
+        with case(source, line, column, message):
+            assert (line, column, f"{message}") in noted(source + "\n$\n")
 
 
 def test_the_end_of_a_line_that_the_high_speed_reader_loses() -> None:

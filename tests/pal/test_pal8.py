@@ -12,6 +12,7 @@ import pal
 from pal.crossreference import cross_reference, text
 from pal.record import as_json
 from tapes import binary
+from tests.conftest import case
 from tests.pal.random_pal8 import PALBART, Author, compare
 
 EXAMPLES: dict[str, list[str]] = json.loads((Path(__file__).parent / "pal8.json").read_text())
@@ -37,13 +38,13 @@ def test_there_are_examples() -> None:
     assert len(EXAMPLES) == 131
 
 
-@pytest.mark.parametrize("name", EXAMPLES)
-def test_the_words_are_palbarts(name: str) -> None:
-    source, words = EXAMPLES[name]
-    assembly = pal.assemble(source.encode("latin-1"), dialect="pal8")
-    assert octal(assembly.words) == octal(core(words))
-    assert [str(diagnostic) for diagnostic in assembly.diagnostics if diagnostic.error] == []
-    assert octal(binary.decode(assembly.tape).words) == octal(core(words))
+def test_the_words_are_palbarts() -> None:
+    for name, (source, words) in EXAMPLES.items():
+        with case(name):
+            assembly = pal.assemble(source.encode("latin-1"), dialect="pal8")
+            assert octal(assembly.words) == octal(core(words))
+            assert [str(diagnostic) for diagnostic in assembly.diagnostics if diagnostic.error] == []
+            assert octal(binary.decode(assembly.tape).words) == octal(core(words))
 
 
 @pytest.mark.skipif(PALBART is None, reason="palbart is not installed")

@@ -4,9 +4,9 @@ import shlex
 from collections.abc import Iterator
 
 import click
-import pytest
 
 from pdp8.cli.root import pdp8
+from tests.conftest import case
 
 PARENT = click.Context(pdp8, info_name="pdp8")
 
@@ -57,11 +57,12 @@ def left_over(words: list[str]) -> list[str]:
 PASTED = sorted({(context.command_path, line) for context in commands(PARENT) for line in examples(context)})
 
 
-@pytest.mark.parametrize(("command", "example"), PASTED)
-def test_an_example_is_taken_as_it_stands(command: str, example: str) -> None:
-    assert "  " not in example.partition(" # ")[0].rstrip(), "a remark stands behind #"
-    for words in calls(example):
-        assert left_over(words) == []
+def test_an_example_is_taken_as_it_stands() -> None:
+    for command, example in PASTED:
+        with case(command, example):
+            assert "  " not in example.partition(" # ")[0].rstrip(), "a remark stands behind #"
+            for words in calls(example):
+                assert left_over(words) == []
 
 
 def test_every_command_has_examples() -> None:

@@ -250,7 +250,8 @@ def test_a_tape_that_begins_with_rubouts_is_not_utf16() -> None:
 
 
 def test_a_closed_pipe_loses_no_named_output(shell: Shell, tmp_path: Path) -> None:
-    line = "pdp8 run eia.pal --reader circle.asc --save s.st --trace t.tr --fast-punch f"
+    (tmp_path / "half.asc").write_bytes(shelf.read_bundled("circle.asc")[:3000])
+    line = "pdp8 run eia.pal --reader half.asc --save s.st --trace t.tr --fast-punch f"
     done = shell(f"{line} | head -c 5 > five; echo ${{PIPESTATUS[0]}}")
     assert done.stdout == b"0\n"
     assert b"nobody reads standard output any more" in done.stderr

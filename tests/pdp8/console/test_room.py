@@ -274,9 +274,6 @@ def test_a_tape_that_is_not_there_is_named() -> None:
 @pytest.mark.parametrize(
     ("keys", "name"),
     [
-        ("enter", "bin.rim"),
-        ("e i a full_stop b i n enter", "eia.bin"),
-        ("down down down enter", "ellipse.asc"),
         ("up enter", "ellipse.asc"),
         ("x up up enter", "circle.asc"),
         ("down backspace b i n full_stop r i m enter", "bin.rim"),

@@ -23,6 +23,8 @@ from tapes import eia, shelf
 from tapes.measure import inches
 from tests.conftest import Shell
 
+pytestmark = pytest.mark.xdist_group("figures")  # all are made once
+
 SVG = "{http://www.w3.org/2000/svg}"
 DRAWN = [item for item in catalogue() if item.maker and item.kind == "figure"]
 WRITTEN = [item for item in catalogue() if item.maker and item.kind != "figure"]
@@ -35,9 +37,17 @@ def texts(svg: str) -> Iterator[str]:
             yield element.text or ""
 
 
+@pytest.fixture(scope="module")
+def everything() -> dict[str, Made]:
+    """Everything made: about 7 s, most of it inspections and plots."""
+    return {item.number: make(item) for item in catalogue() if item.maker}
+
+
 @pytest.mark.parametrize("item", DRAWN, ids=lambda item: item.number)
-def test_a_figure_is_a_sheet_with_title_description_and_caption(item: Item) -> None:
-    made = make(item)
+def test_a_figure_is_a_sheet_with_title_description_and_caption(
+    item: Item, everything: dict[str, Made]
+) -> None:
+    made = everything[item.number]
     assert made.name == f"figure-{item.number}.svg"
     root = ET.fromstring(made.text)
     assert root.findtext(f"{SVG}title") == f"{item.name.upper()}: {item.title}"
@@ -45,19 +55,14 @@ def test_a_figure_is_a_sheet_with_title_description_and_caption(item: Item) -> N
     assert f"{item.name.upper()}  {item.title}" in list(texts(made.text))
     assert len(root.findall(f".//{SVG}title")) == 1
     assert "nan" not in made.text
-
-
-@pytest.mark.parametrize("item", DRAWN, ids=lambda item: item.number)
-def test_a_figure_s_identifiers_are_its_own(item: Item) -> None:
-    svg = make(item).text
-    names = re.findall(r'\bid="([^"]+)"', svg)
-    assert len(names) == len(set(names))
-    assert set(re.findall(r"url\(#([^)]+)\)", svg)) <= set(names)
+    identifiers = re.findall(r'\bid="([^"]+)"', made.text)
+    assert len(identifiers) == len(set(identifiers))
+    assert set(re.findall(r"url\(#([^)]+)\)", made.text)) <= set(identifiers)
 
 
 @pytest.mark.parametrize("item", WRITTEN, ids=lambda item: item.number)
-def test_a_text_has_its_caption(item: Item) -> None:
-    made = make(item)
+def test_a_text_has_its_caption(item: Item, everything: dict[str, Made]) -> None:
+    made = everything[item.number]
     first, second, *rest = made.text.splitlines()
     assert first == f"{item.name.upper()}  {item.title}"
     assert item.note in second
@@ -81,12 +86,6 @@ class Page(HTMLParser):
         self.ids += [named["id"] or ""] if "id" in named else []
         self.links += [named["href"] or ""] if "href" in named else []
         self.pictures += [named] if tag == "img" else []
-
-
-@pytest.fixture(scope="module")
-def everything() -> dict[str, Made]:
-    """Everything made: about 7 s, most of it inspections and plots."""
-    return {item.number: make(item) for item in catalogue() if item.maker}
 
 
 def test_the_page_shows_every_item_and_needs_nothing_else(everything: dict[str, Made]) -> None:

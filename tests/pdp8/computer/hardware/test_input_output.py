@@ -10,6 +10,7 @@ import pytest
 from pdp8.computer.hardware.bus import Device
 from pdp8.computer.hardware.signals import NEVER
 from pdp8.computer.machine import Machine
+from tests.conftest import case
 
 AC = 0o5125
 BUFFER = 0o252
@@ -75,20 +76,23 @@ def executed(word: int, flag: int) -> Machine:
     return machine
 
 
-@pytest.mark.parametrize("flag", [0, 1])
-@pytest.mark.parametrize("code", [*KEYBOARD, *PRINTER, *FAST_READER, *FAST_PUNCH])
-def test_every_iot(code: int, flag: int) -> None:
-    effect = {**KEYBOARD, **PRINTER, **FAST_READER, **FAST_PUNCH}[code]
-    machine = executed(code, flag)
-    device = machine.bus.device(code >> 3 & 0o77)
-    assert device is not None
-    assert f"{machine.ac:04o}" == f"{effect.ac:04o}"
-    assert f"{machine.pc:04o}" == ("0202" if effect.tests and flag else "0201")
-    assert device.flag == (0 if effect.clears else flag)
-    assert machine.ticks == 85
-    others = [other.flag for other in machine.bus if other is not device]
-    assert others == [flag] * 3
-    assert machine.teletype.receiver.reader_run == (1 if code in (0o6032, 0o6033, 0o6036, 0o6037) else 0)
+def test_every_iot() -> None:
+    for flag in [0, 1]:
+        for code in [*KEYBOARD, *PRINTER, *FAST_READER, *FAST_PUNCH]:
+            with case(code, flag):
+                effect = {**KEYBOARD, **PRINTER, **FAST_READER, **FAST_PUNCH}[code]
+                machine = executed(code, flag)
+                device = machine.bus.device(code >> 3 & 0o77)
+                assert device is not None
+                assert f"{machine.ac:04o}" == f"{effect.ac:04o}"
+                assert f"{machine.pc:04o}" == ("0202" if effect.tests and flag else "0201")
+                assert device.flag == (0 if effect.clears else flag)
+                assert machine.ticks == 85
+                others = [other.flag for other in machine.bus if other is not device]
+                assert others == [flag] * 3
+                assert machine.teletype.receiver.reader_run == (
+                    1 if code in (0o6032, 0o6033, 0o6036, 0o6037) else 0
+                )
 
 
 @pytest.mark.parametrize("code", range(8))

@@ -12,6 +12,7 @@ import pytest
 
 from pdp8.computer.hardware.bus import Bus
 from pdp8.computer.hardware.processor import Processor
+from tests.conftest import case
 
 Core = dict[int, int]
 
@@ -26,9 +27,8 @@ def executed(core: Core, pc: int, lac: int = 0) -> Processor:
     return processor
 
 
-@pytest.mark.parametrize(
-    ("what", "core", "pc", "lac", "after", "next_pc", "lac_after", "cycles"),
-    [
+def test_the_books() -> None:
+    for what, core, pc, lac, after, next_pc, lac_after, cycles in [
         ("TAD on page 0", {0o200: 0o1050, 0o50: 0o1234}, 0o200, 0o1111, {}, 0o201, 0o2345, 2),
         ("TAD on its page", {0o250: 0o1377, 0o377: 1}, 0o250, 0o7777, {}, 0o251, 0o10000, 2),
         ("its page, not the next one's", {0o377: 0o1200, 0o200: 5, 0o400: 6}, 0o377, 0, {}, 0o400, 5, 2),
@@ -59,21 +59,26 @@ def executed(core: Core, pc: int, lac: int = 0) -> Processor:
         ("direct ISZ 12 is plain", {0o200: 0o2012, 0o12: 0o7777}, 0o200, 0, {0o12: 0}, 0o202, 0, 2),
         ("a pointer to itself", {0o200: 0o1410, 0o10: 0o7}, 0o200, 0, {0o10: 0o10}, 0o201, 0o10, 3),
         ("ISZ I of the pointer itself", {0o200: 0o2411, 0o11: 0o10}, 0o200, 0, {0o11: 0o12}, 0o201, 0, 3),
-        ("ISZ I through autoindex counts both", {0o200: 0o2410, 0o10: 0o277, 0o300: 0o7777}, 0o200, 0,
-         {0o10: 0o300, 0o300: 0}, 0o202, 0, 3),
+        (
+            "ISZ I through autoindex counts both",
+            {0o200: 0o2410, 0o10: 0o277, 0o300: 0o7777},
+            0o200,
+            0,
+            {0o10: 0o300, 0o300: 0},
+            0o202,
+            0,
+            3,
+        ),
         ("only one level", {0o200: 0o1450, 0o50: 0o451, 0o451: 0o7}, 0o200, 0, {}, 0o201, 7, 3),
         ("DCA over itself", {0o200: 0o3200}, 0o200, 0o7402, {0o200: 0o7402}, 0o201, 0, 2),
         ("ISZ of itself", {0o200: 0o2200}, 0o200, 0, {0o200: 0o2201}, 0o201, 0, 2),
-    ],
-)  # fmt: skip
-def test_the_books(
-    what: str, core: Core, pc: int, lac: int, after: Core, next_pc: int, lac_after: int, cycles: int
-) -> None:
-    processor = executed(core, pc, lac)
-    for address, word in {**core, **after}.items():
-        assert f"{address:04o}: {processor.core[address]:04o}" == f"{address:04o}: {word:04o}", what
-    assert f"{processor.pc:04o} {processor.lac:05o}" == f"{next_pc:04o} {lac_after:05o}", what
-    assert processor.clock == cycles * 32, what
+    ]:
+        with case(what, core, pc, lac, after, next_pc, lac_after, cycles):
+            processor = executed(core, pc, lac)
+            for address, word in {**core, **after}.items():
+                assert f"{address:04o}: {processor.core[address]:04o}" == f"{address:04o}: {word:04o}", what
+            assert f"{processor.pc:04o} {processor.lac:05o}" == f"{next_pc:04o} {lac_after:05o}", what
+            assert processor.clock == cycles * 32, what
 
 
 EDGES = (0o0, 0o7, 0o10, 0o17, 0o20, 0o177, 0o200, 0o376, 0o377, 0o7600, 0o7776, 0o7777)

@@ -43,6 +43,7 @@ PROGRAMS = {
         **{0o200: 0o5375, 0o375: 0o7000, 0o376: 0o7000},
         **{0o377: 0o6031, 0o400: 0o5177, 0o177: 0o7402},
     },
+    "DCA I into 7600": {0o200: 0o7201, 0o201: 0o3421, 0o202: 0o5200, 0o21: 0o7600},
     "a ring of KSF and HLT": {0o200: 0o6031, 0o201: 0o7402, 0o202: 0o5200},
     "an interrupt that is due when the wait begins": {
         **dict(enumerate((0o6046, 0o6041, 0o5201, 0o6032, 0o6001, 0o6031, 0o5205), 0o200)),
