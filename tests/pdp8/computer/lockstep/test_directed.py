@@ -203,6 +203,10 @@ def test_hands_between_the_turns_of_a_loop(form: str) -> None:
 @pytest.mark.parametrize("form", ALL_FORMS)
 def test_an_interrupt_that_is_due_in_a_program_that_computes(form: str) -> None:
     """TLS, ION, some words, then ISZ 30, NOP, JMP .-2: the service routine counts, clears and returns."""
+    tape, program = Act("load_tape", (False, b"abc")), (0o6046, 0o6041, 0o5201, 0o6032, 0o6001)
+    for wait in ((0o6031, 0o5205), (0o5205,), (0o7000, 0o5205)):  # TLS, TSF, JMP .-1, KCC, ION, and a loop
+        core = {1: 0o7402} | dict(enumerate((*program, *wait), 0o200))
+        same(Situation(False, core, (tape, *STARTED, *runs((20_000_000, 10**6)))), form)
     for words in (0, 1, 2, 7):
         core = {0o200: 0o6046, 0o201: 0o6001, **dict.fromkeys(range(0o202, 0o202 + words), 0o7001)}
         core |= {0o202 + words: 0o2030, 0o203 + words: 0o7000, 0o204 + words: 0o5202 + words}
