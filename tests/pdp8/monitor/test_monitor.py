@@ -40,7 +40,7 @@ def test_a_pipe_is_a_script(shell: Shell) -> None:
         ("examine 9", "neither an octal number nor a symbol"),
         ("examine 10000", "not between 0000 and 7777"),
         ("deposit 200", "an address and words expected"),
-        ("set mq 0", "there are ac link pc ma mb ir sr mem_prot sing_step hands"),
+        ("set mq 0", "there are ac link pc ma mb ir sr mem_prot sing_step hands\n"),
         ("load nothing.pal", "no such file"),
         ("load .", "Is a directory"),
         ("load empty", "empty"),

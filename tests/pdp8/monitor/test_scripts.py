@@ -189,6 +189,11 @@ def test_the_page_shows_marks_and_goes_on(monitor: Monitor, said: list[str]) -> 
     assert said == ["PROCEED.AB<RUBOUT>", "DONE<BEL>"]
 
 
+def test_the_first_page_more_is_all_of_it(monitor: Monitor, said: list[str]) -> None:
+    do(monitor, "deposit 200 7300 1204 6046 7402 0301", "go 200", "wait 1", "page more")
+    assert said[-1] == "A"
+
+
 def test_the_listing_stays_and_can_be_taken(monitor: Monitor, said: list[str], tmp_path: Path) -> None:
     do(monitor, "load eia.pal", f"save {tmp_path}/state", f"restore {tmp_path}/state", "e CHK")
     assert said[-1].startswith("0227  0000  CHK,")
