@@ -28,7 +28,10 @@ P, TTY, EDITOR, MACHINE = (
     "workbench.machine",
 )
 SENT = f"[{TTY}.keyboard.waiting.length, {TTY}.receiver.line, {TTY}.receiver.start]"
-STAND = f"{P}.core.fill(0o7000); Object.assign({P}, {{ run: 0, pc: 0o200, next: 0, lac: 0 }});"
+STAND = (
+    f"{P}.core.fill(0o7000); Object.assign({P}, {{ run: 0, pc: 0o200, next: 0, lac: 0 }});"
+    "workbench.switches.card.coach = null; workbench.time.choose('instruction');"
+)
 OPEN = "document.querySelector('#card details').open = true;"
 PUNCHED = f"{TTY}.punch.frames.append(0o60); {TTY}.punch.frames.append(0o200); workbench.touched();"
 SAVED = "window.saved = 0; URL.createObjectURL = () => `data:,${window.saved++}`;"
@@ -38,9 +41,13 @@ ASSEMBLED = f"{WRITTEN} {EDITOR}.assemble(); {P}.core.fill(0);"
 WRONG = f"workbench.tabs.open('program'); {EDITOR}.text = '*200\\n\\tJMP X\\n$\\n'; {EDITOR}.assemble();"
 LOADED = f"{STAND} {ASSEMBLED} {EDITOR}.load(); workbench.tabs.open('debugger');"
 STEPPED = f"{LOADED} workbench.history.begin(); workbench.history.forward('instruction');"
+ALL = "document.querySelector('main.one .alone .enlarge')?.click();"
 LIVE = "workbench.afternoon.play(false); workbench.afternoon.takeOver();"
 AFTERNOON = "workbench.afternoon.go(6e10);"
-OTHER_UNIT = "workbench.time.choose(workbench.time.unit === 'block' ? 'cycle' : 'block');"
+NO_UNIT = (
+    "workbench.time.unit = ''; "
+    "for (const each of document.querySelectorAll('#units input')) each.checked = false;"
+)
 UNTIL = f"{LOADED} workbench.tabs.open('debugger'); document.getElementById('where').value = '0203';"
 LONG = (
     f"workbench.tabs.open('program'); {EDITOR}.text = '*200\\n' + '7000\\n'.repeat(90) + '$\\n';"
@@ -95,11 +102,8 @@ CONTROLS = {
     "[data-key='linefeed']": Control(SENT),
     "[data-key='rubout']": Control(SENT),
     "#in-words": Control("workbench.switches.panel.speaking"),
-    ".enlarge": Control(
-        "document.querySelector('main').className",
-        "document.querySelector('main.one .alone .enlarge')?.click();",
-    ),
-    ".skip": Control("location.hash", "location.hash = '';"),
+    ".enlarge": Control("document.querySelector('main').className", ALL),
+    ".skip": Control("location.hash", f"{ALL} location.hash = ''; document.querySelector('.skip').focus();"),
     "[data-door='afternoon']": Control("workbench.afternoon.playing", LIVE),
     "[data-door='first']": Control(f"{P}.core[0o200]", STAND),
     "[data-door='rim']": Control(
@@ -139,7 +143,7 @@ CONTROLS = {
     "#forward": Control(f"{P}.clock", LOADED),
     "#back": Control(f"{P}.clock", STEPPED),
     "#play": Control(f"{P}.clock", LOADED),
-    "#units input": Control("workbench.time.unit", OTHER_UNIT, "Space"),
+    "#units input": Control("workbench.time.unit", NO_UNIT, "Space"),
     "#next button": Control(f"{P}.clock", f"{LOADED} workbench.show();"),
     "#kind": Control(value("#kind"), "workbench.tabs.open('debugger');", "w"),
     "#where": Control(value("#where"), "workbench.tabs.open('debugger');", "7"),

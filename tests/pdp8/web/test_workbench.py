@@ -139,7 +139,7 @@ def test_the_drill_names_the_wrong_switch(page: "Page") -> None:
     page.keyboard.type("7757l")
     assert "switch 11 should be down" in page.locator("#drill-says").inner_text()
     page.keyboard.type("7756l")
-    assert page.locator("#drill-says").inner_text() == "right: 7756  LOAD ADD"
+    assert page.locator("#drill-says").inner_text() == "right: 7756 LOAD ADD"
     assert page.locator("#card .now").inner_text().startswith(f"{RIM[0]:04o}  DEP")
 
 
