@@ -15,17 +15,24 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 from click.core import augment_usage_errors
-from click.shell_completion import CompletionItem
 
 from tapes import command, shelf
 from tapes.errors import visible
 
 if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
+
     _Type = click.ParamType[str]
 else:
     _Type = click.ParamType  # before click 8.5 it takes no argument
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
+
+
+def _completed(names: Iterable[str], kind: str = "plain") -> list["CompletionItem"]:
+    from click.shell_completion import CompletionItem
+
+    return [CompletionItem(name, type=kind) for name in names]
 
 
 class Source(_Type):
@@ -38,14 +45,14 @@ class Source(_Type):
 
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
-    ) -> list[CompletionItem]:
+    ) -> list["CompletionItem"]:
         """Complete the files of the folder and bundled names; files alone as the shell itself does."""
         names = [name for name in (*shelf.bundled(), *self._more()) if name.startswith(incomplete)]
         if os.path.dirname(incomplete) or not names:
-            return [CompletionItem(incomplete, type="file")]
+            return _completed([incomplete], "file")
         here = [f"{entry.name}{'/' * entry.is_dir()}" for entry in os.scandir() if entry.name[:1] != "."]
         found = {*names, *(name for name in here if name.startswith(incomplete))}
-        return [CompletionItem(name) for name in sorted(found)]
+        return _completed(sorted(found))
 
 
 class Target(_Type):
@@ -67,9 +74,9 @@ class Target(_Type):
 
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
-    ) -> list[CompletionItem]:
+    ) -> list["CompletionItem"]:
         """Complete the names of files as the shell itself does."""
-        return [CompletionItem(incomplete, type="file")]
+        return _completed([incomplete], "file")
 
 
 class Folder(_Type):
@@ -79,9 +86,9 @@ class Folder(_Type):
 
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
-    ) -> list[CompletionItem]:
+    ) -> list["CompletionItem"]:
         """Complete the names of folders as the shell itself does."""
-        return [CompletionItem(incomplete, type="dir")]
+        return _completed([incomplete], "dir")
 
 
 def output(
