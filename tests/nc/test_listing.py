@@ -102,6 +102,7 @@ def test_the_day_with_the_circle() -> None:
 def test_the_day_with_the_four_holes() -> None:
     said = "\n".join(cut_report(nc.cut(tape(*FOUR_HOLES), settings=Settings(tool_change_seconds=8))))
     assert "holes         4" in said
+    assert nc.cut(tape(*FOUR_HOLES)).times.milling == 0
     assert "cutter        X 4.000 Y 1.000, quill up" in said
     assert "contour alone" not in said
     assert "tool changes      0.0 min   0 at 8 s" in said
