@@ -61,7 +61,7 @@ CASES: dict[str, tuple[str, object]] = {
 def rendering(session: "CDPSession") -> float:
     """Return the processor's seconds that the renderers have taken."""
     processes = session.send("SystemInfo.getProcessInfo")["processInfo"]
-    return sum(process["cpuTime"] for process in processes if process["type"] == "renderer")
+    return float(sum(process["cpuTime"] for process in processes if process["type"] == "renderer"))
 
 
 def share(browser: "Browser", file: Path, script: str, given: object, seconds: float) -> float:

@@ -23,7 +23,7 @@ def script(circle: Afternoon) -> Script:
 
 
 def test_any_instant_in_any_order(script: Script, circle: Afternoon) -> None:
-    """Thirty of the whole afternoon, thirty of the translation, to the cycle; also after others worked there."""
+    """Thirty of the whole afternoon, thirty of the translation, to the cycle; also after others worked."""
     draw = random.Random(5)
     starts, ends = circle.acts[4].starts, circle.acts[4].ends
     ticks = [draw.randrange(script.end) for _ in range(30)] + [

@@ -522,7 +522,7 @@ new PerformanceObserver((list) => tasks.push(...list.getEntries().map(({ duratio
 
 
 def test_the_page_is_never_blocked(browser: "Browser", circle_page: Path) -> None:
-    """While the afternoon plays at its quickest, what tasks take over 50 ms is a tenth of the time at most: on
+    """While the afternoon plays at its quickest, tasks are over 50 ms by a tenth of the time at most: on
     a machine with nothing else to do there is no such task.
     """
     opened = browser.new_page()

@@ -280,6 +280,21 @@ def test_nothing_hangs_over_the_edge(page: "Page", size: tuple[int, int]) -> Non
         assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), tab
 
 
+_OFF = """() => [...document.querySelectorAll(".rocker")].map((rocker, bit) => {
+  const middle = (element) => (({ left, right }) => (left + right) / 2)(element.getBoundingClientRect());
+  return Math.abs(middle(rocker) - middle(document.querySelector(`[data-lamp=AC${bit}]`)));
+})"""
+
+
+def test_each_switch_is_under_its_lamp(page: "Page") -> None:
+    """To the pixel, and 24 pixels wide, from a telephone to a projector."""
+    for width in (320, 390, 720, 1024, 1261, 1280, 1440, 1920):
+        page.set_viewport_size({"width": width, "height": 800})
+        assert max(page.evaluate(_OFF)) < 1, width
+        wide = "[...document.querySelectorAll('.rocker, .key')].map((each) => each.offsetWidth)"
+        assert min(page.evaluate(wide)) >= 24, width
+
+
 @needs_axe
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing_serious(browser: "Browser", file: Path, scheme: str) -> None:
