@@ -18,7 +18,6 @@ from pal.isa import FETCH, IOT
 from pdp8.computer.hardware.fields import Values
 from pdp8.computer.hardware.signals import CYCLE, FRAME, IO_TICKS, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
-from pdp8.computer.stop import Reason
 from pdp8.computer.use.operator import Action
 from pdp8.replay.day import Act, Day, Kind
 from tapes import kinds
@@ -257,9 +256,7 @@ def go_on(machine: Machine, until: int) -> None:
         p.cycle()
     room = until - p.clock - _LONGEST
     if p.run and p.next == FETCH and room > 0:
-        stop = machine.run(room / TICKS_PER_SECOND)
-        if stop.reason is not Reason.LIMIT and p.run:
-            _turn(machine, until - _LONGEST)
+        machine.run(room / TICKS_PER_SECOND)
     while p.run and p.clock + _cycle(machine) <= until:
         p.cycle()
     if not p.run and p.clock < until:
@@ -271,19 +268,6 @@ def _cycle(machine: Machine) -> int:
     """Return the ticks of the next cycle."""
     p = machine.processor
     return CYCLE + IO_TICKS if p.next == FETCH and p.core[p.pc] >> 9 == IOT else CYCLE
-
-
-def _turn(machine: Machine, until: int) -> None:
-    """Let a processor that waits for ever turn in its loop, by whole turns, as far as tick `until`."""
-    p = machine.processor
-    pc, lac, clock, instructions = p.pc, p.lac, p.clock, p.instructions
-    p.instruction()
-    while (p.pc != pc or p.lac != lac) and p.clock < until:
-        p.instruction()
-    ticks, count = p.clock - clock, p.instructions - instructions
-    turns = max(0, (until - p.clock) // ticks)
-    p.clock += turns * ticks
-    p.instructions += turns * count
 
 
 def _first_from(ticks: list[int], tick: int) -> int:
