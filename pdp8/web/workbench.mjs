@@ -166,7 +166,7 @@ class Bench {
     const text = new TextDecoder().decode(frames);
     this.#attempt(() => {
       if (text.startsWith("{")) this.#written(file.name, JSON.parse(text), text);
-      else if (file.name.endsWith(".toml")) this.say(`pdp8 check ${file.name} --export-student writes what this page takes`);
+      else if (file.name.endsWith(".toml")) this.say(`pdp8 check ${file.name} --export-student FORM.json writes what this page takes`);
       else if (/\.(pa[l8]?|txt|src)$/i.test(file.name)) this.editor.open(file.name, frames);
       else this.#tape(this.shelf.put(file.name, frames));
     });

@@ -26,7 +26,7 @@ export function findings(assembly) {
 
 function said(diagnostic) {
   const { line, column, end_column, severity, message, advice } = diagnostic;
-  return { line, start: column - 1, end: end_column - 1, severity, brief: `${message}  ${advice}`.trim(), whole: String(diagnostic) };
+  return { line, start: column - 1, end: end_column - 1, severity, brief: advice.split("; ")[0] || message, whole: String(diagnostic) };
 }
 
 /** What became of a source: its words, its tape, how many errors and notes. */

@@ -57,7 +57,10 @@ CUT = "workbench.mill.cut('circle.eia');"
 COPIED = "window.copied = 0; navigator.clipboard.writeText = async () => { window.copied++; };"
 EXERCISES = "workbench.tabs.open('exercises'); workbench.exercises.open('add');"
 PC8 = "document.querySelector('#pc8').open = true;"
-PARTS = "workbench.tabs.open('parts');"
+PARTS = (
+    "workbench.tabs.open('parts'); document.getElementById('part-name').value = 'circle';"
+    "document.getElementById('part-name').dispatchEvent(new Event('change'));"
+)
 PRESS_PUNCH = "document.querySelector('#part .go').click();"
 CUTTABLE = "document.getElementById('part-cut').disabled = false;"
 
