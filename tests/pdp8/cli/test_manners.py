@@ -226,7 +226,7 @@ def test_narrow_terminals_and_no_colour(columns: str, tmp_path: Path) -> None:
 
 
 def test_a_comment_with_markup_does_not_end_the_pages_script() -> None:
-    made = page("", "page.html", "page.css", "page", {"listing": "/ <!-- <script> </script>"})
+    made = page("", "bench.html", "workbench.css", "workbench", {"listing": "/ <!-- <script> </script>"})
     assert "<!-- <script>" not in made
 
 

@@ -30,11 +30,11 @@ class Sources:
     @staticmethod
     def find_spec(name, path, target=None):
         source = os.path.join({str(HOUSE)!r}, name.replace(".", "/") + ".py")
-        if name.startswith(("pdp8.computer.", "pal.isa")) and os.path.exists(source):
+        if name.startswith(("pdp8.computer.", "pal.")) and os.path.exists(source):
             return spec_from_file_location(name, source)
 sys.meta_path.insert(0, Sources)
 """
-"""Python that has the machine of its sources, whatever is compiled beside them."""
+"""Python that has the machine and PAL of their sources, whatever is compiled beside them."""
 
 
 def at_a_terminal(

@@ -158,9 +158,9 @@ def test_what_happened_is_told(case: str, source: str, happened: str, says: str)
 
 DIFFERENCES: dict[str, list[tuple[Any, Any]]] = {
     "nothing came": [("1234", "")], "too short": [("1234", "123")], "too long": [("1234", "12345")],
-    "the first is wrong": [("1234", "2234")],
+    "the first is wrong": [("1234", "2234"), (b"A", b"\322")],
     "one lost or doubled": [("1234", "124"), ("1234", "12234")],
-    "wrong": [("1234", "1244"), ("1234", "123X"), ("1234", "12X4"), (b"A", b"\322"), (b"AB", b"AC"), (5, 3)],
+    "wrong": [("1234", "1244"), ("1234", "123X"), ("1234", "12X4"), (b"AB", b"AC"), (5, 3)],
     "parity": [(b"AB", b"A\302"), (b"AB", b"AR")],
     "one off": [(2, 1), (1, 2), (0, 0o7777)],
     "the negative": [(5, 0o7773)],

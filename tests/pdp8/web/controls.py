@@ -34,7 +34,10 @@ STAND = (
 )
 OPEN = "document.querySelector('#card details').open = true;"
 PUNCHED = f"{TTY}.punch.frames.append(0o60); {TTY}.punch.frames.append(0o200); workbench.touched();"
-SAVED = "window.saved = 0; URL.createObjectURL = () => `data:,${window.saved++}`;"
+SAVED = (
+    "window.saved = 0; window.made ??= URL.createObjectURL;"
+    "URL.createObjectURL = (blob) => { window.saved++; return window.made.call(URL, blob); };"
+)
 CHOSEN = "window.chosen = 0; document.getElementById('file').click = () => { window.chosen++; };"
 WRITTEN = f"workbench.tabs.open('program'); {EDITOR}.open('a.pal', workbench.shelf.get('hello.pal').frames);"
 ASSEMBLED = f"{WRITTEN} {EDITOR}.assemble(); {P}.core.fill(0);"

@@ -17,8 +17,12 @@ _KEYS = {  # of the WebDriver protocol
     "Space": " ",
     "Control": "\ue009",
     "PageDown": "\ue00f",
+    "End": "\ue010",
+    "Home": "\ue011",
     "ArrowLeft": "\ue012",
+    "ArrowUp": "\ue013",
     "ArrowRight": "\ue014",
+    "ArrowDown": "\ue015",
 }
 
 
