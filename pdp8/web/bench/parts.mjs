@@ -94,6 +94,7 @@ export class Parts {
   #translate() {
     const { bench } = this;
     find("counts").checked = false;
+    bench.machine.watch.breakpoints.clear(); // they were another program's
     bench.translate(this.name);
     bench.switches.press("start");
     this.speed = bench.clock.speed;

@@ -10,7 +10,6 @@ import click
 import pytest
 
 from pdp8.cli.root import pdp8
-from pdp8.web.bundle import page
 from tapes import binary, shelf
 from tests import commands
 from tests.conftest import Shell
@@ -223,11 +222,6 @@ def test_narrow_terminals_and_no_colour(columns: str, tmp_path: Path) -> None:
     assert b"Traceback" not in terminal.seen
     assert b"\x1b[3" not in terminal.seen
     assert b"--max-time" in terminal.seen
-
-
-def test_a_comment_with_markup_does_not_end_the_pages_script() -> None:
-    made = page("", "bench.html", "workbench.css", "workbench", {"listing": "/ <!-- <script> </script>"})
-    assert "<!-- <script>" not in made
 
 
 def every_command(group: click.Group, path: str = "pdp8") -> Iterator[tuple[str, click.Command]]:

@@ -46,9 +46,9 @@ def firefox(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Firefox]:
         yield driver
 
 
-@pytest.fixture(params=["chromium", "firefox"])
+@pytest.fixture(params=["chromium", pytest.param("firefox", marks=pytest.mark.slow)])
 def tab(request: pytest.FixtureRequest) -> Tab:
-    """The workbench as it opens, in each browser."""
+    """The workbench as it opens, in each browser; Firefox, which takes seconds for each, in `make check`."""
     if request.param == "chromium":
         return ChromiumTab(request.getfixturevalue("page"))
     driver: Firefox = request.getfixturevalue("firefox")

@@ -52,9 +52,10 @@ def test_every_control_has_a_role_and_a_name(page: "Page") -> None:
         assert nameless == []
 
 
+@pytest.mark.slow  # ten seconds and more each: some 100 controls, in each browser
 @pytest.mark.parametrize("way", ["mouse", "touch", "keyboard"])
 def test_every_control_works(tab: Tab, way: str) -> None:
-    """What it is there for is seen to happen: some 100 controls in each browser, so it takes some seconds."""
+    """What it is there for is seen to happen."""
     idle = []
     tab.run(f"workbench.afternoon.go(0); {_ALL}")
     tab.until("workbench.afternoon.script")
