@@ -13,6 +13,7 @@ diagnostics    the messages for people: place, line, caret, advice
 portable       what a source does otherwise on another model
 notes          what a student should know about a program that assembles
 watched        PAL III with an eye on what a source means otherwise than it says
+review         what is to be noted of it after its passes
 pal8           the later dialect, a front end of its own
 assembly8      the same as assembly, in PAL8
 assembling     the call: `assemble`, in either dialect

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from pal import punch
 from pal.assembler import Entry, Listed, Message, Punched, Written
-from pal.notes import Mention
 from pal.source import Place, Source
 from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT, typed
 from pal.watched import Watched
@@ -18,6 +17,7 @@ from pal.watched import Watched
 if TYPE_CHECKING:
     from pal.diagnostics import Diagnostic
     from pal.listing import ListingLine, Teletype
+    from pal.notes import Mention
 
 MOST = 100
 """Diagnostics that are printed, unless another number is asked for."""
@@ -78,16 +78,16 @@ class Assembly:
     @cached_property
     def diagnostics(self) -> list["Diagnostic"]:
         """What is wrong, and what to know besides."""
-        from pal import watched
+        from pal import review
         from pal.diagnostics import diagnose
 
-        noted = watched.notes(
+        noted = review.notes(
             self.source, len(self.names), self._assembler, self.messages, self._second, self._table
         )
         stopped = self.stopped
         if self._assembler.moved or self.model:
             stopped = stopped or self._third.stopped
-            noted += watched.of_pass_3(self._second, self._third.output)
+            noted += review.of_pass_3(self._second, self._third.output)
         if self.model:
             from pal.portable import portability
 
@@ -99,8 +99,10 @@ class Assembly:
         return self.source.place(at)
 
     @cached_property
-    def mentions(self) -> list[Mention]:
+    def mentions(self) -> list["Mention"]:
         """The symbols where they stand; pseudo-operators are left out."""
+        from pal.notes import Mention
+
         found = []
         for at, (item, mark) in enumerate(self.source.items):
             name = item[:SIGNIFICANT]

@@ -1,38 +1,23 @@
 """PAL III with an eye on what it makes of a source that means something else than it says.
 
 PAL III is silent there, and the tape is the same; a person would rather know. `Watched` is the assembler
-itself, which notes what it comes across in the passes that run anyway; `notes` adds what is to be seen in the
-source and in the words.
+itself, which notes what it comes across in the passes that run anyway; `pal.review` adds what is to be seen
+in the source and in the words. A source of which there is nothing to note never loads `pal.notes`.
 """
 
-from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
-from pal.assembler import Assembler, Entry, Listed, Message, Punched, Written
-from pal.dialects import hint
+from pal.assembler import Assembler, Listed, Message, Punched, Written
 from pal.isa import ADDRESS, INDIRECT, PAGE
-from pal.listing import LONGEST
-from pal.notes import (
-    AFTER_END,
-    COLON,
-    LOWER_CASE,
-    NO_SLASH,
-    NOT_IN_TABLE,
-    NOT_OCTAL,
-    RESERVED,
-    TOO_LARGE,
-    Note,
-    of_names,
-    of_undefined,
-    of_words,
-)
 from pal.source import Source
 from pal.symbols import PERMANENT, PSEUDO_OPERATORS, SIGNIFICANT, spelled
-from pal.symbols8 import INSTRUCTIONS
 from pal.table import ENTRY, PSEUDO, UNDEFINED, VALUE
 
+if TYPE_CHECKING:
+    from pal.notes import Note
+
 _POINTER = "PAL III takes the symbol it looked up last; write the symbol directly before"
-_INSTRUCTIONS = {symbol.mnemonic: symbol.octal for symbol in PERMANENT}
-_NAMES = {*_INSTRUCTIONS, *(name[:SIGNIFICANT] for name in PSEUDO_OPERATORS)}
+NAMES = {*(symbol.mnemonic for symbol in PERMANENT), *(name[:SIGNIFICANT] for name in PSEUDO_OPERATORS)}
 _REFERENCES = {symbol.mnemonic for symbol in PERMANENT if symbol.memory_reference}
 
 
@@ -68,7 +53,7 @@ class Watched(Assembler):
             name = spelled(self._symbols.name(last))
             message = f"the symbol table is just full: in the listing {name} is 0212"
             advice = "the buffer of pass 3 begins at its value; use one symbol fewer"
-            self.notes.append(Note("PN29", self._seen[last], message, advice))
+            self._add("PN29", self._seen[last], message, advice)
         if number == 2 and self._made:
             self._note("PN27", "what stands before this $ is lost", "put the $ on its own line")
         return output
@@ -77,12 +62,17 @@ class Watched(Assembler):
         if self._expunged is not None and self._symbols.boundary > self._symbols.end and self.table:
             advice = "define the memory references first after EXPUNGE, each with FIXMRI"
             message = "with EXPUNGE and no FIXMRI every symbol is a memory reference"
-            self.notes.append(Note("PN22", self._expunged, message, advice))
+            self._add("PN22", self._expunged, message, advice)
 
     def _note(self, code: str, message: str, advice: str) -> None:
         """Note something once, in pass 2, when all values are known."""
         if self._number == 2:
-            self.notes.append(Note(code, self._at, message, advice))
+            self._add(code, self._at, message, advice)
+
+    def _add(self, code: str, at: int, message: str, advice: str) -> None:
+        from pal.notes import Note
+
+        self.notes.append(Note(code, at, message, advice))
 
     @property
     def _name(self) -> str:
@@ -143,6 +133,8 @@ class Watched(Assembler):
 
     def _see_number(self, value: int) -> None:
         """Note a number that does not fit, or has an 8 or 9 in octal."""
+        from pal.notes import NOT_OCTAL, TOO_LARGE
+
         name = self._name
         if value:
             message = f"{name} does not fit into twelve bits: it is {value & 0o7777:04o}"
@@ -186,11 +178,11 @@ class Watched(Assembler):
         if swallowed and not self._made:
             message = f"{swallowed[1]} at the end of a statement leaves no word"
             advice = "put it on its own line" if swallowed[1] != "Z" else "write Z before the address"
-            self.notes.append(Note("PN13", swallowed[0], message, advice))
+            self._add("PN13", swallowed[0], message, advice)
         if kept is not None and self._made:
             message = "what stands before this comma is part of the word"
             advice = "a space puts even the tag there; write the tag first, the comma directly after it"
-            self.notes.append(Note("PN10", kept, message, advice))
+            self._add("PN10", kept, message, advice)
 
     def _see_pseudo(self, routine: str) -> None:
         if self._number == 1 and routine == "EXPUNGE":
@@ -217,7 +209,7 @@ class Watched(Assembler):
         self._expunged = self._at
         if self._symbols.end > self._symbols.first:
             message = "EXPUNGE forgets the symbols that the source has used before"
-            self.notes.append(Note("PN22", self._at, message, "put it first"))
+            self._add("PN22", self._at, message, "put it first")
 
     def _look_at_undefined(self) -> None:
         words = self._symbols.words
@@ -226,7 +218,7 @@ class Watched(Assembler):
         if names:
             message = f"FIXTAB keeps what is not defined yet: {' '.join(names)}"
             advice = "it is in no symbol table and gets no UA; put FIXTAB after the definitions"
-            self.notes.append(Note("PN23", self._at, message, advice))
+            self._add("PN23", self._at, message, advice)
 
     def _see_tag(self) -> None:
         if self._so_far:
@@ -237,7 +229,9 @@ class Watched(Assembler):
         if not self._has_symbol:
             self._note("PN11", "no symbol stands before this comma", _POINTER)
         name = self._name[:SIGNIFICANT]
-        if name in _NAMES:
+        if name in NAMES:
+            from pal.notes import RESERVED
+
             message = f"{name} is a permanent symbol, and keeps its value"
             self._note(RESERVED, message, "give the tag another name")
             return
@@ -255,7 +249,9 @@ class Watched(Assembler):
             message = f"what stands before the equals sign, {self._so_far:04o}, is part of the value"
             advice = "a space puts even the symbol there; write the equals sign directly after it"
             self._note("PN12", message, advice)
-        elif self._number == 2 and self._name[:SIGNIFICANT] in _NAMES:
+        elif self._number == 2 and self._name[:SIGNIFICANT] in NAMES:
+            from pal.notes import RESERVED
+
             message = f"{self._name} is a permanent symbol, and has another value from here on"
             self._note(RESERVED, message, "give the symbol another name")
         self._assigned = pointer
@@ -276,141 +272,10 @@ class Watched(Assembler):
             return
         name = spelled(self._symbols.name(moved - ENTRY))
         message = f"FIXMRI makes {name} a memory reference, whatever it defines"
-        self.notes.append(Note("PN21", self._at, message, "use it for the first definitions after EXPUNGE"))
+        self._add("PN21", self._at, message, "use it for the first definitions after EXPUNGE")
 
     def _lose(self) -> None:
         super()._lose()
         first, after = self.lost[-1]
         if any(name or mark not in " \t\r" for name, mark in self._items[first:after]):
             self._note("PN26", "what follows PAUSE on its line is lost", "end the line after PAUSE")
-
-
-def notes(
-    source: Source,
-    tapes: int,
-    watched: Watched,
-    messages: Sequence[Message],
-    punched: Sequence[Message | Punched | Written | Listed],
-    table: Sequence[Entry],
-) -> list[Note]:
-    """Return what is to be noted of a source of so many tapes, after passes 1 and 2.
-
-    `messages` are theirs, `punched` is what pass 2 punched, `table` the symbols as pass 1 left them.
-    """
-    found = list(watched.notes)
-    if watched.stopped:
-        return found
-    ended = watched.ended
-    items = source.items
-    words = [piece for piece in punched if isinstance(piece, Written)]
-    found += [note._replace(at=_first_symbol(items, note.at)) for note in of_words(words, _INSTRUCTIONS)]
-    undefined = [entry for entry in table if not entry.defined]
-    if undefined:
-        found += _undefined(source, undefined, [entry.name for entry in table if entry.defined])
-    if watched.cuts:
-        long = [(item, at) for at, (item, _) in enumerate(items[:ended]) if len(item) >= SIGNIFICANT]
-        found += of_names([(item, at) for item, at in long if item > ":"], _NAMES)
-    return [
-        *found,
-        *_illegal(source, messages),
-        *_overlong(source, ended),
-        *_of_the_end(source, tapes, ended),
-    ]
-
-
-def _first_symbol(items: list[tuple[str, str]], end: int) -> int:
-    """Return the first symbol but a tag of the statement that ends at `end`; `end` where there is none."""
-    first = at = end
-    while True:
-        item, mark = items[at]
-        if item > ":" and mark != ",":
-            first = at
-        at -= 1
-        if at < 0 or items[at][1] in "\r;":
-            return first
-
-
-def _undefined(source: Source, table: list[Entry], known: list[str]) -> list[Note]:
-    """Note undefined symbols that another PDP-8 has, that are misspelled, or that are text."""
-    notes = []
-    others = []
-    names = {*_NAMES, *(entry.name for entry in table)}
-    for entry in sorted(table, key=lambda entry: entry.at):
-        octal = INSTRUCTIONS.get(entry.name)
-        if octal is not None:
-            message = f"{entry.name} is not in PAL III's table; it is {octal:04o}"
-            notes.append(Note(NOT_IN_TABLE, entry.at, message, f"define it: {entry.name}={octal:04o}"))
-        elif not hint("UA", entry.name):
-            before, blank = source.items[entry.at - 1] if entry.at else ("", "")
-            if blank in (" ", "\t") and before and before[:SIGNIFICANT] not in names:
-                notes.append(Note(NO_SLASH, entry.at, "this reads as text", "a comment begins with a slash"))
-                continue
-            end = entry.at
-            while source.items[end][1] not in "\r;$":
-                end += 1
-            others.append((entry.name, entry.at, end))
-    return notes + of_undefined(others, [*known, *_INSTRUCTIONS])
-
-
-def _illegal(source: Source, messages: Sequence[Message]) -> list[Note]:
-    """Note colons after tags, and the first of the small letters."""
-    illegal = [(chr(int(said.subject, 8) & 0o177), said.at) for said in messages if said.code == "IC"]
-    notes = [
-        Note(COLON, at, "a colon ends no tag in PAL III", "write a comma after a tag, as in A,")
-        for character, at in illegal
-        if character == ":" and source.items[at][0]
-    ]
-    small = [at for character, at in illegal if "a" <= character <= "z"]
-    if small:
-        message = f"small letters are illegal characters in PAL III: {len(small):,} of them"
-        notes.append(Note(LOWER_CASE, small[0], message, "--modern reads them as capitals"))
-    return notes
-
-
-def _overlong(source: Source, ended: int) -> list[Note]:
-    """Note the first line that pass 3 has no room for."""
-    if max(map(len, source.text.split("\r"))) <= LONGEST:
-        return []
-    start = 0
-    for at, (_, mark) in enumerate(source.items[:ended]):
-        end = source.spans[at][1]
-        if mark == "\r" and end - start > LONGEST:
-            message = f"a line of {end - start} characters: pass 3 has room for {LONGEST}"
-            return [Note("PN28", at, message, "the tape is good, the listing is not; break the line")]
-        if mark == "\r":
-            start = end + 1
-    return []
-
-
-def _of_the_end(source: Source, tapes: int, ended: int) -> list[Note]:
-    if ended == len(source.items) - 1:
-        advice = "PAL III would wait for more tape; it is taken as if there were one"
-        return [Note("PN27", max(ended - 1, 0), "no $ at the end", advice)]
-    notes = []
-    for at in range(ended + 1, len(source.items) - 1):
-        item, mark = source.items[at]
-        if item or mark not in "\r \t":
-            if source.place(at).tape == source.place(ended).tape:
-                notes = [Note(AFTER_END, at, "text after $ is not read", "put the $ at the end")]
-            break
-    unread = tapes - 1 - source.place(ended).tape
-    if unread:
-        message = f"{unread} more tape{'s' * (unread > 1)} not read"
-        advice = "$ ends the source; on a tape that others follow, PAUSE stands instead"
-        notes.append(Note("PN27", ended, message, advice))
-    return notes
-
-
-def of_pass_3(
-    punched: Sequence[Message | Punched | Written | Listed],
-    listed: Sequence[Message | Punched | Written | Listed],
-) -> list[Note]:
-    """Note the first word that pass 2 and pass 3 see differently."""
-    on_tape = [piece for piece in punched if isinstance(piece, Written)]
-    words = [piece for piece in listed if isinstance(piece, Listed) and piece.word is not None]
-    for word, piece in zip(on_tape, words, strict=False):
-        if piece.word != word.word:
-            message = f"this is {word.word:04o} on the tape and {piece.word:04o} in the listing"
-            advice = "each pass assigns again, with the values that the last one left"
-            return [Note("PN24", piece.at, message, advice)]
-    return []

@@ -27,7 +27,7 @@ from pdp8.web.translator.modules import translate
 MODULES = {
     "tapes": "ascii binary eia errors expression frames hydrapoint kinds measure rim",
     "pal": "assembler assembling assembly assembly8 diagnostics dialects disassembler isa listing models"
-    " notes pal8 portable punch source symbols symbols8 table watched",
+    " notes pal8 portable punch review source symbols symbols8 table watched",
     "pdp8.computer": "machine stop watch",
     "pdp8.computer.hardware": "bus core fields highspeed operate panel processor signals teletype",
     "pdp8.computer.speed": "engine piece waiting",

@@ -1,0 +1,158 @@
+"""What is to be noted of a PAL III source after its passes: of its words, names, lines and end.
+
+What the assembler itself comes across is in `pal.watched`.
+"""
+
+from collections.abc import Sequence
+
+from pal.assembler import Entry, Listed, Message, Punched, Written
+from pal.dialects import hint
+from pal.listing import LONGEST
+from pal.notes import (
+    AFTER_END,
+    COLON,
+    LOWER_CASE,
+    NO_SLASH,
+    NOT_IN_TABLE,
+    Note,
+    of_names,
+    of_undefined,
+    of_words,
+)
+from pal.source import Source
+from pal.symbols import PERMANENT, SIGNIFICANT
+from pal.symbols8 import INSTRUCTIONS
+from pal.watched import NAMES, Watched
+
+_INSTRUCTIONS = {symbol.mnemonic: symbol.octal for symbol in PERMANENT}
+
+
+def notes(
+    source: Source,
+    tapes: int,
+    watched: Watched,
+    messages: Sequence[Message],
+    punched: Sequence[Message | Punched | Written | Listed],
+    table: Sequence[Entry],
+) -> list[Note]:
+    """Return what is to be noted of a source of so many tapes, after passes 1 and 2.
+
+    `messages` are theirs, `punched` is what pass 2 punched, `table` the symbols as pass 1 left them.
+    """
+    found = list(watched.notes)
+    if watched.stopped:
+        return found
+    ended = watched.ended
+    items = source.items
+    words = [piece for piece in punched if isinstance(piece, Written)]
+    found += [note._replace(at=_first_symbol(items, note.at)) for note in of_words(words, _INSTRUCTIONS)]
+    undefined = [entry for entry in table if not entry.defined]
+    if undefined:
+        found += _undefined(source, undefined, [entry.name for entry in table if entry.defined])
+    if watched.cuts:
+        long = [(item, at) for at, (item, _) in enumerate(items[:ended]) if len(item) >= SIGNIFICANT]
+        found += of_names([(item, at) for item, at in long if item > ":"], NAMES)
+    return [
+        *found,
+        *_illegal(source, messages),
+        *_overlong(source, ended),
+        *_of_the_end(source, tapes, ended),
+    ]
+
+
+def _first_symbol(items: list[tuple[str, str]], end: int) -> int:
+    """Return the first symbol but a tag of the statement that ends at `end`; `end` where there is none."""
+    first = at = end
+    while True:
+        item, mark = items[at]
+        if item > ":" and mark != ",":
+            first = at
+        at -= 1
+        if at < 0 or items[at][1] in "\r;":
+            return first
+
+
+def _undefined(source: Source, table: list[Entry], known: list[str]) -> list[Note]:
+    """Note undefined symbols that another PDP-8 has, that are misspelled, or that are text."""
+    notes = []
+    others = []
+    names = {*NAMES, *(entry.name for entry in table)}
+    for entry in sorted(table, key=lambda entry: entry.at):
+        octal = INSTRUCTIONS.get(entry.name)
+        if octal is not None:
+            message = f"{entry.name} is not in PAL III's table; it is {octal:04o}"
+            notes.append(Note(NOT_IN_TABLE, entry.at, message, f"define it: {entry.name}={octal:04o}"))
+        elif not hint("UA", entry.name):
+            before, blank = source.items[entry.at - 1] if entry.at else ("", "")
+            if blank in (" ", "\t") and before and before[:SIGNIFICANT] not in names:
+                notes.append(Note(NO_SLASH, entry.at, "this reads as text", "a comment begins with a slash"))
+                continue
+            end = entry.at
+            while source.items[end][1] not in "\r;$":
+                end += 1
+            others.append((entry.name, entry.at, end))
+    return notes + of_undefined(others, [*known, *_INSTRUCTIONS])
+
+
+def _illegal(source: Source, messages: Sequence[Message]) -> list[Note]:
+    """Note colons after tags, and the first of the small letters."""
+    illegal = [(chr(int(said.subject, 8) & 0o177), said.at) for said in messages if said.code == "IC"]
+    notes = [
+        Note(COLON, at, "a colon ends no tag in PAL III", "write a comma after a tag, as in A,")
+        for character, at in illegal
+        if character == ":" and source.items[at][0]
+    ]
+    small = [at for character, at in illegal if "a" <= character <= "z"]
+    if small:
+        message = f"small letters are illegal characters in PAL III: {len(small):,} of them"
+        notes.append(Note(LOWER_CASE, small[0], message, "--modern reads them as capitals"))
+    return notes
+
+
+def _overlong(source: Source, ended: int) -> list[Note]:
+    """Note the first line that pass 3 has no room for."""
+    if max(map(len, source.text.split("\r"))) <= LONGEST:
+        return []
+    start = 0
+    for at, (_, mark) in enumerate(source.items[:ended]):
+        end = source.spans[at][1]
+        if mark == "\r" and end - start > LONGEST:
+            message = f"a line of {end - start} characters: pass 3 has room for {LONGEST}"
+            return [Note("PN28", at, message, "the tape is good, the listing is not; break the line")]
+        if mark == "\r":
+            start = end + 1
+    return []
+
+
+def _of_the_end(source: Source, tapes: int, ended: int) -> list[Note]:
+    if ended == len(source.items) - 1:
+        advice = "PAL III would wait for more tape; it is taken as if there were one"
+        return [Note("PN27", max(ended - 1, 0), "no $ at the end", advice)]
+    notes = []
+    for at in range(ended + 1, len(source.items) - 1):
+        item, mark = source.items[at]
+        if item or mark not in "\r \t":
+            if source.place(at).tape == source.place(ended).tape:
+                notes = [Note(AFTER_END, at, "text after $ is not read", "put the $ at the end")]
+            break
+    unread = tapes - 1 - source.place(ended).tape
+    if unread:
+        message = f"{unread} more tape{'s' * (unread > 1)} not read"
+        advice = "$ ends the source; on a tape that others follow, PAUSE stands instead"
+        notes.append(Note("PN27", ended, message, advice))
+    return notes
+
+
+def of_pass_3(
+    punched: Sequence[Message | Punched | Written | Listed],
+    listed: Sequence[Message | Punched | Written | Listed],
+) -> list[Note]:
+    """Note the first word that pass 2 and pass 3 see differently."""
+    on_tape = [piece for piece in punched if isinstance(piece, Written)]
+    words = [piece for piece in listed if isinstance(piece, Listed) and piece.word is not None]
+    for word, piece in zip(on_tape, words, strict=False):
+        if piece.word != word.word:
+            message = f"this is {word.word:04o} on the tape and {piece.word:04o} in the listing"
+            advice = "each pass assigns again, with the values that the last one left"
+            return [Note("PN24", piece.at, message, advice)]
+    return []
