@@ -5,7 +5,7 @@ from libc.stdint cimport int64_t
 
 from pdp8.computer.hardware.bus cimport Device
 
-cdef int64_t NEVER, AT_ONCE, FRAME, PARTS, HALF_UNIT
+cdef int64_t NEVER, AT_ONCE, FRAME, PARTS, HALF_UNIT, EIGHTH, _NINE_UNITS
 cdef int SKIP, CLEAR_AC, UNIT, PULSES, FIRST_SHIFT, NINTH_SHIFT, LOOKS_AGAIN, _MARKER, _STOP_UNITS
 
 cpdef int64_t tick_of(int64_t time)
@@ -42,6 +42,7 @@ cdef class Receiver(Device):
     cpdef int plan(self) except -1
     cpdef int64_t next_edge(self) except -1
     cpdef int64_t tick(self, int pulse) noexcept
+    cpdef bint beaten(self, int pulse, int64_t now) noexcept
     @cython.locals(since=int64_t)
     cpdef int pulse_after(self, int64_t now) noexcept
     @cython.locals(last=int64_t, pulse=int)

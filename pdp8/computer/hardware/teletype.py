@@ -46,6 +46,8 @@ PARTS = 11
 """Parts of a tick. A unit of the line, 1/110 s, is 2,000,000 of them: times on it are whole."""
 HALF_UNIT = 1_000_000
 """Parts."""
+EIGHTH = HALF_UNIT // 4
+"""Parts of a tick from one pulse of the receiver's clock to the next."""
 
 _STOP_UNITS = 0o3000
 _MARKER = 0o400
@@ -73,7 +75,10 @@ def half_units(count: int) -> int:
 
 def eighths(count: int) -> int:
     """Return the ticks that `count` eighths of a unit of the line take."""
-    return tick_of(HALF_UNIT // 4 * count)
+    return tick_of(EIGHTH * count)
+
+
+_NINE_UNITS = half_units(18)
 
 
 class Reader:
@@ -224,22 +229,26 @@ class Receiver(Device):
         """Return the tick of a pulse of the clock."""
         return self.origin + eighths(pulse)
 
+    def beaten(self, pulse: int, now: int) -> bool:
+        """Tell whether a pulse of the clock is not after tick `now`."""
+        return EIGHTH * pulse <= PARTS * (now - self.origin)
+
     def pulse_after(self, now: int) -> int:
         """Return the first pulse of the clock after tick `now`."""
         since = now - self.origin
         if since < 0:
             return 0
-        return since // FRAME * PULSES + PARTS * (since % FRAME) // (HALF_UNIT // 4) + 1
+        return since // FRAME * PULSES + PARTS * (since % FRAME) // EIGHTH + 1
 
     def start_seen(self) -> int:
         """Return the pulse that will find a space of this character and take it for a start unit, -1 if none
         will.
         """
-        last = self.start + half_units(18)
-        if self.tick(self.pulses) > last:
+        last = self.start + _NINE_UNITS
+        if not self.beaten(self.pulses, last):
             return -1
-        pulse = max(self.pulses, self.pulse_after(self.start))
-        while self.tick(pulse) <= last:
+        pulse = self.pulse_after(self.start) if self.beaten(self.pulses, self.start) else self.pulses
+        while self.beaten(pulse, last):
             if not self.mark(pulse):
                 return pulse
             pulse += 1
@@ -247,7 +256,7 @@ class Receiver(Device):
 
     def mark(self, pulse: int) -> int:
         """Return what the line shows just before a pulse of the clock: 1 for mark, 0 for space."""
-        since = PARTS * (self.origin - self.start) + HALF_UNIT // 4 * pulse
+        since = PARTS * (self.origin - self.start) + EIGHTH * pulse
         if since <= 0 or since > PARTS * FRAME:
             return 1
         return self.line >> (since - 1) // (2 * HALF_UNIT) & 1
@@ -282,7 +291,7 @@ class Receiver(Device):
         self.line = self.line << 1 | _STOP_UNITS
         self.start = self.now
         self.free = self.now + FRAME
-        if not self.active and self.now >= self.tick(self.pulses - 1):
+        if not self.active and self.beaten(self.pulses - 1, self.now):
             self.origin = self.now
             self.pulses = 1
 
@@ -296,7 +305,7 @@ class Receiver(Device):
 
     def sample(self, now: int) -> None:
         """Shift in what the line showed at each shift up to tick `now`."""
-        while self.active and self.tick(pulse := self.pulses + FIRST_SHIFT + UNIT * self.shifts) <= now:
+        while self.active and self.beaten(pulse := self.pulses + FIRST_SHIFT + UNIT * self.shifts, now):
             mark = self.mark(pulse)
             self.flag = ~self.buffer & 1
             self.buffer = self.buffer >> 1 | mark << 7
