@@ -79,7 +79,7 @@ DRAWINGS: dict[str, tuple[str, Callable[[], str]]] = {
     "talysurf, circle": ("c15ddb80", lambda: talysurf(inspect(circle()))),
     "talysurf, slope": ("e149efb9", lambda: talysurf(inspect(slope(), StraightLine(2250, 4000, 2350, 4030)))),
 }
-"""Each drawing, with the digest of what was looked at, by eye and beside Figures 7.2 to 7.8."""
+"""Each drawing, with the digest of what was looked at by eye; Figures 7.2 to 7.8 are lost in the scan."""
 
 
 @cache
