@@ -4,6 +4,7 @@ import json
 import re
 from hashlib import sha256
 from importlib.util import find_spec
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -60,6 +61,13 @@ def test_everything_lies_on_the_card(name: str) -> None:
         assert float(text.get("y", 0)) < drawn.HEIGHT
     for circle in card(name).iter(f"{SVG}circle"):
         assert float(circle.get("cx", 0)) < drawn.WIDTH - 10
+
+
+def test_the_timetable_goes_down_the_card_in_even_steps() -> None:
+    svg = ElementTree.fromstring(drawn.afternoon([drawn.Slot("1 s", "step", "done")] * 10, "t"))
+    rows = [float(text.get("y", 0)) for text in svg.iter(f"{SVG}text") if text.text == "step"]
+    assert 60 <= rows[0] < rows[-1] < drawn.HEIGHT - 40
+    assert {below - above for above, below in pairwise(rows)} == {(rows[-1] - rows[0]) / 9}
 
 
 def test_the_rim_card_has_the_words_of_the_book_as_switches() -> None:

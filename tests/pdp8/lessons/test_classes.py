@@ -2,6 +2,7 @@
 
 import csv
 import io
+import json
 import sys
 import time
 from dataclasses import replace
@@ -74,7 +75,8 @@ def test_a_seed_draws_the_same_and_another_seed_others() -> None:
 
 def test_inputs_are_drawn_by_ranges_and_kinds() -> None:
     text = RANDOM.replace(
-        "deposit={", 'sr={pick=[3,5]}\nreader=[0o200,{length=[2,4],pick="01"}]\nkeys={length=2,from=1,to=3}\n'
+        "deposit={", 'sr={pick=[3,5]}\n'
+        'reader=[0o200,{length=[2,4],pick="01"},{length=0,from=0,to=0}]\nkeys={length=2,from=1,to=3}\n'
         'deposit={"0300-0302"={from=7,to=7},"0310"={pick=[5]},',
     )  # fmt: skip
     for trial in parse(text, "e").cases[0].trials:
@@ -85,6 +87,18 @@ def test_inputs_are_drawn_by_ranges_and_kinds() -> None:
         assert set(trial.keys) <= {1, 2, 3}
         assert [trial.deposit[place] for place in ("0300", "0301", "0302", "0310")] == [7, 7, 7, 5]
         assert "0303" not in trial.deposit
+
+
+def test_all_that_is_compared_is_what_the_solution_left() -> None:
+    text = RANDOM.replace("'B'", "'AC', 'L', '0203', 'instructions'").replace(
+        "trials=5", "trials=1\nwithin=1.5"
+    )
+    (trial,) = parse(text, "e").cases[0].trials
+    assert (trial.ac, trial.link, trial.core, trial.instructions) == (0, 0, {"0203": 0o7402}, 6)
+    solution = f'solution="""{PUNCH.format("301")}"""'
+    text = f'{HEAD}{solution}\n[[random]]\nname="r"\ntrials=1\ncompare=["tape", "page"]'
+    (trial,) = parse(text, "e").cases[0].trials
+    assert (trial.tape, trial.page, trial.ac, trial.link, trial.core) == (b"\301", "A", None, None, {})
 
 
 def test_a_python_function_is_the_oracle(tmp_path: Path) -> None:
@@ -104,6 +118,7 @@ def test_a_python_function_is_the_oracle(tmp_path: Path) -> None:
         (("['B']", "['C']"), "random 1: the solution has no tag C"),
         (("{from=1,to=0o3777}", "{from=1}"), r"a word, \{ from, to \} or"),
         (("compare=['B']", "python='no.py:f'"), "no Python file beside the exercise"),
+        (("deposit", "keys={length=4097,from=0,to=1}\ndeposit"), "random 1: a number from 0 to 4096"),
         (("trials=5", "trials=0"), "random 1: trials: a number from 1 to 200"),
         (("[[random]]", "[[case]]\nname='r'\n[[random]]"), "two cases or questions are called 'r'"),
         (("\tHLT", "\tJMP ."), "the solution ends with idle, not halt"),
@@ -210,6 +225,7 @@ SHEET = "title='t'\ntask='t'\n[[question]]\nname='a'\nask='How many?'\n"
         ("'0'", "0 00 000. 1", "1110"),
         ("'1,000 words'", "1000_words 1000_(words) 0100_words the_1000_words words_1000", "11010"),
         ("['the same','same']", "same the_same! not_the_same", "110"),
+        ("'same'", "about_the_same it_is_a_same its_same are_an_same not_same", "11110"),
     ],
 )  # fmt: skip
 def test_numbers_are_right_by_value_and_unit_and_texts_by_what_matters(
@@ -222,6 +238,7 @@ def test_numbers_are_right_by_value_and_unit_and_texts_by_what_matters(
 
 def test_a_wrong_unit_is_told() -> None:
     (question,) = parse(f"{SHEET}answer=43.2\nunit='us'\nslips={{ '27' = 'cycles' }}\n", "e").questions
+    assert question.points == 1
     assert values.hint(question, "43.2 ms") == values.WRONG_UNIT
     assert [values.hint(question, given) for given in ("27.0", "27", "28")] == ["cycles", "cycles", ""]
 
@@ -257,12 +274,17 @@ def test_answers_that_differ_in_names_and_comments_look_alike() -> None:
     answers = [handed.of(text.encode(), name) for name, text in
                (("a", source), ("b", other), ("c", form.read("step-wise").solution))]  # fmt: skip
     assert alike.pairs(answers) == [alike.Pair("a", "b", 1.0)]
+    alone = [handed.of(source.encode(), name) for name in "abcdef"]
+    assert len(alike.pairs(alone[:5])) == 10
+    assert alike.pairs(alone) == [], "what most of a class of six have says nothing"
 
 
 @pytest.mark.parametrize("name", form.bundled())
 def test_a_students_form_marks_without_the_solution(name: str) -> None:
     whole = form.read(name, student.SEED)
+    assert parse(json.dumps(student.whole(whole)), name) == replace(whole, solution="", mistakes={})
     text = student.form(whole)
+    assert text.startswith('{\n "title"')
     given = parse(text, name)
     assert given.solution == ""
     assert not any(case.hidden for case in given.cases)
@@ -275,6 +297,7 @@ def test_results_go_to_a_spreadsheet_to_junit_and_to_the_students(shell: Shell, 
     (tmp_path / "ben.pal").write_text("*200\n\tJMP Q\n$\n")
     done = shell("pdp8 check add =ana.pal ben.pal --csv marks.csv --junit marks.xml --pages pages")
     assert done.returncode == 1
+    assert b"\nanswer " in done.stdout
     text = (tmp_path / "marks.csv").read_text("utf-8")
     rows = list(csv.reader(io.StringIO(text.removeprefix("\ufeff"))))
     assert text.startswith("\ufeff"), "as Excel knows UTF-8"

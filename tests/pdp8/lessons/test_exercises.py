@@ -56,6 +56,7 @@ PROGRAM = 'title="t"\ntask="t"\nsolution="*200\\n\\tHLT\\n$\\n"\n'
         ("title = 1\ntask = \"\"\nsolution = \"\"", r"e: title: a text is wanted, not 1"),
         ("", r"e: title is missing"),
         ("[[", "e: Invalid initial character"),
+        ("[" + "a." * 33 + "a]", "e: nested too deeply"),
         (PROGRAM, r"give \[\[case\]\] tables"),
         (PROGRAM + "[[case]]", r"e: case 1: name is missing"),
         (PROGRAM + '[[case]]\nname="a"\nacc=1', r"e: case 1: no key is called 'acc'; there are name, points"),
@@ -78,7 +79,7 @@ def test_a_wrong_file_is_named_with_its_place(text: str, complaint: str) -> None
 @pytest.mark.parametrize(
     ("tape", "frames"),
     [
-        ("[1, 0o377]", b"\1\377"),
+        ("[0, 0o377]", b"\0\377"),
         ('{ eia = "12\\n" }', b"\1\2\200"),
         ('{ file = "eia.bin" }', shelf.read("eia.bin")),
         ('"A"', b"\301"),
@@ -101,5 +102,5 @@ def test_a_mistake_must_change_one_place_of_the_solution() -> None:
 
 
 def test_a_sheet_is_read_however_its_lines_are_written() -> None:
-    read = handed.of(b"A: 270\r\n b) the digit 8\nc = 1,798.2\n\n d 5 \n", "s")
-    assert read.lines() == {"a": "270", "b": "the digit 8", "c": "1,798.2", "d": "5"}
+    read = handed.of(b"A: 270\r\n b) the digit 8\nc = 1,798.2\n\n d 5 \ne:6\nf=-7", "s")
+    assert read.lines() == {"a": "270", "b": "the digit 8", "c": "1,798.2", "d": "5", "e": "6", "f": "-7"}

@@ -37,6 +37,7 @@ LOOP = "*200\n\tJMP .\n$\n"
     [
         ("ac=1", IAC, []),
         ("ac=2", IAC, [("AC", "0001")]),
+        ("start=0o202\nac=0\ninstructions=2\nstop='any'", IAC, []),
         ("link=1", IAC, [("L", "0")]),
         ("core={A=3}", IAC, [("A", "0001")]),
         ('core={"0204"=3}', IAC, [("0204", "0001")]),
@@ -58,6 +59,12 @@ def test_an_expectation_notices_what_differs(
     case: str, source: str, wrong: list[tuple[str, str | bytes]]
 ) -> None:
     assert failed(case, source) == wrong
+
+
+def test_the_inputs_of_the_trial_that_failed_are_told() -> None:
+    second = 'ac=2\nsr=0o17\nreader=[0o200,1]\nkeys="A"\ndeposit={"300"=7}'
+    (found,) = mark(f"[[case.trial]]\nac=1\n[[case.trial]]\n{second}", IAC).marks
+    assert found.inputs == "0300 = 0007, switches 0017, tape 200 001, keys 301"
 
 
 @pytest.mark.parametrize(
@@ -126,7 +133,8 @@ def test_a_hostile_answer_is_marked_like_any_other(content: bytes) -> None:
     result = marking.mark(given, handed.of(content, "a\x1b[2J.pal"))
     said = "\n".join(scores.details(result))
     ElementTree.fromstring(records.as_junit(given, [result]).partition("\n")[2])
-    json.loads(records.as_json(given, [result]))
+    assert json.loads(as_json := records.as_json(given, [result]))["exercise"] == "e"
+    assert as_json.startswith('{\n  "exercise"')
     assert time.process_time() - began < 5
     assert not result.right
     assert len(said) < 10_000
@@ -184,6 +192,7 @@ def test_what_failed_is_shown_with_carets_and_holes() -> None:
 
 def test_marks_as_junit_are_what_they_are() -> None:
     given = exercise("ac=2\nhint='look'")
+    assert given.points == 1
     results = [marking.mark(given, handed.of(text.encode(), text[-2:])) for text in (IAC, "\tJMP Q\n$")]
     suites = ElementTree.fromstring(records.as_junit(given, results).partition("\n")[2])
     assert [(suite.get("tests"), suite.get("failures")) for suite in suites] == [("1", "1")] * 2
