@@ -98,10 +98,10 @@ def middle_of(expression: str, cutter: float, side: str, where: Range) -> list[t
     return [(cut.stop.x / 1000, cut.stop.y / 1000) for cut in cuts(path)]
 
 
-@pytest.mark.parametrize(("side", "radius"), [("above", 2.25), ("below", 1.75)])
-def test_the_path_beside_an_arc_is_an_arc(side: str, radius: float) -> None:
-    """Beside a circle of radius 2 a cutter of 1/2 in goes on one of 2.25, or inside it on one of 1.75."""
-    for x, y in middle_of("sqrt(4 - x**2)", 0.5, side, Range(-1.0, 1.0, 0.0, 0.0)):
+@pytest.mark.parametrize(("cutter", "side", "radius"), [(5.0, "above", 4.5), (0.5, "below", 1.75)])
+def test_the_path_beside_an_arc_is_an_arc(cutter: float, side: str, radius: float) -> None:
+    """Beside a circle of radius 2 a cutter of 5 in goes on one of 4.5, one of 1/2 in inside it on 1.75."""
+    for x, y in middle_of("sqrt(4 - x**2)", cutter, side, Range(-1.0, 1.0, 0.0, 0.0)):
         assert hypot(x, y) == pytest.approx(radius, abs=0.0025)
 
 

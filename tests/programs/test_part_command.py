@@ -39,6 +39,7 @@ REFUSED = [
     ("circle --start-x 9", "must be in the first quadrant"),
     ("circle --spindle 20", "spindle code 20"),
     ("circle --outer 90", "the table is 20 in"),
+    ("circle --park-x 20.002", "park X 20.002 in is outside the travel: 0 to 20 in"),
     ("polynomial --from 0 --to 0.1 --tolerance 0.9", "must be smaller than the curve"),
     ("polynomial --a 999999", "off the table"),
     ("polynomial --a 999999 --cutter 0.1", "off the table"),
