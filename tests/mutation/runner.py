@@ -4,7 +4,7 @@
          │                  then, for each mutant in a function, fork ► put in its code ► its lines' tests
          └────────fork──► for each mutant outside a function: import it ► run all tests
 
-A mutant is caught when a test fails, or takes LONGER times as long as all of them did.
+A mutant is caught when a test fails, or takes LONGER times as long as it did, or all do.
 """
 
 import ast
@@ -270,7 +270,7 @@ class _Collected:
                 _swap(functions, code)
                 _load(code)
                 _serve_commands(own, self.clients)
-                return _fails([items[name] for name in order])
+                return _fails([items[name] for name in order], runs.seconds)
 
             return _fork(work, folder, LEAST + LONGER * sum(runs.seconds[name] for name in order))
 
@@ -330,7 +330,7 @@ class _Collected:
 
         _serve_commands(own, self.clients, status_of)
         began = time.monotonic()
-        if _fails([item]):
+        if _fails([item], {}):
             return 1
         seconds = time.monotonic() - began
         lines = self._lines(measured)
@@ -402,9 +402,12 @@ def _load(code: CodeType) -> None:
     setattr(SourceFileLoader, "get_code", get_code)  # noqa: B010
 
 
-def _fails(items: list[pytest.Item]) -> int:
-    """Run tests up to the first that fails; return 1 if one does."""
+def _fails(items: list[pytest.Item], seconds: dict[str, float]) -> int:
+    """Run tests up to the first that fails; return 1 if one does. One that takes far longer than the `seconds`
+    known of it ends the process.
+    """
     for item, after in zip(items, [*items[1:], None], strict=True):
+        signal.setitimer(signal.ITIMER_PROF, LEAST + LONGER * seconds.get(item.nodeid, LONGEST))
         if any(report.failed for report in runtestprotocol(item, log=False, nextitem=after)):
             return 1
     return 0
