@@ -403,8 +403,9 @@ def _load(code: CodeType) -> None:
 
 
 def _fails(items: list[pytest.Item], seconds: dict[str, float]) -> int:
-    """Run tests up to the first that fails; return 1 if one does. One that takes LONGER times the `seconds` known
-    of it ends the process.
+    """Run tests up to the first that fails; return 1 if one does.
+
+    One that takes LONGER times the `seconds` known of it ends the process.
     """
     for item, after in zip(items, [*items[1:], None], strict=True):
         signal.setitimer(signal.ITIMER_PROF, LEAST + LONGER * seconds.get(item.nodeid, LONGEST))
