@@ -47,12 +47,13 @@ def firefox(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Firefox]:
 
 
 @pytest.fixture(params=["chromium", pytest.param("firefox", marks=pytest.mark.slow)])
-def tab(request: pytest.FixtureRequest) -> Tab:
+def tab(request: pytest.FixtureRequest, file: Path, tmp_path: Path) -> Tab:
     """The workbench as it opens, in each browser; Firefox, which takes seconds for each, in `make check`."""
     if request.param == "chromium":
         return ChromiumTab(request.getfixturevalue("page"))
     driver: Firefox = request.getfixturevalue("firefox")
-    driver.run("localStorage.clear(); location.hash = '';")
-    driver.call("WebDriver:Refresh")
+    fresh = tmp_path / file.name  # at another path Firefox has nothing kept: no programs, no settings
+    fresh.write_bytes(file.read_bytes())
+    driver.call("WebDriver:Navigate", url=fresh.as_uri())
     driver.until("!!window.workbench")
     return driver

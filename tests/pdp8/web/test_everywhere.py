@@ -55,8 +55,9 @@ def saved(tab: Tab, button: str) -> bytes:
         "URL.createObjectURL = (blob) => {"
         "  blob.arrayBuffer().then((bytes) => { window.file = [...new Uint8Array(bytes)]; });"
         "  return make.call(URL, blob); };"
+        f"document.querySelector('{button}').click();"
+        "URL.createObjectURL = make;"  # the page makes the script of its Worker a URL too
     )
-    click(tab, button)
     tab.until("window.file")
     return bytes(tab.run("return window.file"))
 
