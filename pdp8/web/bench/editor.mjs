@@ -128,6 +128,7 @@ export class Editor {
     addEventListener("pagehide", () => {
       if (!this.area.readOnly && this.bench.programs.get(this.name) !== this.text) leave(this.name, this.text);
     });
+    addEventListener("pageshow", ({ persisted }) => persisted && this.bench.programs.resume()); // back, as it was left
   }
 
   #sources() {

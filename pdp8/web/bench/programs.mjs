@@ -33,13 +33,18 @@ export class Programs {
       this.base = await done(asked);
       const [names, texts] = await Promise.all([done(this.#store("readonly").getAllKeys()), done(this.#store("readonly").getAll())]);
       names.forEach((name, index) => this.texts.set(name, texts[index]));
-      const left = kept(LEFT);
-      if (left) this.keep(...JSON.parse(left));
-      keep(LEFT, "");
+      this.resume();
     } catch (error) {
       this.base = null;
       this.refused = String(error?.message ?? error);
     }
+  }
+
+  /** Keep what was typed as the page was left; it is not needed again. */
+  resume() {
+    const left = kept(LEFT);
+    if (left) this.keep(...JSON.parse(left));
+    keep(LEFT, "");
   }
 
   #store(mode) {

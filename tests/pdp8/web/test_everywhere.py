@@ -110,6 +110,19 @@ def test_a_file_dropped_on_the_page(tab: Tab) -> None:
     assert tab.run("return workbench.editor.text") == "*200\n\tHLT\n$\n"
 
 
+def test_what_is_typed_after_coming_back_is_kept(tab: Tab) -> None:
+    """The page is left and, alive, shown again: what was typed as it was left does not replace what came after."""
+    tab.run(
+        "const { editor, programs } = workbench; const { name } = editor;"
+        "editor.text = '/ AS IT WAS LEFT'; dispatchEvent(new Event('pagehide'));"
+        "dispatchEvent(new PageTransitionEvent('pageshow', { persisted: true }));"
+        "editor.text = '/ AFTERWARDS'; editor.keep();"
+        "const next = new programs.constructor(); next.open().then(() => { window.found = next.get(name); });"
+    )
+    tab.until("window.found")
+    assert tab.run("return window.found") == "/ AFTERWARDS"
+
+
 def test_a_state_goes_in_and_out(tab: Tab, tmp_path: Path) -> None:
     """A state of `pdp8 run --save` dropped in; saved out again, `pdp8 run --restore` goes on from it."""
     machine = Machine(highspeed=True)
