@@ -63,6 +63,7 @@ REFUSED: tuple[tuple[str, dict[str, Any]], ...] = (
     ("slope", {"to_x": "21"}),
     ("drill", {"holes": "1,1 2"}),
     ("curve", {"expression": "x + y"}),
+    ("curve", {}),
     ("polynomial", {"cutter": "11"}),
 )
 
