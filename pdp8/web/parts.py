@@ -1,8 +1,8 @@
 """The part programs as a page asks for them: the options of `pdp8 part`, ready for JSON.
 
 An option has its name, help and default as they are written, and what it takes: `choices`, `unit` (the fields
-of programs.units.Unit), `flag`, or `places`; `required` if there is no part without it. An argument of the program is an option,
-or a record of several.
+of programs.units.Unit), `flag`, or `places`; `required` if there is no part without it. An argument of the
+program is an option, or a record of several.
 """
 
 from dataclasses import is_dataclass
