@@ -14,14 +14,10 @@ runtime.mjs  what Python has and JavaScript has not
 What has no translation is an error with its file and line. Names stay as they are. Numbers are exact to 2^53.
 """
 
-import hashlib
-import json
-import os
-from contextlib import suppress
 from functools import cache
 from importlib.resources import files
-from pathlib import Path
 
+from pdp8.web.kept import kept
 from pdp8.web.translator.modules import translate
 
 MODULES = {
@@ -66,29 +62,14 @@ def translated() -> dict[str, str]:
     own = [
         _source(__package__, name)[1] for name in ("types", "program", "expressions", "statements", "modules")
     ]
-    kept = _kept(repr((sources, OMITTED, own, runtime())))
-    try:
-        return dict(json.loads(kept.read_text(encoding="utf-8")))
-    except (OSError, ValueError):
-        modules = translate(sources, OMITTED, runtime())
-    with suppress(OSError):
-        kept.parent.mkdir(parents=True, exist_ok=True)
-        for old in kept.parent.glob("translated-*.json"):
-            old.unlink()
-        kept.write_text(json.dumps(modules), encoding="utf-8")
-    return modules
+    content = repr((sources, OMITTED, own, runtime()))
+    return dict(kept("translated", content, lambda: translate(sources, OMITTED, runtime())))
 
 
 def _source(package: str, name: str) -> tuple[str, str]:
     """Return the path and the text of a module, wherever it is installed."""
     path = files(package).joinpath(f"{name}.py")
     return str(path), path.read_text(encoding="utf-8")
-
-
-def _kept(content: str) -> Path:
-    """Return where the translation of `content` is kept."""
-    folder = Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache"))
-    return folder / "pdp8" / f"translated-{hashlib.sha256(content.encode()).hexdigest()[:16]}.json"
 
 
 @cache

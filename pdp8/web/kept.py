@@ -1,0 +1,41 @@
+"""What takes long to make, kept as JSON in the user's cache for as long as what it is made of is the same."""
+
+import hashlib
+import json
+import os
+from collections.abc import Callable
+from contextlib import suppress
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+_PACKAGES = ("nc", "pal", "pdp8", "programs", "tapes")
+_NOT_SOURCES = (".pyc", ".so", ".pyd")
+
+
+def kept(name: str, content: str, make: Callable[[], Any]) -> Any:
+    """Return what `make` makes of `content`: as it was kept, if `content` is no other since."""
+    folder = Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")) / "pdp8"
+    path = folder / f"{name}-{hashlib.sha256(content.encode()).hexdigest()[:16]}.json"
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        made = make()
+    with suppress(OSError):
+        folder.mkdir(parents=True, exist_ok=True)
+        for old in folder.glob(f"{name}-*.json"):
+            old.unlink()
+        path.write_text(json.dumps(made), encoding="utf-8")
+    return made
+
+
+def house() -> str:
+    """Return a digest of all that our packages consist of, where they are installed."""
+    digest = hashlib.sha256()
+    for package in _PACKAGES:
+        spec = find_spec(package)
+        for folder in (spec and spec.submodule_search_locations) or ():
+            for path in sorted(Path(folder).rglob("*")):
+                if path.is_file() and path.suffix not in _NOT_SOURCES:
+                    digest.update(f"{package} {path.relative_to(folder)}\n".encode() + path.read_bytes())
+    return digest.hexdigest()

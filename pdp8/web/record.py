@@ -1,0 +1,63 @@
+"""What the workbench has at hand: bundled tapes, a program, the BIN loader, parts, exercises, an afternoon.
+
+shelf ──► tapes, a program, the BIN loader                 ┐
+Afternoon ──► what was measured, and the thesis's figures  ├──► one record, ready for JSON
+parts, exercises                                           ┘
+
+The page does the afternoon itself. What it cannot is in the record: the walls, which nc measures with numpy.
+"""
+
+from typing import Any
+
+import pal
+from nc.talyrond import talyrond
+from nc.talysurf import talysurf
+from pdp8.lessons import form, student
+from pdp8.replay import Afternoon, replay
+from pdp8.replay.figures import COLUMNS, compare
+from pdp8.web import parts
+from programs.parts import PARTS
+from tapes import rim, shelf
+
+_OPENS_WITH = "hello.pal"
+_USUAL = "circle"
+_POINTS = 720
+"""Of the nominal curve."""
+
+
+def record(afternoon: Afternoon | None = None) -> dict[str, Any]:
+    """Return it with `afternoon`, or the usual one; tapes as text, a character a frame."""
+    tapes = {name: shelf.read_bundled(name) for name in shelf.bundled() if not name.endswith(".for")}
+    done = afternoon or replay(_USUAL)
+    tapes[f"{done.part}.asc"] = done.tapes[f"{done.part}.asc"]
+    loader = pal.assemble(shelf.read_bundled("bin.pal"))
+    return {
+        "tapes": {name: frames.decode("latin-1") for name, frames in tapes.items()},
+        "loader": rim.encode(loader.words).decode("latin-1"),
+        "source": shelf.read_bundled(_OPENS_WITH).decode("ascii"),
+        "cutter": PARTS[done.part].cutter * 1000,
+        "view": "",
+        "door": "afternoon" if afternoon else "",
+        "afternoon": _afternoon(done),
+        "parts": parts.declared(),
+        "exercises": {name: student.whole(form.read(name)) for name in form.bundled()},
+    }
+
+
+def _afternoon(done: Afternoon) -> dict[str, Any]:
+    """Return what the page cannot compute: the last act, the instrument's graph, the curve that was meant."""
+    last, inspection = done.acts[-1], done.inspection
+    found: dict[str, Any] = {
+        "part": done.part,
+        "found": [last.name, last.say, last.outcome],
+        "figures": {"columns": COLUMNS, "rows": compare(done)},
+        "graph": "",
+        "nominal": None,
+    }
+    if inspection is not None:
+        curve = inspection.curve
+        found["graph"] = (talyrond if curve.closed else talysurf)(inspection)
+        points = curve.limit(curve.stations(_POINTS), 0).round(1).tolist()
+        nominal = {"points": [*points, points[0]] if curve.closed else points}
+        found["nominal"] = nominal | {"tolerance": PARTS[done.part].tolerance * 1000}
+    return found
