@@ -103,8 +103,9 @@ export class ByteArray extends Array {}
 export class Words extends Uint16Array {
   tobytes() { return new Bytes(this.slice().buffer); }
 }
+const as_latin = (of) => (typeof of === "number" ? of : Array.isArray(of) ? of.map(latin) : latin(of));
 const as_text = (name, back) => give(Bytes, {
-  [name](...args) { return back(latin(this)[name](...args.map((each) => (typeof each === "number" ? each : latin(each))))); },
+  [name](...args) { return back(latin(this)[name](...args.map(as_latin))); },
 });
 for (const name of ["startswith", "endswith", "isdigit", "isascii"]) as_text(name, (found) => found);
 for (const name of ["replace_", "ljust"]) as_text(name, unlatin);
@@ -121,6 +122,11 @@ const strip = (left, right) => function (chars = null) {
   return this.slice(start, end);
 };
 for (const kind of [String, Bytes]) give(kind, { strip: strip(true, true), lstrip: strip(true, false), rstrip: strip(false, true) });
+/** Whether `has` is so of a text from a place on, for `what` or for one of several. */
+const affix = (has) => function (what, from = 0) {
+  const text = this.slice(from);
+  return Array.isArray(what) ? what.some((each) => has.call(text, each)) : has.call(text, what);
+};
 const matching = (pattern) => function () { return pattern.test(this); };
 
 give(String, {
@@ -145,8 +151,8 @@ give(String, {
     return at < from ? -1 : at;
   },
   count(what, from = 0, to = this.length) { return this.slice(from, to).split(what).length - 1; },
-  startswith: String.prototype.startsWith,
-  endswith: String.prototype.endsWith,
+  startswith: affix(String.prototype.startsWith),
+  endswith: affix(String.prototype.endsWith),
   upper: String.prototype.toUpperCase,
   lower: String.prototype.toLowerCase,
   ljust: String.prototype.padEnd,

@@ -325,6 +325,7 @@ def classes() -> Any:
         made, base.double, len(base), [*base], base.half(9), Base.half(4), Base.of(2).value, derived.more, Base.limit,
         derived.limit, point.sum(), [*point], point[1], point == (1, 7), Point(y=1, x=2).x, mode.feed, mode.words,
         [*Code], f"{Code.MILL} {Colour.RED}", isinstance(derived, Base), isinstance(base, Derived),
+        [isinstance(each, Colour | Mode | Point) for each in (Mode(), Point(1), base)], isinstance(base, (Mode, Base)),
         {Point(1, 2): "a"}[Point(1, 2)], {(1, "x"): 2}[1, "x"], str(Point(1, 2)), sorted([Point(2), Point(1)])[0].x,
     ]  # fmt: skip
 
@@ -370,6 +371,8 @@ def texts() -> Any:
         f"{part!r} {text!r} {number / 2} {number // 2} {1e20} {1e-7} {True} {None} {[1, 'x']} {0.1 + 0.2} {100.0:,} {1 / 3:.0%}",
         f"{2.5:.0f} {3.5:.0f} {0.125:.2f} {1e15:.1f} {1234567.0:g} {0.00001:g}", str(5.0), str(5), repr("it's"), int("17", 8),
         round(2.5), round(3.5), round(2.675, 2), round(-0.5), f"{5.0:05}", f"{'é'!r}", "é".encode()[0], "{}`${x}",
+        [name.endswith((".bin", ".rim")) for name in ("a.rim", "a.eia")], "abc".startswith(("b", "x"), 1), "abc".endswith("ab", 1),
+        b"ab".startswith((b"x", b"a")), b"ab".endswith((b"x", b"a")), "a".startswith(()),
     ]  # fmt: skip
 
 
