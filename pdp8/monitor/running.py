@@ -45,16 +45,16 @@ def go(monitor: Monitor, arguments: Sequence[str]) -> None:
     monitor.operator.press("stop")
     if address is not None:
         monitor.machine.pc = address
-    monitor.operator.press("start")
-    _pursue(monitor, goal)
+    _begin(monitor, "start", goal)
 
 
 def cont(monitor: Monitor, arguments: Sequence[str]) -> None:
     """CONT: go on, for SECONDS or until a text is printed."""
     goal = _goal(arguments)
-    if not monitor.machine.panel.lamps.run:
-        monitor.operator.press("cont")
-    _pursue(monitor, goal)
+    if monitor.machine.panel.lamps.run:
+        _pursue(monitor, goal)
+    else:
+        _begin(monitor, "cont", goal)
 
 
 def run(monitor: Monitor, arguments: Sequence[str]) -> None:
@@ -97,6 +97,17 @@ def text_of(word: str) -> str:
     return text
 
 
+def _begin(monitor: Monitor, key: str, goal: Goal) -> None:
+    """Press START or CONT, and run as far as `goal` says; under SING STEP the key has done the one cycle."""
+    monitor.operator.press(key)
+    machine = monitor.machine
+    if machine.panel.sing_step and not goal.text:
+        reason = Reason.PROTECT if machine.panel.lamps.protect else Reason.STOP_KEY
+        _say(monitor, Stop(reason, machine.pc, machine.elapsed))
+    else:
+        _pursue(monitor, goal)
+
+
 def _pursue(monitor: Monitor, goal: Goal) -> None:
     """Run as far as `goal` says; say how a run ended that no text was to end."""
     if goal.text:
@@ -104,6 +115,10 @@ def _pursue(monitor: Monitor, goal: Goal) -> None:
         _wait_for(monitor, goal)
         return
     *_, stop = slices(monitor, goal.seconds)
+    _say(monitor, stop)
+
+
+def _say(monitor: Monitor, stop: Stop) -> None:
     line = monitor.listing.line(stop.pc, monitor.machine.core[stop.pc])
     monitor.say(f"{stop.reason}; {stop.elapsed:,.6f} s; next {line}")
 

@@ -98,6 +98,28 @@ def test_a_switch_is_put_up_and_down(value: str, position: bool) -> None:
         assert getattr(monitor.machine.panel, name) is position
 
 
+def test_under_sing_step_a_key_does_one_cycle() -> None:
+    """TAD I 210 takes three: START does FETCH, each CONT another."""
+    said: list[str] = []
+    monitor = Monitor(said.append)
+    monitor.do("deposit 200 1610 7402")
+    monitor.do("deposit 210 300")
+    monitor.do("deposit 300 1234")
+    monitor.do("set sing_step on")
+    panel, lamps = monitor.machine.panel, []
+    for command in ("go 200", "cont", "cont", "cont"):
+        monitor.do(command)
+        now = panel.lamps
+        lamps.append((now.fetch, now.defer, now.execute, now.ma, now.mb, now.ac, now.run))
+    assert lamps == [
+        (1, 0, 0, 0o200, 0o1610, 0, 0),
+        (0, 1, 0, 0o210, 0o300, 0, 0),
+        (0, 0, 1, 0o300, 0o1234, 0o1234, 0),
+        (1, 0, 0, 0o201, 0o7402, 0o1234, 0),
+    ]
+    assert "stop key" in said[-1]
+
+
 def test_go_stops_a_program_that_runs() -> None:
     """START does nothing while RUN is lit; after STOP it clears the AC."""
     monitor = Monitor(lambda line: None)
