@@ -10,7 +10,7 @@ from nc.machine import cut
 from nc.plot import plot
 from nc.talysurf import talysurf
 from tests.conftest import Shell, case
-from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, FOUR_HOLES, tape
+from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, FOUR_HOLES, HEADER, tape
 
 COMMANDS = {
     "list": "  666 666 6   2.251   3.844  01 84  mill X to 2.251 at 1.0 in/min",
@@ -72,6 +72,14 @@ def test_the_four_holes_typed_in_and_punched(shell: Shell) -> None:
     assert "drill at X 4.000 Y 1.000, from 3.000 to 3.500 at 1.0 in/min" in spaced
     cut = product(shell, "pdp8 tape punch --code eia --drop-spaces - --leader 50 | pdp8 nc cut", typed)
     assert "holes         4" in cut
+
+
+def test_a_peck_is_a_tenth_of_an_inch_if_nothing_is_said(shell: Shell) -> None:
+    deep = "006 9 00000 05000 0 18 89"
+    frames = tape(*HEADER[:5], deep, "007 4 01000 01000 0 00 80", "008 6 01500 01000 0 01 84")
+    said, *others = (product(shell, f"pdp8 nc cut {peck}", frames) for peck in ("", "--peck .1", "--peck .3"))
+    assert said == others[0] != others[1]
+    assert "cutter        X 1.500 Y 1.000, quill down 5.000" in said
 
 
 def test_the_chain_ends_at_the_machine(shell: Shell) -> None:

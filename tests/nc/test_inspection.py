@@ -179,6 +179,7 @@ class TestCurves:
         stations = curve.stations(900)
         jagged = stations.points + np.where(np.arange(900) % 2, 5, -5)[:, None] * stations.normals
         assert fitted(jagged, within=20) == curve
+        assert fitted(stations.points[:500], within=1) == curve or isinstance(curve, StraightLine)
 
     def test_what_follows_no_curve_is_none(self) -> None:
         assert fitted(np.array([[0.0, 0], [1000, 0], [1000, 700], [0, 700], [500, 100]]), within=20) is None
