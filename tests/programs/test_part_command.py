@@ -7,6 +7,7 @@ import pytest
 
 from pdp8.cli.root import pdp8
 from programs import parts
+from programs.printout import check_band
 from programs.units import THOUSANDTHS
 from tapes import ascii, command
 from tapes.errors import WorkError
@@ -72,6 +73,7 @@ REFUSED = [
     ("curve 'import os'", "not an expression in x"),
     ("curve x --technique piece --feed-error -5", "feed error -5%: must be from 0 to less than 100 %"),
     ("drill --holes ''", "no holes are given"),
+    ("drill --z-depth 2", "final Z depth 2 in is above the Z feed point, 3 in"),
     ("drill --holes 21,1", "block 003: X 21.000 leaves the table"),
     ("fluidic --control 3", "must be beside the walls"),
     ("fluidic --axis-x 1", "leaves the table"),
@@ -152,6 +154,10 @@ def test_a_part_that_cannot_be_is_refused_in_one_sentence(
     assert (status, output) == (1, "")
     assert said in message
     assert message.count("\n") == 1
+
+
+def test_a_radius_of_a_thousandth_can_have_a_band() -> None:
+    check_band("radius", 1, 0.25, 2.5)
 
 
 @pytest.mark.parametrize(("part", "said"), MISUSED)

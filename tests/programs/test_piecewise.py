@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 from programs import circle, die, ellipse, polynomial, slope
 from programs.milling import Milling
 from programs.piecewise import Technique, way
-from programs.stretches import Point, line, oval
+from programs.printout import Printout
+from programs.stretches import Point, arc, line, oval
 from tapes.errors import WorkError
 from tests.programs.printouts import TRAVEL_X, blocks, milled
 
@@ -101,6 +102,13 @@ def test_one_feed_is_set_a_block() -> None:
     path = blocks(piece(circle.part))
     assert {block.function for block in path[6:]} == {84, 85}
     assert all(block.tool in FEEDS for block in path[6:])
+
+
+def test_a_block_whose_feed_is_in_force_names_it_again() -> None:
+    """An arc of 20 degrees about 9 o'clock is as good as upright: two blocks along Y."""
+    printout = Printout()
+    Milling("piece", fastest=1).print(printout, arc(Point(4000, 4000), 100, 190, -20, 5))
+    assert printout.text == "  16 3902 4000  185\n  26 3902 4017  185\n"
 
 
 def test_the_way_has_the_corner_of_figure_3_1() -> None:

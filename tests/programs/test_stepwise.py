@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from programs import circle, curve, ellipse, fluidic, polynomial, slope, stepwise
 from programs.milling import Milling
+from programs.parts import find
 from programs.stretches import Curve, Point, Side, Stretch, arc, graph, line, oval, turning_points
 from tapes.errors import WorkError
 from tests.programs.printouts import assert_fit_for_the_machine, milled
@@ -121,6 +122,19 @@ def test_turning_points_are_where_a_table_turns() -> None:
     assert turning_points([5, 5, 5]) == []
 
 
+@pytest.mark.parametrize("low", [-361, -181, -180, -90.5, 0, 89, 90])
+@pytest.mark.parametrize("sweep", [1, 1.5, 90, 91, 181, 360])
+def test_an_arc_is_parted_at_each_right_angle_within_it(low: float, sweep: float) -> None:
+    between = sum(low < 90 * turn < low + sweep for turn in range(-9, 9))
+    assert len(arc(CENTRE, 100, low, sweep, 3).stretches) == 1 + between
+    assert len(arc(CENTRE, 100, low + sweep, -sweep, 3).stretches) == 1 + between
+
+
+def test_a_point_just_outside_the_inner_ellipse_is_inside_the_band() -> None:
+    """(5/7)² + (7/10)² = 1 + 1/4900."""
+    assert oval(Point(0, 0), 9, (7, 10), (9, 12)).stretches[0].side(5, 7) is Side.INSIDE
+
+
 def test_the_polynomial_turns_where_the_calculus_says() -> None:
     blocks = milled(polynomial.part(from_=0, to=6))
     highest = max(blocks, key=lambda block: block.y)
@@ -205,6 +219,15 @@ def test_the_fluidic_element_is_fit_for_the_machine(program: str) -> None:
         assert (start.x, start.y) == (last.x, last.y)
 
 
+def test_the_line_that_is_inspected_is_a_wall_of_the_fluidic_element() -> None:
+    x, y, u, v = (round(1000 * inches) for inches in find("fluidic").nominal["line"])
+    first, last = Point(x, y), Point(u, v)
+    wall = line(first, last, 4).stretches[0]
+    ups = [b.y for b in milled(fluidic.part(program="main")) if wall.inside(b.x, b.y) and b.x < last.x]
+    assert min(ups) <= first.y
+    assert max(ups) >= last.y - 40
+
+
 def test_the_control_channels_move_downstream_and_nothing_else_does() -> None:
     near, far = fluidic.part(control=0.0), fluidic.part(control=0.8)
     main = fluidic.part(program="main").count("\n")
@@ -223,6 +246,6 @@ def test_a_sequence_past_999_keeps_its_low_digits_or_prints_stars() -> None:
 
 
 def test_a_band_that_lets_no_cut_begin_is_named() -> None:
-    stuck = Stretch(1, 1, lambda x, y: Side.INSIDE if (x, y) == (7, 8) else Side.ABOVE, "Y", last_x=20)
-    with pytest.raises(WorkError, match=r"X 0\.007 Y 0\.008"):
-        list(stepwise.staircase(Point(7, 8), "Y", [stuck], "inside"))
+    stuck = Stretch(1, 1, lambda x, y: Side.INSIDE if (x, y) == (7000, 8) else Side.ABOVE, "Y", last_x=9000)
+    with pytest.raises(WorkError, match=r"X 7\.000 Y 0\.008"):
+        list(stepwise.staircase(Point(7000, 8), "Y", [stuck], "inside"))
