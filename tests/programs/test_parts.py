@@ -7,6 +7,7 @@ from click.testing import CliRunner
 
 import programs
 from pdp8.replay import replay
+from programs import thesis
 from programs.cli import part
 from programs.parts import PARTS, Part, find
 from tapes.errors import WorkError
@@ -70,3 +71,17 @@ def test_every_entry_is_a_part_program(name: str) -> None:
     assert program.__module__ == f"programs.{name}"
     if entry.has_defaults:
         assert program().endswith("\n")
+
+
+TABLE_10_1 = """\
+circle 670 30 30 200 9 9
+ellipse 1000 50 50 400 18 18
+die 800 40 200 350 16 120
+polynomial 1200 55 55 N.A.
+fluidic 2650 180 180 N.A."""
+
+
+def test_table_10_1() -> None:
+    rows = TABLE_10_1.replace(" N.A.", "").splitlines()
+    ours = [(name, *row.step, *(row.piece or ())) for name, row in thesis.TABLE_10_1.items()]
+    assert [" ".join(map(str, row)) for row in ours] == rows
