@@ -6,7 +6,15 @@ from pathlib import Path
 HOUSE = Path(__file__).parents[2]
 
 ROOMS = {
-    "tapes": ("tapes", ["tests/tapes", "tests/pdp8/cli/test_files.py"]),
+    "tapes": (
+        "tapes",
+        [
+            "tests/tapes",
+            "tests/pdp8/cli/test_files.py",
+            "tests/pdp8/test_names.py",
+            "tests/programs/test_functions.py",
+        ],
+    ),
     "pal": ("pal", ["tests/pal"]),
     "programs": ("programs", ["tests/programs"]),
     "nc": ("nc", ["tests/nc", "tests/tapes/test_hydrapoint.py"]),

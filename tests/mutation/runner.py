@@ -420,11 +420,13 @@ def _fails(items: list[pytest.Item], seconds: dict[str, float]) -> int:
 def _whole(
     trials: list[tuple[str, int]], runs: Runs, jobs: int, folder: Path
 ) -> Iterator[tuple[str, int, str]]:
-    """Try mutants by importing them: with the tests that run anything of their module, or with all."""
+    """Try mutants by importing them: with the tests that run anything of their module, then with the others,
+    which may read a table of it.
+    """
 
     def begin(mutant: Mutant, file: str) -> int | str:
         names = set().union(*runs.tests.get(file, {}).values())
-        order = sorted(names & runs.seconds.keys() or runs.seconds, key=lambda name: runs.seconds[name])
+        order = sorted(runs.seconds, key=lambda name: (name not in names, runs.seconds[name]))
         code = compile(mutant.tree, str(Path(file).resolve()), "exec")
         limit = LEAST + LONGER * sum(runs.seconds[name] for name in order)
 

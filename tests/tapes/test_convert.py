@@ -124,6 +124,11 @@ def test_a_rim_tape_measured() -> None:
     assert rows(tape[:90], "damage") == ["frame 90: the tape is cut short inside a word"]
 
 
+def test_text_of_one_line_has_no_line_ends() -> None:
+    assert rows(b"ABAB", "line ends") == []
+    assert rows(b"A\rB", "line ends") == ["1 CR, 0 LF, 0 RUBOUT"]
+
+
 def test_a_text_file_is_told_to_be_punched() -> None:
     assert rows(b"A\nB", "lines", "line ends") == [
         "1 of 1 character, then 1 character without an end",
