@@ -126,6 +126,7 @@ def test_a_rim_tape_measured() -> None:
 
 def test_text_of_one_line_has_no_line_ends() -> None:
     assert rows(b"ABAB", "line ends") == []
+    assert rows(bytes(9), "tape") == ["blank"]
     assert rows(b"A\rB", "line ends") == ["1 CR, 0 LF, 0 RUBOUT"]
 
 

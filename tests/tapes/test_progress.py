@@ -6,6 +6,8 @@ import time
 
 import pytest
 
+from pdp8.cli.root import pdp8
+from tapes import command
 from tapes.progress import Bar
 from tests.commands import Terminal
 
@@ -63,6 +65,15 @@ def test_it_stays_away(
         clock[0] += 5
         bar.show(4)
     assert shown.getvalue() == ""
+
+
+def test_a_character_that_standard_error_has_not_is_a_question_mark(monkeypatch: pytest.MonkeyPatch) -> None:
+    shown = io.TextIOWrapper(io.BytesIO(), "latin-1")
+    monkeypatch.setattr("sys.stderr", shown)
+    with pytest.raises(SystemExit):
+        command.run(pdp8, "pdp8", ["tape", "info", "\N{GREEK SMALL LETTER ALPHA}.asc"])
+    shown.seek(0)
+    assert "?.asc: no such file" in shown.read()
 
 
 def test_a_run_shows_it_and_ctrl_c_takes_it_away() -> None:
