@@ -8,12 +8,7 @@ HOUSE = Path(__file__).parents[2]
 ROOMS = {
     "tapes": (
         "tapes",
-        [
-            "tests/tapes",
-            "tests/pdp8/cli/test_files.py",
-            "tests/pdp8/test_names.py",
-            "tests/programs/test_functions.py",
-        ],
+        ["tests/tapes", "tests/pdp8/cli/test_files.py", "tests/programs/test_functions.py"],
     ),
     "pal": ("pal", ["tests/pal"]),
     "programs": ("programs", ["tests/programs"]),

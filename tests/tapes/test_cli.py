@@ -254,3 +254,9 @@ def test_a_data_tape_is_no_program(tmp_path: Path) -> None:
     assert (
         done.stderr == b"pdp8 run: circle.asc: nothing but figures: no program, but a tape for the reader\n"
     )
+
+
+def test_a_file_that_hides_a_bundled_one_is_named(shell: Shell, tmp_path: Path) -> None:
+    (tmp_path / "circle.asc").write_bytes(b"A\r\n")
+    said = shell("pdp8 tape info circle.asc").stderr
+    assert b"circle.asc is the file in this folder, not the bundled one of that name" in said
