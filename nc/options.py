@@ -223,7 +223,8 @@ def _not_eia(frames: bytes, error: "CutError") -> WorkError | None:
     kind = kinds.classify(frames) if error.block == 1 else kinds.EIA
     if kind not in (kinds.ASCII, kinds.BIN, kinds.RIM):
         return None
-    return WorkError(f"{error}; the tape seems to be {kind.upper()}, and the machine reads EIA")
+    cure = "; `pdp8 run eia.pal` translates it" if kind == kinds.ASCII else ""
+    return WorkError(f"{error}; the tape seems to be {kind.upper()}, and the machine reads EIA{cure}")
 
 
 def curve(origin: tuple[float, ...], range_: tuple[float, ...] | None, **options: Any) -> "Curve | None":

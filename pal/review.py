@@ -105,7 +105,7 @@ def _illegal(source: Source, messages: Sequence[Message]) -> list[Note]:
     small = [at for character, at in illegal if "a" <= character <= "z"]
     if small:
         message = f"small letters are illegal characters in PAL III: {len(small):,} of them"
-        notes.append(Note(LOWER_CASE, small[0], message, "--modern reads them as capitals"))
+        notes.append(Note(LOWER_CASE, small[0], message, "`pal --modern` reads them as capitals"))
     return notes
 
 
