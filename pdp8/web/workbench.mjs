@@ -167,9 +167,14 @@ class Bench {
     this.#attempt(() => {
       if (text.startsWith("{")) this.#written(file.name, JSON.parse(text), text);
       else if (file.name.endsWith(".toml")) this.say(`pdp8 check ${file.name} --export-student FORM.json writes what this page takes`);
-      else if (/\.(pa[l8]?|txt|src)$/i.test(file.name)) this.editor.open(file.name, frames);
+      else if (/\.(pa[l8]?|txt|src)$/i.test(file.name)) this.#source(file.name, frames);
       else this.#tape(this.shelf.put(file.name, frames));
     });
+  }
+
+  #source(name, frames) {
+    this.tabs.open("program");
+    this.editor.open(name, frames);
   }
 
   #tape(name) {

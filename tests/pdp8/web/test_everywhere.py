@@ -98,7 +98,7 @@ def test_a_punched_tape_is_saved_torn_off_and_read(tab: Tab) -> None:
 
 
 def test_a_file_dropped_on_the_page(tab: Tab) -> None:
-    """ASCII goes into the reader, EIA to the mill, a source into the editor; their names are only text."""
+    """ASCII goes into the reader, EIA to the mill, a source into the editor, which opens; their names are only text."""
     drop(tab, "<b>mine.asc", b"\xb1\xb2\xb3\x8d\x8a")
     tab.until("workbench.machine.teletype.reader.tape.length === 5")
     assert "<b>mine.asc" in tab.run("return document.querySelector('#reader .name').textContent")
@@ -108,6 +108,7 @@ def test_a_file_dropped_on_the_page(tab: Tab) -> None:
     drop(tab, "mine.pal", b"*200\r\n\tHLT\r\n$\r\n")
     tab.until("workbench.editor.name === 'mine.pal'")
     assert tab.run("return workbench.editor.text") == "*200\n\tHLT\n$\n"
+    assert tab.run("return document.querySelector('#program').hidden") is False
 
 
 def test_what_is_typed_after_coming_back_is_kept(tab: Tab) -> None:
