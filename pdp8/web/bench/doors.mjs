@@ -15,7 +15,9 @@ export class Doors {
     find("doors").classList.toggle("wide", !kept(SEEN));
     find("doors").addEventListener("click", ({ target }) => {
       const door = target.closest("[data-door]");
-      if (door) this.open(door.dataset.door);
+      if (!door) return;
+      find("play").focus({ preventScroll: true }); // or space opens the door again
+      this.open(door.dataset.door);
     });
   }
 

@@ -514,6 +514,8 @@ def test_the_doors(page: "Page") -> None:
     assert page.locator("#card .now").inner_text().startswith("7756")
     page.locator("[data-door=afternoon]").click()
     until(page, "workbench.afternoon.playing && workbench.afternoon.script.now > 0")
+    page.keyboard.press("Space")
+    assert not page.evaluate("workbench.afternoon.playing")
 
 
 _LONG = """window.tasks = [];
