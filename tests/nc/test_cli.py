@@ -139,9 +139,10 @@ def test_bad_tapes(shell: Shell, command: str) -> None:
     end = "block 666, row 13: the tape ends after 13 rows of the block's 20"
     assert complaint(shell, line, CIRCLE[:-7]) == f"{line}: standard input: frame 13313: {end}"
     row_1 = "block 1, row 1: the block ends in row 1; a block has 20 rows; the tape seems to be"
-    ascii_tape = "ASCII, and the machine reads EIA; `pdp8 run eia.pal` translates it"
-    for name, frame, kind in (("circle.asc", 0, ascii_tape), ("eia.bin", 1, "BIN, and the machine reads EIA")):
-        assert complaint(shell, f"{line} {name}") == f"{line}: {name}: frame {frame}: {row_1} {kind}"
+    cure = "; `pdp8 run eia.pal` translates it"
+    for name, frame, kind, more in (("circle.asc", 0, "ASCII", cure), ("eia.bin", 1, "BIN", "")):
+        said = complaint(shell, f"{line} {name}")
+        assert said == f"{line}: {name}: frame {frame}: {row_1} {kind}, and the machine reads EIA{more}"
     row_19 = "block 25, row 19: the block ends in row 19; a block has 20 rows"
     shifted = complaint(shell, line, CIRCLE[:495] + CIRCLE[496:])
     assert shifted == f"{line}: standard input: frame 499: {row_19}"

@@ -98,7 +98,7 @@ def test_a_punched_tape_is_saved_torn_off_and_read(tab: Tab) -> None:
 
 
 def test_a_file_dropped_on_the_page(tab: Tab) -> None:
-    """ASCII goes into the reader, EIA to the mill, a source into the editor, which opens; their names are only text."""
+    """ASCII goes into the reader, EIA to the mill, a source into the editor, shown; their names are text."""
     drop(tab, "<b>mine.asc", b"\xb1\xb2\xb3\x8d\x8a")
     tab.until("workbench.machine.teletype.reader.tape.length === 5")
     assert "<b>mine.asc" in tab.run("return document.querySelector('#reader .name').textContent")
