@@ -24,6 +24,7 @@ import { marks } from "./bench/marker.mjs";
 import { Mill } from "./bench/mill.mjs";
 import { Parts } from "./bench/parts.mjs";
 import { Programs } from "./bench/programs.mjs";
+import { rest } from "./bench/rest.mjs";
 import { LONGEST, linked, opened, shortened, whole } from "./bench/sharing.mjs";
 import { Shelf } from "./bench/shelf.mjs";
 import { Sound } from "./bench/sound.mjs";
@@ -283,6 +284,7 @@ async function start() {
   const bench = new Bench(await unpacked(find("record").textContent));
   embed(bench.tabs);
   enlargeable();
+  rest();
   await bench.open();
   // For the curious, at the browser's console: workbench.machine.core[0o200] ...
   window.workbench = bench;

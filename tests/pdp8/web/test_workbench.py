@@ -252,6 +252,19 @@ def test_an_embedded_pane(browser: "Browser", file: Path) -> None:
     opened.close()
 
 
+def test_a_screen_that_nobody_touches_begins_afresh(browser: "Browser", file: Path) -> None:
+    opened = browser.new_page()
+    opened.goto(f"{file.as_uri()}?rest=1")
+    opened.evaluate(
+        "window.visitor = setInterval(() => document.dispatchEvent(new PointerEvent('pointermove')), 100)"
+    )
+    opened.wait_for_timeout(1200)
+    assert opened.evaluate("!!window.visitor")
+    with opened.expect_navigation():
+        opened.evaluate("clearInterval(visitor)")
+    opened.close()
+
+
 def test_idle_costs_nothing(page: "Page") -> None:
     """A machine that stands still, or waits for a key that nobody presses, draws no picture."""
     _write(page, "*200\n\tKSF\n\tJMP .-1\n\tHLT\n$\n")
