@@ -112,7 +112,7 @@ def test_a_file_dropped_on_the_page(tab: Tab) -> None:
 
 
 def test_what_is_typed_after_coming_back_is_kept(tab: Tab) -> None:
-    """The page is left and shown again, still alive: what was typed before does not replace what came after."""
+    """The page is left and shown again: what was typed before does not replace what came after."""
     tab.run(
         "const { editor, programs } = workbench; const { name } = editor;"
         "editor.text = '/ AS IT WAS LEFT'; dispatchEvent(new Event('pagehide'));"
