@@ -172,3 +172,11 @@ def test_a_breakpoint_after_a_skip_stops(skip: str) -> None:
     m.watch.breakpoints = {0o205}
     assert m.run(seconds=0.01).reason == "breakpoint"
     assert (m.pc, m.instructions, m.ac) == (0o205, 4, 0)
+
+
+def test_the_first_instruction_of_a_subroutine_is_a_breakpoint() -> None:
+    """JMS 210 leaves the return address at 0210 and goes on at 0211."""
+    m = machine("7000 7000 4210", at_211=0o7001, at_212=0o7402)
+    m.watch.breakpoints = {0o211}
+    assert m.run(seconds=0.01).reason == "breakpoint"
+    assert (m.pc, m.instructions, m.ac) == (0o211, 3, 0)

@@ -81,3 +81,18 @@ def test_a_hundred_seconds_of_waiting_are_passed_over() -> None:
     m.run()
     assert m.ticks == pytest.approx(999 * 2_000_000 + 1_545_455, abs=500)
     assert m.instructions > 30_000_000
+
+
+def test_a_flag_is_waited_for_at_the_end_of_core() -> None:
+    """KSF at 7777, JMP I 2 at 0000, and HLT at 0001, where KSF skips to."""
+    m = machine({0o7777: 0o6031, 0: 0o5402, 1: 0o7402, 2: 0o7777})
+    m.start(0o7777)
+    m.teletype.keyboard.press(b"\301")
+    assert (m.run().reason, m.pc) == ("halt", 2)
+
+
+def test_a_tape_that_was_taken_out_does_not_run_out() -> None:
+    m = program(*octal("6031 5200"))
+    m.teletype.reader.load(b"")
+    m.teletype.reader.remove()
+    assert m.run().reason == "idle"

@@ -114,6 +114,14 @@ def test_blank_tape_between_sections_is_passed_over(gap: str) -> None:
     assert machine.core[0o300] == 0o2222
     to_the_trailer = [len(section.rstrip(b"\200")) + 1 for section in (first, second)]
     assert (done.frames, done.sections, done.words) == (sum(to_the_trailer), 2, 2)
+    assert " frames, 2 sections, 2 words; " in str(done)
+
+
+def test_the_switches_are_set_anew_before_start() -> None:
+    machine = Machine()
+    machine.load({0o200: 0o7604, 0o201: 0o7402})  # LAS, HLT
+    assert Operator(machine).start(0o200, 0o1234).reason == "halt"
+    assert machine.ac == 0o1234
 
 
 def test_a_word_where_the_loader_keeps_its_own_is_counted_as_missing() -> None:
