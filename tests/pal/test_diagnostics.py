@@ -3,6 +3,7 @@
 import pytest
 
 import pal
+from tests.conftest import case
 
 ONE_OF_EACH = """\
 *200
@@ -118,3 +119,31 @@ def test_a_byte_order_mark_is_no_character() -> None:
 def test_a_terminal_is_shown_no_control_codes_of_a_source(statement: str) -> None:
     for diagnostic in pal.assemble(f"*200\n\t{statement}\n$\n").diagnostics:
         assert not any(ord(character) < 0o40 and character not in "\t\n" for character in str(diagnostic))
+
+
+MEANT = {
+    "HLT": "HALT STOP",
+    "JMP": "JUMP BRA GOTO",
+    "JMS": "CALL JSR SUBR",
+    "TAD": "ADD LOAD LDA",
+    "DCA": "STORE STO",
+    "IAC": "INC",
+    "CLA": "CLEAR CLR",
+    "CIA": "NEG",
+    "CMA": "COM NOT",
+    "SKP": "SKIP",
+    "RAL": "ROL",
+    "RAR": "ROR",
+    "JMP I": "RETURN RET RTS",
+    "TEXT": "BYTE",
+    "*": "ORG",
+}
+"""What the 6502, the 68000, the PDP-11 and others write, by what PAL III has."""
+
+
+def test_what_other_machines_call_it_is_known() -> None:
+    for ours, others in MEANT.items():
+        for name in others.split():
+            with case(name):
+                said = [found.message for found in pal.assemble(f"\t{name}\n\tHLT\n$\n").diagnostics]
+                assert f"{name} is not defined: did you mean {ours}?" in said
