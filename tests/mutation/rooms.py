@@ -6,16 +6,11 @@ from pathlib import Path
 HOUSE = Path(__file__).parents[2]
 
 ROOMS = {
-<<<<<<< HEAD
     "tapes": (
         "tapes",
         ["tests/tapes", "tests/pdp8/cli/test_files.py", "tests/programs/test_functions.py"],
     ),
-    "pal": ("pal", ["tests/pal"]),
-=======
-    "tapes": ("tapes", ["tests/tapes", "tests/pdp8/cli/test_files.py"]),
     "pal": ("pal", ["tests/pal", "tests/test_editors.py", "tests/test_notebook.py"]),
->>>>>>> 50fb7e4 (pal: what a hover and a notebook show, seen by mutants too)
     "programs": ("programs", ["tests/programs"]),
     "nc": ("nc", ["tests/nc", "tests/tapes/test_hydrapoint.py"]),
     "lessons": ("pdp8/lessons", ["tests/pdp8/lessons", "tests/test_lesson_kit.py"]),
