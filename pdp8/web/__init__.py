@@ -5,6 +5,7 @@ bundle        modules, style and data in one file, and what that file may do; st
 
 workbench     the one page: the live machine, and the afternoon that plays on it
               workbench.mjs, its panes in bench/: a class NAME.mjs and a section NAME.html each
+record        what it has at hand, as JSON; kept: in the user's cache, while the sources are the same
 parts         the part programs' options, as the page asks for them
 curve         the page that teaches the method: curve.mjs, its figures in curve/
 shell.html    what is around every page   base.css             how it looks

@@ -186,7 +186,7 @@ def test_errors_on_one_long_line_are_excerpts_and_counted(shell: Shell, tmp_path
 
 
 def test_a_long_source_shows_a_bar_at_a_terminal(tmp_path: Path) -> None:
-    (tmp_path / "long.pal").write_text("*200\n" + "CLA\n" * 500_000 + "$\n")
+    (tmp_path / "long.pal").write_text("*200\n" + "1\n" * 1_000_000 + "$\n")
     terminal = commands.Terminal("pal", "long.pal", folder=tmp_path, TERM="xterm")
     terminal.until(b"assembling")
     assert terminal.ended() == 0
