@@ -14,7 +14,6 @@ import { escaped, find, grouped, octal } from "../written.mjs";
 import { limited } from "./budget.mjs";
 import { assembled, checked, findings } from "./checker.mjs";
 import { Counts } from "./counts.mjs";
-import { leave } from "./programs.mjs";
 
 const LONGEST = 200_000; // characters of a source that is taken
 const WIDEST = 400; // of a line that is drawn
@@ -126,7 +125,7 @@ export class Editor {
       if (target.dataset.back !== undefined) this.#turn(this.name);
     });
     addEventListener("pagehide", () => {
-      if (!this.area.readOnly && this.bench.programs.get(this.name) !== this.text) leave(this.name, this.text);
+      this.bench.programs.leave(this.name, this.area.readOnly ? this.bench.programs.get(this.name) : this.text);
     });
     addEventListener("pageshow", ({ persisted }) => persisted && this.bench.programs.resume()); // back, as it was left
   }

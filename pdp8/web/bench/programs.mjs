@@ -4,12 +4,7 @@
 import { keep, kept } from "./kept.mjs";
 
 const NAME = "pdp8";
-const LEFT = "pdp8 left"; // what was typed as the page was left, when IndexedDB has no time
-
-/** Keep a program while the page is being left. */
-export function leave(name, text) {
-  keep(LEFT, JSON.stringify([name, text]));
-}
+const LEFT = "pdp8 left"; // what was not yet written as the page was left, when IndexedDB has no time
 
 /** What IndexedDB makes of a request. */
 function done(request) {
@@ -22,6 +17,7 @@ function done(request) {
 export class Programs {
   constructor() {
     this.texts = new Map();
+    this.unwritten = new Map(); // {name: text, or null for one that goes}: what IndexedDB has not confirmed
     this.refused = ""; // why this browser keeps nothing
   }
 
@@ -40,11 +36,19 @@ export class Programs {
     }
   }
 
-  /** Keep what was typed as the page was left; it is not needed again. */
+  /** Keep what was not yet written as the page was left; it is not needed again. */
   resume() {
-    const left = kept(LEFT);
-    if (left) this.keep(...JSON.parse(left));
+    for (const [name, text] of JSON.parse(kept(LEFT) || "[]")) {
+      if (text === null) this.remove(name);
+      else this.keep(name, text);
+    }
     keep(LEFT, "");
+  }
+
+  /** The page is being left: keep what is not yet written, and `name` if it is not as it is typed. */
+  leave(name, text) {
+    if (this.get(name) !== text) this.unwritten.set(name, text);
+    if (this.unwritten.size) keep(LEFT, JSON.stringify([...this.unwritten]));
   }
 
   #store(mode) {
@@ -62,12 +66,12 @@ export class Programs {
   /** Keep a program, in place of what it was. */
   keep(name, text) {
     this.texts.set(name, text);
-    return this.#write((store) => store.put(text, name));
+    return this.#write(name, text);
   }
 
   remove(name) {
     this.texts.delete(name);
-    return this.#write((store) => store.delete(name));
+    return this.#write(name, null);
   }
 
   /** Keep a program that comes from elsewhere, under a free name if its own is another's; return the name. */
@@ -79,9 +83,16 @@ export class Programs {
     return free;
   }
 
-  async #write(change) {
+  async #write(name, text) {
+    if (!this.base) return;
+    this.unwritten.set(name, text);
     try {
-      if (this.base) await done(change(this.#store("readwrite")));
+      const { transaction } = text === null ? this.#store("readwrite").delete(name) : this.#store("readwrite").put(text, name);
+      await new Promise((resolve, reject) => {
+        transaction.oncomplete = resolve;
+        transaction.onabort = () => reject(transaction.error);
+      });
+      if (this.unwritten.get(name) === text) this.unwritten.delete(name);
     } catch (error) {
       this.refused = String(error?.message ?? error);
     }

@@ -433,7 +433,8 @@ export const format = (of, spec) => {
   let [sign, body] = ["", number ? "" : str(of)];
   if (number) {
     const size = Math.abs(of);
-    sign = of < 0 || Object.is(+of, -0) ? "-" : plus === "+" ? "+" : "";
+    const float = of instanceof Number || "fg%".includes(kind ?? " "); // a whole number has no -0
+    sign = of < 0 || (float && Object.is(+of, -0)) ? "-" : plus === "+" ? "+" : "";
     if (kind === "o" || kind === "x") body = size.toString(kind === "o" ? 8 : 16);
     else if (kind === "f") body = fixed(size, +places);
     else if (kind === "%") body = `${fixed(size * 100, +places)}%`;

@@ -143,7 +143,7 @@ def wide_numbers() -> Any:
     return [
         ticks >> 26, ticks & 0o17777, ticks % 4093, ticks // 3, -ticks // 3, least >> 3, least & 0xFFFF, least // 7,
         least % 7, limit << 13, limit >> 26, ticks | 1 << 40, ticks ^ (1 << 51), ~ticks, ticks < NEVER,
-        min(NEVER, ticks), NEVER == 1 << 62, f"{ticks:o} {ticks:,} {NEVER}", ticks.bit_length(), abs(least),
+        min(NEVER, ticks), NEVER == 1 << 62, f"{ticks:o} {ticks:,} {NEVER} {-(ticks & 0):o}", ticks.bit_length(), abs(least),
     ]  # fmt: skip
 
 
