@@ -4,11 +4,16 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 
 import programs  # noqa: F401 - its files go on the shelf
 from tests import commands
+from tests.pdp8.web.chromium import CHROMIUM, launched
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 if sys.platform == "win32":  # signals, terminals, devices, links and modes are of POSIX
     collect_ignore = [
@@ -62,3 +67,13 @@ def assert_same_tape(ours: bytes, expected: bytes) -> None:
         f"tapes of {len(ours)} and {len(expected)} frames differ first at frame {at}: "
         f"{holes(there)} where {holes(here)} was expected"
     )
+
+
+@pytest.fixture(scope="session")
+def browser() -> "Iterator[Browser]":
+    """A headless Chromium; Playwright runs once in a process."""
+    pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    if CHROMIUM is None:
+        pytest.skip("Chromium is not installed")
+    with launched() as chromium:
+        yield chromium

@@ -8,6 +8,7 @@ import os
 import struct
 import zlib
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
@@ -17,9 +18,11 @@ cv2 = pytest.importorskip("cv2", reason="OpenCV is not installed")
 from tapes import correction, photograph, shelf  # noqa: E402
 from tapes.errors import TapeError  # noqa: E402
 from tests.conftest import Shell  # noqa: E402
-from tests.pdp8.web.chromium import CHROMIUM, opened  # noqa: E402
 from tests.tapes import camera, scenes, survey  # noqa: E402
 from tests.tapes.camera import Shot  # noqa: E402
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 PART = 60
 """Frames of a test's tape: less than a whole strip, so that the tests are quick."""
@@ -189,22 +192,23 @@ def test_the_command_says_a_gap_and_the_other_side(shell: Shell, tmp_path: Path)
     assert "sense" not in said
 
 
-@pytest.mark.skipif(CHROMIUM is None, reason="Chromium is not installed")
 @pytest.mark.slow("starts Chromium")
-def test_on_the_page_a_doubtful_frame_is_corrected(tmp_path: Path) -> None:
-    pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+def test_on_the_page_a_doubtful_frame_is_corrected(browser: "Browser", tmp_path: Path) -> None:
     tape = shelf.read("circle.asc")[:PART]
     content = camera.photograph(tape, Shot(covered=(40,)))
     read = correction.Reading([correction.Picture("strip.jpg", content, photograph.read(content))])
     number = next(number for number, frame, _ in read.frames if frame.why == photograph.UNSEEN)
-    with opened(tmp_path, correction.page(read)) as page:
-        page.get_by_role("button", name=f"{number}: ").click()
-        page.get_by_title("channel 8").click()
-        saved = {}
-        for button in ("Save the tape", "Save the record of corrections"):
-            with page.expect_download() as download:
-                page.get_by_text(button).click()
-            saved[button] = Path(download.value.path()).read_bytes()
+    file = tmp_path / "page.html"
+    file.write_text(correction.page(read), encoding="utf-8")
+    page = browser.new_page()
+    page.goto(file.as_uri())
+    page.get_by_role("button", name=f"{number}: ").click()
+    page.get_by_title("channel 8").click()
+    saved = {}
+    for button in ("Save the tape", "Save the record of corrections"):
+        with page.expect_download() as download:
+            page.get_by_text(button).click()
+        saved[button] = Path(download.value.path()).read_bytes()
     mended = bytearray(read.tape)
     mended[number] ^= 0o200
     assert saved["Save the tape"] == mended
