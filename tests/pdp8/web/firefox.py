@@ -117,7 +117,8 @@ def opened(folder: Path, html: str) -> Iterator[Firefox]:
         port = free.getsockname()[1]
     (folder / "user.js").write_text(
         f'user_pref("marionette.port", {port});\n'
-        'user_pref("browser.download.alwaysOpenPanel", false);\n'  # it would take the keyboard's focus
+        'user_pref("browser.download.alwaysOpenPanel", false);\n'  # it would take the keyboard's focus,
+        'user_pref("browser.download.panel.shown", true);\n'  # at the first download too
         'user_pref("browser.download.folderList", 2);\n'
         f'user_pref("browser.download.dir", "{folder}");\n'
         'user_pref("remote.prefs.recommended", false);\n'  # they let all files on disk share what is kept

@@ -20,6 +20,9 @@ _ALL = f"{CUT} {LOADED} {WRONG} {OPEN}"
 _OF_A_FAMILY = 12
 """How many are tried of those that are alike: all the switches, some of the words of core."""
 
+_ENOUGH = 3
+"""So many that do nothing end the test: each of them takes a minute."""
+
 _FOUND = """(selectors) => {
   const controls = "button, input:not([hidden]), select, textarea, summary, a[href], [tabindex='0']";
   return [...document.querySelectorAll(controls)].map((control) =>
@@ -69,6 +72,7 @@ def test_every_control_works(tab: Tab, way: str) -> None:
                 tab.until(f"JSON.stringify({control.watch}) !== window.earlier")
             except AssertionError:
                 idle.append((selector, which, control.watch, tab.run("return window.earlier")))
+                assert len(idle) < _ENOUGH, idle
     assert not idle, "\n".join(map(str, idle))
 
 
