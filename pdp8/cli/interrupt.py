@@ -16,7 +16,7 @@ class CtrlC:
         self._on_press = on_press
 
     def press(self, number: int, frame: FrameType | None) -> None:
-        """Take the signal; the second one raises KeyboardInterrupt, for whoever does not look."""
+        """Take the signal; the second one raises KeyboardInterrupt, for code that does not look."""
         if self.pressed:
             raise KeyboardInterrupt
         self.pressed = True

@@ -237,9 +237,9 @@ class Machine:
         run ended. Until then the reason is `limit`.
 
         A slice takes some twentieth of a second of real time, but `shortest` to `longest` seconds of machine
-        time: whoever runs the machine can look at it in between, press keys, STOP too, or leave the loop. A
-        program that waits for what can never come ends the run, unless `through_waits`: then whoever presses
-        a key, or lets time pass with `wait`, has it go on.
+        time: the caller can look at it in between, press keys, STOP too, or leave the loop. A program that
+        waits for what can never come ends the run, unless `through_waits`: then it goes on when the caller
+        presses a key, or lets time pass with `wait`.
         """
         last = NEVER if seconds is None else self.ticks + _ticks(seconds)
         slice_ = min(max(_FIRST, shortest), longest)

@@ -223,7 +223,7 @@ class Room(App[None]):
         self.look()
 
     def action_rim(self) -> None:
-        """Toggle the RIM loader in; in a drill that is left to whoever drills."""
+        """Toggle the RIM loader in; in a drill the user does it."""
         if self.coach is not None:
             self.notify("in a drill you toggle it in yourself")
             return

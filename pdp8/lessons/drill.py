@@ -5,7 +5,7 @@
     boot      a morning from cold: RIM, BIN, the program, and AC 0000
 
 A key that is not the card's next one is not pressed: the coach says what is wrong, and the machine stays as
-it is. So nobody gets stuck; whoever wants to can begin again at any time. At a kiosk, a drill that is left
+it is. So nobody gets stuck; one can begin again at any time. At a kiosk, a drill that is left
 alone begins again by itself.
 """
 

@@ -119,7 +119,7 @@ def _question(given: object, where: str) -> Question:
     if isinstance(answer, tuple):
         return Question(answer=answer, **found)
     if (unit := found.get("unit", "")) and not values.known(unit):
-        raise ExerciseError(f"{where}: unit: {unit!r} is none of {', '.join(values.UNITS)}")
+        raise ExerciseError(f"{where}: unit: {unit!r} is not one of {', '.join(values.UNITS)}")
     return Question(number=answer, **found)
 
 

@@ -40,7 +40,7 @@ PROGRAMS: Final = ("rim.pal", "bin.pal", "eia.pal")
 """What is read beside the part program: the sources of the two loaders and of the translation."""
 
 _SLICE: Final = 10
-"""Seconds of machine time after which whoever lets the day pass can look at it."""
+"""Seconds of machine time after which the caller can look at the day."""
 
 
 def clock(tick: int) -> str:
@@ -127,7 +127,7 @@ class Day:
         self.began = monotonic()
 
     def through(self) -> Iterator[None]:
-        """Do it all; stop now and then so that whoever asks can look, or do something else.
+        """Do it all; stop now and then so that the caller can look, or do something else.
 
         Raises WorkError, naming its place, where something goes wrong, as it would have in 1971.
         """

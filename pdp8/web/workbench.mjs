@@ -236,7 +236,7 @@ class Bench {
     return this.say(`a link would have ${grouped(link.length)} characters, and ${grouped(LONGEST)} are allowed: here is a file instead`);
   }
 
-  /** Give a link to whoever asked for it. */
+  /** Give the link that was asked for. */
   async give(link) {
     history.replaceState(null, "", link);
     try {

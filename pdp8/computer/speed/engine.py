@@ -11,8 +11,8 @@ stops, interrupts, and the last instruction before a run ends, which lights the 
     piece ─► does the program only wait? ─► one instruction of the processor ─► does it wait? ─► piece ...
 
 where a piece (piece.py) goes on until something is due (a flag under ION, the end of the run) or such an
-instruction comes. Every store, whoever does it, clears the decoded form of its word. ISZ X, JMP .-1 is
-counted down at once, as far as the piece goes.
+instruction comes. Every store, by the program or from outside, clears the decoded form of its word. ISZ X,
+JMP .-1 is counted down at once, as far as the piece goes.
 
 This file runs as it is; Cython compiles it with the types in engine.pxd beside it.
 

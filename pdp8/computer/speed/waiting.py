@@ -108,7 +108,7 @@ class Waiting:
     def _remember(self) -> None:
         """Remember the state of the machine, to recognize it."""
         p = self.processor
-        self.quiet_until = p.bus.next_event(p.clock)  # first: whoever sees a frame now may set the machine
+        self.quiet_until = p.bus.next_event(p.clock)  # first: what sees a frame now may set the machine
         self.pc, self.lac = p.pc, p.lac
         self.sr, self.mem_prot, self.ion = p.sr, p.mem_prot, p.ion
         self.actions = p.bus.actions
@@ -147,7 +147,7 @@ class Waiting:
         and so is every one whose first turn is watched.
         """
         p = self.processor
-        event = p.bus.next_event(p.clock)  # whoever sees a frame now may have stopped the machine, or set it
+        event = p.bus.next_event(p.clock)  # a device that saw a frame may have stopped the machine, or set it
         if self.turn_first or event == NEVER or not p.run or p.next != FETCH or p.ion != p.ion_delayed:
             return False
         word, behind = self._words[p.pc], p.pc + 1 & 0o7777
@@ -218,7 +218,7 @@ class Waiting:
 
     def _turn_again(self, ticks: int, count: int) -> None:
         """Run the last turn once more in its own time, so that the lamps are those of the instruction that
-        ended it, whoever ran it.
+        ended it, however it was run.
         """
         p = self.processor
         p.clock -= ticks

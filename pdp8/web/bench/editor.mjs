@@ -43,7 +43,7 @@ export class Editor {
     return this.area.value;
   }
 
-  /** Write the program anew. Throws for one that is longer than a page can take. */
+  /** Replace the program. Throws for one that is longer than a page can take. */
   set text(text) {
     bounded(text);
     this.area.value = text;

@@ -106,7 +106,7 @@ function told({ character, rows, punched, waited }, listing) {
   const seven = character & 0o177;
   const reduced = (seven + 0o7720) & 0o7777;
   const signed = reduced > 0o3777 ? `−${(0o10000 - reduced).toString(8)}` : reduced.toString(8);
-  const end = punched === null ? "it is none of the twelve: <b>nothing is punched</b>" : `punch <b>${octal(punched, 3)}</b>, ${escaped(eia.name(punched))} in EIA`;
+  const end = punched === null ? "it is not one of the twelve: <b>nothing is punched</b>" : `punch <b>${octal(punched, 3)}</b>, ${escaped(eia.name(punched))} in EIA`;
   const steps = `<b>${escaped(shown(character))}</b> arrives as ${octal(character, 3)}; without channel 8, ${octal(seven, 3)}; less 60, ${signed}; ${end}. All numbers octal.`;
   const body = rows.map(({ address, word, ac }) => `<tr><td>${octal(address)}</td><td>${octal(word)}</td><td>${escaped(source(listing, address, word))}</td><td>${octal(ac)}</td></tr>`).join("");
   return `${steps} <details><summary>${rows.length} instructions, and ${waited} more that only wait for the Teletype</summary><table><thead><tr><th>at</th><th>word</th><th>instruction</th><th>AC after</th></tr></thead><tbody>${body}</tbody></table></details>`;

@@ -155,7 +155,7 @@ class Expressions(Types):
 
     def _number(self, node: ast.expr, value: int) -> str:
         if int(float(value)) != value:
-            self.fail(node, f"{value} is no number of JavaScript's, exact to 2^53")
+            self.fail(node, f"{value} is beyond 2^53, to which JavaScript is exact")
         return f"({value})" if value < 0 else str(value)
 
     def binary(self, operator: ast.operator, left: tuple[str, ast.expr], right: tuple[str, ast.expr]) -> str:
