@@ -1,0 +1,38 @@
+"""What is kept in the user's cache is taken from there while it holds, and made again else."""
+
+from pathlib import Path
+
+import pytest
+
+from pdp8.web.kept import kept
+
+
+@pytest.fixture
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The cache's folder."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    return tmp_path / "pdp8"
+
+
+def test_what_is_kept_is_not_made_again(cache: Path) -> None:
+    """Not for the same content; for another it is, and replaces what was kept."""
+    assert kept("page", "a", lambda: {"made": 1}) == {"made": 1}
+    assert kept("page", "a", lambda: pytest.fail("made again")) == {"made": 1}
+    assert kept("other", "a", lambda: [2]) == [2]
+    assert kept("page", "b", lambda: {"made": 3}) == {"made": 3}
+    assert [path.name.split("-")[0] for path in sorted(cache.iterdir())] == ["other", "page"]
+
+
+def test_a_damaged_cache_is_made_again(cache: Path) -> None:
+    """A file that is cut off is replaced."""
+    kept("page", "a", lambda: {"made": 1})
+    (file,) = cache.iterdir()
+    file.write_text('{"made"')
+    assert kept("page", "a", lambda: {"made": 2}) == {"made": 2}
+    assert kept("page", "a", lambda: pytest.fail("made again")) == {"made": 2}
+
+
+def test_a_cache_that_cannot_be_written_is_done_without(cache: Path) -> None:
+    """A file stands where the folder should be."""
+    cache.write_text("")
+    assert kept("page", "a", lambda: {"made": 1}) == {"made": 1}
