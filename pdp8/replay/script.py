@@ -6,7 +6,7 @@
 
 A day leaves what the operator did and when, and a snapshot of its machine each ten seconds. An instant is the
 snapshot before it, the actions since done again, and the machine run on, as far as the last cycle that ended.
-Whoever wants to work at the machine in between says `leave`: the script sets it right when it goes on.
+Whoever wants to work at the machine takes a copy of it.
 """
 
 from bisect import bisect_left
@@ -53,8 +53,6 @@ class Script:
         self.now = 0
         self.done = 0
         """Actions done."""
-        self.left = False
-        """Whether somebody else is at the machine."""
         self._ticks: list[int] = []
         self._snapshots: list[_Snapshot] = []
         self._starts: list[int] = []
@@ -113,15 +111,11 @@ class Script:
         action = next(mounts, None)
         return str(action.value) if action else ""
 
-    def leave(self) -> None:
-        """Let somebody else work at the machine, from this instant on."""
-        self.left = True
-
     def to(self, tick: int) -> None:
         """Go to an instant."""
         tick = min(max(0, tick), self.end)
         nearest = bisect_left(self._ticks, tick + 1) - 1
-        if self.left or tick < self.now or self._ticks[nearest] > self.now:
+        if tick < self.now or self._ticks[nearest] > self.now:
             self._restore(nearest)
         self._advance(tick)
 
@@ -221,7 +215,7 @@ class Script:
     def _restore(self, at: int) -> None:
         snapshot = self._snapshots[at]
         self.machine.put(snapshot.values)
-        self.now, self.done, self.left = self._ticks[at], snapshot.done, False
+        self.now, self.done = self._ticks[at], snapshot.done
 
     def _advance(self, tick: int) -> None:
         while self.done < len(self.day.actions) and self.day.actions[self.done].at <= tick:

@@ -17,7 +17,7 @@ import { Doors } from "./bench/doors.mjs";
 import { Editor } from "./bench/editor.mjs";
 import { Exercises } from "./bench/exercises.mjs";
 import { Figures } from "./bench/figures.mjs";
-import { HighSpeed } from "./bench/highspeed.mjs";
+import { fitted, HighSpeed } from "./bench/highspeed.mjs";
 import { History } from "./bench/history.mjs";
 import { keep, kept } from "./bench/kept.mjs";
 import { marks } from "./bench/marker.mjs";
@@ -138,12 +138,9 @@ class Bench {
 
   /** Load eia.pal with a tape in the reader, and an empty punch: what the exercises begin with. */
   translate(name) {
-    const { machine } = this;
     this.editor.open("eia.pal", this.shelf.get("eia.pal").frames);
-    this.editor.assemble();
-    machine.panel.stop();
-    machine.teletype.punch.frames.clear();
     this.editor.load();
+    this.machine.teletype.punch.frames.clear();
     this.teletype.mount(name);
   }
 
@@ -201,7 +198,7 @@ class Bench {
 
   #restore(text) {
     this.afternoon.takeOver();
-    this.machine = restore(text);
+    this.machine = fitted(restore(text));
     this.history.begin();
     this.touched();
   }

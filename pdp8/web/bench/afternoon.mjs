@@ -14,6 +14,7 @@ import { instructionAt } from "../meaning.mjs";
 import { over } from "../brightness.mjs";
 import { READABLE } from "../pictures.mjs";
 import { escaped, find } from "../written.mjs";
+import { fitted } from "./highspeed.mjs";
 import { codeOf } from "./shelf.mjs";
 
 const SAID = 8 * SECOND; // how long the operator's last action is shown
@@ -111,6 +112,7 @@ export class Afternoon {
     const { bench } = this;
     bench.history.end();
     bench.until.over();
+    find("counts").checked = false;
     this.on = true;
     this.program = null;
     bench.machine = this.script.machine;
@@ -128,7 +130,7 @@ export class Afternoon {
     if (!this.on) return;
     const { bench, script, playing } = this;
     this.on = this.playing = false;
-    script.leave();
+    bench.machine = fitted(script.machine);
     if (!playing) bench.machine.panel.stop();
     this.way = `<button class="text" data-return>Back to the afternoon, ${clock(script.now)}</button>`;
     this.address = null;

@@ -246,12 +246,14 @@ export class Editor {
   }
 
   #breakpoint(address) {
+    this.bench.afternoon.takeOver();
     const { breakpoints } = this.bench.machine.watch;
     if (!breakpoints.discard(address)) breakpoints.add(address);
     this.#draw();
   }
 
   #count(on) {
+    if (on) this.bench.afternoon.takeOver();
     this.counts = new Counts();
     this.bench.machine.watch.observer = on ? this.counts : null;
     this.#draw();

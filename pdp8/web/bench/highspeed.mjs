@@ -1,7 +1,15 @@
 // The PC8/L beside the Teletype: a tape from the shelf into its reader, and what its punch has punched.
 
 import * as kinds from "../../../tapes/kinds.mjs";
+import { Machine } from "../../computer/machine.mjs";
 import { find, grouped } from "../written.mjs";
+
+/** A machine as `machine` is, with a PC8/L. */
+export function fitted(machine) {
+  const copy = new Machine(true);
+  copy.put(machine.values());
+  return copy;
+}
 
 export class HighSpeed {
   constructor(bench) {
@@ -37,12 +45,9 @@ export class HighSpeed {
   }
 
   show() {
-    const { machine: { highspeed }, writer } = this.bench;
-    const frames = highspeed?.punch.frames ?? [];
-    const tape = highspeed?.reader.loaded ? `${grouped(highspeed.reader.position)} of ${grouped(highspeed.reader.tape.length)}` : "no tape";
-    writer.text(find("pc8-reader"), highspeed ? tape : "not fitted");
+    const { machine: { highspeed: { punch: { frames }, reader } }, writer } = this.bench;
+    writer.text(find("pc8-reader"), reader.loaded ? `${grouped(reader.position)} of ${grouped(reader.tape.length)}` : "no tape");
     writer.text(find("pc8-punch"), `${grouped(frames.length)} frames punched`);
     if (find("pc8-tear").disabled === frames.length > 0) find("pc8-tear").disabled = !frames.length;
-    if (find("pc8-shelf").disabled === Boolean(highspeed)) find("pc8-shelf").disabled = !highspeed;
   }
 }

@@ -14,13 +14,13 @@ export class Until {
   over() {}
 }
 
-/** Until `watched`, breakpoints or words that are written, has an address, and `met()` holds. */
+/** Until an address is met that is in `places`, breakpoints or words that are written, and `met()` holds. */
 class Watched extends Until {
-  constructor(watched, address, met) {
+  constructor(places, address, met) {
     super();
-    const had = watched.has(address);
-    watched.add(address);
-    this.over = () => had || watched.discard(address);
+    const had = places.has(address);
+    places.add(address);
+    this.over = () => had || places.discard(address);
     this.met = met;
   }
 

@@ -57,7 +57,7 @@ function extreme(errors) {
   return errors.reduce((most, error) => (Math.abs(error) > Math.abs(most) ? error : most), errors[0]);
 }
 
-export function readingAt(errors, degrees, reach) {
+function readingAt(errors, degrees, reach) {
   const [from, to] = [degrees - reach, degrees + reach].map((angle) => Math.round((angle * STATIONS) / 360));
   const seen = [];
   for (let station = from; station <= to; station++) seen.push(errors[(station + STATIONS) % STATIONS]);

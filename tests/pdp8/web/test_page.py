@@ -482,6 +482,23 @@ def test_taken_over_and_finished(page: "Page", circle: Afternoon) -> None:
     assert bytes(page.evaluate("workbench.machine.teletype.punch.frames")) == circle.tapes["circle.eia"]
 
 
+def test_who_takes_over_has_all_of_the_machine(page: "Page", circle: Afternoon) -> None:
+    """A tape for the PC8/L, which the afternoon has not; a breakpoint in the listing, and the run stops there."""
+    _go(page, _translating(circle))
+    line = page.locator("#gutter button").first
+    address = line.inner_text()
+    line.click()
+    assert not page.evaluate("workbench.afternoon.on")
+    page.locator("[data-key=cont]").click()
+    until(page, "!workbench.machine.processor.run")
+    assert page.locator("#why").inner_text() == f"breakpoint at {address}"
+    page.locator("#pc8 summary").click()
+    page.locator("#pc8-shelf").select_option("circle.asc")
+    page.evaluate("workbench.machine.load([[8, 0o6014], [9, 0o6011], [10, 0o5011], [11, 0o7402]])")
+    page.evaluate("workbench.machine.start(8); workbench.machine.run(); workbench.touched();")
+    assert page.locator("#pc8-reader").inner_text().startswith("1 of ")
+
+
 def test_back_to_the_afternoon(page: "Page", circle: Afternoon) -> None:
     """What was done in between is undone: the machine is at the instant at which it was taken over."""
     tick = _take_over(page, circle)
