@@ -3,6 +3,7 @@ r"""The words of a line: separated by spaces, or quoted; `#` begins a comment.
 expect "A    B\r"      ->  expect, A    B RETURN      \r \n \f \t \a \e \\ \" and three octal digits
 """
 
+import re
 from collections.abc import Sequence
 
 from tapes.errors import WorkError
@@ -35,8 +36,8 @@ class Quoted(str):
 
 def command(line: str) -> tuple[str, str]:
     """Return the name of a command, "" for none, and what stands after it."""
-    name = line.split("#", 1)[0].split(maxsplit=1)[:1]
-    return ("", "") if not name else (name[0], line.lstrip()[len(name[0]) :])
+    name, *_ = line.partition("#")[0].split() or ("",)
+    return name, line.lstrip()[len(name) :]
 
 
 def split(line: str) -> list[str]:
@@ -80,10 +81,9 @@ def _quoted(line: str, at: int) -> tuple[Quoted, int]:
 
 
 def _escape(line: str, at: int) -> tuple[str, int]:
-    digits = line[at : at + 3]
-    if len(digits) == 3 and not digits.strip("01234567") and int(digits, 8) <= 0o377:
-        code = int(digits, 8)
-        return chr(code if code < 0o200 else FRAME + code), at + 3
+    if digits := re.compile("[0-3][0-7]{2}").match(line, at):
+        code = int(digits[0], 8)
+        return chr(code if code < 0o200 else FRAME + code), digits.end()
     if line[at : at + 1] in _ESCAPES:
         return _ESCAPES[line[at]], at + 1
     raise MonitorError(

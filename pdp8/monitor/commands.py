@@ -82,8 +82,6 @@ COMMANDS = {
 def find(word: str) -> Command:
     """Return the command that `word` names or begins. Raises MonitorError."""
     word = word.lower()
-    if not word.isprintable():
-        raise MonitorError(f"{word!r}: no such command; help tells which there are")
     if word in COMMANDS:
         return COMMANDS[word]
     found = [command for name, command in COMMANDS.items() if name.startswith(word)]
@@ -93,4 +91,4 @@ def find(word: str) -> Command:
         return found[0]
     if found:
         raise MonitorError(f"{word}: {', '.join(command.name for command in found)}?")
-    raise MonitorError(f"{word}: no such command; help tells which there are")
+    raise MonitorError(f"{word!r}: no such command; help tells which there are")

@@ -74,7 +74,7 @@ def _refused(monitor: Monitor) -> str:
     if not machine.panel.lamps.run:
         return "the machine stands still"
     why = ""
-    actions, places = 0, list[int]()
+    actions, places = machine.bus.actions, list[int]()
     for stop in slices(monitor, _PATIENCE, GLANCE):
         places = [*places[1 - _GLANCES :], stop.pc] if machine.bus.actions == actions else []
         actions = machine.bus.actions

@@ -168,7 +168,7 @@ def slices(monitor: Monitor, limit: float, longest: float = _SLICE) -> Iterator[
     tape_out = True
     while tape_out:
         tape_out = False
-        for stop in machine.slices((end - machine.ticks) / TICKS_PER_SECOND, min(longest, 0.05), longest):
+        for stop in machine.slices((end - machine.ticks) / TICKS_PER_SECOND, GLANCE, longest):
             tape_out = stop.reason is Reason.TAPE_OUT and bool(monitor.waiting_tapes)
             if not tape_out:
                 yield stop

@@ -85,9 +85,25 @@ def test_keys_pressed_without_waiting_are_lost_where_the_program_prints() -> Non
 
 def test_keys_alone_are_texts_and_codes() -> None:
     monitor = started(LISTEN, PRINT)
-    monitor.do(r'keyboard a "B c" CR "\n\f\177\e\a\"\\\003\301\034\r\t" # a comment')
+    monitor.do(r'keyboard a "B c" CR "\n\f\177\e\a\"\\\003\301\034\r\t\377\200" # a comment')
     monitor.do("wait 1")
-    codes = [0o215, 0o212, 0o214, 0o377, 0o375, 0o207, 0o242, 0o334, 0o203, 0o301, 0o234, 0o215, 0o211]
+    codes = [
+        0o215,
+        0o212,
+        0o214,
+        0o377,
+        0o375,
+        0o207,
+        0o242,
+        0o334,
+        0o203,
+        0o301,
+        0o234,
+        0o215,
+        0o211,
+        0o377,
+        0o200,
+    ]
     assert stored(monitor) == [*frames("AB C"), *codes]
 
 
@@ -99,12 +115,20 @@ def test_keys_come_after_what_is_on_the_tape() -> None:
     assert stored(monitor) == [1, 2, 3, *frames("A\r")]
 
 
+def test_a_program_that_counts_in_eight_words_asks_at_the_eighth_glance() -> None:
+    monitor = Monitor(lambda line: None)
+    monitor.do("deposit 200 7001 5207 0 0 0 0 0 5200")
+    monitor.do("go 200 0.1")
+    monitor.do("keyboard A")
+    assert monitor.machine.elapsed == pytest.approx(0.1 + 8 * 0.05, abs=1e-5)
+
+
 @pytest.mark.parametrize(
     ("program", "why"),
     [
         ("6031 5200 6036 7402", "halt; 1 key of 3 sent"),
         ("5200", "idle; no keys of 3 sent"),
-        (f"{'7000 ' * 100}2177 5200 5200", "60 s have passed; no keys of 3 sent"),
+        ("7001 5210 0 0 0 0 0 0 5200", "60 s have passed; no keys of 3 sent"),
         ("6031 5200 5202", "idle; 1 key of 3 sent"),
     ],
 )

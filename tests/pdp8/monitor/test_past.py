@@ -3,7 +3,6 @@
 import pytest
 
 from pdp8.computer.use import program
-from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
 from tapes import ascii
 from tapes.errors import WorkError
@@ -85,7 +84,6 @@ def test_what_was_set_goes_back_too(monitor: Monitor) -> None:
         ("back until 7000 written", "nothing was written at 7000 as far as the history goes back"),
         ("back until 7000", "nothing was executed at 7000"),
         ("back until 01 flag", "device 01 is not fitted"),
-        ("back 1 block now", "expected, and no more: now"),
     ],
 )
 def test_what_cannot_be_undone_is_said_and_nothing_changes(
@@ -95,10 +93,3 @@ def test_what_cannot_be_undone_is_said_and_nothing_changes(
     with pytest.raises(WorkError, match=complaint):
         monitor.do(line)
     assert (monitor.machine.instructions, monitor.machine.teletype.punch.tape) == stands
-
-
-def test_b_is_break_still(monitor: Monitor) -> None:
-    monitor.do("b 200")
-    assert monitor.machine.watch.breakpoints == {0o200}
-    with pytest.raises(MonitorError):
-        monitor.do("ba k")

@@ -139,6 +139,29 @@ def test_a_file_that_hides_a_bundled_one_is_named(
     assert said[0] == "eia.pal is the file in this folder, not the bundled one of that name"
 
 
+@pytest.mark.parametrize("command", ["load", "boot"])
+def test_what_is_odd_about_a_tape_is_said(
+    monitor: Monitor, said: list[str], tmp_path: Path, command: str
+) -> None:
+    (tmp_path / "text").write_bytes(b"12\n34\n")
+    (tmp_path / "bin").write_bytes(
+        bytes([*[0o200] * 16, 0o102, 0o000, 0o074, 0o002, 0o000, 0o001, *[0o200] * 16])
+    )
+    do(monitor, f"reader {tmp_path}/text")
+    assert said[-1].startswith(f"{tmp_path}/text has line feeds but no carriage returns")
+    do(monitor, f"{command} {tmp_path}/bin force")
+    assert said[-1].startswith(f"{tmp_path}/bin: ")
+    assert said[-1].endswith("; loaded as far as it can be read")
+    assert monitor.machine.core[0o200] == 0o7402
+
+
+def test_an_address_is_a_symbol_by_its_first_six_letters_plus_or_minus(
+    monitor: Monitor, said: list[str]
+) -> None:
+    do(monitor, f"load {SOURCE}", "examine SECONDLY SECOND-1 SECOND-1+2 0-1")
+    assert [line[:10] for line in said[-4:]] == ["0243  0254", "0242  0243", "0244  0320", "7777  0000"]
+
+
 def test_a_wrong_state_is_named(monitor: Monitor) -> None:
     with pytest.raises(WorkError, match=r"^circle\.asc: byte 0: not UTF-8$"):
         do(monitor, "restore circle.asc")
@@ -154,22 +177,21 @@ def test_a_wrong_state_is_named(monitor: Monitor) -> None:
         ('keyboard now "É"', "É: a Model 33 has no such key"),
         ('keyboard "A', 'a quote (") has no other to end it'),
         (r'keyboard "\x"', r"\x: the escapes are"),
+        (r'keyboard "\400"', r"\4: the escapes are"),
         ("keyboard now", "a text expected"),
         ("set mem_prot yes", "yes: mem_prot is 0 or 1, off or on"),
         ("set ir 77", "77: not between 0 and 7"),
         ("set link 2", "2: not between 0 and 1"),
-        ("go 200 1 2", "seconds, or until TEXT, expected, and no more: 2"),
-        ("cont 1 2", "expected, and no more"),
-        ("step 1 2", "expected, and no more"),
         ("fast-reader circle.asc", "no high-speed reader and punch are fitted"),
         ("fast-punch x", "no high-speed reader and punch are fitted"),
         ("load eia.pal twice", "twice: after the name nothing but force"),
         ('expect ""', "a text expected"),
         ("until X no times", "no: how many times"),
         ("page all", "nothing, or more, expected"),
-        ("quit now", "nothing expected, and no more: now"),
         ("examine NOPE", "NOPE: no octal number, and no program is named: `listing PROGRAM` names one"),
+        ("examine 20:17", "20:17: 0017 lies before 0020"),
         ("wait -1", "-1: not between 0 and 1e9 seconds"),
+        ("wait 1000000001", "1000000001: not between 0 and 1e9 seconds"),
     ],
 )
 def test_what_is_wrong_is_an_error_and_changes_nothing(monitor: Monitor, line: str, message: str) -> None:
@@ -190,7 +212,7 @@ def test_the_page_shows_marks_and_goes_on(monitor: Monitor, said: list[str]) -> 
 
 
 def test_the_first_page_more_is_all_of_it(monitor: Monitor, said: list[str]) -> None:
-    do(monitor, "deposit 200 7300 1204 6046 7402 0301", "go 200", "wait 1", "page more")
+    do(monitor, "deposit 200 7300 1204 6046 7402 0301", "go 200", "wait 1", "page more", "expect A")
     assert said[-1] == "A"
 
 
