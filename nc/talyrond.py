@@ -19,14 +19,14 @@ from nc.inspection import Inspection, runs
 from tapes.errors import WorkError
 from tapes.measure import inches
 
-_MAGNIFICATIONS = (1000, 500, 200, 100, 50, 20, 10, 5, 2, 1)
+_MAGNIFICATIONS = (100, 50, 20, 10, 5, 2, 1)
 _ROOM = 260.0
 _HUB = 45.0
 COLOURS = {"outer": "#0b4f9e", "inner": "#c62828"}
 
 
-def talyrond(inspection: Inspection, magnification: int | None = None, name: str = "Talyrond") -> str:
-    """Return the polar graph as SVG text, by default magnified 100 times or the largest factor that fits.
+def talyrond(inspection: Inspection, name: str = "Talyrond") -> str:
+    """Return the polar graph as SVG text, magnified 100 times or by the largest factor that fits.
 
     `name` opens its title. Raises WorkError if the curve is not closed.
     """
@@ -34,7 +34,7 @@ def talyrond(inspection: Inspection, magnification: int | None = None, name: str
         raise WorkError(
             f"the Talyrond measures closed curves; this is a {inspection.curve}: use the Talysurf"
         )
-    return _Graph(inspection, magnification or _fitting(inspection), name).svg()
+    return _Graph(inspection, name).svg()
 
 
 def _limits(inspection: Inspection) -> tuple[int, int]:
@@ -43,21 +43,17 @@ def _limits(inspection: Inspection) -> tuple[int, int]:
     return 5 * floor(float(np.nanmin(both)) / 5), 5 * ceil(float(np.nanmax(both)) / 5)
 
 
-def _fitting(inspection: Inspection) -> int:
-    low, high = _limits(inspection)
-    wanted = [m for m in _MAGNIFICATIONS if m <= 100]
-    return next((m for m in wanted if (high - low) * m / 10 <= _ROOM), wanted[-1])
-
-
 class _Graph:
     """The graph on its sheet; radii in hundredths of an inch of paper."""
 
-    def __init__(self, inspection: Inspection, magnification: int, name: str) -> None:
+    def __init__(self, inspection: Inspection, name: str) -> None:
         self.inspection, self.name = inspection, name
         self.low, self.high = _limits(inspection)
-        self.magnification = magnification
-        self.division = magnification / 10
-        self.rim = _HUB + (self.high - self.low) * self.division
+        divisions = self.high - self.low
+        fitting = (times for times in _MAGNIFICATIONS if divisions * times / 10 <= _ROOM)
+        self.magnification = next(fitting, _MAGNIFICATIONS[-1])
+        self.division = self.magnification / 10
+        self.rim = _HUB + divisions * self.division
         half = max(self.rim + 95, 370.0)
         self.x, self.y = half, self.rim + 175
         self.sheet = Sheet(2 * half, self.y + self.rim + 90, "Talyrond")

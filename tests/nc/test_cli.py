@@ -166,39 +166,63 @@ def test_strict_reads_parity(shell: Shell) -> None:
     assert "block 35, row 20: wrong parity" in complaint(shell, "pdp8 nc list --strict", bytes(changed))
 
 
-def test_misuse() -> None:
-    for line in [
-        "cut circle.eia --feed-error 21",
-        "cut circle.eia --feed-error nan",
-        "cut circle.eia --feed-error 1,2",
-        "cut circle.eia --feed-error fast",
-        "cut circle.eia --feed-code 19",
-        "cut circle.eia --tool-change -1",
-        "cut circle.eia ellipse.eia",
-        "plot circle.eia --cutter 0",
-        "plot circle.eia --cutter nan",
-        "plot circle.eia --zoom 0",
-        "plot circle.eia --block 0",
-        "plot circle.eia --at 4",
-        "inspect circle.eia --circle 4,4",
-        "inspect circle.eia --circle 4,4,1 --line 1,1,2,2",
-        "inspect circle.eia --tolerance inf",
-        "inspect circle.eia --function x",
-        "inspect circle.eia --range 0,1",
-        "inspect circle.eia --function x --range 0",
-        "cut circle.eia --peck 0",
-        "export circle.eia",
-        "export circle.eia --gcode --dxf",
-    ]:
-        with case(line):
-            done = CliRunner().invoke(nc, line.split())
+MISUSE = {
+    "cut": {
+        "--feed-error 5,-21,0": "-21 %: -20 to 20 is allowed",
+        "--feed-error nan": "nan %: -20 to 20 is allowed",
+        "--feed-error 1,2": "'1,2' is not X,Y,Z: 3 numbers separated by commas",
+        "--feed-error fast": "'fast' is not X,Y,Z: 3 numbers separated by commas",
+        "--feed-code 0": "0 is not in the range 1<=x<=18.",
+        "--feed-code 19": "19 is not in the range 1<=x<=18.",
+        "--tool-change -0.1": "-0.1 is not from 0 to 3600",
+        "--tool-change 3601": "3601 is not from 0 to 3600",
+        "--read-seconds -0.1": "-0.1 is not from 0 to 3600",
+        "--read-seconds 3601": "3601 is not from 0 to 3600",
+        "--passes 0": "0 is not in the range x>=1.",
+        "--peck 0": "0 is not from 0.001 to 5",
+        "--peck 5.1": "5.1 is not from 0.001 to 5",
+        "ellipse.eia": "Got unexpected extra argument (ellipse.eia)",
+    },
+    "plot": {
+        "--cutter 0": "0 is not above 0 to 10",
+        "--cutter 10.1": "10.1 is not above 0 to 10",
+        "--cutter nan": "nan is not above 0 to 10",
+        "--tolerance 0": "0 is not above 0 to 1",
+        "--tolerance 1.1": "1.1 is not above 0 to 1",
+        "--zoom 0.9": "0.9 is not from 1 to 1000",
+        "--zoom 1001": "1001 is not from 1 to 1000",
+        "--block 0": "0 is not in the range x>=1.",
+        "--at 4": "'4' is not X,Y: 2 numbers separated by commas",
+    },
+    "inspect": {
+        "--circle 4,4": "'4,4' is not X,Y,RADIUS: 3 numbers separated by commas",
+        "--ellipse 4,4,1": "'4,4,1' is not X,Y,A,B: 4 numbers separated by commas",
+        "--line 4,4": "'4,4' is not X1,Y1,X2,Y2: 4 numbers separated by commas",
+        "--origin 4": "'4' is not X,Y: 2 numbers separated by commas",
+        "--range 0 --function x": "'0' is not FROM,TO: 2 numbers separated by commas",
+        "--stretch inf,2": "'inf,2' is not FROM,TO: 2 numbers separated by commas",
+        "--stretch 1,2": "--stretch needs --talysurf",
+        "--circle 4,4,1 --line 1,1,2,2": "give one of --circle, --ellipse, --line and --function",
+        "--function x": "--function and --range go together",
+        "--range 0,1": "--function and --range go together",
+    },
+    "export": {
+        "": "give one of --gcode and --dxf",
+        "--gcode --dxf": "give one of --gcode and --dxf",
+    },
+}
+
+
+@pytest.mark.parametrize("command", MISUSE)
+def test_misuse(command: str) -> None:
+    for given, says in MISUSE[command].items():
+        with case(command, given):
+            done = CliRunner().invoke(nc, [command, "circle.eia", *given.split()])
+            said = done.output.splitlines()[-1]
             assert done.exit_code == 2
-            assert done.output.splitlines()[-1].startswith("Error: ")
-
-
-def test_a_feed_error_that_is_too_large_is_named() -> None:
-    done = CliRunner().invoke(nc, ["cut", "circle.eia", "--feed-error", "5,-21,0"])
-    assert "Invalid value for --feed-error: -21 %: -20 to 20 is allowed" in done.output
+            assert said.startswith("Error: ")
+            assert said.endswith(f": {says}")
+            assert given.partition(" ")[0] in said
 
 
 def test_misuse_from_the_shell(shell: Shell) -> None:

@@ -13,7 +13,7 @@ import pytest
 from PIL import Image
 
 import nc
-from nc.curves import Ellipse, StraightLine
+from nc.curves import Ellipse, Graph, StraightLine
 from nc.drawing import Sheet
 from nc.inspection import inspect
 from nc.plot import plot
@@ -52,6 +52,17 @@ def slope() -> nc.Path:
     return nc.cut(tape(*HEADER, *milling(steps, (2250, 4000))))
 
 
+PARABOLA = Graph(4300, 5000, "x*x/4 - .3", -1.3, 1.9)
+
+
+@cache
+def parabola() -> nc.Path:
+    """Return steps of .2 in, each begun on the parabola."""
+    starts = [(x, round(5000 + (x - 4300) ** 2 / 4000 - 300)) for x in range(3000, 6201, 200)]
+    corners = [corner for x, y in starts for corner in ((x, y), (x + 200, y))][:-1]
+    return nc.cut(tape(*HEADER[:4], "005 0 03000 05000 0 00 80", HEADER[5], *milling(corners, (3000, 5000))))
+
+
 def words_that_wrap() -> nc.Path:
     return nc.cut(tape("001 9 01000 02000 0 18 89", "002 9 01000 02000 0 00 81", "003 8 19000 09000 0 00 00"))
 
@@ -68,6 +79,7 @@ DRAWINGS: dict[str, tuple[str, Callable[[], str]]] = {
         "df3a2791",
         lambda: plot(circle(), THE_CIRCLE, close_at=(4000, 5735), zoom=(8, 80)),
     ),
+    "function of x": ("1174e17d", lambda: plot(parabola(), PARABOLA, block=20, cutter=250, tolerance=100)),
     "ellipse": ("a5554b20", lambda: plot(ellipse(), Ellipse(4000, 4000, 3000, 2250))),
     "four holes": ("22742d1f", lambda: plot(nc.cut(tape(*FOUR_HOLES)))),
     "long words": ("23d32c07", lambda: plot(words_that_wrap())),
@@ -78,6 +90,11 @@ DRAWINGS: dict[str, tuple[str, Callable[[], str]]] = {
     "talyrond, half": ("9c2882a5", lambda: talyrond(inspect(half(), THE_CIRCLE))),
     "talysurf, circle": ("c15ddb80", lambda: talysurf(inspect(circle()))),
     "talysurf, slope": ("e149efb9", lambda: talysurf(inspect(slope(), StraightLine(2250, 4000, 2350, 4030)))),
+    "talysurf, shaded": ("7bc90134", lambda: talysurf(inspect(circle()), (1000, 2400), background=1.2)),
+    "talysurf, rough": (
+        "eb8b320b",
+        lambda: talysurf(inspect(parabola(), PARABOLA, cutter=250), (520, 790), background=1.2),
+    ),
 }
 """Each drawing, with the digest of what was looked at by eye; Figures 7.2 to 7.8 are lost in the scan."""
 

@@ -165,6 +165,16 @@ def test_the_circle_as_dxf() -> None:
     path = nc.cut(CIRCLE)
     drawing = read_back(dxf(path, Ellipse(4000, 4000, 1750, 1750)))
     assert drawing.units == ezdxf.units.IN
+    layers = {layer.dxf.name: (layer.color, layer.dxf.linetype) for layer in drawing.layers}
+    assert layers == {
+        "0": (7, "Continuous"),
+        "Defpoints": (7, "Continuous"),
+        "MILL": (5, "CONTINUOUS"),
+        "POSITION": (8, "DASHED"),
+        "HOLES": (1, "CONTINUOUS"),
+        "CURVE": (3, "DASHED"),
+    }
+    assert drawing.header["$MEASUREMENT"] == 0  # inches
     space = drawing.modelspace()
     (milled,) = space.query('LWPOLYLINE[layer=="MILL"]')
     assert isinstance(milled, LWPolyline)

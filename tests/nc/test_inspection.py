@@ -169,6 +169,9 @@ class TestCurves:
             way = after - before
             assert abs(way @ normal) / np.hypot(*way) < 0.01
         assert curve.deviations(stations.points + 3 * stations.normals) == pytest.approx(3, abs=0.01)
+        if isinstance(curve, Ellipse):
+            centre = np.array([[curve.x, curve.y]])
+            assert curve.deviations(centre) == -min(curve.a, curve.b)
 
     @pytest.mark.parametrize(
         "curve",
