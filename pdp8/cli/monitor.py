@@ -10,7 +10,7 @@ import click
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.monitor.arguments import MonitorError
-from pdp8.monitor.commands import COMMANDS
+from pdp8.monitor.commands import COMMANDS, do
 from pdp8.monitor.prompt import Monitor
 from tapes import command, shelf
 from tapes.arguments import Command, Source
@@ -50,7 +50,7 @@ def _follow(made: Monitor, script: str, echo: bool) -> None:
         if echo:
             command.echo(f"* {line}")
         try:
-            made.do(line)
+            do(made, line)
         except WorkError as error:
             raise MonitorError(f"{called(script)}, line {number}: {error}") from error
         if made.finished:
@@ -63,7 +63,7 @@ def converse(made: Monitor) -> None:
     for line in _typed():
         before = signal.signal(signal.SIGINT, lambda number, frame: setattr(made, "stopping", True))
         try:
-            made.do(line)
+            do(made, line)
         except WorkError as error:
             command.tell(str(error))
         finally:

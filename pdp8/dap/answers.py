@@ -10,7 +10,7 @@ from pdp8.dap import calls, memory, scopes
 from pdp8.dap.debuggee import Debuggee
 from pdp8.dap.wire import Body
 from pdp8.monitor.arguments import MonitorError, command
-from pdp8.monitor.commands import COMMANDS
+from pdp8.monitor.commands import COMMANDS, do
 
 
 def stack_trace(room: Debuggee, arguments: Body) -> Body:
@@ -61,7 +61,7 @@ def evaluate(room: Debuggee, arguments: Body) -> Body:
     line = arguments["expression"].strip()
     named = line not in room.monitor.listing.symbols and command(line)[0].lower() in COMMANDS
     if arguments.get("context") == "repl" and (named or not _is_place(room, line)):
-        room.monitor.do(line)
+        do(room.monitor, line)
         said = "\n".join(room.said)
         room.said.clear()
         return {"result": said, "variablesReference": 0}

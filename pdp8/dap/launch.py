@@ -18,6 +18,7 @@ from typing import Any, Self
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.program import Program, find
 from pdp8.monitor import tapes
+from pdp8.monitor.commands import do
 from pdp8.monitor.prompt import Monitor
 from tapes import shelf
 from tapes.errors import WorkError
@@ -82,7 +83,7 @@ class Launch:
             tapes.reader(monitor, self.reader)
         monitor.machine.sr = monitor.address(self.sr)
         for line in self.commands:
-            monitor.do(line)
+            do(monitor, line)
         monitor.machine.panel.stop()
         monitor.machine.pc = monitor.address(self.start)
         monitor.operator.press("start")

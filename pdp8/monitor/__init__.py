@@ -1,8 +1,8 @@
 """The operator's prompt: one line in, what it says out. A script feeds it as well as a person.
 
-prompt       a machine at a prompt: a line becomes a command
+prompt       a machine at a prompt, and the places that a line names
 arguments    the words of a line: quotes and escapes, octal, seconds
-commands     every command by its name
+commands     every command by its name: a line becomes one
 hands        words, registers, switches and keys; breakpoints, steps, traces
 running      going on until something: a time, a text on the page, a value
 keystrokes   the Teletype's keys, as the program asks for them

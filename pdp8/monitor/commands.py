@@ -5,7 +5,7 @@ from textwrap import wrap
 from typing import NamedTuple
 
 from pdp8.monitor import hands, keystrokes, past, running, tapes
-from pdp8.monitor.arguments import MonitorError, as_it_stands, exactly, split
+from pdp8.monitor.arguments import MonitorError, as_it_stands, command, exactly, split
 from pdp8.monitor.prompt import Monitor
 
 _SHORT = {"b": "break", "e": "examine", "ex": "examine", "l": "load", "w": "watch"}
@@ -24,8 +24,8 @@ class Command(NamedTuple):
 
 def help_(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Say what the monitor knows, or one of its commands."""
-    for command in [find(name) for name in arguments] or COMMANDS.values():
-        said = f"{command.name + ' ' + command.arguments:27} {command.action.__doc__}"
+    for each in [find(name) for name in arguments] or COMMANDS.values():
+        said = f"{each.name + ' ' + each.arguments:27} {each.action.__doc__}"
         for line in wrap(said, 79, subsequent_indent=" " * 28):
             monitor.say(line)
 
@@ -37,8 +37,8 @@ def quit_(monitor: Monitor, arguments: Sequence[str]) -> None:
 
 
 COMMANDS = {
-    command.name: command
-    for command in (
+    each.name: each
+    for each in (
         Command("examine", "A | A:B ...", hands.examine),
         Command("deposit", "A WORD ...", hands.deposit),
         Command("set", "NAME WORD", hands.set_),
@@ -84,11 +84,19 @@ def find(word: str) -> Command:
     word = word.lower()
     if word in COMMANDS:
         return COMMANDS[word]
-    found = [command for name, command in COMMANDS.items() if name.startswith(word)]
+    found = [each for name, each in COMMANDS.items() if name.startswith(word)]
     if word in _SHORT:
         return COMMANDS[_SHORT[word]]
     if len(found) == 1:
         return found[0]
     if found:
-        raise MonitorError(f"{word}: {', '.join(command.name for command in found)}?")
+        raise MonitorError(f"{word}: {', '.join(each.name for each in found)}?")
     raise MonitorError(f"{word!r}: no such command; help tells which there are")
+
+
+def do(monitor: Monitor, line: str) -> None:
+    """Carry out one line; blank lines and comments do nothing. Raises WorkError."""
+    name, rest = command(line)
+    if name:
+        found = find(name)
+        found.action(monitor, found.arguments_of(rest))

@@ -12,7 +12,7 @@ from pdp8.computer.past.history import History
 from pdp8.computer.use.operator import Operator, Pace
 from pdp8.computer.use.program import FOUND
 from pdp8.computer.use.trace import Listing
-from pdp8.monitor.arguments import MonitorError, command, octal
+from pdp8.monitor.arguments import MonitorError, octal
 
 HANDS = 0.1
 """Seconds the operator takes to press a key."""
@@ -45,15 +45,6 @@ class Monitor:
         self.history = History(machine)
         """What can be undone: all since then."""
         self.operator = Operator(machine, Pace(pressing=HANDS))
-
-    def do(self, line: str) -> None:
-        """Carry out one line; blank lines and comments do nothing. Raises WorkError."""
-        from pdp8.monitor.commands import find
-
-        name, rest = command(line)
-        if name:
-            found = find(name)
-            found.action(self, found.arguments_of(rest))
 
     def address(self, text: str) -> int:
         """Return the address that `text` names: octal, or symbol, plus or minus octal."""

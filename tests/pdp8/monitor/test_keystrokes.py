@@ -4,6 +4,7 @@ import pytest
 
 import pal
 from pdp8.monitor.arguments import MonitorError
+from pdp8.monitor.commands import do
 from pdp8.monitor.prompt import Monitor
 
 STORE = """
@@ -45,7 +46,7 @@ def started(wait: str, then: str = "") -> Monitor:
     monitor = Monitor(lambda line: None)
     source = STORE.format(wait=wait, then=then)
     monitor.machine.load(pal.assemble(source).words)
-    monitor.do("go 200 0.1")
+    do(monitor, "go 200 0.1")
     return monitor
 
 
@@ -65,28 +66,28 @@ def frames(text: str) -> list[int]:
 )
 def test_a_line_arrives_as_it_stands(wait: str, then: str) -> None:
     monitor = started(wait, then)
-    monitor.do('type  01.04 T "HI  there"! # 5 \\r ')
-    monitor.do("wait 9")
+    do(monitor, 'type  01.04 T "HI  there"! # 5 \\r ')
+    do(monitor, "wait 9")
     assert stored(monitor) == frames(' 01.04 T "HI  THERE"! # 5 \\R \r')
 
 
 def test_no_key_is_pressed_before_the_program_is_done_with_the_last() -> None:
     monitor = started(LISTEN, PRINT)
-    monitor.do("type A")
+    do(monitor, "type A")
     assert monitor.machine.teletype.printer.frames == b"\xae" * 10
 
 
 def test_keys_pressed_without_waiting_are_lost_where_the_program_prints() -> None:
     monitor = started(LISTEN, PRINT)
-    monitor.do('keyboard now "ABCDEFGH"')
-    monitor.do("wait 5")
+    do(monitor, 'keyboard now "ABCDEFGH"')
+    do(monitor, "wait 5")
     assert len(stored(monitor)) < 8
 
 
 def test_keys_alone_are_texts_and_codes() -> None:
     monitor = started(LISTEN, PRINT)
-    monitor.do(r'keyboard a "B c" CR "\n\f\177\e\a\"\\\003\301\034\r\t\377\200" # a comment')
-    monitor.do("wait 1")
+    do(monitor, r'keyboard a "B c" CR "\n\f\177\e\a\"\\\003\301\034\r\t\377\200" # a comment')
+    do(monitor, "wait 1")
     codes = [
         0o215,
         0o212,
@@ -110,16 +111,16 @@ def test_keys_alone_are_texts_and_codes() -> None:
 def test_keys_come_after_what_is_on_the_tape() -> None:
     monitor = started(LISTEN)
     monitor.machine.teletype.reader.load(b"\1\2\3")
-    monitor.do("type A")
-    monitor.do("wait 1")
+    do(monitor, "type A")
+    do(monitor, "wait 1")
     assert stored(monitor) == [1, 2, 3, *frames("A\r")]
 
 
 def test_a_program_that_counts_in_eight_words_asks_at_the_eighth_glance() -> None:
     monitor = Monitor(lambda line: None)
-    monitor.do("deposit 200 7001 5207 0 0 0 0 0 5200")
-    monitor.do("go 200 0.1")
-    monitor.do("keyboard A")
+    do(monitor, "deposit 200 7001 5207 0 0 0 0 0 5200")
+    do(monitor, "go 200 0.1")
+    do(monitor, "keyboard A")
     assert monitor.machine.elapsed == pytest.approx(0.1 + 8 * 0.05, abs=1e-5)
 
 
@@ -134,8 +135,8 @@ def test_a_program_that_counts_in_eight_words_asks_at_the_eighth_glance() -> Non
 )
 def test_a_program_that_asks_for_no_key_is_given_up(program: str, why: str) -> None:
     monitor = Monitor(lambda line: None)
-    monitor.do(f"deposit 200 {program}")
-    monitor.do("go 200 0.1")
+    do(monitor, f"deposit 200 {program}")
+    do(monitor, "go 200 0.1")
     with pytest.raises(MonitorError, match=f"^the program asks for no key: {why}$"):
-        monitor.do("type AB")
+        do(monitor, "type AB")
     assert monitor.machine.elapsed < 62

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from pdp8.computer.machine import Machine
 from pdp8.monitor.arguments import MonitorError
-from pdp8.monitor.commands import COMMANDS, find
+from pdp8.monitor.commands import COMMANDS, do, find
 from pdp8.monitor.prompt import Monitor
 from tapes.errors import WorkError
 from tests.conftest import Shell
@@ -82,7 +82,7 @@ LONGEST = (
 def test_one_word_more_than_a_command_takes_is_refused(line: str) -> None:
     monitor = Monitor(lambda line: None, Machine(highspeed=True))
     with pytest.raises(MonitorError, match="SURPLUS"):
-        monitor.do(f"{line} SURPLUS")
+        do(monitor, f"{line} SURPLUS")
     assert (monitor.machine.ticks, monitor.machine.core[0o200], monitor.finished) == (0, 0, False)
 
 
@@ -96,21 +96,21 @@ def test_a_command_may_be_shortened() -> None:
 
 def test_help_names_every_command() -> None:
     said: list[str] = []
-    Monitor(said.append).do("help")
+    do(Monitor(said.append), "help")
     assert [line.split()[0] for line in said if line[0] != " "] == list(COMMANDS)
     assert max(map(len, said)) < 80
     assert "until TEXT [N times] [SECONDS] Go on until TEXT" in "\n".join(said)
     said.clear()
-    Monitor(said.append).do("HELP Set")
+    do(Monitor(said.append), "HELP Set")
     assert said[0].startswith("set NAME WORD               Set a register, a switch (0 or 1)")
 
 
 def test_a_limit_that_is_no_round_number_of_ticks_ends() -> None:
     monitor = Monitor(lambda line: None)
-    monitor.do("deposit 200 2210 5200 5200")
-    monitor.do("go 200 0.7")
+    do(monitor, "deposit 200 2210 5200 5200")
+    do(monitor, "go 200 0.7")
     for seconds in ("0.1", "0.0773", "1e-9", "0.333333333", "0"):
-        monitor.do(f"cont {seconds}")
+        do(monitor, f"cont {seconds}")
     assert monitor.machine.elapsed == pytest.approx(0.7 + 0.1 + 0.0773 + 0.333333333, abs=20e-6)
 
 
@@ -119,7 +119,7 @@ def test_a_switch_is_put_up_and_down(value: str, position: bool) -> None:
     monitor = Monitor(lambda line: None)
     for name in ("mem_prot", "sing_step"):
         setattr(monitor.machine.panel, name, not position)
-        monitor.do(f"set {name} {value}")
+        do(monitor, f"set {name} {value}")
         assert getattr(monitor.machine.panel, name) is position
 
 
@@ -127,13 +127,13 @@ def test_under_sing_step_a_key_does_one_cycle() -> None:
     """TAD I 210 takes three: START does FETCH, each CONT another."""
     said: list[str] = []
     monitor = Monitor(said.append)
-    monitor.do("deposit 200 1610 7402")
-    monitor.do("deposit 210 300")
-    monitor.do("deposit 300 1234")
-    monitor.do("set sing_step on")
+    do(monitor, "deposit 200 1610 7402")
+    do(monitor, "deposit 210 300")
+    do(monitor, "deposit 300 1234")
+    do(monitor, "set sing_step on")
     panel, lamps = monitor.machine.panel, []
     for command in ("go 200", "cont", "cont", "cont"):
-        monitor.do(command)
+        do(monitor, command)
         now = panel.lamps
         lamps.append((now.fetch, now.defer, now.execute, now.ma, now.mb, now.ac, now.run))
     assert lamps == [
@@ -148,11 +148,11 @@ def test_under_sing_step_a_key_does_one_cycle() -> None:
 def test_go_stops_a_program_that_runs() -> None:
     """START does nothing while RUN is lit; after STOP it clears the AC."""
     monitor = Monitor(lambda line: None)
-    monitor.do("deposit 200 7001 5200")
-    monitor.do("deposit 300 5300")
-    monitor.do("go 200 0.01")
+    do(monitor, "deposit 200 7001 5200")
+    do(monitor, "deposit 300 5300")
+    do(monitor, "go 200 0.01")
     assert monitor.machine.ac
-    monitor.do("go 300 0.01")
+    do(monitor, "go 300 0.01")
     assert (monitor.machine.pc, monitor.machine.ac) == (0o300, 0)
 
 
@@ -169,7 +169,7 @@ def test_boot_and_the_page() -> None:
         "keyboard now abc",
         "quit",
     ):
-        monitor.do(line)
+        do(monitor, line)
     assert said[0] == "RIM loader toggled in: 18 keys"
     assert "halt; 1.681854 s; next 0206  6046          TLS" in said
     assert "HELLO, WORLD." in said
@@ -196,4 +196,4 @@ def test_no_line_does_more_than_complain(lines: list[str]) -> None:
     monitor = Monitor(lambda line: None)
     for line in lines:
         with suppress(WorkError):
-            monitor.do(line)
+            do(monitor, line)

@@ -3,6 +3,7 @@
 import pytest
 
 from pdp8.computer.use import program
+from pdp8.monitor.commands import do
 from pdp8.monitor.prompt import Monitor
 from tapes import ascii
 from tapes.errors import WorkError
@@ -15,7 +16,7 @@ def monitor() -> Monitor:
     made.machine.load(program.find("eia.pal").words)
     made.listing = program.find("eia.pal").listing
     made.operator.mount("two lines", ascii.encode("12\n34\n"))
-    made.do("go 200")
+    do(made, "go 200")
     return made
 
 
@@ -30,45 +31,45 @@ def monitor() -> Monitor:
     ],
 )
 def test_back_in_each_measure(monitor: Monitor, line: str, left: bytes) -> None:
-    monitor.do(line)
+    do(monitor, line)
     assert monitor.machine.teletype.punch.tape == left
-    monitor.do("cont")
+    do(monitor, "cont")
     assert monitor.machine.teletype.punch.tape == b"\0\1\2\x80\x13\4\x80"
 
 
 def test_counts_are_octal_and_steps_go_back_too(monitor: Monitor) -> None:
     before = monitor.machine.instructions
-    monitor.do("step 12")
+    do(monitor, "step 12")
     assert monitor.machine.instructions == before + 10
-    monitor.do("back 3")
+    do(monitor, "back 3")
     assert monitor.machine.instructions == before + 7
-    monitor.do("back 7")
+    do(monitor, "back 7")
     assert monitor.machine.instructions == before
 
 
 def test_back_until(monitor: Monitor) -> None:
-    monitor.do("back until CHK+1")
+    do(monitor, "back until CHK+1")
     assert monitor.machine.pc == 0o230
-    monitor.do("back until HOLD written")
+    do(monitor, "back until HOLD written")
     assert monitor.machine.pc == 0o205
-    monitor.do("back until 4 flag")
+    do(monitor, "back until 4 flag")
     assert monitor.machine.teletype.transmitter.flag == 1
 
 
 def test_what_is_expected_is_printed_again_after_back() -> None:
     monitor = Monitor(lambda line: None)
     monitor.machine.load(program.find("hello.pal").words)
-    monitor.do("go 200 until WORLD.")
-    monitor.do("back 4 characters")
-    monitor.do("cont until .")
-    monitor.do("back 4 characters")
-    monitor.do("expect LD.")
+    do(monitor, "go 200 until WORLD.")
+    do(monitor, "back 4 characters")
+    do(monitor, "cont until .")
+    do(monitor, "back 4 characters")
+    do(monitor, "expect LD.")
 
 
 def test_what_was_set_goes_back_too(monitor: Monitor) -> None:
-    monitor.do("deposit HOLD 1234")
-    monitor.do("set sr 7")
-    monitor.do("back 1")
+    do(monitor, "deposit HOLD 1234")
+    do(monitor, "set sr 7")
+    do(monitor, "back 1")
     assert (monitor.machine.core[0o100], monitor.machine.sr) != (0o1234, 7)
 
 
@@ -91,5 +92,5 @@ def test_what_cannot_be_undone_is_said_and_nothing_changes(
 ) -> None:
     stands = monitor.machine.instructions, monitor.machine.teletype.punch.tape
     with pytest.raises(WorkError, match=complaint):
-        monitor.do(line)
+        do(monitor, line)
     assert (monitor.machine.instructions, monitor.machine.teletype.punch.tape) == stands

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from pdp8.computer.use import program
+from pdp8.monitor import commands
 from pdp8.monitor.arguments import MonitorError, Quoted
 from pdp8.monitor.prompt import Monitor
 from pdp8.monitor.running import text_of
@@ -29,7 +30,7 @@ def monitor(said: list[str]) -> Monitor:
 
 def do(monitor: Monitor, *lines: str) -> None:
     for line in lines:
-        monitor.do(line)
+        commands.do(monitor, line)
 
 
 DIALOGUE = r"""
@@ -196,7 +197,7 @@ def test_a_wrong_state_is_named(monitor: Monitor) -> None:
 )
 def test_what_is_wrong_is_an_error_and_changes_nothing(monitor: Monitor, line: str, message: str) -> None:
     with pytest.raises(MonitorError) as raised:
-        do(monitor, line)
+        commands.do(monitor, line)
     assert message in str(raised.value)
     assert monitor.machine.ticks == 0
 
