@@ -1,6 +1,7 @@
 """A teacher's room: exercises, and the answers of a class marked against them.
 
-exercise   an exercise as data;           form      its file, in TOML;   draw   its random cases
+exercise   an exercise as data;           form      its file, in TOML;   tables its keys and values
+draw       its random cases
 student    the form that students get
 answer     a student's answer;            handed    the file it is in, read within bounds
 trial      an answer run on one trial: what it punched, printed and left in core

@@ -22,7 +22,7 @@ from typing import Any
 from pdp8.lessons import trial
 from pdp8.lessons.answer import Answer, assembled
 from pdp8.lessons.exercise import Case, Trial
-from pdp8.lessons.form import CASE, TRIAL, ExerciseError, Field, frames, number, table, word
+from pdp8.lessons.tables import CASE, TRIAL, ExerciseError, Field, frames, number, table, word
 from tapes.errors import WorkError
 
 _MOST = 200

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 from pdp8.lessons import handed
 from pdp8.lessons.exercise import Exercise
-from pdp8.lessons.form import ExerciseError
 from pdp8.lessons.marking import Result, mark
+from pdp8.lessons.tables import ExerciseError
 
 
 def solution(exercise: Exercise) -> Result:

@@ -27,8 +27,9 @@ from pdp8.lessons import (
 from pdp8.lessons.answer import Answer
 from pdp8.lessons.diagnosis import sequence, word
 from pdp8.lessons.exercise import Exercise, Source
-from pdp8.lessons.form import ExerciseError, parse
+from pdp8.lessons.form import parse
 from pdp8.lessons.marking import Result
+from pdp8.lessons.tables import ExerciseError
 from tests.conftest import Shell
 from tests.pdp8.lessons.cheat import cheat
 

@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 from pdp8.lessons import form, handed, proof, values
-from pdp8.lessons.form import ExerciseError, parse
+from pdp8.lessons.form import parse
+from pdp8.lessons.tables import ExerciseError
 from tapes import shelf
 
 TUTORIAL = (
