@@ -1,12 +1,12 @@
 // The Hydra-Point on the bench: an EIA tape is cut, its path and band drawn, its blocks listed, its refusal said.
 
 import { Current } from "../current.mjs";
-import { drawClose, drawWhole, Mill as Drawing } from "../cutter.mjs";
+import { drawClose, drawWhole } from "../cutter.mjs";
 import { TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { CutError, cut } from "../../../nc/machine.mjs";
 import { FIELDS } from "../../../tapes/hydrapoint.mjs";
 import { BLOCK, blockAt } from "./block.mjs";
-import { pictured } from "./path.mjs";
+import { Contour } from "./path.mjs";
 import { Pictures } from "../pictures.mjs";
 import { Sheet } from "../sheet.mjs";
 import { drawTape, meaning, tapeKey } from "../tape.mjs";
@@ -53,7 +53,7 @@ export class Mill {
     this.tape = { label: name, code: "eia", frames, first: frames.findIndex((frame) => frame !== 0) };
     this.steps = path?.steps ?? [];
     find("refusal").textContent = refusal;
-    this.drawing = this.steps.length ? new Drawing(pictured(path, this.bench.record.cutter, nominal)) : null;
+    this.drawing = this.steps.length ? new Contour(path, this.bench.record.cutter, nominal) : null;
     find("eia").value = name;
     find("blocks").innerHTML = `<ol>${this.steps.map((step) => row(step)).join("")}</ol>`;
     this.current.light(null);
