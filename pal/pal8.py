@@ -840,9 +840,9 @@ class Assembler:
                 self._advance()
         at = self._at(start, self._before)
         if name == "DEVICE":
-            self._pack(f"{given[:4]:\0<4}", at)
+            self._pack(given[:4].ljust(4, "\0"), at)
         else:
-            self._pack(f"{given[:6]:\0<6}{extension[:2]:\0<2}", at)
+            self._pack(given[:6].ljust(6, "\0") + extension[:2].ljust(2, "\0"), at)
 
     def _number_of_words(self) -> None:
         """A number after DUBL, two words of it, or after FLTG, an exponent and two words."""

@@ -67,12 +67,12 @@ class Source:
     @cached_property
     def spans(self) -> list[tuple[int, int]]:
         """For each item where in `text` it begins and where the character that ends it stands."""
-        return [(match.start(), match.start(2)) for match in _ITEM.finditer(self._code)]
+        return [(match.start(), match.end() - 1) for match in _ITEM.finditer(self._code)]
 
     @cached_property
     def _ends(self) -> list[int]:
         """Where in `text` each line ends."""
-        return [match.start() for match in re.finditer("\r", self.text)]
+        return [at for at, character in enumerate(self.text) if character == "\r"]
 
     @cached_property
     def line_ends(self) -> list[int]:
@@ -88,7 +88,7 @@ class Source:
             begin = self._ends[line - 1] + 1 if line else 0
             end = self._ends[line] + 1 if line < len(self._ends) else len(self._code)
             found = _ITEM.finditer(self._code[begin:end])
-            self._read_again[line] = [(begin + match.start(), begin + match.start(2)) for match in found]
+            self._read_again[line] = [(begin + match.start(), begin + match.end() - 1) for match in found]
         first = self.line_ends[line - 1] + 1 if line else 0
         start, mark = self._read_again[line][at - first]
         return line, start, mark

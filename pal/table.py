@@ -69,7 +69,8 @@ class SymbolTable:
         """Enter a symbol, undefined; return where."""
         entry = self.end
         first, second, third = codes(name)
-        self.words[entry : entry + ENTRY] = (first | UNDEFINED, second, third, value)
+        for at, word in enumerate((first | UNDEFINED, second, third, value), entry):
+            self.words[at] = word
         self.index[name] = entry
         self.end += ENTRY
         return entry
@@ -125,7 +126,10 @@ class SymbolTable:
 
     def listed(self) -> list[int]:
         """Return where the symbols stand that are listed, in the order of their names; of equal ones one."""
-        entries = {self.name(entry): entry for entry in range(self.end - ENTRY, self.first - 1, -ENTRY)}
+        entries = {}
+        for entry in range(self.end - ENTRY, self.first - 1, -ENTRY):
+            first, second, third = self.name(entry)
+            entries[first << 24 | second << 12 | third] = entry
         return [entries[name] for name in sorted(entries)]
 
     def values(self) -> dict[str, int]:

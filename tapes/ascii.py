@@ -37,12 +37,11 @@ def encode(text: str, parity: str = "mark", fill: int = 6) -> bytes:
     """
     if fill < 0:
         raise TapeError(f"{fill} RUBOUTs of fill: cannot be less than 0")
-    try:
-        codes = text.encode("ascii")
-    except UnicodeEncodeError as error:
-        raise TextError(f"{text[error.start]!r} is no ASCII character", text, error.start) from None
-    line_end = bytes([CR, LF]) + bytes([RUBOUT]) * fill
-    return strip.with_parity(codes.replace(b"\n", line_end), parity)
+    if not text.isascii():
+        index = next(at for at, character in enumerate(text) if not character.isascii())
+        raise TextError(f"{text[index]!r} is no ASCII character", text, index)
+    line_end = "\r\n" + chr(RUBOUT) * fill
+    return strip.with_parity(text.replace("\n", line_end).encode("ascii"), parity)
 
 
 def decode(frames: bytes) -> str:

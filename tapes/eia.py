@@ -45,7 +45,7 @@ _NAMES = {
 _NO_CODE = 0o377  # even, so never an EIA code; the mark of one that is none in both tables
 _BLANK = 0o000
 _NOT_OF_A_BLOCK = bytes(code for code in range(256) if CHARACTERS.get(code, "") not in tuple("0123456789\n"))
-_TO_FRAME = bytes(CODES.get(chr(code).upper(), _NO_CODE) for code in range(128)).ljust(256, bytes([_NO_CODE]))
+_TO_FRAME = bytes(CODES.get(chr(code).upper(), _NO_CODE) for code in range(256))
 _TO_CHARACTER = bytes(
     code if code in (_BLANK, DELETE) else ord(CHARACTERS[code]) if code in CHARACTERS else _NO_CODE
     for code in range(256)

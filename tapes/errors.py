@@ -26,8 +26,9 @@ class TextError(WorkError):
     """A character of a text that has no place on the tape, named by its line and column, both from 1."""
 
     def __init__(self, message: str, text: str, index: int) -> None:
-        line = text.count("\n", 0, index) + 1
-        column = index - text.rfind("\n", 0, index)
+        before = text[:index]
+        line = before.count("\n") + 1
+        column = index - before.rfind("\n")
         super().__init__(f"line {line}, column {column}: {message}")
 
 

@@ -105,9 +105,11 @@ def leader_start(frames: bytes) -> int | None:
     start = len(frames) - len(frames.lstrip(b"\0"))
     if frames[start : start + 1] == bytes([LEADER]):
         return start
-    letters, leader, rest = frames[start:].partition(LEAST_LEADER)
-    is_label = letters.endswith(LABEL_GAP) or not letters.strip(_RUBBED_OUT)
-    return start + len(letters) if is_label and leader and rest.strip(_NO_LETTERS) else None
+    at = frames.find(LEAST_LEADER, start)
+    if at < 0 or not frames[at + len(LEAST_LEADER) :].strip(_NO_LETTERS):
+        return None
+    letters = frames[start:at]
+    return at if letters.endswith(LABEL_GAP) or not letters.strip(_RUBBED_OUT) else None
 
 
 def label_before(frames: bytes, leader: int) -> tuple[range, ...]:

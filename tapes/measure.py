@@ -5,6 +5,7 @@ Computer Handbook, DEC).
 """
 
 from collections.abc import Callable, Iterable, Iterator
+from itertools import pairwise
 
 from tapes import ascii, binary, eia, frames, kinds, rim
 from tapes.errors import TapeError
@@ -100,10 +101,11 @@ def _text(tape: bytes) -> Iterator[Row]:
 
 
 def _blocks(tape: bytes) -> Iterator[Row]:
-    codes = tape.strip(bytes([frames.BLANK])).split(bytes([eia.EOB]))
-    rest = codes.pop()
-    lengths = (len(block) + 1 for block in codes)
-    yield "blocks", f"{len(codes):,}{_lengths(lengths, 'frames')}{_unended(rest, 'frames')}"
+    codes = tape.strip(bytes([frames.BLANK]))
+    ends = [at for at, code in enumerate(codes, 1) if code == eia.EOB]
+    lengths = (end - begin for begin, end in pairwise([0, *ends]))
+    rest = codes[ends[-1] :] if ends else codes
+    yield "blocks", f"{len(ends):,}{_lengths(lengths, 'frames')}{_unended(rest, 'frames')}"
     yield "parity", _fault(eia.decode, tape) or "odd in every frame; every frame an EIA code"
 
 

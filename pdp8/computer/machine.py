@@ -86,7 +86,7 @@ class Machine:
         self.watch = Watch()
         self.recorder: Recorder | None = None
         """Who records what happens, so that it can be undone."""
-        self._breakpoints = frozenset[int]()
+        self._breakpoints: frozenset[int] = frozenset()
         """Those of the last run."""
         self._observer: Observer | None = None
         """That of the last run."""

@@ -80,7 +80,8 @@ def put(fields: Iterable[Field], values: Mapping[str, Any]) -> None:
             continue
         value, now = values[key], getattr(part, name)
         if isinstance(now, bytearray):
-            now[:] = value  # others hold the same bytearray
+            now.clear()  # others hold the same bytearray
+            now.extend(value)
         elif kind == CORE and value is not None:
             setattr(part, name, array("H", value))
         else:

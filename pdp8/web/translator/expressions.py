@@ -42,9 +42,9 @@ RENAMED = {"split": "split_", "replace": "replace_", "pop": "pop_"}
 """Methods that Python's and JavaScript's own types both have, and mean otherwise."""
 _LIBRARY = {
     **dict.fromkeys(("sorted", "min", "max"), ("of", "key", "reverse", "default")),
-    **{"zip": (), "dumps": ("of", "indent"), "bisect_left": ("of", "value", "lo", "hi", "key")},
+    **{"dumps": ("of", "indent"), "bisect_left": ("of", "value", "lo", "hi", "key")},
 }
-"""The parameters of Python's own functions that are called with keywords; zip's `strict` is dropped."""
+"""The parameters of Python's own functions that are called with keywords."""
 
 
 def named(name: str) -> str:
@@ -140,11 +140,11 @@ class Expressions(Types):
             case ast.JoinedStr(values):
                 return f"`{''.join(map(self._piece, values))}`"
             case ast.ListComp(value, generators) | ast.GeneratorExp(value, generators):
-                return self._comprehension(generators, [value], "[]", "push")
+                return self._comprehension(generators, value)
             case ast.SetComp(value, generators):
-                return self._comprehension(generators, [value], "$.set()", "add")
+                return f"$.set({self._comprehension(generators, value)})"
             case ast.DictComp(key, value, generators):
-                return self._comprehension(generators, [key, value], "$.dict()", "set")
+                return f"$.dict({self._comprehension(generators, ast.Tuple([key, value]))})"
             case ast.Call():
                 return self._call(node)
         self.fail(node)
@@ -217,10 +217,6 @@ class Expressions(Types):
             case ast.Is() | ast.IsNot():
                 loose = isinstance(other, ast.Constant) and other.value is None
                 return f"({a} {no or '='}={'' if loose else '='} {b})"
-            case ast.Eq() if isinstance(one, ast.Tuple) and isinstance(other, ast.Tuple):
-                pairs = zip(one.elts, other.elts, strict=True)
-                each = (self.comparison(operator, (self.e(x), x), (self.e(y), y)) for x, y in pairs)
-                return f"({' && '.join(each)})"
             case ast.Eq() | ast.NotEq():
                 return f"({a} {no or '='}== {b})" if same else f"{no}$.eq({a}, {b})"
             case ast.In() | ast.NotIn():
@@ -247,8 +243,6 @@ class Expressions(Types):
         return f"$.{real or module}"
 
     def _attribute(self, node: ast.Attribute, value: ast.expr, name: str) -> str:
-        if name == "__name__":
-            return f"{self.e(value)}.name"
         kind = self.infer(value).name
         method = self.of_class(kind, name)[1]
         properties = ("property", "cached_property")
@@ -260,20 +254,15 @@ class Expressions(Types):
         return f"{self.e(value)}.{named(name) if of and of.node is None else name}"
 
     def _indexed(self, value: ast.expr, index: ast.expr) -> str:
-        if leaf(value) in ("frozenset", "set", "list", "dict", "tuple"):
-            return self.e(value)  # frozenset[int]() is frozenset()
         kind, text = self.infer(value), self.e(value)
         if isinstance(index, ast.Slice):
             if index.step:
                 self.fail(index, "a slice by steps")
-            if kind.name in SEQUENCES:
-                end = ""
-                if index.upper is not None:
-                    known = self.infer(index.upper) in (WORD, INT)  # None is the end
-                    end = f", {self.e(index.upper)}{'' if known else ' ?? undefined'}"
-                return f"{text}.slice({self.e(index.lower) if index.lower else 0}{end})"
-            bounds = [self.e(each) if each else "null" for each in (index.lower, index.upper)]
-            return f"$.slice({text}, {', '.join(bounds)})"
+            end = ""
+            if index.upper is not None:
+                known = self.infer(index.upper) in (WORD, INT)  # None is the end
+                end = f", {self.e(index.upper)}{'' if known else ' ?? undefined'}"
+            return f"{text}.slice({self.e(index.lower) if index.lower else 0}{end})"
         at = self.e(index)
         if kind.name == "words":
             return f"{text}[{at}]"
@@ -311,9 +300,7 @@ class Expressions(Types):
         self.scopes.pop()
         return text
 
-    def _comprehension(
-        self, generators: list[ast.comprehension], values: list[ast.expr], start: str, take: str
-    ) -> str:
+    def _comprehension(self, generators: list[ast.comprehension], value: ast.expr) -> str:
         loops = []
         for at, generator in enumerate(generators):
             source = self.e(generator.iter)
@@ -322,9 +309,9 @@ class Expressions(Types):
             self.bind(generator)
             loops.append(f"for (const {self.e(generator.target)} of {source})")
             loops += [f"if ({self.test(each)})" for each in generator.ifs]
-        text = self.all(values)
+        text = self.e(value)
         self.scopes.pop()
-        return f"(() => {{ const $r = {start}; {' '.join(loops)} $r.{take}({text}); return $r; }})()"
+        return f"(() => {{ const $r = []; {' '.join(loops)} $r.push({text}); return $r; }})()"
 
     def _call(self, node: ast.Call) -> str:
         function, name = node.func, leaf(node.func)
@@ -347,7 +334,7 @@ class Expressions(Types):
     def _method(self, node: ast.Call, function: ast.Attribute, ours: Found | None) -> str:
         """Return the method that is called."""
         name, kind, text = function.attr, self.infer(function.value), self.e(function.value)
-        if kind.name in METHODS and name not in " ".join(METHODS[kind.name].values()).split():
+        if kind.name in METHODS and name not in METHODS[kind.name]:
             self.fail(node, f"{kind.name} has no {name}")
         of = self.found(function.value)
         if of and of.node is None:
@@ -358,12 +345,8 @@ class Expressions(Types):
         """Return a call of those of Python's own functions that JavaScript has a shorter word for."""
         kinds = [self.infer(each) for each in node.args]
         match name, node.args:
-            case "cast", [_, value]:
-                return self.e(value)
             case "len", [value]:
                 return f"{self.e(value)}.length"
-            case "bool", [value]:
-                return f"Boolean({self.test(value)})"
             case "int", [value] if kinds[0] in (BOOL, WORD, INT):
                 return f"Number({self.e(value)})" if kinds[0] == BOOL else self.e(value)
             case (("str" | "repr"), [value]) if kinds[0] == FLOAT:
@@ -374,53 +357,43 @@ class Expressions(Types):
                 return f"Math.{name}({self.all(node.args)})"
             case (("min" | "max"), [_, _, *_]):
                 return f"$.{name}([{self.all(node.args)}])"
-            case "isinstance", [value, ast.BinOp(left, ast.BitOr(), right)]:
-                either = [ast.Call(node.func, [value, kind], []) for kind in (left, right)]
-                return f"({' || '.join(map(self.e, either))})"
-            case "type", [value]:
-                return f"{self.e(value)}.constructor"
+            case "isinstance", [_, ast.BinOp()]:
+                self.fail(node)
         return ""
 
     def _library(self, node: ast.Call, name: str) -> str:
-        """Return the arguments of a function that is not ours, each in its place."""
-        values = [self.e(each) for each in node.args]
-        if node.keywords and name not in _LIBRARY:
-            self.fail(node, f"keywords of {name}")
-        given = {keyword.arg: self.e(keyword.value) for keyword in node.keywords}
-        places = _LIBRARY.get(name, ())
-        last = max((places.index(each) for each in given if each in places), default=-1)
-        return ", ".join(values + [given.get(places[at], "undefined") for at in range(len(values), last + 1)])
+        """Return the arguments of a function that is not ours."""
+        keywords = [] if name == "zip" else node.keywords  # it has `strict` alone
+        return self._in_places(node, [self.e(each) for each in node.args], keywords, _LIBRARY.get(name, ()))
 
     def _placed(self, node: ast.Call, found: Found) -> str:
         """Return the arguments of a function of ours in the order of its parameters."""
         signature = getattr(found.node, "args", None) or self.program.made_with(found.module, found.node)
         if signature is None:
-            return self.all(node.args) if not node.keywords else self.fail(node, "keywords")
+            return self._library(node, "")
+        values, keywords = [self.e(each) for each in node.args], node.keywords
         names = [each.arg for each in signature.args if each.arg != "self"]
-        values = [self.e(each) for each in node.args]
         if signature.vararg:
             values = [*values[: len(names)], f"[{', '.join(values[len(names) :])}]"]
             names.append("*")
-        elif any(isinstance(each, ast.Starred) for each in node.args):
-            if node.keywords and len(node.args) > 1:
-                self.fail(node, "an unpacked argument before keywords")
         elif len(values) > len(names):
             self.fail(node, "too many arguments")
-        places = [*names, *(each.arg for each in signature.kwonlyargs)]
-        given = {keyword.arg: self.e(keyword.value) for keyword in node.keywords if keyword.arg in places}
-        rest = [keyword for keyword in node.keywords if keyword.arg not in places]
-        if rest and not signature.kwarg:
+        elif keywords and any(isinstance(each, ast.Starred) for each in node.args):
+            self.fail(node, "an unpacked argument before keywords")
+        names += [each.arg for each in signature.kwonlyargs]
+        if signature.kwarg:
+            others = [each for each in keywords if each.arg not in names]
+            keys = [ast.Constant(each.arg) if each.arg else None for each in others]
+            rest = ast.keyword("**", ast.Dict(keys, [each.value for each in others]))
+            names, keywords = [*names, "**"], [*(each for each in keywords if each.arg in names), rest]
+        return self._in_places(node, values, keywords, tuple(names))
+
+    def _in_places(
+        self, node: ast.Call, values: list[str], keywords: list[ast.keyword], places: tuple[str, ...]
+    ) -> str:
+        """Return `values`, and what is given by keywords in the `places` of the names."""
+        given = {each.arg: self.e(each.value) for each in keywords}
+        if given.keys() - set(places):
             self.fail(node, "keywords that are no parameters")
-        last = max(map(places.index, given), default=-1)
-        if signature.kwarg:
-            last = len(places) - 1
-        values += [given.get(places[at], "undefined") for at in range(len(values), last + 1)]
-        if signature.kwarg:
-            pairs = (
-                f"[{json.dumps(each.arg)}, {self.e(each.value)}]"
-                if each.arg
-                else f"...{self.e(each.value)}.items()"
-                for each in rest
-            )
-            values.append(f"$.dict([{', '.join(pairs)}])")
-        return ", ".join(values)
+        last = max((places.index(each) for each in given if each), default=-1)
+        return ", ".join(values + [given.get(place, "undefined") for place in places[len(values) : last + 1]])

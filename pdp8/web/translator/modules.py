@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pdp8.web.translator.expressions import RENAMED, named
 from pdp8.web.translator.program import Module, Program, is_for_types
 from pdp8.web.translator.statements import Statements
-from pdp8.web.translator.types import ANY, leaf, own
+from pdp8.web.translator.types import leaf
 
 _BASES = ("Protocol", "NamedTuple", "IntEnum", "StrEnum")
 _ALIASES = ("Callable", "Annotated", "Literal", "dict", "tuple", "list", "Sequence", "Mapping")
@@ -72,39 +72,6 @@ class Writer(Statements):
             case ast.ClassDef():
                 return self._class(node)
         self.fail(node)
-
-    def inner(self, node: ast.FunctionDef) -> list[str]:
-        """Return a function within a function."""
-        head, *rest = self.function(node)
-        if head.startswith("*"):
-            self.fail(node, "a generator within a function")
-        return [f"{named(node.name)} = {head} => {{", *rest[:-1], "};"]
-
-    def function(self, node: ast.FunctionDef) -> list[str]:
-        """Return a function: its parameters, after a * if it is a generator, its statements and a brace."""
-        head = f"({', '.join(self._parameters(node.args))})"
-        body = own(node.body)
-        self.scopes.append(self.parameters(node))
-        scope = self.scopes[-1]
-        given = {*scope, *(name for part in body if isinstance(part, ast.Nonlocal) for name in part.names)}
-        scope |= {part.name: ANY for part in body if isinstance(part, ast.FunctionDef)}
-        self.learn(node.body)
-        self.temporary.append([])
-        loops, self.loops = self.loops, []
-        lines = self.block(node.body)
-        self.loops = loops
-        local = [named(name) for name in scope if name not in given] + self.temporary.pop()
-        self.scopes.pop()
-        star = "*" if any(isinstance(part, ast.Yield | ast.YieldFrom) for part in body) else ""
-        return [star + head, *([f"let {', '.join(local)};"] if local else []), *lines, "}"]
-
-    def _parameters(self, args: ast.arguments) -> list[str]:
-        defaults = [None] * (len(args.args) - len(args.defaults)) + list(args.defaults)
-        pairs = [pair for pair in zip(args.args, defaults, strict=True) if pair[0].arg != "self"]
-        pairs += [(args.vararg, None)] if args.vararg else []
-        pairs += zip(args.kwonlyargs, args.kw_defaults, strict=True)
-        pairs += [(args.kwarg, None)] if args.kwarg else []
-        return [named(each.arg) + (f" = {self.e(default)}" if default else "") for each, default in pairs]
 
     def _class(self, node: ast.ClassDef) -> list[str]:
         if "Protocol" in map(leaf, node.bases):

@@ -20,6 +20,11 @@ class Found(NamedTuple):
     module: "Module"
     node: Any
 
+    @property
+    def name(self) -> str:
+        """The full name of a class."""
+        return f"{self.module.name}.{self.node.name}"
+
 
 class Module:
     """One module's syntax tree, what it defines and what it imports."""
@@ -69,9 +74,9 @@ class Program:
     def __init__(self, modules: Iterable[Module], runtime: str) -> None:
         self.modules = {module.name: module for module in modules}
         self.packages = {name.split(".")[0] for name in self.modules}
-        names = re.findall(r"^export (?:const|class) (\w+)", runtime, re.MULTILINE)
-        self.runtime = frozenset(names)
-        self.errors = frozenset(name for name in names if name.endswith(("Error", "Exception")))
+        exports = re.findall(r"^export (?:const|class) (\w+|{.*?})", runtime, re.MULTILINE)
+        self.runtime = frozenset(re.findall(r"\w+", " ".join(exports)))
+        self.errors = frozenset(name for name in self.runtime if name.endswith(("Error", "Exception")))
         self.classes = {
             f"{module.name}.{name}": Found(module, node)
             for module in self.modules.values()

@@ -65,7 +65,6 @@ const latin = (of) => {
   for (let at = 0; at < of.length; at += 8192) text += String.fromCharCode.apply(null, of.slice(at, at + 8192));
   return text;
 };
-const unlatin = (text) => Bytes.from(text, (c) => c.charCodeAt(0));
 
 export class Bytes extends Uint8Array {
   find(what, from = 0) {
@@ -73,7 +72,6 @@ export class Bytes extends Uint8Array {
   }
   rfind(code) { return this.lastIndexOf(code); }
   count(code) { return this.filter((each) => each === code).length; }
-  tobytes() { return this; }
   join(of) {
     const parts = [...of].flatMap((each, at) => (at && this.length ? [this, each] : [each]));
     const made = new Bytes(parts.reduce((length, each) => length + each.length, 0));
@@ -103,13 +101,9 @@ export class ByteArray extends Array {}
 export class Words extends Uint16Array {
   tobytes() { return new Bytes(this.slice().buffer); }
 }
-const as_latin = (of) => (typeof of === "number" ? of : Array.isArray(of) ? of.map(latin) : latin(of));
-const as_text = (name, back) => give(Bytes, {
-  [name](...args) { return back(latin(this)[name](...args.map(as_latin))); },
-});
-for (const name of ["startswith", "endswith", "isdigit", "isascii"]) as_text(name, (found) => found);
-for (const name of ["replace_", "ljust"]) as_text(name, unlatin);
-for (const name of ["split_", "partition"]) as_text(name, (parts) => parts.map(unlatin));
+for (const name of ["startswith", "endswith", "isdigit", "isascii"]) {
+  give(Bytes, { [name](...args) { return latin(this)[name](...args.map(latin)); } });
+}
 
 const SPACE = [9, 10, 11, 12, 13, 32];
 /** Strip what is in `chars` (null: white space) from the left or right end, or both, of a string or bytes. */
@@ -131,11 +125,7 @@ const matching = (pattern) => function () { return pattern.test(this); };
 
 give(String, {
   join(of) { return Array.prototype.join.call([...of], this); },
-  split_(by = null, most = -1) {
-    if (by === null) return this.split(/\s+/).filter((each) => each);
-    const parts = this.split(by);
-    return most < 0 || parts.length <= most ? parts : [...parts.slice(0, most), parts.slice(most).join(by)];
-  },
+  split_(by = null) { return by === null ? this.split(/\s+/).filter((each) => each) : this.split(by); },
   splitlines(keep = false) {
     const lines = this.match(/[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+$/g) ?? [];
     return keep ? lines : lines.map((line) => line.replace(/\r?\n$|\r$/, ""));
@@ -146,11 +136,8 @@ give(String, {
   },
   replace_(from, to) { return this.replaceAll(from, () => to); },
   find: String.prototype.indexOf,
-  rfind(what, from = 0, to = this.length) {
-    const at = this.slice(0, to).lastIndexOf(what);
-    return at < from ? -1 : at;
-  },
-  count(what, from = 0, to = this.length) { return this.slice(from, to).split(what).length - 1; },
+  rfind: String.prototype.lastIndexOf,
+  count(what) { return this.split(what).length - 1; },
   startswith: affix(String.prototype.startsWith),
   endswith: affix(String.prototype.endsWith),
   upper: String.prototype.toUpperCase,
@@ -206,70 +193,52 @@ give(Number, {
   bit_count() { return this.toString(2).count("1"); },
 });
 
-// Dicts and sets: a tuple, bytes and a record are keys by what they hold.
+// Dicts and sets: a key is a number, a text, None or an object that is no other; a tuple is none.
 
 const key = (of) => {
-  if (typeof of === "boolean") return +of;
-  if (of === null || typeof of !== "object") return of;
-  if (of instanceof Record) of = of.constructor.$fields.map((name) => of[name]);
-  return typeof of.length === "number" ? `\0(${Array.from(of, key).join("\0,")})` : of;
+  if (Array.isArray(of) || ArrayBuffer.isView(of) || of instanceof Record) throw new TypeError(`${repr(of)} as a key`);
+  return of;
 };
-class Keyed {
-  constructor(of) {
-    this.map = new Map();
-    this.update(of);
-  }
-  get length() { return this.map.size; }
-  has(k) { return this.map.has(key(k)); }
-  clear() { this.map.clear(); }
-}
-export class Dict extends Keyed {
-  *[Symbol.iterator]() {
-    for (const [each] of this.map.values()) yield each;
-  }
-  get(k, otherwise = null) {
-    const pair = this.map.get(key(k));
-    return pair ? pair[1] : otherwise;
-  }
+export class Dict extends Map {
+  get length() { return this.size; }
+  [Symbol.iterator]() { return super.keys(); }
+  get(k, otherwise = null) { return this.has(k) ? super.get(k) : otherwise; }
   at(k) {
-    const pair = this.map.get(key(k));
-    if (!pair) throw new KeyError(k);
-    return pair[1];
+    if (!this.has(k)) throw new KeyError(k);
+    return super.get(k);
   }
-  set(k, value) {
-    const old = this.map.get(key(k));
-    if (old) old[1] = value;
-    else this.map.set(key(k), [k, value]);
-  }
+  set(k, value) { return super.set(key(k), value); }
   keys() { return set(this); }
-  values() { return Array.from(this.map.values(), ([, value]) => value); }
-  items() { return Array.from(this.map.values(), ([k, value]) => [k, value]); }
+  values() { return [...super.values()]; }
+  items() { return [...super.entries()]; }
   setdefault(k, value) {
     if (!this.has(k)) this.set(k, value);
-    return this.get(k);
+    return super.get(k);
   }
   update(pairs) {
     for (const [k, value] of pairs instanceof Dict ? pairs.items() : pairs) this.set(k, value);
   }
   pop_(k, otherwise) {
     const value = otherwise === undefined ? this.at(k) : this.get(k, otherwise);
-    this.map.delete(key(k));
+    this.delete(k);
     return value;
   }
 }
-export class PySet extends Keyed {
-  [Symbol.iterator]() { return this.map.values(); }
-  add(item) {
-    if (!this.has(item)) this.map.set(key(item), item);
-  }
-  discard(item) { this.map.delete(key(item)); }
+export class PySet extends Set {
+  get length() { return this.size; }
+  add(item) { return super.add(key(item)); }
+  discard(item) { this.delete(item); }
   update(of) {
     for (const each of of) this.add(each);
   }
 }
-export const dict = (of = []) => new Dict(of);
+export const dict = (of = []) => {
+  const made = new Dict();
+  made.update(of);
+  return made;
+};
 dict.fromkeys = (of, value = null) => dict(Array.from(of, (each) => [each, value]));
-export const set = (of = []) => new PySet(of);
+export const set = (of) => new PySet(of);
 export const frozenset = set;
 
 // Operators, where the types are not known before.
@@ -289,7 +258,7 @@ export const add = (a, b) => {
   if (a.__add__) return a.__add__(b);
   return a instanceof Bytes ? EMPTY.join([a, b]) : like(a, [...a, ...b]);
 };
-export const sub = (a, b) => (a.__sub__ ? a.__sub__(b) : a instanceof Keyed ? set([...a].filter((each) => !has(b, each))) : a - b);
+export const sub = (a, b) => (a.__sub__ ? a.__sub__(b) : a instanceof PySet ? set([...a].filter((each) => !has(b, each))) : a - b);
 export const mul = (a, b) => {
   if (num(a) && (num(b) || b instanceof Rational)) return a * b;
   if (a.__mul__) return a.__mul__(b);
@@ -312,7 +281,7 @@ export const divmod = (a, b) => [floordiv(a, b), mod(a, b)];
 export const shl = (a, b) => (typeof a === "bigint" ? a << BigInt(b) : a * 2 ** b);
 export const shr = (a, b) => Math.floor(a / 2 ** b);
 export const and_ = (a, b) => {
-  if (a instanceof Keyed) return set([...a].filter((each) => b.has(each)));
+  if (a instanceof PySet) return set([...a].filter((each) => b.has(each)));
   return typeof a === "boolean" && typeof b === "boolean" ? a && b : low_and(a, b);
 };
 export const or_ = (a, b) => {
@@ -325,7 +294,7 @@ export const xor = bits((a, b) => a ^ b);
 /** a += b, a |= b: a list, a set and a Dict grow. */
 export const grown = (a, b) => {
   if (Array.isArray(a)) a.extend(b);
-  else if (a instanceof Keyed) a.update(b);
+  else if (a.update) a.update(b);
   else return typeof a === "boolean" ? a || b : add(a, b);
   return a;
 };
@@ -374,13 +343,6 @@ export const put = (of, index, value) => {
   else if (index < -of.length || index >= of.length) throw new IndexError("assignment index out of range");
   else of[index < 0 ? index + of.length : index] = value;
 };
-export const slice = (of, start, stop) => of.slice(start ?? 0, stop ?? undefined);
-export const put_slice = (of, start, stop, items) => {
-  const rest = of.slice(stop ?? of.length);
-  of.length = start ?? 0;
-  of.extend(items);
-  of.extend(rest);
-};
 
 // Text.
 
@@ -426,32 +388,27 @@ const general = (of, places) => {
   if (of !== 0 && (power < -4 || power >= places)) return exponent(`${short(mantissa)}e${power}`);
   return short(fixed(of, Math.max(0, places - 1 - power)));
 };
-const SPEC = /^(?:(.)?([<>]))?([-+])?(0)?(\d+)?(,)?(?:\.(\d+))?([oxfg%])?$/su;
+const SPEC = /^([+])?(0)?(\d+)?(,)?(?:\.(\d+))?([oxfg])?$/;
+/** A number stands at the right of its width, a text at the left. */
 export const format = (of, spec) => {
-  const [, fill, align, plus, zero, width = 0, comma, places = 6, kind] = SPEC.exec(spec);
-  const number = typeof of === "number" || of instanceof Number;
-  let [sign, body] = ["", number ? "" : str(of)];
-  if (number) {
-    const size = Math.abs(of);
-    const float = of instanceof Number || "fg%".includes(kind ?? " "); // a whole number has no -0
-    sign = of < 0 || (float && Object.is(+of, -0)) ? "-" : plus === "+" ? "+" : "";
-    if (kind === "o" || kind === "x") body = size.toString(kind === "o" ? 8 : 16);
-    else if (kind === "f") body = fixed(size, +places);
-    else if (kind === "%") body = `${fixed(size * 100, +places)}%`;
-    else if (kind === "g") body = general(size, +places || 1);
-    else body = of instanceof Number ? String(new Floating(size)) : digits(size);
-    if (comma) body = body.replace(/^\d+/, (whole) => whole.replace(/\B(?=(\d{3})+$)/g, ","));
-  } else if (places < 6) body = body.slice(0, +places);
-  const room = Math.max(0, width - sign.length - body.length);
-  if (zero && number) return sign + "0".repeat(room) + body;
-  const pad = (fill ?? " ").repeat(room);
-  return (align ?? (number ? ">" : "<")) === "<" ? sign + body + pad : pad + sign + body;
+  const [, plus, zero, width = 0, comma, places = 6, kind] = SPEC.exec(spec);
+  if (typeof of !== "number" && !(of instanceof Number)) return str(of).padEnd(width);
+  const size = Math.abs(of), float = of instanceof Number || kind === "f" || kind === "g"; // a whole number has no -0
+  const sign = of < 0 || (float && Object.is(+of, -0)) ? "-" : plus ?? "";
+  let body = float ? String(new Floating(size)) : digits(size);
+  if (kind === "o" || kind === "x") body = size.toString(kind === "o" ? 8 : 16);
+  else if (kind === "f") body = fixed(size, +places);
+  else if (kind === "g") body = general(size, +places);
+  if (comma) body = body.replace(/^\d+/, (whole) => whole.replace(/\B(?=(\d{3})+$)/g, ","));
+  return zero ? sign + body.padStart(width - sign.length, "0") : (sign + body).padStart(width);
 };
 
 // Python's own functions.
 
 export const len = (of) => of.length;
 export const bool = (of) => truth(of);
+export const type = (of) => of.constructor;
+Object.defineProperty(Function.prototype, "__name__", { get() { return this.name; } });
 export const chr = (code) => String.fromCodePoint(code);
 export const ord = (of) => of.codePointAt(0);
 export const iter = (of) => of[Symbol.iterator]();
@@ -493,21 +450,13 @@ export const getattr = (of, name) => {
   const value = of[name];
   return typeof value === "function" ? value.bind(of) : value;
 };
+export class slice {} // nothing is one: a translated slice calls the method of this name
 export const setattr = (of, name, value) => { of[name] = value; };
-class Range {
-  constructor(start, stop, step) {
-    Object.assign(this, { start, stop, step, length: Math.max(0, Math.ceil((stop - start) / step)) });
-  }
-  *[Symbol.iterator]() {
-    for (let at = 0; at < this.length; at++) yield this.at(at);
-  }
-  has(value) {
-    const steps = (value - this.start) / this.step;
-    return Number.isInteger(steps) && steps >= 0 && steps < this.length;
-  }
-  at(index) { return this.start + (index < 0 ? index + this.length : index) * this.step; }
-}
-export const range = (a, b, step = 1) => (b === undefined ? new Range(0, a, 1) : new Range(a, b, step));
+export const range = (a, b, step = 1) => {
+  const [start, stop] = b === undefined ? [0, a] : [a, b];
+  const made = Array.from({ length: Math.max(0, Math.ceil((stop - start) / step)) }, (_, at) => start + at * step);
+  return Object.assign(made, { start, stop });
+};
 const best = (wins) => (of, by = (each) => each, _, otherwise) => {
   const [first, ...others] = of;
   if (first !== undefined) return others.reduce((most, each) => (wins(by(each), by(most)) ? each : most), first);
@@ -520,13 +469,6 @@ export const sum = (of, start = 0) => {
   for (const each of of) start = add(start, each);
   return start;
 };
-export const abs = Math.abs;
-export const floor = Math.floor;
-export const ceil = Math.ceil;
-export const sqrt = Math.sqrt;
-export const atan = Math.atan;
-export const cos = Math.cos;
-export const sin = Math.sin;
 export const any = (of) => of.some(truth);
 export const all = (of) => of.every(truth);
 export const sorted = (of, by = (each) => each, reverse = false) => {
@@ -538,13 +480,9 @@ export const reversed = (of) => [...of].reverse();
 export const enumerate = function* (of, start = 0) {
   for (const each of of) yield [start++, each];
 };
-export const zip = function* (...of) {
-  const iterators = of.map(iter);
-  for (;;) {
-    const items = iterators.map((each) => each.next());
-    if (items.some(({ done }) => done)) return;
-    yield items.map(({ value }) => value);
-  }
+export const zip = (...of) => {
+  const [first, ...others] = of.map(list);
+  return first.slice(0, Math.min(...others.map(len))).map((each, at) => [each, ...others.map((other) => other[at])]);
 };
 export const map = (f, of) => Array.from(of, (each) => f(each));
 export const round = (of, places = null) => {
@@ -555,10 +493,8 @@ export const round = (of, places = null) => {
 
 // The standard library.
 
-export const pairwise = (of) => {
-  const items = [...of];
-  return items.slice(1).map((each, index) => [items[index], each]);
-};
+export const { abs, acos, asin, atan, ceil, cos, cosh, exp, floor, log, sin, sinh, sqrt, tan, tanh } = Math;
+export const pairwise = (of) => zip(of, list(of).slice(1));
 export const bisect_left = (of, value, low = 0, high = of.length, by = (each) => each) => {
   while (low < high) {
     const middle = (low + high) >> 1;
@@ -569,14 +505,6 @@ export const bisect_left = (of, value, low = 0, high = of.length, by = (each) =>
 };
 export const monotonic = () => performance.now() / 1000;
 export const radians = (degrees) => degrees * (Math.PI / 180);
-export const acos = Math.acos;
-export const asin = Math.asin;
-export const cosh = Math.cosh;
-export const exp = Math.exp;
-export const log = Math.log;
-export const sinh = Math.sinh;
-export const tan = Math.tan;
-export const tanh = Math.tanh;
 export const isfinite = Number.isFinite;
 export const copysign = (a, b) => (b < 0 || Object.is(b, -0) ? -1 : 1) * Math.abs(a);
 export const json = {
@@ -605,12 +533,12 @@ export const escape = (text) => text.replace(/[&<>"']/g, (c) => ENTITIES[c]);
 /** The whole root of a whole number, a BigInt, by Newton's steps from above. */
 export const isqrt = (of) => {
   const square = BigInt(of);
-  let root = BigInt(Math.ceil(Math.sqrt(Number(square))));
-  for (let next_ = root + (root >> 50n) + 1n; next_ < root || root * root > square; ) {
-    root = next_;
-    next_ = (root + square / root) >> 1n;
+  let root = 1n << BigInt(2 * square.toString(16).length);
+  for (;;) {
+    const nearer = (root + square / (root || 1n)) >> 1n;
+    if (nearer >= root) return root;
+    root = nearer;
   }
-  return root;
 };
 const gcd = (a, b) => (b ? gcd(b, a % b) : a);
 /** An exact quotient, in lowest terms. At the left of it a number is a float, at its right a whole one. */
@@ -650,20 +578,9 @@ export const Fraction = (of, under = 1) => {
   const places = Number(power) - part.length;
   return new Rational(BigInt(whole + part) * 10n ** BigInt(Math.max(0, places)), 10n ** BigInt(Math.max(0, -places)));
 };
-class Match {
-  constructor(match) { this.match = match; }
-  group(number = 0) { return this.match[number] ?? null; }
-  start(number = 0) { return this.match.indices[number][0]; }
-  end() { return this.match.indices[0][1]; }
+class Pattern extends RegExp {
+  findall(text) { return Array.from(text.matchAll(this), ([, ...parts]) => parts); }
+  finditer(text) { return Array.from(text.matchAll(this), ({ 0: { length }, index }) => ({ start: () => index, end: () => index + length })); }
+  split_(text) { return text.split(this); }
 }
-class Pattern {
-  constructor(source) { this.source = source; }
-  *finditer(text, from = 0) {
-    const pattern = new RegExp(this.source, "dgu");
-    pattern.lastIndex = from;
-    for (const match of text.matchAll(pattern)) yield new Match(match);
-  }
-  split_(text) { return text.split(new RegExp(this.source, "u")); }
-  findall(text) { return Array.from(text.matchAll(new RegExp(this.source, "gu")), ([, ...parts]) => parts); }
-}
-export const re = { compile: (source) => new Pattern(source), finditer: (source, text) => new Pattern(source).finditer(text) };
+export const re = { compile: (source) => new Pattern(source, "gu") };

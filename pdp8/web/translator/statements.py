@@ -4,11 +4,10 @@ A function's names are declared at its beginning, since in Python they are the w
 """
 
 import ast
+from typing import Any
 
 from pdp8.web.translator.expressions import Expressions, named
-from pdp8.web.translator.types import NUMBERS, PLAIN, STR, WORD, own, whole
-
-_SIMPLE = ast.Name | ast.Attribute
+from pdp8.web.translator.types import ANY, PLAIN, WORD, own, whole
 
 
 class Statements(Expressions):
@@ -30,21 +29,20 @@ class Statements(Expressions):
                 return []
             case ast.Expr(value):
                 return [self.e(value) + ";"]
-            case ast.Assign([ast.Tuple(targets)], ast.Tuple(values)) if _independent(targets, values):
-                pairs = zip(targets, values, strict=True)
-                return [line for target, value in pairs for line in self.put(target, self.e(value))]
+            case ast.Assign([ast.Tuple(targets)], ast.Tuple(values)) if len(targets) == len(values):
+                return self._all(targets, values)
             case ast.Assign([target], value) | ast.AnnAssign(target, _, ast.expr() as value):
-                return self.put(target, self.e(value))
-            case ast.Assign(targets, value) if all(isinstance(each, _SIMPLE) for each in targets):
-                return [f"{' = '.join(map(self.target, targets))} = {self.e(value)};"]
+                return [self.put(target, self.e(value))]
             case ast.Assign(targets, value):
                 once = self.temp()
-                lines = (line for target in targets for line in self.put(target, once))
-                return [f"{once} = {self.e(value)};", *lines]
+                return [f"{once} = {self.e(value)};", *(self.put(target, once) for target in targets)]
             case ast.AugAssign(target, operator, value):
-                return self._changed(target, operator, value)
+                return [self._changed(target, operator, value)]
             case ast.If(test, body, other):
-                return self._switch(node) or self._branches(test, body, other)
+                if cases := self._cases(node):
+                    return self._switch(cases, test)
+                lines = [f"if ({self.test(test)}) {{", *self.block(body)]
+                return [*lines, *(["} else {", *self.block(other)] if other else []), "}"]
             case ast.While(test, body, []):
                 return self._loop(f"while ({self.test(test)})", [], body)
             case ast.For(orelse=[]):
@@ -61,83 +59,87 @@ class Statements(Expressions):
                 bare = isinstance(error, ast.Name) and error.id in self.program.errors
                 return [f"throw {f'new $.{error.id}()' if bare else self.e(error)};"]  # type: ignore[attr-defined]
             case ast.FunctionDef():
-                return self.inner(node)
+                head, *rest = self.function(node)
+                if head.startswith("*"):
+                    self.fail(node, "a generator within a function")
+                return [f"{named(node.name)} = {head} => {{", *rest[:-1], "};"]
             case ast.Try(orelse=[]):
                 return self._try(node)
             case ast.With([ast.withitem(context, None)], body):
                 return self._with(context, body)
         self.fail(node)
 
-    def inner(self, node: ast.FunctionDef) -> list[str]:
-        """Return a function within a function."""
-        raise NotImplementedError
+    def function(self, node: ast.FunctionDef) -> list[str]:
+        """Return a function: its parameters, after a * if it is a generator, its statements and a brace."""
+        head = f"({', '.join(self._parameters(node.args))})"
+        body = own(node.body)
+        self.scopes.append(self.parameters(node))
+        scope = self.scopes[-1]
+        given = {*scope, *(name for part in body if isinstance(part, ast.Nonlocal) for name in part.names)}
+        scope |= {part.name: ANY for part in body if isinstance(part, ast.FunctionDef)}
+        self.learn(node.body)
+        self.temporary.append([])
+        loops, self.loops = self.loops, []
+        lines = self.block(node.body)
+        self.loops = loops
+        local = [named(name) for name in scope if name not in given] + self.temporary.pop()
+        self.scopes.pop()
+        star = "*" if any(isinstance(part, ast.Yield | ast.YieldFrom) for part in body) else ""
+        return [star + head, *([f"let {', '.join(local)};"] if local else []), *lines, "}"]
 
-    def target(self, node: ast.expr) -> str:
-        """Return what is assigned to."""
-        return named(node.id) if isinstance(node, ast.Name) else self.e(node)
+    def _parameters(self, args: ast.arguments) -> list[str]:
+        defaults = [None] * (len(args.args) - len(args.defaults)) + list(args.defaults)
+        pairs = [pair for pair in zip(args.args, defaults, strict=True) if pair[0].arg != "self"]
+        pairs += [(args.vararg, None)] if args.vararg else []
+        pairs += zip(args.kwonlyargs, args.kw_defaults, strict=True)
+        pairs += [(args.kwarg, None)] if args.kwarg else []
+        return [named(each.arg) + (f" = {self.e(default)}" if default else "") for each, default in pairs]
 
-    def put(self, target: ast.expr, value: str) -> list[str]:
+    def put(self, target: ast.expr, value: str) -> str:
         """Return the assignment of what is written as `value`."""
         match target:
-            case ast.Name() | ast.Attribute():
-                return [f"{self.target(target)} = {value};"]
-            case ast.Subscript(of, ast.Slice(lower, upper, None)):
-                bounds = ", ".join(self.e(each) if each else "null" for each in (lower, upper))
-                return [f"$.put_slice({self.e(of)}, {bounds}, {value});"]
-            case ast.Subscript(of, index):
+            case ast.Subscript(of, index) if not isinstance(index, ast.Slice):
                 kind = self.infer(of).name
                 direct = kind == "words" or (kind in ("list", "bytearray") and self.infer(index) == WORD)
-                if direct and (whole(index) or 0) >= 0:
-                    return [f"{self.e(of)}[{self.e(index)}] = {value};"]
-                return [f"$.put({self.e(of)}, {self.e(index)}, {value});"]
-            case ast.Tuple(targets) if all(isinstance(each, _SIMPLE) for each in targets):
-                return [f"[{', '.join(map(self.target, targets))}] = {value};"]
-            case ast.Tuple(targets):
-                once = self.temp()
-                lines = [f"{once} = [...{value}];"]
-                for at, each in enumerate(targets):
-                    if isinstance(each, ast.Starred) and each is targets[-1]:
-                        lines += self.put(each.value, f"{once}.slice({at})")
-                    else:
-                        lines += self.put(each, f"{once}[{at}]")
-                return lines
+                if not direct or (whole(index) or 0) < 0:
+                    return f"$.put({self.e(of)}, {self.e(index)}, {value});"
+                return f"{self.e(of)}[{self.e(index)}] = {value};"
+            case ast.Name() | ast.Attribute():
+                return f"{self.e(target)} = {value};"
+            case ast.Tuple() if not any(isinstance(each, ast.Subscript) for each in ast.walk(target)):
+                return f"{self.e(target)} = {value};"
         self.fail(target)
 
-    def _changed(self, target: ast.expr, operator: ast.operator, value: ast.expr) -> list[str]:
-        kind, added = self.infer(target), self.infer(value)
-        if isinstance(operator, ast.Add | ast.BitOr) and kind not in PLAIN:
-            return self.put(target, f"$.grown({self.e(target)}, {self.e(value)})")
-        simple = (kind in NUMBERS and added in NUMBERS) or kind == added == STR
-        if simple and isinstance(operator, ast.Add | ast.Sub) and isinstance(target, _SIMPLE):
-            sign = "+" if isinstance(operator, ast.Add) else "-"
-            return [f"{self.target(target)} {sign}= {self.e(value)};"]
-        return self.put(target, self.binary(operator, (self.e(target), target), (self.e(value), value)))
+    def _all(self, targets: list[ast.expr], values: list[ast.expr]) -> list[str]:
+        """Return `a, b = x, y`: all values are there before any is assigned."""
+        given = [(self.temp(), self.e(value)) for value in values]
+        before = [f"{once} = {value};" for once, value in given]
+        return before + [self.put(target, once) for target, (once, _) in zip(targets, given, strict=True)]
 
-    def _branches(self, test: ast.expr, body: list[ast.stmt], other: list[ast.stmt]) -> list[str]:
-        lines = [f"if ({self.test(test)}) {{", *self.block(body)]
-        return [*lines, *(["} else {", *self.block(other)] if other else []), "}"]
+    def _changed(self, target: ast.expr, operator: ast.operator, value: ast.expr) -> str:
+        before, by = self.e(target), self.e(value)
+        if isinstance(operator, ast.Add | ast.BitOr) and self.infer(target) not in PLAIN:
+            return self.put(target, f"$.grown({before}, {by})")
+        return self.put(target, self.binary(operator, (before, target), (by, value)))
 
     def _cases(self, node: ast.If) -> list[tuple[str, list[ast.stmt]]]:
         """Return number and statements of a long `if x == 1: ... elif x == 2: ... else: ...`."""
-        found, subject = [], ast.unparse(getattr(node.test, "left", node.test))
-        while True:
-            match node.test:
-                case ast.Compare(ast.Name(name), [ast.Eq()], [right]) if name == subject:
-                    if (number := self.constant(right)) is None:
-                        return []
-                    found.append((f"case {number}:", node.body))
+        found: list[tuple[str, list[ast.stmt]]] = []
+        names = set()
+        rest: list[ast.stmt] = [node]
+        while len(rest) == 1 and isinstance(rest[0], ast.If):
+            match rest[0].test:
+                case ast.Compare(ast.Name(name), [ast.Eq()], [right]) if self.constant(right) is not None:
+                    found.append((f"case {self.constant(right)}:", rest[0].body))
+                    names.add(name)
                 case _:
                     return []
-            if len(node.orelse) != 1 or not isinstance(node.orelse[0], ast.If):
-                return [*found, ("default:", node.orelse)] if len(found) > 4 else []
-            node = node.orelse[0]
+            rest = rest[0].orelse
+        return [*found, ("default:", rest)] if len(found) > 4 and len(names) == 1 else []
 
-    def _switch(self, node: ast.If) -> list[str]:
-        cases = self._cases(node)
-        if not cases:
-            return []
+    def _switch(self, cases: list[tuple[str, list[ast.stmt]]], test: Any) -> list[str]:
         self.loops.append("")
-        lines = [f"switch ({self.e(node.test.left)}) {{"]  # type: ignore[attr-defined]
+        lines = [f"switch ({self.e(test.left)}) {{"]
         for head, body in cases:
             lines += [f"{head} {{", *self.block(body), "break; }"]
         self.loops.pop()
@@ -162,7 +164,7 @@ class Statements(Expressions):
                 head = f"for ({at} = {self.e(low)}, {end} = {self.e(high)}; {at} < {end}; {at}++)"
                 return self._loop(head, [f"{named(name)} = {at};"], node.body)
         once = self.temp()
-        return self._loop(f"for ({once} of {self.e(source)})", self.put(target, once), node.body)
+        return self._loop(f"for ({once} of {self.e(source)})", [self.put(target, once)], node.body)
 
     def _try(self, node: ast.Try) -> list[str]:
         lines = ["try {", *self.block(node.body)]
@@ -188,12 +190,3 @@ class Statements(Expressions):
 
 def _is_set(node: ast.Name) -> bool:
     return isinstance(node.ctx, ast.Store)
-
-
-def _independent(targets: list[ast.expr], values: list[ast.expr]) -> bool:
-    """Tell whether one may be assigned after the other: no later value reads what was set before."""
-    if len(targets) != len(values) or not all(isinstance(each, _SIMPLE) for each in targets):
-        return False
-    before = {ast.unparse(each) for each in targets[:-1]}
-    later = [part for value in values[1:] for part in ast.walk(value)]
-    return not any(isinstance(part, ast.Call) or ast.unparse(part) in before for part in later)

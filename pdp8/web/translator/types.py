@@ -11,10 +11,13 @@
 
 import ast
 from functools import cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 if TYPE_CHECKING:
     from pdp8.web.translator.program import Found, Module, Program
+
+
+K = TypeVar("K")
 
 
 class Type(NamedTuple):
@@ -38,60 +41,76 @@ NUMBERS = (WORD, INT, FLOAT)
 PLAIN = (*NUMBERS, BOOL, STR)
 SEQUENCES = ("list", "tuple", "words", "bytes", "bytearray", "str")
 
+_SAME, _ITEM, _VALUE = Type("same"), Type("item"), Type("value")
+
+
+def by_name(table: dict[K, str]) -> dict[str, K]:
+    """Return {name: kind} of {kind: names}."""
+    return {name: kind for kind, names in table.items() for name in names.split()}
+
+
+def list_of(item: Type) -> Type:
+    """Return the type of a list."""
+    return Type("list", (item,))
+
+
 _PLAIN = {"int": INT, "float": FLOAT, "bool": BOOL, "str": STR, "bytes": BYTES, "bytearray": BYTEARRAY}
-_GENERIC = {
-    **{
-        "list": "list",
-        "Sequence": "list",
-        "set": "set",
-        "frozenset": "set",
-        "Set": "set",
-        "dict": "dict",
-        "Mapping": "dict",
-    },
-    **{"Iterable": "iterable", "Iterator": "iterable", "Collection": "iterable", "tuple": "tuple"},
-}
+_GENERIC = by_name(
+    {
+        "list": "list Sequence",
+        "tuple": "tuple",
+        "iterable": "Iterable Iterator Collection",
+        "set": "set frozenset Set",
+        "dict": "dict Mapping",
+    }
+)
 _TEXT = {
-    "same": "strip lstrip rstrip replace translate join ljust",
-    "int": "find rfind count",
-    "bool": "startswith endswith isascii isdigit",
-    "list same": "split partition",
+    _SAME: "strip lstrip rstrip translate join",
+    INT: "find rfind count",
+    BOOL: "startswith endswith isascii isdigit",
 }
-_ARRAY = {"int": "index count", "None": "append extend clear", "item": "pop"}
+_ARRAY = by_name({INT: "index count", NONE: "append extend clear", _ITEM: "pop"})
+_NUMBER = by_name({WORD: "bit_count bit_length"})
+_PAIR = Type("tuple", (_ITEM, _VALUE))
 METHODS = {
-    "str": {
-        "same": _TEXT["same"] + " rjust removesuffix removeprefix lower upper expandtabs",
-        "bool": _TEXT["bool"] + " isdecimal isalpha isspace",
-        **{"int": _TEXT["int"], "list same": "split partition splitlines", "bytes": "encode"},
-    },
-    "bytes": {**_TEXT, "str": "decode", "bytes": "tobytes"},
+    "str": by_name(_TEXT)
+    | by_name(
+        {
+            _SAME: "replace ljust rjust removesuffix removeprefix lower upper expandtabs",
+            BOOL: "isdecimal isalpha isspace",
+            BYTES: "encode",
+            list_of(_SAME): "split partition splitlines",
+        }
+    ),
+    "bytes": by_name(_TEXT | {STR: "decode"}),
     **dict.fromkeys(("bytearray", "list", "tuple"), _ARRAY),
-    "words": {"bytes": "tobytes"},
-    "set": {"None": "add discard update clear"},
-    "dict": {
-        **{"value": "get pop setdefault", "list item": "keys", "list value": "values", "pairs": "items"},
-        "None": "update clear",
-    },
-    **{"word": {"word": "bit_count bit_length"}, "int": {"word": "bit_count bit_length"}},
+    **dict.fromkeys(("word", "int"), _NUMBER),
+    "words": by_name({BYTES: "tobytes"}),
+    "set": by_name({NONE: "add discard update clear"}),
+    "dict": by_name(
+        {
+            _VALUE: "get pop setdefault",
+            NONE: "update clear",
+            list_of(_ITEM): "keys",
+            list_of(_VALUE): "values",
+            list_of(_PAIR): "items",
+        }
+    ),
 }
 """What the methods of Python's own types return; a method that does not stand here has no translation."""
 _SETTING = ast.Assign | ast.AnnAssign | ast.AugAssign | ast.NamedExpr | ast.For | ast.ExceptHandler
-_CALLS = {
-    **{
-        "len": WORD,
-        "ord": WORD,
-        "int": INT,
-        "round": INT,
-        "isqrt": INT,
-        "floor": INT,
-        "ceil": INT,
-        "array": WORDS,
-    },
-    **dict.fromkeys(("float", "sqrt", "cos", "sin", "atan", "copysign"), FLOAT),
-    **dict.fromkeys(("bool", "isinstance", "any", "all"), BOOL),
-    **dict.fromkeys(("str", "chr", "repr"), STR),
-    **{"bytes": BYTES, "bytearray": BYTEARRAY},
-}
+_CONSTANT = ast.Constant | ast.BinOp | ast.UnaryOp | ast.operator | ast.unaryop
+_CLOSED = ast.FunctionDef | ast.Lambda | ast.ClassDef | ast.Constant | ast.Name
+_CALLS = _PLAIN | by_name(
+    {
+        WORD: "len ord",
+        INT: "round isqrt floor ceil",
+        FLOAT: "sqrt cos sin atan copysign",
+        BOOL: "isinstance any all",
+        STR: "chr repr",
+        WORDS: "array",
+    }
+)
 
 
 def leaf(node: ast.AST | None) -> str:
@@ -116,23 +135,16 @@ def join(one: Type, other: Type) -> Type:
 
 def whole(node: ast.AST | None) -> int | None:
     """Return the value of an expression of whole numbers alone, None for any other."""
-    if isinstance(node, ast.Constant):
-        return node.value if type(node.value) is int else None
-    if not isinstance(node, ast.BinOp | ast.UnaryOp):
-        return None
-    allowed = (ast.BinOp, ast.UnaryOp, ast.Constant, ast.operator, ast.unaryop)
-    if not all(isinstance(each, allowed) for each in ast.walk(node)):
-        return None
-    try:
-        value = eval(compile(ast.Expression(node), "<constant>", "eval"))
-    except ArithmeticError:  # it is raised when it runs
-        return None
+    if isinstance(node, ast.BinOp | ast.UnaryOp) and all(
+        isinstance(each, _CONSTANT) for each in ast.walk(node)
+    ):
+        try:
+            value = eval(compile(ast.Expression(node), "<constant>", "eval"))
+        except ArithmeticError:  # it is raised when it runs
+            return None
+    else:
+        value = getattr(node, "value", None) if isinstance(node, ast.Constant) else None
     return value if type(value) is int else None
-
-
-def number_of(value: int) -> Type:
-    """Return the type of a whole number."""
-    return WORD if 0 <= value < 1 << 31 else INT
 
 
 def _element(of: Type, index: ast.expr) -> Type:
@@ -206,7 +218,7 @@ class Types:
                 if name not in _GENERIC:
                     return WORDS if name in ("array", "MutableSequence") else ANY
                 if isinstance(items[-1], ast.Constant) and items[-1].value is ...:
-                    return Type("list", (self.annotated(items[0], module),))
+                    return list_of(self.annotated(items[0], module))
                 return Type(_GENERIC[name], tuple(self.annotated(item, module) for item in items))
             case ast.Name() | ast.Attribute() if name not in _PLAIN:
                 found = self.program.find(module, name)
@@ -229,32 +241,29 @@ class Types:
         found = self.program.classes[name]
         inner = Types(self.program, found.module)
         inner.owner = name
-        methods = [each for each in found.node.body if isinstance(each, ast.FunctionDef)]
         for member in found.node.body:
             if isinstance(member, ast.FunctionDef) and member.name == attribute:
                 return inner.annotated(member.returns), found._replace(node=member)
             if isinstance(member, ast.AnnAssign) and leaf(member.target) == attribute:
                 return inner.annotated(member.annotation), None
-        for method in methods:
+        for method in (each for each in found.node.body if isinstance(each, ast.FunctionDef)):
             setting = [each for each in own(method.body) if isinstance(each, ast.Assign | ast.AnnAssign)]
-            if not any(attribute in map(leaf, _targets(each)) for each in setting):
+            if not any(_sets(each, attribute) for each in own(method.body)):
                 continue
             inner.scopes = [inner.parameters(method)]
             inner.learn(method.body)
             for target, kind in (pair for each in setting for pair in inner._set_by(each)):
-                if isinstance(target, ast.Attribute) and target.attr == attribute:
+                if _sets(target, attribute):
                     return INT if kind == WORD else kind, None
-        bases = [self.annotated(base, found.module).name for base in found.node.bases]
-        return next(
-            (self.of_class(base, attribute) for base in bases if base in self.program.classes), (ANY, None)
-        )
+        bases = self.program.bases(found.module, found.node)
+        return next((self.of_class(base.name, attribute) for base in bases), (ANY, None))
 
     def parameters(self, function: ast.FunctionDef) -> dict[str, Type]:
         """Return the types of a function's parameters."""
         args = function.args
         types = {each.arg: self.annotated(each.annotation) for each in (*args.args, *args.kwonlyargs)}
         if args.vararg:
-            types[args.vararg.arg] = Type("list", (self.annotated(args.vararg.annotation),))
+            types[args.vararg.arg] = list_of(self.annotated(args.vararg.annotation))
         if args.kwarg:
             types[args.kwarg.arg] = Type("dict", (STR, self.annotated(args.kwarg.annotation)))
         return types | {"self": Type(self.owner)} if "self" in types else types
@@ -295,9 +304,7 @@ class Types:
         """Return the type of what iterating over an expression yields."""
         match node:
             case ast.Call(ast.Name("range"), args):
-                return (
-                    WORD if all((whole(arg) or 0) >= 0 and self.infer(arg) == WORD for arg in args) else INT
-                )
+                return WORD if all(self.infer(arg) == WORD for arg in args) else INT
             case ast.Call(ast.Name("enumerate"), [of, *_]):
                 return Type("tuple", (WORD, self._yielded(of)))
             case ast.Call(ast.Name("zip"), args):
@@ -340,7 +347,7 @@ class Types:
             case ast.Constant(bool()) | ast.Compare() | ast.UnaryOp(ast.Not()):
                 return BOOL
             case ast.Constant() | ast.BinOp() if (number := whole(node)) is not None:
-                return number_of(number)
+                return WORD if 0 <= number < 1 << 31 else INT
             case ast.Constant(value):
                 return _PLAIN.get(type(value).__name__, NONE)
             case ast.JoinedStr():
@@ -368,7 +375,7 @@ class Types:
                 return Type("tuple", tuple(map(self.infer, items)))
             case ast.List(items) | ast.Tuple(items):
                 kind = self._joined(items)
-                return Type("list", (INT if kind == WORD else ANY if kind == UNSEEN else kind,))
+                return list_of(INT if kind == WORD else ANY if kind == UNSEEN else kind)
             case ast.Dict():
                 return Type("dict", (ANY, ANY))
             case ast.Set() | ast.SetComp():
@@ -422,7 +429,7 @@ class Types:
         """Return the type of what a call returns."""
         name = leaf(function)
         if isinstance(function, ast.Attribute) and (owner := self.infer(function.value)).name in METHODS:
-            return _returned(owner, name)
+            return _returned(owner, METHODS[owner.name].get(name, ANY))
         if found := self.callee(function):
             if isinstance(found.node, ast.ClassDef):
                 return self.program.kind(found.module, found.node)
@@ -432,8 +439,6 @@ class Types:
                 return Type("dict", (ANY, self.infer(value)))
             case (("replace" | "_replace"), _):
                 return self.infer(arguments[0] if arguments else function.value)  # type: ignore[attr-defined]
-            case "cast", [annotation, _]:
-                return self.annotated(annotation)
             case (("min" | "max"), [_, _, *_]):
                 return self._joined(arguments)
             case (("min" | "max"), [of]):
@@ -443,7 +448,7 @@ class Types:
             case "abs", [of]:
                 return INT if (kind := self.infer(of)) == WORD else kind
             case (("list" | "tuple" | "sorted" | "reversed" | "iter"), [of]):
-                return Type("list", (self._yielded(of),))
+                return list_of(self._yielded(of))
             case (("set" | "frozenset"), [of]):
                 return Type("set", (self._yielded(of),))
             case "dict", [of]:
@@ -451,31 +456,24 @@ class Types:
         return _CALLS.get(name, ANY)
 
 
-def _returned(owner: Type, name: str) -> Type:
-    """Return what a method of one of Python's own types returns."""
-    value = owner.of[-1] if owner.name == "dict" else ANY
-    meant = {
-        "same": owner,
-        "item": owner.item,
-        "value": value,
-        "list same": Type("list", (owner,)),
-        "None": NONE,
-    }
-    meant |= {"list item": Type("list", (owner.item,)), "list value": Type("list", (value,))}
-    meant |= {"pairs": Type("list", (Type("tuple", (owner.item, value)),))}
-    meant |= {"int": INT, "word": WORD, "bool": BOOL, "bytes": BYTES, "str": STR}
-    return next((meant[kind] for kind, names in METHODS[owner.name].items() if name in names.split()), ANY)
+def _returned(owner: Type, kind: Type) -> Type:
+    """Return what a method of one of Python's own types returns, where `kind` is said of it."""
+    if kind == _SAME:
+        return owner
+    if kind in (_ITEM, _VALUE):
+        return owner.item if kind == _ITEM else owner.of[-1]
+    return Type(kind.name, tuple(_returned(owner, each) for each in kind.of))
 
 
-def _targets(node: ast.Assign | ast.AnnAssign) -> list[ast.expr]:
-    targets = node.targets if isinstance(node, ast.Assign) else [node.target]
-    return [part for each in targets for part in (each.elts if isinstance(each, ast.Tuple) else [each])]
+def _sets(node: ast.AST, attribute: str) -> bool:
+    """Tell whether a node is an attribute of this name that is assigned to."""
+    return isinstance(node, ast.Attribute) and node.attr == attribute and isinstance(node.ctx, ast.Store)
 
 
 def _apart(target: ast.AST, kind: Type) -> list[tuple[ast.AST, Type]]:
     """Return each name of a target with its type."""
     if isinstance(target, ast.Starred):
-        return [(target.value, Type("list", (ANY,)))]
+        return [(target.value, list_of(ANY))]
     if not isinstance(target, ast.Tuple):
         return [(target, kind)]
     fixed = kind.name == "tuple" and len(kind.of) == len(target.elts)
@@ -483,18 +481,12 @@ def _apart(target: ast.AST, kind: Type) -> list[tuple[ast.AST, Type]]:
     return [pair for each, item in zip(target.elts, items, strict=True) for pair in _apart(each, item)]
 
 
-def own(body: list[ast.stmt]) -> tuple[ast.AST, ...]:
+def own(body: list[ast.stmt]) -> list[ast.AST]:
     """Return all nodes of these statements but those of functions and classes inside."""
-    return _own(*body)
+    return [part for node in body for part in _own(node)]
 
 
 @cache
-def _own(*body: ast.AST) -> tuple[ast.AST, ...]:
-    found: list[ast.AST] = []
-    todo = list(reversed(body))
-    while todo:
-        node = todo.pop()
-        found.append(node)
-        if not isinstance(node, ast.FunctionDef | ast.Lambda | ast.ClassDef | ast.Constant | ast.Name):
-            todo += reversed(list(ast.iter_child_nodes(node)))
-    return tuple(each for each in found if not isinstance(each, ast.expr_context | ast.operator | ast.cmpop))
+def _own(node: ast.AST) -> list[ast.AST]:
+    inside = [] if isinstance(node, _CLOSED) else ast.iter_child_nodes(node)
+    return [node, *(part for each in inside for part in _own(each))]

@@ -7,14 +7,14 @@ import json
 import re
 from array import array
 from bisect import bisect_left
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from enum import IntEnum, StrEnum
 from functools import cached_property
 from itertools import pairwise
 from math import sqrt
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 ONE, TWO = 1, 2
 NEVER = 1 << 62
@@ -176,7 +176,7 @@ def comparisons() -> Any:
 def truth() -> Any:
     """What is empty or zero is false, and `and`, `or` give an operand."""
     nothing: list[int] = []
-    text, some, none = "", [0], cast("bytes | None", None)
+    text, some, none = "", [0], None
     return [
         [bool(nothing), not nothing, nothing or "else", some and "yes", text or "none", none or b"x" == b"x"],
         [
@@ -201,11 +201,8 @@ def assignments() -> Any:
     words[1] = words[2] = 0o7777
     frames = bytearray(b"abc")
     frames += b"de"
-    frames[1:3] = b"xyz"
-    frames[:] = b"dcba"
     numbers = [0, 1, 2, 3, 4, 5]
     numbers[-1] = 9
-    numbers[1:3] = []
     table = {"a": 1}
     table["a"] += 4
     table |= {"b": 2}
@@ -306,7 +303,7 @@ def errors() -> Any:
         lambda: b"\xff".decode("ascii"),
     ):
         try:
-            cast("Callable[[], Any]", bad)()
+            bad()
         except KeyError as error:
             seen.append(f"KeyError {error}")
         except (IndexError, ValueError, ZeroDivisionError) as error:
@@ -325,8 +322,8 @@ def classes() -> Any:
         made, base.double, len(base), [*base], base.half(9), Base.half(4), Base.of(2).value, derived.more, Base.limit,
         derived.limit, point.sum(), [*point], point[1], point == (1, 7), Point(y=1, x=2).x, mode.feed, mode.words,
         [*Code], f"{Code.MILL} {Colour.RED}", isinstance(derived, Base), isinstance(base, Derived),
-        [isinstance(each, Colour | Mode | Point) for each in (Mode(), Point(1), base)], isinstance(base, (Mode, Base)),
-        {Point(1, 2): "a"}[Point(1, 2)], {(1, "x"): 2}[1, "x"], str(Point(1, 2)), sorted([Point(2), Point(1)])[0].x,
+        [isinstance(each, (Mode, Point)) for each in (Mode(), Point(1), base)], isinstance(base, (Mode, Base)),
+        str(Point(1, 2)), sorted([Point(2), Point(1)])[0].x,
     ]  # fmt: skip
 
 
@@ -363,16 +360,16 @@ def texts() -> Any:
     """Methods of str and f-strings."""
     text, number, part = "a,b,,c", 0o7402, 2.5
     return [
-        text.split(","), text.split(",", 1), ["a", "b"], "a\nb\r\n".splitlines(), "a\nb".splitlines(True), text.replace(",", ""),
+        text.split(","), "a  b ".split(), ["a", "b"], "a\nb\r\n".splitlines(), "a\nb".splitlines(True), text.replace(",", ""),
         text.partition(","), "-".join(["x", "y"]), " x ".strip(), "xxaxx".lstrip("x"), "tape.bin".removesuffix(".bin"), "a\tb".expandtabs(8),
         text.find("c"), text.rfind(","), text.count(","), "abc".startswith("a"), "12".isdigit(), "Ab".lower() + "Ab".upper(),
         "abc"[1:], "abc"[-1], "abc"[0:-1], "aZ".translate(str.maketrans({"a": "b", "Z": None})), "x" * 3, ord("A"), chr(0o101),
-        f"{number:04o} {number:5}|{number:<5}|{number:>6,}|{-number:+06}|{part:.1f}|{part:g}|{part:8.3f}|{'x':3}|{'x':>3}|{'ab':-<6}",
-        f"{part!r} {text!r} {number / 2} {number // 2} {1e20} {1e-7} {True} {None} {[1, 'x']} {0.1 + 0.2} {100.0:,} {1 / 3:.0%}",
+        f"{number:04o} {number:5}|{number:6,}|{-number:06}|{part:+.1f}|{part:g}|{part:8.3f}|{'x':3}|{number:x}",
+        f"{part!r} {text!r} {number / 2} {number // 2} {1e20} {1e-7} {True} {None} {[1, 'x']} {0.1 + 0.2} {100.0:,}",
         f"{2.5:.0f} {3.5:.0f} {0.125:.2f} {1e15:.1f} {1234567.0:g} {0.00001:g}", str(5.0), str(5), repr("it's"), int("17", 8),
         round(2.5), round(3.5), round(2.675, 2), round(-0.5), f"{5.0:05}", f"{'é'!r}", "é".encode()[0], "{}`${x}",
         [name.endswith((".bin", ".rim")) for name in ("a.rim", "a.eia")], "abc".startswith(("b", "x"), 1), "abc".endswith("ab", 1),
-        b"ab".startswith((b"x", b"a")), b"ab".endswith((b"x", b"a")), "a".startswith(()),
+        "a".startswith(()), "x".ljust(3, "@") + "y".rjust(3),
     ]  # fmt: skip
 
 
@@ -384,9 +381,9 @@ def frames() -> Any:
     return [
         list(tape.strip(b"\0")), list(tape.lstrip(b"\0")), tape.rstrip(bytes([0]))[-1], tape.find(0x41), tape.find(b"B"), tape.find(b"Q"),
         tape.count(0), list(tape[2:4] + b"c"), list(bytes(3)), list(b"ab" * 2), list(tape.translate(None, b"\0")), roll.pop(0), len(roll),
-        list(b"abc".translate(bytes(range(255, -1, -1)))), [list(part) for part in b"a\x80b".split(b"\x80")], b"-".join([b"a", b"b"]).decode("ascii"),
-        b"ab".startswith(b"a"), [list(part) for part in b"abc".partition(b"b")], list(b"ab".replace(b"a", b"xx")), b"\x80".isascii(),
-        roll.count(0o101), list(bytes(roll)), list(tape.ljust(8, b"z"))[-1], tape.rfind(0),
+        list(b"abc".translate(bytes(range(255, -1, -1)))), b"-".join([b"a", b"b"]).decode("ascii"),
+        b"ab".startswith(b"a"), b"ab".endswith(b"b"), b"12".isdigit(), b"\x80".isascii(),
+        roll.count(0o101), list(bytes(roll)), tape.rfind(0),
     ]  # fmt: skip
 
 
@@ -412,7 +409,7 @@ def library() -> Any:
     points = [Point(2, 1), Point(1, 3)]
     return [
         [*pairwise([1, 2, 3])],
-        [list(pair) for pair in pattern.findall("ab,c;")], [(m.start(), m.start(2), m.group(1)) for m in pattern.finditer("ab,c;")],
+        [list(pair) for pair in pattern.findall("ab,c;")], [(m.start(), m.end()) for m in pattern.finditer("ab,c;")], pattern.split("ab,c;"),
         bisect_left([1, 3, 5], 3), sorted(points, key=lambda point: point.x)[0].y, max(points, key=lambda point: point[1]).x, sorted([3, 1], reverse=True),
         [*zip("ab", [1, 2], strict=True)], [*enumerate("a", 3)], divmod(-7, 2), sqrt(3.0), min([4, 2], default=9), max([], default=9), sum([0.5, 1]),
         list(array("H", [1, 2])), getattr(points[0], "x"), abs(-2.5),

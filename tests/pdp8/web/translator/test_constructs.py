@@ -64,7 +64,7 @@ def test_every_construct_does_as_in_python(tmp_path: Path) -> None:
         ("class A:\n    @functools.lru_cache\n    def f(self) -> None: ...\n", "m.py:3: decorator"),
         ("from pal import cli\nX = cli\n", "m.py:2: the runtime has no cli"),
         ("def f() -> None:\n    def g():\n        yield 1\n", "m.py:2: a generator within a function"),
-        ("X = print('a', end='')\n", "m.py:1: keywords of print"),
+        ("X = print('a', end='')\n", "m.py:1: keywords that are no parameters"),
         ("def f(x: int) -> None:\n    global y\n    y = x\n", "m.py:2: no translation"),
         ("def f(a: int) -> int:\n    return f(a, b=1)\n", "m.py:2: keywords that are no parameters"),
         (
@@ -72,6 +72,8 @@ def test_every_construct_does_as_in_python(tmp_path: Path) -> None:
             "m.py:2: no translation",
         ),
         ("def f(a: str) -> str:\n    return a[::-1]\n", "m.py:2: a slice by steps"),
+        ("def f(a: list[int]) -> None:\n    a[1:] = []\n", "m.py:2: no translation"),
+        ("def f(a: object) -> bool:\n    return isinstance(a, int | str)\n", "m.py:2: no translation"),
     ],
 )
 def test_what_has_no_translation_is_an_error_with_its_place(source: str, said: str) -> None:
