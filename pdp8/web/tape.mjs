@@ -101,7 +101,7 @@ function drawRow(context, holes, code, { left, y, pitch, colour, weight }) {
   context.fillStyle = colour;
   context.textAlign = "left";
   context.textBaseline = "middle";
-  context.font = `${weight}${Math.min(16, pitch)}px "Courier New", Courier, "Liberation Mono", monospace`;
+  context.font = `${weight}${Math.max(weight ? 11 : 0, Math.min(16, pitch))}px "Courier New", Courier, "Liberation Mono", monospace`;
   const said = sign(holes, code);
   context.fillText(said, left + WIDE * pitch + 6, said === SPACE ? y - 0.25 * pitch : y);
 }
@@ -114,7 +114,7 @@ function drawHead(context, { left, pitch, headY, rust }) {
 
 function drawChannels(context, { left, pitch, soft }) {
   context.fillStyle = soft;
-  context.font = `${Math.min(11, pitch)}px Helvetica, Arial, "Liberation Sans", sans-serif`;
+  context.font = `11px Helvetica, Arial, "Liberation Sans", sans-serif`;
   context.textAlign = "center";
   context.textBaseline = "alphabetic";
   TRACKS.forEach((channel, track) => {

@@ -35,6 +35,7 @@ import { Teletype } from "./bench/teletype.mjs";
 import { Until } from "./bench/until.mjs";
 import { Machine } from "../computer/machine.mjs";
 import { restore, save } from "../computer/past/state.mjs";
+import * as kinds from "../../tapes/kinds.mjs";
 import { unpacked } from "./packed.mjs";
 import { bytes } from "./translator/runtime.mjs";
 import { Writer } from "./sheet.mjs";
@@ -42,6 +43,7 @@ import { find, grouped, octal } from "./written.mjs";
 
 const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT", reached: "reached" };
 const WAITS = ["tape out", "idle"]; // the program goes on when somebody does something
+const LARGEST = 8 << 20; // bytes of a file
 const OPEN = "pdp8 program"; // the name of that which was open
 
 class Bench {
@@ -79,6 +81,7 @@ class Bench {
   /** The machine was touched: keep it, show it, let it go on. */
   touched() {
     this.afternoon.takeOver();
+    this.tell("");
     const { machine } = this;
     machine.waiting.endless = false;
     if (machine.processor.run) this.why = "";
@@ -118,7 +121,7 @@ class Bench {
     if (this.afternoon.on) return;
     writer.text(find("clock"), `${machine.elapsed.toFixed(3)} s`);
     const doing = !waits ? "runs" : machine._out_of_tape() ? "waits for tape" : "waits";
-    writer.text(find("why"), machine.processor.run ? doing : this.why || "stands still");
+    writer.text(find("why"), machine.processor.run ? doing : "stands still");
   }
 
   say(words) {
@@ -126,9 +129,10 @@ class Bench {
     this.show();
   }
 
-  /** Say something to who listens, and in the time bar. */
-  tell(words) {
+  /** Say something to who listens; what all should know is `seen` too, until the machine is touched. */
+  tell(words, seen = false) {
     this.writer.text(find("said"), words);
+    find("said").classList.toggle("spoken", !seen);
   }
 
   /** Lay the listing of a program on the desk. */
@@ -152,20 +156,23 @@ class Bench {
     document.addEventListener("dragover", (event) => event.preventDefault());
     document.addEventListener("drop", (event) => {
       event.preventDefault();
-      [...event.dataTransfer.files].forEach((file) => this.take(file));
+      const reader = event.target.closest("#reader");
+      [...event.dataTransfer.files].forEach((file) => this.take(file, reader));
     });
   }
 
   /** Take a file for what it is: a saved state or session, an exercise, a program's source, or a tape, which goes into
-   *  the reader or to the mill.
+   *  the reader or to the mill. What is put into the `reader` is a tape.
    */
-  async take(file) {
-    const frames = bytes(new Uint8Array(await file.arrayBuffer()));
+  async take(file, reader = null) {
+    const frames = bytes(new Uint8Array(await file.slice(0, LARGEST).arrayBuffer()));
     const text = new TextDecoder().decode(frames);
     this.#attempt(() => {
-      if (text.startsWith("{")) this.#written(file.name, JSON.parse(text), text);
-      else if (file.name.endsWith(".toml")) this.say(`pdp8 check ${file.name} --export-student FORM.json writes what this page takes`);
+      if (reader) this.teletype.mount(this.shelf.put(file.name, frames));
+      else if (text.startsWith("{")) this.#written(file.name, JSON.parse(text), text);
+      else if (file.name.endsWith(".toml")) this.say(`${file.name} is an exercise as a teacher writes it; what this page takes is said under Exercises`);
       else if (/\.(pa[l8]?|txt|src)$/i.test(file.name)) this.#source(file.name, frames);
+      else if (!frames.length || kinds.classify(frames) === kinds.UNKNOWN) this.say(`${file.name} is no tape, program, state or exercise; dropped on the reader, it is read as a tape all the same`);
       else this.#tape(this.shelf.put(file.name, frames));
     });
   }

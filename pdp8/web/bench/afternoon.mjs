@@ -54,9 +54,10 @@ export class Afternoon {
     return Boolean(named);
   }
 
-  /** Play it from one o'clock. */
+  /** Play it from one o'clock; where the terminal in Toronto is not to be seen, from the first switch. */
   async watch() {
     await this.#begin(0);
+    if (find("teletype").classList.contains("out")) this.act(1);
     this.bench.time.choose("character");
     this.bench.time.setSpeed(60);
     this.play(true);

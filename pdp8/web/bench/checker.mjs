@@ -2,7 +2,7 @@
 
 import { FOUND, assemble } from "../../../pal/assembling.mjs";
 import { MOST } from "../../../pal/assembly.mjs";
-import { grouped } from "../written.mjs";
+import { grouped, here } from "../written.mjs";
 
 /** Assemble a source, in the dialect that it is written in. */
 export function assembled(name, text) {
@@ -26,7 +26,9 @@ export function findings(assembly) {
 
 function said(diagnostic) {
   const { line, column, end_column, severity, message, advice } = diagnostic;
-  return { line, start: column - 1, end: end_column - 1, severity, brief: advice.split("; ")[0] || message, whole: String(diagnostic) };
+  const kept = here(advice);
+  const whole = kept === advice ? String(diagnostic) : String(diagnostic).replace(`\n  ${advice}`, () => kept && `\n  ${kept}`);
+  return { line, start: column - 1, end: end_column - 1, severity, brief: kept.split("; ")[0] || message, whole };
 }
 
 /** What became of a source: its words, its tape, how many errors and notes. */

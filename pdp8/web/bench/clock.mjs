@@ -77,7 +77,7 @@ export class Clock {
     if (this.left) {
       document.title = this.title;
       const seconds = Math.round((performance.now() - this.left) / 1000);
-      this.bench.tell(`The tab was hidden; everything stood still for ${seconds} s.`);
+      this.bench.tell(`The tab was hidden; everything stood still for ${seconds} s.`, true);
     }
     this.left = 0;
     this.wake();

@@ -17,7 +17,7 @@ import { Counts } from "./counts.mjs";
 
 const LONGEST = 200_000; // characters of a source that is taken
 const WIDEST = 400; // of a line that is drawn
-const TALL = 21; // pixels of a line; desk.css says it too
+const TALL = 24; // pixels of a line; desk.css says it too
 const PAUSE = 250; // ms without a key, and what was typed is looked at
 const SECONDS = 5; // the most that may take
 const CORE = 0o10000;

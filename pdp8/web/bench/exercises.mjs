@@ -31,7 +31,7 @@ export class Exercises {
 
   /** Open an exercise. Throws where there is none of that name. */
   open(name) {
-    if (!this.all.has(name)) throw new Error(`there is no exercise ${name}; there are ${[...this.all.keys()].join(", ")}`);
+    if (!this.all.has(name)) throw new Error(`there is no exercise ${name}; those there are stand under Exercises`);
     this.name = name;
     const { title, task, question: questions = [] } = this.all.get(name);
     const asks = questions.map(({ name: called, ask }) =>

@@ -1,10 +1,11 @@
 // What can be pressed next: a sentence, and the controls that do it.
 
-import { octal } from "../written.mjs";
+import { find, octal } from "../written.mjs";
 
 const [START, CONT, STOP] = ["start", "cont", "stop"].map((name) => [name.toUpperCase(), `[data-key=${name}]`]);
 const AGAIN = ["Assemble and run", "#run-it"];
 const PAPER = ["Type", "#paper"];
+const RIM = ["Toggle in the RIM loader", "[data-door=rim]"];
 const TAPE = ["Choose a tape", "#shelf"];
 const LEVER = ["Lever to START", "#lever"];
 
@@ -22,7 +23,12 @@ export function next({ machine, why }) {
 /** @returns {[string, string[][]]} */
 function standing({ core, pc, sing_step: step }, why) {
   const said = why ? `${why}.` : "It stands still.";
-  if (!core.some((word) => word)) return [`${said} Core is empty.`, [AGAIN]];
+  if (!core.some((word) => word)) return [`${said} Core is empty.`, out("program") && !out("card") ? [RIM, AGAIN] : [AGAIN]];
   const goes = step ? "CONT does one cycle" : "CONT goes on";
   return [`${said} START begins at ${octal(pc)}, ${goes}.`, [START, CONT, AGAIN]];
+}
+
+/** Whether a pane is not in the page, which shows but some. */
+function out(pane) {
+  return find(pane).classList.contains("out");
 }

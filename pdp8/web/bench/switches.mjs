@@ -62,10 +62,9 @@ class Card {
     this.bench = bench;
     this.card = drill("rim", null);
     this.coach = null; // who looks on while it is practised
-    find("card").innerHTML = `<details><summary>RIM loader</summary>
+    find("card").innerHTML = `<details><summary>RIM loader</summary><p role="status" id="drill-says"></p>
       <ol>${this.card.steps.map(({ say }) => `<li>${say}</li>`).join("")}</ol>
-      <div class="tools"><button class="text" id="toggle-rim">Toggle it in for me</button><button class="text" id="drill" aria-pressed="false">Drill</button></div>
-      <p role="status" id="drill-says"></p></details>`;
+      <div class="tools"><button class="text" id="toggle-rim">Toggle it in for me</button><button class="text" id="drill" aria-pressed="false">Drill</button></div></details>`;
     find("toggle-rim").addEventListener("click", () => this.#toggle());
     find("drill").addEventListener("click", () => this.#practise(!this.coach));
   }
@@ -74,7 +73,8 @@ class Card {
   practise() {
     find("card").querySelector("details").open = true;
     this.#practise(true);
-    find("computer").querySelector(".rocker").focus();
+    find("card").scrollIntoView({ block: "nearest" });
+    find("computer").querySelector(".rocker").focus({ preventScroll: true });
   }
 
   #toggle() {

@@ -124,7 +124,7 @@ def test_a_link_that_is_too_long_becomes_a_file(page: "Page") -> None:
     )
     with page.expect_download() as download:
         page.locator("#share").click()
-    assert "allowed: here is a file instead" in page.locator("#why").inner_text()
+    assert "allowed: here is a file instead" in page.locator("#next").inner_text()
     words = page.evaluate("[...workbench.machine.processor.core]")
     text = download.value.path().read_text()
     _reopened(page)
