@@ -9,6 +9,7 @@
 
 import { Afternoon } from "./bench/afternoon.mjs";
 import { Apart, serve } from "./bench/apart.mjs";
+import { booted } from "./bench/boot.mjs";
 import { checked } from "./bench/checker.mjs";
 import { embed, enlargeable } from "./bench/alone.mjs";
 import { Clock } from "./bench/clock.mjs";
@@ -22,7 +23,7 @@ import { History } from "./bench/history.mjs";
 import { keep, kept } from "./bench/kept.mjs";
 import { marks } from "./bench/marker.mjs";
 import { Mill } from "./bench/mill.mjs";
-import { Parts } from "./bench/parts.mjs";
+import { Parts, printout } from "./bench/parts.mjs";
 import { Programs } from "./bench/programs.mjs";
 import { rest } from "./bench/rest.mjs";
 import { LONGEST, linked, opened, shortened, whole } from "./bench/sharing.mjs";
@@ -295,4 +296,4 @@ async function start() {
 }
 
 if (globalThis.document) start();
-else serve({ checked, marks });
+else serve({ booted, checked, marks, printout });

@@ -13,10 +13,15 @@ export function checked({ name, text }) {
   return findings(assembled(name, text));
 }
 
-/** The words of each line, [[line, address, word]], the first diagnostics, and what is said of the whole. */
+/** What an assembly made, the words of each line, [[line, address, word]], the first diagnostics, and what is said of
+ *  the whole.
+ */
 export function findings(assembly) {
   const placed = assembly.lines.filter(({ address }) => address !== null);
   return {
+    ok: assembly.ok,
+    tape: assembly.tape,
+    words: assembly.words.items(),
     places: placed.map(({ number, address, word }) => [number, address, word]),
     diagnostics: assembly.diagnostics.slice(0, MOST).map(said),
     more: Math.max(0, assembly.diagnostics.length - MOST),

@@ -7,11 +7,11 @@
 import * as rim from "../../../tapes/rim.mjs";
 import { decode } from "../../../tapes/ascii.mjs";
 import { PERMANENT, PSEUDO_OPERATORS } from "../../../pal/symbols.mjs";
-import { Operator } from "../../computer/use/operator.mjs";
+import { restore, save } from "../../computer/past/state.mjs";
 import { instructionAt } from "../meaning.mjs";
 import { READABLE } from "../pictures.mjs";
-import { escaped, find, grouped, octal } from "../written.mjs";
-import { limited } from "./budget.mjs";
+import { dict } from "../translator/runtime.mjs";
+import { escaped, find, grouped, here, octal } from "../written.mjs";
 import { assembled, checked, findings } from "./checker.mjs";
 import { Counts } from "./counts.mjs";
 
@@ -34,7 +34,7 @@ export class Editor {
     this.name = "";
     this.core = { text: null, lines: new Map() }; // of what is in core: its source, {address: line}
     this.now = null; // the line that the processor is in
-    this.#found({ places: [], diagnostics: [], more: 0, summary: "" });
+    this.#found({ words: [], places: [], diagnostics: [], more: 0, summary: "" });
     this.#controls();
     bench.shelf.changed.push(() => this.#sources());
   }
@@ -92,7 +92,6 @@ export class Editor {
     this.area.readOnly = true;
     this.#show(tape ? new TextDecoder().decode(tape.frames) : assembly.lines.map(({ source }) => source).join("\n"));
     this.#say(`${name} is in core. <button class="text" data-back>Back to ${escaped(this.name)}</button>`);
-    this.assembly = assembly;
     this.#found(findings(assembly));
     this.#inCore();
   }
@@ -171,7 +170,7 @@ export class Editor {
     const kind = select.value;
     select.value = "";
     if (!kind || (kind !== "pal" && !this.assemble())) return;
-    const made = { pal: () => this.text, bin: () => this.assembly.tape, rim: () => rim.encode(this.assembly.words), lst: () => this.assembly.listing };
+    const made = { pal: () => this.text, bin: () => this.assembly.tape, rim: () => rim.encode(dict(this.assembly.words)), lst: () => assembled(this.name, this.text).listing };
     this.bench.download(`${this.name.replace(/\.\w+$/, "")}.${kind}`, made[kind]());
   }
 
@@ -200,7 +199,9 @@ export class Editor {
     }
   }
 
-  #found({ places, diagnostics, more, summary }) {
+  #found(found) {
+    const { places, diagnostics, more, summary } = found;
+    this.assembly = { ...found, name: this.name, text: this.text };
     this.places = new Map();
     for (const [line, address, word] of places) if (!this.places.has(line)) this.places.set(line, { address, word });
     this.wrong = new Map(diagnostics.map((each) => [each.line, each]).reverse());
@@ -277,8 +278,8 @@ export class Editor {
   /** Assemble what is there; return whether it has no errors. */
   assemble() {
     this.keep();
-    this.assembly = assembled(this.name, this.text);
-    this.#found(findings(this.assembly));
+    const { name, text } = this;
+    if (this.assembly?.name !== name || this.assembly.text !== text) this.#found(checked({ name, text }));
     return this.assembly.ok;
   }
 
@@ -305,30 +306,26 @@ export class Editor {
   }
 
   /** Load as an operator does: RIM toggled in, RIM reads BIN, BIN reads the program's tape; at full speed. */
-  boot() {
+  async boot() {
     const { bench } = this;
     bench.afternoon.takeOver();
     this.assemble();
-    const { machine } = bench;
-    const { punch, reader } = machine.teletype;
-    const kept = punch.on;
-    machine.panel.stop();
-    reader.lever(true);
+    bench.machine.panel.stop();
+    const { name, tape } = this.assembly;
+    const given = { state: save(bench.machine), loader: bench.record.loader, tape, name };
     try {
-      const steps = () => [...new Operator(machine).boot(bench.record.loader.encode("latin-1"), this.assembly.tape, this.name)];
-      bench.why = String(limited(machine, steps).at(-1));
+      const { state, said } = await bench.apart.ask("booted", given, SECONDS);
+      bench.machine.put(restore(state).values());
+      bench.why = said;
+      this.#ready();
     } catch (error) {
-      machine.panel.stop();
-      reader.remove();
-      bench.why = String(error);
+      bench.say(here(error.message));
     }
-    punch.on = kept;
-    this.#ready();
   }
 
   #ready() {
     const { machine } = this.bench;
-    const addresses = [...this.assembly.words];
+    const addresses = this.assembly.words.map(([address]) => address);
     const start = addresses.includes(0o200) ? 0o200 : Math.min(...addresses);
     machine.sr = start;
     machine.panel.load_add();

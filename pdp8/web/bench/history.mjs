@@ -3,7 +3,7 @@
 import { TICKS_PER_SECOND } from "../../computer/hardware/signals.mjs";
 import { History as Past } from "../../computer/past/history.mjs";
 import * as rewind from "../../computer/past/rewind.mjs";
-import { EOB } from "../../../tapes/eia.mjs";
+import { until } from "./until.mjs";
 
 const MEMORY = 32 << 20; // bytes
 const FAR = 3 * TICKS_PER_SECOND; // ticks that a step may take at most
@@ -53,20 +53,18 @@ export class History {
     if (unit === "cycle") return this.#cycle();
     if (unit === "instruction") return machine.run(null, 1).reason;
     const characters = this.#characters();
-    if (unit === "character") return this.#until(FAR, () => this.#characters() !== characters);
-    const { punch } = machine.teletype;
-    const punched = punch.frames.length;
-    return this.#until(10 * FAR, () => punch.frames.slice(punched).includes(EOB));
-  }
-
-  /** Run until something has happened, for so many ticks at most. */
-  #until(ticks, happened) {
-    const { machine } = this.bench;
-    const end = machine.processor.clock + ticks;
-    let reason;
-    do reason = machine.run(GLANCE).reason;
-    while (reason === "limit" && !happened() && machine.processor.clock < end);
-    return reason;
+    const end = machine.processor.clock + FAR;
+    const glances = () => {
+      let stop;
+      do stop = machine.run(GLANCE);
+      while (stop.reason === "limit" && this.#characters() === characters && machine.processor.clock < end);
+      return stop;
+    };
+    if (unit === "character") return this.together(glances).reason;
+    const block = until(machine, "block");
+    const { reason } = block.run(machine, 10 * FAR);
+    block.over();
+    return reason === "reached" ? "limit" : reason;
   }
 
   #cycle() {

@@ -20,6 +20,7 @@ import { escaped, find, grouped } from "../written.mjs";
 
 const PROGRAMS = { circle, curve, die, drill, ellipse, fluidic, polynomial, slope };
 const RECORDS = { Header, Milling };
+const SECONDS = 10; // that a printout may take
 const FRAMES_A_MINUTE = 600; // of the ASR-33
 
 /** What is kept for an option as it was typed; undefined: as it is by itself. */
@@ -34,7 +35,7 @@ function kept({ choices, default: by_itself, flag, places, spelling, unit, whole
 }
 
 /** The printout of a part, for options as they were typed, {name: text}. Throws what the command would say. */
-export function printout({ name, options, arguments: places }, typed) {
+export function printout([{ name, options, arguments: places }, typed]) {
   const missing = options.find((option) => option.required && !typed[option.name]);
   if (missing) throw new Error(`${name}: Missing argument '${missing.name.toUpperCase()}'.`);
   const values = Object.fromEntries(options.map((option) => [option.name, kept(option, typed[option.name])]));
@@ -71,7 +72,7 @@ export class Parts {
     find("part-options").innerHTML = own.map(field).join("") + more;
   }
 
-  #punch() {
+  async #punch() {
     const typed = Object.fromEntries([...find("part-options").querySelectorAll("[name]")].map(
       (input) => [input.name, input.type === "checkbox" ? input.checked : input.value.trim()],
     ));
@@ -79,7 +80,7 @@ export class Parts {
     find("part-translate").disabled = find("part-cut").disabled = true;
     find("part-translated").textContent = find("part-is-cut").textContent = "";
     try {
-      const text = printout(part, typed);
+      const text = await bench.apart.ask("printout", [part, typed], SECONDS);
       const tape = encode(text);
       this.name = bench.shelf.put(`${part.name}.asc`, tape);
       bench.teletype.mount(this.name);

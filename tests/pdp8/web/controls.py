@@ -64,8 +64,10 @@ PARTS = (
     "workbench.tabs.open('parts'); document.getElementById('part-name').value = 'circle';"
     "document.getElementById('part-name').dispatchEvent(new Event('change'));"
 )
-PRESS_PUNCH = "document.querySelector('#part .go').click();"
-CUTTABLE = "document.getElementById('part-cut').disabled = false;"
+READY = (
+    "workbench.parts.name = 'circle.asc'; workbench.teletype.mount('circle.asc');"
+    "for (const id of ['part-translate', 'part-cut']) document.getElementById(id).disabled = false;"
+)
 
 
 def tab(name: str, neighbour: str, key: str) -> Control:
@@ -184,8 +186,8 @@ CONTROLS = {
     "#part-options [name]": Control(every("#part-options [name]", "value"), PARTS, "7"),
     "#part-options summary": Control("document.querySelector('#part-options details').open", PARTS),
     "#part .go": Control(f"{TTY}.reader.tape.length", f"{PARTS} {TTY}.reader.remove();"),
-    "#part-translate": Control(f"{TTY}.reader.position", f"{PARTS} {PRESS_PUNCH}"),
-    "#part-cut": Control("workbench.mill.name", f"{PARTS} {PRESS_PUNCH} {CUTTABLE} {PUNCHED}"),
+    "#part-translate": Control(f"{TTY}.reader.position", f"{PARTS} {READY}"),
+    "#part-cut": Control("workbench.mill.name", f"{PARTS} {READY} {PUNCHED}"),
     "#exercise": Control("workbench.exercises.name", EXERCISES, "m"),
     "#exercise-link": Control("location.hash", f"{EXERCISES} history.replaceState(null, '', '#');"),
     "[data-begin]": Control(f"{EDITOR}.name", f"{WRITTEN} {EXERCISES}"),

@@ -154,7 +154,7 @@ def test_from_a_radius_to_a_wall(page: "Page") -> None:
     page.locator("[data-opens=parts]").click()
     page.locator("[name=radius]").fill("0.25")
     page.locator("#part .go").click()
-    assert "blocks: circle 2.asc" in page.locator("#part-punched").inner_text()
+    until(page, "document.getElementById('part-punched').textContent.includes('blocks: circle 2.asc')")
     page.locator("#part-translate").click()
     until(page, "!document.getElementById('part-cut').disabled")
     page.locator("#part-cut").click()
@@ -163,4 +163,5 @@ def test_from_a_radius_to_a_wall(page: "Page") -> None:
     page.locator("[name=radius]").evaluate("(input) => { input.value = '1750'; }")
     page.evaluate("workbench.tabs.open('parts')")
     page.locator("#part .go").click()
-    assert "for 1750 thousandths write 1.75" in page.locator("#part-punched").inner_text()
+    said = "document.getElementById('part-punched').textContent"
+    until(page, f"{said}.includes('for 1750 thousandths write 1.75')")

@@ -123,7 +123,8 @@ def test_rim_is_toggled_in_by_clicks_and_a_tape_is_loaded(page: "Page") -> None:
     locate("#sources").select_option("eia.pal")
     locate("#assemble").click()
     locate("#boot").click()
-    assert "eia.pal read by BIN: 335 frames, 131 words; 33.5 s" in locate("#next").inner_text()
+    read = "eia.pal read by BIN: 335 frames, 131 words; 33.5 s"
+    until(page, f"document.querySelector('#next').textContent.includes('{read}')")
     words = pal.assemble(shelf.read_bundled("eia.pal")).words
     assert page.evaluate("[...workbench.machine.processor.core]")[0o200 : 0o200 + 20] == [
         words[address] for address in range(0o200, 0o200 + 20)

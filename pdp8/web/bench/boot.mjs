@@ -1,0 +1,13 @@
+// A program loaded as an operator does, at full speed.
+
+import { restore, save } from "../../computer/past/state.mjs";
+import { Operator } from "../../computer/use/operator.mjs";
+import { bytes } from "../translator/runtime.mjs";
+
+/** The machine after it, and what was read. Throws where a loader ends as it should not. */
+export function booted({ state, loader, tape, name }) {
+  const machine = restore(state);
+  machine.teletype.reader.lever(true);
+  const steps = [...new Operator(machine).boot(loader.encode("latin-1"), bytes(tape), name)];
+  return { state: save(machine), said: String(steps.at(-1)) };
+}
