@@ -13,6 +13,8 @@ from xml.etree import ElementTree as ET
 INK, FAINT, GRID = "#1b1b1b", "#8a8a8a", "#e4e4e4"
 _FONT = "Helvetica, Arial, sans-serif"
 _TICKS = (0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0)
+_APART = 45
+"""Inches from tick to tick of a scale, and hundredths of an inch of paper between two at the least."""
 
 
 @dataclass(frozen=True)
@@ -156,14 +158,14 @@ class View:
         self.sheet.label(px + dx, py + dy, words, self._body, **attributes)
 
     def _scales(self) -> None:
-        step, places = _tick(self.scale[0], 45)
+        step, places = _tick(self.scale[0])
         for value in _multiples(self.window.left, self.window.right, step):
             x, _ = self.at(value, 0)
             bottom = self.y + self.height
             self.sheet.draw("line", x1=x, y1=self.y, x2=x, y2=bottom, stroke=GRID)
             self.sheet.draw("line", x1=x, y1=bottom, x2=x, y2=bottom + 5, stroke=INK)
             self.sheet.text(x, bottom + 17, f"{value / 1000:.{places}f}", text_anchor="middle")
-        step, places = _tick(self.scale[1], 45)
+        step, places = _tick(self.scale[1])
         for value in _multiples(self.window.bottom, self.window.top, step):
             _, y = self.at(0, value)
             self.sheet.draw("line", x1=self.x, y1=y, x2=self.x + self.width, y2=y, stroke=GRID)
@@ -175,9 +177,9 @@ class View:
         self.sheet.text(x, y, "Y, inches", text_anchor="middle", transform=turned)
 
 
-def _tick(scale: float, apart: float) -> tuple[float, int]:
-    """Return the step of an inch scale, thousandths, whose ticks stand that far apart; and its places."""
-    step = next((tick for tick in _TICKS if tick * 100 * scale >= apart), _TICKS[-1]) * 1000
+def _tick(scale: float) -> tuple[float, int]:
+    """Return the step of an inch scale, thousandths, and its places."""
+    step = next((tick for tick in _TICKS if tick * 100 * scale >= _APART), _TICKS[-1]) * 1000
     return step, 1 if step >= 100 else 2 if step >= 10 else 3
 
 

@@ -47,8 +47,12 @@ def ellipse() -> nc.Path:
     return nc.cut(shelf.read("ellipse.eia"))
 
 
+SLOPE = StraightLine(2250, 4000, 2318, 4030)
+
+
 def slope() -> nc.Path:
-    steps = [(2250, 4003), (2300, 4003), (2300, 4029), (2350, 4029)]
+    """Return steps as far apart as two numbers at 10:1 have to be."""
+    steps = [(2250, 4013), (2284, 4013), (2284, 4026), (2318, 4026)]
     return nc.cut(tape(*HEADER, *milling(steps, (2250, 4000))))
 
 
@@ -76,21 +80,24 @@ DRAWINGS: dict[str, tuple[str, Callable[[], str]]] = {
     "circle, block 120": ("bf7f47f6", lambda: plot(circle(), THE_CIRCLE, block=120)),
     "circle, block 1": ("e5e9233c", lambda: plot(circle(), THE_CIRCLE, block=1, close_at=(5750, 4000))),
     "circle, stretched": (
-        "df3a2791",
-        lambda: plot(circle(), THE_CIRCLE, close_at=(4000, 5735), zoom=(8, 80)),
+        "5aaab549",
+        lambda: plot(circle(), THE_CIRCLE, close_at=(4000, 5735), zoom=(9, 90)),
     ),
+    "slope": ("f22fd575", lambda: plot(slope(), SLOPE)),
     "function of x": ("1174e17d", lambda: plot(parabola(), PARABOLA, block=20, cutter=250, tolerance=100)),
     "ellipse": ("a5554b20", lambda: plot(ellipse(), Ellipse(4000, 4000, 3000, 2250))),
     "four holes": ("22742d1f", lambda: plot(nc.cut(tape(*FOUR_HOLES)))),
     "long words": ("23d32c07", lambda: plot(words_that_wrap())),
     "one position": ("5450ef2b", lambda: plot(nc.cut(tape("001 0 20000 10000 0 00 02")))),
+    "half size": ("3eee29a6", lambda: plot(nc.cut(tape("001 0 13000 09000 0 00 02")))),
     "talyrond, circle": ("cf4c68a1", lambda: talyrond(inspect(circle()))),
     "talyrond, ellipse": ("d9f264f7", lambda: talyrond(inspect(ellipse()))),
     "talyrond, small cutter": ("85a13f86", lambda: talyrond(inspect(circle(), cutter=20))),
     "talyrond, half": ("9c2882a5", lambda: talyrond(inspect(half(), THE_CIRCLE))),
     "talysurf, circle": ("c15ddb80", lambda: talysurf(inspect(circle()))),
-    "talysurf, slope": ("e149efb9", lambda: talysurf(inspect(slope(), StraightLine(2250, 4000, 2350, 4030)))),
-    "talysurf, shaded": ("7bc90134", lambda: talysurf(inspect(circle()), (1000, 2400), background=1.2)),
+    "talysurf, slope": ("e7ef2ba4", lambda: talysurf(inspect(slope(), SLOPE))),
+    "talysurf, shaded": ("55fefbbe", lambda: talysurf(inspect(circle()), (7500, 8900), background=1.2)),
+    "talysurf, long": ("fc4c711b", lambda: talysurf(inspect(slope(), Ellipse(9250, 4000, 7000, 3000)), (0, 32e3))),
     "talysurf, rough": (
         "eb8b320b",
         lambda: talysurf(inspect(parabola(), PARABOLA, cutter=250), (520, 790), background=1.2),
@@ -168,9 +175,9 @@ def test_the_contour_does_not_close_and_the_picture_says_so() -> None:
 
 
 def test_a_close_view_stretched_has_the_band_s_true_height_on_its_own_scale() -> None:
-    """Y 80:1: the .010 in of the band are .8 in of paper; X 8:1: a step of .12 in is .96 in."""
+    """Y 90:1: the .010 in of the band are .9 in of paper."""
     drawing = drawn("circle, stretched")
-    assert any(line.startswith("stretched, X 8:1, Y 80:1; band ±0.005 in") for line in words(drawing))
+    assert any(line.startswith("stretched, X 9:1, Y 90:1; band ±0.005 in") for line in words(drawing))
     band = [path for path in elements(drawing, "path") if path.get("stroke") == "#2e7d32"]
     highest = [
         min(float(y) for y in re.findall(r"-?[\d.]+ (-?[\d.]+)", path.get("d", "")))
@@ -178,7 +185,7 @@ def test_a_close_view_stretched_has_the_band_s_true_height_on_its_own_scale() ->
         if path.get("stroke-dasharray") == "none"
     ]
     inner, outer = sorted(highest[-2:])[::-1]
-    assert inner - outer == pytest.approx(80, abs=0.1)
+    assert inner - outer == pytest.approx(90, abs=0.1)
 
 
 def ink(svg: str) -> int:

@@ -9,7 +9,7 @@ from shapely.geometry import Point as Disc
 from shapely.geometry.base import BaseGeometry
 
 import nc
-from nc.curves import Curve, Ellipse, Floats, Graph, Stations, StraightLine, fitted
+from nc.curves import Curve, Ellipse, Floats, Graph, Stations, StraightLine, fitted, nominal
 from nc.inspection import Inspection, inspect, runs, segments, walls
 from nc.report import inspection_report
 from tapes import shelf
@@ -43,6 +43,20 @@ def test_a_single_plunge_leaves_a_hole() -> None:
     assert found.outer[1:-1] == pytest.approx(np.array(chord) - 50)
     assert found.inner[1:-1] == pytest.approx(50 - np.array(chord))
     assert np.isnan(found.outer[[0, -1]]).all()
+
+
+def test_a_station_that_the_cutter_only_touches_is_cut() -> None:
+    """A plunge between two pairs of stations, and the side of a cut that a stylus comes along."""
+    plunge, cut = np.array([[0.0, 0, 0, 0]]), np.array([[-100.0, 0, 100, 0]])
+    for cuts, line, outer in (
+        (plunge, StraightLine(50, 0, 60, 0), 0),
+        (plunge, StraightLine(-60, 0, -50, 0), 0),
+        (cut, StraightLine(0, 50, 0, 60), 100),
+        (cut, StraightLine(0, -60, 0, -50), 100),
+    ):
+        found = walls(cuts, line.stations(2), radius=50)
+        assert np.nanmax(found.outer) + 50 == outer
+        assert np.isnan(found.outer).sum() == 1
 
 
 def test_one_step_leaves_a_cusp_where_the_discs_meet() -> None:
@@ -169,6 +183,11 @@ class TestCurves:
             way = after - before
             assert abs(way @ normal) / np.hypot(*way) < 0.01
         assert curve.deviations(stations.points + 3 * stations.normals) == pytest.approx(3, abs=0.01)
+        limit = curve.limit(stations, -5)
+        if isinstance(curve, Graph):
+            assert limit == pytest.approx(stations.points - [0, 5])
+        else:
+            assert curve.deviations(limit) == pytest.approx(-5, abs=0.02)
         if isinstance(curve, Ellipse):
             centre = np.array([[curve.x, curve.y]])
             assert curve.deviations(centre) == -min(curve.a, curve.b)
@@ -184,7 +203,20 @@ class TestCurves:
         assert fitted(jagged, within=20) == curve
         assert fitted(stations.points[:500], within=1) == curve or isinstance(curve, StraightLine)
 
+    def test_a_curve_is_named_in_inches(self) -> None:
+        assert nominal() is None
+        assert nominal(circle=(4, 4, 1.75)) == THE_CIRCLE
+        assert nominal(ellipse=(4, 5, 3, 2.25)) == Ellipse(4000, 5000, 3000, 2250)
+        assert nominal(line=(0.5, 0.9, 7, 2)) == StraightLine(500, 900, 7000, 2000)
+        assert nominal(function="x", origin=(4, 5), range_=(0, 6)) == Graph(4000, 5000, "x", 0, 6)
+        with pytest.raises(WorkError, match="3 curves are named; at most one is allowed"):
+            nominal(circle=(4, 4, 1), line=(0, 0, 1, 1), function="x", range_=(0, 1))
+        with pytest.raises(WorkError, match="function x: its range of x is needed"):
+            nominal(function="x")
+
     def test_what_follows_no_curve_is_none(self) -> None:
+        there_and_back = np.array([[0.0, 0], [1000, 0], [2000, 0], [0, 0]])
+        assert fitted(there_and_back, within=5) is fitted(there_and_back[:, ::-1], within=5) is None
         assert fitted(np.array([[0.0, 0], [1000, 0], [1000, 700], [0, 700], [500, 100]]), within=20) is None
         with pytest.raises(WorkError, match="name the nominal curve"):
             inspect(nc.cut(tape(*HEADER, "007 6 02250 08000 0 01 85", "008 6 09000 08000 0 01 84")))
@@ -214,4 +246,4 @@ def test_lengths_of_10_inches_and_more_are_written_whole() -> None:
     )
     found = inspect(cut, StraightLine(8000, 0, 8000, 9000), cutter=40_000)
     said = "\n".join(inspection_report(found))
-    assert "its centre stayed within 10.5000 inside" in said
+    assert "cutter    40.000 in; its centre stayed within 10.5000 inside" in said
