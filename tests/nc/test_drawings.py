@@ -97,7 +97,10 @@ DRAWINGS: dict[str, tuple[str, Callable[[], str]]] = {
     "talysurf, circle": ("c15ddb80", lambda: talysurf(inspect(circle()))),
     "talysurf, slope": ("e7ef2ba4", lambda: talysurf(inspect(slope(), SLOPE))),
     "talysurf, shaded": ("55fefbbe", lambda: talysurf(inspect(circle()), (7500, 8900), background=1.2)),
-    "talysurf, long": ("fc4c711b", lambda: talysurf(inspect(slope(), Ellipse(9250, 4000, 7000, 3000)), (0, 32e3))),
+    "talysurf, long": (
+        "fc4c711b",
+        lambda: talysurf(inspect(slope(), Ellipse(9250, 4000, 7000, 3000)), (0, 32e3)),
+    ),
     "talysurf, rough": (
         "eb8b320b",
         lambda: talysurf(inspect(parabola(), PARABOLA, cutter=250), (520, 790), background=1.2),

@@ -140,29 +140,56 @@ def test_a_text_file_is_told_to_be_punched() -> None:
 
 
 @pytest.mark.parametrize(
-    ("seconds", "said"),
-    [
-        (0, "0.0 s"),
-        (59.94, "59.9 s"),
-        (59.96, "1 min 0.0 s"),
-        (1798.2, "29 min 58.2 s"),
-        (3723, "1 h 2 min 3.0 s"),
-    ],
-)
-def test_durations(seconds: float, said: str) -> None:
-    assert measure.duration(seconds) == said
-
-
-@pytest.mark.parametrize(
     ("frames", "said"), [(0, "0.0 in"), (119, "11.9 in"), (120, "1 ft 0.0 in"), (17982, "149 ft 10.2 in")]
 )
 def test_lengths(frames: int, said: str) -> None:
     assert measure.length(frames) == said
 
 
-def test_every_kind_has_a_report() -> None:
-    for tape in (b"", bytes(9), bytes(range(256)), LEADER, FORMAT_BIN[:66]):
-        assert measure.report(tape)[0][0] == "tape"
+@pytest.mark.parametrize(
+    ("tape", "kind", "damage"),
+    [
+        (b"", "empty", []),
+        (bytes(9), "blank", []),
+        (bytes(range(256)), "unknown: not ASCII, EIA, BIN or RIM", []),
+        (eia.encode("1\n"), "EIA RS-244", []),
+        (rim.encode({0: 1}), "RIM, DEC's read-in mode format", []),
+        (LEADER, "BIN, DEC's binary loader format", ["frame 64: nothing but leader"]),
+        (
+            LEADER + octal("300 012 034 056 070") * 9 + LEADER,
+            "BIN, DEC's binary loader format",
+            [
+                "frame 65: a word before any origin. The BIN loader has no address for it; "
+                "an object tape of FORTRAN looks so"
+            ],
+        ),
+    ],
+)
+def test_every_kind_has_a_report(tape: bytes, kind: str, damage: list[str]) -> None:
+    assert rows(tape, "tape") == [kind]
+    assert rows(tape, "damage") == damage
+
+
+SEVEN = octal("001 161 011 005 003")
+DRAWN = ["ooooo", "    o", "   o", "  o", " o", " o", " o", ""]
+"""A 7 for the eye, channel 1 at the top."""
+
+
+def test_labels_are_placed_and_drawn() -> None:
+    tape = bytes(2) + SEVEN + bytes(3) + rim.encode({0o200: 0o7402}) + bytes(1) + SEVEN + bytes(3)
+    first, last = "5 frames from frame 2 on", "8 frames from frame 143 on"
+    assert rows(tape, "label", "") == [first, *DRAWN, last, *DRAWN]
+    said = tuple(f"a label of {place}, left out" for place in (first, last))
+    assert measure.left_out(tape, "rim") == said
+    section = binary.encode({0o200: 0o7402})
+    assert measure.left_out(FORMAT_BIN, "bin") == ()
+    assert measure.left_out(FORMAT_BIN + SEVEN, "bin") == ("a label of 5 frames from frame 185 on, left out",)
+    two = "a good section from frame 193 on, after the label: a tape of its own"
+    apart = FORMAT_BIN + SEVEN + bytes(3) + section
+    assert rows(apart, "apart") == [two]
+    assert measure.left_out(apart, "bin")[1:] == (
+        "after the label, from frame 193 on, a good section: a tape of its own, left out",
+    )
 
 
 def test_tape_errors_carry_their_frame() -> None:

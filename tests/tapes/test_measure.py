@@ -31,7 +31,8 @@ def test_lengths_are_written_as_on_drawings(thousandths: float, written: str) ->
         (59.94, "59.9 s"),
         (60, "1 min 0.0 s"),
         (3599.96, "1 h 0 min 0.0 s"),
-        (5400, "1 h 30 min 0.0 s"),
+        (1798.2, "29 min 58.2 s"),
+        (3723, "1 h 2 min 3.0 s"),
     ],
 )
 def test_durations_are_written_in_hours_minutes_and_seconds(seconds: float, written: str) -> None:
