@@ -292,20 +292,21 @@ class _Collected:
         alive: dict[int, str] = {}
         before = pickle.loads(self.kept.read_bytes()) if self.kept.exists() else {}
         kept: dict[str, tuple[str, _Ran]] = {}
-        room = b"".join(Path(file).read_bytes() for file in sorted(self.files))
-        keys = {item.nodeid: sha256(room + item.path.read_bytes()).hexdigest() for item in items}
+        items_by_name = {item.nodeid: item for item in items}
 
         def note() -> None:
             pid, _ = _wait()
             name, found = alive.pop(pid), folder / f"{pid}.ran"
             if found.exists():
-                kept[name] = keys[name], pickle.loads(found.read_bytes())
+                ran: _Ran = pickle.loads(found.read_bytes())
+                kept[name] = self._key(items_by_name[name], ran[0]), ran
             else:
                 runs.failed.append(name)
 
         for item in items:
-            if before.get(item.nodeid, ("",))[0] == keys[item.nodeid]:
-                kept[item.nodeid] = before[item.nodeid]
+            key, ran = before.get(item.nodeid, ("", ({}, 0.0)))
+            if key == self._key(item, ran[0]):
+                kept[item.nodeid] = key, ran
                 continue
             alive[_fork(partial(self._run, item), folder, LONGEST)] = item.nodeid
             if len(alive) == self.jobs:
@@ -317,6 +318,11 @@ class _Collected:
             runs.seconds[name] = seconds
             self._note(runs, name, lines)
         return runs
+
+    def _key(self, item: pytest.Item, lines: dict[str, set[int]]) -> str:
+        """Return what stays the same while a test's file and the sources that it runs do."""
+        ran = (Path(file).read_bytes() for file in sorted(lines) if lines[file] and Path(file).exists())
+        return sha256(b"".join([item.path.read_bytes(), *ran])).hexdigest()
 
     def _run(self, item: pytest.Item, own: Path) -> int:
         """Run a test; leave what it ran, unless it fails."""
