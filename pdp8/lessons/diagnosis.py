@@ -68,12 +68,12 @@ def end(answer: Answer, trial: Trial, outcome: Outcome) -> tuple[str, str]:
         return NOT_STOPPED, f"still running after {trial.seconds:g} s, between {low:04o} and {high:04o}"
     if stop.reason is Reason.HALT:
         return ELSEWHERE, f"a halt at {stop.pc - 1 & 0o7777:04o}"
-    near = [outcome.core[stop.pc + step & 0o7777] for step in (-1, 0, 1)]
-    if _jumps_to(stop.pc, near[1]) == stop.pc:
+    word = outcome.core[stop.pc]
+    if _jumps_to(stop.pc, word) == stop.pc:
         return JUMP, f"a jump to itself at {stop.pc:04o}"
-    if stop.reason is Reason.TAPE_OUT or any(word in _INPUTS for word in near):
+    if stop.reason is Reason.TAPE_OUT or word in _INPUTS:
         return INPUT, f"waiting at {stop.pc:04o} for a key or a frame that does not come"
-    if any(word in _OUTPUTS for word in near):
+    if word in _OUTPUTS:
         return OUTPUT, f"waiting at {stop.pc:04o} for a printer that has nothing to print"
     return NOT_STOPPED, f"a loop at {stop.pc:04o} that nothing ends"
 

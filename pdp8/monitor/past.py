@@ -41,13 +41,13 @@ def back(monitor: Monitor, arguments: Sequence[str]) -> None:
 
 def _measured(monitor: Monitor, arguments: Sequence[str]) -> None:
     count, unit = [*at_most(arguments, _WHAT, 2), *("1", "instructions")[len(arguments) :]]
-    if unit in ("seconds", "second"):
+    unit = unit.removesuffix("s") + "s"
+    if unit == "seconds":
         rewind.seconds(monitor.history, seconds(count))
-        return
-    undo = _MEASURES.get(unit if unit.endswith("s") else f"{unit}s")
-    if undo is None:
+    elif unit in _MEASURES:
+        _MEASURES[unit](monitor.history, octal(count, _MOST))
+    else:
         raise MonitorError(f"{unit}: there are {', '.join(_MEASURES)} and seconds")
-    undo(monitor.history, octal(count, _MOST))
 
 
 def _until(monitor: Monitor, arguments: Sequence[str]) -> None:

@@ -75,19 +75,20 @@ def test_a_seed_draws_the_same_and_another_seed_others() -> None:
 
 
 def test_inputs_are_drawn_by_ranges_and_kinds() -> None:
-    text = RANDOM.replace(
+    text = RANDOM.replace("trials=5", "trials=40").replace(
         "deposit={", 'sr={pick=[3,5]}\n'
         'reader=[0o200,{length=[2,4],pick="01"},{length=0,from=0,to=0}]\nkeys={length=2,from=1,to=3}\n'
-        'deposit={"0300-0302"={from=7,to=7},"0310"={pick=[5]},',
+        'deposit={"0300-0302"={from=7,to=7},"0310"={pick=[5]},"0311"={from=-1,to=-1},',
     )  # fmt: skip
-    for trial in parse(text, "e").cases[0].trials:
-        assert trial.sr in (3, 5)
-        assert trial.reader[0] == 0o200
-        assert 3 <= len(trial.reader) <= 5
-        assert set(trial.reader[1:]) <= {0o260, 0o261}
-        assert set(trial.keys) <= {1, 2, 3}
-        assert [trial.deposit[place] for place in ("0300", "0301", "0302", "0310")] == [7, 7, 7, 5]
-        assert "0303" not in trial.deposit
+    trials = parse(text, "e").cases[0].trials
+    assert {trial.sr for trial in trials} == {3, 5}
+    assert {trial.reader[0] for trial in trials} == {0o200}
+    assert {len(trial.reader) for trial in trials} == {3, 4, 5}
+    assert {frame for trial in trials for frame in trial.reader[1:]} == {0o260, 0o261}
+    assert {frame for trial in trials for frame in trial.keys} == {1, 2, 3}
+    for trial in trials:
+        drawn = {place: word for place, word in trial.deposit.items() if place[0] == "0"}
+        assert drawn == {"0300": 7, "0301": 7, "0302": 7, "0310": 5, "0311": 0o7777}
 
 
 def test_all_that_is_compared_is_what_the_solution_left() -> None:
@@ -154,7 +155,12 @@ def test_nothing_of_a_hidden_case_is_written() -> None:
         ("ac=1", "*200\n\tISZ 210\n\tJMP 200\n\tJMP 200\n$", "did not stop", "between 0200 and 0201"),
         ("ac=1", "*200\n\tJMP .\n$", "jumps to itself", "a jump to itself at 0200"),
         ("ac=1", "*200\n\tKSF\n\tJMP .-1\n\tHLT\n$", "waits for a key or a tape", "that does not come"),
+        ("ac=1", "*200\n\tRSF\n\tJMP .-1\n\tHLT\n$", "waits for a key or a tape", "that does not come"),
         ("ac=1", "*200\n\tTSF\n\tJMP .-1\n\tHLT\n$", "waits for the printer", "nothing to print"),
+        ("ac=1", "*200\n\tPSF\n\tJMP .-1\n\tHLT\n$", "waits for the printer", "nothing to print"),
+        ("stop='idle'\nstart='7777'", "*7777\n\tHLT\n$", "stopped elsewhere",
+         "expected a loop that nothing ends\n                  got a halt at 7777"),
+        ("stop='limit'", "*200\n\tHLT\n$", "stopped elsewhere", "expected running on\n"),
         ("stop='tape out'", "*200\n\tCLA\n\tHLT\n$", "stopped elsewhere", "a halt at 0201"),
         ("ac=2", "*200\n\tCLA CLL IAC\n\tHLT\n$", "one off", "0001"),
         ("ac=2", "*200\n\tCLA CLL CMA RAL\n\tHLT\n$", "the negative", "7776"),
@@ -275,9 +281,35 @@ def test_answers_that_differ_in_names_and_comments_look_alike() -> None:
     answers = [handed.of(text.encode(), name) for name, text in
                (("a", source), ("b", other), ("c", form.read("step-wise").solution))]  # fmt: skip
     assert alike.pairs(answers) == [alike.Pair("a", "b", 1.0)]
-    alone = [handed.of(source.encode(), name) for name in "abcdef"]
-    assert len(alike.pairs(alone[:5])) == 10
-    assert alike.pairs(alone) == [], "what most of a class of six have says nothing"
+
+
+def numbers(length: int, *others: int, first: int = 0) -> Answer:
+    """Return an answer of different numbers, in order, of which those at `others` are not as usual."""
+    items = range(first, first + length)
+    return Answer(
+        f"{length} {others} {first}", source="\n".join(f"{at + 500 * (at in others)}" for at in items)
+    )
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "shared"),
+    [
+        (numbers(38), numbers(38, 18, 19), [28 / 40]),  # of 34 runs of five, six have an item that changed
+        (numbers(38), numbers(38, 18, 19, 20), []),
+        (numbers(16), numbers(16, 99), [1.0]),
+        (numbers(15), numbers(15, 99), []),
+    ],
+)
+def test_how_alike_answers_are_is_by_the_runs_they_share(
+    one: Answer, other: Answer, shared: list[float]
+) -> None:
+    assert [pair.shared for pair in alike.pairs([one, other])] == shared
+
+
+@pytest.mark.parametrize(("size", "same", "pairs"), [(5, 5, 10), (6, 2, 1), (6, 3, 0), (9, 3, 3), (9, 4, 0)])
+def test_what_more_than_a_third_of_a_class_of_six_have_says_nothing(size: int, same: int, pairs: int) -> None:
+    others = [numbers(20, first=1000 * each) for each in range(1, 1 + size - same)]
+    assert len(alike.pairs([*[numbers(20, 99 + each) for each in range(same)], *others])) == pairs
 
 
 @pytest.mark.parametrize("name", form.bundled())
@@ -288,7 +320,7 @@ def test_a_students_form_marks_without_the_solution(name: str) -> None:
     assert text.startswith('{\n "title"')
     given = parse(text, name)
     assert given.solution == ""
-    assert not any(case.hidden for case in given.cases)
+    assert not any(case.hidden or len(case.trials) > 3 for case in given.cases)
     assert all(question.answer == () and question.number is None for question in given.questions)
     assert mark(given, whole.solution).right
 

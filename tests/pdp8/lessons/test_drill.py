@@ -1,6 +1,7 @@
 """Drills: who follows the card is done; who does not is told the first wrong switch; nobody gets stuck."""
 
 import random
+from itertools import takewhile
 
 import pytest
 
@@ -66,6 +67,7 @@ def test_who_follows_the_card_is_done(name: str, keys: int) -> None:
 
 def test_rim_by_the_book() -> None:
     session, coach = room("rim")
+    advance(session, coach, 5)
     press(session, coach, "load_add", 0o7756)
     assert coach.said == "right: 7756  LOAD ADD"
     for word in RIM:
@@ -78,7 +80,13 @@ def test_rim_by_the_book() -> None:
 
 def test_boot_leaves_the_program_in_core() -> None:
     session, coach = room("boot")
+    for step in takewhile(lambda step: step.key, coach.drill.steps):
+        press(session, coach, step.key, step.sr)
+    for wrong in ("start", "stop"):
+        assert not press(session, coach, wrong)
+        assert coach.said == f"not {wrong.upper()} yet: {coach.drill.steps[coach.at].say}"
     follow(session, coach)
+    assert coach.said.endswith(", 2 mistakes.")
     assert (session.machine.core[0o200], session.machine.ac) == (0o6046, 0)
 
 

@@ -7,7 +7,8 @@ from xml.etree import ElementTree
 
 import pytest
 
-from pdp8.lessons import handed, marking, records, scores
+import pal
+from pdp8.lessons import handed, marking, page, records, scores
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.form import parse
 from pdp8.lessons.marking import Result
@@ -50,6 +51,10 @@ LOOP = "*200\n\tJMP .\n$\n"
         ("page='AB'", PUNCH, [("the page", "A")]),
         ("tape=''", PUNCH, [("the tape", b"\xc1")]),
         ("stop='idle'", LOOP, []),
+        ("takes=[9.6e-6, 9.6e-6]", IAC, []),
+        ("takes=[9.7e-6, 1]", IAC, [("the time", "9.6e-06 s")]),
+        ("takes=[0, 9.5e-6]", IAC, [("the time", "9.6e-06 s")]),
+        ("ac=0o5200", "*200\n\tCLA CLL\n\tTAD 300\n\tHLT\n$\n", []),
         ("starts=2\ninstructions=4", IAC, []),
         ("starts=2\ntape=[0o301]\npage='A'", PUNCH, []),
         ("seconds=0.1\nstop='limit'", "*200\n\tISZ 300\n\tJMP 200\n\tJMP 200\n$\n", []),
@@ -62,9 +67,12 @@ def test_an_expectation_notices_what_differs(
 
 
 def test_the_inputs_of_the_trial_that_failed_are_told() -> None:
-    second = 'ac=2\nsr=0o17\nreader=[0o200,1]\nkeys="A"\ndeposit={"300"=7}'
+    keys, deposit = f'keys="{"A" * 24}"', 'deposit={"300"=7,"301"="A"}'
+    second = f"ac=2\nsr=0o17\nreader={[0o200, 1] + [2] * 23}\n{keys}\n{deposit}"
     (found,) = mark(f"[[case.trial]]\nac=1\n[[case.trial]]\n{second}", IAC).marks
-    assert found.inputs == "0300 = 0007, switches 0017, tape 200 001, keys 301"
+    assert found.inputs == (
+        f"0300 = 0007, 0301 = A, switches 0017, tape 200 001 {'002 ' * 22}..., keys {' '.join(['301'] * 24)}"
+    )
 
 
 @pytest.mark.parametrize(
@@ -82,6 +90,21 @@ def test_a_source_that_breaks_a_rule_has_no_points(program: str, fault: str) -> 
 
 def test_a_rule_that_is_kept_to_the_last_word() -> None:
     assert mark("ac=1", IAC, "[program]\nwords=5\nrequired=['IAC']").right
+
+
+@pytest.mark.parametrize(
+    ("rule", "fault"),
+    [("words=5", ""), ("forbidden=['A']", "this exercise looks at the source: hand in PAL, not a tape")],
+)
+def test_a_tape_is_marked_where_nothing_looks_at_the_source(rule: str, fault: str) -> None:
+    tape = handed.of(pal.assemble(IAC).tape, "a.bin")
+    assert marking.mark(exercise("ac=1", f"[program]\n{rule}"), tape).fault == fault
+
+
+@pytest.mark.parametrize(("count", "more"), [(5, []), (6, ["and 1 more"]), (15, ["and 10 more"])])
+def test_five_errors_of_a_source_are_told(count: int, more: list[str]) -> None:
+    wrong = "".join(f"\tJMP Q{at}\n" for at in range(count))
+    assert mark("ac=1", f"*200\n{wrong}$\n").fault.splitlines()[20:] == more
 
 
 @pytest.mark.parametrize("line", ["a: 1,234 OR 7", "A) 01234 or  007", "a=1234 or 7"])
@@ -106,6 +129,9 @@ def test_a_missing_tag_is_named() -> None:
         ((b"/" * 199 + b"\n") * 81 + b"/" * 184, ""),
         ((b"/" * 199 + b"\n") * 81 + b"/" * 185, "more than 16,384 bytes"),
         (b"/" * 200, ""),
+        (b"", "an empty file"),
+        (b"\xef\xbb\xbf*200\r\n", ""),
+        ("*200".encode("utf-16"), "text in UTF-16: save it as UTF-8 or ASCII, or write it with an editor"),
         (b"\n" + b"/" * 201, "line 2 has 201 characters; at most 200 can be"),
     ],
 )
@@ -144,6 +170,12 @@ def test_a_hostile_answer_is_marked_like_any_other(content: bytes) -> None:
 def test_two_texts_have_a_caret_under_their_first_difference() -> None:
     shown = list(scores.lines(marking.Failure("the page", "HELLO\n", "HELP")))
     assert shown[0].index("L", 24) + 1 == shown[1].index("P") == shown[2].index("^")
+    texts = ("a" * 40 + "X" + "b" * 30, "a" * 40 + "Y" + "b" * 29)
+    assert list(scores.lines(marking.Failure("the page", *texts))) == [
+        f"the page     expected {'a' * 30}X{'b' * 29}...",
+        f"                  got {'a' * 30}Y{'b' * 29}",
+        f"                      {'-' * 30}^",
+    ]
 
 
 def test_two_long_tapes_are_shown_where_they_differ() -> None:
@@ -198,14 +230,33 @@ def test_marks_as_junit_are_what_they_are() -> None:
     assert [(suite.get("tests"), suite.get("failures")) for suite in suites] == [("1", "1")] * 2
     messages = [failure.get("message") for failure in suites.iter("failure")]
     assert messages == ["not as expected: AC", "not as expected: fault"]
+    failure = {"what": "AC", "happened": "one off", "expected": "0002", "got": "0001"}
+    missed = {"points": 0, "of": 1, "inputs": None, "hint": "look", "hidden": False, "failures": [failure]}
+    one, other = json.loads(records.as_json(given, results))["answers"]
+    marked = {"fault": None, "marks": [{"name": "the case", **missed}]}
+    assert one == {"answer": "$\n", "right": False, "points": 0, "of": 1, **marked}
+    assert other == {**one, "answer": "\n$", "fault": results[1].fault, "marks": []}
+    first, second, *_ = records.as_csv(given, results).splitlines()
+    assert (first, second) == ("answer,the case,points,of,fault", "$\u240a,0,0,1,")
+    assert list(page.body(results[0])) == [
+        "<table><tr><th>tried</th><th>points</th><th></th></tr>",
+        "<tr><td>the case</td><td>0 of 1</td><td>not yet</td></tr>",
+        "</table>",
+        "<h2>the case</h2>",
+        f"<pre>{'AC':12} expected 0002\n{'':17} got 0001\n{'':21} ---^</pre>",
+        '<p class="hint">look</p>',
+    ]
 
 
-@pytest.mark.parametrize("name", ["/dev/zero", ".", "missing.pal"])
-def test_what_is_no_file_has_no_points(name: str, shell: Shell) -> None:
-    done = shell(f"pdp8 check add {name}")
-    assert done.returncode == 1
-    assert b"0 / 7" in done.stdout
-    assert b"Traceback" not in done.stderr
+@pytest.mark.parametrize(
+    ("name", "fault"),
+    [
+        *(("/dev/zero", "not a file"), (".", "not a file")),
+        *(("missing.pal", "No such file or directory"), ("a\0b", "NUL in the name of a file")),
+    ],
+)
+def test_what_is_no_file_has_no_points(name: str, fault: str) -> None:
+    assert marking.mark(exercise("ac=1"), handed.read(name)).fault == fault
 
 
 @pytest.mark.parametrize(

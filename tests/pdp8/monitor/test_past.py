@@ -27,7 +27,7 @@ def monitor() -> Monitor:
         ("back 2 characters", b"\0\1\2\x80\x13"),
         ("back 1 block", b"\0\1\2\x80\x13\4"),
         ("back 2 blocks", b"\0\1\2"),
-        ("back 1.3 seconds", b"\0\1\2\x80"),
+        ("back 1.3 second", b"\0\1\2\x80"),
     ],
 )
 def test_back_in_each_measure(monitor: Monitor, line: str, left: bytes) -> None:
@@ -41,7 +41,8 @@ def test_counts_are_octal_and_steps_go_back_too(monitor: Monitor) -> None:
     before = monitor.machine.instructions
     do(monitor, "step 12")
     assert monitor.machine.instructions == before + 10
-    do(monitor, "back 3")
+    do(monitor, "back 2")
+    do(monitor, "back")
     assert monitor.machine.instructions == before + 7
     do(monitor, "back 7")
     assert monitor.machine.instructions == before
@@ -84,6 +85,7 @@ def test_what_was_set_goes_back_too(monitor: Monitor) -> None:
         ("back until", "expected"),
         ("back until 7000 written", "nothing was written at 7000 as far as the history goes back"),
         ("back until 7000", "nothing was executed at 7000"),
+        ("back until 100 flag", "100: not between 00 and 77"),
         ("back until 01 flag", "device 01 is not fitted"),
     ],
 )

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from pdp8.computer.past import state
 from pdp8.computer.use import program
 from pdp8.monitor import commands
 from pdp8.monitor.arguments import MonitorError, Quoted
@@ -63,7 +64,7 @@ def test_a_dialogue_is_a_test(shell: Shell, tmp_path: Path) -> None:
         ("expect BEL 5", "BEL was not printed: idle; the page shows 'PROCEED.'"),
         ("assert pc 0", "PC is 02"),
         ("assert 200 1", "200 is 7300, not 0001"),
-        ('until "04" 3 times 5', "'04' was printed no times of 3: idle; the page shows ''"),
+        ('until "04" 2 times 5', "'04' was printed no times of 2: idle; the page shows ''"),
     ],
 )
 def test_what_fails_ends_a_script_with_status_1(
@@ -92,8 +93,8 @@ def test_a_diagnostic_that_rings_the_bell_at_each_pass(monitor: Monitor) -> None
     monitor.machine.load({0o200 + at: int(word, 8) for at, word in enumerate(words.split())})
     do(monitor, "go 200 until BEL 3 times 5")
     assert list(monitor.machine.teletype.printer.frames) == [0o207] * 3
-    do(monitor, "run until BEL 5", "until BEL 2 times")
-    assert len(monitor.machine.teletype.printer.frames) == 6
+    do(monitor, "run until BEL 5", "until BEL 2 times", "until BEL 1 time")
+    assert len(monitor.machine.teletype.printer.frames) == 7
     with pytest.raises(MonitorError, match=r"BEL was printed 10 times of 99: 1 s have passed"):
         do(monitor, "until BEL 99 times 1")
 
@@ -114,6 +115,32 @@ def test_a_key_press_takes_its_time(monitor: Monitor) -> None:
     assert monitor.machine.ticks - before == 2_000_000 + 32 + 10_000_000
 
 
+def test_waiting_takes_its_time_whether_the_program_runs_or_stands(monitor: Monitor) -> None:
+    do(monitor, "wait 0.1")
+    assert monitor.machine.ticks == 2_000_000
+    do(monitor, "deposit 200 2210 5200 5200", "go 200 0")
+    other = Monitor(lambda line: None, state.restore(state.save(monitor.machine)))
+    do(monitor, "wait 0.1")
+    do(other, "run 0.1")
+    assert monitor.machine.ticks == other.machine.ticks
+
+
+def test_what_ctrl_c_sets_is_the_stop_key_once(tmp_path: Path) -> None:
+    """It is set as the second tape goes in."""
+    said: list[str] = []
+
+    def say(line: str) -> None:
+        said.append(line)
+        monitor.stopping = line.endswith("goes into the reader")
+
+    monitor = Monitor(say)
+    (tmp_path / "a").write_bytes(b"\x81\x82")
+    do(monitor, "deposit 200 6031 5200 6036 5200", f"reader {tmp_path}/a {tmp_path}/a", "go 200")
+    assert said[-1].startswith("stop key; ")
+    do(monitor, "cont")
+    assert said[-1].startswith("tape out; ")
+
+
 def test_a_tape_put_in_at_a_standstill_loses_no_frame(monitor: Monitor, tmp_path: Path) -> None:
     (tmp_path / "a").write_bytes(b"\x81\x82")
     (tmp_path / "b c").write_bytes(b"\x83")
@@ -124,10 +151,14 @@ def test_a_tape_put_in_at_a_standstill_loses_no_frame(monitor: Monitor, tmp_path
     assert [monitor.machine.core[0o300 + at] for at in range(4)] == [0o201, 0o202, 0o203, 0]
 
 
-@pytest.mark.parametrize(("lines", "waiting"), [(["reader stop", "reader start"], 1), (["reader none"], 0)])
-def test_the_lever_leaves_the_tapes_that_wait(monitor: Monitor, lines: list[str], waiting: int) -> None:
-    do(monitor, "reader circle.asc ellipse.asc", *lines)
-    assert len(monitor.waiting_tapes) == waiting
+def test_the_lever_leaves_the_tapes_that_wait(monitor: Monitor) -> None:
+    do(monitor, "reader circle.asc ellipse.asc")
+    for position in ("stop", "stop", "start", "start"):
+        do(monitor, f"reader {position}")
+        assert monitor.machine.teletype.reader.on == (position == "start")
+        assert monitor.waiting_tapes == ["ellipse.asc"]
+    do(monitor, "reader none")
+    assert (monitor.waiting_tapes, monitor.machine.teletype.reader.tape) == ([], b"")
 
 
 @pytest.mark.parametrize("command", ["load", "boot", "reader", "listing"])

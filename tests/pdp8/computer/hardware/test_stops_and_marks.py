@@ -165,13 +165,16 @@ def test_a_tape_put_in_after_rfc_takes_its_time_from_then() -> None:
     assert 66_667 <= m.ticks - at < 66_667 + 300
 
 
-@pytest.mark.parametrize("skip", ["7410", "7440", "2020", "7610"])
-def test_a_breakpoint_after_a_skip_stops(skip: str) -> None:
-    """NOPs, the skip, and past the word it skips the breakpoint; then a loop."""
-    m = machine(f"7000 7000 7000 {skip} 7001 7001 5205", at_20=0o7777)
-    m.watch.breakpoints = {0o205}
+@pytest.mark.parametrize("at", [0o203, 0o7775, 0o7776, 0o7777])
+@pytest.mark.parametrize("skip", [0o7410, 0o7440, 0o2020, 0o7610])
+def test_a_breakpoint_after_a_skip_stops(skip: int, at: int) -> None:
+    """NOP, the skip, and past the word it skips the breakpoint; after 7777 comes 0000."""
+    m = Machine()
+    m.load({at - 1: 0o7000, at: skip, **{at + on & 0o7777: 0o7001 for on in range(1, 4)}, 0o20: 0o7777})
+    m.start(at - 1)
+    m.watch.breakpoints = {at + 2 & 0o7777}
     assert m.run(seconds=0.01).reason == "breakpoint"
-    assert (m.pc, m.instructions, m.ac) == (0o205, 4, 0)
+    assert (m.pc, m.instructions, m.ac) == (at + 2 & 0o7777, 2, 0)
 
 
 def test_the_first_instruction_of_a_subroutine_is_a_breakpoint() -> None:
