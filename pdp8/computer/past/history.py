@@ -188,7 +188,11 @@ class History:
                 device.on_frame = callback
             self._left, self._stands = self._values(), self._moment()
             clock, number = self._stands
-            self._keep([mark for mark in self._marks if mark.clock <= clock and mark.instructions <= number])
+            past = [mark for mark in self._marks if mark.clock <= clock and mark.instructions <= number]
+            in_cycles = self._marks[len(past) :][:1]
+            self._keep(past)
+            if in_cycles and in_cycles[0].jump:
+                self._add(self._left, jump=True)
 
     def snapshots(self) -> list[_Mark]:
         """Return the snapshots, the newest first."""

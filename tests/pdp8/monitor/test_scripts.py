@@ -134,7 +134,7 @@ def test_what_ctrl_c_sets_is_the_stop_key_once(tmp_path: Path) -> None:
         monitor.stopping = line.endswith("goes into the reader")
 
     monitor = Monitor(say)
-    (tmp_path / "a").write_bytes(b"\x81\x82")
+    (tmp_path / "a").write_bytes(b"\x81" * 20)
     do(monitor, "deposit 200 6031 5200 6036 5200", f"reader {tmp_path}/a {tmp_path}/a", "go 200")
     assert said[-1].startswith("stop key; ")
     do(monitor, "cont")
