@@ -2,6 +2,7 @@
 
 import json
 import time
+from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -141,9 +142,21 @@ def test_many_snapshots_are_thinned_out() -> None:
     history = History(machine)
     machine.run(instructions=1000)
     was = saved(machine)
-    for _ in range(1000):
-        machine.run(seconds=6)
-    assert len(history.snapshots()) <= 128
+
+    def apart() -> list[float]:
+        return [(late.clock - soon.clock) / 20_000_000 for late, soon in pairwise(history.snapshots())]
+
+    while len(history.snapshots()) < 128:
+        machine.run(seconds=0.5)
+    assert 5 <= min(apart()) <= max(apart()) < 5.6
+    while len(history.snapshots()) == 128:
+        machine.run(seconds=0.5)
+    assert len(history.snapshots()) == 65
+    assert 10 <= min(apart()) <= max(apart()) < 11.2
+    for undo in (rewind.instructions, rewind.characters, rewind.cycles, rewind.seconds):
+        now = saved(machine)
+        undo(history, 0)
+        assert saved(machine) == now
     rewind.instructions(history, machine.instructions - 1000)
     assert saved(machine) == was
 
