@@ -170,7 +170,7 @@ def _codes(title: str, codes: Sequence[tuple[int, str]], columns: int) -> str:
     across = (WIDTH - 2 * _MARGIN) / columns
     for number, (frame, name) in enumerate(codes):
         x, y = _MARGIN + number // rows * across, 68 + number % rows * step
-        card.text(x, y, name[:6])
+        card.text(x, y, name)
         card.text(x + 46, y, f"{frame:03o}")
         _holes(card, x + 78, y - 4, frame, (across - 94) / 9)
     return card.svg()

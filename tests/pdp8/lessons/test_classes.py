@@ -155,6 +155,7 @@ def test_nothing_of_a_hidden_case_is_written() -> None:
         ("ac=1", "*200\n\tISZ 210\n\tJMP 200\n\tJMP 200\n$", "did not stop", "between 0200 and 0201"),
         ("ac=1", "*200\n\tJMP .\n$", "jumps to itself", "a jump to itself at 0200"),
         ("ac=1", "*200\n\tKSF\n\tJMP .-1\n\tHLT\n$", "waits for a key or a tape", "that does not come"),
+        ("ac=1", "*200\n\tNOP\n\tJMP .-1\n$", "did not stop", "a loop at 020"),
         ("ac=1", "*200\n\tRSF\n\tJMP .-1\n\tHLT\n$", "waits for a key or a tape", "that does not come"),
         ("ac=1", "*200\n\tTSF\n\tJMP .-1\n\tHLT\n$", "waits for the printer", "nothing to print"),
         ("ac=1", "*200\n\tPSF\n\tJMP .-1\n\tHLT\n$", "waits for the printer", "nothing to print"),

@@ -87,6 +87,7 @@ def test_boot_leaves_the_program_in_core() -> None:
         assert coach.said == f"not {wrong.upper()} yet: {coach.drill.steps[coach.at].say}"
     follow(session, coach)
     assert coach.said.endswith(", 2 mistakes.")
+    assert press(session, coach, "stop", 0)
     assert (session.machine.core[0o200], session.machine.ac) == (0o6046, 0)
 
 

@@ -1,6 +1,7 @@
 """Marks: what each expectation notices, what a hostile answer can do, and how marks are written."""
 
 import json
+import sys
 import time
 from pathlib import Path
 from xml.etree import ElementTree
@@ -135,8 +136,15 @@ def test_a_missing_tag_is_named() -> None:
         (b"\n" + b"/" * 201, "line 2 has 201 characters; at most 200 can be"),
     ],
 )
-def test_an_answer_has_16_kib_in_lines_of_200(content: bytes, fault: str) -> None:
+def test_an_answer_has_16_kib_in_lines_of_200(
+    content: bytes, fault: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     assert handed.of(content, "a.pal").fault == fault
+    (tmp_path / "a.pal").write_bytes(content)
+    with open(tmp_path / "a.pal", encoding="ascii") as given:
+        monkeypatch.setattr(sys, "stdin", given)
+        assert handed.read("-").fault == fault
+    assert handed.read(str(tmp_path / "a.pal")).fault == fault
 
 
 HOSTILE = [
@@ -230,6 +238,10 @@ def test_marks_as_junit_are_what_they_are() -> None:
     assert [(suite.get("tests"), suite.get("failures")) for suite in suites] == [("1", "1")] * 2
     messages = [failure.get("message") for failure in suites.iter("failure")]
     assert messages == ["not as expected: AC", "not as expected: fault"]
+    texts = [failure.text for failure in suites.iter("failure")]
+    shown = f"{'AC':12} expected 0002\n{'':17} got 0001\n{'':21} ---^"
+    assert texts[0] == f"{shown}\nhint: look"
+    assert "\n        JMP Q\n" in str(texts[1])
     failure = {"what": "AC", "happened": "one off", "expected": "0002", "got": "0001"}
     missed = {"points": 0, "of": 1, "inputs": None, "hint": "look", "hidden": False, "failures": [failure]}
     one, other = json.loads(records.as_json(given, results))["answers"]
@@ -243,7 +255,7 @@ def test_marks_as_junit_are_what_they_are() -> None:
         "<tr><td>the case</td><td>0 of 1</td><td>not yet</td></tr>",
         "</table>",
         "<h2>the case</h2>",
-        f"<pre>{'AC':12} expected 0002\n{'':17} got 0001\n{'':21} ---^</pre>",
+        f"<pre>{shown}</pre>",
         '<p class="hint">look</p>',
     ]
 

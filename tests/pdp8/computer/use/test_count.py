@@ -7,7 +7,9 @@ import pytest
 
 from pdp8.computer.count import Count
 from pdp8.computer.machine import Machine
+from pdp8.computer.use import counted as used
 from pdp8.computer.use import program
+from pdp8.computer.use.trace import Listing
 from tapes import ascii
 from tests.conftest import Shell
 
@@ -73,6 +75,21 @@ def test_by_hand() -> None:
     assert dict(count.written) == {0o210: 3, 0o211: 1}
     assert dict(count.operations) == {"ISZ": 3, "JMP": 2, "JMS": 1, "HLT": 1}
     assert count.cycles == 3 * 2 + 2 * 1 + 2 + 1
+    listing = Listing()
+    listing.words = {0o200: 0o2210, 0o213: 0}
+    assert used.record(count, listing) == {
+        **{"instructions": 7, "cycles": 11, "interrupts": 0, "seconds": 17.6e-6, "waiting_seconds": 0},
+        "operations": {"ISZ": 3, "JMP": 2, "JMS": 1, "HLT": 1},
+        "executed": {"0200": 3, "0201": 2, "0202": 1, "0212": 1},
+        **{"written": {"0210": 3, "0211": 1}, "never_executed": ["0213"]},
+    }
+    count.waiting, count.interrupts = 88, 1234
+    assert list(used.table(count, listing)) == [
+        *("7 instructions, 11 cycles, 0.0 s", "waiting 25.00 %, 0.0 s", "interrupts 1,234"),
+        *("    ISZ                        3   42.86 %", "    JMP                        2   28.57 %"),
+        *("    JMS                        1   14.29 %", "    HLT                        1   14.29 %"),
+        *("never executed: 0213", "written: 0210-0211"),
+    ]
 
 
 def test_a_jms_to_0000_is_no_interrupt() -> None:

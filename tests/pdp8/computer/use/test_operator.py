@@ -59,6 +59,34 @@ def test_toggling() -> None:
     assert [machine.core[address] for address in range(0o7756, 0o7777)] == octal(CARD)
 
 
+def test_each_action_takes_its_time_and_is_noted() -> None:
+    noted: list[operator.Action] = []
+    pace = operator.Pace(setting=1, pressing=0.25, mounting=5, lever=0.01)
+    hands = Operator(Machine(), pace, noted.append)
+    hands.load_address(0o200)
+    hands.deposit(0o5200)
+    hands.mount("a tape", b"\x81")
+    hands.begin(0o200, 0o17)
+    hands.stop()
+    hands.throw_lever()
+    hands.press("cont")
+    assert round(hands.machine.processor.clock / 20_000_000, 2) == 10.26
+    assert [(round(at / 20_000_000, 2), *action) for at, *action in noted] == [
+        (1.0, "sr", 0o200, "0200 into the switches."),
+        (1.25, "load add", None, "0200, LOAD ADD."),
+        (2.25, "sr", 0o5200, "5200 into the switches."),
+        (2.5, "dep", None, "5200 into 0200, DEP."),
+        (7.5, "mount", "a tape", "a tape goes into the reader."),
+        (8.5, "sr", 0o200, "0200 into the switches."),
+        (8.75, "load add", None, "0200, LOAD ADD."),
+        (9.75, "sr", 0o17, "0017 into the switches."),
+        (10.0, "start", None, "START at 0200."),
+        (10.01, "lever", None, "The reader's lever to START."),
+        (10.01, "stop", None, "The reader is empty: STOP."),
+        (10.01, "lever", None, "The reader's lever to STOP."),
+    ]
+
+
 def test_boot_from_cold() -> None:
     program = assembly("eia")
     machine = Machine()
