@@ -95,6 +95,7 @@ def test_a_diagnostic_that_rings_the_bell_at_each_pass(monitor: Monitor) -> None
     assert list(monitor.machine.teletype.printer.frames) == [0o207] * 3
     do(monitor, "run until BEL 5", "until BEL 2 times", "until BEL 1 time")
     assert len(monitor.machine.teletype.printer.frames) == 7
+    do(monitor, "set pc 200", "go until BEL 5")
     with pytest.raises(MonitorError, match=r"BEL was printed 10 times of 99: 1 s have passed"):
         do(monitor, "until BEL 99 times 1")
 
@@ -131,13 +132,13 @@ def test_what_ctrl_c_sets_is_the_stop_key_once(tmp_path: Path) -> None:
 
     def say(line: str) -> None:
         said.append(line)
-        monitor.stopping = line.endswith("goes into the reader")
+        made.stopping = line.endswith("goes into the reader")
 
-    monitor = Monitor(say)
+    made = Monitor(say)
     (tmp_path / "a").write_bytes(b"\x81" * 20)
-    do(monitor, "deposit 200 6031 5200 6036 5200", f"reader {tmp_path}/a {tmp_path}/a", "go 200")
+    do(made, "deposit 200 6031 5200 6036 5200", f"reader {tmp_path}/a {tmp_path}/a", "go 200")
     assert said[-1].startswith("stop key; ")
-    do(monitor, "cont")
+    do(made, "cont")
     assert said[-1].startswith("tape out; ")
 
 
