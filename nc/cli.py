@@ -145,7 +145,10 @@ def plot(output: str, block: int | None, at: tuple[float, float] | None, zoom: f
     metavar="FROM,TO",
     help="Stretch of the curve for the Talysurf, in inches along it.",
 )
+@click.pass_context
 def inspect(
+    ctx: click.Context,
+    /,
     talyrond: str | None,
     talysurf: str | None,
     stretch: tuple[float, float] | None,
@@ -153,8 +156,10 @@ def inspect(
 ) -> None:
     """Measure the walls that the cutter left against the nominal curve.
 
-    The default curve is the circle, ellipse or line that the milled path follows. Errors are inches,
-    outward is +; a place is within 10 degrees of an apex, 5 of 45 degrees.
+    The default curve is the circle, ellipse or line that the milled path follows. Errors are inches, + is
+    outward, or to the left; a place is within 10 degrees of an apex, 5 of 45 degrees.
+
+    Exit status: 0 both walls are within the tolerance, 1 one is not, or not all of the curve is cut.
 
     \b
     Examples:
@@ -187,6 +192,7 @@ def inspect(
         command.tell(report)
     else:
         command.echo(report)
+    ctx.exit(0 if found.within_tolerance else 1)
 
 
 @nc.command()

@@ -6,9 +6,10 @@
 One linear move for each move of the machine, so the path is the same on a controller that interpolates: where
 the Hydra-Point's axes move at unequal feeds, each corner is written out, and G61 (exact path) prevents the
 controller from rounding it. The quill's depth becomes a negative Z with zero at the top. Program stop, end of
-program and manual tool change wait for START: M0. M2 ends the program. The feeds are those the path was cut
-with. RS-274's M6 leaves the spindle standing, and it can have both coolants on: M3 after the one and M9
-between the others keep to what the Hydra-Point does.
+program and manual tool change wait for START: M0. A tape that ends in the work, as the thesis's do, leaves
+the cutter there until its block 001 is run again; here Z goes to the top first. M2 ends the program. The
+feeds are those the path was cut with. RS-274's M6 leaves the spindle standing, and it can have both coolants
+on: M3 after the one and M9 between the others keep to what the Hydra-Point does.
 
 Source: RS-274/NGC (T. Kramer, F. Proctor, E. Messina, NIST, 2000), the common part of every dialect.
 """
@@ -31,6 +32,8 @@ def gcode(path: Path) -> Iterator[str]:
     for step in path.steps:
         yield from _numbered(step, [*_changes(before, step), *_moves(step), *_stops(step)])
         before = step.modes
+    if path.steps and path.steps[-1].at.z:
+        yield "G0 Z0.0000 (the tape ends here)"
     yield "M5"
     yield "M9"
     yield "M2"

@@ -32,6 +32,7 @@ STATIONS = 36_000
 
 _FEWEST_STATIONS = 3_600
 _CUTS_AT_FULL = 4_000
+_FOLLOWED = 20
 _GROUP = 64
 _AT_ONCE = 512
 
@@ -63,10 +64,15 @@ class Reading:
         """The difference, in thousandths."""
         return self.highest - self.lowest
 
+    @property
+    def error(self) -> float:
+        """The error furthest from nominal, in thousandths outward."""
+        return max(self.lowest, self.highest, key=abs)
+
 
 @dataclass(frozen=True, eq=False)
 class Inspection:
-    """A path measured against its nominal curve; the cutter's diameter is in thousandths.
+    """A path measured against its nominal curve; the cutter's diameter and the tolerance are in thousandths.
 
     `centre` is the furthest that the cutter's centre went inside and outside the curve near it. `stepwise`:
     each cut is along one axis.
@@ -74,6 +80,7 @@ class Inspection:
 
     curve: Curve
     cutter: float
+    tolerance: float
     walls: Walls
     centre: tuple[float, float]
     stepwise: bool
@@ -86,6 +93,16 @@ class Inspection:
         return max(places, key=lambda reading: reading.trough_to_peak)
 
     @property
+    def furthest(self) -> Reading:
+        """The reading of the greatest error, at a place if it is at one."""
+        return max(self.readings, key=lambda reading: (abs(reading.error), reading.angle is not None))
+
+    @property
+    def within_tolerance(self) -> bool:
+        """Whether all of the curve was cut, and no wall is further off than allowed, to .0001 in."""
+        return not self.uncut and round(abs(self.furthest.error), 1) <= self.tolerance
+
+    @property
     def uncut(self) -> float:
         """The part of the curve, 0 to 1, that the cutter did not reach."""
         return float(np.isnan(self.walls.outer).mean())
@@ -95,8 +112,8 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
     """Measure the walls that the path left against `curve`, else the circle, ellipse or line it follows.
 
     `cutter` is the diameter, `tolerance` half the width of the band, both in thousandths. A path follows a
-    curve if it stays within four times the tolerance of it. Raises WorkError if nothing was milled, no such
-    curve is found, or none of it was cut.
+    curve if it stays within .020 in of it, or four times the tolerance if that is more. Raises WorkError if
+    nothing was milled, no such curve is found, or none of it was cut.
     """
     cuts = segments(path.cuts)
     if not len(cuts):
@@ -104,7 +121,7 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
     curve = curve or followed(path, tolerance)
     if curve is None:
         raise WorkError(
-            f"the milled path follows no circle, ellipse or line within {4 * tolerance / 1000:.3f} in: "
+            f"the milled path follows no circle, ellipse or line within {_follows(tolerance) / 1000:.3f} in: "
             "name the nominal curve"
         )
     corners = np.unique(cuts.reshape(-1, 2), axis=0)
@@ -115,7 +132,8 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
     centre = curve.deviations(corners[_beside(corners, measured.stations, cutter)])
     readings = tuple(_readings(curve, measured))
     stepwise = bool((cuts[:, :2] == cuts[:, 2:]).any(axis=1).all())
-    return Inspection(curve, cutter, measured, (float(centre.min()), float(centre.max())), stepwise, readings)
+    limits = float(centre.min()), float(centre.max())
+    return Inspection(curve, cutter, tolerance, measured, limits, stepwise, readings)
 
 
 def _beside(corners: Floats, stations: Stations, reach: float) -> NDArray[np.bool_]:
@@ -127,12 +145,16 @@ def _beside(corners: Floats, stations: Stations, reach: float) -> NDArray[np.boo
 
 
 def followed(path: Path, tolerance: float) -> Curve | None:
-    """Return the circle, ellipse or line that the milled path keeps within four times the tolerance of."""
+    """Return the circle, ellipse or line that the milled path follows."""
     cuts = segments(path.cuts)
     if not len(cuts):
         return None
     ends, middles = np.concatenate([cuts[:1, :2], cuts[:, 2:]]), (cuts[:, :2] + cuts[:, 2:]) / 2
-    return fitted(np.concatenate([ends[:1], middles, ends[1:]]), within=4 * tolerance)
+    return fitted(np.concatenate([ends[:1], middles, ends[1:]]), within=_follows(tolerance))
+
+
+def _follows(tolerance: float) -> float:
+    return max(_FOLLOWED, 4 * tolerance)
 
 
 def segments(moves: Sequence[Move]) -> Floats:

@@ -169,7 +169,7 @@ CURVE = _adding(
         metavar="INCHES",
         default=0.005,
         show_default=True,
-        help="Half the width of the band.",
+        help="The most that a wall may be off nominal, either way; half the width of the band.",
     ),
 )
 """The nominal curve, the cutter and the band."""

@@ -92,11 +92,10 @@ def _minutes(seconds: float) -> str:
 
 def inspection_report(inspection: Inspection) -> Iterator[str]:
     """Yield the readings of the instruments, line by line; errors in inches."""
-    low, high = inspection.centre
     yield f"nominal   {inspection.curve}"
     yield (
-        f"cutter    {inspection.cutter / 1000:.3f} in; its centre stayed within "
-        f"{inches(-low)} inside and {inches(high)} outside of nominal"
+        f"cutter    {inspection.cutter / 1000:.3f} in; its centre went "
+        f"from {_side(inspection, 0)} to {_side(inspection, 1)} of nominal"
     )
     yield f"stations  {len(inspection.walls.stations)}"
     if inspection.uncut:
@@ -111,6 +110,22 @@ def inspection_report(inspection: Inspection) -> Iterator[str]:
         + (f"; thesis {_WORST_1971}" if _is_the_thesiss(inspection) else "")
     )
     yield from _diagonals(inspection)
+    yield _verdict(inspection)
+
+
+def _side(inspection: Inspection, end: int) -> str:
+    sides = ("inside", "outside") if inspection.curve.closed else ("right", "left")
+    return f"{inches(abs(inspection.centre[end]))} {sides[inspection.centre[end] > 0]}"
+
+
+def _verdict(inspection: Inspection) -> str:
+    furthest = inspection.furthest
+    return (
+        f"{'within' if inspection.within_tolerance else 'out of'} tolerance: "
+        + ("not all of the curve is cut; " if inspection.uncut else "")
+        + f"{_signed(furthest.error)} at most, {furthest.wall} wall, {furthest.place}; "
+        f"{inches(inspection.tolerance)} is allowed"
+    )
 
 
 def _readings(inspection: Inspection) -> Iterator[str]:

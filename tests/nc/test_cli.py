@@ -16,7 +16,7 @@ COMMANDS = {
     "list": "  666 666 6   2.251   3.844  01 84  mill X to 2.251 at 1.0 in/min",
     "cut": "machining        36.7 min",
     "plot": "<svg",
-    "inspect": "worst trough to peak .0173 in",
+    "inspect --tolerance 0.02": "worst trough to peak .0173 in",
     "export --gcode": "\nM2\n",
     "export --dxf": "\nEOF\n",
 }
@@ -99,6 +99,16 @@ def test_drawings_go_where_they_are_told(shell: Shell) -> None:
     assert b"worst trough to peak" in done.stderr
 
 
+def test_what_is_out_of_tolerance_is_said_and_ends_with_1(shell: Shell) -> None:
+    """A circle without its last block, as 1971 had it, and one that is closed and stops at its limits."""
+    done = shell("pdp8 nc inspect circle.eia --tolerance 0.0001")
+    verdict = b"out of tolerance: -.0114 at most, outer wall, -X apex; .0001 is allowed\n"
+    assert (done.returncode, done.stderr, done.stdout.endswith(verdict)) == (1, b"", True)
+    made = "pdp8 part circle --close --stop inside | pdp8 run eia.pal --quiet | pdp8 nc inspect"
+    assert product(shell, made).splitlines()[-1].startswith("within tolerance: +.0050 at most, ")
+    assert shell(f"{made} --tolerance 0.0049").returncode == 1
+
+
 def test_lengths_are_inches_at_the_commands(shell: Shell) -> None:
     path, around = cut(CIRCLE), Ellipse(4000, 4000, 1750, 1750)
     near = plot(path, around, block=100, cutter=250, tolerance=10, zoom=(8, 8), close_at=(4000, 5735))
@@ -125,7 +135,7 @@ def test_the_polynomial_against_its_band(shell: Shell) -> None:
     printed = product(shell, "pdp8 part polynomial --parity none --fill 0")
     frames = tape(*printed.replace(" ", "0").split())
     curve = "--function '0.2*x*(x-2)*(x-6)' --range 0,6 --origin 4,6"
-    line = f"pdp8 nc inspect {curve} --tolerance 0.01 --cutter 0.125"
+    line = f"pdp8 nc inspect {curve} --tolerance 0.011 --cutter 0.125"
     said = product(shell, line, frames)
     assert "curve y = 0.2*x*(x-2)*(x-6), x from 0 to 6, origin X 4.000 Y 6.000" in said
     assert float(said.split("worst trough to peak ")[1].split()[0]) < 0.0215

@@ -46,7 +46,9 @@ Event = tuple[object, ...]
 
 
 def events(path: nc.Path) -> Iterator[Event]:
-    """Yield each move, its end in inches, its feed, spindle and coolant; each stop and each tool."""
+    """Yield each move, its end in inches, its feed, spindle and coolant; each stop and each tool. From the
+    work the quill goes to the top before spindle and coolant are off.
+    """
     for step in path.steps:
         for move in step.moves:
             x, y, z = move.end
@@ -56,6 +58,8 @@ def events(path: nc.Path) -> Iterator[Event]:
             yield "tool", step.modes.tool
         elif step.stop or step.block.miscellaneous == 83:
             yield "stop", None
+    if step.at.z:
+        yield (step.at.x / 1000, step.at.y / 1000, 0), None, step.modes.spindle or 0, step.modes.coolant
 
 
 CANON = re.compile(r"^ *\d+ +N\S+ +(\w+)\((.*)\)$", re.MULTILINE)
@@ -119,8 +123,9 @@ def test_pygcode_goes_the_same_way_in_the_same_time() -> None:
             at_feed = str(machine.mode.modal_groups[1]).startswith("G01")
             minutes += length / machine.mode.feed_rate.word.value if at_feed else 0
             went.append(tuple(machine.pos.values[axis] for axis in "XYZ"))
-    for here, move in zip(went, path.moves, strict=True):
-        x, y, z = move.end
+    for here, (x, y, z) in zip(
+        went, [*(move.end for move in path.moves), (*path.steps[-1].at[:2], 0)], strict=True
+    ):
         assert here == pytest.approx((x / 1000, y / 1000, -z / 1000), abs=0.00006)
     assert minutes * 60 == pytest.approx(path.times.milling + path.times.z_feed, abs=0.05)
 
@@ -135,7 +140,7 @@ def test_every_milling_block_is_one_line() -> None:
 
 
 def test_the_header_of_the_circle() -> None:
-    assert list(gcode(nc.cut(CIRCLE)))[-3:] == ["M5", "M9", "M2"]
+    assert list(gcode(nc.cut(CIRCLE)))[-4:] == ["G0 Z0.0000 (the tape ends here)", "M5", "M9", "M2"]
     assert list(gcode(nc.cut(CIRCLE)))[:13] == [
         "(Moog Hydra-Point 83-1000 MC, 20-row block tape)",
         "G20 G90 G17 G94 G40 G80 G61",

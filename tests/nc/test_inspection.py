@@ -158,6 +158,9 @@ def test_what_the_cutter_never_reached_is_said() -> None:
     quarter = nc.cut(tape(*HEADER, *milling(staircase(1750, 5), (2250, 4000))[:165]))
     found = inspect(quarter, curve=THE_CIRCLE)
     assert 0.7 < found.uncut < 0.75
+    assert abs(found.furthest.error) < 250
+    assert not inspect(quarter, curve=THE_CIRCLE, tolerance=250).within_tolerance
+    assert "out of tolerance: not all of the curve is cut; " in [*inspection_report(found)][-1]
     with pytest.raises(WorkError, match="did not reach"):
         inspect(quarter, curve=Ellipse(15000, 5000, 1000, 1000))
 
@@ -246,4 +249,4 @@ def test_lengths_of_10_inches_and_more_are_written_whole() -> None:
     )
     found = inspect(cut, StraightLine(8000, 0, 8000, 9000), cutter=40_000)
     said = "\n".join(inspection_report(found))
-    assert "cutter    40.000 in; its centre stayed within 10.5000 inside" in said
+    assert "cutter    40.000 in; its centre went from 10.5000 right to 10.5000 right of nominal" in said
