@@ -116,7 +116,7 @@ def test_the_inspection_stands_beside_the_thesis() -> None:
     said = list(inspection_report(inspect(nc.cut(CIRCLE))))
     assert said[:3] == [
         "nominal   circle, centre X 4.000 Y 4.000, radius 1.750 in",
-        "cutter    0.500 in; its centre stayed within .0060 inside and .0060 outside of nominal",
+        "cutter    0.500 in; its centre went from .0060 inside to .0060 outside of nominal",
         "stations  36000",
     ]
     assert said[3:7] == [
