@@ -3,6 +3,7 @@
 from typing import Any
 
 import click
+from click.core import ParameterSource
 
 from nc.options import (
     CURVE,
@@ -159,7 +160,7 @@ def inspect(
     The default curve is the circle, ellipse or line that the milled path follows. Errors are inches, + is
     outward, or to the left; a place is within 10 degrees of an apex, 5 of 45 degrees.
 
-    Exit status: 0 both walls are within the tolerance, 1 one is not, or not all of the curve is cut.
+    Exit status with --tolerance: 0 both walls are within it, 1 one is not, or not all of the curve is cut.
 
     \b
     Examples:
@@ -192,7 +193,8 @@ def inspect(
         command.tell(report)
     else:
         command.echo(report)
-    ctx.exit(0 if found.within_tolerance else 1)
+    asked = ctx.get_parameter_source("tolerance") is ParameterSource.COMMANDLINE
+    ctx.exit(1 if asked and not found.within_tolerance else 0)
 
 
 @nc.command()

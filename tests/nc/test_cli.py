@@ -16,7 +16,7 @@ COMMANDS = {
     "list": "  666 666 6   2.251   3.844  01 84  mill X to 2.251 at 1.0 in/min",
     "cut": "machining        36.7 min",
     "plot": "<svg",
-    "inspect --tolerance 0.02": "worst trough to peak .0173 in",
+    "inspect": "worst trough to peak .0173 in",
     "export --gcode": "\nM2\n",
     "export --dxf": "\nEOF\n",
 }
@@ -101,6 +101,7 @@ def test_drawings_go_where_they_are_told(shell: Shell) -> None:
 
 def test_what_is_out_of_tolerance_is_said_and_ends_with_1(shell: Shell) -> None:
     """A circle without its last block, as 1971 had it, and one that is closed and stops at its limits."""
+    assert shell("pdp8 nc inspect circle.eia").returncode == 0  # nothing was asked
     done = shell("pdp8 nc inspect circle.eia --tolerance 0.0001")
     verdict = b"out of tolerance: -.0114 at most, outer wall, -X apex; .0001 is allowed\n"
     assert (done.returncode, done.stderr, done.stdout.endswith(verdict)) == (1, b"", True)
