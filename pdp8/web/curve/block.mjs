@@ -2,10 +2,10 @@
 
 import * as ascii from "../../../tapes/ascii.mjs";
 import * as eia from "../../../tapes/eia.mjs";
-import { FIELDS } from "../../../tapes/hydrapoint.mjs";
+import { block as blockOf, FIELDS } from "../../../tapes/hydrapoint.mjs";
 import { Figure, rect, text } from "./drawing.mjs";
 import { punchedTape, translated } from "./computer.mjs";
-import { escaped, octal } from "../written.mjs";
+import { escaped, inches, octal } from "../written.mjs";
 
 const NAMES = { sequence: "number", preparatory: "mill", x: "X", y: "Y", reserved: "0", tool: "feed", miscellaneous: "axis" };
 const TRACKS = [1, 2, 4, 0, 8, 16, 32, 64, 128]; // from the edge; the guide holes are the fourth
@@ -26,12 +26,8 @@ function tape(frames, box, pitch, now = -1) {
   return [paper + marked + holes.join(""), height];
 }
 
-function lines(made) {
-  return made.text.split("\n").slice(0, -1);
-}
-
-export function holes(made) {
-  const all = lines(made);
+export function holes({ text: printout }) {
+  const all = printout.trimEnd().split("\n");
   return new Figure("holes", ({ block }, width) => {
     const line = all[block - 1];
     const [first, second] = [ascii.encode(`${line}\n`), eia.encode(`${line.replaceAll(" ", "0")}\n`)];
@@ -58,23 +54,20 @@ function fields(pitch, y, width) {
 }
 
 function meaning(digits) {
-  const [number, what, x, y, , tool, code] = FIELDS.values().reduce(([parts, at], wide) => [[...parts, digits.slice(at, at + wide)], at + wide], [[], 0])[0];
-  const place = (text_) => `${Number(text_) / 1000}`;
-  if (what === "6") return `Block ${number}: <b>mill</b> to X ${(Number(x) / 1000).toFixed(3)}, Y ${(Number(y) / 1000).toFixed(3)} in, with the ${code === "84" ? "X" : "Y"} feed at code ${tool}. A row with one hole alone, at the right, ends the block.`;
-  if (what === "9") return `Block ${number}: <b>depths</b>: feed from Z ${place(x)} in down to ${place(y)} in.`;
+  const { sequence, preparatory, x, y, tool, miscellaneous: axis } = blockOf(digits);
+  const number = String(sequence).padStart(3, "0");
+  if (preparatory === 6) return `Block ${number}: <b>mill</b> to X ${inches(x)}, Y ${inches(y)} in, with the ${axis === 84 ? "X" : "Y"} feed at code ${String(tool).padStart(2, "0")}. A row with one hole alone, at the right, ends the block.`;
+  if (preparatory === 9) return `Block ${number}: <b>depths</b>: feed from Z ${x / 1000} in down to ${y / 1000} in.`;
   return `Block ${number}: <b>position</b>, one of the six that open the tape: park, tool, coolant, spindle, start of the contour, depth.`;
 }
 
-export function computer(made, record) {
-  const all = lines(made);
+export function computer({ text: printout }, record) {
+  const all = printout.trimEnd().split("\n");
   const listing = new Map(record.listing.map(([address, word, source]) => [`${address} ${word}`, source]));
-  const kept = new Map();
+  let last = { block: 0, done: [] };
   const run = (block) => {
-    if (!kept.has(block)) {
-      kept.clear();
-      kept.set(block, translated(record.words, ascii.encode(`${all[block - 1]}\n`)));
-    }
-    return kept.get(block);
+    if (block !== last.block) last = { block, done: translated(record.words, ascii.encode(`${all[block - 1]}\n`)) };
+    return last.done;
   };
   const words = { block: (number) => `${number} of ${all.length}`, character: (at, { block }) => `${at + 1} of 27: ${shown(run(block)[at].character)}` };
   const figure = new Figure("translating", ({ block, character: at }, width) => {
@@ -89,7 +82,7 @@ export function computer(made, record) {
   const [button, said] = [document.getElementById("translate"), document.getElementById("translated")];
   button.addEventListener("click", () => {
     const began = performance.now();
-    const { tape: frames, seconds } = punchedTape(record.words, ascii.encode(made.text));
+    const { tape: frames, seconds } = punchedTape(record.words, ascii.encode(printout));
     const here = (performance.now() - began) / 1000;
     said.textContent = `${all.length} blocks: ${(seconds / 60).toFixed(1)} minutes at the computer, ${here.toFixed(1)} s in this page; ${frames.length - 1} frames and a blank one came out.`;
   });

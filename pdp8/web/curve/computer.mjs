@@ -13,10 +13,7 @@ const MOST = 4e6; // instructions; a character takes some 17,000
  * { character, rows: [{ address, word, ac }], punched: frame or null, waited: instructions }.
  */
 export function translated(words, frames) {
-  const machine = new Machine(false);
-  machine.load(words);
-  machine.start(0o200);
-  machine.teletype.reader.load(bytes(frames));
+  const machine = started(words, frames);
   const { processor } = machine;
   const done = [];
   let now = null;
@@ -37,10 +34,15 @@ export function translated(words, frames) {
 
 /** The whole tape, at the speed of this machine: { tape, seconds of 1971 }. */
 export function punchedTape(words, frames) {
+  const machine = started(words, frames);
+  const { elapsed } = machine.run();
+  return { tape: machine.teletype.punch.tape, seconds: elapsed };
+}
+
+function started(words, frames) {
   const machine = new Machine(false);
   machine.load(words);
   machine.start(0o200);
   machine.teletype.reader.load(bytes(frames));
-  const stop = machine.run();
-  return { tape: machine.teletype.punch.tape, seconds: stop.elapsed };
+  return machine;
 }

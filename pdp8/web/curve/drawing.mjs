@@ -1,5 +1,6 @@
 // A live figure: its inputs, a drawing as wide as the page gives it, and a line that says the numbers.
 
+import { XY_FEED } from "../../../tapes/hydrapoint.mjs";
 import { escaped, inches } from "../written.mjs";
 
 /** A figure of the page: draws itself again when one of its inputs changes, or its width. */
@@ -75,13 +76,16 @@ export class View {
 
   /** A line through places. */
   line(places, attributes, close = false) {
-    return `<path d="${this.d(places)}${close ? "Z" : ""}" ${attributes}/>`;
+    const d = places.map(({ x, y }, index) => `${index ? "L" : "M"}${this.x(x).toFixed(1)} ${this.y(y).toFixed(1)}`);
+    return `<path d="${d.join("")}${close ? "Z" : ""}" ${attributes}/>`;
   }
 
-  d(places) {
-    return places.map(({ x, y }, index) => `${index ? "L" : "M"}${this.x(x).toFixed(1)} ${this.y(y).toFixed(1)}`).join("");
+  /** A circle of so many thousandths. */
+  circle({ x, y, radius }, attributes) {
+    return this.dot({ x, y }, radius * this.sx, attributes);
   }
 
+  /** A circle of so many pixels. */
   dot({ x, y }, radius, attributes) {
     return `<circle cx="${this.x(x).toFixed(1)}" cy="${this.y(y).toFixed(1)}" r="${radius.toFixed(1)}" ${attributes}/>`;
   }
@@ -130,6 +134,14 @@ export function inch(thousandths) {
 
 export function minutes(value) {
   return value < 10 ? `${value.toFixed(2)} min` : `${value.toFixed(1)} min`;
+}
+
+export function feed(code) {
+  return `${XY_FEED.at(code).toFixed(1)} in/min`;
+}
+
+export function sixteenths(count) {
+  return `${count / 16} in`;
 }
 
 /** The values of a slider whose steps grow: 0 to 100 is `least` to `most`, in whole thousandths. */

@@ -1,35 +1,33 @@
 // The circle, looked at from nearer and nearer: round from afar, a staircase at last.
 
-import { CENTRE, circle, RADIUS } from "./method.mjs";
+import { CENTRE, CIRCLE, circle, onCircle, RADIUS } from "./method.mjs";
 import { clipped, Figure, mils, text, View } from "./drawing.mjs";
 
-const TURN = (146 * Math.PI) / 180;
+const PLACE = onCircle(146);
 const NEAREST = 250;
 
 export function near() {
   const { way } = circle(5, 1, true);
-  const at = { x: CENTRE + RADIUS * Math.cos(TURN), y: CENTRE + RADIUS * Math.sin(TURN) };
   const times = (step) => NEAREST ** (step / 100);
   const words = { near: (step) => `${times(step).toFixed(times(step) < 10 ? 1 : 0)} ×` };
-  return new Figure("near", ({ near: step }, width) => picture(way, at, times(step), width), words);
+  return new Figure("near", ({ near: step }, width) => picture(way, times(step), width), words);
 }
 
-function picture(way, at, times, width) {
+function picture(way, times, width) {
   const height = Math.min(420, Math.round(width * 0.72));
   const half = 2000 / times;
   const pull = 1 - 1 / times ** 2; // from the circle's centre to the place
-  const middle = { x: CENTRE + (at.x - CENTRE) * pull, y: CENTRE + (at.y - CENTRE) * pull };
+  const middle = { x: CENTRE + (PLACE.x - CENTRE) * pull, y: CENTRE + (PLACE.y - CENTRE) * pull };
   const wide = (half * width) / height;
   const box = { x: 0, y: 0, width, height };
   const view = new View({ left: middle.x - wide, right: middle.x + wide, bottom: middle.y - half, top: middle.y + half }, box);
-  const seen = way.filter(({ x, y }) => Math.abs(x - middle.x) < wide + 200 && Math.abs(y - middle.y) < half + 200);
-  const ring = (off, name) => view.dot({ x: CENTRE, y: CENTRE }, (RADIUS + off) * view.sx, `class="${name}"`);
-  const thick = `<circle cx="${view.x(CENTRE)}" cy="${view.y(CENTRE)}" r="${RADIUS * view.sx}" class="ring" style="stroke-width:${Math.max(0.5, 10 * view.sx)}"/>`;
+  const inside = (room) => way.filter(({ x, y }) => Math.abs(x - middle.x) < wide + room && Math.abs(y - middle.y) < half + room);
+  const seen = inside(200);
+  const limit = (off) => view.circle({ ...CIRCLE, radius: RADIUS + off }, 'class="limit"');
+  const band = view.circle(CIRCLE, `class="ring" style="stroke-width:${Math.max(0.5, 10 * view.sx)}"`);
   const dots = times > 25 ? seen.map((place) => view.dot(place, 3, 'class="stop"')).join("") : "";
-  const bar = scale(view, width, height);
-  const drawn = thick + ring(5, "limit") + ring(-5, "limit") + view.line(times < 4 ? way : seen, 'class="way"') + dots;
-  const stops = way.filter(({ x, y }) => Math.abs(x - middle.x) < wide && Math.abs(y - middle.y) < half);
-  return [clipped(box, drawn) + bar, height, said(times, stops.length)];
+  const drawn = band + limit(5) + limit(-5) + view.line(times < 4 ? way : seen, 'class="way"') + dots;
+  return [clipped(box, drawn) + scale(view, width, height), height, said(times, inside(0).length)];
 }
 
 function scale(view, width, height) {

@@ -1,31 +1,23 @@
 // The step-wise technique on a curve: what the tolerance, the cutter and the feed change, and what they cost.
 
-import { CENTRE, quarter, RADIUS } from "./method.mjs";
-import { clipped, Figure, grown, mils, minutes, rect, straightened, text, View } from "./drawing.mjs";
+import { CENTRE, CIRCLE, onCircle, quarter, RADIUS } from "./method.mjs";
+import { clipped, feed, Figure, grown, mils, minutes, rect, sixteenths, straightened, text, View } from "./drawing.mjs";
 import { troughToPeak, walls } from "./walls.mjs";
-import { XY_FEED } from "../../../tapes/hydrapoint.mjs";
 
 const ARC = (RADIUS * Math.PI) / 2;
 const STATIONS = 1800;
 const COMPARED = [1, 2, 3, 5, 7, 10, 15, 20, 30, 50]; // tolerances of the chart
-const CIRCLE = { x: CENTRE, y: CENTRE, radius: RADIUS };
 
 export function curved() {
   const words = {
     tolerance: (step) => `±${mils(grown(step, 1, 50))} in`,
-    cutter: (sixteenths) => `${(sixteenths / 16).toFixed(4).replace(/0+$/, "").replace(/\.$/, "")} in`,
-    feed: (code) => `${XY_FEED.at(code).toFixed(1)} in/min`,
+    cutter: sixteenths,
+    feed,
     place: (degrees) => `${degrees}°`,
   };
-  const kept = new Map();
-  const cost = (tolerance, feed) => {
-    const key = `${tolerance} ${feed}`;
-    if (!kept.has(key)) kept.set(key, quarter(tolerance, feed));
-    return kept.get(key);
-  };
-  return new Figure("curved", ({ tolerance: step, cutter, feed, place }, width) => {
+  return new Figure("curved", ({ tolerance: step, cutter, feed: code, place }, width) => {
     const tolerance = grown(step, 1, 50);
-    const made = cost(tolerance, feed);
+    const made = quarter(tolerance, code);
     const wall = walls(made.way, CIRCLE, (cutter * 1000) / 16, Math.PI, -Math.PI / 2, STATIONS);
     const wide = width >= 560;
     const side = wide ? (width - 16) / 2 : width;
@@ -34,7 +26,7 @@ export function curved() {
     const close = wide ? { ...whole, x: side + 16 } : { ...whole, y: tall + 50 };
     const strip = { x: 8, y: close.y + tall + 28, width: width - 66, height: 110 };
     const chart = { x: 40, y: strip.y + strip.height + 40, width: width - 60, height: 130 };
-    const content = pictured(made, cutter, tolerance, place, whole, close) + unrolled(made, wall, tolerance, place, strip) + compared(cost, tolerance, feed, chart);
+    const content = pictured(made, cutter, tolerance, place, whole, close) + unrolled(made, wall, tolerance, place, strip) + compared(tolerance, code, chart);
     return [content, chart.y + chart.height + 34, said(made, wall)];
   }, words);
 }
@@ -48,20 +40,19 @@ function said({ blocks, reading, milling, minutes: took }, { outer, inner }) {
 }
 
 function pictured({ way }, cutter, tolerance, place, whole, close) {
-  const turn = Math.PI - (place * Math.PI) / 180;
-  const at = { x: CENTRE + RADIUS * Math.cos(turn), y: CENTRE + RADIUS * Math.sin(turn) };
+  const at = onCircle(180 - place);
   const room = 320;
   const far = new View({ left: CENTRE - RADIUS - room, right: CENTRE + room, bottom: CENTRE - room, top: CENTRE + RADIUS + room }, whole);
   const radius = (cutter * 1000) / 32;
   const groove = far.line(way, `class="groove" style="stroke-width:${2 * radius * far.sx}"`);
   const half = Math.max(4 * tolerance, 0.7 * longest(around(way, at, 10 * tolerance)));
   const near = new View({ left: at.x - half, right: at.x + half, bottom: at.y - half, top: at.y + half }, close);
-  const ring = (off, name) => near.dot({ x: CENTRE, y: CENTRE }, (RADIUS + off) * near.sx, `class="${name}"`);
+  const ring = (off, attributes) => near.circle({ ...CIRCLE, radius: RADIUS + off }, attributes);
   const seen = around(way, at, 3 * half);
-  const drawn = ring(0, "ring").replace('class="ring"', `class="ring" style="stroke-width:${2 * tolerance * near.sx}"`) + ring(tolerance, "limit") + ring(-tolerance, "limit") + ring(0, "intended") + near.line(seen, 'class="way"') + seen.map((stop) => near.dot(stop, 3.2, 'class="stop"')).join("");
+  const drawn = ring(0, `class="ring" style="stroke-width:${2 * tolerance * near.sx}"`) + ring(tolerance, 'class="limit"') + ring(-tolerance, 'class="limit"') + ring(0, 'class="intended"') + near.line(seen, 'class="way"') + seen.map((stop) => near.dot(stop, 3.2, 'class="stop"')).join("");
   const times = Math.round(near.sx / far.sx);
   return (
-    text(whole.x, whole.y - 6, "the cut, and the cutter", 'class="small"') + clipped(whole, groove + far.line(way, 'class="way"') + far.dot(at, radius * far.sx, 'class="tool"') + far.dot(at, 2.5, 'class="stop"')) + rect(whole, 'class="frame"') +
+    text(whole.x, whole.y - 6, "the cut, and the cutter", 'class="small"') + clipped(whole, groove + far.line(way, 'class="way"') + far.circle({ ...at, radius }, 'class="tool"') + far.dot(at, 2.5, 'class="stop"')) + rect(whole, 'class="frame"') +
     text(close.x, close.y - 6, `its centre's way there, ${times} times nearer`, 'class="small"') + clipped(close, drawn) + rect(close, 'class="frame"')
   );
 }
@@ -94,9 +85,9 @@ function unrolled({ way }, { outer, inner }, tolerance, place, box) {
 }
 
 /** Minutes for each tolerance: the reading below, the cutting above it. */
-function compared(cost, tolerance, feed, box) {
+function compared(tolerance, code, box) {
   const all = [...new Set([...COMPARED, tolerance])].sort((a, b) => a - b);
-  const made = all.map((each) => cost(each, feed));
+  const made = all.map((each) => quarter(each, code));
   const most = Math.max(...made.map(({ minutes: took }) => took));
   const wide = box.width / all.length;
   const up = (value) => (box.height * value) / most;
@@ -112,4 +103,3 @@ function compared(cost, tolerance, feed, box) {
   const legend = `<text x="0" y="${box.y - 20}" class="small">minutes: <tspan class="t-reading">reading</tspan> and <tspan class="t-cutting">cutting</tspan>; above, blocks; below, tolerance</text>`;
   return legend + axis + bars.join("");
 }
-

@@ -1,7 +1,7 @@
 // What the Talyrond sees: the walls of the circle's groove, their errors magnified and nothing else.
 
-import { CENTRE, circle, RADIUS } from "./method.mjs";
-import { clipped, Figure, mils, text } from "./drawing.mjs";
+import { CIRCLE, circle, remembered } from "./method.mjs";
+import { clipped, Figure, mils, sixteenths, text } from "./drawing.mjs";
 import { troughToPeak, walls } from "./walls.mjs";
 
 const STATIONS = 36000; // as many as nc/inspection.py has
@@ -10,13 +10,8 @@ const PAPER = 10000; // thousandths of an inch that the drawing is wide, at the 
 const PLACES = [["+X", 0, 10], ["45°", 45, 5], ["+Y", 90, 10], ["135°", 135, 5], ["−X", 180, 10], ["225°", 225, 5], ["−Y", 270, 10], ["315°", 315, 5]];
 
 export function roundness() {
-  const kept = new Map();
-  const measured = (closed, cutter) => {
-    const key = `${closed} ${cutter}`;
-    if (!kept.has(key)) kept.set(key, walls(circle(5, 1, closed).way, { x: CENTRE, y: CENTRE, radius: RADIUS }, (cutter * 1000) / 16, 0, 2 * Math.PI, STATIONS));
-    return kept.get(key);
-  };
-  const words = { times: (value) => `${value} ×`, cutter: (sixteenths) => `${sixteenths / 16} in` };
+  const measured = remembered((closed, cutter) => walls(circle(5, 1, closed).way, CIRCLE, (cutter * 1000) / 16, 0, 2 * Math.PI, STATIONS));
+  const words = { times: (value) => `${value} ×`, cutter: sixteenths };
   return new Figure("roundness", ({ times, closed, cutter }, width) => {
     const wall = measured(closed, cutter);
     const height = Math.min(width, 560);

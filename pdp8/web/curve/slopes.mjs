@@ -1,19 +1,29 @@
 // Chapter 3's slope: one instruction misses it, pieces come near, steps stay in the band whatever the feeds do.
 
-import { furthest, pieces, SLOPE, slope } from "./method.mjs";
-import { Figure, grown, inch, mils, minutes, straightened, text, View } from "./drawing.mjs";
-import { XY_FEED } from "../../../tapes/hydrapoint.mjs";
+import { pieces, SLOPE, slope } from "./method.mjs";
+import { feed, Figure, grown, inch, mils, minutes, straightened, text, View } from "./drawing.mjs";
 
 const [FROM, TO] = SLOPE;
 const LENGTH = Math.hypot(TO.x - FROM.x, TO.y - FROM.y);
+const [EAST, NORTH] = [(TO.x - FROM.x) / LENGTH, (TO.y - FROM.y) / LENGTH]; // of a step along it
 const BAND = 5;
 const percent = (value) => `${value > 0 ? "+" : value < 0 ? "−" : ""}${Math.abs(value)} %`;
-const feed = (code) => `${XY_FEED.at(code).toFixed(1)} in/min`;
 
-/** Places as the band's: how far along the slope, and how far off to its left. */
-function beside(places) {
-  const [ux, uy] = [(TO.x - FROM.x) / LENGTH, (TO.y - FROM.y) / LENGTH];
-  return places.map(({ x, y }) => ({ x: (x - FROM.x) * ux + (y - FROM.y) * uy, y: (y - FROM.y) * ux - (x - FROM.x) * uy }));
+/** A place as the band's: how far along the slope, and how far off to its left. */
+function beside({ x, y }) {
+  return { x: (x - FROM.x) * EAST + (y - FROM.y) * NORTH, y: (y - FROM.y) * EAST - (x - FROM.x) * NORTH };
+}
+
+/** The place so far along the slope, and so far off to its left. */
+function at(along, off = 0) {
+  return { x: FROM.x + along * EAST - off * NORTH, y: FROM.y + along * NORTH + off * EAST };
+}
+
+/** How far the furthest place of a way is from the slope; with that place. */
+function furthest(way) {
+  const offs = way.map((place) => Math.abs(beside(place).y));
+  const worst = Math.max(...offs);
+  return { worst, where: way[offs.indexOf(worst)] };
 }
 
 /** Where the slope stands, and how high the drawing is.
@@ -41,16 +51,10 @@ export function one() {
     const cone = view.line([FROM, extreme[0], TO, extreme[1]], 'class="cone"', true);
     const { worst, where } = furthest(way);
     const angle = (Math.atan2(where.y - FROM.y, where.x - FROM.x) * 180) / Math.PI;
-    const miss = worst < 0.5 ? "" : view.line([where, foot(where)], 'class="miss"');
+    const miss = worst < 0.5 ? "" : view.line([where, at(beside(where).x)], 'class="miss"');
     const content = cone + ends(view) + miss + view.line(way, 'class="way"');
     return [content, height, `It leaves A at <b>${angle.toFixed(1)}°</b>; the slope is 30.0°. When one axis has arrived it is <b>${inch(worst)}</b> off; then the other goes on alone.`];
   }, words);
-}
-
-function foot({ x, y }) {
-  const [ux, uy] = [(TO.x - FROM.x) / LENGTH, (TO.y - FROM.y) / LENGTH];
-  const along = (x - FROM.x) * ux + (y - FROM.y) * uy;
-  return { x: FROM.x + along * ux, y: FROM.y + along * uy };
 }
 
 export function piecewise() {
@@ -59,20 +63,16 @@ export function piecewise() {
     const count = grown(step, 1, 250);
     const [view, height] = plan(width);
     const { way, minutes: took } = pieces(count, 2, 1, error / 100, -error / 100);
-    const stops = Array.from({ length: count - 1 }, (_, n) => along((n + 1) / count));
+    const stops = Array.from({ length: count - 1 }, (_, n) => at((LENGTH * (n + 1)) / count));
     const dots = count < 60 ? stops.map((place) => view.dot(place, 3, 'class="stop"')).join("") : "";
     const { worst } = furthest(way);
     const reach = Math.max(1.7 * BAND, 1.15 * worst);
     const box = { x: 8, y: height + 24, width: width - 62, height: 120 };
-    const content = ends(view) + view.line(way, 'class="way"') + dots + title(box, reach) + straightened(box, LENGTH, BAND, reach, [[beside(way), "way"]]);
+    const content = ends(view) + view.line(way, 'class="way"') + dots + title(box, reach) + straightened(box, LENGTH, BAND, reach, [[way.map(beside), "way"]]);
     const inside = worst <= BAND;
     const verdict = inside ? '<b class="good">inside the band</b>' : '<b class="bad">outside the band</b>';
     return [content, box.y + box.height + 8, `${count} ${count === 1 ? "piece" : "pieces"}: at most <b>${inch(worst)}</b> off, ${verdict} of ±.005 in; ${minutes(took)}.`];
   }, words);
-}
-
-function along(part) {
-  return { x: FROM.x + (TO.x - FROM.x) * part, y: FROM.y + (TO.y - FROM.y) * part };
 }
 
 function title(box, reach) {
@@ -86,17 +86,13 @@ export function stepwise() {
     const tolerance = grown(step, 1, 400);
     const [view, height] = plan(width);
     const { way, stops, blocks, reading, milling, minutes: took } = slope(tolerance, "step", dx / 100, -dx / 100);
-    const sides = [tolerance, -tolerance].map((off) => view.line(moved(off), 'class="limit"')).join("");
+    const [left, right] = [tolerance, -tolerance].map((off) => [at(0, off), at(LENGTH, off)]);
+    const sides = view.line(left, 'class="limit"') + view.line(right, 'class="limit"');
     const few = stops.length <= 14;
     const names = few ? stops.slice(0, -1).map((place, n) => named(view, place, "CDEFGHIJKLMNO"[n], n % 2 ? 5 : -13, n % 2 ? 14 : -5)).join("") : "";
     const box = { x: 8, y: height + 24, width: width - 62, height: 120 };
     const reach = 1.5 * tolerance + 1;
-    const content = view.line([...moved(tolerance), ...moved(-tolerance).reverse()], 'class="band"', true) + sides + ends(view) + view.line(way, 'class="way"') + names + title(box, reach) + straightened(box, LENGTH, tolerance, reach, [[beside(way), "way"]]);
+    const content = view.line([...left, ...right.toReversed()], 'class="band"', true) + sides + ends(view) + view.line(way, 'class="way"') + names + title(box, reach) + straightened(box, LENGTH, tolerance, reach, [[way.map(beside), "way"]]);
     return [content, box.y + box.height + 8, `<b>${blocks} blocks</b>. Reading them takes ${minutes(reading)}, cutting ${minutes(milling)}: <b>${minutes(took)}</b>. Furthest off: ${inch(furthest(way).worst)}.`];
   }, words);
-}
-
-function moved(off) {
-  const [nx, ny] = [(-off * (TO.y - FROM.y)) / LENGTH, (off * (TO.x - FROM.x)) / LENGTH];
-  return [FROM, TO].map(({ x, y }) => ({ x: x + nx, y: y + ny }));
 }

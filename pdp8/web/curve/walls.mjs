@@ -4,30 +4,35 @@
 // removed a disc at each corner of its path and a rectangle between two. By hand, for inspection.py needs numpy; a
 // test holds each station against it.
 
-/** The errors [outer, inner] of both walls at `count` stations from angle `from` over `sweep`, radians; outward is +. */
+const GROUP = 64; // rays that look at the same parts
+
+/** The errors { outer, inner } of both walls at `count` stations from angle `from` over `sweep`, radians; outward is +;
+ *  NaN where nothing was cut.
+ */
 export function walls(way, { x, y, radius }, cutter, from, sweep, count) {
   const half = cutter / 2;
-  const sides = way.slice(1).map((end, index) => side(way[index], end, half)).filter(Boolean);
-  const corners = way.map((place) => ({ ...place, reach: half }));
-  const outer = new Float64Array(count).fill(NaN);
-  const inner = new Float64Array(count).fill(NaN);
+  const sides = way.slice(1).map((end, index) => side(way[index], end, half)).filter(({ reach }) => reach > half);
+  const parts = [...way.map((place) => disc(place, half)), ...sides];
+  const rays = Array.from({ length: count }, (_, station) => ray({ x, y, radius }, from + (sweep * station) / count));
+  const [outer, inner] = [new Float64Array(count).fill(NaN), new Float64Array(count).fill(NaN)];
   for (let first = 0; first < count; first += GROUP) {
-    const last = Math.min(first + GROUP, count);
-    const rays = Array.from({ length: last - first }, (_, at) => ray({ x, y, radius }, from + (sweep * (first + at)) / count));
-    const [nearCorners, nearSides] = [near(corners, rays), near(sides, rays)];
-    rays.forEach((each, at) => {
-      const found = [Infinity, -Infinity];
-      for (const place of nearCorners) disc(place, each, half, found);
-      for (const one of nearSides) rectangle(one, each, half, found);
-      if (found[1] === -Infinity) return;
-      outer[first + at] = found[1] - half;
-      inner[first + at] = found[0] + half;
+    const group = rays.slice(first, first + GROUP);
+    const close = near(parts, group);
+    group.forEach((each, at) => {
+      let [low, high] = [Infinity, -Infinity];
+      for (const { through } of close) {
+        const [enter, leave] = through(each);
+        if (!(enter <= 0 && leave >= 0)) continue; // it counts if the station itself was cut
+        if (enter < low) low = enter;
+        if (leave > high) high = leave;
+      }
+      if (high < low) return;
+      outer[first + at] = high - half;
+      inner[first + at] = low + half;
     });
   }
   return { outer, inner };
 }
-
-const GROUP = 64;
 
 function ray({ x, y, radius }, angle) {
   const [nx, ny] = [Math.cos(angle), Math.sin(angle)];
@@ -41,48 +46,35 @@ function near(all, rays) {
   return all.filter(({ x, y, reach }) => x >= left - reach && x <= right + reach && y >= low - reach && y <= high + reach);
 }
 
+/** The disc cut at a corner: through(ray) is where a ray enters and leaves it, from its station on; NaN if it misses. */
+function disc({ x, y }, half) {
+  const through = (from) => {
+    const [dx, dy] = [x - from.x, y - from.y];
+    const towards = dx * from.nx + dy * from.ny;
+    const root = Math.sqrt(half * half - (dx * from.ny - dy * from.nx) ** 2);
+    return [towards - root, towards + root];
+  };
+  return { x, y, reach: half, through };
+}
+
+/** The rectangle cut between two corners. */
 function side(start, end, half) {
-  const [dx, dy] = [end.x - start.x, end.y - start.y];
-  const length = Math.hypot(dx, dy);
-  if (!length) return null;
-  const [ux, uy] = [dx / length, dy / length];
-  return { x: (start.x + end.x) / 2, y: (start.y + end.y) / 2, ux, uy, long: length / 2, reach: length / 2 + half };
+  const [x, y] = [(start.x + end.x) / 2, (start.y + end.y) / 2];
+  const length = Math.hypot(end.x - start.x, end.y - start.y);
+  const [ux, uy] = [(end.x - start.x) / length, (end.y - start.y) / length];
+  const through = (from) => {
+    const [dx, dy] = [from.x - x, from.y - y];
+    const [a, b] = between(dx * ux + dy * uy, from.nx * ux + from.ny * uy, length / 2);
+    const [c, d] = between(dy * ux - dx * uy, from.ny * ux - from.nx * uy, half);
+    return [Math.max(a, c), Math.min(b, d)];
+  };
+  return { x, y, reach: length / 2 + half, through };
 }
 
-function disc(place, { x, y, nx, ny }, half, found) {
-  const dx = place.x - x, dy = place.y - y;
-  const towards = dx * nx + dy * ny;
-  const aside = dx * ny - dy * nx;
-  const square = half * half - aside * aside;
-  if (square < 0) return;
-  const root = Math.sqrt(square);
-  span(towards - root, towards + root, found);
-}
-
-function rectangle(each, from, half, found) {
-  const dx = from.x - each.x, dy = from.y - each.y;
-  const { ux, uy } = each;
-  let enter = -Infinity, leave = Infinity;
-  for (const [place, speed, reach] of [
-    [dx * ux + dy * uy, from.nx * ux + from.ny * uy, each.long],
-    [dy * ux - dx * uy, from.ny * ux - from.nx * uy, half],
-  ]) {
-    if (Math.abs(speed) < 1e-12) {
-      if (Math.abs(place) > reach) return;
-      continue;
-    }
-    const one = (-reach - place) / speed, other = (reach - place) / speed;
-    enter = Math.max(enter, Math.min(one, other));
-    leave = Math.min(leave, Math.max(one, other));
-  }
-  if (enter <= leave) span(enter, leave, found);
-}
-
-/** What the ray passes of a part that was cut; it counts if the station itself was. */
-function span(enter, leave, found) {
-  if (enter > 0 || leave < 0) return;
-  if (enter < found[0]) found[0] = enter;
-  if (leave > found[1]) found[1] = leave;
+/** When what begins at `place` and goes at `speed` is within `reach` of 0. */
+function between(place, speed, reach) {
+  const [one, other] = [(-reach - place) / speed, (reach - place) / speed];
+  return one < other ? [one, other] : [other, one];
 }
 
 /** The greatest less the least, NaN left out. */

@@ -1,7 +1,7 @@
 // The circle whole, minute by minute: what is cut, and where the time goes.
 
 import { MoveKind } from "../../../nc/path.mjs";
-import { CENTRE, RADIUS } from "./method.mjs";
+import { CENTRE, CIRCLE, RADIUS } from "./method.mjs";
 import { clipped, Figure, minutes, rect, text, View } from "./drawing.mjs";
 
 const CUTTER = 250; // its radius
@@ -74,8 +74,8 @@ function picture({ path, way }, before, first, now, width) {
   const tip = last < path.length && !reading ? between(milled.at(-1), step.at, (into - path.read_seconds) / (before[last + 1] - before[last] - path.read_seconds)) : milled.at(-1);
   const cut = [...milled, tip];
   const groove = view.line(cut, `class="groove" style="stroke-width:${2 * CUTTER * view.sx}"`);
-  const intended = view.dot({ x: CENTRE, y: CENTRE }, RADIUS * view.sx, 'class="intended"');
-  const content = intended + groove + view.line(cut, 'class="way"') + view.dot(tip, CUTTER * view.sx, `class="tool${reading ? " waits" : ""}"`);
+  const intended = view.circle(CIRCLE, 'class="intended"');
+  const content = intended + groove + view.line(cut, 'class="way"') + view.circle({ ...tip, radius: CUTTER }, `class="tool${reading ? " waits" : ""}"`);
   const [read, cutting] = spent(path, before, first, last, into);
   const what = last >= path.length ? "done" : reading ? "stands still: the reader reads a block" : `cuts along ${step.block.miscellaneous === 84 ? "X" : "Y"}`;
   const digits = text(width / 2, box.height / 2 - 4, String(step.block.digits), 'class="digits" text-anchor="middle"') + text(width / 2, box.height / 2 + 16, what, 'class="small" text-anchor="middle"');
