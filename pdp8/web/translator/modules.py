@@ -9,7 +9,6 @@ from pdp8.web.translator.program import Module, Program, is_for_types
 from pdp8.web.translator.statements import Statements
 from pdp8.web.translator.types import leaf
 
-_BASES = ("Protocol", "NamedTuple", "IntEnum", "StrEnum")
 _ALIASES = ("Callable", "Annotated", "Literal", "dict", "tuple", "list", "Sequence", "Mapping")
 _MARKS = {"property", "setter", "cached_property", "contextmanager", "staticmethod"}
 _PROTOCOLS = {
@@ -77,13 +76,9 @@ class Writer(Statements):
         if "Protocol" in map(leaf, node.bases):
             return []
         self.owner = f"{self.module.name}.{node.name}"
-        enum = self.program.is_enum(node)
         fields = self.program.fields(self.module, node)
-        base = next((self.e(base) for base in node.bases if leaf(base) not in _BASES), "")
-        if not base and (enum or fields is not None):
-            tuple_ = "NamedTuple" if "NamedTuple" in map(leaf, node.bases) else "Record"
-            base = "$.Enumeration" if enum else f"$.{tuple_}"
-        lines = [f"export class {named(node.name)}{' extends ' + base if base else ''} {{"]
+        base = next(map(self.e, node.bases), "$.Instance" if fields is None else "$.Record")
+        lines = [f"export class {named(node.name)} extends {base} {{"]
         lines += self._record(fields) if fields is not None else []
         after: list[str] = []
         for member in node.body:
@@ -92,22 +87,15 @@ class Writer(Statements):
                     pass
                 case ast.FunctionDef(name):
                     if name not in self.module.omitted and "overload" not in map(leaf, member.decorator_list):
-                        lines += self._member(member, node, base)
+                        lines += self._member(member, node.name)
                 case ast.Assign([ast.Name(name)], value) | ast.AnnAssign(ast.Name(name), _, value):
                     if fields is None and value is not None:
                         lines.append(f"static {name} = {self.e(value)};")
-                        after += [] if enum else [f"{node.name}.prototype.{name} = {node.name}.{name};"]
+                        after.append(f"{node.name}.prototype.{name} = {node.name}.{name};")
                 case _:
                     self.fail(member)
         self.owner = ""
         return [*lines, "}", *after]
-
-    def _started(self, node: ast.ClassDef, module: Module) -> bool:
-        """Tell whether the constructor of a base class calls `__init__`."""
-        return any(leaf(base) in self.program.errors for base in node.bases) or any(
-            self.program.made_with(*base) or self._started(base.node, base.module)
-            for base in self.program.bases(module, node)
-        )
 
     def _record(self, fields: list[ast.AnnAssign]) -> list[str]:
         names = [leaf(field.target) for field in fields]
@@ -118,11 +106,10 @@ class Writer(Statements):
                 value = ast.Call(value.keywords[0].value, [], [])
             parameters.append(named(name) + (f" = {self.e(value)}" if value else ""))
         sets = " ".join(f"this.{name} = {named(name)};" for name in names)
-        after = " this.__post_init__();" if self.of_class(self.owner, "__post_init__")[1] else ""
-        made = f"constructor({', '.join(parameters)}) {{ super(); {sets}{after} }}"
+        made = f"constructor({', '.join(parameters)}) {{ super(); {sets} this.__post_init__(); }}"
         return [f"static $fields = [{', '.join(map(repr, names))}];", made]
 
-    def _member(self, node: ast.FunctionDef, owner: ast.ClassDef, base: str) -> list[str]:
+    def _member(self, node: ast.FunctionDef, owner: str) -> list[str]:
         marks = set(map(leaf, node.decorator_list))
         if marks - _MARKS:
             self.fail(node, f"decorator {marks - _MARKS}")
@@ -130,14 +117,11 @@ class Writer(Statements):
         head, *rest = self.function(node)
         star, head = ("*", head[1:]) if head.startswith("*") else ("", head)
         made = [f"{star}{name}{head} {{", *rest]
-        if name == "__init__" and not self._started(owner, self.module):
-            super_ = "super(...$a); " if base else ""
-            made.append(f"constructor(...$a) {{ {super_}this.__init__(...$a); }}")
         if "cached_property" in marks:
             kept = f'$.kept(this, "{name}", this.$made_{name}())'
             return [f"get {name}() {{ return {kept}; }}", f"$made_{made[0]}", *rest]
         if "staticmethod" in marks:
-            made.append(f"{name}(...$a) {{ return {owner.name}.{name}(...$a); }}")
+            made.append(f"{name}(...$a) {{ return {owner}.{name}(...$a); }}")
         before = {"property": "get ", "setter": "set ", "staticmethod": "static "}
         made[0] = "".join(before.get(mark, "") for mark in marks) + made[0]
         return [*made, *([_PROTOCOLS[name]] if name in _PROTOCOLS else [])]

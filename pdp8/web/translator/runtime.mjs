@@ -32,19 +32,25 @@ export const BaseException = Error;
 /** What was thrown, as Python has it. */
 export const raised = (e) => (e instanceof RangeError && /call stack/.test(e.message) ? new RecursionError(e.message) : e);
 
-// Classes whose instances are what their fields are.
+// Classes.
 
-export class Record {}
+export class Instance {
+  constructor(...args) { this.__init__(...args); }
+  __init__() {}
+}
+/** What its fields are. */
+export class Record {
+  __post_init__() {}
+}
 export class NamedTuple extends Record {
   *[Symbol.iterator]() {
     for (const name of this.constructor.$fields) yield this[name];
   }
 }
-export class Enumeration {
-  static *[Symbol.iterator]() {
-    for (const name of Object.keys(this)) yield this[name];
-  }
+export class StrEnum {
+  static [Symbol.iterator]() { return Object.values(this).values(); }
 }
+export const IntEnum = StrEnum;
 /** The same record but for some fields. */
 export const replaced = (of, fields) => new of.constructor(...of.constructor.$fields.map((name) => fields[name] ?? of[name]));
 /** Keep the value of a cached property. */
@@ -196,16 +202,20 @@ give(Number, {
 // Dicts and sets: a key is a number, a text, None or an object that is no other; a tuple is none.
 
 const key = (of) => {
-  if (Array.isArray(of) || ArrayBuffer.isView(of) || of instanceof Record) throw new TypeError(`${repr(of)} as a key`);
+  if (typeof of === "object" && (sequence(of) || of instanceof Record)) throw new TypeError(`${repr(of)} as a key`);
   return of;
 };
 export class Dict extends Map {
   get length() { return this.size; }
   [Symbol.iterator]() { return super.keys(); }
-  get(k, otherwise = null) { return this.has(k) ? super.get(k) : otherwise; }
+  get(k, otherwise = null) {
+    const value = super.get(k);
+    return value === undefined ? otherwise : value;
+  }
   at(k) {
-    if (!this.has(k)) throw new KeyError(k);
-    return super.get(k);
+    const value = super.get(k);
+    if (value === undefined) throw new KeyError(k);
+    return value;
   }
   set(k, value) { return super.set(key(k), value); }
   keys() { return set(this); }
@@ -530,10 +540,10 @@ export const json = {
 const ENTITIES = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#x27;" };
 export const escape = (text) => text.replace(/[&<>"']/g, (c) => ENTITIES[c]);
 
-/** The whole root of a whole number, a BigInt, by Newton's steps from above. */
+/** The whole root of a whole number, a BigInt, by Newton's steps from just above. */
 export const isqrt = (of) => {
   const square = BigInt(of);
-  let root = 1n << BigInt(2 * square.toString(16).length);
+  let root = BigInt(Math.ceil(Math.sqrt(Number(square)) * (1 + 2 ** -50)));
   for (;;) {
     const nearer = (root + square / (root || 1n)) >> 1n;
     if (nearer >= root) return root;

@@ -100,7 +100,9 @@ METHODS = {
 """What the methods of Python's own types return; a method that does not stand here has no translation."""
 _SETTING = ast.Assign | ast.AnnAssign | ast.AugAssign | ast.NamedExpr | ast.For | ast.ExceptHandler
 _CONSTANT = ast.Constant | ast.BinOp | ast.UnaryOp | ast.operator | ast.unaryop
-_CLOSED = ast.FunctionDef | ast.Lambda | ast.ClassDef | ast.Constant | ast.Name
+_CLOSED = (
+    ast.FunctionDef | ast.Lambda | ast.ClassDef | ast.Constant | ast.Name | ast.expr_context | ast.operator
+)
 _CALLS = _PLAIN | by_name(
     {
         WORD: "len ord",
@@ -133,6 +135,7 @@ def join(one: Type, other: Type) -> Type:
     return ANY
 
 
+@cache
 def whole(node: ast.AST | None) -> int | None:
     """Return the value of an expression of whole numbers alone, None for any other."""
     if isinstance(node, ast.BinOp | ast.UnaryOp) and all(
