@@ -136,4 +136,4 @@ def typed(name: str) -> str:
     return f"{name:6}".translate(_TYPED)
 
 
-_TYPED = str.maketrans("@#%", " \n\r")
+_TYPED = {ord("@"): " ", ord("#"): "\n", ord("%"): "\r"}

@@ -9,7 +9,7 @@ import ast
 import json
 from typing import NoReturn
 
-from pdp8.web.translator.program import Found, Untranslated
+from pdp8.web.translator.program import Found, Untranslated, is_tuple
 from pdp8.web.translator.types import (
     ANY,
     BOOL,
@@ -85,8 +85,9 @@ class Expressions(Types):
             return text
         if kind.name in (*SEQUENCES, "dict", "set"):
             return f"({text}?.length > 0)"
-        ours = kind.name in self.program.classes and not self.program.is_tuple(kind)
-        return text if ours and not self.of_class(kind.name, "__len__")[1] else f"$.truth({text})"
+        ours = self.program.classes.get(kind.name)
+        always = ours and not is_tuple(ours.node) and not self.of_class(kind.name, "__len__")[1]
+        return text if always else f"$.truth({text})"
 
     def e(self, node: ast.expr) -> str:
         """Return an expression."""
@@ -325,7 +326,7 @@ class Expressions(Types):
             return f"$.replaced({self.e(of)}, {{ {', '.join(fields)} }})"
         found = self.callee(function)
         arguments = self._placed(node, found) if found else self._library(node, name)
-        if found and isinstance(found.node, ast.ClassDef):
+        if found and found.is_class:
             return f"new {self.e(function)}({arguments})"
         if isinstance(function, ast.Attribute):
             return f"{self._method(node, function, found)}({arguments})"
@@ -368,7 +369,7 @@ class Expressions(Types):
 
     def _placed(self, node: ast.Call, found: Found) -> str:
         """Return the arguments of a function of ours in the order of its parameters."""
-        signature = getattr(found.node, "args", None) or self.program.made_with(found.module, found.node)
+        signature = getattr(found.node, "args", None) or self.program.made_with(found)
         if signature is None:
             return self._library(node, "")
         values, keywords = [self.e(each) for each in node.args], node.keywords

@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterable
 
 from pdp8.web.translator.expressions import RENAMED, named
-from pdp8.web.translator.program import Module, Program, is_for_types
+from pdp8.web.translator.program import Found, Module, Program, is_for_types
 from pdp8.web.translator.statements import Statements
 from pdp8.web.translator.types import leaf
 
@@ -76,7 +76,7 @@ class Writer(Statements):
         if "Protocol" in map(leaf, node.bases):
             return []
         self.owner = f"{self.module.name}.{node.name}"
-        fields = self.program.fields(self.module, node)
+        fields = self.program.fields(Found(self.module, node))
         base = next(map(self.e, node.bases), "$.Instance" if fields is None else "$.Record")
         lines = [f"export class {named(node.name)} extends {base} {{"]
         lines += self._record(fields) if fields is not None else []

@@ -21,9 +21,15 @@ class Found(NamedTuple):
     node: Any
 
     @property
-    def name(self) -> str:
-        """The full name of a class."""
-        return f"{self.module.name}.{self.node.name}"
+    def is_class(self) -> bool:
+        """Whether it leads to a class."""
+        return isinstance(self.node, ast.ClassDef)
+
+    @property
+    def kind(self) -> Type:
+        """The type of a class's instances; an enumeration's are plain numbers and texts."""
+        enums = (_ENUMS[leaf(base)] for base in self.node.bases if leaf(base) in _ENUMS)
+        return next(enums, Type(f"{self.module.name}.{self.node.name}"))
 
 
 class Module:
@@ -68,6 +74,11 @@ def is_for_types(node: ast.AST) -> bool:
     return isinstance(node, ast.If) and leaf(node.test) == "TYPE_CHECKING"
 
 
+def is_tuple(node: ast.ClassDef) -> bool:
+    """Tell whether a class is a named tuple."""
+    return "NamedTuple" in map(leaf, node.bases)
+
+
 class Program:
     """All modules that are translated."""
 
@@ -98,40 +109,26 @@ class Program:
             return Found(self.modules[whole], None)
         return self.find(self.modules[source], real) if source in self.modules else None
 
-    def kind(self, module: Module, node: ast.ClassDef) -> Type:
-        """Return the type of a class's instances; an enumeration's are plain numbers and texts."""
-        enums = (_ENUMS[leaf(base)] for base in node.bases if leaf(base) in _ENUMS)
-        return next(enums, Type(f"{module.name}.{node.name}"))
-
-    def is_enum(self, node: ast.ClassDef) -> bool:
-        """Tell whether a class is an enumeration."""
-        return any(leaf(base) in _ENUMS for base in node.bases)
-
-    def is_tuple(self, kind: Type) -> bool:
-        """Tell whether a type is a named tuple."""
-        found = self.classes.get(kind.name)
-        return found is not None and any(leaf(base) == "NamedTuple" for base in found.node.bases)
-
-    def bases(self, module: Module, node: ast.ClassDef) -> list[Found]:
+    def bases(self, of: Found) -> list[Found]:
         """Return those bases of a class that are ours."""
-        found = (self.find(module, leaf(base)) for base in node.bases)
-        return [each for each in found if each and isinstance(each.node, ast.ClassDef)]
+        found = (self.find(of.module, leaf(base)) for base in of.node.bases)
+        return [each for each in found if each and each.is_class]
 
-    def fields(self, module: Module, node: ast.ClassDef) -> list[ast.AnnAssign] | None:
+    def fields(self, of: Found) -> list[ast.AnnAssign] | None:
         """Return the fields of a named tuple or dataclass; None for any other class."""
-        inherited = [field for base in self.bases(module, node) for field in self.fields(*base) or []]
-        marks = {leaf(each.func if isinstance(each, ast.Call) else each) for each in node.decorator_list}
-        if "dataclass" in marks or self.is_tuple(self.kind(module, node)):
-            return [*inherited, *(each for each in node.body if isinstance(each, ast.AnnAssign))]
+        inherited = [field for base in self.bases(of) for field in self.fields(base) or []]
+        marks = map(leaf, (getattr(each, "func", each) for each in of.node.decorator_list))
+        if "dataclass" in marks or is_tuple(of.node):
+            return [*inherited, *(each for each in of.node.body if isinstance(each, ast.AnnAssign))]
         return inherited or None
 
-    def made_with(self, module: Module, node: ast.ClassDef) -> ast.arguments | None:
+    def made_with(self, of: Found) -> ast.arguments | None:
         """Return the parameters of a class."""
-        for member in node.body:
+        for member in of.node.body:
             if isinstance(member, ast.FunctionDef) and member.name == "__init__":
                 return member.args
-        fields = self.fields(module, node)
+        fields = self.fields(of)
         if fields is not None:
             args = [ast.arg(leaf(field.target)) for field in fields]
             return ast.arguments([], args, None, [], [], None, [])
-        return next((self.made_with(*base) for base in self.bases(module, node)), None)
+        return next(map(self.made_with, self.bases(of)), None)

@@ -80,12 +80,8 @@ export class Bytes extends Uint8Array {
   count(code) { return this.filter((each) => each === code).length; }
   join(of) {
     const parts = [...of].flatMap((each, at) => (at && this.length ? [this, each] : [each]));
-    const made = new Bytes(parts.reduce((length, each) => length + each.length, 0));
-    let end = 0;
-    for (const each of parts) {
-      made.set(each, end);
-      end += each.length;
-    }
+    const made = new Bytes(sum(map(len, parts)));
+    parts.reduce((at, each) => (made.set(each, at), at + each.length), 0);
     return made;
   }
   translate(table, gone = []) {
@@ -131,7 +127,7 @@ const matching = (pattern) => function () { return pattern.test(this); };
 
 give(String, {
   join(of) { return Array.prototype.join.call([...of], this); },
-  split_(by = null) { return by === null ? this.split(/\s+/).filter((each) => each) : this.split(by); },
+  split_(by) { return by === undefined ? this.split(/\s+/).filter(Boolean) : this.split(by); },
   splitlines(keep = false) {
     const lines = this.match(/[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+$/g) ?? [];
     return keep ? lines : lines.map((line) => line.replace(/\r?\n$|\r$/, ""));
@@ -432,7 +428,6 @@ export const tuple = list;
 /** @type {(of?: any) => Bytes} */
 export const bytes = (of = []) => (of instanceof Bytes ? of : new Bytes(of));
 const EMPTY = new Bytes(0);
-str.maketrans = (a, b) => dict(b === undefined ? a.items().map(([k, to]) => [typeof k === "string" ? ord(k) : k, to]) : Array.from(a, (c, index) => [ord(c), b[index]]));
 export const bytearray = (of = []) => ByteArray.from(of);
 export const array = (_, of) => (of instanceof Uint8Array ? new Words(of.slice().buffer) : Words.from(of));
 export const int = (of, base = 10) => {

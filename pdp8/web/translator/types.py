@@ -55,64 +55,41 @@ def list_of(item: Type) -> Type:
 
 
 _PLAIN = {"int": INT, "float": FLOAT, "bool": BOOL, "str": STR, "bytes": BYTES, "bytearray": BYTEARRAY}
-_GENERIC = by_name(
-    {
-        "list": "list Sequence",
-        "tuple": "tuple",
-        "iterable": "Iterable Iterator Collection",
-        "set": "set frozenset Set",
-        "dict": "dict Mapping",
-    }
-)
-_TEXT = {
-    _SAME: "strip lstrip rstrip translate join",
-    INT: "find rfind count",
-    BOOL: "startswith endswith isascii isdigit",
-}
+_GENERIC = by_name({
+    "list": "list Sequence", "tuple": "tuple", "iterable": "Iterable Iterator Collection",
+    "set": "set frozenset Set", "dict": "dict Mapping",
+})  # fmt: skip
 _ARRAY = by_name({INT: "index count", NONE: "append extend clear", _ITEM: "pop"})
 _NUMBER = by_name({WORD: "bit_count bit_length"})
-_PAIR = Type("tuple", (_ITEM, _VALUE))
+_PAIRS = list_of(Type("tuple", (_ITEM, _VALUE)))
 METHODS = {
-    "str": by_name(_TEXT)
-    | by_name(
-        {
-            _SAME: "replace ljust rjust removesuffix removeprefix lower upper expandtabs",
-            BOOL: "isdecimal isalpha isspace",
-            BYTES: "encode",
-            list_of(_SAME): "split partition splitlines",
-        }
-    ),
-    "bytes": by_name(_TEXT | {STR: "decode"}),
-    **dict.fromkeys(("bytearray", "list", "tuple"), _ARRAY),
-    **dict.fromkeys(("word", "int"), _NUMBER),
+    "str": by_name({
+        _SAME: "strip lstrip rstrip translate join replace ljust rjust removesuffix lower upper expandtabs",
+        BOOL: "startswith endswith isascii isdigit isdecimal isalpha isspace", BYTES: "encode",
+        INT: "find rfind count", list_of(_SAME): "split partition splitlines",
+    }),
+    "bytes": by_name({
+        _SAME: "strip lstrip rstrip translate join", BOOL: "startswith endswith isascii isdigit",
+        INT: "find rfind count", STR: "decode",
+    }),
+    "bytearray": _ARRAY, "list": _ARRAY, "tuple": _ARRAY, "word": _NUMBER, "int": _NUMBER,
     "words": by_name({BYTES: "tobytes"}),
     "set": by_name({NONE: "add discard update clear"}),
-    "dict": by_name(
-        {
-            _VALUE: "get pop setdefault",
-            NONE: "update clear",
-            list_of(_ITEM): "keys",
-            list_of(_VALUE): "values",
-            list_of(_PAIR): "items",
-        }
-    ),
-}
+    "dict": by_name({
+        _VALUE: "get pop setdefault", NONE: "update clear",
+        list_of(_ITEM): "keys", list_of(_VALUE): "values", _PAIRS: "items",
+    }),
+}  # fmt: skip
 """What the methods of Python's own types return; a method that does not stand here has no translation."""
 _SETTING = ast.Assign | ast.AnnAssign | ast.AugAssign | ast.NamedExpr | ast.For | ast.ExceptHandler
 _CONSTANT = ast.Constant | ast.BinOp | ast.UnaryOp | ast.operator | ast.unaryop
 _CLOSED = (
     ast.FunctionDef | ast.Lambda | ast.ClassDef | ast.Constant | ast.Name | ast.expr_context | ast.operator
 )
-_CALLS = _PLAIN | by_name(
-    {
-        WORD: "len ord",
-        INT: "round isqrt floor ceil",
-        FLOAT: "sqrt cos sin atan copysign",
-        BOOL: "isinstance any all",
-        STR: "chr repr",
-        WORDS: "array",
-    }
-)
+_CALLS = _PLAIN | by_name({
+    WORD: "len ord", INT: "round isqrt floor ceil", FLOAT: "sqrt cos sin atan copysign",
+    BOOL: "isinstance any all", STR: "chr repr", WORDS: "array",
+})  # fmt: skip
 
 
 def leaf(node: ast.AST | None) -> str:
@@ -225,8 +202,8 @@ class Types:
                 return Type(_GENERIC[name], tuple(self.annotated(item, module) for item in items))
             case ast.Name() | ast.Attribute() if name not in _PLAIN:
                 found = self.program.find(module, name)
-                if found and isinstance(found.node, ast.ClassDef):
-                    return self.program.kind(found.module, found.node)
+                if found and found.is_class:
+                    return found.kind
                 return self.annotated(found.node, found.module) if found else ANY
         return _PLAIN.get(name, ANY)
 
@@ -258,8 +235,8 @@ class Types:
             for target, kind in (pair for each in setting for pair in inner._set_by(each)):
                 if _sets(target, attribute):
                     return INT if kind == WORD else kind, None
-        bases = self.program.bases(found.module, found.node)
-        return next((self.of_class(base.name, attribute) for base in bases), (ANY, None))
+        bases = self.program.bases(found)
+        return next((self.of_class(base.kind.name, attribute) for base in bases), (ANY, None))
 
     def parameters(self, function: ast.FunctionDef) -> dict[str, Type]:
         """Return the types of a function's parameters."""
@@ -323,9 +300,8 @@ class Types:
         of = self.found(node.value)
         if of and of.node is None:
             return self.program.find(of.module, node.attr)
-        if of and isinstance(of.node, ast.ClassDef):
-            return self.of_class(f"{of.module.name}.{of.node.name}", node.attr)[1]
-        return self.of_class(self.infer(node.value).name, node.attr)[1]
+        kind = of.kind if of and of.is_class else self.infer(node.value)
+        return self.of_class(kind.name, node.attr)[1]
 
     def callee(self, function: ast.expr) -> "Found | None":
         """Return what a call calls, if it is a function, a method or a class of ours."""
@@ -416,8 +392,8 @@ class Types:
         found = self.found(node)
         if isinstance(node, ast.Attribute) and (found is None or isinstance(found.node, ast.FunctionDef)):
             of = self.found(node.value)
-            if of and isinstance(of.node, ast.ClassDef) and self.program.is_enum(of.node):
-                return self.program.kind(of.module, of.node)
+            if of and of.is_class and of.kind in (INT, STR):
+                return of.kind
             return self.of_class(self.infer(node.value).name, node.attr)[0]
         if found and isinstance(found.node, ast.AnnAssign):
             return self.annotated(found.node.annotation, found.module)
@@ -434,9 +410,7 @@ class Types:
         if isinstance(function, ast.Attribute) and (owner := self.infer(function.value)).name in METHODS:
             return _returned(owner, METHODS[owner.name].get(name, ANY))
         if found := self.callee(function):
-            if isinstance(found.node, ast.ClassDef):
-                return self.program.kind(found.module, found.node)
-            return self.annotated(found.node.returns, found.module)
+            return found.kind if found.is_class else self.annotated(found.node.returns, found.module)
         match name, arguments:
             case "fromkeys", [_, value]:
                 return Type("dict", (ANY, self.infer(value)))
