@@ -30,12 +30,12 @@ samples: .venv/ready
 
 .PHONY: test
 test: lint
-	$(BIN)/pytest -q -n auto --dist loadgroup -m "not slow"
+	$(BIN)/pytest -q -n auto --dist loadfile -m "not slow"
 
 # What is slow or rare: whole docs pages, 10^5 characters, pages in browsers, the site, Pyodide, the fuzzer.
 .PHONY: check
 check: .venv/ready-dev
-	$(BIN)/pytest -q -n auto --dist loadgroup -m slow
+	$(BIN)/pytest -q -n auto --dist loadfile -m slow
 
 # Lines that the tests run, in a copy of the sources in which nothing is compiled; commands count too. There
 # everything is slow: a test that fails is not what is asked.

@@ -1,5 +1,6 @@
 """What the tests of several packages share: a shell, and how two tapes are compared."""
 
+import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -26,6 +27,12 @@ if sys.platform == "win32":  # signals, terminals, devices, links and modes are 
     ]
 
 Shell = Callable[..., commands.Done]
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_auto_num_workers() -> int:
+    """Return one process more than there are cores: browsers, terminals and pipes are waited for."""
+    return (os.cpu_count() or 1) + 1
 
 
 @pytest.fixture

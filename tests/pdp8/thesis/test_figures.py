@@ -23,8 +23,6 @@ from tapes import eia, shelf
 from tapes.measure import inches
 from tests.conftest import Shell
 
-pytestmark = pytest.mark.xdist_group("figures")  # all are made once
-
 SVG = "{http://www.w3.org/2000/svg}"
 DRAWN = [item for item in catalogue() if item.maker and item.kind == "figure"]
 WRITTEN = [item for item in catalogue() if item.maker and item.kind != "figure"]
