@@ -1,5 +1,6 @@
 """The panel in a terminal: keys and mouse do what they say, and the room looks as it should."""
 
+from itertools import product
 from pathlib import Path
 
 import pytest
@@ -13,7 +14,7 @@ from pdp8.console.app import Room
 from pdp8.console.pages import COLUMNS, Paper
 from pdp8.console.switches import Rocker, SwitchRegister
 from tapes import shelf
-from tests.conftest import Shell, assert_same_tape
+from tests.conftest import Shell, assert_same_tape, case
 from tests.pdp8.console.pictures import assert_shows, play, shown
 from tests.pdp8.console.test_session import RIM_WORDS
 
@@ -271,25 +272,23 @@ def test_a_tape_that_is_not_there_is_named() -> None:
     play(scene)
 
 
-@pytest.mark.parametrize(
-    ("keys", "name"),
-    [
-        ("up enter", "ellipse.asc"),
-        ("x up up enter", "circle.asc"),
-        ("down backspace b i n full_stop r i m enter", "bin.rim"),
-        ("e i a full_stop p a l enter", "eia.pal"),
-        ("e i a full_stop b i n tab enter", "eia.bin"),
-    ],
-)
-def test_enter_takes_the_tape_whose_name_stands_on_the_line(keys: str, name: str) -> None:
+def test_enter_takes_the_tape_whose_name_stands_on_the_line() -> None:
     async def scene(room: Room, pilot: Pilot[None]) -> None:
-        at_hand = {tape.name: tape.frames for tape in room.session.tapes}
-        await press(pilot, "o " + keys)
-        await pilot.pause()
-        assert len(room.screen_stack) == 1
-        assert room.session.reader_tape == name
-        frames = at_hand.get(name) or shelf.read(name)
-        assert_same_tape(room.session.machine.teletype.reader.tape, frames.lstrip(b"\0"))
+        for keys, name in (
+            ("up enter", "ellipse.asc"),
+            ("x up up enter", "circle.asc"),
+            ("down backspace b i n full_stop r i m enter", "bin.rim"),
+            ("e i a full_stop p a l enter", "eia.pal"),
+            ("e i a full_stop b i n tab enter", "eia.bin"),
+        ):
+            with case(keys):
+                at_hand = {tape.name: tape.frames for tape in room.session.tapes}
+                await press(pilot, "o " + keys)
+                await pilot.pause()
+                assert len(room.screen_stack) == 1
+                assert room.session.reader_tape == name
+                frames = at_hand.get(name) or shelf.read(name)
+                assert_same_tape(room.session.machine.teletype.reader.tape, frames.lstrip(b"\0"))
 
     play(scene)
 
@@ -326,11 +325,10 @@ def test_ctrl_c_is_the_stop_key() -> None:
     play(scene, program="eia.pal", reader="circle.asc")
 
 
-@pytest.mark.parametrize("leave", ["ctrl+c", "escape"])
-def test_ctrl_c_leaves_a_question_as_escape_does(leave: str) -> None:
+def test_ctrl_c_leaves_a_question_as_escape_does() -> None:
     async def scene(room: Room, pilot: Pilot[None]) -> None:
         room.session.machine.teletype.punch.frames += b"\x01"
-        for question in "ow":
+        for question, leave in product("ow", ("ctrl+c", "escape")):
             await press(pilot, question)
             assert len(room.screen_stack) == 2
             await press(pilot, leave)

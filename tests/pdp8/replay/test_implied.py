@@ -5,7 +5,6 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.replay import implied
 from pdp8.replay.implied import LINE_SECONDS, TABLES
 from programs import circle
 from programs.thesis import TABLE_10_1
@@ -47,6 +46,6 @@ def test_tape_times_explain_four_cells_and_estimates_two() -> None:
 
 
 def test_two_ranges_are_within_2_percent() -> None:
-    near = [x for x, _, off in implied.ranges() if abs(float(off.rstrip("%"))) <= 2]
+    near = [x for x, _, off in shown("range") if abs(float(off.rstrip("%"))) <= 2]
     assert near == ["-0.5 to 6.5", "-0.75 to 6.25"]
     assert re.search(r"Two of the twelve are within 2 %", PAGE)

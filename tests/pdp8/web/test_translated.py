@@ -95,12 +95,12 @@ def _assembled(dialect: str, tapes: list[bytes]) -> list[Any]:
 
 
 def test_the_assembler() -> None:
-    """Every source of the project and 2,000 random ones: tape, words, what is typed, listing, diagnostics."""
+    """Every source of the project and 1,000 random ones: tape, words, what is typed, listing, diagnostics."""
     draw = random.Random(33)
     sources = [[path.read_bytes()] for path in (*HOUSE.glob("programs/*.pal"), *HOUSE.glob("tests/**/*.pal"))]
     assert len(sources) > 40
-    sources += [[_source(draw) for _ in range(draw.choice((1, 1, 1, 2)))] for _ in range(1800)]
-    sources += [[draw.randbytes(draw.randrange(120))] for _ in range(200)]
+    sources += [[_source(draw) for _ in range(draw.choice((1, 1, 1, 2)))] for _ in range(900)]
+    sources += [[draw.randbytes(draw.randrange(120))] for _ in range(100)]
     _same("pal3", sources)
 
 

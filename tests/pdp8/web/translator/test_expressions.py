@@ -111,7 +111,7 @@ def test_expressions_have_the_same_value(tmp_path: Path) -> None:
     """
     gathered: list[tuple[str, dict[str, Any], Any]] = []
 
-    @settings(max_examples=400, deadline=None, database=None, phases=[Phase.generate])
+    @settings(max_examples=200, deadline=None, database=None, phases=[Phase.generate])
     @given(case=cases())
     def gather(case: tuple[str, dict[str, Any], Any]) -> None:
         gathered.append(case)
