@@ -78,7 +78,7 @@ class Diagnostic(NamedTuple):
     @property
     def excerpt(self) -> list[str]:
         """The source line and carets below it; nothing of an empty line."""
-        if not self.source.strip():
+        if not self.source.strip(" \t\f\r\n"):
             return []
         start, end = _excerpt(self.source, self.column - 1)
         before = self.source[start : self.column - 1]
