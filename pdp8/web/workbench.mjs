@@ -79,6 +79,14 @@ class Bench {
     this.show();
   }
 
+  /** Let somebody do `work` at the machine, which is theirs then; return what it returns. */
+  touch(work) {
+    this.afternoon.takeOver();
+    const done = work(this.machine);
+    this.touched();
+    return done;
+  }
+
   /** The machine was touched: keep it, show it, let it go on. */
   touched() {
     this.afternoon.takeOver();

@@ -2,7 +2,8 @@
 
 import { FOUND, assemble } from "../../../pal/assembling.mjs";
 import { MOST } from "../../../pal/assembly.mjs";
-import { grouped, here } from "../written.mjs";
+import { counted } from "../../../tapes/measure.mjs";
+import { here } from "../written.mjs";
 
 /** Assemble a source, in the dialect that it is written in. */
 export function assembled(name, text) {
@@ -39,11 +40,7 @@ function said(diagnostic) {
 /** What became of a source: its words, its tape, how many errors and notes. */
 function summary({ diagnostics, tape, words }) {
   const errors = diagnostics.filter(({ error }) => error).length;
-  const made = `${counted(words.length, "word")}, a tape of ${counted(tape.length, "frame")}`;
-  const found = [[errors, "error"], [diagnostics.length - errors, "note"]].filter(([number]) => number);
-  return `${made}${found.length ? "; " : ""}${found.map(([number, what]) => counted(number, what)).join(", ")}.`;
-}
-
-function counted(number, what) {
-  return `${grouped(number)} ${what}${number === 1 ? "" : "s"}`;
+  const found = [[errors, "errors"], [diagnostics.length - errors, "notes"]].filter(([number]) => number);
+  const listed = found.map(([number, what]) => counted(number, what)).join(", ");
+  return `${counted(words.length, "words")}, a tape of ${counted(tape.length, "frames")}${listed && `; ${listed}`}.`;
 }

@@ -36,10 +36,10 @@ export class Core {
   }
 
   #write(cell, address) {
-    this.bench.afternoon.takeOver();
-    if (/^[0-7]{1,4}$/.test(cell.value)) this.bench.machine.processor.deposit(address, parseInt(cell.value, 8));
     this.seen = [];
-    this.bench.touched();
+    this.bench.touch(({ processor }) => {
+      if (/^[0-7]{1,4}$/.test(cell.value)) processor.deposit(address, parseInt(cell.value, 8));
+    });
   }
 
   show() {

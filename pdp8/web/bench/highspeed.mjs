@@ -14,34 +14,21 @@ export function fitted(machine) {
 export class HighSpeed {
   constructor(bench) {
     this.bench = bench;
-    find("pc8-shelf").addEventListener("change", ({ target }) => {
-      if (target.value) this.mount(target.value);
-      target.value = "";
-    });
     find("pc8-tear").addEventListener("click", () => this.#tear());
-    bench.shelf.changed.push(() => this.#shelf());
-    this.#shelf();
-  }
-
-  #shelf() {
-    const names = this.bench.shelf.names().filter((name) => !name.endsWith(".pal"));
-    find("pc8-shelf").replaceChildren(new Option("Put a tape in …", ""), ...names.map((name) => new Option(name, name)));
+    bench.shelf.offer(find("pc8-shelf"), (name) => this.mount(name));
   }
 
   /** Put a tape from the shelf into the reader, a loader's on its leader. */
   mount(name) {
-    this.bench.afternoon.takeOver();
     const { frames } = this.bench.shelf.get(name);
-    this.bench.machine.highspeed.reader.load(frames.slice(kinds.start(frames)));
-    this.bench.touched();
+    this.bench.touch(({ highspeed }) => highspeed.reader.load(frames.slice(kinds.start(frames))));
   }
 
   #tear() {
-    this.bench.afternoon.takeOver();
-    const { frames } = this.bench.machine.highspeed.punch;
-    this.bench.shelf.put("punched", Uint8Array.from(frames));
-    frames.clear();
-    this.bench.touched();
+    this.bench.touch(({ highspeed: { punch: { frames } } }) => {
+      this.bench.shelf.put("punched", Uint8Array.from(frames));
+      frames.clear();
+    });
   }
 
   show() {

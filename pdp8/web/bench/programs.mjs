@@ -2,6 +2,7 @@
 // comes from elsewhere under a name that is taken gets a free one.
 
 import { keep, kept } from "./kept.mjs";
+import { free } from "./shelf.mjs";
 
 const NAME = "pdp8";
 const LEFT = "pdp8 left"; // what was not yet written as the page was left, when IndexedDB has no time
@@ -76,11 +77,9 @@ export class Programs {
 
   /** Keep a program that comes from elsewhere, under a free name if its own is another's; return the name. */
   take(name, text) {
-    const [, stem, ending = ""] = /^(.*?)(\.\w+)?$/s.exec(name || "program.pal");
-    let free = name;
-    for (let number = 2; this.texts.has(free) && this.texts.get(free) !== text; number++) free = `${stem} ${number}${ending}`;
-    this.keep(free, text);
-    return free;
+    const called = free(name, (each) => this.texts.has(each) && this.texts.get(each) !== text);
+    this.keep(called, text);
+    return called;
   }
 
   async #write(name, text) {

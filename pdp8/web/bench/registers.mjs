@@ -1,7 +1,8 @@
 // The registers in octal, the flags and the time; PC, L and AC can be written. And what comes next, in words.
 
-import { autoindexed, DCA, DEFER, EXECUTE, ISZ, JMS, STATES } from "../../../pal/isa.mjs";
+import { STATES } from "../../../pal/isa.mjs";
 import { instruction } from "../../computer/use/trace.mjs";
+import { wrote } from "../../computer/watch.mjs";
 import { inWords } from "../meaning.mjs";
 import { find, grouped, octal, seconds } from "../written.mjs";
 
@@ -46,19 +47,11 @@ export class Registers {
   }
 
   #write(input) {
-    if (/^[0-7]{1,4}$/.test(input.value)) this.#set(input.ariaLabel, parseInt(input.value, 8));
+    const name = { PC: "pc", AC: "ac", L: "link" }[input.ariaLabel];
+    const word = parseInt(input.value, 8);
     input.blur();
-    this.bench.touched();
+    this.bench.touch((machine) => {
+      if (/^[0-7]{1,4}$/.test(input.value)) machine[name] = word;
+    });
   }
-
-  #set(name, word) {
-    this.bench.afternoon.takeOver();
-    this.bench.machine[{ PC: "pc", AC: "ac", L: "link" }[name]] = word;
-  }
-}
-
-/** Whether the last cycle wrote the word at MA. */
-function wrote({ state, ir, ma, protect }) {
-  if (state === EXECUTE) return [ISZ, DCA, JMS].includes(ir) && !protect;
-  return state === DEFER && autoindexed(ma);
 }

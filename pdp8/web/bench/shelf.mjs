@@ -11,6 +11,14 @@ export function codeOf(frames) {
   return kind === kinds.EIA || kind === kinds.ASCII ? kind : "bin";
 }
 
+/** `name`, or the first free one of "name 2", "name 3" ... */
+export function free(name, taken) {
+  const [, stem, ending = ""] = /^(.*?)(\.\w+)?$/s.exec(name);
+  let found = name;
+  for (let number = 2; taken(found); number++) found = `${stem} ${number}${ending}`;
+  return found;
+}
+
 export class Shelf {
   constructor(bundled) {
     this.tapes = new Map();
@@ -32,11 +40,23 @@ export class Shelf {
 
   /** Put a tape onto the shelf, under another name if that is taken by another tape; return the name. */
   put(name, frames) {
-    const [, stem, ending] = /^(.*?)(\.\w+)?$/.exec(name);
-    let free = name;
-    for (let number = 2; this.tapes.has(free); number++) free = `${stem} ${number}${ending ?? ""}`;
-    this.#add(free, bytes(frames));
+    const called = free(name, (each) => this.tapes.has(each));
+    this.#add(called, bytes(frames));
     this.changed.forEach((changed) => changed());
-    return free;
+    return called;
+  }
+
+  /** Let a tape for a reader be chosen in `select`; `mount(name)` puts it in. */
+  offer(select, mount) {
+    const show = () => {
+      const names = this.names().filter((name) => !name.endsWith(".pal"));
+      select.replaceChildren(new Option("Put a tape in …", ""), ...names.map((name) => new Option(name, name)));
+    };
+    select.addEventListener("change", () => {
+      if (select.value) mount(select.value);
+      select.value = "";
+    });
+    this.changed.push(show);
+    show();
   }
 }

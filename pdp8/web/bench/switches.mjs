@@ -29,9 +29,7 @@ export class Switches {
 
   /** Set the switch register. */
   set(word) {
-    this.bench.afternoon.takeOver();
-    this.bench.machine.processor.sr = word & 0o7777;
-    this.bench.touched();
+    this.bench.touch(({ processor }) => (processor.sr = word & 0o7777));
   }
 
   press(name) {
@@ -78,12 +76,11 @@ class Card {
   }
 
   #toggle() {
-    const { bench } = this;
-    bench.afternoon.takeOver();
-    bench.machine.panel.stop();
-    bench.machine.panel.mem_prot = false;
-    const keys = [...new Operator(bench.machine).toggle(RIM_START, RIM)].length;
-    bench.touched();
+    const keys = this.bench.touch((machine) => {
+      machine.panel.stop();
+      machine.panel.mem_prot = false;
+      return [...new Operator(machine).toggle(RIM_START, RIM)].length;
+    });
     this.#say(`${keys} keys: the RIM loader is in 7756 to 7776.`);
   }
 

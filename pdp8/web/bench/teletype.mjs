@@ -84,11 +84,7 @@ export class Teletype {
   }
 
   #keyboard() {
-    const press = (key) => {
-      this.bench.afternoon.takeOver();
-      this.bench.machine.teletype.keyboard.press(sent(key));
-      this.bench.touched();
-    };
+    const press = (key) => this.bench.touch(({ teletype }) => teletype.keyboard.press(sent(key)));
     find("paper").addEventListener("keydown", (event) => {
       if (event.altKey || event.metaKey || event.key === "Tab") return;
       const copied = event.ctrlKey && event.key === "c" && String(getSelection());
@@ -117,34 +113,16 @@ export class Teletype {
   #levers() {
     const { bench } = this;
     find("lever").addEventListener("click", () => {
-      bench.afternoon.takeOver();
-      const { reader } = bench.machine.teletype;
-      reader.lever(!reader.on);
       this.leverWaits = false;
-      bench.touched();
+      bench.touch(({ teletype: { reader } }) => reader.lever(!reader.on));
     });
-    find("punch-on").addEventListener("click", () => {
-      bench.afternoon.takeOver();
-      const { punch } = bench.machine.teletype;
-      punch.on = !punch.on;
-      bench.touched();
-    });
-    find("shelf").addEventListener("change", (event) => {
-      if (event.target.value) this.mount(event.target.value);
-      event.target.value = "";
-    });
+    find("punch-on").addEventListener("click", () => bench.touch(({ teletype: { punch } }) => (punch.on = !punch.on)));
     find("tear").addEventListener("click", () => this.tear());
     find("store").addEventListener("click", () => {
       bench.download("punched.tape", Uint8Array.from(bench.machine.teletype.punch.frames));
     });
     find("to-mill").addEventListener("click", () => bench.mill.cut(this.tear()));
-    bench.shelf.changed.push(() => this.#shelf());
-    this.#shelf();
-  }
-
-  #shelf() {
-    const names = this.bench.shelf.names().filter((name) => !name.endsWith(".pal"));
-    find("shelf").replaceChildren(new Option("Put a tape in …", ""), ...names.map((name) => new Option(name, name)));
+    bench.shelf.offer(find("shelf"), (name) => this.mount(name));
   }
 
   /** Put a tape from the shelf into the reader, a loader's on its leader. READER RUN is set while the processor stands
@@ -152,15 +130,14 @@ export class Teletype {
    */
   mount(name) {
     const { code, frames } = this.bench.shelf.get(name);
-    this.bench.afternoon.takeOver();
-    const { reader } = this.bench.machine.teletype;
-    this.named(name, code);
-    if (reader.on && !this.bench.machine.processor.run) {
-      reader.lever(false);
-      this.leverWaits = true;
-    }
-    reader.load(frames.slice(kinds.start(frames)));
-    this.bench.touched();
+    this.bench.touch(({ processor, teletype: { reader } }) => {
+      this.named(name, code);
+      if (reader.on && !processor.run) {
+        reader.lever(false);
+        this.leverWaits = true;
+      }
+      reader.load(frames.slice(kinds.start(frames)));
+    });
   }
 
   /** START or CONT was pressed: throw the lever that waits, as an operator does with the other hand. */
@@ -171,12 +148,11 @@ export class Teletype {
 
   /** Tear the punched tape off; it goes onto the shelf. Return its name. */
   tear(called = "punched") {
-    this.bench.afternoon.takeOver();
-    const { punch } = this.bench.machine.teletype;
-    const name = this.bench.shelf.put(called, Uint8Array.from(punch.frames));
-    punch.frames.clear();
-    this.bench.touched();
-    return name;
+    return this.bench.touch(({ teletype: { punch: { frames } } }) => {
+      const name = this.bench.shelf.put(called, Uint8Array.from(frames));
+      frames.clear();
+      return name;
+    });
   }
 
   #tapes() {
