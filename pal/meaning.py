@@ -16,21 +16,20 @@ _IOT = 4.25
 """Microseconds."""
 _MEANINGS = {symbol.mnemonic: symbol.meaning for symbol in reversed(PERMANENT)}
 _WORDS = {symbol.mnemonic: symbol.octal for symbol in reversed(PERMANENT)}
-_MEANINGS |= {"I": "indirect: the word there holds the address", "Z": "on page zero"}
+_MARKS = {"I": "indirect: the word there holds the address", "Z": "on page zero"}
 _PSEUDO = "a pseudo-operator: it tells the assembler something and makes no word"
 
 
 def of_name(name: str) -> str:
     """Return what a permanent symbol means, "" for one that is none."""
-    if name in _MEANINGS:
-        word = f"{_WORDS[name]:04o}  " if name in _WORDS else ""
-        return f"{word}{name}: {_MEANINGS[name]}"
-    return f"{name}: {_PSEUDO}" if name in PSEUDO_OPERATORS else ""
+    word = f"{_WORDS[name]:04o}  " if name in _WORDS else ""
+    meaning = names().get(name)
+    return f"{word}{name}: {meaning}" if meaning else ""
 
 
 def names() -> dict[str, str]:
     """Return {permanent symbol: meaning}, the pseudo-operators included."""
-    return {**dict.fromkeys(PSEUDO_OPERATORS, _PSEUDO), **_MEANINGS}
+    return {**dict.fromkeys(PSEUDO_OPERATORS, _PSEUDO), **_MEANINGS, **_MARKS}
 
 
 def of_word(word: int, location: int) -> list[str]:

@@ -22,13 +22,19 @@ export function lit({ processor: p }) {
 
 /** Let `go(tick)` bring a machine to some instants between two ticks and to the second; return the lamps' shares. */
 export function over(machine, from, to, go) {
-  const shares = {};
+  const samples = [];
   const instants = to - from > SAMPLES ? SAMPLES : 1;
   for (let sample = 1; sample <= instants; sample++) {
     const spread = sample < instants ? sample - Math.random() : sample;
     go(Math.floor(from + ((to - from) * spread) / instants));
-    const lamps = lit(machine);
-    for (const name in lamps) shares[name] = (shares[name] ?? 0) + lamps[name] / instants;
+    samples.push(lit(machine));
   }
+  return mean(samples);
+}
+
+/** The share of samples in which each lamp is lit. */
+export function mean(samples) {
+  const shares = {};
+  for (const lamps of samples) for (const name in lamps) shares[name] = (shares[name] ?? 0) + lamps[name] / samples.length;
   return shares;
 }

@@ -3,6 +3,8 @@
 // Coordinates are thousandths of an inch, Y upward, as the tape has them. A contour is what bench/path.mjs makes of a
 // path; a place on it is what its at() says.
 
+import { write } from "./sheet.mjs";
+
 const PLATE = "#cfd2cf", RULER = "#e8e4d8", GROOVE = "#8f979b", FLOOR = "#a9b0b2", PAPER = "#f7f3e9";
 const LINE = "#20303a", BAND = "#2f6f5e", TOOL = "#b3401f", FAINT = "#57534a";
 const FONT = "11px Helvetica, Arial, sans-serif";
@@ -131,20 +133,16 @@ function drawInches(context, view, width, height) {
   context.fillStyle = RULER;
   context.fillRect(0, 0, LEFT, height);
   context.fillRect(0, floor, width, BELOW);
-  context.fillStyle = FAINT;
-  context.font = FONT;
-  context.textAlign = "center";
-  context.textBaseline = "middle";
   let marks = "";
   for (let inch = 0; inch <= 20; inch++) {
     const [x, y] = [view.x(inch * 1000), view.y(inch * 1000)];
     if (x > LEFT + 4 && x < width - 8) {
       marks += `M${x} ${floor}v4`;
-      context.fillText(`${inch}`, x, floor + BELOW / 2 + 2);
+      write(context, `${inch}`, x, floor + BELOW / 2 + 2, { colour: FAINT, font: FONT });
     }
     if (y > 8 && y < floor - 4) {
       marks += `M${LEFT - 4} ${y}h4`;
-      context.fillText(`${inch}`, LEFT / 2 - 2, y);
+      write(context, `${inch}`, LEFT / 2 - 2, y, { colour: FAINT, font: FONT });
     }
   }
   stroke(context, new Path2D(marks), "rgba(70,66,60,.55)", 1);
@@ -162,10 +160,6 @@ function drawAxis(context, view, place, radius, arm, inside) {
 
 function drawScaleBar(context, width, height, scale) {
   const long = 10 * scale;
-  context.fillStyle = FAINT;
   stroke(context, new Path2D(`M${width - 14 - long} ${height - 14}h${long}`), FAINT, 2);
-  context.font = FONT;
-  context.textAlign = "center";
-  context.textBaseline = "alphabetic";
-  context.fillText(".010 in", width - 14 - long / 2, height - 20);
+  write(context, ".010 in", width - 14 - long / 2, height - 20, { colour: FAINT, font: FONT, baseline: "alphabetic" });
 }

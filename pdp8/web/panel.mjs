@@ -47,7 +47,7 @@ export class Panel {
       this.#light(name, this.shares[name], slack);
     }
     this.#switches(machine.processor);
-    this.words = brightness ? `${inWords(machine).split(",").at(-1).trim()}` : inWords(machine);
+    this.words = brightness ? inWords(machine).split(", ").at(-1) : inWords(machine);
     if (this.speaking) this.#say(this.words);
     if (pressed === this.pressed) return;
     this.pressed = pressed;

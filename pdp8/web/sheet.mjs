@@ -4,7 +4,6 @@
 export class Writer {
   constructor() {
     this.written = new WeakMap();
-    this.places = new WeakMap();
   }
 
   text(element, text) {
@@ -21,16 +20,22 @@ export class Writer {
 
   /** Write `texts` into those elements of `html` that have `data-text`, in their order: the elements are made once. */
   fill(element, html, ...texts) {
-    if (this.written.get(element) !== html) {
-      this.html(element, html);
-      this.places.set(element, element.querySelectorAll("[data-text]"));
-    }
-    this.places.get(element).forEach((place, index) => this.text(place, texts[index]));
+    this.html(element, html);
+    element.querySelectorAll("[data-text]").forEach((place, index) => this.text(place, texts[index]));
   }
 
   label(element, label) {
     if (element.ariaLabel !== label) element.ariaLabel = label;
   }
+}
+
+/** Write on a canvas, with its edge or middle at a place. */
+export function write(context, words, x, y, { colour, font, align = "center", baseline = "middle" }) {
+  context.fillStyle = colour;
+  context.font = font;
+  context.textAlign = align;
+  context.textBaseline = baseline;
+  context.fillText(words, x, y);
 }
 
 /** A canvas that is drawn again when what it shows, its size or the colours have changed. */

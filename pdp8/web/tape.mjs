@@ -7,11 +7,13 @@
 
 import * as ascii from "../../tapes/ascii.mjs";
 import { CHARACTERS, EOB } from "../../tapes/eia.mjs";
+import { write } from "./sheet.mjs";
 
 const TRACKS = [8, 7, 6, 5, 4, 0, 3, 2, 1]; // 0 is the sprocket
 const WIDE = 10; // pitches
 const PAPER = { ascii: "#f1dfae", eia: "#e6e1cf", bin: "#d9e0cf", rim: "#d9e0cf" };
 const HOLE = "#3a3129";
+const SANS = 'Helvetica, Arial, "Liberation Sans", sans-serif';
 const NUMBERS = 36; // room at the left, in pixels
 const MEANINGS = 24; // and at the right
 const TOP = 16; // for the channels' numbers
@@ -68,11 +70,8 @@ function drawFrame(context, view, frame, place) {
     context.drawImage(row(view.frames[frame], view.code, place), left, y - pitch, ROW * pitch, 2 * pitch);
     if (frame % 10 || Math.abs(frame - view.head) === 1) return;
   }
-  context.fillStyle = current ? rust : soft;
-  context.textAlign = "right";
-  context.textBaseline = "middle";
-  context.font = `${current ? "bold " : ""}11px Helvetica, Arial, "Liberation Sans", sans-serif`;
-  context.fillText(String(frame), left - 5, y);
+  const font = `${current ? "bold " : ""}11px ${SANS}`;
+  write(context, String(frame), left - 5, y, { colour: current ? rust : soft, font, align: "right" });
 }
 
 /** The picture of a row, which looks the same wherever it stands: drawn once, as drawing it costs most. */
@@ -98,12 +97,9 @@ function drawRow(context, holes, code, { left, y, pitch, colour, weight }) {
     context.arc(left + (track + 1) * pitch, y, pitch * (channel ? 0.36 : 0.23), 0, 2 * Math.PI);
     context.fill();
   });
-  context.fillStyle = colour;
-  context.textAlign = "left";
-  context.textBaseline = "middle";
-  context.font = `${weight}${Math.max(weight ? 11 : 0, Math.min(16, pitch))}px "Courier New", Courier, "Liberation Mono", monospace`;
   const said = sign(holes, code);
-  context.fillText(said, left + WIDE * pitch + 6, said === SPACE ? y - 0.25 * pitch : y);
+  const font = `${weight}${Math.max(weight ? 11 : 0, Math.min(16, pitch))}px "Courier New", Courier, "Liberation Mono", monospace`;
+  write(context, said, left + WIDE * pitch + 6, said === SPACE ? y - 0.25 * pitch : y, { colour, font, align: "left" });
 }
 
 function drawHead(context, { left, pitch, headY, rust }) {
@@ -113,12 +109,9 @@ function drawHead(context, { left, pitch, headY, rust }) {
 }
 
 function drawChannels(context, { left, pitch, soft }) {
-  context.fillStyle = soft;
-  context.font = `11px Helvetica, Arial, "Liberation Sans", sans-serif`;
-  context.textAlign = "center";
-  context.textBaseline = "alphabetic";
+  const look = { colour: soft, font: `11px ${SANS}`, baseline: "alphabetic" };
   TRACKS.forEach((channel, track) => {
-    if (channel) context.fillText(String(channel), left + (track + 1) * pitch, TOP - 5);
+    if (channel) write(context, String(channel), left + (track + 1) * pitch, TOP - 5, look);
   });
 }
 

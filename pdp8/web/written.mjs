@@ -26,6 +26,11 @@ export function seconds(ticks) {
   return `${whole}.${parts.slice(0, 3)} ${parts.slice(3, 6)} ${parts.slice(6)} s`;
 }
 
+/** Ticks as whole minutes. */
+export function minutes(ticks) {
+  return grouped(Math.round(ticks / SECOND / 60));
+}
+
 /** Text that may stand in HTML. */
 export function escaped(text) {
   return text.replace(/[&<>"]/g, (character) => `&#${character.charCodeAt(0)};`);

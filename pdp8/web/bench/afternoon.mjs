@@ -10,7 +10,7 @@ import { Script } from "../../replay/script.mjs";
 import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { decode } from "../../../tapes/ascii.mjs";
 import { dict } from "../translator/runtime.mjs";
-import { instructionAt } from "../meaning.mjs";
+import { instructionAt } from "../instruction.mjs";
 import { over } from "../brightness.mjs";
 import { READABLE } from "../pictures.mjs";
 import { escaped, find } from "../written.mjs";

@@ -16,17 +16,12 @@ export function embed(tabs) {
 /** Give the large panes a button that shows one alone, as large as the page, and all again. */
 export function enlargeable() {
   for (const pane of document.querySelectorAll("#computer, #desk, #teletype")) {
-    const button = document.createElement("button");
-    button.className = "enlarge";
-    button.ariaLabel = `${pane.ariaLabel}: alone`;
-    button.ariaPressed = "false";
-    button.title = "This alone, or all";
-    button.innerHTML = CORNER;
+    pane.insertAdjacentHTML("beforeend", `<button class="enlarge" aria-label="${pane.ariaLabel}: alone" aria-pressed="false" title="This alone, or all">${CORNER}</button>`);
+    const button = pane.lastElementChild;
     button.addEventListener("click", () => {
       const alone = pane.classList.toggle("alone");
       document.querySelector("main").classList.toggle("one", alone);
       button.ariaPressed = String(alone);
     });
-    pane.append(button);
   }
 }

@@ -5,7 +5,7 @@
 // While the processor stands still or waits for ever no time passes, but for a character on its way in. In slow motion
 // the machine goes cycle by cycle. In the afternoon it is led by the script.
 
-import { lit } from "../brightness.mjs";
+import { lit, mean } from "../brightness.mjs";
 import { Bus } from "../../computer/hardware/bus.mjs";
 import { Processor } from "../../computer/hardware/processor.mjs";
 import { CYCLE, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
@@ -174,10 +174,4 @@ class Glimpse {
     }
     return lit({ processor });
   }
-}
-
-function mean(shares) {
-  const all = {};
-  for (const lamps of shares) for (const name in lamps) all[name] = (all[name] ?? 0) + lamps[name] / shares.length;
-  return all;
 }

@@ -8,7 +8,7 @@ import * as rim from "../../../tapes/rim.mjs";
 import { decode } from "../../../tapes/ascii.mjs";
 import { PERMANENT, PSEUDO_OPERATORS } from "../../../pal/symbols.mjs";
 import { restore, save } from "../../computer/past/state.mjs";
-import { instructionAt } from "../meaning.mjs";
+import { instructionAt } from "../instruction.mjs";
 import { READABLE } from "../pictures.mjs";
 import { dict } from "../translator/runtime.mjs";
 import { escaped, find, grouped, here, octal } from "../written.mjs";

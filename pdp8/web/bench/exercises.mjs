@@ -48,12 +48,9 @@ export class Exercises {
   }
 
   #list() {
-    const options = [...this.all].map(([name, { title }]) => {
-      const option = new Option(`${this.done.has(name) ? "✓ " : ""}${title}`, name);
-      option.selected = name === this.name;
-      return option;
-    });
+    const options = [...this.all].map(([name, { title }]) => new Option(`${this.done.has(name) ? "✓ " : ""}${title}`, name));
     find("exercise").replaceChildren(...options);
+    find("exercise").value = this.name;
   }
 
   #begin() {

@@ -2,7 +2,6 @@
 
 import { Current } from "../current.mjs";
 import { drawClose, drawWhole } from "../cutter.mjs";
-import { TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { CutError, cut } from "../../../nc/machine.mjs";
 import { FIELDS } from "../../../tapes/hydrapoint.mjs";
 import { BLOCK, blockAt } from "./block.mjs";
@@ -10,7 +9,7 @@ import { Contour } from "./path.mjs";
 import { Pictures } from "../pictures.mjs";
 import { Sheet } from "../sheet.mjs";
 import { drawTape, meaning, tapeKey } from "../tape.mjs";
-import { escaped, find, grouped, inches, octal } from "../written.mjs";
+import { escaped, find, grouped, inches, minutes, octal } from "../written.mjs";
 
 const TAKES = 20; // seconds in which a whole tape is cut on the page
 
@@ -85,13 +84,11 @@ export class Mill {
 
   /** How many blocks were cut, and how long it takes. */
   get summary() {
-    const minutes = grouped(Math.round((this.drawing?.end ?? 0) / SECOND / 60));
-    return find("refusal").textContent || `${grouped(this.steps.length)} blocks are cut: ${minutes} minutes at the Hydra-Point.`;
+    return find("refusal").textContent || `${grouped(this.steps.length)} blocks are cut: ${minutes(this.drawing?.end ?? 0)} minutes at the Hydra-Point.`;
   }
 
   #where({ block, x, y }) {
-    const minutes = grouped(Math.round((this.drawing.end * this.part) / SECOND / 60));
-    return `${this.name}, block ${block + 1} of ${this.steps.length}: X ${inches(x)} Y ${inches(y)}, ${minutes} min`;
+    return `${this.name}, block ${block + 1} of ${this.steps.length}: X ${inches(x)} Y ${inches(y)}, ${minutes(this.drawing.end * this.part)} min`;
   }
 
   show() {

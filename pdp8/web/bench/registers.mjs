@@ -1,9 +1,8 @@
 // The registers in octal, the flags and the time; PC, L and AC can be written. And what comes next, in words.
 
 import { STATES } from "../../../pal/isa.mjs";
-import { instruction } from "../../computer/use/trace.mjs";
+import { of_word as meaning } from "../../../pal/meaning.mjs";
 import { wrote } from "../../computer/watch.mjs";
-import { inWords } from "../meaning.mjs";
 import { find, grouped, octal, seconds } from "../written.mjs";
 
 export class Registers {
@@ -27,7 +26,6 @@ export class Registers {
   #values() {
     const { machine } = this.bench;
     const { processor, teletype } = machine;
-    const next = processor.core[processor.pc];
     return {
       PC: octal(processor.pc),
       L: machine.link,
@@ -42,7 +40,7 @@ export class Registers {
       core: wrote(processor) ? `${octal(processor.ma)} ← ${octal(processor.mb)}` : "–",
       instructions: grouped(processor.instructions),
       "since START": processor.instructions ? seconds(machine.ticks) : "–",
-      next: `${instruction(processor.pc, next)}: ${inWords(next, processor.pc)}`,
+      next: meaning(processor.core[processor.pc], processor.pc)[0],
     };
   }
 

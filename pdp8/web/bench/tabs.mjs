@@ -5,15 +5,12 @@ export class Tabs {
     this.list = document.querySelector("[role=tablist]");
     this.panes = new Map([...document.querySelectorAll("[data-tab]")].map((pane) => [pane.id, pane]));
     this.changed = () => {};
-    for (const [id, pane] of this.panes) {
-      const tab = document.createElement("button");
-      tab.role = "tab";
-      tab.textContent = pane.dataset.tab;
-      tab.dataset.opens = id;
-      tab.setAttribute("aria-controls", id);
-      tab.addEventListener("click", () => this.open(id));
-      this.list.append(tab);
-    }
+    const tabs = [...this.panes].map(([id, { dataset: { tab } }]) => `<button role="tab" data-opens="${id}" aria-controls="${id}">${tab}</button>`);
+    this.list.innerHTML = tabs.join("");
+    this.list.addEventListener("click", ({ target }) => {
+      const tab = target.closest("[role=tab]");
+      if (tab) this.open(tab.dataset.opens);
+    });
     this.list.addEventListener("keydown", (event) => this.#key(event));
     this.open(this.panes.keys().next().value);
   }

@@ -22,8 +22,8 @@ from pdp8.web.translator.modules import translate
 
 MODULES = {
     "tapes": "ascii binary eia errors expression frames hydrapoint kinds measure rim",
-    "pal": "assembler assembling assembly assembly8 diagnostics dialects disassembler isa listing models"
-    " notes pal8 portable punch review source symbols symbols8 table watched",
+    "pal": "assembler assembling assembly assembly8 diagnostics dialects disassembler isa listing meaning"
+    " models notes pal8 portable punch review source symbols symbols8 table watched",
     "pdp8.computer": "machine stop watch",
     "pdp8.computer.hardware": "bus core fields highspeed operate panel processor signals teletype",
     "pdp8.computer.speed": "engine piece waiting",
@@ -39,6 +39,7 @@ MODULES = {
 
 OMITTED = {
     "pal.assembly": "_repr_html_",
+    "pal.meaning": "of_name names _MARKS _PSEUDO _WORDS",
     "pdp8.computer.machine": "__reduce__ _copied count",
     "pdp8.computer.use.program": "find",
     "nc.path": "__repr__ array",
