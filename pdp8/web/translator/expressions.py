@@ -40,6 +40,7 @@ _WORDS = (
 _RESERVED = frozenset(_WORDS.split())
 RENAMED = {"split": "split_", "replace": "replace_", "pop": "pop_"}
 """Methods that Python's and JavaScript's own types both have, and mean otherwise."""
+_PROPERTIES = {"property", "cached_property"}
 _LIBRARY = {
     **dict.fromkeys(("sorted", "min", "max"), ("of", "key", "reverse", "default")),
     **{"dumps": ("of", "indent"), "bisect_left": ("of", "value", "lo", "hi", "key")},
@@ -224,10 +225,8 @@ class Expressions(Types):
                 of = kinds[1]
                 if of.name in ("set", "dict"):
                     return f"{no}{b}.has({a})"
-                direct = kinds[0] in PLAIN and (
-                    of == STR or (of.name in ("list", "tuple") and of.item in PLAIN)
-                )
-                return f"{no}{b}.includes({a})" if direct else f"{no}$.has({b}, {a})"
+                plain = of == STR or (of.name in ("list", "tuple") and of.item in PLAIN)
+                return f"{no}{b}.includes({a})" if plain and kinds[0] in PLAIN else f"{no}$.has({b}, {a})"
         name, sign = _ORDER[type(operator)]
         return f"({a} {sign} {b})" if same else f"$.{name}({a}, {b})"
 
@@ -246,10 +245,7 @@ class Expressions(Types):
     def _attribute(self, node: ast.Attribute, value: ast.expr, name: str) -> str:
         kind = self.infer(value).name
         method = self.of_class(kind, name)[1]
-        properties = ("property", "cached_property")
-        if kind in METHODS or (
-            method and not any(leaf(each) in properties for each in method.node.decorator_list)
-        ):
+        if kind in METHODS or (method and not _PROPERTIES & set(map(leaf, method.node.decorator_list))):
             return f"((...$a) => {self.e(value)}.{RENAMED.get(name, name)}(...$a))"
         of = self.found(value)
         return f"{self.e(value)}.{named(name) if of and of.node is None else name}"
@@ -384,7 +380,7 @@ class Expressions(Types):
         names += [each.arg for each in signature.kwonlyargs]
         if signature.kwarg:
             others = [each for each in keywords if each.arg not in names]
-            keys = [ast.Constant(each.arg) if each.arg else None for each in others]
+            keys: list[ast.expr | None] = [ast.Constant(each.arg) if each.arg else None for each in others]
             rest = ast.keyword("**", ast.Dict(keys, [each.value for each in others]))
             names, keywords = [*names, "**"], [*(each for each in keywords if each.arg in names), rest]
         return self._in_places(node, values, keywords, tuple(names))

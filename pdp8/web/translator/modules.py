@@ -61,10 +61,9 @@ class Writer(Statements):
                 pairs = zip(targets, values, strict=True)
                 return [f"export const {named(leaf(target))} = {self.e(value)};" for target, value in pairs]
             case ast.FunctionDef(name):
-                if strange := [
-                    mark for mark in node.decorator_list if leaf(mark) not in ("contextmanager", "cache")
-                ]:
-                    self.fail(strange[0], "decorator")
+                for mark in node.decorator_list:
+                    if leaf(mark) not in ("contextmanager", "cache"):
+                        self.fail(mark, "decorator")
                 head, *rest = self.function(node)
                 star = "*" if head.startswith("*") else ""
                 return [f"export function{star} {named(name)}{head.removeprefix('*')} {{", *rest]

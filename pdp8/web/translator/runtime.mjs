@@ -221,8 +221,8 @@ export class Dict extends Map {
     if (!this.has(k)) this.set(k, value);
     return super.get(k);
   }
-  update(pairs) {
-    for (const [k, value] of pairs instanceof Dict ? pairs.items() : pairs) this.set(k, value);
+  update(of) {
+    for (const [k, value] of of.items()) this.set(k, value);
   }
   pop_(k, otherwise) {
     const value = otherwise === undefined ? this.at(k) : this.get(k, otherwise);
@@ -238,11 +238,7 @@ export class PySet extends Set {
     for (const each of of) this.add(each);
   }
 }
-export const dict = (of = []) => {
-  const made = new Dict();
-  made.update(of);
-  return made;
-};
+export const dict = (of) => new Dict(of instanceof Dict ? of.items() : of);
 dict.fromkeys = (of, value = null) => dict(Array.from(of, (each) => [each, value]));
 export const set = (of) => new PySet(of);
 export const frozenset = set;

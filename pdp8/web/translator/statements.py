@@ -154,11 +154,10 @@ class Statements(Expressions):
 
     def _for(self, node: ast.For) -> list[str]:
         target, source = node.target, node.iter
-        set_inside = {part.id for part in own(node.body) if isinstance(part, ast.Name) and _is_set(part)}
+        names = (part for part in own(node.body) if isinstance(part, ast.Name))
+        inside = {part.id for part in names if isinstance(part.ctx, ast.Store)}
         match target, source:
-            case ast.Name(name), ast.Call(ast.Name("range"), [_] | [_, _] as bounds) if (
-                name not in set_inside
-            ):
+            case ast.Name(name), ast.Call(ast.Name("range"), [_] | [_, _] as bounds) if name not in inside:
                 low, high = bounds if len(bounds) == 2 else (ast.Constant(0), bounds[0])
                 at, end = self.temp(), self.temp()
                 head = f"for ({at} = {self.e(low)}, {end} = {self.e(high)}; {at} < {end}; {at}++)"
@@ -171,9 +170,8 @@ class Statements(Expressions):
         if node.handlers:
             lines.append("} catch ($raised) { const $e = $.raised($raised);")
             for handler in node.handlers:
-                lines.append(
-                    f"if ({f'$.isinstance($e, {self.e(handler.type)})' if handler.type else 'true'}) {{"
-                )
+                caught = f"$.isinstance($e, {self.e(handler.type)})" if handler.type else "true"
+                lines.append(f"if ({caught}) {{")
                 lines += [f"{named(handler.name)} = $e;"] if handler.name else []
                 lines += [*self.block(handler.body), "} else"]
             lines.append("throw $e;")
@@ -186,7 +184,3 @@ class Statements(Expressions):
         begin = f"{once} = {self.e(context)}; {once}.next();"
         end = f"{once}.throw($.raised($raised)); }} finally {{ {once}.next(); }}"
         return [begin, "try {", *self.block(body), f"}} catch ($raised) {{ {end}"]
-
-
-def _is_set(node: ast.Name) -> bool:
-    return isinstance(node.ctx, ast.Store)
