@@ -7,6 +7,7 @@ Dict; keyword arguments stand in the places that the function's own parameters h
 
 import ast
 import json
+import re
 from typing import NoReturn
 
 from pdp8.web.translator.program import Found, Untranslated, is_tuple
@@ -40,6 +41,7 @@ _WORDS = (
 _RESERVED = frozenset(_WORDS.split())
 RENAMED = {"split": "split_", "replace": "replace_", "pop": "pop_"}
 """Methods that Python's and JavaScript's own types both have, and mean otherwise."""
+_SPEC = re.compile(r"f'\+?0?(\d*|{.*}),?(\.\d+)?[oxfg]?'")
 _PROPERTIES = {"property", "cached_property"}
 _LIBRARY = {
     **dict.fromkeys(("sorted", "min", "max"), ("of", "key", "reverse", "default")),
@@ -255,24 +257,15 @@ class Expressions(Types):
         if isinstance(index, ast.Slice):
             if index.step:
                 self.fail(index, "a slice by steps")
-            end = ""
-            if index.upper is not None:
-                known = self.infer(index.upper) in (WORD, INT)  # None is the end
-                end = f", {self.e(index.upper)}{'' if known else ' ?? undefined'}"
+            end = f", {self.e(index.upper)}" if index.upper else ""
+            if index.upper and self.infer(index.upper) not in (WORD, INT):
+                end += " ?? undefined"  # None is the end
             return f"{text}.slice({self.e(index.lower) if index.lower else 0}{end})"
         at = self.e(index)
         if kind.name == "words":
             return f"{text}[{at}]"
-        once = all(
-            isinstance(each, ast.Name | ast.Constant | ast.Attribute | ast.expr_context)
-            for node in (value, index)
-            for each in ast.walk(node)
-        )
-        return (
-            f"({text}[{at}] ?? $.at({text}, {at}))"
-            if kind.name in SEQUENCES and once
-            else f"$.at({text}, {at})"
-        )
+        direct = kind.name in SEQUENCES and re.fullmatch(r"[\w.$]+", text + at)  # it may stand there twice
+        return f"({text}[{at}] ?? $.at({text}, {at}))" if direct else f"$.at({text}, {at})"
 
     def _piece(self, value: ast.expr) -> str:
         """Return a piece of an f-string."""
@@ -286,6 +279,8 @@ class Expressions(Types):
         if kind == FLOAT:
             text = f"$.floating({text})"
         if value.format_spec is not None:
+            if not _SPEC.fullmatch(ast.unparse(value.format_spec)):
+                self.fail(value, "no translation of the format")
             text = f"$.format({text}, {self.e(value.format_spec)})"
         elif kind not in (WORD, STR):
             text = f"$.str({text})"

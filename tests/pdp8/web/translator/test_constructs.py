@@ -72,6 +72,7 @@ def test_every_construct_does_as_in_python(tmp_path: Path) -> None:
             "m.py:2: no translation",
         ),
         ("def f(a: str) -> str:\n    return a[::-1]\n", "m.py:2: a slice by steps"),
+        ("X = f'{1:<5}'\n", "m.py:1: no translation of the format"),
         ("def f(a: list[int]) -> None:\n    a[1:] = []\n", "m.py:2: no translation"),
         ("def f(a: object) -> bool:\n    return isinstance(a, int | str)\n", "m.py:2: no translation"),
     ],
