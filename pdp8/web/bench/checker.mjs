@@ -32,9 +32,8 @@ export function findings(assembly) {
 
 function said(diagnostic) {
   const { line, column, end_column, severity, message, advice } = diagnostic;
-  const kept = here(advice);
-  const whole = kept === advice ? String(diagnostic) : String(diagnostic).replace(`\n  ${advice}`, () => kept && `\n  ${kept}`);
-  return { line, start: column - 1, end: end_column - 1, severity, brief: kept.split("; ")[0] || message, whole };
+  const whole = String(diagnostic).replace(/\n {2}\S.*/g, (sentence) => here(sentence));
+  return { line, start: column - 1, end: end_column - 1, severity, brief: here(advice).split("; ")[0] || message, whole };
 }
 
 /** What became of a source: its words, its tape, how many errors and notes. */

@@ -37,14 +37,14 @@ def fast(tab: Tab) -> None:
     choose(tab, "#speed", "as fast as it goes")
 
 
-def drop(tab: Tab, name: str, content: bytes) -> None:
-    """Drop a file on the page."""
+def drop(tab: Tab, name: str, content: bytes, place: str = "body") -> None:
+    """Drop a file on the page, or on a place of it."""
     text = base64.b64encode(content).decode()
     tab.run(
         f"const bytes = Uint8Array.from(atob('{text}'), (character) => character.charCodeAt(0));"
         f"const data = new DataTransfer(); data.items.add(new File([bytes], '{name}'));"
         "const options = { dataTransfer: data, bubbles: true, cancelable: true };"
-        "document.body.dispatchEvent(new DragEvent('drop', options));"
+        f"document.querySelector('{place}').dispatchEvent(new DragEvent('drop', options));"
     )
 
 
@@ -109,6 +109,16 @@ def test_a_file_dropped_on_the_page(tab: Tab) -> None:
     tab.until("workbench.editor.name === 'mine.pal'")
     assert tab.run("return workbench.editor.text") == "*200\n\tHLT\n$\n"
     assert tab.run("return document.querySelector('#program').hidden") is False
+
+
+def test_a_file_that_is_nothing_of_ours(tab: Tab) -> None:
+    """A picture goes nowhere, and is refused by its name; dropped on the reader itself it is a tape."""
+    picture = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + bytes(range(255, 100, -1))
+    drop(tab, "photo.png", picture)
+    tab.until("document.getElementById('next').textContent.includes('photo.png is no tape')")
+    assert tab.run("return workbench.machine.teletype.reader.loaded") is False
+    drop(tab, "photo.png", picture, "#reader")
+    tab.until(f"workbench.machine.teletype.reader.tape.length === {len(picture)}")
 
 
 def test_what_is_typed_after_coming_back_is_kept(tab: Tab) -> None:

@@ -340,12 +340,22 @@ def test_a_page_that_slept_does_not_jump(page: "Page") -> None:
     page.evaluate("workbench.afternoon.play(true)")
     page.evaluate(
         """() => {
-          Object.defineProperty(document, "hidden", { get: () => true });
+          Object.defineProperty(document, "hidden", { get: () => true, configurable: true });
           document.dispatchEvent(new Event("visibilitychange"));
         }"""
     )
     assert not page.evaluate("workbench.clock.pictures.running")
     assert page.title() == "Stopped: PDP-8/L workbench"
+    page.evaluate(
+        """() => {
+          Object.defineProperty(document, "hidden", { get: () => false });
+          document.dispatchEvent(new Event("visibilitychange"));
+        }"""
+    )
+    assert page.title() == "PDP-8/L workbench"
+    assert "everything stood still for" in page.locator("#said:not(.spoken)").inner_text()
+    page.locator(".rocker").first.click()
+    assert page.locator("#said:not(.spoken)").count() == 0
 
 
 _LEVELS = """() => Object.fromEntries([...document.querySelectorAll("[data-lamp]")].map((lamp) =>
@@ -533,6 +543,15 @@ def test_the_doors(page: "Page") -> None:
     until(page, "workbench.afternoon.playing && workbench.afternoon.script.now > 0")
     page.keyboard.press("Space")
     assert not page.evaluate("workbench.afternoon.playing")
+
+
+def test_the_panel_alone_begins_with_the_first_switch(browser: "Browser", circle_page: Path) -> None:
+    """The half hour at the terminal in Toronto shows nothing on it."""
+    opened = browser.new_page()
+    opened.goto(circle_page.as_uri() + "?embed=panel")
+    until(opened, "!!window.workbench?.afternoon.playing")
+    assert opened.evaluate("workbench.afternoon.script.act.kind") == "toggle"
+    opened.close()
 
 
 _LONG = """window.tasks = [];

@@ -64,6 +64,25 @@ def test_pal8_is_found_and_loads(page: "Page") -> None:
     assert page.evaluate("workbench.machine.processor.core[0o377]") == 7
 
 
+def test_no_option_of_the_command_is_advised(page: "Page") -> None:
+    """Whoever types small letters is told to write others, and not what `pal` could be told."""
+    _write(page, "*200\n\tcla\n\tHLT\n$\n")
+    said = page.locator("#messages").text_content() or ""
+    assert "capital" in said
+    assert "--" not in said + page.locator(".typed").inner_text()
+
+
+def test_what_was_assembled_is_not_assembled_again(page: "Page") -> None:
+    """A Worker has done it while nobody typed: the buttons take what it made."""
+    page.locator("#source").fill("*200\n\tHLT\n$\n")
+    until(page, "workbench.editor.assembly.words.length === 1")
+    page.evaluate("window.made = workbench.editor.assembly")
+    page.locator("#assemble").click()
+    page.locator("#load").click()
+    assert page.evaluate("window.made === workbench.editor.assembly")
+    assert page.evaluate("workbench.machine.processor.core[0o200]") == 0o7402
+
+
 def test_a_note_is_no_error(page: "Page") -> None:
     """It is counted by itself, in a colour of its own, with its caret; the program loads."""
     _write(page, "*200\n\tCLA!\n\t5 + 3\n$\n")
@@ -122,9 +141,11 @@ def test_rim_is_toggled_in_by_clicks_and_a_tape_is_loaded(page: "Page") -> None:
     ) == list(RIM)
     locate("#sources").select_option("eia.pal")
     locate("#assemble").click()
-    locate("#boot").click()
     read = "eia.pal read by BIN: 335 frames, 131 words; 33.5 s"
-    until(page, f"document.querySelector('#next').textContent.includes('{read}')")
+    said = f"document.querySelector('#next').textContent.includes('{read}')"
+    at_once = page.evaluate(f"() => {{ document.getElementById('boot').click(); return {said}; }}")
+    assert not at_once, "the page waited for it"
+    until(page, said)
     words = pal.assemble(shelf.read_bundled("eia.pal")).words
     assert page.evaluate("[...workbench.machine.processor.core]")[0o200 : 0o200 + 20] == [
         words[address] for address in range(0o200, 0o200 + 20)
@@ -309,6 +330,38 @@ def test_each_switch_is_under_its_lamp(page: "Page") -> None:
         assert min(page.evaluate(wide)) >= 24, width
 
 
+_SMALL = """() => {
+  const size = (each) => each.getBoundingClientRect();
+  const seen = [...document.querySelectorAll("body *")].filter((each) => each.checkVisibility() && size(each).width);
+  const own = (each) => [...each.childNodes].some((node) => node.nodeType === 3 && node.data.trim());
+  const kinds = "button, input:not([type=file]), select, summary, a[href]:not(.skip)";
+  const targets = seen.filter((each) => each.matches(kinds) && (size(each).width < 24 || size(each).height < 24));
+  const labels = seen.filter((each) => own(each) && parseFloat(getComputedStyle(each).fontSize) < 11);
+  return [...targets, ...labels.filter((each) => !each.matches(".speed"))].map((each) => each.outerHTML.slice(0, 99));
+}"""
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (390, 844)])
+def test_targets_and_labels_are_large_enough(page: "Page", size: tuple[int, int]) -> None:
+    """24 pixels each way, and 11 high, on every tab; a telephone has no word before its list of speeds."""
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    page.evaluate("for (const each of document.querySelectorAll('details')) each.open = true")
+    for tab in ("program", "debugger", "mill", "parts", "exercises", "figures"):
+        page.locator(f"[data-opens={tab}]").click()
+        assert page.evaluate(_SMALL) == [], tab
+
+
+def test_few_stops_of_the_tab_key_from_the_panel_to_the_editor(page: "Page") -> None:
+    """Twelve at most, a program assembled and all that can be done with it."""
+    page.locator("#assemble").click()
+    page.locator(".rocker").first.focus()
+    stops = 0
+    while page.evaluate("document.activeElement.id") != "source":
+        page.keyboard.press("Tab")
+        stops += 1
+        assert stops <= 12
+
+
 @needs_axe
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing_serious(browser: "Browser", file: Path, scheme: str) -> None:
@@ -421,6 +474,7 @@ def test_a_link_freezes_nothing(page: "Page", shared: dict[str, Any], said: str)
     other.goto(page.url + url)
     until(other, "!!window.workbench")
     until(other, f"document.querySelector('#next').textContent.includes({said!r})")
+    assert other.locator("body").inner_text().count("cannot be opened") <= 1, "told twice"
     assert other.evaluate("location.hash") == "" or said in ("runs", "stands still")
     other.close()
 
