@@ -113,6 +113,7 @@ export class Afternoon {
     const { bench } = this;
     bench.history.end();
     bench.until.over();
+    bench.switches.card.end();
     find("counts").checked = false;
     this.on = true;
     this.program = null;

@@ -298,11 +298,16 @@ export class Editor {
     this.#ready();
   }
 
-  /** Assemble, load and start; where it cannot be assembled, its errors are shown. */
+  /** Assemble, load and start; where it cannot be assembled, the first error is said. */
   run() {
-    if (!this.assemble()) return;
-    this.load();
-    this.bench.switches.press("start");
+    if (this.assemble()) {
+      this.load();
+      this.bench.switches.press("start");
+      return;
+    }
+    const { diagnostics, summary } = this.assembly;
+    const wrong = diagnostics.find(({ severity }) => severity === "error");
+    this.bench.say(`Not run: ${wrong ? `line ${wrong.line}, ${wrong.brief}` : summary}`);
   }
 
   /** Load as an operator does: RIM toggled in, RIM reads BIN, BIN reads the program's tape; at full speed. */
@@ -327,6 +332,7 @@ export class Editor {
     const { machine } = this.bench;
     const addresses = this.assembly.words.map(([address]) => address);
     const start = addresses.includes(0o200) ? 0o200 : Math.min(...addresses);
+    this.bench.switches.card.end();
     machine.sr = start;
     machine.panel.load_add();
     this.#inCore();

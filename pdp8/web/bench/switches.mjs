@@ -75,6 +75,13 @@ class Card {
     find("computer").querySelector(".rocker").focus({ preventScroll: true });
   }
 
+  /** Something else is in core: nobody practises. */
+  end() {
+    if (!this.coach) return;
+    this.coach = null;
+    this.#say("");
+  }
+
   #toggle() {
     const keys = this.bench.touch((machine) => {
       machine.panel.stop();

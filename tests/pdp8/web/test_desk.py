@@ -3,7 +3,12 @@
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from click.testing import CliRunner
+
+from pdp8.computer.machine import Machine
+from pdp8.computer.use.program import read
 from pdp8.lessons import form, student
+from programs.cli import part
 from tapes import shelf
 from tests.pdp8.web.browsing import until
 
@@ -150,7 +155,7 @@ def test_an_exercise_of_a_teachers_is_dropped_and_marked(page: "Page") -> None:
 
 
 def test_from_a_radius_to_a_wall(page: "Page") -> None:
-    """A small circle is punched, translated and cut by three buttons."""
+    """A small circle is punched, translated and cut by three buttons; its tapes are those of the commands."""
     page.locator("[data-opens=parts]").click()
     page.locator("[name=radius]").fill("0.25")
     page.locator("#part .go").click()
@@ -160,6 +165,16 @@ def test_from_a_radius_to_a_wall(page: "Page") -> None:
     page.locator("#part-cut").click()
     assert "minutes at the Hydra-Point" in page.evaluate("document.getElementById('part-is-cut').textContent")
     assert page.evaluate("workbench.mill.name") == "circle 2.eia"
+    printed, punched = (
+        bytes(page.evaluate(f"[...workbench.shelf.get('circle 2.{code}').frames]")) for code in ("asc", "eia")
+    )
+    assert printed == CliRunner().invoke(part, ["circle", "--radius", "0.25"]).stdout_bytes
+    machine = Machine()
+    machine.load(read(shelf.read_bundled("eia.pal"), "eia.pal").words)
+    machine.start(0o200)
+    machine.teletype.reader.load(printed)
+    machine.run()
+    assert punched == machine.teletype.punch.tape
     page.locator("[name=radius]").evaluate("(input) => { input.value = '1750'; }")
     page.evaluate("workbench.tabs.open('parts')")
     page.locator("#part .go").click()

@@ -534,7 +534,10 @@ def test_a_play_that_is_taken_over_runs_on(page: "Page", circle: Afternoon) -> N
 
 
 def test_the_doors(page: "Page") -> None:
-    """Each leads where it says: the afternoon plays, a program prints, the drill waits for an address."""
+    """Each leads where it says, in any order: the afternoon plays, a program prints, the drill waits for an
+    address, and for nothing else once another door is open.
+    """
+    page.locator("[data-door=rim]").click()
     page.locator("[data-door=first]").click()
     until(page, "document.querySelector('#paper pre').textContent.includes('HELLO')")
     page.locator("[data-door=rim]").click()
@@ -543,6 +546,7 @@ def test_the_doors(page: "Page") -> None:
     until(page, "workbench.afternoon.playing && workbench.afternoon.script.now > 0")
     page.keyboard.press("Space")
     assert not page.evaluate("workbench.afternoon.playing")
+    assert page.evaluate("workbench.switches.card.coach === null")
 
 
 def test_the_panel_alone_begins_with_the_first_switch(browser: "Browser", circle_page: Path) -> None:

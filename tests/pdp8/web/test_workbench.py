@@ -52,6 +52,8 @@ def test_messages_have_their_places(page: "Page") -> None:
     said = page.locator("#messages").text_content() or ""
     assert "UA  LOOP    AT  0200" in said
     assert "IC  0241  AT  0201" in said
+    page.locator("#run-it").click()
+    assert "Not run: line 2, undefined: LOOP" in page.locator("#next").inner_text()
     page.locator("#messages button").first.click()
     assert page.evaluate("getSelection().toString() || document.activeElement.id") in ("CLA", "LOOP")
 
