@@ -493,7 +493,7 @@ def test_taken_over_and_finished(page: "Page", circle: Afternoon) -> None:
 
 
 def test_who_takes_over_has_all_of_the_machine(page: "Page", circle: Afternoon) -> None:
-    """A tape for the PC8/L, which the afternoon has not; a breakpoint in the listing, and the run stops there."""
+    """A breakpoint in the listing, at which the run stops; a PC8/L, which the afternoon has not."""
     _go(page, _translating(circle))
     line = page.locator("#gutter button").first
     address = line.inner_text()

@@ -333,13 +333,14 @@ def test_each_switch_is_under_its_lamp(page: "Page") -> None:
 
 
 _SMALL = """() => {
-  const size = (each) => each.getBoundingClientRect();
-  const seen = [...document.querySelectorAll("body *")].filter((each) => each.checkVisibility() && size(each).width);
+  const small = ({ width, height }, least) => width > 0 && (width < least || height < least);
+  const seen = [...document.querySelectorAll("body *")].filter((each) => each.checkVisibility());
   const own = (each) => [...each.childNodes].some((node) => node.nodeType === 3 && node.data.trim());
   const kinds = "button, input:not([type=file]), select, summary, a[href]:not(.skip)";
-  const targets = seen.filter((each) => each.matches(kinds) && (size(each).width < 24 || size(each).height < 24));
-  const labels = seen.filter((each) => own(each) && parseFloat(getComputedStyle(each).fontSize) < 11);
-  return [...targets, ...labels.filter((each) => !each.matches(".speed"))].map((each) => each.outerHTML.slice(0, 99));
+  const targets = seen.filter((each) => each.matches(kinds) && small(each.getBoundingClientRect(), 24));
+  const words = seen.filter((each) => own(each) && !each.matches(".speed"));
+  const labels = words.filter((each) => parseFloat(getComputedStyle(each).fontSize) < 11);
+  return [...targets, ...labels].map((each) => each.outerHTML.slice(0, 99));
 }"""
 
 
