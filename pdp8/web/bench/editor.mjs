@@ -315,12 +315,13 @@ export class Editor {
     const { bench } = this;
     bench.afternoon.takeOver();
     this.assemble();
-    bench.machine.panel.stop();
+    const { machine } = bench;
+    machine.panel.stop();
     const { name, tape } = this.assembly;
-    const given = { state: save(bench.machine), loader: bench.record.loader, tape, name };
     try {
-      const { state, said } = await bench.apart.ask("booted", given, SECONDS);
-      bench.machine.put(restore(state).values());
+      const { state, said } = await bench.apart.ask("booted", { state: save(machine), loader: bench.record.loader, tape, name }, SECONDS);
+      if (machine !== bench.machine) return; // another has come meanwhile
+      machine.put(restore(state).values());
       bench.why = said;
       this.#ready();
     } catch (error) {
