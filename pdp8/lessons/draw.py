@@ -15,7 +15,7 @@ The same seed and name of a case draw the same.
 
 import importlib.util
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from random import Random
 from typing import Any
 
@@ -116,10 +116,7 @@ def _word(given: Any, random: Random) -> int | str:
     if set(given) == {"pick"} and given["pick"]:
         return int(word(random.choice(given["pick"])))
     if set(given) == {"from", "to"}:
-        return (
-            random.randint(number(-0o4000, 0o7777)(given["from"]), number(-0o4000, 0o7777)(given["to"]))
-            & 0o7777
-        )
+        return random.randint(*_bounds((given["from"], given["to"]), -0o4000, 0o7777)) & 0o7777
     raise ValueError(f"a word, {{ from, to }} or {{ pick = [...] }} is wanted, not {given!r}")
 
 
@@ -136,15 +133,20 @@ def _tape(given: Any, random: Random) -> list[int]:
     if not isinstance(given, dict) or "length" not in given:
         return list(frames(given))
     length = given["length"]
-    least, most = length if isinstance(length, list) else (length, length)
-    count = random.randint(number(0, 4096)(least), number(0, 4096)(most))
+    count = random.randint(*_bounds(length if isinstance(length, list) else (length, length), 0, 4096))
     if set(given) == {"length", "pick"}:
         among = list(frames(given["pick"]))
     elif set(given) == {"length", "from", "to"}:
-        among = list(range(number(0, 0o377)(given["from"]), number(0, 0o377)(given["to"]) + 1))
+        first, last = _bounds((given["from"], given["to"]), 0, 0o377)
+        among = list(range(first, last + 1))
     else:
         raise ValueError(f"{{ length, pick }} or {{ length, from, to }} is wanted, not {given!r}")
     return [random.choice(among) for _ in range(count)]
+
+
+def _bounds(pair: Sequence[Any], least: int, most: int) -> tuple[int, int]:
+    first, last = map(number(least, most), pair)
+    return first, last
 
 
 _DRAWN: dict[str, Callable[[Any, Random], Any]] = {
