@@ -156,7 +156,8 @@ def test_nothing_of_a_hidden_case_is_written() -> None:
     ("case", "source", "happened", "says"),
     [
         ("ac=1", "*300\n\tHLT\n$", "no word at the start", "no word of yours is at 0200"),
-        ("ac=1", "*200\n\tISZ 210\n\tJMP 200\n\tJMP 200\n$", "did not stop", "between 0200 and 0201"),
+        ("ac=1", "*200\n\tISZ 210\n\tJMP 200\n\tJMP 200\n$", "did not stop",
+         "still running after 10 s, between 0200 and 0201"),
         ("ac=1", "*200\n\tJMP .\n$", "jumps to itself", "a jump to itself at 0200"),
         ("ac=1", "*200\n\tKSF\n\tJMP .-1\n\tHLT\n$", "waits for a key or a tape", "that does not come"),
         ("ac=1", "*200\n\tNOP\n\tJMP .-1\n$", "did not stop", "a loop at 020"),
@@ -278,6 +279,28 @@ def test_an_answer_that_takes_too_much_memory_is_ended(monkeypatch: pytest.Monke
     exercise = parse(HEAD + "[[case]]\nname='c'\n", "e")
     (result,) = bounded.marked(exercise, [handed.of(b"*200\n\tHLT\n$\n", "a.pal")])
     assert result.fault == "it took more than 512 MiB of memory, and was ended"
+
+
+@FORK
+@pytest.mark.parametrize(("size", "kept"), [((1 << 20) - 200, True), ((1 << 20) + 1, False)])
+def test_an_answers_marks_have_at_most_a_mebibyte(
+    monkeypatch: pytest.MonkeyPatch, size: int, kept: bool
+) -> None:
+    made = Result("a", (), 0, "x" * size)
+    monkeypatch.setattr(marking, "mark", lambda exercise, answer, dialect: made)
+    (result,) = bounded.marked(parse(HEAD + "[[case]]\nname='c'\n", "e"), [Answer("a")])
+    assert result.fault == (made.fault if kept else "its tapes and pages have more than 1,048,576 bytes")
+
+
+def test_an_error_of_ours_is_no_fault_of_an_answer(monkeypatch: pytest.MonkeyPatch) -> None:
+    def broken(exercise: Exercise, answer: Answer, dialect: str) -> Result:
+        raise KeyError(answer.name)
+
+    monkeypatch.setattr(marking, "mark", broken)
+    for platform, error in ((sys.platform, RuntimeError), ("win32", KeyError)):
+        monkeypatch.setattr(sys, "platform", platform)
+        with pytest.raises(error):
+            bounded.marked(parse(HEAD + "[[case]]\nname='c'\n", "e"), [Answer("a")])
 
 
 def test_answers_that_differ_in_names_and_comments_look_alike() -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from pdp8.console.opening import opening
 from pdp8.console.session import Session, Tape
-from pdp8.lessons.drill import NAMES, Coach, Tapes, find
+from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, Tapes, find
 
 # PDP-8/I instruction card, the loader for the low-speed reader
 RIM = (
@@ -130,7 +130,7 @@ def test_a_chain_of_addresses_is_in_core_again_and_again() -> None:
 
 
 def test_a_kiosk_begins_again_when_it_is_left_alone() -> None:
-    session, coach = room("deposit", left_alone=60)
+    session, coach = room("deposit", LEFT_ALONE)
     press(session, coach, "load_add", 0o200)
     press(session, coach, "dep", 0o7200)
     advance(session, coach, 59)

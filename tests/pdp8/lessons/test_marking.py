@@ -297,6 +297,7 @@ def test_the_command_says_what_is_wrong(
 @pytest.mark.parametrize("target", ["-", "marks.xml"])
 def test_junit_goes_to_a_file_or_to_standard_output(target: str, shell: Shell, tmp_path: Path) -> None:
     (tmp_path / "halt.pal").write_text("*200\n\tHLT\n$\n")
+    assert shell("pdp8 check add halt.pal --junit halt.pal").stdout == b""
     done = shell(f"pdp8 check add halt.pal --junit {target}")
     text = done.stdout.decode() if target == "-" else (tmp_path / target).read_text()
     suite = ElementTree.fromstring(text.partition("\n")[2])[0]
