@@ -203,6 +203,18 @@ def test_a_wrong_state_is_named(monitor: Monitor) -> None:
 @pytest.mark.parametrize(
     ("line", "message"),
     [
+        ("r", "registers, rim, run, reader, restore?"),
+        ("examine", "an address expected"),
+        ("examine 9", "9: neither an octal number nor a symbol"),
+        ("examine 10000", "not between 0000 and 7777"),
+        ("deposit 200", "an address and words expected"),
+        ("set mq 0", "there are ac link pc ma mb ir sr mem_prot sing_step hands"),
+        ("key kick", "the keys are"),
+        ("cont soon", "seconds of machine time"),
+        ("cont nan", "not between 0 and 1e9 seconds"),
+        ("trace maybe", "on, cycles or off"),
+        ("count maybe", "on, off or listing, or nothing"),
+        ("count", "nothing is counted: count on begins"),
         ("type É", "É: a Model 33 has no such key"),
         ("type \uf800", "\uf800: a Model 33 has no such key"),
         ("type {", "{: a Model 33 has no such key"),
