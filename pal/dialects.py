@@ -72,7 +72,7 @@ def _of_character(code: int) -> str:
         return ""
     character = chr(code & 0o177)
     if "a" <= character <= "z":
-        return "PAL III knows capital letters only; `pal --modern` folds lower case"
+        return "PAL III knows capital letters only"
     return _CHARACTERS.get(character, "")
 
 

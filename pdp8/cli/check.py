@@ -104,6 +104,10 @@ def check(
     elif not answer:
         raise click.UsageError("Give an ANSWER, or --show task, or --prove.")
     else:
+        if folders := [name for name in answer if os.path.isdir(name)]:
+            raise WorkError(
+                f"{folders[0]}: a folder; name the answers in it: {os.path.join(folders[0], '*')}"
+            )
         answers = [handed.read(name) for name in answer]
         results = bounded.marked(read, answers, cpu, dialect)
         if pages is not None:

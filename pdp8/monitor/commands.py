@@ -1,6 +1,7 @@
 """Every command of the monitor by its name."""
 
 from collections.abc import Callable, Sequence
+from difflib import get_close_matches
 from textwrap import wrap
 from typing import NamedTuple
 
@@ -91,7 +92,9 @@ def find(word: str) -> Command:
         return found[0]
     if found:
         raise MonitorError(f"{word}: {', '.join(each.name for each in found)}?")
-    raise MonitorError(f"{word!r}: no such command; help tells which there are")
+    near = get_close_matches(word, COMMANDS, 1)
+    meant = f"did you mean {near[0]}?" if near else "help tells which there are"
+    raise MonitorError(f"{word!r}: no such command; {meant}")
 
 
 def do(monitor: Monitor, line: str) -> None:

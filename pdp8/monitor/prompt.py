@@ -55,9 +55,9 @@ class Monitor:
         symbol = self.listing.symbols.get(text.upper()[:6])
         if symbol is not None:
             return symbol
-        if not self.listing.symbols and not text.isdecimal():
+        if not text.isdecimal():
             raise MonitorError(
-                f"{text}: no octal number, and no program is named: `listing PROGRAM` names one"
+                f"{text}: neither an octal number nor a symbol; a tape brings none, `listing SOURCE` does"
             )
         return octal(text)
 

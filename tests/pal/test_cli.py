@@ -136,7 +136,7 @@ def test_modern_folds_small_letters_and_lists_them_as_typed(folder: Path) -> Non
     result = run("small.pal", "--modern", "--listing", "-", folder=folder)
     assert result.returncode == 0
     assert b"0201  5200  \tJmp Loop\n" in result.stdout
-    assert b"`pal --modern` folds lower case" in run("small.pal", folder=folder).stderr
+    assert b"`pal --modern` reads them as capitals" in run("small.pal", folder=folder).stderr
 
 
 def test_the_symbol_table_is_full(folder: Path) -> None:

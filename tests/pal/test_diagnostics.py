@@ -63,7 +63,7 @@ def test_a_diagnostic_in_full() -> None:
         ("BSW", "a later PDP-8's"),
         ("OPR", "write 7000, or OPR=7000"),
         ("IOT", "write 6000, or IOT=6000"),
-        ("cla", "--modern"),
+        ("cla", "capital letters only"),
         ("é", "not ASCII"),
     ],
 )

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from tapes import kinds, shelf
 from tapes.errors import TapeError, WorkError, called, naming
-from tapes.measure import left_out
+from tapes.measure import counted, left_out
 
 if TYPE_CHECKING:
     from pal import Assembly
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 FOUND, PAL3, PAL8 = "auto", "pal3", "pal8"
 DIALECTS = (FOUND, PAL3, PAL8)
 """Dialects, as `pal.assembly` calls them, which is loaded for a source alone."""
+_SHOWN = 3
+"""Errors of a source."""
 
 
 class Program:
@@ -99,16 +101,17 @@ def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND) ->
 
 def _assembled(source: bytes, name: str, dialect: str) -> Program:
     from pal.assembling import assemble
-    from pal.assembly import MOST
 
     if kinds.only_figures(source):
         raise WorkError("nothing but figures: no program, but a tape for the reader")
     assembly = assemble(source, names=[called(name)], dialect=dialect)
     if not assembly.ok:
-        shown = [str(diagnostic) for diagnostic in assembly.diagnostics[:MOST]]
-        more = len(assembly.diagnostics) - MOST
-        report = "\n".join(shown + [f"and {more:,} more"] * (more > 0))
-        raise WorkError(f"not loaded, it has errors\n{report}")
+        errors = [str(diagnostic) for diagnostic in assembly.diagnostics if diagnostic.error]
+        more = [f"and {len(errors) - _SHOWN:,} more: `pal` shows all, with its notes"] * (
+            len(errors) > _SHOWN
+        )
+        report = "\n".join([*errors[:_SHOWN], *more])
+        raise WorkError(f"not loaded, it has {counted(len(errors), 'errors')}\n{report}")
     for address in assembly.words:
         if address > 0o7777:
             raise WorkError(f"address {address:05o}: a PDP-8/L with 4K of core ends at 07777")

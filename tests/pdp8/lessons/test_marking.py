@@ -277,6 +277,7 @@ def test_what_is_no_file_has_no_points(name: str, fault: str) -> None:
         ("", 2, "Give an EXERCISE"),
         ("add", 2, "Give an ANSWER"),
         ("nothing a.pal", 1, "nothing: no such file, and no bundled exercise (add, "),
+        ("add .", 1, ".: a folder; name the answers in it: ./*"),
         ("bad.toml a.pal", 1, "bad.toml: byte 0: not UTF-8"),
         ("loose.toml --prove", 1, "loose: taken for right: halts for the wrong reason"),
     ],

@@ -37,7 +37,8 @@ def test_a_pipe_is_a_script(shell: Shell) -> None:
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        ("frobnicate", "no such command"),
+        ("frobnicate", "no such command; help tells which there are"),
+        ("continue", "no such command; did you mean cont?"),
         ("load nothing.pal", "no such file"),
         ("load .", "Is a directory"),
         ("load empty", "empty"),

@@ -36,7 +36,7 @@ def test_where_two_programs_could_be_core_decides() -> None:
 @pytest.mark.parametrize(
     ("content", "said"),
     [
-        (b"*200\n\tJMP 400\n$\n", "x: not loaded, it has errors"),
+        (b"*200\n\tJMP 400\n$\n", "x: not loaded, it has 1 error\nx:2:"),
         (b"*200\nFIELD 1\n*200\n1\n$\n", "x: address 10200: a PDP-8/L with 4K of core ends at 07777"),
         (b"", "x: the program tape is empty"),
         (bytes(9), "x: the program tape is blank"),
@@ -53,10 +53,13 @@ def test_what_is_no_program_is_refused_by_name(content: bytes, said: str) -> Non
     assert str(refused.value).startswith(said)
 
 
-def test_many_errors_are_counted() -> None:
+def test_the_first_of_many_errors_are_shown_and_all_counted() -> None:
     with pytest.raises(WorkError) as refused:
         program.read(b"*200\n" + b"\tJMP 400\n" * 120 + b"$\n", "x")
-    assert str(refused.value).endswith("and 20 more")
+    said = str(refused.value)
+    assert said.startswith("x: not loaded, it has 120 errors\nx:2:2: ")
+    assert said.count("JMP 400") == 3
+    assert said.endswith("\nand 117 more: `pal` shows all, with its notes")
 
 
 def test_a_label_is_noted() -> None:
