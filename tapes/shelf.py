@@ -119,8 +119,8 @@ def read(name: str, most: int = LARGEST) -> bytes:
         raise ShelfError(f"{called(name)}: longer than {most:,} bytes, the most that is read of a file")
     if is_utf16(content):
         raise ShelfError(
-            f"{called(name)}: UTF-16, as PowerShell's > writes it; let the command write the file itself: "
-            "-o FILE, or --punch FILE of pdp8 run"
+            f"{called(name)}: UTF-16, as PowerShell's > writes it; save a text as UTF-8, and let a command "
+            "write its file itself: -o FILE, or --punch FILE of pdp8 run"
         )
     return content
 

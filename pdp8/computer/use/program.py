@@ -107,7 +107,7 @@ def _assembled(source: bytes, name: str, dialect: str) -> Program:
     assembly = assemble(source, names=[called(name)], dialect=dialect)
     if not assembly.ok:
         errors = [str(diagnostic) for diagnostic in assembly.diagnostics if diagnostic.error]
-        more = [f"and {len(errors) - _SHOWN:,} more: `pal` shows all, with its notes"] * (
+        more = [f"and {len(errors) - _SHOWN:,} more: `pal` shows them, with its notes"] * (
             len(errors) > _SHOWN
         )
         report = "\n".join([*errors[:_SHOWN], *more])

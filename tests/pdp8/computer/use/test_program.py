@@ -59,7 +59,7 @@ def test_the_first_of_many_errors_are_shown_and_all_counted() -> None:
     said = str(refused.value)
     assert said.startswith("x: not loaded, it has 120 errors\nx:2:2: ")
     assert said.count("JMP 400") == 3
-    assert said.endswith("\nand 117 more: `pal` shows all, with its notes")
+    assert said.endswith("\nand 117 more: `pal` shows them, with its notes")
 
 
 def test_a_label_is_noted() -> None:
