@@ -72,8 +72,8 @@ class Runs(NamedTuple):
     loaded: list[str]
 
 
-def run(tests: list[str], chosen: Chosen, jobs: int, kept: Path) -> Iterator[tuple[str, int, str]]:
-    """Yield for each mutant its file, its number and the verdict: caught, survived or not run.
+def run(tests: list[str], chosen: Chosen, jobs: int, kept: Path) -> None:
+    """Tell of each mutant its file, its number and the verdict: caught, survived or not run.
 
     `kept` has the lines of each test from one call to the next: what has not changed is not run again.
     """
@@ -81,7 +81,7 @@ def run(tests: list[str], chosen: Chosen, jobs: int, kept: Path) -> Iterator[tup
         answer = Path(folder) / "answer"
         pid = _fork(lambda _own: _collected(tests, chosen, jobs, answer, kept), Path(folder), quiet=False)
         os.waitpid(pid, 0)
-        runs, verdicts = pickle.loads(answer.read_bytes())
+        runs, again = pickle.loads(answer.read_bytes())
         if runs.failed:
             print(f"left out: {' '.join(runs.failed)}"[:2000], file=sys.stderr)
         for name in runs.loaded:
@@ -89,13 +89,13 @@ def run(tests: list[str], chosen: Chosen, jobs: int, kept: Path) -> Iterator[tup
                 importlib.import_module(name)
             except Exception:
                 continue
-        again = []
-        for (file, number), verdict in verdicts.items():
-            if verdict == "import":
-                again.append((file, number))
-            else:
-                yield file, number, verdict
-        yield from _whole(again, runs, jobs, Path(folder))
+        for tried in _whole(again, runs, jobs, Path(folder)):
+            _tell(*tried)
+
+
+def _tell(file: str, number: int, verdict: str) -> None:
+    """Write a line, its parts between tabs, past whatever captures standard output."""
+    os.write(1, f"\n{file}\t{number}\t{verdict}\n".encode())
 
 
 def _fork(work: Callable[[Path], int], folder: Path, limit: float | None = None, quiet: bool = True) -> int:
@@ -275,11 +275,13 @@ class _Collected:
             return _fork(work, folder, LEAST + LONGER * sum(runs.seconds[name] for name in order))
 
         trials = [(file, number) for file, numbers in self.chosen.items() for number in numbers]
-        verdicts = {}
+        again = []
         for file, number, verdict in _each(trials, begin, self.jobs):
-            again = verdict == "survived" and (file, number) in imported
-            verdicts[file, number] = "import" if again else verdict
-        self.answer.write_bytes(pickle.dumps((runs, verdicts)))
+            if verdict == "import" or (verdict == "survived" and (file, number) in imported):
+                again.append((file, number))
+            else:
+                _tell(file, number, verdict)
+        self.answer.write_bytes(pickle.dumps((runs, again)))
         return True
 
     def _measure(self, items: list[pytest.Item]) -> Runs:
@@ -448,7 +450,5 @@ def _whole(
 
 
 def main(tests: str, chosen: str, jobs: str, kept: str) -> None:
-    """Print the verdicts line by line, their parts between tabs; the arguments are Python literals."""
-    lines = run(ast.literal_eval(tests), ast.literal_eval(chosen), int(jobs), Path(kept))
-    for file, number, verdict in lines:
-        print(f"{file}\t{number}\t{verdict}", flush=True)
+    """Call `run`; the arguments are Python literals."""
+    run(ast.literal_eval(tests), ast.literal_eval(chosen), int(jobs), Path(kept))
