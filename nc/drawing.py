@@ -56,6 +56,11 @@ def number(value: float) -> str:
     return f"{value:.2f}".rstrip("0").rstrip(".") if value % 1 else f"{value:.0f}"
 
 
+def signed(deviation: float) -> str:
+    """Return thousandths of an inch as the scale of a graph of errors has them, in inches."""
+    return f"{deviation / 1000:+.3f}" if deviation else "0"
+
+
 def polyline(points: Iterable[tuple[float, float]]) -> str:
     """Return SVG path data through places on paper."""
     return "M" + "L".join(f"{number(x)} {number(y)}" for x, y in points)

@@ -14,7 +14,7 @@ from math import ceil, cos, floor, radians, sin
 import numpy as np
 
 from nc.curves import Floats
-from nc.drawing import FAINT, GRID, INK, Sheet, polyline
+from nc.drawing import FAINT, GRID, INK, Sheet, polyline, signed
 from nc.inspection import Inspection, runs
 from tapes.errors import WorkError
 from tapes.measure import inches
@@ -115,7 +115,7 @@ class _Graph:
     def _divisions(self) -> None:
         for deviation in range(self.low, self.high + 1, 5):
             x, y = self._at(22.5, deviation)
-            self.sheet.label(x, y + 4, f"{deviation / 1000:+.3f}" if deviation else "0", text_anchor="middle")
+            self.sheet.label(x, y + 4, signed(deviation), text_anchor="middle")
 
     def _at(self, angle: float, deviation: float) -> tuple[float, float]:
         radius = self._radius(deviation)

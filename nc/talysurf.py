@@ -11,7 +11,7 @@ from math import ceil, floor
 import numpy as np
 
 from nc.curves import Floats
-from nc.drawing import FAINT, GRID, INK, Sheet, polyline
+from nc.drawing import FAINT, GRID, INK, Sheet, polyline, signed
 from nc.inspection import Inspection, runs
 from nc.talyrond import COLOURS
 from tapes.errors import WorkError
@@ -81,7 +81,7 @@ def _trace(
         y = bottom - (line - low) * up
         sheet.draw("line", x1=_LEFT, y1=y, x2=right, y2=y, stroke=FAINT if line == 0 else GRID)
         if line % labels == 0:
-            sheet.text(_LEFT - 8, y + 4, f"{line / 1000:+.3f}", text_anchor="end")
+            sheet.text(_LEFT - 8, y + 4, signed(line), text_anchor="end")
     if DIVISION * across >= 4:
         for count in range(ceil(start / DIVISION), floor((start + length) / DIVISION) + 1):
             x = _LEFT + (count * DIVISION - start) * across

@@ -172,7 +172,7 @@ def _changes(node: ast.expr | ast.stmt) -> Iterator[ast.AST]:
             yield ast.Constant(f"{word}?")
         case ast.Constant(bytes() as frames) if frames:
             yield ast.Constant(frames + b"?")
-        case ast.Return(ast.expr() as found) if not (isinstance(found, ast.Constant) and found.value is None):
+        case ast.Return(ast.expr() as found) if ast.unparse(found) not in ("None", "False"):
             yield ast.Return(ast.Constant(None))
         case ast.Expr() | ast.Raise() | ast.Delete() | ast.Assign([ast.Attribute() | ast.Subscript()]):
             yield ast.Pass()

@@ -14,7 +14,7 @@ from PIL import Image
 
 import nc
 from nc.curves import Ellipse, Graph, StraightLine
-from nc.drawing import Sheet
+from nc.drawing import Sheet, signed
 from nc.inspection import inspect
 from nc.plot import plot
 from nc.talyrond import talyrond
@@ -78,7 +78,10 @@ def half() -> nc.Path:
 DRAWINGS: dict[str, tuple[str, Callable[[], str]]] = {
     "circle": ("9872bc2b", lambda: plot(circle(), THE_CIRCLE)),
     "circle, block 120": ("bf7f47f6", lambda: plot(circle(), THE_CIRCLE, block=120)),
-    "circle, block 1": ("e5e9233c", lambda: plot(circle(), THE_CIRCLE, block=1, close_at=(5750, 4000))),
+    "circle, block 1": (
+        "13ee1b07",
+        lambda: plot(circle(), THE_CIRCLE, block=1, close_at=(5750, 4000), zoom=(5, 5)),
+    ),
     "circle, stretched": (
         "5aaab549",
         lambda: plot(circle(), THE_CIRCLE, close_at=(4000, 5735), zoom=(9, 90)),
@@ -94,15 +97,15 @@ DRAWINGS: dict[str, tuple[str, Callable[[], str]]] = {
     "talyrond, ellipse": ("d9f264f7", lambda: talyrond(inspect(ellipse()))),
     "talyrond, small cutter": ("85a13f86", lambda: talyrond(inspect(circle(), cutter=20))),
     "talyrond, half": ("9c2882a5", lambda: talyrond(inspect(half(), THE_CIRCLE))),
-    "talysurf, circle": ("c15ddb80", lambda: talysurf(inspect(circle()))),
-    "talysurf, slope": ("e7ef2ba4", lambda: talysurf(inspect(slope(), SLOPE))),
-    "talysurf, shaded": ("55fefbbe", lambda: talysurf(inspect(circle()), (7500, 8900), background=1.2)),
+    "talysurf, circle": ("270ca7f2", lambda: talysurf(inspect(circle()))),
+    "talysurf, slope": ("c9baca42", lambda: talysurf(inspect(slope(), SLOPE))),
+    "talysurf, shaded": ("f83c2076", lambda: talysurf(inspect(circle()), (7500, 8900), background=1.2)),
     "talysurf, long": (
-        "fc4c711b",
+        "4851e7ec",
         lambda: talysurf(inspect(slope(), Ellipse(9250, 4000, 7000, 3000)), (0, 32e3)),
     ),
     "talysurf, rough": (
-        "eb8b320b",
+        "9e7b494b",
         lambda: talysurf(inspect(parabola(), PARABOLA, cutter=250), (520, 790), background=1.2),
     ),
 }
@@ -208,6 +211,10 @@ def test_the_halo_of_a_label_hides_none_of_its_letters() -> None:
     assert "paint-order" not in haloed.svg()
 
 
+def test_divisions_are_inches_with_their_sign() -> None:
+    assert [signed(deviation) for deviation in (-5, 0, 10, 5000)] == ["-0.005", "0", "+0.010", "+5.000"]
+
+
 def test_no_such_block() -> None:
     with pytest.raises(WorkError, match="block 667: the tape has blocks 1 to 666"):
         plot(nc.cut(CIRCLE), block=667)
@@ -238,6 +245,9 @@ def test_a_stretch_beyond_the_curve_is_refused() -> None:
     found = inspect(nc.cut(CIRCLE))
     with pytest.raises(WorkError, match="stretch from 20"):
         talysurf(found, (20_000, 21_000))
+    with pytest.raises(WorkError, match=r"stretch from 0.000 to 0.000: the curve runs from 0 to 10.99\d in"):
+        talysurf(found, (0, 0.3))
+    assert talysurf(found, (0, 0.31)).startswith("<svg"), "two stations"
 
 
 def test_a_wall_with_a_gap_is_drawn_in_parts() -> None:

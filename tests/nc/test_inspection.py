@@ -10,11 +10,11 @@ from shapely.geometry.base import BaseGeometry
 
 import nc
 from nc.curves import Curve, Ellipse, Floats, Graph, Stations, StraightLine, fitted, nominal
-from nc.inspection import Inspection, inspect, runs, segments, walls
+from nc.inspection import Inspection, followed, inspect, runs, segments, walls
 from nc.report import inspection_report
 from tapes import shelf
 from tapes.errors import WorkError
-from tests.nc.tapes_1971 import CIRCLE, HEADER, milling, staircase, tape
+from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, HEADER, milling, staircase, tape
 
 THE_CIRCLE = Ellipse(4000, 4000, 1750, 1750)
 
@@ -138,6 +138,9 @@ class TestTheCircle:
         low, high = circle.centre
         assert -6 < low <= -5
         assert 5 <= high < 6
+        for x, furthest in ((1750, 500), (1749, high)):  # what is a cutter away, and what is further
+            aside = tape(*CIRCLE_BLOCKS, "667 6 02251 04000 0 01 85", f"668 6 {x:05} 04000 0 01 84")
+            assert inspect(nc.cut(aside), THE_CIRCLE).centre == (low, furthest)
 
     def test_stations_are_close_enough(self, circle: Inspection) -> None:
         """Five times as many stations find nothing more than .00002 in worse."""
@@ -218,6 +221,9 @@ class TestCurves:
             nominal(function="x")
 
     def test_what_follows_no_curve_is_none(self) -> None:
+        rough = nc.cut(tape(*HEADER, *milling(staircase(1750, 15), (2250, 4000))))
+        assert followed(rough, 5) == THE_CIRCLE
+        assert followed(rough, 3) is None
         there_and_back = np.array([[0.0, 0], [1000, 0], [2000, 0], [0, 0]])
         assert fitted(there_and_back, within=5) is fitted(there_and_back[:, ::-1], within=5) is None
         assert fitted(np.array([[0.0, 0], [1000, 0], [1000, 700], [0, 700], [500, 100]]), within=20) is None
