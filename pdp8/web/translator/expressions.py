@@ -41,7 +41,7 @@ _WORDS = (
 _RESERVED = frozenset(_WORDS.split())
 RENAMED = {"split": "split_", "replace": "replace_", "pop": "pop_"}
 """Methods that Python's and JavaScript's own types both have, and mean otherwise."""
-_SPEC = re.compile(r"f'\+?0?(\d*|{.*}),?(\.\d+)?[oxfg]?'")
+_SPEC = re.compile(r"f'\+?0?(\d*|{.*}),?(\.\d+[fg]|[oxfg])?'")
 _PROPERTIES = {"property", "cached_property"}
 _LIBRARY = {
     **dict.fromkeys(("sorted", "min", "max"), ("of", "key", "reverse", "default")),
