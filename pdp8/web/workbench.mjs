@@ -254,9 +254,9 @@ class Bench {
     history.replaceState(null, "", link);
     try {
       await navigator.clipboard.writeText(link);
-      this.say("the link is copied");
+      this.tell("The link is copied.", true);
     } catch {
-      this.say("the address of this page is the link now");
+      this.tell("The address of this page is the link now.", true);
     }
   }
 

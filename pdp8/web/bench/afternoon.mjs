@@ -35,7 +35,7 @@ export class Afternoon {
     this.way = "";
     find("slider").addEventListener("input", ({ target }) => this.#drag(Number(target.value)));
     find("slider").addEventListener("change", () => this.#drop());
-    find("link").addEventListener("click", () => this.#copyLink());
+    find("link").addEventListener("click", () => bench.give(`${location.href.replace(/#.*/, "")}#t=${this.script.now / SECOND}`));
     find("next-act").addEventListener("click", () => this.act(1));
     find("previous-act").addEventListener("click", () => this.act(-1));
     find("acts").addEventListener("click", ({ target }) => {
@@ -213,18 +213,6 @@ export class Afternoon {
   #drop() {
     if (this.dragged) this.play(true);
     this.dragged = undefined;
-  }
-
-  /** Copy the address of this instant; where the browser does not let a page do that, show it. */
-  async #copyLink() {
-    const link = location.href.replace(/#.*/, "") + `#t=${this.script.now / SECOND}`;
-    try {
-      await navigator.clipboard.writeText(link);
-      find("link").textContent = "Copied";
-    } catch {
-      prompt("The address of this instant:", link);
-    }
-    setTimeout(() => (find("link").textContent = "Copy link"), 1500);
   }
 
   /** The key that is being pressed. */
