@@ -64,8 +64,7 @@ function picture({ path, way }, before, first, now, width) {
   const box = { x: 0, y: 0, width, height: height - 64 };
   const reach = RADIUS + CUTTER + 120;
   const view = new View({ left: CENTRE - reach, right: CENTRE + reach, bottom: CENTRE - reach, top: CENTRE + reach }, box);
-  let last = before.findIndex((end) => end > now) - 1;
-  if (last < 0) last = path.length; // no block begins later: all is cut
+  const last = before.findLastIndex((starts) => starts <= now); // path.length: all is cut
   const done = path.steps.slice(first, last).map(({ at }) => at);
   const step = path.steps[Math.min(last, path.length - 1)];
   const into = last < path.length ? now - before[last] : 0;
