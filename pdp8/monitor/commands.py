@@ -92,7 +92,7 @@ def find(word: str) -> Command:
         return found[0]
     if found:
         raise MonitorError(f"{word}: {', '.join(each.name for each in found)}?")
-    near = get_close_matches(word, COMMANDS, 1)
+    near = [name for name in COMMANDS if word.startswith(name)] or get_close_matches(word, COMMANDS, 1, 0.8)
     meant = f"did you mean {near[0]}?" if near else "help tells which there are"
     raise MonitorError(f"{word!r}: no such command; {meant}")
 

@@ -39,6 +39,8 @@ def test_a_pipe_is_a_script(shell: Shell) -> None:
     [
         ("frobnicate", "no such command; help tells which there are"),
         ("continue", "no such command; did you mean cont?"),
+        ("exmaine", "no such command; did you mean examine?"),
+        ("attach", "no such command; help tells which there are"),
         ("load nothing.pal", "no such file"),
         ("load .", "Is a directory"),
         ("load empty", "empty"),
