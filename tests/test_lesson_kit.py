@@ -68,6 +68,8 @@ def test_the_timetable_goes_down_the_card_in_even_steps() -> None:
     rows = [float(text.get("y", 0)) for text in svg.iter(f"{SVG}text") if text.text == "step"]
     assert 60 <= rows[0] < rows[-1] < drawn.HEIGHT - 40
     assert {below - above for above, below in pairwise(rows)} == {(rows[-1] - rows[0]) / 9}
+    outcomes = [float(text.get("y", 0)) for text in svg.iter(f"{SVG}text") if text.text == "done"]
+    assert outcomes == [row + 16 for row in rows]
 
 
 def test_the_rim_card_has_the_words_of_the_book_as_switches() -> None:

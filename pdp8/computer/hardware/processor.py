@@ -103,7 +103,7 @@ class Processor:
         """The PROTECT lamp."""
         self.clock = 0
         """Ticks since power-up."""
-        self.started = 0
+        self.started = self.clock
         """The clock at the last INITIALIZE."""
         self.instructions = 0
         """Instructions fetched since power-up."""

@@ -458,9 +458,9 @@ class Transmitter(Device):
 
     def left(self) -> int:
         """Return how many units are still to be sent, the end marker too."""
-        units = 9
-        while not self.register >> units - 1:
-            units -= 1
+        units = 1
+        while self.register >> units:
+            units += 1
         return units
 
     def next_unit(self) -> int:

@@ -122,6 +122,9 @@ def test_a_locking_switch_that_is_wrong_is_named(name: str, said: str) -> None:
 def test_a_chain_of_addresses_is_in_core_again_and_again() -> None:
     session, coach = room("examine")
     chain = (0o300, 0o345, 0o1234, 0o4571, 0o7402)
+    told = ["0300  LOAD ADD", "EXAM: MB shows an address"]
+    told += ["set the address that MB shows, LOAD ADD", "EXAM"] * 3
+    assert [step.say for step in coach.drill.steps] == told
     follow(session, coach)
     assert session.machine.pc == 0o4572
     session.machine.core[chain[1]] = 0

@@ -12,6 +12,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind, state
 from pdp8.computer.past.history import History, HistoryError
 from tapes import ascii, shelf
+from tests.pdp8.computer.bench import octal, program
 
 PROGRAMS = {
     name: dict(pal.assemble(shelf.read(name)).words) for name in ("eia.pal", "echo.pal", "counter.pal")
@@ -158,6 +159,20 @@ def test_many_snapshots_are_thinned_out() -> None:
         undo(history, 0)
         assert saved(machine) == now
     rewind.instructions(history, machine.instructions - 1000)
+    assert saved(machine) == was
+
+
+def test_what_a_breakpoint_has_finished_is_there_again() -> None:
+    """TLS, IAC: the frame on its way is out when the run has ended, though no time has passed for it."""
+    machine = program(*octal("6046 7001 5201"))
+    machine.watch.breakpoints.add(0o202)
+    history = History(machine)
+    machine.run()
+    machine.watch.breakpoints.clear()
+    was = saved(machine)
+    assert machine.teletype.punch.tape == b"\0"
+    machine.run(instructions=4)
+    rewind.instructions(history, 4)
     assert saved(machine) == was
 
 
