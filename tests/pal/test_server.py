@@ -12,7 +12,7 @@ from pytest_lsp import make_test_lsp_client
 import pal
 from pal.columns import formatted
 from tapes import shelf
-from tests.commands import BIN, run
+from tests.commands import run, warm_environment
 
 SOURCE = """\
 / TWO COMMENTS
@@ -33,7 +33,7 @@ HERE = lsp.TextDocumentIdentifier(URI)
 
 async def _ask(folder: Path) -> dict[str, Any]:
     client = make_test_lsp_client()
-    await client.start_io(str(BIN / "pal"), "--lsp")
+    await client.start_io("pal", "--lsp", env=warm_environment())
     await client.initialize_session(
         lsp.InitializeParams(capabilities=lsp.ClientCapabilities(), root_uri=folder.as_uri())
     )
