@@ -573,7 +573,7 @@ class Assembler:
             pool = self._pools[page] = Pool()
         for number in range(len(pool.values)):
             if pool.values[number] == value:
-                if number < pool.out and page:
+                if number < pool.out:
                     message = f"this is the literal {value:04o} that was put out before"
                     self._note("PN46", message, "DEC's PAL8 stores it again: keep a page in one piece")
                 return ADDRESS - number
