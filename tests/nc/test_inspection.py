@@ -219,6 +219,8 @@ class TestCurves:
             nominal(circle=(4, 4, 1), line=(0, 0, 1, 1), function="x", range_=(0, 1))
         with pytest.raises(WorkError, match="function x: its range of x is needed"):
             nominal(function="x")
+        with pytest.raises(WorkError, match="column 1: 'y'"):
+            nominal(function="y", range_=(0, 1))
 
     def test_what_follows_no_curve_is_none(self) -> None:
         rough = nc.cut(tape(*HEADER, *milling(staircase(1750, 15), (2250, 4000))))
