@@ -223,9 +223,9 @@ class TestCurves:
             nominal(function="y", range_=(0, 1))
 
     def test_what_follows_no_curve_is_none(self) -> None:
-        rough = nc.cut(tape(*HEADER, *milling(staircase(1750, 15), (2250, 4000))))
-        assert followed(rough, 5) == THE_CIRCLE
-        assert followed(rough, 3) is None
+        fine, rough = (nc.cut(tape(*HEADER, *milling(staircase(1750, by), (2250, 4000)))) for by in (19, 22))
+        assert followed(fine, 1) == followed(rough, 6) == THE_CIRCLE
+        assert followed(rough, 5) is None
         there_and_back = np.array([[0.0, 0], [1000, 0], [2000, 0], [0, 0]])
         assert fitted(there_and_back, within=5) is fitted(there_and_back[:, ::-1], within=5) is None
         assert fitted(np.array([[0.0, 0], [1000, 0], [1000, 700], [0, 700], [500, 100]]), within=20) is None
