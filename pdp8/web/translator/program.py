@@ -45,7 +45,8 @@ class Module:
         """{name: (module, its name there)}; "" is the module itself."""
         for node in self.tree.body:
             self._take(node)
-        for part in ast.walk(self.tree):  # imports stand within functions too
+        within = re.search(r"^ +(from|import) ", text, re.MULTILINE)  # imports stand within functions too
+        for part in ast.walk(self.tree) if within else ():
             if isinstance(part, ast.Import | ast.ImportFrom):
                 self._take(part)
         for left_out in self.omitted:
