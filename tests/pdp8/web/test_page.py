@@ -564,7 +564,7 @@ def _longest(trace: bytes) -> float:
     events = json.loads(trace)["traceEvents"]
     page = {each["tid"] for each in events if each.get("args", {}).get("name") == "CrRendererMain"}
     tasks = [each for each in events if each["name"].endswith("RunTask") and each["tid"] in page]
-    return max(task.get("tdur", 0) for task in tasks) / 1000
+    return float(max(task.get("tdur", 0) for task in tasks)) / 1000
 
 
 def test_the_page_is_never_blocked(browser: "Browser", circle_page: Path) -> None:
