@@ -123,7 +123,7 @@ def _fault(place: Row, frames: bytes, rows: bytes, strict: bool) -> BlockError:
     for row, (frame, digit) in enumerate(zip(frames, rows, strict=True), 1):
         if digit == _BAD:
             return place.error(row, _why_bad(frame, strict))
-        if digit == _END and row < ROWS:
+        if digit == _END:
             return place.error(row, f"the block ends in row {row}; a block has {ROWS} rows")
     if len(rows) < ROWS:
         return place.error(len(rows), f"the tape ends after {len(rows)} rows of the block's {ROWS}")

@@ -184,7 +184,7 @@ class View:
 
 def _tick(scale: float) -> tuple[float, int]:
     """Return the step of an inch scale, thousandths, and its places."""
-    step = next((tick for tick in _TICKS if tick * 100 * scale >= _APART), _TICKS[-1]) * 1000
+    step = next((tick for tick in _TICKS if tick * 100 * scale >= _APART), max(_TICKS)) * 1000
     return step, 1 if step >= 100 else 2 if step >= 10 else 3
 
 

@@ -22,7 +22,7 @@ from tapes.errors import WorkError
 from tapes.hydrapoint import HOLE_MAKING, Preparatory
 
 _LEFT, _WIDTH, _TALLEST = 60.0, 720.0, 620.0
-_SCALES = (4.0, 2.0, 1.0, 0.5, 0.25)
+_SCALES = (4.0, 2.0, 1.0, 0.5, 0.25, 0.2)
 _CLOSE_HEIGHT = 430.0
 _LINE, _LETTERS = 16.0, 130
 _LEGEND = (
@@ -53,7 +53,7 @@ def plot(
         raise WorkError(f"block {current}: the tape has blocks 1 to {len(path)}")
     heading = _heading(path, curve, current)
     window = _window(path, cutter)
-    scale = next((s for s in _SCALES if _fits(window, s)), _SCALES[-1])
+    scale = next((s for s in _SCALES if _fits(window, s)), min(_SCALES))
     top = 66 + _LINE * len(heading)
     close_top = top + window.height * scale / 10 + 90
     bottom = close_top + _CLOSE_HEIGHT

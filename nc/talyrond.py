@@ -51,7 +51,7 @@ class _Graph:
         self.low, self.high = _limits(inspection)
         divisions = self.high - self.low
         fitting = (times for times in _MAGNIFICATIONS if divisions * times / 10 <= _ROOM)
-        self.magnification = next(fitting, _MAGNIFICATIONS[-1])
+        self.magnification = next(fitting, min(_MAGNIFICATIONS))
         self.division = self.magnification / 10
         self.rim = _HUB + divisions * self.division
         half = max(self.rim + 95, 370.0)

@@ -86,7 +86,7 @@ def _trace(
         for count in range(ceil(start / DIVISION), floor((start + length) / DIVISION) + 1):
             x = _LEFT + (count * DIVISION - start) * across
             sheet.draw("line", x1=x, y1=top, x2=x, y2=bottom, stroke=GRID, stroke_width=0.6)
-    step = next((step for step in _STEPS if step * 1000 * across >= 48), _STEPS[-1]) * 1000
+    step = next((step for step in _STEPS if step * 1000 * across >= 48), max(_STEPS)) * 1000
     for count in range(ceil(start / step), floor((start + length) / step) + 1):
         x = _LEFT + (count * step - start) * across
         sheet.draw("line", x1=x, y1=top, x2=x, y2=bottom, stroke=GRID)

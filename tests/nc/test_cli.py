@@ -1,5 +1,7 @@
 """`pdp8 nc` as a user meets it: its products, its manners, and every bad input in one line."""
 
+import re
+
 import pytest
 from click.testing import CliRunner
 
@@ -273,8 +275,19 @@ def test_a_reader_that_has_enough_is_no_error(shell: Shell) -> None:
     assert done.stderr == b""
 
 
-@pytest.mark.parametrize("command", ["", "list", "cut", "plot", "inspect", "export"])
-def test_every_command_has_help_with_examples(shell: Shell, command: str) -> None:
+@pytest.mark.parametrize(
+    ("command", "defaults"),
+    [
+        ("", []),
+        ("list", []),
+        ("cut", ["0.1", "2.0", "1; x>=1"]),
+        ("plot", ["4,5", "0.5", "0.005", "10.0", "standard output"]),
+        ("inspect", ["4,5", "0.5", "0.005"]),
+        ("export", ["4,5", "0.5", "0.005", "standard output"]),
+    ],
+)
+def test_every_command_has_help_with_examples(shell: Shell, command: str, defaults: list[str]) -> None:
     said = product(shell, f"pdp8 nc {command} --help")
+    assert re.findall(r"\[default:\s+([^]]*)\]", said) == defaults
     assert "Examples:\n" in said
     assert "pdp8 nc" in said

@@ -92,6 +92,11 @@ DRAWINGS: dict[str, tuple[str, Callable[[], str]]] = {
     "four holes": ("22742d1f", lambda: plot(nc.cut(tape(*FOUR_HOLES)))),
     "long words": ("23d32c07", lambda: plot(words_that_wrap())),
     "one position": ("5450ef2b", lambda: plot(nc.cut(tape("001 0 20000 10000 0 00 02")))),
+    "the largest cutter": (
+        "bb7ba78c",
+        lambda: plot(nc.cut(tape("001 0 20000 10000 0 00 02")), cutter=10_000),
+    ),
+    "double size": ("c25a09ce", lambda: plot(nc.cut(tape("001 0 02000 01000 0 00 02")))),
     "half size": ("3eee29a6", lambda: plot(nc.cut(tape("001 0 13000 09000 0 00 02")))),
     "talyrond, circle": ("cf4c68a1", lambda: talyrond(inspect(circle()))),
     "talyrond, ellipse": ("d9f264f7", lambda: talyrond(inspect(ellipse()))),

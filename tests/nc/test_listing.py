@@ -104,12 +104,24 @@ def test_the_day_with_the_circle() -> None:
 
 
 def test_the_day_with_the_four_holes() -> None:
-    said = "\n".join(cut_report(nc.cut(tape(*FOUR_HOLES), settings=Settings(tool_change_seconds=8))))
-    assert "holes         4" in said
-    assert nc.cut(tape(*FOUR_HOLES)).times.milling == 0
-    assert "cutter        X 4.000 Y 1.000, quill up" in said
-    assert "contour alone" not in said
-    assert "tool changes      0.0 min   0 at 8 s" in said
+    assert list(cut_report(nc.cut(tape(*FOUR_HOLES), settings=Settings(tool_change_seconds=8)))) == [
+        "blocks        6",
+        "holes         4",
+        "cutter        X 4.000 Y 1.000, quill up",
+        "",
+        "reading           0.2 min   6 blocks at 2 s",
+        "positioning       0.1 min   at 300 in/min",
+        "Z feed            2.0 min",
+        "milling           0.0 min",
+        "tool changes      0.0 min   0 at 8 s",
+        "machining         2.3 min",
+    ]
+
+
+def test_milling_at_several_feeds() -> None:
+    ends = ("007 6 02250 05000 0 05 85", "008 6 02350 05000 0 02 84")
+    said = list(cut_report(nc.cut(tape(*HEADER, *ends))))
+    assert "milling           0.2 min   at 1.9 to 5.5 in/min" in said
 
 
 def test_the_inspection_stands_beside_the_thesis() -> None:
