@@ -90,6 +90,8 @@ MISUSED = [
     ("slope --park-x 19000", "for 19000 thousandths write 19"),
     ("slope --z-depth 3.4995", "3.4995 is not a whole number of thousandths of an inch"),
     ("slope --feed-error 0.2", "0.2 %: must be 0, or at least 1 %; for 0.2 as a fraction write 20"),
+    ("slope --feed-error 0.01", "for 0.01 as a fraction write 1"),
+    ("circle --radius 1_0", "'1_0' is not a number"),
     ("polynomial --tolerance 1000", "must be less than 1 in"),
     ("drill --holes 1000,1000", "for 1000 thousandths write 1"),
     ("drill --holes nan,1", "not a finite number"),

@@ -7,7 +7,7 @@ from click.testing import CliRunner
 
 import programs
 from pdp8.replay import replay
-from programs import thesis
+from programs import die, fluidic, thesis
 from programs.cli import part
 from programs.parts import PARTS, Part, find
 from tapes.errors import WorkError
@@ -79,6 +79,18 @@ ellipse 1000 50 50 400 18 18
 die 800 40 200 350 16 120
 polynomial 1200 55 55 N.A.
 fluidic 2650 180 180 N.A."""
+
+
+def test_the_dimensions_that_the_thesis_gives() -> None:
+    """Chapter 7: a block of 12 by 8 by 2 in, 6 by 3 open; Chapter 8: a nozzle of .02 in, enlarged."""
+    assert die.BLOCK == (12_000, 8_000, 2_000)
+    assert die.AXES["opening"] == (6_000 / 2, 3_000 / 2)
+    (_, _, wall, *_) = fluidic.RIGHT
+    assert isinstance(wall, fluidic.Slope)
+    nozzle = wall.start[0] + 0.125 / 2
+    assert 2 * nozzle == pytest.approx(fluidic.SCALE * 0.02, abs=0.0011)
+    assert len([piece for piece in fluidic.outline() if isinstance(piece, fluidic.Bend)]) == 9
+    assert fluidic.TAPER == 7 / 38  # 10.4 degrees
 
 
 def test_table_10_1() -> None:
