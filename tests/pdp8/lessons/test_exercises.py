@@ -65,6 +65,8 @@ PROGRAM = 'title="t"\ntask="t"\nsolution="*200\\n\\tHLT\\n$\\n"\n'
         (PROGRAM + '[[case]]\nname="a"\nstop="never"', r"'never' is not one of halt, tape out"),
         ('title = "t"\ntask = ""\nsolution = 5', r"e: solution: a text or \{ file = name \} is wanted"),
         (PROGRAM + '[[case]]\nname="a"\ntakes=[1, -1]', r"a number of 0 or more is wanted, not -1"),
+        (PROGRAM + '[[case]]\nname="a"\n[[case.trial]]\n[[case.trial]]\nac=5000', "case 1: trial 2: ac: a"),
+        (PROGRAM + '[[question]]\nname="a"\nask="?"\nunit="x"\nanswer=1', "question 1: unit: 'x' is not one"),
         (PROGRAM + '[[case]]\nname="a"\ntakes=[1]', r"the least and the most seconds are wanted, not \[1\]"),
         (PROGRAM + '[[case]]\nname="a"\ntape=[400]', r"a number from 0 to 255"),
         (PROGRAM + '[mistakes]\nx=["a"]\n[[case]]\nname="a"', r"\[piece of the solution, what is written"),
