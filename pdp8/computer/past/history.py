@@ -205,8 +205,7 @@ class History:
         in_cycles = self._next < len(self._marks) and self._marks[self._next].jump
         while in_cycles and machine.instructions < number:
             machine.processor.instruction()
-        if machine.instructions < number:
-            machine.run(instructions=number - machine.instructions)
+        machine.run(instructions=number - machine.instructions)
 
     def go_to_tick(self, clock: int) -> None:
         """Go to the first end of an instruction at tick `clock` or after it."""
