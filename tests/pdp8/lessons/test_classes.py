@@ -166,6 +166,7 @@ def test_nothing_of_a_hidden_case_is_written() -> None:
         ("ac=1", "*200\n\tPSF\n\tJMP .-1\n\tHLT\n$", "waits for the printer", "nothing to print"),
         ("stop='idle'\nstart='7777'", "*7777\n\tHLT\n$", "stopped elsewhere",
          "expected a loop that nothing ends\n                  got a halt at 7777"),
+        ("stop='idle'\nstart='0'", "*0\n\tHLT\n$", "stopped elsewhere", "got a halt at 0000"),
         ("stop='limit'", "*200\n\tHLT\n$", "stopped elsewhere", "expected running on\n"),
         ("stop='tape out'", "*200\n\tCLA\n\tHLT\n$", "stopped elsewhere", "a halt at 0201"),
         ("ac=2", "*200\n\tCLA CLL IAC\n\tHLT\n$", "one off", "0001"),

@@ -30,6 +30,7 @@ def test_there_are_twenty_programs_and_the_tutorials_six_sheets() -> None:
     programs = [name for name in form.bundled() if form.read(name).cases]
     assert len(programs) == 20
     assert set(form.bundled()) - set(programs) == set(TUTORIAL)
+    assert form.title("add") == form.read("add").title
 
 
 @pytest.mark.parametrize(("number", "name"), list(enumerate(TUTORIAL, 1)))

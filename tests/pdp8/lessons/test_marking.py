@@ -43,6 +43,8 @@ LOOP = "*200\n\tJMP .\n$\n"
         ("link=1", IAC, [("L", "0")]),
         ("core={A=3}", IAC, [("A", "0001")]),
         ('core={"0204"=3}', IAC, [("0204", "0001")]),
+        ('core={"0"=3}', "*0\n\t3\n*200\n\tHLT\n$\n", []),
+        ('changed=["0", "1"]', "*0\n\t0\n*200\n\tISZ 0\n\tHLT\n$\n", [("0001", "5200, as before")]),
         ('changed=["A", "0200"]', IAC, [("0200", "7301, as before")]),
         ("stop='tape out'", IAC, [("the end", "a halt at 0203")]),
         ("instructions=4", IAC, []),
@@ -114,6 +116,9 @@ def test_case_blanks_commas_and_leading_zeros_of_a_sheet_do_not_matter(line: str
         "title='t'\ntask='t'\nsolution='x'\n[[question]]\nname='a'\nask='?'\nanswer='1234 or 7'\n", "e"
     )
     assert marking.mark(sheet, handed.of(line.encode(), "a.txt")).right
+    for given, got in (("a: 8", "8"), ("b: 7", "nothing")):
+        (found,) = marking.mark(sheet, handed.of(given.encode(), "a.txt")).marks
+        assert [failure.got for failure in found.failures] == [got]
 
 
 def test_what_stands_in_a_comment_is_not_used() -> None:
@@ -250,6 +255,11 @@ def test_marks_as_junit_are_what_they_are() -> None:
     assert other == {**one, "answer": "\n$", "fault": results[1].fault, "marks": []}
     first, second, *_ = records.as_csv(given, results).splitlines()
     assert (first, second) == ("answer,the case,points,of,fault", "$\u240a,0,0,1,")
+    assert page.html(given, results[0]).splitlines()[-3:] == [
+        f"{'':21} ---^</pre>",
+        '<p class="hint">look</p>',
+        "</body></html>",
+    ]
     assert list(page.body(results[0])) == [
         "<table><tr><th>tried</th><th>points</th><th></th></tr>",
         "<tr><td>the case</td><td>0 of 1</td><td>not yet</td></tr>",
