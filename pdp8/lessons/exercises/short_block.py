@@ -3,8 +3,10 @@
 from random import Random
 from typing import Any
 
+from tapes import eia
+
 _ROWS = 20
-_DIGITS = (0o040, 0o001, 0o002, 0o023, 0o004, 0o025, 0o026, 0o007, 0o010, 0o031)
+_DIGITS = eia.encode("0123456789")
 
 
 def tape(random: Random, case: dict[str, Any]) -> dict[str, Any]:

@@ -52,7 +52,9 @@ def test_an_interrupt_and_a_wait_are_told() -> None:
     lines = traced(machine, False)
     machine.run()
     assert lines[0].endswith("6001          ION")
-    assert any("the same again" in line for line in lines)
+    (again,) = [line for line in lines if "the same again" in line]
+    turns = int(again.split()[4].replace(",", ""))
+    assert again == f"{' ' * 16}  ... the same again: {turns:,} instructions, {turns * 0.0016:,.3f} ms"
     assert lines[-2].endswith("0000 0201              JMS 0: an interrupt")
     assert lines[-1].endswith("0001  7402          HLT")
     assert len(lines) < 20_000
