@@ -109,6 +109,8 @@ def test_a_python_function_is_the_oracle(tmp_path: Path) -> None:
     )
     text = RANDOM.replace("compare=['B']", "python='own.py:triple'").replace("to=0o3777", "to=100")
     exercise = parse(text, "e", folder=str(tmp_path))
+    with pytest.raises(ExerciseError, match=r"own\.py has no function 'double'"):
+        parse(text.replace(":triple", ":double"), "e", folder=str(tmp_path))
     assert not mark(exercise, form.parse(RANDOM, "e").solution).right
     assert all(trial.core["B"] == 3 * int(trial.deposit["A"]) for trial in exercise.cases[0].trials)
 

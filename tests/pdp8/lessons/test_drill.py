@@ -5,6 +5,7 @@ from itertools import takewhile
 
 import pytest
 
+from pdp8.computer.use import program
 from pdp8.console.opening import opening
 from pdp8.console.session import Session, Tape
 from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, Tapes, find
@@ -43,10 +44,10 @@ def tape(session: Session, name: str) -> Tape:
     return next(tape for tape in session.tapes if tape.name == name)
 
 
-def follow(session: Session, coach: Coach) -> None:
-    """Do what the card says, as far as its end."""
-    session.speed = 1000
-    while not coach.done:
+def follow(session: Session, coach: Coach, end: int = 99) -> None:
+    """Do what the card says, as far as the step `end`, or its end."""
+    session.speed = 1 if end < 99 else 1000
+    while not coach.done and coach.at < end:
         step = coach.drill.steps[coach.at]
         session.machine.panel.mem_prot = session.machine.panel.sing_step = False
         if step.key:
@@ -85,6 +86,11 @@ def test_boot_leaves_the_program_in_core() -> None:
     for wrong in ("start", "stop"):
         assert not press(session, coach, wrong)
         assert coach.said == f"not {wrong.upper()} yet: {coach.drill.steps[coach.at].say}"
+    while not coach.drill.steps[coach.at].say.startswith("wait"):
+        follow(session, coach, coach.at + 1)
+    session.machine.load(program.find("bin.pal").words)
+    advance(session, coach, 0.1)
+    assert coach.drill.steps[coach.at].say == "wait until the tape has run through"
     follow(session, coach)
     assert coach.said.endswith(", 2 mistakes.")
     assert press(session, coach, "stop", 0)
