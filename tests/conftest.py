@@ -1,11 +1,13 @@
 """What the tests of several packages share: a shell, and how two tapes are compared."""
 
+import asyncio
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Coroutine, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import pytest
 
@@ -27,6 +29,7 @@ if sys.platform == "win32":  # signals, terminals, devices, links and modes are 
     ]
 
 Shell = Callable[..., commands.Done]
+Result = TypeVar("Result")
 
 
 @pytest.hookimpl(optionalhook=True)
@@ -41,6 +44,12 @@ def shell(tmp_path: Path) -> Shell:
     if sys.platform == "win32":
         pytest.skip("a line for a POSIX shell")
     return lambda line, stdin=b"": commands.run("bash", "-c", line, stdin=stdin, folder=tmp_path)
+
+
+def awaited(work: Coroutine[None, None, Result]) -> Result:
+    """Return what a coroutine does, in a thread of its own: a page's tests keep a loop in this one."""
+    with ThreadPoolExecutor(1) as thread:
+        return thread.submit(asyncio.run, work).result()
 
 
 @contextmanager

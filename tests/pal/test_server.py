@@ -1,6 +1,5 @@
 """`pal --lsp`, asked by a real client (pytest-lsp): what an editor shows is what `pal` says."""
 
-import asyncio
 import json
 from pathlib import Path
 from typing import Any
@@ -13,6 +12,7 @@ import pal
 from pal.columns import formatted
 from tapes import shelf
 from tests.commands import run, warm_environment
+from tests.conftest import awaited
 
 SOURCE = """\
 / TWO COMMENTS
@@ -78,7 +78,7 @@ def spans(places: list[Any]) -> list[tuple[int, int, int]]:
 
 
 def test_an_editor_asks_for_all_there_is(tmp_path: Path) -> None:
-    found = asyncio.run(_ask(tmp_path))
+    found = awaited(_ask(tmp_path))
     (tmp_path / "loop.pal").write_text(SOURCE)
     run("pal", "loop.pal", "--force", "--json", "loop.json", folder=tmp_path)
     said = json.loads((tmp_path / "loop.json").read_text())["diagnostics"]

@@ -1,8 +1,6 @@
 """What a terminal shows of the panel, as text: a picture that can be compared line by line."""
 
-import asyncio
-from collections.abc import Awaitable, Callable, Coroutine
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Awaitable, Callable
 from pathlib import Path
 
 import pytest
@@ -10,6 +8,7 @@ from textual.pilot import Pilot
 
 from pdp8.console.app import Room
 from pdp8.console.opening import opening
+from tests.conftest import awaited
 
 PICTURES = Path(__file__).parent / "pictures"
 
@@ -31,13 +30,7 @@ def play(
             await pilot.pause()
             await scene(room, pilot)
 
-    run(perform())
-
-
-def run(scene: Coroutine[None, None, None]) -> None:
-    """Run a scene in a thread of its own: the tests of the pages keep an event loop in this one."""
-    with ThreadPoolExecutor(1) as thread:
-        thread.submit(asyncio.run, scene).result()
+    awaited(perform())
 
 
 def shown(room: Room) -> str:

@@ -12,8 +12,7 @@ from pdp8.console.app import Room
 from pdp8.console.card import DrillCard
 from pdp8.console.opening import opening
 from pdp8.lessons.drill import Coach, Tapes, find
-from tests.conftest import Shell
-from tests.pdp8.console import pictures
+from tests.conftest import Shell, awaited
 
 
 def drilled(name: str, left_alone: float | None = None) -> tuple[Room, Coach]:
@@ -81,7 +80,7 @@ def run(room: Room, scene: Callable[[Pilot[None]], Awaitable[None]]) -> None:
         async with room.run_test(size=(160, 45)) as pilot:
             await scene(pilot)
 
-    pictures.run(play())
+    awaited(play())
 
 
 @pytest.mark.parametrize(
