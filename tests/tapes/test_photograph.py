@@ -57,7 +57,7 @@ WITHOUT = [
     "wood",
     pytest.param("text with dots", marks=SLOW),
     "a chessboard",
-    "a strip of it",
+    pytest.param("a strip of it", marks=SLOW),
     pytest.param("stamps", marks=SLOW),
     "a toy car",
     pytest.param("a desk", marks=SLOW),
@@ -182,6 +182,7 @@ def test_the_command_writes_the_tape_and_says_what_it_is(shell: Shell, tmp_path:
     assert (tmp_path / "found.asc").read_bytes() == tape
 
 
+@pytest.mark.slow("two photographs, eight seconds")
 def test_the_command_says_a_gap_and_the_other_side(shell: Shell, tmp_path: Path) -> None:
     tape = shelf.read("circle.asc")[:PART]
     (tmp_path / "photo.jpg").write_bytes(camera.photograph(tape, Shot(below=True, covered=(40,))))

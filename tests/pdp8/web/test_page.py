@@ -451,6 +451,7 @@ def test_a_play_waits_while_the_slider_is_dragged(page: "Page") -> None:
 
 
 @needs_axe
+@pytest.mark.slow  # seven seconds a form
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing_serious(
     browser: "Browser", circle_page: Path, circle: Afternoon, scheme: str
@@ -567,6 +568,7 @@ def _longest(trace: bytes) -> float:
     return float(max(task.get("tdur", 0) for task in tasks)) / 1000
 
 
+@pytest.mark.slow  # nine seconds, nearly all of it Chromium's tracing
 def test_the_page_is_never_blocked(browser: "Browser", circle_page: Path) -> None:
     """While the afternoon plays, is taken over and runs at full speed, no task takes more than 50 ms."""
     opened = browser.new_page()

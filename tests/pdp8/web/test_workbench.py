@@ -366,6 +366,7 @@ def test_few_stops_of_the_tab_key_from_the_panel_to_the_editor(page: "Page") -> 
 
 
 @needs_axe
+@pytest.mark.slow  # three seconds a form
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing_serious(browser: "Browser", file: Path, scheme: str) -> None:
     """On every tab, in both forms, an error and a note among what is there."""
