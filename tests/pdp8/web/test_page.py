@@ -570,16 +570,23 @@ def _longest(trace: bytes) -> float:
 
 @pytest.mark.slow  # nine seconds, nearly all of it Chromium's tracing
 def test_the_page_is_never_blocked(browser: "Browser", circle_page: Path) -> None:
-    """While the afternoon plays, is taken over and runs at full speed, no task takes more than 50 ms."""
+    """While it opens, plays the afternoon, is taken over and runs at full speed: no task of over 50 ms."""
     opened = browser.new_page()
+    browser.start_tracing(page=opened, categories=["toplevel"])
     opened.goto(circle_page.as_uri() + "#t=0")
     until(opened, "!!window.workbench?.afternoon.on")
-    browser.start_tracing(page=opened, categories=["toplevel"])
     opened.locator("#speed").select_option(label="5 minutes a second")
     opened.locator("#play").click()
     until(opened, "workbench.afternoon.script.now > 4e10")
     opened.locator(".rocker").first.click()
     opened.locator("#speed").select_option(label="as fast as it goes")
     until(opened, "workbench.machine._out_of_tape()")
+    opened.locator("[data-key=stop]").click()
+    counter = "[0o2205, 0o7000, 0o5200, 0o5200]"  # it has no end, and no turn is like the one before
+    opened.evaluate(f"{counter}.forEach((word, at) => workbench.machine.processor.deposit(0o200 + at, word))")
+    opened.evaluate("workbench.machine.processor.pc = 0o200")
+    opened.locator("[data-key=cont]").click()
+    begun = opened.evaluate("workbench.machine.processor.instructions")
+    until(opened, f"workbench.machine.processor.instructions > {begun} + 1e8")
     assert _longest(browser.stop_tracing()) < 50
     opened.close()
