@@ -41,7 +41,6 @@ def tracing(machine: Machine, name: str, listing: Listing, cycles: bool) -> Iter
 def _observed(machine: Machine, file: TextIO, listing: Listing, cycles: bool) -> Iterator[None]:
     shown = visible if file.isatty() else str
     trace = Trace(lambda line: file.write(shown(line) + "\n"), listing, cycles)
-    trace.begin(machine.processor)
     machine.watch.observer = trace
     try:
         yield

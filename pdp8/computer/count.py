@@ -11,7 +11,7 @@ from typing import NamedTuple
 from pal.disassembler import microinstruction
 from pal.isa import FETCH, INDIRECT, IOT, OPERATIONS
 from pdp8.computer.hardware.processor import Processor
-from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, IO_TICKS
+from pdp8.computer.hardware.signals import CYCLE, IO_TICKS
 from pdp8.computer.watch import wrote
 
 _RING = 8192
@@ -42,25 +42,22 @@ class Count:
         self.waiting = 0
         self._last: deque[_Executed] = deque(maxlen=_RING)
         """The instructions before."""
-        self._next = FETCH
 
-    def cycle(self, processor: Processor) -> None:
-        """Count a memory cycle that has ended."""
+    def cycle(self, processor: Processor, interrupt: bool) -> None:
+        """Count a memory cycle that has ended, an instruction's or an interrupt's."""
         p = processor
         if p.state == FETCH:
             self._execute(p.ma, p.mb, 1)
             self._last.append(_Executed(p.ma, p.mb, self.ticks, []))
             if p.ir == IOT:
                 self.ticks += IO_TICKS
-        elif self._next == INTERRUPT:
-            self.interrupts += 1
+        self.interrupts += interrupt
         self.cycles += 1
         self.ticks += CYCLE
         if wrote(p):
             self.written[p.ma] += 1
             if self._last:
                 self._last[-1].written.append(p.ma)
-        self._next = p.next
 
     def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
         """Count what was passed over: whole turns of the loop that the processor stands in."""

@@ -8,13 +8,14 @@ from typing import Protocol
 
 from pal.isa import DCA, DEFER, EXECUTE, ISZ, JMS, autoindexed
 from pdp8.computer.hardware.processor import Processor
+from pdp8.computer.hardware.signals import INTERRUPT
 
 
 class Observer(Protocol):
     """What is called with what a processor does. To end the run it calls `Processor.stop`."""
 
-    def cycle(self, processor: Processor) -> None:
-        """Take notice that a memory cycle has ended; the lamps show it."""
+    def cycle(self, processor: Processor, interrupt: bool) -> None:
+        """Take notice that a memory cycle has ended, of an instruction or of an interrupt; see the lamps."""
 
     def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
         """Take notice that `instructions` of a waiting loop, taking `ticks`, were passed over."""
@@ -39,20 +40,22 @@ class Watch:
     def instruction(self, processor: Processor) -> None:
         """Run one instruction, or the cycle of an interrupt, and look at each of its cycles."""
         self.reached = False
-        self._cycle(processor)
+        self.cycle(processor)
         while processor.next in (DEFER, EXECUTE):
-            self._cycle(processor)
+            self.cycle(processor)
 
     def called(self, processor: Processor) -> bool:
         """Tell whether the last cycle was that of a JMS to a breakpoint."""
         return processor.state == EXECUTE and processor.ir == JMS and processor.ma in self.breakpoints
 
-    def _cycle(self, processor: Processor) -> None:
+    def cycle(self, processor: Processor) -> None:
+        """Run one memory cycle, and look at it."""
+        interrupt = processor.next == INTERRUPT
         processor.cycle()
         if wrote(processor):
             self.reached |= processor.ma in self.writes or self.called(processor)
         if self.observer:
-            self.observer.cycle(processor)
+            self.observer.cycle(processor, interrupt)
 
 
 def wrote(processor: Processor) -> bool:

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from pdp8.computer.count import Count
 from pdp8.computer.use import counted
 from pdp8.computer.use.trace import Trace
+from pdp8.computer.watch import Watch
 from pdp8.monitor.arguments import MonitorError, at_most, exactly, octal, seconds, some
 from pdp8.monitor.prompt import Monitor
 
@@ -91,15 +92,14 @@ def _traced(monitor: Monitor, arguments: Sequence[str], cycles: bool) -> None:
     at_most(arguments, "how many, octal,", 1)
     count = octal(arguments[0]) if arguments else 1
     processor = monitor.machine.processor
-    trace = Trace(monitor.say, monitor.listing, cycles)
-    trace.begin(processor)
+    watch = Watch()
+    watch.observer = Trace(monitor.say, monitor.listing, cycles)
     processor.run = 1
     for _ in range(count):
-        processor.cycle()
-        trace.cycle(processor)
-        while not cycles and processor.next in (1, 2):
-            processor.cycle()
-            trace.cycle(processor)
+        if cycles:
+            watch.cycle(processor)
+        else:
+            watch.instruction(processor)
         if not processor.run or monitor.stopping:
             return
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from pal.disassembler import microinstruction
 from pal.isa import DEFER, EXECUTE, FETCH, INDIRECT, IOT, JMP, OPERATIONS, STATES, refers_to
 from pdp8.computer.hardware.processor import Processor
-from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, IO_TICKS
+from pdp8.computer.hardware.signals import CYCLE, IO_TICKS
 
 if TYPE_CHECKING:
     from pal import Assembly
@@ -77,19 +77,12 @@ class Trace:
         self._write = write
         self._listing = listing or Listing()
         self._cycles = cycles
-        self._next = FETCH
         self._began = 0
         self._what = ""
 
-    def begin(self, processor: Processor) -> None:
-        """See where the processor stands before the first cycle: an interrupt may be due."""
-        self._next = processor.next
-
-    def cycle(self, processor: Processor) -> None:
+    def cycle(self, processor: Processor, interrupt: bool) -> None:
         """Take in the cycle that has ended; write its line, or the instruction's when that has ended."""
         p = processor
-        interrupt = self._next == INTERRUPT
-        self._next = p.next
         if p.state == FETCH:
             self._what = self._listing.line(p.ma, p.mb)
         elif interrupt:

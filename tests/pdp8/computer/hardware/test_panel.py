@@ -207,7 +207,7 @@ def test_stop_comes_before_an_interrupt_of_the_same_instruction(stepped: int) ->
 
 def test_stop_of_an_observer_ends_the_instruction_and_the_run(machine: Machine) -> None:
     class Stopper:
-        def cycle(self, processor: Processor) -> None:
+        def cycle(self, processor: Processor, interrupt: bool) -> None:
             if processor.state == 1:
                 processor.stop()
 

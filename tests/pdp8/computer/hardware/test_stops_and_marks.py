@@ -26,7 +26,7 @@ def test_a_stop_after_a_word_of_group_3_is_no_halt() -> None:
     m = machine("7403 5200")
 
     class Stopper:
-        def cycle(self, processor: object) -> None:
+        def cycle(self, processor: object, interrupt: bool) -> None:
             m.stop()
 
         def waited(self, processor: object, instructions: int, ticks: int) -> None:

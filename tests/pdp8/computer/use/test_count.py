@@ -1,6 +1,7 @@
 """Counts add up to what the machine says it did, whatever was passed over, and name the words."""
 
 import json
+from copy import copy
 from pathlib import Path
 
 import pytest
@@ -9,7 +10,7 @@ from pdp8.computer.count import Count
 from pdp8.computer.machine import Machine
 from pdp8.computer.use import counted as used
 from pdp8.computer.use import program
-from pdp8.computer.use.trace import Listing
+from pdp8.computer.use.trace import Listing, Trace
 from tapes import ascii
 from tests.conftest import Shell
 
@@ -104,6 +105,23 @@ def test_a_jms_to_0000_is_no_interrupt() -> None:
 def test_interrupts_are_counted() -> None:
     _, count = counted("echo.pal", keys=b"\xc1", seconds=0.5)
     assert count.interrupts == 2  # the key, and its echo
+
+
+def test_an_interrupt_that_was_due_before_counts_too() -> None:
+    """It is counted and traced whenever that begins; 6001 is ION, 7000 NOP."""
+    machine = Machine()
+    machine.load({1: 0o7402, 0o200: 0o6031, 0o201: 0o5200, 0o202: 0o6001, 0o203: 0o7000})
+    machine.start(0o200)
+    machine.teletype.keyboard.press(b"\xc1")
+    machine.watch.breakpoints = {0o203}
+    assert machine.run().pc == 0o203
+    machine.run(instructions=1)
+    count, lines = Count(), list[str]()
+    again = copy(machine)
+    machine.watch.observer, again.watch.observer = count, Trace(lines.append)
+    assert machine.run().pc == again.run().pc == 2
+    assert (count.interrupts, dict(count.executed), dict(count.written)) == (1, {1: 1}, {0: 1})
+    assert [line.split()[-1] for line in lines] == ["interrupt", "HLT"]
 
 
 def test_the_run_command_counts(shell: Shell, tmp_path: Path) -> None:
