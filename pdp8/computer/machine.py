@@ -225,6 +225,7 @@ class Machine:
                 if words[address] != core[address]:
                     self.processor.deposit(address, words[address])
         put(self.fields(), values)
+        self._observer = None  # it did not see how the machine came here
 
     def slices(
         self,

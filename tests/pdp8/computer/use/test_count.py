@@ -8,11 +8,13 @@ import pytest
 
 from pdp8.computer.count import Count
 from pdp8.computer.machine import Machine
+from pdp8.computer.past import rewind
+from pdp8.computer.past.history import History
 from pdp8.computer.use import counted as used
 from pdp8.computer.use import program
 from pdp8.computer.use.trace import Listing, Trace
 from tapes import ascii
-from tests.conftest import Shell
+from tests.conftest import Shell, case
 
 
 def counted(name: str, tape: bytes = b"", seconds: float = 100, keys: bytes = b"") -> tuple[Machine, Count]:
@@ -122,6 +124,23 @@ def test_an_interrupt_that_was_due_before_counts_too() -> None:
     assert machine.run().pc == again.run().pc == 2
     assert (count.interrupts, dict(count.executed), dict(count.written)) == (1, {1: 1}, {0: 1})
     assert [line.split()[-1] for line in lines] == ["interrupt", "HLT"]
+
+
+def test_what_was_undone_is_no_turn_of_a_loop() -> None:
+    """What is run is counted, before and after a step back; 6046 is TLS, 6041 TSF, 0000 AND 0."""
+    for first in range(2, 12):
+        machine = Machine()
+        machine.load({0o177: 0o6046, 0o200: 0o6041, 0o203: 0o5200})
+        machine.start(0o177)
+        count = machine.watch.observer = Count()
+        machine.run(instructions=first)
+        history = History(machine)
+        machine.run(instructions=1)
+        rewind.instructions(history, 1)
+        machine.run(instructions=10)
+        with case(first):
+            assert count.instructions == machine.instructions + 1 == first + 11
+            assert count.cycles == count.instructions + count.executed[0o201] + count.executed[0o202]
 
 
 def test_the_run_command_counts(shell: Shell, tmp_path: Path) -> None:
