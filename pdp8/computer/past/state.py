@@ -78,8 +78,8 @@ def _rows(words: "array[int]", usual: "array[int]") -> dict[str, str]:
     }
 
 
-LARGEST = 32 << 20
-"""Bytes of a saved state: a frame on each of its tapes is four."""
+LARGEST = 48 << 20
+"""Bytes of a saved state: five tapes of 2 MiB, four bytes a frame and some more."""
 
 
 def restore(text: str, others: Mapping[int, type[Device]] | None = None) -> Machine:
