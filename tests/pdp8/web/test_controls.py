@@ -20,6 +20,9 @@ _ALL = f"{CUT} {LOADED} {WRONG} {OPEN}"
 _OF_A_FAMILY = 12
 """How many are tried of those that are alike: all the switches, some of the words of core."""
 
+_TRIES = 2
+"""On a busy machine a list is not open yet when its key comes."""
+
 _ENOUGH = 3
 """So many that do nothing end the test: each of them takes a minute."""
 
@@ -67,13 +70,20 @@ def test_every_control_works(tab: Tab, way: str) -> None:
         for which in range(min(count, _OF_A_FAMILY)):
             tab.run(f"{control.before} workbench.show();")
             tab.run(f"window.earlier = JSON.stringify({control.watch});")
-            _work(tab, control, selector, which, way)
-            try:
-                tab.until(f"JSON.stringify({control.watch}) !== window.earlier")
-            except AssertionError:
+            if not any(_works(tab, control, selector, which, way) for _ in range(_TRIES)):
                 idle.append((selector, which, control.watch, tab.run("return window.earlier")))
                 assert len(idle) < _ENOUGH, idle
     assert not idle, "\n".join(map(str, idle))
+
+
+def _works(tab: Tab, control: Control, selector: str, which: int, way: str) -> bool:
+    """Work a control; tell whether what it is there for is seen."""
+    _work(tab, control, selector, which, way)
+    try:
+        tab.until(f"JSON.stringify({control.watch}) !== window.earlier")
+    except AssertionError:
+        return False
+    return True
 
 
 def _work(tab: Tab, control: Control, selector: str, which: int, way: str) -> None:
