@@ -205,7 +205,8 @@ class History:
         in_cycles = self._next < len(self._marks) and self._marks[self._next].jump
         while in_cycles and machine.instructions < number:
             machine.processor.instruction()
-        machine.run(instructions=number - machine.instructions)
+        while machine.instructions < number:  # a run may end before, as idle
+            machine.run(instructions=number - machine.instructions)
 
     def go_to_tick(self, clock: int) -> None:
         """Go to the first end of an instruction at tick `clock` or after it."""
@@ -235,6 +236,5 @@ class History:
         self._next = count
 
     def _run_to(self, clock: int) -> None:
-        ticks = clock - self.machine.processor.clock
-        if ticks > 0:
+        while (ticks := clock - self.machine.processor.clock) > 0:
             self.machine.run(seconds=ticks / TICKS_PER_SECOND)

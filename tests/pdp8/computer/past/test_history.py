@@ -191,3 +191,17 @@ def test_a_device_that_is_not_fitted() -> None:
     machine.run(instructions=10)
     with pytest.raises(HistoryError, match="device 01 is not fitted"):
         rewind.until_flag(history, 0o01)
+
+
+def test_going_back_passes_what_is_idle() -> None:
+    """Core of AND 0 and one JMP I 27 waits in vain, which the run that goes back may see sooner."""
+    machine = Machine()
+    machine.load({0o3521: 0o5427})
+    history = History(machine)
+    machine.watch.writes = {0o20}
+    for instructions in (1000, 2000, 2000):
+        assert machine.run(instructions=instructions).reason == "limit"
+    machine.panel.stop()
+    machine.run(instructions=2)
+    rewind.instructions(history, 2)
+    assert (machine.instructions, machine.pc, machine.processor.run) == (5000, 0o2344, 0)
