@@ -113,7 +113,7 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
 
     `cutter` is the diameter, `tolerance` half the width of the band, both in thousandths. A path follows a
     curve if it stays within .020 in of it, or four times the tolerance if that is more. Raises WorkError if
-    nothing was milled, no such curve is found, or none of it was cut.
+    nothing was milled, no such curve is found, or it was not cut at all.
     """
     cuts = segments(path.cuts)
     if not len(cuts):

@@ -6,7 +6,7 @@
 
 A day leaves what the operator did and when, and a snapshot of its machine each ten seconds. An instant is the
 snapshot before it, the actions since done again, and the machine run on, as far as the last cycle that ended.
-Whoever wants to work at the machine takes a copy of it.
+To work at the machine, take a copy of it.
 """
 
 from bisect import bisect_left

@@ -67,7 +67,7 @@ def test_pal8_is_found_and_loads(page: "Page") -> None:
 
 
 def test_no_option_of_the_command_is_advised(page: "Page") -> None:
-    """Whoever types small letters is told to write others, and not what `pal` could be told."""
+    """Small letters: the page says to write capitals, and not what `pal` could be told."""
     _write(page, "*200\n\tcla\n\tHLT\n$\n")
     said = page.locator("#messages").text_content() or ""
     assert "capital" in said
