@@ -35,7 +35,7 @@ import { Time } from "./bench/time.mjs";
 import { Teletype } from "./bench/teletype.mjs";
 import { Until } from "./bench/until.mjs";
 import { Machine } from "../computer/machine.mjs";
-import { restore, save } from "../computer/past/state.mjs";
+import { LARGEST, restore, save } from "../computer/past/state.mjs";
 import * as kinds from "../../tapes/kinds.mjs";
 import { unpacked } from "./packed.mjs";
 import { bytes } from "./translator/runtime.mjs";
@@ -44,7 +44,6 @@ import { find, grouped, octal } from "./written.mjs";
 
 const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT", reached: "reached" };
 const WAITS = ["tape out", "idle"]; // the program goes on when somebody does something
-const LARGEST = 8 << 20; // bytes of a file
 const OPEN = "pdp8 program"; // the name of that which was open
 
 class Bench {
@@ -174,7 +173,11 @@ class Bench {
    *  the reader or to the mill. What is put into the `reader` is a tape.
    */
   async take(file, reader = null) {
-    const frames = bytes(new Uint8Array(await file.slice(0, LARGEST).arrayBuffer()));
+    if (file.size > LARGEST) {
+      this.say(`${file.name}: longer than ${grouped(LARGEST)} bytes, the most that is read of a file`);
+      return;
+    }
+    const frames = bytes(new Uint8Array(await file.arrayBuffer()));
     const text = new TextDecoder().decode(frames);
     this.#attempt(() => {
       if (reader) this.teletype.mount(this.shelf.put(file.name, frames));

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from click.testing import CliRunner
 
 from pdp8.computer.machine import Machine
+from pdp8.computer.past.state import LARGEST
 from pdp8.computer.use.program import read
 from pdp8.lessons import form, student
 from programs.cli import part
@@ -50,6 +51,13 @@ def test_programs_are_kept_and_never_written_over(page: "Page") -> None:
     _reopened(page)
     assert page.evaluate("workbench.programs.get('mine.pal')") == "*200\n\tHLT\n$\n"
     assert page.evaluate("workbench.programs.get('mine 2.pal')") == "*300\n\tHLT\n$\n"
+
+
+def test_a_file_that_is_too_long_is_refused_and_not_cut(page: "Page") -> None:
+    """One byte more than a saved state may have."""
+    page.evaluate("size => workbench.take(new File([new Uint8Array(size)], 'long.tape'))", LARGEST + 1)
+    assert "long.tape: longer than" in page.locator("#next").inner_text()
+    assert not page.evaluate("workbench.shelf.names().includes('long.tape')")
 
 
 def test_a_browser_that_keeps_nothing_says_so(browser: "Browser", file: Path) -> None:
