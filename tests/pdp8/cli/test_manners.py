@@ -68,7 +68,7 @@ def test_ctrl_c_ends_a_traced_run_soon(tmp_path: Path) -> None:
     began = time.monotonic()
     run.send_signal(signal.SIGINT)
     said = run.communicate(timeout=20)[1]
-    assert time.monotonic() - began < 3
+    assert time.monotonic() - began < 10
     assert b"interrupted at" in said
     assert run.returncode == 130
 

@@ -50,7 +50,7 @@ def test_a_key_sends_what_the_table_says(keys: PipeInput, typed: str, frames: st
 def test_typing_waits_no_longer_than_it_may(keys: PipeInput) -> None:
     began = time.monotonic()
     assert Terminal(keys).typed(0.05) == ""
-    assert 0.05 <= time.monotonic() - began < 1
+    assert 0.05 <= time.monotonic() - began < 5
 
 
 def test_the_end_of_the_terminal_is_seen_at_once() -> None:
