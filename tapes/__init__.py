@@ -10,16 +10,8 @@ kinds       the kind of a tape, from its frames
 hydrapoint  what the digits of an EIA tape mean to the Moog Hydra-Point
 captions    what each frame says, in a few letters
 picture     a tape as text and as SVG in true geometry
-pixels      a picture's file becomes light
-sprockets   rows of small round holes in a picture
-sheet       where each place of a tape lies in a picture
-flat        a picture of a sheet as if it lay flat
-holes       the holes of a sheet, and where they say it is
-edges       its edges: which way it is read
-paper       a row of holes becomes a tape, or is refused
-photograph  a photograph of tape becomes frames
+photograph  photographs of tape become frames
 redundancy  what a tape says of its own frames
-correction  what was read from photographs, and the page to correct it
 notebook    a tape that a notebook draws
 measure     what can be said of a tape: its length, time, lines, checksum
 convert     from one code to another

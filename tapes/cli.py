@@ -248,7 +248,8 @@ def read(*, photos: tuple[str, ...], underside: bool, page: str | None, output: 
         from tapes.extras import hint
 
         raise TapeError(f"reading a picture needs OpenCV: {hint('vision')}")
-    from tapes import correction, photograph, pixels
+    from tapes import photograph
+    from tapes.photograph import correction, pixels
 
     pictures = []
     for photo in photos:

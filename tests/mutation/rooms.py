@@ -10,6 +10,7 @@ ROOMS = {
         "tapes",
         ["tests/tapes", "tests/pdp8/cli/test_files.py", "tests/programs/test_functions.py"],
     ),
+    "photographs": ("tapes/photograph", ["tests/tapes/photograph"]),
     "pal": ("pal", ["tests/pal", "tests/test_editors.py", "tests/test_notebook.py"]),
     "programs": ("programs", ["tests/programs"]),
     "nc": ("nc", ["tests/nc", "tests/tapes/test_hydrapoint.py"]),
@@ -17,12 +18,15 @@ ROOMS = {
     "monitor": ("pdp8/monitor", ["tests/pdp8/monitor", "tests/pdp8/cli/test_files.py"]),
     "computer": ("pdp8/computer", ["tests/pdp8/computer"]),
 }
-"""The folder and the tests of each room."""
+"""The folder and the tests of each room. A folder within another one's is no part of that one."""
 
 
 def sources(room: str) -> list[Path]:
     """Return the sources of a room, relative to the house."""
-    return sorted(path.relative_to(HOUSE) for path in (HOUSE / ROOMS[room][0]).rglob("*.py"))
+    folder = ROOMS[room][0]
+    within = [other for other, _ in ROOMS.values() if other.startswith(f"{folder}/")]
+    found = (path.relative_to(HOUSE) for path in (HOUSE / folder).rglob("*.py"))
+    return sorted(path for path in found if not any(path.is_relative_to(other) for other in within))
 
 
 def equal() -> dict[tuple[str, str, str], str]:

@@ -6,9 +6,9 @@ pytest.importorskip("cv2", reason="OpenCV is not installed")
 
 import numpy as np
 
-from tapes.holes import _vertex, grid
-from tapes.pixels import Array
-from tapes.sheet import Sheet, Spline, fit, holes_at
+from tapes.photograph.holes import _vertex, grid
+from tapes.photograph.pixels import Array
+from tapes.photograph.sheet import Sheet, Spline, fit, holes_at
 
 LENGTH = 60
 U, V = (axis.ravel() for axis in np.meshgrid(np.arange(float(LENGTH)), np.arange(-3.0, 6)))

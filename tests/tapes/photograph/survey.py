@@ -1,4 +1,4 @@
-"""The table of errors in docs/photographs.md: `python -m tests.tapes.survey` reads pictures and counts.
+"""The table of errors in docs/photographs.md, by `python -m tests.tapes.photograph.survey`.
 
 Each row is a kind of picture, read several times with other tapes. A frame is wrong in silence if it is not
 what was drawn and not doubtful; that, and a frame that is lost or invented without a word, must never be.
@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 from tapes import photograph
 from tapes.errors import TapeError
-from tests.tapes import camera, scenes
-from tests.tapes.camera import Shot
+from tests.tapes.photograph import camera, scenes
+from tests.tapes.photograph.camera import Shot
 
 LENGTH = 150
 

@@ -4,13 +4,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tapes.edges import find_edges, find_side
 from tapes.errors import TapeError
-from tapes.flat import SAMPLES, Flat, find_spots, flatten
-from tapes.holes import FULL, by_holes, find_holes, grid, sprocket_points
-from tapes.pixels import Array
-from tapes.sheet import Points, Sheet, fit
-from tapes.sprockets import FEWEST, Row, Sizes, follow, measured
+from tapes.photograph.edges import find_edges, find_side
+from tapes.photograph.flat import SAMPLES, Flat, find_spots, flatten
+from tapes.photograph.holes import FULL, by_holes, find_holes, grid, sprocket_points
+from tapes.photograph.pixels import Array
+from tapes.photograph.sheet import Points, Sheet, fit
+from tapes.photograph.sprockets import FEWEST, Row, Sizes, follow, measured
 
 _LONGER = 12
 """How often holes are looked for beyond the ends of a row."""

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from tests.tapes.camera import _blurred
+from tests.tapes.photograph.camera import _blurred
 
 Array = np.ndarray[Any, Any]
 _SIZE = 900, 700

@@ -20,12 +20,12 @@ from typing import NamedTuple
 import cv2
 import numpy as np
 
-from tapes import pixels, sprockets
 from tapes.errors import TapeError
-from tapes.flat import SAMPLES, Flat, flatten
-from tapes.paper import Found, find
-from tapes.pixels import Array
-from tapes.sheet import Sheet
+from tapes.photograph import pixels, sprockets
+from tapes.photograph.flat import SAMPLES, Flat, flatten
+from tapes.photograph.paper import Found, find
+from tapes.photograph.pixels import Array
+from tapes.photograph.sheet import Sheet
 
 DOUBTFUL = 0.5
 """A frame of less confidence wants to be looked at."""

@@ -10,9 +10,9 @@ import cv2
 import numpy as np
 
 from tapes.errors import TapeError
-from tapes.flat import SAMPLES, Flat, find_spots
-from tapes.pixels import Array
-from tapes.sheet import FIVE, THREE, Points, Sheet
+from tapes.photograph.flat import SAMPLES, Flat, find_spots
+from tapes.photograph.pixels import Array
+from tapes.photograph.sheet import FIVE, THREE, Points, Sheet
 
 _PROFILE = np.arange(-8, 9) / SAMPLES
 """Places across an edge, from inside to outside."""

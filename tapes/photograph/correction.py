@@ -12,8 +12,8 @@ from importlib.resources import files
 from itertools import groupby
 from typing import NamedTuple
 
-from tapes import measure, pixels, redundancy
-from tapes.photograph import UNSEEN, Frame
+from tapes import measure, redundancy
+from tapes.photograph import UNSEEN, Frame, pixels
 
 
 class Picture(NamedTuple):
@@ -87,7 +87,7 @@ def page(read: Reading) -> str:
         for picture in read.pictures
     ]
     content = json.dumps(pictures, separators=(",", ":")).replace("<", "\\u003c")
-    template = files("tapes").joinpath("correction.html").read_text(encoding="utf-8")
+    template = files("tapes.photograph").joinpath("correction.html").read_text(encoding="utf-8")
     return template.replace("/*PICTURES*/[]", content)
 
 

@@ -15,11 +15,12 @@ import pytest
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV is not installed")
 
-from tapes import correction, photograph, shelf  # noqa: E402
+from tapes import photograph, shelf  # noqa: E402
 from tapes.errors import TapeError  # noqa: E402
+from tapes.photograph import correction  # noqa: E402
 from tests.conftest import Shell  # noqa: E402
-from tests.tapes import camera, scenes, survey  # noqa: E402
-from tests.tapes.camera import Shot  # noqa: E402
+from tests.tapes.photograph import camera, scenes, survey  # noqa: E402
+from tests.tapes.photograph.camera import Shot  # noqa: E402
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser

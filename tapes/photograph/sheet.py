@@ -12,7 +12,7 @@ from typing import NamedTuple
 import cv2
 import numpy as np
 
-from tapes.pixels import Array
+from tapes.photograph.pixels import Array
 
 THREE, FIVE = 3.92, 6.08
 """Pitches from the sprocket track to the edges beside three and five channels (ECMA-10)."""

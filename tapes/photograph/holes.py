@@ -8,10 +8,10 @@ ever farther from the row and ever less stiffly.
 import cv2
 import numpy as np
 
-from tapes.flat import SAMPLES, Flat, find_spots, flatten
-from tapes.pixels import Array
-from tapes.sheet import FIVE, KNOTS, THREE, Points, Sheet, fit, holes_at
-from tapes.sprockets import Row, Sizes
+from tapes.photograph.flat import SAMPLES, Flat, find_spots, flatten
+from tapes.photograph.pixels import Array
+from tapes.photograph.sheet import FIVE, KNOTS, THREE, Points, Sheet, fit, holes_at
+from tapes.photograph.sprockets import Row, Sizes
 
 FULL = 12
 """Pitches to each side of a row that may be any track of a tape."""

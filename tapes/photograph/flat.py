@@ -5,9 +5,9 @@ from typing import NamedTuple
 import cv2
 import numpy as np
 
-from tapes.pixels import Array, between
-from tapes.sheet import Sheet
-from tapes.sprockets import Sizes
+from tapes.photograph.pixels import Array, between
+from tapes.photograph.sheet import Sheet
+from tapes.photograph.sprockets import Sizes
 
 SAMPLES = 12
 """Of a pitch."""

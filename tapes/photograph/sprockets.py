@@ -14,7 +14,7 @@ from typing import NamedTuple
 import cv2
 import numpy as np
 
-from tapes.pixels import Array, between
+from tapes.photograph.pixels import Array, between
 
 FEWEST = 10
 """Frames of a tape: not even a frame of all holes has so many in a row."""

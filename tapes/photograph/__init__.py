@@ -1,0 +1,16 @@
+"""Photographs of tape become frames, sure or doubtful. All of it needs OpenCV, the extra `vision`.
+
+reader      a photograph becomes frames
+pixels      a picture's file becomes light
+sprockets   rows of small round holes in a picture
+sheet       where each place of a tape lies in a picture
+flat        a picture of a sheet as if it lay flat
+holes       the holes of a sheet, and where they say it is
+edges       its edges: which way it is read
+paper       a row of holes becomes a tape, or is refused
+correction  what was read, and the page to correct it
+"""
+
+from tapes.photograph.reader import UNSEEN, Frame, read
+
+__all__ = ["UNSEEN", "Frame", "read"]
