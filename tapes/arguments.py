@@ -4,7 +4,7 @@ Source    a file that is read, or a bundled name      completed by both
 Target    a file that is written                      never one that was read, nor one of another kind
 Folder    where several files go
 
-`Command` and `Group` are click's, with what all of ours have: -h, --no-clobber where something is written,
+`Command` and `Group` are click's, with what all of ours have: --no-clobber where something is written,
 files compared as files before anything is opened, names that are nearly right, whole lines of help.
 """
 
@@ -107,13 +107,6 @@ def output(
 class Command(click.Command):
     """A command whose files are compared before it begins."""
 
-    def __init__(self, *arguments: Any, **settings: Any) -> None:
-        settings["context_settings"] = {
-            "help_option_names": ["-h", "--help"],
-            **(settings.get("context_settings") or {}),
-        }
-        super().__init__(*arguments, **settings)
-
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
         """Return the parameters, with --no-clobber before --help where something is written."""
         params = super().get_params(ctx)
@@ -171,13 +164,6 @@ class Group(click.Group):
     """A group of commands: its list has whole lines, and a name that is nearly one of them finds it."""
 
     command_class = Command
-
-    def __init__(self, *arguments: Any, **settings: Any) -> None:
-        settings["context_settings"] = {
-            "help_option_names": ["-h", "--help"],
-            **(settings.get("context_settings") or {}),
-        }
-        super().__init__(*arguments, **settings)
 
     def lines(self, ctx: click.Context) -> list[tuple[str, str]]:
         """Return the name of each command, and what it does in one line."""

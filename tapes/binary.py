@@ -24,7 +24,17 @@ from functools import cache
 from typing import NamedTuple
 
 from tapes.errors import TapeError
-from tapes.frames import BLANK, LEADER, LEAST_LEADER, RUBOUT, find_leader, label_after, label_before, leader
+from tapes.frames import (
+    BLANK,
+    LEADER,
+    LEAST_LEADER,
+    RUBOUT,
+    find_leader,
+    label_after,
+    label_before,
+    leader,
+    skip,
+)
 
 FIELD, ORIGIN, WORD = "field", "origin", "word"
 
@@ -98,7 +108,7 @@ def encode(words: Mapping[int, int]) -> bytes:
     """
     body = bytearray()
     summed = 0
-    following = -1
+    following: int | None = None
     current = 0
     for address in sorted(words):
         if not 0 <= address <= 0o77777:
@@ -106,7 +116,7 @@ def encode(words: Mapping[int, int]) -> bytes:
         if address >> 12 != current:
             current = address >> 12
             body += field(current)
-            following = -1
+            following = None
         if address != following:
             start = origin(address)
             summed += sum(start)
@@ -161,7 +171,7 @@ def read(frames: bytes) -> Reading:
     Raises TapeError where no BIN tape begins: an empty tape, no leader, nothing but leader.
     """
     start = find_leader(frames)
-    at = _skip(frames, start, LEADER)
+    at = skip(frames, start, LEADER)
     if at == len(frames):
         raise TapeError("nothing but leader", at)
     labels = label_before(frames, start)
@@ -175,7 +185,7 @@ def read(frames: bytes) -> Reading:
         if damage is not None:
             return Reading(tuple(sections), tuple(items), damage, labels)
         sections.append(_close(items))
-        at = _skip(frames, end, LEADER, BLANK)
+        at = skip(frames, end, LEADER, BLANK)
     return Reading(tuple(sections), labels=labels)
 
 
@@ -187,8 +197,8 @@ def find_apart(frames: bytes, reading: Reading) -> int | None:
     if label is None:
         return None
     at = label.start
-    while (start := frames.find(LEAST_LEADER, at)) >= 0:
-        items, at, damage = _items(frames, _skip(frames, start, LEADER))
+    while (start := frames.find(LEAST_LEADER, at)) != -1:
+        items, at, damage = _items(frames, skip(frames, start, LEADER))
         if damage is None and items and items[0].kind != WORD and items[-1].kind == WORD:
             section = _close(items)
             if section.items and section.computed == section.punched:
@@ -224,13 +234,6 @@ def _load(items: Iterable[Item], content: Content) -> None:
             address = address + 1 & 0o7777
 
 
-def _skip(frames: bytes, at: int, *codes: int) -> int:
-    """Return the first frame from `at` on that is not one of `codes`, or the tape's length."""
-    while at < len(frames) and frames[at] in codes:
-        at += 1
-    return at
-
-
 def _items(frames: bytes, at: int) -> tuple[list[Item], int, TapeError | None]:
     """Return what stands from frame `at` on, and the frame of the trailer or of what is wrong, if it is."""
     items: list[Item] = []
@@ -242,7 +245,7 @@ def _items(frames: bytes, at: int) -> tuple[list[Item], int, TapeError | None]:
             at += 1  # a message stands within the leader
         elif frame == RUBOUT:
             closing = frames.find(RUBOUT, at + 1)
-            if closing < 0:
+            if closing == -1:
                 message = "this rubout has no other to end it: the tape is cut short"
                 return items, at, TapeError(message, at)
             at = closing + 1

@@ -47,7 +47,10 @@ def _binary(frames: bytes) -> list[str]:
     while at < len(frames):
         if frames[at] == RUBOUT:
             at = _message(frames, at, said)
-        elif frames[at] == BLANK and address is None and frames[at - 1] in (BLANK, LEADER):
+        elif frames[at] == BLANK and address is None:
+            at += 1
+        elif frames[at] == LEADER:
+            address = None
             at += 1
         elif _is_pair(frames, at):
             value = (frames[at] & 0o77) << 6 | frames[at + 1]
@@ -95,7 +98,7 @@ def _is_pair(frames: bytes, at: int) -> bool:
 def _message(frames: bytes, at: int, said: list[str]) -> int:
     """Caption what stands between two rubouts as the characters it is; return the frame after it."""
     closing = frames.find(RUBOUT, at + 1)
-    if closing < 0:
+    if closing == -1:
         return at + 1
     said[at + 1 : closing] = [f"({ascii.name(frame)})" for frame in frames[at + 1 : closing]]
     return closing + 1
@@ -105,15 +108,5 @@ def _between_labels(frames: bytes, code: str, body: _Captions) -> list[str]:
     """Caption the labels as such, and what is between by `body`."""
     said: list[str] = []
     for label in (*labels(frames, code), range(len(frames), len(frames))):
-        said += _between_blanks(frames[len(said) : label.start], body) + ["label"] * len(label)
+        said += body(frames[len(said) : label.start]) + ["label"] * len(label)
     return said
-
-
-def _between_blanks(frames: bytes, body: _Captions) -> list[str]:
-    """Caption the blank frames before a leader and after a trailer as such, and what is between by `body`."""
-    blank = bytes([BLANK])
-    start = len(frames) - len(frames.lstrip(blank))
-    end = max(start, len(frames.rstrip(blank)))
-    if frames[end - 1 : end] != bytes([LEADER]):
-        end = len(frames)
-    return ["blank"] * start + body(frames[start:end]) + ["blank"] * (len(frames) - end)

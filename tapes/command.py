@@ -22,6 +22,7 @@ from tapes.errors import WorkError, called, visible
 _NAMED = 6
 """Files in a folder that are named one by one."""
 _IMPORTING = "<frozen importlib._bootstrap>"
+_HELP = ["-h", "--help"]
 _NO_CLOBBER = "tapes.command.no_clobber"
 QUIET = "tapes.command.quiet"
 """Where a command's context keeps that it says nothing of what it wrote."""
@@ -174,13 +175,11 @@ def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
     stdout = sys.stdout
     try:
         with shelf.watched():
-            ended = command.main(args=list(arguments), prog_name=name, standalone_mode=False)
+            ended = command.main(list(arguments), name, standalone_mode=False, help_option_names=_HELP)
         sys.stdout.flush()
     except WorkError as error:
         _write_or_drop(sys.stdout)
         return _complain(f"{_path(command, name, arguments)}: {error}", error.exit_status)
-    except click.exceptions.Exit as stop:
-        return stop.exit_code
     except _NoArguments as error:
         return _complain(error.format_message(), error.exit_code)
     except click.ClickException as error:

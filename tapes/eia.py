@@ -15,7 +15,7 @@ are as N/C manuals give them and were not seen in the standard itself.
 """
 
 from tapes.errors import TapeError, TextError
-from tapes.frames import channels
+from tapes.frames import BLANK, channels, paper_end, skip
 
 EOB = 0o200
 DELETE = 0o177
@@ -38,16 +38,15 @@ CODES = {
 CHARACTERS = {code: character for character, code in CODES.items()}
 
 _NAMES = {
-    0o000: "blank", EOB: "EOB", DELETE: "DEL", 0o020: "space", 0o076: "TAB", 0o052: "BS", 0o013: "stop",
+    BLANK: "blank", EOB: "EOB", DELETE: "DEL", 0o020: "space", 0o076: "TAB", 0o052: "BS", 0o013: "stop",
     0o174: "UC", 0o172: "LC",
 }  # fmt: skip
 
 _NO_CODE = 0o377  # even, so never an EIA code; the mark of one that is none in both tables
-_BLANK = 0o000
 _NOT_OF_A_BLOCK = bytes(code for code in range(256) if CHARACTERS.get(code, "") not in tuple("0123456789\n"))
 _TO_FRAME = bytes(CODES.get(chr(code).upper(), _NO_CODE) for code in range(256))
 _TO_CHARACTER = bytes(
-    code if code in (_BLANK, DELETE) else ord(CHARACTERS[code]) if code in CHARACTERS else _NO_CODE
+    code if code in (BLANK, DELETE) else ord(CHARACTERS[code]) if code in CHARACTERS else _NO_CODE
     for code in range(256)
 )
 
@@ -70,17 +69,13 @@ def decode(frames: bytes, blank: str | None = None) -> str:
     A blank frame inside the data is an error, as on most controls, unless `blank` gives what it stands for
     ("0" on a Hydra-Point). Raises TapeError naming the first frame that is no EIA code.
     """
-    body = frames.strip(b"\0")
-    start = len(frames) - len(frames.lstrip(b"\0"))
-    characters = body.translate(_TO_CHARACTER)
-    bad = characters.find(_NO_CODE)
-    gap = characters.find(_BLANK) if blank is None else -1
-    if bad >= 0 and (gap < 0 or bad < gap):
-        raise TapeError(_complaint(body[bad]), start + bad)
-    if gap >= 0:
-        raise TapeError("blank frame inside the data", start + gap)
-    text = characters.translate(None, bytes([DELETE])).decode("ascii")
-    return text if blank is None else text.replace("\0", blank)
+    start = skip(frames, 0, BLANK)
+    characters = frames[start : paper_end(frames)].translate(_TO_CHARACTER)
+    refused = (_NO_CODE, BLANK) if blank is None else (_NO_CODE,)
+    for at, code in enumerate(characters, start):
+        if code in refused:
+            raise TapeError(_complaint(frames[at]) if code else "blank frame inside the data", at)
+    return characters.translate(None, bytes([DELETE])).decode("ascii").replace(chr(BLANK), blank or "")
 
 
 def clean(frames: bytes) -> bytes:
@@ -90,11 +85,11 @@ def clean(frames: bytes) -> bytes:
     (Chapter 5): it left out the characters that the program had passed on. Raises TapeError where nothing is
     left of a tape that is not blank.
     """
-    body = frames.lstrip(bytes([_BLANK]))
-    cleaned = body.translate(None, _NOT_OF_A_BLOCK)
-    if body and not cleaned:
+    start = skip(frames, 0, BLANK)
+    cleaned = frames.translate(None, _NOT_OF_A_BLOCK)
+    if start < len(frames) and not cleaned:
         raise TapeError("nothing is left of this tape: it has no digit and no end of block in EIA code")
-    return bytes(len(frames) - len(body)) + cleaned
+    return frames[:start] + cleaned
 
 
 def name(frame: int) -> str:

@@ -90,7 +90,7 @@ class _Reader:
 
     def _product(self) -> Function:
         found = self._factor()
-        while not self._follows("**") and (sign := self._taken("*") or self._taken("/")):
+        while sign := self._taken("*") or self._taken("/"):
             found = _joined(sign, found, self._factor())
         return found
 
@@ -152,13 +152,10 @@ class _Reader:
         while self._at < len(self._text) and self._text[self._at].isspace():
             self._at += 1
 
-    def _follows(self, mark: str) -> bool:
-        self._skip()
-        return self._plain[self._at : self._at + len(mark)] == mark
-
     def _taken(self, mark: str) -> str:
         """Return the mark and go on behind it, "" if it does not follow."""
-        if not self._follows(mark):
+        self._skip()
+        if not self._plain.startswith(mark, self._at):
             return ""
         self._at += len(mark)
         return mark

@@ -87,10 +87,19 @@ def strip(frames: bytes, code: int = LEADER) -> Strip:
 
     Outermost are blank frames, then those of the leader `code`, which on an EIA tape is BLANK.
     """
-    outer, inner = bytes([BLANK]), bytes([code])
-    start = len(frames) - len(frames.lstrip(outer).lstrip(inner))
-    end = max(start, len(frames.rstrip(outer).rstrip(inner)))
+    start = skip(frames, skip(frames, 0, BLANK), code)
+    end = max(start, len(frames[: paper_end(frames)].rstrip(bytes([code]))))
     return Strip(frames[:start], frames[start:end], frames[end:])
+
+
+def skip(frames: bytes, at: int, *codes: int) -> int:
+    """Return the first frame from `at` on that is not one of `codes`; the tape's length if there is none."""
+    return len(frames) - len(frames[at:].lstrip(bytes(codes)))
+
+
+def paper_end(frames: bytes) -> int:
+    """Return where the blank tape at the end begins: after the last frame with a hole."""
+    return len(frames.rstrip(bytes([BLANK])))
 
 
 def has_leader(frames: bytes) -> bool:
@@ -102,11 +111,11 @@ def leader_start(frames: bytes) -> int | None:
     """Return the first frame of a loader tape's leader, where an operator sets the tape: 200 after any blank
     tape, after letters for the eye and blank tape, or after rubouts. None for a tape that begins otherwise.
     """
-    start = len(frames) - len(frames.lstrip(b"\0"))
+    start = skip(frames, 0, BLANK)
     if frames[start : start + 1] == bytes([LEADER]):
         return start
     at = frames.find(LEAST_LEADER, start)
-    if at < 0 or not frames[at + len(LEAST_LEADER) :].strip(_NO_LETTERS):
+    if at == -1 or not frames[at:].strip(_NO_LETTERS):
         return None
     letters = frames[start:at]
     return at if letters.endswith(LABEL_GAP) or not letters.strip(_RUBBED_OUT) else None
@@ -114,9 +123,8 @@ def leader_start(frames: bytes) -> int | None:
 
 def label_before(frames: bytes, leader: int) -> tuple[range, ...]:
     """Return the frames of the letters before a tape's leader, blank tape apart; () if there are none."""
-    before = frames[:leader]
-    end = len(before.rstrip(b"\0"))
-    return (range(len(before) - len(before.lstrip(b"\0")), end),) if end else ()
+    end = paper_end(frames[:leader])
+    return (range(skip(frames, 0, BLANK), end),) if end else ()
 
 
 def label_after(frames: bytes, labels: tuple[range, ...]) -> range | None:
@@ -133,10 +141,10 @@ def find_leader(frames: bytes) -> int:
         return start
     if not frames:
         raise TapeError("empty tape", 0)
-    body = frames.lstrip(b"\0")
-    if not body:
+    at = skip(frames, 0, BLANK)
+    if at == len(frames):
         raise TapeError("nothing but blank tape", 0)
-    raise TapeError(f"{body[0]:03o} where the leader (200) was expected", len(frames) - len(body))
+    raise TapeError(f"{frames[at]:03o} where the leader (200) was expected", at)
 
 
 def channels(frame: int) -> tuple[int, ...]:
@@ -148,7 +156,7 @@ def draw_label(frames: bytes, columns: int = 72) -> list[str]:
     """Return letters punched for the eye as it reads them: a frame a column, channel 1 at the top, from the
     first hole to the last; a line of rows for every so many columns.
     """
-    holes = frames.strip(b"\0")
+    holes = frames.strip(bytes([BLANK]))
     rows = []
     for start in range(0, len(holes), columns):
         piece = holes[start : start + columns]

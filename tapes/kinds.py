@@ -17,7 +17,17 @@ from itertools import pairwise
 
 from tapes import ascii, binary, eia, rim
 from tapes.errors import TapeError
-from tapes.frames import BLANK, LEADER, LEAST_LEADER, PARITIES, RUBOUT, label_before, leader_start, strip
+from tapes.frames import (
+    BLANK,
+    LEADER,
+    LEAST_LEADER,
+    PARITIES,
+    RUBOUT,
+    label_before,
+    leader_start,
+    skip,
+    strip,
+)
 
 BIN, RIM, EIA, ASCII, BLANK_TAPE, UNKNOWN = "bin", "rim", "eia", "ascii", "blank", "unknown"
 
@@ -30,7 +40,7 @@ _FIGURES = bytes(code | channel_8 for code in b"0123456789 \r\n\0\x7f" for chann
 
 def classify(frames: bytes) -> str:
     """Return "bin", "rim", "eia", "ascii", "blank" or "unknown"."""
-    body = frames.lstrip(b"\0")
+    body = frames[skip(frames, 0, BLANK) :]
     if not body:
         return BLANK_TAPE
     return _whole_loader_tape(body) or _whole_eia_tape(body) or _after_label(body) or _likeliest(body)
@@ -40,8 +50,10 @@ def start(frames: bytes) -> int:
     """Return the frame on which an operator sets the tape: its leader of 200, past blank tape, and past a
     label of a loader tape; any other tape's first.
     """
-    leader = leader_start(frames) or 0
-    return leader if not label_before(frames, leader) or classify(frames) in (BIN, RIM) else 0
+    leader = leader_start(frames)
+    if leader is None or (label_before(frames, leader) and classify(frames) not in (BIN, RIM)):
+        return 0
+    return leader
 
 
 def doubt(frames: bytes) -> str:

@@ -13,12 +13,11 @@ from itertools import combinations, pairwise
 
 from tapes import binary, eia, kinds, rim
 from tapes.errors import TapeError
-from tapes.frames import BLANK, LEADER, PARITIES, RUBOUT, leader_start, parity
+from tapes.frames import BLANK, LEADER, PARITIES, RUBOUT, leader_start, parity, skip
 
 _MOST_FLIPPED = 3
 _MOST_CHANNELS = 24
 _NO_CHARACTERS = bytes([BLANK, LEADER, RUBOUT])
-_CR_LF, _LF_CR = b"\r\n", b"\n\r"
 
 
 def propose(frames: bytes, doubtful: Mapping[int, int]) -> tuple[dict[int, int], str]:
@@ -32,7 +31,7 @@ def propose(frames: bytes, doubtful: Mapping[int, int]) -> tuple[dict[int, int],
     if kind == kinds.BIN:
         return _by_checksum(frames, doubtful)
     if kind == kinds.RIM:
-        start = _first_address(frames)
+        start = skip(frames, leader_start(frames) or 0, LEADER)
         return _by_frame(
             frames, doubtful, lambda at, frame: frame >> 6 == ((at - start) % 4 == 0)
         ), "RIM's order"
@@ -60,11 +59,6 @@ def _by_frame(frames: bytes, doubtful: Mapping[int, int], fits: Callable[[int, i
 
 def _bits(mask: int) -> Iterator[int]:
     return (1 << channel for channel in range(8) if mask >> channel & 1)
-
-
-def _first_address(frames: bytes) -> int:
-    at = leader_start(frames) or 0
-    return at + len(frames[at:]) - len(frames[at:].lstrip(bytes([LEADER])))
 
 
 def _by_checksum(frames: bytes, doubtful: Mapping[int, int]) -> tuple[dict[int, int], str]:
@@ -106,8 +100,7 @@ def _sense(frames: bytes) -> float:
             damage = error
         return 1000 if damage is None else (damage.frame or 0) / (len(frames) + 1)
     if kind == kinds.ASCII:
-        codes = frames.translate(PARITIES["none"])
-        return codes.count(_CR_LF) / (1 + codes.count(_LF_CR)) if _CR_LF in codes else 0
+        return frames.translate(PARITIES["none"]).count(b"\r\n")
     if kind == kinds.EIA:
         return _in_sequence(frames)
     return 0

@@ -21,7 +21,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from tapes.errors import TapeError
-from tapes.frames import LEADER, LEAST_LEADER, find_leader, label_before, leader
+from tapes.frames import BLANK, LEADER, LEAST_LEADER, find_leader, label_before, leader, paper_end, skip
 
 
 def encode(words: Mapping[int, int]) -> bytes:
@@ -71,8 +71,7 @@ def read(frames: bytes) -> Reading:
         group = frames[at : at + 4]
         damage = _fault(group, at)
         if damage and words and _after_trailer(frames, at):
-            after = len(frames) - len(frames[at:].lstrip(b"\0"))
-            return Reading(words, labels=(*labels, range(after, len(frames))))
+            return Reading(words, labels=(*labels, range(skip(frames, at, BLANK), len(frames))))
         if damage:
             return Reading(words, damage, labels)
         words[(group[0] & 0o77) << 6 | group[1]] = group[2] << 6 | group[3]
@@ -86,13 +85,13 @@ def read(frames: bytes) -> Reading:
 
 def _end(frames: bytes) -> int:
     """Return where the trailer ends, blank tape apart; with no trailer, where the tape ends."""
-    end = len(frames.rstrip(b"\0"))
+    end = paper_end(frames)
     return end if frames[end - 1] == LEADER else len(frames)
 
 
 def _after_trailer(frames: bytes, at: int) -> bool:
     """Tell whether frame `at` follows a trailer: frames of 200, more than stand between two words."""
-    return frames[:at].rstrip(b"\0").endswith(LEAST_LEADER)
+    return frames[: paper_end(frames[:at])].endswith(LEAST_LEADER)
 
 
 def _fault(group: bytes, at: int) -> TapeError | None:

@@ -6,6 +6,7 @@ a punch streams, and what it punched stays. While the shelf is watched, as in ev
 read is written over.
 """
 
+import codecs
 import os
 import stat
 import sys
@@ -143,14 +144,11 @@ def is_utf16(content: bytes) -> bool:
     """Tell whether a file is text in UTF-16: its byte order mark, then characters of Latin scripts or those
     that stand for bytes that were none.
     """
-    if content[:2] == b"\xff\xfe":
-        low, high = content[2::2], content[3::2]
-    elif content[:2] == b"\xfe\xff":
-        low, high = content[3::2], content[2::2]
-    else:
+    if not content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return False
-    plain = high.count(0) + sum(pair == (0xFD, 0xFF) for pair in zip(low, high, strict=False))
-    return len(high) > 0 and plain * 4 >= len(high)
+    text = content[: len(content) // 2 * 2].decode("utf-16", "surrogatepass")
+    plain = sum(character <= "\xff" or character == "\ufffd" for character in text)
+    return 0 < len(text) <= 4 * plain
 
 
 def without_mark(content: bytes) -> bytes:

@@ -5,12 +5,21 @@ from pathlib import Path
 
 HOUSE = Path(__file__).parents[2]
 
+PHOTOGRAPHS = "tests/tapes/photograph"
+COMMANDS = [f"tests/pdp8/cli/test_{name}.py" for name in ("files", "loading", "manners", "root")]
+"""The tests of what all commands do alike, which tapes/ holds."""
+
 ROOMS = {
     "tapes": (
         "tapes",
-        ["tests/tapes", "tests/pdp8/cli/test_files.py", "tests/programs/test_functions.py"],
+        [
+            "tests/tapes",
+            f"--ignore-glob=*/{PHOTOGRAPHS}/test_[!c]*",
+            *COMMANDS,
+            "tests/programs/test_functions.py",
+        ],
     ),
-    "photographs": ("tapes/photograph", ["tests/tapes/photograph"]),
+    "photographs": ("tapes/photograph", [PHOTOGRAPHS]),
     "pal": ("pal", ["tests/pal", "tests/test_editors.py", "tests/test_notebook.py"]),
     "programs": ("programs", ["tests/programs"]),
     "nc": ("nc", ["tests/nc", "tests/tapes/test_hydrapoint.py"]),

@@ -208,22 +208,6 @@ def test_a_closed_pipe_is_quiet(shell: Shell) -> None:
     assert done.stderr == b""
 
 
-@pytest.mark.parametrize(
-    ("closed", "status", "said"),
-    [
-        ("<&-", 0, b""),
-        (">&-", 1, b"pdp8 tape info: standard output: Bad file descriptor\n"),
-        ("2>&-", 0, b""),
-    ],
-)
-def test_a_closed_standard_stream_is_no_traceback(
-    shell: Shell, closed: str, status: int, said: bytes
-) -> None:
-    done = shell(f"pdp8 tape info - {closed}")
-    assert done.returncode == status
-    assert done.stderr == said
-
-
 def test_ctrl_c(tmp_path: Path) -> None:
     (tmp_path / "a.bin").write_bytes(FORMAT_BIN)
     with commands.start(

@@ -3,27 +3,18 @@
 The whole table of pictures is in docs/photographs.md, and made by survey.py.
 """
 
-import json
 import os
-import struct
-import zlib
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV is not installed")
 
-from tapes import photograph, shelf  # noqa: E402
+from tapes import photograph  # noqa: E402
 from tapes.errors import TapeError  # noqa: E402
-from tapes.photograph import correction  # noqa: E402
-from tests.conftest import Shell  # noqa: E402
 from tests.tapes.photograph import camera, scenes, survey  # noqa: E402
 from tests.tapes.photograph.camera import Shot  # noqa: E402
-
-if TYPE_CHECKING:
-    from playwright.sync_api import Browser
 
 PART = 60
 """Frames of a test's tape: less than a whole strip, so that the tests are quick."""
@@ -131,103 +122,3 @@ def test_strips_are_read_from_top_to_bottom() -> None:
     tapes = [survey.some_tape(seed, PART) for seed in (1, 2)]
     both = np.concatenate([camera.picture(tape, Shot()) for tape in tapes])
     assert holes(photograph.read(camera.develop(both, Shot()))) == b"".join(tapes)
-
-
-def png(width: int, height: int) -> bytes:
-    """Return a PNG file that says it has so many pixels."""
-
-    def chunk(name: bytes, content: bytes) -> bytes:
-        return (
-            struct.pack(">I", len(content)) + name + content + struct.pack(">I", zlib.crc32(name + content))
-        )
-
-    header = chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0))
-    return b"\x89PNG\r\n\x1a\n" + header + chunk(b"IDAT", zlib.compress(bytes(1000))) + chunk(b"IEND", b"")
-
-
-def tiff(order: str, width: int, height: int) -> bytes:
-    entries = struct.pack(order + "H", 2) + b"".join(
-        struct.pack(order + "HHII", tag, 4, 1, length) for tag, length in ((256, width), (257, height))
-    )
-    return (b"II*\0" if order == "<" else b"MM\0*") + struct.pack(order + "I", 8) + entries
-
-
-JPEG = b"\xff\xd8\xff\xe0\0\4\0\0\xff\xc0\0\x0b\x08" + struct.pack(">HH", 40_000, 30_000) + b"\1\1\x11\0"
-
-
-@pytest.mark.parametrize(
-    ("content", "complaint"),
-    [
-        (b"", "no picture that can be read"),
-        (b"\x89PNG\r\n", "no picture that can be read"),
-        (b"GIF89a" + bytes(100), "PNG, JPEG or TIFF is wanted"),
-        (png(0, 7), "no picture that can be read"),
-        (png(40_000, 40_000), "40,000 by 40,000 pixels: a picture may have 64,000,000"),
-        (JPEG, "30,000 by 40,000 pixels"),
-        (tiff("<", 30_000, 20_000), "30,000 by 20,000 pixels"),
-        (tiff(">", 30_000, 20_000), "30,000 by 20,000 pixels"),
-    ],
-    ids=["empty", "cut off", "GIF", "no pixels", "PNG", "JPEG", "TIFF", "TIFF of a Macintosh"],
-)
-def test_what_is_no_picture_or_too_large_a_one_is_refused(content: bytes, complaint: str) -> None:
-    with pytest.raises(TapeError, match=complaint):
-        photograph.read(content)
-
-
-def test_the_command_writes_the_tape_and_says_what_it_is(shell: Shell, tmp_path: Path) -> None:
-    tape = shelf.read("circle.asc")[:PART]
-    picture = camera.photograph(tape, Shot(angle=3)) + bytes(3 << 20)  # a file as long as a camera's
-    (tmp_path / "photo.jpg").write_bytes(picture)
-    done = shell("pdp8 tape read photo.jpg -o found.asc")
-    assert (done.returncode, done.stderr) == (0, b"60 frames: ASCII\nwrote found.asc\n")
-    assert (tmp_path / "found.asc").read_bytes() == tape
-
-
-@pytest.mark.slow("two photographs, eight seconds")
-def test_the_command_says_a_gap_and_the_other_side(shell: Shell, tmp_path: Path) -> None:
-    tape = shelf.read("circle.asc")[:PART]
-    (tmp_path / "photo.jpg").write_bytes(camera.photograph(tape, Shot(below=True, covered=(40,))))
-    said = shell("pdp8 tape read photo.jpg -o found.asc").stderr.decode()
-    assert "a gap of" in said
-    assert "read in this order it makes no sense; --underside would\n" in said
-    said = shell("pdp8 tape read photo.jpg --underside -o found.asc").stderr.decode()
-    assert "sense" not in said
-
-
-@pytest.mark.slow("starts Chromium")
-def test_on_the_page_a_doubtful_frame_is_corrected(browser: "Browser", tmp_path: Path) -> None:
-    tape = shelf.read("circle.asc")[:PART]
-    content = camera.photograph(tape, Shot(covered=(40,)))
-    read = correction.Reading([correction.Picture("strip.jpg", content, photograph.read(content))])
-    number = next(number for number, frame, _ in read.frames if frame.why == photograph.UNSEEN)
-    file = tmp_path / "page.html"
-    file.write_text(correction.page(read), encoding="utf-8")
-    page = browser.new_page()
-    page.goto(file.as_uri())
-    page.get_by_role("button", name=f"{number}: ").click()
-    page.get_by_title("channel 8").click()
-    saved = {}
-    for button in ("Save the tape", "Save the record of corrections"):
-        with page.expect_download() as download:
-            page.get_by_text(button).click()
-        saved[button] = Path(download.value.path()).read_bytes()
-    mended = bytearray(read.tape)
-    mended[number] ^= 0o200
-    assert saved["Save the tape"] == mended
-    (changed,) = [
-        one for one in json.loads(saved["Save the record of corrections"])["frames"] if one["corrected"]
-    ]
-    assert (changed["frame"], changed["is"]) == (number, f"{mended[number]:03o}")
-
-
-def test_the_page_holds_the_picture_and_every_frame(shell: Shell, tmp_path: Path) -> None:
-    tape = shelf.read("circle.asc")[:PART]
-    (tmp_path / "a<b.jpg").write_bytes(camera.photograph(tape, Shot(covered=(40,))))
-    assert shell("pdp8 tape read 'a<b.jpg' --page look.html -o found.asc").returncode == 0
-    page = (tmp_path / "look.html").read_text()
-    start = page.index("const pictures = ") + len("const pictures = ")
-    (picture,) = json.JSONDecoder().raw_decode(page[start:])[0]
-    assert picture["name"] == "a<b.jpg"
-    assert picture["source"].startswith("data:image/jpeg;base64,/9j/")
-    assert bytes(frame["holes"] for frame in picture["frames"]) == (tmp_path / "found.asc").read_bytes()
-    assert [number for number, frame in enumerate(picture["frames"]) if frame["open"] == 0o377]

@@ -1,0 +1,81 @@
+"""How every command ends: by whatever is raised in it, and with a standard stream that its caller closed."""
+
+import sys
+from errno import ENOSPC, EPIPE
+from unicodedata import category
+
+import click
+import pytest
+
+from pdp8.cli.root import pdp8
+from tapes import command
+from tapes.errors import TapeError, visible
+
+
+@pytest.mark.parametrize(
+    ("raised", "status", "said"),
+    [
+        (TapeError("torn", 3), 1, "own part: frame 3: torn"),
+        (click.UsageError("no"), 2, "own part: no\nown part --help shows what there is"),
+        (click.ClickException("no"), 1, "own: no\nown --help shows what there is"),
+        (KeyboardInterrupt(), 130, "\nown part: interrupted"),
+        (RecursionError(), 1, "own part: nested too deeply"),
+        (MemoryError(), 1, "own part: the memory does not suffice"),
+        (OSError(ENOSPC, "full", "x"), 1, "own part: x: full"),
+        (OSError(ENOSPC, "full"), 1, "own part: standard output: full"),
+        (OSError("odd"), 1, "own part: standard output: odd"),
+        (BrokenPipeError(EPIPE, "closed"), 0, ""),
+        (BrokenPipeError(), 0, ""),
+    ],
+)
+def test_what_is_raised_is_said_in_a_line(
+    raised: BaseException,
+    status: int,
+    said: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    @click.group()
+    def own() -> None: ...
+
+    @own.command()
+    @click.argument("file")
+    def part(file: str) -> None:
+        raise raised
+
+    monkeypatch.setattr(sys, "stdout", sys.stdout)  # click puts another one there
+    assert command.status(own, "own", ["part", "own"]) == status
+    assert capsys.readouterr() == ("", said and f"{said}\n")
+
+
+@pytest.mark.parametrize(("returned", "status"), [(3, 3), (None, 0), ("3", 0)])
+def test_what_a_command_returns_is_its_status_if_it_is_a_number(returned: object, status: int) -> None:
+    assert command.status(click.Command("own", callback=lambda: returned), "own", []) == status
+    with pytest.raises(SystemExit, match="5"):
+        command.status(click.Command("own", callback=lambda: sys.exit(5)), "own", [])
+
+
+@pytest.mark.parametrize(
+    ("closed", "status", "said"),
+    [
+        ("stdin", 0, ""),
+        ("stdout", 1, "pdp8 tape info: standard output: Bad file descriptor\n"),
+        ("stderr", 0, ""),
+    ],
+)
+def test_a_closed_standard_stream_is_no_traceback(
+    closed: str, status: int, said: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sys, closed, None)
+    with pytest.raises(SystemExit, match=f"^{status}$"):
+        command.run(pdp8, "pdp8", ["tape", "info", "-" if closed == "stdin" else "circle.asc"])
+    getattr(sys, closed).close()
+    assert capsys.readouterr().err == said
+
+
+def test_control_codes_are_shown_as_pictures_or_escapes() -> None:
+    """By Unicode's own categories, of what a tape or a name can hold."""
+    for character in map(chr, (*range(0x300), 0xFFFD, 0xFFFE, 0xFFFF, 0xDCFF)):
+        plain = category(character) not in ("Cc", "Cn", "Cs") or character in "\t\n"
+        assert (visible(character) == character) == plain, ascii(character)
+    assert visible("\0\x1b\x7f\x80\x9f\ufffe\uffff\udcff") == r"␀␛␡\x80\x9f\ufffe\uffff\udcff"
