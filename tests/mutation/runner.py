@@ -41,22 +41,14 @@ from tests.mutation.mutants import Mutant, mutants
 LONGER = 4
 LEAST = 5.0
 """Seconds of processor time that every mutant may take, and as often the time of its tests."""
+WAITING = 10
+"""How many times as long a test may take in real time, on a busy machine."""
 LONGEST = 120.0
 """Seconds of processor time that a test may take when its lines are noted."""
 
 _MEMORY = 6 << 30
-_PYTEST = [
-    "-q",
-    "-p",
-    "no:cacheprovider",
-    "-p",
-    "no:xdist",
-    "-p",
-    "no:randomly",
-    "--capture=sys",
-    "-m",
-    "not slow",
-]
+_OFF = ("cacheprovider", "xdist", "randomly")
+_PYTEST = ["-q", *(f"-pno:{plugin}" for plugin in _OFF), "--capture=sys", "-m", "not slow"]
 _PYTEST += ["-W", "ignore::pytest.PytestAssertRewriteWarning"]
 
 Chosen = dict[str, set[int]]
@@ -113,7 +105,6 @@ def _fork(work: Callable[[Path], int], folder: Path, limit: float | None = None,
             os.dup2(nowhere, 2)
         if limit is not None:
             os.setpgid(0, 0)
-            signal.alarm(int(limit * 30))
             resource.setrlimit(resource.RLIMIT_CPU, (int(limit), int(limit)))
             resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, _MEMORY))
         own = folder / str(os.getpid())
@@ -328,6 +319,7 @@ class _Collected:
 
     def _run(self, item: pytest.Item, own: Path) -> int:
         """Run a test; leave what it ran, unless it fails."""
+        gc.disable()  # what it ends may run a traced line while coverage holds its lock, and wait for ever
         measured = _measuring(list(self.files.values()))
         plain = warm.status_of
 
@@ -411,15 +403,23 @@ def _load(code: CodeType) -> None:
 
 
 def _fails(items: list[pytest.Item], seconds: dict[str, float]) -> int:
-    """Run tests up to the first that fails; return 1 if one does.
-
-    One that takes LONGER times the `seconds` known of it ends the process.
-    """
+    """Run tests up to the first that fails; return 1 if one does."""
     for item, after in zip(items, [*items[1:], None], strict=True):
-        signal.setitimer(signal.ITIMER_PROF, LEAST + LONGER * seconds.get(item.nodeid, LONGEST))
+        _Bounds(seconds).pytest_runtest_logstart(item.nodeid)
         if any(report.failed for report in runtestprotocol(item, log=False, nextitem=after)):
             return 1
     return 0
+
+
+class _Bounds(NamedTuple):
+    """Ends the process where a test takes LONGER times the `seconds` known of it, or waits for ever."""
+
+    seconds: dict[str, float]
+
+    def pytest_runtest_logstart(self, nodeid: str) -> None:
+        limit = LEAST + LONGER * self.seconds.get(nodeid, LONGEST / LONGER)
+        signal.setitimer(signal.ITIMER_PROF, limit)
+        signal.setitimer(signal.ITIMER_REAL, WAITING * limit)
 
 
 # What works when a module is imported
@@ -442,7 +442,7 @@ def _whole(
             _load(code)
             _serve_commands(own, folder / "clients")
             _calm_hypothesis()
-            return int(pytest.main([*_PYTEST, "-x", "--tb=no", *order]))
+            return int(pytest.main([*_PYTEST, "-x", "--tb=no", *order], plugins=[_Bounds(runs.seconds)]))
 
         return _fork(work, folder, limit)
 
