@@ -16,7 +16,7 @@ Source: Teletype Model 33 keyboard; Small Computer Handbook 1970, appendix (ASR-
 """
 
 _SENDS = (
-    {chr(code): bytes([0o200 | code]) for code in (*range(0o033), *range(0o035, 0o140))}
+    {chr(code): bytes([0o200 | code]) for code in range(0o140)}
     | {chr(code): bytes([code + 0o140]) for code in range(0o141, 0o173)}
     | {"\x1b": b"\xfd", "\x7f": b"\xff", "\x1c": bytes(20)}
 )

@@ -14,7 +14,6 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.computer.use.keys import sent
 from tests import commands
 from tests.commands import Terminal
 from tests.conftest import Shell, assert_same_tape
@@ -32,24 +31,6 @@ L,	KSF
 $
 """
 """Each frame that comes goes into core, from 300 on."""
-
-
-@pytest.mark.parametrize(
-    ("typed", "frames"),
-    [
-        ("aZ1", [0o301, 0o332, 0o261]),
-        ("\r", [0o215]),
-        ("\n", [0o212]),
-        ("\f", [0o214]),
-        ("\x7f", [0o377]),
-        ("\x1b", [0o375]),
-        ("\x1c", [0] * 20),
-        ("\x01\x1a", [0o201, 0o232]),
-        ("É{|}~`", []),
-    ],
-)
-def test_what_a_key_sends(typed: str, frames: list[int]) -> None:
-    assert list(sent(typed)) == frames
 
 
 def test_each_special_key_through_a_terminal(tmp_path: Path) -> None:
