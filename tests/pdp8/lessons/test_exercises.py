@@ -1,11 +1,14 @@
 """Every bundled exercise does its work: the solution has all points, and twenty usual mistakes do not."""
 
 import re
+from collections import Counter
 from pathlib import Path
+from random import Random
 
 import pytest
 
 from pdp8.lessons import form, handed, proof, values
+from pdp8.lessons.exercises import delay, loader, short_block
 from pdp8.lessons.form import parse
 from pdp8.lessons.tables import ExerciseError
 from tapes import shelf
@@ -41,6 +44,43 @@ def test_a_sheet_says_what_the_tutorial_says(number: int, name: str) -> None:
     assert [
         said for said in bold if not any(values.right(question, said) for question in sheet.questions)
     ] == []
+
+
+def test_what_functions_draw_is_right_by_another_way() -> None:
+    draws = [Random(seed) for seed in range(400)]
+    delays = {case["sr"]: case["takes"] for case in (delay.time(draw, {}) for draw in draws)}
+    assert sorted(delays) == list(range(1, 41))
+    assert all(pair == pytest.approx([sr * 0.0099, sr * 0.0101]) for sr, pair in delays.items())
+    leaders, counts, good, sums = set(), set(), set(), Counter[int]()
+    for draw in draws:
+        case = loader.tape(draw, {"name": "x"})
+        rows = bytes(case["reader"]).lstrip(b"\200")
+        first, count, *words, total = (
+            high << 6 | low for high, low in zip(rows[::2], rows[1::2], strict=True)
+        )
+        around = {f"{first - 1:04o}": 0o1111, f"{first + count:04o}": 0o1111}
+        core = around | {f"{first + at:04o}": word for at, word in enumerate(words)}
+        short = (total - sum(words)) % 4096
+        assert case == {"name": "x", "reader": case["reader"], "deposit": around, "core": core, "ac": short}
+        assert 0o1000 <= first < 0o7000
+        leaders.add(len(case["reader"]) - len(rows))
+        counts.add((count, len(words)))
+        sums[short] += 1
+        case = short_block.tape(draw, {"name": "x"})
+        *blocks, none = bytes(case["reader"]).split(b"\200")
+        lengths = [len(block) + 1 for block in blocks]
+        assert (lengths[: case["ac"] - 1], lengths[case["ac"] :], none) == (
+            [20] * (case["ac"] - 1),
+            [20],
+            b"",
+        )
+        good.add(lengths[case["ac"] - 1])
+        assert set(b"".join(blocks)) <= set(b"\40\1\2\23\4\25\26\7\10\31")
+    assert leaders == set(range(6))
+    assert 200 < sums[0] < 300
+    assert len(sums) > 100
+    assert counts == {(count, count) for count in range(1, 13)}
+    assert good == set(range(1, 30)) - {20}
 
 
 def test_each_slip_has_a_hint_of_its_own() -> None:
