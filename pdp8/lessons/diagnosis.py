@@ -5,6 +5,7 @@ A case's own hints are by these words too.
 
 from collections.abc import Sequence
 
+from pal.isa import jumps_to
 from pdp8.computer.stop import Reason
 from pdp8.lessons.answer import Answer
 from pdp8.lessons.exercise import Trial
@@ -69,20 +70,13 @@ def end(answer: Answer, trial: Trial, outcome: Outcome) -> tuple[str, str]:
     if stop.reason is Reason.HALT:
         return ELSEWHERE, f"a halt at {stop.pc - 1 & 0o7777:04o}"
     word = outcome.core[stop.pc]
-    if _jumps_to(stop.pc, word) == stop.pc:
+    if jumps_to(stop.pc, word, stop.pc):
         return JUMP, f"a jump to itself at {stop.pc:04o}"
     if stop.reason is Reason.TAPE_OUT or word in _INPUTS:
         return INPUT, f"waiting at {stop.pc:04o} for a key or a frame that does not come"
     if word in _OUTPUTS:
         return OUTPUT, f"waiting at {stop.pc:04o} for a printer that has nothing to print"
     return NOT_STOPPED, f"a loop at {stop.pc:04o} that nothing ends"
-
-
-def _jumps_to(address: int, word: int) -> int | None:
-    """Return where a JMP without I goes, None for any other word."""
-    if word & 0o7400 != 0o5000 and word & 0o7400 != 0o5200:
-        return None
-    return (address & 0o7600 if word & 0o200 else 0) | word & 0o177
 
 
 def word(expected: int, got: int) -> str:

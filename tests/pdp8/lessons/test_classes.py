@@ -36,6 +36,7 @@ PROGRAMS = [name for name in form.bundled() if form.read(name).cases]
 UNCHEATED = ("delay", "interrupt", "itself", "multiply", "subroutine", "table")
 """Those in which time, counts or the answer's own words are looked at in a shown case."""
 
+DOCS = Path(__file__).parents[3] / "docs" / "lessons.md"
 HEAD = "title='t'\ntask='t'\n"
 PUNCH = "*200\n\tTAD A\n\tTLS\n\tTSF\n\tJMP .-1\n\tHLT\nA,\t{}\n$"
 DOUBLE = '''solution="""*200
@@ -107,11 +108,15 @@ def test_a_python_function_is_the_oracle(tmp_path: Path) -> None:
     (tmp_path / "own.py").write_text(
         "def triple(random, case):\n    return {**case, 'core': {'B': 3 * case['deposit']['A']}}\n"
     )
+    (tmp_path / "own.pal").write_text(form.parse(RANDOM, "e").solution)
     text = RANDOM.replace("compare=['B']", "python='own.py:triple'").replace("to=0o3777", "to=100")
+    text = text.replace(DOUBLE, "solution={file='own.pal'}\n")
     exercise = parse(text, "e", folder=str(tmp_path))
+    with pytest.raises(ExerciseError, match="e: random 1: drawn trial 4: core: a number from -2048 to 4095"):
+        parse(text.replace("to=100", "to=0o3777"), "e", folder=str(tmp_path))
     with pytest.raises(ExerciseError, match=r"own\.py has no function 'double'"):
         parse(text.replace(":triple", ":double"), "e", folder=str(tmp_path))
-    assert not mark(exercise, form.parse(RANDOM, "e").solution).right
+    assert not mark(exercise, exercise.solution).right
     assert all(trial.core["B"] == 3 * int(trial.deposit["A"]) for trial in exercise.cases[0].trials)
 
 
@@ -277,6 +282,7 @@ def test_an_answer_that_takes_too_long_is_ended_and_the_next_is_marked() -> None
     results = bounded.marked(exercise, [good, loop, good], 0.3)
     assert [result.right for result in results] == [True, False, True]
     assert results[1].fault == "it took more than 0.3 s of processor time, and was ended"
+    assert f"{bounded.SECONDS} s of processor time is all it gets" in DOCS.read_text()
 
 
 @FORK
@@ -333,18 +339,20 @@ def numbers(length: int, *others: int, first: int = 0) -> Answer:
 
 
 @pytest.mark.parametrize(
-    ("one", "other", "shared"),
+    ("length", "others", "shared"),
     [
-        (numbers(38), numbers(38, 18, 19), [28 / 40]),  # of 34 runs of five, six have an item that changed
-        (numbers(38), numbers(38, 18, 19, 20), []),
-        (numbers(16), numbers(16, 99), [1.0]),
-        (numbers(15), numbers(15, 99), []),
+        (38, [18, 19], [28 / 40]),  # of 34 runs of five, six have an item that changed
+        (38, [18, 19, 20], []),
+        *((16, [99], [1.0]), (15, [99], [])),
     ],
 )
 def test_how_alike_answers_are_is_by_the_runs_they_share(
-    one: Answer, other: Answer, shared: list[float]
+    length: int, others: list[int], shared: list[float]
 ) -> None:
-    assert [pair.shared for pair in alike.pairs([one, other])] == shared
+    answers = [numbers(length), numbers(length, *others)]
+    assert [pair.shared for pair in alike.pairs(answers)] == shared
+    if shared:
+        assert [pair.shared for pair in alike.pairs([*answers, numbers(length, 98)])] == [1.0, *shared * 2]
 
 
 @pytest.mark.parametrize(("size", "same", "pairs"), [(5, 5, 10), (6, 2, 1), (6, 3, 0), (9, 3, 3), (9, 4, 0)])

@@ -172,7 +172,7 @@ def test_a_kiosk_begins_again_when_it_is_left_alone() -> None:
     press(session, coach, "dep", 0o7200)
     advance(session, coach, 59)
     assert coach.at == 2
-    advance(session, coach, 2)
+    advance(session, coach, 1)
     assert (coach.at, session.machine.core[0o200], session.machine.pc, session.machine.sr) == (0, 0, 0, 0)
 
 

@@ -97,6 +97,10 @@ PROGRAM = 'title="t"\ntask="t"\nsolution="*200\\n\\tHLT\\n$\\n"\n'
     [
         ("title = 1\ntask = \"\"\nsolution = \"\"", r"e: title: a text is wanted, not 1"),
         ("", r"e: title is missing"),
+        ('title="t"', "e: task is missing"),
+        (PROGRAM + '[[question]]\nname="a"', "question 1: ask is missing"),
+        (PROGRAM + '[[question]]\nask="a"', "question 1: name is missing"),
+        ('{"a":' + "[" * 100_000, "e: nested too deeply"),
         ("[[", "e: Invalid initial character"),
         ("[" + "a." * 33 + "a]", "e: nested too deeply"),
         (PROGRAM, r"give \[\[case\]\] tables"),
@@ -161,9 +165,12 @@ def test_a_tape_is_a_text_or_frames_or_eia_or_a_file(tape: str, frames: bytes) -
     assert case.trials[0].tape == frames
 
 
-def test_a_mistake_must_change_one_place_of_the_solution() -> None:
-    given = parse(PROGRAM + '[mistakes]\nx=["NOP", "CLA"]\n[[case]]\nname="a"', "e")
-    with pytest.raises(ExerciseError, match="'NOP' stands 0 times"):
+@pytest.mark.parametrize(
+    ("pair", "times"), [('"NOP", "CLA"', "'NOP' stands 0"), ('"HLT", "HLT"', "'HLT' stands 1")]
+)
+def test_a_mistake_must_change_one_place_of_the_solution(pair: str, times: str) -> None:
+    given = parse(f'{PROGRAM}[mistakes]\nx=[{pair}]\n[[case]]\nname="a"', "e")
+    with pytest.raises(ExerciseError, match=f"e: mistake 'x': {times} times in the solution, not once"):
         list(proof.mistakes(given))
 
 

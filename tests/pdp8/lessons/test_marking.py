@@ -1,12 +1,14 @@
 """Marks: what each expectation notices, what a hostile answer can do, and how marks are written."""
 
+import io
 import json
+import re
 import sys
-from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from rich.console import Console
 
 import pal
 from pdp8.lessons import handed, marking, page, records, scores
@@ -97,7 +99,11 @@ def test_a_rule_that_is_kept_to_the_last_word() -> None:
 
 @pytest.mark.parametrize(
     ("rule", "fault"),
-    [("words=5", ""), ("forbidden=['A']", "this exercise looks at the source: hand in PAL, not a tape")],
+    [
+        ("words=5", ""),
+        ("forbidden=['A']", "this exercise looks at the source: hand in PAL, not a tape"),
+        ("required=['A']", "this exercise looks at the source: hand in PAL, not a tape"),
+    ],
 )
 def test_a_tape_is_marked_where_nothing_looks_at_the_source(rule: str, fault: str) -> None:
     tape = handed.of(pal.assemble(IAC).tape, "a.bin")
@@ -125,8 +131,16 @@ def test_what_stands_in_a_comment_is_not_used() -> None:
     assert mark("ac=1", IAC.replace("HLT", "HLT /ISZ"), "[program]\nrequired=['ISZ']").fault
 
 
-def test_a_missing_tag_is_named() -> None:
-    assert mark("core={SUM=1}", IAC).fault == "the tag SUM is missing; the exercise looks for it"
+@pytest.mark.parametrize(
+    ("case", "source", "fault"),
+    [
+        ("core={SUM=1}", IAC, "the tag SUM is missing; the exercise looks for it"),
+        ("ac=1", "/nothing\n$\n", "no word for core in it"),
+        ("ac=1", "*200\nFIELD 1\n*200\n1\n$\n", "address 10200: a PDP-8/L with 4K of core ends at 07777"),
+    ],
+)
+def test_what_cannot_be_tried_is_said(case: str, source: str, fault: str) -> None:
+    assert mark(case, source).fault == fault
 
 
 @pytest.mark.parametrize(
@@ -192,8 +206,8 @@ def test_two_texts_have_a_caret_under_their_first_difference() -> None:
 def test_two_long_tapes_are_shown_where_they_differ() -> None:
     good = bytes(5000)
     shown = "\n".join(scores.lines(marking.Failure("the tape", good, good[:4000] + b"\x01" + good)))
-    assert "the first difference is frame 4000" in shown
-    assert len(shown.splitlines()) < 12
+    assert "9,001 frames, 5,000 expected; the first difference is frame 4000" in shown
+    assert [line.split()[0] for line in shown.splitlines()[2:]] == [str(at) for at in range(3998, 4005)]
 
 
 DETAILS = """\
@@ -233,43 +247,99 @@ def test_what_failed_is_shown_with_carets_and_holes() -> None:
     assert list(scores.details(marking.Result("ana.pal", (found,), 2, "too long"))) == DETAILS
 
 
-def test_marks_as_junit_are_what_they_are() -> None:
-    given = exercise("ac=2\nhint='look'")
-    assert given.points == 1
-    results = [marking.mark(given, handed.of(text.encode(), text[-2:])) for text in (IAC, "\tJMP Q\n$")]
-    suites = ElementTree.fromstring(records.as_junit(given, results).partition("\n")[2])
-    assert [(suite.get("tests"), suite.get("failures")) for suite in suites] == [("1", "1")] * 2
-    messages = [failure.get("message") for failure in suites.iter("failure")]
-    assert messages == ["not as expected: AC", "not as expected: fault"]
-    texts = [failure.text for failure in suites.iter("failure")]
-    shown = f"{'AC':12} expected 0002\n{'':17} got 0001\n{'':21} ---^"
-    assert texts[0] == f"{shown}\nhint: look"
-    assert "\n        JMP Q\n" in str(texts[1])
-    failure = {"what": "AC", "happened": "one off", "expected": "0002", "got": "0001"}
-    missed = {"points": 0, "of": 1, "inputs": None, "hint": "look", "hidden": False, "failures": [failure]}
-    one, other = json.loads(records.as_json(given, results))["answers"]
-    marked = {"fault": None, "marks": [{"name": "the case", **missed}]}
-    assert one == {"answer": "$\n", "right": False, "points": 0, "of": 1, **marked}
-    assert other == {**one, "answer": "\n$", "fault": results[1].fault, "marks": []}
-    first, second, *_ = records.as_csv(given, results).splitlines()
-    assert (first, second) == ("answer,the case,points,of,fault", "$\u240a,0,0,1,")
-    assert page.html(given, results[0]).splitlines()[-3:] == [
-        f"{'':21} ---^</pre>",
-        '<p class="hint">look</p>',
-        "</body></html>",
+GIVEN = parse(
+    "title='t'\ntask=' do '\nsolution='x'\n[[case]]\nname='sum'\n[[case]]\nname='A<B'\npoints=2\n", "e"
+)
+MARKS = (
+    marking.Mark("sum", 1, 1),
+    marking.Mark(
+        "A<B", 0, 2,
+        (marking.Failure("AC", "2", "1", "one off"), marking.Failure("the tape", b"\1", b"")), "l<k", "A <1",
+    ),
+)  # fmt: skip
+CLASS = [
+    marking.Result("ana\n", MARKS, 3),
+    marking.Result("=b\x1b", (), 3, "no\tword"),
+    *(marking.Result(name, MARKS[:1], 1) for name in ("+c", "-d", "@e")),
+]
+SAID = """\
+AC           expected 2
+                  got 1
+                      ^
+the tape: 0 frames, 1 expected; the first difference is frame 0
+   frame    expected               got
+       0    |     .  o| 001      no frame           &lt;--"""
+XML = f"""\
+<?xml version="1.0" encoding="utf-8"?>
+<testsuites name="e">
+  <testsuite name="ana&#10;" tests="2" failures="1">
+    <testcase name="sum" classname="e" />
+    <testcase name="A&lt;B" classname="e">
+      <failure message="not as expected: AC, the tape">{SAID}
+hint: l&lt;k</failure>
+    </testcase>
+  </testsuite>
+  <testsuite name="=b\u241b" tests="2" failures="2">
+    <testcase name="sum" classname="e">
+      <failure message="not as expected: fault">no      word</failure>
+    </testcase>
+    <testcase name="A&lt;B" classname="e">
+      <failure message="not as expected: fault">no      word</failure>
+    </testcase>
+  </testsuite>
+</testsuites>
+"""
+CSV = """\
+answer,sum,A<B,points,of,fault
+ana\u240a,1,0,1,3,
+'=b\u241b,0,0,0,3,no\u2409word
+'+c,1,1,1,
+'-d,1,1,1,
+'@e,1,1,1,
+"""
+TABLE = """\
+answer  \u2026  \u2026  points
+ana\u240a    1  -   1 / 3
+=b\u241b     -  -   0 / 3
+"""
+HTML = f"""\
+<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><title>t: ana\u240a</title>
+<meta name="viewport" content="width=device-width"><style></style></head><body>
+<h1>t</h1>
+<p><strong>ana\u240a: 1 of 3 points</strong></p>
+<p>do</p>
+<table><tr><th>tried</th><th>points</th><th></th></tr>
+<tr><td>sum</td><td>1 of 1</td><td>right</td></tr>
+<tr><td>A&lt;B</td><td>0 of 2</td><td>not yet</td></tr>
+</table>
+<h2>A&lt;B</h2>
+<p>Tried with A &lt;1.</p>
+<pre>{SAID}</pre>
+<p class="hint">l&lt;k</p>
+</body></html>
+"""
+
+
+def test_marks_for_people_and_machines() -> None:
+    assert records.as_junit(GIVEN, CLASS[:2]) == XML
+    assert records.as_csv(GIVEN, CLASS) == CSV
+    shown = io.StringIO()
+    Console(file=shown, width=20).print(scores.table(GIVEN, CLASS[:2]))
+    assert shown.getvalue() == TABLE
+    assert re.sub(r"(?s)<style>.*</style>", "<style></style>", page.html(GIVEN, CLASS[0])) == HTML
+    assert list(page.body(CLASS[1])) == ["<h2>It was not tried</h2><pre>no      word</pre>"]
+    failures = [
+        {"what": "AC", "happened": "one off", "expected": "2", "got": "1"},
+        {"what": "the tape", "happened": "wrong", "expected": "001", "got": ""},
     ]
-    (wrong,) = results[0].marks
-    marks = (replace(wrong, inputs="A < 1"), marking.Mark("b", 2, 2))
-    assert list(page.body(replace(results[0], marks=marks))) == [
-        "<table><tr><th>tried</th><th>points</th><th></th></tr>",
-        "<tr><td>the case</td><td>0 of 1</td><td>not yet</td></tr>",
-        "<tr><td>b</td><td>2 of 2</td><td>right</td></tr>",
-        "</table>",
-        *("<h2>the case</h2>", "<p>Tried with A &lt; 1.</p>", f"<pre>{shown}</pre>"),
-        '<p class="hint">look</p>',
-    ]
-    said = "<h2>It was not tried</h2><pre>a &lt;\nb</pre>"
-    assert list(page.body(replace(results[0], fault="a <\nb"))) == [said]
+    right = {"points": 1, "of": 1, "hidden": False, "inputs": None, "hint": None, "failures": []}
+    wrong = {"points": 0, "of": 2, "hidden": False, "inputs": "A <1", "hint": "l<k", "failures": failures}
+    marks = [{"name": "sum", **right}, {"name": "A<B", **wrong}]
+    ana = {"answer": "ana\n", "right": False, "points": 1, "of": 3, "fault": None, "marks": marks}
+    ben = {"answer": "=b\x1b", "right": False, "points": 0, "of": 3, "fault": "no\tword", "marks": []}
+    record = {"exercise": "e", "title": "t", "answers": [ana, ben]}
+    assert records.as_json(GIVEN, CLASS[:2]) == json.dumps(record, indent=2) + "\n"
 
 
 @pytest.mark.parametrize(
