@@ -9,8 +9,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pdp8
+from pdp8.computer.hardware.bus import Bus
+from pdp8.computer.hardware.fields import all_fields, take
+from pdp8.computer.hardware.highspeed import PunchControl, ReaderControl
+from pdp8.computer.hardware.processor import Processor
+from pdp8.computer.hardware.signals import NEVER
+from pdp8.computer.hardware.teletype import Receiver, Transmitter
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
+from pdp8.computer.speed.waiting import Waiting
 from tests import commands
 from tests.pdp8.computer.bench import octal, program
 
@@ -45,6 +52,26 @@ def test_registers_are_words() -> None:
     m.core[0o200] = 0o12345
     assert m.core[0o200] == 0o2345
     assert len(m.core) == len(list(m.core)) == 4096
+
+
+def test_all_is_0_at_power_up_but_few_things_and_initialize_leaves_it_so() -> None:
+    bus = Bus()
+    p = Processor(bus)
+    devices = {"03": Receiver(), "04": Transmitter(), "01": ReaderControl(), "02": PunchControl()}
+    parts = all_fields([("p", p), ("bus", bus), ("waiting", Waiting(p)), *devices.items()])
+    made = take(parts)
+    assert {name: value for name, value in made.items() if value not in (0, b"", NEVER)} == {
+        **{"03 reader_run": 1, "03 line": 0o3777, "03 reader on": True, "04 mark": 1, "04 punch on": True},
+        **{"01 reader on": True, "02 punch on": True},
+        **{"waiting tries": 8, "waiting core": None, "waiting left clock": -1},
+    }
+    assert [name for name, value in made.items() if value == NEVER] == [
+        *("waiting quiet_until", "03 due", "03 step", "03 edge", "04 due", "01 due", "02 due"),
+    ]
+    p.initialize()
+    for device in devices.values():
+        device.initialize(0)
+    assert take(parts) == made | {"bus actions": 1}
 
 
 @pytest.mark.parametrize("address", [-1, 0o10000])

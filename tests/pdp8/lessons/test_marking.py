@@ -4,6 +4,7 @@ import io
 import json
 import re
 import sys
+from html import escape
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -210,72 +211,45 @@ def test_two_long_tapes_are_shown_where_they_differ() -> None:
     assert [line.split()[0] for line in shown.splitlines()[2:]] == [str(at) for at in range(3998, 4005)]
 
 
-DETAILS = """\
-ana.pal: no points
-  too long
-ana.pal: wraps, with A 1
-  SUM          expected 0001
-                    got 0000
-                        ---^
-  the time     10 s
-  instructions got 7
-  the tape: 2 frames, 3 expected; the first difference is frame 2
-     frame    expected               got
-         0    |     .  o| 001      |     .  o| 001
-         1    |     . o | 002      |     . o | 002
-         2    |     . oo| 003      no frame           <--
-  the end      expected a
-                    got b
-  AC           expected 1
-                    got 2
-                        ^
-  and 1 more
-  hint: look
-""".splitlines()
-
-
-def test_what_failed_is_shown_with_carets_and_holes() -> None:
-    failures = (
-        marking.Failure("SUM", "0001", "0000"),
-        marking.Failure("the time", "", "", "10 s"),
-        marking.Failure("instructions", "", "7"),
-        marking.Failure("the tape", b"\1\2\3", b"\1\2"),
-        marking.Failure("the end", "a", "b"),
-        marking.Failure("AC", "1", "2"),
-    )
-    found = marking.Mark("wraps", 0, 2, (*failures, failures[0]), "look", "A 1")
-    assert list(scores.details(marking.Result("ana.pal", (found,), 2, "too long"))) == DETAILS
-
-
 GIVEN = parse(
     "title='t'\ntask=' do '\nsolution='x'\n[[case]]\nname='sum'\n[[case]]\nname='A<B'\npoints=2\n", "e"
 )
-MARKS = (
-    marking.Mark("sum", 1, 1),
-    marking.Mark(
-        "A<B", 0, 2,
-        (marking.Failure("AC", "2", "1", "one off"), marking.Failure("the tape", b"\1", b"")), "l<k", "A <1",
-    ),
-)  # fmt: skip
+FAILURES = (
+    *(marking.Failure("SUM", "0001", "0000"), marking.Failure("the time", "", "", "10 s")),
+    *(marking.Failure("instructions", "", "7"), marking.Failure("the tape", b"\1\2\3", b"\1\2")),
+    *(marking.Failure("the end", "a", "b"), marking.Failure("AC", "1", "2"), marking.Failure("L", "1", "0")),
+)
+MARKS = (marking.Mark("sum", 1, 1), marking.Mark("A<B", 0, 2, FAILURES, "l<k", "A <1"))
 CLASS = [
     marking.Result("ana\n", MARKS, 3),
     marking.Result("=b\x1b", (), 3, "no\tword"),
     *(marking.Result(name, MARKS[:1], 1) for name in ("+c", "-d", "@e")),
 ]
 SAID = """\
-AC           expected 2
-                  got 1
-                      ^
-the tape: 0 frames, 1 expected; the first difference is frame 0
+SUM          expected 0001
+                  got 0000
+                      ---^
+the time     10 s
+instructions got 7
+the tape: 2 frames, 3 expected; the first difference is frame 2
    frame    expected               got
-       0    |     .  o| 001      no frame           &lt;--"""
+       0    |     .  o| 001      |     .  o| 001
+       1    |     . o | 002      |     . o | 002
+       2    |     . oo| 003      no frame           <--
+the end      expected a
+                  got b
+AC           expected 1
+                  got 2
+                      ^
+and 1 more"""
+WRONG = "SUM, the time, instructions, the tape, the end, AC, L"
 XML = f"""\
 <?xml version="1.0" encoding="utf-8"?>
 <testsuites name="e">
   <testsuite name="ana&#10;" tests="2" failures="1">
     <testcase name="sum" classname="e" />
     <testcase name="A&lt;B" classname="e">
-      <failure message="not as expected: AC, the tape">{SAID}
+      <failure message="not as expected: {WRONG}">{escape(SAID)}
 hint: l&lt;k</failure>
     </testcase>
   </testsuite>
@@ -315,7 +289,7 @@ HTML = f"""\
 </table>
 <h2>A&lt;B</h2>
 <p>Tried with A &lt;1.</p>
-<pre>{SAID}</pre>
+<pre>{escape(SAID)}</pre>
 <p class="hint">l&lt;k</p>
 </body></html>
 """
@@ -329,11 +303,24 @@ def test_marks_for_people_and_machines() -> None:
     assert shown.getvalue() == TABLE
     assert re.sub(r"(?s)<style>.*</style>", "<style></style>", page.html(GIVEN, CLASS[0])) == HTML
     assert list(page.body(CLASS[1])) == ["<h2>It was not tried</h2><pre>no      word</pre>"]
-    failures = [
-        {"what": "AC", "happened": "one off", "expected": "2", "got": "1"},
-        {"what": "the tape", "happened": "wrong", "expected": "001", "got": ""},
+    lines = [line for result in CLASS[:2] for line in scores.details(result)]
+    assert lines == [
+        *("ana\n: A<B, with A <1", *(f"  {line}" for line in SAID.splitlines()), "  hint: l<k"),
+        *("=b\x1b: no points", "  no      word"),
     ]
-    right = {"points": 1, "of": 1, "hidden": False, "inputs": None, "hint": None, "failures": []}
+    failures = [
+        {"what": each.what, "happened": each.happened, "expected": each.expected, "got": each.got}
+        for each in FAILURES
+    ]
+    failures[3] |= {"expected": "001 002 003", "got": "001 002"}
+    right: dict[str, object] = {
+        "points": 1,
+        "of": 1,
+        "hidden": False,
+        "inputs": None,
+        "hint": None,
+        "failures": [],
+    }
     wrong = {"points": 0, "of": 2, "hidden": False, "inputs": "A <1", "hint": "l<k", "failures": failures}
     marks = [{"name": "sum", **right}, {"name": "A<B", **wrong}]
     ana = {"answer": "ana\n", "right": False, "points": 1, "of": 3, "fault": None, "marks": marks}

@@ -88,6 +88,7 @@ def test_every_iot() -> None:
                 assert f"{machine.pc:04o}" == ("0202" if effect.tests and flag else "0201")
                 assert device.flag == (0 if effect.clears else flag)
                 assert machine.ticks == 85
+                assert machine.bus.actions == 2 + (code & 6).bit_count()
                 others = [other.flag for other in machine.bus if other is not device]
                 assert others == [flag] * 3
                 assert machine.teletype.receiver.reader_run == (
@@ -105,7 +106,7 @@ def test_interrupt_enable(code: int) -> None:
         machine.processor.instruction()
         expected = {1: 1, 5: 1, 2: 0, 3: 0, 6: 0, 7: 0}.get(code, ion)
         assert machine.ion == expected
-        assert machine.ticks == 85
+        assert (machine.ticks, machine.bus.actions) == (85, 3)
         assert (machine.pc, machine.ac) == (0o201, 0)
 
 
