@@ -138,7 +138,7 @@ def _why_bad(frame: int, strict: bool) -> str:
         return f"wrong parity: {frame:03o} has {frame.bit_count()} holes, EIA frames have an odd number"
     if value > END_OF_BLOCK:
         return f"an end of block with digit holes beside it: {frame:03o}"
-    if value > 9:
+    if 9 < value < END_OF_BLOCK:
         return f"{frame:03o} is {value}, not a decimal digit"
     return f"{frame:03o} is not an EIA digit"
 

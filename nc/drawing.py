@@ -12,9 +12,9 @@ from xml.etree import ElementTree as ET
 
 INK, FAINT, GRID = "#1b1b1b", "#8a8a8a", "#e4e4e4"
 _FONT = "Helvetica, Arial, sans-serif"
-_TICKS = (0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0)
+_TICKS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
 _APART = 45
-"""Inches from tick to tick of a scale, and hundredths of an inch of paper between two at the least."""
+"""Thousandths from tick to tick of a scale, and hundredths of an inch of paper between two at the least."""
 
 
 @dataclass(frozen=True)
@@ -184,7 +184,7 @@ class View:
 
 def _tick(scale: float) -> tuple[float, int]:
     """Return the step of an inch scale, thousandths, and its places."""
-    step = next((tick for tick in _TICKS if tick * 100 * scale >= _APART), max(_TICKS)) * 1000
+    step = next((tick for tick in _TICKS if tick * scale / 10 >= _APART), max(_TICKS))
     return step, 1 if step >= 100 else 2 if step >= 10 else 3
 
 

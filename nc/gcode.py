@@ -75,7 +75,7 @@ def _signed(point: Position) -> tuple[float, float, float]:
 
 
 def _feed(speed: float) -> str:
-    return f"{speed:.4f}".rstrip("0").ljust(3, "0") if speed < 10 else f"{speed:.4f}".rstrip("0").rstrip(".")
+    return str(round(speed, 4))
 
 
 def _stops(step: Step) -> Iterator[str]:

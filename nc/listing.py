@@ -114,7 +114,7 @@ def _xy(step: Step) -> str:
 
 
 def _depths(modes: Modes) -> str:
-    return f"from {(modes.feed_point or 0) / 1000:.3f} to {(modes.final_depth or 0) / 1000:.3f}"
+    return f"from {(modes.feed_point or 0) / 1000:.3f} to {modes.final_depth / 1000:.3f}"
 
 
 def _function(step: Step) -> str:

@@ -209,7 +209,7 @@ class _Motion:
         yield from self._quill(MoveKind.RETRACT, self._clear())
 
     def _depths(self) -> tuple[int, int]:
-        if self.modes.feed_point is None or self.modes.final_depth is None:
+        if self.modes.feed_point is None:
             raise self.place.error(
                 4, "the quill needs depths (preparatory function 9); no block has set them"
             )

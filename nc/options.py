@@ -88,7 +88,7 @@ TIMES = _adding(
     click.option(
         "--peck",
         type=float,
-        callback=within(0.001, 5),
+        callback=lambda *given: round(within(0.001, 5)(*given) * 1000),
         metavar="INCHES",
         default=0.1,
         show_default=True,
@@ -96,9 +96,11 @@ TIMES = _adding(
     ),
     click.option(
         "--tool-change",
+        "tool_change_seconds",
         type=float,
         callback=within(0, 3600),
         default=0.0,
+        show_default=True,
         metavar="SECONDS",
         help="Time of an automatic tool change; not in the thesis.",
     ),
@@ -113,6 +115,8 @@ TIMES = _adding(
     ),
 )
 """What only the time of a cut depends on."""
+
+_TIMES = ("peck", "tool_change_seconds", "read_seconds")
 
 CURVE = _adding(
     click.option(
@@ -190,10 +194,7 @@ def cut_so_far(
     strict: bool,
     feed_error: tuple[float, float, float],
     feed_code: int | None,
-    peck: float = 0.1,
-    tool_change: float = 0.0,
-    read_seconds: float = 2.0,
-    **_: Any,
+    **options: Any,
 ) -> tuple["Path", WorkError | None]:
     """Return the path and the error that stopped the machine, if any; raise it if the path is empty."""
     from nc import machine
@@ -203,9 +204,8 @@ def cut_so_far(
         if not abs(error) <= 20:
             raise click.BadParameter(f"{error:g} %: -20 to 20 is allowed", param_hint="--feed-error")
     frames = shelf.read(tape)
-    settings = machine.Settings(
-        (x / 100, y / 100, z / 100), feed_code, tool_change, round(peck * 1000), read_seconds
-    )
+    times = {name: options[name] for name in _TIMES if name in options}
+    settings = machine.Settings((x / 100, y / 100, z / 100), feed_code, **times)
     with naming(tape):
         try:
             return machine.cut(frames, strict=strict, settings=settings), None

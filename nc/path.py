@@ -66,7 +66,7 @@ class Move:
 class Modes:
     """What is in force until another block changes it. Feeds in inches a minute, depths in thousandths.
 
-    None: no block has set it yet.
+    None: no block has set it yet. A feed point comes with its final depth.
     """
 
     x_feed: float | None = None
@@ -77,7 +77,7 @@ class Modes:
     coolant: str = "off"
     partial_retract: bool = False
     feed_point: int | None = None
-    final_depth: int | None = None
+    final_depth: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,11 +98,11 @@ class Step:
 class Times:
     """Seconds at the machine, by what it was doing."""
 
-    reading: float = 0.0
-    positioning: float = 0.0
-    z_feed: float = 0.0
-    milling: float = 0.0
-    tool_changes: float = 0.0
+    reading: float
+    positioning: float
+    z_feed: float
+    milling: float
+    tool_changes: float
 
     @property
     def total(self) -> float:
@@ -130,19 +130,14 @@ class Path:
     """Everything a tape made the machine do, in the order of its blocks."""
 
     steps: tuple[Step, ...]
-    read_seconds: float = 2.0
-    tool_change_seconds: float = 0.0
+    read_seconds: float
+    tool_change_seconds: float
 
     def __len__(self) -> int:
         return len(self.steps)
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {len(self)} blocks, {self.times.total / 60:.1f} min>"
-
-    @property
-    def blocks(self) -> tuple[Block, ...]:
-        """The blocks in the order of the tape."""
-        return tuple(step.block for step in self.steps)
 
     @cached_property
     def moves(self) -> tuple[Move, ...]:
@@ -180,7 +175,7 @@ class Path:
     @property
     def contour(self) -> Times:
         """The time of the contour alone, which Chapter 7 gives: its blocks read, and milled."""
-        return Times(reading=self.read_seconds * self.milling_blocks, milling=self.times.milling)
+        return Times(self.read_seconds * self.milling_blocks, 0, 0, self.times.milling, 0)
 
     def clock(self) -> Iterator[float]:
         """Yield for each step the second at which it ends."""
@@ -206,7 +201,7 @@ class Path:
     def holes(self) -> tuple[Position, ...]:
         """Where the cutter was fed to its full depth without milling: drilled, bored or tapped."""
         return tuple(
-            Position(step.block.x, step.block.y, step.modes.final_depth or 0)
+            Position(step.block.x, step.block.y, step.modes.final_depth)
             for step in self.steps
             if step.block.preparatory in HOLE_MAKING
         )

@@ -92,10 +92,8 @@ def _heading(path: Path, curve: Curve | None, current: int) -> list[tuple[str, s
 
 def _window(path: Path, cutter: float) -> Window:
     """Return the part of the table with the work, or with all the moves if there is none."""
-    work: list[Position] = [place for move in path.cuts for place in (move.start, move.end)] + list(
-        path.holes
-    )
-    return around(work or [Position(0, 0, 0), *(step.at for step in path.steps)]).grown(cutter / 2 + 200)
+    work = [*path.holes, *(place for move in path.cuts for place in (move.start, move.end))]
+    return around(work or [(0, 0), *(step.at for step in path.steps)]).grown(cutter / 2 + 200)
 
 
 def _fits(window: Window, scale: float) -> bool:
@@ -233,7 +231,7 @@ def _number_steps(view: View, path: Path, current: int) -> None:
         ),
         key=lambda step: abs(step.number - current),
     )
-    for step in steps[:400]:
+    for step in steps:
         x, y = view.at(step.at.x, step.at.y)
         if any(abs(x - other_x) < 34 and abs(y - other_y) < 13 for other_x, other_y in written):
             continue

@@ -21,7 +21,8 @@ _LEFT, _WIDTH, _HEIGHT = 80.0, 660.0, 200.0
 DIVISION = 10.0
 """Thousandths of an inch from one light line to the next, along the surface."""
 
-_STEPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0)
+_STEPS = (10, 20, 50, 100, 200, 500, 1000, 2000)
+"""Thousandths from one figure to the next."""
 
 
 def talysurf(
@@ -86,7 +87,7 @@ def _trace(
         for count in range(ceil(start / DIVISION), floor((start + length) / DIVISION) + 1):
             x = _LEFT + (count * DIVISION - start) * across
             sheet.draw("line", x1=x, y1=top, x2=x, y2=bottom, stroke=GRID, stroke_width=0.6)
-    step = next((step for step in _STEPS if step * 1000 * across >= 48), max(_STEPS)) * 1000
+    step = next((step for step in _STEPS if step * across >= 48), max(_STEPS))
     for count in range(ceil(start / step), floor((start + length) / step) + 1):
         x = _LEFT + (count * step - start) * across
         sheet.draw("line", x1=x, y1=top, x2=x, y2=bottom, stroke=GRID)

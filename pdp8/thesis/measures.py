@@ -81,9 +81,9 @@ def _machine() -> _Table:
         ),
         "blocks before the holes": lambda: len(_drill()) - len(chain.path("drill").holes),
         "drill rows": lambda: re.sub(r", (\d+)$", r" and \1", ", ".join(row[:3] for row in _drill()[2:])),
-        "drill speed": lambda: SPINDLE[chain.path("drill").blocks[0].tool],
+        "drill speed": lambda: SPINDLE[chain.path("drill").steps[0].block.tool],
         "drill feed point": lambda: (chain.path("drill").steps[1].modes.feed_point or 0) / 1000,
-        "drill depth": lambda: (chain.path("drill").steps[1].modes.final_depth or 0) / 1000,
+        "drill depth": lambda: chain.path("drill").steps[1].modes.final_depth / 1000,
     } | {f"drill block {number}": lambda row=row: row for number, row in enumerate(_drill(), 1)}
 
 
@@ -336,7 +336,7 @@ def _tape_minutes(part: str) -> float:
 
 def _depth(path: nc.Path) -> float:
     modes = path.steps[-1].modes
-    return ((modes.final_depth or 0) - (modes.feed_point or 0)) / 1000
+    return (modes.final_depth - (modes.feed_point or 0)) / 1000
 
 
 @cache

@@ -7,6 +7,7 @@ from click.testing import CliRunner
 
 from nc.cli import nc
 from nc.curves import Ellipse
+from nc.dxf import dxf
 from nc.inspection import inspect
 from nc.machine import cut
 from nc.plot import plot
@@ -37,6 +38,7 @@ def complaint(shell: Shell, line: str, stdin: bytes = b"", status: int = 1) -> s
     said = done.stderr.decode()
     assert done.returncode == status, said
     assert "Traceback" not in said
+    assert not done.stdout or "block 1," not in said
     lines = said.strip().splitlines()
     assert len(lines) == 1 or status == 2
     return lines[-1] if status == 1 else lines[0]
@@ -123,6 +125,8 @@ def test_lengths_are_inches_at_the_commands(shell: Shell) -> None:
     options = "--circle 4,4,1.75 --cutter .25 --tolerance .01 --talysurf - --stretch 1,2"
     assert shell(f"pdp8 nc inspect circle.eia {options}").stdout.decode() == trace
     assert product(shell, "pdp8 nc export circle.eia --dxf").count("LWPOLYLINE") > 1
+    holes = tape(*FOUR_HOLES)
+    assert product(shell, "pdp8 nc export --dxf --cutter .25", holes) == dxf(cut(holes), cutter=250)
 
 
 def test_a_day_with_other_times(shell: Shell) -> None:
@@ -280,7 +284,7 @@ def test_a_reader_that_has_enough_is_no_error(shell: Shell) -> None:
     [
         ("", []),
         ("list", []),
-        ("cut", ["0.1", "2.0", "1; x>=1"]),
+        ("cut", ["0.1", "0.0", "2.0", "1; x>=1"]),
         ("plot", ["4,5", "0.5", "0.005", "10.0", "standard output"]),
         ("inspect", ["4,5", "0.5", "0.005"]),
         ("export", ["4,5", "0.5", "0.005", "standard output"]),

@@ -101,7 +101,7 @@ def linuxcnc(lines: Iterable[str], folder: Path) -> Iterator[Event]:
 @pytest.mark.skipif(not shutil.which("rs274"), reason="LinuxCNC's interpreter (rs274) is not installed")
 @pytest.mark.parametrize("frames", [CIRCLE, EVERYTHING], ids=["circle", "everything"])
 def test_linuxcnc_does_the_same(frames: bytes, tmp_path: Path) -> None:
-    path = nc.cut(frames, settings=Settings(feed_error=(0.1, -0.2, 0.2)))
+    path = nc.cut(frames, settings=Settings(feed_error=(0.12345, -0.2, 0.2)))
     done = list(linuxcnc(gcode(path), tmp_path))
     for here, there in zip(done, events(path), strict=True):
         assert here[1:] == there[1:], f"{here}, not {there}"
@@ -190,17 +190,25 @@ def test_the_circle_as_dxf() -> None:
     (curve,) = space.query('LWPOLYLINE[layer=="CURVE"]')
     assert isinstance(curve, LWPolyline)
     assert curve.closed
+    assert np.hypot(*(np.array(curve.get_points("xy")) - 4).T) == pytest.approx(1.75)
     assert len(space.query('LINE[layer=="POSITION"]')) == 4
 
 
 def test_the_four_holes_as_dxf() -> None:
-    space = read_back(dxf(nc.cut(tape(*FOUR_HOLES)), cutter=250)).modelspace()
-    holes = [(*hole.dxf.center, hole.dxf.radius) for hole in space.query('CIRCLE[layer=="HOLES"]')]
-    assert holes == [(1, 1, -3.5, 0.125), (1, 2, -3.5, 0.125), (4, 2, -3.5, 0.125), (4, 1, -3.5, 0.125)]
+    path = nc.cut(tape(*FOUR_HOLES))
+    for text, radius in ((dxf(path), 0.25), (dxf(path, cutter=250), 0.125)):
+        holes = [
+            (*hole.dxf.center, hole.dxf.radius) for hole in read_back(text).query('CIRCLE[layer=="HOLES"]')
+        ]
+        assert holes == [(x, y, -3.5, radius) for x, y in ((1, 1), (1, 2), (4, 2), (4, 1))]
 
 
 def test_the_same_path_is_the_same_drawing() -> None:
-    assert dxf(nc.cut(SLOPES)) == dxf(nc.cut(SLOPES))
+    """Also in another process: what a set names is sorted."""
+    text = dxf(nc.cut(SLOPES))
+    assert text == dxf(nc.cut(SLOPES))
+    used = [name for name in re.findall("\nCLASS\n  1\n(.*)\n", text) if f"\n  0\n{name}\n" in text]
+    assert used == sorted(used)
 
 
 def test_without_ezdxf_one_sentence_says_what_to_do(monkeypatch: pytest.MonkeyPatch) -> None:

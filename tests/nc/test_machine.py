@@ -1,5 +1,7 @@
 """What each block makes the machine do, the modes it leaves, and the thesis's times."""
 
+from typing import Any
+
 import pytest
 
 import nc
@@ -40,6 +42,7 @@ def test_the_four_holes_of_chapter_3() -> None:
             (MoveKind.RETRACT, Position(x, y, 0), 300),
         ]
     assert path.times.z_feed == pytest.approx(4 * 30)
+    assert path.gap == 0
 
 
 def test_two_feeds_leave_the_slope_where_one_axis_arrives() -> None:
@@ -103,10 +106,25 @@ def test_a_refused_block_leaves_the_machine_as_it_was() -> None:
     assert (machine.modes, machine.at) == before
 
 
-@pytest.mark.parametrize("error", [0.21, -0.201, 1.0, float("nan")])
-def test_feeds_are_within_20_percent(error: float) -> None:
-    with pytest.raises(WorkError, match="within 20%"):
-        Settings(feed_error=(0, error, 0))
+@pytest.mark.parametrize(
+    ("setting", "says"),
+    [
+        ({"feed_error": (0, 0.21, 0)}, r"Y feed error \+21%: must be within 20%"),
+        ({"feed_error": (-0.201, 0, 0)}, "X feed error -20%: must be within 20%"),
+        ({"feed_error": (0, 0, 1.0)}, r"Z feed error \+100%: must be within 20%"),
+        ({"feed_error": (0, float("nan"), 0)}, "must be within 20%"),
+        ({"feed_code": 0}, "unknown feed code 00: Table 2.4 has 01 to 18"),
+        ({"feed_code": 19}, "unknown feed code 19"),
+        ({"tool_change_seconds": -0.1}, "tool change of -0.1 s: must be 0 or more"),
+        ({"peck": 0}, "peck of 0 thousandths: must be 1 or more"),
+        ({"read_seconds": -0.1}, "reading time of -0.1 s a block: must be 0 or more"),
+        ({"read_seconds": float("nan")}, "must be 0 or more"),
+    ],
+)
+def test_what_the_machine_cannot_be_set_to(setting: dict[str, Any], says: str) -> None:
+    Settings((0.2, -0.2, 0), 18, tool_change_seconds=0, peck=1, read_seconds=0)
+    with pytest.raises(WorkError, match=says):
+        Settings(**setting)
 
 
 def test_a_feed_error_changes_the_times_and_not_the_staircase() -> None:
@@ -178,5 +196,3 @@ def test_an_electronic_reader() -> None:
     quick = nc.cut(CIRCLE, settings=Settings(read_seconds=0.01))
     assert quick.contour.total == pytest.approx(660 * 0.01 + quick.times.milling)
     assert quick.contour.efficiency > 0.99
-    with pytest.raises(WorkError, match="must be 0 or more"):
-        Settings(read_seconds=float("nan"))
