@@ -11,7 +11,7 @@ cdef int START, ADDRESS, CURRENT_PAGE, INDIRECT, PAGE, SIGNIFICANT, _MASK, _LINK
 
 cdef class Symbol:
     cdef public str name, kind
-    cdef public int value, passed, at
+    cdef public int value, passed
 
 
 cdef class Pool:

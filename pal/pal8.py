@@ -35,6 +35,7 @@ from pal.symbols import SIGNIFICANT
 _MASK = 0o7777
 _OPERATORS = frozenset("+-!&^%")
 _STOPS = frozenset(["", ";", ")", "]", "<"])
+_KNOWN = frozenset('+-!&^%,=*.;$"()[]<')
 _LINKED = INDIRECT | CURRENT_PAGE
 _MODES = ("DUBL", "FLTG")
 _MOST_FIGURES = 15  # with the point; a number is less than 2^53
@@ -53,14 +54,13 @@ class Problem(NamedTuple):
 
 
 class Symbol:
-    """A symbol: what it is, its value, the pass that defined it last and the place where."""
+    """A symbol: what it is, its value, and the pass that defined it last."""
 
     def __init__(self, name: str, kind: str, value: int) -> None:
         self.name = name
         self.kind = kind
         self.value = value
         self.passed = 0
-        self.at = -1
 
 
 class Pool:
@@ -174,8 +174,7 @@ class Assembler:
         self._start = self._end + len(self._tokens[self._next])
         self._token = self._tokens[self._next + 1]
         self._end = self._start + len(self._token)
-        if self._next + 2 < len(self._tokens):
-            self._next += 2
+        self._next = min(self._next + 2, len(self._tokens) - 2)
 
     def _joined(self) -> str:
         """Return the token directly after this one, "" where a blank stands between."""
@@ -183,10 +182,14 @@ class Assembler:
 
     def _at(self, start: int, end: int) -> int:
         """Keep a place, in pass 2; return its index."""
-        if self._number == 1:
-            return -1
-        self.places.append((self._index, start, end))
+        if self._number == 2:
+            self.places.append((self._index, start, end))
         return len(self.places) - 1
+
+    def _mention(self, name: str, start: int, end: int, defined: bool) -> None:
+        """Keep where a symbol stands, in pass 2."""
+        if self._number == 2:
+            self.mentions.append(Mention(name, self._at(start, end), defined))
 
     def _fail(self, code: str, message: str, advice: str, start: int = -1, end: int = -1) -> None:
         """Note an error of syntax, and pass over the rest of the line."""
@@ -268,7 +271,7 @@ class Assembler:
 
     def _put(self, kind: str, value: int) -> None:
         """Punch an origin, a field or the checksum, in pass 2."""
-        if self._number == 1 or not self._punching:
+        if self._number == 1 or not (self._punching or kind == CHECKSUM):
             return
         self.output.append(Punched(kind, value))
         if kind == FIELD:
@@ -311,11 +314,7 @@ class Assembler:
             symbol = Symbol(name, USER, 0)
             self.symbols[name] = symbol
         symbol.kind = USER
-        at = self._at(start, end)
-        if self._number == 2:
-            self.mentions.append(Mention(name, at, True))
-        if symbol.passed != self._number:
-            symbol.at = at
+        self._mention(name, start, end, True)
         return symbol
 
     def _replaced(self, name: str, symbol: Symbol, start: int, end: int) -> None:
@@ -342,9 +341,7 @@ class Assembler:
             value = 0
         known = self.symbols.get(name)
         if known is not None and known.kind == INSTRUCTION and known.value == value:
-            at = self._at(start, end)
-            if self._number == 2:
-                self.mentions.append(Mention(name, at, True))
+            self._mention(name, start, end, True)
             return
         symbol = self._define(name, start, end)
         if symbol.passed == self._number and symbol.value != value:
@@ -362,7 +359,7 @@ class Assembler:
     def _go_to(self, address: int) -> None:
         """Set the location; `address` is where RELOC says that it runs."""
         location = address - self._shift & _MASK
-        if (location ^ self._location) & PAGE:
+        if (address ^ self._location) & PAGE:
             self._put_out(0)
         self._location = location
         self._put(ORIGIN, location)
@@ -406,9 +403,8 @@ class Assembler:
     def _expression(self) -> tuple[int, bool]:
         """Return the value of terms and operators, and whether the first term is a memory reference."""
         sign = self._token
-        if sign in ("+", "-"):
-            self._check_sign()
-            self._advance()
+        if sign in ("+", "-") and not self._takes_sign(sign):
+            return 0, False
         value, refers = self._term()
         value = (-value if sign == "-" else value) & _MASK
         while self._token in _OPERATORS and self._start == self._before:
@@ -420,20 +416,22 @@ class Assembler:
             value = _signed(self._operate(value, operator, operand))
         return value, refers
 
-    def _check_sign(self) -> None:
-        """A sign at the beginning of an expression: no blank after it; after a blank, DEC's drops it."""
-        token = self._tokens[self._next + 1]
-        if self._tokens[self._next]:
-            self._fail("IC", f"a blank after {self._token}", "write the operand directly after it")
-        elif self._start != self._before and self._next > 2:
-            last = self._tokens[self._next - 3]
-            if _is_item(last[len(last) - 1 :]) and self._names_value(last):
-                message = f"this is an OR with {self._token}{token}; DEC's PAL8 drops the {self._token} (IC)"
-                self._note("PN44", message, f"leave no blank before {self._token}, to add or subtract")
+    def _takes_sign(self, sign: str) -> bool:
+        """Take a sign at the beginning of an expression, unless a blank follows; DEC's drops one in an OR."""
+        operand = self._joined()
+        if not operand:
+            self._fail("IC", f"no operand after {sign}", "write it directly after")
+            return False
+        last = self._tokens[self._next - 3] if self._next > 2 and self._start != self._before else ""
+        if _is_item(last[len(last) - 1 :]) and self._names_value(last):
+            message = f"this is an OR with {sign}{operand}; DEC's PAL8 drops the {sign} (IC)"
+            self._note("PN44", message, f"leave no blank before {sign}, to add or subtract")
+        self._advance()
+        return True
 
     def _names_value(self, token: str) -> bool:
         symbol = self.symbols.get(token[:SIGNIFICANT])
-        return symbol is None or symbol.kind != PSEUDO
+        return symbol is None or symbol.kind not in (PSEUDO, REFERENCE)
 
     def _operate(self, value: int, operator: str, operand: int) -> int:
         if operator == "+":
@@ -504,18 +502,17 @@ class Assembler:
             return "= not directly after a symbol", "write the symbol, and = without a blank"
         if token == ",":
             return ", not directly after a tag", "write the tag, and the comma without a blank"
-        if token in ("'", "#", "?", "@", "\\", "_", ":"):
-            return f"illegal character {token}", "PAL8 has no such operator"
-        return f"{token} cannot stand here", "a blank or an operator stands between two terms"
+        if token[0] in _KNOWN or _is_item(token):
+            return f"{token} cannot stand here", "a blank or an operator stands between two terms"
+        return f"illegal character {token}", "PAL8 has no such operator"
 
     def _symbol(self, name: str) -> tuple[int, bool]:
         symbol = self.symbols.get(name)
         start, end = self._start, self._end
         if symbol is None:
             symbol = self.symbols[name] = Symbol(name, UNKNOWN, 0)
-        if self._number == 2:
-            self._names.append(name)
-            self.mentions.append(Mention(name, self._at(start, end), False))
+        self._names.append(name)
+        self._mention(name, start, end, False)
         self._end_term()
         if symbol.kind == PSEUDO:
             message = f"the pseudo-operator {symbol.name} within an expression"
@@ -688,7 +685,7 @@ class Assembler:
         there = here + ADDRESS & PAGE if page < 0 else (page & 0o37) << 7
         self._put_out(0)
         location = there - self._shift & _MASK
-        if location != self._location or page >= 0:
+        if location != self._location:
             self._location = location
             self._put(ORIGIN, location)
 
@@ -713,8 +710,7 @@ class Assembler:
             defined = False
             message = f"{token} is defined below; DEC's PAL8 takes it for defined in pass 2"
             self._note("PN49", message, "define it before")
-        if self._number == 2:
-            self.mentions.append(Mention(token, self._at(self._start, self._end), False))
+        self._mention(token, self._start, self._end, False)
         self._advance()
         self._condition(defined == (name == "IFDEF"))
 
@@ -780,14 +776,12 @@ class Assembler:
             self._fail("IC", "FIXMRI without a definition", "write it so: FIXMRI NAME=5000")
             return
         name = self._token[:SIGNIFICANT]
-        at = self._at(self._start, self._end)
+        self._mention(name, self._start, self._end, True)
         self._advance()
         self._advance()
         value = self._expressions()
         symbol = self.symbols[name] = Symbol(name, REFERENCE, value & _MASK)
-        symbol.passed, symbol.at = self._number, at
-        if self._number == 2:
-            self.mentions.append(Mention(name, at, True))
+        symbol.passed = self._number
 
     # Texts and numbers of several words
 
@@ -859,7 +853,8 @@ class Assembler:
         if not figures or figures == "." or "." in fraction or (fraction and self._mode == "DUBL"):
             self._fail("IC", f"no number for {self._mode}", "write decimal digits, with a sign or without")
             return
-        value = int(whole + fraction) if len(figures) <= _MOST_FIGURES else 0
+        fraction = fraction.rstrip("0")
+        value = int(whole + fraction or "0") if len(figures) <= _MOST_FIGURES else 0
         if len(figures) > _MOST_FIGURES or (self._mode == "DUBL" and value - negative >= 1 << 23):
             message = f"{figures} does not fit into the words of {self._mode}"
             advice = f"the most is 8388607 after DUBL, {_MOST_FIGURES} figures after FLTG"
@@ -882,16 +877,16 @@ class Assembler:
     def _floating(self, value: int, decimals: int, negative: bool, at: int) -> None:
         """Write a number as exponent and mantissa, from a half to one, of 24 bits.
 
-        palbart divides by ten once for each decimal, and cuts what is beyond 23 bits each time.
+        palbart divides by ten once for each decimal, and cuts what is beyond 26 bits each time.
         """
         exponent = value.bit_length()
-        mantissa = value << 23 >> exponent
+        mantissa = value << 26 >> exponent
         for _ in range(decimals):
-            mantissa = mantissa * 8 // 10
-            exponent -= 3
-            while mantissa < 1 << 22:
-                mantissa <<= 1
-                exponent -= 1
+            mantissa //= 10
+            shift = 26 - mantissa.bit_length()
+            mantissa <<= shift
+            exponent -= shift
+        mantissa >>= 3
         if negative:
             mantissa = -mantissa
         self._write(exponent & _MASK, at)

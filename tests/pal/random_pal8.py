@@ -11,7 +11,6 @@ import tempfile
 from pathlib import Path
 
 import pal
-from tapes import binary
 
 PALBART = shutil.which("palbart")
 REFERENCES = ["AND", "TAD", "ISZ", "DCA", "JMS", "JMP"]
@@ -42,7 +41,7 @@ class Author:
         self.decimal = False
 
     def source(self) -> str:
-        lines = [f"{name}={self.random.randrange(1, 0o300):o}" for name in self.names]
+        lines = ["FIXMRI OWN=4000", *(f"{name}={self.random.randrange(1, 0o300):o}" for name in self.names)]
         count = self.random.randrange(3, 9)
         self.coming = [f"T{number}" for number in range(count * 3)]
         for _ in range(count):
@@ -84,8 +83,10 @@ class Author:
         return self.random.choice(kinds)()
 
     def reference(self) -> str:
+        name = self.random.choice([*REFERENCES, "OWN"])
         how = self.random.choice(["", "", "", "I ", "Z "])
-        return f"{self.random.choice(REFERENCES)} {how}{self.address()}"
+        near = f"{self.random.randrange(0o200):o}" if not self.decimal else "."
+        return f"{name} {how}{near if how == 'I ' and self.random.random() < 0.98 else self.address()}"
 
     def address(self) -> str:
         pick = self.random.random()
@@ -148,7 +149,12 @@ class Author:
     def text(self) -> str:
         text = "".join(self.random.choice(CHARACTERS) for _ in range(self.random.randrange(7)))
         return self.random.choice(
-            [f"TEXT /{text}/", f'TEXT "{text}"', "ZBLOCK 3", "DEVICE SYS", "FILENAME PIP.SV", "TEXT %AB%"]
+            [
+                *(f"TEXT /{text}/", f'TEXT "{text}"', "TEXT %AB%", f"ASCII /{text}/", "ZBLOCK 3"),
+                *("DEVICE SYS", "FILENAME PIP.SV", "FILENAME LONGERNAME", "FILENAME A.SAVE"),
+                f"DUBL;{self.random.randrange(1 << 23)};-{self.random.randrange(1 << 23)}",
+                f"FLTG;{self.random.randrange(1, 10**6) / 10 ** self.random.randrange(6):f};-7",
+            ]
         )
 
     def assign(self) -> str:
@@ -164,8 +170,8 @@ class Author:
         return pick
 
 
-def palbarts(source: str, folder: Path) -> tuple[dict[int, int] | None, str]:
-    """Return the words that palbart makes, None if it crashed, and its messages."""
+def palbarts(source: str, folder: Path) -> tuple[bytes, str]:
+    """Return the tape that palbart makes, without leader and trailer, and its messages."""
     for path in folder.iterdir():
         path.unlink()
     (folder / "x.pal").write_text(source)
@@ -173,28 +179,24 @@ def palbarts(source: str, folder: Path) -> tuple[dict[int, int] | None, str]:
         [str(PALBART), "-$", "x.pal"], cwd=folder, capture_output=True, check=False, timeout=10
     )
     if done.returncode < 0:
-        return None, "crashed"
+        return b"", "crashed"
     errors = folder / "x.err"
     said = errors.read_text() if errors.exists() else ""
-    return binary.decode((folder / "x.bin").read_bytes()).words, said if done.returncode else ""
+    return (folder / "x.bin").read_bytes().strip(b"\x80"), said if done.returncode else ""
 
 
 def compare(source: str, folder: Path) -> str:
     """Return what is different between palbart and ours, "" if nothing is."""
-    words, said = palbarts(source, folder)
+    tape, said = palbarts(source, folder)
     assembly = pal.assemble(source, dialect="pal8")
     errors = [str(diagnostic) for diagnostic in assembly.diagnostics if diagnostic.error]
-    if words is None or said:
+    if said:
         return "" if errors else f"palbart refuses it: {said}"
     if errors:
         return f"ours alone refuses it: {errors[0]}"
-    if words == assembly.words:
-        return ""
-    differ = sorted(
-        key for key in words.keys() | assembly.words.keys() if words.get(key) != assembly.words.get(key)
-    )
-    first = differ[0]
-    return f"{first:05o}: palbart {words.get(first)}, ours {assembly.words.get(first)}"
+    ours = assembly.tape.strip(b"\x80")
+    differ = [number for number, (our, their) in enumerate(zip(ours, tape, strict=False)) if our != their]
+    return f"frame {[*differ, min(len(ours), len(tape))][0]}" if ours != tape else ""
 
 
 def main(count: int) -> int:
