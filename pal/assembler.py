@@ -237,7 +237,7 @@ class Assembler:
         symbols = self._symbols
         found = symbols.index.get(name)
         if found is None:
-            if name[0] <= "9":
+            if not name[0].isalpha():
                 self._item = self._numeral(name)
                 self._refers = False
                 return True
@@ -440,7 +440,7 @@ class Assembler:
         A number begins again at 0. The rest of a name does not belong to it.
         """
         name, self._broken = self._broken, ""
-        if name[0] <= "9":
+        if not name[0].isalpha():
             if name.isdigit():
                 self._letters = 0
             return _RESUMED + rest
@@ -464,7 +464,7 @@ class Assembler:
         self._watch("number", 0)
         value = 0
         for at, character in enumerate(name.lstrip(_RESUMED)):
-            if character > "9":
+            if character.isalpha():
                 self._letters += 1
                 if self._letters == _REREAD:
                     self._letters += 1

@@ -106,7 +106,7 @@ class Assembly:
         found = []
         for at, (item, mark) in enumerate(self.source.items):
             name = item[:SIGNIFICANT]
-            if name[:1] > "9" and name not in _PSEUDO:
+            if name[:1].isalpha() and name not in _PSEUDO:
                 found.append(Mention(name, at, mark in (",", "=")))
             if mark == "$":
                 break

@@ -5,7 +5,7 @@ cimport cython
 from pal.assembler cimport Written
 from pal.isa cimport refers_to
 
-cdef int CLA, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, REVERSED, _SKIPS, _STORE
+cdef int CLA, DCA, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, REVERSED, _SKIPS
 
 
 cdef class Mention:

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from pal.assembler import Written
-from pal.isa import CLA, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, REVERSED, refers_to
+from pal.isa import CLA, DCA, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, REVERSED, refers_to
 
 COMBINED, OVERLAID, AFTER_END, TOO_LARGE, NOT_OCTAL = "PN01", "PN02", "PN03", "PN04", "PN05"
 INTO_DATA, INTO_CODE, NO_RETURN, CUT, RESERVED = "PN06", "PN07", "PN08", "PN09", "PN30"
@@ -22,7 +22,6 @@ COLON, NO_SLASH, MEANT, NOT_IN_TABLE, LOWER_CASE = "PN31", "PN32", "PN33", "PN34
 DIALECT, NOT_ON_8L, MODEL = "PN36", "PN37", "PN38"
 
 _SKIPS = 0o160  # the bits of group 2 that test
-_STORE = 3  # DCA
 _SAME_AS = {
     **{"HALT": "HLT", "STOP": "HLT", "JUMP": "JMP", "BRA": "JMP", "GOTO": "JMP", "CALL": "JMS", "JSR": "JMS"},
     **{"ADD": "TAD", "LOAD": "TAD", "LDA": "TAD", "STORE": "DCA", "STO": "DCA", "INC": "IAC", "CLEAR": "CLA"},
@@ -54,7 +53,7 @@ def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[
     """Return the notes on the words of a program, given the symbols that are instructions."""
     notes: list[Note] = []
     cells: dict[int, Written] = {}
-    looked_at: dict[str, str] = {}
+    looked_at: dict[str, str | None] = {}
     overlaid = -2
     for written in words:
         address, word, names = written.address, written.word, written.names
@@ -68,8 +67,9 @@ def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[
             key = " ".join(names)
             if key not in looked_at:
                 looked_at[key] = _combination(written, instructions)
-            if looked_at[key]:
-                notes.append(Note(COMBINED, written.at, looked_at[key], "write them as two instructions"))
+            wrong = looked_at[key]
+            if wrong:
+                notes.append(Note(COMBINED, written.at, wrong, "write them as two instructions"))
     return notes + _flow(cells, instructions)
 
 
@@ -78,17 +78,13 @@ def _overlaid(written: Written) -> Note:
     return Note(OVERLAID, written.at, message, "set the origin where there is room")
 
 
-def _combination(written: Written, instructions: Mapping[str, int]) -> str:
-    """Return what is wrong with the symbols that make an IOT or OPR, "" if they go together."""
+def _combination(written: Written, instructions: Mapping[str, int]) -> str | None:
+    """Return what is wrong with the symbols that make an IOT or OPR, None if they go together."""
     parts = [(name, instructions[name]) for name in written.names if instructions.get(name, 0) >= IOT << 9]
-    if len(parts) < 2:
-        return ""
     named = " ".join(name for name, _ in parts)
     if any(word >> 9 == IOT for _, word in parts):
         devices = {word >> 3 for _, word in parts}
-        if len(devices) < 2:
-            return ""
-        return f"{named} is {written.word:04o}, neither of them"
+        return f"{named} is {written.word:04o}, neither of them" if len(devices) > 1 else None
     first = [name for name, word in parts if not word & GROUP_2 and word & ~CLA & 0o377]
     second = [name for name, word in parts if word & GROUP_2]
     if first and second:
@@ -97,9 +93,9 @@ def _combination(written: Written, instructions: Mapping[str, int]) -> str:
     if len(senses) > 1:
         return f"{named} is {_spelled(written.word)}: of two opposite skips one is turned round"
     rotations = [name for name, word in parts if not word & GROUP_2 and word & 0o014]
-    if len(rotations) > 1 and len(set(rotations)) > 1:
+    if len(set(rotations)) > 1:
         return f"{' and '.join(rotations)}: a word rotates once"
-    return ""
+    return None
 
 
 def _spelled(word: int) -> str:
@@ -136,7 +132,7 @@ def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[No
         elif operation == JMS:
             called.add(target)
             calls.append((written, target))
-        elif operation == _STORE:
+        elif operation == DCA:
             stored.add(target)
         else:
             counted.add(target)
@@ -188,36 +184,21 @@ def _skips(word: int) -> bool:
     return word >> 9 == ISZ or word & 0o7007 == 0o6001
 
 
-def meant(name: str, known: Iterable[str]) -> str:
-    """Return the symbol that was probably meant by an undefined one, "" if none is near."""
+def meant(name: str, known: Iterable[str]) -> str | None:
+    """Return the symbol that was probably meant by an undefined one, None if none is near."""
     if name in _SAME_AS:
         return _SAME_AS[name]
-    if len(name) < 3:
-        return ""
-    for other in known:
-        if other != name and _near(name, other):
-            return other
-    return ""
+    return next((other for other in known if other != name and _near(name, other)), None)
 
 
 def _near(name: str, other: str) -> bool:
     """Tell whether two letters exchanged, one more or less, or one of five, make one name of the other."""
-    if abs(len(name) - len(other)) > 1 or len(other) < 3:
-        return False
-    start = 0
-    while start < min(len(name), len(other)) and name[start] == other[start]:
-        start += 1
+    shorter = min(len(name), len(other))
+    start = [*(one == two for one, two in zip(name, other, strict=False)), False].index(False)
     rest, others = name[start:], other[start:]
-    if rest[1:] == others[1:] and min(len(name), len(other)) > 4:
-        return True
-    if rest[1:] == others or rest == others[1:]:
-        return True
-    return (
-        len(name) == len(other)
-        and rest[:2] == others[1:2] + others[:1]
-        and len(others) > 1
-        and rest[2:] == others[2:]
-    )
+    if rest in (others[1:], others[1::-1] + others[2:]) or rest[1:] == others:
+        return shorter > 2
+    return shorter > 4 and rest[1:] == others[1:]
 
 
 def of_undefined(undefined: Iterable[tuple[str, int, int]], known: Iterable[str]) -> list[Note]:

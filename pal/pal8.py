@@ -535,7 +535,7 @@ class Assembler:
                     "IC", f"the letter {figure} in the number {token}", "a symbol begins with a letter"
                 )
                 return 0
-            if self._radix == 8 and figure > "7":
+            if int(figure) >= self._radix:
                 self._fail("IC", f"the digit {figure} in the octal number {token}", "after DECIMAL it is one")
                 return 0
             value = value * self._radix + int(figure)

@@ -10,8 +10,6 @@ from pal.models import differs
 from pal.notes import MODEL, Note
 from pal.source import Source
 
-_ENDS = ("\r", ";", "$")
-
 
 def portability(
     source: Source, output: Iterable[Message | Punched | Written | Listed], model: str
@@ -26,20 +24,9 @@ def portability(
         if not isinstance(piece, Listed) or piece.word is None:
             continue
         difference = differs(piece.word, model)
-        at = _instruction(source, piece.at, tags) if difference else None
-        if at is not None:
+        at = source.first_symbol(piece.at)
+        name = source.items[at][0]
+        if difference and name[:1].isalpha() and name not in tags:
             message = f"{piece.word:04o} {difference}"
             notes.append(Note(MODEL, at, message, "a program for all models does without"))
     return notes
-
-
-def _instruction(source: Source, end: int, tags: set[str]) -> int | None:
-    """Return the first symbol that is not a tag in the statement that ends there, if there is one."""
-    begin = end
-    while begin and source.items[begin - 1][1] not in _ENDS:
-        begin -= 1
-    for at in range(begin, end + 1):
-        name = source.items[at][0]
-        if name[:1] > "9" and name not in tags:
-            return at
-    return None

@@ -45,31 +45,19 @@ def notes(
     ended = watched.ended
     items = source.items
     words = [piece for piece in punched if isinstance(piece, Written)]
-    found += [note._replace(at=_first_symbol(items, note.at)) for note in of_words(words, _INSTRUCTIONS)]
+    found += [note._replace(at=source.first_symbol(note.at)) for note in of_words(words, _INSTRUCTIONS)]
     undefined = [entry for entry in table if not entry.defined]
     if undefined:
         found += _undefined(source, undefined, [entry.name for entry in table if entry.defined])
     if watched.cuts:
         long = [(item, at) for at, (item, _) in enumerate(items[:ended]) if len(item) >= SIGNIFICANT]
-        found += of_names([(item, at) for item, at in long if item > ":"], NAMES)
+        found += of_names([(item, at) for item, at in long if item[0].isalpha()], NAMES)
     return [
         *found,
         *_illegal(source, messages),
         *_overlong(source, ended),
         *_of_the_end(source, tapes, ended),
     ]
-
-
-def _first_symbol(items: list[tuple[str, str]], end: int) -> int:
-    """Return the first symbol but a tag of the statement that ends at `end`; `end` where there is none."""
-    first = at = end
-    while True:
-        item, mark = items[at]
-        if item > ":" and mark != ",":
-            first = at
-        at -= 1
-        if at < 0 or items[at][1] in "\r;":
-            return first
 
 
 def _undefined(source: Source, table: list[Entry], known: list[str]) -> list[Note]:
@@ -102,7 +90,7 @@ def _illegal(source: Source, messages: Sequence[Message]) -> list[Note]:
         for character, at in illegal
         if character == ":" and source.items[at][0]
     ]
-    small = [at for character, at in illegal if "a" <= character <= "z"]
+    small = [at for character, at in illegal if character.islower()]
     if small:
         message = f"small letters are illegal characters in PAL III: {len(small):,} of them"
         notes.append(Note(LOWER_CASE, small[0], message, "`pal --modern` reads them as capitals"))

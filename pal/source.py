@@ -93,6 +93,16 @@ class Source:
         start, mark = self._read_again[line][at - first]
         return line, start, mark
 
+    def first_symbol(self, end: int) -> int:
+        """Return the first symbol but a tag of the statement that item `end` ends; `end` if it has none."""
+        first = at = end
+        while at == end or (at >= 0 and self.items[at][1] not in "\r;"):
+            item, mark = self.items[at]
+            if item[:1].isalpha() and mark != ",":
+                first = at
+            at -= 1
+        return first
+
     def place(self, at: int) -> Place:
         """Return where item `at` stands; for an empty one, the character that ends it."""
         from bisect import bisect_left

@@ -46,7 +46,7 @@ class Watched(Assembler):
         if self.stopped:
             return output
         self.ended = self._at
-        if number == 1 and self._expunged is not None:
+        if number == 1:
             self._look_at_references()
         if number == 2 and self._symbols.full:
             last = self._symbols.end - ENTRY
@@ -92,7 +92,7 @@ class Watched(Assembler):
         at, begun = self._at, self._begun
         while at > begun and not self._items[at][0] and self._items[at - 1][1] in " \t":
             at -= 1
-        return self._items[at][0][:1] > "9"
+        return self._items[at][0][:1].isalpha()
 
     @property
     def _so_far(self) -> int:
@@ -236,7 +236,7 @@ class Watched(Assembler):
             self._note(RESERVED, message, "give the tag another name")
             return
         value = self._symbols.word(self._pointer + VALUE)
-        if name[:1] > "9" and value != self._location and self._pointer not in self._twice:
+        if name[:1].isalpha() and value != self._location and self._pointer not in self._twice:
             message = f"{name} is {value:04o} from pass 1, and stands at {self._location:04o} in pass 2"
             self._note(
                 "PN25", message, "an origin depends on a symbol that is defined after it; define it first"
