@@ -41,7 +41,7 @@ def encode(text: str, parity: str = "mark", fill: int = 6) -> bytes:
         index = next(at for at, character in enumerate(text) if not character.isascii())
         raise TextError(f"{text[index]!r} is no ASCII character", text, index)
     line_end = "\r\n" + chr(RUBOUT) * fill
-    return strip.with_parity(text.replace("\n", line_end).encode("ascii"), parity)
+    return strip.with_parity(text.replace("\n", line_end).encode(), parity)
 
 
 def decode(frames: bytes) -> str:
@@ -50,7 +50,7 @@ def decode(frames: bytes) -> str:
     Channel 8 is not looked at; blank frames, leader and RUBOUTs say nothing. Any tape has a reading.
     """
     codes = frames.translate(strip.PARITIES["none"], _SILENT)
-    return codes.decode("ascii").replace("\r\n", "\n").replace("\r", "\n")
+    return codes.decode().replace("\r\n", "\n").replace("\r", "\n")
 
 
 def name(frame: int) -> str:

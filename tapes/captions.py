@@ -4,6 +4,7 @@ Whatever is on the tape gets a caption, damaged tapes and wrong guesses included
 code asked for is "?".
 """
 
+import re
 from collections.abc import Callable
 
 from tapes import ascii, binary, eia, rim
@@ -13,6 +14,13 @@ from tapes.frames import BLANK, LEADER, RUBOUT
 _Captions = Callable[[bytes], list[str]]
 
 CODES = ("ascii", "eia", "bin", "rim")
+
+_BIN_ITEM = re.compile(
+    rb"(?P<message>\xff[^\xff]*\xff)|(?:\A|\x80)\0+|(?P<pair>[\0-\x7f][\0-\x3f])|.", re.DOTALL
+)
+"""What stands between two rubouts; blank tape, which is no word; an origin or a word; any other frame."""
+_RIM_ITEM = re.compile(rb"[\x40-\x7f][\0-\x3f]{3}|.", re.DOTALL)
+"""An address with its word; any other frame."""
 
 
 def captions(frames: bytes, code: str) -> list[str]:
@@ -41,43 +49,34 @@ def _none(frames: bytes) -> list[str]:
 
 
 def _binary(frames: bytes) -> list[str]:
-    said = [_single(frame) for frame in frames]
-    address = None
-    at = 0
-    while at < len(frames):
-        if frames[at] == RUBOUT:
-            at = _message(frames, at, said)
-        elif frames[at] == BLANK and address is None:
-            at += 1
-        elif frames[at] == LEADER:
-            address = None
-            at += 1
-        elif _is_pair(frames, at):
-            value = (frames[at] & 0o77) << 6 | frames[at + 1]
-            if frames[at] >> 6:
-                said[at], address = f"origin {value:04o}", value
-            elif address is None or frames[at + 2 : at + 3] == bytes([LEADER]):
-                said[at], address = f"checksum {value:04o}", None
+    said: list[str] = []
+    address: int | None = None
+    for item in _BIN_ITEM.finditer(frames):
+        piece = item[0]
+        if item.lastgroup == "message":
+            said += ["rubout", *(f"({ascii.name(frame)})" for frame in piece[1:-1]), "rubout"]
+        elif item.lastgroup == "pair":
+            value = (piece[0] & 0o77) << 6 | piece[1]
+            if piece[0] >> 6:
+                caption, address = f"origin {value:04o}", value
+            elif address is None or frames.startswith(bytes([LEADER]), item.end()):
+                caption, address = f"checksum {value:04o}", None
             else:
-                said[at], address = f"{address:04o}: {value:04o}", address + 1 & 0o7777
-            said[at + 1] = '"'
-            at += 2
+                caption, address = f"{address:04o}: {value:04o}", address + 1 & 0o7777
+            said += [caption, '"']
         else:
-            at += 1
+            said += map(_single, piece)
     return said
 
 
 def _rim(frames: bytes) -> list[str]:
-    said = [_single(frame) for frame in frames]
-    at = 0
-    while at < len(frames):
-        group = frames[at : at + 4]
-        if [frame >> 6 for frame in group] == [1, 0, 0, 0]:
-            address = (group[0] & 0o77) << 6 | group[1]
-            said[at : at + 4] = [f"address {address:04o}", '"', f"{group[2] << 6 | group[3]:04o}", '"']
-            at += 4
+    said: list[str] = []
+    for piece in _RIM_ITEM.findall(frames):
+        if len(piece) == 4:
+            address, word = (piece[0] & 0o77) << 6 | piece[1], piece[2] << 6 | piece[3]
+            said += [f"address {address:04o}", '"', f"{word:04o}", '"']
         else:
-            at += 1
+            said += map(_single, piece)
     return said
 
 
@@ -89,19 +88,6 @@ def _single(frame: int) -> str:
     if frame == BLANK:
         return "blank"
     return f"field {frame >> 3 & 7}" if frame >> 6 == 3 else "?"
-
-
-def _is_pair(frames: bytes, at: int) -> bool:
-    return frames[at] >> 6 < 2 and at + 1 < len(frames) and frames[at + 1] >> 6 == 0
-
-
-def _message(frames: bytes, at: int, said: list[str]) -> int:
-    """Caption what stands between two rubouts as the characters it is; return the frame after it."""
-    closing = frames.find(RUBOUT, at + 1)
-    if closing == -1:
-        return at + 1
-    said[at + 1 : closing] = [f"({ascii.name(frame)})" for frame in frames[at + 1 : closing]]
-    return closing + 1
 
 
 def _between_labels(frames: bytes, code: str, body: _Captions) -> list[str]:

@@ -119,7 +119,7 @@ def put(name: str, product: str | bytes) -> None:
 
     Raises ShelfError.
     """
-    content = product.encode("utf-8", "backslashreplace") if isinstance(product, str) else product
+    content = product.encode(errors="backslashreplace") if isinstance(product, str) else product
     if name != "-":
         tell_written(name, shelf.write(name, content))
         return

@@ -29,7 +29,7 @@ def convert(content: bytes, source: str, target: str, parity: str = "mark", fill
     if target == FRAMES:
         return content
     if target == "octal":
-        return octal.decode(content).encode("ascii")
+        return octal.decode(content).encode()
     if source == target == "ascii" and fill is None and not _is_file(content):
         leader, body, trailer = frames.strip(content)
         return leader + frames.with_parity(body, parity) + trailer
@@ -69,5 +69,5 @@ def _characters(content: bytes, source: str) -> str:
 
 def _punch(text: str, target: str, parity: str, fill: int) -> bytes:
     if target == "text":
-        return text.encode("utf-8")
+        return text.encode()
     return ascii.encode(text, parity, fill) if target == "ascii" else eia.encode(text)

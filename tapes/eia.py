@@ -56,7 +56,7 @@ def encode(text: str, skip: str = "") -> bytes:
 
     Raises TextError for a character that has no EIA code, naming its line and column.
     """
-    frames = text.encode("ascii", "replace").translate(_TO_FRAME, skip.encode("ascii"))
+    frames = text.encode("ascii", "replace").translate(_TO_FRAME, skip.encode())
     if _NO_CODE in frames:  # "replace" makes "?" of what is not ASCII, and that has no code either
         index = next(i for i, character in enumerate(text) if not (character in skip or _has_code(character)))
         raise TextError(f"{text[index]!r} has no EIA code", text, index)
@@ -75,7 +75,7 @@ def decode(frames: bytes, blank: str | None = None) -> str:
     for at, code in enumerate(characters, start):
         if code in refused:
             raise TapeError(_complaint(frames[at]) if code else "blank frame inside the data", at)
-    return characters.translate(None, bytes([DELETE])).decode("ascii").replace(chr(BLANK), blank or "")
+    return characters.translate(None, bytes([DELETE])).decode().replace(chr(BLANK), blank or "")
 
 
 def clean(frames: bytes) -> bytes:

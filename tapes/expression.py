@@ -25,6 +25,7 @@ from math import (
     tan,
     tanh,
 )
+from operator import add, mul, sub, truediv
 from typing import Final, NoReturn
 
 from tapes.errors import WorkError
@@ -38,6 +39,7 @@ FUNCTIONS: Final[dict[str, Function]] = {
 CONSTANTS: Final = {"pi": 3.141592653589793, "e": 2.718281828459045}
 LANGUAGE: Final = f"numbers, x, {', '.join(CONSTANTS)}, + - * / ** ( ) and {', '.join(FUNCTIONS)}"
 
+_OPERATIONS: Final = {"+": add, "-": sub, "*": mul, "/": truediv, "**": pow}
 _LONGEST = 500
 _LARGEST = 1e6
 _DIGITS = ".0123456789"
@@ -170,12 +172,5 @@ class _Reader:
 
 
 def _joined(sign: str, one: Function, other: Function) -> Function:
-    if sign == "+":
-        return lambda x: one(x) + other(x)
-    if sign == "-":
-        return lambda x: one(x) - other(x)
-    if sign == "*":
-        return lambda x: one(x) * other(x)
-    if sign == "/":
-        return lambda x: one(x) / other(x)
-    return lambda x: pow(one(x), other(x))
+    operation = _OPERATIONS[sign]
+    return lambda x: operation(one(x), other(x))

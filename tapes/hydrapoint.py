@@ -240,9 +240,9 @@ def typed(text: str) -> str | None:
     """Return a program as it is punched, None for text that is no program.
 
     A program is lines of digits and spaces, at least one of them a block of 19 digits, or one too few or too
-    many. Where a block's digits
-    stand apart, as the thesis prints them, the spaces are for clarity and are left out; else each is a zero.
-    Blank lines mean nothing. Raises TextError naming the first other line that is no block.
+    many. Where a block's digits stand apart, as the thesis prints them, the spaces are for clarity and are
+    left out; else each is a zero. Blank lines mean nothing. Raises TextError naming the first other line that
+    is no block.
     """
     lines = text.splitlines(True)
     blocks = [line.rstrip("\n") for line in lines if line.strip()]
@@ -251,7 +251,7 @@ def typed(text: str) -> str | None:
     near = [block for block in blocks if abs(len(block.replace(" ", "")) - DIGITS) <= 1]
     if not near:
         return None
-    spaced = any(len(block) > DIGITS and " " in block for block in near)
+    spaced = any(len(block) > DIGITS for block in near)
     at = 0
     for line in lines:
         digits = line.rstrip("\n").replace(" ", "") if spaced else line.rstrip("\n")

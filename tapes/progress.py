@@ -55,13 +55,12 @@ class Busy:
         self._wanted = wanted and sys.stderr.isatty()
         self._shown: tuple[Progress, TaskID] | None = None
 
-    def __enter__(self) -> Self:
+    def __enter__(self) -> None:
         if self._wanted:
             from threading import Timer
 
             self._timer = Timer(_DELAY, self._show)
             self._timer.start()
-        return self
 
     def _show(self) -> None:
         self._shown = _open(self._label, None)

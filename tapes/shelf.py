@@ -147,7 +147,7 @@ def is_utf16(content: bytes) -> bool:
     if not content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return False
     text = content[: len(content) // 2 * 2].decode("utf-16", "surrogatepass")
-    plain = sum(character <= "\xff" or character == "\ufffd" for character in text)
+    plain = sum(ord(character) < 0x100 or character == "\ufffd" for character in text)
     return 0 < len(text) <= 4 * plain
 
 

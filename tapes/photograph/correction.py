@@ -96,7 +96,7 @@ def _shown(read: Reading, number: int, frame: Frame) -> dict[str, object]:
         "seen": frame.holes,
         "holes": read.proposed.get(number, frame.holes),
         "by": read.proposed_by if number in read.proposed else "",
-        "why": frame.why if frame.doubtful else "",
-        "open": frame.open if frame.doubtful else 0,
+        "why": frame.why,
+        "open": frame.open,
         "places": frame.places,
     }

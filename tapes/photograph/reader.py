@@ -27,8 +27,6 @@ from tapes.photograph.paper import Found, find
 from tapes.photograph.pixels import Array
 from tapes.photograph.sheet import Sheet
 
-DOUBTFUL = 0.5
-"""A frame of less confidence wants to be looked at."""
 FEWEST_PIXELS = 5.2
 """From row to row and from track to track."""
 
@@ -45,21 +43,24 @@ _NO_TAPE = "no tape in the picture: "
 
 
 class Frame(NamedTuple):
-    """A frame as it was seen: its holes, how sure that is, the channel most in doubt, why it is doubtful, all
-    channels in doubt as a mask, and the places in pixels of the sprocket hole and of channels 1 to 8.
+    """A frame as it was seen: its holes, its channels in doubt as a mask, why the first of them is or "", and
+    the places in pixels of the sprocket hole and of channels 1 to 8.
     """
 
     holes: int
-    confidence: float
-    channel: int
-    why: str
     open: int
+    why: str
     places: tuple[tuple[int, int], ...]
 
     @property
     def doubtful(self) -> bool:
         """Whether the frame wants to be looked at."""
-        return self.confidence < DOUBTFUL
+        return self.open != 0
+
+    @property
+    def channel(self) -> int:
+        """The first channel in doubt."""
+        return (self.open & -self.open).bit_length()
 
     @property
     def x(self) -> int:
@@ -82,7 +83,6 @@ def read(picture: bytes, underside: bool = False) -> list[Frame]:
     found, why = _strips(light)
     if not found:
         found, _ = _strips(255 - light)
-        light = 255 - light if found else light
     if not found:
         raise TapeError(_NO_TAPE + why)
     strips = [_frames(pictures, strip) for pictures, strip in found]
@@ -132,27 +132,24 @@ def _frames(pictures: sprockets.Sizes, tape: Found) -> list[Frame]:
     if least < FEWEST_PIXELS:
         raise TapeError(f"rows and tracks are only {least:.1f} pixels apart: 6 are needed")
     doubts = _doubts(cells, tape, _ends(flat, tape.sheet, pictures, on_paper))
-    confidence = np.minimum(abs(cells.core - 0.5) * 2, 1)
-    why = np.full(confidence.shape, "between paper and hole", dtype=object)
-    for reason, where, most in doubts:
-        worse = where & (most <= confidence)
-        confidence = np.where(worse, most, confidence)
-        why[worse] = reason
+    doubtful = np.any([*doubts.values()], axis=0)
     u = np.arange(tape.sheet.length, dtype=float)[:, None]
     places = tape.sheet.place(u, np.concatenate([[0], _TRACKS]))
     frames = [
         Frame(
-            sum(1 << channel for channel in range(8) if cells.core[at, channel] > 0.5),
-            round(float(confidence[at].min()), 2),
-            int(confidence[at].argmin()) + 1,
-            str(why[at, confidence[at].argmin()]),
-            sum(1 << channel for channel in range(8) if confidence[at, channel] < DOUBTFUL),
+            _mask(cells.core[at] > 0.5),
+            _mask(doubtful[at]),
+            next((why for why, where in doubts.items() if where[at, doubtful[at].argmax()]), ""),
             tuple((round(float(x)), round(float(y))) for x, y in places[at]),
         )
         for at in np.nonzero(on_paper)[0]
     ]
     _refuse_doubtful(frames)
     return frames
+
+
+def _mask(channels: Array) -> int:
+    return sum(1 << channel for channel in np.nonzero(channels)[0].tolist())
 
 
 def _refuse_doubtful(frames: list[Frame]) -> None:
@@ -259,37 +256,30 @@ def _full(core: Array, sprocket: Array) -> Array:
     return np.maximum(full, 0.01)
 
 
-def _doubts(cells: _Cells, tape: Found, beyond: Array) -> list[tuple[str, Array, float]]:
-    """Return why a place is doubtful, where (n, 8), and the most confidence that is left to it."""
-    everywhere = np.ones(cells.core.shape, dtype=bool)
+def _doubts(cells: _Cells, tape: Found, beyond: Array) -> dict[str, Array]:
+    """Return where (n, 8) a place is doubtful, by why, the worst first."""
     hole = cells.core > 0.5
-    blank_far, hole_far = cells.most > 0.5, cells.most < 0.25
-    unseen = ~tape.seen | (cells.sprocket < 0.4) | (cells.sprocket > 1.6)
-    noise = _noise(cells.core, hole)
-    contrast = cells.full[:, None] * cells.paper
-    rows = [
-        ("the tape goes on beyond it, where no sprocket hole is seen", beyond, 0.2),
-        (UNSEEN, unseen, 0.0),
-        ("holes are not at their places", tape.astray > 0.08, 0.35),
-        ("an edge of the paper is not seen", ~tape.edged, 0.45),
-    ]
-    return [
-        ("not a round hole: torn, or dirt", hole & ((cells.ring > 0.6).sum(axis=0) >= 2), 0.3),
-        ("a hole that is not dark throughout", hole & hole_far, 0.3),
-        ("paper that is not clear", ~hole & blank_far, 0.3),
-        ("too much noise", abs(cells.core - 0.5) < 4.5 * noise, 0.35),
-        ("too little light", contrast < _LEAST_LIGHT, 0.3),
-        *((reason, everywhere & where[:, None], most) for reason, where, most in rows),
-    ]
+    rows = {
+        UNSEEN: ~tape.seen | (cells.sprocket < 0.4) | (cells.sprocket > 1.6),
+        "the tape goes on beyond it, where no sprocket hole is seen": beyond,
+        "holes are not at their places": tape.astray > 0.08,
+        "an edge of the paper is not seen": ~tape.edged,
+    }
+    return {why: np.broadcast_to(where[:, None], hole.shape) for why, where in rows.items()} | {
+        "not a round hole: torn, or dirt": hole & ((cells.ring > 0.6).sum(axis=0) >= 2),
+        "a hole that is not dark throughout": hole & (cells.most < 0.25),
+        "paper that is not clear": ~hole & (cells.most > 0.5),
+        "too little light": cells.full[:, None] * cells.paper < _LEAST_LIGHT,
+        "between paper and hole": abs(cells.core - 0.5) < np.maximum(0.25, 4.5 * _noise(cells.core, hole)),
+    }
 
 
 def _noise(core: Array, hole: Array) -> Array:
     """Return the standard deviation of what is alike around each place, holes or paper."""
     found = np.empty(core.shape)
-    for kind in (True, False):
-        for at in range(len(core)):
-            near = slice(max(0, at - _WINDOW), at + _WINDOW + 1)
+    for at in range(len(core)):
+        near = slice(max(0, at - _WINDOW), at + _WINDOW + 1)
+        for kind in np.unique(hole[at]):
             like = core[near][hole[near] == kind]
-            spread = 1.48 * np.median(abs(like - np.median(like))) if len(like) > 3 else 0.05
-            found[at, hole[at] == kind] = max(0.02, spread)
+            found[at, hole[at] == kind] = 1.48 * np.median(abs(like - np.median(like)))
     return found

@@ -1,7 +1,11 @@
 """How every command ends: by whatever is raised in it, and with a standard stream that its caller closed."""
 
+import os
+import signal
 import sys
 from errno import ENOSPC, EPIPE
+from functools import partial
+from pathlib import Path
 from unicodedata import category
 
 import click
@@ -53,6 +57,32 @@ def test_what_a_command_returns_is_its_status_if_it_is_a_number(returned: object
     assert command.status(click.Command("own", callback=lambda: returned), "own", []) == status
     with pytest.raises(SystemExit, match="5"):
         command.status(click.Command("own", callback=lambda: sys.exit(5)), "own", [])
+
+
+def test_what_standard_output_still_holds_is_written(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with open("/dev/full", "w", encoding="utf-8") as full:
+        monkeypatch.setattr(sys, "stdout", full)
+        assert command.status(click.Command("own", callback=lambda: print("x")), "own", []) == 1
+    assert capsys.readouterr().err == "own: standard output: No space left on device\n"
+
+
+@pytest.mark.parametrize(("name", "status"), [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
+def test_a_signal_ends_a_command_with_its_status(
+    name: str, status: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    number = getattr(signal, name)
+    before = signal.getsignal(number)
+    killed = f"import os\nos.kill({os.getpid()}, {number})\n"
+    (tmp_path / "importing.py").write_text(killed)
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setattr(os, "_exit", lambda status: sys.exit(f"at once: {status}"))
+    for line, said in ((killed, status), ("import importing", f"at once: {status}")):
+        with pytest.raises(SystemExit) as ended:
+            command.run(click.Command("own", callback=partial(exec, line)), "own", [])
+        assert ended.value.code == (said if name == "SIGINT" else status)
+        signal.signal(number, before)
 
 
 @pytest.mark.parametrize(

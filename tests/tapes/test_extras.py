@@ -30,6 +30,7 @@ EDITABLE = '{"url": "file:///home/ana/pdp8", "dir_info": {"editable": true}}'
 def test_the_hint_fits_how_it_was_installed(
     prefix: str, active: bool, records: dict[str, str], hint: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    assert extras._recorded("METADATA").startswith("Metadata-Version")
     monkeypatch.setattr(sys, "prefix", prefix)
     monkeypatch.setattr(sys, "executable", f"{prefix}/bin/python")
     monkeypatch.setenv("VIRTUAL_ENV", prefix if active else "")

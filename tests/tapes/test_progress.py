@@ -3,12 +3,13 @@
 import io
 import signal
 import time
+from collections.abc import Callable
 
 import pytest
 
 from pdp8.cli.root import pdp8
 from tapes import command
-from tapes.progress import Bar
+from tapes.progress import Bar, Busy
 from tests.commands import Terminal
 
 
@@ -65,6 +66,31 @@ def test_it_stays_away(
         clock[0] += 5
         bar.show(4)
     assert shown.getvalue() == ""
+
+
+@pytest.mark.parametrize(("terminal", "wanted"), [(True, True), (False, True), (True, False)])
+def test_work_without_steps_shows_one_that_moves(
+    terminal: bool, wanted: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    started: list[float] = []
+
+    class Timer:
+        def __init__(self, delay: float, show: Callable[[], None]) -> None:
+            started.append(delay)
+            self.start = show
+
+        def cancel(self) -> None:
+            started.append(-1)
+
+        def join(self) -> None:
+            started.append(-2)
+
+    monkeypatch.setattr("threading.Timer", Timer)
+    shown = screen(monkeypatch, terminal)
+    with Busy("reading it", wanted):
+        assert ("reading it" in shown.getvalue()) == (terminal and wanted)
+    assert started == ([1, -1, -2] if terminal and wanted else [])
+    assert shown.getvalue().endswith("\x1b[1A\x1b[2K" if terminal and wanted else "")
 
 
 def test_a_character_that_standard_error_has_not_is_a_question_mark(monkeypatch: pytest.MonkeyPatch) -> None:

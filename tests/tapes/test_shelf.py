@@ -51,6 +51,34 @@ def test_a_file_that_hides_a_bundled_one(tmp_path: Path, monkeypatch: pytest.Mon
     assert shelf.read_bundled("eia.pal") != b"$\n"
 
 
+@pytest.mark.parametrize(
+    ("kind", "kept", "taken"),
+    [
+        ("tape", "x.pal x.pa x.for x.toml x.jpg x.jpeg x.PNG", "x.asc x.eia x.bin x.rim x"),
+        ("text", "x.pal x.pa x.for x.toml x.jpg x.jpeg x.png x.asc x.eia x.bin x.rim", "x.txt"),
+        ("", "", "x.pal x.asc"),
+        *((kind, "x", "") for kind in ("JSON", "XML", "SVG", "HTML")),
+    ],
+)
+def test_what_a_product_never_replaces(kind: str, kept: str, taken: str, tmp_path: Path) -> None:
+    for name in (*kept.split(), *taken.split()):
+        shelf.check_kind(str(tmp_path / name), kind)
+        (tmp_path / name).touch()
+        shelf.check_kind(str(tmp_path / name), kind)
+        (tmp_path / name).write_bytes(b"\xef\xbb\xbf \n9")
+        if name in taken.split():
+            shelf.check_kind(str(tmp_path / name), kind)
+        else:
+            with pytest.raises(ShelfError, match=rf"{name} is there, and is no {kind}: it is not replaced"):
+                shelf.check_kind(str(tmp_path / name), kind)
+
+
+@pytest.mark.parametrize(("kind", "first"), [("JSON", "{"), ("XML", "<"), ("SVG", "<"), ("HTML", "<")])
+def test_a_product_replaces_one_of_its_kind(kind: str, first: str, tmp_path: Path) -> None:
+    (tmp_path / "x").write_bytes(b"\xef\xbb\xbf \n" + first.encode())
+    shelf.check_kind(str(tmp_path / "x"), kind)
+
+
 def test_a_file_is_replaced_whole(tmp_path: Path) -> None:
     path = tmp_path / "x.bin"
     shelf.write(str(path), b"one")
@@ -75,15 +103,24 @@ def test_what_cannot_be_written_leaves_what_was_there(
     assert list(tmp_path.iterdir()) == [path]
 
 
-@pytest.mark.parametrize(("name", "said"), [("/dev/full", "No space left"), ("/tmp", "Is a directory")])
-def test_devices_and_directories(name: str, said: str) -> None:
-    with pytest.raises(ShelfError, match=f"{name}: {said}"):
-        shelf.write(name, b"x")
+def test_devices_and_directories() -> None:
+    shelf.check_writable("/dev/full")
+    with pytest.raises(ShelfError, match="/dev/full: No space left"):
+        shelf.write("/dev/full", b"x")
+    with pytest.raises(ShelfError, match="/tmp: Is a directory"):
+        shelf.check_writable("/tmp")
 
 
-def test_a_punch_that_cannot_be_opened(tmp_path: Path) -> None:
-    with pytest.raises(ShelfError, match="No such file"):
-        shelf.open_punch(str(tmp_path / "no" / "x"))
+@pytest.mark.parametrize(("name", "said"), [("no/x", "No such file"), ("x" * 300, "File name too long")])
+def test_a_punch_that_cannot_be_opened(name: str, said: str, tmp_path: Path) -> None:
+    with pytest.raises(ShelfError, match=said):
+        shelf.open_punch(str(tmp_path / name))
+
+
+def test_a_text_that_is_not_utf8_is_named_with_the_place(tmp_path: Path) -> None:
+    (tmp_path / "x").write_bytes(b"A\xc4B")
+    with pytest.raises(ShelfError, match="x: byte 1: not UTF-8"):
+        shelf.read_text(str(tmp_path / "x"))
 
 
 def test_a_punch_keeps_what_it_punched(tmp_path: Path) -> None:

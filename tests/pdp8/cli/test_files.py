@@ -214,7 +214,10 @@ def test_no_clobber_holds_in_a_folder(call: Call, tmp_path: Path) -> None:
     assert (tmp_path / "rim.svg").read_bytes() == b"kept"
 
 
-def test_a_drawing_goes_to_standard_output_at_a_terminal_too(call: Call, tmp_path: Path) -> None:
+def test_a_drawing_goes_to_standard_output_at_a_terminal_too_a_tape_does_not(
+    call: Call, tmp_path: Path
+) -> None:
+    assert "standard output is a terminal: send it to a file" in call("pdp8 part drill", stream=Terminal)[2]
     assert call("pdp8 nc plot circle.eia", stream=Terminal)[1].startswith("<svg")
     assert not list(tmp_path.iterdir())
 
@@ -248,6 +251,8 @@ def test_a_tape_that_begins_with_rubouts_is_not_utf16() -> None:
     assert not shelf.is_utf16(b"\xff\xff" * 50)
     assert not shelf.is_utf16(b"\xff\xfe" + shelf.read_bundled("circle.asc"))
     assert not shelf.is_utf16(b"\xff\xfe")
+    assert shelf.is_utf16("\u0100\u0100\u0100\xff".encode("utf-16") + b"x")
+    assert not shelf.is_utf16("\u0100\u0100\u0100\u0100\xff".encode("utf-16"))
 
 
 def test_a_closed_pipe_loses_no_named_output(shell: Shell, tmp_path: Path) -> None:
@@ -334,6 +339,8 @@ def test_completion_has_files_and_bundled_names(tmp_path: Path, monkeypatch: pyt
     monkeypatch.chdir(tmp_path)
     (tmp_path / "eia-mine.pal").touch()
     (tmp_path / "eia-tapes").mkdir()
+    (tmp_path / ".hidden").touch()
+    assert not [name for name, _ in completed(pdp8, ["run"], "") if name.startswith(".")]
     assert completed(pdp8, ["run"], "eia") == [
         (name, "plain")
         for name in ("eia-mine.pal", "eia-tapes/", "eia.bin", "eia.pal", "eia1.pal", "eia2.pal")
