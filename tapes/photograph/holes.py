@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 
 from tapes.photograph.flat import SAMPLES, Flat, find_spots, flatten
-from tapes.photograph.pixels import Array
+from tapes.photograph.pixels import Array, vertex
 from tapes.photograph.sheet import FIVE, KNOTS, THREE, Points, Sheet, fit, holes_at
 from tapes.photograph.sprockets import Row, Sizes
 
@@ -122,8 +122,8 @@ def find_holes(flat: Flat, sheet: Sheet, tracks: range) -> tuple[Points, Array]:
     sprocket = np.median(deep[:, list(tracks).index(0)])
     seen = inside & (deep > 0.6 * sprocket)
     patch, down, aside, at = patch[seen], down[seen], aside[seen], np.arange(seen.sum())
-    off_x = near[aside] + _vertex(*(patch[at, down, aside + step] for step in (-1, 0, 1)))
-    off_y = near[down] + _vertex(*(patch[at, down + step, aside] for step in (-1, 0, 1)))
+    off_x = near[aside] + vertex(*(patch[at, down, aside + step] for step in (-1, 0, 1)))
+    off_y = near[down] + vertex(*(patch[at, down + step, aside] for step in (-1, 0, 1)))
     off_u = (x[seen] + off_x) / SAMPLES + flat.first - u[seen]
     off_v = (y[seen] + off_y) / SAMPLES - flat.reach - v[seen]
     u, v = u[seen], v[seen]
@@ -149,10 +149,3 @@ def _strays(flat: Flat, sheet: Sheet, spots: Array, limit: float) -> Array:
         near = slice(max(0, row - 2), row + 3)
         found[near] = np.maximum(found[near], away)
     return found
-
-
-def _vertex(before: Array, top: Array, after: Array) -> Array:
-    curvature = before - 2 * top + after
-    return np.where(curvature < -1e-9, 0.5 * (before - after) / np.minimum(curvature, -1e-9), 0).clip(
-        -0.5, 0.5
-    )

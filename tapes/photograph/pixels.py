@@ -44,6 +44,16 @@ def between(picture: Array, x: Array, y: Array, how: int = cv2.INTER_LINEAR) -> 
     return np.asarray(cv2.remap(picture, *places, how, borderMode=cv2.BORDER_REPLICATE))
 
 
+def vertex(before: Array, top: Array, after: Array) -> Array:
+    """Return how far from the middle of three places the top of a parabola through them is, half at most; 0
+    where the middle one is no top.
+    """
+    curvature = before - 2 * top + after
+    return np.where(curvature < -1e-9, 0.5 * (before - after) / np.minimum(curvature, -1e-9), 0).clip(
+        -0.5, 0.5
+    )
+
+
 def _decoded(picture: bytes) -> Array:
     width, height = _size(picture)
     if width * height > LARGEST:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import cv2
 import numpy as np
 
-from tapes.photograph.pixels import Array, between
+from tapes.photograph.pixels import Array, between, vertex
 
 FEWEST = 10
 """Frames of a tape: not even a frame of all holes has so many in a row."""
@@ -94,23 +94,21 @@ def _straight(places: Array, shape: tuple[int, ...]) -> Array:
     """Return the numbers (n, FEWEST) of spots that follow each other at like distances and directions."""
     if len(places) < FEWEST:
         return np.empty((0, FEWEST), int)
-    margin = 2 * int(_FAR) + 4
+    margin = 2  # where there is no spot: what is beyond the picture is found there
     which = np.full((shape[0] + 2 * margin, shape[1] + 2 * margin), -1, np.int32)
-    x, y = (places[:, axis].astype(int) + margin for axis in (0, 1))
+    x, y = (places.astype(int) + margin).T
     for aside, down in ((-1, -1), (-1, 1), (1, -1), (1, 1), (-1, 0), (1, 0), (0, -1), (0, 1), (0, 0)):
         which[y + down, x + aside] = np.arange(len(places))
 
     def spot_at(place: Array) -> Array:
-        column, line = (np.rint(place[:, axis]).astype(int) + margin for axis in (0, 1))
-        inside = (column >= 0) & (column < which.shape[1]) & (line >= 0) & (line < which.shape[0])
-        return np.asarray(np.where(inside, which[line * inside, column * inside], -1))
+        x, y = (np.rint(place).astype(int) + margin).T
+        return np.asarray(which[y.clip(0, which.shape[0] - 1), x.clip(0, which.shape[1] - 1)])
 
     reach = range(-int(_FAR), int(_FAR) + 1, 2)
-    pairs = [np.empty((0, 2), int)]
+    pairs = []
     for offset in [(aside, down) for aside in reach for down in reach if (aside, down) > (0, 0)]:
-        if _NEAR - 1 < np.hypot(*offset) < _FAR + 1:
-            other = spot_at(places + offset)
-            pairs.append(np.stack([np.arange(len(places)), other], axis=1)[other >= 0])
+        other = spot_at(places + offset)
+        pairs.append(np.stack([np.arange(len(places)), other], axis=1)[other >= 0])
     rows = np.unique(np.concatenate(pairs), axis=0)
     length = np.hypot(*(places[rows[:, 1]] - places[rows[:, 0]]).T)
     rows = rows[(length > _NEAR) & (length < _FAR)]
@@ -138,7 +136,7 @@ def follow(pictures: Sizes, start: Array) -> Row:
 
 def _measured_all(pictures: Sizes, start: Array) -> list[tuple[Array, float]]:
     steps = np.gradient(start, axis=0)
-    return [measured(pictures, place, step)[:2] for place, step in zip(start, steps, strict=True)]
+    return [measured(pictures, place, step) for place, step in zip(start, steps, strict=True)]
 
 
 def _onward(pictures: Sizes, chain: list[Array], depth: float) -> list[tuple[Array, bool]]:
@@ -153,7 +151,7 @@ def _onward(pictures: Sizes, chain: list[Array], depth: float) -> list[tuple[Arr
         place, step = _expected(known, at, bend=gap < 4 or len(known) > 12)
         if not (0 <= place[0] < width and 0 <= place[1] < height) or np.hypot(*step) < 3:
             break
-        there, deep, _ = measured(pictures, place, step)
+        there, deep = measured(pictures, place, step)
         seen = deep > 0.35 * depth and np.hypot(*(there - place)) < _REACH * np.hypot(*step)
         waiting.append((there if seen else place, bool(seen)))
         if seen:
@@ -187,9 +185,9 @@ def _expected(known: list[tuple[int, Array]], at: int, bend: bool) -> tuple[Arra
     return curve[-1], curve[-2]
 
 
-def measured(pictures: Sizes, place: Array, step: Array) -> tuple[Array, float, float]:
-    """Return the middle of the hole that is nearest to `place`, how much darker than around it, as a part of
-    the light there, and that light. `step` leads to the next hole.
+def measured(pictures: Sizes, place: Array, step: Array) -> tuple[Array, float]:
+    """Return the middle of the hole that is nearest to `place`, and how much darker it is than around it, as
+    a part of the light there. `step` leads to the next hole.
     """
     picture, scale = pictures.for_step(float(np.hypot(*step)))
     along = step / _SAMPLES
@@ -198,21 +196,13 @@ def measured(pictures: Sizes, place: Array, step: Array) -> tuple[Array, float, 
     y = place[1] + along[1] * _GRID[0] + across[1] * _GRID[1]
     patch = between(picture, (x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5)
     level = float(np.partition(patch, _BRIGHT, axis=None)[_BRIGHT]) + 4
-    depth = cv2.filter2D(patch / level, -1, _HOLE, borderType=cv2.BORDER_REPLICATE)[_INNER]
-    down, aside = np.unravel_index(int(depth.argmax()), depth.shape)
-    top = float(depth[down, aside])
-    off = np.array([aside, down], float) - _INSIDE
-    if 0 < down < depth.shape[0] - 1 and 0 < aside < depth.shape[1] - 1:
-        off += (
-            _vertex(depth[down, aside - 1], top, depth[down, aside + 1]),
-            _vertex(depth[down - 1, aside], top, depth[down + 1, aside]),
-        )
-    return place + off[0] * along + off[1] * across, top, level
-
-
-def _vertex(before: float, top: float, after: float) -> float:
-    curvature = before - 2 * top + after
-    return float(0.5 * (before - after) / curvature) if curvature < 0 else 0.0
+    depth = cv2.filter2D(patch / level, -1, _HOLE)
+    inner = depth[_MARGIN:-_MARGIN, _MARGIN:-_MARGIN]
+    down, aside = (at + _MARGIN for at in np.unravel_index(int(inner.argmax()), inner.shape))
+    top = depth[down, aside]
+    off_x = aside - _SIDE + vertex(depth[down, aside - 1], top, depth[down, aside + 1])
+    off_y = down - _SIDE + vertex(depth[down - 1, aside], top, depth[down + 1, aside])
+    return place + off_x * along + off_y * across, float(top)
 
 
 def _kernel() -> Array:
@@ -222,11 +212,11 @@ def _kernel() -> Array:
     return np.asarray((ring / ring.sum() - inside / inside.sum()), dtype=np.float32)
 
 
-_INSIDE = 4
-_SIDE = _INSIDE + 4
+_MARGIN = 5
+"""Samples at the border of what is measured, in which no hole has its middle: half a hole, and one more."""
+_SIDE = 9
 _GRID = np.mgrid[-_SIDE : _SIDE + 1, -_SIDE : _SIDE + 1].astype(float)[::-1]
 _BRIGHT = int(0.7 * _GRID[0].size)
-_INNER = (slice(4, -4), slice(4, -4))
 _HOLE = _kernel()
 
 

@@ -184,9 +184,11 @@ def test_a_damaged_second_section_is_no_label() -> None:
     for cut in (64 + 6, 64 + 7, len(second) - 64):
         with pytest.raises(TapeError, match="cut short"):
             binary.decode(FORMAT_BIN + second[:cut])
-    second[64 + 30] = 0o265
+    second[64 + 2 * 8] = 0o265  # after eight items; after fewer it is a label
     with pytest.raises(TapeError, match=r"frame \d+: 265 "):
         binary.decode(FORMAT_BIN + second)
+    second[64 + 2 * 7] = 0o265
+    assert binary.decode(FORMAT_BIN + second).words == FORMAT_WORDS
 
 
 def test_what_a_damaged_tape_holds() -> None:

@@ -90,6 +90,14 @@ def picture(frames: bytes, shot: Shot) -> Array:
     return _blurred(light, shot.blur * shot.row * 1.3)
 
 
+def places(length: int, shot: Shot) -> Array:
+    """Return the pixels (length, 9, 2) of each frame's sprocket hole and channels 1 to 8."""
+    tracks = FEED_TRACK + ROW * np.array([0, -3, -2, -1, 1, 2, 3, 4, 5])
+    along, across = np.meshgrid((np.arange(length) + 0.5) * ROW, tracks, indexing="ij")
+    sheet = np.stack([along.ravel(), across.ravel()], axis=1)
+    return _Eye(length, shot).place(sheet).reshape(length, 9, 2) - 0.5
+
+
 class _Eye:
     """Where a place on the sheet comes to lie in the picture, in pixels."""
 

@@ -6,8 +6,8 @@ pytest.importorskip("cv2", reason="OpenCV is not installed")
 
 import numpy as np
 
-from tapes.photograph.holes import _vertex, grid
-from tapes.photograph.pixels import Array
+from tapes.photograph.holes import grid
+from tapes.photograph.pixels import Array, vertex
 from tapes.photograph.sheet import Sheet, Spline, fit, holes_at
 
 LENGTH = 60
@@ -77,8 +77,8 @@ def test_a_sheet_covers_what_lies_beneath_it(
 def test_the_top_between_three_places_is_a_parabolas() -> None:
     tops = np.linspace(-0.5, 0.5, 11)
     before, top, after = (5 - 3 * (step - tops) ** 2 for step in (-1, 0, 1))
-    assert _vertex(before, top, after) == pytest.approx(tops)
+    assert vertex(before, top, after) == pytest.approx(tops)
     level, higher = np.zeros(1), np.ones(1)
-    assert _vertex(level, level, level) == 0
-    assert _vertex(level, level, higher) == 0, "no top"
-    assert _vertex(level, 1.1 * higher, 2 * higher) == 0.5, "no farther than half way"
+    assert vertex(level, level, level) == 0
+    assert vertex(level, level, higher) == 0, "no top"
+    assert vertex(level, 1.1 * higher, 2 * higher) == 0.5, "no farther than half way"
