@@ -50,11 +50,6 @@ def test_lines_however_they_end(tape: str, text: str) -> None:
     assert ascii.decode(octal(tape)) == text
 
 
-@given(st.binary())
-def test_any_tape_has_a_reading(tape: bytes) -> None:
-    assert ascii.decode(tape).isascii()
-
-
 def test_a_character_without_a_code_is_named_by_line_and_column() -> None:
     with pytest.raises(TextError, match="line 2, column 3: 'é' is no ASCII character"):
         ascii.encode("AB\nCDé\n")

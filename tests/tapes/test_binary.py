@@ -70,10 +70,6 @@ def test_what_stands_between_rubouts_is_not_read() -> None:
     )
 
 
-def test_blank_tape_before_the_leader_and_after_the_trailer() -> None:
-    assert binary.decode(bytes(50) + FORMAT_BIN + bytes(50)).words == FORMAT_WORDS
-
-
 def test_sections_follow_each_other_and_the_later_word_stays() -> None:
     two = (
         binary.encode({0o200: 1, 0o201: 2})

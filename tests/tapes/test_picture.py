@@ -44,38 +44,32 @@ def test_captions_of_dec_s_bin_tape() -> None:
     assert said[119:122] == ["checksum 1251", '"', "leader"]
 
 
-@pytest.mark.parametrize(
-    ("code", "tape", "said"),
-    [
-        (
-            "bin",  # fields, a typed message
-            "200 310 100 000 377 311 322 377 000 001 001 001 200",
-            'leader|field 1|origin 0000|"|rubout|(I)|(R)|rubout|0000: 0001|"|checksum 0101|"|leader',
-        ),
-        (
-            "bin",  # a frame of no kind, the end of core, an end without trailer
-            "200 370 215 177 077 000 001 000 002 000 000 003 201",
-            'leader|field 7|?|origin 7777|"|7777: 0001|"|0000: 0002|"|0001: 0000|"|?|?',
-        ),
-        (
-            "bin",  # blank tape after a checksum is no word
-            "200 102 000 000 000 001 002 200 000 000 200",
-            'leader|origin 0200|"|0200: 0000|"|checksum 0102|"|leader|blank|blank|leader',
-        ),
-        ("bin", "200 377 102 000", 'leader|rubout|origin 0200|"'),
-        ("bin", "200 000 001 200", "leader|blank|?|leader"),
-        ("bin", "200 102", "leader|?"),
-        (
-            "rim",
-            "200 102 000 074 002 103 077 000 001 200",
-            'leader|address 0200|"|7402|"|address 0377|"|0001|"|leader',
-        ),
-        ("rim", "200 102 000 102 000 074 002 200", 'leader|?|blank|address 0200|"|7402|"|leader'),
-        ("rim", "200 377 000 310 102 000 074", "leader|rubout|blank|field 1|?|blank|?"),
-    ],
-)
-def test_captions_frame_by_frame(code: str, tape: str, said: str) -> None:
-    assert captions.captions(holes(tape), code) == said.split("|")
+CAPTIONS = """\
+bin  200 310 100 000 377 311 322 377 000 001 001 001 200
+     leader|field 1|origin 0000|"|rubout|(I)|(R)|rubout|0000: 0001|"|checksum 0101|"|leader
+bin  200 370 215 177 077 000 001 000 002 000 000 003 201
+     leader|field 7|?|origin 7777|"|7777: 0001|"|0000: 0002|"|0001: 0000|"|?|?
+bin  200 102 000 000 000 001 002 200 000 000 200
+     leader|origin 0200|"|0200: 0000|"|checksum 0102|"|leader|blank|blank|leader
+bin  200 377 102 000
+     leader|rubout|origin 0200|"
+bin  200 000 001 200
+     leader|blank|?|leader
+bin  200 102
+     leader|?
+rim  200 102 000 074 002 103 077 000 001 200
+     leader|address 0200|"|7402|"|address 0377|"|0001|"|leader
+rim  200 102 000 102 000 074 002 200
+     leader|?|blank|address 0200|"|7402|"|leader
+rim  200 377 000 310 102 000 074
+     leader|rubout|blank|field 1|?|blank|?"""
+
+
+def test_captions_frame_by_frame() -> None:
+    """Fields, a typed message; a frame of no kind, the end of core, no trailer; blank tape is no word."""
+    lines = CAPTIONS.splitlines()
+    for tape, said in zip(lines[::2], lines[1::2], strict=True):
+        assert captions.captions(holes(tape[5:]), tape[:3]) == said.strip().split("|")
 
 
 def test_captions_of_blank_tape_between_a_trailer_and_a_label() -> None:

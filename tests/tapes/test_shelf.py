@@ -51,32 +51,31 @@ def test_a_file_that_hides_a_bundled_one(tmp_path: Path, monkeypatch: pytest.Mon
     assert shelf.read_bundled("eia.pal") != b"$\n"
 
 
+BY_HAND = ".pal .pa .for .toml .jpg .jpeg .PNG"
+TAPES = ".asc .eia .bin .rim"
+
+
 @pytest.mark.parametrize(
-    ("kind", "kept", "taken"),
+    ("kind", "kept", "first", "taken"),
     [
-        ("tape", "x.pal x.pa x.for x.toml x.jpg x.jpeg x.PNG", "x.asc x.eia x.bin x.rim x"),
-        ("text", "x.pal x.pa x.for x.toml x.jpg x.jpeg x.png x.asc x.eia x.bin x.rim", "x.txt"),
-        ("", "", "x.pal x.asc"),
-        *((kind, "x", "") for kind in ("JSON", "XML", "SVG", "HTML")),
+        ("tape", BY_HAND, "", f"{TAPES} .txt"),
+        ("text", f"{BY_HAND} {TAPES}", "", ".txt"),
+        ("", "", "", f"{BY_HAND} {TAPES}"),
+        *((kind, ".x", "{" if kind == "JSON" else "<", "") for kind in ("JSON", "XML", "SVG", "HTML")),
     ],
 )
-def test_what_a_product_never_replaces(kind: str, kept: str, taken: str, tmp_path: Path) -> None:
-    for name in (*kept.split(), *taken.split()):
-        shelf.check_kind(str(tmp_path / name), kind)
-        (tmp_path / name).touch()
-        shelf.check_kind(str(tmp_path / name), kind)
-        (tmp_path / name).write_bytes(b"\xef\xbb\xbf \n9")
-        if name in taken.split():
-            shelf.check_kind(str(tmp_path / name), kind)
-        else:
-            with pytest.raises(ShelfError, match=rf"{name} is there, and is no {kind}: it is not replaced"):
-                shelf.check_kind(str(tmp_path / name), kind)
-
-
-@pytest.mark.parametrize(("kind", "first"), [("JSON", "{"), ("XML", "<"), ("SVG", "<"), ("HTML", "<")])
-def test_a_product_replaces_one_of_its_kind(kind: str, first: str, tmp_path: Path) -> None:
-    (tmp_path / "x").write_bytes(b"\xef\xbb\xbf \n" + first.encode())
-    shelf.check_kind(str(tmp_path / "x"), kind)
+def test_what_a_product_never_replaces(kind: str, kept: str, first: str, taken: str, tmp_path: Path) -> None:
+    for ending in (*kept.split(), *taken.split()):
+        path = tmp_path / f"x{ending}"
+        for harmless in (None, b"", b"\xef\xbb\xbf \n" + first.encode()):
+            if harmless is not None:
+                path.write_bytes(harmless)
+            if not harmless or first or ending in taken:
+                shelf.check_kind(str(path), kind)
+        path.write_bytes(b"9")
+        if ending in kept:
+            with pytest.raises(ShelfError, match=f"x{ending} is there, and is no {kind}: it is not"):
+                shelf.check_kind(str(path), kind)
 
 
 def test_a_file_is_replaced_whole(tmp_path: Path) -> None:
