@@ -236,8 +236,6 @@ class Receiver(Device):
     def pulse_after(self, now: int) -> int:
         """Return the first pulse of the clock after tick `now`."""
         since = now - self.origin
-        if since < 0:
-            return 0
         return since // FRAME * PULSES + PARTS * (since % FRAME) // EIGHTH + 1
 
     def start_seen(self) -> int:

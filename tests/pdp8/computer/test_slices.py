@@ -24,7 +24,7 @@ def test_in_slices_as_at_once() -> None:
 
 @pytest.mark.parametrize("longest", [0.01, 0.3, 60.0])
 def test_the_limit_is_that_of_all_slices_together(longest: float) -> None:
-    machine = program(*COUNT)
+    machine = program(*octal("2300 5200 5200"))
     *_, stop = machine.slices(1.5, longest=longest)
     assert stop.reason is Reason.LIMIT
     assert machine.ticks == pytest.approx(30_000_000, abs=64)

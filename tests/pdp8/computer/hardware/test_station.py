@@ -38,18 +38,3 @@ def test_a_punch_that_is_off_punches_nothing_and_the_printer_prints() -> None:
     m.run(seconds=2)
     assert bytes(m.teletype.printer.frames) == b"abc"
     assert m.teletype.punch.tape == b""
-
-
-def test_start_takes_the_keyboards_flag_down() -> None:
-    m = copying()
-    m.teletype.receiver.flag = 1
-    m.start(0o200)
-    assert m.teletype.receiver.flag == 0
-
-
-def test_kcc_clears_ac_and_keeps_l() -> None:
-    m = copying()
-    m.core[0o200] = 0o6032
-    m.ac, m.link = 0o7777, 1
-    m.run(instructions=1)
-    assert (m.ac, m.link) == (0, 1)

@@ -45,7 +45,7 @@ def test_a_ring_that_only_goes_round_is_endless(words: str) -> None:
 
 
 def test_a_count_is_not_endless() -> None:
-    assert program(*octal("7001 5200")).run(seconds=0.5).reason == "limit"
+    assert program(*octal("7001 5200")).run(seconds=0.05).reason == "limit"
     m = program(*octal("2210 5200 2211 5200 7402"))
     m.core[0o211] = -20
     assert m.run(seconds=10).reason == "halt"

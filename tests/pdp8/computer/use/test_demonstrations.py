@@ -31,14 +31,6 @@ def test_echo_prints_what_is_typed_while_it_counts() -> None:
     assert machine.core[assembly("echo").symbols["COUNT"]] > 0
 
 
-def test_echo_keeps_up_with_the_reader() -> None:
-    machine = started("echo")
-    tape = bytes(range(0o240, 0o264))
-    machine.teletype.reader.load(tape)
-    machine.run(seconds=len(tape) / 10 + 1)
-    assert machine.teletype.punch.tape == tape
-
-
 def test_counter_shows_every_count_in_the_lamps() -> None:
     machine = started("counter")
     symbols = assembly("counter").symbols
