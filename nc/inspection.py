@@ -124,7 +124,7 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
             f"the milled path follows no circle, ellipse or line within {_follows(tolerance) / 1000:.3f} in: "
             "name the nominal curve"
         )
-    corners = np.unique(cuts.reshape(-1, 2), axis=0)
+    corners = _corners(cuts)
     count = max(_FEWEST_STATIONS, STATIONS * _CUTS_AT_FULL // max(_CUTS_AT_FULL, len(corners)))
     measured = walls(cuts, curve.stations(count), cutter / 2)
     if np.isnan(measured.outer).all():
@@ -134,6 +134,10 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
     stepwise = bool((cuts[:, :2] == cuts[:, 2:]).any(axis=1).all())
     limits = float(centre.min()), float(centre.max())
     return Inspection(curve, cutter, tolerance, measured, limits, stepwise, readings)
+
+
+def _corners(cuts: Floats) -> Floats:
+    return np.unique(np.concatenate([cuts[:, :2], cuts[:, 2:]]), axis=0)
 
 
 def _beside(corners: Floats, stations: Stations, reach: float) -> NDArray[np.bool_]:
@@ -160,7 +164,7 @@ def _follows(tolerance: float) -> float:
 def segments(moves: Sequence[Move]) -> Floats:
     """Return the milling moves as (n, 4): x and y of the start, x and y of the end."""
     ends = [(*move.start[:2], *move.end[:2]) for move in moves]
-    return np.array(ends, dtype=np.float64).reshape(-1, 4)
+    return np.array(ends, dtype=np.float64).reshape(len(moves), 4)
 
 
 def walls(cuts: Floats, stations: Stations, radius: float) -> Walls:
@@ -169,7 +173,7 @@ def walls(cuts: Floats, stations: Stations, radius: float) -> Walls:
     Exact; the time is in proportion to the stations times the cuts within reach of each.
     """
     outer, inner = np.full(len(stations), -np.inf), np.full(len(stations), np.inf)
-    corners = np.unique(cuts.reshape(-1, 2), axis=0)
+    corners = _corners(cuts)
     sides = np.unique(cuts[(cuts[:, :2] != cuts[:, 2:]).any(axis=1)], axis=0)
     low, high = np.minimum(sides[:, :2], sides[:, 2:]), np.maximum(sides[:, :2], sides[:, 2:])
     for first in range(0, len(stations), _GROUP):

@@ -165,7 +165,7 @@ class Path:
         import numpy
 
         places = [move.start for move in self.moves[:1]] + [move.end for move in self.moves]
-        return numpy.array(places, dtype=numpy.float64).reshape(-1, 3)
+        return numpy.array(places, dtype=numpy.float64).reshape(len(places), 3)
 
     @property
     def milling_blocks(self) -> int:

@@ -291,8 +291,6 @@ def _quotient(over: int, under: int) -> tuple[int, int]:
 
 
 def _root(value: Float) -> tuple[int, int]:
-    """A root of more bits than any word has; its last bit is 1 if it is not exact."""
+    """A root cut to more bits than lie between an irrational one and the middle of two words."""
     odd = value.exponent & 1
-    square = value.mantissa << (160 + odd)
-    root = isqrt(square)
-    return root << 1 | (root * root != square), (value.exponent - odd) // 2 - 81
+    return isqrt(value.mantissa << (256 + odd)), (value.exponent - odd) // 2 - 128

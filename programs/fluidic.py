@@ -120,10 +120,9 @@ def channel(downstream: float) -> tuple[Segment, ...]:
             f"control channels {downstream:g} in downstream: must be beside the walls, 0 to {_FURTHEST:g} in"
         )
     middle = EXIT + 0.1 + downstream
-    mouth = round(0.1 + (middle - EXIT) * TAPER, 3)
-    low, high = round(middle - 0.05, 4), round(middle + 0.05, 4)
-    wide = round(mouth + 2.736, 3)
-    bottom, top = round(low - 0.504, 4), round(high + 0.504, 4)
+    mouth = 0.1 + (middle - EXIT) * TAPER
+    low, high, wide = middle - 0.05, middle + 0.05, mouth + 2.736
+    bottom, top = low - 0.504, high + 0.504
     corners = [
         (mouth, low),
         (wide, bottom),

@@ -1,6 +1,6 @@
 """The walls against geometry done by hand and by shapely, and the figures of the thesis's circle."""
 
-from itertools import pairwise
+from itertools import pairwise, permutations
 
 import numpy as np
 import pytest
@@ -31,9 +31,10 @@ def reading(inspection: Inspection, place: str, wall: str) -> float:
 
 
 def test_a_straight_cut_leaves_walls_a_radius_away() -> None:
-    found = walls(np.array([[0.0, 0, 1000, 0]]), StraightLine(0, 0, 1000, 0).stations(11), radius=250)
-    assert found.outer == pytest.approx(0, abs=1e-9)
-    assert found.inner == pytest.approx(0, abs=1e-9)
+    for start, end in permutations([(1000.0, 1000.0), (9000.0, 1000.0), (1000.0, 9000.0)], 2):
+        found = walls(np.array([[*start, *end]]), StraightLine(*start, *end).stations(640), radius=250)
+        assert found.outer == pytest.approx(0, abs=1e-9)
+        assert found.inner == pytest.approx(0, abs=1e-9)
 
 
 def test_a_single_plunge_leaves_a_hole() -> None:
@@ -209,12 +210,19 @@ class TestCurves:
         assert fitted(jagged, within=20) == curve
         assert fitted(stations.points[:500], within=1) == curve or isinstance(curve, StraightLine)
 
+    def test_a_thousandth_makes_no_ellipse(self) -> None:
+        for axis, found in ((701, 700), (702, 702)):
+            assert fitted(Ellipse(0, 0, axis, 700).stations(900).points, 1) == Ellipse(0, 0, found, 700)
+
     def test_a_curve_is_named_in_inches(self) -> None:
         assert nominal() is None
         assert nominal(circle=(4, 4, 1.75)) == THE_CIRCLE
         assert nominal(ellipse=(4, 5, 3, 2.25)) == Ellipse(4000, 5000, 3000, 2250)
         assert nominal(line=(0.5, 0.9, 7, 2)) == StraightLine(500, 900, 7000, 2000)
         assert nominal(function="x", origin=(4, 5), range_=(0, 6)) == Graph(4000, 5000, "x", 0, 6)
+        for a, b in ((2, 0), (0, 2)):
+            with pytest.raises(WorkError, match=f"semi-axes {a} and {b} in: each must be greater than 0"):
+                nominal(ellipse=(4, 4, a, b))
         with pytest.raises(WorkError, match="3 curves are named; at most one is allowed"):
             nominal(circle=(4, 4, 1), line=(0, 0, 1, 1), function="x", range_=(0, 1))
         with pytest.raises(WorkError, match="function x: its range of x is needed"):
@@ -229,7 +237,7 @@ class TestCurves:
         there_and_back = np.array([[0.0, 0], [1000, 0], [2000, 0], [0, 0]])
         assert fitted(there_and_back, within=5) is fitted(there_and_back[:, ::-1], within=5) is None
         assert fitted(np.array([[0.0, 0], [1000, 0], [1000, 700], [0, 700], [500, 100]]), within=20) is None
-        with pytest.raises(WorkError, match="name the nominal curve"):
+        with pytest.raises(WorkError, match=r"within 0\.020 in: name the nominal curve"):
             inspect(nc.cut(tape(*HEADER, "007 6 02250 08000 0 01 85", "008 6 09000 08000 0 01 84")))
 
     def test_the_ellipse_of_the_thesis(self) -> None:

@@ -6,21 +6,12 @@ import pytest
 
 import nc
 from nc.machine import CutError, Settings
-from nc.path import Move, MoveKind, Path, Position
+from nc.path import MoveKind, Position
 from tapes import shelf
 from tapes.errors import WorkError
-from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, FOUR_HOLES, HEADER, tape
+from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, tape
 
 READ_Z = "900 9 03000 03500 0 01 89"
-
-
-def moves(path: Path) -> list[tuple[str, Position, float]]:
-    return [(str(move.kind), move.end, move.speed) for move in path.moves]
-
-
-def last(*blocks: str, settings: Settings | None = None) -> tuple[Move, ...]:
-    """Return the moves of the last of these blocks."""
-    return nc.cut(tape(*blocks), settings=settings).steps[-1].moves
 
 
 def refusal(*blocks: str) -> CutError:
@@ -45,31 +36,6 @@ def test_the_four_holes_of_chapter_3() -> None:
     assert path.gap == 0
 
 
-def test_two_feeds_leave_the_slope_where_one_axis_arrives() -> None:
-    """Figure 3.1: a slope of 30 degrees with X at 1.9 and Y at 1.0; Y is not there yet when X is."""
-    both = last(READ_Z, "001 6 00000 00000 0 02 84", "002 6 17321 10000 0 01 85")
-    assert both[0].end == pytest.approx((17321, 17321 / 1.9, 3500))
-    assert both[1].end == (17321, 10000, 3500)
-    assert [move.speed for move in both] == [pytest.approx((1.9**2 + 1) ** 0.5), 1.0]
-    assert sum(move.seconds for move in both) == pytest.approx(10 / 1.0 * 60)
-
-
-def test_a_tool_change_needs_the_quill_up_and_takes_its_time() -> None:
-    blocks = (READ_Z, "001 6 01000 00000 0 01 84", "002 6 02000 00000 0 07 86")
-    path = nc.cut(tape(*blocks), settings=Settings(tool_change_seconds=8))
-    assert [str(move.kind) for move in path.steps[-1].moves] == ["mill", "retract"]
-    assert path.steps[-1].modes.tool == 7
-    assert path.times.tool_changes == 8
-
-
-def test_stops_wait_for_the_operator_and_the_tape_goes_on() -> None:
-    path = nc.cut(tape(*HEADER, "007 0 00000 00000 0 00 00"))
-    assert [(step.number, step.stop) for step in path.steps if step.stop] == [
-        (1, "end of program"),
-        (7, "program stop"),
-    ]
-
-
 @pytest.mark.parametrize(
     ("blocks", "says"),
     [
@@ -87,13 +53,6 @@ def test_what_no_block_has_set_is_refused(blocks: list[str], says: str) -> None:
     error = refusal(*blocks)
     assert error.reason.startswith(says)
     assert (error.block, error.row) == (len(blocks), 4)
-
-
-def test_a_bad_block_is_never_half_executed() -> None:
-    good = tape(*CIRCLE_BLOCKS[:50])
-    error = refusal(*CIRCLE_BLOCKS[:50], "051 6 20001 04000 0 01 84", *CIRCLE_BLOCKS[51:])
-    assert error.path.steps == nc.cut(good).steps
-    assert (error.block, error.row) == (51, 5)
 
 
 def test_a_refused_block_leaves_the_machine_as_it_was() -> None:
@@ -127,12 +86,6 @@ def test_what_the_machine_cannot_be_set_to(setting: dict[str, Any], says: str) -
         Settings(**setting)
 
 
-def test_a_feed_error_changes_the_times_and_not_the_staircase() -> None:
-    true, slow = nc.cut(CIRCLE), nc.cut(CIRCLE, settings=Settings(feed_error=(-0.2, -0.2, 0)))
-    assert [move.end for move in slow.moves] == [move.end for move in true.moves]
-    assert slow.times.milling == pytest.approx(true.times.milling / 0.8)
-
-
 class TestTheCircle:
     """4 in, +-.005, 1 in/min: 36 minutes in Chapter 7."""
 
@@ -155,28 +108,6 @@ class TestTheCircle:
         assert contour / 60 == pytest.approx(35.86, abs=0.01)
         assert path.times.total / 60 == pytest.approx(36.7, abs=0.05)
         assert list(path.clock())[-1] == pytest.approx(path.times.total)
-
-
-class TestTheEllipse:
-    """6 x 4 1/2 in, +-.005: 50 minutes in Chapter 7, 33 of them reading (Chapter 10)."""
-
-    ELLIPSE = shelf.read("ellipse.eia")
-
-    @pytest.mark.parametrize(
-        ("settings", "minutes"),
-        [
-            (Settings(), 36.1),
-            (Settings(feed_code=1), 53.2),
-            (Settings(feed_code=1, feed_error=(0.2, 0.2, 0.2)), 49.7),
-        ],
-        ids=["code 05, 5.5 in/min", "1.0 in/min", "1.2 in/min"],
-    )
-    def test_machining(self, settings: Settings, minutes: float) -> None:
-        path = nc.cut(self.ELLIPSE, settings=settings)
-        assert len(path) == 976
-        assert path.times.reading / 60 == pytest.approx(32.5, abs=0.05)
-        contour = 970 * 2 + path.times.milling
-        assert contour / 60 == pytest.approx(minutes, abs=0.05)
 
 
 def test_a_path_is_one_line_to_look_at() -> None:

@@ -66,7 +66,8 @@ def approximately(leg: Leg) -> tuple[object, bool, object]:
 def in_force(step: Step) -> list[object]:
     modes = step.modes
     feeds = (modes.x_feed, modes.y_feed, modes.z_feed)
-    return [*feeds, modes.spindle, modes.tool, modes.coolant, modes.partial_retract, modes.feed_point]
+    quill = (modes.partial_retract, modes.feed_point, modes.final_depth)
+    return [*feeds, modes.spindle, modes.tool, modes.coolant, *quill]
 
 
 def settings(draw: random.Random) -> tuple[Settings, HydraPoint]:

@@ -64,15 +64,6 @@ def test_a_ge635_that_rounds_its_stores_moves_none() -> None:
     assert ellipse.part(arithmetic=Rounding()) == exactly("ellipse")
 
 
-def test_thirty_truncated_bits_move_the_same_nine_as_twenty_seven() -> None:
-    class GE235(GE635):
-        """The machine of GE's earlier time-sharing: 30 bits, and no longer register."""
-
-        word = register = quotient = 30
-
-    assert ellipse.part(arithmetic=GE235()) == ellipse.part(arithmetic=GE)
-
-
 def test_a_twenty_four_bit_truncating_machine_makes_978_blocks() -> None:
     class Short(CDC6400):
         """A truncating machine of 24 bits, of which it is known that it breaks elsewhere too."""
@@ -101,10 +92,6 @@ def test_a_ge635_store_goes_towards_minus_infinity() -> None:
     assert third.exactly == Fraction(0b101010101010101010101010101010101010101 >> 4, 2**36)
     assert GE.store(third).exactly == Fraction(2**28 // 3, 2**28)
     assert GE.store(-third).exactly == -Fraction(-(-(2**28) // 3), 2**28)
-
-
-def test_a_ge635_quotient_is_cut_as_a_magnitude() -> None:
-    assert (GE.real(-1) / GE.real(3)).exactly == -(GE.real(1) / GE.real(3)).exactly
 
 
 def test_the_eaq_keeps_more_than_a_word_within_an_expression() -> None:

@@ -1,8 +1,11 @@
 """FORMAT fields, the header, and the two tapes that are written down in full."""
 
+from fractions import Fraction
+
 import pytest
 
 from programs import drill
+from programs.arithmetic import ARITHMETICS
 from programs.format import Format, Overflow
 from programs.header import Header
 from programs.printout import FORMAT_10, FORMAT_30
@@ -30,6 +33,12 @@ def test_a_number_too_wide(overflow: Overflow, line: str) -> None:
     assert Format("I3,I5").line(1000, 23456, overflow=overflow) == line
 
 
+@pytest.mark.parametrize(("value", "printed"), [(2.9, "  2"), (-2.9, " -2"), (0.9999, "  0"), (99.5, " 99")])
+def test_an_i_field_takes_the_whole_part_of_a_real(value: float, printed: str) -> None:
+    for real in (Fraction(str(value)), *(arithmetic.real(value) for arithmetic in ARITHMETICS.values())):
+        assert Format("I3").line(real) == f"{printed}\n"
+
+
 def test_both_formats_are_nineteen_wide() -> None:
     assert FORMAT_10.width == FORMAT_30.width == 19
 
@@ -44,23 +53,6 @@ def test_the_six_blocks_of_the_header_decoded() -> None:
         (5, 0, 2250, 4000, 0, 0, 80),
         (6, 9, 3000, 3500, 0, 1, 89),
     ]
-
-
-@pytest.mark.parametrize(
-    ("keywords", "named"),
-    [
-        ({"spindle": 19}, "spindle code 19"),
-        ({"tool": 25}, "tool 25"),
-        ({"coolant": 5}, "coolant 5"),
-        ({"z_feed": 0}, "Z feed code 0"),
-        ({"z_depth": 5001}, "final Z depth 5.001 in"),
-        ({"z_depth": 2999}, "above the Z feed point"),
-        ({"park_x": -1}, "park X -0.001 in"),
-    ],
-)
-def test_a_header_that_the_machine_does_not_have(keywords: dict[str, int], named: str) -> None:
-    with pytest.raises(WorkError, match=named):
-        Header(**keywords)
 
 
 def test_the_drilling_tape_is_chapter_3s() -> None:

@@ -3,12 +3,13 @@
 from contextlib import suppress
 from math import atan, cos, hypot, isfinite, pi, sin
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from programs import curve, polynomial
-from programs.function import Range, offset_path
+from programs.function import Range, _at_each_thousandth, offset_path
 from programs.stepwise import cuts
 from tapes.errors import WorkError
 from tapes.expression import function
@@ -119,9 +120,15 @@ def test_the_centre_is_on_the_normal_of_equation_3() -> None:
 def test_a_cutter_tighter_than_the_curve_is_refused_where_it_is_too_big() -> None:
     """x**2/4 has its tightest place, a radius of 2, at x = 0."""
     assert curve.part("x**2/4", from_=-2, to=2, cutter=3.9, tolerance=0.01)
-    with pytest.raises(WorkError, match=r"too big: at x = -?0\."):
-        curve.part("x**2/4", from_=-2, to=2, cutter=4.4, tolerance=0.01)
+    with pytest.raises(WorkError, match=r"too big: at x = 2\.488 "):  # 3 - .512, where it comes to 2.2
+        curve.part("(x-3)**2/4", from_=1, to=5, cutter=4.4, tolerance=0.01)
     assert curve.part("x**2/4", from_=-2, to=2, cutter=4.4, side="below", tolerance=0.01, origin_x=6)
+
+
+def test_between_two_places_the_path_is_straight() -> None:
+    across, up = [0.3, 2.1, 2.2, 5.0, 7.9, 10.0], [1.0, 5, 4, 0, 0.5, 8]
+    expected = np.interp(range(1, 11), across, up)
+    assert list(_at_each_thousandth(across, up)) == pytest.approx(expected)
 
 
 def test_a_small_cutter_leaves_the_polynomial_almost_where_it_was() -> None:

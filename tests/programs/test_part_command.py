@@ -2,16 +2,26 @@
 
 import re
 import shlex
+from collections.abc import Callable
+from math import nan
+from typing import Any
 
 import pytest
 
 from pdp8.cli.root import pdp8
-from programs import parts
-from programs.printout import check_band
-from programs.units import THOUSANDTHS
+from programs import fluidic, parts, stretches
+from programs.function import Range, offset_path
+from programs.header import Header
+from programs.least_squares import fit
+from programs.milling import Milling
+from programs.piecewise import Technique
+from programs.printout import check_band, check_codes, check_on_table, check_start
+from programs.stretches import Point, arc, graph
+from programs.units import FRACTION, INCHES, NUMBER, THOUSANDTHS, UnitError
 from tapes import ascii, command
 from tapes.errors import WorkError
-from tests.conftest import Shell
+from tests.conftest import Shell, assert_same_tape, case
+from tests.nc.tapes_1971 import tape
 
 PARTS = [
     "polynomial --technique piece",
@@ -26,34 +36,26 @@ PARTS = [
 
 REFUSED = [
     ("circle --radius -5", "radius -5 in: must be greater than 0"),
-    ("circle --radius 0", "radius 0 in: must be greater than 0"),
     ("circle --tolerance 0", "a tolerance must be .001 in, the machine's resolution, or more"),
     ("circle --tolerance 0.0005", "radius 1.75 in between 1.7495 in and 1.7505 in"),
     ("circle --radius 0.5 --tolerance 0.6", "the tolerance must be smaller than the curve"),
     ("circle --radius 5", "block 005: X -1.000 leaves the table: 0 to 20 in"),
     ("circle --centre-x 19", "block 226: X 20.002 leaves the table"),
-    ("circle --centre-y 9", "leaves the table"),
-    ("circle --feed-code 19", "feed code 19 is not in Table 2.4"),
-    ("circle --sequence -1", "sequence number -1"),
     ("circle --preparatory 3", "preparatory function 3"),
     ("circle --x-feed 99", "miscellaneous function 99"),
     ("circle --start-x 9", "must be in the first quadrant"),
-    ("circle --spindle 20", "spindle code 20"),
     ("circle --outer 90", "the table is 20 in"),
     ("circle --park-x 20.002", "park X 20.002 in is outside the travel: 0 to 20 in"),
-    ("polynomial --from 0 --to 0.1 --tolerance 0.9", "must be smaller than the curve"),
     ("polynomial --a 999999", "off the table"),
     ("polynomial --a 999999 --cutter 0.1", "off the table"),
     ("polynomial --a 999999 --arithmetic ge635", "off the table"),
-    ("slope --to-x 4.1 --to-y 4.1 --tolerance 0.6", "must be smaller than the curve"),
     ("curve 'exp(x)*1e300'", "must be within 1e+06"),
-    ("curve x --to 0.5 --tolerance 0.8", "must be smaller than the curve"),
     ("drill --holes 1.0005,1", "X 1.0005 in: must be a whole number of thousandths"),
-    ("fluidic --tolerance 0.2", "must be smaller than the curve"),
-    ("ellipse --minor -1", "semi-minor axis -1"),
-    ("ellipse --minor 0.5 --tolerance 0.6", "the tolerance must be smaller than the curve"),
+    ("ellipse --minor 0.5 --tolerance 0.5", "semi-minor axis 0.5 in has an inner limit of 0 in"),
+    ("ellipse --major 0", "semi-major axis 0 in: must be greater than 0"),
+    ("ellipse --sequence 1000", "sequence number 1000: must be 0 to 999"),
+    ("ellipse --start-y 9", "start X 3 in, Y 9 in from the centre: must be in the first quadrant"),
     ("die --cut groove --centre-y 1", "leaves the table"),
-    ("polynomial --tolerance 0", "must be .001 in, the machine's resolution"),
     ("polynomial --tolerance 0.001", "too steep"),
     ("polynomial --from 6 --to 0", "must go from less to more"),
     ("polynomial --to 7.5", "leaves the table"),
@@ -63,19 +65,16 @@ REFUSED = [
     ("curve 1 --from 30 --to 40", "block 005: X 34.000 leaves the table"),
     ("polynomial --cutter 4", "too big: at x ="),
     ("polynomial --cutter -1", "cutter of diameter -1 in: must be greater than 0"),
-    ("curve x --cutter 11", "cutter of diameter 11 in: must be greater than 0, and 10 at most"),
     ("slope --to-x 4 --to-y 4", "two different ends"),
-    ("slope --tolerance -0.005", "must be .001 in, the machine's resolution"),
     ("slope --to-x 21", "leaves the table"),
     ("slope --to-x 4.0000000001", "X 4.0000000001 in: must be a whole number of thousandths"),
     ("curve 1/x", "at x = 0 the expression"),
-    ("curve 'tan(x)' --to 3", "too steep"),
+    ("curve 9.99*x --tolerance .005", "at X 4.000 of the table it moves 0.00999 in along Y"),
     ("curve 'import os'", "not an expression in x"),
     ("curve x --technique piece --feed-error -5", "feed error -5%: must be from 0 to less than 100 %"),
     ("drill --holes ''", "no holes are given"),
     ("drill --z-depth 2", "final Z depth 2 in is above the Z feed point, 3 in"),
     ("drill --holes 21,1", "block 003: X 21.000 leaves the table"),
-    ("fluidic --control 3", "must be beside the walls"),
     ("fluidic --axis-x 1", "leaves the table"),
 ]
 
@@ -92,7 +91,7 @@ MISUSED = [
     ("slope --feed-error 0.2", "0.2 %: must be 0, or at least 1 %; for 0.2 as a fraction write 20"),
     ("slope --feed-error 0.01", "for 0.01 as a fraction write 1"),
     ("circle --radius 1_0", "'1_0' is not a number"),
-    ("polynomial --tolerance 1000", "must be less than 1 in"),
+    ("polynomial --tolerance 1", "1 in: must be less than 1 in"),
     ("drill --holes 1000,1000", "for 1000 thousandths write 1"),
     ("drill --holes nan,1", "not a finite number"),
     ("circle --tolerance nan", "not a finite number"),
@@ -113,32 +112,9 @@ def test_the_chain_translates_every_part_into_whole_blocks(shell: Shell, part: s
         f"pdp8 part {part} --parity none --fill 0 > part.asc && pdp8 run eia.pal < part.asc && cat part.asc"
     )
     assert done.returncode == 0, done.stderr
-    tape, printout = (
-        done.stdout[: done.stdout.rindex(b"\x80") + 1],
-        done.stdout[done.stdout.rindex(b"\x80") + 1 :],
-    )
-    lines = printout.decode().splitlines()
-    rows = tape[1:]
-    assert tape[0] == 0
-    assert len(rows) == 20 * len(lines)
-    digit = {
-        0o040: 0,
-        0o001: 1,
-        0o002: 2,
-        0o023: 3,
-        0o004: 4,
-        0o025: 5,
-        0o026: 6,
-        0o007: 7,
-        0o010: 8,
-        0o031: 9,
-    }
-    for number, line in enumerate(lines):
-        block = rows[20 * number : 20 * number + 20]
-        assert block[19] == 0o200
-        assert "".join(str(digit[row]) for row in block[:19]) == line.replace(" ", "0"), (
-            f"block {number + 1:03}"
-        )
+    end = done.stdout.rindex(b"\x80") + 1
+    lines = done.stdout[end:].decode().splitlines()
+    assert_same_tape(done.stdout[:end], tape(*(line.replace(" ", "0") for line in lines)))
 
 
 def ended(capfd: pytest.CaptureFixture[str], line: str) -> tuple[object, str, str]:
@@ -158,8 +134,55 @@ def test_a_part_that_cannot_be_is_refused_in_one_sentence(
     assert message.count("\n") == 1
 
 
-def test_a_radius_of_a_thousandth_can_have_a_band() -> None:
-    check_band("radius", 1, 0.25, 2.5)
+LIMITS: list[tuple[Callable[[Any], object], tuple[Any, ...], tuple[Any, ...]]] = [
+    (lambda size: check_band("radius", size, 0.5, 2.5), (1,), (0, nan)),
+    (lambda inner: check_band("radius", 1, inner, 2.5), (0.5,), (0, 0.6, nan)),
+    (lambda outer: check_band("radius", 1, 0.5, outer), (2.5, 20_000), (2.4, 20_001, nan)),
+    (
+        lambda start: check_start(start[0], start[1], 7, 5),
+        ((0, 0), (7, 5)),
+        ((-1, 0), (0, -1), (8, 0), (0, 6)),
+    ),
+    (lambda number: check_codes(number, 6), (0, 999), (-1, 1000)),
+    (lambda place: check_on_table("1", "X", place), (0, 20_000), (-1, 20_001)),
+    (lambda place: check_on_table("1", "Y", place), (0, 10_000), (-1, 10_001)),
+    (
+        lambda park: Header(park[0], park[1]),
+        ((0, 0), (20_000, 10_000)),
+        ((-1, 0), (0, -1), (20_001, 0), (0, 10_001)),
+    ),
+    (lambda z: Header(z_feed_point=z[0], z_depth=z[1]), ((0, 0), (5000, 5000)), ((-1, 0), (1, 0), (0, 5001))),
+    (lambda tool: Header(tool=tool), (1, 24), (0, 25)),
+    (lambda coolant: Header(coolant=coolant), (7, 8, 9), (6, 10)),
+    (lambda code: Header(spindle=code), (1, 18, 21, 38), (0, 19, 20, 39)),
+    (lambda code: Header(z_feed=code), (1, 18), (0, 19)),
+    (lambda code: Milling(feed_code=code), (1, 18), (0, 19)),
+    (Technique, (1, 18), (0, 19)),
+    (lambda error: Technique(5, error), (0, 0.99), (-0.1, 1.0, nan)),
+    (INCHES.keep, ("99.999", "-99.999"), ("100", "-100")),
+    (FRACTION.keep, ("0", "1", "99.9"), ("0.99", "100")),
+    (NUMBER.keep, ("999999",), ("1000000",)),
+    (lambda tolerance: stretches.line(Point(0, 0), Point(3, 4), tolerance), (1, 4.9), (0.9, 5, nan)),
+    (lambda radius: arc(Point(0, 0), radius, 0, 90, 1), (1.1,), (0, 1)),
+    (lambda step: graph(0, [0, step, 2 * step], [4, step + 4, 2 * step + 4]), (3, -3), (3.1, -3.1)),
+    (lambda last: Range(0, last, 0, 0), (0.001,), (0, -0.001)),
+    (lambda to: offset_path(lambda _: 0, Range(0, to, 0, 0), 0.001, 0.1, "above"), (0.002,), (0.001,)),
+    (lambda wide: offset_path(lambda _: 0, Range(0, 1, 0, 0), 0.001, wide, "above"), (10,), (0, 10.1)),
+    (fluidic.channel, (0, 2.5), (-0.001, 2.501)),
+    (lambda degree: fit([(0, 0), (1, 1), (2, 1), (2, 2)], degree), (0, 2), (-1, 3)),
+    (lambda degree: fit([(x, x) for x in range(15)], degree), (12,), (13,)),
+]
+"""What takes a value, values that it takes, and values that it refuses."""
+
+
+def test_what_is_at_a_limit_is_taken_and_what_is_beyond_is_refused() -> None:
+    for number, (taking, taken, refused) in enumerate(LIMITS):
+        for value in taken:
+            with case(number, value):
+                taking(value)
+        for value in refused:
+            with case(number, value), pytest.raises((WorkError, UnitError)):
+                taking(value)
 
 
 @pytest.mark.parametrize(("part", "said"), MISUSED)
@@ -223,6 +246,8 @@ def test_compare_shows_the_nine_blocks_side_by_side(shell: Shell) -> None:
     assert lines[1] == "  587  5876 6404 2647  585  5876 6404 2646  585"
     assert len(lines) == 11
     assert lines[-1] == "ellipse: 976 blocks exact, 976 ge635, 9 differ"
+    small = shell("pdp8 part compare ellipse --major .135 --minor .05 --tolerance .001").stdout.decode()
+    assert re.search(r"\n  120  1206 .{14}  - *\nellipse: 120 blocks exact, 114 ge635, 83 differ\n$", small)
 
 
 def test_compare_of_two_that_agree(shell: Shell) -> None:

@@ -1,5 +1,6 @@
 """The registry: a new part program is its own file and an entry, and every command has it."""
 
+from inspect import signature
 from pathlib import Path
 
 import pytest
@@ -71,6 +72,10 @@ def test_every_entry_is_a_part_program(name: str) -> None:
     assert program.__module__ == f"programs.{name}"
     if entry.has_defaults:
         assert program().endswith("\n")
+    said = CliRunner().invoke(part, [name, "--help"]).output
+    assert f"\n  Examples:\n    pdp8 part {name} {entry.examples[0]}\n" in said
+    tolerance = signature(program).parameters.get("tolerance")
+    assert tolerance is None or tolerance.default in (entry.tolerance, entry.tolerance * 1000)
 
 
 TABLE_10_1 = """\
@@ -91,6 +96,9 @@ def test_the_dimensions_that_the_thesis_gives() -> None:
     assert 2 * nozzle == pytest.approx(fluidic.SCALE * 0.02, abs=0.0011)
     assert len([piece for piece in fluidic.outline() if isinstance(piece, fluidic.Bend)]) == 9
     assert fluidic.TAPER == 7 / 38  # 10.4 degrees
+    assert {PARTS[name].cutter for name in ("circle", "ellipse", "polynomial")} == {0.5}
+    assert (PARTS["fluidic"].cutter, PARTS["fluidic"].instrument) == (0.125, "Talysurf")
+    assert PARTS["circle"].instrument == "Talyrond"
 
 
 def test_table_10_1() -> None:

@@ -15,7 +15,6 @@ from programs.milling import Milling
 from programs.piecewise import Technique, way
 from programs.printout import Printout
 from programs.stretches import Point, arc, line, oval
-from tapes.errors import WorkError
 from tests.programs.printouts import TRAVEL_X, blocks, milled
 
 FEEDS = {1: 1.0, 2: 1.9, 3: 2.7, 4: 4.0, 5: 5.5, 6: 7.2, 7: 9.1, 8: 11.2}
@@ -96,6 +95,8 @@ def test_a_line_at_a_ratio_of_two_feeds_is_one_ray() -> None:
     rays = list(Technique(fastest=2, feed_error=0).rays(line(Point(0, 0), Point(1900, 1000), 5)))
     assert [ray.stop for ray in rays] == [Point(1900, 1000)]
     assert rays[0].feeds == (2, 1)
+    for end, feeds in (((700, 0), (1, 0)), ((0, 700), (0, 1))):
+        assert list(Technique().rays(line(Point(0, 0), Point(*end), 5))) == [(feeds, end)]
 
 
 def test_one_feed_is_set_a_block() -> None:
@@ -115,12 +116,6 @@ def test_the_way_has_the_corner_of_figure_3_1() -> None:
     passed = list(way(Point(0, 0), Point(120, 120), (2.0, 1.0)))
     assert (120.0, 60.0) in passed
     assert passed[-1] == (120, 120)
-
-
-@pytest.mark.parametrize(("fastest", "error"), [(0, 0.2), (19, 0.2), (5, -0.1), (5, 1.0), (5, float("nan"))])
-def test_feeds_that_are_none_are_refused(fastest: int, error: float) -> None:
-    with pytest.raises(WorkError):
-        Technique(fastest, error)
 
 
 def test_a_whole_number_of_thousandths_is_asked_of_all_stops() -> None:

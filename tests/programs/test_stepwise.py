@@ -1,6 +1,7 @@
 """The step-wise technique: every stop in its band, one axis a block, and the listings' staircases from it."""
 
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
 from math import dist, hypot, sin
 
@@ -9,8 +10,10 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from programs import circle, curve, ellipse, fluidic, polynomial, slope, stepwise
+from programs.arithmetic import ARITHMETICS
 from programs.milling import Milling
 from programs.parts import find
+from programs.piecewise import Technique
 from programs.stretches import Curve, Point, Side, Stretch, arc, graph, line, oval, turning_points
 from tapes.errors import WorkError
 from tests.programs.printouts import assert_fit_for_the_machine, milled
@@ -160,10 +163,12 @@ def test_the_polynomial_is_fit_for_the_machine_and_passes_through_the_axis_three
     assert [after for before, after in pairwise(signs) if before != after] == [True, False, True]
 
 
-def test_the_polynomials_stops_lie_on_the_boundaries_of_its_band() -> None:
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+def test_the_polynomials_stops_lie_on_the_boundaries_of_its_band(arithmetic: str) -> None:
     """Chapter 6: each is the first thousandth on or beyond its limit; the one before it is inside."""
     error, thousandth = Fraction(1, 100), Fraction(1, 1000)
-    path = milled(polynomial.part())[:-2]  # the last two go to the end of the curve
+    part = polynomial.part(arithmetic=ARITHMETICS[arithmetic])
+    path = milled(part)[:-2]  # the last two go to the end of the curve
     beyond = [height_above_the_polynomial(block.x, block.y) for block in path]
     for before, block, off in zip(path, path[1:], beyond[1:], strict=False):
         assert abs(off) >= error, block
@@ -247,5 +252,7 @@ def test_a_band_that_lets_no_cut_begin_is_named() -> None:
     stuck = Stretch(
         1, 1, lambda x, y: Side.INSIDE if (x, y) == (7000, 8000) else Side.ABOVE, "Y", last_x=9000
     )
-    with pytest.raises(WorkError, match=r"X 7\.000 Y 8\.000"):
-        list(stepwise.staircase(Point(7000, 8000), "Y", [stuck], "inside"))
+    path = Curve(Point(7000, 8000), (stuck,), Point(9000, 9000))
+    for technique in (partial(stepwise.cuts, rule="inside"), Technique().rays):
+        with pytest.raises(WorkError, match=r"X 7\.000 Y 8\.000"):
+            list(technique(path))

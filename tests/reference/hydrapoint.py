@@ -130,7 +130,7 @@ class HydraPoint:
     @property
     def state(self) -> tuple[object, ...]:
         """Return what is in force, feeds in inches a minute."""
-        return (*self.feeds, self.speed, self.tool, self.coolant, self.partial, self.feed_point)
+        return (*self.feeds, self.speed, self.tool, self.coolant, self.partial, self.feed_point, self.depth)
 
     def obey(self, block: Block) -> None:
         """Carry out one block. Raises RefusedError; then the machine is not to be used any more."""
