@@ -142,7 +142,7 @@ def _corners(cuts: Floats) -> Floats:
 
 def _beside(corners: Floats, stations: Stations, reach: float) -> NDArray[np.bool_]:
     """Return which of the corners (n, 2) lie within reach of the curve; all of them if none does."""
-    some = stations.points[:: max(1, len(stations) // 500)]
+    some = stations.points[:: len(stations) // 500]
     apart = np.hypot(*(corners[:, None, :] - some).transpose(2, 0, 1)).min(axis=1)
     near = np.asarray(apart <= reach)
     return near if near.any() else np.ones(len(corners), dtype=np.bool_)

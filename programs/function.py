@@ -24,7 +24,7 @@ from programs.units import thousandths, tolerance_units
 from tapes.errors import WorkError
 from tapes.hydrapoint import X_TRAVEL
 
-_BEYOND = 10**9
+_BEYOND = 1e9
 """Thousandths of an inch; nothing larger is computed."""
 
 CutterOfSurface = Annotated[float | None, "diameter of the cutter, if the curve is the surface it leaves"]

@@ -94,20 +94,6 @@ def test_an_unknown_code_or_place_is_refused_by_row(digits: str, row: int, says:
     assert str(error) == f"frame {60 + row}: block 4, row {row}: {says}"
 
 
-@pytest.mark.parametrize(
-    "digits",
-    [
-        "001 0 20000 10000 0 00 80",
-        "001 9 05000 05000 0 18 89",
-        "001 0 00000 00000 0 38 88",
-        "001 0 00000 00000 0 24 86",
-        "001 0 00000 00000 0 38 80",
-    ],
-)
-def test_the_last_of_each_range_is_taken(digits: str) -> None:
-    assert blocks(tape(digits))[0].digits == digits.replace(" ", "")
-
-
 def test_wrong_lengths_are_named() -> None:
     program = tape(*HEADER)
     assert "the block ends in row 19; a block has 20 rows" in str(refusal(program[:45] + program[46:]))

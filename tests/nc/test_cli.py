@@ -51,10 +51,6 @@ def test_a_bundled_tape_and_standard_input_are_the_same(shell: Shell, command: s
     assert named == product(shell, f"pdp8 nc {command}", CIRCLE)
 
 
-def test_a_dash_is_standard_input(shell: Shell) -> None:
-    assert product(shell, "pdp8 nc cut -", CIRCLE) == product(shell, "pdp8 nc cut", CIRCLE)
-
-
 def test_the_ellipse_at_other_feeds(shell: Shell) -> None:
     """50 minutes in Chapter 7: not at the programmed code 05, nearly so at code 01 and 20 % fast."""
     assert "contour alone    36.1 min" in product(shell, "pdp8 nc cut ellipse.eia")

@@ -210,9 +210,11 @@ class TestCurves:
         assert fitted(jagged, within=20) == curve
         assert fitted(stations.points[:500], within=1) == curve or isinstance(curve, StraightLine)
 
-    def test_a_thousandth_makes_no_ellipse(self) -> None:
-        for axis, found in ((701, 700), (702, 702)):
-            assert fitted(Ellipse(0, 0, axis, 700).stations(900).points, 1) == Ellipse(0, 0, found, 700)
+    def test_what_is_rounded_to_a_thousandth_stays_a_curve(self) -> None:
+        for a, b, found in ((701, 700, (700, 700)), (702, 700, (702, 700)), (2, 0.4, None)):
+            curve = found and Ellipse(0, 0, *found)
+            assert fitted(Ellipse(0, 0, a, b).stations(900).points, within=1 if found else 0.1) == curve
+        assert fitted(np.array([[0.0, 0], [1000, 0]]), within=0) == StraightLine(0, 0, 1000, 0)
 
     def test_a_curve_is_named_in_inches(self) -> None:
         assert nominal() is None
@@ -251,6 +253,11 @@ def test_a_graph_goes_through_every_turning_point() -> None:
     kept = [run.tolist() for run in runs(deviation, closed=False, every=100)]
     assert {0, 1, 12, 13} <= set(kept[0])
     assert kept[1] == [15, 16, 17]
+
+
+def test_the_centre_is_measured_as_far_off_as_its_cutter_is_wide() -> None:
+    path = nc.cut(tape(*HEADER, *milling([(2250, 4500), (2250, 4501)], (2250, 4000))))
+    assert inspect(path, StraightLine(2250, 4000, 3250, 4000)).centre == (0, 500)
 
 
 def test_lengths_of_10_inches_and_more_are_written_whole() -> None:

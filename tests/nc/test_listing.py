@@ -120,8 +120,8 @@ def test_the_day_with_the_four_holes() -> None:
 
 def test_milling_at_several_feeds() -> None:
     ends = ("007 6 02250 05000 0 05 85", "008 6 02350 05000 0 02 84")
-    said = list(cut_report(nc.cut(tape(*HEADER, *ends))))
-    assert "milling           0.2 min   at 1.9 to 5.5 in/min" in said
+    said = list(cut_report(nc.cut(tape(*HEADER, *ends), settings=Settings((0.12345, -0.2, 0)))))
+    assert "milling           0.3 min   at 2.135 to 4.4 in/min" in said
 
 
 def test_the_inspection_stands_beside_the_thesis() -> None:

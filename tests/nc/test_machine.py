@@ -33,7 +33,9 @@ def test_the_four_holes_of_chapter_3() -> None:
             (MoveKind.RETRACT, Position(x, y, 0), 300),
         ]
     assert path.times.z_feed == pytest.approx(4 * 30)
-    assert path.gap == 0
+    assert path.gap == path.contour.efficiency == 0
+    assert path.array().tolist() == [[0, 0, 0], *([*move.end] for move in path.moves)]
+    assert nc.cut(tape(FOUR_HOLES[0])).array().shape == (0, 3)
 
 
 @pytest.mark.parametrize(

@@ -50,6 +50,9 @@ def test_a_mirrored_part_has_the_other_hand(across: str, index: int) -> None:
 
 def test_a_mirror_at_a_place() -> None:
     assert [block.x for block in blocks(mirrored(drill.part(), "x", 5000))][2:] == [9000, 9000, 6000, 6000]
+    assert [block.x for block in blocks(mirrored(drill.part(), "x", 5000.5))][2:] == [9001, 9001, 6001, 6001]
+    with pytest.raises(WorkError, match=r"mirror about 5\.00025 in: must be a whole number of half"):
+        mirrored(drill.part(), "x", 5000.25)
     assert mirrored(mirrored(circle.part(), "y"), "y").replace(" ", "0") == circle.part().replace(" ", "0")
 
 

@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 
 from pdp8.cli.root import pdp8
-from programs import fluidic, parts, stretches
+from programs import fluidic, least_squares, parts, stretches
 from programs.function import Range, offset_path
 from programs.header import Header
-from programs.least_squares import fit
 from programs.milling import Milling
+from programs.mirror import mirrored
 from programs.piecewise import Technique
 from programs.printout import check_band, check_codes, check_on_table, check_start
 from programs.stretches import Point, arc, graph
@@ -46,9 +46,9 @@ REFUSED = [
     ("circle --start-x 9", "must be in the first quadrant"),
     ("circle --outer 90", "the table is 20 in"),
     ("circle --park-x 20.002", "park X 20.002 in is outside the travel: 0 to 20 in"),
-    ("polynomial --a 999999", "off the table"),
-    ("polynomial --a 999999 --cutter 0.1", "off the table"),
-    ("polynomial --a 999999 --arithmetic ge635", "off the table"),
+    ("polynomial --a 999999", "at x = -0.75 the curve is off the table"),
+    ("polynomial --a 999999 --cutter 0.1", "at x = -0.75 the curve is off the table"),
+    ("polynomial --a 999999 --arithmetic ge635", "at x = -0.75 the curve is off the table"),
     ("curve 'exp(x)*1e300'", "must be within 1e+06"),
     ("drill --holes 1.0005,1", "X 1.0005 in: must be a whole number of thousandths"),
     ("ellipse --minor 0.5 --tolerance 0.5", "semi-minor axis 0.5 in has an inner limit of 0 in"),
@@ -67,6 +67,8 @@ REFUSED = [
     ("polynomial --cutter -1", "cutter of diameter -1 in: must be greater than 0"),
     ("slope --to-x 4 --to-y 4", "two different ends"),
     ("slope --to-x 21", "leaves the table"),
+    ("slope --to-x 4.003 --to-y 4.004 --tolerance 0.6", "0.6 in: must be smaller than the curve, 0.005 in"),
+    ("slope --tolerance 0.0009", "tolerance 0.0009 in: must be .001 in, the machine's resolution, or more"),
     ("slope --to-x 4.0000000001", "X 4.0000000001 in: must be a whole number of thousandths"),
     ("curve 1/x", "at x = 0 the expression"),
     ("curve 9.99*x --tolerance .005", "at X 4.000 of the table it moves 0.00999 in along Y"),
@@ -157,6 +159,7 @@ LIMITS: list[tuple[Callable[[Any], object], tuple[Any, ...], tuple[Any, ...]]] =
     (lambda code: Header(spindle=code), (1, 18, 21, 38), (0, 19, 20, 39)),
     (lambda code: Header(z_feed=code), (1, 18), (0, 19)),
     (lambda code: Milling(feed_code=code), (1, 18), (0, 19)),
+    (lambda code: Milling(fastest=code), (1, 18), (0, 19)),
     (Technique, (1, 18), (0, 19)),
     (lambda error: Technique(5, error), (0, 0.99), (-0.1, 1.0, nan)),
     (INCHES.keep, ("99.999", "-99.999"), ("100", "-100")),
@@ -169,8 +172,8 @@ LIMITS: list[tuple[Callable[[Any], object], tuple[Any, ...], tuple[Any, ...]]] =
     (lambda to: offset_path(lambda _: 0, Range(0, to, 0, 0), 0.001, 0.1, "above"), (0.002,), (0.001,)),
     (lambda wide: offset_path(lambda _: 0, Range(0, 1, 0, 0), 0.001, wide, "above"), (10,), (0, 10.1)),
     (fluidic.channel, (0, 2.5), (-0.001, 2.501)),
-    (lambda degree: fit([(0, 0), (1, 1), (2, 1), (2, 2)], degree), (0, 2), (-1, 3)),
-    (lambda degree: fit([(x, x) for x in range(15)], degree), (12,), (13,)),
+    (lambda degree: least_squares.fit([(0, 0), (1, 1), (2, 1), (2, 2)], degree), (0, 2), (-1, 3)),
+    (lambda degree: least_squares.fit([(x, x) for x in range(15)], degree), (12,), (13,)),
 ]
 """What takes a value, values that it takes, and values that it refuses."""
 
@@ -248,6 +251,19 @@ def test_compare_shows_the_nine_blocks_side_by_side(shell: Shell) -> None:
     assert lines[-1] == "ellipse: 976 blocks exact, 976 ge635, 9 differ"
     small = shell("pdp8 part compare ellipse --major .135 --minor .05 --tolerance .001").stdout.decode()
     assert re.search(r"\n  120  1206 .{14}  - *\nellipse: 120 blocks exact, 114 ge635, 83 differ\n$", small)
+
+
+def test_points_become_a_function_and_a_part_has_another_hand(shell: Shell) -> None:
+    points = "0 1\n1 2.5\n2 1\n3 4\n4 7\n5 0\n"
+    for degree, option in ((3, ""), (2, " --degree 2")):
+        done = shell(f"pdp8 part fit -{option}", points.encode())
+        found = least_squares.fit(least_squares.read(points), degree)
+        assert done.stdout.decode() == f"{found.expression}\n"
+        assert done.stderr.decode() == f"at most {found.worst:.4f} in from a point\n"
+    slope = parts.part("slope")
+    for option, other in (("", mirrored(slope, "x")), (" --across y --about 5", mirrored(slope, "y", 5000))):
+        done = shell(f"pdp8 part slope | pdp8 part mirror{option} --fill 3")
+        assert done.stdout == ascii.encode(other, "mark", 3)
 
 
 def test_compare_of_two_that_agree(shell: Shell) -> None:
