@@ -48,6 +48,18 @@ def test_a_diagnostic_in_full() -> None:
     )
 
 
+def test_of_a_long_line_a_hundred_characters_are_shown() -> None:
+    line = "\t1" + f"{'!':>61}2" * 3
+    shown = [found.excerpt for found in pal.assemble(f"{line}\n$\n").diagnostics]
+    assert shown == [
+        [f"    {line[start : start + 100]}", f"    {' ' * blanks}^"]
+        for start, blanks in ((12, 50), (74, 50), (88, 98))
+    ]
+    line = "\tTEXT /" + "ABCDEFGHIJ" * 15
+    (error,) = pal.assemble(f"{line}\n$\n", dialect="pal8").diagnostics
+    assert error.excerpt == [f"    {line[:100]}", "    \t" + "^" * 99]
+
+
 @pytest.mark.parametrize(
     ("statement", "hint"),
     [

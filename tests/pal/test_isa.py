@@ -47,10 +47,16 @@ def test_halts() -> None:
 
 
 def test_names_stand_where_the_codes_are() -> None:
-    assert [isa.OPERATIONS[word >> 9] for word in (0o1200, 0o2200, 0o3200, 0o4200, 0o5200)] == [
-        *("TAD", "ISZ", "DCA", "JMS", "JMP")
+    names = ["AND", "TAD", "ISZ", "DCA", "JMS", "JMP", "IOT", "OPR"]
+    assert [(isa.OPERATIONS[code], getattr(isa, name)) for code, name in enumerate(names)] == [
+        (name, code) for code, name in enumerate(names)
     ]
-    assert (isa.OPERATIONS[isa.AND], isa.OPERATIONS[isa.IOT]) == ("AND", "IOT")
-    assert (isa.STATES[isa.FETCH], isa.STATES[isa.DEFER], isa.STATES[isa.EXECUTE]) == (
-        *("FETCH", "DEFER", "EXECUTE"),
-    )
+    assert [isa.STATES[state] for state in (isa.FETCH, isa.DEFER, isa.EXECUTE)] == [
+        "FETCH",
+        "DEFER",
+        "EXECUTE",
+    ]
+    group_1 = (isa.CLA, isa.CLL, isa.CMA, isa.CML, isa.RAR, isa.RAL, isa.TWICE, isa.IAC)
+    assert group_1 == (0o200, 0o100, 0o40, 0o20, 0o10, 0o4, 0o2, 0o1)
+    group_2 = (isa.GROUP_2, isa.SMA, isa.SZA, isa.SNL, isa.REVERSED, isa.OSR, isa.HLT, isa.GROUP_3)
+    assert group_2 == (0o400, 0o100, 0o40, 0o20, 0o10, 0o4, 0o2, 0o401)

@@ -79,7 +79,45 @@ def test_our_programs_have_none(path: Path) -> None:
 def test_each_is_found_where_it_stands() -> None:
     for source, *note in NOTED:
         with case(source, *note):
-            assert tuple(note) in noted(source + "\n$\n")
+            assert [found for found in noted(source + "\n$\n") if found[2] == note[2]] == [tuple(note)]
+
+
+RUNS_ON = [
+    "CLA;CLA",
+    "SZA;CLA",
+    "CLA;ISZ 20",
+    "SZA;JMP 20",
+    "SKP;JMP 20",
+    "ISZ 20;JMP 20",
+    "KSF;JMP 20",
+    "SZA;KCC",
+]
+ENDS = [
+    "CLA;HLT",
+    "CLA;SNA HLT",
+    "SZA;JMS 20",
+    "CLA;JMP 20",
+    "OSR;JMP 20",
+    "RAL;JMP 20",
+    "KCC;JMP 20",
+    "DCA 20;JMP 20",
+]
+ENDS += ["7440;JMP 20", "SZA;5"]
+
+
+def test_data_that_the_program_runs_into_are_noted() -> None:
+    for words in RUNS_ON + ENDS:
+        for use, counts in (
+            ("TAD A", True),
+            ("ISZ A", True),
+            ("JMS A", True),
+            ("JMP A", False),
+            ("DCA A", False),
+        ):
+            with case(words, use):
+                found = noted(f"*200\n\t{words}\nA,\t5\n\t{use}\n\tHLT\n$\n")
+                note = (3, 4, "PN06", "the program runs on from 0201 into data at 0202")
+                assert found == ([note] if counts and words in RUNS_ON else [])
 
 
 def test_the_end_of_a_line_that_the_high_speed_reader_loses() -> None:

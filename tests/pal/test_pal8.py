@@ -113,6 +113,20 @@ def test_the_dialect_is_found_where_a_source_can_only_be_pal8(source: str, diale
     assert pal.assemble(source).dialect == "pal3"
 
 
+@pytest.mark.parametrize(("opening", "code"), [("(", "PE"), ("[", "ZE")])
+def test_a_page_has_room_for_128_literals(opening: str, code: str) -> None:
+    for count, codes in ((128, []), (129, [code])):
+        source = "*400\n" + "".join(f"A{number}={opening}{number:o}\n" for number in range(count))
+        assembly = pal.assemble(source, dialect="pal8")
+        said = [
+            (each.code, each.message, each.column, each.end_column)
+            for each in assembly.diagnostics
+            if each.error
+        ]
+        assert said == [(code, "more than 128 literals on this page", 9, 10) for code in codes]
+        assert len(assembly.words) == 128
+
+
 def test_another_dialect_is_refused() -> None:
     with pytest.raises(ValueError, match="'pal9' is not one of auto, pal3, pal8"):
         pal.assemble("$", dialect="pal9")

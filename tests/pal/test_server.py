@@ -1,5 +1,6 @@
 """`pal --lsp`, asked by a real client (pytest-lsp): what an editor shows is what `pal` says."""
 
+import asyncio
 import json
 from pathlib import Path
 from typing import Any
@@ -78,7 +79,7 @@ def spans(places: list[Any]) -> list[tuple[int, int, int]]:
 
 
 def test_an_editor_asks_for_all_there_is(tmp_path: Path) -> None:
-    found = awaited(_ask(tmp_path))
+    found = awaited(asyncio.wait_for(_ask(tmp_path), 120))
     (tmp_path / "loop.pal").write_text(SOURCE)
     run("pal", "loop.pal", "--force", "--json", "loop.json", folder=tmp_path)
     said = json.loads((tmp_path / "loop.json").read_text())["diagnostics"]

@@ -1,7 +1,7 @@
 """Each permanent symbol; the order of the symbol table: letters before digits, digits in their order."""
 
 import pal
-from pal.symbols import PERMANENT
+from pal.symbols import PERMANENT, spelled
 
 MEMORY_REFERENCES = """
 AND 0 TAD 1000 ISZ 2000 DCA 3000 JMS 4000 JMP 5000
@@ -26,6 +26,13 @@ def test_the_permanent_symbols_of_february_1967() -> None:
         for name, word in zip(table.split()[::2], table.split()[1::2], strict=True)
     ]
     assert [(symbol.mnemonic, symbol.octal, symbol.memory_reference) for symbol in PERMANENT] == expected
+
+
+def test_a_name_that_is_written_over_has_any_of_64_characters() -> None:
+    shown = "@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_ !\"#$%&'()*+,-./0123456789:;<=>?"
+    assert [spelled((code << 6 | 1, 0o100 | code)) for code in range(0o100)] == [
+        f"{character}AA{character}".rstrip("@") for character in shown
+    ]
 
 
 def test_letters_before_digits_and_8_before_9() -> None:
