@@ -139,7 +139,7 @@ class Watched(Assembler):
         if value:
             message = f"{name} does not fit into twelve bits: it is {value & 0o7777:04o}"
             self._note(TOO_LARGE, message, "the most is 7777 octal, 4095 decimal")
-        elif name.isdigit():
+        elif name.isdigit() and self._radix == 8 and int(max(name)) > 7:
             message = f"{name} is octal here, and has an 8 or a 9"
             self._note(NOT_OCTAL, message, "DECIMAL before it makes it decimal")
 

@@ -5,37 +5,6 @@ import pytest
 import pal
 from tests.conftest import case
 
-ONE_OF_EACH = """\
-*200
-A,	1
-A,	2
-A=3
-	TAD NOWHERE
-	JMP 400
-	A!A
-	PAGE
-	TEXT
-	4
-"""
-
-
-def said(source: str, modern: bool = False) -> list[tuple[str, int, int, str]]:
-    found = pal.assemble(source, names=["x.pal"], modern=modern).diagnostics
-    return [(diagnostic.code, diagnostic.line, diagnostic.column, diagnostic.source) for diagnostic in found]
-
-
-def test_one_error_of_every_kind_in_source_order() -> None:
-    assert said(ONE_OF_EACH) == [
-        ("DT", 3, 1, "A,\t2"),
-        ("RD", 4, 1, "A=3"),
-        ("UA", 5, 6, "\tTAD NOWHERE"),
-        ("IR", 6, 2, "\tJMP 400"),
-        ("IC", 7, 2, "\tA!A"),
-        ("UA", 8, 2, "\tPAGE"),
-        ("UA", 9, 2, "\tTEXT"),
-        ("PN27", 10, 2, "\t4"),
-    ]
-
 
 def test_a_diagnostic_in_full() -> None:
     first = pal.assemble("*200\nX,\t1\n\tCLA; TAD BEYOND\n$\n", names=["a.pal"]).diagnostics[0]
@@ -60,59 +29,14 @@ def test_of_a_long_line_a_hundred_characters_are_shown() -> None:
     assert error.excerpt == [f"    {line[:100]}", "    \t" + "^" * 99]
 
 
-@pytest.mark.parametrize(
-    ("statement", "hint"),
-    [
-        ("PAGE", "write the origin, as in *400"),
-        ("TEXT", "write the codes as numbers"),
-        ("ZBLOCK 5", "leave the words out"),
-        ("IFZERO", "assembles everything"),
-        ("TAD (5)", "no literals"),
-        ("TAD [5]", "no literals"),
-        ("CLA!CLL", "a space is inclusive OR"),
-        ('"A', "no character constants"),
-        ("JMP @5", "with I"),
-        ("BSW", "a later PDP-8's"),
-        ("OPR", "write 7000, or OPR=7000"),
-        ("IOT", "write 6000, or IOT=6000"),
-        ("cla", "capital letters only"),
-        ("é", "not ASCII"),
-    ],
-)
-def test_another_assemblers_dialect_is_recognised(statement: str, hint: str) -> None:
-    hints = [diagnostic.hint for diagnostic in pal.assemble(f"\t{statement}\n$\n").diagnostics]
-    assert any(hint in sentence for sentence in hints), hints
-
-
-NOTED = [
-    ("\t1\n", 1, 2, "no $ at the end"),
-    ("\n", 1, 1, "no $ at the end"),
-    ("\t1\n\n2;3$\n", 3, 3, "what stands before this $ is lost"),
-    ("A=5;\tA + 1\n$\n", 1, 9, "this makes an inclusive OR of it"),
-    ("\tB\n,5\n$\n", 2, 1, "no symbol stands before this comma"),
-    ("", 1, 1, "the source is empty"),
-]
-
-
-@pytest.mark.parametrize(("source", "line", "column", "message"), NOTED)
-def test_notes_are_no_errors(source: str, line: int, column: int, message: str) -> None:
-    assembly = pal.assemble(source)
-    assert assembly.ok
-    (note,) = assembly.diagnostics
-    assert (note.line, note.column, note.message, note.error) == (line, column, message, False)
-
-
 def test_tapes_after_the_end_are_noted() -> None:
     (note,) = pal.assemble("1\n$\n", "2\n$\n", names=["one.pal", "two.pal"]).diagnostics
     assert (note.file, note.message) == ("one.pal", "1 more tape not read")
 
 
 def test_a_good_source_has_nothing_to_say() -> None:
-    assert said("*200\nA,\tJMP A\n$\n") == []
-
-
-def test_modern_has_no_quarrel_with_small_letters() -> None:
-    assert said("*200\na,\tjmp a\n$\n", modern=True) == []
+    assert pal.assemble("*200\nA,\tJMP A\n$\n").diagnostics == []
+    assert pal.assemble("*200\na,\tjmp a\n$\n", modern=True).diagnostics == []
 
 
 def test_a_full_table_ends_the_assembly_in_pass_1() -> None:
