@@ -191,18 +191,20 @@ class Assembler:
         if self._number == 2:
             self.mentions.append(Mention(name, self._at(start, end), defined))
 
-    def _fail(self, code: str, message: str, advice: str, start: int = -1, end: int = -1) -> None:
-        """Note an error of syntax, and pass over the rest of the line."""
+    def _fail(self, code: str, message: str, advice: str, start: int = -1, end: int = -1) -> int:
+        """Note an error of syntax, and pass over the rest of the line; return 0, its value."""
         if start < 0:
             start, end = self._start, max(self._end, self._start + 1)
         self._complain(code, message, advice, start, end)
         self._take_line(len(self._lines[self._index].text))
+        return 0
 
-    def _complain(self, code: str, message: str, advice: str, start: int, end: int) -> None:
-        """Note an error, in pass 2."""
+    def _complain(self, code: str, message: str, advice: str, start: int, end: int) -> int:
+        """Note an error, in pass 2; return 0."""
         if self._number == 2:
             self.problems.append(Problem(code, message, advice, self._at(start, end)))
         self._failed = True
+        return 0
 
     def _note(self, code: str, message: str, advice: str, start: int = -1, end: int = -1) -> None:
         if self._number == 2:
@@ -404,7 +406,7 @@ class Assembler:
         """Return the value of terms and operators, and whether the first term is a memory reference."""
         sign = self._token
         if sign in ("+", "-") and not self._takes_sign(sign):
-            return 0, False
+            return self._fail("IC", f"no operand after {sign}", "write it directly after"), False
         value, refers = self._term()
         value = (-value if sign == "-" else value) & _MASK
         while self._token in _OPERATORS and self._start == self._before:
@@ -420,9 +422,8 @@ class Assembler:
         """Take a sign at the beginning of an expression, unless a blank follows; DEC's drops one in an OR."""
         operand = self._joined()
         if not operand:
-            self._fail("IC", f"no operand after {sign}", "write it directly after")
             return False
-        last = self._tokens[self._next - 3] if self._next > 2 and self._start != self._before else ""
+        last = self._tokens[self._next - 3] if self._start != self._before else ""
         if _is_item(last[len(last) - 1 :]) and self._names_value(last):
             message = f"this is an OR with {sign}{operand}; DEC's PAL8 drops the {sign} (IC)"
             self._note("PN44", message, f"leave no blank before {sign}, to add or subtract")
@@ -449,8 +450,7 @@ class Assembler:
     def _divide(self, value: int, operand: int) -> int:
         if not operand:
             advice = "palbart crashes here; DEC's PAL8 makes 0"
-            self._complain("DZ", "division by 0", advice, self._start, self._start + 1)
-            return 0
+            return self._complain("DZ", "division by 0", advice, self._start, self._start + 1)
         quotient = abs(value) // abs(operand)
         if (value < 0) != (operand < 0):
             quotient = -quotient
@@ -473,14 +473,13 @@ class Assembler:
         elif first == '"' and len(token) > 1:
             character = self._lines[self._index].text[self._start + 1]
             if not character.isascii():
-                self._fail("IC", f"{character} is no character of the Teletype's", "write another")
-                return 0, False
+                message = f"{character} is no character of the Teletype's"
+                return self._fail("IC", message, "write another"), False
             value = ord(" " if character == "\t" else character) | 0o200
         elif token in ("(", "["):
             return self._literal_term(token), False
         else:
-            self._fail("IC", *self._illegal(token))
-            return 0, False
+            return self._fail("IC", *self._illegal(token)), False
         self._end_term()
         return value, False
 
@@ -531,13 +530,11 @@ class Assembler:
         large = False
         for figure in token:
             if not figure.isdigit():
-                self._fail(
-                    "IC", f"the letter {figure} in the number {token}", "a symbol begins with a letter"
-                )
-                return 0
+                message = f"the letter {figure} in the number {token}"
+                return self._fail("IC", message, "a symbol begins with a letter")
             if int(figure) >= self._radix:
-                self._fail("IC", f"the digit {figure} in the octal number {token}", "after DECIMAL it is one")
-                return 0
+                message = f"the digit {figure} in the octal number {token}"
+                return self._fail("IC", message, "after DECIMAL it is one")
             value = value * self._radix + int(figure)
             large = large or value > _MASK
             value &= _MASK
@@ -552,8 +549,7 @@ class Assembler:
         """Return the address of a literal, `(e)` on this page or `[e]` on page zero."""
         self._advance()
         if self._start != self._before:
-            self._fail("IC", f"a blank after {opening}", "write the literal directly after it")
-            return 0
+            return self._fail("IC", f"a blank after {opening}", "write the literal directly after it")
         link = self._link
         value = self._expressions() & _MASK
         self._link = link
@@ -577,8 +573,7 @@ class Assembler:
         if len(pool.values) > ADDRESS:
             code = "PE" if page else "ZE"
             message = "more than 128 literals on this page"
-            self._complain(code, message, "use [ for some, or another page", *self._here())
-            return 0
+            return self._complain(code, message, "use [ for some, or another page", *self._here())
         pool.values.append(value)
         start, end = self._here()
         pool.places.append(self._at(start, end))

@@ -191,6 +191,7 @@ def test_two_outputs_in_one_file_are_misuse(folder: Path) -> None:
     [
         ("empty.pal", b"", "pal: empty.pal: the source is empty"),
         ("blank.pal", b"\0" * 100, "pal: blank.pal: the source is empty"),
+        ("data.pal", b"1 2\n3\n", "pal: data.pal: nothing but figures: data, and no PAL source"),
         ("tape.bin", pal.assemble(GOOD).tape, "pal: tape.bin: a tape in BIN, not PAL source"),
     ],
 )

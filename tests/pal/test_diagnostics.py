@@ -3,7 +3,6 @@
 import pytest
 
 import pal
-from tests.conftest import case
 
 
 def test_a_diagnostic_in_full() -> None:
@@ -15,6 +14,12 @@ def test_a_diagnostic_in_full() -> None:
         "  undefined: BEYOND is taken as 0377, the last address of its page; "
         "define it with BEYOND, or BEYOND="
     )
+
+
+def test_of_an_empty_line_nothing_is_shown() -> None:
+    (note,) = pal.assemble("\n").diagnostics
+    advice = "PAL III would wait for more tape; it is taken as if there were one"
+    assert str(note) == f"tape 1:1:1: note: no $ at the end [PN27]\n  {advice}"
 
 
 def test_of_a_long_line_a_hundred_characters_are_shown() -> None:
@@ -55,31 +60,3 @@ def test_a_byte_order_mark_is_no_character() -> None:
 def test_a_terminal_is_shown_no_control_codes_of_a_source(statement: str) -> None:
     for diagnostic in pal.assemble(f"*200\n\t{statement}\n$\n").diagnostics:
         assert not any(ord(character) < 0o40 and character not in "\t\n" for character in str(diagnostic))
-
-
-MEANT = {
-    "HLT": "HALT STOP",
-    "JMP": "JUMP BRA GOTO",
-    "JMS": "CALL JSR SUBR",
-    "TAD": "ADD LOAD LDA",
-    "DCA": "STORE STO",
-    "IAC": "INC",
-    "CLA": "CLEAR CLR",
-    "CIA": "NEG",
-    "CMA": "COM NOT",
-    "SKP": "SKIP",
-    "RAL": "ROL",
-    "RAR": "ROR",
-    "JMP I": "RETURN RET RTS",
-    "TEXT": "BYTE",
-    "*": "ORG",
-}
-"""What the 6502, the 68000, the PDP-11 and others write, by what PAL III has."""
-
-
-def test_what_other_machines_call_it_is_known() -> None:
-    for ours, others in MEANT.items():
-        for name in others.split():
-            with case(name):
-                said = [found.message for found in pal.assemble(f"\t{name}\n\tHLT\n$\n").diagnostics]
-                assert f"{name} is not defined: did you mean {ours}?" in said

@@ -68,19 +68,6 @@ def typed(text: str) -> bytes:
 LEADER = b"\x80" * 64
 
 
-def test_the_frames_of_pass_1() -> None:
-    """As facts of the edition of 1967 have them; a UA message stands for its symbol."""
-    frames = pal.assemble("A,A!\nJMP B\n$\n").teletype.pass1
-    assert frames == b"".join(
-        (
-            b"\0" + typed("\x7f\r\nIC  0241  AT  0200\x7f"),
-            typed("\r\n") + LEADER + typed("\x7f"),
-            typed("\r\nA       0200" + "\r\n\x7f\r\nUA  B       AT  0201\x7f"),
-            typed("\r\n\x04\r\n\x7f") + LEADER,
-        )
-    )
-
-
 def test_the_frames_of_pass_3() -> None:
     frames = pal.assemble("\t1\f;JMP 400\n$\n").teletype.pass3
     feed = bytes(6) + typed("\f") + bytes(6)

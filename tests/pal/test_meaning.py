@@ -20,6 +20,7 @@ def test_a_word_at_0200_is_told_with_its_time() -> None:
             told, took = meaning.of_word(word, 0o200)
             assert (told.startswith(begins), told.endswith(ends), took) == (True, True, time)
             assert ("indirect" in told) == (word & 0o7400 in (0o1400, 0o3400))
+    assert meaning.of_word(0o7002, 0o200) == ["7002: no symbols give it"]
 
 
 def test_a_name_is_told_with_its_word() -> None:

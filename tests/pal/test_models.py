@@ -80,8 +80,9 @@ def test_another_model_is_refused() -> None:
 SOURCE = "*200\n\tCLA CLL CMA RAL RAR\nBSW=7002\n\tBSW\nMASK,\t7002\n\tTAD MASK\n\t7421\n$\n"
 
 
-def test_instructions_are_noted_and_constants_are_not() -> None:
-    found = pal.assemble(SOURCE, model="8/L").diagnostics
+@pytest.mark.parametrize("dialect", ["pal3", "pal8"])
+def test_instructions_are_noted_and_constants_are_not(dialect: str) -> None:
+    found = pal.assemble(SOURCE, model="8/L", dialect=dialect).diagnostics
     notes = [(note.line, note.column, note.message) for note in found if note.code == "PN38"]
     assert [(line, column) for line, column, _ in notes] == [(2, 2), (4, 2)]
     assert notes[0][2].startswith("7354 gives the AND of both rotations on 8/L; on 8, 8/S it is not defined")

@@ -4,23 +4,23 @@ from pathlib import Path
 
 import pal
 from pal.assembler import HIGH_SPEED_SYMBOLS
+from pal.notes import meant
 from tests.conftest import case
 
 EXAMPLES = Path(__file__).parent / "examples"
 PROGRAMS = Path(__file__).parents[2] / "programs"
-ORDINARY = [
-    "assign",
-    "expr",
-    "format",
-    "offpage",
-    "syms",
-    "pause",
-    "field",
-    "fieldword",
-    "fieldmod",
+ORDINARY = ["assign", "expr", "format", "offpage", "syms", "pause", "field", "fieldword", "fieldmod"]
+ORDINARY += [
     "fixmri",
+    "float",
+    "dectape552",
+    "longtag",
+    "redef",
+    "emptycomma",
+    "nosym",
+    "undeforg",
+    "formfeed",
 ]
-ORDINARY += ["float", "dectape552", "longtag", "redef", "emptycomma", "nosym", "undeforg", "formfeed"]
 
 
 def noted(source: str | bytes, capacity: int = 585) -> list[tuple[int, int, str, str]]:
@@ -40,6 +40,24 @@ def test_an_ordinary_source_has_none() -> None:
     for path in sorted(PROGRAMS.glob("*.pal")):
         with case(path):
             assert pal.assemble(path.read_bytes()).diagnostics == []
+
+
+NEAR = {
+    "COUNT": "CUONT OCUNT COUTN OUNT CONT COUN XCOUNT COXUNT COUNTX XOUNT COUNX",
+    **{"LOOP": "LOPO LOP LOOPS", "TAD": "TDA TADX ADD LOAD LDA"},
+    "": "COUNT TNUOC COUXX COU COUNTXX XLOOPX LOXP TA AD A TXD AX BA",
+    **{"HLT": "HALT STOP", "JMP": "JUMP BRA GOTO", "JMS": "CALL JSR SUBR", "JMP I": "RETURN RET RTS"},
+    **{"DCA": "STORE STO", "IAC": "INC", "CLA": "CLEAR CLR", "CIA": "NEG", "CMA": "COM NOT", "SKP": "SKIP"},
+    **{"RAL": "ROL", "RAR": "ROR", "TEXT": "BYTE", "*": "ORG"},
+}
+"""Undefined names by what is meant: AB, COUNT, LOOP or TAD; or as the 6502, the 68000, the PDP-11 call it."""
+
+
+def test_what_is_meant_is_near_or_another_machines() -> None:
+    for other, names in NEAR.items():
+        for name in names.split():
+            with case(name):
+                assert (meant(name, ["AB", "COUNT", "LOOP", "TAD"]) or "") == other
 
 
 RUNS_ON = [

@@ -1,4 +1,4 @@
-"""PAL8: what palbart makes of 132 small sources, of random ones, and what ours says besides.
+"""PAL8: what palbart makes of 133 small sources, of random ones, and what ours says besides.
 
 pal8.json has {name: [source, words]}: the core that palbart 2.13's tape loads, the last word winning.
 """
@@ -44,7 +44,7 @@ def octal(words: dict[int, int]) -> str:
 
 
 def test_there_are_examples() -> None:
-    assert len(EXAMPLES) == 132
+    assert len(EXAMPLES) == 133
 
 
 def test_the_words_are_palbarts() -> None:
@@ -87,6 +87,13 @@ def test_a_listing_has_words_links_literals_and_symbols() -> None:
         "A       0200",
         "B       0400",
     ]
+    assert [assembly.text(number) for number in (1, 2, 3)] == [
+        "A       0200\nB       0400\n",
+        "",
+        assembly.listing,
+    ]
+    with pytest.raises(ValueError, match="PAL III's alone"):
+        _ = assembly.teletype
     assert "B       0400  5" in text(cross_reference(assembly))
     assert json.loads(as_json(assembly))["symbols"] == {"A": "0200", "B": "0400"}
 
