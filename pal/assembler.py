@@ -38,7 +38,7 @@ START = 0o200  # the origin before any other
 TELETYPE_SYMBOLS = 585  # room for the source's symbols with the source in the ASR-33's reader
 HIGH_SPEED_SYMBOLS = 489  # and in the high-speed reader, whose buffer takes the rest
 
-ORIGIN, FIELD, CHECKSUM = "origin", "field", "checksum"
+ORIGIN, FIELD, CHECKSUM = range(3)
 
 _MASK = 0o7777
 _OPERATORS = {" ": 0, "\t": 0, "+": 1, "-": -1}
@@ -46,7 +46,7 @@ _ENDS = frozenset("\r;")
 _ROUTINES = {address: name for name, address in PSEUDO_OPERATORS.items()}
 _PLACES = 7  # of the push-down list
 _PUSHED = {"=": 2, "*": 1, "FIELD": 2, "FIXMRI": 2}  # places that each takes while it waits
-_SAFE = {1: 0o17, 2: 0o17, 3: 0o12}  # up to here in page zero a pass does not mind what is stored
+_SAFE, _SAFE_IN_3 = 0o17, 0o12  # up to here in page zero a pass does not mind what is stored
 _REREAD = 7  # the letter of a number that is read twice, and counts so
 _TO_BLANKS = (10, 13, 14)  # letters of a number after which blank frames seem to be read
 _BLANK = "\x80"
@@ -68,7 +68,7 @@ class Message(NamedTuple):
 class Punched(NamedTuple):
     """What pass 2 punches besides words: an ORIGIN, FIELD or CHECKSUM."""
 
-    kind: str
+    kind: int
     value: int
 
 
@@ -141,7 +141,7 @@ class Assembler:
     def run(self, number: int) -> list[Message | Punched | Written | Listed]:
         """Run pass `number`: its messages and what it punches or lists, in order."""
         self._number = number
-        self._symbols.safe = _SAFE[number]
+        self._symbols.safe = _SAFE_IN_3 if number == 3 else _SAFE
         self._reader = iter(enumerate(self._items))
         self._at = 0  # the item read last
         self._output: list[Message | Punched | Written | Listed] = []
@@ -380,7 +380,7 @@ class Assembler:
         if fed or not self._made:
             self._pointer = self._symbols.page_zero(0)
 
-    def _punch(self, kind: str, value: int) -> None:
+    def _punch(self, kind: int, value: int) -> None:
         self._output.append(Punched(kind, value))
         self._checksum += 0o100
         self._sum(value)

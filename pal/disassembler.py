@@ -28,8 +28,6 @@ from tapes.binary import FIELD, ORIGIN, WORD
 _BARE = binary.tape(binary.origin(START), sum(binary.origin(START)))
 """What PAL III punches for a source without a word; its checksum would be a word of a RIM tape."""
 
-_NONE = -1
-
 _PLAIN = [symbol for symbol in PERMANENT if not symbol.memory_reference]
 _BY_OCTAL = {symbol.octal: symbol.mnemonic for symbol in reversed(_PLAIN)}
 _BY_NAME = {symbol.mnemonic: symbol.octal for symbol in _PLAIN}
@@ -156,7 +154,7 @@ class _Labels:
         if piece.value >> 9 > JMP:
             return microinstruction(piece.value) or number
         target = _target(piece)
-        if target == _NONE:
+        if target is None:
             return number
         indirect = "I " if piece.value & INDIRECT else ""
         address = _tag(target) if target in self._tagged else f"{target & 0o7777:o}"
@@ -167,15 +165,15 @@ def _tag(address: int) -> str:
     return f"L{address:04o}"
 
 
-def _target(piece: Piece) -> int:
-    """Return the address of a memory-reference instruction, in its own field; _NONE for other words.
+def _target(piece: Piece) -> int | None:
+    """Return the address of a memory-reference instruction, in its own field; None for other words.
 
     One on page zero that has the current page bit counts as none: PAL III would leave that bit out.
     """
     if piece.kind != WORD or piece.value >> 9 > JMP:
-        return _NONE
+        return None
     if piece.value & CURRENT_PAGE and not piece.address & PAGE:
-        return _NONE
+        return None
     return piece.address & 0o70000 | refers_to(piece.value, piece.address & 0o7777)
 
 

@@ -41,7 +41,7 @@ _MODES = ("DUBL", "FLTG")
 _MOST_FIGURES = 15  # with the point; a number is less than 2^53
 
 # What a symbol is.
-UNKNOWN, USER, INSTRUCTION, REFERENCE, PSEUDO = "unknown", "user", "instruction", "reference", "pseudo"
+UNKNOWN, USER, INSTRUCTION, REFERENCE, PSEUDO = range(5)
 
 
 class Problem(NamedTuple):
@@ -56,7 +56,7 @@ class Problem(NamedTuple):
 class Symbol:
     """A symbol: what it is, its value, and the pass that defined it last."""
 
-    def __init__(self, name: str, kind: str, value: int) -> None:
+    def __init__(self, name: str, kind: int, value: int) -> None:
         self.name = name
         self.kind = kind
         self.value = value
@@ -191,10 +191,13 @@ class Assembler:
         if self._number == 2:
             self.mentions.append(Mention(name, self._at(start, end), defined))
 
-    def _fail(self, code: str, message: str, advice: str, start: int = -1, end: int = -1) -> int:
+    def _span(self) -> tuple[int, int]:
+        """Return the columns of the token; of none, the column where it stands."""
+        return self._start, max(self._end, self._start + 1)
+
+    def _fail(self, code: str, message: str, advice: str, *span: int) -> int:
         """Note an error of syntax, and pass over the rest of the line; return 0, its value."""
-        if start < 0:
-            start, end = self._start, max(self._end, self._start + 1)
+        start, end = span or self._span()
         self._complain(code, message, advice, start, end)
         self._take_line(len(self._lines[self._index].text))
         return 0
@@ -206,10 +209,9 @@ class Assembler:
         self._failed = True
         return 0
 
-    def _note(self, code: str, message: str, advice: str, start: int = -1, end: int = -1) -> None:
+    def _note(self, code: str, message: str, advice: str, *span: int) -> None:
         if self._number == 2:
-            if start < 0:
-                start, end = self._start, max(self._end, self._start + 1)
+            start, end = span or self._span()
             self.notes.append(Note(code, self._at(start, end), message, advice))
 
     # Statements
@@ -271,7 +273,7 @@ class Assembler:
         self._loading = self._loading & ~_MASK | self._loading + 1 & _MASK
         self._checksum += (written.word >> 6) + (written.word & 0o77)
 
-    def _put(self, kind: str, value: int) -> None:
+    def _put(self, kind: int, value: int) -> None:
         """Punch an origin, a field or the checksum, in pass 2."""
         if self._number == 1 or not (self._punching or kind == CHECKSUM):
             return
@@ -423,7 +425,7 @@ class Assembler:
         operand = self._joined()
         if not operand:
             return False
-        last = self._tokens[self._next - 3] if self._start != self._before else ""
+        last = self._tokens[max(self._next - 3, 0)] if self._start != self._before else ""
         if _is_item(last[len(last) - 1 :]) and self._names_value(last):
             message = f"this is an OR with {sign}{operand}; DEC's PAL8 drops the {sign} (IC)"
             self._note("PN44", message, f"leave no blank before {sign}, to add or subtract")

@@ -104,12 +104,18 @@ def test_after_a_second_letter_the_rest_of_a_number_is_passed_over(number: str, 
 
 @pytest.mark.parametrize(
     ("source", "line"),
-    [("\tCLA\nI=5\n\tTAD I 5\n", 2), ("DECIMAL=5\n\t1\nDECIMAL\n", 1), ("=5\n\tCLA\n", 1)],
+    [("\tCLA\nI=5\n\tTAD I 5\n", 2), ("DECIMAL=5\n\t1\nDECIMAL\n", 1), ("=5\n\tCLA\n", 1), ("\t15\n=5\n", 2)],
 )
 def test_where_pal_iii_is_wrecked_the_definition_is_to_blame(source: str, line: int) -> None:
     assembly = pal.assemble(source + "$\n")
     (error,) = [diagnostic for diagnostic in assembly.diagnostics if diagnostic.code == "PS01"]
     assert (error.line, error.column) == (line, 1)
+
+
+def test_some_words_of_page_zero_may_be_written_over() -> None:
+    assert pal.assemble("\t14\n=5\n$\n").words == {0o200: 0o14}
+    assert pal.assemble("=5\n\t5\n$\n").listing == "\n            =5\n0200  0005  \t5\n\n\n"
+    assert pal.assemble("=5\n\t6\n$\n").listing == ""
 
 
 def test_the_loader_skips_the_messages_on_the_asr_33s_tape() -> None:

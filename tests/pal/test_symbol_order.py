@@ -1,7 +1,7 @@
 """Each permanent symbol; the order of the symbol table: letters before digits, digits in their order."""
 
 import pal
-from pal.symbols import PERMANENT, spelled
+from pal.symbols import PERMANENT, spelled, typed
 
 MEMORY_REFERENCES = """
 AND 0 TAD 1000 ISZ 2000 DCA 3000 JMS 4000 JMP 5000
@@ -33,6 +33,7 @@ def test_a_name_that_is_written_over_has_any_of_64_characters() -> None:
     assert [spelled((code << 6 | 1, 0o100 | code)) for code in range(0o100)] == [
         f"{character}AA{character}".rstrip("@") for character in shown
     ]
+    assert typed("A#B%@") == "A\nB\r  "
 
 
 def test_letters_before_digits_and_8_before_9() -> None:
