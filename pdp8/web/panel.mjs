@@ -9,7 +9,8 @@ import { STATES } from "../../pal/isa.mjs";
 import { octal } from "./written.mjs";
 
 const SIGNS = ["FETCH", "DEFER", "EXECUTE", "WORD COUNT", "CURR ADDR", "BREAK", "ION", "PARITY", "PROTECT", "RUN"];
-const KEYS = ["MEM PROT", "START", "LOAD ADD", "DEP", "EXAM", "CONT", "STOP", "SING STEP"];
+/** With the letters that press them. */
+const KEYS = { "MEM PROT": "", START: "S", "LOAD ADD": "L", DEP: "D", EXAM: "E", CONT: "C", STOP: "T", "SING STEP": "" };
 
 const LEVELS = 12; // of brightness
 const SLACK = 1.5; // levels by which a lamp may be off while a machine runs: nobody sees less
@@ -26,14 +27,13 @@ export class Panel {
           <div class="states">${SIGNS.map((name) => lamp(name, name, "sign")).join("")}</div>
         </div>
         <div class="row" data-row="SR" role="toolbar" aria-label="Switch register"><span class="legend" aria-hidden="true">SWITCH REGISTER</span><span class="link"></span>${groups(12, rocker)}</div>
-        <div class="keys" role="toolbar" aria-label="Keys">${KEYS.map(key).join("")}</div>
+        <div class="keys" role="toolbar" aria-label="Keys">${Object.entries(KEYS).map(key).join("")}</div>
       </div>
-      <div class="words"><button id="in-words" aria-pressed="false">Lamps in words</button><p role="status"></p></div>`;
+      <div class="words"><button id="in-words" data-click="switches.panel.speak" aria-keyshortcuts="W" aria-pressed="false">Lamps in words</button><p role="status"></p></div>`;
     this.lamps = new Map([...place.querySelectorAll("[data-lamp]")].map((each) => [each.dataset.lamp, each]));
     this.rockers = [...place.querySelectorAll(".rocker")];
     this.keys = new Map([...place.querySelectorAll(".key")].map((button) => [button.dataset.key, button]));
     this.button = place.querySelector("#in-words");
-    this.button.addEventListener("click", () => this.speak());
     this.shares = {}; // of the time in which each lamp was lit, as a filament keeps them
     this.levels = new Map();
   }
@@ -112,10 +112,10 @@ function lamp(name, label, kind = "") {
 }
 
 function rocker(bit) {
-  return `<button class="rocker" role="switch" aria-checked="false" aria-label="switch ${bit}"><i></i><small>${bit}</small></button>`;
+  return `<button class="rocker" data-click="switches.flip" value="${bit}" role="switch" aria-checked="false" aria-label="switch ${bit}"><i></i><small>${bit}</small></button>`;
 }
 
-function key(name) {
-  const role = name === "MEM PROT" || name === "SING STEP" ? ` role="switch" aria-checked="false"` : "";
-  return `<button class="key" data-key="${name.toLowerCase()}"${role} aria-label="${name}"><i></i><small>${name}</small></button>`;
+function key([name, letter]) {
+  const role = letter ? ` aria-keyshortcuts="${letter}"` : ` role="switch" aria-checked="false"`;
+  return `<button class="key" data-click="switches.key" data-key="${name.toLowerCase()}"${role} aria-label="${name}"><i></i><small>${name}</small></button>`;
 }

@@ -12,9 +12,7 @@ import { decode } from "../../../tapes/ascii.mjs";
 import { dict } from "../translator/runtime.mjs";
 import { instructionAt } from "../instruction.mjs";
 import { over } from "../brightness.mjs";
-import { READABLE } from "../pictures.mjs";
 import { escaped, find } from "../written.mjs";
-import { fitted } from "./highspeed.mjs";
 import { codeOf } from "./shelf.mjs";
 
 const SAID = 8 * SECOND; // how long the operator's last action is shown
@@ -33,18 +31,7 @@ export class Afternoon {
     this.on = this.playing = false;
     this.position = 0;
     this.way = "";
-    find("slider").addEventListener("input", ({ target }) => this.#drag(Number(target.value)));
-    find("slider").addEventListener("change", () => this.#drop());
-    find("link").addEventListener("click", () => bench.give(`${location.href.replace(/#.*/, "")}#t=${this.script.now / SECOND}`));
-    find("next-act").addEventListener("click", () => this.act(1));
-    find("previous-act").addEventListener("click", () => this.act(-1));
-    find("acts").addEventListener("click", ({ target }) => {
-      const mark = target.closest("[data-act]");
-      if (mark) this.go(this.script.day.acts[mark.dataset.act].starts);
-    });
-    find("next").addEventListener("click", ({ target }) => target.dataset.return !== undefined && this.back());
     addEventListener("hashchange", () => this.asked());
-    this.#mode();
   }
 
   /** Go to the instant that the address names, #t=SECONDS; return whether it names one. */
@@ -54,28 +41,29 @@ export class Afternoon {
     return Boolean(named);
   }
 
+  /** Give the address of this instant. */
+  link() {
+    this.bench.give(`${location.href.replace(/#.*/, "")}#t=${this.script.now / SECOND}`);
+  }
+
   /** Play it from one o'clock; where the terminal in Toronto is not to be seen, from the first switch. */
   async watch() {
     await this.#begin(0);
-    if (find("teletype").classList.contains("out")) this.act(1);
-    this.bench.time.choose("character");
+    if (find("teletype").classList.contains("out")) this.act({ value: 1 });
+    find("units").querySelector("[value=character]").click();
     this.bench.time.setSpeed(60);
     this.play(true);
   }
 
   async #begin(tick) {
     this.bench.doors.close();
-    await this.#rehearse();
+    this.rehearsed ??= this.#rehearse();
+    await this.rehearsed;
     this.go(tick);
   }
 
   /** Let the day pass once, a slice at a time: the snapshots that lead to any instant are made. */
-  #rehearse() {
-    this.rehearsed ??= this.#day();
-    return this.rehearsed;
-  }
-
-  async #day() {
+  async #rehearse() {
     const { record: { afternoon: { part, found } }, shelf } = this.bench;
     const sources = dict(["rim.pal", "bin.pal", "eia.pal"].map((name) => [name, shelf.get(name).frames]));
     const text = decode(shelf.get(`${part}.asc`).frames);
@@ -88,16 +76,11 @@ export class Afternoon {
       await new Promise((done) => setTimeout(done));
       began = performance.now();
     }
-    this.#lay(script);
-  }
-
-  #lay(script) {
+    const { acts, tapes } = script.day;
+    find("slider").max = script.end;
+    find("acts").innerHTML = acts.map((act, index) => mark(act, index, (act.ends - act.starts) / script.end)).join("");
+    this.codes = new Map(tapes.items().map(([name, frames]) => [name, codeOf(frames)]));
     this.script = script;
-    const { acts } = script.day;
-    const end = acts.at(-1).ends;
-    find("slider").max = end;
-    find("acts").innerHTML = acts.map((act, index) => mark(act, index, (act.ends - act.starts) / end)).join("");
-    this.codes = new Map(script.day.tapes.items().map(([name, frames]) => [name, codeOf(frames)]));
   }
 
   /** Go to an instant, in ticks, and show it. */
@@ -112,19 +95,13 @@ export class Afternoon {
   #lead() {
     const { bench } = this;
     bench.history.end();
-    bench.until.over();
+    bench.aim();
     bench.switches.card.end();
     find("counts").checked = false;
     this.on = true;
     this.program = null;
     bench.machine = this.script.machine;
-    this.#mode();
-  }
-
-  #mode() {
-    document.body.classList.toggle("afternoon", this.on);
-    document.querySelector(".rail").hidden = !this.on;
-    for (const button of document.querySelectorAll("[data-live=no]")) button.hidden = !this.on;
+    document.body.classList.add("afternoon");
   }
 
   /** Somebody touches the machine: it is theirs, and stops if the afternoon stood still. */
@@ -132,14 +109,12 @@ export class Afternoon {
     if (!this.on) return;
     const { bench, script, playing } = this;
     this.on = this.playing = false;
-    bench.machine = fitted(script.machine);
-    if (!playing) bench.machine.panel.stop();
-    this.way = `<button class="text" data-return>Back to the afternoon, ${clock(script.now)}</button>`;
+    bench.adopt(script.machine, !playing);
+    this.way = `<button class="text" data-click="afternoon.back">Back to the afternoon, ${clock(script.now)}</button>`;
     this.address = null;
     if (location.hash.startsWith("#t=")) history.replaceState(null, "", location.href.replace(/#.*/, ""));
     bench.teletype.named(script.mounted, this.codes.get(script.mounted));
-    bench.history.begin();
-    this.#mode();
+    document.body.classList.remove("afternoon");
     bench.why = `You have taken over at ${clock(script.now)}`;
   }
 
@@ -194,29 +169,34 @@ export class Afternoon {
   }
 
   /** Go to the beginning of the act before (-1), or of this one if it is under way; or of the next (1). */
-  act(direction) {
+  act({ value }) {
     if (!this.on) return;
-    const { acts } = this.script.day;
-    const { act, now, end } = this.script;
+    const { act, day: { acts }, end, now } = this.script;
     const index = acts.indexOf(act);
-    if (direction > 0) this.go(acts[index + 1]?.starts ?? end);
+    if (Number(value) > 0) this.go(acts[index + 1]?.starts ?? end);
     else this.go(now - act.starts > SECOND ? act.starts : acts[Math.max(0, index - 1)].starts);
   }
 
-  /** The slider is dragged: a play waits until it is let go. */
-  #drag(tick) {
-    this.dragged ??= this.playing;
-    this.play(false);
-    this.go(tick);
+  /** Go to the act that a mark on the rail names. */
+  open({ dataset: { act } }) {
+    this.go(this.script.day.acts[act].starts);
   }
 
-  #drop() {
+  /** The slider is dragged: a play waits until it is let go. */
+  drag({ value }) {
+    this.dragged ??= this.playing;
+    this.play(false);
+    this.go(Number(value));
+  }
+
+  drop() {
     if (this.dragged) this.play(true);
     this.dragged = undefined;
   }
 
   /** The key that is being pressed. */
   get pressed() {
+    if (!this.on) return null;
     const { now, action } = this.script;
     return action && now - action.at < PRESSED ? action.key : null;
   }
@@ -228,27 +208,28 @@ export class Afternoon {
     return { name: `${day.part}.asc`, frames: day.tapes.get(`${day.part}.asc`).slice(0, Math.floor(now / FRAME)) };
   }
 
-  /** The tape in the Teletype's reader: its name and code. */
-  get mounted() {
-    const name = this.script.mounted;
-    return { name, code: this.codes.get(name) };
-  }
-
-  show(brightness) {
+  show() {
     if (!this.on) return;
-    const { bench, script } = this;
-    const { act, now } = script;
+    const { bench, script, script: { act, day, mounted, now } } = this;
     const time = clock(now);
     bench.writer.text(find("clock"), time);
+    bench.teletype.named(mounted, this.codes.get(mounted));
     if (Math.abs(find("slider").value - now) > script.end / FINE) find("slider").value = now;
     if (time !== this.time) find("slider").setAttribute("aria-valuetext", `${time}, ${act.name}`);
     this.time = time;
     if (this.shown !== act || this.program === null) this.#open(act);
-    if (act.kind === Kind.MILL || act.kind === Kind.TERMINAL) bench.mill.follow(now - script.day.mill_starts);
-    if (brightness && performance.now() - this.written < READABLE) return;
-    this.written = performance.now();
-    bench.writer.text(find("why"), act.name);
-    bench.writer.html(find("next"), this.#caption(act));
+    if (act.kind === Kind.MILL || act.kind === Kind.TERMINAL) bench.mill.follow(now - day.mill_starts);
+  }
+
+  write() {
+    if (!this.on) return;
+    const { writer } = this.bench;
+    const { act, action, machine, now } = this.script;
+    const fresh = action && action.at >= act.starts && now - action.at < SAID;
+    const doing = fresh ? action.say : waits(machine.processor);
+    const caption = `<span><b>${escaped(act.name)}.</b> ${escaped(act.say)} <em>${escaped(doing)}</em></span>`;
+    writer.text(find("why"), act.name);
+    writer.html(find("next"), `${caption} <small>Touch a switch, a key or a lever to take over.</small>`);
   }
 
   /** An act begins: what belongs to it lies open on the desk. */
@@ -257,24 +238,17 @@ export class Afternoon {
     this.shown = act;
     this.program = act.program;
     [...find("acts").children].forEach((each, index) => each.classList.toggle("now", day.acts[index] === act));
-    if (act.program) bench.lay(act.program, day.programs.get(act.program));
+    if (act.program) bench.editor.lay(act.program, day.programs.get(act.program));
     const tape = `${day.part}.eia`;
     bench.mill.lay(tape, day.tapes.get(tape), day.path, "", bench.record.afternoon.nominal);
     bench.tabs.open(TABS[act.kind] ?? "program");
-  }
-
-  #caption(act) {
-    const { action, machine, now } = this.script;
-    const fresh = action && action.at >= act.starts && now - action.at < SAID;
-    const doing = fresh ? action.say : waits(machine.processor);
-    return `<span><b>${escaped(act.name)}.</b> ${escaped(act.say)} <em>${escaped(doing)}</em></span> <small>Touch a switch, a key or a lever to take over.</small>`;
   }
 }
 
 /** An act on the rail, as wide as its time; where there is no room, its number alone. */
 function mark({ name }, index, share) {
   const inside = share > 0.07 ? ` ${escaped(name)}` : "";
-  return `<span data-act="${index}" style="flex-grow:${share}" title="${escaped(name)}"><b>${index + 1}</b>${inside}</span>`;
+  return `<span data-click="afternoon.open" data-act="${index}" style="flex-grow:${share}" title="${escaped(name)}"><b>${index + 1}</b>${inside}</span>`;
 }
 
 /** What a running processor is waiting for, in words. */

@@ -1,4 +1,5 @@
 // Some panes alone: for a frame in another page, by ?embed=PANE,PANE; one for a projector, by the button in its corner.
+// And a screen that nobody attends: with ?rest=SECONDS the page begins afresh when it was not touched for so long.
 
 const CORNER = `<svg viewBox="0 0 20 20" aria-hidden="true"><path d="M3 3h6v2H5v4H3zM11 15h4v-4h2v6h-6z"/></svg>`;
 
@@ -16,12 +17,19 @@ export function embed(tabs) {
 /** Give the large panes a button that shows one alone, as large as the page, and all again. */
 export function enlargeable() {
   for (const pane of document.querySelectorAll("#computer, #desk, #teletype")) {
-    pane.insertAdjacentHTML("beforeend", `<button class="enlarge" aria-label="${pane.ariaLabel}: alone" aria-pressed="false" title="This alone, or all">${CORNER}</button>`);
-    const button = pane.lastElementChild;
-    button.addEventListener("click", () => {
-      const alone = pane.classList.toggle("alone");
-      document.querySelector("main").classList.toggle("one", alone);
-      button.ariaPressed = String(alone);
-    });
+    const button = `<button class="enlarge" data-click="enlarge" aria-label="${pane.ariaLabel}: alone" aria-pressed="false" title="This alone, or all">${CORNER}</button>`;
+    pane.insertAdjacentHTML("beforeend", button);
   }
+}
+
+export function rest() {
+  const seconds = Number(new URLSearchParams(location.search).get("rest"));
+  if (!(seconds > 0)) return;
+  let timer;
+  const touched = () => {
+    clearTimeout(timer);
+    timer = setTimeout(() => location.reload(), 1000 * seconds);
+  };
+  for (const kind of ["pointerdown", "pointermove", "wheel", "keydown"]) addEventListener(kind, touched, true);
+  touched();
 }

@@ -16,20 +16,6 @@ const BUDGET = 24; // ms of computing for a picture
 const SLICES = 8; // of a picture, each with a look at the lamps
 const SLOW = 0.01; // and slower: cycle by cycle
 const FORGETS = 0.15; // what a measured speed loses of the pictures before, a picture
-export const SPEEDS = [
-  [1e-6, "1 : 1 000 000, a cycle in 1.6 s"],
-  [1e-5, "1 : 100 000"],
-  [1e-4, "1 : 10 000"],
-  [1e-3, "1 : 1000"],
-  [1e-2, "1 : 100"],
-  [0.1, "1 : 10"],
-  [1, "as it was"],
-  [10, "10 times"],
-  [60, "a minute a second"],
-  [300, "5 minutes a second"],
-  [Infinity, "as fast as it goes"],
-];
-export const USUAL = 6;
 
 export class Clock {
   /** `show(brightness, stop)` is called after every picture; `stop` is how a run ended, if it ended. */
@@ -50,6 +36,7 @@ export class Clock {
   set speed(speed) {
     this.pictures.speed = speed;
     this.measured = 0;
+    this.wake();
   }
 
   /** The speed that is kept, as measured: "17 x". */

@@ -1,42 +1,33 @@
 // Three doors: where a visitor begins. On the first visit each says what is behind it.
 
 import { find } from "../written.mjs";
-import { keep, kept } from "./kept.mjs";
+import { keep, kept } from "./programs.mjs";
 
 const SEEN = "pdp8 seen";
 
 export class Doors {
   constructor(bench) {
-    this.doors = {
-      afternoon: () => bench.afternoon.watch(),
-      first: () => this.#first(bench),
-      rim: () => bench.switches.card.practise(),
-    };
+    this.bench = bench;
     find("doors").classList.toggle("wide", !kept(SEEN));
-    find("doors").addEventListener("click", ({ target }) => {
-      const door = target.closest("[data-door]");
-      if (!door) return;
-      find("play").focus({ preventScroll: true }); // or space opens the door again
-      this.open(door.dataset.door);
-    });
   }
 
-  open(name) {
+  open({ dataset: { door } }) {
+    find("play").focus({ preventScroll: true }); // or space opens the door again
     this.close();
-    this.doors[name]();
+    const { afternoon, editor, shelf, switches, tabs } = this.bench;
+    if (door === "afternoon") afternoon.watch();
+    else if (door === "rim") switches.card.practise();
+    else {
+      tabs.open("program");
+      editor.open("hello.pal", shelf.get("hello.pal").frames);
+      editor.run();
+      find("teletype").scrollIntoView({ block: "nearest" });
+    }
   }
 
   /** The visitor is in: the doors need no more words. */
   close() {
     keep(SEEN, "yes");
     find("doors").classList.remove("wide");
-  }
-
-  /** Assemble, load and start hello.pal. */
-  #first(bench) {
-    bench.tabs.open("program");
-    bench.editor.open("hello.pal", bench.shelf.get("hello.pal").frames);
-    bench.editor.run();
-    find("teletype").scrollIntoView({ block: "nearest" });
   }
 }

@@ -9,11 +9,11 @@ import { decode } from "../../../tapes/ascii.mjs";
 import { PERMANENT, PSEUDO_OPERATORS } from "../../../pal/symbols.mjs";
 import { restore, save } from "../../computer/past/state.mjs";
 import { instructionAt } from "../instruction.mjs";
-import { READABLE } from "../pictures.mjs";
 import { dict } from "../translator/runtime.mjs";
 import { escaped, find, grouped, here, octal } from "../written.mjs";
 import { assembled, checked, findings } from "./checker.mjs";
 import { Counts } from "./counts.mjs";
+import { keep, kept } from "./programs.mjs";
 
 const LONGEST = 200_000; // characters of a source that is taken
 const WIDEST = 400; // of a line that is drawn
@@ -24,6 +24,7 @@ const CORE = 0o10000;
 const KNOWN = new Set([...PERMANENT.map(({ mnemonic }) => mnemonic), ...PSEUDO_OPERATORS]);
 const TOKENS = /(\/.*)|([A-Za-z][A-Za-z0-9]*)(,|=)?|([0-9]+)/g;
 const NEW = "/ A new program\n*200\n\tCLA CLL\n\tHLT\n$\n";
+const OPEN = "pdp8 open"; // the setting that names the program that was open
 
 export class Editor {
   constructor(bench) {
@@ -35,8 +36,10 @@ export class Editor {
     this.core = { text: null, lines: new Map() }; // of what is in core: its source, {address: line}
     this.now = null; // the line that the processor is in
     this.#found({ words: [], places: [], diagnostics: [], more: 0, summary: "" });
-    this.#controls();
-    bench.shelf.changed.push(() => this.#sources());
+    this.area.addEventListener("scroll", () => this.#draw());
+    this.area.addEventListener("keydown", (event) => this.#key(event));
+    new ResizeObserver(() => this.#draw()).observe(this.area);
+    addEventListener("pagehide", () => this.keep());
   }
 
   get text() {
@@ -47,14 +50,13 @@ export class Editor {
   set text(text) {
     bounded(text);
     this.area.value = text;
-    this.#changed();
+    this.changed();
   }
 
-  /** Open the program that was open, or the first one, as the programs have been read. */
-  begin(name) {
+  /** Open the program that was open, or the first one. */
+  begin(name = kept(OPEN)) {
     const { programs } = this.bench;
     this.#turn(programs.get(name) === undefined ? programs.names()[0] ?? programs.take("program.pal", NEW) : name);
-    if (programs.refused) this.#say(`This browser keeps no programs for this page (${programs.refused}): save them as files.`);
   }
 
   /** Open the source that a tape or a file holds, as a program of its own. */
@@ -68,13 +70,30 @@ export class Editor {
     this.#turn(this.bench.programs.take(name, text));
   }
 
+  create() {
+    this.put("program.pal", NEW);
+  }
+
   #turn(name) {
     this.keep();
-    this.name = name;
     this.area.readOnly = false;
+    this.#named(name);
     this.#show(this.bench.programs.get(name));
-    this.#sources();
-    this.bench.opened?.(name);
+    this.#warn();
+  }
+
+  #warn() {
+    const { refused } = this.bench.programs;
+    if (refused) this.#say(`This browser keeps no programs for this page (${escaped(refused)}): save them as files.`);
+  }
+
+  #named(name) {
+    this.name = name;
+    keep(OPEN, name);
+    const options = (names) => names.map((each) => `<option>${escaped(each)}</option>`).join("");
+    const bundled = this.bench.shelf.names().filter((each) => each.endsWith(".pal"));
+    find("sources").innerHTML = `<option value="">Open a program …</option><optgroup label="Yours">${options(this.bench.programs.names())}</optgroup>`
+      + `<optgroup label="Bundled">${options(bundled)}</optgroup>`;
   }
 
   #show(text) {
@@ -82,7 +101,7 @@ export class Editor {
     this.area.scrollTop = this.area.scrollLeft = 0;
     find("program-name").value = this.name;
     this.#say("");
-    this.#changed();
+    this.changed();
   }
 
   /** Show the source of what is in core, to be read. */
@@ -91,84 +110,61 @@ export class Editor {
     this.keep();
     this.area.readOnly = true;
     this.#show(tape ? new TextDecoder().decode(tape.frames) : assembly.lines.map(({ source }) => source).join("\n"));
-    this.#say(`${name} is in core. <button class="text" data-back>Back to ${escaped(this.name)}</button>`);
+    this.#say(`${name} is in core. <button class="text" data-click="editor.back">Back to ${escaped(this.name)}</button>`);
     this.#found(findings(assembly));
     this.#inCore();
+  }
+
+  back() {
+    this.#turn(this.name);
   }
 
   /** Keep what is written. */
   keep() {
     clearTimeout(this.pause);
     const { programs } = this.bench;
-    if (this.name && !this.area.readOnly && programs.get(this.name) !== this.text) programs.keep(this.name, this.text);
+    if (!this.name || this.area.readOnly || programs.get(this.name) === this.text) return;
+    programs.keep(this.name, this.text);
+    this.#warn();
   }
 
-  #controls() {
-    const clicks = {
-      "run-it": () => this.run(), assemble: () => this.assemble(), load: () => this.load(), boot: () => this.boot(),
-      list: () => this.assemble() && this.#inCore(), "new-program": () => this.put("program.pal", NEW), "delete-program": () => this.#delete(),
-    };
-    for (const [id, work] of Object.entries(clicks)) find(id).addEventListener("click", work);
-    this.area.addEventListener("input", () => this.#changed());
-    this.area.addEventListener("scroll", () => this.#draw());
-    this.area.addEventListener("keydown", (event) => this.#key(event));
-    new ResizeObserver(() => this.#draw()).observe(this.area);
-    find("sources").addEventListener("change", ({ target }) => this.#choose(target));
-    find("program-name").addEventListener("change", ({ target }) => this.#rename(target.value.trim()));
-    find("save-as").addEventListener("change", ({ target }) => this.#save(target));
-    find("gutter").addEventListener("click", ({ target }) => target.dataset.address && this.#breakpoint(Number(target.dataset.address)));
-    find("counts").addEventListener("change", ({ target }) => this.#count(target.checked));
-    find("messages").addEventListener("click", ({ target }) => target.dataset.line && this.#goTo(target.dataset));
-    find("program-says").addEventListener("click", ({ target }) => {
-      if (target.dataset.undo !== undefined) this.put(...this.deleted);
-      if (target.dataset.back !== undefined) this.#turn(this.name);
-    });
-    addEventListener("pagehide", () => {
-      this.bench.programs.leave(this.name, this.area.readOnly ? this.bench.programs.get(this.name) : this.text);
-    });
-    addEventListener("pageshow", ({ persisted }) => persisted && this.bench.programs.resume()); // back, as it was left
+  choose(list) {
+    const { value, selectedOptions: [{ parentElement: { label } }] } = list;
+    if (label === "Yours") this.#turn(value);
+    else if (value) this.open(value, this.bench.shelf.get(value).frames);
+    list.value = "";
   }
 
-  #sources() {
-    const options = (names) => names.map((name) => `<option>${escaped(name)}</option>`).join("");
-    const bundled = this.bench.shelf.names().filter((name) => name.endsWith(".pal"));
-    find("sources").innerHTML = `<option value="">Open a program …</option><optgroup label="Yours">${options(this.bench.programs.names())}</optgroup>`
-      + `<optgroup label="Bundled">${options(bundled)}</optgroup>`;
-  }
-
-  #choose(select) {
-    const { label } = select.selectedOptions[0].parentElement;
-    if (label === "Yours") this.#turn(select.value);
-    else if (select.value) this.open(select.value, this.bench.shelf.get(select.value).frames);
-    select.value = "";
-  }
-
-  #rename(name) {
+  rename(field) {
     const { programs } = this.bench;
+    const name = field.value.trim();
     if (name && name !== this.name && !this.area.readOnly) {
       const old = this.name;
       this.keep();
-      this.name = programs.take(name, this.text);
+      const called = programs.take(name, this.text);
       programs.remove(old);
-      this.#sources();
-      this.bench.opened?.(this.name);
+      this.#named(called);
     }
-    find("program-name").value = this.name;
+    field.value = this.name;
   }
 
-  #delete() {
+  remove() {
     const { programs } = this.bench;
     this.keep();
     this.deleted = [this.name, programs.get(this.name)];
     programs.remove(this.name);
     this.name = "";
     this.begin();
-    this.#say(`${escaped(this.deleted[0])} is deleted. <button class="text" data-undo>Undo</button>`);
+    this.#say(`${escaped(this.deleted[0])} is deleted. <button class="text" data-click="editor.undo">Undo</button>`);
   }
 
-  #save(select) {
-    const kind = select.value;
-    select.value = "";
+  undo() {
+    this.put(...this.deleted);
+  }
+
+  save(list) {
+    const kind = list.value;
+    list.value = "";
     if (!kind || (kind !== "pal" && !this.assemble())) return;
     const made = { pal: () => this.text, bin: () => this.assembly.tape, rim: () => rim.encode(dict(this.assembly.words)), lst: () => assembled(this.name, this.text).listing };
     this.bench.download(`${this.name.replace(/\.\w+$/, "")}.${kind}`, made[kind]());
@@ -178,7 +174,7 @@ export class Editor {
     find("program-says").innerHTML = html;
   }
 
-  #changed() {
+  changed() {
     this.lines = this.text.split("\n");
     this.#draw();
     clearTimeout(this.pause);
@@ -208,14 +204,14 @@ export class Editor {
     const items = diagnostics.map(({ line, start, end, severity, whole }) => {
       const [first, ...rest] = whole.split("\n");
       const place = `data-line="${line}" data-start="${start}" data-end="${end}"`;
-      return `<li class="${severity}"><button class="text" ${place}>${escaped(first)}</button><pre>${escaped(rest.join("\n"))}</pre></li>`;
+      return `<li class="${severity}"><button class="text" data-click="editor.goTo" ${place}>${escaped(first)}</button><pre>${escaped(rest.join("\n"))}</pre></li>`;
     });
     find("messages").innerHTML = `<p>${summary}</p><ol>${items.join("")}</ol>${more ? `<p>and ${more.toLocaleString("en")} more</p>` : ""}`;
     for (const id of ["load", "boot", "list"]) find(id).disabled = !places.length;
     this.#draw();
   }
 
-  #goTo({ line, start, end }) {
+  goTo({ dataset: { line, start, end } }) {
     const begins = this.lines.slice(0, line - 1).join("\n").length + (line > 1 ? 1 : 0);
     this.area.focus();
     this.area.setSelectionRange(begins + Number(start), begins + Number(end));
@@ -228,9 +224,10 @@ export class Editor {
     const { scrollTop, scrollLeft, clientHeight } = this.area;
     const first = Math.floor(scrollTop / TALL);
     const seen = this.lines.slice(first, first + Math.ceil(clientHeight / TALL) + 1);
+    const down = first * TALL - scrollTop;
     this.behind.innerHTML = seen.map((line, index) => coloured(line, this.wrong.get(first + index + 1))).join("\n");
-    this.behind.style.transform = `translate(${-scrollLeft}px, ${first * TALL - scrollTop}px)`;
-    find("gutter").innerHTML = `<div style="transform: translateY(${first * TALL - scrollTop}px)">${seen.map((_, index) => this.#beside(first + index + 1)).join("")}</div>`;
+    this.behind.style.transform = `translate(${-scrollLeft}px, ${down}px)`;
+    find("gutter").innerHTML = `<div style="transform: translateY(${down}px)">${seen.map((_, index) => this.#beside(first + index + 1)).join("")}</div>`;
   }
 
   /** What stands beside a line. */
@@ -242,8 +239,12 @@ export class Editor {
     const { address, word } = place;
     const set = this.bench.machine.watch.breakpoints.has(address);
     const count = find("counts").checked ? `<i>${grouped(this.counts.executed[address])}</i>` : "";
-    const button = `<button tabindex="-1" data-address="${address}" aria-pressed="${set}" aria-label="breakpoint at ${octal(address)}">${octal(address)}</button>`;
+    const button = `<button tabindex="-1" data-click="editor.mark" value="${address}" aria-pressed="${set}" aria-label="breakpoint at ${octal(address)}">${octal(address)}</button>`;
     return `<div class="${classes}" role="listitem"${current}><span>${line}</span>${button}<b>${octal(word)}</b>${count}</div>`;
+  }
+
+  mark({ value }) {
+    this.#breakpoint(Number(value));
   }
 
   #breakpoint(address) {
@@ -253,7 +254,8 @@ export class Editor {
     this.#draw();
   }
 
-  #count(on) {
+  /** Count from now on how often each word is executed, or no more. */
+  count({ checked: on }) {
     if (on) this.bench.afternoon.takeOver();
     this.counts = new Counts();
     this.bench.machine.watch.observer = on ? this.counts : null;
@@ -266,7 +268,7 @@ export class Editor {
     else if (event.key === "Tab" && !event.shiftKey && !this.leaving && !this.area.readOnly) {
       event.preventDefault();
       this.area.setRangeText("\t", this.area.selectionStart, this.area.selectionEnd, "end");
-      this.#changed();
+      this.changed();
     } else this.leaving = false;
     if (event.key === "F9") {
       const place = this.places.get(this.text.slice(0, this.area.selectionStart).split("\n").length);
@@ -283,19 +285,23 @@ export class Editor {
     return this.assembly.ok;
   }
 
+  /** Assemble, and stop the machine: what is assembled goes into core next. Return what was assembled. */
+  #stopped() {
+    this.bench.afternoon.takeOver();
+    this.assemble();
+    this.bench.machine.panel.stop();
+    return this.assembly;
+  }
+
   /** Put the words into core, and the switches and PC on the first of them from 0200 on. */
   load() {
-    const { bench } = this;
-    bench.afternoon.takeOver();
-    this.assemble();
-    bench.machine.panel.stop();
+    const { words } = this.#stopped();
     try {
-      bench.machine.load(this.assembly.words);
+      this.bench.machine.load(words);
+      this.#ready();
     } catch (error) {
-      bench.say(String(error));
-      return;
+      this.bench.say(String(error));
     }
-    this.#ready();
   }
 
   /** Assemble, load and start; where it cannot be assembled, the first error is said. */
@@ -312,14 +318,10 @@ export class Editor {
 
   /** Load as an operator does: RIM toggled in, RIM reads BIN, BIN reads the program's tape; at full speed. */
   async boot() {
-    const { bench } = this;
-    bench.afternoon.takeOver();
-    this.assemble();
-    const { machine } = bench;
-    machine.panel.stop();
-    const { name, tape } = this.assembly;
+    const { name, tape } = this.#stopped();
+    const { bench, bench: { machine, record: { loader } } } = this;
     try {
-      const { state, said } = await bench.apart.ask("booted", { state: save(machine), loader: bench.record.loader, tape, name }, SECONDS);
+      const { state, said } = await bench.apart.ask("booted", { state: save(machine), loader, tape, name }, SECONDS);
       if (machine !== bench.machine) return; // another has come meanwhile
       machine.put(restore(state).values());
       bench.why = said;
@@ -340,23 +342,26 @@ export class Editor {
     this.bench.touched();
   }
 
+  list() {
+    if (this.assemble()) this.#inCore();
+  }
+
   /** What is assembled is what core holds: the processor's place is shown in it. */
   #inCore() {
     this.core = { text: this.text, lines: new Map() };
     for (const [line, { address }] of this.places) this.core.lines.set(address, line);
-    this.#count(find("counts").checked);
-    this.shown = 0;
-    this.show();
+    this.count(find("counts"));
+    this.write();
   }
 
-  /** Show where the processor is; while it runs, no more often than can be read. */
-  show(_, running) {
-    if (find("program").hidden || (running && performance.now() - this.shown < READABLE)) return;
-    this.shown = performance.now();
+  /** Show where the processor is. */
+  write() {
+    if (find("program").hidden) return;
     const { machine } = this.bench;
-    if (find("counts").checked && machine.watch.observer !== this.counts) machine.watch.observer = this.counts;
+    const counts = find("counts").checked;
+    if (counts && machine.watch.observer !== this.counts) machine.watch.observer = this.counts;
     const now = this.core.text === this.text ? this.core.lines.get(instructionAt(machine.processor)) ?? null : null;
-    if (now === this.now && !find("counts").checked) return;
+    if (now === this.now && !counts) return;
     this.now = now;
     if (now && document.activeElement !== this.area) this.#bringIntoView(now);
     this.#draw();

@@ -11,13 +11,6 @@ export class Exercises {
     this.bench = bench;
     this.all = new Map(Object.entries(bench.record.exercises));
     this.done = new Set(); // those that were right
-    find("exercise").addEventListener("change", ({ target }) => this.open(target.value));
-    find("exercise-link").addEventListener("click", () => this.#link());
-    find("asked").addEventListener("click", ({ target }) => target.dataset.begin !== undefined && this.#begin());
-    find("asked").addEventListener("submit", (event) => {
-      event.preventDefault();
-      this.#mark();
-    });
     this.open("add");
   }
 
@@ -36,10 +29,14 @@ export class Exercises {
     const { title, task, question: questions = [] } = this.all.get(name);
     const asks = questions.map(({ name: called, ask }) =>
       `<label>${escaped(called)} <span>${escaped(ask)}</span> <input type="text" name="${escaped(called)}" autocomplete="off"></label>`);
-    const begin = questions.length ? "" : `<button class="text" type="button" data-begin>Begin ${escaped(this.#answer)}</button> `;
-    find("asked").innerHTML = `<h2>${escaped(title)}</h2><p>${escaped(task.trim().replace(/(\S)\n(?=[^\s*-])/g, "$1 "))}</p><form>${asks.join("")}<div class="tools">${begin}<button class="text go">Mark ${questions.length ? "the sheet" : "the program"}</button></div></form>`;
+    const begin = questions.length ? "" : `<button class="text" type="button" data-click="exercises.begin">Begin ${escaped(this.#answer)}</button> `;
+    find("asked").innerHTML = `<h2>${escaped(title)}</h2><p>${escaped(task.trim().replace(/(\S)\n(?=[^\s*-])/g, "$1 "))}</p><form data-submit="exercises.mark">${asks.join("")}<div class="tools">${begin}<button class="text go">Mark ${questions.length ? "the sheet" : "the program"}</button></div></form>`;
     find("marks").replaceChildren();
     this.#list();
+  }
+
+  choose({ value }) {
+    this.open(value);
   }
 
   /** The name of the program that answers. */
@@ -53,14 +50,14 @@ export class Exercises {
     find("exercise").value = this.name;
   }
 
-  #begin() {
+  begin() {
     const { editor, programs, tabs } = this.bench;
     editor.put(this.#answer, programs.get(this.#answer) ?? BEGUN.replace("NAME", this.all.get(this.name).title));
     tabs.open("program");
   }
 
   /** Mark the program that is open, or the sheet. */
-  async #mark() {
+  async mark() {
     const { apart, editor } = this.bench;
     const { name } = this;
     const tables = this.all.get(name);
@@ -78,7 +75,7 @@ export class Exercises {
     }
   }
 
-  async #link() {
+  async link() {
     const { name, bench } = this;
     const whole = location.href.replace(/#.*/, "");
     bench.give(name in bench.record.exercises ? `${whole}#exercise=${name}` : await linked({ exercise: { name, tables: this.all.get(name) } }));

@@ -1,4 +1,4 @@
-// Steps, forward and back, by cycle, instruction and character. The past is kept by computer/past/history.py.
+// Steps, forward and back, by cycle, instruction, character and block. The past is kept by computer/past/history.py.
 
 import { TICKS_PER_SECOND } from "../../computer/hardware/signals.mjs";
 import { History as Past } from "../../computer/past/history.mjs";
@@ -6,8 +6,7 @@ import * as rewind from "../../computer/past/rewind.mjs";
 import { until } from "./until.mjs";
 
 const MEMORY = 32 << 20; // bytes
-const FAR = 3 * TICKS_PER_SECOND; // ticks that a step may take at most
-const GLANCE = 0.001; // seconds between two looks whether a character has passed
+const FAR = { character: 3 * TICKS_PER_SECOND, block: 30 * TICKS_PER_SECOND }; // ticks that a step may take at most
 const BACK = { block: rewind.blocks, cycle: rewind.cycles, instruction: rewind.instructions, character: rewind.characters };
 
 export class History {
@@ -41,37 +40,25 @@ export class History {
     return stop;
   }
 
-  /** Characters read and printed so far. */
-  #characters() {
-    const { reader, printer, keyboard } = this.bench.machine.teletype;
-    return reader.position + printer.frames.length - keyboard.waiting.length;
-  }
-
   /** One step of `unit` forward; return why it ended, "limit" if by itself. */
   forward(unit) {
     const { machine } = this.bench;
-    if (unit === "cycle") return this.#cycle();
+    const { processor } = machine;
     if (unit === "instruction") return machine.run(null, 1).reason;
-    const characters = this.#characters();
-    const end = machine.processor.clock + FAR;
-    const glances = () => {
+    if (unit === "cycle") {
+      processor.run = 1;
+      processor.cycle();
+      return processor.run ? "limit" : "halt";
+    }
+    const goal = until(machine, unit);
+    const end = processor.clock + FAR[unit];
+    const { reason } = this.together(() => {
       let stop;
-      do stop = machine.run(GLANCE);
-      while (stop.reason === "limit" && this.#characters() === characters && machine.processor.clock < end);
+      do stop = goal.run(machine, end - processor.clock);
+      while (stop.reason === "limit" && processor.clock < end);
       return stop;
-    };
-    if (unit === "character") return this.together(glances).reason;
-    const block = until(machine, "block");
-    const { reason } = block.run(machine, 10 * FAR);
-    block.over();
+    });
     return reason === "reached" ? "limit" : reason;
-  }
-
-  #cycle() {
-    const { processor } = this.bench.machine;
-    processor.run = 1;
-    processor.cycle();
-    return processor.run ? "limit" : "halt";
   }
 
   /** One step of `unit` back. Throws HistoryError where the past does not go back so far. */

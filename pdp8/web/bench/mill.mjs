@@ -19,19 +19,12 @@ export class Mill {
     this.drawing = null;
     this.current = new Current(find("blocks"));
     this.pictures = new Pictures((passed) => this.#picture(passed));
-    const canvases = { whole: find("whole"), close: find("close"), tape: find("mill-reader").querySelector("canvas") };
-    this.sheets = Object.fromEntries(Object.entries(canvases).map(([name, canvas]) => [name, new Sheet(canvas, () => this.show())]));
-    find("eia").addEventListener("change", ({ target }) => target.value && this.cut(target.value));
-    find("at").addEventListener("input", ({ target }) => this.#go(Number(target.value)));
-    find("run-mill").addEventListener("click", () => this.#run());
-    bench.shelf.changed.push(() => this.#names());
-    this.#names();
+    const sheet = (canvas) => new Sheet(canvas, () => this.show());
+    this.sheets = { whole: sheet(find("whole")), close: sheet(find("close")), tape: sheet(find("mill-reader").querySelector("canvas")) };
   }
 
-  #names() {
-    const names = this.bench.shelf.names().filter((name) => this.bench.shelf.get(name).code === "eia");
-    find("eia").replaceChildren(new Option("Cut a tape …", ""), ...names.map((name) => new Option(name, name)));
-    find("eia").value = this.name ?? "";
+  choose({ value }) {
+    if (value) this.cut(value);
   }
 
   /** Put a tape of the shelf under the head, and show the whole of what it does. */
@@ -71,7 +64,13 @@ export class Mill {
     this.show();
   }
 
-  #run() {
+  /** Show as much of it as the slider says. */
+  slide({ value }) {
+    this.#go(Number(value));
+  }
+
+  /** Cut it before the visitor's eyes. */
+  run() {
     if (this.part >= 1 || this.part < 0) this.part = 0;
     this.pictures.start();
   }

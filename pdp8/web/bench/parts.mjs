@@ -48,14 +48,7 @@ export class Parts {
     this.bench = bench;
     this.translating = false;
     find("part-name").replaceChildren(...bench.record.parts.map(({ name }) => new Option(name)));
-    find("part-name").addEventListener("change", () => this.#ask());
-    find("part").addEventListener("submit", (event) => {
-      event.preventDefault();
-      this.#punch();
-    });
-    find("part-translate").addEventListener("click", () => this.#translate());
-    find("part-cut").addEventListener("click", () => this.#cut());
-    this.#ask();
+    this.ask();
   }
 
   get part() {
@@ -63,7 +56,7 @@ export class Parts {
   }
 
   /** Show the options of the part that is chosen; those of milling and header behind a door. */
-  #ask() {
+  ask() {
     const shared = this.part.arguments.flatMap(([, , fields]) => fields ?? []);
     const own = this.part.options.filter(({ name }) => !shared.includes(name));
     const others = this.part.options.filter(({ name }) => shared.includes(name));
@@ -72,7 +65,7 @@ export class Parts {
     find("part-options").innerHTML = own.map(field).join("") + more;
   }
 
-  async #punch() {
+  async punch() {
     const typed = Object.fromEntries([...find("part-options").querySelectorAll("[name]")].map(
       (input) => [input.name, input.type === "checkbox" ? input.checked : input.value.trim()],
     ));
@@ -93,12 +86,15 @@ export class Parts {
     }
   }
 
-  /** Let eia.pal run on the tape, at full speed; show() sees its end. */
-  #translate() {
+  /** Let eia.pal run on the tape, with an empty punch, at full speed; show() sees its end. */
+  translate() {
     const { bench } = this;
     find("counts").checked = false;
     bench.machine.watch.breakpoints.clear(); // they were another program's
-    bench.translate(this.name);
+    bench.editor.open("eia.pal", bench.shelf.get("eia.pal").frames);
+    bench.editor.load();
+    bench.machine.teletype.punch.frames.clear();
+    bench.teletype.mount(this.name);
     bench.switches.press("start");
     this.speed = bench.clock.speed;
     bench.time.setSpeed(Infinity);
@@ -106,9 +102,9 @@ export class Parts {
     find("part-translated").textContent = "eia.pal is running.";
   }
 
-  #cut() {
+  cut(button) {
     const { mill, teletype } = this.bench;
-    mill.cut(teletype.tear(this.name.replace(".asc", ".eia")));
+    mill.cut(teletype.tear(button, this.name.replace(".asc", ".eia")));
     find("part-is-cut").textContent = mill.summary;
   }
 

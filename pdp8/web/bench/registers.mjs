@@ -9,12 +9,9 @@ export class Registers {
   constructor(bench) {
     this.bench = bench;
     this.cells = new Map([...find("registers").querySelector("dl").children].map((row) => [row.dataset.register, row.lastElementChild]));
-    for (const input of find("registers").querySelectorAll("input")) {
-      input.addEventListener("change", () => this.#write(input));
-    }
   }
 
-  show() {
+  write() {
     for (const [name, value] of Object.entries(this.#values())) {
       const cell = this.cells.get(name);
       const input = cell.querySelector("input");
@@ -44,7 +41,7 @@ export class Registers {
     };
   }
 
-  #write(input) {
+  set(input) {
     const name = { PC: "pc", AC: "ac", L: "link" }[input.ariaLabel];
     const word = parseInt(input.value, 8);
     input.blur();

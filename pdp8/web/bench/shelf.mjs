@@ -19,15 +19,29 @@ export function free(name, taken) {
   return found;
 }
 
+/** What the lists of the page offer that name some tapes: data-tapes. */
+const OFFERED = { any: (name) => !name.endsWith(".pal"), eia: (name, { code }) => code === "eia" };
+
 export class Shelf {
   constructor(bundled) {
     this.tapes = new Map();
-    this.changed = [];
     for (const [name, frames] of Object.entries(bundled)) this.#add(name, frames.encode("latin-1"));
+    this.#offer();
   }
 
   #add(name, frames) {
     this.tapes.set(name, { frames, code: codeOf(frames) });
+  }
+
+  #offer() {
+    /** @type {NodeListOf<HTMLSelectElement>} */
+    const lists = document.querySelectorAll("select[data-tapes]");
+    for (const list of lists) {
+      const { value } = list;
+      const names = this.names().filter((name) => OFFERED[list.dataset.tapes](name, this.get(name)));
+      list.replaceChildren(list.options[0], ...names.map((name) => new Option(name)));
+      list.value = value;
+    }
   }
 
   names() {
@@ -42,21 +56,7 @@ export class Shelf {
   put(name, frames) {
     const called = free(name, (each) => this.tapes.has(each));
     this.#add(called, bytes(frames));
-    this.changed.forEach((changed) => changed());
+    this.#offer();
     return called;
-  }
-
-  /** Let a tape for a reader be chosen in `select`; `mount(name)` puts it in. */
-  offer(select, mount) {
-    const show = () => {
-      const names = this.names().filter((name) => !name.endsWith(".pal"));
-      select.replaceChildren(new Option("Put a tape in …", ""), ...names.map((name) => new Option(name, name)));
-    };
-    select.addEventListener("change", () => {
-      if (select.value) mount(select.value);
-      select.value = "";
-    });
-    this.changed.push(show);
-    show();
   }
 }

@@ -1,13 +1,14 @@
 // The Teletype's sound, made as it is needed: a click of noise for a character, a struck bell.
 
 export class Sound {
-  constructor(box) {
+  constructor() {
     this.on = false;
     this.context = null;
-    box.addEventListener("change", () => {
-      this.on = box.checked;
-      if (this.on) this.context ??= new AudioContext();
-    });
+  }
+
+  turn({ checked }) {
+    this.on = checked;
+    if (this.on) this.context ??= new AudioContext();
   }
 
   click() {
@@ -22,8 +23,8 @@ export class Sound {
     source.start();
   }
 
-  ring(bell) {
-    if (!this.on || !bell) return;
+  ring() {
+    if (!this.on) return;
     const { context } = this;
     const tone = new OscillatorNode(context, { frequency: 2300 });
     const gain = new GainNode(context, { gain: 0.2 });

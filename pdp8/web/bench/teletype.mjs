@@ -1,4 +1,4 @@
-// The Teletype on the bench: its page and keyboard, its reader and punch with their levers, and the shelf of tapes.
+// The Teletype on the bench: its page and keyboard, its reader and punch with their levers; and the PC8/L beside it.
 
 import { printed } from "../../computer/hardware/teletype.mjs";
 import { sent } from "../../computer/use/keys.mjs";
@@ -10,12 +10,12 @@ import { drawTape, meaning, tapeKey } from "../tape.mjs";
 import { find, grouped, octal } from "../written.mjs";
 import { BLOCK, blockAt } from "./block.mjs";
 import { codeOf } from "./shelf.mjs";
+import { Sound } from "./sound.mjs";
 
 const BELL = 0o7;
 const COLUMNS = 72; // of a Model 33
 const LINES = 400; // kept on the page
 const ROLL = 100_000; // frames on the paper, until it is torn off behind the page
-const TYPED = { return: "\r", linefeed: "\n", rubout: "\x7f" };
 const NAMED = { Enter: "\r", Backspace: "\x7f", Escape: "\x1b" };
 
 export class Teletype {
@@ -23,19 +23,23 @@ export class Teletype {
     this.bench = bench;
     const sheet = (which) => new Sheet(canvas(which), () => this.#tapes());
     this.sheets = { reader: sheet("reader"), punch: sheet("punch") };
+    this.sound = new Sound();
     this.name = "";
     this.code = "ascii";
     this.#clear();
-    this.#keyboard();
-    this.#levers();
+    find("paper").addEventListener("keydown", (event) => this.#key(event));
+    find("typed").addEventListener("keydown", (event) => {
+      if (event.key !== "Enter") return;
+      event.preventDefault();
+      this.#press(NAMED.Enter);
+    });
   }
 
   show() {
-    const { afternoon, machine } = this.bench;
-    if (afternoon.on) this.named(afternoon.mounted.name, afternoon.mounted.code);
-    this.terminal = afternoon.terminal;
-    this.#page(this.terminal?.frames ?? machine.teletype.printer.frames);
+    this.terminal = this.bench.afternoon.terminal;
+    this.#page(this.terminal?.frames ?? this.bench.machine.teletype.printer.frames);
     this.#tapes();
+    this.#highspeed();
   }
 
   /** Call the tape in the reader by its name. */
@@ -74,69 +78,78 @@ export class Teletype {
     const code = character.charCodeAt(0);
     if (code === CR) this.column = 0;
     else if (code === LF) this.lines.push(" ".repeat(this.column));
-    else if (code === BELL || !character) this.bench.sound.ring(character !== "");
-    else {
+    else if (code === BELL) this.sound.ring();
+    else if (character) {
       const line = this.lines.at(-1).padEnd(this.column);
       this.lines[this.lines.length - 1] = line.slice(0, this.column) + character + line.slice(this.column + 1);
       this.column = Math.min(this.column + 1, COLUMNS - 1);
-      this.bench.sound.click();
+      this.sound.click();
     }
   }
 
-  #keyboard() {
-    const press = (key) => this.bench.touch(({ teletype }) => teletype.keyboard.press(sent(key)));
-    find("paper").addEventListener("keydown", (event) => {
-      if (event.altKey || event.metaKey || event.key === "Tab") return;
-      const copied = event.ctrlKey && event.key === "c" && String(getSelection());
-      const control = event.ctrlKey && /^[a-z]$/i.test(event.key) && !copied;
-      if (event.ctrlKey && !control) return;
-      const key = control ? String.fromCharCode(event.key.charCodeAt(0) & 0o37) : NAMED[event.key] ?? event.key;
-      if (key.length !== 1 || !sent(key).length) return;
-      event.preventDefault();
-      press(key);
-    });
-    find("save-page").addEventListener("click", () => this.bench.download("page.txt", `${this.lines.join("\n")}\n`));
-    find("typed").addEventListener("input", (event) => {
-      for (const character of event.target.value) press(character);
-      event.target.value = "";
-    });
-    find("typed").addEventListener("keydown", (event) => {
-      if (event.key !== "Enter") return;
-      event.preventDefault();
-      press(NAMED.Enter);
-    });
-    for (const button of document.querySelectorAll("[data-key]:not(.key)")) {
-      button.addEventListener("click", () => press(TYPED[button.dataset.key]));
-    }
+  savePage() {
+    this.bench.download("page.txt", `${this.lines.join("\n")}\n`);
   }
 
-  #levers() {
-    const { bench } = this;
-    find("lever").addEventListener("click", () => {
-      this.leverWaits = false;
-      bench.touch(({ teletype: { reader } }) => reader.lever(!reader.on));
-    });
-    find("punch-on").addEventListener("click", () => bench.touch(({ teletype: { punch } }) => (punch.on = !punch.on)));
-    find("tear").addEventListener("click", () => this.tear());
-    find("store").addEventListener("click", () => {
-      bench.download("punched.tape", Uint8Array.from(bench.machine.teletype.punch.frames));
-    });
-    find("to-mill").addEventListener("click", () => bench.mill.cut(this.tear()));
-    bench.shelf.offer(find("shelf"), (name) => this.mount(name));
+  /** A key that prints nothing: its code is the button's value. */
+  key({ value }) {
+    this.#press(String.fromCharCode(Number(value)));
   }
 
-  /** Put a tape from the shelf into the reader, a loader's on its leader. READER RUN is set while the processor stands
-   *  still, and START would drop the frame on its way: so the lever goes to STOP, to be thrown with START.
+  /** What is typed into the field goes to the computer at once. */
+  type(field) {
+    for (const character of field.value) this.#press(character);
+    field.value = "";
+  }
+
+  #press(key) {
+    this.bench.touch(({ teletype }) => teletype.keyboard.press(sent(key)));
+  }
+
+  #key(event) {
+    if (event.altKey || event.metaKey || event.key === "Tab") return;
+    const copied = event.ctrlKey && event.key === "c" && String(getSelection());
+    const control = event.ctrlKey && /^[a-z]$/i.test(event.key) && !copied;
+    if (event.ctrlKey && !control) return;
+    const key = control ? String.fromCharCode(event.key.charCodeAt(0) & 0o37) : NAMED[event.key] ?? event.key;
+    if (key.length !== 1 || !sent(key).length) return;
+    event.preventDefault();
+    this.#press(key);
+  }
+
+  lever() {
+    this.leverWaits = false;
+    this.bench.touch(({ teletype: { reader } }) => reader.lever(!reader.on));
+  }
+
+  punchOn() {
+    this.bench.touch(({ teletype: { punch } }) => (punch.on = !punch.on));
+  }
+
+  /** Put the tape that is chosen from a list into the reader of the list's device. */
+  choose(list) {
+    if (list.value && list.dataset.device === "highspeed") this.bench.touch(({ highspeed }) => highspeed.reader.load(this.#wound(list.value)));
+    else if (list.value) this.mount(list.value);
+    list.value = "";
+  }
+
+  /** The frames of a tape from the shelf, a loader's from its leader on. */
+  #wound(name) {
+    const { frames } = this.bench.shelf.get(name);
+    return frames.slice(kinds.start(frames));
+  }
+
+  /** Put a tape from the shelf into the reader. READER RUN is set while the processor stands still, and START would drop
+   *  the frame on its way: so the lever goes to STOP, to be thrown with START.
    */
   mount(name) {
-    const { code, frames } = this.bench.shelf.get(name);
     this.bench.touch(({ processor, teletype: { reader } }) => {
-      this.named(name, code);
+      this.named(name, this.bench.shelf.get(name).code);
       if (reader.on && !processor.run) {
         reader.lever(false);
         this.leverWaits = true;
       }
-      reader.load(frames.slice(kinds.start(frames)));
+      reader.load(this.#wound(name));
     });
   }
 
@@ -146,13 +159,22 @@ export class Teletype {
     this.leverWaits = false;
   }
 
-  /** Tear the punched tape off; it goes onto the shelf. Return its name. */
-  tear(called = "punched") {
-    return this.bench.touch(({ teletype: { punch: { frames } } }) => {
+  /** Tear a punched tape off; it goes onto the shelf. Return its name. */
+  tear({ value: device }, called = "punched") {
+    return this.bench.touch((machine) => {
+      const { frames } = machine[device].punch;
       const name = this.bench.shelf.put(called, Uint8Array.from(frames));
       frames.clear();
       return name;
     });
+  }
+
+  save() {
+    this.bench.download("punched.tape", Uint8Array.from(this.bench.machine.teletype.punch.frames));
+  }
+
+  cut(button) {
+    this.bench.mill.cut(this.tear(button));
   }
 
   #tapes() {
@@ -164,22 +186,21 @@ export class Teletype {
     this.#tape("reader", read, reader.loaded);
     this.#tape("punch", punched, true);
     this.#block(this.terminal ? punched : reader.loaded ? read : null);
-    this.#lever("lever", "Reader", reader.on ? "START" : "STOP", reader.on ? "STOP" : "START");
-    this.#lever("punch-on", "Punch", punch.on ? "ON" : "OFF", punch.on ? "OFF" : "ON");
-    const empty = !punch.frames.length;
-    for (const id of ["tear", "store", "to-mill"]) if (find(id).disabled !== empty) find(id).disabled = empty;
+    this.#lever("lever", "Lever to", "Reader", reader.on ? ["START", "STOP"] : ["STOP", "START"]);
+    this.#lever("punch-on", "Punch", "Punch", punch.on ? ["ON", "OFF"] : ["OFF", "ON"]);
+    for (const id of ["tear", "store", "to-mill"]) find(id).toggleAttribute("disabled", !punch.frames.length);
   }
 
   /** A lever says where it goes when it is pressed; its name says where it stands, too. */
-  #lever(id, whose, stands, goes) {
-    this.bench.writer.text(find(id), id === "lever" ? `Lever to ${goes}` : `Punch ${goes}`);
-    this.bench.writer.label(find(id), `${whose} ${stands}: ${find(id).textContent}`);
+  #lever(id, says, whose, [stands, goes]) {
+    this.bench.writer.text(find(id), `${says} ${goes}`);
+    this.bench.writer.label(find(id), `${whose} ${stands}: ${says} ${goes}`);
   }
 
   /** The block that is passing: its fields, the digits read so far dark. */
   #block(tape) {
     const shown = tape && (tape.code === "ascii" || tape.code === "eia") ? blockAt(tape) : null;
-    if (find("block").hidden !== !shown) find("block").hidden = !shown;
+    find("block").toggleAttribute("hidden", !shown);
     if (shown) this.bench.writer.fill(find("block"), BLOCK, ...shown);
   }
 
@@ -192,6 +213,13 @@ export class Teletype {
     this.bench.writer.label(canvas(which), `the ${which}'s tape, under the head: ${says}`);
     const draw = (context, ...size) => loaded && drawTape(context, view, ...size);
     this.sheets[which].draw(`${tapeKey(view)} ${view.code} ${loaded}`, draw);
+  }
+
+  #highspeed() {
+    const { machine: { highspeed: { punch: { frames }, reader } }, writer } = this.bench;
+    writer.text(find("pc8-reader"), reader.loaded ? `${grouped(reader.position)} of ${grouped(reader.tape.length)}` : "no tape");
+    writer.text(find("pc8-punch"), `${grouped(frames.length)} frames punched`);
+    find("pc8-tear").toggleAttribute("disabled", !frames.length);
   }
 }
 

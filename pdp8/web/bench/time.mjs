@@ -1,11 +1,9 @@
 // The time bar: run and stop, steps by unit, speed; the same controls for the afternoon and for the live machine.
 
-import { READABLE } from "../pictures.mjs";
 import { find } from "../written.mjs";
-import { SPEEDS, USUAL } from "./clock.mjs";
 import { next } from "./next.mjs";
-import { rove } from "./roving.mjs";
-import { Until } from "./until.mjs";
+import { ANY, until } from "./until.mjs";
+import { keyed } from "./wiring.mjs";
 
 const TYPED_INTO = "input, select, textarea, [tabindex='0']:not(button), a, summary"; // what has keys of its own
 
@@ -13,17 +11,21 @@ export class Time {
   constructor(bench) {
     this.bench = bench;
     this.unit = "instruction";
-    this.written = 0; // when, in ms
-    find("speed").replaceChildren(...SPEEDS.map(([, label]) => new Option(String(label))));
-    find("speed").selectedIndex = USUAL;
-    find("speed").addEventListener("change", () => this.#hurry(0));
-    find("play").addEventListener("click", () => this.toggle());
-    find("forward").addEventListener("click", () => this.step(1));
-    find("back").addEventListener("click", () => this.step(-1));
-    find("units").addEventListener("change", ({ target }) => (this.unit = target.value));
-    find("next").addEventListener("click", ({ target }) => target.dataset.for && this.#use(target.dataset.for));
-    document.querySelectorAll("[role=toolbar]").forEach((toolbar) => rove(toolbar));
-    this.#keys();
+    const keys = {
+      "+": () => this.#hurry(1),
+      "=": () => this.#hurry(1),
+      "-": () => this.#hurry(-1),
+      Home: () => bench.afternoon.go(0),
+      End: () => bench.afternoon.go(Infinity),
+    };
+    document.addEventListener("keydown", (event) => {
+      const control = keyed(find("time"), event);
+      const own = event.target.matches(TYPED_INTO) || (event.key === " " && event.target.matches("button"));
+      const action = control ? () => control.click() : keys[event.key];
+      if (!action || own || event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
+      event.preventDefault();
+      action();
+    });
   }
 
   /** Run or stop, play or pause. */
@@ -31,30 +33,36 @@ export class Time {
     const { bench } = this;
     if (bench.afternoon.on) bench.afternoon.play(!bench.afternoon.playing);
     else if (bench.machine.processor.run) bench.switches.press("stop");
-    else this.run();
+    else this.#run(ANY);
+  }
+
+  /** Run until what the form asks for. */
+  runUntil() {
+    const { bench } = this;
+    bench.afternoon.takeOver();
+    this.#run(until(bench.machine, find("kind").value, parseInt(find("where").value || "0", 8) & 0o7777));
   }
 
   /** Press CONT; the run ends at its `goal`. */
-  run(goal = new Until()) {
+  #run(goal) {
     const { bench } = this;
-    bench.until = goal;
+    bench.aim(goal);
     bench.machine.panel.cont();
     bench.teletype.started();
     bench.touched();
   }
 
   /** Go on (1) or back (-1) by the chosen unit. */
-  step(direction) {
+  step({ value }) {
     const { bench, unit } = this;
-    if (bench.afternoon.on) bench.afternoon.step(unit, direction);
-    else if (direction > 0) this.#forward(unit);
+    if (bench.afternoon.on) bench.afternoon.step(unit, Number(value));
+    else if (Number(value) > 0) this.#forward(unit);
     else this.#back(unit);
   }
 
   #forward(unit) {
     const { bench } = this;
-    bench.until.over();
-    bench.until = new Until();
+    bench.aim(ANY);
     const reason = bench.history.forward(unit);
     bench.machine.processor.run = 0;
     if (reason === "limit") bench.say("");
@@ -73,68 +81,49 @@ export class Time {
     bench.say(said);
   }
 
-  choose(unit) {
-    this.unit = unit;
-    document.querySelector(`#units input[value=${unit}]`).checked = true;
+  choose({ value }) {
+    this.unit = value;
+  }
+
+  speed({ value }) {
+    this.bench.clock.speed = Number(value);
   }
 
   setSpeed(speed) {
-    find("speed").selectedIndex = SPEEDS.findIndex(([each]) => each === speed);
-    this.#hurry(0);
+    find("speed").value = String(speed);
+    this.speed(find("speed"));
   }
 
   /** Take a speed so many places faster. */
   #hurry(by) {
     const select = find("speed");
-    select.selectedIndex = Math.max(0, Math.min(SPEEDS.length - 1, select.selectedIndex + by));
-    this.bench.clock.speed = SPEEDS[select.selectedIndex][0];
-    this.bench.clock.wake();
+    select.selectedIndex = Math.max(0, Math.min(select.options.length - 1, select.selectedIndex + by));
+    this.speed(select);
   }
 
-  #use(selector) {
-    const control = document.querySelector(selector);
+  /** Press the button, or go to the field, that what can be done next names. */
+  use({ dataset }) {
+    const control = document.querySelector(dataset.for);
     if (control.matches("button")) control.click();
     else control.focus();
   }
 
-  show(brightness) {
-    const { bench } = this;
-    const { afternoon, clock, machine, writer } = bench;
-    const running = afternoon.on ? afternoon.playing : Boolean(machine.processor.run);
-    writer.text(find("play"), afternoon.on ? (running ? "Pause" : "Play") : running ? "Stop" : "Run");
-    if (brightness && performance.now() - this.written < READABLE) return;
-    this.written = performance.now();
-    writer.text(find("kept"), running ? clock.kept : "");
+  show() {
+    const { afternoon, machine, writer } = this.bench;
+    const [go, halt] = afternoon.on ? ["Play", "Pause"] : ["Run", "Stop"];
+    writer.text(find("play"), (afternoon.on ? afternoon.playing : machine.processor.run) ? halt : go);
     if (afternoon.on) return;
-    const [said, controls] = next(bench);
-    const buttons = controls.map(([label, selector]) => `<button class="text" data-for="${selector}">${label}</button>`);
-    writer.html(find("next"), `<span>${said}</span> ${buttons.join(" ")} ${afternoon.script ? afternoon.way : ""}`);
+    const doing = !machine.waiting.endless ? "runs" : machine._out_of_tape() ? "waits for tape" : "waits";
+    writer.text(find("clock"), `${machine.elapsed.toFixed(3)} s`);
+    writer.text(find("why"), machine.processor.run ? doing : "stands still");
   }
 
-  #keys() {
-    const { bench } = this;
-    const keys = {
-      " ": () => this.toggle(),
-      ArrowRight: () => this.step(1),
-      ArrowLeft: () => this.step(-1),
-      1: () => this.choose("block"),
-      2: () => this.choose("character"),
-      3: () => this.choose("instruction"),
-      4: () => this.choose("cycle"),
-      "+": () => this.#hurry(1),
-      "=": () => this.#hurry(1),
-      "-": () => this.#hurry(-1),
-      "[": () => bench.afternoon.act(-1),
-      "]": () => bench.afternoon.act(1),
-      Home: () => bench.afternoon.go(0),
-      End: () => bench.afternoon.go(Infinity),
-    };
-    document.addEventListener("keydown", (event) => {
-      const action = keys[event.key];
-      const own = event.target.matches(TYPED_INTO) || (event.key === " " && event.target.matches("button"));
-      if (!action || own || event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
-      event.preventDefault();
-      action();
-    });
+  write() {
+    const { bench, bench: { afternoon, clock, machine, writer } } = this;
+    writer.text(find("kept"), (afternoon.on ? afternoon.playing : machine.processor.run) ? clock.kept : "");
+    if (afternoon.on) return;
+    const [said, controls] = next(bench);
+    const buttons = controls.map(([label, selector]) => `<button class="text" data-click="time.use" data-for="${selector}">${label}</button>`);
+    writer.html(find("next"), `<span>${said}</span> ${buttons.join(" ")} ${afternoon.script ? afternoon.way : ""}`);
   }
 }

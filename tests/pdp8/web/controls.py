@@ -30,7 +30,7 @@ P, TTY, EDITOR, MACHINE = (
 SENT = f"[{TTY}.keyboard.waiting.length, {TTY}.receiver.line, {TTY}.receiver.start]"
 STAND = (
     f"{P}.core.fill(0o7000); Object.assign({P}, {{ run: 0, pc: 0o200, next: 0, lac: 0 }});"
-    "workbench.switches.card.coach = null; workbench.time.choose('instruction');"
+    "workbench.switches.card.coach = null; workbench.time.choose({ value: 'instruction' });"
 )
 OPEN = "document.querySelector('#card details').open = true;"
 PUNCHED = f"{TTY}.punch.frames.append(0o60); {TTY}.punch.frames.append(0o200); workbench.touched();"
@@ -117,7 +117,7 @@ CONTROLS = {
     "[data-door='rim']": Control(
         "workbench.switches.card.coach !== null", "workbench.switches.card.coach = null;"
     ),
-    "#sound": Control("workbench.sound.on", keys="Space"),
+    "#sound": Control("workbench.teletype.sound.on", keys="Space"),
     "#lever": Control(f"{TTY}.reader.on"),
     "#shelf": Control(f"{TTY}.reader.tape.length", f"{TTY}.reader.remove();", "c"),
     "#save-page": Control("window.saved", SAVED),
@@ -190,6 +190,6 @@ CONTROLS = {
     "#part-cut": Control("workbench.mill.name", f"{PARTS} {READY} {PUNCHED}"),
     "#exercise": Control("workbench.exercises.name", EXERCISES, "m"),
     "#exercise-link": Control("location.hash", f"{EXERCISES} history.replaceState(null, '', '#');"),
-    "[data-begin]": Control(f"{EDITOR}.name", f"{WRITTEN} {EXERCISES}"),
+    "[data-click='exercises.begin']": Control(f"{EDITOR}.name", f"{WRITTEN} {EXERCISES}"),
     "#asked .go": Control("document.getElementById('marks').textContent.length", EXERCISES),
 }

@@ -25,8 +25,8 @@ NODES = 50
 
 _AGAIN = """() => {
   if (!workbench.machine._out_of_tape() && workbench.machine.processor.run) return false;
-  document.querySelector("[data-prepare='0']").click();
-  document.querySelector("[data-key=start]").click();
+  workbench.parts.name = "circle.asc";
+  workbench.parts.translate();
   return true;
 }"""
 

@@ -47,7 +47,7 @@ def test_programs_are_kept_and_never_written_over(page: "Page") -> None:
     assert page.evaluate("workbench.editor.name") == "mine.pal"
     page.locator("#delete-program").click()
     assert "mine.pal" not in page.evaluate("workbench.programs.names()")
-    page.locator("[data-undo]").click()
+    page.locator("[data-click='editor.undo']").click()
     _reopened(page)
     assert page.evaluate("workbench.programs.get('mine.pal')") == "*200\n\tHLT\n$\n"
     assert page.evaluate("workbench.programs.get('mine 2.pal')") == "*300\n\tHLT\n$\n"
@@ -62,7 +62,7 @@ def test_a_file_that_is_too_long_is_refused_and_not_cut(page: "Page") -> None:
 
 def test_a_browser_that_keeps_nothing_says_so(browser: "Browser", file: Path) -> None:
     page = browser.new_page()
-    page.add_init_script("indexedDB.open = () => { throw new Error('forbidden'); };")
+    page.add_init_script("Storage.prototype.setItem = () => { throw new Error('forbidden'); };")
     page.goto(file.as_uri())
     until(page, "!!window.workbench")
     assert "keeps no programs for this page (forbidden)" in page.locator("#program-says").inner_text()
@@ -151,7 +151,7 @@ def test_an_exercise_of_a_teachers_is_dropped_and_marked(page: "Page") -> None:
     exercise = form.read("add", student.SEED)
     _drop(page, "homework.json", student.form(exercise))
     until(page, "workbench.exercises.name === 'homework.json'")
-    page.locator("[data-begin]").click()
+    page.locator("[data-click='exercises.begin']").click()
     assert page.evaluate("workbench.editor.name") == "homework.pal"
     page.locator("#source").fill(exercise.solution)
     page.locator("[data-opens=exercises]").click()

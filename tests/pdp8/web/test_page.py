@@ -518,7 +518,7 @@ def test_back_to_the_afternoon(page: "Page", circle: Afternoon) -> None:
     """What was done in between is undone: the machine is at the instant at which it was taken over."""
     tick = _take_over(page, circle)
     page.evaluate("workbench.machine.processor.deposit(0o200, 0); workbench.teletype.mount('hello.pal');")
-    page.locator("#next [data-return]").click()
+    page.locator("#next [data-click='afternoon.back']").click()
     assert _now(page) == tick
     follower = Follower(circle)
     follower.to(tick)

@@ -1,0 +1,46 @@
+// How the controls are worked: the method that each calls, the key that presses it, the arrows along a toolbar.
+//
+//     <button data-click="time.step" value="1" aria-keyshortcuts="ArrowRight">        bench.time.step(button)
+//
+// So do data-change, data-input and data-submit, of what is in the page now or later.
+
+/** Let the controls of the page call the methods that they name. */
+export function wire(bench) {
+  for (const kind of ["click", "change", "input", "submit"]) {
+    document.addEventListener(kind, (event) => {
+      const control = event.target.closest(`[data-${kind}]`);
+      if (!control) return;
+      if (kind === "submit") event.preventDefault();
+      const names = control.dataset[kind].split(".");
+      const method = names.pop();
+      names.reduce((owner, name) => owner[name], bench)[method](control);
+    }, true);
+  }
+  for (const row of document.querySelectorAll("[role=toolbar], [role=tablist]")) rove(row);
+}
+
+/** The control within `place` that names the key of an event, or null. */
+export function keyed(place, { key, ctrlKey, altKey, metaKey }) {
+  if (ctrlKey || altKey || metaKey) return null;
+  const name = key === " " ? "Space" : key.length === 1 ? key.toUpperCase() : key;
+  return place.querySelector(`[aria-keyshortcuts~="${CSS.escape(name)}"]`);
+}
+
+/** Make a row of buttons one stop of the Tab key: arrows lead from one to the next. */
+function rove(row) {
+  const controls = [...row.querySelectorAll("button")];
+  const at = () => Math.max(0, controls.findIndex((control) => control.tabIndex === 0 && !control.disabled));
+  const choose = (chosen) => controls.forEach((control, index) => (control.tabIndex = index === chosen ? 0 : -1));
+  choose(Math.max(0, controls.findIndex((control) => control.checkVisibility())));
+  row.addEventListener("focusin", ({ target }) => choose(Math.max(0, controls.indexOf(target.closest("button")))));
+  row.addEventListener("keydown", (event) => {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    for (let next = at() + step; controls[next]; next += step) {
+      if (controls[next].disabled || !controls[next].checkVisibility()) continue;
+      controls[next].focus();
+      return;
+    }
+  });
+}
