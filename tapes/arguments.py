@@ -93,7 +93,7 @@ class Folder(_Type):
 
 def output(
     kind: _Type,
-    metavar: str = "FILE",
+    metavar: str | None = None,
     default: str | None = "-",
     help: str = "Where to.  [default: standard output]",
     **settings: Any,
@@ -180,7 +180,7 @@ class Group(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Find the command; where there is none, name those that are spelled much alike."""
         name = args[0]
-        if self.get_command(ctx, name) is None and not name.startswith("-") and not ctx.resilient_parsing:
+        if self.get_command(ctx, name) is None and not ctx.resilient_parsing:
             from difflib import get_close_matches
 
             near = get_close_matches(name, self.list_commands(ctx))

@@ -45,12 +45,12 @@ def visible(text: str) -> str:
     """Return a text with its control codes as pictures, tabs and line ends apart, and what is no character as
     an escape: a terminal shows it and does not obey it, and XML and JSON may have it.
     """
-    return text.translate(_CONTROLS).encode(errors="backslashreplace").decode()
+    return text.translate(_CONTROLS).encode("utf-8", "backslashreplace").decode()
 
 
 def called(file: str) -> str:
     """Return what messages call a file that is read: its name, "standard input" for `-`."""
-    return "standard input" if file == "-" else file.encode(errors="backslashreplace").decode()
+    return "standard input" if file == "-" else file.encode("utf-8", "backslashreplace").decode()
 
 
 def named(file: str, error: WorkError) -> WorkError:

@@ -25,7 +25,6 @@ from math import (
     tan,
     tanh,
 )
-from operator import add, mul, sub, truediv
 from typing import Final, NoReturn
 
 from tapes.errors import WorkError
@@ -39,7 +38,6 @@ FUNCTIONS: Final[dict[str, Function]] = {
 CONSTANTS: Final = {"pi": 3.141592653589793, "e": 2.718281828459045}
 LANGUAGE: Final = f"numbers, x, {', '.join(CONSTANTS)}, + - * / ** ( ) and {', '.join(FUNCTIONS)}"
 
-_OPERATIONS: Final = {"+": add, "-": sub, "*": mul, "/": truediv, "**": pow}
 _LONGEST = 500
 _LARGEST = 1e6
 _DIGITS = ".0123456789"
@@ -102,8 +100,11 @@ class _Reader:
         if self._taken("-"):
             negated = self._factor()
             return lambda x: -negated(x)
-        found = self._atom()
-        return _joined("**", found, self._factor()) if self._taken("**") else found
+        base = self._atom()
+        if not self._taken("**"):
+            return base
+        exponent = self._factor()
+        return lambda x: pow(base(x), exponent(x))
 
     def _atom(self) -> Function:
         self._skip()
@@ -166,11 +167,20 @@ class _Reader:
         """Raise WorkError for what stands at `start`, or next."""
         self._skip()
         start = self._at if start is None else start
-        said = repr(self._text[start : max(self._at, start + 1)]) if start < len(self._text) else "the end"
+        said = (
+            repr(self._text[start : max(self._at, start + 1)].rstrip())
+            if start < len(self._text)
+            else "the end"
+        )
         hint = "; a power is written **" if said == "'^'" else ""
         raise WorkError(f"column {start + 1}: {said} is not an expression in x: {LANGUAGE}{hint}")
 
 
 def _joined(sign: str, one: Function, other: Function) -> Function:
-    operation = _OPERATIONS[sign]
-    return lambda x: operation(one(x), other(x))
+    if sign == "+":
+        return lambda x: one(x) + other(x)
+    if sign == "-":
+        return lambda x: one(x) - other(x)
+    if sign == "*":
+        return lambda x: one(x) * other(x)
+    return lambda x: one(x) / other(x)

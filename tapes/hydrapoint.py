@@ -14,7 +14,6 @@ Chapter 3, Figure 3.1: two axes at their own feeds.
 """
 
 from enum import IntEnum
-from itertools import accumulate
 from math import copysign
 from typing import Final, NamedTuple
 
@@ -208,13 +207,23 @@ class Block(NamedTuple):
     @property
     def digits(self) -> str:
         """The 19 digits as they are punched."""
-        return "".join(f"{value:0{rows}}" for value, rows in zip(self, FIELDS.values(), strict=True))
+        return (
+            f"{self.sequence:03}{self.preparatory:1}{self.x:05}{self.y:05}"
+            f"{self.reserved:1}{self.tool:02}{self.miscellaneous:02}"
+        )
 
 
 def block(digits: str | bytes) -> Block:
     """Return the block that 19 decimal digits say. Raises ValueError where they are not digits."""
-    ends = accumulate(FIELDS.values())
-    return Block(*(int(digits[end - rows : end]) for end, rows in zip(ends, FIELDS.values(), strict=True)))
+    return Block(
+        int(digits[0:3]),
+        int(digits[3:4]),
+        int(digits[4:9]),
+        int(digits[9:14]),
+        int(digits[14:15]),
+        int(digits[15:17]),
+        int(digits[17:19]),
+    )
 
 
 def corner(

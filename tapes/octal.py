@@ -28,9 +28,8 @@ def encode(text: str) -> bytes:
 
 def decode(frames: bytes) -> str:
     """Return the tape as such a text."""
-    width = max(7, len(str(len(frames))))
     lines = (
-        f"{start:{width}}: " + " ".join(f"{frame:03o}" for frame in frames[start : start + _A_LINE])
+        f"{start:7}: " + " ".join(f"{frame:03o}" for frame in frames[start : start + _A_LINE])
         for start in range(0, len(frames), _A_LINE)
     )
     return "".join(line + "\n" for line in lines)

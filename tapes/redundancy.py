@@ -10,6 +10,7 @@ A value is proposed only if one alone differs least from what was seen, in chann
 
 from collections.abc import Callable, Iterator, Mapping
 from itertools import combinations, pairwise
+from math import inf
 
 from tapes import binary, eia, kinds, rim
 from tapes.errors import TapeError
@@ -98,7 +99,7 @@ def _sense(frames: bytes) -> float:
             damage = binary.find_damage(binary.read(frames)) if kind == kinds.BIN else rim.read(frames).damage
         except TapeError as error:
             damage = error
-        return 1000 if damage is None else (damage.frame or 0) / (len(frames) + 1)
+        return inf if damage is None else damage.frame or 0
     if kind == kinds.ASCII:
         return frames.translate(PARITIES["none"]).count(b"\r\n")
     if kind == kinds.EIA:

@@ -1,5 +1,6 @@
 """Expressions, and the exact cutter path of equation 3."""
 
+import math
 from contextlib import suppress
 from math import atan, cos, hypot, isfinite, pi, sin
 
@@ -65,11 +66,40 @@ def test_nothing_else_can_be_said() -> None:
             function(text)
 
 
-def test_the_column_of_what_is_not_known_is_named() -> None:
-    with pytest.raises(WorkError, match="column 5: 'y' is not"):
-        function("x + y")
-    with pytest.raises(WorkError, match=r"written \*\*"):
-        function("x^2")
+NOT = "is not an expression in x: numbers, x, pi, e, + - * / ** ( ) and " + (
+    "sqrt, exp, log, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, abs"
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("x + y", f"column 5: 'y' {NOT}"),
+        ("x^2", f"column 2: '^' {NOT}; a power is written **"),
+        (" x +", f"column 4: the end {NOT}"),
+        ("sin x", f"column 1: 'sin' {NOT}"),
+        ("(x", f"column 3: the end {NOT}"),
+        ("2*1e+", f"column 4: 'e' {NOT}"),
+        ("1.2.3", f"column 1: '1.2.3' {NOT}"),
+        (" " * 500 + "x", "expression of 501 characters: at most 500 are allowed"),
+        ("9" * 400, f"a number of '{'9' * 20}'... is too large"),
+        ("(" * 400, f"'{'(' * 20}'... is nested too deeply"),
+    ],
+)
+def test_what_is_not_in_the_language_is_named_with_its_column(text: str, said: str) -> None:
+    with pytest.raises(WorkError) as refused:
+        function(text)
+    assert str(refused.value) == said
+
+
+def test_a_function_has_python_s_values_up_to_a_million() -> None:
+    for name in ("sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh"):
+        assert function(f"{name.upper()} ( X )")(0.5) == getattr(math, name)(0.5)
+    assert function(" " * 498 + "+x")(999_999) == function("1E+2*X-1e2*x + x")(999_999) == 999_999
+    with pytest.raises(
+        WorkError, match=r"^at x = 1e\+06 the expression 'x' is 1e\+06: must be within 1e\+06$"
+    ):
+        function("x")(1_000_000)
 
 
 @pytest.mark.parametrize(

@@ -108,6 +108,7 @@ def test_a_bin_tape_measured() -> None:
         "words 22, origins 5, fields 0",
         "0200-0221, 0232, 0300, 0400-0401",
     ]
+    assert rows(binary.encode({}), "holds", "core") == ["words 0, origins 0, fields 0", "none"]
     damaged = bytearray(FORMAT_BIN)
     damaged[70] ^= 1
     assert rows(bytes(damaged), "checksum", "core") == ["1251 at frame 119: WRONG, 1250 computed"]

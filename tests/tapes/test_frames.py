@@ -64,5 +64,18 @@ def test_leader_body_trailer(tape: str, leader: str, body: str, trailer: str) ->
     assert frames.strip(octal(tape)) == (octal(leader), octal(body), octal(trailer))
 
 
+@pytest.mark.parametrize(("blanks", "leader", "start"), [(3, 8, 4), (2, 8, None), (3, 7, None)])
+def test_a_label_ends_with_blank_tape_and_leader(blanks: int, leader: int, start: int | None) -> None:
+    assert frames.leader_start(b"A" + bytes(blanks) + frames.leader(leader) + octal("102 000")) == start
+
+
+def test_a_label_is_drawn_in_lines_of_72_columns() -> None:
+    assert frames.draw_label(b"\0" + octal("200 001 377") * 25 + b"\0") == [
+        *([" oo" * 24] + ["  o" * 24] * 6 + [("o o" * 24)]),
+        *([" oo"] + ["  o"] * 6 + ["o o"]),
+    ]
+    assert [frames.has_leader(tape) for tape in (b"\0A", b"\x80A", b"A\0", b"")] == [True, True, False, False]
+
+
 def test_an_end_of_block_is_no_trailer() -> None:
     assert frames.strip(octal("000 040 200 000"), frames.BLANK) == (b"\0", octal("040 200"), b"\0")

@@ -6,13 +6,18 @@ import pytest
 
 from tapes.hydrapoint import (
     CAROUSEL,
+    COOLANT,
     FEED_TOLERANCE,
     FIELDS,
+    HOLE_MAKING,
     MISCELLANEOUS,
+    NEXT_TOOL,
     POSITIONING_SPEED,
     PREPARATORY,
     RESOLUTION,
+    ROWS,
     SPINDLE,
+    STOPS,
     X_TRAVEL,
     XY_FEED,
     Y_TRAVEL,
@@ -76,7 +81,11 @@ def test_the_specification() -> None:
     assert (X_TRAVEL, Y_TRAVEL, Z_TRAVEL) == (20000, 10000, 5000)
     assert (POSITIONING_SPEED, FEED_TOLERANCE, RESOLUTION) == (300, 0.2, 0.001)
     assert [*CAROUSEL] == [*range(1, 25)]
-    assert [*FIELDS.values(), 1] == [3, 1, 5, 5, 1, 2, 2, 1]
+    assert dict(zip(Block._fields, (3, 1, 5, 5, 1, 2, 2), strict=True)) == FIELDS
+    assert ROWS == sum(FIELDS.values()) + 1 == 20
+    assert sorted(HOLE_MAKING) == [1, 4, 5, 7, 8]
+    assert [*sorted(STOPS), NEXT_TOOL] == [0, 2, 6, 0]
+    assert COOLANT == {7: "flood", 8: "mist", 9: "off"}
 
 
 @pytest.mark.parametrize(

@@ -71,6 +71,10 @@ def test_eia(blocks: list[str], leader: int, ended_first: bool) -> None:
         (octal("200 102 000 073 000 103 000 074 002"), "rim"),
         (octal("200 301 302 303"), "ascii"),
         (octal("200 105 040 001 147 040 003 040 040 040 001 001 200"), "eia"),
+        (b"ABCDEFGHI\1", "ascii"),  # nine in ten
+        (b"ABCDEFGH\1", "unknown"),
+        (octal("001 002 004 010 001 002 004 010 001 003 200"), "eia"),
+        (octal("001 002 004 010 001 002 004 010 003 200"), "unknown"),
         (bytes(range(256)), "unknown"),
         (b"\x89PNG\r\n\x1a\n\x00\x00\x00\rIHDR\x00\x00\x01\x2c\x00\x00\x00\xc8\x08\x06", "unknown"),
     ],

@@ -44,12 +44,11 @@ def test_it_appears_after_a_second_and_says_how_far_the_work_is(
 ) -> None:
     shown = screen(monkeypatch)
     with Bar("reading tape", 8) as bar:
-        clock[0] += 0.9
+        clock[0] += 0.5
         bar.show(1)
         assert shown.getvalue() == ""
-        clock[0] += 0.2
-        bar.show(2)
-        bar.show(4)
+        clock[0] += 0.5
+        assert list(bar.along("four")) == list("four")
     assert "reading tape" in shown.getvalue()
     assert "50%" in shown.getvalue()
     assert shown.getvalue().endswith("\x1b[1A\x1b[2K")  # the line is erased

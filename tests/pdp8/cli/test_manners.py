@@ -136,6 +136,8 @@ def test_page_and_table_share_no_stream_and_no_name(shell: Shell, tmp_path: Path
     assert done.stdout.startswith(b"<!DOCTYPE html>")
     assert b"thesis beside replay" not in done.stdout
     assert b"thesis beside replay" in done.stderr
+    done = shell("touch file; pdp8 replay drill --out file")
+    assert (done.returncode, done.stderr) == (1, b"pdp8 replay: file: File exists\n"), "before the first act"
     done = shell("pdp8 replay drill --html again/drill.eia --out again")
     assert done.returncode == 2
     assert b"is the name of another file of the replay" in done.stderr
@@ -244,6 +246,13 @@ def options(name: str) -> list[tuple[str, click.Option]]:
         for option in command.params
         if isinstance(option, click.Option) and not option.is_flag and (not name or name in option.opts)
     ]
+
+
+def test_no_clobber_stands_before_help_where_something_is_written() -> None:
+    for path, each in every_command(pdp8):
+        names = [param.name for param in each.get_params(click.Context(each))]
+        assert ("no_clobber" in names[-2:-1]) >= ("output" in names), path
+        assert "no_clobber" not in names[:-2], path
 
 
 def test_every_option_tells_what_it_takes_in_its_metavar() -> None:
