@@ -60,7 +60,6 @@ def _received(read: Callable[[int], bytes]) -> Iterator[Result]:
 
 def _work(exercise: Exercise, answers: Sequence[Answer], seconds: float, dialect: str, sink: int) -> None:
     """Mark the answers in this process, which ends with it and never returns."""
-    status = 1
     try:
         signal.signal(signal.SIGPROF, signal.SIG_DFL)
         _bound_memory()
@@ -70,13 +69,12 @@ def _work(exercise: Exercise, answers: Sequence[Answer], seconds: float, dialect
                 content = _content(exercise, answer, dialect)
                 pipe.write(len(content).to_bytes(4, "big") + content)
                 pipe.flush()
-        status = 0
     except MemoryError:
-        status = _NO_MEMORY
+        os._exit(_NO_MEMORY)
     except Exception:
         traceback.print_exc()
     finally:
-        os._exit(status)
+        os._exit(os.EX_OK)
 
 
 def _content(exercise: Exercise, answer: Answer, dialect: str) -> bytes:

@@ -62,8 +62,6 @@ class History:
         self._apart = _APART
         self._marks: list[_Mark] = []
         self._size = 0
-        self._newest = 0
-        """The tick of the newest snapshot."""
         self._next = 0
         """The first mark that was not come to, while the machine goes back."""
         self._left = self._began = self._values()
@@ -131,6 +129,7 @@ class History:
         self._size += _MARK + size(values)
         if whole:
             self._newest = self._stands[0]
+            """The tick of the newest snapshot."""
         if whole and sum(mark.whole for mark in self._marks) > _MOST:
             self._thin_out()
         while self._size > self._memory and self._forget_the_oldest():

@@ -27,13 +27,13 @@ def record(count: Count, listing: Listing) -> dict[str, object]:
 
 def table(count: Count, listing: Listing) -> Iterator[str]:
     """Yield the lines of a table for people."""
-    share = 100 / max(1, count.instructions)
     yield f"{count.instructions:,} instructions, {count.cycles:,} cycles, {_time(count.ticks)}"
-    yield f"waiting {100 * count.waiting / max(1, count.ticks):.2f} %, {_time(count.waiting)}"
+    share = 100 * count.waiting / count.ticks if count.ticks else 0
+    yield f"waiting {share:.2f} %, {_time(count.waiting)}"
     if count.interrupts:
         yield f"interrupts {count.interrupts:,}"
     for name, times in count.operations.most_common():
-        yield f"    {name:12} {times:15,} {share * times:7.2f} %"
+        yield f"    {name:12} {times:15,} {100 * times / count.instructions:7.2f} %"
     yield f"never executed: {ranges(never_executed(count, listing))}"
     yield f"written: {ranges(count.written)}"
 

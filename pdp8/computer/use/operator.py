@@ -182,8 +182,8 @@ class Operator:
         waits.
         """
         self.load_address(address)
-        if switches not in (None, address):
-            self.set_switches(int(switches or 0))
+        if switches is not None and switches != address:
+            self.set_switches(switches)
         self.wait(self.pace.pressing)
         self._note("start", None, f"START at {address:04o}.")
         self.panel.start()
@@ -259,7 +259,7 @@ class Operator:
         gap = rest[: len(rest) - len(rest.lstrip(bytes((LEADER, BLANK))))]
         if BLANK not in gap:
             return 0
-        self.mount(name, rest[gap.rfind(BLANK) + 1 :])
+        self.mount(name, rest[gap.rfind(BLANK) :])
         return read
 
     def _judge(self, stop: Stop, tape: bytes, name: str, force: bool) -> None:

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import signal
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -275,7 +276,9 @@ def test_an_answer_that_takes_too_long_is_ended_and_the_next_is_marked() -> None
     exercise = parse(HEAD + "[[case]]\nname='c'\nseconds=3600\nac=1\n", "e")
     loop = handed.of(b"*200\nL,\tTLS\n\tJMP L\n$\n", "loop.pal")
     good = handed.of(b"*200\n\tCLA CLL IAC\n\tHLT\n$\n", "good.pal")
+    before = signal.signal(signal.SIGPROF, signal.SIG_IGN)
     results = bounded.marked(exercise, [good, loop, good], 0.3)
+    signal.signal(signal.SIGPROF, before)
     assert [result.right for result in results] == [True, False, True]
     assert results[1].fault == "it took more than 0.3 s of processor time, and was ended"
     assert f"{bounded.SECONDS} s of processor time is all it gets" in DOCS.read_text()
@@ -324,7 +327,9 @@ def test_an_answers_marks_have_at_most_a_mebibyte(
     assert result.fault == (made.fault if kept else "its tapes and pages have more than 1,048,576 bytes")
 
 
-def test_an_error_of_ours_is_no_fault_of_an_answer(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_error_of_ours_is_no_fault_of_an_answer(
+    monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
     def broken(exercise: Exercise, answer: Answer, dialect: str) -> Result:
         raise KeyError(answer.name)
 
@@ -333,6 +338,7 @@ def test_an_error_of_ours_is_no_fault_of_an_answer(monkeypatch: pytest.MonkeyPat
         monkeypatch.setattr(sys, "platform", platform)
         with pytest.raises(error):
             bounded.marked(parse(HEAD + "[[case]]\nname='c'\n", "e"), [Answer("a")])
+    assert capfd.readouterr().err.endswith("KeyError: 'a'\n")
 
 
 def test_answers_that_differ_in_names_and_comments_look_alike() -> None:

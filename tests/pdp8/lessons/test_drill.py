@@ -59,6 +59,7 @@ def follow(session: Session, coach: Coach, end: int = 99) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_who_follows_the_card_is_done(name: str) -> None:
     session, coach = room(name)
+    assert coach.said == "Follow the card. The clock begins with your first key."
     follow(session, coach)
     assert coach.said.startswith("Done in ")
     assert coach.said.endswith("no mistake.")
@@ -171,7 +172,9 @@ def test_a_kiosk_begins_again_when_it_is_left_alone() -> None:
     press(session, coach, "dep", 0o7200)
     advance(session, coach, 59)
     assert coach.at == 2
-    advance(session, coach, 1)
+    session.advance(1)
+    assert coach.advance(1)
+    session.clear()
     assert (coach.at, session.machine.core[0o200], session.machine.pc, session.machine.sr) == (0, 0, 0, 0)
 
 

@@ -182,7 +182,7 @@ HOSTILE = [
 
 @pytest.mark.parametrize("content", HOSTILE, ids=range(len(HOSTILE)))
 def test_a_hostile_answer_is_marked_like_any_other(content: bytes) -> None:
-    given = exercise("ac=1\nseconds=10\ntape='AB'\npage='x'\nhint=\"\\u001b\"")
+    given = exercise("ac=1\nseconds=10\ntape='AB'\npage='x'")
     result = marking.mark(given, handed.of(content, "a\x1b[2J.pal"))
     said = "\n".join(scores.details(result))
     ElementTree.fromstring(records.as_junit(given, [result]).partition("\n")[2])
@@ -219,7 +219,7 @@ FAILURES = (
     *(marking.Failure("instructions", "", "7"), marking.Failure("the tape", b"\1\2\3", b"\1\2")),
     *(marking.Failure("the end", "a", "b"), marking.Failure("AC", "1", "2"), marking.Failure("L", "1", "0")),
 )
-MARKS = (marking.Mark("sum", 1, 1), marking.Mark("A<B", 0, 2, FAILURES, "l<k", "A <1"))
+MARKS = (marking.Mark("sum", 1, 1), marking.Mark("A<B", 0, 2, FAILURES, "l<k\x1b", "A <1"))
 CLASS = [
     marking.Result("ana\n", MARKS, 3),
     marking.Result("=b\x1b", (), 3, "no\tword"),
@@ -250,7 +250,7 @@ XML = f"""\
     <testcase name="sum" classname="e" />
     <testcase name="A&lt;B" classname="e">
       <failure message="not as expected: {WRONG}">{escape(SAID)}
-hint: l&lt;k</failure>
+hint: l&lt;k\u241b</failure>
     </testcase>
   </testsuite>
   <testsuite name="=b\u241b" tests="2" failures="2">
@@ -290,7 +290,7 @@ HTML = f"""\
 <h2>A&lt;B</h2>
 <p>Tried with A &lt;1.</p>
 <pre>{escape(SAID)}</pre>
-<p class="hint">l&lt;k</p>
+<p class="hint">l&lt;k\x1b</p>
 </body></html>
 """
 
@@ -305,7 +305,7 @@ def test_marks_for_people_and_machines() -> None:
     assert list(page.body(CLASS[1])) == ["<h2>It was not tried</h2><pre>no      word</pre>"]
     lines = [line for result in CLASS[:2] for line in scores.details(result)]
     assert lines == [
-        *("ana\n: A<B, with A <1", *(f"  {line}" for line in SAID.splitlines()), "  hint: l<k"),
+        *("ana\n: A<B, with A <1", *(f"  {line}" for line in SAID.splitlines()), "  hint: l<k\x1b"),
         *("=b\x1b: no points", "  no      word"),
     ]
     failures = [
@@ -321,7 +321,7 @@ def test_marks_for_people_and_machines() -> None:
         "hint": None,
         "failures": [],
     }
-    wrong = {"points": 0, "of": 2, "hidden": False, "inputs": "A <1", "hint": "l<k", "failures": failures}
+    wrong = {"points": 0, "of": 2, "hidden": False, "inputs": "A <1", "hint": "l<k\x1b", "failures": failures}
     marks = [{"name": "sum", **right}, {"name": "A<B", **wrong}]
     ana = {"answer": "ana\n", "right": False, "points": 1, "of": 3, "fault": None, "marks": marks}
     ben = {"answer": "=b\x1b", "right": False, "points": 0, "of": 3, "fault": "no\tword", "marks": []}

@@ -93,6 +93,14 @@ def test_by_hand() -> None:
         *("    JMS                        1   14.29 %", "    HLT                        1   14.29 %"),
         *("never executed: 0213", "written: 0210-0211"),
     ]
+    assert list(used.table(Count(), Listing())) == [
+        *(
+            "0 instructions, 0 cycles, 0.0 s",
+            "waiting 0.00 %, 0.0 s",
+            "never executed: none",
+            "written: none",
+        ),
+    ]
 
 
 def test_a_jms_to_0000_is_no_interrupt() -> None:
