@@ -62,8 +62,6 @@ class History:
         self._apart = _APART
         self._marks: list[_Mark] = []
         self._size = 0
-        self._next = 0
-        """The first mark that was not come to, while the machine goes back."""
         self._left = self._began = self._values()
         """The machine as the last run left it, and as that run began."""
         self._stands = self._moment()
@@ -233,6 +231,7 @@ class History:
                 self._run_to(mark.clock)
             self.machine.put(mark.values)
         self._next = count
+        """The first mark that was not come to."""
 
     def _run_to(self, clock: int) -> None:
         while (ticks := clock - self.machine.processor.clock) > 0:

@@ -21,7 +21,8 @@ def test_source_and_its_tape_are_the_same_program(name: str) -> None:
 
 def test_a_rim_tape_is_its_own_tape() -> None:
     found = program.read(rim.encode(WORDS), "x.rim")
-    assert (found.kind, found.words, found.tape) == (kinds.RIM, WORDS, rim.encode(WORDS))
+    assert (found.name, found.kind, found.words) == ("x.rim", kinds.RIM, WORDS)
+    assert found.tape == rim.encode(WORDS)
     assert found.listing.symbols == {}
     assert found.listing.line(0o200, 0o7001) == "0200  7001          IAC             /0200 7001"
 
@@ -37,7 +38,7 @@ def test_where_two_programs_could_be_core_decides() -> None:
     ("content", "said"),
     [
         (b"*200\n\tJMP 400\n$\n", "x: not loaded, it has 1 error\nx:2:"),
-        (b"*200\nFIELD 1\n*200\n1\n$\n", "x: address 10200: a PDP-8/L with 4K of core ends at 07777"),
+        (b"*200\nFIELD 1\n*0\n1\n$\n", "x: address 10000: a PDP-8/L with 4K of core ends at 07777"),
         (b"", "x: the program tape is empty"),
         (bytes(9), "x: the program tape is blank"),
         (b"$\n", "x: no word in it goes into core"),
@@ -50,7 +51,19 @@ def test_where_two_programs_could_be_core_decides() -> None:
 def test_what_is_no_program_is_refused_by_name(content: bytes, said: str) -> None:
     with pytest.raises(WorkError) as refused:
         program.read(content, "x")
-    assert str(refused.value).startswith(said)
+    assert str(refused.value).partition(said)[::2] == ("", str(refused.value)[len(said) :] * ("\n" in said))
+
+
+def test_a_field_0_is_read_and_the_last_word_of_core() -> None:
+    tape = binary.encode({0o200: 0o7402, 0o7777: 0o5200})
+    leader = len(tape) - len(tape.lstrip(b"\200"))
+    found = program.read(tape[:leader] + b"\300" + tape[leader:], "x")
+    assert (found.words, found.notes) == ({0o200: 0o7402, 0o7777: 0o5200}, ())
+
+
+def test_what_is_taken_for_pal8_is_noted() -> None:
+    for dialect, notes in (("auto", ("taken for PAL8, which it can only be",)), ("pal8", ())):
+        assert program.read(b"*200\n\tTAD (5\n\tHLT\n$\n", "x", dialect=dialect).notes == notes
 
 
 def test_the_first_of_many_errors_are_shown_and_all_counted() -> None:

@@ -2,6 +2,7 @@
 
 import pytest
 
+import pal
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.trace import Listing, Trace, instruction
 from tests.pdp8.computer.bench import octal, program
@@ -31,17 +32,25 @@ def test_an_instruction_a_line() -> None:
     ]
 
 
+def test_a_listing_is_the_assemblys() -> None:
+    listing = Listing.of(pal.assemble("/A\n*200\nB,\tHLT\t/C\n$\n"))
+    assert listing.lines == [f"{'':12}/A", f"{'':12}*200", "0200  7402  B,      HLT     /C"]
+    assert (listing.words, listing.places, listing.numbers) == ({0o200: 0o7402}, {0o200: 2}, {0o200: 3})
+    assert listing.symbols == {"B": 0o200}
+
+
 def test_a_cycle_a_line() -> None:
     machine = program(*octal("1410 7402"))
+    machine.link = 1
     machine.core[0o10] = 0o277
     machine.core[0o300] = 0o1234
     lines = traced(machine, True)
     machine.run()
     assert lines == [
-        "          0.00 us  FETCH    0 0000  0200 1410  0200  1410          TAD I 0010",
-        "          1.60 us  DEFER    0 0000  0010 0300  0200  1410          TAD I 0010",
-        "          3.20 us  EXECUTE  0 1234  0300 1234  0200  1410          TAD I 0010",
-        "          4.80 us  FETCH    0 1234  0201 7402  0201  7402          HLT",
+        "          0.00 us  FETCH    1 0000  0200 1410  0200  1410          TAD I 0010",
+        "          1.60 us  DEFER    1 0000  0010 0300  0200  1410          TAD I 0010",
+        "          3.20 us  EXECUTE  1 1234  0300 1234  0200  1410          TAD I 0010",
+        "          4.80 us  FETCH    1 1234  0201 7402  0201  7402          HLT",
     ]
 
 
