@@ -83,12 +83,6 @@ def test_what_functions_draw_is_right_by_another_way() -> None:
     assert good == set(range(1, 30)) - {20}
 
 
-def test_each_slip_has_a_hint_of_its_own() -> None:
-    sheet = form.read("read-a-frame")
-    (found,) = [result for what, result in proof.mistakes(sheet) if what == "a: 184"]
-    assert [mark.hint for mark in found.marks if mark.failures] == ["That is decimal; tape is read in octal."]
-
-
 PROGRAM = 'title="t"\ntask="t"\nsolution="*200\\n\\tHLT\\n$\\n"\n'
 
 

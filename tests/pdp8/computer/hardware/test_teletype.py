@@ -4,7 +4,6 @@ from itertools import pairwise
 
 import pytest
 
-from pdp8.computer.hardware.signals import CLEAR_AC, SKIP
 from pdp8.computer.hardware.teletype import Receiver, Transmitter, half_units, printed
 from pdp8.computer.machine import Machine
 from tests.pdp8.computer.bench import machine, octal, program
@@ -37,17 +36,6 @@ def test_initialize_reads_one_frame_and_no_more() -> None:
     assert (r.buffer, r.reader.position, r.reader_run) == (0o123, 1, 0)
     r.advance(100_000_000)
     assert (r.buffer, r.reader.position, r.flag) == (0o123, 1, 1)
-
-
-def test_ksf_krs_kcc() -> None:
-    r = receiver(b"\123")
-    assert r.pulse(1, 0, 10) == 0
-    r.advance(1_545_455)
-    assert r.pulse(1, 0, 1_545_456) == SKIP
-    assert r.pulse(4, 0, 1_545_457) == 0o123
-    assert r.pulse(2, 0, 1_545_458) == CLEAR_AC
-    assert r.flag == 0
-    assert r.pulse(4, 0, 1_545_459) == 0o123
 
 
 def test_the_buffer_is_the_shift_register() -> None:
@@ -120,26 +108,6 @@ def test_kcc_before_preset_is_undone_by_it(tick: int, run: int) -> None:
     r.pulse(2, 0, tick)
     r.advance(100_000)
     assert r.reader_run == run
-
-
-def test_keys_do_not_wait_for_reader_run() -> None:
-    r = receiver(b"", run=0)
-    r.advance(1000)
-    r.keyboard.press(b"\301\302")
-    r.advance(1000)
-    assert flag_at(r, 1000 + 1_545_455) == 1
-    assert r.buffer == 0o301
-    assert flag_at(r, 1000 + 2_000_000 + 1_545_455) == 1
-    assert r.buffer == 0o302
-
-
-def test_the_lever() -> None:
-    r = receiver(b"\1\2")
-    r.reader.lever(False)
-    assert flag_at(r, 10_000_000) == 0
-    r.reader.lever(True)
-    r.advance(10_000_000)
-    assert [flag_at(r, 10_000_000 + tick) for tick in (1_545_454, 1_545_455)] == [0, 1]
 
 
 def test_initialize_in_a_space_makes_a_false_character_of_the_rest() -> None:

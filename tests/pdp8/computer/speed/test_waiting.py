@@ -66,15 +66,6 @@ def test_a_limit_is_a_limit() -> None:
     assert m.run(seconds=0.001).reason == "limit"
 
 
-def test_a_run_goes_on_with_another_tape() -> None:
-    m = program(*octal(COPY))
-    m.teletype.reader.load(b"\301\302")
-    assert m.run().reason == "tape out"
-    m.teletype.reader.load(b"\303")
-    assert m.run().reason == "tape out"
-    assert m.teletype.punch.tape == b"\301\302\303"
-
-
 def test_a_hundred_seconds_of_waiting_are_passed_over() -> None:
     m = program(*octal("6031 5200 6036 5200"))
     m.teletype.reader.load(bytes(1000))
