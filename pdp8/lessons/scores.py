@@ -21,8 +21,8 @@ from tapes.frames import draw
 if TYPE_CHECKING:
     from rich.table import Table
 
-_AROUND = 2
-"""Frames of a tape shown before the first wrong one, and twice as many after it."""
+_BEFORE, _AFTER = 2, 4
+"""Frames of a tape shown before the first wrong one, and after it."""
 _WIDEST = 60
 _FAILURES = 6
 _NO_CARET = ("the end", "the time", "instructions")
@@ -111,7 +111,7 @@ def _first_difference(one: Sequence[object], other: Sequence[object]) -> int:
 
 def _tapes(what: str, expected: bytes, got: bytes) -> Iterator[str]:
     at = _first_difference(expected, got)
-    start, stop = max(0, at - _AROUND), at + 2 * _AROUND + 1
+    start, stop = max(0, at - _BEFORE), at + _AFTER + 1
     yield f"{what}: {len(got):,} frames, {len(expected):,} expected; the first difference is frame {at}"
     yield "   frame    expected               got"
     for number in range(start, min(stop, max(len(expected), len(got)))):

@@ -80,13 +80,14 @@ def test_by_hand() -> None:
     assert count.cycles == 3 * 2 + 2 * 1 + 2 + 1
     listing = Listing()
     listing.words = {0o200: 0o2210, 0o213: 0}
+    count.waiting, count.interrupts = 88, 1234
     assert used.record(count, listing) == {
-        **{"instructions": 7, "cycles": 11, "interrupts": 0, "seconds": 17.6e-6, "waiting_seconds": 0},
+        **{"instructions": 7, "cycles": 11, "interrupts": 1234},
+        **{"seconds": 17.6e-6, "waiting_seconds": 4.4e-6},
         "operations": {"ISZ": 3, "JMP": 2, "JMS": 1, "HLT": 1},
         "executed": {"0200": 3, "0201": 2, "0202": 1, "0212": 1},
         **{"written": {"0210": 3, "0211": 1}, "never_executed": ["0213"]},
     }
-    count.waiting, count.interrupts = 88, 1234
     assert list(used.table(count, listing)) == [
         *("7 instructions, 11 cycles, 0.0 s", "waiting 25.00 %, 0.0 s", "interrupts 1,234"),
         *("    ISZ                        3   42.86 %", "    JMP                        2   28.57 %"),

@@ -41,6 +41,8 @@ def test_a_listing_is_the_assemblys() -> None:
 
 def test_a_cycle_a_line() -> None:
     machine = program(*octal("1410 7402"))
+    machine.wait(0.001)
+    machine.start(0o200)
     machine.link = 1
     machine.core[0o10] = 0o277
     machine.core[0o300] = 0o1234
@@ -52,6 +54,14 @@ def test_a_cycle_a_line() -> None:
         "          3.20 us  EXECUTE  1 1234  0300 1234  0200  1410          TAD I 0010",
         "          4.80 us  FETCH    1 1234  0201 7402  0201  7402          HLT",
     ]
+
+
+def test_of_an_instruction_that_began_before_the_end_is_told() -> None:
+    machine = program(*octal("1300"))
+    machine.processor.cycle()
+    lines = traced(machine, False)
+    machine.run(instructions=1)
+    assert lines[0] == f"{0:14.2f} us  0 0000  0300 0000  "
 
 
 def test_an_interrupt_and_a_wait_are_told() -> None:
