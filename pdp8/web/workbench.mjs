@@ -9,7 +9,7 @@
 // In HTML its section has data-pane, the name that ?embed= knows, and data-tab, if it is a tab of the desk.
 
 import { Afternoon } from "./bench/afternoon.mjs";
-import { embed, enlargeable, rest } from "./bench/alone.mjs";
+import { embed, enlargeable, rest, RESTS } from "./bench/alone.mjs";
 import { Apart, serve } from "./bench/apart.mjs";
 import { booted } from "./bench/boot.mjs";
 import { checked } from "./bench/checker.mjs";
@@ -43,6 +43,7 @@ import { Writer } from "./sheet.mjs";
 import { find, grouped, octal } from "./written.mjs";
 
 const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT", reached: "reached" };
+const UTF16 = [0xfffe, 0xfeff]; // its byte order marks
 const WAITS = ["tape out", "idle"]; // the program goes on when somebody does something
 
 class Bench {
@@ -177,18 +178,20 @@ class Bench {
    */
   async take(file, reader = null) {
     const { name } = file;
+    this.say("");
     if (file.size > LARGEST) {
       this.say(`${name}: longer than ${grouped(LARGEST)} bytes, the most that is read of a file`);
       return;
     }
     const frames = bytes(new Uint8Array(await file.arrayBuffer()));
     const text = new TextDecoder().decode(frames);
+    const source = /\.(pa[l8]?|txt|src)$/i.test(name);
     try {
       if (reader) this.teletype.mount(this.shelf.put(name, frames));
       else if (text.startsWith("{")) this.#written(name, JSON.parse(text), text);
       else if (name.endsWith(".toml")) this.say(`${name} is an exercise as a teacher writes it; what this page takes is said under Exercises`);
-      else if (/\.(pa[l8]?|txt|src)$/i.test(name)) this.#source(name, frames);
-      else if (!frames.length || kinds.classify(frames) === kinds.UNKNOWN) this.say(`${name} is no tape, program, state or exercise; dropped on the reader, it is read as a tape all the same`);
+      else if (kinds.classify(frames) === kinds.UNKNOWN || !(source || frames.length)) this.say(`${name} is no tape, program, state or exercise; dropped on the reader, it is read as a tape all the same`);
+      else if (source) this.#source(name, frames);
       else this.#tape(this.shelf.put(name, frames));
     } catch (error) {
       this.say(String(error.message ?? error));
@@ -196,6 +199,7 @@ class Bench {
   }
 
   #source(name, frames) {
+    if (UTF16.includes((frames[0] << 8) | frames[1])) throw new Error(`${name}: UTF-16, as PowerShell's > writes it; save it as UTF-8`);
     this.tabs.open("program");
     this.editor.open(name, frames);
   }
@@ -292,7 +296,7 @@ async function start() {
   embed(bench.tabs);
   enlargeable();
   wire(bench);
-  rest();
+  if (RESTS) rest();
   await bench.open();
   // For the curious, at the browser's console: workbench.machine.core[0o200] ...
   window.workbench = bench;

@@ -1,6 +1,9 @@
 // Some panes alone: for a frame in another page, by ?embed=PANE,PANE; one for a projector, by the button in its corner.
 // And a screen that nobody attends: with ?rest=SECONDS the page begins afresh when it was not touched for so long.
 
+/** The seconds after which it begins afresh; 0 where somebody attends. Nothing is kept from one visitor to the next. */
+export const RESTS = Math.max(0, Number(new URLSearchParams(globalThis.location?.search).get("rest"))) || 0;
+
 const CORNER = `<svg viewBox="0 0 20 20" aria-hidden="true"><path d="M3 3h6v2H5v4H3zM11 15h4v-4h2v6h-6z"/></svg>`;
 
 /** Show the panes that the address asks for, with the time bar; all, where it asks for none that is there. */
@@ -23,12 +26,14 @@ export function enlargeable() {
 }
 
 export function rest() {
-  const seconds = Number(new URLSearchParams(location.search).get("rest"));
-  if (!(seconds > 0)) return;
+  const { href } = location; // without the instant that the afternoon will write there
   let timer;
   const touched = () => {
     clearTimeout(timer);
-    timer = setTimeout(() => location.reload(), 1000 * seconds);
+    timer = setTimeout(() => {
+      history.replaceState(null, "", href);
+      location.reload();
+    }, 1000 * RESTS);
   };
   for (const kind of ["pointerdown", "pointermove", "wheel", "keydown"]) addEventListener(kind, touched, true);
   touched();

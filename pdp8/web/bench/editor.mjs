@@ -293,22 +293,23 @@ export class Editor {
     return this.assembly;
   }
 
-  /** Put the words into core, and the switches and PC on the first of them from 0200 on. */
+  /** Put the words into core, and the switches and PC on the first of them from 0200 on; return whether they fit. */
   load() {
     const { words } = this.#stopped();
     try {
       this.bench.machine.load(words);
-      this.#ready();
     } catch (error) {
       this.bench.say(String(error));
+      return false;
     }
+    this.#ready();
+    return true;
   }
 
   /** Assemble, load and start; where it cannot be assembled, the first error is said. */
   run() {
     if (this.assemble()) {
-      this.load();
-      this.bench.switches.press("start");
+      if (this.load()) this.bench.switches.press("start");
       return;
     }
     const { diagnostics, summary } = this.assembly;

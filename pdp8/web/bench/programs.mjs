@@ -2,6 +2,7 @@
 // disk does no harm. No program is ever written over by another: what comes from elsewhere under a name that is taken
 // gets a free one.
 
+import { RESTS } from "./alone.mjs";
 import { free } from "./shelf.mjs";
 
 const PROGRAM = "pdp8 program: ";
@@ -10,7 +11,7 @@ const PROGRAM = "pdp8 program: ";
 export function keep(name, text) {
   try {
     if (text === null) localStorage.removeItem(name);
-    else localStorage.setItem(name, text);
+    else if (!RESTS) localStorage.setItem(name, text);
     return "";
   } catch (error) {
     return String(error.message ?? error);
@@ -19,7 +20,7 @@ export function keep(name, text) {
 
 export function kept(name) {
   try {
-    return localStorage.getItem(name);
+    return RESTS ? null : localStorage.getItem(name);
   } catch {
     return null;
   }
@@ -29,7 +30,7 @@ export class Programs {
   constructor() {
     this.texts = new Map();
     this.refused = keep("pdp8", ""); // why this browser keeps nothing
-    const keys = this.refused ? [] : Object.keys(localStorage).filter((key) => key.startsWith(PROGRAM));
+    const keys = this.refused || RESTS ? [] : Object.keys(localStorage).filter((key) => key.startsWith(PROGRAM));
     for (const key of keys) this.texts.set(key.slice(PROGRAM.length), kept(key));
   }
 

@@ -116,6 +116,15 @@ def test_a_file_that_is_nothing_of_ours(tab: Tab) -> None:
     picture = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + bytes(range(255, 100, -1))
     drop(tab, "photo.png", picture)
     tab.until("document.getElementById('next').textContent.includes('photo.png is no tape')")
+    for name, content, said in (
+        ("photo.pal", picture, "photo.pal is no tape"),
+        ("power.pal", "*200\n$\n".encode("utf-16"), "power.pal: UTF-16"),
+    ):
+        drop(tab, name, content)
+        tab.until(f"document.getElementById('next').textContent.includes('{said}')")
+    drop(tab, "mine.pal", b"*200\n$\n")
+    tab.until("workbench.editor.name === 'mine.pal'")
+    assert "UTF-16" not in tab.run("return document.getElementById('next').textContent")
     assert tab.run("return workbench.machine.teletype.reader.loaded") is False
     drop(tab, "photo.png", picture, "#reader")
     tab.until(f"workbench.machine.teletype.reader.tape.length === {len(picture)}")

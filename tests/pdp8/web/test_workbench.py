@@ -276,17 +276,34 @@ def test_an_embedded_pane(browser: "Browser", file: Path) -> None:
     opened.close()
 
 
-def test_a_screen_that_nobody_touches_begins_afresh(browser: "Browser", file: Path) -> None:
+def test_a_screen_that_nobody_touches_begins_afresh(browser: "Browser", circle_page: Path) -> None:
+    """It plays again, each time, wherever the afternoon stood, and has nothing of the visitor before."""
     opened = browser.new_page()
-    opened.goto(f"{file.as_uri()}?rest=1")
+    opened.goto(f"{circle_page.as_uri()}?rest=1")
     opened.evaluate(
         "window.visitor = setInterval(() => document.dispatchEvent(new PointerEvent('pointermove')), 100)"
     )
+    until(opened, "!!window.workbench?.afternoon.playing")
     opened.wait_for_timeout(1200)
-    assert opened.evaluate("!!window.visitor")
-    with opened.expect_navigation():
-        opened.evaluate("clearInterval(visitor)")
+    for _ in range(2):
+        assert opened.evaluate("!!window.visitor")
+        opened.evaluate("workbench.afternoon.play(false); workbench.programs.take('mine.pal', 'RUDE WORDS')")
+        until(opened, "location.hash !== ''")
+        with opened.expect_navigation():
+            opened.evaluate("clearInterval(window.visitor)")
+        opened.evaluate(
+            "window.visitor = setInterval(() => dispatchEvent(new PointerEvent('pointermove')), 100)"
+        )
+        until(opened, "!!window.workbench?.afternoon.playing")
+        assert opened.evaluate("workbench.programs.names().includes('mine.pal')") is False
     opened.close()
+
+
+def test_a_source_that_does_not_fit_is_not_run(page: "Page") -> None:
+    _write(page, "*200\n\tHLT\n\tFIELD 1\n*200\n\tHLT\n$\n")
+    page.locator("#run-it").click()
+    assert "10200" in page.locator("#next").inner_text()
+    assert page.evaluate("workbench.machine.processor.run") == 0
 
 
 def test_idle_costs_nothing(page: "Page") -> None:
