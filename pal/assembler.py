@@ -38,7 +38,7 @@ START = 0o200  # the origin before any other
 TELETYPE_SYMBOLS = 585  # room for the source's symbols with the source in the ASR-33's reader
 HIGH_SPEED_SYMBOLS = 489  # and in the high-speed reader, whose buffer takes the rest
 
-ORIGIN, FIELD, CHECKSUM = range(3)
+ORIGIN, FIELD, CHECKSUM = 0, 1, 2
 
 _MASK = 0o7777
 _OPERATORS = {" ": 0, "\t": 0, "+": 1, "-": -1}

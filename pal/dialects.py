@@ -71,7 +71,7 @@ def _of_character(code: int) -> str:
     if code < 0o200:
         return ""
     character = chr(code & 0o177)
-    if character.islower():
+    if "a" <= character <= "z":
         return "PAL III knows capital letters only"
     return _CHARACTERS.get(character, "")
 

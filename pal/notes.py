@@ -196,7 +196,7 @@ def _near(name: str, other: str) -> bool:
     shorter = min(len(name), len(other))
     start = [*(one == two for one, two in zip(name, other, strict=False)), False].index(False)
     rest, others = name[start:], other[start:]
-    if rest in (others[1:], others[1::-1] + others[2:]) or rest[1:] == others:
+    if rest in (others[1:], others[1:2] + others[:1] + others[2:]) or rest[1:] == others:
         return shorter > 2
     return shorter > 4 and rest[1:] == others[1:]
 

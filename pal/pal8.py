@@ -41,7 +41,7 @@ _MODES = ("DUBL", "FLTG")
 _MOST_FIGURES = 15  # with the point; a number is less than 2^53
 
 # What a symbol is.
-UNKNOWN, USER, INSTRUCTION, REFERENCE, PSEUDO = range(5)
+UNKNOWN, USER, INSTRUCTION, REFERENCE, PSEUDO = 0, 1, 2, 3, 4
 
 
 class Problem(NamedTuple):

@@ -90,7 +90,7 @@ def _illegal(source: Source, messages: Sequence[Message]) -> list[Note]:
         for character, at in illegal
         if character == ":" and source.items[at][0]
     ]
-    small = [at for character, at in illegal if character.islower()]
+    small = [at for character, at in illegal if "a" <= character <= "z"]
     if small:
         message = f"small letters are illegal characters in PAL III: {len(small):,} of them"
         notes.append(Note(LOWER_CASE, small[0], message, "`pal --modern` reads them as capitals"))
