@@ -31,7 +31,7 @@ Sources: GE-625/635 Programming Reference Manual, CPB-1004 (FAD, FMP, FDV, FST, 
 """
 
 from fractions import Fraction
-from math import ceil, floor, isqrt
+from math import floor, isqrt
 from typing import Any, Final, Protocol
 
 
@@ -120,9 +120,6 @@ class Float:
 
     def __floor__(self) -> int:
         return floor(self.exactly)
-
-    def __ceil__(self) -> int:
-        return ceil(self.exactly)
 
     @property
     def exactly(self) -> Fraction:

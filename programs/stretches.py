@@ -19,7 +19,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from itertools import pairwise
-from math import ceil, cos, radians, sin, sqrt
+from math import ceil, cos, floor, radians, sin, sqrt
 from typing import Any, Literal, NamedTuple
 
 from tapes.errors import WorkError
@@ -143,7 +143,7 @@ def arc(centre: Point, radius: float, start: float, sweep: float, tolerance: flo
 
 def _right_angles_between(start: float, last: float) -> list[float]:
     low, high = min(start, last), max(start, last)
-    between = [90.0 * turn for turn in range(ceil(low / 90), ceil(high / 90)) if low < 90 * turn < high]
+    between = [90.0 * turn for turn in range(floor(low / 90) + 1, ceil(high / 90))]
     return between if start <= last else list(reversed(between))
 
 

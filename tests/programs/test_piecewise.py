@@ -67,11 +67,8 @@ def test_believed_feeds_keep_the_band_only_if_they_are_right() -> None:
 
 
 def test_fewer_blocks_than_step_by_step_and_more_the_worse_the_feeds() -> None:
-    usual = piece(circle.part).count("\n")
     counts = [circle.part(milling=Milling("piece", feed_error=error)).count("\n") for error in (0, 0.1)]
-    counts.append(usual)
-    assert counts == sorted(counts)
-    assert counts[-1] < circle.part().count("\n") / 2
+    assert [*counts, piece(circle.part).count("\n"), circle.part().count("\n")] == [61, 208, 307, 666]
 
 
 def test_with_the_slowest_feed_alone_it_approaches_the_step_wise_limit() -> None:

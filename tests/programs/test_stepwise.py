@@ -3,12 +3,14 @@
 from fractions import Fraction
 from functools import partial
 from itertools import pairwise
-from math import dist, hypot, sin
+from math import cos, dist, hypot, radians, sin
 
+import numpy as np
 import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
+from nc.curves import Graph, nominal
 from programs import circle, curve, ellipse, fluidic, polynomial, slope, stepwise
 from programs.arithmetic import ARITHMETICS
 from programs.milling import Milling
@@ -177,6 +179,15 @@ def test_the_polynomials_stops_lie_on_the_boundaries_of_its_band(arithmetic: str
     assert max(map(abs, beyond)) < error + 6 * thousandth  # it climbs 5.8 to 1 at its end
 
 
+def test_the_polynomial_that_is_inspected_is_the_one_that_is_milled() -> None:
+    curve = nominal(**find("polynomial").nominal)
+    assert isinstance(curve, Graph)
+    path = milled(polynomial.part())
+    assert [1000 * curve.first + 4000, 1000 * curve.last + 4000] == [path[0].x, path[-1].x]
+    off = curve.deviations(np.array([(block.x, block.y) for block in path], dtype=float))
+    assert abs(off).max() < 11
+
+
 def test_the_other_rule_stops_inside() -> None:
     path = milled(polynomial.part(milling=Milling(stop="inside")))[1:-1]
     assert max(abs(height_above_the_polynomial(block.x, block.y)) for block in path) <= Fraction(1, 100)
@@ -200,8 +211,18 @@ def test_chapter_3s_slope() -> None:
     assert set(functions[1::2]) == {84}
 
 
+def ends(segment: fluidic.Segment) -> list[tuple[float, float]]:
+    if isinstance(segment, fluidic.Slope):
+        return [segment.start, segment.end]
+    (x, y), radius, start, sweep = segment
+    angles = (radians(start), radians(start + sweep))
+    return [(x + radius * cos(angle), y + radius * sin(angle)) for angle in angles]
+
+
 def test_the_fluidic_element_is_symmetrical_and_of_the_chapters_make_up() -> None:
     outline = fluidic.outline()
+    for before, after in pairwise([*outline, outline[0]]):
+        assert dist(ends(before)[1], ends(after)[0]) < 0.0015
     slopes = [
         segment
         for segment in outline
