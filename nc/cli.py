@@ -217,7 +217,7 @@ def export(gcode: bool, dxf: bool, output: str, **options: Any) -> None:
     if gcode:
         from nc.gcode import gcode as program
 
-        command.put(output, "\n".join(program(path)) + "\n")
+        command.put(output, "".join(f"{line}\n" for line in program(path)))
         return
     from nc.dxf import dxf as drawing
 

@@ -151,11 +151,21 @@ def test_other_parts_have_no_thesis_beside_them() -> None:
     assert "thesis" not in "\n".join(inspection_report(inspect(nc.cut(CIRCLE), cutter=250)))
 
 
-@pytest.mark.parametrize(("y", "said"), [(3999.5, "+.0005"), (4000, "+.0000"), (4000.5, "-.0005")])
-def test_half_a_thousandth_has_its_sign(y: float, said: str) -> None:
+@pytest.mark.parametrize(
+    ("y", "said", "verdict"),
+    [
+        (3999.5, "+.0005", "within"),
+        (4000, "+.0000", "within"),
+        (4000.5, "-.0005", "within"),
+        (3994.96, "+.0050", "within"),
+        (4005.06, "-.0051", "out of"),
+    ],
+)
+def test_an_error_has_its_sign_and_four_places(y: float, said: str, verdict: str) -> None:
     path = nc.cut(tape(*HEADER, *milling([(3250, 4000)], (2250, 4000))))
-    report = inspection_report(inspect(path, StraightLine(2250, y, 3250, y)))
+    report = list(inspection_report(inspect(path, StraightLine(2250, y, 3250, y))))
     assert f"whole length  outer     {said}   {said}           .0000" in report
+    assert report[-1].startswith(f"{verdict} tolerance: {said} at most")
 
 
 def test_the_contour_alone_is_read_and_milled() -> None:
