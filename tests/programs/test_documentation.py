@@ -192,22 +192,11 @@ def test_errata_the_polynomials_frames() -> None:
     assert "50 minutes are 25 frames a line, 60 are 30" in ERRATA
 
 
-def test_errata_the_depth_of_the_slot() -> None:
-    """Block 006 of Appendix C's header: Z feed point 3.000, final depth 3.500."""
-    modes = machined(circle.part()).steps[5].modes
-    assert (modes.feed_point, modes.final_depth) == (3000, 3500)
-
-
 def test_errata_the_minutes_of_circle_and_ellipse() -> None:
     times = ((circle.part(), None, 35.9), (ellipse(), None, 36.1), (ellipse(), 1, 53.2))
     for printout, code, minutes in times:
         assert round(machined(printout, code).contour.total / 60, 1) == minutes
         assert str(minutes) in ERRATA
-
-
-def test_the_efficiency_of_chapter_10_is_right() -> None:
-    """Not an erratum: its own 1000 blocks of 2 s, of its 50 minutes."""
-    assert f"{(50 - 1000 * 2 / 60) / 50:.0%}" == "33%"
 
 
 def test_all_of_core_is_within_three_octal_digits() -> None:

@@ -239,12 +239,6 @@ def test_the_circles_tape_is_27_frames_a_line(shell: Shell) -> None:
     assert tape[19:27] == bytes([0o215, 0o212, *[0o377] * 6])
 
 
-@pytest.mark.parametrize("options", ["--parity even", "--parity none --fill 0"])
-def test_a_tape_to_a_file_is_the_tape_to_a_pipe(shell: Shell, options: str) -> None:
-    done = shell(f"pdp8 part ellipse {options} -o there.asc && pdp8 part ellipse {options} | cmp - there.asc")
-    assert done.returncode == 0
-
-
 def test_compare_shows_the_nine_blocks_side_by_side(shell: Shell) -> None:
     lines = shell("pdp8 part compare ellipse").stdout.decode().splitlines()
     assert lines[0].split() == ["block", "exact", "ge635"]
@@ -279,12 +273,6 @@ def test_a_full_disk_and_a_closed_pipe(shell: Shell) -> None:
     assert b"No space left" in full.stderr
     closed = shell("pdp8 part ellipse | head -c 1")
     assert closed.stderr == b""
-
-
-def test_a_folder_is_no_file(shell: Shell) -> None:
-    done = shell("mkdir here && pdp8 part circle -o here")
-    assert done.returncode == 1
-    assert done.stderr.decode().count("\n") == 1
 
 
 @pytest.mark.parametrize(

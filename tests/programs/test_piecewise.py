@@ -1,7 +1,6 @@
 """The piece-wise technique: the machine's own way, feeds wrong or right, stays in the band."""
 
 from collections.abc import Callable, Iterator
-from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 from math import dist
@@ -14,8 +13,8 @@ from programs import circle, die, ellipse, polynomial, slope
 from programs.milling import Milling
 from programs.piecewise import Technique, way
 from programs.printout import Printout
-from programs.stretches import Point, arc, line, oval
-from tests.programs.printouts import TRAVEL_X, blocks, milled
+from programs.stretches import Point, arc, line
+from tests.programs.printouts import blocks, milled
 
 FEEDS = {1: 1.0, 2: 1.9, 3: 2.7, 4: 4.0, 5: 5.5, 6: 7.2, 7: 9.1, 8: 11.2}
 errors = st.sampled_from([0.8, 0.9, 1.0, 1.1, 1.2])
@@ -71,12 +70,6 @@ def test_fewer_blocks_than_step_by_step_and_more_the_worse_the_feeds() -> None:
     assert [*counts, piece(circle.part).count("\n"), circle.part().count("\n")] == [61, 208, 307, 666]
 
 
-def test_with_the_slowest_feed_alone_it_approaches_the_step_wise_limit() -> None:
-    """Chapter 3: at 1 in/min "the Piece-wise Linear will approach the limiting case"."""
-    slowest = circle.part(milling=Milling("piece", fastest=1)).count("\n")
-    assert 0.85 * 666 < slowest < 666
-
-
 @pytest.mark.parametrize("part", [circle.part, ellipse.part, die.part])
 def test_a_closed_contour_closes(part: Callable[..., str]) -> None:
     path = milled(piece(part))
@@ -113,10 +106,3 @@ def test_the_way_has_the_corner_of_figure_3_1() -> None:
     passed = list(way(Point(0, 0), Point(120, 120), (2.0, 1.0)))
     assert (120.0, 60.0) in passed
     assert passed[-1] == (120, 120)
-
-
-def test_a_whole_number_of_thousandths_is_asked_of_all_stops() -> None:
-    curve = oval(Point(4000, 4000), 500, (495, 495), (505, 505))
-    for ray in Technique().rays(curve):
-        assert isinstance(ray.stop.x, int)
-        assert abs(Fraction(ray.stop.x) - 4000) < TRAVEL_X
