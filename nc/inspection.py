@@ -153,8 +153,8 @@ def followed(path: Path, tolerance: float) -> Curve | None:
     cuts = segments(path.cuts)
     if not len(cuts):
         return None
-    ends, middles = np.concatenate([cuts[:1, :2], cuts[:, 2:]]), (cuts[:, :2] + cuts[:, 2:]) / 2
-    return fitted(np.concatenate([ends[:1], middles, ends[1:]]), within=_follows(tolerance))
+    starts, ends = cuts[:, :2], cuts[:, 2:]
+    return fitted(np.vstack([starts[0], (starts + ends) / 2, ends]), within=_follows(tolerance))
 
 
 def _follows(tolerance: float) -> float:

@@ -281,13 +281,11 @@ def _nearest(mantissa: int, bits: int) -> tuple[int, int]:
 
 
 def _quotient(over: int, under: int) -> tuple[int, int]:
-    """A quotient of more bits than any word has; its last bit is 1 if there is a remainder."""
-    whole, rest = divmod(abs(over) << 160, abs(under))
-    quotient = whole << 1 | (rest != 0)
-    return (quotient if (over < 0) == (under < 0) else -quotient), -161
+    """A quotient cut so far out that the cut crosses neither a word nor the middle of two."""
+    return (over << 256) // under, -256
 
 
 def _root(value: Float) -> tuple[int, int]:
-    """A root cut to more bits than lie between an irrational one and the middle of two words."""
+    """A root cut so far out that the cut crosses neither a word nor the middle of two."""
     odd = value.exponent & 1
     return isqrt(value.mantissa << (256 + odd)), (value.exponent - odd) // 2 - 128

@@ -236,6 +236,8 @@ class TestCurves:
         fine, rough = (nc.cut(tape(*HEADER, *milling(staircase(1750, by), (2250, 4000)))) for by in (19, 22))
         assert followed(fine, 1) == followed(rough, 6) == THE_CIRCLE
         assert followed(rough, 5) is None
+        straight = nc.cut(tape(*HEADER, *milling([(3250, 4000), (4250, 4000)], (2250, 4000))))
+        assert followed(straight, 5) == StraightLine(2250, 4000, 4250, 4000)
         there_and_back = np.array([[0.0, 0], [1000, 0], [2000, 0], [0, 0]])
         assert fitted(there_and_back, within=5) is fitted(there_and_back[:, ::-1], within=5) is None
         assert fitted(np.array([[0.0, 0], [1000, 0], [1000, 700], [0, 700], [500, 100]]), within=20) is None

@@ -34,13 +34,15 @@ def test_modes_and_the_clock_after_each_block() -> None:
 
 
 def test_every_column_of_modes_stands_under_its_heading() -> None:
-    heading, *rows = lines(nc.cut(tape(*HEADER, "007 6 02250 04133 0 01 85")), modes=True)
+    blocks = (*HEADER, "007 6 02250 04133 0 01 85", "008 0 02250 04133 0 00 81")
+    heading, *rows = lines(nc.cut(tape(*blocks)), modes=True)
     for name, value in (
         ("Y feed", "1.0"),
         ("rpm", "2000"),
         ("tool", "01"),
         ("coolant", "mist"),
-        ("time", "1:01.0"),
+        ("retract", "partial"),
+        ("time", "1:03.1"),
     ):
         end = heading.index(name) + len(name)
         assert rows[-1][:end].endswith(value), name

@@ -49,3 +49,5 @@ def assert_fit_for_the_machine(printout: str) -> None:
             moved = {84: block.y == before.y, 85: block.x == before.x}[block.function]
             assert moved, f"block {block.sequence:03} moves in both axes"
             assert (block.x, block.y) != (before.x, before.y), f"block {block.sequence:03} does not move"
+        else:
+            assert (block.preparatory, block.tool, block.function) == (0, 0, 80), f"block {block.sequence:03}"

@@ -62,6 +62,8 @@ REFUSED = [
     ("curve 1 --from 0 --to 99", "block 007: X 24.000 leaves the table"),
     ("curve 1 --from -99 --to 0", "block 005: X -16.000 leaves the table"),
     ("curve 1 --from -99 --to -50", "block 005: X "),
+    ("curve 1 --from -99 --to 99", "block 005: X -0.001 leaves the table"),
+    ("curve 1 --from -4 --to 99", "block 007: X 20.001 leaves the table"),
     ("curve 1 --from 30 --to 40", "block 005: X 34.000 leaves the table"),
     ("polynomial --cutter 4", "too big: at x ="),
     ("polynomial --cutter -1", "cutter of diameter -1 in: must be greater than 0"),
