@@ -72,7 +72,7 @@ class Technique:
     def _furthest(self, stretch: Stretch, at: Point, force: Feeds) -> Ray:
         """Return the ray from `at` of the greatest distance per block."""
         best, most = None, 0.0
-        for feeds in self._choices(stretch, force):
+        for feeds in self._choices(force):
             blocks = 1 + all(code and code != now for code, now in zip(feeds, force, strict=True))
             stop = self._reach(stretch, at, feeds, most * blocks)
             x, y = stop.x - at.x, stop.y - at.y
@@ -83,14 +83,11 @@ class Technique:
             raise WorkError(f"at X {at.x / 1000:.3f} Y {at.y / 1000:.3f} no pair of feeds stays in the band")
         return best
 
-    def _choices(self, stretch: Stretch, force: Feeds) -> Iterator[Feeds]:
+    def _choices(self, force: Feeds) -> Iterator[Feeds]:
         codes = range(1, self.fastest + 1)
-        if stretch.dx:
-            yield Feeds(force.x or 1, 0)
-        if stretch.dy:
-            yield Feeds(0, force.y or 1)
-        if stretch.dx and stretch.dy:
-            yield from (Feeds(x, y) for x in codes for y in codes)
+        yield Feeds(force.x or 1, 0)
+        yield Feeds(0, force.y or 1)
+        yield from (Feeds(x, y) for x in codes for y in codes)
 
     def _reach(self, stretch: Stretch, at: Point, feeds: Feeds, beyond: float) -> Point:
         """Return the furthest stop for `feeds`, or `at` if it is not further than `beyond`."""

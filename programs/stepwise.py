@@ -83,8 +83,6 @@ def _to_the_limit(stretch: Stretch, axis: Axis, at: Point) -> tuple[Point, bool]
         if (x, y) != at and stretch.reached(axis, x, y):
             return Point(x, y), False
         x, y = _next(stretch, axis, x, y)
-        if (x, y) == at:  # the stretch has no direction along this axis
-            return at, False
     return Point(x, y), True
 
 

@@ -47,7 +47,7 @@ class Side(IntEnum):
 
 @dataclass(frozen=True)
 class Stretch:
-    """A piece of a curve along which X has one direction (`dx`: 1, -1 or 0) and Y has one (`dy`).
+    """A piece of a curve along which X has one direction (`dx`: 1 or -1) and Y has one (`dy`).
 
     `side` returns the side of the band that a point is on; cuts along the axis `upward` lead to the upper
     limit, those along the other axis to the lower one. The stretch ends where a cut along X reaches `last_x`,
@@ -77,8 +77,8 @@ class Stretch:
     def leaves(self, axis: Axis, x: int, y: int) -> bool:
         """Whether the next thousandth of a cut along `axis` from `x`, `y` is outside the band."""
         if axis == "X":
-            return not self.dx or not self.inside(x + self.dx, y)
-        return not self.dy or not self.inside(x, y + self.dy)
+            return not self.inside(x + self.dx, y)
+        return not self.inside(x, y + self.dy)
 
 
 class Curve(NamedTuple):
@@ -202,8 +202,8 @@ def graph(first_x: int, lower: Sequence[Any], upper: Sequence[Any]) -> Curve:
     for here, there in pairwise(places):
         dy = _sign(middle[there] - middle[here])
         stretches.append(Stretch(1, dy, side, "Y" if dy > 0 else "X", last_x=first_x + there))
-    last_x = first_x + len(middle) - 1
-    return Curve(Point(first_x, round(middle[0])), tuple(stretches), Point(last_x, round(middle[-1])))
+    start, end = Point(first_x, round(middle[0])), Point(first_x + len(middle) - 1, round(middle[-1]))
+    return Curve(start, tuple(stretches) if max(middle) > min(middle) else (), end)
 
 
 def turning_points(heights: Sequence[float]) -> list[int]:

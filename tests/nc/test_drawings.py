@@ -8,6 +8,7 @@ from hashlib import sha256
 from importlib.util import find_spec
 from io import BytesIO
 from itertools import pairwise
+from math import dist
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -202,6 +203,13 @@ def test_the_halo_of_a_label_hides_none_of_its_letters() -> None:
     assert "paint-order" not in haloed.svg()
 
 
+def test_what_does_not_close_says_how_far_it_is_open() -> None:
+    said = " ".join(words(plot(half(), THE_CIRCLE, tolerance=600)))
+    gap = dist(staircase(1750, 5)[329], (2250, 4000)) / 1000
+    assert f"the contour ends {gap:.3f} in from its start" in said
+    assert "band ±0.600 in about" in said
+
+
 def test_a_window_holds_its_corners_and_nothing_beyond() -> None:
     held = [(x, y) for x in range(-1, 4) for y in range(-1, 3) if Window(0, 0, 2, 1).holds(x, y)]
     assert held == [(x, y) for x in (0, 1, 2) for y in (0, 1)]
@@ -228,7 +236,7 @@ def test_the_talyrond_magnifies_100_times_as_figure_7_2() -> None:
 def walled(curve: Curve, outer: float) -> Inspection:
     """Return an inspection of a curve whose outer wall is so far out, and whose inner one is nominal."""
     walls = Walls(curve.stations(2), np.full(2, float(outer)), np.zeros(2))
-    return replace(inspect(slope(), SLOPE), curve=curve, walls=walls)
+    return replace(inspect(slope(), SLOPE), curve=curve, walls=walls, cutter=5000)
 
 
 def test_the_talyrond_magnifies_as_much_as_its_divisions_leave_room_for() -> None:
@@ -238,7 +246,7 @@ def test_the_talyrond_magnifies_as_much_as_its_divisions_leave_room_for() -> Non
         strict=True,
     ):
         drawing = talyrond(walled(THE_CIRCLE, divisions))
-        assert f"radial magnification {times}, " in drawing, divisions
+        assert f"cutter 5.000 in · radial magnification {times}, " in drawing, divisions
         assert float(elements(drawing, "circle")[-1].get("r", "0")) == 45 + divisions * times / 10
 
 

@@ -86,7 +86,7 @@ def test_the_words_for_every_code() -> None:
 
 
 def test_the_day_with_the_circle() -> None:
-    assert list(cut_report(nc.cut(CIRCLE), passes=3)) == [
+    assert list(cut_report(nc.cut(CIRCLE), passes=2)) == [
         "blocks        666",
         "stop          block 1: end of program, waits for START",
         "milled        13.861 in, 660 blocks",
@@ -101,7 +101,7 @@ def test_the_day_with_the_circle() -> None:
         "tool changes      0.0 min   1, time not counted",
         "machining        36.7 min",
         "contour alone    35.9 min   660 milling blocks: reading 22.0, cutting 13.9, efficiency 39%",
-        "3 passes        110.1 min   36.7 each",
+        "2 passes         73.4 min   36.7 each",
     ]
 
 
@@ -124,6 +124,7 @@ def test_milling_at_several_feeds() -> None:
     ends = ("007 6 02250 05000 0 05 85", "008 6 02350 05000 0 02 84")
     said = list(cut_report(nc.cut(tape(*HEADER, *ends), settings=Settings((0.12345, -0.2, 0)))))
     assert "milling           0.3 min   at 2.135 to 4.4 in/min" in said
+    assert "milling ends  X 2.350 Y 5.000, 1.005 in from its start" in said
 
 
 def test_the_inspection_stands_beside_the_thesis() -> None:

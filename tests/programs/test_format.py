@@ -8,9 +8,9 @@ from programs import drill
 from programs.arithmetic import ARITHMETICS
 from programs.format import Format, Overflow
 from programs.header import Header
-from programs.printout import FORMAT_10, FORMAT_30
+from programs.printout import FORMAT_10, FORMAT_30, Printout
 from tapes.errors import WorkError
-from tapes.hydrapoint import block
+from tapes.hydrapoint import Block, block
 
 
 @pytest.mark.parametrize(
@@ -41,6 +41,12 @@ def test_an_i_field_takes_the_whole_part_of_a_real(value: float, printed: str) -
 
 def test_both_formats_are_nineteen_wide() -> None:
     assert FORMAT_10.width == FORMAT_30.width == 19
+
+
+def test_a_block_by_the_digits_of_its_groups() -> None:
+    printout = Printout()
+    printout.print_10(Block(76, 0, 19234, 4321, 0, 31, 88))
+    assert printout.text == " 760192340432103188\n"
 
 
 def test_the_six_blocks_of_the_header_decoded() -> None:

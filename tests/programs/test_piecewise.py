@@ -85,8 +85,8 @@ def test_a_line_at_a_ratio_of_two_feeds_is_one_ray() -> None:
     rays = list(Technique(fastest=2, feed_error=0).rays(line(Point(0, 0), Point(1900, 1000), 5)))
     assert [ray.stop for ray in rays] == [Point(1900, 1000)]
     assert rays[0].feeds == (2, 1)
-    for end, feeds in (((700, 0), (1, 0)), ((0, 700), (0, 1)), ((1900, 4000), (2, 4)), ((4000, 1900), (4, 2))):
-        assert list(Technique(5, 0).rays(line(Point(0, 0), Point(*end), 200))) == [(feeds, end)]
+    for x, y, feeds in ((700, 0, (1, 0)), (0, 700, (0, 1)), (1900, 4000, (2, 4)), (4000, 1900, (4, 2))):
+        assert list(Technique(5, 0).rays(line(Point(0, 0), Point(x, y), 200))) == [(feeds, (x, y))]
 
 
 def test_one_feed_is_set_a_block() -> None:
