@@ -151,7 +151,7 @@ def execute(
             time += 1 << 26 | 1
             pc += 1
         elif op == RAR:
-            lac = lac >> 1 | (lac & 1) << 12
+            lac = lac >> 1 | lac << 12 & 0o10000
             time += 1 << 26 | 1
             pc += 1
         elif op == GROUP_1_ROTATE:
@@ -160,11 +160,11 @@ def execute(
             if x == 0o4:
                 lac = lac << 1 & 0o17777 | lac >> 12
             elif x == 0o10:
-                lac = lac >> 1 | (lac & 1) << 12
+                lac = lac >> 1 | lac << 12 & 0o10000
             elif x == 0o6:
                 lac = lac << 2 & 0o17777 | lac >> 11
             else:
-                lac = lac >> 2 | (lac & 3) << 11
+                lac = lac >> 2 | lac << 11 & 0o14000
             time += 1 << 26 | 1
             pc += 1
         elif op == JMS_I:

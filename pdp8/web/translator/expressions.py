@@ -10,28 +10,17 @@ import json
 import re
 from typing import NoReturn
 
-from pdp8.web.translator.program import Found, Untranslated, is_tuple
-from pdp8.web.translator.types import (
-    ANY,
-    BOOL,
-    FLOAT,
-    INT,
-    METHODS,
-    NUMBERS,
-    PLAIN,
-    SEQUENCES,
-    STR,
-    WORD,
-    Types,
-    leaf,
-    whole,
-)
+from pdp8.web.translator.program import Found, Untranslated
+from pdp8.web.translator.types import ANY, FLOAT, INT, NUMBERS, PLAIN, STR, WORD, Types, leaf, whole
 
-_NAMES = {
-    ast.Add: ("add", "+"), ast.Sub: ("sub", "-"), ast.Mult: ("mul", "*"), ast.Div: ("div", "/"),
-    ast.FloorDiv: ("floordiv", ""), ast.Mod: ("mod", "%"), ast.LShift: ("shl", ""), ast.RShift: ("shr", ">>"),
-    ast.BitAnd: ("and_", "&"), ast.BitOr: ("or_", "|"), ast.BitXor: ("xor", "^"), ast.Pow: ("pow", "**"),
+_OPERATORS = {
+    ast.Add: ("add", "({} + {})"), ast.Sub: ("sub", "({} - {})"), ast.Mult: ("mul", "({} * {})"),
+    ast.Div: ("div", "({} / {})"), ast.FloorDiv: ("floordiv", "Math.floor({} / {})"),
+    ast.Mod: ("mod", "({} % {})"),
+    ast.LShift: ("shl", "({} * 2 ** {})"), ast.RShift: ("shr", "({} >> {})"), ast.Pow: ("pow", "({} ** {})"),
+    ast.BitAnd: ("and_", "({} & {})"), ast.BitOr: ("or_", "({} | {})"), ast.BitXor: ("xor", "({} ^ {})"),
 }  # fmt: skip
+"""The runtime's name of an operator, and what JavaScript has for it where the types allow that."""
 _ORDER = {ast.Lt: ("lt", "<"), ast.LtE: ("le", "<="), ast.Gt: ("gt", ">"), ast.GtE: ("ge", ">=")}
 _WORDS = (
     "arguments await case catch const debugger default delete do enum eval export extends false function "
@@ -83,19 +72,14 @@ class Expressions(Types):
 
     def _truth(self, text: str, node: ast.expr) -> str:
         """Return the test of what has been written as `text`."""
-        kind = self.infer(node)
-        if kind in PLAIN:
-            return text
-        if kind.name in (*SEQUENCES, "dict", "set"):
-            return f"({text}?.length > 0)"
-        ours = self.program.classes.get(kind.name)
-        always = ours and not is_tuple(ours.node) and not self.of_class(kind.name, "__len__")[1]
-        return text if always else f"$.truth({text})"
+        return text if self.infer(node) in PLAIN else f"$.truth({text})"
 
     def e(self, node: ast.expr) -> str:
         """Return an expression."""
         if (number := whole(node)) is not None:
-            return self._number(node, number)
+            if int(float(number)) != number:
+                self.fail(node, f"{number} is beyond 2^53, to which JavaScript is exact")
+            return f"({number})" if number < 0 else str(number)
         match node:
             case ast.Constant(None):
                 return "null"
@@ -139,8 +123,12 @@ class Expressions(Types):
                 return f"(yield {self.e(value) if value else 'null'})"
             case ast.YieldFrom(value):
                 return f"(yield* {self.e(value)})"
-            case ast.Lambda(arguments, body):
-                return self._lambda([each.arg for each in arguments.args], body)
+            case ast.Lambda(ast.arguments(args=parameters), body):
+                names = [each.arg for each in parameters]
+                self.scope = self.scope.new_child(dict.fromkeys(names, ANY))
+                text = f"(({', '.join(map(named, names))}) => {self.e(body)})"
+                self.scope = self.scope.parents
+                return text
             case ast.JoinedStr(values):
                 return f"`{''.join(map(self._piece, values))}`"
             case ast.ListComp(value, generators) | ast.GeneratorExp(value, generators):
@@ -157,36 +145,28 @@ class Expressions(Types):
         """Return expressions, one after another."""
         return ", ".join(map(self.e, nodes))
 
-    def _number(self, node: ast.expr, value: int) -> str:
-        if int(float(value)) != value:
-            self.fail(node, f"{value} is beyond 2^53, to which JavaScript is exact")
-        return f"({value})" if value < 0 else str(value)
-
     def binary(self, operator: ast.operator, left: tuple[str, ast.expr], right: tuple[str, ast.expr]) -> str:
         """Return `left operator right`, each as it is written and as it was."""
         (a, one), (b, other) = left, right
-        name, sign = _NAMES.get(type(operator)) or self.fail(one, "no translation of the operator after")
+        name, direct = _OPERATORS.get(type(operator)) or self.fail(one, "no operator as that after")
         kinds, number = (self.infer(one), self.infer(other)), whole(other)
-        numbers = kinds[0] in NUMBERS and kinds[1] in NUMBERS
-        words = kinds == (WORD, WORD)
+        numbers, words = set(kinds) <= set(NUMBERS), kinds == (WORD, WORD)
         match operator:
-            case ast.Add() | ast.Sub() | ast.Mult() | ast.Pow():
-                direct = numbers or (kinds == (STR, STR) and name == "add")
-            case ast.BitAnd():
-                direct = numbers and WORD in kinds
-            case ast.BitOr() | ast.BitXor():
-                direct = words
-            case ast.RShift() if numbers and not (words and (number or 0) < 32):
-                return f"Math.floor({a} / 2 ** {b})"
+            case ast.Sub() | ast.Mult() | ast.Pow() | ast.LShift():
+                fits = numbers
+            case ast.Add():
+                fits = numbers or kinds == (STR, STR)
+            case ast.Div() | ast.FloorDiv():
+                fits = numbers and bool(number)
+            case ast.Mod():
+                fits = words and bool(number)
             case ast.RShift():
-                direct = words
-            case ast.LShift() if numbers:
-                return f"({a} * 2 ** {b})"
-            case ast.FloorDiv() if numbers and number:
-                return f"Math.floor({a} / {b})"
+                fits = words and number is not None and number < 32
+            case ast.BitAnd():
+                fits = numbers and WORD in kinds
             case _:
-                direct = bool(number) and (words if name == "mod" else numbers and name == "div")
-        return f"({a} {sign} {b})" if direct else f"$.{name}({a}, {b})"
+                fits = words
+        return direct.format(a, b) if fits else f"$.{name}({a}, {b})"
 
     def _choice(self, both: bool, values: list[ast.expr]) -> str:
         """Return `and` or `or` as a value: the operand that decides."""
@@ -203,12 +183,12 @@ class Expressions(Types):
     def _compared(self, left: ast.expr, operators: list[ast.cmpop], rights: list[ast.expr]) -> str:
         parts, a = [], self.e(left)
         for operator, right in zip(operators, rights, strict=True):
-            b = following = self.e(right)
-            if operator is not operators[-1] and not isinstance(right, ast.Name | ast.Constant):
-                following = self.temp()
-                b = f"({following} = {b})"
+            b = again = self.e(right)
+            if right is not rights[-1]:
+                again = self.temp()
+                b = f"({again} = {b})"
             parts.append(self.comparison(operator, (a, left), (b, right)))
-            a, left = following, right
+            a, left = again, right
         return parts[0] if len(parts) == 1 else f"({' && '.join(parts)})"
 
     def comparison(self, operator: ast.cmpop, left: tuple[str, ast.expr], right: tuple[str, ast.expr]) -> str:
@@ -224,22 +204,17 @@ class Expressions(Types):
             case ast.Eq() | ast.NotEq():
                 return f"({a} {no or '='}== {b})" if same else f"{no}$.eq({a}, {b})"
             case ast.In() | ast.NotIn():
-                of = kinds[1]
-                if of.name in ("set", "dict"):
-                    return f"{no}{b}.has({a})"
-                plain = of == STR or (of.name in ("list", "tuple") and of.item in PLAIN)
-                return f"{no}{b}.includes({a})" if plain and kinds[0] in PLAIN else f"{no}$.has({b}, {a})"
+                plain = kinds[0] in PLAIN and kinds[1].item in PLAIN
+                return f"{no}{b}.includes({a})" if plain else f"{no}$.has({b}, {a})"
         name, sign = _ORDER[type(operator)]
         return f"({a} {sign} {b})" if same else f"$.{name}({a}, {b})"
 
     def _name(self, node: ast.Name, name: str) -> str:
         if name == "self":
             return "this"
-        if self.local(name) or name in self.module.defined or self.program.find(self.module, name):
+        if name in self.scope or name in self.module.defined or self.program.find(self.module, name):
             return named(name)
         module, real = self.module.imports.get(name, ("", name))
-        if module.split(".")[0] in self.program.packages:
-            self.fail(node, f"{module} is not among the modules that are translated")
         if (real or module) not in self.program.runtime:
             self.fail(node, f"the runtime has no {real or module}")
         return f"$.{real or module}"
@@ -247,10 +222,10 @@ class Expressions(Types):
     def _attribute(self, node: ast.Attribute, value: ast.expr, name: str) -> str:
         kind = self.infer(value).name
         method = self.of_class(kind, name)[1]
-        if kind in METHODS or (method and not _PROPERTIES & set(map(leaf, method.node.decorator_list))):
-            return f"((...$a) => {self.e(value)}.{RENAMED.get(name, name)}(...$a))"
-        of = self.found(value)
-        return f"{self.e(value)}.{named(name) if of and of.node is None else name}"
+        decorators = map(leaf, method.node.decorator_list) if method else ()
+        if kind in ("list", "str") or (method and _PROPERTIES.isdisjoint(decorators)):
+            return f"((...$a) => {self._dotted(node, name)}(...$a))"
+        return self._dotted(node, name)
 
     def _indexed(self, value: ast.expr, index: ast.expr) -> str:
         kind, text = self.infer(value), self.e(value)
@@ -264,7 +239,8 @@ class Expressions(Types):
         at = self.e(index)
         if kind.name == "words":
             return f"{text}[{at}]"
-        direct = kind.name in SEQUENCES and re.fullmatch(r"[\w.$]+", text + at)  # it may stand there twice
+        twice = re.fullmatch(r"[\w.$]+", text + at)  # it may stand there twice
+        direct = twice and kind.name in ("list", "str")
         return f"({text}[{at}] ?? $.at({text}, {at}))" if direct else f"$.at({text}, {at})"
 
     def _piece(self, value: ast.expr) -> str:
@@ -274,10 +250,10 @@ class Expressions(Types):
             return text.replace('\\"', '"').replace("`", "\\`").replace("${", "\\${")
         assert isinstance(value, ast.FormattedValue)
         kind, text = self.infer(value.value), self.e(value.value)
-        if value.conversion == ord("r"):
-            text, kind = f"$.repr({text})", STR
         if kind == FLOAT:
             text = f"$.floating({text})"
+        if value.conversion == ord("r"):
+            text, kind = f"$.repr({text})", STR
         if value.format_spec is not None:
             if not _SPEC.fullmatch(ast.unparse(value.format_spec)):
                 self.fail(value, "no translation of the format")
@@ -286,52 +262,40 @@ class Expressions(Types):
             text = f"$.str({text})"
         return f"${{{text}}}"
 
-    def _lambda(self, names: list[str], body: ast.expr) -> str:
-        self.scopes.append(dict.fromkeys(names, ANY))
-        text = f"(({', '.join(map(named, names))}) => {self.e(body)})"
-        self.scopes.pop()
-        return text
-
     def _comprehension(self, generators: list[ast.comprehension], value: ast.expr) -> str:
         loops = []
-        for at, generator in enumerate(generators):
-            source = self.e(generator.iter)
-            if at == 0:
-                self.scopes.append({})
-            self.bind(generator)
+        self.scope = self.scope.new_child()
+        for generator in generators:
+            source, sets = self.e(generator.iter), self._set_by(generator)
+            self.scope |= {leaf(target): kind for target, kind in sets}
             loops.append(f"for (const {self.e(generator.target)} of {source})")
             loops += [f"if ({self.test(each)})" for each in generator.ifs]
         text = self.e(value)
-        self.scopes.pop()
+        self.scope = self.scope.parents
         return f"(() => {{ const $r = []; {' '.join(loops)} $r.push({text}); return $r; }})()"
 
     def _call(self, node: ast.Call) -> str:
         function, name = node.func, leaf(node.func)
-        if isinstance(function, ast.Name) and not self.local(name) and (text := self._built_in(node, name)):
+        if isinstance(function, ast.Name) and name not in self.scope and (text := self._built_in(node, name)):
             return text
-        if leaf(getattr(getattr(function, "value", None), "func", None)) == "super":
+        if leaf(getattr(getattr(function, "value", None), "func", None)) == "super" and not node.keywords:
             return f"super.{name}({self.all(node.args)})"
         if name in ("_replace", "replace") and node.keywords:
             of = node.args[0] if node.args else function.value  # type: ignore[attr-defined]
             fields = (f"{keyword.arg}: {self.e(keyword.value)}" for keyword in node.keywords)
             return f"$.replaced({self.e(of)}, {{ {', '.join(fields)} }})"
-        found = self.callee(function)
-        arguments = self._placed(node, found) if found else self._library(node, name)
-        if found and found.is_class:
-            return f"new {self.e(function)}({arguments})"
-        if isinstance(function, ast.Attribute):
-            return f"{self._method(node, function, found)}({arguments})"
-        return f"{'new ' if name in self.program.errors else ''}{self.e(function)}({arguments})"
+        if isinstance(function, ast.Attribute) and name not in self.program.members:
+            self.fail(node, f"nothing has a method {name}")
+        found = self.found(function)
+        new = "new " if (found and found.is_class) or name in self.program.errors else ""
+        return f"{new}{self._dotted(function, name)}({self._arguments(node, found)})"
 
-    def _method(self, node: ast.Call, function: ast.Attribute, ours: Found | None) -> str:
-        """Return the method that is called."""
-        name, kind, text = function.attr, self.infer(function.value), self.e(function.value)
-        if kind.name in METHODS and name not in METHODS[kind.name]:
-            self.fail(node, f"{kind.name} has no {name}")
-        of = self.found(function.value)
-        if of and of.node is None:
-            return f"{text}.{named(name)}"
-        return f"{text}.{name if text.startswith('$.') and text.isidentifier() else RENAMED.get(name, name)}"
+    def _dotted(self, node: ast.expr, name: str) -> str:
+        """Return a name, or a member of what is before it."""
+        if not isinstance(node, ast.Attribute):
+            return self.e(node)
+        of = self.found(node.value)
+        return f"{self.e(node.value)}.{named(name) if of and of.node is None else RENAMED.get(name, name)}"
 
     def _built_in(self, node: ast.Call, name: str) -> str:
         """Return a call of those of Python's own functions that JavaScript has a shorter word for."""
@@ -339,53 +303,37 @@ class Expressions(Types):
         match name, node.args:
             case "len", [value]:
                 return f"{self.e(value)}.length"
-            case "int", [value] if kinds[0] in (BOOL, WORD, INT):
-                return f"Number({self.e(value)})" if kinds[0] == BOOL else self.e(value)
             case (("str" | "repr"), [value]) if kinds[0] == FLOAT:
                 return f"$.{name}($.floating({self.e(value)}))"
-            case (("min" | "max"), [_, _, *_]) if node.keywords:
-                self.fail(node)
-            case (("min" | "max"), [_, _, *_]) if all(kind in NUMBERS for kind in kinds):
+            case (("min" | "max"), [_, _, *_]) if set(kinds) <= set(NUMBERS) and not node.keywords:
                 return f"Math.{name}({self.all(node.args)})"
             case (("min" | "max"), [_, _, *_]):
-                return f"$.{name}([{self.all(node.args)}])"
+                return self.e(ast.Call(node.func, [ast.List(node.args)], node.keywords))
             case "isinstance", [_, ast.BinOp()]:
                 self.fail(node)
         return ""
 
-    def _library(self, node: ast.Call, name: str) -> str:
-        """Return the arguments of a function that is not ours."""
-        keywords = [] if name == "zip" else node.keywords  # it has `strict` alone
-        return self._in_places(node, [self.e(each) for each in node.args], keywords, _LIBRARY.get(name, ()))
-
-    def _placed(self, node: ast.Call, found: Found) -> str:
-        """Return the arguments of a function of ours in the order of its parameters."""
-        signature = getattr(found.node, "args", None) or self.program.made_with(found)
-        if signature is None:
-            return self._library(node, "")
-        values, keywords = [self.e(each) for each in node.args], node.keywords
-        names = [each.arg for each in signature.args if each.arg != "self"]
-        if signature.vararg:
-            values = [*values[: len(names)], f"[{', '.join(values[len(names) :])}]"]
-            names.append("*")
-        elif len(values) > len(names):
-            self.fail(node, "too many arguments")
-        elif keywords and any(isinstance(each, ast.Starred) for each in node.args):
-            self.fail(node, "an unpacked argument before keywords")
-        names += [each.arg for each in signature.kwonlyargs]
-        if signature.kwarg:
-            others = [each for each in keywords if each.arg not in names]
-            keys: list[ast.expr | None] = [ast.Constant(each.arg) if each.arg else None for each in others]
-            rest = ast.keyword("**", ast.Dict(keys, [each.value for each in others]))
-            names, keywords = [*names, "**"], [*(each for each in keywords if each.arg in names), rest]
-        return self._in_places(node, values, keywords, tuple(names))
-
-    def _in_places(
-        self, node: ast.Call, values: list[str], keywords: list[ast.keyword], places: tuple[str, ...]
-    ) -> str:
-        """Return `values`, and what is given by keywords in the `places` of the names."""
-        given = {each.arg: self.e(each.value) for each in keywords}
-        if given.keys() - set(places):
+    def _arguments(self, node: ast.Call, found: Found | None) -> str:
+        """Return the arguments of a call, those by keywords in the places of the parameters."""
+        values, names = [self.e(each) for each in node.args], list(_LIBRARY.get(leaf(node.func), ()))
+        signature = self.program.made_with(found) if found and found.is_class else None
+        if found and isinstance(found.node, ast.FunctionDef):
+            signature = found.node.args
+        if signature and signature.kwarg:
+            keys = [each.arg and ast.Constant(each.arg) for each in node.keywords]
+            return self.e(ast.Dict(keys, [each.value for each in node.keywords]))  # type: ignore[arg-type]
+        if signature:
+            names = [each.arg for each in signature.args if each.arg != "self"]
+            if signature.vararg:
+                values = [*values[: len(names)], f"[{', '.join(values[len(names) :])}]"]
+                names.append("*")
+            elif len(values) > len(names):
+                self.fail(node, "too many arguments")
+            elif node.keywords and any(isinstance(each, ast.Starred) for each in node.args):
+                self.fail(node, "an unpacked argument before keywords")
+            names += [each.arg for each in signature.kwonlyargs]
+        given = {each.arg: self.e(each.value) for each in node.keywords if each.arg != "strict"}
+        if given.keys() - set(names):
             self.fail(node, "keywords that are no parameters")
-        last = max((places.index(each) for each in given if each), default=-1)
-        return ", ".join(values + [given.get(place, "undefined") for place in places[len(values) : last + 1]])
+        last = max((names.index(each) for each in given if each), default=-1)
+        return ", ".join(values + [given.get(name, "undefined") for name in names[len(values) : last + 1]])

@@ -75,7 +75,7 @@ class Writer(Statements):
         if "Protocol" in map(leaf, node.bases):
             return []
         self.owner = f"{self.module.name}.{node.name}"
-        fields = self.program.fields(Found(self.module, node))
+        fields = Found(self.module, node).fields
         base = next(map(self.e, node.bases), "$.Instance" if fields is None else "$.Record")
         lines = [f"export class {named(node.name)} extends {base} {{"]
         lines += self._record(fields) if fields is not None else []

@@ -293,11 +293,11 @@ export const or_ = (a, b) => {
   return typeof a === "boolean" && typeof b === "boolean" ? a || b : low_or(+a, +b);
 };
 export const xor = bits((a, b) => a ^ b);
-/** a += b, a |= b: a list, a set and a Dict grow. */
-export const grown = (a, b) => {
+/** a += b, a |= b: a list, a set and a Dict grow, for anything else it is `by`. */
+export const grown = (a, b, by) => {
   if (Array.isArray(a)) a.extend(b);
   else if (a.update) a.update(b);
-  else return typeof a === "boolean" ? a || b : add(a, b);
+  else return by(a, b);
   return a;
 };
 export const eq = (a, b) => {

@@ -4,10 +4,12 @@ A function's names are declared at its beginning, since in Python they are the w
 """
 
 import ast
-from typing import Any
 
 from pdp8.web.translator.expressions import Expressions, named
 from pdp8.web.translator.types import ANY, PLAIN, WORD, own, whole
+
+_FEW = 5
+"""Cases that are left to `if`."""
 
 
 class Statements(Expressions):
@@ -38,15 +40,16 @@ class Statements(Expressions):
                 return [f"{once} = {self.e(value)};", *(self.put(target, once) for target in targets)]
             case ast.AugAssign(target, operator, value):
                 return [self._changed(target, operator, value)]
+            case ast.If(ast.Compare(ast.Name(name))) if len(cases := self._cases([node], name)) > _FEW:
+                return self._switch(name, cases)
             case ast.If(test, body, other):
-                if cases := self._cases(node):
-                    return self._switch(cases, test)
                 lines = [f"if ({self.test(test)}) {{", *self.block(body)]
                 return [*lines, *(["} else {", *self.block(other)] if other else []), "}"]
             case ast.While(test, body, []):
                 return self._loop(f"while ({self.test(test)})", [], body)
-            case ast.For(orelse=[]):
-                return self._for(node)
+            case ast.For(target, source, body, []):
+                once = self.temp()
+                return self._loop(f"for ({once} of {self.e(source)})", [self.put(target, once)], body)
             case ast.Return(value):
                 return [f"return {self.e(value) if value else 'null'};"]
             case ast.Break():
@@ -73,8 +76,8 @@ class Statements(Expressions):
         """Return a function: its parameters, after a * if it is a generator, its statements and a brace."""
         head = f"({', '.join(self._parameters(node.args))})"
         body = own(node.body)
-        self.scopes.append(self.parameters(node))
-        scope = self.scopes[-1]
+        scope = self.parameters(node)
+        self.scope = self.scope.new_child(scope)
         given = {*scope, *(name for part in body if isinstance(part, ast.Nonlocal) for name in part.names)}
         scope |= {part.name: ANY for part in body if isinstance(part, ast.FunctionDef)}
         self.learn(node.body)
@@ -83,7 +86,7 @@ class Statements(Expressions):
         lines = self.block(node.body)
         self.loops = loops
         local = [named(name) for name in scope if name not in given] + self.temporary.pop()
-        self.scopes.pop()
+        self.scope = self.scope.parents
         star = "*" if any(isinstance(part, ast.Yield | ast.YieldFrom) for part in body) else ""
         return [star + head, *([f"let {', '.join(local)};"] if local else []), *lines, "}"]
 
@@ -100,7 +103,7 @@ class Statements(Expressions):
         match target:
             case ast.Subscript(of, index) if not isinstance(index, ast.Slice):
                 kind = self.infer(of).name
-                direct = kind == "words" or (kind in ("list", "bytearray") and self.infer(index) == WORD)
+                direct = kind == "words" or (kind == "list" and self.infer(index) == WORD)
                 if not direct or (whole(index) or 0) < 0:
                     return f"$.put({self.e(of)}, {self.e(index)}, {value});"
                 return f"{self.e(of)}[{self.e(index)}] = {value};"
@@ -119,31 +122,25 @@ class Statements(Expressions):
     def _changed(self, target: ast.expr, operator: ast.operator, value: ast.expr) -> str:
         before, by = self.e(target), self.e(value)
         if isinstance(operator, ast.Add | ast.BitOr) and self.infer(target) not in PLAIN:
+            by += ", $.add" if isinstance(operator, ast.Add) else ", $.or_"
             return self.put(target, f"$.grown({before}, {by})")
         return self.put(target, self.binary(operator, (before, target), (by, value)))
 
-    def _cases(self, node: ast.If) -> list[tuple[str, list[ast.stmt]]]:
-        """Return number and statements of a long `if x == 1: ... elif x == 2: ... else: ...`."""
-        found: list[tuple[str, list[ast.stmt]]] = []
-        names = set()
-        rest: list[ast.stmt] = [node]
-        while len(rest) == 1 and isinstance(rest[0], ast.If):
-            match rest[0].test:
-                case ast.Compare(ast.Name(name), [ast.Eq()], [right]) if self.constant(right) is not None:
-                    found.append((f"case {self.constant(right)}:", rest[0].body))
-                    names.add(name)
-                case _:
-                    return []
-            rest = rest[0].orelse
-        return [*found, ("default:", rest)] if len(found) > 4 and len(names) == 1 else []
+    def _cases(self, body: list[ast.stmt], name: str) -> list[tuple[str, list[ast.stmt]]]:
+        """Return number and statements of each case of `if name == 1: ... elif name == 2: ... else: ...`."""
+        match body:
+            case [ast.If(ast.Compare(ast.Name(compared), [ast.Eq()], [right]), then, other)] if (
+                compared == name
+            ):
+                if (number := whole(found.node if (found := self.found(right)) else right)) is not None:
+                    return [(f"case {number}:", then), *self._cases(other, name)]
+        return [("default:", body)]
 
-    def _switch(self, cases: list[tuple[str, list[ast.stmt]]], test: Any) -> list[str]:
+    def _switch(self, name: str, cases: list[tuple[str, list[ast.stmt]]]) -> list[str]:
         self.loops.append("")
-        lines = [f"switch ({self.e(test.left)}) {{"]
-        for head, body in cases:
-            lines += [f"{head} {{", *self.block(body), "break; }"]
+        lines = [line for head, body in cases for line in (f"{head} {{", *self.block(body), "break; }")]
         self.loops.pop()
-        return [*lines, "}"]
+        return [f"switch ({named(name)}) {{", *lines, "}"]
 
     def _loop(self, head: str, first: list[str], body: list[ast.stmt]) -> list[str]:
         label = f"$l{len(self.loops)}"
@@ -151,19 +148,6 @@ class Statements(Expressions):
         lines = [f"{label}: {head} {{", *first, *self.block(body), "}"]
         self.loops.pop()
         return lines
-
-    def _for(self, node: ast.For) -> list[str]:
-        target, source = node.target, node.iter
-        names = (part for part in own(node.body) if isinstance(part, ast.Name))
-        inside = {part.id for part in names if isinstance(part.ctx, ast.Store)}
-        match target, source:
-            case ast.Name(name), ast.Call(ast.Name("range"), [_] | [_, _] as bounds) if name not in inside:
-                low, high = bounds if len(bounds) == 2 else (ast.Constant(0), bounds[0])
-                at, end = self.temp(), self.temp()
-                head = f"for ({at} = {self.e(low)}, {end} = {self.e(high)}; {at} < {end}; {at}++)"
-                return self._loop(head, [f"{named(name)} = {at};"], node.body)
-        once = self.temp()
-        return self._loop(f"for ({once} of {self.e(source)})", [self.put(target, once)], node.body)
 
     def _try(self, node: ast.Try) -> list[str]:
         lines = ["try {", *self.block(node.body)]
