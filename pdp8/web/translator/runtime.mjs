@@ -10,15 +10,14 @@ export class Exception extends Error {
   constructor(...args) {
     super();
     this.__init__(...args);
-    Object.defineProperty(this, "message", { get: () => str(this) });
   }
+  get message() { return this.__str__(); }
   __init__(...args) { this.args = args; }
   __str__() { return this.args.map(str).join(", "); }
   toString() { return this.__str__(); }
 }
 export class ValueError extends Exception {}
 export class UnicodeDecodeError extends ValueError {}
-export class UnicodeEncodeError extends ValueError {}
 export class IndexError extends Exception {}
 export class KeyError extends Exception {
   __str__() { return repr(this.args[0]); }
@@ -92,11 +91,12 @@ export class Bytes extends Uint8Array {
     return made.slice(0, count);
   }
   decode(coding = "utf-8") {
-    if (coding === "latin-1" || (coding === "ascii" && this.isascii())) return latin(this);
+    if (coding === "ascii" && !this.isascii()) throw new UnicodeDecodeError(coding);
     try {
-      if (coding !== "ascii") return new TextDecoder("utf-8", { fatal: true, ignoreBOM: coding !== "utf-8-sig" }).decode(this);
-    } catch { /* said below */ }
-    throw new UnicodeDecodeError(coding);
+      return new TextDecoder(coding.replace("-sig", ""), { fatal: true, ignoreBOM: coding !== "utf-8-sig" }).decode(this);
+    } catch {
+      throw new UnicodeDecodeError(coding);
+    }
   }
 }
 export class ByteArray extends Array {}
@@ -104,7 +104,7 @@ export class Words extends Uint16Array {
   tobytes() { return new Bytes(this.slice().buffer); }
 }
 for (const name of ["startswith", "endswith", "isdigit", "isascii"]) {
-  give(Bytes, { [name](...args) { return latin(this)[name](...args.map(latin)); } });
+  give(Bytes, { [name](what = "") { return latin(this)[name](latin(what)); } });
 }
 
 const SPACE = [9, 10, 11, 12, 13, 32];
@@ -118,11 +118,6 @@ const strip = (left, right) => function (chars = null) {
   return this.slice(start, end);
 };
 for (const kind of [String, Bytes]) give(kind, { strip: strip(true, true), lstrip: strip(true, false), rstrip: strip(false, true) });
-/** Whether `has` is so of a text from a place on, for `what` or for one of several. */
-const affix = (has) => function (what, from = 0) {
-  const text = this.slice(from);
-  return Array.isArray(what) ? what.some((each) => has.call(text, each)) : has.call(text, what);
-};
 const matching = (pattern) => function () { return pattern.test(this); };
 
 give(String, {
@@ -140,8 +135,8 @@ give(String, {
   find: String.prototype.indexOf,
   rfind: String.prototype.lastIndexOf,
   count(what) { return this.split(what).length - 1; },
-  startswith: affix(String.prototype.startsWith),
-  endswith: affix(String.prototype.endsWith),
+  startswith(what, from = 0) { return [what].flat().some((each) => this.startsWith(each, from)); },
+  endswith(what) { return [what].flat().some((each) => this.endsWith(each)); },
   upper: String.prototype.toUpperCase,
   lower: String.prototype.toLowerCase,
   ljust: String.prototype.padEnd,
@@ -149,23 +144,17 @@ give(String, {
   removesuffix(what) { return this.endsWith(what) ? this.slice(0, this.length - what.length) : this.valueOf(); },
   removeprefix(what) { return this.startsWith(what) ? this.slice(what.length) : this.valueOf(); },
   expandtabs(width = 8) {
-    let text = "";
-    for (const each of this) text += each === "\t" ? " ".repeat(width - (text.length % width)) : each;
-    return text;
+    return this.split("\t").reduce((text, part) => text.padEnd((Math.floor(text.length / width) + 1) * width) + part);
   },
   translate(table) {
-    let text = "";
-    for (const each of this) {
-      const to = table.get(each.codePointAt(0), each);
-      text += to === null ? "" : typeof to === "number" ? chr(to) : to;
-    }
-    return text;
+    const to = (each) => table.get(ord(each), each);
+    return Array.from(this, (each) => (typeof to(each) === "number" ? chr(to(each)) : to(each) ?? "")).join("");
   },
   encode(coding = "utf-8", errors = "strict") {
     if (coding === "utf-8") return Bytes.from(new TextEncoder().encode(this));
     const most = coding === "ascii" ? 127 : 255;
     const codes = Array.from(this, ord);
-    if (errors === "strict" && codes.some((code) => code > most)) throw new UnicodeEncodeError(coding);
+    if (errors === "strict" && codes.some((code) => code > most)) throw new ValueError(coding);
     return Bytes.from(codes, (code) => (code > most ? 63 : code));
   },
   isascii: matching(/^[\x00-\x7f]*$/),
@@ -249,11 +238,16 @@ const num = (of) => typeof of === "number" || typeof of === "boolean";
 const sequence = (of) => Array.isArray(of) || ArrayBuffer.isView(of);
 const like = (of, items) => (of instanceof Bytes ? bytes(items) : of instanceof ByteArray ? ByteArray.from(items) : items);
 const HALF = 2 ** 32;
-const bits = (by) => (a, b) => {
+/** An operator on numbers to 2^53 and truths, which for sets and Dicts is `other`. */
+const bitwise = (by, other) => (a, b) => {
   if ((a | 0) === a && (b | 0) === b) return by(a, b);
-  return by(Math.floor(a / HALF), Math.floor(b / HALF)) * HALF + (by(a, b) >>> 0);
+  if (typeof a === "object") return other(a, b);
+  const made = by(Math.floor(a / HALF), Math.floor(b / HALF)) * HALF + (by(a, b) >>> 0);
+  return typeof a === "boolean" && typeof b === "boolean" ? Boolean(made) : made;
 };
-const [low_and, low_or] = [bits((a, b) => a & b), bits((a, b) => a | b)];
+export const and_ = bitwise((a, b) => a & b, (a, b) => set([...a].filter((each) => b.has(each))));
+export const or_ = bitwise((a, b) => a | b, (a, b) => (a instanceof Dict ? dict([...a.items(), ...b.items()]) : set([...a, ...b])));
+export const xor = bitwise((a, b) => a ^ b);
 
 export const add = (a, b) => {
   if ((num(a) && (num(b) || b instanceof Rational)) || typeof a === "string") return a + b;
@@ -282,17 +276,6 @@ export const floordiv = (a, b) => (a - mod(a, b)) / b;
 export const divmod = (a, b) => [floordiv(a, b), mod(a, b)];
 export const shl = (a, b) => (typeof a === "bigint" ? a << BigInt(b) : a * 2 ** b);
 export const shr = (a, b) => Math.floor(a / 2 ** b);
-export const and_ = (a, b) => {
-  if (a instanceof PySet) return set([...a].filter((each) => b.has(each)));
-  return typeof a === "boolean" && typeof b === "boolean" ? a && b : low_and(a, b);
-};
-export const or_ = (a, b) => {
-  if (typeof a === "number" && typeof b === "number") return low_or(a, b);
-  if (a instanceof PySet) return set([...a, ...b]);
-  if (a instanceof Dict) return dict([...a.items(), ...b.items()]);
-  return typeof a === "boolean" && typeof b === "boolean" ? a || b : low_or(+a, +b);
-};
-export const xor = bits((a, b) => a ^ b);
 /** a += b, a |= b: a list, a set and a Dict grow, for anything else it is `by`. */
 export const grown = (a, b, by) => {
   if (Array.isArray(a)) a.extend(b);
@@ -311,7 +294,7 @@ export const eq = (a, b) => {
     return a.constructor === b.constructor && a.constructor.$fields.every((name) => eq(a[name], b[name]));
   }
   if (!a[Symbol.iterator] || !b[Symbol.iterator]) return false;
-  const [one, other] = [sequence(a) ? a : [...a], sequence(b) ? b : [...b]];
+  const [one, other] = [a, b].map((of) => (sequence(of) ? of : [...of]));
   return one.length === other.length && one.every((each, at) => eq(each, other[at]));
 };
 export const lt = (a, b) => {
@@ -550,19 +533,6 @@ class Rational {
     this.numerator = (sign * over) / common;
     this.denominator = (sign * under) / common;
   }
-  __add__(of) {
-    const { numerator, denominator } = rational(of);
-    return new Rational(this.numerator * denominator + numerator * this.denominator, this.denominator * denominator);
-  }
-  __sub__(of) { return this.__add__(rational(of).__mul__(-1)); }
-  __mul__(of) {
-    const { numerator, denominator } = rational(of);
-    return new Rational(this.numerator * numerator, this.denominator * denominator);
-  }
-  __truediv__(of) {
-    const { numerator, denominator } = rational(of);
-    return new Rational(this.numerator * denominator, this.denominator * numerator);
-  }
   __pow__(of) { return new Rational(this.numerator ** BigInt(of), this.denominator ** BigInt(of)); }
   __eq__(of) { return this.__sub__(of).numerator === 0n; }
   /** The nearest float: of 128 bits after the point the last says whether there are more. */
@@ -572,12 +542,22 @@ class Rational {
   }
 }
 const rational = (of) => (of instanceof Rational ? of : Fraction(of));
+const exact = (by) => function (of) {
+  const { numerator, denominator } = rational(of);
+  return new Rational(...by(this.numerator, this.denominator, numerator, denominator));
+};
+give(Rational, {
+  __add__: exact((a, b, c, d) => [a * d + c * b, b * d]),
+  __sub__: exact((a, b, c, d) => [a * d - c * b, b * d]),
+  __mul__: exact((a, b, c, d) => [a * c, b * d]),
+  __truediv__: exact((a, b, c, d) => [a * d, b * c]),
+});
 export const Fraction = (of, under = 1) => {
   if (typeof of !== "string") return new Rational(BigInt(of), BigInt(under));
-  const [digits_, power = 0] = of.split("e");
-  const [whole, part = ""] = digits_.split(".");
-  const places = Number(power) - part.length;
-  return new Rational(BigInt(whole + part) * 10n ** BigInt(Math.max(0, places)), 10n ** BigInt(Math.max(0, -places)));
+  const [figures, power = 0] = of.split("e");
+  const [whole, part = ""] = figures.split(".");
+  const places = BigInt(power) - BigInt(part.length);
+  return new Rational(BigInt(whole + part) * 10n ** (places > 0n ? places : 0n), 10n ** (places < 0n ? -places : 0n));
 };
 class Pattern extends RegExp {
   findall(text) { return Array.from(text.matchAll(this), ([, ...parts]) => parts); }
