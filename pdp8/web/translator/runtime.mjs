@@ -72,11 +72,6 @@ const latin = (of) => {
 };
 
 export class Bytes extends Uint8Array {
-  find(what, from = 0) {
-    return typeof what === "number" ? super.indexOf(what, from) : latin(this).indexOf(latin(what), from);
-  }
-  rfind(code) { return this.lastIndexOf(code); }
-  count(code) { return this.filter((each) => each === code).length; }
   join(of) {
     const parts = [...of].flatMap((each, at) => (at && this.length ? [this, each] : [each]));
     const made = new Bytes(sum(map(len, parts)));
@@ -103,24 +98,29 @@ export class ByteArray extends Array {}
 export class Words extends Uint16Array {
   tobytes() { return new Bytes(this.slice().buffer); }
 }
-for (const name of ["startswith", "endswith", "isdigit", "isascii"]) {
-  give(Bytes, { [name](what = "") { return latin(this)[name](latin(what)); } });
+/** What bytes do as a text of characters to 0377 does; a number is one of them. */
+const of_text = (name) => function (what = null, ...others) {
+  const made = latin(this)[name](typeof what === "number" ? chr(what) : what && latin(what), ...others);
+  return typeof made === "string" ? Bytes.from(made, ord) : made;
+};
+for (const name of ["strip", "lstrip", "rstrip", "startswith", "endswith", "isdigit", "isascii", "find", "rfind", "count"]) {
+  give(Bytes, { [name]: of_text(name) });
 }
 
-const SPACE = [9, 10, 11, 12, 13, 32];
-/** Strip what is in `chars` (null: white space) from the left or right end, or both, of a string or bytes. */
+/** Strip what is in `chars` (null: white space) from the left or right end, or both. */
 const strip = (left, right) => function (chars = null) {
-  const text = typeof this.valueOf() === "string";
-  const out = (each) => (chars === null ? (text ? /\s/.test(each) : SPACE.includes(each)) : chars.includes(each));
+  const out = (each) => (chars === null ? /\s/.test(each) : chars.includes(each));
   let [start, end] = [0, this.length];
   while (left && start < end && out(this[start])) start++;
   while (right && end > start && out(this[end - 1])) end--;
   return this.slice(start, end);
 };
-for (const kind of [String, Bytes]) give(kind, { strip: strip(true, true), lstrip: strip(true, false), rstrip: strip(false, true) });
 const matching = (pattern) => function () { return pattern.test(this); };
 
 give(String, {
+  strip: strip(true, true),
+  lstrip: strip(true, false),
+  rstrip: strip(false, true),
   join(of) { return Array.prototype.join.call([...of], this); },
   split_(by) { return by === undefined ? this.split(/\s+/).filter(Boolean) : this.split(by); },
   splitlines(keep = false) {
@@ -193,10 +193,7 @@ const key = (of) => {
 export class Dict extends Map {
   get length() { return this.size; }
   [Symbol.iterator]() { return super.keys(); }
-  get(k, otherwise = null) {
-    const value = super.get(k);
-    return value === undefined ? otherwise : value;
-  }
+  get(k, otherwise = null) { return this.has(k) ? super.get(k) : otherwise; }
   at(k) {
     const value = super.get(k);
     if (value === undefined) throw new KeyError(k);
@@ -422,9 +419,8 @@ export const float = (of) => {
 };
 const KINDS = new Map([
   [str, (of) => typeof of === "string"], [bool, (of) => typeof of === "boolean"],
-  [int, (of) => Number.isInteger(of) || typeof of === "boolean"], [float, (of) => typeof of === "number" || of instanceof Floating],
-  [bytes, (of) => of instanceof Bytes], [bytearray, (of) => of instanceof ByteArray], [list, (of) => of?.constructor === Array],
-  [dict, (of) => of instanceof Dict], [set, (of) => of instanceof PySet],
+  [int, (of) => Number.isInteger(of) || typeof of === "boolean"], [list, (of) => of?.constructor === Array],
+  [bytes, (of) => of instanceof Bytes], [bytearray, (of) => of instanceof ByteArray], [dict, (of) => of instanceof Dict],
 ]);
 export const isinstance = (of, kind) => {
   if (Array.isArray(kind)) return kind.some((each) => isinstance(of, each));
