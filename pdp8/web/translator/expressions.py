@@ -35,6 +35,7 @@ _PROPERTIES = {"property", "cached_property"}
 _LIBRARY = {
     **dict.fromkeys(("sorted", "min", "max"), ("of", "key", "reverse", "default")),
     **{"dumps": ("of", "indent"), "bisect_left": ("of", "value", "lo", "hi", "key")},
+    "encode": ("encoding", "errors"),
 }
 """The parameters of Python's own functions that are called with keywords."""
 
