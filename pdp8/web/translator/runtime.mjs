@@ -162,6 +162,7 @@ give(String, {
   isdecimal: matching(/^\d+$/),
   isalpha: matching(/^\p{L}+$/u),
   isspace: matching(/^\s+$/),
+  islower: matching(/^[^\p{Lu}]*\p{Ll}[^\p{Lu}]*$/u),
 });
 give(Array, {
   append(item) { this.push(item); },
@@ -264,6 +265,7 @@ const divisor = (b) => {
   return b;
 };
 export const div = (a, b) => (a.__truediv__ ? a.__truediv__(b) : a / divisor(b));
+export const truediv = div;
 export const pow = (a, b) => (a.__pow__ ? a.__pow__(b) : a ** b);
 export const mod = (a, b) => {
   const rest = a % divisor(b);
@@ -474,6 +476,10 @@ export const round = (of, places = null) => {
 // The standard library.
 
 export const { abs, acos, asin, atan, ceil, cos, cosh, exp, floor, log, sin, sinh, sqrt, tan, tanh } = Math;
+export const accumulate = (of) => {
+  let total = 0;
+  return Array.from(of, (each) => (total += each));
+};
 export const pairwise = (of) => zip(of, list(of).slice(1));
 export const bisect_left = (of, value, low = 0, high = of.length, by = (each) => each) => {
   while (low < high) {
