@@ -26,13 +26,13 @@ cdef class Assembler:
     cdef public dict symbols
     cdef public list written, output, places, problems, notes, mentions
     cdef public int ended
-    cdef list _lines, _tokens, _names
-    cdef dict _read, _pools
+    cdef list _lines, _read, _tokens, _names
+    cdef dict _pools
     cdef str _mode, _token
     cdef bint _punching, _link, _failed
     cdef int _number, _location, _field, _shift, _radix, _loading, _checksum, _index, _next, _start, _end, _before
 
-    @cython.locals(found=list, line=Line)
+    @cython.locals(line=Line)
     cdef _take_line(self, int column)
     @cython.locals(blanks=str)
     cdef _advance(self)

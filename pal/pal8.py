@@ -96,11 +96,6 @@ def _signed(value: int) -> int:
     return (value + 0o100000 & 0o177777) - 0o100000
 
 
-def _is_item(token: str) -> bool:
-    """Tell whether a token is a name or a number."""
-    return token[:1].isalpha() or token[:1].isdigit()
-
-
 class Assembler:
     """One run of PAL8 over the lines of a source: `run` pass 1, then pass 2.
 
@@ -113,7 +108,7 @@ class Assembler:
 
     def __init__(self, lines: list[Line]) -> None:
         self._lines = lines
-        self._read: dict[int, list[str]] = {}
+        self._read = [tokens(line.text) for line in lines]
         self.symbols = _permanent()
         self.written: list[Written] = []
         self.output: list[Punched | Written] = []
@@ -136,8 +131,6 @@ class Assembler:
         self._loading = START  # where the loader stands, its field above the twelve bits
         self._checksum = 0
         self._index = -1
-        self._names: list[str] = []
-        self._link = self._failed = False
         self._put(ORIGIN, START)
         while self._index + 1 < len(self._lines):
             self._index += 1
@@ -156,14 +149,9 @@ class Assembler:
     # The tokens of the line
 
     def _take_line(self, column: int) -> None:
-        """Go to `column` of the line: at 0 its tokens are kept for pass 2."""
-        found = None if column else self._read.get(self._index)
-        if found is None:
-            line = self._lines[self._index]
-            found = tokens(line.text, column)
-            if not column:
-                self._read[self._index] = found
-        self._tokens = found
+        """Go to `column` of the line."""
+        line = self._lines[self._index]
+        self._tokens = tokens(line.text, column) if column else self._read[self._index]
         self._next = 0
         self._end = column
         self._advance()
@@ -231,7 +219,9 @@ class Assembler:
     def _statement(self) -> None:
         token = self._token
         follows = self._joined()
-        if self._mode and not (token[0].isdigit() or token in "+-") and follows != ",":
+        self._names: list[str] = []
+        self._link = self._failed = False
+        if not (token[0].isdigit() or token in "+-"):
             self._mode = ""
         if follows == "," or (follows == ":" and token[0].isalpha()):
             self._tag()
@@ -242,7 +232,7 @@ class Assembler:
             self._origin()
         elif self._mode:
             self._number_of_words()
-        elif token[0].isalpha() and self._is_pseudo_operator(token):
+        elif self._is_pseudo_operator(token):
             self._pseudo_operator(token)
         else:
             self._word()
@@ -250,8 +240,6 @@ class Assembler:
     def _word(self) -> None:
         """Assemble the expressions of a word."""
         start = self._start
-        self._names = []
-        self._link = self._failed = False
         value = self._expressions() & _MASK
         self._write(0 if self._failed else value, self._at(start, self._before))
 
@@ -286,7 +274,6 @@ class Assembler:
 
     def _tag(self) -> None:
         name, start, end = self._token[:SIGNIFICANT], self._start, self._end
-        self._mode = ""
         self._advance()
         if not name[0].isalpha():
             self._fail("IC", f"{name} is no tag", "a tag begins with a letter", start, end)
@@ -336,7 +323,6 @@ class Assembler:
         if not name[0].isalpha():
             self._fail("IC", f"{name} is no symbol", "a symbol begins with a letter", start, end)
             return
-        self._failed = False
         if self._token in ("", ";"):
             self._fail("IE", f"no value for {name}", "write an expression after =", start, end)
             return
@@ -355,7 +341,6 @@ class Assembler:
         symbol.passed = self._number
 
     def _origin(self) -> None:
-        self._failed = False
         value = self._expressions()
         if self._number == 1 or not self._failed:
             self._go_to(0 if self._failed else value)
@@ -426,7 +411,7 @@ class Assembler:
         if not operand:
             return False
         last = self._tokens[max(self._next - 3, 0)] if self._start != self._before else ""
-        if _is_item(last[len(last) - 1 :]) and self._names_value(last):
+        if last[len(last) - 1 :].isalnum() and self._names_value(last):
             message = f"this is an OR with {sign}{operand}; DEC's PAL8 drops the {sign} (IC)"
             self._note("PN44", message, f"leave no blank before {sign}, to add or subtract")
         self._advance()
@@ -503,7 +488,7 @@ class Assembler:
             return "= not directly after a symbol", "write the symbol, and = without a blank"
         if token == ",":
             return ", not directly after a tag", "write the tag, and the comma without a blank"
-        if token[0] in _KNOWN or _is_item(token):
+        if token[0] in _KNOWN or token[0].isalnum():
             return f"{token} cannot stand here", "a blank or an operator stands between two terms"
         return f"illegal character {token}", "PAL8 has no such operator"
 
@@ -606,8 +591,6 @@ class Assembler:
 
     def _pseudo_operator(self, token: str) -> None:
         name = self.symbols[token[:SIGNIFICANT]].name
-        self._names = []
-        self._link = self._failed = False
         start, end = self._start, self._end
         self._advance()
         if name in symbols8.PALBARTS_PSEUDO_OPERATORS:
@@ -816,7 +799,7 @@ class Assembler:
 
     def _file(self, name: str, start: int) -> None:
         """DEVICE: four characters in two words; FILENAME: six in three, and two of the extension in one."""
-        given = self._token if _is_item(self._token) else ""
+        given = self._token if self._token[:1].isalnum() else ""
         if not given:
             self._fail("IC", f"{name} without a name", f"write it so: {name} SYS", start, self._before)
             return
@@ -826,7 +809,7 @@ class Assembler:
         if name == "FILENAME" and joined == ".":
             joined = self._joined()
             self._advance()
-            if _is_item(joined):
+            if joined[:1].isalnum():
                 extension = joined
                 self._advance()
         at = self._at(start, self._before)
@@ -859,7 +842,6 @@ class Assembler:
             return
         at = self._at(start, end)
         self._take_line(end)
-        self._names = []
         if self._mode == "DUBL":
             value = -value if negative else value
             self._write(value >> 12 & _MASK, at)

@@ -147,13 +147,13 @@ class Author:
         return f"{what} <{inside}>" + self.random.choice(["", ";HLT", "\n"])
 
     def text(self) -> str:
-        text = "".join(self.random.choice(CHARACTERS) for _ in range(self.random.randrange(7)))
+        text = "".join(self.random.choice(CHARACTERS + "\t") for _ in range(self.random.randrange(7)))
         return self.random.choice(
             [
                 *(f"TEXT /{text}/", f'TEXT "{text}"', "TEXT %AB%", f"ASCII /{text}/", "ZBLOCK 3"),
                 *("DEVICE SYS", "FILENAME PIP.SV", "FILENAME LONGERNAME", "FILENAME A.SAVE"),
                 f"DUBL;{self.random.randrange(1 << 23)};-{self.random.randrange(1 << 23)}",
-                f"FLTG;{self.random.randrange(1, 10**6) / 10 ** self.random.randrange(6):f};-7",
+                f"FLTG;{self.random.randrange(1, 10**6) / 10 ** self.random.randrange(6):f};-7;NOP",
             ]
         )
 
