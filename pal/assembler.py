@@ -30,7 +30,7 @@ Sources: DEC-08-ASAC-D; DEC-08-ASB1 (February 1967) and its outputs in tests/pal
 from typing import NamedTuple
 
 from pal.isa import ADDRESS, CURRENT_PAGE, INDIRECT, PAGE
-from pal.source import Source
+from pal.source import ENDS, Source
 from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT, spelled, typed
 from pal.table import ENTRY, PSEUDO, UNDEFINED, VALUE, Stop, SymbolTable
 
@@ -42,7 +42,6 @@ ORIGIN, FIELD, CHECKSUM = 0, 1, 2
 
 _MASK = 0o7777
 _OPERATORS = {" ": 0, "\t": 0, "+": 1, "-": -1}
-_ENDS = frozenset("\r;")
 _ROUTINES = {address: name for name, address in PSEUDO_OPERATORS.items()}
 _PLACES = 7  # of the push-down list
 _PUSHED = {"=": 2, "*": 1, "FIELD": 2, "FIXMRI": 2}  # places that each takes while it waits
@@ -195,7 +194,7 @@ class Assembler:
                 if self._made:
                     self._apply()
                 self._operator = _OPERATORS[mark]
-            elif mark in _ENDS:
+            elif mark in ENDS:
                 if self._made:
                     self._apply()
                 elif not (self._referring or self._pending or self._doubtful or self._number == 3):

@@ -229,7 +229,7 @@ class Assembly8(Assembly):
                 told.add(mention.name)
                 message = f"{mention.name}, {symbol.value:04o}, is no instruction of a PDP-8/L"
                 notes.append(Note(NOT_ON_8L, mention.at, message, "it does nothing there, or something else"))
-            elif len(mention.name) == 6:
+            elif len(mention.name) == SIGNIFICANT:
                 longer.append((self._in_full(mention.at), mention.at))
         places = [(name, at, self._statement(at)) for name, at in undefined]
         notes += of_undefined(places, [*known, *_INSTRUCTIONS])

@@ -173,12 +173,8 @@ def _shown(source: Source, at: int) -> str:
 
 def _reference(source: Source, end: int) -> int:
     """Return the memory-reference symbol of the statement that ends there, or its end."""
-    for at in range(end, -1, -1):
-        if at < end and source.items[at][1] in "\r;":
-            break
-        if source.items[at][0] in _REFERENCES:
-            return at
-    return end
+    statement = reversed(range(source.begun(end), end + 1))
+    return next((at for at in statement if source.items[at][0] in _REFERENCES), end)
 
 
 def _undefined(name: str, location: int) -> str:

@@ -40,11 +40,11 @@ _SWITCHES_AND_HALT = ("OSR", "HLT")
 
 
 class Piece(NamedTuple):
-    """One thing on a tape: WORD or ORIGIN with its value at `address`, FIELD with its number."""
+    """One thing on a tape: a WORD, with its address, an ORIGIN or a FIELD."""
 
     kind: str
-    address: int
     value: int
+    address: int = 0
 
 
 def disassemble(words: Mapping[int, int]) -> str:
@@ -66,11 +66,11 @@ def _pieces_of(addresses: Iterable[int], words: Mapping[int, int]) -> Iterator[P
     for address in addresses:
         if address >> 12 != bank:
             bank = address >> 12
-            yield Piece(FIELD, 0, bank)
+            yield Piece(FIELD, bank)
             following = -1
         if address != following:
-            yield Piece(ORIGIN, address & 0o7777, address & 0o7777)
-        yield Piece(WORD, address, words[address])
+            yield Piece(ORIGIN, address & 0o7777)
+        yield Piece(WORD, words[address], address)
         following = address + 1
 
 
@@ -86,17 +86,17 @@ def _pieces_on(frames: bytes) -> Iterator[Piece]:
     for section in reading.sections:
         if bank:
             bank = 0
-            yield Piece(FIELD, 0, 0)
+            yield Piece(FIELD, 0)
         for kind, value, _ in section.items:
             if kind == FIELD:
                 bank = value
-                yield Piece(FIELD, 0, value)
+                yield Piece(FIELD, value)
                 continue
             if kind == WORD:
-                yield Piece(WORD, bank << 12 | location, value)
+                yield Piece(WORD, value, bank << 12 | location)
                 location = location + 1 & 0o7777
             elif not silent or value != location:
-                yield Piece(ORIGIN, value, value)
+                yield Piece(ORIGIN, value)
             if kind == ORIGIN:
                 location = value
             silent = False

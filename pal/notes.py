@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 from pal.assembler import Written
 from pal.isa import CLA, DCA, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, REVERSED, refers_to
+from pal.symbols import SIGNIFICANT
 
 COMBINED, OVERLAID, AFTER_END, TOO_LARGE, NOT_OCTAL = "PN01", "PN02", "PN03", "PN04", "PN05"
 INTO_DATA, INTO_CODE, NO_RETURN, CUT, RESERVED = "PN06", "PN07", "PN08", "PN09", "PN30"
@@ -232,7 +233,7 @@ def of_names(mentions: Iterable[tuple[str, int]], permanent: Iterable[str]) -> l
     known = set(permanent)
     told: set[str] = set()
     for name, at in mentions:
-        cut = name[:6]
+        cut = name[:SIGNIFICANT]
         first = spelled.setdefault(cut, name)
         if first != name and cut not in told and cut not in known:
             told.add(cut)

@@ -221,7 +221,7 @@ class Assembler:
         follows = self._joined()
         self._names: list[str] = []
         self._link = self._failed = False
-        if not (token[0].isdigit() or token in "+-"):
+        if not (token[0].isdigit() or token in ("+", "-")):
             self._mode = ""
         if follows == "," or (follows == ":" and token[0].isalpha()):
             self._tag()

@@ -75,10 +75,7 @@ def _undefined(source: Source, table: list[Entry], known: list[str]) -> list[Not
             if blank in (" ", "\t") and before and before[:SIGNIFICANT] not in names:
                 notes.append(Note(NO_SLASH, entry.at, "this reads as text", "a comment begins with a slash"))
                 continue
-            end = entry.at
-            while source.items[end][1] not in "\r;$":
-                end += 1
-            others.append((entry.name, entry.at, end))
+            others.append((entry.name, entry.at, source.begun(entry.at)))
     return notes + of_undefined(others, [*known, *_INSTRUCTIONS])
 
 

@@ -25,6 +25,9 @@ _PASSED_OVER = bytes((0o000, 0o200, 0o177, 0o377, 0o212))
 _TOKEN = re.compile(r'([A-Z0-9]+|".|/.*|[^\t-\r\x1c- >])')
 _ITEM = re.compile(r"([A-Z0-9\f]*)(?:/[^\r]*)?([^A-Z0-9\f])")
 
+ENDS = frozenset("\r;")
+"""The characters that end a statement."""
+
 
 class Place(NamedTuple):
     """An item in its source: tape and line, counted from 0 and 1; the line's text; the item's columns."""
@@ -93,15 +96,17 @@ class Source:
         start, mark = self._read_again[line][at - first]
         return line, start, mark
 
+    def begun(self, at: int) -> int:
+        """Return the first item of the statement that item `at` belongs to."""
+        while at and self.items[at - 1][1] not in ENDS:
+            at -= 1
+        return at
+
     def first_symbol(self, end: int) -> int:
         """Return the first symbol but a tag of the statement that item `end` ends; `end` if it has none."""
-        first = at = end
-        while at == end or (at >= 0 and self.items[at][1] not in "\r;"):
-            item, mark = self.items[at]
-            if item[:1].isalpha() and mark != ",":
-                first = at
-            at -= 1
-        return first
+        statement = range(self.begun(end), end + 1)
+        symbols = (at for at in statement if self.items[at][0][:1].isalpha() and self.items[at][1] != ",")
+        return next(symbols, end)
 
     def place(self, at: int) -> Place:
         """Return where item `at` stands; for an empty one, the character that ends it."""

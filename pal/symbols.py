@@ -119,7 +119,7 @@ def codes(name: str) -> tuple[int, int, int]:
     A to Z are 01 to 32, 0 to 9 are 60 to 71, and what is left over is 00; so the order of the words is that
     of the symbol table: letters before digits, and M60 after M6.
     """
-    padded = name[:6].ljust(6, "@")
+    padded = name[:SIGNIFICANT].ljust(SIGNIFICANT, "@")
     first, second, third, fourth, fifth, sixth = (ord(character) & 0o77 for character in padded)
     return first << 6 | second, third << 6 | fourth, fifth << 6 | sixth
 

@@ -98,7 +98,7 @@ class SymbolTable:
         if at + _CORE <= self.safe:
             return
         if not 0 <= at < len(self.words):
-            raise Stop(f"PAL III writes over itself, at {at + _CORE & _MASK:04o}")
+            raise Stop(f"PAL III writes over itself, at {at + _CORE:04o}")
         changed = self.words[at] ^ word
         self.words[at] = word
         place = at % ENTRY
@@ -126,10 +126,7 @@ class SymbolTable:
 
     def listed(self) -> list[int]:
         """Return where the symbols stand that are listed, in the order of their names; of equal ones one."""
-        entries = {}
-        for entry in range(self.end - ENTRY, self.first - 1, -ENTRY):
-            first, second, third = self.name(entry)
-            entries[first << 24 | second << 12 | third] = entry
+        entries = {self.name(entry): entry for entry in reversed(range(self.first, self.end, ENTRY))}
         return [entries[name] for name in sorted(entries)]
 
     def values(self) -> dict[str, int]:
@@ -138,5 +135,5 @@ class SymbolTable:
 
     def _rename(self) -> None:
         self.index.clear()
-        for entry in range(self.end - ENTRY, -1, -ENTRY):
+        for entry in reversed(range(0, self.end, ENTRY)):
             self.index[spelled(self.name(entry))] = entry

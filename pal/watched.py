@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from pal.assembler import Assembler, Listed, Message, Punched, Written
 from pal.isa import ADDRESS, INDIRECT, PAGE
-from pal.source import Source
+from pal.source import ENDS, Source
 from pal.symbols import PERMANENT, PSEUDO_OPERATORS, SIGNIFICANT, spelled
 from pal.table import ENTRY, PSEUDO, UNDEFINED, VALUE
 
@@ -30,8 +30,8 @@ class Watched(Assembler):
 
     def __init__(self, source: Source, capacity: int) -> None:
         super().__init__(source, capacity)
+        self._source = source
         self.notes: list[Note] = []
-        self.ended = 0
         self.moved = False
         self.cuts = False
         self._twice: set[int] = set()
@@ -79,17 +79,9 @@ class Watched(Assembler):
         return self._items[self._at][0]
 
     @property
-    def _begun(self) -> int:
-        """The first item of the statement."""
-        at = self._at
-        while at and self._items[at - 1][1] not in "\r;":
-            at -= 1
-        return at
-
-    @property
     def _has_symbol(self) -> bool:
         """Whether a symbol stands before the mark just read, if with blanks between."""
-        at, begun = self._at, self._begun
+        at, begun = self._at, self._source.begun(self._at)
         while at > begun and not self._items[at][0] and self._items[at - 1][1] in " \t":
             at -= 1
         return self._items[at][0][:1].isalpha()
@@ -159,7 +151,7 @@ class Watched(Assembler):
 
     def _see_reference(self) -> None:
         """Look at a memory reference of operation 0400, or with a Z and another page."""
-        items = self._items[self._begun : self._at + 1]
+        items = self._items[self._source.begun(self._at) : self._at + 1]
         if self._word == INDIRECT and not any(item in _REFERENCES for item, _ in items):
             self._note(
                 "PN16", "I without a memory-reference symbol makes an AND", "write the instruction before I"
@@ -196,7 +188,7 @@ class Watched(Assembler):
             return
         mark = self._items[self._at][1]
         if mark not in " \t":
-            what = "the next statement" if mark in "\r;" else f"what follows the {mark}"
+            what = "the next statement" if mark in ENDS else f"what follows the {mark}"
             self._note("PN20", f"{routine} takes {what}", f"write a space and the operand after {routine}")
         if routine == "FIELD" and self._so_far:
             self._see_operand()

@@ -21,7 +21,6 @@ from pal.cli import AssemblyError
 from tapes import binary
 
 CASES = sorted((Path(__file__).parent / "cases").glob("*.pal"))
-WITH_TABLE = [path for path in CASES if "/TABLE" in path.read_text()]
 
 
 def expected_words(line: str) -> list[tuple[int, int]]:
@@ -38,27 +37,20 @@ def expected_messages(line: str) -> list[str]:
 def test_a_source_gives_what_its_lines_say(path: Path) -> None:
     source = path.read_text()
     assembly = pal.assemble(source)
-    said = {number: expected_words(line) for number, line in enumerate(source.splitlines(), 1)}
-    listed: dict[int, list[tuple[int, int]]] = {number: [] for number in said}
-    for line in assembly.lines:
-        if line.address is not None and line.word is not None:
-            listed[line.number].append((line.address, line.word))
-    field_less = {
-        number: [(address & 0o7777, word) for address, word in words] for number, words in said.items()
-    }
+    words: dict[int, int] = {}
     for number, text in enumerate(source.splitlines(), 1):
-        assert listed[number] == field_less[number], f"line {number}: {text}"
+        said = expected_words(text)
+        words |= dict(said)
+        statements = [line for line in assembly.lines if line.number == number and line.word is not None]
+        listed = [(statement.address, statement.word) for statement in statements]
+        assert listed == [(address & 0o7777, word) for address, word in said], f"line {number}: {text}"
+    assert (binary.decode(assembly.tape).words, assembly.words) == (words, words)
     messages = sorted(str(message).rstrip() for message in assembly.messages)
     assert messages == sorted(message for line in source.splitlines() for message in expected_messages(line))
-
-
-@pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
-def test_the_tape_has_the_words_of_the_lines(path: Path) -> None:
-    source = path.read_text()
-    words = dict(word for line in source.splitlines() for word in expected_words(line))
-    assembly = pal.assemble(source)
-    assert binary.decode(assembly.tape).words == words
-    assert assembly.words == words
+    table = re.search(r"^/TABLE (.*)$", source, re.MULTILINE)
+    if table:
+        pairs = zip(table[1].split()[::2], table[1].split()[1::2], strict=True)
+        assert assembly.symbol_table == "".join(f"{name:6}  {value}\n" for name, value in pairs)
 
 
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
@@ -72,16 +64,6 @@ def test_a_pipe_gives_the_same_tape(
         monkeypatch.setattr(sys, "stdin", pipe)
         cli.pal.main(["-", "--force", "-o", "-"], standalone_mode=False)
     assert capfdbinary.readouterr().out == pal.assemble(path.read_text()).tape
-
-
-@pytest.mark.parametrize("path", WITH_TABLE, ids=lambda path: path.stem)
-def test_the_symbol_table_is_as_said(path: Path) -> None:
-    source = path.read_text()
-    said = re.search(r"^/TABLE (.*)$", source, re.MULTILINE)
-    assert said
-    pairs = said[1].split()
-    table = "".join(f"{name:6}  {value}\n" for name, value in zip(pairs[::2], pairs[1::2], strict=True))
-    assert pal.assemble(source).symbol_table == table
 
 
 def test_each_pass_assigns_again_so_that_tape_and_listing_may_differ() -> None:

@@ -2,16 +2,21 @@
 
 import json
 import re
+import sys
 from pathlib import Path
 
 import pytest
 
 import pal
+from pal import cli
+from pal.cli import AssemblyError
 from tests import commands
 
 EXAMPLES = Path(__file__).parent / "examples"
 GOOD = "*200\nA,\tCLA\n\tTAD A\n\tHLT\n$\n"
 BAD = "*200\n\tJMP 400\n$\n"
+BOLD, PLAIN = "\033[1m", "\033[0m"
+LITERAL = "*200\n\tTAD (5)\n\tHLT\n$\n"
 
 
 def run(*arguments: str | Path, folder: Path, source: bytes = b"") -> commands.Done:
@@ -56,6 +61,7 @@ def test_standard_input_goes_to_standard_output(folder: Path) -> None:
 
 
 def test_with_errors_there_is_no_tape_but_with_force(folder: Path) -> None:
+    (folder / "bad.bin").write_bytes(b"before")
     result = run("bad.pal", folder=folder)
     assert result.returncode == 1
     assert result.stderr.decode().splitlines() == [
@@ -66,15 +72,11 @@ def test_with_errors_there_is_no_tape_but_with_force(folder: Path) -> None:
         "go through a pointer on this page, with I",
         "pal: 1 error: no tape; --force punches it as DEC's assembler did",
     ]
-    assert not (folder / "bad.bin").exists()
-    assert run("bad.pal", "--force", folder=folder).returncode == 1
-    assert (folder / "bad.bin").read_bytes() == pal.assemble(BAD).tape
-
-
-def test_a_tape_from_before_is_left_alone_by_errors(folder: Path) -> None:
-    (folder / "bad.bin").write_bytes(b"before")
-    run("bad.pal", folder=folder)
     assert (folder / "bad.bin").read_bytes() == b"before"
+    forced = run("bad.pal", "--force", folder=folder)
+    assert forced.returncode == 1
+    assert forced.stderr.endswith(b"\npal: 1 error; bad.bin punched all the same\n")
+    assert (folder / "bad.bin").read_bytes() == pal.assemble(BAD).tape
 
 
 def test_several_sources_are_one_program(folder: Path) -> None:
@@ -176,14 +178,20 @@ def test_a_line_that_pass_3_has_no_room_for_is_noted(folder: Path) -> None:
     assert b"long.pal:2:224: note: a line of 223 characters: pass 3 has room for 222" in result.stderr
 
 
-def test_no_source_is_misuse(folder: Path) -> None:
-    assert run(folder=folder).returncode == 2
-
-
-def test_two_outputs_in_one_file_are_misuse(folder: Path) -> None:
-    assert run("good.pal", "-o", "-", "--listing", "-", folder=folder).returncode == 2
-    assert run("good.pal", "-o", "good.pal", folder=folder).returncode == 2
+def test_misuse(folder: Path) -> None:
+    (folder / "five.pal").write_text(LITERAL)
+    for words in ("", "good.pal -o - --listing -", "good.pal -o good.pal", "five.pal --tty tapes"):
+        assert run(*words.split(), folder=folder).returncode == 2
+    for output in ("-o", "--listing", "--symbols", "--xref", "--json", "--tty"):
+        assert b"--check writes nothing" in run("five.pal", "--check", output, "x", folder=folder).stderr
     assert (folder / "good.pal").read_text() == GOOD
+
+
+def test_without_pygls_an_editor_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delattr(pal, "server", raising=False)
+    monkeypatch.setitem(sys.modules, "pal.server", None)
+    with pytest.raises(AssemblyError, match=r"^--lsp needs pygls: pip install .*lsp"):
+        cli.pal.main(["--lsp"], standalone_mode=False)
 
 
 @pytest.mark.parametrize(
@@ -258,9 +266,6 @@ def test_a_pipe_that_is_closed_early_is_no_catastrophe(folder: Path) -> None:
     process.wait()
 
 
-LITERAL = "*200\n\tTAD (5)\n\tHLT\n$\n"
-
-
 def test_check_says_what_is_wrong_and_writes_nothing(folder: Path) -> None:
     (folder / "five.pal").write_text(LITERAL)
     result = run("five.pal", "--check", folder=folder)
@@ -270,7 +275,6 @@ def test_check_says_what_is_wrong_and_writes_nothing(folder: Path) -> None:
     refused = run("five.pal", "--check", "--dialect", "pal3", folder=folder)
     assert refused.returncode == 1
     assert refused.stderr.startswith(b"five.pal:2:6: error: IC  0250  AT  0200\n")
-    assert run("five.pal", "--check", "-o", "x.bin", folder=folder).returncode == 2
 
 
 def test_colours_are_for_a_terminal_that_may_have_them(folder: Path) -> None:
@@ -280,9 +284,12 @@ def test_colours_are_for_a_terminal_that_may_have_them(folder: Path) -> None:
         terminal = commands.Terminal("pal", "five.pal", "--check", folder=folder, TERM="xterm", **variables)
         assert terminal.ended() == 0
         assert (b"\033[" in terminal.seen) is coloured
-    assert b"\033[" in run("five.pal", "--check", "--color", "always", folder=folder).stderr
-
-
-def test_the_raw_frames_of_three_passes_are_pal_iiis_alone(folder: Path) -> None:
-    (folder / "five.pal").write_text(LITERAL)
-    assert run("five.pal", "--tty", "tapes", folder=folder).returncode == 2
+    shown = run("bad.pal", "--check", "--color", "always", folder=folder).stderr.decode().splitlines()
+    assert (
+        shown[0] == f"{BOLD}bad.pal:2:2:{PLAIN} \033[31m{BOLD}error:{PLAIN} {BOLD}IR  0400  AT  0200{PLAIN}"
+    )
+    assert shown[1:3] == ["    \tJMP 400", f"\033[32m    \t^^^{PLAIN}"]
+    note = run("five.pal", "--check", "--color", "always", folder=folder).stderr
+    assert note.decode().startswith(
+        f"{BOLD}five.pal:1:1:{PLAIN} \033[36m{BOLD}note:{PLAIN} {BOLD}taken for PAL8"
+    )

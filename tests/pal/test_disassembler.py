@@ -69,6 +69,7 @@ def test_a_bin_tape_comes_back_with_its_words_and_fields(core: dict[int, int]) -
     tape = binary.encode(core)
     again = binary.decode(pal.assemble(disassemble_tape(tape)).tape)
     assert again.words == binary.decode(tape).words
+    assert disassemble_tape(tape).removeprefix("*200\n") == disassemble(core).removeprefix("*200\n")
 
 
 @given(st.dictionaries(st.integers(0, 0o7777), words, min_size=2, max_size=60))

@@ -61,6 +61,15 @@ def test_the_words_are_palbarts() -> None:
             listed = [line.source for line in assembly.lines if line.source]
             assert listed == [line for line in source.replace("\r", "").split("\n") if line][: len(listed)]
             assert "$" in listed[-1]
+            for mention in assembly.mentions:
+                written, start, end = assembly.place(mention.at)[2:]
+                assert written[start:end].upper()[:6] == mention.name
+                assert written[end : end + 1] in (
+                    ",=" if mention.defined else "\r\t ;+-/<>()[]!&^%"
+                ) or end == len(written)
+            if "PUNCH" not in source:
+                words_listed = {line.address: line.word for line in assembly.lines if line.word is not None}
+                assert words_listed == assembly.words
 
 
 @pytest.mark.skipif(PALBART is None, reason="palbart is not installed")

@@ -66,6 +66,7 @@ def test_two_tapes_are_one_after_the_other(first: str, second: str) -> None:
 
 
 @given(pieces, st.sampled_from([1, 3, HIGH_SPEED_SYMBOLS]))
+@example("FIXMRI 1\n" * 80, 1)
 def test_any_reader_and_any_room_come_to_an_end(source: str, capacity: int) -> None:
     assembly = pal.assemble(source, capacity=capacity)
     look_at_everything(assembly)

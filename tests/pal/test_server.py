@@ -11,6 +11,7 @@ from pytest_lsp import make_test_lsp_client
 
 import pal
 from pal.columns import formatted
+from pal.document import Document
 from tapes import shelf
 from tests.commands import run, warm_environment
 from tests.conftest import awaited
@@ -102,15 +103,48 @@ def test_an_editor_asks_for_all_there_is(tmp_path: Path) -> None:
     assert spans(found["references"]) == places
     assert spans(found["rename"].changes[URI]) == places
     assert found["no rename"] is None
-    assert {"LOOP", "COUNT", "TAD", "FIELD"} <= {item.label for item in found["completion"]}
-    assert [(each.name, each.detail) for each in found["symbols"]] == [
-        ("COUNT", "0020"),
-        ("START", "0200"),
-        ("LOOP", "0202"),
+    offered = {
+        item.label: (lsp.CompletionItemKind(item.kind).name, item.detail) for item in found["completion"]
+    }
+    assert [offered["LOOP"], offered["COUNT"]] == [("Function", "0202"), ("Constant", "0020")]
+    assert offered["I"] == ("Keyword", "indirect: the word there holds the address")
+    assert {"TAD", "FIELD", "Z"} <= offered.keys()
+    assert [(each.name, each.detail, lsp.SymbolKind(each.kind).name) for each in found["symbols"]] == [
+        ("COUNT", "0020", "Constant"),
+        ("START", "0200", "Function"),
+        ("LOOP", "0202", "Function"),
     ]
     assert [(each.start_line, each.end_line) for each in found["folding"]] == [(3, 10), (0, 1)]
     assert found["format"][0].new_text.splitlines()[4:6] == ["START,\tCLA CMA IAC", "\tDCA COUNT\t/KEEP"]
     assert found["mended"] == []
+
+
+DOCUMENT = """\
+A1,1;B= 5
+/ONE
+  /TWO
+*200
+CIA /A1 IS
+LONGNAME1,\tb
+*300
+*400
+A1;7041
+/3
+/4
+"""
+
+
+def test_a_document_knows_what_stands_where() -> None:
+    known = Document(DOCUMENT.replace("\n", "\r\n"), "x.pal", "pal8")
+    assert [known.name_at(0, column) for column in range(9)] == ["A1", "A1", "A1", "", "", "B", "B", "", ""]
+    assert [known.name_at(*at) for at in ((4, 5), (5, 9), (5, 11), (12, 0))] == ["", "LONGNA", "B", ""]
+    defined = [(each.name, each.kind, each.value) for each in known.definitions]
+    assert defined == [("A1", "tag", 0o200), ("B", "value", 5), ("LONGNA", "tag", 0o201)]
+    assert known.folds() == [(3, 5, False), (7, 10, False), (1, 2, True), (9, 10, True)]
+    assert known.hover(0, 5) == "`B` = 0005, defined in line 1, used 1 time  \n`A1,1;B= 5`  \n`0200  0001`"
+    assert known.hover(8, 1).endswith("used 1 time  \n`A1,1;B= 5`  \n`0400  0200`  \n`0401  7041`")
+    assert known.hover(5, 0).startswith("`LONGNA` = 0201, defined in line 6, used 0 times  \n`LONGNAME1,\tb`")
+    assert known.hover(3, 0) == ""
 
 
 @pytest.mark.parametrize("name", ["eia.pal", "echo.pal", "hello.pal"])
