@@ -116,7 +116,7 @@ def test_some_words_of_page_zero_may_be_written_over() -> None:
     assert pal.assemble("\t14\n=5\n$\n").words == {0o200: 0o14}
     assert pal.assemble("=5\n\t5\n$\n").listing == "\n            =5\n0200  0005  \t5\n\n\n"
     assert pal.assemble("=5\n\t6\n$\n").listing == ""
-    assert pal.assemble("A!AAZ\n$\n").values["IOO@A"] == 0o1201  # ION, with A, A and Z added to its words
+    assert pal.assemble("A!AAZ\n$\n").values["IOQ@C"] == 0o7601  # ION, and A, A, Z thrice
     after_a_form_feed = pal.assemble("A=1\n\tA\n\f\tA\n=5\n\tA\n$\n")
     assert after_a_form_feed.listing.endswith("\n0202  0001  \tA\n\nA       0001\n\n")
 
