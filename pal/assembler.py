@@ -126,10 +126,7 @@ class Assembler:
         self._reads_ahead = capacity == HIGH_SPEED_SYMBOLS
         self._symbols = SymbolTable(capacity)
         self._pointer = self._symbols.page_zero(0)
-        self._made = False
         self._names: list[str] = []  # in the statement
-        self._broken = ""  # the item in which there was an illegal character
-        self._letters = 0  # in the number being read
         self._seen: dict[int, int] = {}
         self._redefined: dict[int, int] = {}  # where a pseudo-operator was
         self.table: list[Entry] = []
@@ -142,12 +139,11 @@ class Assembler:
         self._number = number
         self._symbols.safe = _SAFE_IN_3 if number == 3 else _SAFE
         self._reader = iter(enumerate(self._items))
-        self._at = 0  # the item read last
         self._output: list[Message | Punched | Written | Listed] = []
         self._location = START
         self._field = 0
         self._radix = 8
-        self._broken = ""
+        self._broken = ""  # the item in which there was an illegal character
         self._checksum = 0
         self._line = 0  # the first item of the line
         self._pending: list[tuple[str, int, int]] = []
@@ -181,7 +177,7 @@ class Assembler:
         """Read the source, to the first ``$``, and do what each character that ends an item says."""
         self._clear()
         for at, (item, mark) in self._reader:
-            self._at = at
+            self._at = at  # the item read last
             name = self._go_on(item) if self._broken else item
             if not name:
                 if self._operator:
@@ -441,7 +437,7 @@ class Assembler:
         name, self._broken = self._broken, ""
         if not name[0].isalpha():
             if name.isdigit():
-                self._letters = 0
+                self._letters = 0  # in the number being read
             return _RESUMED + rest
         self._symbols.spill(rest)
         return name

@@ -196,7 +196,7 @@ def _illegal(code: str, location: int) -> str:
 
 
 def _spelled(character: int) -> str:
-    return chr(character) if 0o40 < character < 0o177 else f"(code {character | 0o200:04o})"
+    return chr(character) if chr(character).isprintable() else f"(code {character | 0o200:04o})"
 
 
 def _beyond(address: str, location: int) -> str:

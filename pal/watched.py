@@ -35,7 +35,7 @@ class Watched(Assembler):
         self.moved = False
         self.cuts = False
         self._twice: set[int] = set()
-        self._assigned = 0
+        self._assigned: int | None = None
         self._expunged: int | None = None
         self._swallowed: tuple[int, str] | None = None
         self._kept: int | None = None
@@ -260,7 +260,7 @@ class Watched(Assembler):
         boundary = self._symbols.boundary
         super()._act_upon(routine)
         moved = self._symbols.boundary
-        if moved == boundary or moved == self._assigned + ENTRY:
+        if moved == boundary or moved - ENTRY == self._assigned:
             return
         name = spelled(self._symbols.name(moved - ENTRY))
         message = f"FIXMRI makes {name} a memory reference, whatever it defines"

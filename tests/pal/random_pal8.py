@@ -14,20 +14,8 @@ import pal
 
 PALBART = shutil.which("palbart")
 REFERENCES = ["AND", "TAD", "ISZ", "DCA", "JMS", "JMP"]
-OPERATES = [
-    "CLA",
-    "CLL CMA",
-    "RAL",
-    "SZA CLA",
-    "HLT",
-    "IAC;RTL",
-    "KSF",
-    "TLS",
-    "CDF 10",
-    "NOP",
-    "SPA SNA",
-    "6031",
-]
+OPERATES = ["CLA", "CLL CMA", "RAL", "SZA CLA", "HLT", "IAC;RTL", "KSF", "TLS", "CDF 10", "NOP", "SPA SNA"]
+OPERATES += ["6031"]
 CHARACTERS = "ABCXYZ0189 .;$,+-*=()[]<&!?@#"
 
 

@@ -82,7 +82,8 @@ def test_with_errors_there_is_no_tape_but_with_force(folder: Path) -> None:
 def test_several_sources_are_one_program(folder: Path) -> None:
     (folder / "one.pal").write_text("*200\n\tJMP B\nPAUSE\n")
     (folder / "two.pal").write_text("B,\tHLT\n\tTAD 400\n$\n")
-    result = run("one.pal", "two.pal", "-o", "both.bin", "--force", folder=folder)
+    result = run("one.pal", "two.pal", "-o", "both.bin", "--force", "--xref", "-", folder=folder)
+    assert result.stdout.splitlines()[0] == b"B       0201  two.pal:1         one.pal:2"
     assert b"two.pal:2:2: error: IR  0400  AT  0202" in result.stderr
     assert (folder / "both.bin").read_bytes()[65:75].hex(" ") == "42 00 42 00 2a 01 3c 02 0a 00"
 

@@ -35,8 +35,9 @@ def test_of_a_long_line_a_hundred_characters_are_shown() -> None:
 
 
 def test_tapes_after_the_end_are_noted() -> None:
-    (note,) = pal.assemble("1\n$\n", "2\n$\n", names=["one.pal", "two.pal"]).diagnostics
-    assert (note.file, note.message) == ("one.pal", "1 more tape not read")
+    for others, message in ((["2\n$\n"], "1 more tape not read"), (["2\n", "$"], "2 more tapes not read")):
+        (note,) = pal.assemble("1\n", "1\n$\n", *others).diagnostics
+        assert (note.file, note.line, note.column, note.message) == ("tape 2", 2, 1, message)
 
 
 def test_a_good_source_has_nothing_to_say() -> None:

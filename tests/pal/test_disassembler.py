@@ -80,31 +80,28 @@ def test_a_rim_tape_comes_back_with_its_words(core: dict[int, int]) -> None:
     assert pal.assemble(disassemble_tape(tape)).words == core
 
 
-@pytest.mark.parametrize(
-    ("word", "text"),
-    [
-        (0o7000, "NOP"),
-        (0o7300, "CLA CLL"),
-        (0o7041, "CIA"),
-        (0o7240, "STA"),
-        (0o7367, "CLA CLL CMA CML RTL IAC"),
-        (0o7016, "RTR RTL"),
-        (0o7002, None),
-        (0o7640, "SZA CLA"),
-        (0o7460, "SZA SNL"),
-        (0o7570, "SPA SNA SZL"),
-        (0o7610, "SKP CLA"),
-        (0o7604, "LAS"),
-        (0o7602, "CLA HLT"),
-        (0o7400, None),
-        (0o7401, None),
-        (0o6046, "TLS"),
-        (0o6016, "RRB RFC"),
-        (0o6203, None),
-    ],
-)
-def test_microinstructions_are_named(word: int, text: str | None) -> None:
-    assert microinstruction(word) == text
+NAMED = {
+    **{0o7000: "NOP", 0o7300: "CLA CLL", 0o7041: "CIA", 0o7240: "STA", 0o7367: "CLA CLL CMA CML RTL IAC"},
+    **{0o7016: "RTR RTL", 0o7002: None, 0o7640: "SZA CLA", 0o7460: "SZA SNL", 0o7570: "SPA SNA SZL"},
+    **{0o7610: "SKP CLA", 0o7604: "LAS", 0o7602: "CLA HLT", 0o7400: None, 0o7401: None},
+    **{0o6046: "TLS", 0o6016: "RRB RFC", 0o6203: None},
+}
+
+
+def test_microinstructions_are_named() -> None:
+    assert {word: microinstruction(word) for word in NAMED} == NAMED
+
+
+LINES = {
+    0o5420: "\tJMP I 20\t/0200 5420",  # eight characters: a tab reaches the comment's column from there
+    0o5407: "\tJMP I 7\t\t/0200 5407",
+    **{0o7641: "\t7641\t\t/0200 7641", 0o7300: "\tCLA CLL\t\t/0200 7300"},
+    **{0o7640: "\tSZA CLA\t\t/0200 7640", 0o7340: "\tCLA CLL CMA\t/0200 7340"},
+}
+
+
+def test_the_comment_stands_in_its_column() -> None:
+    assert {word: disassemble({0o200: word}).splitlines()[1] for word in LINES} == LINES
 
 
 def test_every_name_gives_its_word() -> None:

@@ -159,3 +159,24 @@ def test_columns_change_no_word(name: str) -> None:
 def test_columns_leave_texts_alone() -> None:
     source = '*200\n  CLA  /X\n TEXT "A / B"\n$\n'
     assert formatted(source, "pal8") == '*200\n\tCLA\t\t/X\n TEXT "A / B"\n$\n'
+
+
+COLUMNS = {
+    "  /C": "  /C",
+    "*200 /X": "*200\t\t\t/X",
+    "A , TAD 5/Y": "A ,\tTAD 5\t\t/Y",
+    " CLA CLL CMA CML RAL/L": "\tCLA CLL CMA CML RAL\t/L",
+    " CLA CLL CMA CML /L": "\tCLA CLL CMA CML\t/L",
+    " \t": "",
+    "BB = 6/W": "BB = 6\t\t\t/W",
+    "LONGTAG,LONGER,5": "LONGTAG,\tLONGER,5",
+    "\tHLT  \r": "\tHLT\r",
+    "1234567/Q": "\t1234567\t\t/Q",
+    "12345670 /R": "\t12345670\t/R",
+    "$": "$",
+}
+"""Lines, and what they are in columns of eight."""
+
+
+def test_each_line_is_put_in_columns() -> None:
+    assert formatted("\n".join(COLUMNS), "pal3").split("\n") == list(COLUMNS.values())
