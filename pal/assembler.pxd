@@ -38,7 +38,7 @@ cdef class Assembler:
     cdef bint _look_up(self, str name, str mark) except -1
     cdef _apply(self)
     cdef _point(self)
-    @cython.locals(kind=str, pointer=int)
+    @cython.locals(kind=str, pointer=int, value=int)
     cdef _finish(self)
     @cython.locals(address=int, page=int)
     cdef _make_word(self)

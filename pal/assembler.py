@@ -314,9 +314,10 @@ class Assembler:
             self._made = False
             if kind == "=":
                 self._blamed = begun
-                if self._number == 2 and self._word != self._symbols.word(pointer + VALUE):
+                value = pointer + VALUE
+                if self._number == 2 and self._word != self._symbols.word(value):
                     self._watch("moved", pointer)
-                self._symbols.store(pointer + VALUE, self._word)
+                self._symbols.store(value, self._word)
                 self._blamed = None
             elif kind == "*":
                 self._location = self._word

@@ -156,18 +156,15 @@ class Assembly8(Assembly):
 
         if not any(line.text for line in self._lines):
             return [empty(self.names)]
-        found: list[tuple[tuple[int, int], Diagnostic]] = []
-        for problem in self._problems:
-            diagnostic = at_place(
-                ERROR, problem.code, problem.message, problem.advice, self.names, self.place(problem.at)
-            )
-            found.append((self._run.places[problem.at][:2], diagnostic))
+        found = [(each.at, ERROR, each.code, each.message, each.advice) for each in self._problems]
         for note in self._notes():
-            place = self.place(note.at)
-            if not silenced(place.text, note.code):
-                diagnostic = at_place(NOTE, note.code, note.message, note.advice, self.names, place)
-                found.append((self._run.places[note.at][:2], diagnostic))
-        return [diagnostic for _, diagnostic in sorted(found, key=lambda item: item[0])]
+            if not silenced(self.place(note.at).text, note.code):
+                found.append((note.at, NOTE, note.code, note.message, note.advice))
+        found.sort(key=lambda each: self._run.places[each[0]])
+        return [
+            at_place(severity, code, message, advice, self.names, self.place(at))
+            for at, severity, code, message, advice in found
+        ]
 
     @cached_property
     def _problems(self) -> list[pal8.Problem]:

@@ -68,8 +68,6 @@ def _of_symbol(name: str) -> str:
 
 
 def _of_character(code: int) -> str:
-    if code < 0o200:
-        return ""
     character = chr(code & 0o177)
     if "a" <= character <= "z":
         return "PAL III knows capital letters only"

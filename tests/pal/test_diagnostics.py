@@ -17,6 +17,7 @@ def test_a_diagnostic_in_full() -> None:
 
 
 def test_of_an_empty_line_nothing_is_shown() -> None:
+    assert [pal.assemble(*tapes).diagnostics[0].file for tapes in ([], [""])] == ["source", "tape 1"]
     (note,) = pal.assemble("\n").diagnostics
     advice = "PAL III would wait for more tape; it is taken as if there were one"
     assert str(note) == f"tape 1:1:1: note: no $ at the end [PN27]\n  {advice}"

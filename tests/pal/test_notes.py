@@ -84,6 +84,8 @@ ENDS += ["7440;JMP 20", "SZA;5"]
 
 
 def test_data_that_the_program_runs_into_are_noted() -> None:
+    for data, notes in (("5777", 1), ("6000", 0)):
+        assert len(noted(f"*200\n\tCLA\nA,\t{data}\n\tTAD A\n\tHLT\n$\n")) == notes
     for words in RUNS_ON + ENDS:
         for use, counts in (
             ("TAD A", True),

@@ -144,7 +144,7 @@ def test_a_document_knows_what_stands_where() -> None:
     assert known.hover(0, 5) == "`B` = 0005, defined in line 1, used 1 time  \n`A1,1;B= 5`  \n`0200  0001`"
     assert known.hover(8, 1).endswith("used 1 time  \n`A1,1;B= 5`  \n`0400  0200`  \n`0401  7041`")
     assert known.hover(5, 0).startswith("`LONGNA` = 0201, defined in line 6, used 0 times  \n`LONGNAME1,\tb`")
-    assert known.hover(3, 0) == ""
+    assert (known.hover(3, 0), Document("*200\n", "x.pal").folds()) == ("", [])
 
 
 @pytest.mark.parametrize("name", ["eia.pal", "echo.pal", "hello.pal"])
@@ -165,7 +165,7 @@ COLUMNS = {
     "  /C": "  /C",
     "*200 /X": "*200\t\t\t/X",
     "A , TAD 5/Y": "A ,\tTAD 5\t\t/Y",
-    " CLA CLL CMA CML RAL/L": "\tCLA CLL CMA CML RAL\t/L",
+    " CLA CLL CMA CML RAL/L?": "\tCLA CLL CMA CML RAL\t/L?",
     " CLA CLL CMA CML /L": "\tCLA CLL CMA CML\t/L",
     " \t": "",
     "BB = 6/W": "BB = 6\t\t\t/W",
