@@ -2,9 +2,9 @@
 
     python -m tests.fuzz.fuzzer --count 1000000 --seed 1
 
-Every 10,000 calls it says how many there were, and how many failures. Parts are called with options alone,
-never as they are: a whole circle costs as much as a hundred other calls. What takes long is called seldom, as
-RARE says. `panel` has no terminal here: only its arguments are tried, and its own tests sit down at it.
+Every 10,000 calls it says how many there were, and how many failures. Commands and options are those that
+there are, as click has them. Parts are never called as they are: a whole circle costs as much as a hundred
+other calls; what takes long is called seldom, as RARE says. `panel` has no terminal here.
 
 A call is a failure where it raises anything but an exit, shows a traceback or a warning of Python's, ends
 with a status other than 0, 1, 2 or 130, takes ten seconds of processor time or two minutes, changes a source,
@@ -26,14 +26,18 @@ import time
 import traceback
 import zlib
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+import click
+
 from pdp8.cli.root import pdp8
+from release.reference import commands as walk
 from tapes import ascii, binary, command, rim, shelf
+from tapes.arguments import Folder, Source, Target
 
 SECONDS = 10
 MEMORY = 2 << 30
@@ -43,198 +47,46 @@ LOOK = 10_000
 MEMORY_DISK = "/dev/shm"
 
 WORDS = {0o200 + at: word for at, word in enumerate((0o7300, 0o1205, 0o6046, 0o6041, 0o5203, 0o7402))}
-NUMBERS = (
-    "0",
-    "1",
-    "-1",
-    "7777",
-    "10000",
-    "9",
-    "1e9",
-    "1e308",
-    "nan",
-    "inf",
-    "-inf",
-    "0.001",
-    "",
-    "1,1",
-    "é",
-)
+NUMBERS = ["0", "1", "-1", "7777", "10000", "9", "1e9", "1e308", "nan", "inf", "-inf", "0.01", "1,1", "é", ""]
 SCRIPT = (
-    *(
-        "go 200 0.1",
-        "cont 0.1",
-        "step 3",
-        "cycle 5",
-        "registers",
-        "page",
-        "page more",
-        "rim",
-        "help",
-        "forget",
-    ),
-    *(
-        "examine 200:210",
-        "deposit 200 7402",
-        "set ac 7777",
-        "set hands 0",
-        "break 203",
-        "watch 200",
-        "trace on",
-    ),
-    *(
-        'expect "A" 0.1',
-        "until BEL 2 times 0.1",
-        "assert ac 0",
-        "wait 0.5",
-        'type A "B" # C',
-        'keyboard "A\\r"',
-        "keyboard now abc",
-        "key stop",
-    ),
-    *(
-        "reader tape",
-        "load tape",
-        "load tape force",
-        "boot tape",
-        "listing tape",
-        "restore tape",
-        "save state",
-    ),
-    *("punch out", "punch off", "reader none", "reader stop", "fast-reader tape", "quit", "exit", "run 0.1"),
-    *("reader tape\npunch hard", "load soft\npunch tape", "restore tape\nsave no/../tape", "listing -"),
-    *("punch script", "save script", "save kept", "punch locked/out", "save no/out", "punch /dev/full"),
-    *("punch .", "save -", 'save ""', "reader /dev/zero", 'load "a\0b"', "save \x1b[2J", "watch 0:7777"),
+    *r"""
+    go 200 0.1; cont 0.1; run 0.1; step 3; cycle 5; registers; page; page more; rim; help; forget; quit; exit
+    examine 200:210; deposit 200 7402; set ac 7777; set hands 0; break 203; watch 200; watch 0:7777; trace on
+    expect "A" 0.1; until BEL 2 times 0.1; assert ac 0; wait 0.5; type A "B" # C; keyboard "A\r"; key stop
+    keyboard now abc; reader tape; load tape; load tape force; boot tape; listing tape; listing -
+    restore tape; save state; punch out; punch off; reader none; reader stop; fast-reader tape
+    punch script; save script; save kept; punch locked/out; save no/out; punch /dev/full; punch .; save -
+    save ""; reader /dev/zero
+    """.replace("\n", ";").split(";"),
+    *("reader tape\npunch hard", "load soft\npunch tape", "restore tape\nsave no/../tape"),
+    *('load "a\0b"', "save \x1b[2J"),
 )
-OPTIONS = {
-    "run": ("--start", "--sr", "--quiet", "--boot", "--force", "--cycles", "--realtime"),
-    "tape show": ("--from", "--to", "--code"),
-    "tape punch": ("--fill", "--leader", "--code", "--parity", "--drop-spaces", "--keep-spaces"),
-    "tape convert": ("--parity", "--fill", "--code"),
-    "tape clean": (),
-    "tape info": (),
-    "dis": (),
-    "nc list": ("--modes", "--strict", "--feed-error", "--feed-code"),
-    "nc cut": ("--strict", "--feed-error", "--feed-code", "--peck", "--tool-change"),
-    "nc plot": ("--block", "--at", "--zoom", "--cutter", "--tolerance", "--circle", "--ellipse", "--line"),
-    "nc inspect": ("--cutter", "--tolerance", "--circle", "--function", "--range"),
-    "nc export": ("--gcode", "--dxf", "--cutter", "--tolerance"),
-    "part fit": ("--degree",),
-    "part mirror": ("--across", "--about", "--fill", "--parity"),
-    "pal": ("--rim", "--force", "--modern", "--high-speed-reader", "--strict"),
-    "nc view": (),
-    "tape read": ("--underside",),
-    "check": ("--prove", "--show", "--seed", "--cpu"),
-    "cards": ("--pdf",),
-    "thesis make": (),
-    "thesis evidence": (),
-    "thesis numbers": ("--chapter",),
-    "part compare": ("--major", "--outer", "--cut", "--degree"),
-    "vectors": ("--states",),  # of numbers that it refuses: what it writes takes half a minute
-    "replay": (),
-    "workbench": (),
-    "panel": ("--start", "--sr", "--drill", "--kiosk", "--cold"),
-}
-NAMES = {  # what stands before the tape, or in its place
+NAMES = {  # what a command takes that is no file
     "check": ("add", "read-a-frame", "loader", "nothing"),
     "cards": ("rim", "ascii", "afternoon", "nothing"),
     "thesis make": ("2.2", "5.3", "ch2-block", "all.", ""),
-    "thesis evidence": ("eia.pal", "circle.for", "tape", "nothing"),
+    "thesis evidence": ("eia.pal", "circle.for", "nothing"),
     "part compare": ("circle", "polynomial", "nothing"),
+    "part curve": (
+        *("sin(x)", "x**2/4", "1/x", "((x", "x**x**x", "exp(x**9)", "__import__('os')", "1e999", "0*x"),
+    ),
     "replay": ("slope", "drill", "circle", "nothing"),
+    "monitor": ("script",),
 }
 AWKWARD = ("\x1b[31mname", os.fsdecode(b"\xff\xfe"), "n" * 300, "a\0b", " ", "-x", "CON")
 """Names that a file may have, or that a careless program breaks at."""
 LINKS = ("hard", "soft", "no/../tape")
 """Other names of the tape; soft is a link to it, hard the same file."""
 KEPT = b"kept"
-INSTEAD = (
-    "-",
-    ".",
-    "nowhere",
-    "no/where",
-    "hello.pal",
-    "/dev/null",
-    "/dev/zero",
-    "",
-    *AWKWARD,
-)  # of the tape, one call in twenty
+INSTEAD = ("-", ".", "nowhere", "no/where", "hello.pal", "/dev/null", "/dev/zero", "", *AWKWARD)
+"""What stands in the place of a source, one time in twenty."""
 OUTPUTS = ("out", "out", "tape", "no/out", "/dev/full", ".", *LINKS, *AWKWARD, "kept", "locked/out")
-WRITES = (
-    *(
-        "pal",
-        "tape punch",
-        "tape read",
-        "nc plot",
-        "tape convert",
-        "tape clean",
-        "part mirror",
-        "nc view",
-        "cards",
-    ),
-    *("thesis make", "thesis evidence", "thesis numbers", "vectors", "replay", "workbench"),
-)
-RECORDS = {  # what else is written
-    "pal": ("--json", "--listing", "--symbols", "--xref"),
-    "check": ("--json", "--junit", "--csv", "--pages", "--export-student"),
-    "run": ("--punch", "--count-json", "--save"),
-    "tape show": ("--svg",),
-    "nc inspect": ("--talyrond", "--talysurf"),
-}
 RARE = {  # which part of their calls is made
-    **dict.fromkeys(
-        ("check", "cards", "nc view", "thesis make", "part compare", "vectors", "tape read"), 0.1
-    ),
-    "workbench": 0.03,
-    "replay": 0.01,
+    **dict.fromkeys(("check", "cards", "nc view", "part compare", "tape read"), 0.1),
+    **{"thesis make": 0.1, "workbench": 0.03, "thesis page": 0.03, "replay": 0.01},
 }
-NO_TAPE = (
-    "cards",
-    "part compare",
-    "thesis numbers",
-    "vectors",
-    "replay",
-    "workbench",
-    "thesis make",
-    "thesis evidence",
-)
-PARTS = {
-    "circle": (
-        "--radius",
-        "--outer",
-        "--inner",
-        "--start-x",
-        "--centre-y",
-        "--sequence",
-        "--arithmetic",
-    ),
-    "ellipse": ("--major", "--minor", "--outer-major", "--start-y", "--x-feed"),
-    "die": ("--major", "--minor", "--centre-x", "--cut"),
-    "drill": ("--holes", "--z-depth", "--spindle", "--z-feed"),
-    "slope": ("--from-x", "--to-y", "--park-x", "--tool"),
-    "polynomial": ("--a", "--b", "--from", "--to", "--cutter", "--side"),
-    "fluidic": ("--control", "--axis-x", "--program"),
-    "nothing": (),
-    "--help": (),
-}
-MILLING = ("--tolerance", "--technique", "--feed-code", "--fastest", "--feed-error", "--fill", "--parity")
-FLAGS = {
-    *("--quiet", "--boot", "--force", "--cycles", "--drop-spaces", "--keep-spaces", "--modes", "--strict"),
-    *("--gcode", "--dxf", "--rim", "--modern", "--high-speed-reader"),
-    *("--prove", "--pdf", "--kiosk", "--cold", "--no-clobber", "--underside"),
-}
-EXPRESSIONS = (
-    "sin(x)",
-    "x**2/4",
-    "1/x",
-    "x",
-    "((x",
-    "x**x**x",
-    "exp(x**9)",
-    "__import__('os')",
-    "1e999",
-    "0*x",
-)
+NEVER = ("dap", "vectors", "--realtime", "--lsp", "--version", "--help")
+"""Commands and options that are not called: they wait for an editor or the clock, or take long."""
 
 
 class TooLong(BaseException):
@@ -300,9 +152,8 @@ def mutated(content: bytes, chance: random.Random) -> bytes:
             case 4:
                 del frames[at : at + chance.randrange(50)]
             case 5:
-                frames[at:at] = bytes(
-                    [chance.choice((0, 0o177, 0o200, 0o377, 10, 13, 0o44))]
-                ) * chance.randrange(99)
+                hole = chance.choice((0, 0o177, 0o200, 0o377, 10, 13, 0o44))
+                frames[at:at] = bytes([hole]) * chance.randrange(99)
             case 6:
                 return chance.randbytes(chance.randrange(400))
             case _:
@@ -310,70 +161,54 @@ def mutated(content: bytes, chance: random.Random) -> bytes:
     return bytes(frames[: 2 * LONGEST])
 
 
+@cache
+def commands() -> dict[str, click.Command]:
+    """Return every command by its name, as `tape show`."""
+    found = {each.command_path[5:]: each.command for each in walk(click.Context(pdp8, info_name="pdp8"))}
+    return {
+        name: each for name, each in found.items() if not isinstance(each, click.Group) and name not in NEVER
+    }
+
+
 def arguments(chance: random.Random) -> list[str]:
-    """Return a command line whose input is the file `tape`."""
-    name = chance.choice((*OPTIONS, "monitor", "part", "curve", "run"))
+    """Return a command line whose inputs are the files `tape` and `reader`."""
+    name = chance.choice([*commands(), "run", "monitor"])
     if chance.random() > RARE.get(name, 1):
         name = "run"
-    if name == "monitor":
-        return ["monitor", "script"]
-    if name == "curve":
-        line = ["part", "curve", chance.choice(EXPRESSIONS)]
-        return line + _options(chance, ("--from", "--to", "--cutter", *MILLING), at_least=1)
-    if name == "part":
-        part = chance.choice(list(PARTS))
-        return ["part", part, *_options(chance, (*PARTS[part], *MILLING), at_least=1)]
-    tape = [] if name in NO_TAPE else [chance.choice(INSTEAD) if chance.random() < 0.05 else "tape"]
-    outputs = [
-        path for path in OUTPUTS if path not in ("tape", *LINKS) or "tape" in tape
-    ]  # no source, no damage
-    options = _options(chance, OPTIONS.get(name, ()), at_least=name == "vectors")
-    line = [*name.split(), *_named(chance, name), *tape, *options]
-    if name == "run":
-        line = ["run", *tape, "--max-time", "0.2", *line[2:]]
-        line += chance.choice(([], ["--reader", "reader"], ["--reader", "reader", "--reader", "tape"]))
-        line += chance.choice(
-            (
-                *([], [], ["--trace", "out.trace"], ["--save", "out.state"], ["--fast-punch", "out.fast"]),
-                *(["--fast-reader", "reader"], ["--annotate", "out.counts"], ["--count-json", "out.json"]),
-                *(["--count"], ["--loader", "reader"], ["--tty", chance.choice(outputs)]),
-            )
-        )
-        if chance.random() < 0.1:
-            line[1:2] = ["--restore", *tape]
-    if name == "tape convert":
-        line += ["--to", chance.choice(("text", "ascii", "eia", "bin", "rim", "octal", "frames"))]
-    if name == "nc export" and chance.random() < 0.7:
-        line += ["--gcode"]
-    if name in WRITES and chance.random() < 0.8:
-        line += ["-o", chance.choice(outputs)]
-    if name in RECORDS and chance.random() < 0.5:
-        line += [chance.choice(RECORDS[name]), chance.choice(outputs)]
-    if name in WRITES and chance.random() < 0.1:
-        line += ["--no-clobber"]
-    if name == "replay":
-        line += chance.choice(([], ["--html", chance.choice(outputs)]))
-    return line
+    words = [chance.choice(NAMES[name])] if name in NAMES else []
+    options: list[click.Option] = []
+    for param in commands()[name].params[len(words) :]:
+        if isinstance(param, click.Argument):
+            words += _value(chance, param, OUTPUTS)
+        elif isinstance(param, click.Option) and param.opts[-1] not in NEVER:
+            options.append(param)
+    no_source = () if "tape" in words else ("tape", *LINKS)  # and so no damage to it
+    outputs = [path for path in OUTPUTS if path not in no_source]
+    at_least = name.startswith("part")
+    for option in chance.sample(options, min(len(options), max(at_least, chance.choice((0, 0, 1, 2, 3))))):
+        words += [option.opts[-1], *([] if option.is_flag else _value(chance, option, outputs))]
+    return [*name.split(), *words, *(("--max-time", "0.2") if name == "run" else ())]
 
 
-def _named(chance: random.Random, name: str) -> list[str]:
-    return [chance.choice(NAMES[name])] if name in NAMES else []
-
-
-def _options(chance: random.Random, options: tuple[str, ...], at_least: int = 0) -> list[str]:
-    line: list[str] = []
-    for option in chance.sample(options, min(len(options), max(at_least, chance.choice((0, 0, 1, 2))))):
-        line += [option] if option in FLAGS or chance.random() < 0.02 else [option, chance.choice(NUMBERS)]
-    return [word for word in line if word != "--realtime"]
+def _value(chance: random.Random, param: click.Parameter, outputs: Sequence[str]) -> list[str]:
+    """Return what a parameter is given: seldom nothing."""
+    if chance.random() < 0.05:
+        return []
+    if isinstance(param.type, Source):
+        return [chance.choice(INSTEAD if chance.random() < 0.05 else ("tape", "reader"))]
+    if isinstance(param.type, Target | Folder):
+        return [chance.choice(outputs)]
+    if isinstance(param.type, click.Choice) and chance.random() < 0.5:
+        return [str(chance.choice(param.type.choices))]
+    return [chance.choice(NUMBERS) for _ in range(max(1, param.nargs))]
 
 
 def prepare(chance: random.Random, good: list[bytes]) -> dict[str, bytes]:
     """Return the files of one call."""
     lines = "\n".join(chance.choice(SCRIPT) for _ in range(chance.randrange(8)))
     if chance.random() < 0.3:
-        lines += "\n" + "".join(
-            chr(chance.choice((chance.randrange(128), 0o42, 0o134, 0xE9))) for _ in range(30)
-        )
+        codes = [chance.choice((chance.randrange(128), 0o42, 0o134, 0xE9)) for _ in range(30)]
+        lines += "\n" + "".join(map(chr, codes))
     return {
         "tape": mutated(chance.choice(good), chance),
         "reader": mutated(chance.choice(good), chance),

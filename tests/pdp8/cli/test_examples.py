@@ -6,19 +6,10 @@ from collections.abc import Iterator
 import click
 
 from pdp8.cli.root import pdp8
+from release.reference import commands
 from tests.conftest import case
 
 PARENT = click.Context(pdp8, info_name="pdp8")
-
-
-def commands(context: click.Context) -> Iterator[click.Context]:
-    """Yield the context of a command and of all below it."""
-    yield context
-    if isinstance(context.command, click.Group):
-        for name in context.command.list_commands(context):
-            found = context.command.get_command(context, name)
-            assert found
-            yield from commands(click.Context(found, info_name=name, parent=context))
 
 
 def examples(context: click.Context) -> list[str]:

@@ -3,13 +3,13 @@
 import signal
 import subprocess
 import time
-from collections.abc import Iterator
 from pathlib import Path
 
 import click
 import pytest
 
 from pdp8.cli.root import pdp8
+from release.reference import commands as walk
 from tapes import binary, shelf
 from tests import commands
 from tests.conftest import Shell
@@ -226,23 +226,15 @@ def test_narrow_terminals_and_no_colour(columns: str, tmp_path: Path) -> None:
     assert b"--max-time" in terminal.seen
 
 
-def every_command(group: click.Group, path: str = "pdp8") -> Iterator[tuple[str, click.Command]]:
-    """Yield each command with its name, `pdp8 tape show`."""
-    context = click.Context(group)
-    for name in group.list_commands(context):
-        command = group.get_command(context, name)
-        assert command
-        if isinstance(command, click.Group):
-            yield from every_command(command, f"{path} {name}")
-        else:
-            yield f"{path} {name}", command
+EVERY = {each.command_path: each.command for each in walk(click.Context(pdp8, info_name="pdp8"))}
+"""Each command with its name, `pdp8 tape show`."""
 
 
 def options(name: str) -> list[tuple[str, click.Option]]:
     """Return each option that takes a value and answers to `name`, or every one, with its command."""
     return [
         (path, option)
-        for path, command in every_command(pdp8)
+        for path, command in EVERY.items()
         for option in command.params
         if isinstance(option, click.Option) and not option.is_flag and (not name or name in option.opts)
     ]
@@ -271,7 +263,7 @@ def test_an_option_means_the_same_in_every_command() -> None:
 
 @pytest.mark.parametrize(
     "path",
-    [path for path, each in every_command(pdp8) for option in each.params if option.required]
+    [path for path, each in EVERY.items() for option in each.params if option.required]
     + ["pdp8 nc view circle.eia"],
 )
 def test_what_is_required_is_asked_for(shell: Shell, path: str) -> None:
