@@ -49,7 +49,6 @@ coverage: .venv/ready-dev
 
 .PHONY: evidence
 evidence: .venv/ready
-	$(BIN)/python -m pdp8.thesis.restoration
 	$(BIN)/python -m pdp8.thesis.edition
 
 .PHONY: figures

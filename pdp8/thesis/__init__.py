@@ -10,8 +10,7 @@ measures     what we make of each
 evidence     the surviving programs line by line: scan, ours, why; scan/ has the tables
 reading      what a legible line of the scan says: six rules
 facsimile    listings B, C and D as they stood on their pages
-edition      the tables of docs/thesis.md
-restoration  the sources of programs/ and the tables of docs/restoration.md, made from the evidence
+edition      the tables of docs/thesis.md and docs/restoration.md, and the sources of programs/
 
 The makers:
 slopes       the two techniques            flowcharts  the five charts, drawn by flow

@@ -12,6 +12,7 @@ catalogue.toml has them:
     says     the thesis's own words
     note     what is shown here, and why it may differ
     maker    the function, of a module of this package, that makes it
+    given    what that is called with
     tape     the function that makes the tape it was cut from, where that is no part's own
     across   whether its pictures stand side by side, or one above the other
 
@@ -20,6 +21,7 @@ Source: the thesis; the captions and the text of the scan.
 
 import re
 import tomllib
+from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
 from typing import Any, Final, NamedTuple
@@ -41,6 +43,7 @@ class Item(NamedTuple):
     says: str
     note: str
     maker: str = ""
+    given: Mapping[str, Any] = {}
     tape: str = ""
     across: bool = True
 

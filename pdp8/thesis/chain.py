@@ -33,12 +33,7 @@ def translated(text: str, program: str = "eia.pal") -> bytes:
 @cache
 def path(part: str, **constants: Any) -> nc.Path:
     """Return the path of a part's tape at the Hydra-Point."""
-    return cut(printout(part, **constants))
-
-
-def cut(text: str, feed_code: int | None = None, feed_error: float = 0.0) -> nc.Path:
-    """Return the path of a printout, at the feeds of its blocks or all at `feed_code`, wrong by a part."""
-    return nc.cut(translated(text), settings=nc.Settings((feed_error, feed_error, 0.0), feed_code))
+    return nc.cut(translated(printout(part, **constants)))
 
 
 def typed(*blocks: str) -> nc.Path:

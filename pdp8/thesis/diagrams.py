@@ -1,113 +1,23 @@
 """Figures 2.1, 6.2, 7.4, 8.1 and 9.1: machine, construction, die, element and test, as the text has them.
 
 The scan has lost all five. Each part that is drawn has its name or its dimension in the text; where things
-stand, and how large they are, is ours.
+stand, and how large they are, is ours. drawn/ has 2.1 and 9.1, which nothing is computed for.
 """
 
 from collections.abc import Iterator
-from math import atan, cos, degrees, radians, sin, sqrt
+from importlib.resources import files
+from math import atan, cos, degrees, radians, sin
 
 from nc.drawing import FAINT, INK, Sheet, View, Window, around, polyline
 from programs import fluidic
 from programs.die import AXES, BLOCK
 
-_BLUE, _GREEN, _RED, _PAPER = "#0b4f9e", "#2e7d32", "#c62828", "#f4f4f2"
-_CAVITY = "#e3ebf5"
-
-_Places = list[tuple[float, float]]
+_BLUE, _RED, _CAVITY = "#0b4f9e", "#c62828", "#e3ebf5"
 
 
-def machining_centre() -> str:
-    """Figure 2.1: the four units of the Hydra-Point Machining Centre."""
-    sheet = Sheet(780, 500, "The Moog Hydra-Point Machining Centre")
-    _console(sheet)
-    _mill(sheet)
-    _carousel(sheet)
-    _power_supply(sheet)
-    return sheet.svg()
-
-
-def _box(sheet: Sheet, x: float, y: float, width: float, height: float, fill: str = "#ffffff") -> None:
-    sheet.draw("rect", x=x, y=y, width=width, height=height, fill=fill, stroke=INK, stroke_width=1.2, rx=2)
-
-
-def _named(sheet: Sheet, x: float, y: float, words: str, anchor: str = "middle") -> None:
-    sheet.text(x, y, words, text_anchor=anchor, font_weight="bold")
-
-
-def _note(sheet: Sheet, x: float, y: float, words: str, anchor: str = "start") -> None:
-    sheet.text(x, y, words, text_anchor=anchor, font_size=10, fill="#444444")
-
-
-def _console(sheet: Sheet) -> None:
-    """The control console: panel, tape reader with its two reels in front, tape punch on the right side."""
-    _box(sheet, 40, 110, 170, 320, _PAPER)
-    _named(sheet, 125, 96, "CONTROL CONSOLE")
-    _box(sheet, 55, 125, 140, 78)
-    for column in range(5):
-        sheet.draw("circle", cx=73 + 26 * column, cy=148, r=8, fill="none", stroke=INK)
-        sheet.draw("circle", cx=73 + 26 * column, cy=184, r=4, fill="none", stroke=INK)
-    _note(sheet, 125, 217, "manual dials, controls, indicators", "middle")
-    for x in (84, 166):
-        sheet.draw("circle", cx=x, cy=275, r=30, fill="#ffffff", stroke=INK)
-        sheet.draw("circle", cx=x, cy=275, r=8, fill="none", stroke=INK)
-    _box(sheet, 105, 314, 40, 20)
-    sheet.draw("path", d="M58 290L104 322M146 322L192 290", fill="none", stroke=INK, stroke_width=2)
-    _note(sheet, 125, 350, "tape reader: head and two reels", "middle")
-    _box(sheet, 210, 250, 22, 70)
-    sheet.draw("path", d="M221 320V336", stroke=INK)
-    _note(sheet, 216, 350, "tape punch")
-    _note(sheet, 125, 410, "pneumatic relays", "middle")
-
-
-def _mill(sheet: Sheet) -> None:
-    """The Bridgeport mill: head and spindle over table and saddle, which hydraulic cylinders move."""
-    _named(sheet, 420, 40, "BRIDGEPORT MILLING MACHINE, MODEL HP")
-    _box(sheet, 470, 120, 70, 310, _PAPER)
-    _box(sheet, 350, 90, 190, 44, _PAPER)
-    _box(sheet, 355, 62, 50, 28)
-    _note(sheet, 414, 76, "spindle motor, 1.5 hp, 1730 rpm")
-    _box(sheet, 358, 134, 44, 70)
-    _box(sheet, 372, 204, 16, 26)
-    sheet.draw("rect", x=377, y=230, width=6, height=22, fill=INK)
-    _note(sheet, 352, 190, "spindle, Z: 5 in", "end")
-    _box(sheet, 280, 262, 200, 20)
-    _note(sheet, 284, 256, "table, X: 20 in")
-    _box(sheet, 330, 282, 120, 22)
-    _note(sheet, 326, 300, "saddle, Y: 10 in", "end")
-    _box(sheet, 345, 304, 90, 90, _PAPER)
-    _box(sheet, 300, 430, 270, 14, _PAPER)
-    sheet.draw("path", d=polyline([(390, 394), (390, 430)]), stroke=INK, stroke_width=10)
-    _note(sheet, 300, 460, "table and saddle are moved by hydraulic cylinders")
-
-
-def _carousel(sheet: Sheet) -> None:
-    """The automatic tool changer: 24 tools in a circle."""
-    x, y = 672, 160
-    _named(sheet, x, 62, "AUTOMATIC TOOL CHANGER")
-    sheet.draw("circle", cx=x, cy=y, r=70, fill=_PAPER, stroke=INK, stroke_width=1.2)
-    sheet.draw("circle", cx=x, cy=y, r=14, fill="#ffffff", stroke=INK)
-    for tool in range(24):
-        angle = radians(15 * tool - 90)
-        sheet.draw(
-            "circle", cx=x + 57 * cos(angle), cy=y + 57 * sin(angle), r=5.4, fill="#ffffff", stroke=INK
-        )
-    _note(sheet, x, 246, "carousel of 24 tools,", "middle")
-    _note(sheet, x, 259, "random or sequential selection", "middle")
-
-
-def _power_supply(sheet: Sheet) -> None:
-    """The hydraulic power supply, with the pieces the text lists."""
-    _named(sheet, 672, 306, "HYDRAULIC POWER SUPPLY")
-    _box(sheet, 590, 318, 164, 112, _PAPER)
-    listed = ("pump, double-ended motor,", "radiator, fan, reservoir,", "relief valve,")
-    for row, words in enumerate(
-        (*listed, "supply filter, 20 micron,", "bypass filter, 5 micron", "1500 psig")
-    ):
-        _note(sheet, 600, 336 + 16 * row, words)
-    sheet.draw("path", d="M590 400H540", stroke=_RED, stroke_width=3)
-    sheet.draw("path", d="M210 380H345", stroke=_BLUE, stroke_width=1.4, stroke_dasharray="6 4")
-    _note(sheet, 236, 375, "air and oil valves")
+def drawn(figure: str) -> str:
+    """Return a figure that was drawn by hand."""
+    return (files("pdp8.thesis") / "drawn" / f"figure-{figure}.svg").read_text(encoding="utf-8")
 
 
 _RADIUS = 700.0
@@ -178,7 +88,8 @@ def die() -> str:
     top = 16 + view.height + 62
     sheet.text(left, top - 8, "from the front", fill=FAINT)
     x = left + 400 * view.unit
-    _box(sheet, x, top, BLOCK[0] * view.unit, BLOCK[2] * view.unit, "#dfe3e8")
+    size = {"width": BLOCK[0] * view.unit, "height": BLOCK[2] * view.unit}
+    sheet.draw("rect", x=x, y=top, **size, fill="#dfe3e8", stroke=INK, stroke_width=1.2, rx=2)
     for side in (-1, 1):
         edge = x + (6000 + side * (a + _CUTTER / 2)) * view.unit
         sheet.draw("line", x1=edge, y1=top, x2=edge, y2=top + 100, stroke=INK, stroke_dasharray="6 4")
@@ -248,37 +159,3 @@ def _points(segment: "fluidic.Slope | fluidic.Bend") -> Iterator[tuple[float, fl
     for step in range(steps + 1):
         angle = radians(segment.start + segment.sweep * step / steps)
         yield 1000 * (u + segment.radius * cos(angle)), 1000 * (v + segment.radius * sin(angle))
-
-
-def test_rig() -> str:
-    """Figure 9.1: how power, switching and output were measured."""
-    sheet = Sheet(620, 430, "Static test of the bistable element")
-    _box(sheet, 230, 110, 160, 210, _PAPER)
-    _named(sheet, 310, 215, "BISTABLE")
-    _named(sheet, 310, 230, "ELEMENT")
-    ports = (("P", 310, 320, 310, 352), ("C1", 230, 260, 190, 260), ("C2", 390, 260, 430, 260))
-    outputs = (("O1", 270, 110, 270, 80), ("O2", 350, 110, 350, 80))
-    for name, x1, y1, x2, y2 in (*ports, *outputs):
-        sheet.draw("path", d=polyline([(x1, y1), (x2, y2)]), stroke=INK, stroke_width=2)
-        sheet.label(max(x1, x2) + 6 if x1 == x2 else (x1 + x2) / 2 - 7, (y1 + y2) / 2 - 4, name)
-    for x, y, words in (
-        (270, 62, "output pressure"),
-        (350, 62, "output pressure"),
-        (172, 260, "control pressure"),
-        (448, 260, "control pressure"),
-        (380, 372, "supply pressure"),
-    ):
-        _gauge(sheet, x, y)
-        anchor = "end" if x < 300 else "start"
-        _note(sheet, x + (-22 if x < 300 else 22), y + 4, words, anchor)
-    _box(sheet, 280, 352, 60, 40)
-    _note(sheet, 310, 376, "Flowrator", "middle")
-    sheet.draw("path", d="M340 372H362M310 392V416", stroke=INK, stroke_width=2, fill="none")
-    _note(sheet, 318, 412, "air supply, increased by degrees")
-    return sheet.svg()
-
-
-def _gauge(sheet: Sheet, x: float, y: float) -> None:
-    sheet.draw("circle", cx=x, cy=y, r=18, fill="#ffffff", stroke=INK, stroke_width=1.2)
-    end = 11 / sqrt(2)
-    sheet.draw("path", d=polyline([(x, y), (x + end, y - end)]), stroke=_GREEN, stroke_width=2)

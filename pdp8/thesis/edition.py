@@ -1,50 +1,55 @@
-"""The tables of docs/thesis.md, made from the catalogue and the numbers.
+"""The tables of docs/thesis.md and docs/restoration.md, and the sources in programs/, made from our tables.
 
     <!-- items 7 -->      a chapter's figures, tables, listings and programs, with anchors; A: appendices
     <!-- numbers 7 -->    its numbers, each with a link to what makes it
+    <!-- evidence eia.pal 105 106 107 -->     the rows of these pages; and of these classes, if any are named
     <!-- end -->          what stands between is replaced
 
 `make evidence` runs this as a program, in the project's folder.
 """
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from pdp8.thesis.catalogue import Item, catalogue
+from pdp8.thesis.evidence import ARTEFACTS, CLASSES, source, table
 from pdp8.thesis.numbers import numbers, plain, shown
 
-PAGE = Path("docs/thesis.md")
-_SECTION = re.compile(r"(<!-- (items|numbers) (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
-_ITEMS = "| what | page | state | here |\n|---|--:|---|---|\n"
-_NUMBERS = "| page | the thesis | number | ours | state | made by |\n|--:|---|--:|--:|---|---|\n"
+_SECTION = re.compile(r"(<!-- (items|numbers|evidence) (.+?) -->\n).*?(<!-- end -->)", re.DOTALL)
+_HEADINGS = {
+    "items": "| what | page | state | here |\n|---|--:|---|---|\n",
+    "numbers": "| page | the thesis | number | ours | state | made by |\n|--:|---|--:|--:|---|---|\n",
+    "evidence": "| page | the scan | ours | evidence | reason |\n|--:|---|---|---|---|\n",
+}
+_Maker = Callable[..., Iterator[tuple[str, ...]]]
 
 
 def page(text: str) -> str:
     """Return `text` with every table in it made again."""
-    return _SECTION.sub(lambda found: found[1] + _table(found[2], found[3]) + found[4], text)
+    return _SECTION.sub(lambda found: found[1] + _table(found[2], found[3].split()) + found[4], text)
 
 
-def _table(what: str, chapter: str) -> str:
-    if what == "items":
-        return _ITEMS + "".join(_item(item) for item in catalogue() if item.chapter == chapter)
-    return _NUMBERS + "".join(_rows(int(chapter)))
+def _table(what: str, wanted: list[str]) -> str:
+    makers: dict[str, _Maker] = {"items": _items, "numbers": _numbers, "evidence": _evidence}
+    rows = makers[what](*wanted)
+    return _HEADINGS[what] + "".join(f"| {' | '.join(row)} |\n" for row in rows)
 
 
-def _item(item: Item) -> str:
-    made = f" `pdp8 thesis make {item.number}`" if item.maker else ""
-    return (
-        f'| <a id="{item.kind}-{item.number}"></a>{item.name}. {item.title} | {item.page} | {item.state} | '
-        f"{item.note}{made} |\n"
-    )
+def _items(chapter: str) -> Iterator[tuple[str, ...]]:
+    for item in catalogue():
+        if item.chapter == chapter:
+            made = f" `pdp8 thesis make {item.number}`" if item.maker else ""
+            name = f'<a id="{item.kind}-{item.number}"></a>{item.name}. {item.title}'
+            yield name, str(item.page), item.state, f"{item.note}{made}"
 
 
-def _rows(chapter: int) -> Iterator[str]:
+def _numbers(chapter: str) -> Iterator[tuple[str, ...]]:
     names = {item.number: item for item in catalogue()}
     for one in numbers():
-        if one.chapter == chapter:
-            cells = (str(one.page), f"`{one.words}`", plain(one.said), shown(one.ours), one.state)
-            yield f"| {' | '.join((*cells, _link(one.by, names)))} |\n"
+        if one.chapter == int(chapter):
+            number = plain(one.said), shown(one.ours)
+            yield str(one.page), f"`{one.words}`", *number, one.state, _link(one.by, names)
 
 
 def _link(by: str, names: dict[str, Item]) -> str:
@@ -56,9 +61,20 @@ def _link(by: str, names: dict[str, Item]) -> str:
     return f"[{by}]({by}.md)" if by else ""
 
 
+def _evidence(artefact: str, *wanted: str) -> Iterator[tuple[str, ...]]:
+    classes = [word for word in wanted if word in CLASSES] or CLASSES
+    for row in table(artefact):
+        if row.page in wanted and row.kind in classes:
+            scan, ours = (f"`{text}`" if text else "" for text in (row.scan, row.ours))
+            yield row.page, scan, ours, row.kind, row.reason
+
+
 def main() -> None:
-    """Write the page again."""
-    PAGE.write_text(page(PAGE.read_text()))
+    """Write the pages and the sources again."""
+    for path in (Path("docs/thesis.md"), Path("docs/restoration.md")):
+        path.write_text(page(path.read_text()))
+    for artefact in ARTEFACTS:
+        Path("programs", artefact).write_text(source(artefact))
 
 
 if __name__ == "__main__":

@@ -39,7 +39,7 @@ def make(item: Item) -> Made:
     """Make an item. Raises WorkError if it is lost."""
     if not item.maker:
         raise WorkError(f"{item.name}: {item.state}. {item.note}")
-    product = _function(item.maker)()
+    product = _function(item.maker)(**item.given)
     tape: bytes = _function(item.tape)() if item.tape else b""
     if isinstance(product, Table):
         return Made(item, f"{_stem(item)}.txt", _captioned(item, product.text()), product, tape)
@@ -50,9 +50,9 @@ def make(item: Item) -> Made:
     return Made(item, f"{_stem(item)}.txt", _captioned(item, product), None, tape)
 
 
-def _function(name: str) -> Callable[[], Any]:
+def _function(name: str) -> Callable[..., Any]:
     module, function = name.split(".")
-    found: Callable[[], Any] = getattr(import_module(f"pdp8.thesis.{module}"), function)
+    found: Callable[..., Any] = getattr(import_module(f"pdp8.thesis.{module}"), function)
     return found
 
 

@@ -18,6 +18,7 @@ from nc.inspection import Reading, inspect
 from nc.machine import READ_SECONDS
 from pdp8.replay.implied import LINE_SECONDS
 from pdp8.thesis import chain, facsimile, slopes, tables, work
+from pdp8.thesis.catalogue import find
 from programs import die, fluidic
 from programs.milling import Milling
 from programs.parts import PARTS
@@ -32,13 +33,20 @@ _PAGE: Final = 0o200
 
 def measure(name: str) -> Measure:
     """Return a measure by its name."""
-    for table in (_machine(), _tape(), _computer(), _words(), _parts(), _elements()):
-        if name in table:
-            return table[name]()
-    raise KeyError(name)
+    found = _table()[name]
+    return found() if callable(found) else found
 
 
-_Table = Mapping[str, Callable[[], Measure]]
+_Table = Mapping[str, Measure | Callable[[], Measure]]
+"""Measures, or what computes those that take long."""
+
+
+@cache
+def _table() -> _Table:
+    table = {**_machine(), **_tape(), **_computer(), **_words(), **_parts(), **_elements()}
+    for part in ("circle", "ellipse", "die", "polynomial", "fluidic"):
+        table |= _of_part(part)
+    return table
 
 
 def _machine() -> _Table:
@@ -48,32 +56,32 @@ def _machine() -> _Table:
         {one / two for one in feeds for two in feeds}, key=lambda r: abs(r - 1 / tan(radians(30)))
     )
     return {
-        "axes": lambda: len(nc.path.Position._fields),
-        "tools": lambda: len(hydrapoint.CAROUSEL),
-        "travel x": lambda: hydrapoint.X_TRAVEL / 1000,
-        "travel y": lambda: hydrapoint.Y_TRAVEL / 1000,
-        "travel z": lambda: hydrapoint.Z_TRAVEL / 1000,
+        "axes": len(nc.path.Position._fields),
+        "tools": len(hydrapoint.CAROUSEL),
+        "travel x": hydrapoint.X_TRAVEL / 1000,
+        "travel y": hydrapoint.Y_TRAVEL / 1000,
+        "travel z": hydrapoint.Z_TRAVEL / 1000,
         "precision": lambda: work.PRECISION / 1000,
-        "accuracy": lambda: "±.001, page 9",
-        "resolution": lambda: hydrapoint.RESOLUTION,
-        "positioning speed": lambda: hydrapoint.POSITIONING_SPEED,
-        "feed least": lambda: feeds[0],
-        "feed most": lambda: feeds[-1],
-        "z feed least": lambda: z_feeds[0],
-        "z feed most": lambda: z_feeds[-1],
-        "feed tolerance": lambda: 100 * hydrapoint.FEED_TOLERANCE,
-        "feeds": lambda: len(XY_FEED),
-        "mill code": lambda: int(Preparatory.MILL),
-        "read seconds": lambda: READ_SECONDS,
-        "ratio of 30 degrees": lambda: 1 / tan(radians(30)),
-        "closest ratio": lambda: ratios[0],
-        "first ratio": lambda: XY_FEED[2] / XY_FEED[1],
-        "second ratio": lambda: XY_FEED[4] / XY_FEED[3],
-        "second ratio feeds": lambda: f"{XY_FEED[4]}/{XY_FEED[3]}",
-        "slope": lambda: degrees(atan2(*reversed(slopes.RUN))),
+        "accuracy": "±.001, page 9",
+        "resolution": hydrapoint.RESOLUTION,
+        "positioning speed": hydrapoint.POSITIONING_SPEED,
+        "feed least": feeds[0],
+        "feed most": feeds[-1],
+        "z feed least": z_feeds[0],
+        "z feed most": z_feeds[-1],
+        "feed tolerance": 100 * hydrapoint.FEED_TOLERANCE,
+        "feeds": len(XY_FEED),
+        "mill code": int(Preparatory.MILL),
+        "read seconds": READ_SECONDS,
+        "ratio of 30 degrees": 1 / tan(radians(30)),
+        "closest ratio": ratios[0],
+        "first ratio": XY_FEED[2] / XY_FEED[1],
+        "second ratio": XY_FEED[4] / XY_FEED[3],
+        "second ratio feeds": f"{XY_FEED[4]}/{XY_FEED[3]}",
+        "slope": degrees(atan2(*reversed(slopes.RUN))),
         "diagonal": lambda: min(abs(r.angle) for r in _readings("45°") if r.angle),
-        "deviation at 45 degrees": lambda: 100 * (degrees(atan2(1.2, 0.8)) / 45 - 1),
-        "slope length": lambda: sum(side**2 for side in slopes.RUN) ** 0.5 / 1000,
+        "deviation at 45 degrees": 100 * (degrees(atan2(1.2, 0.8)) / 45 - 1),
+        "slope length": sum(side**2 for side in slopes.RUN) ** 0.5 / 1000,
         "slope blocks": lambda: len(chain.path("slope", milling=Milling("piece", feed_error=0.1))),
         "holes": lambda: len(chain.path("drill").holes),
         "hole places": lambda: "; ".join(
@@ -84,7 +92,8 @@ def _machine() -> _Table:
         "drill speed": lambda: SPINDLE[chain.path("drill").steps[0].block.tool],
         "drill feed point": lambda: (chain.path("drill").steps[1].modes.feed_point or 0) / 1000,
         "drill depth": lambda: chain.path("drill").steps[1].modes.final_depth / 1000,
-    } | {f"drill block {number}": lambda row=row: row for number, row in enumerate(_drill(), 1)}
+        **{f"drill block {number}": row for number, row in enumerate(_drill(), 1)},
+    }
 
 
 @cache
@@ -97,42 +106,30 @@ def _tape() -> _Table:
     ends = [sum(list(FIELDS.values())[: place + 1]) for place in range(len(FIELDS))]
     last = dict(zip(FIELDS, ends, strict=True))
     first = {name: end - FIELDS[name] + 1 for name, end in last.items()}
+    printed = [name for name in FIELDS if name != "reserved"]
     formats = [int(width) for width in re.findall(r"I(\d)", _listing_line("C", "335"))]
     return {
-        "tape width": lambda: picture.WIDTH / 1000,
-        "tracks": lambda: len(frames.channels(0o377)) + 1,
-        "code hole": lambda: picture.CODE_HOLE / 1000,
-        "guide hole": lambda: picture.SPROCKET_HOLE / 1000,
-        "row pitch": lambda: picture.PITCH / 1000,
-        "track of guide holes": lambda: (
-            1 + sum(picture.track(channel) < picture.SPROCKET_TRACK for channel in range(1, 9))
-        ),
-        "track of 8": lambda: frames.channels(eia.CODES["8"])[0] + 1,
-        "track of end of block": lambda: frames.channels(eia.EOB)[0] + 1,
-        "channel of end of block": lambda: frames.channels(eia.EOB)[0],
-        "bits of a digit": lambda: max(eia.CODES[digit] & 0o17 for digit in "0123456789").bit_length(),
-        "digit least": lambda: min(map(int, filter(str.isdigit, eia.CODES))),
-        "digit most": lambda: max(map(int, filter(str.isdigit, eia.CODES))),
-        "digit of tracks 1 and 3": lambda: int(eia.decode(bytes([eia.CODES["5"]]))),
-        "digit of track 5": lambda: int(eia.decode(bytes([0o010]))),
-        "rows": lambda: hydrapoint.ROWS,
-        "digits": lambda: sum(FIELDS.values()),
-        "sequence digits": lambda: FIELDS["sequence"],
-        "x digits": lambda: FIELDS["x"],
-        "y digits": lambda: FIELDS["y"],
-        "places": lambda: -round(log2(hydrapoint.RESOLUTION) / log2(10)),
-        "preparatory digit": lambda: first["preparatory"],
-        "reserved digit": lambda: first["reserved"],
-        "tool digit": lambda: first["tool"],
-        "tool digit, last": lambda: last["tool"],
-        "miscellaneous digit": lambda: first["miscellaneous"],
-        "miscellaneous digit, last": lambda: last["miscellaneous"],
-        "format sequence": lambda: formats[0],
-        "format preparatory": lambda: formats[1],
-        "format x": lambda: formats[2],
-        "format y": lambda: formats[3],
-        "format tool": lambda: formats[4],
-        "format miscellaneous": lambda: formats[5],
+        "tape width": picture.WIDTH / 1000,
+        "tracks": len(frames.channels(0o377)) + 1,
+        "code hole": picture.CODE_HOLE / 1000,
+        "guide hole": picture.SPROCKET_HOLE / 1000,
+        "row pitch": picture.PITCH / 1000,
+        "track of guide holes": 1 + sum(picture.track(at) < picture.SPROCKET_TRACK for at in range(1, 9)),
+        "track of 8": frames.channels(eia.CODES["8"])[0] + 1,
+        "track of end of block": frames.channels(eia.EOB)[0] + 1,
+        "channel of end of block": frames.channels(eia.EOB)[0],
+        "bits of a digit": max(eia.CODES[digit] & 0o17 for digit in "0123456789").bit_length(),
+        "digit least": min(map(int, filter(str.isdigit, eia.CODES))),
+        "digit most": max(map(int, filter(str.isdigit, eia.CODES))),
+        "digit of tracks 1 and 3": int(eia.decode(bytes([eia.CODES["5"]]))),
+        "digit of track 5": int(eia.decode(bytes([0o010]))),
+        "rows": hydrapoint.ROWS,
+        "digits": sum(FIELDS.values()),
+        "places": -round(log2(hydrapoint.RESOLUTION) / log2(10)),
+        **{f"{name} digits": width for name, width in FIELDS.items()},
+        **{f"{name} digit": digit for name, digit in first.items()},
+        **{f"{name} digit, last": digit for name, digit in last.items()},
+        **{f"format {name}": width for name, width in zip(printed, formats, strict=True)},
     }
 
 
@@ -148,21 +145,21 @@ def _computer() -> _Table:
     mnemonics = ("CLA", "CMA", "RAR", "IAC", "SZA", "HLT", "KSF", "KRB", "TSF", "TLS")
     references = ("AND", "TAD", "ISZ", "DCA", "JMS", "JMP")
     return {
-        "words": lambda: _MEMORY,
-        "bits": (_MEMORY - 1).bit_length,
-        "last address": lambda: f"{_MEMORY - 1:o}",
-        "last address, binary": lambda: re.sub("(...)(?!$)", r"\1 ", f"{_MEMORY - 1:b}"),
-        "octal digits": lambda: len(f"{_MEMORY - 1:o}"),
-        "operations": lambda: len({word >> 9 for word in range(_MEMORY)}),
-        "operand digits": lambda: len(f"{assembled ^ 0o777:04o}") - 1,
-        "operand of 3277": lambda: f"{dca & 0o777:o}",
-        "DCA 77 of the page": lambda: f"{dca:o}",
-        "line of 3277": lambda: f"{dca & 0o177:o}",
-        "page": lambda: f"{_PAGE:o}",
-        "OPR": lambda: f"{_assembled('CLA')[0] >> 9:o}",
-        "IOT": lambda: f"{_assembled('KRB')[0] >> 9:o}",
-        **{name: (lambda name=name: f"{_assembled(name)[0]:o}") for name in mnemonics},  # type: ignore[misc]
-        **{name: (lambda name=name: f"{_assembled(f'{name} 0')[0] >> 9:o}") for name in references},  # type: ignore[misc]
+        "words": _MEMORY,
+        "bits": (_MEMORY - 1).bit_length(),
+        "last address": f"{_MEMORY - 1:o}",
+        "last address, binary": re.sub("(...)(?!$)", r"\1 ", f"{_MEMORY - 1:b}"),
+        "octal digits": len(f"{_MEMORY - 1:o}"),
+        "operations": len({word >> 9 for word in range(_MEMORY)}),
+        "operand digits": len(f"{assembled ^ 0o777:04o}") - 1,
+        "operand of 3277": f"{dca & 0o777:o}",
+        "DCA 77 of the page": f"{dca:o}",
+        "line of 3277": f"{dca & 0o177:o}",
+        "page": f"{_PAGE:o}",
+        "OPR": f"{_assembled('CLA')[0] >> 9:o}",
+        "IOT": f"{_assembled('KRB')[0] >> 9:o}",
+        **{name: f"{_assembled(name)[0]:o}" for name in mnemonics},
+        **{name: f"{_assembled(f'{name} 0')[0] >> 9:o}" for name in references},
     }
 
 
@@ -199,27 +196,38 @@ def _words() -> _Table:
     digits = [_signed(reduced(digit)) for digit in "0123456789"]
     negatives = [_signed(constants[f"M{digit}"]) for digit in range(1, 10)]
     return {
-        "MASK": lambda: f"{constants['MASK']:o}",
-        "M60": lambda: _signed(constants["M60"]),
-        "MCR": lambda: f"{constants['MCR']:o}",
-        "MSP": lambda: f"{constants['MSP']:o}",
-        "M3": lambda: _signed(constants["M3"]),
-        "P3": lambda: f"{constants['P3']:o}",
-        "M1 to M9": lambda: ", ".join([*negatives[:2], "...", *negatives[6:]]),
-        "ascii 0 1 2": lambda: ", ".join(f"{came(d):o} ({d})" for d in "012"),
-        "ascii 8 9": lambda: ", ".join(f"{came(d):o} ({d})" for d in "89"),
-        "ascii 3": lambda: f"{came('3'):o}",
-        "ascii CR": lambda: f"{came(chr(10)):o}",
-        "ascii space": lambda: f"{came(' '):o}",
-        "masked 0": lambda: f"{masked('0'):o} (0)",
-        "masked 9": lambda: f"{masked('9'):o} (9)",
-        "masked CR": lambda: f"{masked(chr(10)):o}",
-        "masked space": lambda: f"{masked(' '):o}",
-        "reduced digits": lambda: ", ".join([*digits[:3], "...", *digits[7:]]),
-        "reduced 3": lambda: _signed(reduced("3")),
-        "reduced CR": lambda: _signed(reduced("\n")),
-        "reduced space": lambda: _signed(reduced(" ")),
-        "example digit": lambda: int(eia.decode(bytes([constants["P3"]]))),
+        "MASK": f"{constants['MASK']:o}",
+        "M60": _signed(constants["M60"]),
+        "MCR": f"{constants['MCR']:o}",
+        "MSP": f"{constants['MSP']:o}",
+        "M3": _signed(constants["M3"]),
+        "P3": f"{constants['P3']:o}",
+        "M1 to M9": ", ".join([*negatives[:2], "...", *negatives[6:]]),
+        "ascii 0 1 2": ", ".join(f"{came(d):o} ({d})" for d in "012"),
+        "ascii 8 9": ", ".join(f"{came(d):o} ({d})" for d in "89"),
+        "ascii 3": f"{came('3'):o}",
+        "ascii CR": f"{came(chr(10)):o}",
+        "ascii space": f"{came(' '):o}",
+        "masked 0": f"{masked('0'):o} (0)",
+        "masked 9": f"{masked('9'):o} (9)",
+        "masked CR": f"{masked(chr(10)):o}",
+        "masked space": f"{masked(' '):o}",
+        "reduced digits": ", ".join([*digits[:3], "...", *digits[7:]]),
+        "reduced 3": _signed(reduced("3")),
+        "reduced CR": _signed(reduced("\n")),
+        "reduced space": _signed(reduced(" ")),
+        "example digit": int(eia.decode(bytes([constants["P3"]]))),
+    }
+
+
+def _of_part(part: str) -> _Table:
+    """What the thesis counts and times of a part: its tape, and its machining by both techniques."""
+    return {
+        f"{part} blocks": lambda: len(chain.path(part)),
+        f"{part} tape minutes": lambda: chain.printout(part).count("\n") * LINE_SECONDS / 60,
+        f"{part} minutes": lambda: _minutes(chain.path(part)),
+        f"{part} pieces": lambda: len(_pieces(part)),
+        f"{part} pieces minutes": lambda: _minutes(_pieces(part)),
     }
 
 
@@ -229,54 +237,36 @@ def _parts() -> _Table:
     crossings = [0.0, _default("polynomial", "b"), _default("polynomial", "c")]
     axes = die.AXES["opening"]
     return {
-        "tolerance": lambda: _default("circle", "tolerance") / 1000,
-        "circle diameter": lambda: (2 * _default("circle", "radius") + 1000 * PARTS["circle"].cutter) / 1000,
-        "circle centre diameter": lambda: 2 * _default("circle", "radius") / 1000,
-        "cutter": lambda: PARTS["circle"].cutter,
+        "tolerance": _default("circle", "tolerance") / 1000,
+        "circle diameter": (2 * _default("circle", "radius") + 1000 * PARTS["circle"].cutter) / 1000,
+        "circle centre diameter": 2 * _default("circle", "radius") / 1000,
+        "cutter": PARTS["circle"].cutter,
         "circle depth": lambda: _depth(chain.path("circle")),
-        "circle blocks": lambda: len(chain.path("circle")),
-        "circle punch": lambda: _tape_minutes("circle"),
-        "circle translate": lambda: _tape_minutes("circle"),
-        "circle minutes": lambda: _minutes(chain.path("circle")),
         "circle worst": lambda: _worst("whole"),
         "circle diagonals": lambda: _worst("45°"),
-        "circle pieces": lambda: len(_pieces("circle")),
-        "circle pieces minutes": lambda: _minutes(_pieces("circle")),
-        "division": lambda: hydrapoint.RESOLUTION,
+        "division": hydrapoint.RESOLUTION,
         "magnification": lambda: int(re.findall(r"magnification (\d+)", work.polar_graphs()[0])[0]),
-        "ellipse major": lambda: _default("ellipse", "major") / 1000,
-        "ellipse minor": lambda: _default("ellipse", "minor") / 1000,
-        "ellipse length": lambda: 2 * _default("ellipse", "major") / 1000,
-        "ellipse height": lambda: 2 * _default("ellipse", "minor") / 1000,
-        "ellipse blocks": lambda: len(chain.path("ellipse")),
-        "ellipse translate": lambda: _tape_minutes("ellipse"),
-        "ellipse minutes": lambda: _minutes(chain.path("ellipse")),
+        "ellipse major": _default("ellipse", "major") / 1000,
+        "ellipse minor": _default("ellipse", "minor") / 1000,
+        "ellipse length": 2 * _default("ellipse", "major") / 1000,
+        "ellipse height": 2 * _default("ellipse", "minor") / 1000,
         "ellipse reading": lambda: chain.path("ellipse").contour.reading / 60,
-        "ellipse pieces": lambda: len(_pieces("ellipse")),
-        "ellipse pieces minutes": lambda: _minutes(_pieces("ellipse")),
-        "chapter 10 cutting": lambda: 50 - 1000 * READ_SECONDS / 60,
-        "chapter 10 efficiency": lambda: 100 * (50 - 1000 * READ_SECONDS / 60) / 50,
-        "die block x": lambda: die.BLOCK[0] / 1000,
-        "die block y": lambda: die.BLOCK[1] / 1000,
-        "die block z": lambda: die.BLOCK[2] / 1000,
-        "die length": lambda: 2 * axes[0] / 1000,
-        "die height": lambda: 2 * axes[1] / 1000,
-        "die programs": lambda: len(die.AXES),
-        "die blocks": lambda: len(chain.path("die")),
-        "die minutes": lambda: _minutes(chain.path("die")),
+        "chapter 10 cutting": 50 - 1000 * READ_SECONDS / 60,
+        "chapter 10 efficiency": 100 * (50 - 1000 * READ_SECONDS / 60) / 50,
+        "die block x": die.BLOCK[0] / 1000,
+        "die block y": die.BLOCK[1] / 1000,
+        "die block z": die.BLOCK[2] / 1000,
+        "die length": 2 * axes[0] / 1000,
+        "die height": 2 * axes[1] / 1000,
+        "die programs": len(die.AXES),
         "die total": lambda: passes * _minutes(chain.path("die")),
-        "die pieces": lambda: len(_pieces("die")),
-        "die pieces minutes": lambda: _minutes(_pieces("die")),
         "die pieces total": lambda: passes * _minutes(_pieces("die")),
-        "polynomial a": lambda: _default("polynomial", "a"),
-        "polynomial b": lambda: _default("polynomial", "b"),
-        "polynomial c": lambda: _default("polynomial", "c"),
-        "polynomial tolerance": lambda: polynomial.tolerance,
+        "polynomial a": _default("polynomial", "a"),
+        "polynomial b": _default("polynomial", "b"),
+        "polynomial c": _default("polynomial", "c"),
+        "polynomial tolerance": polynomial.tolerance,
         "polynomial band": lambda: _band_height() / polynomial.tolerance / 1000,
-        **{f"polynomial crossing {n}": (lambda x=x: x) for n, x in enumerate(crossings, 1)},  # type: ignore[misc]
-        "polynomial blocks": lambda: len(chain.path("polynomial")),
-        "polynomial frames": lambda: _tape_minutes("polynomial"),
-        "polynomial minutes": lambda: _minutes(chain.path("polynomial")),
+        **{f"polynomial crossing {number}": x for number, x in enumerate(crossings, 1)},
     }
 
 
@@ -294,23 +284,21 @@ def _elements() -> _Table:
 
     arcs = sum(isinstance(segment, fluidic.Bend) for segment in outline)
     return {
-        "element width": lambda: (2 * max(u for u, _ in corners) + cutter) / fluidic.SCALE,
-        "element height": lambda: (max(v for _, v in corners) + cutter) / fluidic.SCALE,
-        "element nozzle": lambda: (2 * nozzle + cutter) / fluidic.SCALE,
-        "element scale": lambda: fluidic.SCALE,
-        "element slopes": lambda: slopes_of(outline),
-        "element arcs": lambda: arcs,
-        "channel slopes": lambda: 2 * slopes_of(channel),
-        "element routines": lambda: slopes_of(outline) + arcs,
+        "element width": (2 * max(u for u, _ in corners) + cutter) / fluidic.SCALE,
+        "element height": (max(v for _, v in corners) + cutter) / fluidic.SCALE,
+        "element nozzle": (2 * nozzle + cutter) / fluidic.SCALE,
+        "element scale": fluidic.SCALE,
+        "element slopes": slopes_of(outline),
+        "element arcs": arcs,
+        "channel slopes": 2 * slopes_of(channel),
+        "element routines": slopes_of(outline) + arcs,
         "main blocks": lambda: chain.printout("fluidic", program="main").count("\n"),
         "control blocks": lambda: chain.printout("fluidic", program="control").count("\n"),
-        "element blocks": lambda: len(chain.path("fluidic")),
-        "element minutes": lambda: _minutes(chain.path("fluidic")),
         "element hours": lambda: _minutes(chain.path("fluidic")) / 60,
-        "element cutter": lambda: cutter,
-        "element tolerance": lambda: PARTS["fluidic"].tolerance,
-        "downstream": lambda: work.DOWNSTREAM,
-        "talysurf division": lambda: talysurf.DIVISION / 1000,
+        "element cutter": cutter,
+        "element tolerance": PARTS["fluidic"].tolerance,
+        "downstream": find("8.3").given["control"],
+        "talysurf division": talysurf.DIVISION / 1000,
         "slope roughness": _roughness,
     }
 
@@ -327,11 +315,6 @@ def _pieces(part: str) -> nc.Path:
 
 def _minutes(path: nc.Path) -> float:
     return path.contour.total / 60
-
-
-def _tape_minutes(part: str) -> float:
-    """Return how long the ASCII tape takes at 10 frames a second."""
-    return chain.printout(part).count("\n") * LINE_SECONDS / 60
 
 
 def _depth(path: nc.Path) -> float:

@@ -6,7 +6,7 @@ nc/. Everything comes from tapes that went through eia.pal.
 
 from dataclasses import replace
 from random import Random
-from typing import Any, Final
+from typing import Final
 
 import nc
 from nc.curves import Curve, StraightLine, nominal
@@ -19,30 +19,20 @@ from pdp8.thesis import chain
 from programs import fluidic, parts
 
 _CUTTER = 125
-DOWNSTREAM = 0.8
 _AXIS_X, _BASE_Y = 6.0, 0.25
 """Where the part program has the element on the table, inches."""
 PRECISION: Final = 0.3
 """How far a stop may be from the programmed place, thousandths (thesis, Chapter 2)."""
 _BACKGROUND: Final = 1.2
 """The roughness of a straight-milled wall in Plexiglas, thousandths (thesis, Chapter 8)."""
-_ALONG_Y_AXIS, _ALONG_WALL = (8, 80), (60, 10)
-"""The insets' scales of X and Y."""
 
 
-def circle() -> str:
-    """Figure 7.1: the circular slot."""
-    return _part("circle", close_at=(4000, 5730), zoom=_ALONG_Y_AXIS)
-
-
-def ellipse() -> str:
-    """Figure 7.3: the elliptical slot."""
-    return _part("ellipse", close_at=(4000, 6229), zoom=(5.5, 80))
-
-
-def polynomial() -> str:
-    """Figure 7.5: the slot along the third degree polynomial."""
-    return _part("polynomial", close_at=(4903, 6965), zoom=(12, 40))
+def part(name: str, close_at: tuple[float, float], zoom: tuple[float, float]) -> str:
+    """Figures 7.1, 7.3 and 7.5: a slot; its close view is about `close_at`, `zoom` its scales of X and Y."""
+    about = parts.find(name)
+    path, band = chain.path(name), 1000 * about.tolerance
+    curve: Curve | None = nominal(**about.nominal) or inspect(path, tolerance=band).curve
+    return plot(path, curve, cutter=1000 * about.cutter, tolerance=band, close_at=close_at, zoom=zoom)
 
 
 def die_tape() -> bytes:
@@ -84,23 +74,9 @@ def cut_again(path: nc.Path, seed: int) -> nc.Path:
     return replace(path, steps=tuple(steps))
 
 
-def at_the_exit() -> str:
-    """Figure 8.2: the element with its control channels at the power jet's exit."""
-    return _element(0.0)
-
-
-def downstream() -> str:
-    """Figure 8.3: the element with its control channels .8 in downstream."""
-    return _element(DOWNSTREAM)
-
-
 def straight_surface() -> str:
     """Figure 8.4: a wall that was milled straight along X."""
-    path = chain.typed(
-        "001 0 01000 01000 0 00 80",
-        "002 9 03000 03500 0 01 89",
-        "003 6 02000 01000 0 01 84",
-    )
+    path = chain.typed("001 0 01000 01000 0 00 80", "002 9 03000 03500 0 01 89", "003 6 02000 01000 0 01 84")
     found = inspect(path, StraightLine(1000, 1000, 2000, 1000), cutter=_CUTTER)
     return talysurf(found, (200, 700), background=_BACKGROUND)
 
@@ -127,21 +103,15 @@ def wall() -> tuple[float, float, float, float]:
     raise AssertionError("the element has slopes")
 
 
-def _part(name: str, **where: Any) -> str:
-    part = parts.find(name)
-    path = chain.path(name)
-    curve: Curve | None = nominal(**part.nominal) or inspect(path, tolerance=1000 * part.tolerance).curve
-    return plot(path, curve, cutter=1000 * part.cutter, tolerance=1000 * part.tolerance, **where)
-
-
-def _element(control: float) -> str:
-    part = parts.find("fluidic")
+def element(control: float) -> str:
+    """Figures 8.2 and 8.3: the element, its control channels so many inches from the power jet's exit."""
+    about = parts.find("fluidic")
     x1, y1, x2, y2 = (1000 * place for place in wall())
     return plot(
         chain.path("fluidic", control=control),
         StraightLine(x1, y1, x2, y2),
-        cutter=1000 * part.cutter,
-        tolerance=1000 * part.tolerance,
+        cutter=1000 * about.cutter,
+        tolerance=1000 * about.tolerance,
         close_at=((x1 + x2) / 2, (y1 + y2) / 2),
-        zoom=_ALONG_WALL,
+        zoom=(60, 10),
     )

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import pal
-from pdp8.thesis import evidence, restoration
+from pdp8.thesis import edition, evidence
 from pdp8.thesis.evidence import ARTEFACTS, CLASSES, Row, rows
 from pdp8.thesis.reading import fortran_line, pal_line
 from programs import circle
@@ -69,7 +69,7 @@ def test_the_sources_are_made_from_the_tables(artefact: str) -> None:
 
 def test_the_page_is_made_from_the_tables() -> None:
     page = (HOUSE / "docs" / "restoration.md").read_text()
-    assert restoration.page(page) == page, "run `make evidence`"
+    assert edition.page(page) == page, "run `make evidence`"
 
 
 @pytest.mark.parametrize("artefact", ARTEFACTS)

@@ -136,7 +136,7 @@ def test_the_constants_of_figure_5_3_are_those_stored_in_appendix_b() -> None:
 
 
 def test_the_limits_of_figure_6_1_are_those_of_the_listing() -> None:
-    listing = listings.circle()
+    listing = listings.source("circle.for")
     for limit in re.findall(r"R [≥≤] (\d+)", flowcharts.circle()):
         assert f"={limit}." in listing
 
@@ -242,7 +242,7 @@ def test_the_die_s_block_and_opening_are_to_scale() -> None:
 
 def test_the_axes_of_figure_7_5_cross_where_the_curve_does() -> None:
     """The curve's zeros, .2 x (x-2) (x-6), lie on the axis where its marks say 0, 2 and 6."""
-    root = ET.fromstring(work.polynomial())
+    root = ET.fromstring(work.part(**find("7.5").given))
     half = 50  # units of paper an inch, at 1:2
     part = next(group for group in root.iter(f"{SVG}g"))
     marks = {
