@@ -64,10 +64,7 @@ def _teletype() -> Iterator[tuple[str, list[Input]]]:
     yield "read too late: a character is lost", reading(2 * FRAME + 1_600_000)
     yield (
         "the buffer while a character comes in",
-        [
-            (0, "iot", KCC, 0),
-            *((50 + half_units(half), "iot", KRS, 0) for half in range(20)),
-        ],
+        [(0, "iot", KCC, 0), *((50 + half_units(half), "iot", KRS, 0) for half in range(20))],
     )
     yield (
         "a key while the line is busy",
@@ -79,18 +76,10 @@ def _teletype() -> Iterator[tuple[str, list[Input]]]:
         again: list[Input] = [(FLAG_03 + 100, "iot", KCC, 0), (FRAME - IOP2 + late, "iot", KRB, 0)]
         yield f"KRB {late} ticks from where the line falls free, after a KCC", again
     for late in (-1, 0, 1):
-        yield (
-            f"KSF {late} ticks from the flag",
-            [
-                (FLAG_03 - IOP1 + late, "iot", KSF, 0),
-            ],
-        )
+        yield (f"KSF {late} ticks from the flag", [(FLAG_03 - IOP1 + late, "iot", KSF, 0)])
         yield (
             f"TSF {late} ticks from the flag",
-            [
-                (0, "iot", TLS, 0o301),
-                (IOP4 + FLAG_04 - IOP1 + late, "iot", TSF, 0),
-            ],
+            [(0, "iot", TLS, 0o301), (IOP4 + FLAG_04 - IOP1 + late, "iot", TSF, 0)],
         )
     yield "print at full speed", [(n * FRAME + n * 100, "iot", TLS, 0o300 + n) for n in range(4)]
     yield (
@@ -105,18 +94,11 @@ def _teletype() -> Iterator[tuple[str, list[Input]]]:
     for half in range(0, 22, 3):
         yield (
             f"load again {half} half units into a character",
-            [
-                (0, "iot", TLS, 0o252),
-                (IOP4 + half_units(half) + 100, "iot", TLS, 0o111),
-            ],
+            [(0, "iot", TLS, 0o252), (IOP4 + half_units(half) + 100, "iot", TLS, 0o111)],
         )
     yield (
         "START while a character goes out",
-        [
-            (0, "iot", TLS, 0o252),
-            (700_000, "start", 0, 0),
-            (700_100, "iot", TLS, 0o301),
-        ],
+        [(0, "iot", TLS, 0o252), (700_000, "start", 0, 0), (700_100, "iot", TLS, 0o301)],
     )
     yield from _every_iot((0o03, 0o04), 3 * FRAME)
 
@@ -125,11 +107,7 @@ def _pc8l() -> Iterator[tuple[str, list[Input]]]:
     yield "read", [(0, "iot", RFC, 0), *((n * 70_000, "iot", RRB_RFC, 0) for n in range(1, 7))]
     yield (
         "fetch while a frame comes",
-        [
-            (0, "iot", RFC, 0),
-            (30_000, "iot", RFC, 0),
-            (80_000, "iot", RRB, 0o7000),
-        ],
+        [(0, "iot", RFC, 0), (30_000, "iot", RFC, 0), (80_000, "iot", RRB, 0o7000)],
     )
     for late in (-1, 0, 1):
         yield (
@@ -145,12 +123,7 @@ def _pc8l() -> Iterator[tuple[str, list[Input]]]:
     yield "clear the frame that is being punched", [(0, "iot", PLS, 0o201), (100_000, "iot", PCF, 0)]
     yield (
         "START while both work",
-        [
-            (0, "iot", RFC, 0),
-            (100, "iot", PLS, 0o201),
-            (5_000, "start", 0, 0),
-            (100_000, "iot", RRB, 0),
-        ],
+        [(0, "iot", RFC, 0), (100, "iot", PLS, 0o201), (5_000, "start", 0, 0), (100_000, "iot", RRB, 0)],
     )
     yield from _every_iot((0o01, 0o02), 500_000)
 

@@ -98,10 +98,7 @@ class Operator:
     """An operator at `machine`. `note` is called with each action as it is done."""
 
     def __init__(
-        self,
-        machine: Machine,
-        pace: Pace = AT_ONCE,
-        note: Callable[[Action], object] = lambda action: None,
+        self, machine: Machine, pace: Pace = AT_ONCE, note: Callable[[Action], object] = lambda action: None
     ) -> None:
         self.machine = machine
         self.panel = machine.panel
