@@ -23,11 +23,7 @@ _SLICE = 0.05
 
 
 def sit_down(
-    machine: Machine,
-    listing: Listing | None,
-    max_time: float | None,
-    realtime: bool,
-    pass_on: Callable[[], object],
+    machine: Machine, listing: Listing, max_time: float | None, realtime: bool, pass_on: Callable[[], object]
 ) -> Stop | None:
     """Run with the terminal as the Teletype until the machine stops or Ctrl-] is typed.
 
@@ -90,7 +86,7 @@ class _Page:
         sys.stdout.flush()
 
 
-def _to_the_monitor(machine: Machine, listing: Listing | None) -> None:
+def _to_the_monitor(machine: Machine, listing: Listing) -> None:
     from pdp8.cli.monitor import converse
     from pdp8.monitor.prompt import Monitor
 

@@ -1,7 +1,6 @@
 """`pdp8 replay`: the afternoon of 1971, act by act, and its figures beside the thesis's."""
 
 import os
-import time
 from typing import TYPE_CHECKING
 
 import click
@@ -9,13 +8,11 @@ import click
 from programs.parts import PARTS
 from tapes import command
 from tapes.arguments import Command, Folder, Target, output
-from tapes.progress import Bar
 
 if TYPE_CHECKING:
     from pdp8.replay import Act, Afternoon
 
 REPLAYED = tuple(name for name, part in PARTS.items() if part.has_defaults)
-_GLANCE = 0.25  # seconds between two looks at the clock
 
 
 @click.command(cls=Command)
@@ -27,12 +24,7 @@ _GLANCE = 0.25  # seconds between two looks at the clock
     metavar="FILE",
     help="Write the afternoon as a page too: any instant of it, in one file.",
 )
-@click.option(
-    "--realtime",
-    is_flag=True,
-    help="Take as long as it took in 1971, most of two hours.",
-)
-def replay(part: str, output: str | None, html: str | None, realtime: bool) -> None:
+def replay(part: str, output: str | None, html: str | None) -> None:
     """Do the afternoon of 1971 again for PART: circle, ellipse, polynomial, slope, die, drill or fluidic.
 
     Every constant is as the thesis has it. FORTRAN's output is punched, RIM toggled in, BIN loaded, eia.pal
@@ -44,19 +36,14 @@ def replay(part: str, output: str | None, html: str | None, realtime: bool) -> N
     Examples:
       pdp8 replay circle
       pdp8 replay ellipse --out ellipse --html ellipse.html
-      pdp8 replay circle --realtime
     """
     from pdp8.replay import replay as whole
 
     folder = output or f"replay-{part}"
     if html is not None:
         _check_page(html, folder, part)
-    afternoon = whole(part, _keep_quiet if realtime else _say_act)
+    afternoon = whole(part, _say_act)
     _leave(afternoon, folder, html)
-    if realtime:
-        for act in afternoon.acts:
-            _pass(act)
-            _say_act(act)
     _show(afternoon, aside=html == "-")
 
 
@@ -69,25 +56,12 @@ def _check_page(html: str, folder: str, part: str) -> None:
         raise click.UsageError(f"--html {html} is the name of another file of the replay; name another")
 
 
-def _keep_quiet(act: "Act") -> None:
-    """Say nothing yet: the act is said when its time has passed."""
-
-
 def _say_act(act: "Act") -> None:
     """Say the act in a line."""
     from pdp8.replay import clock
 
     took = f"{_span(act.seconds):>6} in 1971, {act.real:5.2f} s today"
     command.tell(f"{clock(act.starts):>11}  {act.name:<14} {took}  {act.outcome}")
-
-
-def _pass(act: "Act") -> None:
-    """Let the act take its time."""
-    begin = time.monotonic()
-    with Bar(act.name, round(act.seconds)) as bar:
-        while (left := begin + act.seconds - time.monotonic()) > 0:
-            bar.show(round(act.seconds - left))
-            time.sleep(min(left, _GLANCE))
 
 
 def _span(seconds: float) -> str:

@@ -20,7 +20,7 @@ _GROUPS = {
         "dis": ("pal.cli", "dis", "Disassemble a BIN or RIM tape."),
     },
     "Tapes": {
-        "tape": ("tapes.cli", "tape", "Show, measure, convert and punch paper tapes; read photographs."),
+        "tape": ("tapes.cli", "tape", "Show, measure, convert and punch paper tapes; read photographs.")
     },
     "Parts and machine tool": {
         "part": ("programs.cli", "part", "Run a FORTRAN part program: an ASCII tape for the translation."),
@@ -31,11 +31,7 @@ _GROUPS = {
         "cards": ("pdp8.cli.cards", "cards", "Draw cards to print: loader, instructions, codes, timetable."),
     },
     "Research": {
-        "replay": (
-            "pdp8.cli.replay",
-            "replay",
-            "Do the whole afternoon of 1971 again; make a page of it.",
-        ),
+        "replay": ("pdp8.cli.replay", "replay", "Do the whole afternoon of 1971 again; make a page of it."),
         "thesis": ("pdp8.cli.thesis", "thesis", "The thesis page by page: its figures, tables and programs."),
         "vectors": ("pdp8.cli.vectors", "vectors", "Write single-step vectors for any emulator."),
     },

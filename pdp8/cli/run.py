@@ -2,7 +2,7 @@
 
 import sys
 from collections.abc import Sequence
-from contextlib import AbstractContextManager, ExitStack
+from contextlib import ExitStack
 from functools import partial
 from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
@@ -23,6 +23,7 @@ from tapes.errors import WorkError, called
 
 if TYPE_CHECKING:
     from pdp8.computer.use.program import Program
+    from pdp8.computer.use.trace import Listing
 
 _WHY = {
     Reason.HALT: "HLT at {last:04o}",
@@ -92,10 +93,7 @@ class Options(NamedTuple):
     help="Fit the high-speed reader, with this tape.",
 )
 @click.option(
-    "--fast-punch",
-    type=Target("tape"),
-    metavar="FILE",
-    help="Fit the high-speed punch; its tape goes here.",
+    "--fast-punch", type=Target("tape"), metavar="FILE", help="Fit the high-speed punch; its tape goes here."
 )
 @click.option(
     "--keyboard", is_flag=True, help="Type at the Teletype and see it print; Ctrl-] leaves to the monitor."
@@ -182,7 +180,9 @@ def run(ctx: click.Context, /, **given: Any) -> None:
         machine.start(options.start)
     stop = _run(options, machine, found, feed)
     if options.save is not None:
-        _save(machine, options.save)
+        from pdp8.computer.past import state
+
+        command.put(options.save, state.save(machine))
     ctx.exit(_report(options, machine, feed, stop))
 
 
@@ -205,11 +205,17 @@ def _paged(options: Options) -> bool:
 
 
 def _machine(options: Options, found: "Program | None") -> Machine:
-    """Return the machine, new with the program in core or restored."""
+    """Return the machine, new with the program in core or restored; say what there is to say of its tape."""
     highspeed = options.fast_reader is not None or options.fast_punch is not None
     machine = Machine(highspeed) if options.restore is None else _restored(options.restore, highspeed)
     if found is not None:
-        _load(machine, found, options.boot, options.loader, options.force, options.quiet)
+        if options.boot:
+            _boot(options, machine, found)
+        else:
+            machine.load(found.words)
+        for note in found.notes:
+            if options.force or not options.quiet:
+                command.say(f"{called(found.name)}: {note}")
     return machine
 
 
@@ -228,20 +234,30 @@ def _feed(options: Options, machine: Machine) -> Feed:
 def _run(options: Options, machine: Machine, found: "Program | None", feed: Feed) -> _Ended:
     """Run to the end, watched as was asked for; return how it ended."""
     outputs = _outputs(machine, options.punch, options.fast_punch, _paged(options))
+    pass_on = partial(send, outputs)
     with ExitStack() as stack:
         for output in outputs:
             stack.callback(output.tell)
             stack.callback(output.close)
         if options.trace is not None:
-            stack.enter_context(_traced(machine, options.trace, found, options.cycles))
+            from pdp8.cli.tracing import tracing
+
+            stack.enter_context(tracing(machine, options.trace, _listing(found), options.cycles))
         if options.table or options.annotate or options.count_json:
-            counts = _counted(machine, found, options.table, options.annotate, options.count_json)
-            stack.enter_context(counts)
+            from pdp8.cli.counting import counting
+
+            asked = options.table, options.annotate, options.count_json
+            stack.enter_context(counting(machine, _listing(found), *asked))
         try:
             if options.keyboard:
-                return _typed(machine, found, outputs, options.max_time, options.realtime)
-            if options.tty is not None:
-                return _on_line(machine, options.tty, outputs, options.max_time)
+                from pdp8.cli.keyboard import sit_down
+
+                return sit_down(machine, _listing(found), options.max_time, options.realtime, pass_on)
+            if options.tty is not None and sys.platform != "win32":  # as _check_options has it
+                from pdp8.cli.line import Line
+
+                with Line(options.tty) as line:
+                    return line.run(machine, options.max_time, pass_on)
             return pacing.run(machine, feed, outputs, options.max_time, options.realtime, options.quiet)
         except BrokenPipeError:  # the reader of the tape has closed it; what else was asked for is written
             command.silence(sys.stdout)
@@ -298,19 +314,6 @@ def _check_options(options: Options, more: Sequence[str]) -> None:
         raise click.UsageError("--tty is keyboard and reader: it goes with neither --keyboard nor --reader.")
 
 
-def _load(
-    machine: Machine, found: "Program", boot: bool, loader: str | None, force: bool, quiet: bool
-) -> None:
-    """Put the program into core, or load it as an operator does; say what there is to say of its tape."""
-    if boot:
-        _boot(machine, found, loader, force, quiet)
-    else:
-        machine.load(found.words)
-    for note in found.notes:
-        if force or not quiet:
-            command.say(f"{called(found.name)}: {note}")
-
-
 def _outputs(machine: Machine, punch: str | None, fast_punch: str | None, paged: bool) -> list[Output]:
     """Return where each punch's frames go; with the page elsewhere, the Teletype's only if it is named."""
     outputs = [] if paged and punch is None else [Output(machine.teletype.punch, punch)]
@@ -319,49 +322,10 @@ def _outputs(machine: Machine, punch: str | None, fast_punch: str | None, paged:
     return outputs
 
 
-def _typed(
-    machine: Machine,
-    found: "Program | None",
-    outputs: list[Output],
-    max_time: float | None,
-    realtime: bool,
-) -> Stop | None:
-    from pdp8.cli.keyboard import sit_down
-
-    return sit_down(machine, found.listing if found else None, max_time, realtime, partial(send, outputs))
-
-
-def _on_line(machine: Machine, path: str, outputs: list[Output], max_time: float | None) -> Stop | None:
-    if sys.platform != "win32":  # as _check_options has it
-        from pdp8.cli.line import Line
-
-        with Line(path) as line:
-            return line.run(machine, max_time, partial(send, outputs))
-    return None
-
-
-def _traced(
-    machine: Machine, name: str, found: "Program | None", cycles: bool
-) -> AbstractContextManager[None]:
-    from pdp8.cli.tracing import tracing
+def _listing(found: "Program | None") -> "Listing":
     from pdp8.computer.use.trace import Listing
 
-    return tracing(machine, name, found.listing if found else Listing(), cycles)
-
-
-def _counted(
-    machine: Machine, found: "Program | None", table: bool, annotate: str | None, record: str | None
-) -> AbstractContextManager[None]:
-    from pdp8.cli.counting import counting
-    from pdp8.computer.use.trace import Listing
-
-    return counting(machine, found.listing if found else Listing(), table, annotate, record)
-
-
-def _save(machine: Machine, name: str) -> None:
-    from pdp8.computer.past import state
-
-    command.put(name, state.save(machine))
+    return found.listing if found else Listing()
 
 
 def _restored(name: str, highspeed: bool) -> Machine:
@@ -377,23 +341,23 @@ def _restored(name: str, highspeed: bool) -> Machine:
     return machine
 
 
-def _boot(machine: Machine, found: "Program", loader: str | None, force: bool, quiet: bool) -> None:
+def _boot(options: Options, machine: Machine, found: "Program") -> None:
     """Load the program as an operator does, saying what it took."""
     from pdp8.computer.use.operator import Operator
     from tapes import kinds, rim
     from tapes.measure import duration
 
-    if loader is None:
+    if options.loader is None:
         tape = rim.encode(programs.read(shelf.read_bundled("bin.pal"), "bin.pal").words)
     else:
-        of_loader = programs.find(loader, force)
+        of_loader = programs.find(options.loader, options.force)
         tape = of_loader.tape if of_loader.kind == kinds.RIM else rim.encode(of_loader.words)
     total = 0.0
-    for step in Operator(machine).boot(tape, found.tape, called(found.name), force):
+    for step in Operator(machine).boot(tape, found.tape, called(found.name), options.force):
         total += step.seconds
-        if not quiet:
+        if not options.quiet:
             command.say(str(step))
-    if not quiet:
+    if not options.quiet:
         command.say(f"loaded in {duration(total)} of tape; switches and keys not counted")
 
 

@@ -1,14 +1,14 @@
 // Plays a conversation with a debug adapter through Microsoft's own client (npm: @vscode/debugadapter-testsupport).
-// Standard input: {"adapter": ["pdp8", "dap"], "port": 0, "steps": [[request, arguments, event to wait for], ...]}
+// Standard input: {"adapter": ["pdp8", "dap"], "steps": [[request, arguments, event to wait for], ...]}
 // Standard output: for each step {"body"} or {"error"}, and the event's body; then all that was put out.
 import { readFileSync } from "node:fs";
 import { DebugClient } from "@vscode/debugadapter-testsupport";
 
-const { adapter, port, steps } = JSON.parse(readFileSync(0, "utf8"));
+const { adapter, steps } = JSON.parse(readFileSync(0, "utf8"));
 const client = new DebugClient(adapter[0], adapter[1], "pdp8");
 const output = [];
 client.on("output", (event) => output.push([event.body.category, event.body.output]));
-await client.start(port || undefined);
+await client.start();
 const answers = [];
 for (const [request, given, awaited] of steps) {
   const event = awaited ? client.waitForEvent(awaited, 10000) : null;

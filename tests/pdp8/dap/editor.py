@@ -33,12 +33,12 @@ class Seen(NamedTuple):
         return "".join(text for category, text in self.output if category == "stdout")
 
 
-def play(folder: Path, *steps: Step, port: int = 0) -> Seen:
+def play(folder: Path, *steps: Step) -> Seen:
     """Hold a conversation: each step is a request, its arguments, the event that is to come of it."""
     if NODE is None or not (NPM / "node_modules" / "@vscode").exists():
         pytest.skip("the debug client is not installed: npm install --prefix tests/node")
     whole = [[*step, *({}, None)[len(step) - 1 :]] for step in steps]
-    asked = {"adapter": [str(BIN / "pdp8"), "dap"], "port": port, "steps": whole}
+    asked = {"adapter": [str(BIN / "pdp8"), "dap"], "steps": whole}
     done = subprocess.run(
         [NODE, str(CLIENT)],
         input=json.dumps(asked),

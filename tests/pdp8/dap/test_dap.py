@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from tests.commands import BIN, start
+from tests.commands import BIN
 from tests.pdp8.dap.editor import Seen, Step, launched, play
 
 PROGRAM = "add_and_type.pal"
@@ -222,16 +222,3 @@ def test_a_tape_shows_its_listing_and_stops_at_its_lines(folder: Path) -> None:
     frame = seen.answers[-1]["body"]["stackFrames"][0]
     assert lines[frame["line"] - 1].split()[:4] == ["0200", "7300", "CLA", "CLL"]
     assert frame["source"]["sourceReference"] == 1
-
-
-def test_a_port_serves_one_editor_after_another(folder: Path) -> None:
-    server = start("pdp8", "dap", "--port", "0", folder=folder)
-    try:
-        assert server.stderr is not None
-        port = int(server.stderr.readline().split(b"port ")[1].split()[0])
-        for _ in range(2):
-            seen = play(folder, *launched({"program": PROGRAM}), ["disconnect", {}], port=port)
-            assert stops(seen) == ["entry"]
-    finally:
-        server.terminate()
-        server.communicate()

@@ -1,13 +1,10 @@
 """`pdp8 replay` as a user runs it."""
 
-import signal
-import time
 from pathlib import Path
 
 import pytest
 
 from pdp8.cli.replay import REPLAYED
-from tests import commands
 from tests.conftest import Shell
 
 
@@ -60,16 +57,3 @@ def test_a_reader_who_had_enough(shell: Shell) -> None:
     done = shell("pdp8 replay drill | true; exit ${PIPESTATUS[0]}")
     assert done.returncode in (0, 1)
     assert "Traceback" not in done.stderr.decode()
-
-
-def test_interrupted_at_real_pace(tmp_path: Path) -> None:
-    """Ctrl-C in the middle of the first act: status 130; the files were left at once and are whole."""
-    running = commands.start("pdp8", "replay", "drill", "--realtime", folder=tmp_path)
-    assert commands.eventually((tmp_path / "replay-drill" / "figures.txt").exists)
-    time.sleep(1)
-    running.send_signal(signal.SIGINT)
-    _, said = running.communicate(timeout=20)
-    assert running.returncode == 130
-    assert said.decode().strip().splitlines()[-1] == "pdp8 replay: interrupted"
-    assert "FORTRAN" not in said.decode()
-    assert len((tmp_path / "replay-drill" / "drill.eia").read_bytes()) == 121
