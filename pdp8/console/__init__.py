@@ -5,8 +5,7 @@ opening     the room as the operator finds it
 lamps       the rows of lamps, as bright as they were often on
 switches    the switch register and the keys, for mouse and hand
 strips      a tape under the reader's head or coming out of the punch
-pages       paper, listing, core, and the operator's card
-card        the card of a drill
+pages       paper, listing, core, and the card: the operator's or a drill's
 dialogs     asking for a tape, or for the name of a file
 app         the layout, the keys of the keyboard, the clock
 room.tcss   colours and sizes

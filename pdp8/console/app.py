@@ -18,12 +18,11 @@ from textual.containers import Container, Horizontal
 from textual.widgets import Footer, Static
 
 from pdp8.computer.use.program import Program
-from pdp8.console.card import DrillCard
 from pdp8.console.dialogs import AskToLeave, ChooseTape, NameTape
 from pdp8.console.lamps import LampRows
-from pdp8.console.pages import Card, Core, ListingPage, Page, Paper, subtitle, title
+from pdp8.console.pages import Card, Core, DrillCard, ListingPage, Page, Paper, subtitle, title
 from pdp8.console.session import Session, Tape
-from pdp8.console.strips import PunchStrip, ReaderStrip, Strip
+from pdp8.console.strips import PunchStrip, ReaderStrip
 from pdp8.console.switches import KEYS, LOCKING, Key, Rocker, SwitchRegister
 from pdp8.lessons.drill import Coach
 from tapes import shelf
@@ -98,7 +97,7 @@ class Room(App[None]):
         session = self.session
         yield Static("The panel needs a terminal of 80 columns and 24 lines.", id="cramped")
         with PanelFace(id="panel"):
-            yield LampRows(session)
+            yield LampRows(session, "lamps")
             yield SwitchRegister(session)
             with Horizontal(id="keys"):
                 yield from (Key(session, *key) for key in KEYS)
@@ -164,12 +163,9 @@ class Room(App[None]):
         panel = screen.query_one("#panel")
         title(panel, "digital · PDP-8/L")
         subtitle(panel, self._status())
-        screen.query_one(LampRows).show()
         screen.query_one(SwitchRegister).show()
         for key in LOCKING:
             screen.query_one(f"#{key}", Key).show()
-        for strip in screen.query(Strip):
-            strip.show()
         for page in screen.query(Page):
             if page.display:
                 page.show()

@@ -12,9 +12,8 @@ Not emulated: a filament's own slowness; EMA, which belongs to the memory extens
 
 from rich.style import Style
 from rich.text import Text
-from textual.widget import Widget
 
-from pdp8.console.session import Session
+from pdp8.console.pages import Page
 
 ON, OFF = (255, 190, 92), (84, 66, 48)
 _LEVELS = 12
@@ -48,22 +47,14 @@ def lamp(brightness: float) -> tuple[str, Style]:
     return "●" if brightness > 0.04 else "○", _STYLES[round(brightness * _LEVELS)]
 
 
-class LampRows(Widget):
+class LampRows(Page):
     """Memory address, memory buffer, accumulator with link; instruction register, states, RUN."""
 
     DEFAULT_CSS = "LampRows { height: 5; }"
 
-    def __init__(self, session: Session) -> None:
-        super().__init__()
-        self.session = session
-        self.seen: object = None
-
-    def show(self) -> None:
-        """Look again, and draw what has changed."""
-        now = (self.session.brightness, self.session.machine.panel.lamps)
-        if now != self.seen:
-            self.seen = now
-            self.refresh()
+    def look(self) -> object:
+        """Return the lamps, now and as bright as they were."""
+        return self.session.brightness, self.session.machine.panel.lamps
 
     def render(self) -> Text:
         """Draw the rows to the width there is: a lamp takes three columns, or two."""

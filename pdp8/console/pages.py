@@ -1,6 +1,9 @@
-"""What lies on the table beside the machine: the printed page, the listing, core, the operator's card."""
+"""What lies on the table beside the machine: the printed page, the listing, core, the operator's or a drill's
+card.
+"""
 
 from string import ascii_lowercase
+from textwrap import wrap
 from typing import ClassVar
 
 from rich.style import Style
@@ -8,12 +11,15 @@ from rich.text import Text
 from textual import events
 from textual.binding import Binding, BindingType
 from textual.content import Content
+from textual.reactive import reactive
 from textual.widget import Widget
 
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.use.operator import RIM, RIM_START
 from pdp8.computer.use.program import Program
 from pdp8.console.session import Session
+from pdp8.lessons.drill import Coach
+from tapes.measure import duration
 
 _INK = Style(color="#2d2618")
 _BRIGHT = Style(color="#ffe9c4")
@@ -28,6 +34,8 @@ _KEYS = {
 }
 COLUMNS = 72
 _CARD_WIDTH = 48
+_STEPS = 12
+"""Of a drill that are shown at once."""
 
 
 def title(widget: Widget, words: str) -> None:
@@ -43,23 +51,21 @@ def subtitle(widget: Widget, words: str) -> None:
 
 
 class Page(Widget):
-    """Something to be looked at."""
+    """Something to be looked at; it is drawn again when what it depends on has changed."""
+
+    state: reactive[object] = reactive(None)
 
     def __init__(self, session: Session, name: str) -> None:
         super().__init__(id=name)
         self.session = session
-        self.seen: object = None
 
     def look(self) -> object:
-        """Set the title, and return what the page depends on; while that is the same it needs no drawing."""
+        """Set the title, and return what the page depends on."""
         raise NotImplementedError
 
     def show(self) -> None:
         """Look again, and draw what has changed."""
-        now = self.look()
-        if now != self.seen:
-            self.seen = now
-            self.refresh()
+        self.state = self.look()
 
 
 class Paper(Page, can_focus=True):
@@ -113,10 +119,7 @@ class Paper(Page, can_focus=True):
 
     def look(self) -> object:
         """Look again, and say who the keys are for."""
-        title(
-            self,
-            "Teletype: you type here, ESC goes back" if self.has_focus else "Teletype (TAB to type)",
-        )
+        title(self, "Teletype: you type here, ESC goes back" if self.has_focus else "Teletype (TAB to type)")
         return (self.has_focus, self.struck)
 
     def render(self) -> Text:
@@ -249,3 +252,30 @@ class Card(Page):
 def _statement(line: str) -> str:
     """Return the statement of a listing's line, without numbers, tag and comment."""
     return line[12:].split("/", maxsplit=1)[0].rpartition(",")[2].strip()
+
+
+class DrillCard(Page):
+    """A drill's card."""
+
+    def __init__(self, session: Session, name: str, coach: Coach) -> None:
+        super().__init__(session, name)
+        self.coach = coach
+
+    def look(self) -> object:
+        """Set the title; the card depends on the step, on what was said, and on the whole seconds."""
+        coach = self.coach
+        title(self, f"drill: {coach.drill.title}")
+        subtitle(self, f"{duration(int(coach.seconds))} · {coach.wrong} wrong · X begins again")
+        return coach.at, coach.said, coach.wrong
+
+    def render(self) -> Text:
+        """Draw the steps around the next one, and what the coach says."""
+        coach, steps = self.coach, self.coach.drill.steps
+        first = max(0, min(coach.at - _STEPS // 3, len(steps) - _STEPS))
+        said = wrap(coach.said, max(20, self.size.width))
+        lines = [*(Text(line, style="bold") for line in said), Text("")]
+        for number, step in enumerate(steps[first : first + _STEPS], first):
+            mark = "✓" if number < coach.at else "▸" if number == coach.at else " "
+            style = "bold" if number == coach.at else "dim" if number < coach.at else ""
+            lines.append(Text(f"{mark} {step.say}", style=style))
+        return Text("\n").join(lines)

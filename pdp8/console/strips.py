@@ -8,10 +8,8 @@
 
 from rich.style import Style
 from rich.text import Text
-from textual.reactive import reactive
-from textual.widget import Widget
 
-from pdp8.console.pages import subtitle, title
+from pdp8.console.pages import Page, subtitle, title
 from pdp8.console.session import Session
 from tapes import kinds
 from tapes.captions import captions
@@ -20,26 +18,21 @@ from tapes.frames import draw
 _PAPER = Style(color="#2d2618", bgcolor="#f0e3bd")
 _HEAD = Style(color="#2d2618", bgcolor="#ffc46b", bold=True)
 _DONE = Style(color="#6d6046", bgcolor="#d9cca6")
+_CAPTION = Style(color="#e8d9b8")
 _EDGE = Style(color="#8b7a58")
 _FAINT = Style(color="#9a876a")
 _KNOWN = 2000  # frames by which a tape that is being punched tells its code
 
 
-class Strip(Widget):
+class Strip(Page):
     """A window on a tape, the head one third down or at the bottom."""
 
     DEFAULT_CSS = "Strip { height: 1fr; }"
-    state: reactive[object] = reactive(None)
 
     def __init__(self, session: Session, name: str) -> None:
-        super().__init__(id=name)
-        self.session = session
+        super().__init__(session, name)
         self.captions: list[str] = []
         self.captioned = b""
-
-    def show(self) -> None:
-        """Look at the tape again."""
-        raise NotImplementedError
 
     def rows(self, frames: bytes, said: list[str], first: int, head: int) -> Text:
         """Draw the rows from frame `first` on as far as there is room."""
@@ -54,25 +47,23 @@ class Strip(Widget):
             style = _HEAD if number == head else _DONE if number < head else _PAPER
             text.append("▸" if number == head else " ", _EDGE)
             text.append(draw(frames[number], hole="●", sprocket="·"), style)
-            text.append(
-                f" {said[number - first][:room]}", _FAINT if number < head else Style(color="#e8d9b8")
-            )
+            text.append(f" {said[number - first][:room]}", _FAINT if number < head else _CAPTION)
         return text
 
 
 class ReaderStrip(Strip):
     """The tape in the reader."""
 
-    def show(self) -> None:
+    def look(self) -> object:
         """Look at the tape again."""
         reader = self.session.machine.teletype.reader
         if reader.tape is not self.captioned:
             self.captioned = reader.tape
             self.captions = captions(reader.tape, kinds.classify(reader.tape))
-        self.state = (reader.tape, reader.position, reader.on)
         name = self.session.reader_tape if reader.loaded else "reader"
         title(self, name if reader.on else f"STOP · {name}")
         subtitle(self, f"{reader.position:,} of {len(reader.tape):,}" if reader.loaded else "")
+        return reader.tape, reader.position, reader.on
 
     def render(self) -> Text:
         """Draw the tape about the head."""
@@ -80,22 +71,20 @@ class ReaderStrip(Strip):
         if not reader.loaded:
             return Text("no tape: O", _FAINT)
         first = reader.position - max(1, self.size.height // 3)
-        said = [self.captions[at] if 0 <= at < len(reader.tape) else "" for at in self._window(first)]
+        window = range(first, first + self.size.height)
+        said = [self.captions[at] if 0 <= at < len(reader.tape) else "" for at in window]
         return self.rows(reader.tape, said, first, reader.position)
-
-    def _window(self, first: int) -> range:
-        return range(first, first + self.size.height)
 
 
 class PunchStrip(Strip):
     """The tape that comes out of the punch."""
 
-    def show(self) -> None:
+    def look(self) -> object:
         """Look at the tape again."""
         punch = self.session.machine.teletype.punch
-        self.state = (len(punch.frames), punch.on)
         title(self, "punch" if punch.on else "punch OFF")
         subtitle(self, f"{len(punch.frames):,} punched" if punch.frames else "")
+        return len(punch.frames), punch.on
 
     def render(self) -> Text:
         """Draw the last frames, the newest at the head."""

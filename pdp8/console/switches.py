@@ -12,6 +12,7 @@ from rich.text import Text
 from textual import events
 from textual.containers import Horizontal
 from textual.message import Message
+from textual.reactive import reactive
 from textual.widget import Widget
 from textual.widgets import Static
 
@@ -37,6 +38,7 @@ class Rocker(Widget):
     """One switch of the switch register, `bit` 0 the leftmost."""
 
     DEFAULT_CSS = "Rocker { height: 2; }"
+    state: reactive[object] = reactive(None)
 
     class Thrown(Message):
         """The switch was clicked."""
@@ -50,7 +52,6 @@ class Rocker(Widget):
         self.session = session
         self.bit = bit
         self.held = False
-        self.seen = False
 
     @property
     def up(self) -> bool:
@@ -59,9 +60,8 @@ class Rocker(Widget):
 
     def show(self, held: bool) -> None:
         """Show it as it is now, and whether the hand is on it."""
-        if (self.up, held) != (self.seen, self.held):
-            self.seen, self.held = self.up, held
-            self.refresh()
+        self.held = held
+        self.state = (self.up, held)
 
     def on_click(self, event: events.Click) -> None:
         """Throw it."""
@@ -82,6 +82,8 @@ class Key(Widget):
     """A key or a locking switch, with its letter."""
 
     DEFAULT_CSS = "Key { height: 2; width: 1fr; text-align: center; }"
+    state: reactive[object] = reactive(None)
+    down: reactive[bool] = reactive(False)
 
     class Pressed(Message):
         """The key was clicked."""
@@ -95,8 +97,6 @@ class Key(Widget):
         self.session = session
         self.label = label
         self.letter = letter
-        self.down = False
-        self.seen = False
 
     def on_click(self, event: events.Click) -> None:
         """Press it."""
@@ -110,19 +110,15 @@ class Key(Widget):
 
     def show(self) -> None:
         """Show it as it is now."""
-        if self.active != self.seen:
-            self.seen = self.active
-            self.refresh()
+        self.state = self.active
 
     def flash(self) -> None:
         """Show that it is pressed, for a moment."""
         self.down = True
-        self.refresh()
         self.set_timer(0.15, self._let_go)
 
     def _let_go(self) -> None:
         self.down = False
-        self.refresh()
 
     def render(self) -> Text:
         """Draw its cap and its label."""

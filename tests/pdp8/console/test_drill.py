@@ -9,8 +9,8 @@ pytest.importorskip("textual", reason="Textual, the extra `panel`, is not instal
 from textual.pilot import Pilot
 
 from pdp8.console.app import Room
-from pdp8.console.card import DrillCard
 from pdp8.console.opening import opening
+from pdp8.console.pages import DrillCard
 from pdp8.lessons.drill import Coach, Tapes, find
 from tests.conftest import Shell, awaited
 
