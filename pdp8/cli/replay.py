@@ -40,20 +40,9 @@ def replay(part: str, output: str | None, html: str | None) -> None:
     from pdp8.replay import replay as whole
 
     folder = output or f"replay-{part}"
-    if html is not None:
-        _check_page(html, folder, part)
     afternoon = whole(part, _say_act)
     _leave(afternoon, folder, html)
     _show(afternoon, aside=html == "-")
-
-
-def _check_page(html: str, folder: str, part: str) -> None:
-    """Raise UsageError if the page is to have the name of another file of the replay."""
-    from pdp8.replay.desk import names
-
-    taken = {os.path.realpath(os.path.join(folder, name)) for name in names(part)}
-    if os.path.realpath(html) in taken:
-        raise click.UsageError(f"--html {html} is the name of another file of the replay; name another")
 
 
 def _say_act(act: "Act") -> None:
@@ -71,10 +60,13 @@ def _span(seconds: float) -> str:
 
 
 def _leave(afternoon: "Afternoon", folder: str, html: str | None) -> None:
-    """Write everything that stays."""
+    """Write everything that stays. Raises UsageError where the page would have the name of another of it."""
     from pdp8.replay.desk import desk
 
-    command.put_all(folder, desk(afternoon).items())
+    files = desk(afternoon)
+    if html and os.path.realpath(html) in {os.path.realpath(os.path.join(folder, name)) for name in files}:
+        raise click.UsageError(f"--html {html} is the name of another file of the replay; name another")
+    command.put_all(folder, files.items())
     if html:
         from pdp8.web.workbench import page
 

@@ -100,7 +100,8 @@ def disassemble(room: Debuggee, arguments: Body) -> Body:
     start = memory.place(arguments["memoryReference"], arguments.get("offset") or 0)
     start += arguments.get("instructionOffset") or 0
     addresses = range(start, start + min(arguments["instructionCount"], memory.MOST))
-    return {"instructions": memory.disassembled(room.monitor.machine, room.monitor.listing, addresses)}
+    machine, listing = room.monitor.machine, room.monitor.listing
+    return {"instructions": [memory.disassembled(machine, listing, address) for address in addresses]}
 
 
 ANSWERS: Mapping[str, Callable[[Debuggee, Body], Body]] = {

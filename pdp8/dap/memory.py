@@ -6,7 +6,6 @@ as the protocol has it: word 0200 is 0x0100. Its octal address stands in the ins
 
 import base64
 import binascii
-from collections.abc import Sequence
 
 from pdp8.computer.hardware.core import SIZE
 from pdp8.computer.machine import Machine
@@ -81,12 +80,8 @@ def image(machine: Machine) -> bytearray:
     return bytearray(b"".join(word.to_bytes(BYTES, "big") for word in machine.core))
 
 
-def disassembled(machine: Machine, listing: Listing, addresses: Sequence[int]) -> list[Body]:
-    """Return a DisassembledInstruction for each of `addresses`; those outside core are invalid."""
-    return [_instruction(machine, listing, address) for address in addresses]
-
-
-def _instruction(machine: Machine, listing: Listing, address: int) -> Body:
+def disassembled(machine: Machine, listing: Listing, address: int) -> Body:
+    """Return the DisassembledInstruction at `address`; one outside core is invalid."""
     if not 0 <= address < SIZE:
         return {"address": str(BYTES * address), "instruction": "", "presentationHint": "invalid"}
     word = machine.core[address]

@@ -11,16 +11,9 @@ from tapes.errors import WorkError
 FRAME = 0xF700
 """An escape for a code that no character has is this character, and so many more: \\375 is FRAME + 0o375."""
 
-_ESCAPES = {
-    "r": "\r",
-    "n": "\n",
-    "f": "\f",
-    "t": "\t",
-    "a": "\a",
-    "e": chr(FRAME + 0o375),
-    "\\": "\\",
-    '"': '"',
-}
+_WORD = re.compile(r'#.*|"((?:\\.|[^"\\])*)("?)|[^\s#]+', re.DOTALL)
+_ESCAPE = re.compile(r"\\([0-3][0-7]{2}|.?)", re.DOTALL)
+_ESCAPES = dict(zip('rnfta\\"', '\r\n\f\t\a\\"', strict=True)) | {"e": chr(FRAME + 0o375)}
 _MOST_SECONDS = 1e9
 
 
@@ -43,52 +36,28 @@ def command(line: str) -> tuple[str, str]:
 def split(line: str) -> list[str]:
     """Return the words of `line`. Raises MonitorError for a quote without its other, an unknown escape."""
     words: list[str] = []
-    at = 0
-    while at < len(line):
-        if line[at].isspace():
-            at += 1
-        elif line[at] == "#":
-            break
-        elif line[at] == '"':
-            word, at = _quoted(line, at + 1)
-            words.append(word)
-        else:
-            start = at
-            while at < len(line) and not line[at].isspace() and line[at] != "#":
-                at += 1
-            words.append(line[start:at])
+    for found in _WORD.finditer(line):
+        if found[0][0] == '"':
+            if not found[2]:
+                raise MonitorError('a quote (") has no other to end it')
+            words.append(Quoted(_ESCAPE.sub(_escaped, found[1])))
+        elif found[0][0] != "#":
+            words.append(found[0])
     return words
+
+
+def _escaped(escape: re.Match[str]) -> str:
+    if len(escape[1]) == 3:
+        code = int(escape[1], 8)
+        return chr(code if code < 0o200 else FRAME + code)
+    if escape[1] in _ESCAPES:
+        return _ESCAPES[escape[1]]
+    raise MonitorError(f'{escape[0]}: the escapes are \\r \\n \\f \\t \\a \\e \\\\ \\" and \\000 to \\377')
 
 
 def as_it_stands(rest: str) -> list[str]:
     """Return what stands after a command's name and one blank as one word."""
     return [rest[1:]]
-
-
-def _quoted(line: str, at: int) -> tuple[Quoted, int]:
-    text = ""
-    while at < len(line):
-        character = line[at]
-        at += 1
-        if character == '"':
-            return Quoted(text), at
-        if character == "\\":
-            code, at = _escape(line, at)
-            text += code
-        else:
-            text += character
-    raise MonitorError('a quote (") has no other to end it')
-
-
-def _escape(line: str, at: int) -> tuple[str, int]:
-    if digits := re.compile("[0-3][0-7]{2}").match(line, at):
-        code = int(digits[0], 8)
-        return chr(code if code < 0o200 else FRAME + code), digits.end()
-    if line[at : at + 1] in _ESCAPES:
-        return _ESCAPES[line[at]], at + 1
-    raise MonitorError(
-        f'\\{line[at : at + 1]}: the escapes are \\r \\n \\f \\t \\a \\e \\\\ \\" and \\000 to \\377'
-    )
 
 
 def octal(text: str, most: int = 0o7777) -> int:

@@ -9,7 +9,7 @@ from nc.curves import nominal
 from nc.inspection import Inspection, inspect
 from pdp8.computer.use.operator import Action
 from pdp8.replay.day import PROGRAMS, Act, Day, Judgement
-from programs.parts import Part, find
+from programs.parts import find
 from tapes import shelf
 from tapes.errors import WorkError
 from tapes.measure import inches
@@ -42,9 +42,24 @@ def replay(part: str, tell: Callable[[Act], object] = lambda act: None) -> After
     Raises WorkError, naming its place, where something goes wrong, as it would have in 1971.
     """
     made = find(part)
-    inspector = _Inspector(made)
+    found: list[Inspection] = []
+
+    def judge(path: nc.Path) -> Judgement:
+        """Measure the walls that a path leaves."""
+        try:
+            inspection = inspect(path, nominal(**made.nominal), made.cutter * 1000, made.tolerance * 1000)
+        except WorkError as error:
+            return Judgement("Inspection", f"Not inspected: {error}.", "not inspected")
+        found.append(inspection)
+        worst = inspection.worst
+        outcome = f"worst trough to peak {inches(worst.trough_to_peak)} in, {worst.wall} wall, {worst.place}"
+        if made.instrument:
+            return Judgement(made.instrument, f"The stylus follows the walls: {outcome}.", outcome)
+        said = f"The thesis measured no such part; computed: {outcome}."
+        return Judgement("Inspection", said, outcome)
+
     sources = {name: shelf.read_bundled(name) for name in PROGRAMS}
-    day = Day(part, made.program()(), sources, inspector.judge, tell)
+    day = Day(part, made.program()(), sources, judge, tell)
     for _ in day.through():
         pass
     assert day.path is not None
@@ -57,31 +72,6 @@ def replay(part: str, tell: Callable[[Act], object] = lambda act: None) -> After
         day.programs,
         day.path,
         day.mill_starts,
-        inspector.inspection,
+        found[0] if found else None,
         day.minutes,
     )
-
-
-class _Inspector:
-    """Who measures the part."""
-
-    def __init__(self, made: Part) -> None:
-        self.made = made
-        self.inspection: Inspection | None = None
-
-    def judge(self, path: nc.Path) -> Judgement:
-        """Measure the walls that a path leaves."""
-        made = self.made
-        try:
-            found = inspect(path, nominal(**made.nominal), made.cutter * 1000, made.tolerance * 1000)
-        except WorkError as error:
-            return Judgement("Inspection", f"Not inspected: {error}.", "not inspected")
-        self.inspection = found
-        worst = found.worst
-        outcome = f"worst trough to peak {inches(worst.trough_to_peak)} in, {worst.wall} wall, {worst.place}"
-        done = (
-            "The stylus follows the walls"
-            if made.instrument
-            else "The thesis measured no such part; computed"
-        )
-        return Judgement(made.instrument or "Inspection", f"{done}: {outcome}.", outcome)

@@ -16,13 +16,6 @@ PICTURED: Final = 240
 """Frames of a long tape that its picture shows: its first dozen blocks."""
 
 
-def names(part: str) -> set[str]:
-    """Return the names of the files that an afternoon with `part` leaves, its inspection's included."""
-    listed = (f"{program}.lst" for program in ("rim", "bin", "eia"))
-    of_part = (f"{part}.{kind}" for kind in ("asc", "eia", "txt", "blocks", "svg", "asc.svg", "eia.svg"))
-    return {"bin.rim", "eia.bin", "figures.txt", *listed, *of_part, _inspected(part)}
-
-
 def desk(afternoon: Afternoon) -> dict[str, bytes]:
     """Return {file name: content} of everything: tapes as they are, texts in UTF-8, pictures as SVG."""
     texts = dict(_texts(afternoon)) | dict(_pictures(afternoon))
@@ -52,9 +45,4 @@ def _pictures(afternoon: Afternoon) -> Iterator[tuple[str, str]]:
     )
     if inspection:
         draw = talyrond if inspection.curve.closed else talysurf
-        yield _inspected(part), draw(inspection)
-
-
-def _inspected(part: str) -> str:
-    """Return the name of the inspection's picture."""
-    return f"{(PARTS[part].instrument or 'inspection').lower()}.svg"
+        yield f"{(made.instrument or 'inspection').lower()}.svg", draw(inspection)
