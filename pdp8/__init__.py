@@ -122,14 +122,10 @@ class _Rooms:
         if name not in _ROOMS:
             return None
         ours, first = PathFinder.find_spec(name, [_HOUSE]), PathFinder.find_spec(name)
-        if (
-            ours
-            and first
-            and first.origin
-            and os.path.realpath(first.origin) != os.path.realpath(f"{ours.origin}")
-        ):
+        hidden = first.origin if first else None
+        if ours and hidden and os.path.realpath(hidden) != os.path.realpath(f"{ours.origin}"):
             warnings.warn(
-                f"{first.origin} is hidden: {name!r} is {ours.origin}, of pdp8; give the file another name",
+                f"{hidden} is hidden: {name!r} is {ours.origin}, of pdp8; give the file another name",
                 stacklevel=2,
             )
         return ours

@@ -1,6 +1,5 @@
 """The main job: the 1971 chain from part program to EIA tape, through the commands as a user types them."""
 
-import signal
 import sys
 from pathlib import Path
 
@@ -145,31 +144,10 @@ def test_what_cannot_be_run_is_named(shell: Shell, case: str) -> None:
     assert "Traceback" not in done.stderr.decode()
 
 
-@pytest.mark.parametrize("options", ["--start 9", "--start 10000", "--max-time -1", "--sr x", "--nonsense"])
-def test_misuse_is_status_2(shell: Shell, options: str) -> None:
-    assert shell(f"pdp8 run eia.pal {options}").returncode == 2
-
-
 def test_a_closed_pipe_is_quiet(shell: Shell) -> None:
     done = shell("pdp8 run eia.pal --reader circle.asc --quiet | head -c 21 | wc -c")
     assert done.stdout.strip() == b"21"
     assert done.stderr == b""
-
-
-def test_ctrl_c_keeps_what_was_punched(tmp_path: Path) -> None:
-    running = commands.start(
-        *("pdp8", "run", "eia.pal", "--reader", "circle.asc", "--punch", "out.eia", "--realtime"),
-        folder=tmp_path,
-    )
-    out = tmp_path / "out.eia"
-    assert commands.eventually(lambda: out.exists() and out.stat().st_size > 10)
-    running.send_signal(signal.SIGINT)
-    _, said = running.communicate(timeout=20)
-    assert running.returncode == 130
-    assert b"interrupted at 02" in said
-    punched = out.read_bytes()
-    assert 10 < len(punched) < 1000
-    assert_same_tape(punched, (SAMPLES / "circle.eia").read_bytes()[: len(punched)])
 
 
 def test_output_appears_as_it_is_punched() -> None:

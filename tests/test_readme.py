@@ -12,6 +12,7 @@ import os
 import re
 from pathlib import Path
 
+import click
 import pytest
 
 from pdp8.cli.root import pdp8
@@ -80,9 +81,6 @@ def test_the_readme_shows_something() -> None:
     assert len(sittings(README)) >= 4
 
 
-@pytest.mark.parametrize("name", pdp8.list_commands(None))  # type: ignore[arg-type]
-def test_every_command_has_help_with_examples_and_stands_in_the_readme(name: str, shell: Shell) -> None:
-    done = shell(f"pdp8 {name} --help")
-    assert done.returncode == 0
-    assert b"xample" in done.stdout
-    assert f"pdp8 {name}" in README.read_text()
+def test_every_command_stands_in_the_readme() -> None:
+    commands = pdp8.list_commands(click.Context(pdp8))
+    assert [name for name in commands if f"pdp8 {name}" not in README.read_text()] == []

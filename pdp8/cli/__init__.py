@@ -24,12 +24,10 @@ _SELDOM = 50_000
 
 
 def main() -> None:
-    """Run the `pdp8` command."""
     _run("pdp8.cli.root")
 
 
 def pal() -> None:
-    """Run the `pal` command."""
     _run("pal.cli")
 
 

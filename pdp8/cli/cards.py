@@ -50,7 +50,6 @@ def cards(names: tuple[str, ...], output: str, pdf: bool) -> None:
 
 
 def _pdf(svgs: Iterable[str]) -> bytes:
-    """Return a PDF with a page for each of `svgs`."""
     import cairocffi  # type: ignore[import-untyped]
     from cairosvg.parser import Tree  # type: ignore[import-untyped]
     from cairosvg.surface import PDFSurface  # type: ignore[import-untyped]

@@ -32,20 +32,17 @@ _BYTE_ORDER_MARK = "\ufeff"
 )
 @click.option("--prove", is_flag=True, help="Mark the exercise's own solution and its known mistakes.")
 @click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
-@click.option("--json", type=Target("JSON"), metavar="FILE", help="Write the marks as JSON.")
-@click.option("--csv", type=Target("text"), metavar="FILE", help="Write the marks for a spreadsheet.")
-@click.option("--junit", type=Target("XML"), metavar="FILE", help="Write the marks as JUnit does.")
-@click.option("--pages", type=Folder(), metavar="FOLDER", help="Write a page for each student into FOLDER.")
+@click.option("--json", type=Target("JSON"), help="Write the marks as JSON.")
+@click.option("--csv", type=Target("text"), help="Write the marks for a spreadsheet.")
+@click.option("--junit", type=Target("XML"), help="Write the marks as JUnit does.")
+@click.option("--pages", type=Folder(), help="Write a page for each student into FOLDER.")
 @click.option(
     "--seed", metavar="N", type=int, default=form.SEED, show_default=True, help="Draw random cases from this."
 )
 @click.option("--cpu", type=processor_seconds, default=bounded.SECONDS, metavar="SECONDS",
               show_default=True, help="Of processor time, the most an answer may take.")  # fmt: skip
 @click.option(
-    "--export-student",
-    type=Target("JSON"),
-    metavar="FILE",
-    help="Write the exercise without what students must not have.",
+    "--export-student", type=Target("JSON"), help="Write the exercise without what students must not have."
 )
 @click.pass_context
 def check(

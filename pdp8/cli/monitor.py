@@ -73,7 +73,6 @@ def converse(made: Monitor) -> None:
 
 
 def _typed() -> Iterator[str]:
-    """Yield the lines typed at the prompt."""
     from prompt_toolkit import PromptSession
     from prompt_toolkit.completion import WordCompleter
     from prompt_toolkit.history import FileHistory, History, InMemoryHistory

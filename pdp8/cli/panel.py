@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @click.command(cls=Command)
 @click.argument("program", type=Source(), required=False)
-@click.option("--reader", type=Source(), metavar="FILE", help="Tape in the Teletype's reader to begin with.")
+@click.option("--reader", type=Source(), help="Tape in the Teletype's reader to begin with.")
 @click.option("--start", type=octal, default="0200", show_default=True, help="Where PROGRAM starts, octal.")
 @click.option("--sr", type=octal, help="Switch register to begin with, octal.  [default: --start]")
 @click.option("--drill", type=click.Choice(NAMES), help="Follow a card key by key; what is wrong is named.")

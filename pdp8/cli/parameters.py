@@ -1,6 +1,4 @@
-"""What options take: octal words, seconds of machine time, one tape."""
-
-from collections.abc import Sequence
+"""What options take: octal words, seconds of machine time."""
 
 import click
 
@@ -34,10 +32,3 @@ def _seconds(text: str, least: str, most: str) -> float:
     if not float(least) <= time <= float(most):
         raise click.BadParameter(f"{text} is not between {least} and {most} seconds")
     return time
-
-
-def one_tape(context: click.Context, option: click.Parameter, names: Sequence[str]) -> str | None:
-    """Return the one tape that was named, None without one. Raises click.BadParameter for several."""
-    if len(names) > 1:
-        raise click.BadParameter("one tape; several, one after another, go into --reader alone")
-    return names[0] if names else None

@@ -19,10 +19,7 @@ REPLAYED = tuple(name for name, part in PARTS.items() if part.has_defaults)
 @click.argument("part", type=click.Choice(REPLAYED), metavar="PART")
 @output(Folder(), "FOLDER", None, "Where tapes, listings and pictures go.  [default: replay-PART]")
 @click.option(
-    "--html",
-    type=Target("HTML"),
-    metavar="FILE",
-    help="Write the afternoon as a page too: any instant of it, in one file.",
+    "--html", type=Target("HTML"), help="Write the afternoon as a page too: any instant of it, in one file."
 )
 def replay(part: str, output: str | None, html: str | None) -> None:
     """Do the afternoon of 1971 again for PART: circle, ellipse, polynomial, slope, die, drill or fluidic.
@@ -46,7 +43,6 @@ def replay(part: str, output: str | None, html: str | None) -> None:
 
 
 def _say_act(act: "Act") -> None:
-    """Say the act in a line."""
     from pdp8.replay import clock
 
     took = f"{_span(act.seconds):>6} in 1971, {act.real:5.2f} s today"

@@ -9,34 +9,32 @@ from tapes.arguments import Group
 
 _GROUPS = {
     "Run": {
-        "run": ("pdp8.cli.run", "run", "Run a program on the PDP-8/L."),
-        "panel": ("pdp8.cli.panel", "panel", "The front panel, in the terminal."),
-        "workbench": ("pdp8.cli.workbench", "workbench", "Write the live machine as one page for a browser."),
-        "monitor": ("pdp8.cli.monitor", "monitor", "The operator's prompt: examine, step, break, trace."),
-        "dap": ("pdp8.cli.dap", "dap", "A debugger for editors: the Debug Adapter Protocol."),
+        "run": ("pdp8.cli.run", "Run a program on the PDP-8/L."),
+        "panel": ("pdp8.cli.panel", "The front panel, in the terminal."),
+        "workbench": ("pdp8.cli.workbench", "Write the live machine as one page for a browser."),
+        "monitor": ("pdp8.cli.monitor", "The operator's prompt: examine, step, break, trace."),
+        "dap": ("pdp8.cli.dap", "A debugger for editors: the Debug Adapter Protocol."),
     },
     "Assemble": {
-        "pal": ("pal.cli", "pal", "Assemble PAL III or PAL8 source."),
-        "dis": ("pal.cli", "dis", "Disassemble a BIN or RIM tape."),
+        "pal": ("pal.cli", "Assemble PAL III or PAL8 source."),
+        "dis": ("pal.cli", "Disassemble a BIN or RIM tape."),
     },
-    "Tapes": {
-        "tape": ("tapes.cli", "tape", "Show, measure, convert and punch paper tapes; read photographs.")
-    },
+    "Tapes": {"tape": ("tapes.cli", "Show, measure, convert and punch paper tapes; read photographs.")},
     "Parts and machine tool": {
-        "part": ("programs.cli", "part", "Run a FORTRAN part program: an ASCII tape for the translation."),
-        "nc": ("pdp8.cli.nc", "nc", "The Moog Hydra-Point: list, cut, plot and inspect an EIA tape."),
+        "part": ("programs.cli", "Run a FORTRAN part program: an ASCII tape for the translation."),
+        "nc": ("pdp8.cli.nc", "The Moog Hydra-Point: list, cut, plot and inspect an EIA tape."),
     },
     "Teach": {
-        "check": ("pdp8.cli.check", "check", "Mark the answers of a class to an exercise."),
-        "cards": ("pdp8.cli.cards", "cards", "Draw cards to print: loader, instructions, codes, timetable."),
+        "check": ("pdp8.cli.check", "Mark the answers of a class to an exercise."),
+        "cards": ("pdp8.cli.cards", "Draw cards to print: loader, instructions, codes, timetable."),
     },
     "Research": {
-        "replay": ("pdp8.cli.replay", "replay", "Do the whole afternoon of 1971 again; make a page of it."),
-        "thesis": ("pdp8.cli.thesis", "thesis", "The thesis page by page: its figures, tables and programs."),
-        "vectors": ("pdp8.cli.vectors", "vectors", "Write single-step vectors for any emulator."),
+        "replay": ("pdp8.cli.replay", "Do the whole afternoon of 1971 again; make a page of it."),
+        "thesis": ("pdp8.cli.thesis", "The thesis page by page: its figures, tables and programs."),
+        "vectors": ("pdp8.cli.vectors", "Write single-step vectors for any emulator."),
     },
 }
-"""Module, name there and one line of help of each command, as README has them."""
+"""The module of each command, which has it by its name, and one line of help, as README has them."""
 _COMMANDS = {name: found for group in _GROUPS.values() for name, found in group.items()}
 
 
@@ -49,15 +47,14 @@ class _Lazy(Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in _COMMANDS:
             return None
-        module, attribute, _ = _COMMANDS[cmd_name]
-        found: click.Command = getattr(import_module(module), attribute)
+        found: click.Command = getattr(import_module(_COMMANDS[cmd_name][0]), cmd_name)
         return found
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         column = max(map(len, _COMMANDS))
         for title, group in _GROUPS.items():
             with formatter.section(title):
-                rows = [(name.ljust(column), line) for name, (_, _, line) in group.items()]
+                rows = [(name.ljust(column), line) for name, (_, line) in group.items()]
                 formatter.write_dl(rows)
 
 
@@ -95,5 +92,4 @@ def pdp8() -> None:
 
 
 def main() -> None:
-    """Run the `pdp8` command."""
     command.run(pdp8, "pdp8")

@@ -12,7 +12,7 @@ from click.core import ParameterSource
 from pdp8.cli import pacing
 from pdp8.cli.feed import Feed, say_unread
 from pdp8.cli.outputs import Output, send
-from pdp8.cli.parameters import octal, one_tape, seconds
+from pdp8.cli.parameters import octal, seconds
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use import program as programs
@@ -74,27 +74,12 @@ class Options(NamedTuple):
 @click.option(
     "--reader",
     type=Source(),
-    metavar="FILE",
     multiple=True,
     help="Tape in the Teletype's reader; several go in one after another.  [default: standard input]",
 )
-@click.option(
-    "--punch",
-    type=Target("tape"),
-    metavar="FILE",
-    help="Where the punched tape goes.  [default: standard output]",
-)
-@click.option(
-    "--fast-reader",
-    type=Source(),
-    multiple=True,
-    callback=one_tape,
-    metavar="FILE",
-    help="Fit the high-speed reader, with this tape.",
-)
-@click.option(
-    "--fast-punch", type=Target("tape"), metavar="FILE", help="Fit the high-speed punch; its tape goes here."
-)
+@click.option("--punch", type=Target("tape"), help="Where the punched tape goes.  [default: standard output]")
+@click.option("--fast-reader", type=Source(), help="Fit the high-speed reader, with this tape.")
+@click.option("--fast-punch", type=Target("tape"), help="Fit the high-speed punch; its tape goes here.")
 @click.option(
     "--keyboard", is_flag=True, help="Type at the Teletype and see it print; Ctrl-] leaves to the monitor."
 )
@@ -108,37 +93,23 @@ class Options(NamedTuple):
 @click.option("--realtime", is_flag=True, help="Run no faster than a PDP-8/L did: 10 frames a second.")
 @click.option("--boot", is_flag=True, help="From cold: toggle RIM in, read the BIN loader, read the program.")
 @click.option(
-    "--loader",
-    type=Source(),
-    metavar="FILE",
-    help="The RIM tape of the BIN loader --boot reads.  [default: bin.pal]",
+    "--loader", type=Source(), help="The RIM tape of the BIN loader --boot reads.  [default: bin.pal]"
 )
 @click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
 @click.option("--force", is_flag=True, help="Load a damaged tape as far as it can be read.")
-@click.option(
-    "--trace",
-    type=Target("text"),
-    metavar="FILE",
-    help="Write each instruction: time, L AC, MA MB, its listing.",
-)
+@click.option("--trace", type=Target("text"), help="Write each instruction: time, L AC, MA MB, its listing.")
 @click.option("--cycles", is_flag=True, help="Let --trace write each memory cycle.")
 @click.option(
     "--count", "table", is_flag=True, help="Count instructions, cycles, waiting; a table as the run ends."
 )
 @click.option(
-    "--annotate",
-    type=Target("text"),
-    metavar="FILE",
-    help="Write the listing with each word's count in its margin.",
+    "--annotate", type=Target("text"), help="Write the listing with each word's count in its margin."
 )
-@click.option("--count-json", type=Target("JSON"), metavar="FILE", help="Write what was counted as JSON.")
-@click.option(
-    "--save", type=Target("JSON"), metavar="FILE", help="Write the machine's state as the run ends."
-)
+@click.option("--count-json", type=Target("JSON"), help="Write what was counted as JSON.")
+@click.option("--save", type=Target("JSON"), help="Write the machine's state as the run ends.")
 @click.option(
     "--restore",
     type=Source(),
-    metavar="FILE",
     help="Go on from a saved state and the tape in its reader, as CONT does; with --start, START there. "
     "--sr sets the switches, --reader changes the tape (- for standard input).",
 )

@@ -93,7 +93,6 @@ class Room(App[None]):
         self._before = 0.0
 
     def compose(self) -> ComposeResult:
-        """Put everything in its place."""
         session = self.session
         yield Static("The panel needs a terminal of 80 columns and 24 lines.", id="cramped")
         with PanelFace(id="panel"):
@@ -116,7 +115,6 @@ class Room(App[None]):
         yield Footer(compact=True)
 
     def on_mount(self) -> None:
-        """Sit down at the panel; the clock begins."""
         self.query_one("#panel").focus()
         self._turn_pages()
         self.look()
@@ -125,7 +123,6 @@ class Room(App[None]):
             self.set_interval(TURN, self._tick)
 
     def on_resize(self, event: events.Resize) -> None:
-        """Lay out again."""
         small = event.size.width < SMALLEST[0] or event.size.height < SMALLEST[1]
         self.screen.set_class(small, "-cramped")
         self._turn_pages(event.size.width, event.size.height)
@@ -192,27 +189,22 @@ class Room(App[None]):
         self.look()
 
     def on_key_pressed(self, event: Key.Pressed) -> None:
-        """Press the key that was clicked."""
         self.action_key(event.name)
 
     def action_dial(self, digit: int) -> None:
-        """Set three switches to an octal digit, what was there three places up."""
         self.session.dial(digit)
         self.look()
 
     def on_rocker_thrown(self, event: Rocker.Thrown) -> None:
-        """Throw the switch that was clicked."""
         self.session.throw(event.bit)
         self.look()
 
     def action_hand(self, by: int) -> None:
-        """Move the hand along the switch register."""
         register = self.query_one(SwitchRegister)
         register.hand = (register.hand + by) % 12
         self.look()
 
     def action_throw(self, up: int) -> None:
-        """Throw the switch under the hand up or down."""
         register = self.query_one(SwitchRegister)
         if register.rockers[register.hand].up != bool(up):
             self.session.throw(register.hand)
@@ -229,8 +221,6 @@ class Room(App[None]):
         self.look()
 
     def action_tape(self) -> None:
-        """Ask for a tape and put it into the reader."""
-
         def mount(tape: Tape | None) -> None:
             if tape is not None:
                 self.session.mount(tape)
@@ -239,18 +229,15 @@ class Room(App[None]):
         self.push_screen(ChooseTape(self.session.tapes), mount)
 
     def action_lever(self) -> None:
-        """Throw the reader's lever."""
         self.session.throw_lever()
         self.look()
 
     def action_punch(self) -> None:
-        """Switch the punch on or off."""
         punch = self.session.machine.teletype.punch
         punch.on = not punch.on
         self.look()
 
     def action_tear(self) -> None:
-        """Tear the tape off the punch and write it to a file."""
         if not self.session.machine.teletype.punch.frames:
             self.notify("nothing is punched yet")
             return
@@ -308,25 +295,21 @@ class Room(App[None]):
             self.look()
 
     def action_again(self) -> None:
-        """Begin the drill again."""
         if self.coach is not None:
             self.coach.again()
             self._welcome()
             self.look()
 
     def action_pace(self) -> None:
-        """Go on to the next pace."""
         self.session.change_speed()
         self.look()
 
     def action_page(self) -> None:
-        """Lay the next page on top."""
         self.shown_page = _PAGES[(_PAGES.index(self.shown_page) + 1) % len(_PAGES)]
         self._turn_pages()
         self.look()
 
     def action_turn_round(self) -> None:
-        """Turn from the panel to the Teletype, or back."""
         at_paper = self.query_one("#paper").has_focus
         self.query_one("#panel" if at_paper else "#paper").focus()
         self.call_after_refresh(self.look)

@@ -35,7 +35,6 @@ class ChooseTape(ModalScreen[Tape | None]):
         self.tapes = tapes
 
     def compose(self) -> ComposeResult:
-        """List the tapes at hand above a line for a name."""
         with Vertical(classes="dialog"):
             yield Label("Which tape goes into the reader? ESC: none")
             hand = OptionList(
@@ -65,7 +64,6 @@ class ChooseTape(ModalScreen[Tape | None]):
         self.query_one(".wrong", Label).update("")
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
-        """Take the tape that was clicked."""
         self.dismiss(self.tapes[event.option_index])
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
@@ -99,7 +97,6 @@ class AskToLeave(ModalScreen[bool]):
         self.frames = frames
 
     def compose(self) -> ComposeResult:
-        """Ask."""
         with Vertical(classes="dialog"):
             yield Label(
                 f"{counted(self.frames, 'frames')} punched and not torn off. Leave all the same? y or n"
@@ -112,7 +109,6 @@ class NameTape(ModalScreen[str | None]):
     BINDINGS: ClassVar[list[BindingType]] = [_LEAVE]
 
     def compose(self) -> ComposeResult:
-        """Ask for the name."""
         with Vertical(classes="dialog"):
             yield Label("Tear the tape off the punch and write it to which file? ESC: leave it")
             yield Input(value="punched.tape")

@@ -53,7 +53,6 @@ class LampRows(Page):
     DEFAULT_CSS = "LampRows { height: 5; }"
 
     def look(self) -> object:
-        """Return the lamps, now and as bright as they were."""
         return self.session.brightness, self.session.machine.panel.lamps
 
     def render(self) -> Text:

@@ -35,8 +35,11 @@ def opening(
     cannot be read.
     """
     found = [_bundled(RIM), _bundled(BIN), programs.find(program) if program else _bundled(PROGRAM)]
+    _, loader, last = found
+    label = f"{last.name.removesuffix('.pal')}.bin" if last.name.endswith(".pal") else last.name
+    tapes = [Tape("bin.rim", rim.encode(loader.words)), Tape(label, last.tape)]
     machine = Machine()
-    session = Session(machine, [Tape(name, frames) for name, frames in _at_hand(found[1:])], clock)
+    session = Session(machine, [*tapes, *(Tape(name, shelf.read_bundled(name)) for name in DATA)], clock)
     if reader:
         session.tapes.append(Tape(reader, shelf.read(reader)))
         session.mount(session.tapes[-1])
@@ -49,14 +52,3 @@ def opening(
 
 def _bundled(name: str) -> Program:
     return programs.read(shelf.read_bundled(name), name)
-
-
-def _at_hand(programs: list[Program]) -> list[tuple[str, bytes]]:
-    bin_loader, program = programs
-    loaders = [("bin.rim", rim.encode(bin_loader.words)), (_tape_name(program.name), program.tape)]
-    return loaders + [(name, shelf.read_bundled(name)) for name in DATA]
-
-
-def _tape_name(program: str) -> str:
-    """Return what is written on a program's tape."""
-    return f"{program.removesuffix('.pal')}.bin" if program.endswith(".pal") else program

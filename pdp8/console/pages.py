@@ -91,7 +91,6 @@ class Paper(Page, can_focus=True):
             event.stop()
 
     def clear(self) -> None:
-        """Tear the page off."""
         self.lines = [""]
         self.column = 0
         self.struck += 1
@@ -123,7 +122,6 @@ class Paper(Page, can_focus=True):
         return (self.has_focus, self.struck)
 
     def render(self) -> Text:
-        """Show the last lines, and of a long line the part at the carriage."""
         width, height = self.size
         start = max(0, self.column - width + 1)
         shown = [line.ljust(self.column) if line is self.lines[-1] else line for line in self.lines[-height:]]
@@ -154,7 +152,6 @@ class ListingPage(Page):
         return (self.program.name, address, found is None)
 
     def render(self) -> Text:
-        """Show the lines about the PC's."""
         address = self.session.address
         listing = self.program.listing
         middle = listing.places.get(address, 0)
@@ -174,12 +171,10 @@ class Core(Page):
     """Core about the PC: its word lit, that of the memory address underlined."""
 
     def look(self) -> object:
-        """Look again."""
         title(self, f"core about the PC, {self.session.address:04o}")
         return list(self.session.machine.core), self.session.address, self.session.machine.ma
 
     def render(self) -> Text:
-        """Show rows of eight words, or of four."""
         machine, pc = self.session.machine, self.session.address
         words = 8 if self.size.width >= 46 else 4
         rows = min(self.size.height, 0o10000 // words)
@@ -213,13 +208,11 @@ class Card(Page):
         )
 
     def look(self) -> object:
-        """Look again."""
         title(self, "RIM loader · R toggles it in for you")
         core = self.session.machine.core
         return [core[RIM_START + place] for place in range(len(RIM))], self.session.address
 
     def render(self) -> Text:
-        """Show the seventeen words in two columns, then the steps."""
         columns, cell = (2, self._word) if self.size.width >= _CARD_WIDTH else (3, self._brief)
         height = -(-len(RIM) // columns)
         text = Text()
@@ -269,7 +262,6 @@ class DrillCard(Page):
         return coach.at, coach.said, coach.wrong
 
     def render(self) -> Text:
-        """Draw the steps around the next one, and what the coach says."""
         coach, steps = self.coach, self.coach.drill.steps
         first = max(0, min(coach.at - _STEPS // 3, len(steps) - _STEPS))
         said = wrap(coach.said, max(20, self.size.width))

@@ -193,7 +193,6 @@ class Session:
 
     @property
     def hands_busy(self) -> bool:
-        """Whether words are being toggled in."""
         return self._hands is not None
 
     def mount(self, tape: Tape) -> None:
@@ -216,7 +215,6 @@ class Session:
         return tape
 
     def type(self, characters: str) -> None:
-        """Type on the Teletype's keyboard."""
         self.machine.teletype.keyboard.press(sent(characters))
 
     def clear(self) -> None:
@@ -229,7 +227,6 @@ class Session:
         self._look()
 
     def change_speed(self) -> None:
-        """Go on to the next speed of SPEEDS."""
         self.speed = SPEEDS[(SPEEDS.index(self.speed) + 1) % len(SPEEDS)]
 
 

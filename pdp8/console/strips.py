@@ -55,7 +55,6 @@ class ReaderStrip(Strip):
     """The tape in the reader."""
 
     def look(self) -> object:
-        """Look at the tape again."""
         reader = self.session.machine.teletype.reader
         if reader.tape is not self.captioned:
             self.captioned = reader.tape
@@ -66,7 +65,6 @@ class ReaderStrip(Strip):
         return reader.tape, reader.position, reader.on
 
     def render(self) -> Text:
-        """Draw the tape about the head."""
         reader = self.session.machine.teletype.reader
         if not reader.loaded:
             return Text("no tape: O", _FAINT)
@@ -80,14 +78,12 @@ class PunchStrip(Strip):
     """The tape that comes out of the punch."""
 
     def look(self) -> object:
-        """Look at the tape again."""
         punch = self.session.machine.teletype.punch
         title(self, "punch" if punch.on else "punch OFF")
         subtitle(self, f"{len(punch.frames):,} punched" if punch.frames else "")
         return len(punch.frames), punch.on
 
     def render(self) -> Text:
-        """Draw the last frames, the newest at the head."""
         frames = self.session.machine.teletype.punch.frames
         if not frames:
             return Text("nothing punched", _FAINT)

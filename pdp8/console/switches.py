@@ -64,12 +64,10 @@ class Rocker(Widget):
         self.state = (self.up, held)
 
     def on_click(self, event: events.Click) -> None:
-        """Throw it."""
         event.stop()
         self.post_message(self.Thrown(self.bit))
 
     def render(self) -> Text:
-        """Draw the rocker's bright half above or below."""
         wide = self.size.width >= 3
         colour = _HAND if self.held else (_CREAM if self.bit // 3 % 2 == 0 else _RUST)
         raised = ("▐█▌" if wide else "▐▌", Style(color=colour))
@@ -99,7 +97,6 @@ class Key(Widget):
         self.letter = letter
 
     def on_click(self, event: events.Click) -> None:
-        """Press it."""
         event.stop()
         self.post_message(self.Pressed(str(self.id)))
 
@@ -109,11 +106,9 @@ class Key(Widget):
         return self.id in LOCKING and bool(getattr(self.session.machine.panel, self.id))
 
     def show(self) -> None:
-        """Show it as it is now."""
         self.state = self.active
 
     def flash(self) -> None:
-        """Show that it is pressed, for a moment."""
         self.down = True
         self.set_timer(0.15, self._let_go)
 
@@ -121,7 +116,6 @@ class Key(Widget):
         self.down = False
 
     def render(self) -> Text:
-        """Draw its cap and its label."""
         at = self.label.lower().index(self.letter)
         label = Text(self.label, Style(color="#e8d9b8"))
         label.stylize(Style(underline=True, bold=True, color="#ffd9a0"), at, at + 1)
@@ -160,7 +154,6 @@ class SwitchRegister(Horizontal):
         self.show()
 
     def show(self) -> None:
-        """Show the switches as they are now."""
         focused = self.screen.focused
         at_panel = focused is not None and focused.id == "panel"
         for bit, rocker in enumerate(self.rockers):

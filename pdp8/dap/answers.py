@@ -44,7 +44,6 @@ def _routine(room: Debuggee, entry: int | None) -> str:
 
 
 def variables(room: Debuggee, arguments: Body) -> Body:
-    """Return the variables of a scope."""
     return {"variables": scopes.variables(room.monitor, arguments["variablesReference"])}
 
 
@@ -84,19 +83,16 @@ def source(room: Debuggee, arguments: Body) -> Body:
 
 
 def read_memory(room: Debuggee, arguments: Body) -> Body:
-    """Return bytes of core."""
     start = memory.byte(arguments["memoryReference"], arguments.get("offset") or 0)
     return memory.read(room.monitor.machine, start, arguments["count"])
 
 
 def write_memory(room: Debuggee, arguments: Body) -> Body:
-    """Put bytes into core."""
     start = memory.byte(arguments["memoryReference"], arguments.get("offset") or 0)
     return {"bytesWritten": memory.write(room.monitor.machine, start, arguments["data"])}
 
 
 def disassemble(room: Debuggee, arguments: Body) -> Body:
-    """Return core as instructions."""
     start = memory.place(arguments["memoryReference"], arguments.get("offset") or 0)
     start += arguments.get("instructionOffset") or 0
     addresses = range(start, start + min(arguments["instructionCount"], memory.MOST))

@@ -82,7 +82,6 @@ class Debuggee:
         self._slices = slices(self.monitor, _ENDLESS)
 
     def pause(self) -> None:
-        """Run no further."""
         self._slices = None
 
     def advance(self) -> Halt | None:
@@ -104,7 +103,6 @@ class Debuggee:
         return None
 
     def into(self) -> Halt | None:
-        """Do one instruction."""
         stop = motion.into(self.monitor.machine)
         return self._halted(stop) if stop.reason in (Reason.HALT, Reason.PROTECT) else Halt("step")
 

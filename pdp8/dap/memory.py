@@ -76,7 +76,6 @@ def write(machine: Machine, start: int, data: str) -> int:
 
 
 def image(machine: Machine) -> bytearray:
-    """Return core as bytes."""
     return bytearray(b"".join(word.to_bytes(BYTES, "big") for word in machine.core))
 
 

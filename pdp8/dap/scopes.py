@@ -33,7 +33,6 @@ class ScopeError(WorkError):
 
 
 def scopes() -> list[Body]:
-    """Return the Scopes."""
     named = {"Registers": REGISTERS, "Lamps": LAMPS, "Symbols": SYMBOLS, "Devices": DEVICES}
     return [
         {"name": name, "variablesReference": number, "expensive": False}

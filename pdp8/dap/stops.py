@@ -47,18 +47,15 @@ def place_lines(room: Debuggee) -> list[Body]:
 
 
 def set_functions(room: Debuggee, arguments: Body) -> Body:
-    """Set breakpoints at octal addresses and symbols."""
     return _set(room, ADDRESSES, [point["name"] for point in arguments["breakpoints"]], room.monitor.address)
 
 
 def set_instructions(room: Debuggee, arguments: Body) -> Body:
-    """Set breakpoints at places of core."""
     asked = [(point["instructionReference"], point.get("offset") or 0) for point in arguments["breakpoints"]]
     return _set(room, INSTRUCTIONS, asked, lambda place: memory.place(*place))
 
 
 def set_data(room: Debuggee, arguments: Body) -> Body:
-    """Set breakpoints at words that are written."""
     return _set(room, DATA, [point["dataId"] for point in arguments["breakpoints"]], room.monitor.address)
 
 

@@ -67,7 +67,6 @@ class Wire:
         return message
 
     def event(self, name: str, **body: Any) -> None:
-        """Send an event."""
         self._send({"type": "event", "event": name, "body": body})
 
     def respond(self, request: Body, body: Body | None = None, error: str = "") -> None:

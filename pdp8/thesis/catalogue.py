@@ -54,6 +54,11 @@ class Item(NamedTuple):
         return number[1] if number else "A"
 
     @property
+    def stem(self) -> str:
+        """What its files begin with, its anchor: figure-7.2."""
+        return f"{self.kind}-{self.number}"
+
+    @property
     def caption(self) -> str:
         """What stands under it: where the thesis has it, what kind of thing this is, what is shown."""
         return f"Page {self.page}. {self.state.capitalize()}. {self.note}"

@@ -40,7 +40,7 @@ def _items(chapter: str) -> Iterator[tuple[str, ...]]:
     for item in catalogue():
         if item.chapter == chapter:
             made = f" `pdp8 thesis make {item.number}`" if item.maker else ""
-            name = f'<a id="{item.kind}-{item.number}"></a>{item.name}. {item.title}'
+            name = f'<a id="{item.stem}"></a>{item.name}. {item.title}'
             yield name, str(item.page), item.state, f"{item.note}{made}"
 
 
@@ -55,7 +55,7 @@ def _numbers(chapter: str) -> Iterator[tuple[str, ...]]:
 def _link(by: str, names: dict[str, Item]) -> str:
     """Return what makes a number as a link: to the item on this page, to a page; or the command."""
     if by in names:
-        return f"[{names[by].name}](#{names[by].kind}-{by})"
+        return f"[{names[by].name}](#{names[by].stem})"
     if by.startswith("pdp8 "):
         return f"`{by}`"
     return f"[{by}]({by}.md)" if by else ""

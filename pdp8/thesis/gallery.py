@@ -43,12 +43,8 @@ def _badge(state: str) -> str:
 
 
 def _contents(chapter: str, items: list[Item]) -> str:
-    links = " ".join(f'<a href="#{_anchor(item)}">{escape(item.number)}</a>' for item in items)
+    links = " ".join(f'<a href="#{item.stem}">{escape(item.number)}</a>' for item in items)
     return f"<li>{chapter}: {links}</li>\n"
-
-
-def _anchor(item: Item) -> str:
-    return f"{item.kind}-{item.number}"
 
 
 def _section(chapter: str, items: list[Item], made: Mapping[str, Made]) -> str:
@@ -59,7 +55,7 @@ def _section(chapter: str, items: list[Item], made: Mapping[str, Made]) -> str:
 def _article(item: Item, made: Made | None) -> str:
     shown = _shown(made) if made else '<p class="lost-item">Lost.</p>'
     return (
-        f'<article id="{_anchor(item)}">\n'
+        f'<article id="{item.stem}">\n'
         f"<h3>{item.name}. {escape(item.title)} {_badge(item.state)}</h3>\n"
         f'<div class="words">\n<h4>The thesis, page {item.page}</h4>\n'
         f"<blockquote>{escape(item.says)}</blockquote>\n"

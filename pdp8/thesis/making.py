@@ -27,7 +27,7 @@ class Made(NamedTuple):
         """Yield the names and contents of all its files."""
         yield self.name, self.text.encode()
         if self.tape:
-            yield f"{_stem(self.item)}.eia", self.tape
+            yield f"{self.item.stem}.eia", self.tape
 
     @property
     def is_drawn(self) -> bool:
@@ -42,22 +42,18 @@ def make(item: Item) -> Made:
     product = _function(item.maker)(**item.given)
     tape: bytes = _function(item.tape)() if item.tape else b""
     if isinstance(product, Table):
-        return Made(item, f"{_stem(item)}.txt", _captioned(item, product.text()), product, tape)
+        return Made(item, f"{item.stem}.txt", _captioned(item, product.text()), product, tape)
     pictures = product if isinstance(product, list) else [product]
     if pictures[0].startswith("<svg"):
         sheet = framed(pictures, item.name.upper(), item.title, item.caption, across=item.across)
-        return Made(item, f"{_stem(item)}.svg", sheet, None, tape)
-    return Made(item, f"{_stem(item)}.txt", _captioned(item, product), None, tape)
+        return Made(item, f"{item.stem}.svg", sheet, None, tape)
+    return Made(item, f"{item.stem}.txt", _captioned(item, product), None, tape)
 
 
 def _function(name: str) -> Callable[..., Any]:
     module, function = name.split(".")
     found: Callable[..., Any] = getattr(import_module(f"pdp8.thesis.{module}"), function)
     return found
-
-
-def _stem(item: Item) -> str:
-    return f"{item.kind}-{item.number}"
 
 
 def _captioned(item: Item, text: str) -> str:

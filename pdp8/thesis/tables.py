@@ -1,6 +1,6 @@
 """The tables of the thesis, computed: 2.3, 2.4, 10.1 and those without a number in Chapters 2, 3 and 4."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from itertools import pairwise
 from typing import Final
 
@@ -81,43 +81,31 @@ def drilling() -> Table:
     return Table(("seq", "P", "X", "Y", "res", "tool", "misc"), rows)
 
 
-MEMORY_REFERENCE: Final = (
-    ("logical AND", "AND"), ("two's complement add", "TAD"), ("increment and skip if zero", "ISZ"),
-    ("deposit and clear accumulator", "DCA"), ("jump to subroutine", "JMS"), ("jump", "JMP"),
-)  # fmt: skip
-MICROINSTRUCTIONS: Final = (
-    ("clear the accumulator", "CLA"), ("complement the accumulator", "CMA"),
-    ("rotate accumulator and link right once", "RAR"), ("increment the accumulator", "IAC"),
-    ("skip on zero accumulator", "SZA"), ("halt the program", "HLT"),
-)  # fmt: skip
-INPUT_OUTPUT: Final = (
-    ("skip if keyboard/reader flag = 1", "KSF"), ("clear AC, read keyboard buffer, clear flag", "KRB"),
-    ("skip if printer/punch flag = 1", "TSF"), ("load printer/punch buffer, print, clear flag", "TLS"),
-)  # fmt: skip
+_INSTRUCTIONS: Final = {
+    "memory reference": (
+        ("logical AND", "AND"), ("two's complement add", "TAD"), ("increment and skip if zero", "ISZ"),
+        ("deposit and clear accumulator", "DCA"), ("jump to subroutine", "JMS"), ("jump", "JMP"),
+    ),
+    "microinstructions": (
+        ("clear the accumulator", "CLA"), ("complement the accumulator", "CMA"),
+        ("rotate accumulator and link right once", "RAR"), ("increment the accumulator", "IAC"),
+        ("skip on zero accumulator", "SZA"), ("halt the program", "HLT"),
+    ),
+    "input-output": (
+        ("skip if keyboard/reader flag = 1", "KSF"), ("clear AC, read keyboard buffer, clear flag", "KRB"),
+        ("skip if printer/punch flag = 1", "TSF"),
+        ("load printer/punch buffer, print, clear flag", "TLS"),
+    ),
+}  # fmt: skip
 
 
-def memory_reference() -> Table:
-    """Chapter 4: the six instructions that name an address; their first octal digit."""
-    return _instructions(MEMORY_REFERENCE, lambda word: f"{word >> 9:o}")
-
-
-def microinstructions() -> Table:
-    """Chapter 4: some that work on the accumulator."""
-    return _instructions(MICROINSTRUCTIONS, lambda word: f"{word:04o}")
-
-
-def input_output() -> Table:
-    """Chapter 4: those of the Teletype."""
-    return _instructions(INPUT_OUTPUT, lambda word: f"{word:04o}")
-
-
-def _instructions(listed: tuple[tuple[str, str], ...], shown: Callable[[int], str]) -> Table:
-    """Return a table of instructions, each value from the assembler."""
+def instructions(kind: str) -> Table:
+    """Chapter 4: instructions, each value from the assembler; of a memory reference its first octal digit."""
     rows = []
-    for what, mnemonic in listed:
-        operand = "" if listed is not MEMORY_REFERENCE else " 0"
-        (word,) = pal.assemble(f"*200\n\t{mnemonic}{operand}\n$\n").words.values()
-        rows.append((what, mnemonic, shown(word)))
+    for what, mnemonic in _INSTRUCTIONS[kind]:
+        refers = kind == "memory reference"
+        (word,) = pal.assemble(f"*200\n\t{mnemonic}{' 0' * refers}\n$\n").words.values()
+        rows.append((what, mnemonic, f"{word >> 9:o}" if refers else f"{word:04o}"))
     return Table(("instruction", "mnemonic", "octal value"), tuple(rows))
 
 

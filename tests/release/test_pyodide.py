@@ -26,13 +26,7 @@ def test_the_main_job_runs_in_pyodide(tmp_path: Path) -> None:
         for path in Path(click.__file__).parent.glob("*.py"):
             archive.write(path, f"click/{path.name}")
     done = subprocess.run(
-        [
-            str(NODE),
-            str(Path(__file__).with_name("pyodide.mjs")),
-            str(PYODIDE),
-            _plain_wheel(tmp_path),
-            clicks,
-        ],
+        [str(NODE), Path(__file__).with_name("pyodide.mjs"), PYODIDE, _plain_wheel(tmp_path), clicks],
         capture_output=True,
         text=True,
         check=False,
@@ -49,19 +43,9 @@ def _plain_wheel(folder: Path) -> Path:
     for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE", "release/links.py"):
         (source / name).parent.mkdir(exist_ok=True)
         shutil.copy(HOUSE / name, source / name)
+    words = ("-m", "pip", "wheel", "-q", "--no-deps", "--no-build-isolation", "-w", folder, source)
     subprocess.run(
-        [
-            sys.executable,
-            "-m",
-            "pip",
-            "wheel",
-            "-q",
-            "--no-deps",
-            "--no-build-isolation",
-            "-w",
-            folder,
-            source,
-        ],
+        [sys.executable, *words],
         env={**os.environ, "PDP8_EXTENSIONS": "forbid"},
         check=True,
     )

@@ -87,8 +87,8 @@ def test_work_is_not_replaced_where_a_name_was_forgotten(line: str, call: Call, 
     assert (answers / "ana.pal").read_text() == RIGHT
 
 
-@pytest.mark.parametrize("name", ["hard.bin", "soft.bin", "sub/../own.bin"])
-def test_no_other_name_of_a_source_is_written(name: str, call: Call, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["own.bin", "hard.bin", "soft.bin", "sub/../own.bin"])
+def test_no_name_of_a_source_is_written(name: str, call: Call, tmp_path: Path) -> None:
     (tmp_path / "sub").mkdir()
     (tmp_path / "own.bin").write_bytes(shelf.read_bundled("eia.bin"))
     os.link("own.bin", "hard.bin")
@@ -97,6 +97,7 @@ def test_no_other_name_of_a_source_is_written(name: str, call: Call, tmp_path: P
         "run own.bin --punch",
         "run eia.pal --reader own.bin --fast-punch",
         "tape convert own.bin --to rim -o",
+        *("part mirror own.bin -o", "tape clean own.bin -o", "nc view own.bin -o", "pal own.bin -o"),
     ):
         status, _, said = call(f"pdp8 {line} {name}")
         assert status == 2

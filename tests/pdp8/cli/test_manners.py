@@ -108,27 +108,10 @@ def test_a_program_of_one_wrong_line_is_named_too(shell: Shell, line: str, code:
         assert b"line 1, column 1: a block of " in done.stderr
 
 
-def test_a_tape_is_not_written_over_the_name_of_a_source(shell: Shell) -> None:
-    done = shell("pal eia.pal -o eia.pal; ls")
-    assert b"eia.pal is the source; name another file" in done.stderr
-    assert done.stdout == b""
-
-
 def test_standard_input_has_one_name_in_the_errors_of_a_source(shell: Shell) -> None:
     for command in ("run - --max-time 1", "pal - -o x.bin"):
         done = shell(f"printf '*200\\n\\tQQ\\n$\\n' | pdp8 {command}")
         assert b"\nstandard input:2:2: " in b"\n" + done.stderr, command
-
-
-@pytest.mark.parametrize("command", ["part mirror", "tape clean", "nc view", "tape convert --to octal"])
-def test_an_output_is_not_written_over_its_source(shell: Shell, tmp_path: Path, command: str) -> None:
-    (tmp_path / "own.eia").write_bytes(shelf.read_bundled("circle.eia"))
-    done = shell(f"pdp8 {command} own.eia -o own.eia")
-    assert (done.returncode, done.stderr.splitlines()[0][-40:]) == (
-        2,
-        b"own.eia is the source; name another file",
-    )
-    assert (tmp_path / "own.eia").read_bytes() == shelf.read_bundled("circle.eia")
 
 
 def test_page_and_table_share_no_stream_and_no_name(shell: Shell, tmp_path: Path) -> None:
@@ -158,12 +141,6 @@ def test_a_closed_standard_output_is_one_error(shell: Shell) -> None:
     done = shell("pdp8 run hello.pal >&-")
     assert done.returncode == 1
     assert done.stderr == b"pdp8 run: standard output: Bad file descriptor after 0 frames\n"
-
-
-def test_one_tape_goes_into_the_high_speed_reader(shell: Shell) -> None:
-    done = shell("pdp8 run eia.pal --fast-reader circle.asc --fast-reader ellipse.asc")
-    assert done.returncode == 2
-    assert b"'--fast-reader': one tape; several, one after another, go into --reader alone" in done.stderr
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "latin-1"])

@@ -40,9 +40,3 @@ def test_no_command_is_misuse_and_shows_the_help_alone(command: str, shell: Shel
     done = shell(command)
     assert done.returncode == 2
     assert done.stdout + done.stderr == shell(f"{command} --help").stdout
-
-
-def test_a_command_that_does_not_exist_is_misuse(shell: Shell) -> None:
-    done = shell("pdp8 rum")
-    assert done.returncode == 2
-    assert b"'rum'" in done.stderr

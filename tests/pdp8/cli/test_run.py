@@ -77,6 +77,7 @@ def test_the_pc8_reads_and_punches_files(shell: Shell, tmp_path: Path) -> None:
         ("run hello.pal --tty /dev/null", 1, "/dev/null: not a line"),
         ("run hello.pal --start 9", 2, "not an octal number"),
         ("run hello.pal --sr 10000", 2, "not between 0000 and 7777"),
+        ("run hello.pal --nonsense", 2, "No such option"),
         ("run hello.pal --max-time nan", 2, "not between 0 and 1e9 seconds"),
         ("check add x.pal --cpu nan", 2, "not between 0.1 and 3600 seconds"),
         ("run hello.pal --max-time soon", 2, "not a number of seconds"),

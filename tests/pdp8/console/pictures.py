@@ -1,6 +1,8 @@
 """What a terminal shows of the panel, as text: a picture that can be compared line by line."""
 
 from collections.abc import Awaitable, Callable
+from functools import wraps
+from inspect import signature
 from pathlib import Path
 
 import pytest
@@ -31,6 +33,23 @@ def play(
             await scene(room, pilot)
 
     awaited(perform())
+
+
+def scene(
+    size: tuple[int, int] = (100, 30), program: str | None = None, reader: str | None = None
+) -> Callable[[Callable[..., Awaitable[None]]], Callable[..., None]]:
+    """Make a test of a scene: after the room and the pilot it takes fixtures."""
+
+    def made(act: Callable[..., Awaitable[None]]) -> Callable[..., None]:
+        @wraps(act)
+        def test(**fixtures: object) -> None:
+            play(lambda room, pilot: act(room, pilot, **fixtures), size, program, reader)
+
+        _, _, *taken = signature(act).parameters.values()
+        test.__signature__ = signature(act).replace(parameters=taken)  # type: ignore[attr-defined]
+        return test
+
+    return made
 
 
 def shown(room: Room) -> str:

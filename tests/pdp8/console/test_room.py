@@ -15,7 +15,7 @@ from pdp8.console.pages import COLUMNS, Paper
 from pdp8.console.switches import Rocker, SwitchRegister
 from tapes import shelf
 from tests.conftest import Shell, assert_same_tape, case
-from tests.pdp8.console.pictures import assert_shows, play, shown
+from tests.pdp8.console.pictures import assert_shows, play, scene, shown
 from tests.pdp8.console.test_session import RIM_WORDS
 
 CIRCLE = shelf.read("circle.asc")
@@ -42,38 +42,36 @@ def turn(room: Room, seconds: float) -> None:
 
 
 @pytest.mark.slow("hundreds of keys, each of which draws the panel")
-def test_a_morning_by_keys_rim_bin_program_and_tape() -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        machine = room.session.machine
-        keys = "7756l" + "".join(f"{word:04o}d" for word in RIM_WORDS.values())
-        await pilot.press(*keys)
-        assert {address: machine.core[address] for address in RIM_WORDS} == RIM_WORDS
-        assert_shows(room, "rim toggled in, 100x30")
-        await press(pilot, "p p p")
-        await mount(pilot, 0)
-        await dial(pilot, 0o7756)
-        await press(pilot, "l s")
-        turn(room, 0.5)
-        assert room.session.said.startswith("out of tape")
-        await press(pilot, "t")
-        assert machine.core[0o7777] == 0o5301  # JMP 7701, as BIN puts it there
-        await mount(pilot, 1)
-        await dial(pilot, 0o7777)
-        await press(pilot, "l s")
-        turn(room, 0.5)
-        assert machine.ma == 0o7700
-        assert machine.ac == 0
-        assert_shows(room, "eia.bin loaded, 100x30")
-        await mount(pilot, 2)
-        await dial(pilot, 0o200)
-        await press(pilot, "l s")
-        for _ in range(4):
-            room.turn(0.5)
-        assert room.session.said.startswith("out of tape")
-        eia = Path(__file__).parents[3] / "tapes" / "circle.eia"
-        assert_same_tape(machine.teletype.punch.tape, eia.read_bytes())
-
-    play(scene)
+@scene()
+async def test_a_morning_by_keys_rim_bin_program_and_tape(room: Room, pilot: Pilot[None]) -> None:
+    machine = room.session.machine
+    keys = "7756l" + "".join(f"{word:04o}d" for word in RIM_WORDS.values())
+    await pilot.press(*keys)
+    assert {address: machine.core[address] for address in RIM_WORDS} == RIM_WORDS
+    assert_shows(room, "rim toggled in, 100x30")
+    await press(pilot, "p p p")
+    await mount(pilot, 0)
+    await dial(pilot, 0o7756)
+    await press(pilot, "l s")
+    turn(room, 0.5)
+    assert room.session.said.startswith("out of tape")
+    await press(pilot, "t")
+    assert machine.core[0o7777] == 0o5301  # JMP 7701, as BIN puts it there
+    await mount(pilot, 1)
+    await dial(pilot, 0o7777)
+    await press(pilot, "l s")
+    turn(room, 0.5)
+    assert machine.ma == 0o7700
+    assert machine.ac == 0
+    assert_shows(room, "eia.bin loaded, 100x30")
+    await mount(pilot, 2)
+    await dial(pilot, 0o200)
+    await press(pilot, "l s")
+    for _ in range(4):
+        room.turn(0.5)
+    assert room.session.said.startswith("out of tape")
+    eia = Path(__file__).parents[3] / "tapes" / "circle.eia"
+    assert_same_tape(machine.teletype.punch.tape, eia.read_bytes())
 
 
 @pytest.mark.parametrize("tape", [b"\xb3", CIRCLE], ids=["one digit", "circle.asc"])
@@ -101,54 +99,48 @@ def test_a_tape_that_lay_in_the_reader_before_start_loses_no_frame(
 
 
 @pytest.mark.parametrize("letter", ["r", "R"])
-def test_r_toggles_rim_in(letter: str) -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        await press(pilot, letter)
-        turn(room, 1.0)
-        assert_shows(room, "rim being toggled in, 80x24")
-        turn(room, 1.0)
-        core = room.session.machine.core
-        assert {address: core[address] for address in RIM_WORDS} == RIM_WORDS
-
-    play(scene, size=(80, 24))
+@scene(size=(80, 24))
+async def test_r_toggles_rim_in(room: Room, pilot: Pilot[None], letter: str) -> None:
+    await press(pilot, letter)
+    turn(room, 1.0)
+    assert_shows(room, "rim being toggled in, 80x24")
+    turn(room, 1.0)
+    core = room.session.machine.core
+    assert {address: core[address] for address in RIM_WORDS} == RIM_WORDS
 
 
-def test_switches_by_hand_and_by_mouse() -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        machine = room.session.machine
-        await press(pilot, "up right up left left up")
-        assert machine.sr == 0o6001
-        await press(pilot, "down down right")
-        assert machine.sr == 0o6000
-        assert room.query_one(SwitchRegister).hand == 0
-        await pilot.click("#sr3")
-        await pilot.click("#sr0")
-        assert machine.sr == 0o2400
-        await pilot.click("#load_add")
-        assert machine.ma == 0o2400
-        await pilot.click("#dep")
-        assert machine.core[0o2400] == 0o2400
-        await pilot.click("#exam")
-        assert machine.ma == 0o2401
-        await pilot.click("#mem_prot")
-        await pilot.click("#sing_step")
-        assert machine.panel.mem_prot
-        assert machine.panel.sing_step
-        assert [rocker.up for rocker in room.query(Rocker)].count(True) == 2
-
-    play(scene)
+@scene()
+async def test_switches_by_hand_and_by_mouse(room: Room, pilot: Pilot[None]) -> None:
+    machine = room.session.machine
+    await press(pilot, "up right up left left up")
+    assert machine.sr == 0o6001
+    await press(pilot, "down down right")
+    assert machine.sr == 0o6000
+    assert room.query_one(SwitchRegister).hand == 0
+    await pilot.click("#sr3")
+    await pilot.click("#sr0")
+    assert machine.sr == 0o2400
+    await pilot.click("#load_add")
+    assert machine.ma == 0o2400
+    await pilot.click("#dep")
+    assert machine.core[0o2400] == 0o2400
+    await pilot.click("#exam")
+    assert machine.ma == 0o2401
+    await pilot.click("#mem_prot")
+    await pilot.click("#sing_step")
+    assert machine.panel.mem_prot
+    assert machine.panel.sing_step
+    assert [rocker.up for rocker in room.query(Rocker)].count(True) == 2
 
 
-def test_sing_step_by_cycle_with_the_listing() -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        await press(pilot, "n s c c")
-        assert room.session.said == "one cycle: FETCH"
-        assert "▸0202  4214          JMS READ" in shown(room)
-        await press(pilot, "c")
-        assert room.session.said == "one cycle: EXECUTE"
-        assert_shows(room, "single steps, 100x30")
-
-    play(scene, program="eia.pal", reader="circle.asc")
+@scene(program="eia.pal", reader="circle.asc")
+async def test_sing_step_by_cycle_with_the_listing(room: Room, pilot: Pilot[None]) -> None:
+    await press(pilot, "n s c c")
+    assert room.session.said == "one cycle: FETCH"
+    assert "▸0202  4214          JMS READ" in shown(room)
+    await press(pilot, "c")
+    assert room.session.said == "one cycle: EXECUTE"
+    assert_shows(room, "single steps, 100x30")
 
 
 @pytest.mark.parametrize("size", [(80, 24), (100, 30), (160, 45)], ids=lambda size: f"{size[0]}x{size[1]}")
@@ -163,188 +155,166 @@ def test_the_room_in_terminals_of_three_sizes(size: tuple[int, int]) -> None:
     play(scene, size, "eia.pal", "circle.asc")
 
 
-def test_a_terminal_too_small_says_so() -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        assert "80 columns and 24 lines" in shown(room)
-        assert "MEM ADDR" not in shown(room)
-        await pilot.resize_terminal(80, 24)
+@scene(size=(60, 20))
+async def test_a_terminal_too_small_says_so(room: Room, pilot: Pilot[None]) -> None:
+    assert "80 columns and 24 lines" in shown(room)
+    assert "MEM ADDR" not in shown(room)
+    await pilot.resize_terminal(80, 24)
+    await pilot.pause()
+    assert "MEM ADDR" in shown(room)
+
+
+@scene(program="tests/pdp8/console/typewriter.pal")
+async def test_typing_at_the_teletype(room: Room, pilot: Pilot[None]) -> None:
+    machine = room.session.machine
+    await press(pilot, "s tab h i 1 enter")
+    turn(room, 1.0)
+    assert machine.sr == 0o200  # the 1 went to the Teletype
+    assert bytes(machine.teletype.printer.frames) == bytes([0o310, 0o311, 0o261, 0o215])
+    assert "HI1" in shown(room)
+    assert "ESC goes back" in shown(room)
+    await press(pilot, "escape 7")
+    assert machine.sr == 0o2007
+
+
+@scene()
+async def test_the_paper_does_what_a_carriage_does(room: Room, pilot: Pilot[None]) -> None:
+    paper = room.query_one(Paper)
+    for frame in b"ABC\rD\nx" + b"=" * 80:
+        paper.take(frame | 0o200)
+    assert paper.lines[0] == "DBC"
+    assert paper.lines[1].startswith(" X====")
+    assert len(paper.lines[1]) == COLUMNS
+
+
+@scene()
+async def test_pages_pace_lever_and_punch(room: Room, pilot: Pilot[None]) -> None:
+    assert "RIM loader" in shown(room)
+    await press(pilot, "g")
+    await pilot.pause()
+    assert "listing of" in shown(room)
+    await press(pilot, "g")
+    await pilot.pause()
+    assert "core about the PC" in shown(room)
+    await press(pilot, "v u p")
+    await pilot.pause()
+    assert "STOP · reader" in shown(room)
+    assert "punch OFF" in shown(room)
+    assert "×10" in shown(room)
+
+
+@scene(program="eia.pal", reader="circle.asc")
+async def test_tearing_off_and_reading_again(room: Room, pilot: Pilot[None], tmp_path: Path) -> None:
+    await press(pilot, "w")
+    assert len(room.screen_stack) == 1  # nothing is punched yet
+    await press(pilot, "p p s")
+    turn(room, 0.5)
+    punched = room.session.machine.teletype.punch.tape
+    await press(pilot, "w")
+    (tmp_path / "own.pal").write_text("*200\n")
+    for name, stays in ((".", True), ("own.pal", True), ("mine.eia", False)):
+        room.screen.query_one("Input").value = f"{tmp_path}/{name}"  # type: ignore[attr-defined]
+        await press(pilot, "enter")
         await pilot.pause()
-        assert "MEM ADDR" in shown(room)
-
-    play(scene, size=(60, 20))
-
-
-def test_typing_at_the_teletype() -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        machine = room.session.machine
-        await press(pilot, "s tab h i 1 enter")
-        turn(room, 1.0)
-        assert machine.sr == 0o200  # the 1 went to the Teletype
-        assert bytes(machine.teletype.printer.frames) == bytes([0o310, 0o311, 0o261, 0o215])
-        assert "HI1" in shown(room)
-        assert "ESC goes back" in shown(room)
-        await press(pilot, "escape 7")
-        assert machine.sr == 0o2007
-
-    play(scene, program="tests/pdp8/console/typewriter.pal")
+        assert bool(room.session.machine.teletype.punch.frames) == stays
+        if stays:
+            await press(pilot, "w")
+    assert (tmp_path / "own.pal").read_text() == "*200\n"
+    assert (tmp_path / "mine.eia").read_bytes() == punched
+    assert room.session.tapes[-1].frames == punched
 
 
-def test_the_paper_does_what_a_carriage_does() -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        paper = room.query_one(Paper)
-        for frame in b"ABC\rD\nx" + b"=" * 80:
-            paper.take(frame | 0o200)
-        assert paper.lines[0] == "DBC"
-        assert paper.lines[1].startswith(" X====")
-        assert len(paper.lines[1]) == COLUMNS
-
-    play(scene)
-
-
-def test_pages_pace_lever_and_punch() -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        assert "RIM loader" in shown(room)
-        await press(pilot, "g")
-        await pilot.pause()
-        assert "listing of" in shown(room)
-        await press(pilot, "g")
-        await pilot.pause()
-        assert "core about the PC" in shown(room)
-        await press(pilot, "v u p")
-        await pilot.pause()
-        assert "STOP · reader" in shown(room)
-        assert "punch OFF" in shown(room)
-        assert "×10" in shown(room)
-
-    play(scene)
+@scene()
+async def test_leaving_asks_for_a_tape_that_is_not_torn_off(room: Room, pilot: Pilot[None]) -> None:
+    room.session.machine.teletype.punch.frames += b"12"
+    await press(pilot, "q")
+    assert "2 frames punched and not torn off" in shown(room)
+    await press(pilot, "n")
+    await pilot.pause()
+    assert len(room.screen_stack) == 1
+    assert room.is_running
+    await press(pilot, "q y")
+    await pilot.pause()
+    assert not room.is_running or room._exit
 
 
-def test_tearing_off_and_reading_again(tmp_path: Path) -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        await press(pilot, "w")
-        assert len(room.screen_stack) == 1  # nothing is punched yet
-        await press(pilot, "p p s")
-        turn(room, 0.5)
-        punched = room.session.machine.teletype.punch.tape
-        await press(pilot, "w")
-        (tmp_path / "own.pal").write_text("*200\n")
-        for name, stays in ((".", True), ("own.pal", True), ("mine.eia", False)):
-            room.screen.query_one("Input").value = f"{tmp_path}/{name}"  # type: ignore[attr-defined]
-            await press(pilot, "enter")
-            await pilot.pause()
-            assert bool(room.session.machine.teletype.punch.frames) == stays
-            if stays:
-                await press(pilot, "w")
-        assert (tmp_path / "own.pal").read_text() == "*200\n"
-        assert (tmp_path / "mine.eia").read_bytes() == punched
-        assert room.session.tapes[-1].frames == punched
-
-    play(scene, program="eia.pal", reader="circle.asc")
+@scene()
+async def test_a_tape_that_is_not_there_is_named(room: Room, pilot: Pilot[None]) -> None:
+    await press(pilot, "o n o enter")
+    await pilot.pause()
+    assert "no: no such file" in shown(room)
+    await press(pilot, "t")
+    await pilot.pause()
+    assert "no such file" not in shown(room)
+    await press(pilot, "escape")
+    assert not room.session.machine.teletype.reader.loaded
 
 
-def test_leaving_asks_for_a_tape_that_is_not_torn_off() -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        room.session.machine.teletype.punch.frames += b"12"
-        await press(pilot, "q")
-        assert "2 frames punched and not torn off" in shown(room)
-        await press(pilot, "n")
-        await pilot.pause()
-        assert len(room.screen_stack) == 1
-        assert room.is_running
-        await press(pilot, "q y")
-        await pilot.pause()
-        assert not room.is_running or room._exit
-
-    play(scene)
-
-
-def test_a_tape_that_is_not_there_is_named() -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        await press(pilot, "o n o enter")
-        await pilot.pause()
-        assert "no: no such file" in shown(room)
-        await press(pilot, "t")
-        await pilot.pause()
-        assert "no such file" not in shown(room)
-        await press(pilot, "escape")
-        assert not room.session.machine.teletype.reader.loaded
-
-    play(scene)
-
-
-def test_enter_takes_the_tape_whose_name_stands_on_the_line() -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        for keys, name in (
-            ("up enter", "ellipse.asc"),
-            ("x up up enter", "circle.asc"),
-            ("down backspace b i n full_stop r i m enter", "bin.rim"),
-            ("e i a full_stop p a l enter", "eia.pal"),
-            ("e i a full_stop b i n tab enter", "eia.bin"),
-        ):
-            with case(keys):
-                at_hand = {tape.name: tape.frames for tape in room.session.tapes}
-                await press(pilot, "o " + keys)
-                await pilot.pause()
-                assert len(room.screen_stack) == 1
-                assert room.session.reader_tape == name
-                frames = at_hand.get(name) or shelf.read(name)
-                assert_same_tape(room.session.machine.teletype.reader.tape, frames.lstrip(b"\0"))
-
-    play(scene)
-
-
-def test_a_tape_at_hand_is_lit_while_its_name_stands_there_and_taken_by_a_click() -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        await press(pilot, "o e i a full_stop b i n")
-        await pilot.pause()
-        assert_shows(room, "choosing a tape, 80x24")
-        assert room.screen.query_one(OptionList).highlighted == 1
-        await press(pilot, "x")
-        await pilot.pause()
-        assert room.screen.query_one(OptionList).highlighted is None
-        await pilot.click(OptionList, offset=(2, 2))
-        await pilot.pause()
-        assert room.session.reader_tape == "circle.asc"
-
-    play(scene, size=(80, 24))
-
-
-def test_ctrl_c_is_the_stop_key() -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        session = room.session
-        await press(pilot, "s")
-        turn(room, 0.5)
-        assert session.machine.panel.lamps.run
-        await press(pilot, "ctrl+c")
-        assert not session.machine.panel.lamps.run
-        assert session.said.startswith("stopped before")
-        room.set_focus(None)
-        await press(pilot, "ctrl+c")
-        assert not room._notifications
-
-    play(scene, program="eia.pal", reader="circle.asc")
-
-
-def test_ctrl_c_leaves_a_question_as_escape_does() -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        room.session.machine.teletype.punch.frames += b"\x01"
-        for question, leave in product("ow", ("ctrl+c", "escape")):
-            await press(pilot, question)
-            assert len(room.screen_stack) == 2
-            await press(pilot, leave)
+@scene()
+async def test_enter_takes_the_tape_whose_name_stands_on_the_line(room: Room, pilot: Pilot[None]) -> None:
+    for keys, name in (
+        ("up enter", "ellipse.asc"),
+        ("x up up enter", "circle.asc"),
+        ("down backspace b i n full_stop r i m enter", "bin.rim"),
+        ("e i a full_stop p a l enter", "eia.pal"),
+        ("e i a full_stop b i n tab enter", "eia.bin"),
+    ):
+        with case(keys):
+            at_hand = {tape.name: tape.frames for tape in room.session.tapes}
+            await press(pilot, "o " + keys)
             await pilot.pause()
             assert len(room.screen_stack) == 1
-        assert not room.session.machine.teletype.reader.loaded
-        assert not room._notifications
+            assert room.session.reader_tape == name
+            frames = at_hand.get(name) or shelf.read(name)
+            assert_same_tape(room.session.machine.teletype.reader.tape, frames.lstrip(b"\0"))
 
-    play(scene)
+
+@scene(size=(80, 24))
+async def test_a_tape_at_hand_is_lit_while_its_name_stands_there_and_taken_by_a_click(
+    room: Room, pilot: Pilot[None]
+) -> None:
+    await press(pilot, "o e i a full_stop b i n")
+    await pilot.pause()
+    assert_shows(room, "choosing a tape, 80x24")
+    assert room.screen.query_one(OptionList).highlighted == 1
+    await press(pilot, "x")
+    await pilot.pause()
+    assert room.screen.query_one(OptionList).highlighted is None
+    await pilot.click(OptionList, offset=(2, 2))
+    await pilot.pause()
+    assert room.session.reader_tape == "circle.asc"
 
 
-def test_ctrl_c_at_the_teletype_is_a_character() -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        await press(pilot, "s tab ctrl+c")
-        turn(room, 0.5)
-        assert room.session.machine.panel.lamps.run
-        assert bytes(room.session.machine.teletype.printer.frames) == bytes([0o203])
+@scene(program="eia.pal", reader="circle.asc")
+async def test_ctrl_c_is_the_stop_key(room: Room, pilot: Pilot[None]) -> None:
+    session = room.session
+    await press(pilot, "s")
+    turn(room, 0.5)
+    assert session.machine.panel.lamps.run
+    await press(pilot, "ctrl+c")
+    assert not session.machine.panel.lamps.run
+    assert session.said.startswith("stopped before")
+    room.set_focus(None)
+    await press(pilot, "ctrl+c")
+    assert not room._notifications
 
-    play(scene, program="tests/pdp8/console/typewriter.pal")
+
+@scene()
+async def test_ctrl_c_leaves_a_question_as_escape_does(room: Room, pilot: Pilot[None]) -> None:
+    room.session.machine.teletype.punch.frames += b"\x01"
+    for question, leave in product("ow", ("ctrl+c", "escape")):
+        await press(pilot, question)
+        assert len(room.screen_stack) == 2
+        await press(pilot, leave)
+        await pilot.pause()
+        assert len(room.screen_stack) == 1
+    assert not room.session.machine.teletype.reader.loaded
+    assert not room._notifications
+
+
+@scene(program="tests/pdp8/console/typewriter.pal")
+async def test_ctrl_c_at_the_teletype_is_a_character(room: Room, pilot: Pilot[None]) -> None:
+    await press(pilot, "s tab ctrl+c")
+    turn(room, 0.5)
+    assert room.session.machine.panel.lamps.run
+    assert bytes(room.session.machine.teletype.printer.frames) == bytes([0o203])

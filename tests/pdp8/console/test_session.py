@@ -1,5 +1,6 @@
 """The operator's time, without a terminal: hands, paces, lamps, tapes."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -21,6 +22,19 @@ RIM_WORDS = {
 def at_rest() -> Session:
     """Return a session whose computer never tires: its clock stands still."""
     return Session(Machine(), clock=lambda: 0.0)
+
+
+def counting(clock: Callable[[], float] = lambda: 0.0) -> Session:
+    """Return a session whose machine runs IAC, JMP .-1: it never waits."""
+    session = Session(Machine(), clock=clock)
+    session.machine.load({0o200: 0o7001, 0o201: 0o5200})
+    session.machine.start(0o200)
+    return session
+
+
+def load_address(session: Session, address: int) -> None:
+    session.machine.sr = address
+    session.press("load_add")
 
 
 def test_the_hands_press_a_key_every_tenth_of_a_second() -> None:
@@ -60,9 +74,7 @@ def test_stop_stops_the_hands() -> None:
 
 @pytest.mark.parametrize("speed", [1, 10, 100, 1000])
 def test_a_second_in_the_room_is_speed_seconds_at_the_machine(speed: int) -> None:
-    session = at_rest()
-    session.machine.load({0o200: 0o7001, 0o201: 0o5200})  # IAC, JMP .-1: it never waits
-    session.machine.start(0o200)
+    session = counting()
     session.speed = speed
     for _ in range(4):
         session.advance(0.001)
@@ -72,9 +84,7 @@ def test_a_second_in_the_room_is_speed_seconds_at_the_machine(speed: int) -> Non
 
 def test_a_computer_that_tires_falls_behind_and_leaves_nothing_out() -> None:
     times = iter(range(1000))
-    session = Session(Machine(), clock=lambda: float(next(times)))
-    session.machine.load({0o200: 0o7001, 0o201: 0o5200})
-    session.machine.start(0o200)
+    session = counting(lambda: float(next(times)))
     session.advance(0.05)
     assert session.behind
     assert session.machine.elapsed < 0.05
@@ -85,8 +95,7 @@ def test_a_computer_that_tires_falls_behind_and_leaves_nothing_out() -> None:
 def test_lamps_at_a_standstill_are_the_panels() -> None:
     session = at_rest()
     session.machine.core[0o1234] = 0o4321
-    session.machine.sr = 0o1234
-    session.press("load_add")
+    load_address(session, 0o1234)
     assert session.brightness["ma"] == (0, 0, 1, 0, 1, 0, 0, 1, 1, 1, 0, 0)
     assert session.brightness["mb"] == (1, 0, 0, 0, 1, 1, 0, 1, 0, 0, 0, 1)
     assert session.brightness["run"] == (0,)
@@ -94,9 +103,7 @@ def test_lamps_at_a_standstill_are_the_panels() -> None:
 
 
 def test_lamps_of_a_running_machine_are_as_bright_as_they_were_often_on() -> None:
-    session = at_rest()
-    session.machine.load({0o200: 0o7001, 0o201: 0o5200})
-    session.machine.start(0o200)
+    session = counting()
     session.advance(0.05)
     assert session.brightness["run"] == (1,)
     assert any(0 < brightness < 1 for brightness in session.brightness["ac"])
@@ -108,8 +115,7 @@ def test_the_teletype_goes_on_while_the_processor_stands_still() -> None:
     session.mount(Tape("two frames", b"\xb1\xb2"))
     session.machine.load({0o200: 0o6031, 0o201: 0o5200, 0o202: 0o6036})  # KSF, JMP .-1, KRB
     session.machine.panel.sing_step = True
-    session.machine.sr = 0o200
-    session.press("load_add")
+    load_address(session, 0o200)
     session.press("start")
     assert session.address == 0o201
     session.advance(0.1)
@@ -127,8 +133,7 @@ def test_a_tape_put_in_at_a_standstill_waits_for_the_key_that_starts_the_machine
     reader = session.machine.teletype.reader
     session.mount(Tape("two frames", b"\xb1\xb2"))
     session.machine.core[0o200] = 0o5200
-    session.machine.sr = 0o200
-    session.press("load_add")
+    load_address(session, 0o200)
     session.advance(3)
     assert (reader.position, reader.on) == (0, False)
     session.press(key)
@@ -166,8 +171,7 @@ def test_single_steps_name_their_state() -> None:
     session = at_rest()
     session.machine.load({0o200: 0o1410, 0o10: 0o0377, 0o400: 0o7777})  # TAD I 10
     session.machine.panel.sing_step = True
-    session.machine.sr = 0o200
-    session.press("load_add")
+    load_address(session, 0o200)
     said = []
     for key in ("start", "cont", "cont"):
         session.press(key)
@@ -182,20 +186,6 @@ def test_a_loaders_tape_is_set_on_its_leader_and_no_other_tape_loses_a_frame() -
     assert session.machine.teletype.reader.tape == b"\x80\x80\x01\x02"
     session.mount(Tape("eia", b"\0\x20\x01\x80"))
     assert session.machine.teletype.reader.tape == b"\0\x20\x01\x80"
-
-
-def test_a_torn_off_tape_lies_with_the_others() -> None:
-    session = at_rest()
-    session.machine.teletype.punch.frames += b"\x01\x02"
-    assert session.tear_off("mine").frames == b"\x01\x02"
-    assert session.tapes[-1] == Tape("mine", b"\x01\x02")
-    assert session.machine.teletype.punch.tape == b""
-
-
-def test_the_keyboard_has_upper_case_and_channel_8() -> None:
-    session = at_rest()
-    session.type("aZ1\r")
-    assert bytes(session.machine.teletype.keyboard.waiting) == bytes([0o301, 0o332, 0o261, 0o215])
 
 
 def test_dialling_octal_digits_sets_three_switches_at_a_time() -> None:
@@ -230,8 +220,7 @@ def test_the_whole_morning_at_a_thousand_times_the_pace() -> None:
 def read_by(session: Session, tape: Tape, start: int) -> None:
     """Put the tape in, LOAD ADD, START, and wait until the machine has had enough."""
     session.mount(tape)
-    session.machine.sr = start
-    session.press("load_add")
+    load_address(session, start)
     session.press("start")
     for _ in range(100):
         session.advance(0.05)
@@ -240,9 +229,7 @@ def read_by(session: Session, tape: Tape, start: int) -> None:
 
 
 def test_sing_step_stops_a_running_machine_and_cont_goes_on() -> None:
-    session = at_rest()
-    session.machine.load({0o200: 0o7001, 0o201: 0o5200})
-    session.machine.start(0o200)
+    session = counting()
     session.advance(0.05)
     session.machine.panel.sing_step = True
     session.advance(0.05)
@@ -260,8 +247,7 @@ def test_sing_step_stops_a_running_machine_and_cont_goes_on() -> None:
 def test_mem_prot_is_said() -> None:
     session = at_rest()
     session.machine.panel.mem_prot = True
-    session.machine.sr = 0o7600
-    session.press("load_add")
+    load_address(session, 0o7600)
     session.press("dep")
     assert session.said == "MEM PROT stopped a write at 7600"
     assert session.brightness["protect"] == (1,)

@@ -88,24 +88,8 @@ def test_keys_alone_are_texts_and_codes() -> None:
     monitor = started(LISTEN, PRINT)
     do(monitor, r'keyboard a "B c" CR "\n\f\177\e\a\"\\\003\301\034\r\t\377\200" # a comment')
     do(monitor, "wait 1")
-    codes = [
-        0o215,
-        0o212,
-        0o214,
-        0o377,
-        0o375,
-        0o207,
-        0o242,
-        0o334,
-        0o203,
-        0o301,
-        0o234,
-        0o215,
-        0o211,
-        0o377,
-        0o200,
-    ]
-    assert stored(monitor) == [*frames("AB C"), *codes]
+    codes = "215 212 214 377 375 207 242 334 203 301 234 215 211 377 200"
+    assert stored(monitor) == [*frames("AB C"), *(int(code, 8) for code in codes.split())]
 
 
 def test_keys_come_after_what_is_on_the_tape() -> None:

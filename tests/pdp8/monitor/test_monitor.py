@@ -150,16 +150,8 @@ def test_go_stops_a_program_that_runs() -> None:
 def test_boot_and_the_page() -> None:
     said: list[str] = []
     monitor = Monitor(said.append)
-    for line in (
-        "boot hello.pal",
-        "go 200",
-        "page",
-        "trace on",
-        "go 200",
-        "trace off",
-        "keyboard now abc",
-        "quit",
-    ):
+    lines = "boot hello.pal; go 200; page; trace on; go 200; trace off; keyboard now abc; quit"
+    for line in lines.split("; "):
         do(monitor, line)
     assert said[0] == "RIM loader toggled in: 18 keys"
     assert "halt; 1.681854 s; next 0206  6046          TLS" in said
