@@ -9,8 +9,7 @@ dap       a debugger for editors
 vectors   what every word does, for tests of any emulator
 thesis    the thesis's figures and tables, and its programs line by line
 pacing    a run slice by slice         feed      the reader's tapes          outputs   the punches' tapes
-counting  what a run did, counted
-keyboard  the Teletype at a terminal   line      the Teletype on a line      tracing   a trace into a file
+keyboard  the Teletype at a terminal   line      the Teletype on a line      watching  traced, counted
 terminal  a terminal key by key, on every system
 parameters  what options take          interrupt Ctrl-C is the STOP key
 """

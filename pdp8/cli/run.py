@@ -211,11 +211,11 @@ def _run(options: Options, machine: Machine, found: "Program | None", feed: Feed
             stack.callback(output.tell)
             stack.callback(output.close)
         if options.trace is not None:
-            from pdp8.cli.tracing import tracing
+            from pdp8.cli.watching import tracing
 
             stack.enter_context(tracing(machine, options.trace, _listing(found), options.cycles))
         if options.table or options.annotate or options.count_json:
-            from pdp8.cli.counting import counting
+            from pdp8.cli.watching import counting
 
             asked = options.table, options.annotate, options.count_json
             stack.enter_context(counting(machine, _listing(found), *asked))

@@ -29,7 +29,6 @@ from typing import Any, Final, NamedTuple
 from tapes.errors import WorkError
 
 STATES: Final = ("from the text", "our drawing", "fitted or conjectured", "lost")
-KINDS: Final = ("figure", "table", "listing", "program")
 
 
 class Item(NamedTuple):

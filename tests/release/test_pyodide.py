@@ -44,10 +44,6 @@ def _plain_wheel(folder: Path) -> Path:
         (source / name).parent.mkdir(exist_ok=True)
         shutil.copy(HOUSE / name, source / name)
     words = ("-m", "pip", "wheel", "-q", "--no-deps", "--no-build-isolation", "-w", folder, source)
-    subprocess.run(
-        [sys.executable, *words],
-        env={**os.environ, "PDP8_EXTENSIONS": "forbid"},
-        check=True,
-    )
+    subprocess.run([sys.executable, *words], env={**os.environ, "PDP8_EXTENSIONS": "forbid"}, check=True)
     (built,) = folder.glob("pdp8-*-py3-none-any.whl")
     return built

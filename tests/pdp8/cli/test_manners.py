@@ -217,7 +217,7 @@ def options(name: str) -> list[tuple[str, click.Option]]:
 
 
 def test_no_clobber_stands_before_help_where_something_is_written() -> None:
-    for path, each in every_command(pdp8):
+    for path, each in EVERY.items():
         names = [param.name for param in each.get_params(click.Context(each))]
         assert ("no_clobber" in names[-2:-1]) >= ("output" in names), path
         assert "no_clobber" not in names[:-2], path

@@ -18,10 +18,7 @@ Scene = Callable[[Room, Pilot[None]], Awaitable[None]]
 
 
 def play(
-    scene: Scene,
-    size: tuple[int, int] = (100, 30),
-    program: str | None = None,
-    reader: str | None = None,
+    scene: Scene, size: tuple[int, int] = (100, 30), program: str | None = None, reader: str | None = None
 ) -> None:
     """Play the scene in a room whose terminal has `size` columns and lines and whose clock stands still."""
 

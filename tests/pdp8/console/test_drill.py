@@ -85,10 +85,7 @@ def run(room: Room, scene: Callable[[Pilot[None]], Awaitable[None]]) -> None:
 
 @pytest.mark.parametrize(
     ("options", "says"),
-    [
-        ("--kiosk", b"--kiosk means nothing without --drill"),
-        ("eia.pal --drill rim", b"goes with no PROGRAM"),
-    ],
+    [("--kiosk", b"--kiosk means nothing without --drill"), ("eia.pal --drill rim", b"goes with no PROGRAM")],
 )
 def test_options_that_mean_nothing_together(options: str, says: bytes, shell: Shell) -> None:
     done = shell(f"pdp8 panel {options}")

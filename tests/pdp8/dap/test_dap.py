@@ -213,8 +213,7 @@ def test_a_tape_shows_its_listing_and_stops_at_its_lines(folder: Path) -> None:
     seen = play(
         folder,
         *launched(
-            {"program": "program.bin", "boot": True},
-            ["source", {"source": listing, "sourceReference": 1}],
+            {"program": "program.bin", "boot": True}, ["source", {"source": listing, "sourceReference": 1}]
         ),
         WHERE,
     )

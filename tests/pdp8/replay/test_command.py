@@ -15,10 +15,7 @@ def test_the_acts_are_said_and_the_table_printed(shell: Shell, tmp_path: Path) -
     said = done.stderr.decode().splitlines()
     assert said[0].startswith(" 1:00:00 pm  FORTRAN          0:16 in 1971,")
     assert "checksum right" in said[3]
-    assert said[-2:] == [
-        "wrote 13 files in desk",
-        "wrote page.html",
-    ]
+    assert said[-2:] == ["wrote 13 files in desk", "wrote page.html"]
     assert "thesis beside replay" in done.stdout.decode()
     assert len(list((tmp_path / "desk").iterdir())) == 13
     assert (tmp_path / "page.html").read_text(encoding="utf-8").startswith("<!DOCTYPE html>")

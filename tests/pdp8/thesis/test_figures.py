@@ -92,9 +92,7 @@ def test_figure_3_1_has_the_slopes_of_the_two_ratios() -> None:
 
 
 @pytest.mark.parametrize(
-    ("figure", "stops"),
-    [(slopes.piecewise, "ACDEFB"), (slopes.stepwise, "ACDEFGHB")],
-    ids=["3.2", "3.3"],
+    ("figure", "stops"), [(slopes.piecewise, "ACDEFB"), (slopes.stepwise, "ACDEFGHB")], ids=["3.2", "3.3"]
 )
 def test_the_stops_are_those_the_chapter_names(figure: "type[object]", stops: str) -> None:
     named = [text for text in texts(str(figure())) if re.fullmatch("[A-H]", text)]

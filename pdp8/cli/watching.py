@@ -1,7 +1,8 @@
-"""A trace into a file, which is there whole when the run has ended, and not at all if it could not be
-written.
+"""A run watched: traced into a file, which is there whole when the run has ended, and not at all if it could
+not be written; or counted: as a table, as the listing with counts in its margin, as JSON.
 """
 
+import json
 import os
 import sys
 from collections.abc import Iterator
@@ -9,6 +10,7 @@ from contextlib import ExitStack, contextmanager
 from typing import TextIO
 
 from pdp8.computer.machine import Machine
+from pdp8.computer.use import counted
 from pdp8.computer.use.trace import Listing, Trace
 from tapes import command, shelf
 from tapes.errors import visible
@@ -46,3 +48,24 @@ def _observed(machine: Machine, file: TextIO, listing: Listing, cycles: bool) ->
         yield
     finally:
         machine.watch.observer = None
+
+
+@contextmanager
+def counting(
+    machine: Machine, listing: Listing, table: bool, annotate: str | None, record: str | None
+) -> Iterator[None]:
+    """Count what `machine` does meanwhile; at the end show the `table` on standard error, write the annotated
+    listing and the JSON into files of those names. Raises ShelfError.
+    """
+    with machine.count() as count:
+        try:
+            yield
+        finally:
+            if table:
+                for line in counted.table(count, listing):
+                    command.tell(line)
+            if annotate is not None:
+                lines = counted.annotated(count, listing)
+                command.put(annotate, "".join(f"{line}\n" for line in lines))
+            if record is not None:
+                command.put(record, f"{json.dumps(counted.record(count, listing), indent=1)}\n")
