@@ -46,7 +46,7 @@ class Milling:
         """
         if self.technique == "step":
             for cut in stepwise.cuts(curve, self.stop):
-                _print(printout, cut.stop, self.feed_code, cut.axis)
+                mill(printout, cut.stop, self.feed_code, cut.axis)
         else:
             _print_piecewise(printout, curve, Technique(self.fastest, self.feed_error))
 
@@ -70,12 +70,13 @@ def _print_piecewise(printout: Printout, curve: Curve, technique: Technique) -> 
             changes.append(("X", ray.feeds.x))
         if len(changes) > 1:
             axis, code = changes.pop(0)
-            _print(printout, at, code, axis)
+            mill(printout, at, code, axis)
         force = Feeds(ray.feeds.x or force.x, ray.feeds.y or force.y)
         axis, code = changes[0] if changes else ("X", force.x) if force.x else ("Y", force.y)
-        _print(printout, ray.stop, code, axis)
+        mill(printout, ray.stop, code, axis)
         at = ray.stop
 
 
-def _print(printout: Printout, stop: Point, code: int, axis: Axis) -> None:
+def mill(printout: Printout, stop: Point, code: int, axis: Axis) -> None:
+    """Print a block that mills to `stop`, `axis` at the feed of tool code `code`."""
     printout.print_30(printout.blocks + 1, Preparatory.MILL, *stop, code, _FEED_FUNCTION[axis])

@@ -10,7 +10,7 @@ from typing import Annotated
 
 from programs.format import Overflow
 from programs.header import THESIS, Header
-from programs.milling import SLOWEST, Milling
+from programs.milling import SLOWEST, Milling, mill
 from programs.printout import Printout
 from programs.stretches import Point, line
 from programs.units import INCHES, thousandths, tolerance_units
@@ -41,4 +41,18 @@ def part(
     printout = Printout(overflow)
     printout.header(header, *start)
     milling.print(printout, curve)
+    return printout.text
+
+
+def pieces(start: Point, end: Point, count: int, x_code: int, y_code: int) -> str:
+    """Return the printout of a slope in `count` equal pieces, both axes moving in each, X at the feed of one
+    tool code and Y at that of another (Figure 3.1). Two blocks at rest set them. Raises WorkError.
+    """
+    printout = Printout()
+    printout.header(THESIS, *start)
+    mill(printout, start, x_code, "X")
+    mill(printout, start, y_code, "Y")
+    for piece in range(1, count + 1):
+        x, y = (round(a + (b - a) * piece / count) for a, b in zip(start, end, strict=True))
+        mill(printout, Point(x, y), y_code, "Y")
     return printout.text

@@ -63,3 +63,9 @@ def wrote(processor: Processor) -> bool:
     if processor.state == EXECUTE:
         return processor.ir in (ISZ, DCA, JMS) and not processor.protect
     return processor.state == DEFER and autoindexed(processor.ma)
+
+
+def instruction_at(processor: Processor) -> int:
+    """Return the address of the instruction that is under way, or of the one that comes."""
+    within = processor.next in (DEFER, EXECUTE)  # its first cycle has counted PC on
+    return processor.pc - 1 & 0o7777 if within else processor.pc

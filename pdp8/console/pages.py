@@ -14,7 +14,7 @@ from textual.content import Content
 from textual.reactive import reactive
 from textual.widget import Widget
 
-from pdp8.computer.hardware.teletype import printed
+from pdp8.computer.use import keys
 from pdp8.computer.use.operator import RIM, RIM_START
 from pdp8.computer.use.program import Program
 from pdp8.console.session import Session
@@ -32,7 +32,8 @@ _KEYS = {
     "backspace": "\x7f",
     **{f"ctrl+{letter}": chr(ord(letter) & 0o37) for letter in ascii_lowercase},
 }
-COLUMNS = 72
+COLUMNS = keys.COLUMNS
+_LINES = 200
 _CARD_WIDTH = 48
 _STEPS = 12
 """Of a drill that are shown at once."""
@@ -76,8 +77,7 @@ class Paper(Page, can_focus=True):
 
     def __init__(self, session: Session, name: str) -> None:
         super().__init__(session, name)
-        self.lines = [""]
-        self.column = 0
+        self.typed = keys.Paper(_LINES)
         self.struck = 0
         session.machine.teletype.printer.on_frame = self.take
 
@@ -90,31 +90,19 @@ class Paper(Page, can_focus=True):
             self.session.type(typed)
             event.stop()
 
+    @property
+    def lines(self) -> list[str]:
+        """What is on the page."""
+        return self.typed.lines
+
     def clear(self) -> None:
-        self.lines = [""]
-        self.column = 0
+        self.typed = keys.Paper(_LINES)
         self.struck += 1
 
     def take(self, frame: int) -> None:
-        """Print one frame as a Model 33 does: it has no lower case, and stays at the last column."""
+        """Print one frame."""
         self.struck += 1
-        match printed(bytes([frame])):
-            case b"\r":
-                self.column = 0
-            case b"\n":
-                self.lines = [*self.lines[-199:], ""]
-            case b"" | b"\a":
-                pass
-            case character:
-                self._strike(character.decode())
-
-    def _strike(self, character: str) -> None:
-        line = self.lines[-1].ljust(self.column)
-        before = line[self.column : self.column + 1].strip()
-        if before and character == " ":
-            character = before
-        self.lines[-1] = line[: self.column] + character + line[self.column + 1 :]
-        self.column = min(self.column + 1, COLUMNS - 1)
+        self.typed.take(frame)
 
     def look(self) -> object:
         """Look again, and say who the keys are for."""
@@ -123,8 +111,9 @@ class Paper(Page, can_focus=True):
 
     def render(self) -> Text:
         width, height = self.size
-        start = max(0, self.column - width + 1)
-        shown = [line.ljust(self.column) if line is self.lines[-1] else line for line in self.lines[-height:]]
+        lines, column = self.lines, self.typed.column
+        start = max(0, column - width + 1)
+        shown = [*lines[:-1], lines[-1].ljust(column)][-height:]
         text = Text("\n" * (height - len(shown)), _INK)
         text.append("\n".join(line[start : start + width] for line in shown), _INK)
         if self.has_focus:

@@ -15,22 +15,23 @@ from time import perf_counter
 from typing import NamedTuple
 
 from pal.isa import DEFER, EXECUTE, FETCH
-from pdp8.computer.hardware.panel import Lamps
-from pdp8.computer.hardware.signals import INTERRUPT, NEVER
+from pdp8.computer.hardware import panel
+from pdp8.computer.hardware.panel import Lamps, shares
+from pdp8.computer.hardware.signals import NEVER
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History
 from pdp8.computer.stop import Stop
 from pdp8.computer.use.keys import sent
 from pdp8.computer.use.operator import RIM, RIM_START, Operator
+from pdp8.computer.watch import instruction_at
 from tapes import kinds
 
 SPEEDS = (1, 10, 100, 1000)
 KEY_SECONDS = 0.1
 """What a key takes: its contacts are given a tenth of a second to come to rest."""
 
-LAMPS = {name: 12 if name in ("ma", "mb", "ac") else 3 if name == "ir" else 1 for name in Lamps._fields}
-"""How many lamps each field of Lamps has."""
+LAMPS = panel.LAMPS
 
 _SAMPLES = 8
 _BUDGET = 0.030  # seconds of ours for one turn, so that the room stays awake
@@ -71,7 +72,9 @@ class Session:
         """What became of the machine, in words."""
         self.reader_tape = ""
         """The name of the tape in the reader."""
-        self.brightness: dict[str, tuple[float, ...]] = {}
+        self.brightness: dict[str, tuple[float, ...]] = {
+            name: (0.0,) * count for name, count in LAMPS.items()
+        }
         """How bright each lamp is, 0 to 1, most significant first."""
         self._clock = clock
         self._slice = _SHORTEST
@@ -120,16 +123,12 @@ class Session:
     def _look(self, samples: list[Lamps] | None = None) -> None:
         """See the lamps: at a standstill as they are, else each as often as it was on."""
         lamps = self.machine.panel.lamps
-        seen = samples if samples and lamps.run else [lamps]
-        self.brightness = {
-            name: _mean([getattr(at, name) for at in seen], width) for name, width in LAMPS.items()
-        }
+        self.brightness = shares(samples if samples and lamps.run else [lamps])
 
     @property
     def address(self) -> int:
         """Where the instruction is that is under way, or the next one."""
-        p = self.machine.processor
-        return p.pc if p.next in (FETCH, INTERRUPT) else p.pc - 1 & 0o7777
+        return instruction_at(self.machine.processor)
 
     def press(self, key: str) -> None:
         """Press a momentary key, named as the Panel's method is: load_add, start, cont, stop, exam, dep."""
@@ -228,8 +227,3 @@ class Session:
 
     def change_speed(self) -> None:
         self.speed = SPEEDS[(SPEEDS.index(self.speed) + 1) % len(SPEEDS)]
-
-
-def _mean(words: list[int], width: int) -> tuple[float, ...]:
-    """Return how often each of `width` bits is set, most significant first."""
-    return tuple(sum(word >> place & 1 for word in words) / len(words) for place in range(width - 1, -1, -1))

@@ -12,7 +12,6 @@ shell.html    what is around every page   base.css             how it looks
 bench.html    what stands where           workbench.css        how that looks
 panel.mjs     lamps and switches          brightness.mjs how bright a lamp is
 tape.mjs      tapes under their heads     cutter.mjs     the staircase in its band
-instruction.mjs  which one it is in     written.mjs    how it is written
 sheet.mjs     drawing what has changed    pictures.mjs   when the next picture is due
 current.mjs   a list's current line       packed.mjs     what a page and a link hold
 """

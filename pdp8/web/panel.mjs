@@ -4,11 +4,14 @@
 //
 // Source: PDP-8/L Users Handbook, chapter 2 (console).
 
-import { lit } from "./brightness.mjs";
+import { shares } from "../computer/hardware/panel.mjs";
 import { STATES } from "../../pal/isa.mjs";
 import { octal } from "./written.mjs";
 
-const SIGNS = ["FETCH", "DEFER", "EXECUTE", "WORD COUNT", "CURR ADDR", "BREAK", "ION", "PARITY", "PROTECT", "RUN"];
+const SIGNS = {
+  fetch: "FETCH", defer: "DEFER", execute: "EXECUTE", word_count: "WORD COUNT", current_address: "CURR ADDR",
+  break_: "BREAK", ion: "ION", parity: "PARITY", protect: "PROTECT", run: "RUN",
+};
 /** With the letters that press them. */
 const KEYS = { "MEM PROT": "", START: "S", "LOAD ADD": "L", DEP: "D", EXAM: "E", CONT: "C", STOP: "T", "SING STEP": "" };
 
@@ -21,33 +24,35 @@ export class Panel {
     place.innerHTML = `<h2 class="spoken">The front panel</h2>
       <div class="brand"><b>digital</b><span>programmed data processor <i>PDP-8/L</i></span></div>
       <div class="lamps">
-        ${row("MA", "MEMORY ADDRESS", 12, "EMA", "EMA")}${row("MB", "MEMORY BUFFER", 12)}${row("AC", "ACCUMULATOR", 12, "LINK", "L")}
+        ${row("ma", "MEMORY ADDRESS", lamp("ema", "EMA"))}${row("mb", "MEMORY BUFFER")}${row("ac", "ACCUMULATOR", lamp("link", "L"))}
         <div class="signs">
-          <div class="row" data-row="IR"><span class="legend">INSTR REG</span><span class="group">${[0, 1, 2].map((bit) => lamp(`IR${bit}`, bit)).join("")}</span></div>
-          <div class="states">${SIGNS.map((name) => lamp(name, name, "sign")).join("")}</div>
+          <div class="row" data-row="IR"><span class="legend">INSTR REG</span><span class="group">${[0, 1, 2].map((bit) => lamp("ir", bit)).join("")}</span></div>
+          <div class="states">${Object.entries(SIGNS).map(([name, label]) => lamp(name, label, "sign")).join("")}</div>
         </div>
-        <div class="row" data-row="SR" role="toolbar" aria-label="Switch register"><span class="legend" aria-hidden="true">SWITCH REGISTER</span><span class="link"></span>${groups(12, rocker)}</div>
+        <div class="row" data-row="SR" role="toolbar" aria-label="Switch register"><span class="legend" aria-hidden="true">SWITCH REGISTER</span><span class="link"></span>${groups(rocker)}</div>
         <div class="keys" role="toolbar" aria-label="Keys">${Object.entries(KEYS).map(key).join("")}</div>
       </div>
-      <div class="words"><button id="in-words" data-click="switches.panel.speak" aria-keyshortcuts="W" aria-pressed="false">Lamps in words</button><p role="status"></p></div>`;
-    this.lamps = new Map([...place.querySelectorAll("[data-lamp]")].map((each) => [each.dataset.lamp, each]));
+      <div class="words"><button id="in-words" data-click="switches.panel.speak" aria-keyshortcuts="W" aria-pressed="false">Lamps in words</button><p role="status"></p></div>
+      <button class="enlarge" data-click="enlarge" aria-label="The PDP-8/L's front panel: alone" aria-pressed="false" title="This alone, or all"><svg viewBox="0 0 20 20" aria-hidden="true"><path d="M3 3h6v2H5v4H3zM11 15h4v-4h2v6h-6z"/></svg></button>`;
+    this.lamps = Map.groupBy(place.querySelectorAll("[data-lamp]"), ({ dataset }) => dataset.lamp);
     this.rockers = [...place.querySelectorAll(".rocker")];
     this.keys = new Map([...place.querySelectorAll(".key")].map((button) => [button.dataset.key, button]));
     this.button = place.querySelector("#in-words");
-    this.shares = {}; // of the time in which each lamp was lit, as a filament keeps them
+    this.shares = new Map(); // of the time in which each lamp was lit, as a filament keeps them
     this.levels = new Map();
   }
 
-  /** Show the machine: its lamps as bright as they were, or as they are; the key that is being pressed, if any. */
-  show(machine, pressed, brightness) {
-    const [inertia, slack] = brightness ? [INERTIA, SLACK] : [0, 0];
-    const now = brightness ?? lit(machine);
-    for (const name in now) {
-      this.shares[name] = now[name] + ((this.shares[name] ?? now[name]) - now[name]) * inertia;
-      this.#light(name, this.shares[name], slack);
+  /** Show the machine: its lamps as bright as they were in some samples, or as they are; the key that is being pressed,
+   *  if any.
+   */
+  show(machine, pressed, samples) {
+    const [inertia, slack] = samples ? [INERTIA, SLACK] : [0, 0];
+    for (const [field, bits] of shares(samples ?? [machine.panel.lamps]).items()) {
+      const lamps = this.lamps.get(field);
+      bits.forEach((now, bit) => this.#light(lamps[bit], now, inertia, slack));
     }
     this.#switches(machine.processor);
-    this.words = brightness ? inWords(machine).split(", ").at(-1) : inWords(machine);
+    this.words = samples ? inWords(machine).split(", ").at(-1) : inWords(machine);
     if (this.speaking) this.#say(this.words);
     if (pressed === this.pressed) return;
     this.pressed = pressed;
@@ -79,12 +84,13 @@ export class Panel {
     this.keys.get("mem prot").ariaChecked = String(Boolean(protection));
   }
 
-  /** A lamp keeps its level while that is within `slack` of its share. */
-  #light(name, share, slack) {
-    if (Math.abs(share * LEVELS - this.levels.get(name)) <= slack) return;
+  /** A lamp keeps its level while that is within `slack` of its share of the time. */
+  #light(place, now, inertia, slack) {
+    const share = now + ((this.shares.get(place) ?? now) - now) * inertia;
+    this.shares.set(place, share);
+    if (Math.abs(share * LEVELS - this.levels.get(place)) <= slack) return;
     const level = Math.round(share * LEVELS);
-    this.levels.set(name, level);
-    const place = this.lamps.get(name);
+    this.levels.set(place, level);
     place.classList.toggle("on", level > LEVELS / 2);
     place.style.setProperty("--lit", level / LEVELS);
   }
@@ -97,14 +103,13 @@ export function inWords({ link, ac, processor: { ma, mb, ir, state, ion, run } }
 }
 
 /** A row of lamps under its legend; one may stand before it. */
-function row(name, legend, bits, before = "", label = "") {
-  const link = `<span class="link">${before && lamp(before, label)}</span>`;
-  return `<div class="row" data-row="${name}"><span class="legend">${legend}</span>${link}${groups(bits, (bit) => lamp(name + bit, bit))}</div>`;
+function row(name, legend, before = "") {
+  return `<div class="row" data-row="${name.toUpperCase()}"><span class="legend">${legend}</span><span class="link">${before}</span>${groups((bit) => lamp(name, bit))}</div>`;
 }
 
-function groups(bits, draw) {
-  const each = Array.from({ length: bits }, (_, bit) => draw(bit));
-  return each.map((html, bit) => (bit % 3 ? "" : `<span class="group">`) + html + (bit % 3 === 2 ? "</span>" : "")).join("");
+/** Twelve of what is drawn of a bit, in groups of three. */
+function groups(draw) {
+  return [0, 3, 6, 9].map((bit) => `<span class="group">${draw(bit)}${draw(bit + 1)}${draw(bit + 2)}</span>`).join("");
 }
 
 function lamp(name, label, kind = "") {

@@ -1,4 +1,4 @@
-"""The part programs as a page asks for them: the options of `pdp8 part`, ready for JSON.
+"""The part programs as a page asks for them: the options of `pdp8 part` for JSON, their fields as HTML.
 
 An option has its name, help and default as they are written, and what it takes: `choices`, `unit` (the fields
 of programs.units.Unit), `flag`, or `places`; `required` if there is no part without it. An argument of the
@@ -6,6 +6,7 @@ program is an option, or a record of several.
 """
 
 from dataclasses import is_dataclass
+from html import escape
 from typing import Any, get_type_hints
 
 import click
@@ -13,6 +14,7 @@ import click
 from programs import options
 from programs.parts import PARTS, Part
 
+_EXPRESSION = "y as a function of x, inches: sin(x), x**2/4"
 _OURS = "arithmetic"
 """The arithmetic of 1971's machines stays with the command: a page computes exactly."""
 
@@ -34,7 +36,7 @@ def _declared(part: Part) -> dict[str, Any]:
     ]
     return {
         "name": part.name, "summary": part.summary, "arguments": arguments,
-        "cutter": part.cutter, "options": list(map(_option, asked)),
+        "cutter": part.cutter, "options": list(map(_option, asked)), "form": _form(asked, arguments),
     }  # fmt: skip
 
 
@@ -55,3 +57,29 @@ def _option(option: click.Parameter) -> dict[str, Any]:
         case options.Places():
             found["places"] = True
     return {key: value for key, value in found.items() if isinstance(value, str | list) or value}
+
+
+def _form(asked: list[click.Parameter], arguments: list[list[Any]]) -> str:
+    """Return the fields of all options; those of milling and header, which parts share, behind a door."""
+    shared = {name for argument in arguments for name in argument[2:] and argument[2]}
+    own, others = (
+        "".join(_field(_option(each)) for each in asked if (each.name in shared) == more)
+        for more in (False, True)
+    )
+    door = f"<details><summary>Milling and header</summary><div>{others}</div></details>"
+    return own + door if others else own
+
+
+def _field(option: dict[str, Any]) -> str:
+    """Return the field of an option: a box, a list, or a line with its default."""
+    name, default, unit = option["name"], option.get("default", ""), option.get("unit")
+    about = f'name="{name}" title="{escape(option.get("help", _EXPRESSION))}"'
+    if option.get("flag"):
+        field = f'<input type="checkbox" {about}>'
+    elif choices := option.get("choices"):
+        given = (f"<option{' selected' * (each == default)}>{each}</option>" for each in choices)
+        field = f"<select {about}>{''.join(given)}</select>"
+    else:
+        field = f'<input type="text" {about} placeholder="{escape(default)}" size="{8 if unit else 24}">'
+    inches = "in" if unit and unit[0] == "INCHES" else ""
+    return f"<label>{option.get('spelling', name).replace('-', ' ')} {field}<small>{inches}</small></label>"

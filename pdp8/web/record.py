@@ -7,6 +7,7 @@ parts, exercises                                           ┘
 The page does the afternoon itself. What it cannot is in the record: the walls, which nc measures with numpy.
 """
 
+from html import escape
 from typing import Any
 
 import pal
@@ -50,7 +51,7 @@ def _afternoon(done: Afternoon) -> dict[str, Any]:
     found: dict[str, Any] = {
         "part": done.part,
         "found": [last.name, last.say, last.outcome],
-        "figures": {"columns": COLUMNS, "rows": compare(done)},
+        "figures": _table(done),
         "graph": "",
         "nominal": None,
     }
@@ -61,3 +62,13 @@ def _afternoon(done: Afternoon) -> dict[str, Any]:
         nominal = {"points": [*points, points[0]] if curve.closed else points}
         found["nominal"] = nominal | {"tolerance": PARTS[done.part].tolerance * 1000}
     return found
+
+
+def _table(done: Afternoon) -> str:
+    """Return the thesis's figures beside those of an afternoon, as the rows of a table in HTML."""
+    head = "".join(f'<th scope="col">{escape(column)}</th>' for column in COLUMNS)
+    rows = ""
+    for figure, *said in compare(done):
+        cells = "".join(f"<td>{escape(each)}</td>" for each in said)
+        rows += f'<tr><th scope="row">{escape(figure)}</th>{cells}</tr>'
+    return f"<thead><tr>{head}</tr></thead><tbody>{rows}</tbody>"

@@ -6,8 +6,9 @@
 // Sources: EIA RS-227; thesis (M. S. Wong, 1971), Chapter 2.
 
 import * as ascii from "../../tapes/ascii.mjs";
-import { CHARACTERS, EOB } from "../../tapes/eia.mjs";
+import * as eia from "../../tapes/eia.mjs";
 import { write } from "./sheet.mjs";
+import { octal } from "./written.mjs";
 
 const TRACKS = [8, 7, 6, 5, 4, 0, 3, 2, 1]; // 0 is the sprocket
 const WIDE = 10; // pitches
@@ -116,18 +117,15 @@ function drawChannels(context, { left, pitch, soft }) {
 }
 
 const SPACE = "␣"; // hangs below its line: drawn a little higher, it stays off the next
-const SIGNS = new Map([[ascii.LF, "↓"], [ascii.CR, "↵"], [0o40, SPACE], [ascii.RUBOUT, "×"]]);
-const NAMES = { "↓": "line feed", "↵": "carriage return", [SPACE]: "space", "×": "rubout", "": "blank" };
+const SIGNS = { CR: "↵", EOB: "↵", LF: "↓", RUBOUT: "×", blank: "", leader: "", space: SPACE };
 
 /** What one frame says in its code, as one sign; a binary frame as its octal digits. */
-export function sign(frame, code) {
-  if (code === "ascii") return SIGNS.get(frame & 0o177) ?? String.fromCharCode(frame & 0o177);
-  if (code === "eia") return frame === 0 ? "" : frame === EOB ? "↵" : CHARACTERS.get(frame, "?");
-  return frame.toString(8).padStart(3, "0");
+function sign(frame, code) {
+  const name = meaning(frame, code);
+  return SIGNS[name] ?? name;
 }
 
-/** The same in words. */
+/** The same in words, as `tape show` has them. */
 export function meaning(frame, code) {
-  const said = sign(frame, code);
-  return NAMES[said] ?? said;
+  return code === "ascii" ? ascii.name(frame) : code === "eia" ? eia.name(frame) : octal(frame, 3);
 }

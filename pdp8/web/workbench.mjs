@@ -4,12 +4,12 @@
 //           ──► clock, history, until, shelf, programs: what they share
 //
 // A pane is made with the bench; the HTML names the methods that its controls call (bench/wiring.mjs). What it does to
-// `bench.machine` it tells by `bench.touched()`; `bench.say(words)` says what happened. Its show(brightness) shows every
-// picture, brightness is there while time goes on; its write() writes what is read, not so often while the machine runs.
+// `bench.machine` it tells by `bench.touched()`; `bench.say(words)` says what happened. Its show(samples) shows every
+// picture, with samples of the lamps while time goes on; its write() writes what is read, not so often while the machine runs.
 // In HTML its section has data-pane, the name that ?embed= knows, and data-tab, if it is a tab of the desk.
 
 import { Afternoon } from "./bench/afternoon.mjs";
-import { embed, enlargeable, rest, RESTS } from "./bench/alone.mjs";
+import { embed, rest, RESTS } from "./bench/alone.mjs";
 import { Apart, serve } from "./bench/apart.mjs";
 import { booted } from "./bench/boot.mjs";
 import { checked } from "./bench/checker.mjs";
@@ -18,7 +18,6 @@ import { Core } from "./bench/core.mjs";
 import { Doors } from "./bench/doors.mjs";
 import { Editor } from "./bench/editor.mjs";
 import { Exercises } from "./bench/exercises.mjs";
-import { Figures } from "./bench/figures.mjs";
 import { History } from "./bench/history.mjs";
 import { marks } from "./bench/marker.mjs";
 import { Mill } from "./bench/mill.mjs";
@@ -67,10 +66,11 @@ class Bench {
     this.editor = new Editor(this);
     this.exercises = new Exercises(this);
     this.parts = new Parts(this);
-    this.figures = new Figures(record.afternoon);
+    find("figures").querySelector("table").innerHTML = record.afternoon.figures;
+    find("graph").innerHTML = record.afternoon.graph;
     this.time = new Time(this);
     this.doors = new Doors(this);
-    this.clock = new Clock(this, (brightness, stop) => this.#pictured(brightness, stop));
+    this.clock = new Clock(this, (samples, stop) => this.#pictured(samples, stop));
     /** @type {any[]} */
     this.panes = [this.afternoon, this.switches, this.teletype, this.registers, this.core, this.mill, this.editor, this.parts, this.time];
     document.addEventListener("dragover", (event) => event.preventDefault());
@@ -115,9 +115,9 @@ class Bench {
     this.until = goal;
   }
 
-  #pictured(brightness, stop) {
+  #pictured(samples, stop) {
     if (stop && !WAITS.includes(stop.reason)) this.ended(stop.reason);
-    else this.show(brightness);
+    else this.show(samples);
   }
 
   /** A run has ended: say why and where. */
@@ -138,10 +138,10 @@ class Bench {
     if (key === "start" && this.machine.watch.breakpoints.has(pc)) this.ended("breakpoint");
   }
 
-  show(brightness) {
+  show(samples) {
     const { processor, waiting } = this.machine;
-    for (const pane of this.panes) pane.show?.(brightness);
-    const goes = brightness && (this.afternoon.on || (processor.run && !waiting.endless));
+    for (const pane of this.panes) pane.show?.(samples);
+    const goes = samples && (this.afternoon.on || (processor.run && !waiting.endless));
     if (goes && performance.now() - this.written < READABLE) return;
     this.written = performance.now();
     for (const pane of this.panes) pane.write?.();
@@ -294,7 +294,6 @@ class Bench {
 async function start() {
   const bench = new Bench(await unpacked(find("record").textContent));
   embed(bench.tabs);
-  enlargeable();
   wire(bench);
   if (RESTS) rest();
   await bench.open();

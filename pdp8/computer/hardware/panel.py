@@ -17,7 +17,8 @@ Sources: PDP-8/L Users Handbook 1968, operator console; key sequences as tried o
 project.
 """
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Final, NamedTuple
 
 from pal.isa import DEFER, EXECUTE, FETCH
 from pdp8.computer.hardware.processor import Processor
@@ -42,6 +43,23 @@ class Lamps(NamedTuple):
     parity: int
     protect: int
     run: int
+
+
+LAMPS: Final = {
+    "ma": 12, "mb": 12, "link": 1, "ac": 12, "ir": 3, "fetch": 1, "defer": 1, "execute": 1, "word_count": 1,
+    "current_address": 1, "break_": 1, "ion": 1, "parity": 1, "protect": 1, "run": 1,
+}  # fmt: skip
+"""How many lamps each field of Lamps has."""
+
+
+def shares(samples: Sequence[Lamps]) -> dict[str, tuple[float, ...]]:
+    """Return how often each lamp was lit, 0 to 1, by field, the most significant bit first."""
+    found: dict[str, tuple[float, ...]] = {}
+    for field, width in LAMPS.items():
+        words = [int(getattr(sample, field)) for sample in samples]
+        places = range(width - 1, -1, -1)
+        found[field] = tuple(sum(word >> place & 1 for word in words) / len(words) for place in places)
+    return found
 
 
 class Panel:

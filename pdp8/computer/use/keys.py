@@ -1,4 +1,6 @@
-"""What the keys of a Model 33 send: capitals, with channel 8 always set.
+"""The keys of a Model 33 and its paper: what is sent, and what is typed.
+
+The keys send capitals, with channel 8 always set.
 
     key         at a terminal   sends
     RETURN      Enter           215
@@ -12,8 +14,15 @@
 A small letter presses the key of its capital. What has no key sends nothing: `{ | } ~`, the accent grave, and
 all that is not ASCII.
 
+The paper has 72 columns; the carriage stays at the last one. What is typed over something is seen alone, but
+a space leaves what is there.
+
 Source: Teletype Model 33 keyboard; Small Computer Handbook 1970, appendix (ASR-33 codes).
 """
+
+from pdp8.computer.hardware.teletype import printed
+
+COLUMNS = 72
 
 _SENDS = (
     {chr(code): bytes([0o200 | code]) for code in range(0o140)}
@@ -25,3 +34,31 @@ _SENDS = (
 def sent(typed: str) -> bytes:
     """Return the frames that the keys send for what is typed at a terminal."""
     return b"".join(_SENDS.get(character, b"") for character in typed)
+
+
+class Paper:
+    """What has been typed: its last `kept` lines, the column of the carriage."""
+
+    def __init__(self, kept: int) -> None:
+        self.kept = kept
+        self.lines = [""]
+        self.column = 0
+
+    def take(self, frame: int) -> str:
+        """Print one frame as a Model 33 does; return the character it acts on, "" for none."""
+        character = printed(bytes([frame])).decode("ascii")
+        if character == "\r":
+            self.column = 0
+        elif character == "\n":
+            self.lines = [*self.lines[1 - self.kept :], ""]
+        elif character not in ("", "\a"):
+            self._strike(character)
+        return character
+
+    def _strike(self, character: str) -> None:
+        line = self.lines[-1].ljust(self.column)
+        before = line[self.column : self.column + 1].strip()
+        if before and character == " ":
+            character = before
+        self.lines[-1] = line[: self.column] + character + line[self.column + 1 :]
+        self.column = min(self.column + 1, COLUMNS - 1)

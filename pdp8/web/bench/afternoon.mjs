@@ -10,8 +10,7 @@ import { Script } from "../../replay/script.mjs";
 import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { decode } from "../../../tapes/ascii.mjs";
 import { dict } from "../translator/runtime.mjs";
-import { instructionAt } from "../instruction.mjs";
-import { over } from "../brightness.mjs";
+import { instruction_at } from "../../computer/watch.mjs";
 import { escaped, find } from "../written.mjs";
 import { codeOf } from "./shelf.mjs";
 
@@ -19,6 +18,7 @@ const SAID = 8 * SECOND; // how long the operator's last action is shown
 const PRESSED = 0.4 * SECOND; // how long a key shows as pressed
 const FINE = 4000; // steps of the slider: about half a pixel
 const STEP = 5 * SECOND; // of a play as fast as it goes
+const SAMPLES = 16; // of the lamps, for a picture
 const TASK = 12; // ms of computing, until the page has its turn
 const [READER, PRINTER] = [0o6031, 0o6041]; // KSF and TSF
 const TABS = { terminal: "mill", mill: "mill", inspect: "figures" };
@@ -157,15 +157,23 @@ export class Afternoon {
     else this.#arrived();
   }
 
-  /** Let time pass at a speed, until `late` at most; return the lamps' brightness. */
+  /** Let time pass at a speed, until `late` at most; return samples of the lamps, at instants spread over it at random: so
+   *  none falls on the same cycle of a loop every time.
+   */
   pass(milliseconds, speed, late) {
     const { script } = this;
     if (speed === Infinity) {
       while (performance.now() < late && this.position < script.end) script.to((this.position += STEP));
     } else this.position += (milliseconds / 1000) * SECOND * speed;
-    const brightness = over(script.machine, script.now, Math.floor(this.position), (tick) => script.to(tick));
+    const [from, to] = [script.now, Math.floor(this.position)];
+    const count = to - from > SAMPLES ? SAMPLES : 1;
+    const samples = Array.from({ length: count }, (_, sample) => {
+      const spread = sample + 1 < count ? sample + 1 - Math.random() : sample + 1;
+      script.to(Math.floor(from + ((to - from) * spread) / count));
+      return script.machine.panel.lamps;
+    });
     if (this.position >= script.end) this.play(false);
-    return brightness;
+    return samples;
   }
 
   /** Go to the beginning of the act before (-1), or of this one if it is under way; or of the next (1). */
@@ -255,7 +263,7 @@ function mark({ name }, index, share) {
 function waits(processor) {
   if (!processor.run) return "";
   const { core } = processor;
-  const at = instructionAt(processor);
+  const at = instruction_at(processor);
   const around = [core[at], core[(at - 1) & 0o7777]];
   if (around.includes(READER)) return "It waits for the reader.";
   return around.includes(PRINTER) ? "It waits for the punch." : "";

@@ -5,8 +5,8 @@
 // While the processor stands still or waits for ever no time passes, but for a character on its way in. In slow motion
 // the machine goes cycle by cycle. In the afternoon it is led by the script.
 
-import { lit, mean } from "../brightness.mjs";
 import { Bus } from "../../computer/hardware/bus.mjs";
+import { Panel } from "../../computer/hardware/panel.mjs";
 import { Processor } from "../../computer/hardware/processor.mjs";
 import { CYCLE, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { FETCH } from "../../../pal/isa.mjs";
@@ -18,7 +18,7 @@ const SLOW = 0.01; // and slower: cycle by cycle
 const FORGETS = 0.15; // what a measured speed loses of the pictures before, a picture
 
 export class Clock {
-  /** `show(brightness, stop)` is called after every picture; `stop` is how a run ended, if it ended. */
+  /** `show(samples, stop)` is called after every picture, with samples of the lamps; `stop` is how a run ended, if it ended. */
   constructor(bench, show) {
     this.bench = bench;
     this.show = show;
@@ -91,13 +91,13 @@ export class Clock {
   #live(passed, now) {
     const { machine } = this.bench;
     const ticks = (passed / 1000) * SECOND * this.speed;
-    const shares = [];
+    const samples = [];
     let stop = null;
     if (!machine.processor.run) {
       if (this.#busy()) machine.wait(Math.min(ticks, SECOND) / SECOND);
     } else if (this.speed <= SLOW) stop = this.#crawl(ticks, now);
-    else stop = this.bench.history.together(() => this.#run(Math.ceil(ticks), now, shares));
-    this.show(machine.processor.run && shares.length ? mean(shares) : lit(machine), stop);
+    else stop = this.bench.history.together(() => this.#run(Math.ceil(ticks), now, samples));
+    this.show(machine.processor.run && samples.length ? samples : [machine.panel.lamps], stop);
     return this.#moves();
   }
 
@@ -129,7 +129,7 @@ export class Clock {
   }
 
   /** Run for `ticks`, or at full speed as long as there is time; return how it ended, null if it goes on. */
-  #run(ticks, now, shares) {
+  #run(ticks, now, samples) {
     const { machine, until } = this.bench;
     const { processor } = machine;
     const end = processor.clock + ticks;
@@ -137,7 +137,7 @@ export class Clock {
     while (processor.clock < end && performance.now() - now < BUDGET) {
       const room = Math.max(1, Math.min(end - processor.clock, Math.ceil(slice * (0.5 + Math.random()))));
       const stop = until.run(machine, room);
-      shares.push(this.glimpse.of(machine));
+      samples.push(this.glimpse.of(machine));
       if (stop.reason !== "limit") return stop;
     }
     return null;
@@ -149,6 +149,7 @@ class Glimpse {
   constructor() {
     this.processor = new Processor(new Bus());
     this.processor.deposit = () => {};
+    this.panel = new Panel(this.processor);
   }
 
   of(machine) {
@@ -159,6 +160,6 @@ class Glimpse {
       processor.cycle();
       if (processor.next === FETCH) break;
     }
-    return lit({ processor });
+    return this.panel.lamps;
   }
 }

@@ -8,7 +8,7 @@ import * as rim from "../../../tapes/rim.mjs";
 import { decode } from "../../../tapes/ascii.mjs";
 import { PERMANENT, PSEUDO_OPERATORS } from "../../../pal/symbols.mjs";
 import { restore, save } from "../../computer/past/state.mjs";
-import { instructionAt } from "../instruction.mjs";
+import { instruction_at } from "../../computer/watch.mjs";
 import { dict } from "../translator/runtime.mjs";
 import { escaped, find, grouped, here, octal } from "../written.mjs";
 import { assembled, checked, findings } from "./checker.mjs";
@@ -361,7 +361,7 @@ export class Editor {
     const { machine } = this.bench;
     const counts = find("counts").checked;
     if (counts && machine.watch.observer !== this.counts) machine.watch.observer = this.counts;
-    const now = this.core.text === this.text ? this.core.lines.get(instructionAt(machine.processor)) ?? null : null;
+    const now = this.core.text === this.text ? this.core.lines.get(instruction_at(machine.processor)) ?? null : null;
     if (now === this.now && !counts) return;
     this.now = now;
     if (now && document.activeElement !== this.area) this.#bringIntoView(now);

@@ -31,12 +31,9 @@ function exercise({ title, task, program = {}, case: cases = [], question: quest
   return new Exercise("", title, task, record(Source, program), tried, questions.map(question));
 }
 
-/** The marks of a source: { right, points, of, marks, html }. */
+/** The marks of a source: { right, points, of, html }. */
 export function marks({ tables, name, source }) {
   const result = mark(exercise(tables), new Answer(name, undefined, undefined, source));
-  const failed = result.marks.map((each) => [
-    each.name, each.points, Array.from(each.failures, ({ what, happened }) => [what, happened]), each.hint,
-  ]);
-  const { right, points, of, fault } = result;
-  return { right, points, of, fault, marks: failed, html: [...body(result)].join("\n") };
+  const { right, points, of } = result;
+  return { right, points, of, html: [...body(result)].join("\n") };
 }

@@ -16,7 +16,7 @@ import * as polynomial from "../../../programs/polynomial.mjs";
 import * as slope from "../../../programs/slope.mjs";
 import { Unit } from "../../../programs/units.mjs";
 import { encode } from "../../../tapes/ascii.mjs";
-import { escaped, find, grouped } from "../written.mjs";
+import { find, grouped } from "../written.mjs";
 
 const PROGRAMS = { circle, curve, die, drill, ellipse, fluidic, polynomial, slope };
 const RECORDS = { Header, Milling };
@@ -55,14 +55,10 @@ export class Parts {
     return this.bench.record.parts[find("part-name").selectedIndex];
   }
 
-  /** Show the options of the part that is chosen; those of milling and header behind a door. */
+  /** Show the options of the part that is chosen. */
   ask() {
-    const shared = this.part.arguments.flatMap(([, , fields]) => fields ?? []);
-    const own = this.part.options.filter(({ name }) => !shared.includes(name));
-    const others = this.part.options.filter(({ name }) => shared.includes(name));
-    const more = others.length ? `<details><summary>Milling and header</summary><div>${others.map(field).join("")}</div></details>` : "";
     find("part-is").textContent = this.part.summary;
-    find("part-options").innerHTML = own.map(field).join("") + more;
+    find("part-options").innerHTML = this.part.form;
   }
 
   async punch() {
@@ -118,15 +114,4 @@ export class Parts {
     find("part-translated").textContent = `${grouped(frames.length)} frames of EIA are punched: ${minutes} minutes on the PDP-8/L.`;
     find("part-cut").disabled = !frames.length;
   }
-}
-
-/** An option, as HTML. */
-function field({ choices, default: by_itself = "", flag, help = "y as a function of x, inches: sin(x), x**2/4", name, spelling = name, unit }) {
-  const about = `name="${name}" title="${escaped(help)}"`;
-  const given = (choice) => `<option${choice === by_itself ? " selected" : ""}>${choice}</option>`;
-  const size = unit ? 8 : 24;
-  const asked = flag ? `<input type="checkbox" ${about}>`
-    : choices ? `<select ${about}>${choices.map(given).join("")}</select>`
-    : `<input type="text" ${about} placeholder="${escaped(by_itself)}" size="${size}">`;
-  return `<label>${spelling.replaceAll("-", " ")} ${asked}<small>${escaped(unit?.[0] === "INCHES" ? "in" : "")}</small></label>`;
 }

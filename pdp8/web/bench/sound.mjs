@@ -11,8 +11,14 @@ export class Sound {
     if (this.on) this.context ??= new AudioContext();
   }
 
-  click() {
+  /** Make the sound of a character that is printed; "" is none. */
+  make(character) {
     if (!this.on) return;
+    if (character === "\x07") this.#ring();
+    else if (character > "\r") this.#click();
+  }
+
+  #click() {
     const { context } = this;
     const length = Math.round(context.sampleRate * 0.02);
     const buffer = context.createBuffer(1, length, context.sampleRate);
@@ -23,8 +29,7 @@ export class Sound {
     source.start();
   }
 
-  ring() {
-    if (!this.on) return;
+  #ring() {
     const { context } = this;
     const tone = new OscillatorNode(context, { frequency: 2300 });
     const gain = new GainNode(context, { gain: 0.2 });

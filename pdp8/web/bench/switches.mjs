@@ -16,8 +16,8 @@ export class Switches {
     find("computer").addEventListener("keydown", (event) => this.#key(event));
   }
 
-  show(brightness) {
-    this.panel.show(this.bench.machine, this.bench.afternoon.pressed, brightness);
+  show(samples) {
+    this.panel.show(this.bench.machine, this.bench.afternoon.pressed, samples);
   }
 
   flip({ value: bit }) {

@@ -1,10 +1,7 @@
 // The Teletype on the bench: its page and keyboard, its reader and punch with their levers; and the PC8/L beside it.
 
-import { printed } from "../../computer/hardware/teletype.mjs";
-import { sent } from "../../computer/use/keys.mjs";
-import { CR, LF } from "../../../tapes/ascii.mjs";
+import { Paper, sent } from "../../computer/use/keys.mjs";
 import * as kinds from "../../../tapes/kinds.mjs";
-import { bytes } from "../translator/runtime.mjs";
 import { Sheet } from "../sheet.mjs";
 import { drawTape, meaning, tapeKey } from "../tape.mjs";
 import { find, grouped, octal } from "../written.mjs";
@@ -12,8 +9,6 @@ import { BLOCK, blockAt } from "./block.mjs";
 import { codeOf } from "./shelf.mjs";
 import { Sound } from "./sound.mjs";
 
-const BELL = 0o7;
-const COLUMNS = 72; // of a Model 33
 const LINES = 400; // kept on the page
 const ROLL = 100_000; // frames on the paper, until it is torn off behind the page
 const NAMED = { Enter: "\r", Backspace: "\x7f", Escape: "\x1b" };
@@ -49,8 +44,7 @@ export class Teletype {
   }
 
   #clear() {
-    this.lines = [""];
-    this.column = 0;
+    this.paper = new Paper(LINES);
     this.taken = 0;
   }
 
@@ -59,10 +53,9 @@ export class Teletype {
     if (frames.length < this.taken || Boolean(this.terminal) !== this.typed) this.#clear();
     else if (frames.length === this.taken && this.drawn === this.taken) return;
     this.typed = Boolean(this.terminal);
-    for (; this.taken < frames.length; this.taken++) this.#type(printed(bytes([frames[this.taken]])).decode("ascii"));
+    for (; this.taken < frames.length; this.taken++) this.sound.make(this.paper.take(frames[this.taken]));
     this.drawn = this.taken;
-    this.lines = this.lines.slice(-LINES);
-    find("paper").firstElementChild.textContent = this.lines.join("\n");
+    find("paper").firstElementChild.textContent = this.paper.lines.join("\n");
     find("paper").scrollTop = find("paper").scrollHeight;
     if (this.taken > ROLL && !this.bench.afternoon.on) this.#tearPaper();
   }
@@ -74,21 +67,8 @@ export class Teletype {
     this.bench.history.begin();
   }
 
-  #type(character) {
-    const code = character.charCodeAt(0);
-    if (code === CR) this.column = 0;
-    else if (code === LF) this.lines.push(" ".repeat(this.column));
-    else if (code === BELL) this.sound.ring();
-    else if (character) {
-      const line = this.lines.at(-1).padEnd(this.column);
-      this.lines[this.lines.length - 1] = line.slice(0, this.column) + character + line.slice(this.column + 1);
-      this.column = Math.min(this.column + 1, COLUMNS - 1);
-      this.sound.click();
-    }
-  }
-
   savePage() {
-    this.bench.download("page.txt", `${this.lines.join("\n")}\n`);
+    this.bench.download("page.txt", `${this.paper.lines.join("\n")}\n`);
   }
 
   /** A key that prints nothing: its code is the button's value. */

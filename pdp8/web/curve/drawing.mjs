@@ -3,24 +3,37 @@
 import { XY_FEED } from "../../../tapes/hydrapoint.mjs";
 import { escaped, inches } from "../written.mjs";
 
+/** How the value of an input is written: data-unit names it. */
+const UNITS = {
+  band: (thousandths) => `±${mils(thousandths)} in`,
+  count: String,
+  degrees: (angle) => `${angle}°`,
+  feed: (code) => `${XY_FEED.at(code).toFixed(1)} in/min`,
+  percent: (part) => `${part > 0 ? "+" : part < 0 ? "−" : ""}${Math.abs(part)} %`,
+  sixteenths: (count) => `${count / 16} in`,
+  times: (many) => `${many.toFixed(many < 10 ? 1 : 0)} ×`,
+};
+
 /** A figure of the page: draws itself again when one of its inputs changes, or its width. */
 export class Figure {
-  /** `draw(values, width)` returns [the SVG's content, its height, what is said of it in HTML]. */
+  /** `draw(values, width)` returns [the SVG's content, its height, what is said of it in HTML]; `words` writes values that
+   *  have no unit.
+   */
   constructor(id, draw, words = {}) {
     this.element = document.getElementById(id);
     this.draw = draw;
     this.words = words;
     this.svg = this.element.querySelector("svg");
     this.said = this.element.querySelector(".said");
-    this.inputs = [...this.element.querySelectorAll("input, select")];
-    for (const input of this.inputs) input.addEventListener("input", () => this.later());
+    this.inputs = [...this.element.querySelectorAll("input")];
+    this.element.addEventListener("input", () => this.later());
     new ResizeObserver(() => this.later()).observe(this.element);
     this.later();
   }
 
   /** The inputs' values by their names. */
   get values() {
-    return Object.fromEntries(this.inputs.map((input) => [input.name, input.type === "checkbox" ? input.checked : Number(input.value)]));
+    return Object.fromEntries(this.inputs.map((input) => [input.name, valued(input)]));
   }
 
   set(name, value) {
@@ -30,10 +43,8 @@ export class Figure {
 
   /** Draw before the next picture, once for however many changes. */
   later() {
-    if (this.waits) return;
-    this.waits = true;
-    setTimeout(() => {
-      this.waits = false;
+    this.waits ??= setTimeout(() => {
+      this.waits = null;
       this.show();
     });
   }
@@ -42,17 +53,25 @@ export class Figure {
     const width = Math.max(280, Math.round(this.svg.parentElement.clientWidth));
     const { values } = this;
     for (const input of this.inputs) {
-      const word = this.words[input.name]?.(values[input.name], values);
       const output = input.parentElement.querySelector("output");
-      if (word === undefined || !output) continue;
-      output.textContent = word;
-      input.setAttribute("aria-valuetext", word);
+      if (!output) continue;
+      output.textContent = (this.words[input.name] ?? UNITS[input.dataset.unit])(values[input.name], values);
+      input.setAttribute("aria-valuetext", output.textContent);
     }
     const [content, height, said] = this.draw(values, width);
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.svg.innerHTML = content;
     this.said.innerHTML = said;
   }
+}
+
+/** The value of an input. One with data-most has steps that grow: 0 to 100 is 1 to that, whole but for times.
+ *  @param {any} input */
+function valued({ checked, dataset: { most, unit }, type, value }) {
+  if (type === "checkbox") return checked;
+  if (!most) return Number(value);
+  const grown = most ** (value / 100);
+  return unit === "times" ? grown : Math.round(grown);
 }
 
 /** Where places, in thousandths, stand in a box of the drawing; Y goes up. */
@@ -134,17 +153,4 @@ export function inch(thousandths) {
 
 export function minutes(value) {
   return value < 10 ? `${value.toFixed(2)} min` : `${value.toFixed(1)} min`;
-}
-
-export function feed(code) {
-  return `${XY_FEED.at(code).toFixed(1)} in/min`;
-}
-
-export function sixteenths(count) {
-  return `${count / 16} in`;
-}
-
-/** The values of a slider whose steps grow: 0 to 100 is `least` to `most`, in whole thousandths. */
-export function grown(step, least, most) {
-  return Math.round(least * (most / least) ** (step / 100));
 }

@@ -5,13 +5,13 @@
 // Lengths are thousandths of an inch.
 
 import { cut, Settings } from "../../../nc/machine.mjs";
+import { part as listed } from "../../../programs/circle.mjs";
 import { THESIS } from "../../../programs/header.mjs";
-import { Milling, _print } from "../../../programs/milling.mjs";
+import { Milling, SLOWEST } from "../../../programs/milling.mjs";
 import { Printout } from "../../../programs/printout.mjs";
-import { cuts, staircase } from "../../../programs/stepwise.mjs";
+import { pieces as inPieces } from "../../../programs/slope.mjs";
 import { arc, line, oval, Point } from "../../../programs/stretches.mjs";
 import { encode } from "../../../tapes/eia.mjs";
-import { Block } from "../../../tapes/hydrapoint.mjs";
 
 export const CENTRE = 4000;
 export const RADIUS = 1750; // of the path of the cutter's centre, in the listing of Appendix C
@@ -32,38 +32,25 @@ function carriedOut(text, x = 0, y = 0) {
   return { text, path, way, stops, blocks: path.length, reading: reading / 60, milling: milling / 60, minutes: total / 60 };
 }
 
+/** What the machine makes of a curve that is milled by a technique. */
+function milled(curve, technique, x = 0, y = 0) {
+  const printout = new Printout();
+  printout.header(THESIS, curve.start.x, curve.start.y);
+  technique.print(printout, curve);
+  return carriedOut(printout.text, x, y);
+}
+
 /** Chapter 3's slope, 30 degrees and 5 in long. */
 export const SLOPE = [new Point(1000, 1000), new Point(5330, 3500)];
 
-/** The slope in `pieces` equal parts, each a block with both axes moving, at the feeds of two codes of Table 2.4. */
+/** The slope in `count` equal pieces, at the feeds of two codes of Table 2.4. */
 export function pieces(count, xCode, yCode, xError, yError) {
-  const [from, to] = SLOPE;
-  const printout = opened(from);
-  mill(printout, from.x, from.y, xCode, 84); // at rest: they set the feeds
-  mill(printout, from.x, from.y, yCode, 85);
-  for (let piece = 1; piece <= count; piece++) {
-    const at = (a, b) => Math.round(a + ((b - a) * piece) / count);
-    mill(printout, at(from.x, to.x), at(from.y, to.y), yCode, 85);
-  }
-  return carriedOut(printout.text, xError, yError);
+  return carriedOut(inPieces(...SLOPE, count, xCode, yCode), xError, yError);
 }
 
-function mill(printout, x, y, code, axis) {
-  printout.digits(new Block((printout.blocks + 1) % 1000, 6, x, y, 0, code, axis));
-}
-
-function opened(start) {
-  const printout = new Printout();
-  printout.header(THESIS, start.x, start.y);
-  return printout;
-}
-
-/** The slope by either technique, as the part program makes its blocks. */
+/** The slope by either technique. */
 export function slope(tolerance, technique = "step", xError = 0, yError = 0) {
-  const curve = line(...SLOPE, tolerance);
-  const printout = opened(curve.start);
-  new Milling(technique, 1, 5, "boundary", 0.2).print(printout, curve);
-  return carriedOut(printout.text, xError, yError);
+  return milled(line(...SLOPE, tolerance), new Milling(technique), xError, yError);
 }
 
 /** `make`, but nothing is made twice. */
@@ -77,19 +64,12 @@ export function remembered(make) {
 }
 
 /** A quarter of the circle, from 9 o'clock to 12, to its very end. */
-export const quarter = remembered((tolerance, feed) => {
-  const curve = arc(new Point(CENTRE, CENTRE), RADIUS, 180, -90, tolerance);
-  const printout = opened(curve.start);
-  new Milling("step", feed).print(printout, curve);
-  return carriedOut(printout.text);
-});
+export const quarter = remembered((tolerance, feed) =>
+  milled(arc(new Point(CENTRE, CENTRE), RADIUS, 180, -90, tolerance), new Milling("step", feed)));
 
 /** The whole circle; not `close`, as the listing leaves it, with its last cut missing. */
-export function circle(tolerance, feed = 1, close = false) {
+export function circle(tolerance, close = false) {
+  if (!close) return carriedOut(listed(RADIUS, tolerance));
   const limits = (off) => [RADIUS + off, RADIUS + off];
-  const curve = oval(new Point(CENTRE, CENTRE), RADIUS, limits(-tolerance), limits(tolerance));
-  const printout = opened(curve.start);
-  const all = close ? cuts(curve) : staircase(curve.start, "Y", curve.stretches);
-  for (const { axis, stop } of all) _print(printout, stop, feed, axis);
-  return carriedOut(printout.text);
+  return milled(oval(new Point(CENTRE, CENTRE), RADIUS, limits(-tolerance), limits(tolerance)), SLOWEST);
 }

@@ -4,13 +4,10 @@ import { CENTRE, CIRCLE, circle, onCircle, RADIUS } from "./method.mjs";
 import { clipped, Figure, mils, text, View } from "./drawing.mjs";
 
 const PLACE = onCircle(146);
-const NEAREST = 250;
 
 export function near() {
-  const { way } = circle(5, 1, true);
-  const times = (step) => NEAREST ** (step / 100);
-  const words = { near: (step) => `${times(step).toFixed(times(step) < 10 ? 1 : 0)} ×` };
-  return new Figure("near", ({ near: step }, width) => picture(way, times(step), width), words);
+  const { way } = circle(5, true);
+  return new Figure("near", ({ near: times }, width) => picture(way, times, width));
 }
 
 function picture(way, times, width) {

@@ -1,7 +1,7 @@
 // The step-wise technique on a curve: what the tolerance, the cutter and the feed change, and what they cost.
 
 import { CENTRE, CIRCLE, onCircle, quarter, RADIUS } from "./method.mjs";
-import { clipped, feed, Figure, grown, mils, minutes, rect, sixteenths, straightened, text, View } from "./drawing.mjs";
+import { clipped, Figure, mils, minutes, rect, straightened, text, View } from "./drawing.mjs";
 import { troughToPeak, walls } from "./walls.mjs";
 
 const ARC = (RADIUS * Math.PI) / 2;
@@ -9,14 +9,7 @@ const STATIONS = 1800;
 const COMPARED = [1, 2, 3, 5, 7, 10, 15, 20, 30, 50]; // tolerances of the chart
 
 export function curved() {
-  const words = {
-    tolerance: (step) => `±${mils(grown(step, 1, 50))} in`,
-    cutter: sixteenths,
-    feed,
-    place: (degrees) => `${degrees}°`,
-  };
-  return new Figure("curved", ({ tolerance: step, cutter, feed: code, place }, width) => {
-    const tolerance = grown(step, 1, 50);
+  return new Figure("curved", ({ tolerance, cutter, feed: code, place }, width) => {
     const made = quarter(tolerance, code);
     const wall = walls(made.way, CIRCLE, (cutter * 1000) / 16, Math.PI, -Math.PI / 2, STATIONS);
     const wide = width >= 560;
@@ -28,7 +21,7 @@ export function curved() {
     const chart = { x: 40, y: strip.y + strip.height + 40, width: width - 60, height: 130 };
     const content = pictured(made, cutter, tolerance, place, whole, close) + unrolled(made, wall, tolerance, place, strip) + compared(tolerance, code, chart);
     return [content, chart.y + chart.height + 34, said(made, wall)];
-  }, words);
+  });
 }
 
 function said({ blocks, reading, milling, minutes: took }, { outer, inner }) {

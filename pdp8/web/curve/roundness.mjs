@@ -1,7 +1,7 @@
 // What the Talyrond sees: the walls of the circle's groove, their errors magnified and nothing else.
 
 import { CIRCLE, circle, remembered } from "./method.mjs";
-import { clipped, Figure, mils, sixteenths, text } from "./drawing.mjs";
+import { clipped, Figure, mils, text } from "./drawing.mjs";
 import { troughToPeak, walls } from "./walls.mjs";
 
 const STATIONS = 36000; // as many as nc/inspection.py has
@@ -10,8 +10,7 @@ const PAPER = 10000; // thousandths of an inch that the drawing is wide, at the 
 const PLACES = [["+X", 0, 10], ["45°", 45, 5], ["+Y", 90, 10], ["135°", 135, 5], ["−X", 180, 10], ["225°", 225, 5], ["−Y", 270, 10], ["315°", 315, 5]];
 
 export function roundness() {
-  const measured = remembered((closed, cutter) => walls(circle(5, 1, closed).way, CIRCLE, (cutter * 1000) / 16, 0, 2 * Math.PI, STATIONS));
-  const words = { times: (value) => `${value} ×`, cutter: sixteenths };
+  const measured = remembered((closed, cutter) => walls(circle(5, closed).way, CIRCLE, (cutter * 1000) / 16, 0, 2 * Math.PI, STATIONS));
   return new Figure("roundness", ({ times, closed, cutter }, width) => {
     const wall = measured(closed, cutter);
     const height = Math.min(width, 560);
@@ -19,7 +18,7 @@ export function roundness() {
     const scale = (times * height) / PAPER;
     const content = rings(width / 2, height / 2, mean, scale, height) + trace(wall.outer, width, height, mean, scale, "outer") + trace(wall.inner, width, height, mean, scale, "inner") + places(wall, width, height);
     return [clipped({ x: 0, y: 0, width, height }, content), height, said(wall, closed)];
-  }, words);
+  });
 }
 
 function rings(x, y, mean, scale, height) {

@@ -1,13 +1,12 @@
 // Chapter 3's slope: one instruction misses it, pieces come near, steps stay in the band whatever the feeds do.
 
 import { pieces, SLOPE, slope } from "./method.mjs";
-import { feed, Figure, grown, inch, mils, minutes, straightened, text, View } from "./drawing.mjs";
+import { Figure, inch, minutes, straightened, text, View } from "./drawing.mjs";
 
 const [FROM, TO] = SLOPE;
 const LENGTH = Math.hypot(TO.x - FROM.x, TO.y - FROM.y);
 const [EAST, NORTH] = [(TO.x - FROM.x) / LENGTH, (TO.y - FROM.y) / LENGTH]; // of a step along it
 const BAND = 5;
-const percent = (value) => `${value > 0 ? "+" : value < 0 ? "−" : ""}${Math.abs(value)} %`;
 
 /** A place as the band's: how far along the slope, and how far off to its left. */
 function beside({ x, y }) {
@@ -43,7 +42,6 @@ function named(view, place, name, dx, dy) {
 }
 
 export function one() {
-  const words = { x: feed, y: feed, dx: percent, dy: percent };
   return new Figure("one", ({ x, y, dx, dy }, width) => {
     const [view, height] = plan(width);
     const { way } = pieces(1, x, y, dx / 100, dy / 100);
@@ -54,13 +52,11 @@ export function one() {
     const miss = worst < 0.5 ? "" : view.line([where, at(beside(where).x)], 'class="miss"');
     const content = cone + ends(view) + miss + view.line(way, 'class="way"');
     return [content, height, `It leaves A at <b>${angle.toFixed(1)}°</b>; the slope is 30.0°. When one axis has arrived it is <b>${inch(worst)}</b> off; then the other goes on alone.`];
-  }, words);
+  });
 }
 
 export function piecewise() {
-  const words = { pieces: (step) => String(grown(step, 1, 250)), error: percent };
-  return new Figure("piecewise", ({ pieces: step, error }, width) => {
-    const count = grown(step, 1, 250);
+  return new Figure("piecewise", ({ pieces: count, error }, width) => {
     const [view, height] = plan(width);
     const { way, minutes: took } = pieces(count, 2, 1, error / 100, -error / 100);
     const stops = Array.from({ length: count - 1 }, (_, n) => at((LENGTH * (n + 1)) / count));
@@ -72,7 +68,7 @@ export function piecewise() {
     const inside = worst <= BAND;
     const verdict = inside ? '<b class="good">inside the band</b>' : '<b class="bad">outside the band</b>';
     return [content, box.y + box.height + 8, `${count} ${count === 1 ? "piece" : "pieces"}: at most <b>${inch(worst)}</b> off, ${verdict} of ±.005 in; ${minutes(took)}.`];
-  }, words);
+  });
 }
 
 function title(box, reach) {
@@ -81,9 +77,7 @@ function title(box, reach) {
 }
 
 export function stepwise() {
-  const words = { tolerance: (step) => `±${mils(grown(step, 1, 400))} in`, dx: percent };
-  return new Figure("stepwise", ({ tolerance: step, dx }, width) => {
-    const tolerance = grown(step, 1, 400);
+  return new Figure("stepwise", ({ tolerance, dx }, width) => {
     const [view, height] = plan(width);
     const { way, stops, blocks, reading, milling, minutes: took } = slope(tolerance, "step", dx / 100, -dx / 100);
     const [left, right] = [tolerance, -tolerance].map((off) => [at(0, off), at(LENGTH, off)]);
@@ -94,5 +88,5 @@ export function stepwise() {
     const reach = 1.5 * tolerance + 1;
     const content = view.line([...left, ...right.toReversed()], 'class="band"', true) + sides + ends(view) + view.line(way, 'class="way"') + names + title(box, reach) + straightened(box, LENGTH, tolerance, reach, [[way.map(beside), "way"]]);
     return [content, box.y + box.height + 8, `<b>${blocks} blocks</b>. Reading them takes ${minutes(reading)}, cutting ${minutes(milling)}: <b>${minutes(took)}</b>. Furthest off: ${inch(furthest(way).worst)}.`];
-  }, words);
+  });
 }

@@ -2,19 +2,20 @@
 
 import { MoveKind } from "../../../nc/path.mjs";
 import { CENTRE, CIRCLE, RADIUS } from "./method.mjs";
+import { Pictures } from "../pictures.mjs";
 import { clipped, Figure, minutes, rect, text, View } from "./drawing.mjs";
 
 const CUTTER = 250; // its radius
 const TAKES = 20; // seconds in which the whole is played
 
-export function whole(made, playing) {
+export function whole(made, button) {
   const { path } = made;
   const first = path.steps.findIndex(({ block }) => block.preparatory === 6);
   const before = clocked(path, first);
   const takes = before.at(-1);
   const clock = (part) => `${((takes * part) / 1000 / 60).toFixed(1)} min`;
   const figure = new Figure("whole", ({ time }, width) => picture(made, before, first, (takes * time) / 1000, width), { time: clock });
-  new Play(figure, playing);
+  playing(figure, button);
   return figure;
 }
 
@@ -30,33 +31,27 @@ function milling({ moves }) {
   return moves.filter(({ kind }) => kind === MoveKind.MILL).reduce((sum, { seconds }) => sum + seconds, 0);
 }
 
-/** Move the slider by itself; where motion is not wanted, a minute a press. */
-class Play {
-  constructor(figure, button) {
-    const still = matchMedia("(prefers-reduced-motion: reduce)");
-    const stop = () => {
-      this.from = null;
-      button.textContent = "Cut";
-    };
-    const step = (now) => {
-      if (this.from === null) return;
-      const part = Math.min(1000, ((now - this.from) / TAKES / 1000) * 1000);
-      figure.set("time", part);
-      if (part < 1000) requestAnimationFrame(step);
-      else stop();
-    };
-    this.from = null;
-    button.addEventListener("click", () => {
-      const { time } = figure.values;
-      const begins = time >= 1000 ? 0 : time;
-      if (still.matches) return figure.set("time", Math.min(1000, begins + 28));
-      if (this.from !== null) return stop();
-      this.from = performance.now() - (begins / 1000) * TAKES * 1000;
-      button.textContent = "Stop";
-      requestAnimationFrame(step);
-    });
-    figure.inputs[0].addEventListener("pointerdown", stop);
-  }
+/** Let a button move the slider; where motion is not wanted, a minute a press. */
+function playing(figure, button) {
+  const go = (by) => {
+    const part = Math.min(1000, figure.values.time + by);
+    figure.set("time", part);
+    if (part === 1000) stop();
+    return part < 1000;
+  };
+  const pictures = new Pictures((passed) => go(passed / TAKES));
+  const stop = () => {
+    pictures.stop();
+    button.textContent = "Cut";
+  };
+  button.addEventListener("click", () => {
+    if (pictures.running) return stop();
+    if (figure.values.time >= 1000) figure.set("time", 0);
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) return void go(28);
+    pictures.start();
+    button.textContent = "Stop";
+  });
+  figure.inputs[0].addEventListener("pointerdown", stop);
 }
 
 function picture({ path, way }, before, first, now, width) {

@@ -39,6 +39,17 @@ def test_every_control_is_tried(page: "Page") -> None:
     assert set(page.evaluate(_FOUND, list(CONTROLS))) == set(CONTROLS)
 
 
+_NAMED = """() => ["click", "change", "input", "submit"].flatMap((kind) =>
+  [...document.querySelectorAll(`[data-${kind}]`)].map((control) => control.dataset[kind]))
+  .filter((path) => typeof path.split(".").reduce((of, name) => of?.[name], workbench) !== "function")"""
+
+
+def test_every_control_names_a_method(page: "Page") -> None:
+    """What the HTML names is there to be called."""
+    page.evaluate(f"() => {{ {_ALL} }}")
+    assert page.evaluate(_NAMED) == []
+
+
 def test_every_control_has_a_role_and_a_name(page: "Page") -> None:
     """As the browser tells them to a screen reader, on every tab."""
     session = page.context.new_cdp_session(page)

@@ -31,7 +31,7 @@ _COMPUTED = """async () => {
   const { walls } = await import("@/pdp8/web/curve/walls.mjs");
   const plain = ({ text, blocks, minutes, way }) => [text, blocks, minutes, way.map(({ x, y }) => [x, y])];
   const made = {
-    circle: method.circle(5), closed: method.circle(5, 1, true), steps: method.slope(7),
+    circle: method.circle(5), closed: method.circle(5, true), steps: method.slope(7),
     "fine steps": method.slope(5),
     "wrong feeds": method.slope(7, "step", 0.2, -0.2), pieces: method.slope(5, "piece", 0.1, -0.1),
     quarter: method.quarter(5, 3), coarse: method.quarter(10, 3),

@@ -112,8 +112,9 @@ def test_counts_and_the_current_line(page: "Page") -> None:
     assert page.locator("#gutter .now").inner_text().split()[:2] == ["3", "0201"]
 
 
-def test_a_link_to_two_lines_and_the_circles_tape_is_short(page: "Page", browser: "Browser") -> None:
-    page.locator("#source").fill("*200\n\tHLT\n$\n")
+def test_a_link_holds_program_and_machine(page: "Page", browser: "Browser") -> None:
+    """Another browser opens it; a bundled tape goes by its name, so it is short; foreign text stays text."""
+    page.locator("#source").fill("*200\n\tHLT\n/<img src=x onerror=alert(1)>&\n$\n")
     page.locator("#assemble").click()
     page.locator("#load").click()
     page.evaluate("workbench.teletype.mount('circle.asc')")
@@ -122,7 +123,9 @@ def test_a_link_to_two_lines_and_the_circles_tape_is_short(page: "Page", browser
     assert len(page.url) < 1500
     other = browser.new_page()
     other.goto(page.url)
-    until(other, "!!window.workbench")
+    until(other, "window.workbench?.editor.text.includes('onerror')")
+    assert other.evaluate("workbench.machine.processor.core[0o200]") == 0o7402
+    assert other.locator("img").count() == 0
     tape = other.evaluate("[...workbench.machine.teletype.reader.tape]")
     assert bytes(tape) == shelf.read_bundled("circle.asc")
     other.close()

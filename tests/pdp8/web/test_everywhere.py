@@ -85,6 +85,7 @@ def test_the_circle_is_translated_and_cut(tab: Tab) -> None:
     click(tab, "#to-mill")
     label = tab.run("return document.getElementById('close-label').textContent")
     assert "circle of 1.750 in about 4.000, 4.000" in label
+    assert tab.run("return document.querySelectorAll('#blocks li').length") == 666
 
 
 def test_a_punched_tape_is_saved_torn_off_and_read(tab: Tab) -> None:

@@ -29,12 +29,8 @@ def _answers(exercise: Exercise) -> list[str]:
 
 def _marks(exercise: Exercise, source: str) -> dict[str, Any]:
     result = marking.mark(exercise, handed.of(source.encode(), "a.pal"))
-    marks = [
-        [mark.name, mark.points, [[each.what, each.happened] for each in mark.failures], mark.hint]
-        for mark in result.marks
-    ]
-    said = {"right": result.right, "points": result.points, "of": result.of, "fault": result.fault}
-    return {**said, "marks": marks, "html": "\n".join(body(result))}
+    said = {"right": result.right, "points": result.points, "of": result.of}
+    return {**said, "html": "\n".join(body(result))}
 
 
 @pytest.mark.slow  # two hundred answers, twice

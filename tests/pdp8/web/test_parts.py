@@ -5,12 +5,8 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from nc import cut
-from pdp8.computer.machine import Machine
-from pdp8.computer.use.program import read
 from pdp8.web import parts
 from programs.cli import part
-from tapes import shelf
 from tests.pdp8.web.node import in_node, needs_node
 
 pytestmark = needs_node
@@ -27,19 +23,6 @@ _PRINTED = """async ([declared, asked]) => {
   };
   return asked.map(said);
 }"""
-_PUNCHED = """async ([program, tape]) => {
-  const { Machine } = await import("@/pdp8/computer/machine.mjs");
-  const { bytes } = await import("@/pdp8/web/translator/runtime.mjs");
-  const { cut } = await import("@/nc/machine.mjs");
-  const machine = new Machine(false);
-  machine.load(program);
-  machine.start(0o200);
-  machine.teletype.reader.load(bytes(tape));
-  machine.run();
-  const eia = machine.teletype.punch.tape;
-  return [[...eia], cut(eia).steps.map(({ at: { x, y, z } }) => [x, y, z])];
-}"""
-
 ASKED: tuple[tuple[str, dict[str, Any]], ...] = (
     ("circle", {}),
     ("circle", {"radius": "1.2", "tolerance": "0.0033", "close": True, "overflow": "stars"}),
@@ -94,16 +77,3 @@ def test_the_page_refuses_what_the_command_does(number: int, printed: list[Any])
     said = printed[len(ASKED) + number]
     assert isinstance(said, str)
     assert said.partition(": ")[2].rstrip(".") in _command(*REFUSED[number])[1].replace("\n", " ")
-
-
-def test_an_ellipse_of_ones_own_goes_through_to_the_cut(printed: list[Any]) -> None:
-    """Translated and cut in the page, its tape and its path are those of the commands."""
-    program = read(shelf.read_bundled("eia.pal"), "eia.pal").words
-    machine = Machine()
-    machine.load(program)
-    machine.start(0o200)
-    machine.teletype.reader.load(_command(*ASKED[4])[0])
-    machine.run()
-    eia, places = in_node(_PUNCHED, [list(program.items()), printed[4]])
-    assert bytes(eia) == machine.teletype.punch.tape
-    assert places == [list(step.at) for step in cut(bytes(eia)).steps]

@@ -47,11 +47,8 @@ def test_a_program_is_typed_assembled_and_run(page: "Page") -> None:
 
 
 def test_messages_have_their_places(page: "Page") -> None:
-    """Each is DEC's, with the line and a caret; a click selects the place."""
+    """A click on one selects it; a program that has one is not run."""
     _write(page, "*200\n\tJMP LOOP\n\tCLA!\n$\n")
-    said = page.locator("#messages").text_content() or ""
-    assert "UA  LOOP    AT  0200" in said
-    assert "IC  0241  AT  0201" in said
     page.locator("#run-it").click()
     assert "Not run: line 2, undefined: LOOP" in page.locator("#next").inner_text()
     page.locator("#messages button").first.click()
@@ -86,7 +83,7 @@ def test_what_was_assembled_is_not_assembled_again(page: "Page") -> None:
 
 
 def test_a_note_is_no_error(page: "Page") -> None:
-    """It is counted by itself, in a colour of its own, with its caret; the program loads."""
+    """It is counted by itself, in a colour of its own; the program loads."""
     _write(page, "*200\n\tCLA!\n\t5 + 3\n$\n")
     colours = page.evaluate(
         "[...document.querySelectorAll('#messages button')].map((button) => getComputedStyle(button).color)"
@@ -94,7 +91,6 @@ def test_a_note_is_no_error(page: "Page") -> None:
     assert len(set(colours)) == len(colours) == 2
     _write(page, "*200\n\t5 + 3\n\tHLT\n$\n")
     assert page.locator("#messages p").inner_text() == "2 words, a tape of 139 frames; 1 note."
-    assert (page.locator("#messages pre").text_content() or "").startswith("    \t5 + 3\n    \t   ^\n")
     page.locator("#load").click()
     assert page.evaluate("[...workbench.machine.processor.core.slice(0o200, 0o202)]") == [0o7, 0o7402]
 
@@ -110,22 +106,6 @@ def test_echo_is_typed_at_the_keyboard(page: "Page") -> None:
     page.keyboard.type("PDP")
     page.locator("#typed").fill("-8/l")
     until(page, "document.querySelector('#paper pre').textContent.includes('PDP-8/L')")
-
-
-def test_the_circle_is_translated(page: "Page") -> None:
-    """eia.pal reads circle.asc from the shelf; the punched tape is circle.eia, and the mill cuts it."""
-    page.locator("#sources").select_option("eia.pal")
-    page.locator("#assemble").click()
-    page.locator("#load").click()
-    page.locator("#shelf").select_option("circle.asc")
-    _fast(page)
-    page.locator("[data-key=start]").click()
-    until(page, "workbench.machine._out_of_tape()")
-    page.wait_for_timeout(200)
-    assert bytes(page.evaluate("workbench.machine.teletype.punch.frames")) == shelf.read_bundled("circle.eia")
-    page.locator("#to-mill").click()
-    assert "circle of 1.750 in about 4.000, 4.000" in page.locator("#close-label").inner_text()
-    assert page.locator("#blocks li").count() == 666
 
 
 def test_rim_is_toggled_in_by_clicks_and_a_tape_is_loaded(page: "Page") -> None:
@@ -245,21 +225,6 @@ def test_breakpoints_and_rununtil(page: "Page") -> None:
     assert page.evaluate("workbench.machine.processor.core[0o200]") == 0o1234
 
 
-def test_a_link_holds_program_and_machine(page: "Page", browser: "Browser", file: Path) -> None:
-    """Share puts both into the address; another browser opens it; foreign text stays text."""
-    _write(page, "*200\n\tHLT\n/<img src=x onerror=alert(1)>&\n$\n")
-    page.locator("#load").click()
-    page.locator("#share").click()
-    until(page, "location.hash.startsWith('#s=')")
-    other = browser.new_page()
-    other.goto(page.url)
-    until(other, "!!window.workbench")
-    until(other, "workbench.editor.text.includes('onerror')")
-    assert other.evaluate("workbench.machine.processor.core[0o200]") == 0o7402
-    assert other.locator("img").count() == 0
-    other.close()
-
-
 def test_an_embedded_pane(browser: "Browser", file: Path) -> None:
     """?embed=panel shows the panel alone, ?embed=debugger the debugger, any other name all of them."""
     opened = browser.new_page()
@@ -333,7 +298,7 @@ def test_nothing_hangs_over_the_edge(page: "Page", size: tuple[int, int]) -> Non
 
 _OFF = """() => [...document.querySelectorAll(".rocker")].map((rocker, bit) => {
   const middle = (element) => (({ left, right }) => (left + right) / 2)(element.getBoundingClientRect());
-  return Math.abs(middle(rocker) - middle(document.querySelector(`[data-lamp=AC${bit}]`)));
+  return Math.abs(middle(rocker) - middle(document.querySelectorAll('[data-lamp=ac]')[bit]));
 })"""
 
 
