@@ -8,6 +8,7 @@ Lengths are thousandths of an inch, the machine's own unit. Z is how far the qui
 retracted.
 """
 
+from bisect import bisect_left
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
@@ -15,7 +16,7 @@ from functools import cached_property
 from math import sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
-from tapes.hydrapoint import HOLE_MAKING, Block, Preparatory
+from tapes.hydrapoint import HOLE_MAKING, ROWS, Block, Preparatory
 
 if TYPE_CHECKING:
     from numpy import float64
@@ -33,6 +34,25 @@ class Position(NamedTuple):
         """Return how far it is from here to there."""
         x, y, z = other.x - self.x, other.y - self.y, other.z - self.z
         return sqrt(x * x + y * y + z * z)
+
+
+class Knot(NamedTuple):
+    """A place that the cutter goes to, straight; the second at which it is there; whether it cuts its way."""
+
+    second: float
+    x: float
+    y: float
+    down: bool
+
+
+class Place(NamedTuple):
+    """Where the cutter is: behind which knot, in which block, counted from 0, and whether it cuts."""
+
+    knot: int
+    x: float
+    y: float
+    down: bool
+    block: int
 
 
 class MoveKind(StrEnum):
@@ -184,6 +204,54 @@ class Path:
             now += self.read_seconds + step.tool_changed * self.tool_change_seconds
             now += sum(move.seconds for move in step.moves)
             yield now
+
+    @cached_property
+    def starts(self) -> list[float]:
+        """The second at which each block begins to be read."""
+        return [0.0, *self.clock()][:-1]
+
+    @cached_property
+    def knots(self) -> list[Knot]:
+        """The way of the cutter, from where the table is parked."""
+        found = [Knot(0.0, 0.0, 0.0, False)]
+        for start, step in zip(self.starts, self.steps, strict=True):
+            now = start + self.read_seconds + step.tool_changed * self.tool_change_seconds
+            found += [Knot(now, move.start.x, move.start.y, False) for move in step.moves[:1]]
+            for move in step.moves:
+                now += move.seconds
+                found.append(Knot(now, move.end.x, move.end.y, _SPENT[move.kind] != "positioning"))
+        return found
+
+    @cached_property
+    def _seconds(self) -> list[float]:
+        return [knot.second for knot in self.knots]
+
+    def at(self, second: float) -> Place:
+        """Return where the cutter is at a second."""
+        knot = max(0, bisect_left(self._seconds, second) - 1)
+        block = bisect_left(self.starts, second) - 1
+        since, x, y, _ = self.knots[knot]
+        if knot == len(self.knots) - 1 or second <= since:
+            return Place(knot, x, y, False, block)
+        following = self.knots[knot + 1]
+        part = (second - since) / (following.second - since)
+        x, y = x + (following.x - x) * part, y + (following.y - y) * part
+        return Place(knot, x, y, following.down, block)
+
+    @property
+    def first(self) -> Place:
+        """Where cutting begins; no block is read yet."""
+        cuts = (at for at, knot in enumerate(self.knots) if knot.down)
+        knot = max(1, next(cuts, 1)) - 1
+        return Place(knot, self.knots[knot].x, self.knots[knot].y, False, -1)
+
+    def row(self, second: float) -> int:
+        """Return the row that is under the reader's head at a second, counted from the first one punched."""
+        block = bisect_left(self.starts, second) - 1
+        if block < 0:
+            return 0
+        passed = int((second - self.starts[block]) / self.read_seconds * ROWS)
+        return block * ROWS + min(ROWS - 1, passed)
 
     @cached_property
     def cuts(self) -> tuple[Move, ...]:

@@ -81,13 +81,11 @@ class Script:
         path = self.day.path
         if path is None:
             return
-        now = float(self.day.mill_starts)
         reading = path.read_seconds * TICKS_PER_SECOND
-        for step in path.steps:
-            self._blocks.append(round(now))
-            self._rows += [round(now + reading * row / ROWS) for row in range(ROWS)]
-            now += reading + step.tool_changed * path.tool_change_seconds * TICKS_PER_SECOND
-            now += sum(move.seconds for move in step.moves) * TICKS_PER_SECOND
+        for start in path.starts:
+            begins = self.day.mill_starts + start * TICKS_PER_SECOND
+            self._blocks.append(round(begins))
+            self._rows += [round(begins + reading * row / ROWS) for row in range(ROWS)]
 
     @property
     def end(self) -> int:

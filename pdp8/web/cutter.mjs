@@ -1,7 +1,7 @@
 // The Hydra-Point's cutter on its staircase: the whole contour, and a close view in the band.
 //
 // Coordinates are thousandths of an inch, Y upward, as the tape has them. A contour is what bench/path.mjs makes of a
-// path; a place on it is what its at() says.
+// path; a place on it is what the path's at() says (nc/path.py).
 
 import { write } from "./sheet.mjs";
 
@@ -13,7 +13,7 @@ const NEAR = 300; // knots before and behind the cutter that a close view may sh
 
 /** The whole contour: the plate, the groove milled so far, what is still to come, the cutter. */
 export function drawWhole(context, contour, place, started, width, height) {
-  const { knots, diameter, bounds: { left, right, bottom, top } } = contour;
+  const { path: { knots }, diameter, bounds: { left, right, bottom, top } } = contour;
   const margin = 300;
   const [wide, tall] = [width - LEFT, height - BELOW];
   const scale = Math.min(wide / (right - left + 2 * margin), tall / (top - bottom + 2 * margin));
@@ -21,12 +21,12 @@ export function drawWhole(context, contour, place, started, width, height) {
   fill(context, PLATE, width, height);
   context.lineJoin = "bevel"; // round ones cost more, and no step is as wide as the groove
   context.lineCap = "round";
-  const milled = way([...knots.slice(0, place.knot + 1), [0, place.x, place.y, place.down]], view);
+  const milled = way([...knots.slice(0, place.knot + 1), place], view);
   if (started) {
     stroke(context, milled, GROOVE, diameter * scale + 1.5);
     stroke(context, milled, FLOOR, diameter * scale);
   }
-  stroke(context, way([[0, place.x, place.y, false], ...knots.slice(place.knot + 1)], view), "rgba(32,48,58,.45)", 1, [3, 4]);
+  stroke(context, way([place, ...knots.slice(place.knot + 1)], view), "rgba(32,48,58,.45)", 1, [3, 4]);
   if (started) {
     stroke(context, milled, LINE, 1.3);
     const inside = place.down ? "rgba(179,64,31,.28)" : "rgba(255,255,255,.35)";
@@ -36,13 +36,13 @@ export function drawWhole(context, contour, place, started, width, height) {
 }
 
 /** A close view: the band, the staircase in it, the cutter's axis. The width of the view is about .15 in. */
-export function drawClose(context, { knots, band }, place, started, width, height) {
+export function drawClose(context, { path: { knots }, band }, place, started, width, height) {
   const scale = Math.min(width, height * 1.3) / 150;
   const view = viewport(width / 2, height / 2, place.x, place.y, scale);
   const first = Math.max(0, place.knot - NEAR);
   const near = knots.slice(first, place.knot + NEAR);
   const reach = Math.hypot(width, height) / scale;
-  const seen = ([x, y]) => Math.hypot(x - place.x, y - place.y) < reach;
+  const seen = ({ x, y }) => Math.hypot(x - place.x, y - place.y) < reach;
   fill(context, PAPER, width, height);
   drawGrid(context, place, scale, width, height);
   if (band) drawBand(context, band, seen, view);
@@ -50,9 +50,9 @@ export function drawClose(context, { knots, band }, place, started, width, heigh
   context.lineCap = "butt";
   stroke(context, way(near, view), "rgba(32,48,58,.4)", 1, [4, 4]);
   context.fillStyle = LINE;
-  for (const [, x, y, down] of near) if (down && seen([x, y])) context.fill(ring(view.x(x), view.y(y), 2.6));
+  for (const knot of near) if (knot.down && seen(knot)) context.fill(ring(view.x(knot.x), view.y(knot.y), 2.6));
   if (started) {
-    const milled = [...near.slice(0, place.knot + 1 - first), [0, place.x, place.y, place.down]];
+    const milled = [...near.slice(0, place.knot + 1 - first), place];
     stroke(context, way(milled, view), LINE, 2.6);
     drawAxis(context, view, place, 7, 13, "transparent");
   }
@@ -79,12 +79,12 @@ function stroke(context, path, colour, width, dash = []) {
 /** The way through knots, where it was milled. */
 function way(knots, view) {
   const path = new Path2D();
-  knots.forEach(([, x, y, down], index) => path[index && down ? "lineTo" : "moveTo"](view.x(x), view.y(y)));
+  knots.forEach(({ x, y, down }, index) => path[index && down ? "lineTo" : "moveTo"](view.x(x), view.y(y)));
   return path;
 }
 
 function outline(points, view) {
-  return way(points.map(([x, y]) => [0, x, y, true]), view);
+  return way(points.map(([x, y]) => ({ x, y, down: true })), view);
 }
 
 function ring(x, y, radius) {
@@ -109,7 +109,7 @@ function drawBand(context, { inner, nominal, outer }, seen, view) {
 function stretches(points, seen) {
   const found = [];
   points.forEach((point, index) => {
-    if (!seen(point)) return;
+    if (!seen({ x: point[0], y: point[1] })) return;
     const last = found.at(-1);
     if (last && last[1] >= index) last[1] = index + 2;
     else found.push([Math.max(0, index - 1), index + 2]);

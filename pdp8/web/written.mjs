@@ -26,9 +26,9 @@ export function seconds(ticks) {
   return `${whole}.${parts.slice(0, 3)} ${parts.slice(3, 6)} ${parts.slice(6)} s`;
 }
 
-/** Ticks as whole minutes. */
-export function minutes(ticks) {
-  return grouped(Math.round(ticks / SECOND / 60));
+/** Seconds as whole minutes. */
+export function minutes(time) {
+  return grouped(Math.round(time / 60));
 }
 
 /** Text that may stand in HTML. */

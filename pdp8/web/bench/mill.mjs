@@ -1,23 +1,24 @@
 // The Hydra-Point on the bench: an EIA tape is cut, its path and band drawn, its blocks listed, its refusal said.
 
-import { Current } from "../current.mjs";
 import { drawClose, drawWhole } from "../cutter.mjs";
 import { CutError, cut } from "../../../nc/machine.mjs";
+import { TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { FIELDS } from "../../../tapes/hydrapoint.mjs";
 import { BLOCK, blockAt } from "./block.mjs";
-import { Contour } from "./path.mjs";
+import { contour } from "./path.mjs";
 import { Pictures } from "../pictures.mjs";
 import { Sheet } from "../sheet.mjs";
 import { drawTape, meaning, tapeKey } from "../tape.mjs";
 import { escaped, find, grouped, inches, minutes, octal } from "../written.mjs";
 
 const TAKES = 20; // seconds in which a whole tape is cut on the page
+const MARGIN = 40; // pixels that stay in view above the current line, and its own height and as much below
 
 export class Mill {
   constructor(bench) {
     this.bench = bench;
     this.drawing = null;
-    this.current = new Current(find("blocks"));
+    this.line = null; // the block that is carried out, in the list
     this.pictures = new Pictures((passed) => this.#picture(passed));
     const sheet = (canvas) => new Sheet(canvas, () => this.show());
     this.sheets = { whole: sheet(find("whole")), close: sheet(find("close")), tape: sheet(find("mill-reader").querySelector("canvas")) };
@@ -45,16 +46,16 @@ export class Mill {
     this.tape = { label: name, code: "eia", frames, first: frames.findIndex((frame) => frame !== 0) };
     this.steps = path?.steps ?? [];
     find("refusal").textContent = refusal;
-    this.drawing = this.steps.length ? new Contour(path, this.bench.record.cutter, nominal) : null;
+    this.drawing = this.steps.length ? contour(path, this.bench.record.cutter, nominal) : null;
     find("eia").value = name;
     find("blocks").innerHTML = `<ol>${this.steps.map((step) => row(step)).join("")}</ol>`;
-    this.current.light(null);
+    this.line = null;
     this.rows = [...find("blocks").querySelectorAll("li")];
   }
 
   /** Show it so many ticks after it began; before, it waits for its tape. */
   follow(ticks) {
-    this.#go(ticks / this.drawing.end);
+    this.#go(ticks / SECOND / this.path.times.total);
   }
 
   /** Go to a part, 0 to 1, of the time that the tape takes; before 0 nothing has begun. */
@@ -83,26 +84,40 @@ export class Mill {
 
   /** How many blocks were cut, and how long it takes. */
   get summary() {
-    return find("refusal").textContent || `${grouped(this.steps.length)} blocks are cut: ${minutes(this.drawing?.end ?? 0)} minutes at the Hydra-Point.`;
+    return find("refusal").textContent || `${grouped(this.steps.length)} blocks are cut: ${minutes(this.path?.times.total ?? 0)} minutes at the Hydra-Point.`;
   }
 
   #where({ block, x, y }) {
-    return `${this.name}, block ${block + 1} of ${this.steps.length}: X ${inches(x)} Y ${inches(y)}, ${minutes(this.drawing.end * this.part)} min`;
+    return `${this.name}, block ${block + 1} of ${this.steps.length}: X ${inches(x)} Y ${inches(y)}, ${minutes(this.path.times.total * this.part)} min`;
   }
 
   show() {
-    const { drawing, sheets, bench } = this;
+    const { drawing, path, sheets, bench } = this;
     if (!drawing || find("mill").hidden) return;
     const started = this.part >= 0;
-    const tick = Math.floor(drawing.end * this.part);
-    const place = started ? drawing.at(tick) : drawing.first();
+    const second = path.times.total * this.part + 1 / SECOND; // what begins at this tick is under way
+    const place = started ? path.at(second) : path.first;
     const key = `${this.name} ${place.knot} ${place.x} ${place.y} ${started}`;
     bench.writer.text(find("whole-label"), started ? this.#where(place) : `waits for its tape: ${this.steps.length} blocks`);
     bench.writer.text(find("close-label"), drawing.circle ? roundness(drawing.circle) : "close by, squares of .010 in");
     sheets.whole.draw(key, (context, ...size) => drawWhole(context, drawing, place, started, ...size));
     sheets.close.draw(key, (context, ...size) => drawClose(context, drawing, place, started, ...size));
-    this.#tape({ ...this.tape, head: this.tape.first + (started ? drawing.row(tick) : 0) });
-    this.current.light(this.rows[place.block] ?? null);
+    this.#tape({ ...this.tape, head: this.tape.first + (started ? path.row(second) : 0) });
+    this.#light(this.rows[place.block]);
+  }
+
+  /** Make a line of the list the current one: lit, named to screen readers, and kept in view. */
+  #light(line) {
+    if (line === this.line) return;
+    this.line?.classList.remove("now");
+    this.line?.removeAttribute("aria-current");
+    this.line = line;
+    if (!line) return;
+    line.classList.add("now");
+    line.setAttribute("aria-current", "true");
+    const list = find("blocks");
+    const above = line.offsetTop - list.scrollTop;
+    if (above < MARGIN || above > list.clientHeight - 1.5 * MARGIN) list.scrollTop = line.offsetTop - list.clientHeight / 2;
   }
 
   /** The tape under the head of the Hydra-Point's reader. */

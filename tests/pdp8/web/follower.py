@@ -89,13 +89,3 @@ def state(machine: Machine) -> dict[str, int]:
         "frame start": receiver.start,
         "send start": transmitter.start,
     }
-
-
-STATE = """(({ processor, teletype: { receiver, reader, transmitter } }) => ({
-  ticks: processor.clock, instructions: processor.instructions, ac: processor.lac & 0o7777,
-  link: processor.lac >> 12, pc: processor.pc, ma: processor.ma, mb: processor.mb, ir: processor.ir,
-  sr: processor.sr, state: processor.state, next: processor.next, run: processor.run, ion: processor.ion,
-  "reader flag": receiver.flag, "reader run": receiver.readerRun, taken: reader.position,
-  "punch flag": transmitter.flag, "frame start": receiver.start, "send start": transmitter.start,
-}))(machine)"""
-"""The same of the page's machine, in JavaScript."""

@@ -217,40 +217,6 @@ _CLIPPED = """() => [...document.querySelectorAll("#registers dd, .block span, .
   .filter((element) => element.checkVisibility() && element.scrollWidth > element.clientWidth + 1)
   .map((element) => element.textContent)"""
 
-_CONTRASTS = """() => {
-  const parts = (colour) => colour.match(/[\\d.]+/g).map(Number);
-  const linear = (value) => (value /= 255) <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
-  const light = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
-  const behind = (element) => {
-    for (let at = element; at; at = at.parentElement) {
-      const colour = parts(getComputedStyle(at).backgroundColor);
-      if (colour.length === 3 || colour[3] === 1) return colour;
-    }
-    return [255, 255, 255];
-  };
-  const poor = [];
-  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-  while (walker.nextNode()) {
-    const element = walker.currentNode.parentElement;
-    const text = walker.currentNode.textContent.trim();
-    if (!text || !element.checkVisibility({ visibilityProperty: true })) continue;
-    if (element.closest("script, style, svg, .spoken")) continue;
-    const style = getComputedStyle(element);
-    const [a, b] = [light(parts(style.color)), light(behind(element))].sort((one, two) => two - one);
-    const large = parseFloat(style.fontSize) >= 18.66;
-    const contrast = (a + 0.05) / (b + 0.05);
-    if (contrast < (large ? 3 : 4.5)) poor.push([element.className, text.slice(0, 20), contrast]);
-  }
-  return poor.slice(0, 8);
-}"""
-
-
-def test_colours_can_be_read(page: "Page", circle: Afternoon) -> None:
-    """Every text against what is behind it: 4.5 to 1, or 3 to 1 where it is large (WCAG 2.2, AA)."""
-    for act in circle.acts:
-        _go(page, (act.starts + act.ends) // 2)
-        assert page.evaluate(_CONTRASTS) == [], act.name
-
 
 def test_the_lamps_in_words(page: "Page", circle: Afternoon) -> None:
     """The panel says them while its button is down."""
