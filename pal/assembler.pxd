@@ -49,5 +49,5 @@ cdef class Assembler:
     cdef void _sum(self, int value) noexcept
     @cython.locals(pointer=int, first=int)
     cdef _tag(self)
-    cdef _wait(self, str kind, int pointer)
+    cdef _wait(self, str kind)
     cdef _room_for(self, int places)

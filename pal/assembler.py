@@ -181,7 +181,7 @@ class Assembler:
             name = self._go_on(item) if self._broken else item
             if not name:
                 if self._operator:
-                    self._watch("lost", 0)
+                    self._watch("lost", self._pointer)
                 self._item = 0
                 self._refers = False
             elif not self._look_up(name, mark):
@@ -208,8 +208,8 @@ class Assembler:
             elif mark == "=":
                 self._assign()
             elif mark == "*":
-                self._watch("star", 0)
-                self._wait("*", 0)
+                self._watch("star", self._pointer)
+                self._wait("*")
             elif mark == "$":
                 break
             else:
@@ -263,7 +263,7 @@ class Assembler:
         elif routine == "Z":
             self._zeros += 1
         elif routine in {"FIELD", "FIXMRI"}:
-            self._wait(routine, 0)
+            self._wait(routine)
             return False
         elif routine == "DECIMAL":
             self._radix = 10
@@ -299,7 +299,7 @@ class Assembler:
         """``.``: the item is the location, after what was read; the operator stands for both."""
         if self._made:
             if self._operator:
-                self._watch("point", 0)
+                self._watch("point", self._pointer)
             self._apply()
         self._item, self._refers, self._made = self._location, False, True
         self._apply()
@@ -344,7 +344,7 @@ class Assembler:
         self._referring = False
         page = address & PAGE
         if self._word == INDIRECT or (self._zeros and page):
-            self._watch("reference", 0)
+            self._watch("reference", self._pointer)
         if not page:
             self._zeros += 1
         elif self._number != 1 and page != self._location & PAGE:
@@ -356,7 +356,7 @@ class Assembler:
     def _write(self) -> None:
         """Punch or list the statement, and move on by a word if it makes one."""
         if self._doubtful:
-            self._watch("word", 0)
+            self._watch("word", self._pointer)
         if self._number == 3:
             self._list(self._at)
         elif self._made and self._number == 2:
@@ -413,12 +413,12 @@ class Assembler:
         self._blamed = None
         if pointer < PSEUDO:
             self._redefined.setdefault(pointer, self._at)
-        self._wait("=", pointer)
+        self._wait("=")
 
-    def _wait(self, kind: str, pointer: int) -> None:
+    def _wait(self, kind: str) -> None:
         self._room_for(_PUSHED[kind])
         self._places += _PUSHED[kind]
-        self._pending.append((kind, pointer, self._at))
+        self._pending.append((kind, self._pointer, self._at))
 
     def _room_for(self, places: int) -> None:
         if self._places + places > _PLACES:

@@ -292,7 +292,3 @@ def _program_kind(frames: bytes) -> str:
 def main() -> None:
     """Run the `pal` command."""
     command.run(pal, "pal")
-
-
-if __name__ == "__main__":
-    main()

@@ -58,5 +58,4 @@ def _patterns() -> Iterator[tuple[str, str]]:
 
 
 if __name__ == "__main__":
-    FILE.parent.mkdir(parents=True, exist_ok=True)
     FILE.write_text(text(), encoding="utf-8")

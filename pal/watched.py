@@ -119,7 +119,7 @@ class Watched(Assembler):
         elif what == "number":
             self._see_number(pointer)
         elif what == "point" and self._name:
-            sign = "+" if self._operator > 0 else "-"
+            sign = "+" if self._operator == 1 else "-"
             message = f"the {sign} is used for {self._name} and for the location"
             self._note("PN18", message, "write the location first, or a space before the point")
 

@@ -15,7 +15,6 @@ import pal
 PALBART = shutil.which("palbart")
 REFERENCES = ["AND", "TAD", "ISZ", "DCA", "JMS", "JMP"]
 OPERATES = ["CLA", "CLL CMA", "RAL", "SZA CLA", "HLT", "IAC;RTL", "KSF", "TLS", "CDF 10", "NOP", "SPA SNA"]
-OPERATES += ["6031"]
 CHARACTERS = "ABCXYZ0189 .;$,+-*=()[]<&!?@#"
 
 
@@ -53,12 +52,14 @@ class Author:
     def begin(self) -> str:
         pick = self.random.random()
         if pick < 0.5:
-            origin = self.random.randrange(1, 0o37) << 7 | self.random.randrange(0o60)
+            origin = self.random.choice([1, self.random.randrange(1, 0o37)]) << 7 | self.random.randrange(
+                0o60
+            )
             return f"*{origin:d}" if self.decimal else f"*{origin:o}"
         if pick < 0.7:
             return "PAGE"
         if pick < 0.8:
-            return f"PAGE {self.random.randrange(1, 7)}"
+            return f"PAGE {self.random.randrange(7)}"
         if pick < 0.88:
             return f"FIELD {self.random.randrange(4)}"
         if pick < 0.94:

@@ -39,14 +39,10 @@ def assert_same_tape(ours: bytes, theirs: bytes) -> None:
 def assert_same_print(ours: str, theirs: str) -> None:
     for number, (our, their) in enumerate(zip_longest(ours.split("\n"), theirs.split("\n")), 1):
         assert our == their, f"line {number} of the print"
-    assert ours == theirs
-
-
-def test_there_are_examples() -> None:
-    assert len(NAMES) == 56
 
 
 def test_the_tape_is_decs_frame_for_frame() -> None:
+    assert len(NAMES) == 56
     for name in NAMES:
         with case(name):
             assert_same_tape(assembled(name).tape, (EXAMPLES / f"{name}.bin").read_bytes())

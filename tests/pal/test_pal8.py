@@ -43,11 +43,8 @@ def octal(words: dict[int, int]) -> str:
     return " ".join(f"{address:05o}:{word:04o}" for address, word in sorted(words.items()))
 
 
-def test_there_are_examples() -> None:
-    assert len(EXAMPLES) == 133
-
-
 def test_the_words_are_palbarts() -> None:
+    assert len(EXAMPLES) == 133
     for name, (source, words) in EXAMPLES.items():
         with case(name):
             assembly = pal.assemble(source.encode("latin-1"), dialect="pal8")
@@ -73,10 +70,13 @@ def test_the_words_are_palbarts() -> None:
 
 
 @pytest.mark.skipif(PALBART is None, reason="palbart is not installed")
-@pytest.mark.parametrize("seed", range(40))
-def test_palbart_punches_the_same_frames_of_a_random_source(seed: int, tmp_path: Path) -> None:
-    source = Author(seed).source()
-    assert not compare(source, tmp_path), source
+def test_palbart_punches_the_same_frames_of_the_examples_and_of_random_sources(tmp_path: Path) -> None:
+    for source in [
+        *(source for source, _ in EXAMPLES.values()),
+        *(Author(seed).source() for seed in range(40)),
+    ]:
+        with case(source):
+            assert not compare(source, tmp_path)
 
 
 def test_a_listing_has_words_links_literals_and_symbols() -> None:
@@ -141,6 +141,10 @@ def test_a_page_has_room_for_128_literals(opening: str, code: str) -> None:
         ]
         assert said == [(code, "more than 128 literals on this page", 9, 10) for code in codes]
         assert len(assembly.words) == 128
+
+
+def test_a_wrong_literal_is_0() -> None:
+    assert pal.assemble("*200\n(1A)\n(X)\n$\n", dialect="pal8").words == {0o200: 0, 0o201: 0, 0o377: 0}
 
 
 def test_another_dialect_is_refused() -> None:
