@@ -283,8 +283,7 @@ class Assembler:
 
     def _apply(self) -> None:
         """Put the item where it belongs: into the word, or by the operator into the address."""
-        if self._places == _PLACES:
-            self._room_for(1)
+        self._room_for(1)
         if self._refers:
             if self._address:
                 self._watch("before", self._pointer)

@@ -54,7 +54,7 @@ class Watched(Assembler):
             message = f"the symbol table is just full: in the listing {name} is 0212"
             advice = "the buffer of pass 3 begins at its value; use one symbol fewer"
             self._add("PN29", self._seen[last], message, advice)
-        if number == 2 and self._made:
+        if self._made:
             self._note("PN27", "what stands before this $ is lost", "put the $ on its own line")
         return output
 
@@ -64,10 +64,10 @@ class Watched(Assembler):
             message = "with EXPUNGE and no FIXMRI every symbol is a memory reference"
             self._add("PN22", self._expunged, message, advice)
 
-    def _note(self, code: str, message: str, advice: str) -> None:
-        """Note something once, in pass 2, when all values are known."""
+    def _note(self, code: str, message: str, advice: str, at: int | None = None) -> None:
+        """Note something once, in pass 2, when all values are known; of the item just read, or of another."""
         if self._number == 2:
-            self._add(code, self._at, message, advice)
+            self._add(code, self._at if at is None else at, message, advice)
 
     def _add(self, code: str, at: int, message: str, advice: str) -> None:
         from pal.notes import Note
@@ -165,16 +165,14 @@ class Watched(Assembler):
         """Look at a statement that was doubtful."""
         swallowed, kept = self._swallowed, self._kept
         self._swallowed = self._kept = None
-        if self._number != 2:
-            return
         if swallowed and not self._made:
             message = f"{swallowed[1]} at the end of a statement leaves no word"
             advice = "put it on its own line" if swallowed[1] != "Z" else "write Z before the address"
-            self._add("PN13", swallowed[0], message, advice)
+            self._note("PN13", message, advice, swallowed[0])
         if kept is not None and self._made:
             message = "what stands before this comma is part of the word"
             advice = "a space puts even the tag there; write the tag first, the comma directly after it"
-            self._add("PN10", kept, message, advice)
+            self._note("PN10", message, advice, kept)
 
     def _see_pseudo(self, routine: str) -> None:
         if self._number == 1 and routine == "EXPUNGE":
@@ -216,8 +214,6 @@ class Watched(Assembler):
         if self._so_far:
             self._kept = self._at
             self._doubtful = True
-        if self._number != 2:
-            return
         if not self._has_symbol:
             self._note("PN11", "no symbol stands before this comma", _POINTER)
         name = self._name[:SIGNIFICANT]
@@ -241,7 +237,7 @@ class Watched(Assembler):
             message = f"what stands before the equals sign, {self._so_far:04o}, is part of the value"
             advice = "a space puts even the symbol there; write the equals sign directly after it"
             self._note("PN12", message, advice)
-        elif self._number == 2 and self._name[:SIGNIFICANT] in NAMES:
+        elif self._name[:SIGNIFICANT] in NAMES:
             from pal.notes import RESERVED
 
             message = f"{self._name} is a permanent symbol, and has another value from here on"
