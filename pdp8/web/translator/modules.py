@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterable
 
 from pdp8.web.translator.expressions import RENAMED, named
-from pdp8.web.translator.program import Found, Module, Program, is_for_types
+from pdp8.web.translator.program import Found, Module, Program
 from pdp8.web.translator.statements import Statements
 from pdp8.web.translator.types import leaf
 
@@ -48,9 +48,9 @@ class Writer(Statements):
     def _top(self, node: ast.stmt) -> list[str]:
         omitted = self.module.omitted
         match node:
-            case ast.Expr(ast.Constant()) | ast.Import() | ast.ImportFrom():
-                return []
-            case ast.If() if is_for_types(node):
+            case (
+                ast.Expr(ast.Constant()) | ast.Import() | ast.ImportFrom() | ast.If(ast.Name("TYPE_CHECKING"))
+            ):
                 return []
             case ast.FunctionDef(name) | ast.ClassDef(name) if name in omitted:
                 return []
@@ -64,9 +64,8 @@ class Writer(Statements):
                 for mark in node.decorator_list:
                     if leaf(mark) not in ("contextmanager", "cache"):
                         self.fail(mark, "decorator")
-                head, *rest = self.function(node)
-                star = "*" if head.startswith("*") else ""
-                return [f"export function{star} {named(name)}{head.removeprefix('*')} {{", *rest]
+                star, head, *rest = self.function(node)
+                return [f"export function{star} {named(name)}{head} {{", *rest]
             case ast.ClassDef():
                 return self._class(node)
         self.fail(node)
@@ -113,8 +112,7 @@ class Writer(Statements):
         if marks - _MARKS:
             self.fail(node, f"decorator {marks - _MARKS}")
         name = RENAMED.get(node.name, node.name)
-        head, *rest = self.function(node)
-        star, head = ("*", head[1:]) if head.startswith("*") else ("", head)
+        star, head, *rest = self.function(node)
         made = [f"{star}{name}{head} {{", *rest]
         if "cached_property" in marks:
             kept = f'$.kept(this, "{name}", this.$made_{name}())'

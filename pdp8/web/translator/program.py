@@ -6,9 +6,8 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
-from pdp8.web.translator.types import INT, STR, Type, leaf
+from pdp8.web.translator.types import Type, leaf
 
-_ENUMS = {"IntEnum": INT, "StrEnum": STR}
 _MEMBER = re.compile(r"\b(?:def|class) (\w+)|self\.(\w+)|^    (\w+): ", re.MULTILINE)
 
 
@@ -29,9 +28,8 @@ class Found(NamedTuple):
 
     @property
     def kind(self) -> Type:
-        """The type of a class's instances; an enumeration's are plain numbers and texts."""
-        enums = (_ENUMS[leaf(base)] for base in self.node.bases if leaf(base) in _ENUMS)
-        return next(enums, Type(f"{self.module.name}.{self.node.name}"))
+        """The type of a class's instances."""
+        return Type(f"{self.module.name}.{self.node.name}")
 
     @property
     def fields(self) -> list[ast.AnnAssign] | None:
@@ -79,11 +77,6 @@ class Module:
                 self.defined[name] = value
             case ast.AnnAssign(ast.Name(name)):
                 self.defined[name] = node
-
-
-def is_for_types(node: ast.AST) -> bool:
-    """Tell whether a statement is `if TYPE_CHECKING:`."""
-    return isinstance(node, ast.If) and leaf(node.test) == "TYPE_CHECKING"
 
 
 class Program:

@@ -65,11 +65,9 @@ const give = (kind, methods) => {
     Object.defineProperty(kind.prototype, name, { value, writable: true, configurable: true });
   }
 };
-const latin = (of) => {
-  let text = "";
-  for (let at = 0; at < of.length; at += 8192) text += String.fromCharCode.apply(null, of.slice(at, at + 8192));
-  return text;
-};
+const PIECE = 8192; // as many arguments are few enough
+const latin = (of) =>
+  of.length > PIECE ? latin(of.slice(0, PIECE)) + latin(of.slice(PIECE)) : String.fromCharCode.apply(null, of);
 
 export class Bytes extends Uint8Array {
   join(of) {
@@ -98,29 +96,23 @@ export class ByteArray extends Array {}
 export class Words extends Uint16Array {
   tobytes() { return new Bytes(this.slice().buffer); }
 }
-/** What bytes do as a text of characters to 0377 does; a number is one of them. */
-const of_text = (name) => function (what = null, ...others) {
-  const made = latin(this)[name](typeof what === "number" ? chr(what) : what && latin(what), ...others);
-  return typeof made === "string" ? Bytes.from(made, ord) : made;
-};
-for (const name of ["strip", "lstrip", "rstrip", "startswith", "endswith", "isdigit", "isascii", "find", "rfind", "count"]) {
-  give(Bytes, { [name]: of_text(name) });
-}
-
-/** Strip what is in `chars` (null: white space) from the left or right end, or both. */
+/** Strip what is in `chars` (null: a text's white space) from the left or right end, or both. */
 const strip = (left, right) => function (chars = null) {
-  const out = (each) => (chars === null ? /\s/.test(each) : chars.includes(each));
+  const out = (each) => (chars === null && typeof each === "string" ? /\s/.test(each) : chars.includes(each));
   let [start, end] = [0, this.length];
   while (left && start < end && out(this[start])) start++;
   while (right && end > start && out(this[end - 1])) end--;
   return this.slice(start, end);
 };
+for (const kind of [String, Bytes]) give(kind, { strip: strip(true, true), lstrip: strip(true, false), rstrip: strip(false, true) });
+/** What bytes do as a text of characters to 0377; a number is one of them. */
+for (const name of ["startswith", "endswith", "isdigit", "isascii", "find", "rfind", "count"]) {
+  const as_text = (what) => (typeof what === "number" ? chr(what) : what && latin(what));
+  give(Bytes, { [name](what, ...from) { return latin(this)[name](as_text(what), ...from); } });
+}
 const matching = (pattern) => function () { return pattern.test(this); };
 
 give(String, {
-  strip: strip(true, true),
-  lstrip: strip(true, false),
-  rstrip: strip(false, true),
   join(of) { return Array.prototype.join.call([...of], this); },
   split_(by) { return by === undefined ? this.split(/\s+/).filter(Boolean) : this.split(by); },
   splitlines(keep = false) {

@@ -56,14 +56,12 @@ class Statements(Expressions):
                 return [f"break {next(filter(None, reversed(self.loops)))};"]
             case ast.Continue():
                 return ["continue;"]
-            case ast.Raise(None):
-                return ["throw $e;"]
-            case ast.Raise(ast.expr() as error):
-                bare = isinstance(error, ast.Name) and error.id in self.program.errors
-                return [f"throw {f'new $.{error.id}()' if bare else self.e(error)};"]  # type: ignore[attr-defined]
+            case ast.Raise(error):
+                text = self.e(error) if error else "$e"
+                return [f"throw {f'new {text}()' if text.startswith('$.') else text};"]
             case ast.FunctionDef():
-                head, *rest = self.function(node)
-                if head.startswith("*"):
+                star, head, *rest = self.function(node)
+                if star:
                     self.fail(node, "a generator within a function")
                 return [f"{named(node.name)} = {head} => {{", *rest[:-1], "};"]
             case ast.Try(orelse=[]):
@@ -73,7 +71,7 @@ class Statements(Expressions):
         self.fail(node)
 
     def function(self, node: ast.FunctionDef) -> list[str]:
-        """Return a function: its parameters, after a * if it is a generator, its statements and a brace."""
+        """Return a function: a * if it is a generator, its parameters, its statements and a brace."""
         head = f"({', '.join(self._parameters(node.args))})"
         body = own(node.body)
         scope = self.parameters(node)
@@ -88,7 +86,7 @@ class Statements(Expressions):
         local = [named(name) for name in scope if name not in given] + self.temporary.pop()
         self.scope = self.scope.parents
         star = "*" if any(isinstance(part, ast.Yield | ast.YieldFrom) for part in body) else ""
-        return [star + head, *([f"let {', '.join(local)};"] if local else []), *lines, "}"]
+        return [star, head, *([f"let {', '.join(local)};"] if local else []), *lines, "}"]
 
     def _parameters(self, args: ast.arguments) -> list[str]:
         defaults = [None] * (len(args.args) - len(args.defaults)) + list(args.defaults)

@@ -246,9 +246,6 @@ class Types:
         """Return the type of a name of a module, or of an attribute."""
         found = self.found(node)
         if isinstance(node, ast.Attribute) and (found is None or isinstance(found.node, ast.FunctionDef)):
-            of = self.found(node.value)
-            if of and of.is_class and of.kind in (INT, STR):
-                return of.kind
             return self.of_class(self.infer(node.value).name, node.attr)[0]
         if found and isinstance(found.node, ast.AnnAssign):
             return self.annotated(found.node.annotation, found.module)
