@@ -160,10 +160,11 @@ class Assembly8(Assembly):
         for note in self._notes():
             if not silenced(self.place(note.at).text, note.code):
                 found.append((note.at, NOTE, note.code, note.message, note.advice))
-        found.sort(key=lambda each: self._run.places[each[0]])
         return [
             at_place(severity, code, message, advice, self.names, self.place(at))
-            for at, severity, code, message, advice in found
+            for at, severity, code, message, advice in sorted(
+                found, key=lambda each: self._run.places[each[0]]
+            )
         ]
 
     @cached_property

@@ -126,7 +126,10 @@ class SymbolTable:
 
     def listed(self) -> list[int]:
         """Return where the symbols stand that are listed, in the order of their names; of equal ones one."""
-        entries = {self.name(entry): entry for entry in reversed(range(self.first, self.end, ENTRY))}
+        entries = {}
+        for entry in reversed(range(self.first, self.end, ENTRY)):
+            first, second, third = self.name(entry)
+            entries[first << 24 | second << 12 | third] = entry
         return [entries[name] for name in sorted(entries)]
 
     def values(self) -> dict[str, int]:

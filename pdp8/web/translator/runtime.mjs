@@ -126,7 +126,7 @@ give(String, {
   replace_(from, to) { return this.replaceAll(from, () => to); },
   find: String.prototype.indexOf,
   rfind: String.prototype.lastIndexOf,
-  count(what) { return this.split(what).length - 1; },
+  count(what, from, to) { return this.slice(from, to).split(what).length - 1; },
   startswith(what, from = 0) { return [what].flat().some((each) => this.startsWith(each, from)); },
   endswith(what) { return [what].flat().some((each) => this.endsWith(each)); },
   upper: String.prototype.toUpperCase,
@@ -153,6 +153,8 @@ give(String, {
   isdigit: matching(/^\d+$/),
   isdecimal: matching(/^\d+$/),
   isalpha: matching(/^\p{L}+$/u),
+  isalnum: matching(/^[\p{L}\d]+$/u),
+  isprintable: matching(/^(?: |[^\p{C}\p{Z}])*$/u),
   isspace: matching(/^\s+$/),
   islower: matching(/^[^\p{Lu}]*\p{Ll}[^\p{Lu}]*$/u),
 });
