@@ -170,7 +170,7 @@ CONTROLS = {
     ),
     "#core": Control(scrolled("#core"), LOADED, "PageDown", within=" th"),
     "#core input": Control(f"[...{P}.core]", LOADED, "Control+a 7 Enter"),
-    "#page": Control("workbench.debug.core.page", "workbench.tabs.open('debugger');", "0"),
+    "#page": Control("workbench.core.first", "workbench.tabs.open('debugger');", "0"),
     "#eia": Control("workbench.mill.name", CUT, "e"),
     "#at": Control("workbench.mill.part", CUT, "ArrowLeft"),
     "#run-mill": Control("workbench.mill.part", CUT),
