@@ -55,11 +55,9 @@ def test_a_character_without_a_code_is_named_by_line_and_column() -> None:
         ascii.encode("AB\nCDé\n")
 
 
-def test_impossible_fill_and_parity() -> None:
+def test_impossible_fill() -> None:
     with pytest.raises(TapeError, match="-1 RUBOUTs"):
         ascii.encode("A", fill=-1)
-    with pytest.raises(TapeError, match="no parity"):
-        ascii.encode("A", "both")
 
 
 NAMES = (

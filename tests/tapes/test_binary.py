@@ -1,13 +1,14 @@
-"""BIN tapes: DEC's own, SIMH's and palbart's reading of them, and everything that can be wrong with one."""
+"""BIN tapes: DEC's own, SIMH's and palbart's reading of them, as of RIM tapes, and what can be wrong."""
 
 import subprocess
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from tapes import ascii, binary, kinds
+from tapes import ascii, binary, kinds, rim
 from tapes.errors import TapeError
 from tapes.frames import leader
 from tests.conftest import case
@@ -49,10 +50,6 @@ def test_fields_have_their_own_frame_which_is_not_summed() -> None:
     # 177+077+001 + 100+000+002 + 100+000+003 = 0504 octal
     assert_same(made, tape("177 077 000 001 310 100 000 000 002 370 100 000 000 003 005 004"))
     assert binary.decode(made) == ({0o07777: 1, 0o10000: 2, 0o70000: 3}, {1: 68, 7: 73})
-
-
-def test_a_field_right_after_the_leader() -> None:
-    assert binary.decode(tape("310 102 000 000 001 001 003")) == ({0o10200: 1}, {1: 64})
 
 
 def test_words_are_masked_and_addresses_are_not() -> None:
@@ -251,10 +248,13 @@ def test_any_frames_are_read_or_refused_with_their_place(frames: bytes) -> None:
         assert error is None or error.frame in range(len(attempt) + 1)
 
 
-def test_simh_loads_the_same_words(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("load", "encode"), [("load", binary.encode), ("load -r", rim.encode)])
+def test_simh_loads_the_same_words(
+    load: str, encode: Callable[[Mapping[int, int]], bytes], tmp_path: Path
+) -> None:
     words = {address: address * 0o1357 + 0o2461 & 0o7777 for address in range(0, 0o10000, 3)} | FORMAT_WORDS
-    (tmp_path / "x.bin").write_bytes(binary.encode(words))
-    (tmp_path / "x.ini").write_text("load x.bin\nexamine 0-7777\nquit\n")
+    (tmp_path / "x").write_bytes(encode(words))
+    (tmp_path / "x.ini").write_text(f"{load} x\nexamine 0-7777\nquit\n")
     said = subprocess.run(
         [simh(), "x.ini"], cwd=tmp_path, capture_output=True, text=True, timeout=60, check=True
     ).stdout
@@ -265,6 +265,10 @@ def test_simh_loads_the_same_words(tmp_path: Path) -> None:
 
 def test_palbart_punches_the_words_of_its_listing(tmp_path: Path) -> None:
     (tmp_path / "x.pal").write_text("*200\n CLA CLL\n TAD 300\n HLT\n*300\n 1234\n*7777\n 4321\n$\n")
-    subprocess.run([palbart(), "x.pal"], cwd=tmp_path, capture_output=True, timeout=20, check=True)
+    for options in ([], ["-r"]):
+        subprocess.run(
+            [palbart(), *options, "x.pal"], cwd=tmp_path, capture_output=True, timeout=20, check=True
+        )
     words = {0o200: 0o7300, 0o201: 0o1300, 0o202: 0o7402, 0o300: 0o1234, 0o7777: 0o4321}
     assert binary.decode((tmp_path / "x.bin").read_bytes()).words == words
+    assert rim.decode((tmp_path / "x.rim").read_bytes()) == words

@@ -1,6 +1,5 @@
 """How every command ends: by whatever is raised in it, and with a standard stream that its caller closed."""
 
-import io
 import os
 import signal
 import sys
@@ -102,23 +101,6 @@ def test_a_closed_standard_stream_is_no_traceback(
         command.run(pdp8, "pdp8", ["tape", "info", "-" if closed == "stdin" else "circle.asc"])
     getattr(sys, closed).close()
     assert capsys.readouterr().err == said
-
-
-class Terminal(io.StringIO):
-    """A stream that takes itself for a terminal."""
-
-    def isatty(self) -> bool:
-        return True
-
-
-def test_colours_are_a_terminal_s_unless_no_color_is_set(monkeypatch: pytest.MonkeyPatch) -> None:
-    bold = "\x1b[1mA\x1b[0m"
-    for no_color, color, said in (("", None, bold), ("1", None, "A"), ("1", True, bold)):
-        shown = Terminal()
-        monkeypatch.setenv("NO_COLOR", no_color)
-        monkeypatch.setattr(sys, "stderr", shown)
-        command.tell(bold, styled=True, color=color)
-        assert shown.getvalue() == f"{said}\n"
 
 
 def test_up_to_six_files_in_a_folder_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -6,7 +6,7 @@ import pytest
 
 from tapes import ascii, binary, eia, measure, rim
 from tapes.convert import convert, typed
-from tapes.errors import TapeError, TextError, WorkError
+from tapes.errors import TextError, WorkError
 from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, assert_same, octal
 
 TEXT = "0010000000000003588\n0029030000350000189\n"
@@ -191,8 +191,3 @@ def test_labels_are_placed_and_drawn() -> None:
     assert measure.left_out(apart, "bin")[1:] == (
         "after the label, from frame 193 on, a good section: a tape of its own, left out",
     )
-
-
-def test_tape_errors_carry_their_frame() -> None:
-    assert TapeError("no").frame is None
-    assert str(TapeError("no", 3)) == "frame 3: no"

@@ -6,6 +6,7 @@ import pytest
 
 from tapes import extras
 
+ARCHIVE = '{"url": "x", "archive_info": {}}'
 EDITABLE = '{"url": "file:///home/ana/pdp8", "dir_info": {"editable": true}}'
 
 
@@ -18,12 +19,7 @@ EDITABLE = '{"url": "file:///home/ana/pdp8", "dir_info": {"editable": true}}'
         ("/home/ana/.local/pipx/venvs/pdp8", False, {}, 'pipx install --force "pdp8[nc]"'),
         ("/home/ana/.local/share/uv/tools/pdp8", False, {}, 'uv tool install --force "pdp8[nc]"'),
         ("/home/ana/lab", True, {"direct_url.json": EDITABLE}, 'pip install -e "/home/ana/pdp8[nc]"'),
-        (
-            "/home/ana/lab",
-            True,
-            {"direct_url.json": '{"url": "x", "archive_info": {}}'},
-            'pip install "pdp8[nc]"',
-        ),
+        ("/home/ana/lab", True, {"direct_url.json": ARCHIVE}, 'pip install "pdp8[nc]"'),
     ],
 )
 @pytest.mark.skipif(sys.platform == "win32", reason="these are paths of POSIX")

@@ -46,11 +46,6 @@ def test_every_frame_drawn() -> None:
             assert sum(1 << channel - 1 for channel in frames.channels(frame)) == frame
 
 
-def test_a_frame_of_the_handbook() -> None:
-    assert frames.draw(0o301) == "oo   .  o"
-    assert frames.channels(0o301) == (8, 7, 1)
-
-
 @pytest.mark.parametrize(
     ("tape", "leader", "body", "trailer"),
     [

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tapes import ascii, captions, eia, octal, picture, rim, shelf
+from tapes import ascii, captions, octal, picture, rim, shelf
 from tapes.errors import TextError
 from tests.tapes.strips import FORMAT_BIN
 from tests.tapes.strips import octal as holes
@@ -24,24 +24,6 @@ def test_rows_of_an_ascii_tape() -> None:
         "       2    212  | o       o .   o   |  LF\n"
         "       3    377  | o o o o o . o o o |  RUBOUT\n"
     )
-
-
-def test_rows_of_the_middle_of_an_eia_tape() -> None:
-    rows = picture.text(bytes(1) + eia.encode("019\n"), "eia", 2, 5).splitlines()[1:]
-    assert rows == [
-        "       2    001  |           .     o |  1",
-        "       3    031  |       o o .     o |  9",
-        "       4    200  | o         .       |  EOB",
-    ]
-
-
-def test_captions_of_dec_s_bin_tape() -> None:
-    said = captions.captions(FORMAT_BIN, "bin")
-    assert said[0] == "blank"
-    assert said[1] == said[64] == "leader"
-    assert said[65:71] == ["origin 0200", '"', "origin 0200", '"', "0200: 0001", '"']
-    assert said[105:109] == ["origin 0232", '"', "0232: 0006", '"']
-    assert said[119:122] == ["checksum 1251", '"', "leader"]
 
 
 CAPTIONS = """\

@@ -7,7 +7,6 @@ from collections.abc import Callable
 
 import pytest
 
-from pdp8.cli.root import pdp8
 from tapes import command
 from tapes.progress import Bar, Busy
 from tests.commands import Terminal
@@ -92,15 +91,6 @@ def test_work_without_steps_shows_one_that_moves(
     assert shown.getvalue().endswith("\x1b[1A\x1b[2K" if terminal and wanted else "")
 
 
-def test_a_character_that_standard_error_has_not_is_a_question_mark(monkeypatch: pytest.MonkeyPatch) -> None:
-    shown = io.TextIOWrapper(io.BytesIO(), "latin-1")
-    monkeypatch.setattr("sys.stderr", shown)
-    with pytest.raises(SystemExit):
-        command.run(pdp8, "pdp8", ["tape", "info", "\N{GREEK SMALL LETTER ALPHA}.asc"])
-    shown.seek(0)
-    assert "?.asc: no such file" in shown.read()
-
-
 def test_a_run_shows_it_and_ctrl_c_takes_it_away() -> None:
     line = "pdp8 run eia.pal --reader circle.asc --realtime > /dev/null"
     terminal = Terminal("bash", "-c", f"exec {line}", TERM="xterm")
@@ -109,3 +99,12 @@ def test_a_run_shows_it_and_ctrl_c_takes_it_away() -> None:
     terminal.process.send_signal(signal.SIGINT)
     assert terminal.ended() == 130
     assert b"interrupted at" in terminal.seen.split(b"\x1b[2K")[-1]
+
+
+def test_colours_are_a_terminal_s_unless_no_color_is_set(monkeypatch: pytest.MonkeyPatch) -> None:
+    bold = "\x1b[1mA\x1b[0m"
+    for no_color, color, said in (("", None, bold), ("1", None, "A"), ("1", True, bold)):
+        monkeypatch.setenv("NO_COLOR", no_color)
+        shown = screen(monkeypatch)
+        command.tell(bold, styled=True, color=color)
+        assert shown.getvalue() == f"{said}\n"

@@ -122,13 +122,6 @@ def test_a_text_that_is_not_utf8_is_named_with_the_place(tmp_path: Path) -> None
         shelf.read_text(str(tmp_path / "x"))
 
 
-def test_a_punch_keeps_what_it_punched(tmp_path: Path) -> None:
-    punch = shelf.open_punch(str(tmp_path / "x"))
-    punch.write(b"abc")
-    punch.close()
-    assert (tmp_path / "x").read_bytes() == b"abc"
-
-
 def test_naming_the_file_of_an_error() -> None:
     with pytest.raises(WorkError, match=r"^x\.bin: frame 3: no$"), naming("x.bin"):
         raise WorkError("frame 3: no")

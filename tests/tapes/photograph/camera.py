@@ -195,8 +195,6 @@ def _table(shot: Shot, height: int, width: int) -> Array:
     if shot.table == "wood":
         y, x = np.mgrid[:height, :width]
         level += 14 * np.sin(y / 9 + 2 * np.sin(x / 130)) + 8 * np.sin(y / 3.1 + 3 * np.sin(x / 210))
-    elif shot.table == "cloth":
-        level += 60 * _blurred(random.normal(0, 1, (height, width)), 2)
     elif shot.table == "desk":
         for _ in range(14):
             x, y = random.uniform(0, width), random.uniform(0, height)
