@@ -163,7 +163,7 @@ def _check(place: Row, found: Block) -> None:
 
 
 def _beyond(name: str, length: int, travel: int) -> str:
-    return f"{name} {length / 1000:.3f} is beyond the travel of {travel / 1000:.0f} in"
+    return f"{name} {length / 1000:.3f} is beyond the travel of {travel // 1000} in"
 
 
 def _check_depths(place: Row, feed_point: int, final_depth: int) -> None:

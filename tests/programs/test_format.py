@@ -76,8 +76,3 @@ def test_the_drilling_tape_is_chapter_3s() -> None:
 def test_a_hole_off_the_table_is_refused_with_its_block() -> None:
     with pytest.raises(WorkError, match=r"block 004: Y 10\.001"):
         drill.part(holes=((1, 1), (2, 10.001)))
-
-
-def test_a_hole_between_thousandths_is_refused() -> None:
-    with pytest.raises(WorkError, match="must be a whole number"):
-        drill.part(holes=((1.0005, 1),))
