@@ -63,7 +63,6 @@ def run(
                     if realtime:
                         time.sleep(max(0.0, machine.elapsed - (time.monotonic() - began)))
             if interrupt.pressed and ended and ended.reason in (Reason.STOP_KEY, Reason.TAPE_OUT):
-                send(outputs)
                 return None
         return ended
 
