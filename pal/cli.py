@@ -220,14 +220,18 @@ def _punch(name: str, rim: bool, force: bool, errors: int, assembly: Assembly) -
 
 
 def _serve(dialect: str) -> None:
-    """Be the language server, until the editor ends it."""
+    """Be the language server, until the editor ends it. What pygls logs it tells the editor too."""
+    import logging
+
     try:
         from pal import server
     except ImportError:
         from tapes.extras import hint
 
         raise AssemblyError(f"--lsp needs pygls: {hint('lsp')}") from None
-    server.made(dialect).start_io()
+    logging.getLogger("pygls").addHandler(logging.NullHandler())
+    with command.conversation() as (reader, writer):
+        server.made(dialect).start_io(reader, writer)
 
 
 def _beside(source: str) -> str:

@@ -8,11 +8,11 @@ disk is one. No traceback reaches a user, and no control code of a file's at a t
 import os
 import signal
 import sys
-from collections.abc import Iterable, Sequence
-from contextlib import suppress
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager, redirect_stdout, suppress
 from io import TextIOWrapper, UnsupportedOperation
 from types import FrameType
-from typing import TextIO
+from typing import BinaryIO, TextIO
 
 import click
 
@@ -168,6 +168,17 @@ def _reopen_closed_streams() -> None:
     for stream, mode, access in streams:
         if getattr(sys, stream) is None:
             setattr(sys, stream, os.fdopen(os.open(os.devnull, access), mode))
+
+
+@contextmanager
+def conversation() -> Iterator[tuple[BinaryIO, BinaryIO]]:
+    """Yield standard input and output for a protocol alone, streams that it may close: what else reads standard
+    input has nothing, what else is printed goes to standard error.
+    """
+    reader, writer = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
+    with open(os.devnull) as nothing, redirect_stdout(sys.stderr):
+        sys.stdin = nothing
+        yield reader, writer
 
 
 def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:

@@ -1,13 +1,10 @@
 """`pdp8 dap`: a debugger for editors, on standard input and output."""
 
-import os
-import sys
-from contextlib import redirect_stdout
-
 import click
 
 from pdp8.dap.session import Session
 from pdp8.dap.wire import Wire
+from tapes import command
 
 
 @click.command()
@@ -21,7 +18,5 @@ def dap() -> None:
     Examples:
       pdp8 dap
     """
-    reader, writer = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
-    with open(os.devnull) as nothing, redirect_stdout(sys.stderr):  # nothing else reads or writes there
-        sys.stdin = nothing
+    with command.conversation() as (reader, writer):
         Session(Wire(reader, writer)).serve()

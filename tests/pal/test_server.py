@@ -74,6 +74,19 @@ async def _ask(folder: Path) -> dict[str, Any]:
     return found
 
 
+def test_a_session_ends_in_silence() -> None:
+    messages = [
+        {"id": 1, "method": "initialize", "params": {"processId": None, "rootUri": None, "capabilities": {}}},
+        {"method": "initialized", "params": {}},
+        {"id": 2, "method": "shutdown"},
+        {"method": "exit"},
+    ]
+    sent = [json.dumps({"jsonrpc": "2.0", **message}) for message in messages]
+    ended = run("pal", "--lsp", stdin="".join(f"Content-Length: {len(m)}\r\n\r\n{m}" for m in sent).encode())
+    assert (ended.returncode, ended.stderr) == (0, b"")
+    assert b'"id": 2' in ended.stdout
+
+
 def spans(places: list[Any]) -> list[tuple[int, int, int]]:
     ranges = [place.range for place in places]
     return [(each.start.line, each.start.character, each.end.character) for each in ranges]
