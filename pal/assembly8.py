@@ -99,7 +99,7 @@ class Assembly8(Assembly):
 
     @cached_property
     def _rows(self) -> list[tuple[Written | None, Line, str]]:
-        """The words, or None, with their lines and what is listed of these: all of it at the last word."""
+        """The words, or None, with their lines and what is listed of these: all of it at the first word."""
         rows: list[tuple[Written | None, Line, str]] = []
         literals: list[tuple[Written | None, Line, str]] = []
         last = -1
@@ -109,12 +109,9 @@ class Assembly8(Assembly):
             if written.literal:
                 literals.append((written, line, ""))
                 continue
-            if index == last:
-                rows[-1] = (*rows[-1][:2], "")
-            elif index > last + 1:
-                rows += [(None, other, other.text) for other in self._lines[last + 1 : index]]
+            rows += [(None, other, other.text) for other in self._lines[last + 1 : index]]
+            rows.append((written, line, "" if index == last else line.text))
             last = index
-            rows.append((written, line, line.text))
         rows += [(None, other, other.text) for other in self._lines[last + 1 : self._run.ended + 1]]
         return rows + literals
 

@@ -87,8 +87,8 @@ def test_a_listing_has_words_links_literals_and_symbols() -> None:
         "0200  1777@ A,\tTAD B",
         "0201  1376  \tTAD (7)",
         "            *400",
-        "0400  0001",
-        "0401  0002  B,\t1;2",
+        "0400  0001  B,\t1;2",  # beside the first word, as in DEC's
+        "0401  0002",
         "            $",
         "0376  0007",
         "0377  0400",
