@@ -24,15 +24,17 @@ from pal.notes import (
     of_undefined,
     of_words,
 )
-from pal.source import Line, Place, lines_of
+from pal.source import Line, Place, lines_of, tokens
 from pal.symbols import SIGNIFICANT
 from tapes import frames
 
 if TYPE_CHECKING:
     from pal.diagnostics import Diagnostic
 
+TAKEN = "taken for PAL8: it has what PAL III has not"
+
 _UNNUMBERED = " " * 12
-_MARKS = {ord(mark) for mark in '(["<&^%'}
+_MARKS = set('(["<&^%')
 _NAMES = {name[:SIGNIFICANT] for name in symbols8.PSEUDO_OPERATORS}
 _INSTRUCTIONS = {**symbols8.REFERENCES, **symbols8.INSTRUCTIONS, **symbols8.PALBARTS}
 
@@ -64,6 +66,16 @@ class Assembly8(Assembly):
     def errors(self) -> int:
         """How many errors there are."""
         return len(self._problems)
+
+    def takes(self, marks: set[str], names: set[str]) -> bool:
+        """Tell whether a line without an error has one of these marks or names."""
+        wrong = {self._run.places[problem.at][0] for problem in self._problems}
+        for index in range(self._run.ended):
+            if index not in wrong:
+                for token in tokens(self._lines[index].text):
+                    if token[:1] in marks or token[:SIGNIFICANT] in names:
+                        return True
+        return False
 
     @cached_property
     def tape(self) -> bytes:
@@ -261,17 +273,17 @@ class Assembly8(Assembly):
 
 
 def found(assembly: Assembly, sources: Sequence[str | bytes]) -> Assembly:
-    """Return a source with errors in PAL III as PAL8 where it can only be that.
+    """Return a source in error as PAL8, if it has half as many errors there, and a line of PAL8's alone.
 
-    It has what is an operator in PAL8 alone, and no error there; or a pseudo-operator of PAL8, and fewer.
+    That line has what PAL III refuses, an operator or a pseudo-operator of PAL8, and no error in PAL8.
     """
-    illegal = {int(message.subject, 8) & 0o177 for message in assembly.messages if message.code == "IC"}
-    undefined = {message.subject.strip() for message in assembly.messages if message.code == "UA"}
-    if not illegal & _MARKS and not undefined & _NAMES:
+    illegal = {chr(int(said.subject, 8) & 0o177) for said in assembly.messages if said.code == "IC"} & _MARKS
+    undefined = {said.subject.strip() for said in assembly.messages if said.code == "UA"} & _NAMES
+    if not illegal and not undefined:
         return assembly
     other = Assembly8(sources, assembly.names, assembly.model)
-    if other.errors >= (len(assembly.messages) if undefined & _NAMES else 1):
+    if 2 * other.errors > len(assembly.messages) or not other.takes(illegal, undefined):
         return assembly
     at = other._run.place_of_line(0)
-    other.noted.append(Note(DIALECT, at, "taken for PAL8, which it can only be", "--dialect pal8 says so"))
+    other.noted.append(Note(DIALECT, at, TAKEN, "--dialect pal8 says so, --dialect pal3 keeps to PAL III"))
     return other

@@ -54,7 +54,7 @@ class AssemblyError(WorkError):
     type=click.Choice(DIALECTS),
     default=FOUND,
     show_default=True,
-    help="DEC's PAL III of 1967, or the later PAL8; auto takes PAL8 for a source that can only be that.",
+    help="DEC's PAL III of 1967, or the later PAL8; auto takes PAL8 for a source by what it has.",
 )
 @click.option(
     "--color",

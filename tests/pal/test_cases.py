@@ -62,7 +62,7 @@ def test_a_pipe_gives_the_same_tape(
     os.close(writing)
     with open(reading) as pipe, suppress(AssemblyError):
         monkeypatch.setattr(sys, "stdin", pipe)
-        cli.pal.main(["-", "--force", "-o", "-"], standalone_mode=False)
+        cli.pal.main(["-", "--force", "-o", "-", "--dialect", "pal3"], standalone_mode=False)
     assert capfdbinary.readouterr().out == pal.assemble(path.read_text()).tape
 
 

@@ -117,12 +117,17 @@ def codes(source: str, dialect: str) -> list[str]:
         ("*200\n\tTAD (5)\n\tHLT\n$\n", "pal8"),
         ("*200\n\tHLT\n\tPAGE\n\tTEXT /AB/\n$\n", "pal8"),
         ("*200\n\tTAD (5)\n\tTAD NOWHERE\n\tPAGE\n$\n", "pal8"),
-        ("*200\n\tTAD (5)\n\tTAD NOWHERE\n$\n", "pal3"),
+        ("*200\n\tTAD (5)\n\tTAD NOWHERE\n\tHLT\n$\n", "pal8"),
+        ("*200\n\tTAD (5)\n\tTAD (\n", "pal8"),
+        ('*200\n\t"A; "B\n\tTAD\n\tDCA I\n\tJMP X Y\n$\n', "pal8"),
+        ("*200\n\tTAD (NOWHERE)\n$\n", "pal3"),
+        ("*200\n\tCLA (CLEAR IT\n\tHLT\n$\n", "pal3"),
         ("*200\n\tTAD 5\n\tHLT\n$\n", "pal3"),
+        ('*200\n\t"A\n\tJMP X\n\tJMP Y\n$\n', "pal3"),
         ("*200\n\tTAD 5!3\n\tJMP NOWHERE\n$\n", "pal3"),
     ],
 )
-def test_the_dialect_is_found_where_a_source_can_only_be_pal8(source: str, dialect: str) -> None:
+def test_the_dialect_is_found_by_what_a_source_has(source: str, dialect: str) -> None:
     found = pal.assemble(source, dialect="auto")
     assert found.dialect == dialect
     assert ("PN36" in [diagnostic.code for diagnostic in found.diagnostics]) == (dialect == "pal8")

@@ -79,7 +79,7 @@ def find(name: str, force: bool = False, dialect: str = FOUND) -> Program:
 def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND) -> Program:
     """Return the program of a tape's frames, called `name`; with `force` a damaged tape too.
 
-    `dialect` is that of a source: pal3, pal8, or auto, which finds PAL8 where it can only be that.
+    `dialect` is that of a source: pal3, pal8, or auto, which finds PAL8 by what it has.
 
     Raises WorkError, with the name, saying what is wrong and where: source with errors, a damaged tape, a
     field that a machine of 4K has not, what is no program.
@@ -115,8 +115,11 @@ def _assembled(source: bytes, name: str, dialect: str) -> Program:
     for address in assembly.words:
         if address > 0o7777:
             raise WorkError(f"address {address:05o}: a PDP-8/L with 4K of core ends at 07777")
-    guessed = dialect == FOUND and assembly.dialect != PAL3
-    notes = ("taken for PAL8, which it can only be",) if guessed else ()
+    notes: tuple[str, ...] = ()
+    if dialect == FOUND and assembly.dialect != PAL3:
+        from pal.assembly8 import TAKEN
+
+        notes = (TAKEN,)
     return Program(name, kinds.ASCII, assembly.words, assembly, notes)
 
 

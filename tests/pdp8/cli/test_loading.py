@@ -210,7 +210,7 @@ def test_a_source_in_pal8_is_found_and_taken(command: str, shell: Shell) -> None
     shell("printf '*200\\n\\tTAD (5)\\n\\tHLT\\n$\\n' > five.pal")
     done = shell(command)
     assert done.returncode == 0
-    assert b"five.pal: taken for PAL8, which it can only be" in done.stdout + done.stderr
+    assert b"five.pal: taken for PAL8: it has what PAL III has not" in done.stdout + done.stderr
     refused = shell(
         command.replace("five.pal <", "five.pal --dialect pal3 <").replace("r -", "r - --dialect pal3")
     )
