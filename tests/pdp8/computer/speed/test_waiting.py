@@ -64,9 +64,9 @@ def test_a_limit_is_a_limit() -> None:
     assert m.run(instructions=1000).reason == "limit"
     assert (m.ac, m.instructions) == (500, 1000)
     assert m.run(seconds=0.001).reason == "limit"
-    m = program(*octal("7001 5200"))
-    m.run(instructions=12_500)  # two whole pieces of the engine: it leaves the last to the processor
-    assert (m.ma, m.mb, m.ir) == (0o201, 0o5200, 5)
+    m = program(*octal("7000 2210 7001 5202"))
+    m.run(instructions=12_499)  # 6,250 from 10 ms on: a whole piece of the engine, but for the last
+    assert (m.ma, m.mb, m.ir) == (0o202, 0o7001, 7)
 
 
 def test_a_hundred_seconds_of_waiting_are_passed_over() -> None:
