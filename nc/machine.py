@@ -78,7 +78,9 @@ class Settings:
         """Raise WorkError for a setting that the machine does not have."""
         for axis, error in zip("XYZ", self.feed_error, strict=True):
             if not abs(error) <= FEED_TOLERANCE:
-                raise WorkError(f"{axis} feed error {error:+.0%}: must be within {FEED_TOLERANCE:.0%}")
+                raise WorkError(
+                    f"{axis} feed error {100 * error:+.0f}%: must be within {100 * FEED_TOLERANCE:.0f}%"
+                )
         if self.feed_code is not None and self.feed_code not in XY_FEED:
             raise WorkError(f"unknown feed code {self.feed_code:02}: Table 2.4 has 01 to 18")
         if not self.tool_change_seconds >= 0:
