@@ -52,7 +52,7 @@ class Technique:
         if self.fastest not in XY_FEED:
             raise WorkError(f"feed code {self.fastest} is not in Table 2.4: 1 to {max(XY_FEED)}")
         if not 0 <= self.feed_error < 1:
-            raise WorkError(f"feed error {self.feed_error:.0%}: must be from 0 to less than 100 %")
+            raise WorkError(f"feed error {100 * self.feed_error:.0f}%: must be from 0 to less than 100 %")
 
     def rays(self, curve: Curve) -> Iterator[Ray]:
         """Yield the blocks along `curve`, from its start to its very end. Raises WorkError if none fits."""
