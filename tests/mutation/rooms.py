@@ -17,6 +17,7 @@ ROOMS = {
             f"--ignore-glob=*/{PHOTOGRAPHS}/test_[!c]*",
             *COMMANDS,
             "tests/programs/test_functions.py",
+            "tests/test_notebook.py",
         ],
     ),
     "photographs": ("tapes/photograph", [PHOTOGRAPHS]),

@@ -53,9 +53,6 @@ def test_lines_however_they_end(tape: str, text: str) -> None:
 def test_a_character_without_a_code_is_named_by_line_and_column() -> None:
     with pytest.raises(TextError, match="line 2, column 3: 'é' is no ASCII character"):
         ascii.encode("AB\nCDé\n")
-
-
-def test_impossible_fill() -> None:
     with pytest.raises(TapeError, match="-1 RUBOUTs"):
         ascii.encode("A", fill=-1)
 

@@ -69,16 +69,16 @@ def test_a_text_file_becomes_a_proper_tape(tmp_path: Path) -> None:
 
 
 def test_show_a_range() -> None:
-    shown = product("tape", "show", "--from", "65", "--to", "66", given=FORMAT_BIN).decode().splitlines()
-    assert shown[1:] == [
+    rows = [
         "      65    102  |   o       .   o   |  origin 0200",
         '      66    000  |           .       |  "',
     ]
+    for last, expected in (("66", rows), ("65", rows[:1])):
+        shown = product("tape", "show", "--from", "65", "--to", last, given=FORMAT_BIN)
+        assert shown.decode().splitlines()[1:] == expected
 
 
-def test_show_as_svg(tmp_path: Path) -> None:
-    product("tape", "show", "--to", "2", "--svg", "x.svg", given=FORMAT_BIN, cwd=tmp_path)
-    assert (tmp_path / "x.svg").read_text().startswith("<svg")
+def test_show_as_svg() -> None:
     assert product("tape", "show", "--svg", "-", given=FORMAT_BIN).startswith(b"<svg")
 
 
@@ -172,10 +172,9 @@ def test_no_output_is_a_source(line: str, message: str, tmp_path: Path) -> None:
     assert sorted(file.read_bytes() for file in tmp_path.iterdir()) == [FORMAT_BIN, b"12\r\n"]
 
 
-def test_a_data_tape_is_no_program(tmp_path: Path) -> None:
-    done = pdp8("run", "circle.asc")
-    assert done.returncode == 1
-    assert b"circle.asc: nothing but figures: no program, but a tape for the reader\n" in done.stderr
+def test_a_data_tape_is_no_program() -> None:
+    said = complaint("run", "circle.asc")
+    assert said == "pdp8 run: circle.asc: nothing but figures: no program, but a tape for the reader\n"
 
 
 def test_a_file_that_hides_a_bundled_one_is_named(shell: Shell, tmp_path: Path) -> None:

@@ -62,10 +62,18 @@ def test_what_a_command_returns_is_its_status_if_it_is_a_number(returned: object
 def test_what_standard_output_still_holds_is_written(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    with open("/dev/full", "w", encoding="utf-8") as full:
-        monkeypatch.setattr(sys, "stdout", full)
-        assert command.status(click.Command("own", callback=lambda: print("x")), "own", []) == 1
-    assert capsys.readouterr().err == "own: standard output: No space left on device\n"
+    def failing() -> None:
+        print("x")
+        raise TapeError("torn")
+
+    for callback, said in (
+        (lambda: print("x"), "standard output: No space left on device"),
+        (failing, "torn"),
+    ):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            monkeypatch.setattr(sys, "stdout", full)
+            assert command.status(click.Command("own", callback=callback), "own", []) == 1
+        assert capsys.readouterr().err == f"own: {said}\n"
 
 
 @pytest.mark.parametrize(("name", "status"), [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])

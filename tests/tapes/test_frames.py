@@ -26,9 +26,6 @@ def test_parity(parity: str, punched: str) -> None:
 def test_parity_is_told_from_the_characters(parity: str) -> None:
     tape = bytes(8) + frames.with_parity(b"TAD HOLD\r\n", parity) + octal("377 377") + frames.leader(9)
     assert frames.parity(tape) == parity
-
-
-def test_mixed_parity() -> None:
     assert frames.parity(octal("301 101 303")) == "mixed"
 
 

@@ -58,12 +58,8 @@ def test_table_2_4() -> None:
 def test_the_specification() -> None:
     """Chapter 2: travels, positioning speed, tolerance of feeds, resolution, tools, rows of a block."""
     assert (hydrapoint.X_TRAVEL, hydrapoint.Y_TRAVEL, hydrapoint.Z_TRAVEL) == (20000, 10000, 5000)
-    assert (hydrapoint.POSITIONING_SPEED, hydrapoint.FEED_TOLERANCE, hydrapoint.RESOLUTION) == (
-        300,
-        0.2,
-        0.001,
-    )
-    assert [*hydrapoint.CAROUSEL] == [*range(1, 25)]
+    assert (hydrapoint.POSITIONING_SPEED, hydrapoint.FEED_TOLERANCE) == (300, 0.2)
+    assert [hydrapoint.RESOLUTION, *hydrapoint.CAROUSEL] == [0.001, *range(1, 25)]
     assert dict(zip(Block._fields, (3, 1, 5, 5, 1, 2, 2), strict=True)) == hydrapoint.FIELDS
     assert hydrapoint.ROWS == sum(hydrapoint.FIELDS.values()) + 1 == 20
     assert hydrapoint.COOLANT == second.COOLANT

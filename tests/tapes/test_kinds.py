@@ -48,11 +48,6 @@ def test_pal_text(text: str, parity: str, leader: int, code: int) -> None:
     assert classify(bytes([code]) * leader + ascii.encode(text, parity)) == "ascii"
 
 
-def test_text_files() -> None:
-    assert classify(b"*200\nSTART,\tCLA CLL\n\tHLT\n$\n") == "ascii"
-    assert classify("/ ÉTÉ: a comment of our day, longer than its accents\n\tHLT\n$\n".encode()) == "ascii"
-
-
 @given(NC, st.integers(0, 70), st.booleans())
 def test_eia(blocks: list[str], leader: int, ended_first: bool) -> None:
     text = "\n" * ended_first + "".join(block + "\n" for block in blocks)
@@ -71,6 +66,8 @@ def test_eia(blocks: list[str], leader: int, ended_first: bool) -> None:
         (octal("200 102 000 073 000 103 000 074 002"), "rim"),
         (octal("200 301 302 303"), "ascii"),
         (octal("200 105 040 001 147 040 003 040 040 040 001 001 200"), "eia"),
+        (b"*200\nSTART,\tCLA CLL\n\tHLT\n$\n", "ascii"),
+        ("/ ÉTÉ: a comment of our day, longer than its accents\n\tHLT\n$\n".encode(), "ascii"),
         (b"ABCDEFGHI\1", "ascii"),  # nine in ten
         (b"ABCDEFGH\1", "unknown"),
         (octal("001 002 004 010 001 002 004 010 001 003 200"), "eia"),

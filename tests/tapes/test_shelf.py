@@ -78,14 +78,6 @@ def test_what_a_product_never_replaces(kind: str, kept: str, first: str, taken: 
                 shelf.check_kind(str(path), kind)
 
 
-def test_a_file_is_replaced_whole(tmp_path: Path) -> None:
-    path = tmp_path / "x.bin"
-    shelf.write(str(path), b"one")
-    shelf.write(str(path), b"two")
-    assert path.read_bytes() == b"two"
-    assert list(tmp_path.iterdir()) == [path]
-
-
 def test_what_cannot_be_written_leaves_what_was_there(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
