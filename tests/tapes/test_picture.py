@@ -98,11 +98,6 @@ def test_a_drawing_is_the_one_that_was_looked_at() -> None:
     assert [sha256(page.encode()).hexdigest()[:8] for page in drawn] == ["d3e2d758", "14eb33c9"]
 
 
-@given(st.binary())
-def test_octal_text_and_back(tape: bytes) -> None:
-    assert octal.encode(octal.decode(tape)) == tape
-
-
 def test_octal_text() -> None:
     assert octal.decode(bytes(range(18))).splitlines() == [
         "      0: 000 001 002 003 004 005 006 007 010 011 012 013 014 015 016 017",
