@@ -33,7 +33,7 @@ class Cut(NamedTuple):
 Stop = Literal["boundary", "inside"]
 
 
-def cuts(curve: Curve, rule: Stop = "boundary") -> Iterator[Cut]:
+def cuts(curve: Curve, rule: Stop) -> Iterator[Cut]:
     """Yield the cuts along `curve`, from its start to its very end."""
     at = curve.start
     axis: Axis = "Y"
@@ -49,9 +49,7 @@ def cuts(curve: Curve, rule: Stop = "boundary") -> Iterator[Cut]:
         at = stop
 
 
-def staircase(
-    start: Point, axis: Axis, stretches: Iterable[Stretch], rule: Stop = "boundary"
-) -> Iterator[Cut]:
+def staircase(start: Point, axis: Axis, stretches: Iterable[Stretch], rule: Stop) -> Iterator[Cut]:
     """Yield the cuts from `start`, the first along `axis`, until the last of `stretches` ends.
 
     The cut in which the last stretch ends is left out. Raises WorkError where a band is too narrow for a

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import ezdxf
@@ -147,6 +148,12 @@ def test_the_header_of_the_circle() -> None:
         "N7 G0 Z-3.0000",
         "N7 G1 Z-3.5000 F1.0",
     ]
+
+
+def test_a_line_s_number_has_five_digits_at_the_most() -> None:
+    path = nc.cut(tape(FOUR_HOLES[0]))
+    steps = tuple(replace(path.steps[0], number=number) for number in (99_999, 100_000))
+    assert [line.split()[0] for line in gcode(replace(path, steps=steps))][2:4] == ["N99999", "(001"]
 
 
 def read_back(text: str) -> "ezdxf.document.Drawing":

@@ -222,6 +222,7 @@ class TestCurves:
         assert nominal(ellipse=(4, 5, 3, 2.25)) == Ellipse(4000, 5000, 3000, 2250)
         assert nominal(line=(0.5, 0.9, 7, 2)) == StraightLine(500, 900, 7000, 2000)
         assert nominal(function="x", origin=(4, 5), range_=(0, 6)) == Graph(4000, 5000, "x", 0, 6)
+        assert nominal(function="x", range_=(0, 6)) == Graph(0, 0, "x", 0, 6)
         for a, b in ((2, 0), (0, 2)):
             with pytest.raises(WorkError, match=f"semi-axes {a} and {b} in: each must be greater than 0"):
                 nominal(ellipse=(4, 4, a, b))

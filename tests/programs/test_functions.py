@@ -126,7 +126,7 @@ def test_any_text_is_a_function_or_refused(text: str) -> None:
 
 def middle_of(expression: str, cutter: float, side: str, where: Range) -> list[tuple[float, float]]:
     path = offset_path(function(expression), where, 0.001, cutter, side)
-    return [(cut.stop.x / 1000, cut.stop.y / 1000) for cut in cuts(path)]
+    return [(cut.stop.x / 1000, cut.stop.y / 1000) for cut in cuts(path, "boundary")]
 
 
 @pytest.mark.parametrize(("cutter", "side", "radius"), [(5.0, "above", 4.5), (0.5, "below", 1.75)])

@@ -230,6 +230,13 @@ def test_what_a_curve_knows_stands_in_its_help_and_in_its_message(
         assert "x, pi, e, + - * / ** ( ) and sqrt, exp, log, sin, cos, tan" in text
 
 
+def test_an_option_says_its_unit(capfd: pytest.CaptureFixture[str]) -> None:
+    for line in ("circle --radius INCHES", "circle --sequence NUMBER", "slope --feed-error PERCENT"):
+        part, option, unit = line.split()
+        assert f"{option} {unit} " in ended(capfd, f"part {part} --help")[1]
+    assert "--a PER-SQ-INCH " in ended(capfd, "part polynomial --help")[1]
+
+
 def test_capitals_are_fortrans(capfd: pytest.CaptureFixture[str]) -> None:
     tapes = [ended(capfd, f"part curve '{y}' --to 2")[1] for y in ("SIN(X)**2*1E0", "sin(x)**2*1e0")]
     assert tapes[0] == tapes[1] != ""

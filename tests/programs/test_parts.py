@@ -89,7 +89,8 @@ fluidic 2650 180 180 N.A."""
 def test_the_dimensions_that_the_thesis_gives() -> None:
     """Chapter 7: a block of 12 by 8 by 2 in, 6 by 3 open; Chapter 8: a nozzle of .02 in, enlarged."""
     assert die.BLOCK == (12_000, 8_000, 2_000)
-    assert die.AXES["opening"] == (6_000 / 2, 3_000 / 2)
+    wide = {"opening": (6_000, 3_000), "rounding": (6_250, 3_250), "groove": (7_500, 4_500)}
+    assert {cut: (x / 2, y / 2) for cut, (x, y) in wide.items()} == die.AXES
     (_, _, wall, *_) = fluidic.RIGHT
     assert isinstance(wall, fluidic.Slope)
     nozzle = wall.start[0] + 0.125 / 2
@@ -105,3 +106,4 @@ def test_table_10_1() -> None:
     rows = TABLE_10_1.replace(" N.A.", "").splitlines()
     ours = [(name, *row.step, *(row.piece or ())) for name, row in thesis.TABLE_10_1.items()]
     assert [" ".join(map(str, row)) for row in ours] == rows
+    assert thesis.THESIS.keys() == thesis.TABLE_10_1.keys()

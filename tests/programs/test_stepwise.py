@@ -32,7 +32,7 @@ def assert_same_staircase(path: Curve, printout: str) -> None:
     """Compare with a listing, which ends where its last quadrant does, .156 in from its start."""
     ours = [
         (*cut.stop, {"X": 84, "Y": 85}[cut.axis])
-        for cut in stepwise.staircase(path.start, "Y", path.stretches[:3])
+        for cut in stepwise.staircase(path.start, "Y", path.stretches[:3], "boundary")
     ]
     theirs = contour(printout)
     for number, (cut, wanted) in enumerate(zip(ours, theirs, strict=False), 7):
@@ -197,6 +197,8 @@ def test_the_other_rule_stops_inside() -> None:
 def test_every_stop_of_a_sine_is_in_its_band() -> None:
     part = curve.part("sin(x)", to=6.283)
     assert_fit_for_the_machine(part)
+    level = milled(curve.part("1"))
+    assert [(block.x, block.y) for block in level] == [(4000, 6000), (8000, 6000)]
     for block in milled(part):
         assert abs((block.y - 5000) / 1000 - sin((block.x - 4000) / 1000)) <= 0.0065
 
