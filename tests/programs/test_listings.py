@@ -100,10 +100,6 @@ def test_the_ellipse_by_its_landmarks() -> None:
     assert lines[586] == "5876 6404 2647  585"
 
 
-def test_the_die_ellipse_has_778_blocks() -> None:
-    assert ellipse.part(minor=1500).count("\n") == 772 + 6
-
-
 @pytest.mark.parametrize("name", ["circle", "ellipse"])
 def test_listing_lines_are_numbered_by_five(name: str) -> None:
     numbers = [int(line[:3]) for line in listing(name).splitlines()]

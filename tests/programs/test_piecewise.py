@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from programs import circle, die, ellipse, polynomial, slope
+from programs import circle, die, ellipse, polynomial
 from programs.milling import Milling
 from programs.piecewise import Technique, way
 from programs.printout import Printout
@@ -74,11 +74,6 @@ def test_fewer_blocks_than_step_by_step_and_more_the_worse_the_feeds() -> None:
 def test_a_closed_contour_closes(part: Callable[..., str]) -> None:
     path = milled(piece(part))
     assert path[0][2:4] == path[-1][2:4]
-
-
-def test_the_slope_ends_where_it_should() -> None:
-    last = blocks(piece(slope.part))[-1]
-    assert (last.x, last.y) == (8330, 6500)
 
 
 def test_a_line_at_a_ratio_of_two_feeds_is_one_ray() -> None:
