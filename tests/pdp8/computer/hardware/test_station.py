@@ -26,6 +26,12 @@ def test_a_reader_at_stop_reads_nothing() -> None:
     assert m.teletype.punch.tape == b"ab"
 
 
+def test_a_tape_that_is_still_being_made_is_read_to_its_end() -> None:
+    m, parts = copying(b"a"), [b"bc", b"d", b""]
+    m.teletype.reader.more = lambda: parts.pop(0)
+    assert (m.run().reason, m.teletype.punch.tape) == ("tape out", b"abcd")
+
+
 def test_a_key_comes_before_the_reader() -> None:
     m = copying(b"ab", b"K")
     m.run(seconds=2)
