@@ -108,14 +108,14 @@ def test_boot_from_cold() -> None:
     assert machine.panel.lamps.run == 0
 
 
-@pytest.mark.parametrize("after", ["000 000 000 000", "000 000 000 000 101 076 076 101 000 177"])
+@pytest.mark.parametrize("after", ["200 000 000", "200 " * 64 + "000 000 000 000 101 076 076 101 000 177"])
 def test_what_follows_a_rim_tapes_trailer_stays_out_of_core(after: str) -> None:
     """The RIM loader knows no end: to it blank tape is 0000 for 0000, and 101 076 076 101 a word for 0176."""
     machine = Machine()
-    tape = rim.encode({0: 0o2222, 0o176: 0o1111, 0o200: 0o7402}).rstrip(b"\200") + b"\200"
+    tape = rim.encode({0: 0o2222, 0o176: 0o1111, 0o200: 0o7402}).rstrip(b"\200")
     done = boot(machine, tape + bytes(octal(after)))[-1]
     assert [machine.core[address] for address in (0, 0o176, 0o200)] == [0o2222, 0o1111, 0o7402]
-    assert (done.frames, done.words, done.missing) == (len(tape), 3, 0)
+    assert (done.frames, done.words, done.missing) == (len(tape) + after.count("200"), 3, 0)
 
 
 def test_cont_takes_the_next_tape_and_restarts_its_sum() -> None:
