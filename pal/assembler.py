@@ -153,12 +153,10 @@ class Assembler:
         self.lost = []
         self.again = []
         try:
-            if number == 2:
-                self._punch(ORIGIN, START)
+            self._punch(ORIGIN, START)
             self._read()
-            if number == 2:
-                self._punch(CHECKSUM, self._checksum & _MASK)
-            else:
+            self._punch(CHECKSUM, self._checksum & _MASK)
+            if number != 2:
                 self._list_symbols()
         except Stop as stop:
             self.stopped = str(stop), self._at if self._blamed is None else self._blamed
@@ -320,8 +318,7 @@ class Assembler:
                 self._blamed = None
             elif kind == "*":
                 self._location = self._word
-                if self._number == 2:
-                    self._punch(ORIGIN, self._word)
+                self._punch(ORIGIN, self._word)
             else:
                 self._act_upon(kind)
                 self._make_word()
@@ -376,6 +373,9 @@ class Assembler:
             self._pointer = self._symbols.page_zero(0)
 
     def _punch(self, kind: int, value: int) -> None:
+        """Punch an origin or the checksum, in pass 2."""
+        if self._number != 2:
+            return
         self._output.append(Punched(kind, value))
         self._checksum += 0o100
         self._sum(value)

@@ -567,7 +567,7 @@ class Assembler:
         return ADDRESS - len(pool.values) + 1
 
     def _here(self) -> tuple[int, int]:
-        return max(self._before - 1, 0), self._before
+        return self._before - 1, self._before
 
     def _put_out(self, last: int) -> None:
         """Put the literals out, of the last page first, of page zero only if `last` is below 0."""

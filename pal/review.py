@@ -96,16 +96,11 @@ def _illegal(source: Source, messages: Sequence[Message]) -> list[Note]:
 
 def _overlong(source: Source, ended: int) -> list[Note]:
     """Note the first line that pass 3 has no room for."""
-    if max(map(len, source.text.split("\r"))) <= LONGEST:
-        return []
-    start = 0
-    for at, (_, mark) in enumerate(source.items[:ended]):
-        end = source.spans[at][1]
-        if mark == "\r" and end - start > LONGEST:
-            message = f"a line of {end - start} characters: pass 3 has room for {LONGEST}"
-            return [Note("PN28", at, message, "the tape is good, the listing is not; break the line")]
-        if mark == "\r":
-            start = end + 1
+    for line, text in enumerate(source.text.split("\r")):
+        if len(text) > LONGEST and source.line_ends[line] in range(ended):
+            message = f"a line of {len(text)} characters: pass 3 has room for {LONGEST}"
+            advice = "the tape is good, the listing is not; break the line"
+            return [Note("PN28", source.line_ends[line], message, advice)]
     return []
 
 

@@ -116,7 +116,7 @@ class Source:
         end = start + len(self.items[at][0])
         if start == end:
             start, end = mark, mark + 1
-        tape = max(sum(begin <= start for begin in self._starts) - 1, 0)
+        tape = sum(begin <= start for begin in self._starts) - 1
         number = line - bisect_left(self._ends, self._starts[tape]) + 1
         first = self._ends[line - 1] + 1 if line else 0
         text = self.shown[first : self._ends[line]] if line < len(self._ends) else self.shown[first:]

@@ -41,7 +41,9 @@ def test_every_word_comes_back_from_any_page(address: int) -> None:
 
 def test_a_full_core_needs_no_more_symbols_than_there_is_room_for() -> None:
     core = {address: (address * 0o2345 + 0o1234) & 0o7777 for address in range(0o10000)}
-    assembly = pal.assemble(disassemble(core), capacity=489)
+    source = disassemble(core)
+    assert source.count(",") == 488
+    assembly = pal.assemble(source, capacity=489)
     assert assembly.words == core
     assert assembly.ok
 
@@ -124,6 +126,8 @@ def test_targets_have_tags_and_data_are_numbers() -> None:
         ["L0205,", "7402"],
         ["$"],
     ]
+    zero = disassemble({0o20: 0o1021, 0o21: 0o1220}).split("\t")
+    assert zero == ["*20\n", "TAD L0021", "/0020 1021\nL0021,", "1220", "", "/0021 1220\n$\n"]
 
 
 @pytest.mark.parametrize(
