@@ -50,13 +50,10 @@ def test_force_gives_decs_tape_and_decs_listing(name: str, folder: Path) -> None
     assert (folder / "X.lst").read_text() == (EXAMPLES / f"{name}.pass3.txt").read_text()
 
 
-def test_the_tape_takes_the_name_of_the_source(folder: Path) -> None:
+def test_the_tape_takes_the_name_of_the_source_or_goes_where_that_came_from(folder: Path) -> None:
     result = run("good.pal", folder=folder)
     assert (result.returncode, result.stdout, result.stderr) == (0, b"", b"wrote good.bin\n")
     assert (folder / "good.bin").read_bytes() == pal.assemble(GOOD).tape
-
-
-def test_standard_input_goes_to_standard_output(folder: Path) -> None:
     assert run("-", folder=folder, source=GOOD.encode()).stdout == pal.assemble(GOOD).tape
 
 
