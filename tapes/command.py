@@ -172,8 +172,8 @@ def _reopen_closed_streams() -> None:
 
 @contextmanager
 def conversation() -> Iterator[tuple[BinaryIO, BinaryIO]]:
-    """Yield standard input and output for a protocol alone, streams that it may close: what else reads standard
-    input has nothing, what else is printed goes to standard error.
+    """Yield standard input and output for a protocol alone, streams that it may close: what else reads
+    standard input has nothing, what else is printed goes to standard error.
     """
     reader, writer = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     with open(os.devnull) as nothing, redirect_stdout(sys.stderr):

@@ -75,7 +75,7 @@ async def _ask(folder: Path) -> dict[str, Any]:
 
 
 def test_a_session_ends_in_silence() -> None:
-    messages = [
+    messages: list[dict[str, Any]] = [
         {"id": 1, "method": "initialize", "params": {"processId": None, "rootUri": None, "capabilities": {}}},
         {"method": "initialized", "params": {}},
         {"id": 2, "method": "shutdown"},
