@@ -81,7 +81,8 @@ def _overlaid(written: Written) -> Note:
 
 def _combination(written: Written, instructions: Mapping[str, int]) -> str | None:
     """Return what is wrong with the symbols that make an IOT or OPR, None if they go together."""
-    parts = [(name, instructions[name]) for name in written.names if instructions.get(name, 0) >= IOT << 9]
+    parts = [(name, instructions[name]) for name in written.names if name in instructions]
+    parts = [(name, word) for name, word in parts if word >= IOT << 9]
     named = " ".join(name for name, _ in parts)
     if any(word >> 9 == IOT for _, word in parts):
         devices = {word >> 3 for _, word in parts}

@@ -173,7 +173,7 @@ def test_a_line_that_pass_3_has_no_room_for_is_noted(folder: Path) -> None:
     (folder / "long.pal").write_text("\tCLA\n/" + "X" * 222 + "\n$\n")
     result = run("long.pal", folder=folder)
     assert (result.returncode, (folder / "long.bin").exists()) == (0, True)
-    assert b"long.pal:2:224: note: a line of 223 characters: pass 3 has room for 222" in result.stderr
+    assert b"long.pal:2:224: note: a line of 223 characters: pass 3 has room for 222 [PN28]" in result.stderr
 
 
 def test_misuse(folder: Path) -> None:

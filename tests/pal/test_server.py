@@ -148,7 +148,7 @@ A1;7041
 
 
 def test_a_document_knows_what_stands_where() -> None:
-    known = Document(DOCUMENT.replace("\n", "\r\n"), "x.pal", "pal8")
+    known = Document(DOCUMENT.rstrip().replace("\n", "\r\n"), "x.pal", "pal8")
     assert [known.name_at(0, column) for column in range(9)] == ["A1", "A1", "A1", "", "", "B", "B", "", ""]
     assert [known.name_at(*at) for at in ((4, 5), (5, 9), (5, 11), (12, 0))] == ["", "LONGNA", "B", ""]
     defined = [(each.name, each.kind, each.value) for each in known.definitions]

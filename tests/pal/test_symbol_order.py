@@ -1,7 +1,7 @@
 """Each permanent symbol; the order of the symbol table: letters before digits, digits in their order."""
 
 import pal
-from pal.symbols import PERMANENT, spelled, typed
+from pal.symbols import PERMANENT, PSEUDO_OPERATORS, spelled, typed
 
 MEMORY_REFERENCES = """
 AND 0 TAD 1000 ISZ 2000 DCA 3000 JMS 4000 JMP 5000
@@ -26,6 +26,13 @@ def test_the_permanent_symbols_of_february_1967() -> None:
         for name, word in zip(table.split()[::2], table.split()[1::2], strict=True)
     ]
     assert [(symbol.mnemonic, symbol.octal, symbol.memory_reference) for symbol in PERMANENT] == expected
+
+
+def test_the_pseudo_operators_stand_for_the_addresses_of_their_routines() -> None:
+    routines = (
+        "FIELD 2157 EXPUNGE 1556 FIXMRI 2200 PAUSE 0372 FIXTAB 0561 DECIMAL 0167 OCTAL 0172 I 1174 Z 0535"
+    )
+    assert " ".join(f"{name} {address:04o}" for name, address in PSEUDO_OPERATORS.items()) == routines
 
 
 def test_a_name_that_is_written_over_has_any_of_64_characters() -> None:
