@@ -30,12 +30,20 @@ def test_the_limit_is_that_of_all_slices_together(longest: float) -> None:
     assert machine.ticks == pytest.approx(30_000_000, abs=64)
 
 
-def test_a_slow_slice_makes_none_longer_than_the_longest(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The clock of the real time jumps a second at each look, so that every slice is a slow one."""
-    monkeypatch.setattr("pdp8.computer.machine.monotonic", count().__next__)
-    machine = program(*COUNT)
-    assert len(list(islice(machine.slices(shortest=0.05, longest=0.01), 4))) == 4
-    assert machine.elapsed == pytest.approx(0.04, abs=1e-5)
+@pytest.mark.parametrize(
+    ("seconds", "bounds", "elapsed"),
+    [
+        *((0, (0.05, 60), (1, 3, 7, 15)), (1, (0.05, 60), (1, 1.5, 1.75, 1.875))),
+        (1, (0.05, 0.01), (0.01, 0.02, 0.03, 0.04)),
+    ],
+)
+def test_a_slice_is_twice_or_half_as_long_after_one_that_took_so_many_seconds(
+    seconds: int, bounds: tuple[float, float], elapsed: tuple[float, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("pdp8.computer.machine.monotonic", count(0, seconds).__next__)
+    machine = program(*octal("2300 5200 5200"))
+    ends = [machine.elapsed for _ in islice(machine.slices(None, *bounds), 4)]
+    assert ends == pytest.approx(elapsed, abs=1e-4)
 
 
 def test_stop_between_two_slices_ends_the_run() -> None:
@@ -65,9 +73,8 @@ def test_a_breakpoint_where_a_slice_ends(first: int) -> None:
 
 
 def test_a_wait_for_a_key_ends_the_run_or_is_waited_through() -> None:
-    machine = program(*octal("6031 5200 7402"))
+    machine, reasons = program(*octal("6031 5200 7402")), []
     assert [stop.reason for stop in machine.slices()] == [Reason.IDLE]
-    reasons = []
     for stop in machine.slices(through_waits=True):
         reasons.append(stop.reason)
         if len(reasons) == 3:
@@ -83,10 +90,3 @@ def test_a_run_through_waits_ends_with_its_time() -> None:
         machine.wait(0.3)
     assert machine.elapsed == pytest.approx(2.1, abs=0.2)
     assert len(seen) == 7
-
-
-def test_whoever_has_seen_enough_leaves_the_loop() -> None:
-    machine = program(*COUNT)
-    assert len(list(islice(machine.slices(longest=0.01), 4))) == 4
-    assert machine.elapsed == pytest.approx(0.04, abs=1e-5)
-    assert machine.run(seconds=0.01).reason is Reason.LIMIT

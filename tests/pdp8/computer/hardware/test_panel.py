@@ -108,7 +108,7 @@ def test_run_under_single_step_is_one_cycle(machine: Machine) -> None:
     machine.start(0o200)
     machine.panel.sing_step = True
     assert machine.run() == ("stop key", 0o201, 1.6e-6)
-    assert machine.panel.lamps.run == 0
+    assert (machine.panel.sing_step, machine.panel.lamps.run) == (True, 0)
 
 
 def test_stop_ends_the_instruction(machine: Machine) -> None:

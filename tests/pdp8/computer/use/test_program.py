@@ -62,7 +62,7 @@ def test_a_field_0_is_read_and_the_last_word_of_core() -> None:
 
 
 def test_what_is_taken_for_pal8_is_noted() -> None:
-    for dialect, notes in (("auto", ("taken for PAL8, which it can only be",)), ("pal8", ())):
+    for dialect, notes in (("auto", ("taken for PAL8: it has what PAL III has not",)), ("pal8", ())):
         assert program.read(b"*200\n\tTAD (5\n\tHLT\n$\n", "x", dialect=dialect).notes == notes
 
 
