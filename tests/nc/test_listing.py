@@ -155,19 +155,20 @@ def test_other_parts_have_no_thesis_beside_them() -> None:
 
 
 @pytest.mark.parametrize(
-    ("y", "said", "verdict"),
+    ("y", "said", "side", "verdict"),
     [
-        (3999.5, "+.0005", "within"),
-        (4000, "+.0000", "within"),
-        (4000.5, "-.0005", "within"),
-        (3994.96, "+.0050", "within"),
-        (4005.06, "-.0051", "out of"),
+        (3999.5, "+.0005", "left", "within"),
+        (4000, "+.0000", "right", "within"),
+        (4000.5, "-.0005", "right", "within"),
+        (3994.96, "+.0050", "left", "within"),
+        (4005.06, "-.0051", "right", "out of"),
     ],
 )
-def test_an_error_has_its_sign_and_four_places(y: float, said: str, verdict: str) -> None:
+def test_an_error_has_its_sign_and_four_places(y: float, said: str, side: str, verdict: str) -> None:
     path = nc.cut(tape(*HEADER, *milling([(3250, 4000)], (2250, 4000))))
     report = list(inspection_report(inspect(path, StraightLine(2250, y, 3250, y))))
     assert f"whole length  outer     {said}   {said}           .0000" in report
+    assert f"went from {said[1:]} {side} to {said[1:]} {side} of nominal" in report[1]
     assert report[-1].startswith(f"{verdict} tolerance: {said} at most")
 
 
