@@ -165,7 +165,10 @@ class Assembly8(Assembly):
 
         if not any(line.text for line in self._lines):
             return [empty(self.names)]
-        found = [(each.at, ERROR, each.code, each.message, each.advice) for each in self._problems]
+        found = [
+            (each.at, ERROR, each.code, f"{each.code}  {each.message}", each.advice)
+            for each in self._problems
+        ]
         for note in self._notes():
             if not silenced(self.place(note.at).text, note.code):
                 found.append((note.at, NOTE, note.code, note.message, note.advice))

@@ -6,9 +6,9 @@
       undefined: LOOP is taken as 0377, the last address of its page; define it with LOOP, or LOOP=
     eia.pal:20:2: note: the program runs on from 0214 into data at 0215 [PN06]
 
-PAL III's errors are DEC's, all of them: IC, RD, DT, ST and UA of pass 1, IR of passes 2 and 3; PAL8's have
-DEC's codes too. Besides, there are notes of ours, of things at which the assembler is silent; a comment with
-`pal:` and a note's code silences it on its line.
+PAL III's errors are DEC's, all of them: IC, RD, DT, ST and UA of pass 1, IR of passes 2 and 3; PAL8's
+begin with DEC's codes too. Besides, there are notes of ours, of things at which the assembler is silent; a
+comment with `pal:` and a note's code silences it on its line.
 
 Sources: DEC-08-ASAC-D, "Diagnostics"; the output of DEC-08-ASB1.
 """

@@ -123,7 +123,7 @@ def codes(source: str, dialect: str) -> list[str]:
         ("*200\n\tTAD (NOWHERE)\n$\n", "pal3"),
         ("*200\n\tCLA (CLEAR IT\n\tHLT\n$\n", "pal3"),
         ("*200\n\tTAD 5\n\tHLT\n$\n", "pal3"),
-        ('*200\n\t"A\n\tJMP X\n\tJMP Y\n$\n', "pal3"),
+        ('*200\n\t"A\n\tJMP X\n\tJMP Y\n\tJMP W\n$\n', "pal3"),
         ("*200\n\tTAD 5!3\n\tJMP NOWHERE\n$\n", "pal3"),
     ],
 )
@@ -144,7 +144,7 @@ def test_a_page_has_room_for_128_literals(opening: str, code: str) -> None:
             for each in assembly.diagnostics
             if each.error
         ]
-        assert said == [(code, "more than 128 literals on this page", 9, 10) for code in codes]
+        assert said == [(code, f"{code}  more than 128 literals on this page", 9, 10) for code in codes]
         assert len(assembly.words) == 128
 
 
