@@ -7,11 +7,13 @@ import re
 from functools import cached_property
 from typing import NamedTuple
 
-from pal import meaning
+from pal import meaning, symbols8
 from pal.assembling import FOUND, assemble
+from pal.assembly import PAL8
 from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9]*")
+_PSEUDO_OPERATORS = {*PSEUDO_OPERATORS, *symbols8.PSEUDO_OPERATORS, *symbols8.PALBARTS_PSEUDO_OPERATORS}
 TAG, VALUE = "tag", "value"
 
 
@@ -40,6 +42,11 @@ class Document:
         self.lines = re.split(r"\r\n|\r|\n", text)
         self.assembly = assemble(text, names=[name], dialect=dialect)
 
+    @cached_property
+    def known(self) -> dict[str, str]:
+        """{permanent symbol of the dialect: meaning}."""
+        return meaning.names8() if self.assembly.dialect == PAL8 else meaning.names()
+
     def name_at(self, line: int, column: int) -> str:
         """Return the symbol at a place as it counts, six characters at most; "" in a comment or elsewhere."""
         text = self.lines[line] if line < len(self.lines) else ""
@@ -64,6 +71,24 @@ class Document:
     def places(self, name: str, defined: bool | None = None) -> list[Span]:
         """Return where `name` stands; only where it is, or is not, `defined`."""
         return [span for span, here in self.occurrences.get(name, ()) if defined in (None, here)]
+
+    def refusal(self, name: str, new: str) -> str:
+        """Return why the symbol `name` cannot be called `new`, "" if it can."""
+        if name not in self.assembly.symbols:
+            return f"{name or 'what stands here'} is no symbol that this source defines"
+        if not NAME.fullmatch(new):
+            return f"{new!r} is no symbol: a letter, then letters and digits"
+        called = new[:SIGNIFICANT].upper()
+        pal8 = self.assembly.dialect == PAL8
+        if not (pal8 or new.isupper()):
+            return f"{new} is no symbol of PAL III: it knows capital letters only"
+        if called == name:
+            return ""
+        if called in {known[:SIGNIFICANT] for known in self.known}:
+            return f"{called} is taken: it is a permanent symbol of {'PAL8' if pal8 else 'PAL III'}"
+        if self.places(called):
+            return f"{called} is taken: it stands in line {self.places(called)[0].line + 1}"
+        return ""
 
     @cached_property
     def definitions(self) -> list[Definition]:
@@ -104,11 +129,12 @@ class Document:
 
     def _is_instruction(self, line: int) -> bool:
         names = NAME.findall(self.lines[line].split("/", 1)[0].upper())
-        return any(name in meaning.names() and name not in PSEUDO_OPERATORS for name in names)
+        return any(name in self.known and name not in _PSEUDO_OPERATORS for name in names)
 
     def _symbol(self, name: str) -> list[str]:
         if name not in self.assembly.symbols:
-            return [f"`{known}`"] if (known := meaning.of_name(name)) else []
+            known = self.known.get(name)
+            return [f"`{meaning.of_name(name) or f'{name}: {known}'}`"] if known else []
         lines = [span.line for span in self.places(name, defined=True)]
         where = f", defined in line {lines[0] + 1}" if lines else ""
         used = len(self.places(name, defined=False))

@@ -7,6 +7,7 @@
 Sources: the table of symbols; PDP-8/L Users Handbook 1968 (times).
 """
 
+from pal import symbols8
 from pal.disassembler import microinstruction
 from pal.isa import INDIRECT, JMP, OPERATIONS, OPR, autoindexed, refers_to
 from pal.symbols import PERMANENT, PSEUDO_OPERATORS
@@ -17,6 +18,15 @@ _IOT = 4.25
 _MEANINGS = {symbol.mnemonic: symbol.meaning for symbol in reversed(PERMANENT)}
 _WORDS = {symbol.mnemonic: symbol.octal for symbol in reversed(PERMANENT)}
 _MARKS = {"I": "indirect: the word there holds the address", "Z": "on page zero"}
+_FIELDS = {
+    "CDF": "change the data field, with the MC8/L",
+    "CIF": "change the instruction field at the next jump, with the MC8/L",
+    "CDI": "change both fields, with the MC8/L",
+    "RDF": "read the data field, with the MC8/L",
+    "RIF": "read the instruction field, with the MC8/L",
+    "RIB": "read the fields as the interrupt found them, with the MC8/L",
+    "RMF": "restore the fields as the interrupt found them, with the MC8/L",
+}
 _PSEUDO = "a pseudo-operator: it tells the assembler something and makes no word"
 
 
@@ -30,6 +40,17 @@ def of_name(name: str) -> str:
 def names() -> dict[str, str]:
     """Return {permanent symbol: meaning}, the pseudo-operators included."""
     return {**dict.fromkeys(PSEUDO_OPERATORS, _PSEUDO), **_MEANINGS, **_MARKS}
+
+
+def names8() -> dict[str, str]:
+    """Return {permanent symbol of PAL8, palbart's too: meaning}, the octal word where there is none."""
+    known = dict.fromkeys(symbols8.PSEUDO_OPERATORS + symbols8.PALBARTS_PSEUDO_OPERATORS, _PSEUDO)
+    words = (symbols8.INSTRUCTIONS, symbols8.PALBARTS, symbols8.REFERENCES, symbols8.PALBARTS_REFERENCES)
+    for table in words:
+        for name, word in table.items():
+            lacks = ", no instruction of a PDP-8/L" if name in symbols8.NOT_ON_THE_8L else ""
+            known[name] = _MEANINGS.get(name, _FIELDS.get(name, f"{word:04o}{lacks}"))
+    return {**known, **_MARKS}
 
 
 def of_word(word: int, location: int) -> list[str]:

@@ -4,11 +4,12 @@ Started by `pal --lsp`; it needs pygls (pip install "pdp8[lsp]"). The answers ar
 """
 
 from lsprotocol import types as lsp
+from pygls.exceptions import JsonRpcException
 from pygls.lsp.server import LanguageServer
 
-from pal import columns, meaning
+from pal import columns
 from pal.diagnostics import Diagnostic
-from pal.document import NAME, TAG, Document, Span
+from pal.document import TAG, Document, Span
 
 _VERSION = "1"
 _Placed = lsp.HoverParams | lsp.DefinitionParams | lsp.ReferenceParams | lsp.RenameParams
@@ -60,22 +61,24 @@ def made(dialect: str) -> LanguageServer:
         return places(params, None if params.context.include_declaration else False)
 
     @server.feature(lsp.TEXT_DOCUMENT_RENAME)
-    def rename(params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
+    def rename(params: lsp.RenameParams) -> lsp.WorkspaceEdit:
         found, name = at(params)
-        if name not in found.assembly.symbols or not NAME.fullmatch(params.new_name):
-            return None
+        reason = found.refusal(name, params.new_name)
+        if reason:
+            raise JsonRpcException(reason, lsp.LSPErrorCodes.RequestFailed)
         edits = [lsp.TextEdit(_range(span), params.new_name) for span in found.places(name)]
         return lsp.WorkspaceEdit(changes={params.text_document.uri: edits})
 
     @server.feature(lsp.TEXT_DOCUMENT_COMPLETION)
     def completion(params: lsp.CompletionParams) -> list[lsp.CompletionItem]:
+        found = document(params.text_document.uri)
         known = [
             lsp.CompletionItem(name, kind=lsp.CompletionItemKind.Keyword, detail=said)
-            for name, said in meaning.names().items()
+            for name, said in found.known.items()
         ]
         own = [
             lsp.CompletionItem(each.name, kind=_item_kind(each.kind), detail=f"{each.value:04o}")
-            for each in document(params.text_document.uri).definitions
+            for each in found.definitions
         ]
         return own + known
 

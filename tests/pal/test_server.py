@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 from lsprotocol import types as lsp
+from pygls.exceptions import JsonRpcException
 from pytest_lsp import make_test_lsp_client
 
 import pal
@@ -55,7 +56,8 @@ async def _ask(folder: Path) -> dict[str, Any]:
         lsp.ReferenceParams(context=context, **at(5, 6))
     )
     found["rename"] = await client.text_document_rename_async(lsp.RenameParams(new_name="TALLY", **at(5, 6)))
-    found["no rename"] = await client.text_document_rename_async(lsp.RenameParams(new_name="X", **at(8, 2)))
+    with pytest.raises(JsonRpcException, match="LOOP is taken: it stands in line 7"):
+        await client.text_document_rename_async(lsp.RenameParams(new_name="LOOP", **at(5, 6)))
     found["completion"] = await client.text_document_completion_async(lsp.CompletionParams(**at(8, 1)))
     found["symbols"] = await client.text_document_document_symbol_async(lsp.DocumentSymbolParams(HERE))
     found["folding"] = await client.text_document_folding_range_async(lsp.FoldingRangeParams(HERE))
@@ -72,6 +74,38 @@ async def _ask(folder: Path) -> dict[str, Any]:
     await client.shutdown_session()
     await client.stop()  # type: ignore[no-untyped-call]
     return found
+
+
+REFUSED = {
+    "START": "START is taken: it stands in line 5",
+    "CUONT": "CUONT is taken: it stands in line 10",
+    "TAD": "TAD is taken: it is a permanent symbol of PAL III",
+    "EXPUNG": "EXPUNG is taken: it is a permanent symbol of PAL III",
+    "9X": "'9X' is no symbol: a letter, then letters and digits",
+    "A B": "'A B' is no symbol: a letter, then letters and digits",
+    "tally": "tally is no symbol of PAL III: it knows capital letters only",
+    "LOOP": "",
+    "BSW": "",
+}
+
+
+def test_a_name_that_is_taken_or_none_is_refused_by_name() -> None:
+    document = Document(SOURCE, "loop.pal")
+    assert {new: document.refusal("LOOP", new) for new in REFUSED} == REFUSED
+    assert document.refusal("TAD", "X") == "TAD is no symbol that this source defines"
+    later = Document("*200\nLOOPER,\tTAD (5)\n\tJMP LOOPER\n$\n", "loop.pa")
+    assert later.refusal("LOOPER", "BSW") == "BSW is taken: it is a permanent symbol of PAL8"
+    assert [later.refusal("LOOPER", new) for new in ("loop", "LOOPERS")] == ["", ""]
+
+
+def test_what_is_known_is_the_dialects() -> None:
+    first, later = (Document(f"*200\n\tTAD {five}\n\tRAR\n$\n", "a.pa") for five in ("5", "(5)"))
+    only = later.known.keys() - first.known.keys()
+    assert {"PAGE", "TEXT", "IFDEF", "BSW", "CDF", "SKON"} <= only
+    assert first.known.keys() - later.known.keys() == {name for name in first.known if name[:2] == "MM"}
+    assert later.known["BSW"] == "7002, no instruction of a PDP-8/L"
+    assert later.hover(2, 2) == first.hover(2, 2)
+    assert later.hover(1, 2).startswith("`1000  TAD: add the word")
 
 
 def test_a_session_ends_in_silence() -> None:
@@ -115,7 +149,6 @@ def test_an_editor_asks_for_all_there_is(tmp_path: Path) -> None:
     places = [(2, 0, 5), (5, 5, 10), (7, 5, 10)]
     assert spans(found["references"]) == places
     assert spans(found["rename"].changes[URI]) == places
-    assert found["no rename"] is None
     offered = {
         item.label: (lsp.CompletionItemKind(item.kind).name, item.detail) for item in found["completion"]
     }
