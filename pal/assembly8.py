@@ -36,6 +36,7 @@ TAKEN = "taken for PAL8: it has what PAL III has not"
 _UNNUMBERED = " " * 12
 _MARKS = set('(["<&^%')
 _NAMES = {name[:SIGNIFICANT] for name in symbols8.PSEUDO_OPERATORS}
+_FIELDS = ("CDF", "CIF", "CDI")
 _INSTRUCTIONS = {**symbols8.REFERENCES, **symbols8.INSTRUCTIONS, **symbols8.PALBARTS}
 
 
@@ -208,7 +209,7 @@ class Assembly8(Assembly):
                 notes.append(note)
         if self.model:
             notes += self._of_model(self.model)
-        return notes + self._on_names() + self._of_the_end()
+        return notes + self._on_names() + self._of_fields() + self._of_the_end()
 
     def _of_model(self, model: str) -> list[Note]:
         notes = []
@@ -244,6 +245,15 @@ class Assembly8(Assembly):
         places = [(name, at, self._statement(at)) for name, at in undefined]
         notes += of_undefined(places, [*known, *_INSTRUCTIONS])
         return notes + of_names(longer, _INSTRUCTIONS)
+
+    def _of_fields(self) -> list[Note]:
+        """Note the first change to a field beyond 0: without the MC8/L it does nothing."""
+        for written in self._run.written:
+            field = written.word >> 3 & 7
+            if field and written.word & 0o7704 == 0o6200 and any(name in _FIELDS for name in written.names):
+                message = f"{written.word:04o} is for field {field}, which a PDP-8/L of 4K has not"
+                return [Note(NOT_ON_8L, written.at, message, "without the MC8/L it does nothing")]
+        return []
 
     @staticmethod
     def _is_noteworthy(symbol: pal8.Symbol) -> bool:
