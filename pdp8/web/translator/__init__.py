@@ -39,7 +39,7 @@ MODULES = {
 
 OMITTED = {
     "pal.assembly": "_repr_html_",
-    "pal.meaning": "of_name names _MARKS _PSEUDO _WORDS",
+    "pal.meaning": "of_name names names8 _FIELDS _MARKS _PSEUDO _WORDS",
     "pdp8.computer.machine": "__reduce__ _copied count",
     "pdp8.computer.use.program": "find",
     "nc.path": "__repr__ array",
