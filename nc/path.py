@@ -159,6 +159,11 @@ class Path:
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {len(self)} blocks, {self.times.total / 60:.1f} min>"
 
+    @property
+    def blocks(self) -> tuple[Block, ...]:
+        """The blocks in the order of the tape."""
+        return tuple(step.block for step in self.steps)
+
     @cached_property
     def moves(self) -> tuple[Move, ...]:
         """Every move, in order."""
