@@ -110,7 +110,7 @@ def _failed(case: Case, tried: Trial, answer: Answer, outcome: Outcome, failures
     """Return the mark of a case whose trial failed, with the hint that fits."""
     over = trial.overwritten(answer, tried, outcome)
     if over is not None:
-        failures.append(Failure("the program", "", f"wrote over itself at {over:04o}", diagnosis.ITSELF))
+        failures.append(Failure("the program", "", f"a write over itself at {over:04o}", diagnosis.ITSELF))
     hint = _hint(case, failures)
     if case.hidden:
         bare = tuple(Failure(failure.what, "", "", failure.happened) for failure in failures)
