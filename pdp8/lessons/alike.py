@@ -2,13 +2,14 @@
 
 Comments, blanks and the names of tags do not count: tags are numbered as they come. Two answers are as alike
 as the runs of five items they share, of all the runs that either has. In a class of six or more, a run
-that more than a third of them has says nothing: the exercise asks for it.
+that more than a third of them has says nothing: the exercise asks for it. Long answers that are the same
+throughout are named all the same, each with the first of them.
 
 Source: Schleimer, Wilkerson, Aiken: Winnowing, SIGMOD 2003, for the runs and for leaving out the common ones.
 """
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
@@ -18,6 +19,8 @@ from pdp8.lessons.answer import Answer, parted
 _RUN = 5
 _LEAST = 12
 """Runs of its own an answer must have: short programs are all alike."""
+_LONG = 25
+"""Runs of an answer, about a dozen lines, that two do not have the same by chance."""
 _CLASS = 6
 _ALIKE = 0.7
 _OWN = frozenset(each.mnemonic for each in PERMANENT)
@@ -33,17 +36,33 @@ class Pair(NamedTuple):
 
 def pairs(answers: Sequence[Answer]) -> list[Pair]:
     """Return the pairs that look alike, the likest first."""
-    runs = {answer.name: _runs(answer.source) for answer in answers if answer.source}
+    whole = {answer.name: _runs(answer.source) for answer in answers if answer.source}
+    runs = whole
     if len(runs) >= _CLASS:
         often = Counter(run for found in runs.values() for run in found)
         common = {run for run, count in often.items() if count > max(2, len(runs) // 3)}
         runs = {name: found - common for name, found in runs.items()}
+    copies = _copies(whole)
+    same = {name for copy in copies for name in copy[:2]}
     long = {name: found for name, found in runs.items() if len(found) >= _LEAST}
     found = [
         Pair(one, other, len(long[one] & long[other]) / len(long[one] | long[other]))
         for one, other in combinations(long, 2)
+        if not (one in same and whole[one] == whole[other])
     ]
-    return sorted((pair for pair in found if pair.shared >= _ALIKE), key=lambda pair: -pair.shared)
+    likely = [pair for pair in found if pair.shared >= _ALIKE]
+    return sorted([*copies, *likely], key=lambda pair: -pair.shared)
+
+
+def _copies(runs: Mapping[str, set[tuple[str, ...]]]) -> list[Pair]:
+    """Return each long answer that another before it has too, with the first of them."""
+    first: dict[frozenset[tuple[str, ...]], str] = {}
+    long = [
+        (name, first.setdefault(frozenset(found), name))
+        for name, found in runs.items()
+        if len(found) >= _LONG
+    ]
+    return [Pair(one, name, 1.0) for name, one in long if one != name]
 
 
 def _runs(source: str) -> set[tuple[str, ...]]:

@@ -183,7 +183,7 @@ def test_nothing_of_a_hidden_case_is_written() -> None:
         ("tape='A'", PUNCH.format("101"), "parity", "frame 0"),
         ("tape='AB'", PUNCH.format("301"), "too short", "frame 1"),
         ("tape='A'", PUNCH.format("302"), "the first is wrong", "frame 0"),
-        ("ac=1", "*200\n\tDCA B\nB,\tIAC\n\tHLT\n$", "wrote over itself", "at 0201"),
+        ("ac=1", "*200\n\tDCA B\nB,\tIAC\n\tHLT\n$", "wrote over itself", "a write over itself at 0201"),
     ],
 )  # fmt: skip
 def test_what_happened_is_told(case: str, source: str, happened: str, says: str) -> None:
@@ -372,6 +372,13 @@ def test_how_alike_answers_are_is_by_the_runs_they_share(
 def test_what_more_than_a_third_of_a_class_of_six_have_says_nothing(size: int, same: int, pairs: int) -> None:
     others = [numbers(20, first=1000 * each) for each in range(1, 1 + size - same)]
     assert len(alike.pairs([*[numbers(20, 99 + each) for each in range(same)], *others])) == pairs
+
+
+def test_copies_of_a_long_answer_are_named_however_many_they_are() -> None:
+    others = [numbers(40, first=1000 * each) for each in range(1, 21)]
+    copies = [numbers(40, 99 + each) for each in range(11)]
+    found = alike.pairs([*others, *copies])
+    assert found == [alike.Pair(copies[0].name, copy.name, 1.0) for copy in copies[1:]]
 
 
 @pytest.mark.parametrize("name", form.bundled())
