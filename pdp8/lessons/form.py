@@ -48,7 +48,12 @@ def read(name: str, seed: int = SEED) -> Exercise:
     path = name if os.path.exists(name) or stem not in bundled() else os.path.join(FOLDER, f"{stem}.toml")
     if not os.path.exists(path):
         raise ExerciseError(f"{name}: no such file, and no bundled exercise ({', '.join(bundled())})")
-    return parse(shelf.read_text(path), os.path.basename(stem), seed, os.path.dirname(path))
+    try:
+        return parse(shelf.read_text(path), os.path.basename(stem), seed, os.path.dirname(path))
+    except ExerciseError as error:
+        if path.endswith((".toml", ".json")):
+            raise
+        raise ExerciseError(f"{error}; an exercise in TOML is wanted first, then the answers") from error
 
 
 def parse(text: str, name: str, seed: int = SEED, folder: str = "") -> Exercise:

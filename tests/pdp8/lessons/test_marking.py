@@ -142,6 +142,11 @@ def test_what_cannot_be_tried_is_said(case: str, source: str, fault: str) -> Non
         (b"", "an empty file"),
         (b"\xef\xbb\xbf*200\r\n", ""),
         ("*200".encode("utf-16"), "text in UTF-16: save it as UTF-8 or ASCII, or write it with an editor"),
+        (
+            b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 4,
+            "neither text, such as PAL source, nor a BIN or RIM tape",
+        ),
+        (("*200 /" + "\N{CYRILLIC SMALL LETTER A}" * 90).encode(), ""),
         (b"\n" + b"/" * 201, "line 2 has 201 characters; at most 200 can be"),
     ],
 )
@@ -334,6 +339,7 @@ def test_what_is_no_file_has_no_points(name: str, fault: str) -> None:
         ("add", 2, "Give an ANSWER"),
         ("nothing a.pal", 1, "nothing: no such file, and no bundled exercise (add, "),
         ("add .", 1, ".: a folder; name the answers in it: ./*"),
+        ("ana.pal loose.toml", 1, "; an exercise in TOML is wanted first, then the answers"),
         ("bad.toml a.pal", 1, "bad.toml: byte 0: not UTF-8"),
         ("loose.toml --prove", 1, "loose: taken for right: halts for the wrong reason"),
     ],
@@ -341,6 +347,7 @@ def test_what_is_no_file_has_no_points(name: str, fault: str) -> None:
 def test_the_command_says_what_is_wrong(
     arguments: str, status: int, says: str, shell: Shell, tmp_path: Path
 ) -> None:
+    (tmp_path / "ana.pal").write_text("*200\n\tHLT\n$\n")
     (tmp_path / "bad.toml").write_bytes(b"\xff")
     (tmp_path / "loose.toml").write_text(
         "title='t'\ntask='t'\nsolution='*200\\n\\tHLT\\n$'\n[[case]]\nname='a'\n[mistakes]\n"
