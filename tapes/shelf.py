@@ -25,6 +25,20 @@ _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _TAPES = (".asc", ".eia", ".bin", ".rim")
 _BY_HAND = (".pal", ".pa", ".for", ".toml", ".jpg", ".jpeg", ".png")
 _BEGINS = {"JSON": b"{", "XML": b"<", "SVG": b"<", "HTML": b"<"}
+_OTHER_PICTURES = (
+    ".png",
+    ".jpg",
+    ".jpeg",
+    ".gif",
+    ".webp",
+    ".bmp",
+    ".tif",
+    ".tiff",
+    ".pdf",
+    ".ps",
+    ".eps",
+    ".dxf",
+)
 _KEEPS = {"tape": _BY_HAND, "text": (*_BY_HAND, *_TAPES)}
 """What a product of each kind never replaces: a forgotten name after an option would cost a day's work."""
 
@@ -171,7 +185,11 @@ def identity(name: str) -> object:
 
 
 def check_kind(name: str, kind: str) -> None:
-    """Raise ShelfError where a file called `name` is there, and is what no product of that kind replaces."""
+    """Raise ShelfError where a file called `name` is there, and is what no product of that kind replaces; or
+    where a picture's name has the ending of another format.
+    """
+    if kind == "SVG" and name.lower().endswith(_OTHER_PICTURES):
+        raise ShelfError(f"{name}: a picture is written as SVG alone; name it .svg")
     if not os.path.isfile(name) or not os.path.getsize(name):
         return
     kept = name.lower().endswith(_KEEPS.get(kind, ()))
