@@ -18,6 +18,19 @@ if TYPE_CHECKING:
 _Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
 
 
+class _Inches(click.types.FloatParamType):
+    """A length in inches, with its unit or without, as `pdp8 part` takes it."""
+
+    name = "inches"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        """Return the number of inches."""
+        try:
+            return float(value.removesuffix("in") if isinstance(value, str) else value)
+        except ValueError:
+            self.fail(f"{value!r} is not a length in inches, such as .005 or .005in", param, ctx)
+
+
 def numbers(
     names: str, one_for_all: bool = False
 ) -> Callable[[click.Context, click.Parameter, str | None], tuple[float, ...] | None]:
@@ -87,7 +100,7 @@ TAPE = _adding(
 TIMES = _adding(
     click.option(
         "--peck",
-        type=float,
+        type=_Inches(),
         callback=lambda *given: round(within(0.001, 5)(*given) * 1000),
         metavar="INCHES",
         default=0.1,
@@ -140,7 +153,7 @@ CURVE = _adding(
     click.option(
         "--function",
         metavar="EXPRESSION",
-        help="The same: y as a function of x, as `pdp8 part curve` has it.",
+        help="The same: y as a function of x, as `pdp8 part curve` has it without --cutter.",
     ),
     click.option(
         "--origin",
@@ -159,7 +172,7 @@ CURVE = _adding(
     ),
     click.option(
         "--cutter",
-        type=float,
+        type=_Inches(),
         callback=within(0, 10, above=True),
         metavar="INCHES",
         default=0.5,
@@ -168,7 +181,7 @@ CURVE = _adding(
     ),
     click.option(
         "--tolerance",
-        type=float,
+        type=_Inches(),
         callback=within(0, 1, above=True),
         metavar="INCHES",
         default=0.005,

@@ -113,7 +113,7 @@ def test_what_is_out_of_tolerance_is_said_and_ends_with_1(shell: Shell) -> None:
 def test_lengths_are_inches_at_the_commands(shell: Shell) -> None:
     path, around = cut(CIRCLE), Ellipse(4000, 4000, 1750, 1750)
     near = plot(path, around, block=100, cutter=250, tolerance=10, zoom=(8, 8), close_at=(4000, 5735))
-    options = "--block 100 --cutter .25 --tolerance .01 --zoom 8 --at 4,5.735"
+    options = "--block 100 --cutter .25in --tolerance .01in --zoom 8 --at 4,5.735"
     assert product(shell, f"pdp8 nc plot circle.eia {options}") == near
     options += " --circle 4,4,1.75"
     assert product(shell, f"pdp8 nc plot circle.eia {options}") == near
@@ -200,6 +200,7 @@ MISUSE = {
         "--cutter 0": "0 is not above 0 to 10",
         "--cutter 10.1": "10.1 is not above 0 to 10",
         "--cutter nan": "nan is not above 0 to 10",
+        "--tolerance 1mm": "'1mm' is not a length in inches, such as .005 or .005in",
         "--tolerance 0": "0 is not above 0 to 1",
         "--tolerance 1.1": "1.1 is not above 0 to 1",
         "--zoom 0.9": "0.9 is not from 1 to 1000",
@@ -242,6 +243,10 @@ def test_misuse_from_the_shell(shell: Shell) -> None:
     assert (
         complaint(shell, "pdp8 nc export circle.eia", status=2)
         == "pdp8 nc export: give one of --gcode and --dxf"
+    )
+    assert (
+        complaint(shell, "pdp8 nc inspect circle.eia --talyrond e.PNG", status=2)
+        == "pdp8 nc inspect: e.PNG: a picture is written as SVG alone; name it .svg"
     )
 
 
