@@ -175,6 +175,11 @@ def _paged(options: Options) -> bool:
     return options.keyboard or bool(options.tty)
 
 
+def _fed(options: Options) -> bool:
+    """Tell whether the Teletype was given anything to read: a tape, a keyboard, a line, a saved state."""
+    return bool(options.reader or options.fast_reader or options.restore or _paged(options))
+
+
 def _machine(options: Options, found: "Program | None") -> Machine:
     """Return the machine, new with the program in core or restored; say what there is to say of its tape."""
     highspeed = options.fast_reader is not None or options.fast_punch is not None
@@ -253,6 +258,8 @@ def _report(options: Options, machine: Machine, feed: Feed, stop: _Ended) -> int
             command.say(f"nobody reads standard output any more, at {machine.pc:04o}{counts}")
         return 0
     done = stop.reason in _DONE
+    if stop.reason is Reason.TAPE_OUT and sys.stdin.isatty() and not _fed(options):
+        counts += "; --keyboard types at the Teletype, --reader FILE puts a tape in"
     if not (options.quiet and done):
         last = machine.ma if stop.reason is Reason.HALT else stop.pc - 1 & 0o7777
         command.say(_WHY[stop.reason].format(pc=stop.pc, last=last) + counts)
