@@ -25,22 +25,10 @@ _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _TAPES = (".asc", ".eia", ".bin", ".rim")
 _BY_HAND = (".pal", ".pa", ".for", ".toml", ".jpg", ".jpeg", ".png")
 _BEGINS = {"JSON": b"{", "XML": b"<", "SVG": b"<", "HTML": b"<"}
-_OTHER_PICTURES = (
-    ".png",
-    ".jpg",
-    ".jpeg",
-    ".gif",
-    ".webp",
-    ".bmp",
-    ".tif",
-    ".tiff",
-    ".pdf",
-    ".ps",
-    ".eps",
-    ".dxf",
-)
 _KEEPS = {"tape": _BY_HAND, "text": (*_BY_HAND, *_TAPES)}
 """What a product of each kind never replaces: a forgotten name after an option would cost a day's work."""
+_OTHER_PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".pdf", ".eps", ".dxf")
+"""Endings that tell another format than SVG."""
 
 _bundled: dict[str, str] = {}
 _watched: ContextVar["_Watch | None"] = ContextVar("watched", default=None)
