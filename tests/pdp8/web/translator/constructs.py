@@ -227,7 +227,7 @@ def loops() -> Any:
 def switched(op: int = 3) -> Any:
     """A long chain of ifs on one number; break leaves the loop around it."""
     seen: list[str] = []
-    for op in (0, ONE, TWO, 3, 4, 5, 6):
+    for op in (0, ONE, TWO, 3, 4, 6, 5, 0):
         if op == 0:
             seen.append("zero")
         elif op == ONE:
@@ -241,7 +241,8 @@ def switched(op: int = 3) -> Any:
         elif op == 5:
             break
         else:
-            return seen
+            seen.append("else")
+    return seen
 
 
 def errors() -> Any:
