@@ -63,3 +63,15 @@ def test_a_mirror_at_a_place() -> None:
 def test_what_cannot_be_mirrored(printout: str, said: str) -> None:
     with pytest.raises(WorkError, match=said):
         mirrored(printout, "x", -500)
+
+
+def test_a_slope_in_pieces() -> None:
+    """Two blocks at rest for the feeds of Figure 3.1, then equal pieces, of thousandths, to the very end."""
+    cut = blocks(slope.pieces(slope.Point(5000, 4000), slope.Point(6000, 3001), 3, 12, 7))
+    assert [(block.x, block.y, block.tool) for block in cut[-5:]] == [
+        (5000, 4000, 12),
+        (5000, 4000, 7),
+        (5333, 3667, 7),
+        (5667, 3334, 7),
+        (6000, 3001, 7),
+    ]

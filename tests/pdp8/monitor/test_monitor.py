@@ -77,6 +77,13 @@ def test_one_word_more_than_a_command_takes_is_refused(line: str) -> None:
     assert (monitor.machine.ticks, monitor.machine.core[0o200], monitor.finished) == (0, 0, False)
 
 
+def test_a_tape_in_the_high_speed_reader() -> None:
+    """RFC; RSF; JMP .-1; RRB; HLT (the user's handbook) reads the first frame of hello.pal, its `/`."""
+    monitor = Monitor(lambda line: None, Machine(highspeed=True))
+    for line in ("deposit 200 6014 6011 5201 6012 7402", "fast-reader hello.pal", "go 200 1", "assert ac 57"):
+        do(monitor, line)
+
+
 def test_a_command_may_be_shortened() -> None:
     names = {"b": "break", "e": "examine", "ex": "examine", "l": "load", "w": "watch", "SE": "set"}
     assert {word: find(word).name for word in names} == names
