@@ -5,6 +5,7 @@ import pytest
 from programs import circle, drill, slope
 from programs.least_squares import fit, read
 from programs.mirror import mirrored
+from programs.stretches import Point
 from tapes.errors import WorkError
 from tapes.expression import function
 from tests.programs.printouts import blocks
@@ -67,7 +68,7 @@ def test_what_cannot_be_mirrored(printout: str, said: str) -> None:
 
 def test_a_slope_in_pieces() -> None:
     """Two blocks at rest for the feeds of Figure 3.1, then equal pieces, of thousandths, to the very end."""
-    cut = blocks(slope.pieces(slope.Point(5000, 4000), slope.Point(6000, 3001), 3, 12, 7))
+    cut = blocks(slope.pieces(Point(5000, 4000), Point(6000, 3001), 3, 12, 7))
     assert [(block.x, block.y, block.tool) for block in cut[-5:]] == [
         (5000, 4000, 12),
         (5000, 4000, 7),
