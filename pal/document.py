@@ -81,7 +81,7 @@ class Document:
         called = new[:SIGNIFICANT].upper()
         pal8 = self.assembly.dialect == PAL8
         if not (pal8 or new.isupper()):
-            return f"{new} is no symbol of PAL III: it knows capital letters only"
+            return f"{new} has small letters: PAL III knows capitals only"
         if called == name:
             return ""
         if called in {known[:SIGNIFICANT] for known in self.known}:

@@ -460,7 +460,7 @@ class Assembler:
         elif first == '"' and len(token) > 1:
             character = self._lines[self._index].text[self._start + 1]
             if not character.isascii():
-                message = f"{character} is no character of the Teletype's"
+                message = f"the Teletype has no {character}"
                 return self._fail("IC", message, "write another"), False
             value = ord(" " if character == "\t" else character) | 0o200
         elif token in ("(", "["):

@@ -24,9 +24,11 @@ def portability(
         if not isinstance(piece, Listed) or piece.word is None:
             continue
         difference = differs(piece.word, model)
+        if not difference:
+            continue
         at = source.first_symbol(piece.at)
         name = source.items[at][0]
-        if difference and name[:1].isalpha() and name not in tags:
+        if name[:1].isalpha() and name not in tags:
             message = f"{piece.word:04o} {difference}"
             notes.append(Note(MODEL, at, message, "a program for all models does without"))
     return notes

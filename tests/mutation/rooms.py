@@ -28,7 +28,7 @@ ROOMS = {
     "monitor": ("pdp8/monitor", ["tests/pdp8/monitor", "tests/pdp8/cli/test_files.py"]),
     "computer": ("pdp8/computer", ["tests/pdp8/computer"]),
 }
-"""The folder and the tests of each room. A folder within another one's is no part of that one."""
+"""The folder and the tests of each room. A folder of its own here is left out of the room around it."""
 
 
 def sources(room: str) -> list[Path]:

@@ -83,7 +83,7 @@ REFUSED = {
     "EXPUNG": "EXPUNG is taken: it is a permanent symbol of PAL III",
     "9X": "'9X' is no symbol: a letter, then letters and digits",
     "A B": "'A B' is no symbol: a letter, then letters and digits",
-    "tally": "tally is no symbol of PAL III: it knows capital letters only",
+    "tally": "tally has small letters: PAL III knows capitals only",
     "LOOP": "",
     "BSW": "",
 }
