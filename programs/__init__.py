@@ -35,8 +35,6 @@ thesis           what the thesis says of each part
 cli              pdp8 part
 """
 
-import os
-
 from tapes import shelf
 
-shelf.add(os.path.dirname(os.path.abspath(__file__)), ".pal", ".for")
+shelf.add(__file__, ".pal", ".for")

@@ -129,8 +129,23 @@ def check(wheel: Path, python: str) -> None:
         cut = run(bin_ / "pdp8l", "run", "eia.pal", "--quiet", input=tape)
         if cut != (HOUSE / "tapes" / "circle.eia").read_bytes():
             sys.exit(f"{wheel.name}: the main job punches another tape than circle.eia")
+        check_pages(room, bin_, wheel if pure else None)
         check_script(room, bin_)
     say(f"{wheel.name}: {len(compiled)} compiled modules; {version}; circle.eia is right; types are right")
+
+
+def check_pages(room: Path, bin_: Path, archive: Path | None) -> None:
+    """Make the pages that bring their own Python; from `archive`, a zip to Python, too, and alike."""
+    for page in (("workbench",), ("thesis", "page")):
+        installed = run(bin_ / "pdp8", *page, "-o", "-", cwd=room)
+        if archive:
+            zipped = run(
+                *(bin_ / "python", "-m", "pdp8", *page, "-o", "-"),
+                cwd=room,
+                env={"PYTHONPATH": str(archive.resolve())},
+            )
+            if zipped != installed:
+                sys.exit(f"{archive.name}: pdp8 {' '.join(page)} is another page from the zip than installed")
 
 
 def check_script(room: Path, bin_: Path) -> None:

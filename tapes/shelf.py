@@ -34,14 +34,39 @@ _bundled: dict[str, str] = {}
 _watched: ContextVar["_Watch | None"] = ContextVar("watched", default=None)
 
 
-def add(folder: str, *endings: str) -> None:
-    """Lay on the shelf every file of `folder` whose name ends so; its package calls this."""
+def beside(module: str) -> str:
+    """Return the folder of a module; of one that Python imported from a zip, a copy."""
+    folder = os.path.dirname(os.path.abspath(module))
+    return folder if os.path.isdir(folder) else _unpacked(folder)
+
+
+def _unpacked(folder: str) -> str:
+    import atexit
+    import shutil
+    import tempfile
+    import zipfile
+
+    archive = folder
+    while not os.path.isfile(archive):
+        archive = os.path.dirname(archive)
+    copy = tempfile.mkdtemp(prefix="pdp8-")
+    atexit.register(shutil.rmtree, copy, ignore_errors=True)
+    within = os.path.relpath(folder, archive)
+    with zipfile.ZipFile(archive) as opened:
+        inside = f"{within.replace(os.sep, '/')}/"
+        opened.extractall(copy, [name for name in opened.namelist() if name.startswith(inside)])
+    return os.path.join(copy, within)
+
+
+def add(module: str, *endings: str) -> None:
+    """Lay on the shelf every file beside a module whose name ends so; its package calls this."""
+    folder = beside(module)
     for name in os.listdir(folder):
         if name.endswith(endings):
             _bundled[name] = os.path.join(folder, name)
 
 
-add(os.path.dirname(os.path.abspath(__file__)), *_TAPES)
+add(__file__, *_TAPES)
 
 
 class _Watch:

@@ -22,7 +22,7 @@ from pdp8.lessons.exercise import Case, Exercise, Question, Source, Trial
 from pdp8.lessons.tables import CASE, EXERCISE, QUESTION, SOURCE, TRIAL, ExerciseError, table, tables
 from tapes import shelf
 
-FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "exercises")
+FOLDER = os.path.join(shelf.beside(__file__), "exercises")
 SEED = 1
 _DEEP = re.compile(r"\s*\[{0,2}\s*[\w\"'-]+(?:\s*\.\s*[\w\"'-]+){32,}\s*\]{0,2}\s*")
 """A key of so many parts as take tomllib the square of their number."""

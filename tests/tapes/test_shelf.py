@@ -1,6 +1,7 @@
 """Files found, read, and written whole or not at all."""
 
 import os
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -35,10 +36,20 @@ def test_everything_bundled_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyP
 def test_a_package_lays_its_own_files_on_the_shelf(tmp_path: Path) -> None:
     (tmp_path / "ours.tape").write_bytes(b"x")
     (tmp_path / "ours.txt").write_bytes(b"y")
-    shelf.add(str(tmp_path), ".tape")
+    shelf.add(str(tmp_path / "__init__.py"), ".tape")
     assert shelf.read("ours.tape") == b"x"
     assert "ours.txt" not in shelf.bundled()
     shelf._bundled.pop("ours.tape")
+
+
+def test_a_package_in_a_zip_has_its_files_too(tmp_path: Path) -> None:
+    with zipfile.ZipFile(tmp_path / "house.zip", "w") as house:
+        for name in ("a/package/ours.tape", "a/package/deep/more", "a/packages/other", "rest"):
+            house.writestr(name, name)
+    folder = Path(shelf.beside(str(tmp_path / "house.zip" / "a" / "package" / "__init__.py")))
+    assert {path.name: path.is_file() for path in folder.iterdir()} == {"ours.tape": True, "deep": False}
+    assert (folder / "ours.tape").read_text() == "a/package/ours.tape"
+    assert sorted(path.name for path in folder.parent.iterdir()) == ["package"]
 
 
 def test_a_file_that_hides_a_bundled_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
