@@ -6,7 +6,8 @@
     "word"    "word?"               case a if b   case a   raise E     (nothing)
 
 Not changed: docstrings, annotations, decorators, imports, assertions (`strict` of zip is one), texts with a
-space or in an f-string (what messages say), help and metavar, and what stands only for a type checker.
+space or in an f-string (what messages say), help and metavar, what stands only for a type checker, and the
+name of a codec, of which Python reads letters and digits alone.
 """
 
 import ast
@@ -136,7 +137,9 @@ def _for_readers(parent: ast.AST, node: ast.AST) -> bool:
             return True
         case ast.JoinedStr(), ast.Constant():
             return True
-        case ast.Call(), ast.keyword("strict" | "help" | "metavar"):
+        case ast.Call(), ast.keyword("strict" | "help" | "metavar" | "encoding"):
+            return True
+        case ast.Call(ast.Attribute(attr="encode" | "decode")), ast.Constant():
             return True
         case _, ast.If(ast.Name("TYPE_CHECKING")) | ast.Assign([ast.Name("__all__")]):
             return True

@@ -15,7 +15,7 @@ SOURCE = '''
         match a:
             case 3 if b:
                 return f"{a - 1:03} of {LIMIT}"
-        g(a, strict=True, help="words")
+        g(a.encode("ascii"), encoding="utf-8", strict=True, help="words")
 '''
 
 
@@ -34,7 +34,7 @@ def test_each_change_is_made_once() -> None:
         (10, "f", "return f'{a - 1:03} of {LIMIT}' → return None"),
         (10, "f", "a - 1 → a + 1"),
         (10, "f", "1 → 2"),
-        (11, "f", "g(a, strict=True, help='words') → (nothing)"),
+        (11, "f", "g(a.encode('ascii'), encoding='utf-8', strict=True, help='words') → (nothing)"),
     ]
 
 
