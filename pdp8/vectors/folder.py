@@ -62,13 +62,10 @@ def _protected(recorder: Recorder) -> Iterator[Vector]:
 
 def _compressed(vectors: Iterable[dict[str, Any]]) -> bytes:
     """Return a JSON list with one vector a line, compressed; no time and no name in the header."""
+    lines = ",\n".join(json.dumps(vector, separators=(",", ":")) for vector in vectors)
     packed = io.BytesIO()
     with gzip.GzipFile(filename="", mode="wb", compresslevel=9, fileobj=packed, mtime=0) as file:
-        before = "["
-        for vector in vectors:
-            file.write(f"{before}\n{json.dumps(vector, separators=(',', ':'))}".encode())
-            before = ","
-        file.write(b"\n]\n")
+        file.write(f"[\n{lines}\n]\n".encode())
     return packed.getvalue()
 
 

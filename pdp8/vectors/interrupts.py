@@ -7,7 +7,7 @@ that follows the last instruction belongs to the vector.
 from collections.abc import Iterator
 
 from pdp8.vectors.record import Recorder, Vector
-from pdp8.vectors.states import State, states
+from pdp8.vectors.states import states
 
 ION, IOF, NOP, HLT, JMP_I_0 = 0o6001, 0o6002, 0o7000, 0o7402, 0o5400
 WORDS = (
@@ -27,28 +27,20 @@ _STATES = 16
 
 def vectors(recorder: Recorder) -> Iterator[Vector]:
     """Yield the vectors of single instructions, then those of short programs."""
-    some = [state for four in states(_STATES) for state in four]
-    for number, state in enumerate(some):
+    some = list(enumerate(state for four in states(_STATES) for state in four))
+    for number, state in some:
         for word in WORDS:
-            flags = FLAGS[(number + word) % len(FLAGS)]
-            yield recorder.vector(f"{word:04o} {number} flags {_said(flags)}", state, word, flags)
-    for number, state in enumerate(some):
+            flags, said = _flags(number + word)
+            yield recorder.vector(f"{word:04o} {number} flags {said}", state, word, flags)
+    for number, state in some:
         for program in PROGRAMS:
-            flags = FLAGS[(number + program[1]) % len(FLAGS)]
+            flags, said = _flags(number + program[1])
             name = " ".join(f"{word:04o}" for word in program)
-            yield recorder.run(
-                f"{name} {number} flags {_said(flags)}",
-                state,
-                _core(state, program),
-                instructions=len(program),
-                flags=flags,
-            )
+            core = {0o20: state.operand, 0: state.target}
+            core |= {state.pc + place & 0o7777: word for place, word in enumerate(program)}
+            yield recorder.run(f"{name} {number} flags {said}", state, core, len(program), flags)
 
 
-def _said(flags: tuple[int, ...]) -> str:
-    return " ".join(str(flag) for flag in flags)
-
-
-def _core(state: State, program: tuple[int, ...]) -> dict[int, int]:
-    core = {0o20: state.operand, 0: state.target}
-    return core | {state.pc + place & 0o7777: word for place, word in enumerate(program)}
+def _flags(number: int) -> tuple[tuple[int, ...], str]:
+    flags = FLAGS[number % len(FLAGS)]
+    return flags, " ".join(map(str, flags))

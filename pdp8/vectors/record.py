@@ -5,17 +5,18 @@
 Of core "ram" has every word that a cycle touches. "models" are those on which the words do the same.
 """
 
+from array import array
 from functools import cache
 from typing import Any
 
-from pal.isa import DEFER, EXECUTE, FETCH, INDIRECT, IOT, STATES, autoindexed, refers_to
+from pal.isa import FETCH, INDIRECT, IOT, STATES, autoindexed, refers_to
 from pal.models import MODELS, rules
-from pdp8.computer.hardware.signals import INTERRUPT
 from pdp8.computer.machine import Machine
 from pdp8.vectors.states import State
 
 Vector = dict[str, Any]
-Cycle = tuple[str, int, int]
+_REGISTERS = ("pc", "ac", "link", "sr", "ion")
+_EMPTY = array("H", bytes(2 * 0o10000))
 
 
 class Recorder:
@@ -23,8 +24,6 @@ class Recorder:
 
     def __init__(self) -> None:
         self.machine = Machine(highspeed=True)
-        self.touched: set[int] = set()
-        """The words of core that are not 0."""
 
     def vector(
         self, name: str, state: State, word: int, flags: tuple[int, ...] = (), mem_prot: int = 0
@@ -42,66 +41,39 @@ class Recorder:
         mem_prot: int = 0,
     ) -> Vector:
         """Return what so many instructions do, fewer if the machine stops, and the interrupt that follows."""
-        self._prepare(state, core, flags)
-        p = self.machine.processor
-        p.mem_prot = mem_prot
-        clock, first = p.clock, p.instructions
-        cycles = self._instruction()
-        while p.run and (p.instructions < first + instructions or p.next == INTERRUPT):
-            cycles += self._instruction()
-        touched = sorted({ma for _, ma, _ in cycles})
-        self.touched.update(core, touched)
-        switch = {"mem_prot": 1} if mem_prot else {}
-        initial = {
-            **{"pc": state.pc, "ac": state.ac, "link": state.link, "sr": state.sr, "ion": state.ion},
-            **switch,
-            "ram": [[address, core.get(address, 0)] for address in touched],
-        }
-        if flags:
-            initial["flags"] = list(flags)
-        lamp = {"mem_prot": 1, "protect": p.protect} if mem_prot else {}
-        words = tuple(mb for state, _, mb in cycles if state == STATES[FETCH])
-        return {
-            "name": name,
-            "models": ["8/L"] if mem_prot else models(words),
-            "instructions": p.instructions - first,
-            "initial": initial,
-            "final": self._final(touched) | lamp,
-            "ticks": p.clock - clock,
-            "cycles": cycles,
-        }
-
-    def _prepare(self, state: State, core: dict[int, int], flags: tuple[int, ...]) -> None:
-        machine = self.machine
-        p = machine.processor
+        machine, p = self.machine, self.machine.processor
         machine.power_up()
         for device in machine.bus:
             device.flag = int(device.code in flags)
-        machine.pc, machine.ac, machine.link, machine.sr = state.pc, state.ac, state.link, state.sr
-        machine.ion = state.ion
-        p.protect, p.run = 0, 1
-        for address in self.touched:
-            p.core[address] = 0
-        self.touched.clear()
+        for register in _REGISTERS:
+            setattr(machine, register, getattr(state, register))
+        p.mem_prot, p.protect, p.run = mem_prot, 0, 1
+        p.core[:] = _EMPTY
         for address, word in core.items():
             p.core[address] = word
-
-    def _instruction(self) -> list[Cycle]:
-        """Run one instruction, or the cycle of an interrupt."""
-        p = self.machine.processor
-        cycles: list[Cycle] = []
-        while not cycles or p.next in (DEFER, EXECUTE):
+        clock, first = p.clock, p.instructions
+        cycles: list[tuple[str, int, int]] = []
+        while p.run and (p.next != FETCH or p.instructions < first + instructions):
             p.cycle()
             cycles.append((STATES[p.state], p.ma, p.mb))
-        return cycles
-
-    def _final(self, touched: list[int]) -> dict[str, Any]:
-        machine = self.machine
-        p = machine.processor
+        touched = sorted({ma for _, ma, _ in cycles})
+        initial: dict[str, Any] = {register: getattr(state, register) for register in _REGISTERS}
+        final: dict[str, Any] = {register: getattr(machine, register) for register in _REGISTERS}
+        initial |= {"mem_prot": 1} if mem_prot else {}
+        initial["ram"] = [[address, core.get(address, 0)] for address in touched]
+        initial |= {"flags": list(flags)} if flags else {}
+        final |= {"run": p.run, "ram": [[address, p.core[address]] for address in touched]}
+        final |= {"mem_prot": 1, "protect": p.protect} if mem_prot else {}
         return {
-            **{"pc": machine.pc, "ac": machine.ac, "link": machine.link, "sr": machine.sr},
-            **{"ion": machine.ion, "run": p.run},
-            "ram": [[address, p.core[address]] for address in touched],
+            "name": name,
+            "models": ["8/L"]
+            if mem_prot
+            else models(tuple(mb for at, _, mb in cycles if at == STATES[FETCH])),
+            "instructions": p.instructions - first,
+            "initial": initial,
+            "final": final,
+            "ticks": p.clock - clock,
+            "cycles": cycles,
         }
 
 
