@@ -6,7 +6,7 @@ student    the form that students get
 answer     a student's answer;            handed    the file it is in, read within bounds
 trial      an answer run on one trial: what it punched, printed and left in core
 marking    points and failures of an answer;        diagnosis   what happened;   values   a sheet's answers
-bounded    a class marked, each answer within bounds of time and memory, in a process
+bounded    a class marked, each answer within bounds of time and memory, in a process of its own
 proof      that an exercise tells its mistakes from its solution
 scores     marks as a table for people;   records   as CSV, JSON and JUnit;      page   a page for a student
 alike      which answers look alike

@@ -1,14 +1,14 @@
-"""The answers of a class marked in another process, each within bounds of processor time, memory and output.
-
-    command ── fork ──► marks answer after answer ──► pipe ──► command
-       ▲                  SIGPROF ends it where one takes too long; the next process goes on after it
+"""The answers of a class marked, each in a process with bounds of processor time, memory and output.
 
 Where there is no fork (Windows) the answers are marked here, and nothing but machine time bounds them.
 """
 
 import os
+import pickle
+import signal
 import sys
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from pdp8.computer.use.program import FOUND
 from pdp8.lessons import marking
@@ -16,22 +16,75 @@ from pdp8.lessons.answer import Answer
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.marking import Result
 
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
+
 SECONDS = 10
 """Of processor time an answer."""
+MEMORY = 512 << 20
+"""Bytes more than the command has."""
+LARGEST = 1 << 20
+"""Bytes of an answer's marks."""
+_NO_MEMORY = 3
 
 
 def marked(
     exercise: Exercise, answers: Sequence[Answer], seconds: float = SECONDS, dialect: str = FOUND
 ) -> list[Result]:
     """Return the marks of each answer; those of one that takes more than `seconds` are a fault."""
-    if sys.platform != "win32" and hasattr(os, "fork"):
-        from pdp8.lessons.process import fault, process
+    if not hasattr(os, "fork"):
+        return [marking.mark(exercise, answer, dialect) for answer in answers]
+    return [_apart(exercise, answer, seconds, dialect) for answer in answers]
 
-        done: list[Result] = []
-        while len(done) < len(answers):
-            results, status = process(exercise, answers[len(done) :], seconds, dialect)
-            done += results
-            if len(done) < len(answers):
-                done.append(Result(answers[len(done)].name, (), exercise.points, fault(status, seconds)))
-        return done
-    return [marking.mark(exercise, answer, dialect) for answer in answers]
+
+def _apart(exercise: Exercise, answer: Answer, seconds: float, dialect: str) -> Result:
+    from multiprocessing import get_context
+
+    fork = get_context("fork")
+    source, sink = fork.Pipe()
+    worker = fork.Process(target=_work, args=(exercise, answer, seconds, dialect, sink))
+    worker.start()
+    sink.close()
+    try:
+        result: Result = pickle.loads(source.recv_bytes())
+    except (EOFError, OSError):
+        worker.join()
+        return Result(answer.name, (), exercise.points, _fault(worker.exitcode, seconds))
+    return result
+
+
+def _fault(status: int | None, seconds: float) -> str:
+    """Return why the process of an answer ended. Raises RuntimeError where no bound was the reason."""
+    if status == -signal.SIGPROF:
+        return f"it took more than {seconds:g} s of processor time, and was ended"
+    if status == 1:
+        raise RuntimeError("marking an answer failed; the traceback is above")
+    return f"it took more than {MEMORY >> 20} MiB of memory, and was ended"
+
+
+def _work(exercise: Exercise, answer: Answer, seconds: float, dialect: str, sink: "Connection") -> None:
+    for number in (signal.SIGPROF, signal.SIGINT):
+        signal.signal(number, signal.SIG_DFL)
+    _bound_memory()
+    signal.setitimer(signal.ITIMER_PROF, seconds)
+    try:
+        result = marking.mark(exercise, answer, dialect)
+        content = pickle.dumps(result)
+        if len(content) > LARGEST:
+            fault = f"its tapes and pages have more than {LARGEST:,} bytes"
+            content = pickle.dumps(Result(answer.name, (), result.of, fault))
+        sink.send_bytes(content)
+    except MemoryError:
+        sys.exit(_NO_MEMORY)
+
+
+def _bound_memory() -> None:
+    import resource
+
+    if not os.path.exists("/proc/self/statm"):  # macOS bounds no address space
+        return
+    with open("/proc/self/statm", encoding="ascii") as file:
+        now = int(file.read().split()[0]) * resource.getpagesize()
+    soft, hard = resource.getrlimit(resource.RLIMIT_AS)
+    bounds = [now + MEMORY, *(bound for bound in (soft, hard) if bound != resource.RLIM_INFINITY)]
+    resource.setrlimit(resource.RLIMIT_AS, (min(bounds), hard))
