@@ -120,7 +120,7 @@ class Day:
         self.programs: dict[str, Assembly] = {}
         self.minutes: dict[str, float] = {}
         """What the thesis timed: punch, translate and cut."""
-        self.path: Path | None = None
+        self.path = Path((), 0.0, 0.0)
         self.mill_starts = 0
         self.ended = Stop(Reason.LIMIT, 0, 0.0)
         """How the last run ended."""
@@ -136,19 +136,13 @@ class Day:
         yield from self._load_bin()
         yield from self._load_program()
         yield from self._translate()
-        path = self.path = cut(self.tapes[f"{self.part}.eia"])
-        yield from self._mill(path)
-        yield from self._inspect(path)
+        yield from self._mill()
+        yield from self._inspect()
 
     @property
     def now(self) -> int:
         """Ticks of 0.05 µs since the machine was switched on."""
         return self.machine.processor.clock
-
-    def _elapsed(self, key: str) -> float:
-        """Return the seconds since the last action with `key`."""
-        at = next(action.at for action in reversed(self.actions) if action.key == key)
-        return (self.now - at) / TICKS_PER_SECOND
 
     def _act(self, kind: Kind, name: str, say: str, outcome: str, program: str = "") -> None:
         """Write down the act that has just ended."""
@@ -178,8 +172,9 @@ class Day:
 
     def _punch(self) -> Iterator[None]:
         tape = self.tapes[f"{self.part}.asc"] = ascii.encode(self.text)
-        yield from self._wait(len(tape) * FRAME / TICKS_PER_SECOND)
-        self.minutes["punch"] = len(tape) * FRAME / TICKS_PER_SECOND / 60
+        seconds = len(tape) * FRAME / TICKS_PER_SECOND
+        yield from self._wait(seconds)
+        self.minutes["punch"] = seconds / 60
         lines = self.text.count("\n")
         self._act(
             Kind.TERMINAL,
@@ -238,7 +233,8 @@ class Day:
         yield from self._run(0o200)
         stop = self.ended
         self._expect(stop.reason == Reason.TAPE_OUT, f"eia.pal stopped at {stop.pc:04o}: {stop.reason}")
-        self.minutes["translate"] = self._elapsed("lever") / 60
+        lever = next(action.at for action in reversed(self.actions) if action.key == "lever")
+        self.minutes["translate"] = (self.now - lever) / TICKS_PER_SECOND / 60
         self.operator.stop()
         tape = self.machine.teletype.punch.tape[punched:]
         self.tapes[f"{self.part}.eia"] = tape
@@ -250,7 +246,8 @@ class Day:
             "eia.pal",
         )
 
-    def _mill(self, path: Path) -> Iterator[None]:
+    def _mill(self) -> Iterator[None]:
+        path = self.path = cut(self.tapes[f"{self.part}.eia"])
         times = path.times
         yield from self._wait(WALK_SECONDS + CLAMP_SECONDS)
         self.mill_starts = self.now
@@ -263,9 +260,9 @@ class Day:
             f"{len(path)} blocks, {times.reading / 60:.1f} min reading, {times.milling / 60:.1f} min milling",
         )
 
-    def _inspect(self, path: Path) -> Iterator[None]:
+    def _inspect(self) -> Iterator[None]:
         yield from self._wait(MEASURE_SECONDS)
-        found = self.judge(path)
+        found = self.judge(self.path)
         self._act(Kind.INSPECT, found.name, found.say, found.outcome)
 
     def _assemble(self, name: str) -> Assembly:

@@ -9,7 +9,6 @@ from nc.talyrond import talyrond
 from nc.talysurf import talysurf
 from pdp8.replay.afternoon import Afternoon
 from pdp8.replay.figures import compare
-from programs.parts import PARTS
 from tapes import picture
 
 PICTURED: Final = 240
@@ -37,7 +36,7 @@ def _pictures(afternoon: Afternoon) -> Iterator[tuple[str, str]]:
         name = f"{part}.{code}"
         tape = afternoon.tapes[name]
         yield f"{name}.svg", picture.svg(tape, {"asc": "ascii", "eia": "eia"}[code], 0, PICTURED)
-    inspection, made = afternoon.inspection, PARTS[part]
+    inspection, made = afternoon.inspection, afternoon.made
     curve = inspection.curve if inspection else None
     yield (
         f"{part}.svg",

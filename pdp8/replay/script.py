@@ -79,8 +79,6 @@ class Script:
     def _reading(self) -> None:
         """Note when the Hydra-Point reads."""
         path = self.day.path
-        if path is None:
-            return
         reading = path.read_seconds * TICKS_PER_SECOND
         for start in path.starts:
             begins = self.day.mill_starts + start * TICKS_PER_SECOND
