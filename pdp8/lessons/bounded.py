@@ -6,8 +6,9 @@ Where there is no fork (Windows) the answers are marked here, and nothing but ma
 import os
 import pickle
 import signal
-import sys
 from collections.abc import Sequence
+from contextlib import suppress
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pdp8.computer.use.program import FOUND
@@ -25,7 +26,6 @@ MEMORY = 512 << 20
 """Bytes more than the command has."""
 LARGEST = 1 << 20
 """Bytes of an answer's marks."""
-_NO_MEMORY = 3
 
 
 def marked(
@@ -67,24 +67,21 @@ def _work(exercise: Exercise, answer: Answer, seconds: float, dialect: str, sink
         signal.signal(number, signal.SIG_DFL)
     _bound_memory()
     signal.setitimer(signal.ITIMER_PROF, seconds)
-    try:
+    with suppress(MemoryError):
         result = marking.mark(exercise, answer, dialect)
         content = pickle.dumps(result)
         if len(content) > LARGEST:
             fault = f"its tapes and pages have more than {LARGEST:,} bytes"
             content = pickle.dumps(Result(answer.name, (), result.of, fault))
         sink.send_bytes(content)
-    except MemoryError:
-        sys.exit(_NO_MEMORY)
 
 
 def _bound_memory() -> None:
     import resource
 
-    if not os.path.exists("/proc/self/statm"):  # macOS bounds no address space
-        return
-    with open("/proc/self/statm", encoding="ascii") as file:
-        now = int(file.read().split()[0]) * resource.getpagesize()
-    soft, hard = resource.getrlimit(resource.RLIMIT_AS)
-    bounds = [now + MEMORY, *(bound for bound in (soft, hard) if bound != resource.RLIM_INFINITY)]
-    resource.setrlimit(resource.RLIMIT_AS, (min(bounds), hard))
+    pages = Path("/proc/self/statm")
+    if pages.exists():  # macOS bounds no address space
+        now = int(pages.read_bytes().split()[0]) * resource.getpagesize()
+        soft, hard = resource.getrlimit(resource.RLIMIT_AS)
+        bounds = [now + MEMORY, *(bound for bound in (soft, hard) if bound != resource.RLIM_INFINITY)]
+        resource.setrlimit(resource.RLIMIT_AS, (min(bounds), hard))
