@@ -3,7 +3,6 @@
 import click
 
 from pdp8.dap.session import Session
-from pdp8.dap.wire import Wire
 from tapes import command
 
 
@@ -19,4 +18,4 @@ def dap() -> None:
       pdp8 dap
     """
     with command.conversation() as (reader, writer):
-        Session(Wire(reader, writer)).serve()
+        Session(reader, writer).serve()

@@ -5,14 +5,10 @@ from itertools import count
 
 from pal.isa import EXECUTE, JMS, autoindexed
 from pdp8.computer.machine import Machine
-from pdp8.computer.watch import Watch, wrote
+from pdp8.computer.watch import wrote
 
-LINES, ADDRESSES, INSTRUCTIONS, DATA = (
-    "breakpoint",
-    "function breakpoint",
-    "instruction breakpoint",
-    "data breakpoint",
-)
+LINES, ADDRESSES = "breakpoint", "function breakpoint"
+INSTRUCTIONS, DATA = "instruction breakpoint", "data breakpoint"
 """Kinds of breakpoints, by the reason that the protocol has for a stop at one."""
 
 
@@ -39,11 +35,6 @@ class Breakpoints:
     def data(self) -> set[int]:
         """The addresses of the words after whose writing a run stops."""
         return set(self._set.get(DATA, ()))
-
-    def watch(self, watch: Watch, others: Iterable[int] = ()) -> None:
-        """Have a machine stop at these, and at `others`."""
-        watch.breakpoints = self.code | set(others)
-        watch.writes = self.data
 
     def hit(self, machine: Machine) -> tuple[str, list[int]]:
         """Return at what kind of breakpoint a machine stands, and their numbers; "" if at none."""

@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from pdp8.computer.hardware.teletype import printed
+from pdp8.computer.past import rewind
+from pdp8.computer.past.history import HistoryError
 from pdp8.computer.stop import Reason, Stop
 from pdp8.dap import motion
 from pdp8.dap.breakpoints import DATA, Breakpoints
@@ -25,6 +27,7 @@ _ENDED = {
     Reason.PROTECT: "MEM PROT stopped a write at {ma:04o}",
 }
 _WAITS = (Reason.TAPE_OUT, Reason.IDLE)
+_STANDS = (Reason.HALT, Reason.PROTECT)
 
 
 class Halt(NamedTuple):
@@ -77,8 +80,9 @@ class Debuggee:
     def go_on(self) -> None:
         """Run on, after something may have been changed."""
         machine = self.monitor.machine
-        watched = Breakpoints() if self.launch.noDebug else self.breakpoints
-        watched.watch(machine.watch, self._goal.places(machine) if self._goal else ())
+        points = Breakpoints() if self.launch.noDebug else self.breakpoints
+        goal = self._goal.places(machine) if self._goal else set()
+        machine.watch.breakpoints, machine.watch.writes = points.code | goal, points.data
         self._slices = slices(self.monitor, _ENDLESS)
 
     def pause(self) -> None:
@@ -93,29 +97,31 @@ class Debuggee:
     def over(self) -> Halt | None:
         """Do one instruction; if that is a call the machine runs to its return."""
         stop, goal = motion.over(self.monitor.machine)
-        if stop.reason in (Reason.HALT, Reason.PROTECT):
-            return self._halted(stop)
-        if goal is None:
-            return Halt("step")
+        if stop.reason in _STANDS or goal is None:
+            return self._stepped(stop)
         if goal.reached(self.monitor.machine) and not goal.interrupt:
             return Halt("step")
         self.run(goal)
         return None
 
     def into(self) -> Halt | None:
-        stop = motion.into(self.monitor.machine)
-        return self._halted(stop) if stop.reason in (Reason.HALT, Reason.PROTECT) else Halt("step")
+        return self._stepped(motion.into(self.monitor.machine))
+
+    def _stepped(self, stop: Stop) -> Halt | None:
+        return self._halted(stop) if stop.reason in _STANDS else Halt("step")
 
     def back(self) -> Halt:
         """Undo one instruction. Raises HistoryError."""
-        motion.back(self.monitor.history)
+        history = self.monitor.history
+        if history.instructions == 0:
+            raise HistoryError("nothing to undo: here the history begins")
+        rewind.instructions(history, 1)
         return Halt("step")
 
     def back_to(self) -> Halt:
         """Undo as far as the last breakpoint, or all that can be undone."""
         points = self.breakpoints
-        found = motion.back_to(self.monitor.history, points.code, points.data)
-        if not found:
+        if not motion.back_to(self.monitor.history, points.code, points.data):
             return Halt("entry", "here the history begins")
         halt = self.stands()
         return halt if halt.breakpoints else Halt(DATA)

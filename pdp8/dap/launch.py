@@ -24,10 +24,6 @@ from tapes import shelf
 from tapes.errors import WorkError
 
 
-class LaunchError(WorkError):
-    """A configuration that says something impossible."""
-
-
 @dataclass(frozen=True)
 class Launch:
     """A configuration of launch.json."""
@@ -45,27 +41,27 @@ class Launch:
 
     @classmethod
     def of(cls, arguments: Mapping[str, Any]) -> Self:
-        """Return what the editor sent. Raises LaunchError; what other debuggers know is passed over."""
-        given: dict[str, Any] = {}
-        for field in fields(cls):
-            value = arguments.get(field.name)
-            if value is not None:
-                given[field.name] = _checked(field.name, value, field.default)
+        """Return what the editor sent. Raises WorkError; what other debuggers know is passed over."""
+        given = {
+            field.name: _checked(field.name, arguments[field.name], field.default)
+            for field in fields(cls)
+            if arguments.get(field.name) is not None
+        }
         made = cls(**given)
         made._check_files()
         return made
 
     def _check_files(self) -> None:
         if not self.program:
-            raise LaunchError("program: the name of a PAL source or of a tape expected")
+            raise WorkError("program: the name of a PAL source or of a tape expected")
         if "-" in (self.program, self.punch, *self.reader):
-            raise LaunchError("-: standard input and output are the debugger's own; name a file")
+            raise WorkError("-: standard input and output are the debugger's own; name a file")
         if self.punch:
             shelf.check_writable(self.punch)
             shelf.check_kind(self.punch, "tape")
             for name in (self.program, *self.reader):
                 if shelf.identity(self.punch) == shelf.identity(shelf.find(name)):
-                    raise LaunchError(f"punch: {self.punch} is read too; name another file")
+                    raise WorkError(f"punch: {self.punch} is read too; name another file")
 
     def ready(self, say: Callable[[str], object]) -> tuple[Monitor, Program]:
         """Return a machine at its monitor, loaded and started but not run, and its program. Raises WorkError.
@@ -91,16 +87,14 @@ class Launch:
 
 
 def _checked(name: str, value: Any, default: object) -> Any:
-    """Return a value of the type that its field has by default. Raises LaunchError."""
+    """Return a value of the type that its field has by default. Raises WorkError."""
+    expected, good = "a text in quotes", isinstance(value, str)
     if isinstance(default, bool):
-        if not isinstance(value, bool):
-            raise LaunchError(f"{name}: true or false expected, not {value!r}")
-        return value
-    if isinstance(default, str):
-        if not isinstance(value, str):
-            raise LaunchError(f"{name}: a text in quotes expected, not {value!r}")
-        return value
-    several = [value] if isinstance(value, str) else value
-    if not isinstance(several, list) or not all(isinstance(each, str) for each in several):
-        raise LaunchError(f"{name}: a text or a list of texts expected, not {value!r}")
-    return several
+        expected, good = "true or false", isinstance(value, bool)
+    elif not isinstance(default, str):
+        value = [value] if good else value
+        expected = "a text or a list of texts"
+        good = isinstance(value, list) and all(isinstance(each, str) for each in value)
+    if not good:
+        raise WorkError(f"{name}: {expected} expected, not {value!r}")
+    return value

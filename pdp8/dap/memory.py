@@ -6,84 +6,66 @@ as the protocol has it: word 0200 is 0x0100. Its octal address stands in the ins
 
 import base64
 import binascii
+import struct
 
 from pdp8.computer.hardware.core import SIZE
-from pdp8.computer.machine import Machine
-from pdp8.computer.use.trace import Listing, instruction
+from pdp8.computer.use.trace import instruction
+from pdp8.dap.debuggee import Debuggee
+from pdp8.dap.places import BYTES, byte, place, reference
 from pdp8.dap.wire import Body
 from tapes.errors import WorkError
 
-BYTES = 2
-"""Of a word."""
-MOST = SIZE
-"""Instructions in one answer."""
+_CORE = f">{SIZE}H"
 
 
-class CoreError(WorkError):
-    """A place that is not in core, or bytes that are no words."""
-
-
-def reference(address: int) -> str:
-    """Return what an editor calls the word at `address`."""
-    return f"0x{BYTES * address:04x}"
-
-
-def byte(text: str, offset: int = 0) -> int:
-    """Return the number of a byte by a reference, `offset` bytes on. Raises CoreError."""
-    try:
-        return int(text, 0) + offset
-    except ValueError:
-        raise CoreError(f"{text}: a reference to memory is a number such as 0x0100") from None
-
-
-def place(text: str, offset: int = 0) -> int:
-    """Return the address of a word by its reference, `offset` bytes on. Raises CoreError."""
-    at = byte(text, offset)
-    if at % BYTES:
-        raise CoreError(f"{text}: no word begins at byte {at:x}")
-    return at // BYTES
-
-
-def read(machine: Machine, start: int, count: int) -> Body:
-    """Return up to `count` bytes from byte `start` on, for readMemory."""
-    content = image(machine)
-    begin = min(max(start, 0), len(content))
-    found = content[begin : begin + max(count, 0)]
+def read_memory(room: Debuggee, arguments: Body) -> Body:
+    """Return the bytes that were asked for, as far as there are so many."""
+    content = struct.pack(_CORE, *room.monitor.machine.core)
+    begin = min(max(_first(arguments), 0), len(content))
+    count = max(arguments["count"], 0)
+    found = content[begin : begin + count]
     return {
         "address": f"0x{begin:04x}",
         "data": base64.b64encode(found).decode(),
-        "unreadableBytes": max(count, 0) - len(found),
+        "unreadableBytes": count - len(found),
     }
 
 
-def write(machine: Machine, start: int, data: str) -> int:
-    """Put bytes into core from byte `start` on; return how many. Raises CoreError, and then writes none."""
+def write_memory(room: Debuggee, arguments: Body) -> Body:
+    """Put bytes into core; return how many. Raises WorkError, and then writes none."""
     try:
-        given = base64.b64decode(data, validate=True)
+        given = base64.b64decode(arguments["data"], validate=True)
     except binascii.Error as error:
-        raise CoreError(f"the bytes to write are not in base64: {error}") from error
-    content = image(machine)
+        raise WorkError(f"the bytes to write are not in base64: {error}") from error
+    core = room.monitor.machine.core
+    content, start = bytearray(struct.pack(_CORE, *core)), _first(arguments)
     if not 0 <= start <= len(content) - len(given):
-        raise CoreError(f"bytes {start:x} to {start + len(given):x}: core has 0 to {len(content):x}")
+        raise WorkError(f"bytes {start:x} to {start + len(given):x}: core has 0 to {len(content):x}")
     content[start : start + len(given)] = given
-    first, last = start // BYTES, -(-(start + len(given)) // BYTES)
-    words = [int.from_bytes(content[BYTES * at : BYTES * at + BYTES], "big") for at in range(first, last)]
-    for address, word in enumerate(words, first):
+    words = struct.unpack(_CORE, content)
+    for address, word in enumerate(words):
         if word > 0o7777:
-            raise CoreError(f"{word:o} into {address:04o}: a word is 0000 to 7777")
-    machine.core[first:last] = words
-    return len(given)
+            raise WorkError(f"{word:o} into {address:04o}: a word is 0000 to 7777")
+    core[:] = words
+    return {"bytesWritten": len(given)}
 
 
-def image(machine: Machine) -> bytearray:
-    return bytearray(b"".join(word.to_bytes(BYTES, "big") for word in machine.core))
+def _first(arguments: Body) -> int:
+    return byte(arguments["memoryReference"], arguments.get("offset") or 0)
 
 
-def disassembled(machine: Machine, listing: Listing, address: int) -> Body:
+def disassemble(room: Debuggee, arguments: Body) -> Body:
+    start = place(arguments["memoryReference"], arguments.get("offset") or 0)
+    start += arguments.get("instructionOffset") or 0
+    addresses = range(start, start + min(arguments["instructionCount"], SIZE))
+    return {"instructions": [_disassembled(room, address) for address in addresses]}
+
+
+def _disassembled(room: Debuggee, address: int) -> Body:
     """Return the DisassembledInstruction at `address`; one outside core is invalid."""
     if not 0 <= address < SIZE:
         return {"address": str(BYTES * address), "instruction": "", "presentationHint": "invalid"}
-    word = machine.core[address]
+    word, listing = room.monitor.machine.core[address], room.monitor.listing
     text = f"{address:04o}  {instruction(address, word)}"
     names = [name for name, value in listing.symbols.items() if value == address and address in listing.words]
     described = {"address": reference(address), "instructionBytes": f"{word:04o}", "instruction": text}

@@ -17,10 +17,6 @@ from pdp8.dap.calls import ARGUMENTS, frames
 from tapes.errors import WorkError
 
 
-class MotionError(WorkError):
-    """A step that there is not."""
-
-
 class Goal(NamedTuple):
     """The return of the subroutine at `entry`; after an interrupt's the instruction is still to be done."""
 
@@ -60,18 +56,11 @@ def over(machine: Machine) -> tuple[Stop, Goal | None]:
 
 
 def out(machine: Machine) -> Goal:
-    """Return the end of the subroutine that the machine is in. Raises MotionError outside of one."""
+    """Return the end of the subroutine that the machine is in. Raises WorkError outside of one."""
     entry = frames(list(machine.core), machine.pc, machine.ion)[0].entry
     if entry is None:
-        raise MotionError(f"{machine.pc:04o} is in no subroutine that was called by JMS: there is no way out")
+        raise WorkError(f"{machine.pc:04o} is in no subroutine that was called by JMS: there is no way out")
     return Goal(entry)
-
-
-def back(history: History) -> None:
-    """Undo one instruction. Raises HistoryError where there is none."""
-    if history.instructions == 0:
-        raise HistoryError("nothing to undo: here the history begins")
-    rewind.instructions(history, 1)
 
 
 def back_to(history: History, breakpoints: set[int], writes: set[int]) -> bool:

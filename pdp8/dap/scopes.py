@@ -1,20 +1,26 @@
-"""What a debugger shows as variables: registers, lamps, symbols, devices.
+"""What the editor is shown of the machine that stands, and sets there: calls, variables, expressions.
 
 Registers and switches are set as by the monitor. A symbol of the program shows the word that stands there. A
 device, and each of its parts, shows the fields of its saved state (see computer/hardware/fields.py).
+
+A line at the debug console is a register, a symbol or an address, whose word is shown; anything else is a
+command of the monitor. At a hover or in the list of watched expressions it is the former alone.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from pal.isa import JMP, refers_to
 from pdp8.computer.hardware.fields import CORE, FRAMES, PART, TICK, Part, walk
 from pdp8.computer.hardware.signals import AT_ONCE, NEVER, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
-from pdp8.dap.memory import reference
+from pdp8.dap import calls
+from pdp8.dap.debuggee import Debuggee
+from pdp8.dap.places import reference
 from pdp8.dap.wire import Body
 from pdp8.monitor import hands
-from pdp8.monitor.arguments import MonitorError, octal
+from pdp8.monitor.arguments import MonitorError, command, octal
+from pdp8.monitor.commands import COMMANDS, do
 from pdp8.monitor.prompt import Monitor
 from tapes.errors import WorkError
 from tapes.measure import counted
@@ -23,53 +29,126 @@ REGISTERS, LAMPS, SYMBOLS, DEVICES = 1, 2, 3, 4
 """References of the scopes."""
 _PARTS = 100
 """The reference of the first part of a device."""
+_READ_ONLY = {"presentationHint": {"attributes": ["readOnly"]}}
 _LIT, _DARK = "\N{BLACK CIRCLE}", "\N{WHITE CIRCLE}"
 _ROWS = {"ma": 12, "mb": 12, "ac": 12, "ir": 3}
-_SWITCHES = ("mem_prot", "sing_step")
 
 
-class ScopeError(WorkError):
-    """A variable that there is not, or that cannot be set."""
+def stack_trace(room: Debuggee, arguments: Body) -> Body:
+    """Return where the machine is, and who called."""
+    machine = room.monitor.machine
+    found = calls.frames(list(machine.core), machine.pc, machine.ion)
+    start = arguments.get("startFrame") or 0
+    end = start + (arguments.get("levels") or len(found))
+    frames = [_frame(room, number, frame) for number, frame in enumerate(found)]
+    return {"stackFrames": frames[start:end], "totalFrames": len(found)}
 
 
-def scopes() -> list[Body]:
+def _frame(room: Debuggee, number: int, frame: calls.Frame) -> Body:
+    line = room.places.lines.get(frame.address) if room.knows_source else None
+    place = {"line": line, "column": 1, "source": room.places.source} if line else {"line": 0, "column": 0}
+    return {
+        "id": number,
+        "name": f"{frame.address:04o}  {_routine(room, frame.entry)}",
+        "instructionPointerReference": reference(frame.address),
+        **place,
+    }
+
+
+def _routine(room: Debuggee, entry: int | None) -> str:
+    if not entry:
+        return "main program" if entry is None else "interrupt"
+    names = (name for name, value in room.monitor.listing.symbols.items() if value == entry)
+    return next(names, f"{entry:04o}")
+
+
+def source(room: Debuggee, arguments: Body) -> Body:
+    """Return the listing that stands for the source of a tape."""
+    return {"content": "\n".join(room.places.listing.lines) + "\n"}
+
+
+def scopes(room: Debuggee, arguments: Body) -> Body:
     named = {"Registers": REGISTERS, "Lamps": LAMPS, "Symbols": SYMBOLS, "Devices": DEVICES}
-    return [
-        {"name": name, "variablesReference": number, "expensive": False}
-        | ({"presentationHint": "registers"} if number == REGISTERS else {})
-        for name, number in named.items()
-    ]
+    return {
+        "scopes": [
+            {"name": name, "variablesReference": number, "expensive": False}
+            | ({"presentationHint": "registers"} if number == REGISTERS else {})
+            for name, number in named.items()
+        ]
+    }
 
 
-def variables(monitor: Monitor, number: int) -> list[Body]:
-    """Return the Variables of a scope or of a device's part. Raises ScopeError."""
-    kinds = {REGISTERS: _registers, LAMPS: _lamps, SYMBOLS: _symbols, DEVICES: _devices}
-    if number in kinds:
-        return list(kinds[number](monitor))
-    path, part = _part(monitor.machine, number)
-    return list(_fields(monitor.machine, path, part))
+def variables(room: Debuggee, arguments: Body) -> Body:
+    """Return the variables of a scope or of a device's part."""
+    return {"variables": list(_variables(room.monitor, arguments["variablesReference"]))}
 
 
-def set_variable(monitor: Monitor, number: int, name: str, value: str) -> None:
-    """Set a variable. Raises WorkError."""
+def set_variable(room: Debuggee, arguments: Body) -> Body:
+    """Set a variable; return it as it is then."""
+    monitor, number, name = room.monitor, arguments["variablesReference"], arguments["name"]
+    value = arguments["value"].strip()
     if number == REGISTERS:
-        hands.set_(monitor, [name.lower().replace(" ", "_"), value.strip()])
+        hands.set_(monitor, [name.lower().replace(" ", "_"), value])
     elif number == SYMBOLS:
-        monitor.machine.core[monitor.address(name)] = monitor.address(value.strip())
+        monitor.machine.core[monitor.address(name)] = monitor.address(value)
     elif number >= _PARTS:
         path, part = _part(monitor.machine, number)
-        monitor.machine.put({f"{path} {name}": _given(name, part.fields.get(name), value.strip())})
+        monitor.machine.put({f"{path} {name}": _given(name, part.fields.get(name), value)})
     else:
-        raise ScopeError(f"{name}: lamps only show; set the registers")
+        raise WorkError(f"{name}: lamps only show; set the registers")
+    now = {each["name"]: each["value"] for each in _variables(monitor, number)}
+    return {"value": now.get(name, "")}
+
+
+def evaluate(room: Debuggee, arguments: Body) -> Body:
+    """Return what an expression is, or what the monitor says to a line of the console."""
+    line = arguments["expression"].strip()
+    named = line not in room.monitor.listing.symbols and command(line)[0].lower() in COMMANDS
+    at_console = arguments.get("context") == "repl"
+    try:
+        if not (at_console and named):
+            return {"variablesReference": 0, **_value_of(room.monitor, line)}
+    except MonitorError:
+        if not at_console:
+            raise
+    do(room.monitor, line)
+    said = "\n".join(room.said)
+    room.said.clear()
+    return {"result": said, "variablesReference": 0}
+
+
+def _value_of(monitor: Monitor, expression: str) -> Body:
+    """Return what a register holds, or the word at an address. Raises MonitorError."""
+    name = hands.register(expression)
+    if name in hands.REGISTERS:
+        return {"result": _register(monitor.machine, name)}
+    if not name:
+        raise MonitorError("a register, a symbol or an address expected")
+    address = monitor.address(expression)
+    line = monitor.listing.line(address, monitor.machine.core[address])
+    return {"result": line, "memoryReference": reference(address)}
+
+
+def _register(machine: Machine, name: str) -> str:
+    return f"{getattr(machine, name):0{len(f'{hands.REGISTERS[name]:o}')}o}"
+
+
+def _variables(monitor: Monitor, number: int) -> Iterator[Body]:
+    found: dict[int, Callable[[Monitor], Iterator[Body]]] = {
+        REGISTERS: _registers,
+        LAMPS: _lamps,
+        SYMBOLS: _symbols,
+        DEVICES: _devices,
+    }
+    return found[number](monitor) if number in found else _fields(monitor.machine, number)
 
 
 def _registers(monitor: Monitor) -> Iterator[Body]:
     machine = monitor.machine
-    for name, most in hands.REGISTERS.items():
-        word = getattr(machine, name)
-        refers = {"memoryReference": reference(word)} if name in ("pc", "ma") else {}
-        yield _variable(name.upper(), f"{word:0{len(f'{most:o}')}o}", **refers)
-    for switch in _SWITCHES:
+    for name in hands.REGISTERS:
+        refers = {"memoryReference": reference(getattr(machine, name))} if name in ("pc", "ma") else {}
+        yield _variable(name.upper(), _register(machine, name), **refers)
+    for switch in hands.SWITCHES:
         yield _variable(switch.upper().replace("_", " "), str(int(getattr(machine.panel, switch))))
 
 
@@ -78,8 +157,8 @@ def _lamps(monitor: Monitor) -> Iterator[Body]:
         width = _ROWS.get(name, 1)
         lights = "".join(_LIT if value >> bit & 1 else _DARK for bit in range(width - 1, -1, -1))
         row = " ".join(lights[at : at + 3] for at in range(0, width, 3))
-        yield _variable(name.strip("_").upper().replace("_", " "), row, presentationHint=_READ_ONLY)
-    yield _variable("TIME", f"{monitor.machine.elapsed:,.8f} s", presentationHint=_READ_ONLY)
+        yield _variable(name.strip("_").upper().replace("_", " "), row, **_READ_ONLY)
+    yield _variable("TIME", f"{monitor.machine.elapsed:,.8f} s", **_READ_ONLY)
 
 
 def _symbols(monitor: Monitor) -> Iterator[Body]:
@@ -100,19 +179,20 @@ def _devices(monitor: Monitor) -> Iterator[Body]:
 def _part(machine: Machine, number: int) -> tuple[str, Part]:
     found = list(walk(machine.parts()))
     if not _PARTS <= number < _PARTS + len(found):
-        raise ScopeError(f"{number}: no scope has this number")
+        raise WorkError(f"{number}: no scope has this number")
     return found[number - _PARTS]
 
 
-def _fields(machine: Machine, path: str, part: Part) -> Iterator[Body]:
+def _fields(machine: Machine, number: int) -> Iterator[Body]:
+    path, part = _part(machine, number)
     numbers = {each: number for number, (each, _) in enumerate(walk(machine.parts()), _PARTS)}
     for name, kind in part.fields.items():
         if kind == PART:
             yield _variable(name, "", variablesReference=numbers[f"{path} {name}"])
         elif kind != CORE:
-            settable = isinstance(kind, int) or kind not in (TICK, FRAMES)
-            hint = {} if settable else {"presentationHint": _READ_ONLY}
-            yield _variable(name, _shown(machine, kind, getattr(part, name)), **hint)
+            settable = kind not in (TICK, FRAMES)
+            shown = _shown(machine, kind, getattr(part, name))
+            yield _variable(name, shown, **({} if settable else _READ_ONLY))
 
 
 def _shown(machine: Machine, kind: int | str, value: Any) -> str:
@@ -130,26 +210,12 @@ def _given(name: str, kind: int | str | None, text: str) -> int:
     """Return the number that a field is to have. Raises WorkError."""
     if isinstance(kind, int):
         if not text.isdecimal() or int(text) > kind:
-            raise ScopeError(f"{text}: {name} is 0 to {kind:,}")
+            raise WorkError(f"{text}: {name} is 0 to {kind:,}")
         return int(text)
-    if kind in (None, TICK, FRAMES, CORE, PART):
-        raise ScopeError(f"{name} cannot be set")
-    return octal(text, int(str(kind), 8))
-
-
-_READ_ONLY = {"attributes": ["readOnly"]}
+    if kind is None or not kind.isdecimal():
+        raise WorkError(f"{name} cannot be set")
+    return octal(text, int(kind, 8))
 
 
 def _variable(name: str, value: str, **more: Any) -> Body:
     return {"name": name, "value": value, "variablesReference": 0, **more}
-
-
-def value_of(monitor: Monitor, expression: str) -> tuple[str, int | None]:
-    """Return what a register holds, or the word at an address, with that address. Raises MonitorError."""
-    name = hands.register(expression.strip())
-    if name in hands.REGISTERS:
-        return f"{getattr(monitor.machine, name):0{len(f'{hands.REGISTERS[name]:o}')}o}", None
-    if not name:
-        raise MonitorError("a register, a symbol or an address expected")
-    address = monitor.address(expression.strip())
-    return monitor.listing.line(address, monitor.machine.core[address]), address

@@ -7,14 +7,13 @@ One machine is one thread. While it runs, requests are answered between two slic
 """
 
 from collections.abc import Callable, Mapping
+from typing import BinaryIO
 
-from pdp8.dap import motion
-from pdp8.dap.answers import ANSWERS
+from pdp8.dap import memory, motion, scopes, stops
 from pdp8.dap.breakpoints import Breakpoints
 from pdp8.dap.debuggee import Debuggee, Halt
 from pdp8.dap.launch import Launch
-from pdp8.dap.stops import STOPS, place_lines
-from pdp8.dap.wire import NOTHING, Body, Wire
+from pdp8.dap.wire import Body, Wire
 from tapes.errors import WorkError
 
 _THREAD = 1
@@ -32,17 +31,30 @@ _CAPABILITIES = (
     "supportsWriteMemoryRequest",
     "supportsDisassembleRequest",
 )
-
-
-class SessionError(WorkError):
-    """A request that cannot be carried out now, or at all."""
+_OF_THE_MACHINE: Mapping[str, Callable[[Debuggee, Body], Body]] = {
+    "setBreakpoints": stops.set_lines,
+    "setFunctionBreakpoints": stops.set_functions,
+    "setInstructionBreakpoints": stops.set_instructions,
+    "setDataBreakpoints": stops.set_data,
+    "dataBreakpointInfo": stops.data_info,
+    "setExceptionBreakpoints": lambda room, arguments: {},
+    "stackTrace": scopes.stack_trace,
+    "source": scopes.source,
+    "scopes": scopes.scopes,
+    "variables": scopes.variables,
+    "setVariable": scopes.set_variable,
+    "evaluate": scopes.evaluate,
+    "readMemory": memory.read_memory,
+    "writeMemory": memory.write_memory,
+    "disassemble": memory.disassemble,
+}
+"""What the editor asks about the machine, whether it runs or stands."""
 
 
 class Session:
     """One editor at a machine, from `initialize` to `disconnect`."""
 
-    def __init__(self, wire: Wire) -> None:
-        self._wire = wire
+    def __init__(self, reader: BinaryIO, writer: BinaryIO) -> None:
         self._room: Debuggee | None = None
         self._breakpoints = Breakpoints()
         self._first_line = 1
@@ -57,7 +69,7 @@ class Session:
             "launch": self._launch,
             "configurationDone": self._begin,
             "restart": self._restart,
-            "terminate": self._terminate,
+            "terminate": lambda arguments: self._after.append(self._finish),
             "disconnect": self._disconnect,
             "threads": lambda arguments: {"threads": [{"id": _THREAD, "name": "PDP-8/L"}]},
             "continue": self._continue,
@@ -68,18 +80,17 @@ class Session:
             "reverseContinue": lambda arguments: self._moved(self._standing.back_to()),
             "pause": self._pause,
         }
-        wire.heard = self._heard
+        self._wire = Wire(reader, writer, self._heard)
 
     def serve(self) -> None:
-        """Answer until the editor leaves. Raises WireError for what is no message, ShelfError for a punch."""
+        """Answer until the editor leaves. Raises WorkError for what is no message, ShelfError for a punch."""
         while not self._ended:
-            message = self._wire.receive(wait=not (self._runs and self._loaded.advances))
-            if message is None:
-                self._ended = True
-            elif message is not NOTHING:
+            if self._runs and self._loaded.advances and not self._wire.holds:
+                self._advance()
+            elif (message := self._wire.receive()) is not None:
                 self._answer(message)
             else:
-                self._advance()
+                self._ended = True
         if self._room is not None:
             self._room.take_off()
 
@@ -94,7 +105,7 @@ class Session:
         self._after = []
         try:
             if message.get("type") != "request" or not isinstance(name, str):
-                raise SessionError(f"a request was expected, not {message.get('type')!r} {name!r}")
+                raise WorkError(f"a request was expected, not {message.get('type')!r} {name!r}")
             body = self._body(name, message.get("arguments") or {})
         except WorkError as error:
             self._wire.respond(message, error=str(error))
@@ -112,38 +123,40 @@ class Session:
     def _body(self, name: str, arguments: Body) -> Body | None:
         if name in self._requests:
             return self._requests[name](arguments)
-        asked = STOPS.get(name) or ANSWERS.get(name)
-        if asked is None:
-            raise SessionError(f"{name}: this debugger has no such request")
+        if name not in _OF_THE_MACHINE:
+            raise WorkError(f"{name}: this debugger has no such request")
         room = self._loaded
         moment = room.moment
-        body = asked(room, arguments)
+        body = _OF_THE_MACHINE[name](room, arguments)
         if room.monitor.finished:
             self._after.append(self._finish)
         elif room.moment != moment:  # a command of the monitor has moved the machine
             halt = room.stands()
             if not self._runs or halt.breakpoints:
-                self._after.append(lambda: self._stopped(halt))
+                self._moved(halt)
         return body
 
     @property
     def _loaded(self) -> Debuggee:
         if self._room is None:
-            raise SessionError("no program is loaded: launch comes first")
+            raise WorkError("no program is loaded: launch comes first")
         return self._room
 
     @property
     def _standing(self) -> Debuggee:
         if self._runs:
-            raise SessionError("the machine runs: pause comes first")
+            raise WorkError("the machine runs: pause comes first")
         return self._loaded
 
     def _initialize(self, arguments: Body) -> Body:
         self._first_line = int(arguments.get("linesStartAt1", True))
         return dict.fromkeys(_CAPABILITIES, True)
 
+    def _load(self, launch: Launch) -> None:
+        self._room = Debuggee(launch, self._breakpoints, self._first_line)
+
     def _launch(self, arguments: Body) -> None:
-        self._room = Debuggee(Launch.of(arguments), self._breakpoints, self._first_line)
+        self._load(Launch.of(arguments))
         self._after.append(lambda: self._wire.event("initialized"))
 
     def _begin(self, arguments: Body) -> None:
@@ -154,13 +167,10 @@ class Session:
             self._run(room)
 
     def _restart(self, arguments: Body) -> None:
-        launch = Launch.of(arguments["arguments"]) if arguments.get("arguments") else self._loaded.launch
-        self._room = Debuggee(launch, self._breakpoints, self._first_line)
-        place_lines(self._room)
+        given = arguments.get("arguments")
+        self._load(Launch.of(given) if given else self._loaded.launch)
+        stops.place_lines(self._loaded)
         self._begin(arguments)
-
-    def _terminate(self, arguments: Body) -> None:
-        self._after.append(self._finish)
 
     def _finish(self) -> None:
         self._runs = False
@@ -186,8 +196,8 @@ class Session:
             self._moved(Halt("pause"))
 
     def _run(self, room: Debuggee, goal: motion.Goal | None = None) -> None:
-        self._runs, self._waits = True, ""
         room.run(goal)
+        self._moved(None)
 
     def _moved(self, halt: Halt | None) -> None:
         """Tell, after the response, where the machine stands; it runs on if there is nothing to tell."""
@@ -205,7 +215,7 @@ class Session:
             self._stopped(halt)
         elif halt is not None and halt.description != self._waits:
             self._waits = halt.description
-            self._wire.event("output", category="console", output=f"{halt.description}\n")
+            self._put_out("console", f"{halt.description}\n")
 
     def _stopped(self, halt: Halt) -> None:
         room = self._loaded
@@ -213,8 +223,7 @@ class Session:
         room.pause()
         self._take_off(room)
         self._tell(room)
-        if halt.description:
-            self._wire.event("output", category="console", output=f"{halt.description}\n")
+        self._put_out("console", halt.description and f"{halt.description}\n")
         if room.launch.noDebug:
             self._finish()
             return
@@ -225,12 +234,15 @@ class Session:
 
     def _tell(self, room: Debuggee) -> None:
         """Show what was printed, and what the monitor says."""
-        for category, text in (("console", room.notes()), ("stdout", room.typed())):
-            if text:
-                self._wire.event("output", category=category, output=text)
+        self._put_out("console", room.notes())
+        self._put_out("stdout", room.typed())
+
+    def _put_out(self, category: str, text: str) -> None:
+        if text:
+            self._wire.event("output", category=category, output=text)
 
     def _take_off(self, room: Debuggee) -> None:
         try:
             room.take_off()
         except WorkError as error:
-            self._wire.event("output", category="stderr", output=f"{error}\n")
+            self._put_out("stderr", f"{error}\n")

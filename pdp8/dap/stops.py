@@ -5,17 +5,14 @@ breakpoint to the editor: its name is an octal address or a symbol. A data break
 written.
 """
 
-from collections.abc import Callable, Mapping
-from typing import TypeVar
+from collections.abc import Callable
 
-from pdp8.dap import memory
 from pdp8.dap.breakpoints import ADDRESSES, DATA, INSTRUCTIONS, LINES
 from pdp8.dap.debuggee import Debuggee
+from pdp8.dap.places import place, reference
 from pdp8.dap.scopes import SYMBOLS
 from pdp8.dap.wire import Body
 from tapes.errors import WorkError
-
-_Asked = TypeVar("_Asked")
 
 
 def set_lines(room: Debuggee, arguments: Body) -> Body:
@@ -25,51 +22,49 @@ def set_lines(room: Debuggee, arguments: Body) -> Body:
         why = f"the program that runs is {room.places.source['name']}"
         return {"breakpoints": [{"verified": False, "line": line, "message": why} for line in asked]}
     room.breakpoints.lines = asked
-    return {"breakpoints": place_lines(room)}
+    return place_lines(room)
 
 
-def place_lines(room: Debuggee) -> list[Body]:
+def place_lines(room: Debuggee) -> Body:
     """Set the breakpoints of the source's lines, and say where each is."""
-    places = [room.places.first_from(line) for line in room.breakpoints.lines]
-    numbers = room.breakpoints.put(LINES, [place[1] for place in places if place])
-    return [
-        {"verified": False, "line": line, "message": "no word from this line on"}
-        if place is None
-        else {
-            "id": numbers[place[1]],
-            "verified": True,
-            "line": place[0],
-            "source": room.places.source,
-            "instructionReference": memory.reference(place[1]),
-        }
-        for line, place in zip(room.breakpoints.lines, places, strict=True)
-    ]
+    found = [(line, room.places.first_from(line)) for line in room.breakpoints.lines]
+    numbers = room.breakpoints.put(LINES, [place[0] for _, place in found if place])
+    return {
+        "breakpoints": [
+            {**_verified(numbers, place[0]), "line": place[1], "source": room.places.source}
+            if place
+            else {"verified": False, "line": line, "message": "no word from this line on"}
+            for line, place in found
+        ]
+    }
 
 
 def set_functions(room: Debuggee, arguments: Body) -> Body:
-    return _set(room, ADDRESSES, [point["name"] for point in arguments["breakpoints"]], room.monitor.address)
+    return _set(room, ADDRESSES, arguments, lambda point: room.monitor.address(point["name"]))
 
 
 def set_instructions(room: Debuggee, arguments: Body) -> Body:
-    asked = [(point["instructionReference"], point.get("offset") or 0) for point in arguments["breakpoints"]]
-    return _set(room, INSTRUCTIONS, asked, lambda place: memory.place(*place))
+    def find(point: Body) -> int:
+        return place(point["instructionReference"], point.get("offset") or 0)
+
+    return _set(room, INSTRUCTIONS, arguments, find)
 
 
 def set_data(room: Debuggee, arguments: Body) -> Body:
-    return _set(room, DATA, [point["dataId"] for point in arguments["breakpoints"]], room.monitor.address)
+    return _set(room, DATA, arguments, lambda point: room.monitor.address(point["dataId"]))
 
 
-def _set(room: Debuggee, kind: str, asked: list[_Asked], find: Callable[[_Asked], int]) -> Body:
+def _set(room: Debuggee, kind: str, arguments: Body, find: Callable[[Body], int]) -> Body:
     found: list[int | WorkError] = []
-    for each in asked:
+    for point in arguments["breakpoints"]:
         try:
-            found.append(find(each))
+            found.append(find(point))
         except WorkError as error:
             found.append(error)
     numbers = room.breakpoints.put(kind, [place for place in found if isinstance(place, int)])
     return {
         "breakpoints": [
-            {"id": numbers[place], "verified": True, "instructionReference": memory.reference(place)}
+            _verified(numbers, place)
             if isinstance(place, int)
             else {"verified": False, "message": str(place)}
             for place in found
@@ -77,23 +72,17 @@ def _set(room: Debuggee, kind: str, asked: list[_Asked], find: Callable[[_Asked]
     }
 
 
+def _verified(numbers: dict[int, int], address: int) -> Body:
+    return {"id": numbers[address], "verified": True, "instructionReference": reference(address)}
+
+
 def data_info(room: Debuggee, arguments: Body) -> Body:
     """Say whether a word can be watched: that of a symbol or an address."""
     name, scope = arguments["name"], arguments.get("variablesReference") or SYMBOLS
     try:
-        address = room.monitor.address(name) if scope == SYMBOLS else None
+        if scope != SYMBOLS:
+            raise WorkError(f"{name}: words of core alone are watched")
+        address = room.monitor.address(name)
     except WorkError as error:
         return {"dataId": None, "description": str(error)}
-    if address is None:
-        return {"dataId": None, "description": f"{name}: words of core alone are watched"}
     return {"dataId": f"{address:04o}", "description": f"{name}, {address:04o}", "accessTypes": ["write"]}
-
-
-STOPS: Mapping[str, Callable[[Debuggee, Body], Body]] = {
-    "setBreakpoints": set_lines,
-    "setFunctionBreakpoints": set_functions,
-    "setInstructionBreakpoints": set_instructions,
-    "setDataBreakpoints": set_data,
-    "dataBreakpointInfo": data_info,
-    "setExceptionBreakpoints": lambda room, arguments: {},
-}

@@ -9,7 +9,7 @@ A thread reads them as they come, so that a machine which runs can be told to pa
 
 import json
 from collections.abc import Callable
-from queue import Empty, Queue
+from queue import Queue
 from threading import Thread
 from typing import Any, BinaryIO
 
@@ -17,52 +17,43 @@ from tapes.errors import WorkError
 
 Body = dict[str, Any]
 
-NOTHING: Body = {}
-"""What stands for a message where none has come yet."""
 _LONGEST = 1 << 24
 """Bytes of a message."""
-
-
-class WireError(WorkError):
-    """Bytes that are not a message of the protocol, or a message that does not end."""
 
 
 class Wire:
     """Both directions of a connection. `heard` is called with each message as it comes, by another thread."""
 
-    def __init__(
-        self, reader: BinaryIO, writer: BinaryIO, heard: Callable[[Body], object] = lambda message: None
-    ) -> None:
+    def __init__(self, reader: BinaryIO, writer: BinaryIO, heard: Callable[[Body], object]) -> None:
         self._reader = reader
         self._writer = writer
+        self._heard = heard
         self._sent = 0
-        self.heard = heard
-        self._come: Queue[Body | WireError | None] = Queue()
+        self._come: Queue[Body | WorkError | None] = Queue()
         Thread(target=self._listen, daemon=True).start()
 
     def _listen(self) -> None:
-        message: Body | WireError | None = {}
+        message: Body | WorkError | None = {}
         while isinstance(message, dict):
             try:
                 message = read(self._reader)
-            except WireError as error:
+            except WorkError as error:
                 message = error
             except (OSError, ValueError):  # the stream was closed meanwhile
                 message = None
             if isinstance(message, dict):
-                self.heard(message)
+                self._heard(message)
             self._come.put(message)
 
-    def receive(self, wait: bool = True) -> Body | None:
-        """Return the next message; without `wait` NOTHING if none has come; None at the end.
+    @property
+    def holds(self) -> bool:
+        """Whether a message, or the end, has come and was not received yet."""
+        return not self._come.empty()
 
-        Raises WireError.
-        """
-        try:
-            message = self._come.get(block=wait)
-        except Empty:
-            return NOTHING
-        if isinstance(message, WireError):
+    def receive(self) -> Body | None:
+        """Return the next message, waiting for it; None at the end. Raises WorkError for what is none."""
+        message = self._come.get()
+        if isinstance(message, WorkError):
             raise message
         return message
 
@@ -92,7 +83,7 @@ class Wire:
 
 
 def read(stream: BinaryIO) -> Body | None:
-    """Return the next message of a stream, None at its end. Raises WireError."""
+    """Return the next message of a stream, None at its end. Raises WorkError for what is none."""
     length = None
     line = stream.readline(_LONGEST)
     if not line:
@@ -103,16 +94,16 @@ def read(stream: BinaryIO) -> Body | None:
             length = int(value)
         line = stream.readline(_LONGEST)
         if not line:
-            raise WireError("the input ends within the head of a message")
+            raise WorkError("the input ends within the head of a message")
     if length is None or length > _LONGEST:
-        raise WireError(f"the head of a message has no Content-Length of at most {_LONGEST:,} bytes")
+        raise WorkError(f"the head of a message has no Content-Length of at most {_LONGEST:,} bytes")
     content = stream.read(length)
     if len(content) < length:
-        raise WireError(f"the input ends after {len(content):,} of the {length:,} bytes of a message")
+        raise WorkError(f"the input ends after {len(content):,} of the {length:,} bytes of a message")
     try:
         message = json.loads(content)
     except (ValueError, RecursionError) as error:
-        raise WireError(f"a message is not JSON: {error}") from error
+        raise WorkError(f"a message is not JSON: {error}") from error
     if not isinstance(message, dict):
-        raise WireError("a message is not a JSON object")
+        raise WorkError("a message is not a JSON object")
     return message

@@ -11,8 +11,8 @@ from pdp8.monitor.prompt import Monitor
 
 REGISTERS = {"ac": 0o7777, "link": 1, "pc": 0o7777, "ma": 0o7777, "mb": 0o7777, "ir": 7, "sr": 0o7777}
 """Each register with its greatest value."""
-_SWITCHES = ("mem_prot", "sing_step")
-_NAMES = " ".join((*REGISTERS, *_SWITCHES, "hands"))
+SWITCHES = ("mem_prot", "sing_step")
+_NAMES = " ".join((*REGISTERS, *SWITCHES, "hands"))
 _KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
 _STATES = ("FETCH", "DEFER", "EXECUTE")
 _POSITIONS = {"1": True, "on": True, "0": False, "off": False}
@@ -41,7 +41,7 @@ def set_(monitor: Monitor, arguments: Sequence[str]) -> None:
     if name in REGISTERS:
         word = monitor.address(value)
         setattr(monitor.machine, name, octal(f"{word:o}", REGISTERS[name]))
-    elif name in _SWITCHES:
+    elif name in SWITCHES:
         if value.lower() not in _POSITIONS:
             raise MonitorError(f"{value}: {name} is 0 or 1, off or on")
         setattr(monitor.machine.panel, name, _POSITIONS[value.lower()])
