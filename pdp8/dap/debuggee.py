@@ -15,10 +15,10 @@ from pdp8.dap import motion
 from pdp8.dap.breakpoints import DATA, Breakpoints
 from pdp8.dap.launch import Launch
 from pdp8.dap.places import Places
+from pdp8.monitor.arguments import LONGEST
 from pdp8.monitor.running import slices
 from tapes import shelf
 
-_ENDLESS = 1e9
 _ENDED = {
     Reason.HALT: "HLT at {ma:04o}",
     Reason.TAPE_OUT: "the reader ran out of tape; the program waits for it at {pc:04o}",
@@ -83,7 +83,7 @@ class Debuggee:
         points = Breakpoints() if self.launch.noDebug else self.breakpoints
         goal = self._goal.places(machine) if self._goal else set()
         machine.watch.breakpoints, machine.watch.writes = points.code | goal, points.data
-        self._slices = slices(self.monitor, _ENDLESS)
+        self._slices = slices(self.monitor, LONGEST)
 
     def pause(self) -> None:
         self._slices = None

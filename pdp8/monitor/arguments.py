@@ -14,7 +14,8 @@ FRAME = 0xF700
 _WORD = re.compile(r'#.*|"((?:\\.|[^"\\])*)("?)|[^\s#]+', re.DOTALL)
 _ESCAPE = re.compile(r"\\([0-3][0-7]{2}|.?)", re.DOTALL)
 _ESCAPES = dict(zip('rnfta\\"', '\r\n\f\t\a\\"', strict=True)) | {"e": chr(FRAME + 0o375)}
-_MOST_SECONDS = 1e9
+LONGEST = 1e9
+"""Seconds of machine time that may be named."""
 
 
 class MonitorError(WorkError):
@@ -78,25 +79,25 @@ def seconds(text: str) -> float:
         number = float(text)
     except ValueError:
         raise MonitorError(f"{text}: seconds of machine time were expected") from None
-    if not 0 <= number <= _MOST_SECONDS:
+    if not 0 <= number <= LONGEST:
         raise MonitorError(f"{text}: not between 0 and 1e9 seconds of machine time")
     return number
 
 
-def some(arguments: Sequence[str], what: str, least: int = 1) -> Sequence[str]:
-    """Return `arguments` if there are at least so many. Raises MonitorError."""
+def some(arguments: Sequence[str], what: str, least: int = 1, most: int | None = None) -> Sequence[str]:
+    """Return `arguments` if there are at least so many, and at `most` so many. Raises MonitorError."""
     if len(arguments) < least:
         raise MonitorError(f"{what} expected")
+    if most is not None and len(arguments) > most:
+        raise MonitorError(f"{what} expected, and no more: {' '.join(arguments[most:])}")
     return arguments
 
 
 def exactly(arguments: Sequence[str], what: str, count: int) -> Sequence[str]:
     """Return `arguments` if there are exactly so many. Raises MonitorError."""
-    return at_most(some(arguments, what, count), what, count)
+    return some(arguments, what, count, count)
 
 
 def at_most(arguments: Sequence[str], what: str, count: int) -> Sequence[str]:
     """Return `arguments` if there are no more than so many. Raises MonitorError."""
-    if len(arguments) > count:
-        raise MonitorError(f"{what} expected, and no more: {' '.join(arguments[count:])}")
-    return arguments
+    return some(arguments, what, 0, count)

@@ -16,7 +16,7 @@ _NAMES = " ".join((*REGISTERS, *SWITCHES, "hands"))
 _KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
 _STATES = ("FETCH", "DEFER", "EXECUTE")
 _POSITIONS = {"1": True, "on": True, "0": False, "off": False}
-_WHOLE_CORE = range(0o10000)
+_WHOLE_CORE = ("0:7777",)
 
 
 def examine(monitor: Monitor, arguments: Sequence[str]) -> None:
@@ -89,17 +89,14 @@ def cycle(monitor: Monitor, arguments: Sequence[str]) -> None:
 
 
 def _traced(monitor: Monitor, arguments: Sequence[str], cycles: bool) -> None:
-    at_most(arguments, "how many, octal,", 1)
-    count = octal(arguments[0]) if arguments else 1
+    (count,) = at_most(arguments, "how many, octal,", 1) or ("1",)
     processor = monitor.machine.processor
     watch = Watch()
     watch.observer = Trace(monitor.say, monitor.listing, cycles)
+    do = watch.cycle if cycles else watch.instruction
     processor.run = 1
-    for _ in range(count):
-        if cycles:
-            watch.cycle(processor)
-        else:
-            watch.instruction(processor)
+    for _ in range(octal(count)):
+        do(processor)
         if not processor.run or monitor.stopping:
             return
 
@@ -148,7 +145,6 @@ def _points(monitor: Monitor, points: set[int], arguments: Sequence[str]) -> Non
 def forget(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Forget breakpoints and watched words at addresses, or all."""
     points = monitor.machine.watch
-    gone = {address for argument in arguments for address in monitor.range(argument)}
-    gone = gone or set(_WHOLE_CORE)
+    gone = {address for argument in arguments or _WHOLE_CORE for address in monitor.range(argument)}
     points.breakpoints -= gone
     points.writes -= gone

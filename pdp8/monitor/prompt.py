@@ -33,10 +33,6 @@ class Monitor:
         """Set to end a run as the STOP key does."""
         self.waiting_tapes: list[str] = []
         """The names of the tapes that go into the reader as it runs out."""
-        self.expected = 0
-        """How many frames of the page `expect` has passed over."""
-        self.shown = 0
-        """How many frames of it `page` has shown."""
         self.attend(machine or Machine())
 
     def attend(self, machine: Machine) -> None:
@@ -45,6 +41,10 @@ class Monitor:
         self.history = History(machine)
         """What can be undone: all since then."""
         self.operator = Operator(machine, Pace(pressing=HANDS))
+        self.expected = 0
+        """How many frames of the page `expect` has passed over."""
+        self.shown = 0
+        """How many frames of it `page` has shown."""
 
     def address(self, text: str) -> int:
         """Return the address that `text` names: octal, or symbol, plus or minus octal."""

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.stop import Reason, Stop
-from pdp8.monitor.arguments import MonitorError, Quoted, at_most, exactly, octal, seconds, some
+from pdp8.monitor.arguments import LONGEST, MonitorError, Quoted, at_most, exactly, octal, seconds, some
 from pdp8.monitor.hands import REGISTERS, register
 from pdp8.monitor.prompt import Monitor
 from tapes import shelf
@@ -22,17 +22,16 @@ from tapes.measure import counted
 _SLICE = 0.5
 GLANCE = 0.05
 """Seconds between two looks at what the machine does."""
-_LONGEST = 1e9
 _DEFAULT = 60.0
 _CODES = {"BEL": "\a", "CR": "\r", "LF": "\n", "FF": "\f", "RUBOUT": "\x7f"}
 
 
 class Goal(NamedTuple):
-    """How long to run: until `text` has been printed so many `times`, "" for no text; at most `seconds`."""
+    """How long to run: at most `seconds`; until `text` has been printed so many `times`, if any."""
 
+    seconds: float = LONGEST
     text: str = ""
-    times: int = 1
-    seconds: float = _LONGEST
+    times: int = 0
 
 
 def go(monitor: Monitor, arguments: Sequence[str]) -> None:
@@ -70,14 +69,14 @@ def until(monitor: Monitor, arguments: Sequence[str]) -> None:
 def expect(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Go on until the page shows TEXT, or fail after SECONDS (60)."""
     text, *rest = at_most(some(arguments, "a text"), "a text and seconds", 2)
-    _wait_for(monitor, Goal(text_of(text), 1, seconds(rest[0]) if rest else _DEFAULT))
+    _wait_for(monitor, Goal(seconds(rest[0]) if rest else _DEFAULT, text_of(text), 1))
 
 
 def _goal(arguments: Sequence[str]) -> Goal:
     """Return what [SECONDS] or until TEXT [N times] [SECONDS] asks for. Raises MonitorError."""
     if arguments[:1] != ["until"]:
         at_most(arguments, "seconds, or until TEXT,", 1)
-        return Goal(seconds=seconds(arguments[0])) if arguments else Goal()
+        return Goal(seconds(arguments[0])) if arguments else Goal()
     text, *rest = some(arguments[1:], "a text, or BEL,")
     times = 1
     if rest[1:2] in (["times"], ["time"]):
@@ -86,7 +85,7 @@ def _goal(arguments: Sequence[str]) -> Goal:
         times = int(rest[0])
         rest = rest[2:]
     at_most(rest, 'a text, a count and "times", seconds', 1)
-    return Goal(text_of(text), times, seconds(rest[0]) if rest else _DEFAULT)
+    return Goal(seconds(rest[0]) if rest else _DEFAULT, text_of(text), times)
 
 
 def text_of(word: str) -> str:
@@ -101,7 +100,7 @@ def _begin(monitor: Monitor, key: str, goal: Goal) -> None:
     """Press START or CONT, and run as far as `goal` says; under SING STEP the key has done the one cycle."""
     monitor.operator.press(key)
     machine = monitor.machine
-    if machine.panel.sing_step and not goal.text:
+    if machine.panel.sing_step and not goal.times:
         reason = Reason.PROTECT if machine.panel.lamps.protect else Reason.STOP_KEY
         _say(monitor, Stop(reason, machine.pc, machine.elapsed))
     else:
@@ -110,7 +109,7 @@ def _begin(monitor: Monitor, key: str, goal: Goal) -> None:
 
 def _pursue(monitor: Monitor, goal: Goal) -> None:
     """Run as far as `goal` says; say how a run ended that no text was to end."""
-    if goal.text:
+    if goal.times:
         monitor.expected = len(monitor.machine.teletype.printer.frames)
         _wait_for(monitor, goal)
         return
@@ -125,35 +124,29 @@ def _say(monitor: Monitor, stop: Stop) -> None:
 
 def _wait_for(monitor: Monitor, goal: Goal) -> None:
     """Run until the text has been printed so often since `monitor.expected`. Raises MonitorError."""
-    found = 0
-    while found < goal.times and _found(monitor, goal.text):
-        found += 1
+    left = goal.times - _passed(monitor, goal.text, goal.times)
     why = "the machine stands still"
-    if found < goal.times and monitor.machine.panel.lamps.run:
+    if left and monitor.machine.panel.lamps.run:
         for stop in slices(monitor, goal.seconds, GLANCE):
             why = f"{goal.seconds:g} s have passed" if stop.reason is Reason.LIMIT else str(stop.reason)
-            while found < goal.times and _found(monitor, goal.text):
-                found += 1
-            if found == goal.times:
+            left -= _passed(monitor, goal.text, left)
+            if not left:
                 break
-    if found < goal.times:
-        raise MonitorError(_failure(monitor, goal, found, why))
+    if left:
+        raise MonitorError(_failure(monitor, goal, left, why))
 
 
-def _found(monitor: Monitor, text: str) -> bool:
-    """Tell whether the text has been printed since `monitor.expected`, and go past it."""
+def _passed(monitor: Monitor, text: str, most: int) -> int:
+    """Go past the text in what was printed since `monitor.expected`, `most` times; return how often."""
     page = bytes(frame & 0o177 for frame in monitor.machine.teletype.printer.frames[monitor.expected :])
-    code = bytes(ord(character) & 0o177 for character in text)
-    at = page.find(code)
-    if at < 0:
-        return False
-    monitor.expected += at + len(code)
-    return True
+    *passed, rest = page.split(bytes(ord(character) & 0o177 for character in text), most)
+    monitor.expected += len(page) - len(rest)
+    return len(passed)
 
 
-def _failure(monitor: Monitor, goal: Goal, found: int, why: str) -> str:
+def _failure(monitor: Monitor, goal: Goal, left: int, why: str) -> str:
     shown = printed(bytes(monitor.machine.teletype.printer.frames[monitor.expected :])).decode()
-    of = f" {counted(found, 'times')} of {goal.times}" if goal.times > 1 else ""
+    of = f" {counted(goal.times - left, 'times')} of {goal.times}" if goal.times > 1 else ""
     text = "BEL" if goal.text == "\a" else repr(str(goal.text))
     return f"{text} was {'' if of else 'not '}printed{of}: {why}; the page shows {shown!r}"
 
@@ -165,23 +158,18 @@ def slices(monitor: Monitor, limit: float, longest: float = _SLICE) -> Iterator[
     machine = monitor.machine
     end = machine.ticks + round(limit * TICKS_PER_SECOND)
     monitor.stopping = False
-    tape_out = True
-    while tape_out:
-        tape_out = False
+    while True:
         for stop in machine.slices((end - machine.ticks) / TICKS_PER_SECOND, GLANCE, longest):
-            tape_out = stop.reason is Reason.TAPE_OUT and bool(monitor.waiting_tapes)
-            if not tape_out:
-                yield stop
+            if stop.reason is Reason.TAPE_OUT and monitor.waiting_tapes:
+                name = monitor.waiting_tapes.pop(0)
+                monitor.operator.mount(name, shelf.read(name))
+                monitor.say(f"{name} goes into the reader")
+                break
+            yield stop
             if monitor.stopping:
                 machine.stop()
-        if tape_out:
-            _change_tapes(monitor)
-
-
-def _change_tapes(monitor: Monitor) -> None:
-    name = monitor.waiting_tapes.pop(0)
-    monitor.operator.mount(name, shelf.read(name))
-    monitor.say(f"{name} goes into the reader")
+        else:
+            return
 
 
 def wait(monitor: Monitor, arguments: Sequence[str]) -> None:

@@ -30,8 +30,8 @@ def boot(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Load a program from cold as an operator does; with force, whatever its checksum."""
     name, force = _forced(arguments)
     found = program.read(_read(monitor, name), name, True, monitor.dialect)
-    loader = program.read(shelf.read_bundled("bin.pal"), "bin.pal")
-    for step in monitor.operator.boot(rim_format.encode(loader.words), found.tape, name, force):
+    loader = rim_format.encode(program.bundled("bin.pal").words)
+    for step in monitor.operator.boot(loader, found.tape, name, force):
         monitor.say(str(step))
     monitor.listing = found.listing
     _say_notes(monitor, found)
@@ -153,4 +153,3 @@ def restore(monitor: Monitor, arguments: Sequence[str]) -> None:
         restored = state.restore(text)
     monitor.attend(restored)
     monitor.machine.watch, monitor.operator.pace = watch, pace
-    monitor.expected = monitor.shown = 0

@@ -76,6 +76,11 @@ def find(name: str, force: bool = False, dialect: str = FOUND) -> Program:
     return read(shelf.read(name), name, force, dialect)
 
 
+def bundled(name: str) -> Program:
+    """Return a bundled program, whatever lies in the current folder."""
+    return read(shelf.read_bundled(name), name)
+
+
 def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND) -> Program:
     """Return the program of a tape's frames, called `name`; with `force` a damaged tape too.
 

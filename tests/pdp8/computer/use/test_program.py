@@ -28,7 +28,7 @@ def test_a_rim_tape_is_its_own_tape() -> None:
 
 
 def test_where_two_programs_could_be_core_decides() -> None:
-    loader, eia = program.find("rim.pal"), program.find("eia.pal")
+    loader, eia = program.bundled("rim.pal"), program.find("eia.pal")
     assert loader.listing.fits(0o7756, 0o6032)
     assert eia.listing.fits(0o200, 0o6046)
     assert not eia.listing.fits(0o200, 0)
