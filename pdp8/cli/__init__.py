@@ -8,10 +8,9 @@ workbench the live machine in a page   nc       `pdp8 nc`, with the page of a ta
 dap       a debugger for editors
 vectors   what every word does, for tests of any emulator
 thesis    the thesis's figures and tables, and its programs line by line
-pacing    a run slice by slice         feed      the reader's tapes          outputs   the punches' tapes
+pacing    a run, Ctrl-C its STOP key       feed      the reader's tapes          outputs   the punches' tapes
 keyboard  the Teletype at a terminal   line      the Teletype on a line      watching  traced, counted
-terminal  a terminal key by key, on every system
-parameters  what options take          interrupt Ctrl-C is the STOP key
+parameters  what options take
 """
 
 import gc

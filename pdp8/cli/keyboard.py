@@ -1,16 +1,19 @@
-"""A terminal as the Teletype: what is typed is its keyboard (see computer/keys), what it prints is the page.
+"""A terminal as the Teletype: what is typed is its keyboard (see computer/use/keys), what it prints the page.
 
-A Model 33 prints nothing by itself. Ctrl-] leaves to the monitor, with the machine as it stands.
+A Model 33 prints nothing by itself. Ctrl-] leaves to the monitor, with the machine as it stands. A key that a
+Model 33 has not (an arrow, F1) types nothing. The terminal, prompt_toolkit's on every system, is put back as
+it was, however the program ends.
 """
 
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 import click
+from prompt_toolkit.input import Input, create_input
+from prompt_toolkit.key_binding import KeyPress
 
-from pdp8.cli.terminal import Terminal
-from pdp8.computer.hardware.signals import NEVER, TICKS_PER_SECOND
+from pdp8.cli import pacing
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop
@@ -19,7 +22,7 @@ from pdp8.computer.use.trace import Listing
 from tapes import command
 
 ESCAPE = "\x1d"
-_SLICE = 0.05
+_LOOK = 0.01  # seconds between two looks at the keys
 
 
 def sit_down(
@@ -29,42 +32,43 @@ def sit_down(
 
     `pass_on` is called after each slice of the run. Returns how the run ended, or None after the monitor.
     """
+    keys = create_input()
+
+    def take(seconds: float) -> bytes | None:
+        text = typed(keys, seconds)
+        return None if ESCAPE in text or keys.closed else sent(text)
+
     machine.teletype.printer.on_frame = _Page().print
-    terminal = Terminal()
     try:
-        with terminal.raw():
+        with keys.raw_mode():
             click.echo("Teletype on line; Ctrl-] leaves to the monitor.\r", err=True)
-            stop = _run(machine, terminal, max_time, realtime, pass_on)
+            stop = pacing.live(machine, max_time, pass_on, take, realtime)
     finally:
         machine.teletype.printer.on_frame = None
     click.echo(err=True)
     if stop is None:
-        _to_the_monitor(machine, listing)
+        from pdp8.cli.monitor import converse
+        from pdp8.monitor.prompt import Monitor
+
+        converse(Monitor(command.echo, machine, listing))
     return stop
 
 
-def _run(
-    machine: Machine,
-    terminal: Terminal,
-    max_time: float | None,
-    realtime: bool,
-    pass_on: Callable[[], object],
-) -> Stop | None:
-    began = time.monotonic() - machine.elapsed
-    last = NEVER if max_time is None else machine.ticks + round(max_time * TICKS_PER_SECOND)
+def typed(keys: Input, seconds: float) -> str:
+    """Return what is typed, waiting at most `seconds` for a key."""
+    end = time.monotonic() + seconds
     while True:
-        stop = machine.run(seconds=min(_SLICE, max(last - machine.ticks, 0) / TICKS_PER_SECOND))
-        pass_on()
-        waiting = stop.reason in ("tape out", "idle")
-        if (stop.reason != "limit" and not waiting) or machine.ticks >= last:
-            return stop
-        ahead = machine.elapsed - (time.monotonic() - began) if realtime else 0.0
-        typed = terminal.typed(_SLICE if waiting else max(0.0, ahead))
-        if ESCAPE in typed or terminal.closed:
-            return None
-        if waiting:
-            machine.wait(max(_SLICE, time.monotonic() - began - machine.elapsed if realtime else 0.0))
-        machine.teletype.keyboard.press(sent(typed))
+        text = characters([*keys.read_keys(), *keys.flush_keys()])
+        left = end - time.monotonic()
+        if text or keys.closed or left <= 0:
+            return text
+        time.sleep(min(_LOOK, left))
+
+
+def characters(presses: Iterable[KeyPress]) -> str:
+    """Return the characters of key presses; Backspace is 177 on every system."""
+    text = "".join(press.data for press in presses if len(press.data) == 1)
+    return text.replace("\b", "\x7f") if sys.platform == "win32" else text
 
 
 class _Page:
@@ -84,10 +88,3 @@ class _Page:
             character = f"\n\x1b[{self._column + 1}G"
         sys.stdout.write(character)
         sys.stdout.flush()
-
-
-def _to_the_monitor(machine: Machine, listing: Listing) -> None:
-    from pdp8.cli.monitor import converse
-    from pdp8.monitor.prompt import Monitor
-
-    converse(Monitor(command.echo, machine, listing))

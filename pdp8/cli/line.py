@@ -15,23 +15,18 @@ import time
 import tty
 from collections.abc import Callable
 from contextlib import suppress
-from types import TracebackType
-from typing import Self
 
-from pdp8.cli.interrupt import ctrl_c
+from pdp8.cli import pacing
 from pdp8.computer.machine import Machine
-from pdp8.computer.stop import Reason, Stop
+from pdp8.computer.stop import Stop
 from tapes import command
 from tapes.shelf import ShelfError
 
 assert sys.platform != "win32"  # `pdp8 run` says so before it comes here
 
-_SLICE = 0.02
-_GOING_ON = (Reason.LIMIT, Reason.TAPE_OUT, Reason.IDLE)
-
 
 class Line:
-    """A line at `path`, raw, at 110 baud where it has a speed; put back as it was at the end."""
+    """A line at `path`, raw, at 110 baud where it has a speed, until it is closed."""
 
     def __init__(self, path: str) -> None:
         try:
@@ -52,12 +47,8 @@ class Line:
         self._modem = True
         self._gone = False
 
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def close(self) -> None:
+        """Put the line back as it was."""
         with suppress(termios.error, OSError):
             termios.tcsetattr(self._file, termios.TCSADRAIN, self._before)
         os.close(self._file)
@@ -65,33 +56,28 @@ class Line:
     def run(self, machine: Machine, max_time: float | None, pass_on: Callable[[], object]) -> Stop | None:
         """Run at the pace of 1971 until the program halts; return how it ended, None if interrupted."""
         machine.teletype.printer.on_frame = self._send
-        began = time.monotonic() - machine.elapsed
-        stop = None
-        with ctrl_c() as interrupt:
-            for stop in machine.slices(max_time, _SLICE, _SLICE, through_waits=True):
-                pass_on()
+        with pacing.ctrl_c() as interrupt:
+
+            def take(seconds: float) -> bytes:
                 if interrupt.pressed:
                     machine.stop()
-                elif stop.reason in _GOING_ON:
-                    self._reader_run(bool(machine.teletype.receiver.reader_run))
-                    self._receive(machine, machine.elapsed - (time.monotonic() - began))
-                    if stop.reason is not Reason.LIMIT:
-                        machine.wait(max(0.0, time.monotonic() - began - machine.elapsed))
+                self._reader_run(bool(machine.teletype.receiver.reader_run))
+                return self._received(seconds)
+
+            stop = pacing.live(machine, max_time, pass_on, take)
         return None if interrupt.pressed else stop
 
-    def _receive(self, machine: Machine, seconds: float) -> None:
-        """Take what comes over the line while the machine's clock is ahead of ours."""
-        if not select.select([self._file], [], [], max(0.0, seconds))[0]:
-            return
-        try:
+    def _received(self, seconds: float) -> bytes:
+        """Return what comes over the line, waiting at most `seconds` for it."""
+        if not select.select([self._file], [], [], seconds)[0]:
+            return b""
+        frames = b""
+        with suppress(OSError):
             frames = os.read(self._file, 256)
-        except OSError:
-            frames = b""
-        if frames:
-            machine.teletype.keyboard.press(frames)
-        else:
+        if not frames:
             self._say_gone()
-            time.sleep(max(_SLICE, seconds))
+            time.sleep(seconds)
+        return frames
 
     def _say_gone(self) -> None:
         """Say once that nobody is at the other end."""

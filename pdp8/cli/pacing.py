@@ -1,11 +1,16 @@
-"""A run at its pace: slice by slice, so that what is punched is seen as it is punched."""
+"""A run at its pace: slice by slice, so that what is punched is seen as it is punched.
 
+Ctrl-C is the STOP key: the run ends with an instruction, whole, and says where. A second ends the process.
+"""
+
+import signal
 import sys
 import time
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from types import FrameType
 
 from pdp8.cli.feed import Feed
-from pdp8.cli.interrupt import ctrl_c
 from pdp8.cli.outputs import Output, send
 from pdp8.computer.hardware.signals import NEVER, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
@@ -16,10 +21,65 @@ from tapes.progress import Bar
 # Slices of a run in seconds of machine time, the shortest and the longest. A trace tells of a wait once a
 # slice: so that it is always the same, its slices are.
 _FREE, _REALTIME, _TRACED = (0.05, 60.0), (0.05, 0.05), (1.0, 1.0)
+_LOOK = 0.05
+"""Seconds between two looks at what is typed, while the program waits for it."""
 _FIRST_FRAME = 0.0775
 """Seconds after START: the reader's first frame has been in for .2 ms, a program that waits has taken it."""
 _SILENT = 5.0
 """Seconds of ours without a frame, after which a run at a terminal says where it is."""
+
+
+class CtrlC:
+    """Whether Ctrl-C was pressed; `on_press` is called as it is."""
+
+    def __init__(self, on_press: Callable[[], object]) -> None:
+        self.pressed = False
+        self._on_press = on_press
+
+    def press(self, number: int, frame: FrameType | None) -> None:
+        """Take the signal; the second one raises KeyboardInterrupt, for code that does not look."""
+        if self.pressed:
+            raise KeyboardInterrupt
+        self.pressed = True
+        self._on_press()
+
+
+@contextmanager
+def ctrl_c(on_press: Callable[[], object] = lambda: None) -> Iterator[CtrlC]:
+    """Note Ctrl-C instead of breaking off at once."""
+    noted = CtrlC(on_press)
+    before = signal.signal(signal.SIGINT, noted.press)
+    try:
+        yield noted
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def live(
+    machine: Machine,
+    max_time: float | None,
+    pass_on: Callable[[], object],
+    take: Callable[[float], bytes | None],
+    realtime: bool = True,
+) -> Stop | None:
+    """Run with somebody at the Teletype; return how it ended, None where `take` does.
+
+    `take` returns what is typed, waiting for it at most the seconds it is given.
+    """
+    began = time.monotonic() - machine.elapsed
+    for stop in machine.slices(max_time, *_REALTIME, through_waits=True):
+        pass_on()
+        waits = stop.reason in (Reason.TAPE_OUT, Reason.IDLE)
+        if stop.reason is not Reason.LIMIT and not waits:
+            break
+        ahead = machine.elapsed - (time.monotonic() - began) if realtime else 0.0
+        frames = take(_LOOK if waits else max(0.0, ahead))
+        if frames is None:
+            return None
+        if waits:
+            machine.wait(max(_LOOK, time.monotonic() - began - machine.elapsed if realtime else 0.0))
+        machine.teletype.keyboard.press(frames)
+    return stop._replace(reason=Reason.LIMIT) if waits else stop  # whoever waits goes on to the limit
 
 
 def run(

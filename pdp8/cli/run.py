@@ -2,9 +2,10 @@
 
 import sys
 from collections.abc import Sequence
-from contextlib import ExitStack
+from contextlib import ExitStack, closing
 from functools import partial
-from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
+from types import SimpleNamespace as Options
+from typing import TYPE_CHECKING, Any, Final, Literal
 
 import click
 from click.core import ParameterSource
@@ -37,34 +38,6 @@ _DONE = (Reason.HALT, Reason.TAPE_OUT)
 _CLOSED: Final = "closed"
 _Ended = Stop | Literal["closed"] | None
 """How a run ended; None, interrupted."""
-
-
-class Options(NamedTuple):
-    """What the command was given, by the names of its options."""
-
-    program: str | None
-    start: int
-    sr: int
-    reader: tuple[str, ...]
-    punch: str | None
-    fast_reader: str | None
-    fast_punch: str | None
-    keyboard: bool
-    tty: str | None
-    max_time: float | None
-    realtime: bool
-    boot: bool
-    loader: str | None
-    dialect: str
-    force: bool
-    trace: str | None
-    cycles: bool
-    table: bool
-    annotate: str | None
-    count_json: str | None
-    save: str | None
-    restore: str | None
-    quiet: bool
 
 
 @click.command(cls=Command, context_settings={"allow_extra_args": True})
@@ -232,7 +205,7 @@ def _run(options: Options, machine: Machine, found: "Program | None", feed: Feed
             if options.tty is not None and sys.platform != "win32":  # as _check_options has it
                 from pdp8.cli.line import Line
 
-                with Line(options.tty) as line:
+                with closing(Line(options.tty)) as line:
                     return line.run(machine, options.max_time, pass_on)
             return pacing.run(machine, feed, outputs, options.max_time, options.realtime, options.quiet)
         except BrokenPipeError:  # the reader of the tape has closed it; what else was asked for is written
@@ -326,7 +299,7 @@ def _boot(options: Options, machine: Machine, found: "Program") -> None:
     from tapes.measure import duration
 
     if options.loader is None:
-        tape = rim.encode(programs.read(shelf.read_bundled("bin.pal"), "bin.pal").words)
+        tape = rim.encode(programs.bundled("bin.pal").words)
     else:
         of_loader = programs.find(options.loader, options.force)
         tape = of_loader.tape if of_loader.kind == kinds.RIM else rim.encode(of_loader.words)

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.stop import Reason, Stop
-from pdp8.monitor.arguments import LONGEST, MonitorError, Quoted, at_most, exactly, octal, seconds, some
+from pdp8.monitor.arguments import LONGEST, MonitorError, Quoted, at_most, exactly, seconds, some
 from pdp8.monitor.hands import REGISTERS, register
 from pdp8.monitor.prompt import Monitor
 from tapes import shelf
@@ -187,7 +187,7 @@ def wait(monitor: Monitor, arguments: Sequence[str]) -> None:
 def assert_(monitor: Monitor, arguments: Sequence[str]) -> None:
     """Fail unless a register, or the word at an address, is so."""
     name, value = exactly(arguments, f"one of {' '.join(REGISTERS)} or an address, and a word", 2)
-    wanted = octal(value) if value.isdecimal() else monitor.address(value)
+    wanted = monitor.address(value)
     if register(name) in REGISTERS:
         found = getattr(monitor.machine, register(name))
     else:

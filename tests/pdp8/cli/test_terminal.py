@@ -1,6 +1,5 @@
 """The terminal key by key: prompt_toolkit's raw mode on a pipe, and what differs on Windows."""
 
-import signal
 import sys
 import time
 from collections.abc import Iterator
@@ -12,8 +11,8 @@ from prompt_toolkit.key_binding import KeyPress
 from prompt_toolkit.keys import Keys
 
 from pdp8.cli.feed import Feed
+from pdp8.cli.keyboard import characters, typed
 from pdp8.cli.run import run
-from pdp8.cli.terminal import Terminal, characters
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.keys import sent
 
@@ -26,7 +25,7 @@ def keys() -> Iterator[PipeInput]:
 
 
 @pytest.mark.parametrize(
-    ("typed", "frames"),
+    ("sequence", "frames"),
     [
         ("a", "301"),
         ("\r", "215"),
@@ -41,36 +40,30 @@ def keys() -> Iterator[PipeInput]:
         ("é{", ""),
     ],
 )
-def test_a_key_sends_what_the_table_says(keys: PipeInput, typed: str, frames: str) -> None:
-    keys.send_text(typed)
-    seen = Terminal(keys).typed(1 if frames else 0.05)
+def test_a_key_sends_what_the_table_says(keys: PipeInput, sequence: str, frames: str) -> None:
+    keys.send_text(sequence)
+    seen = typed(keys, 1 if frames else 0.05)
     assert " ".join(f"{frame:03o}" for frame in sent(seen)) == frames
 
 
 def test_typing_waits_no_longer_than_it_may(keys: PipeInput) -> None:
     began = time.monotonic()
-    assert Terminal(keys).typed(0.05) == ""
+    assert typed(keys, 0.05) == ""
     assert 0.05 <= time.monotonic() - began < 5
 
 
 def test_the_end_of_the_terminal_is_seen_at_once() -> None:
     with create_pipe_input() as pipe:
-        terminal = Terminal(pipe)
         pipe.close()
-        assert terminal.typed(5) == ""
-        assert terminal.closed
+        began = time.monotonic()
+        assert typed(pipe, 5) == ""
+        assert time.monotonic() - began < 5
 
 
 def test_backspace_is_rubout_on_windows_too(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "platform", "win32")
     presses = [KeyPress(Keys.ControlH, "\b"), KeyPress("x", "x"), KeyPress(Keys.Up, "")]
     assert characters(presses) == "\x7fx"
-
-
-def test_a_system_without_hangups_needs_none(keys: PipeInput, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delattr(signal, "SIGHUP")
-    with Terminal(keys).raw():
-        assert signal.getsignal(signal.SIGTERM) is not signal.SIG_DFL
 
 
 def test_windows_reads_a_tape_whole(monkeypatch: pytest.MonkeyPatch) -> None:
