@@ -9,7 +9,7 @@ The keys of the keyboard are the operator's hands at the panel, or, after TAB, f
 """
 
 from time import perf_counter
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from textual import events
 from textual.app import App, ComposeResult
@@ -20,10 +20,10 @@ from textual.widgets import Footer, Static
 from pdp8.computer.use.program import Program
 from pdp8.console.dialogs import AskToLeave, ChooseTape, NameTape
 from pdp8.console.lamps import LampRows
-from pdp8.console.pages import Card, Core, DrillCard, ListingPage, Page, Paper, subtitle, title
+from pdp8.console.pages import Card, Core, DrillCard, ListingPage, Page, Paper, frame
 from pdp8.console.session import Session, Tape
 from pdp8.console.strips import PunchStrip, ReaderStrip
-from pdp8.console.switches import KEYS, LOCKING, Key, Rocker, SwitchRegister
+from pdp8.console.switches import KEYS, LOCKING, Key, SwitchRegister
 from pdp8.lessons.drill import Coach
 from tapes import shelf
 from tapes.errors import WorkError
@@ -158,8 +158,7 @@ class Room(App[None]):
         """Show everything as it is now."""
         screen = self.screen_stack[0]
         panel = screen.query_one("#panel")
-        title(panel, "digital · PDP-8/L")
-        subtitle(panel, self._status())
+        frame(panel, "digital · PDP-8/L", self._status())
         screen.query_one(SwitchRegister).show()
         for key in LOCKING:
             screen.query_one(f"#{key}", Key).show()
@@ -175,10 +174,15 @@ class Room(App[None]):
         pace = "real pace" if session.speed == 1 else f"×{session.speed}"
         return f"{session.said} · {clock} in 1971 · {'not quite ' if session.behind else ''}{pace}"
 
+    async def run_action(self, *action: Any, **namespaces: Any) -> bool:
+        """Do what a key or a click asks for, and show what has changed."""
+        done = await super().run_action(*action, **namespaces)
+        self.look()
+        return done
+
     def action_key(self, name: str) -> None:
         """Press a key, or throw a locking switch."""
         if self.coach is not None and name not in LOCKING and not self.coach.allows(name):
-            self.look()
             return
         if name in LOCKING:
             panel = self.session.machine.panel
@@ -186,29 +190,21 @@ class Room(App[None]):
         else:
             self.session.press(name)
         self.screen_stack[0].query_one(f"#{name}", Key).flash()
-        self.look()
-
-    def on_key_pressed(self, event: Key.Pressed) -> None:
-        self.action_key(event.name)
 
     def action_dial(self, digit: int) -> None:
         self.session.dial(digit)
-        self.look()
 
-    def on_rocker_thrown(self, event: Rocker.Thrown) -> None:
-        self.session.throw(event.bit)
-        self.look()
+    def action_flip(self, bit: int) -> None:
+        self.session.throw(bit)
 
     def action_hand(self, by: int) -> None:
         register = self.query_one(SwitchRegister)
         register.hand = (register.hand + by) % 12
-        self.look()
 
     def action_throw(self, up: int) -> None:
         register = self.query_one(SwitchRegister)
         if register.rockers[register.hand].up != bool(up):
             self.session.throw(register.hand)
-        self.look()
 
     def action_rim(self) -> None:
         """Toggle the RIM loader in; in a drill the user does it."""
@@ -218,7 +214,6 @@ class Room(App[None]):
         self.shown_page = "card"
         self._turn_pages()
         self.session.toggle_rim()
-        self.look()
 
     def action_tape(self) -> None:
         def mount(tape: Tape | None) -> None:
@@ -229,13 +224,11 @@ class Room(App[None]):
         self.push_screen(ChooseTape(self.session.tapes), mount)
 
     def action_lever(self) -> None:
-        self.session.throw_lever()
-        self.look()
+        self.session.operator.throw_lever()
 
     def action_punch(self) -> None:
         punch = self.session.machine.teletype.punch
         punch.on = not punch.on
-        self.look()
 
     def action_tear(self) -> None:
         if not self.session.machine.teletype.punch.frames:
@@ -290,24 +283,20 @@ class Room(App[None]):
             self.session.back(seconds)
             paper = self.query_one(Paper)
             paper.clear()
-            for frame in self.session.machine.teletype.printer.frames:
-                paper.take(frame)
-            self.look()
+            for each in self.session.machine.teletype.printer.frames:
+                paper.take(each)
 
     def action_again(self) -> None:
         if self.coach is not None:
             self.coach.again()
             self._welcome()
-            self.look()
 
     def action_pace(self) -> None:
         self.session.change_speed()
-        self.look()
 
     def action_page(self) -> None:
         self.shown_page = _PAGES[(_PAGES.index(self.shown_page) + 1) % len(_PAGES)]
         self._turn_pages()
-        self.look()
 
     def action_turn_round(self) -> None:
         at_paper = self.query_one("#paper").has_focus

@@ -10,9 +10,12 @@ do these.
 Not emulated: a filament's own slowness; EMA, which belongs to the memory extension.
 """
 
+from typing import NamedTuple
+
 from rich.style import Style
 from rich.text import Text
 
+from pal.isa import OPERATIONS
 from pdp8.console.pages import Page
 
 ON, OFF = (255, 190, 92), (84, 66, 48)
@@ -29,17 +32,33 @@ _LABEL = Style(color="#d8c7a4")
 _FAINT = Style(color="#9a876a")
 _OCTAL = Style(color="#ffd9a0", bold=True)
 
-_MNEMONICS = ("AND", "TAD", "ISZ", "DCA", "JMS", "JMP", "IOT", "OPR")
+# Each label where there is little room, and where there is more.
 _ROWS = (
-    ("MEMORY ADDRESS", "MEM ADDR", "ma"),
-    ("MEMORY BUFFER", "MEM BUFF", "mb"),
-    ("ACCUMULATOR", "ACC", "ac"),
+    (("MEM ADDR", "MEMORY ADDRESS"), "ma"),
+    (("MEM BUFF", "MEMORY BUFFER"), "mb"),
+    (("ACC", "ACCUMULATOR"), "ac"),
 )
 _STATES = (
-    (("fetch", "FETCH", "FETCH"), ("word_count", "WORD COUNT", "WC"), ("ion", "ION", "ION")),
-    (("defer", "DEFER", "DEFER"), ("current_address", "CURR ADDR", "CA"), ("parity", "PARITY", "PARITY")),
+    (("fetch", "FETCH", "FETCH"), ("word_count", "WC", "WORD COUNT"), ("ion", "ION", "ION")),
+    (("defer", "DEFER", "DEFER"), ("current_address", "CA", "CURR ADDR"), ("parity", "PARITY", "PARITY")),
     (("execute", "EXECUTE", "EXECUTE"), ("break_", "BREAK", "BREAK"), ("protect", "PROTECT", "PROTECT")),
 )
+
+
+class Columns(NamedTuple):
+    """How many columns stand before the first lamp, a lamp and its switch take, and the words beside the lamps
+    of the states; and whether that is much.
+    """
+
+    label: int
+    lamp: int
+    states: tuple[int, int, int]
+    wide: bool
+
+
+def columns(width: int) -> Columns:
+    """Return what there is in a panel of `width` columns."""
+    return Columns(17, 3, (9, 11, 7), True) if width >= 95 else Columns(13, 2, (9, 6, 7), False)
 
 
 def lamp(brightness: float) -> tuple[str, Style]:
@@ -56,58 +75,39 @@ class LampRows(Page):
         return self.session.brightness, self.session.machine.panel.lamps
 
     def render(self) -> Text:
-        """Draw the rows to the width there is: a lamp takes three columns, or two."""
-        wide = self.size.width >= 95
-        rows = [self._numbers(wide), *(self._word(number, wide) for number in range(3)), self._last(wide)]
+        """Draw the rows to the width there is."""
+        room = columns(self.size.width)
+        rows = [self._numbers(room), *(self._word(number, room) for number in range(3)), self._last(room)]
         return Text("\n").join(rows)
 
-    def _numbers(self, wide: bool) -> Text:
-        row = Text(" " * label_width(wide))
+    def _numbers(self, room: Columns) -> Text:
+        row = Text(" " * room.label)
         for bit in range(12):
-            row.append(f"{bit:<{pitch(wide)}}", _LABEL if bit // 3 % 2 == 0 else _FAINT)
+            row.append(f"{bit:<{room.lamp}}", _LABEL if bit // 3 % 2 == 0 else _FAINT)
             row.append(" " if bit % 3 == 2 else "")
         return row
 
-    def _word(self, number: int, wide: bool) -> Text:
-        long, short, field = _ROWS[number]
-        row = Text()
-        label = long if wide else short
-        if field == "ac":
-            row.append(f"{label:<{label_width(wide) - 4}}", _LABEL)
+    def _word(self, number: int, room: Columns) -> Text:
+        labels, field = _ROWS[number]
+        link = field == "ac"
+        row = Text().append(f"{labels[room.wide]:<{room.label - 4 * link}}", _LABEL)
+        if link:
             row.append("L ", _FAINT).append(*lamp(self.session.brightness["link"][0])).append(" ")
-        else:
-            row.append(f"{label:<{label_width(wide)}}", _LABEL)
         for bit, brightness in enumerate(self.session.brightness[field]):
-            row.append(*lamp(brightness)).append(" " * (pitch(wide) - 1 + (bit % 3 == 2)))
+            row.append(*lamp(brightness)).append(" " * (room.lamp - 1 + (bit % 3 == 2)))
         running = self.session.machine.panel.lamps.run
         row.append("     " if running else f"{getattr(self.session.machine, field):04o} ", _OCTAL)
-        for place, (name, full, brief) in enumerate(_STATES[number]):
-            text = full if wide else brief
+        for (name, *words), width in zip(_STATES[number], room.states, strict=True):
             row.append(*lamp(self.session.brightness[name][0]))
-            row.append(f" {text:<{_widths(wide)[place]}}", _LABEL)
+            row.append(f" {words[room.wide]:<{width}}", _LABEL)
         return row
 
-    def _last(self, wide: bool) -> Text:
-        row = Text(f"{'INSTRUCTION' if wide else 'INSTR':<{label_width(wide)}}", _LABEL)
+    def _last(self, room: Columns) -> Text:
+        row = Text(f"{('INSTR', 'INSTRUCTION')[room.wide]:<{room.label}}", _LABEL)
         for brightness in self.session.brightness["ir"]:
-            row.append(*lamp(brightness)).append(" " * (pitch(wide) - 1))
+            row.append(*lamp(brightness)).append(" " * (room.lamp - 1))
         lamps = self.session.machine.panel.lamps
-        row.append(" ").append("   " if lamps.run else _MNEMONICS[lamps.ir], _OCTAL)
-        row.append(" " * (9 * pitch(wide) + 5 + sum(_widths(wide)[:2]) + 4))
+        row.append(" ").append("   " if lamps.run else OPERATIONS[lamps.ir], _OCTAL)
+        row.append(" " * (9 * room.lamp + 5 + sum(room.states[:2]) + 4))
         row.append(*lamp(self.session.brightness["run"][0])).append(" RUN", _LABEL)
         return row
-
-
-def _widths(wide: bool) -> tuple[int, int, int]:
-    """Return how many columns the words beside the lamps of the states have."""
-    return (9, 11, 7) if wide else (9, 6, 7)
-
-
-def pitch(wide: bool) -> int:
-    """Return how many columns a lamp takes, and the switch under it."""
-    return 3 if wide else 2
-
-
-def label_width(wide: bool) -> int:
-    """Return how many columns stand before the first lamp."""
-    return 17 if wide else 13

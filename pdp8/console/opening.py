@@ -10,8 +10,6 @@ from pdp8.computer.use.program import Program
 from pdp8.console.session import Session, Tape
 from tapes import rim, shelf
 
-RIM, BIN = "rim.pal", "bin.pal"
-PROGRAM = "eia.pal"
 DATA = ("circle.asc", "ellipse.asc")
 
 
@@ -34,8 +32,8 @@ def opening(
     `reader` names the tape in the reader, `clock` tells the computer's own seconds. Raises WorkError for what
     cannot be read.
     """
-    found = [_bundled(RIM), _bundled(BIN), programs.find(program) if program else _bundled(PROGRAM)]
-    _, loader, last = found
+    rim_loader, loader = programs.bundled("rim.pal"), programs.bundled("bin.pal")
+    last = programs.find(program) if program else programs.bundled("eia.pal")
     label = f"{last.name.removesuffix('.pal')}.bin" if last.name.endswith(".pal") else last.name
     tapes = [Tape("bin.rim", rim.encode(loader.words)), Tape(label, last.tape)]
     machine = Machine()
@@ -44,11 +42,7 @@ def opening(
         session.tapes.append(Tape(reader, shelf.read(reader)))
         session.mount(session.tapes[-1])
     if program and not cold:
-        machine.load(found[-1].words)
+        machine.load(last.words)
         machine.sr = start
         session.press("load_add")
-    return Opening(session, found)
-
-
-def _bundled(name: str) -> Program:
-    return programs.read(shelf.read_bundled(name), name)
+    return Opening(session, [rim_loader, loader, last])

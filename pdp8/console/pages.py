@@ -32,23 +32,18 @@ _KEYS = {
     "backspace": "\x7f",
     **{f"ctrl+{letter}": chr(ord(letter) & 0o37) for letter in ascii_lowercase},
 }
-COLUMNS = keys.COLUMNS
 _LINES = 200
 _CARD_WIDTH = 48
 _STEPS = 12
 """Of a drill that are shown at once."""
 
 
-def title(widget: Widget, words: str) -> None:
-    """Write `words` on the upper edge of the widget's frame: plain text, as a file may be called anything."""
-    if widget.border_title != Content(words).markup:
-        widget.border_title = Text(words)
-
-
-def subtitle(widget: Widget, words: str) -> None:
-    """Write `words` on its lower edge."""
-    if widget.border_subtitle != Content(words).markup:
-        widget.border_subtitle = Text(words)
+def frame(widget: Widget, above: str, below: str = "") -> None:
+    """Write on the edges of the widget's frame: plain text, as a file may be called anything."""
+    if widget.border_title != Content(above).markup:
+        widget.border_title = Text(above)
+    if widget.border_subtitle != Content(below).markup:
+        widget.border_subtitle = Text(below)
 
 
 class Page(Widget):
@@ -87,13 +82,8 @@ class Paper(Page, can_focus=True):
             return
         typed = _KEYS.get(event.key, event.character or "")
         if typed:
-            self.session.type(typed)
+            self.session.machine.teletype.keyboard.press(keys.sent(typed))
             event.stop()
-
-    @property
-    def lines(self) -> list[str]:
-        """What is on the page."""
-        return self.typed.lines
 
     def clear(self) -> None:
         self.typed = keys.Paper(_LINES)
@@ -106,12 +96,12 @@ class Paper(Page, can_focus=True):
 
     def look(self) -> object:
         """Look again, and say who the keys are for."""
-        title(self, "Teletype: you type here, ESC goes back" if self.has_focus else "Teletype (TAB to type)")
+        frame(self, "Teletype: you type here, ESC goes back" if self.has_focus else "Teletype (TAB to type)")
         return (self.has_focus, self.struck)
 
     def render(self) -> Text:
         width, height = self.size
-        lines, column = self.lines, self.typed.column
+        lines, column = self.typed.lines, self.typed.column
         start = max(0, column - width + 1)
         shown = [*lines[:-1], lines[-1].ljust(column)][-height:]
         text = Text("\n" * (height - len(shown)), _INK)
@@ -137,7 +127,7 @@ class ListingPage(Page):
         found = next(fitting, None)
         self.program = found or self.program
         where = f"{address:04o}" if found else f"{address:04o} is not in it"
-        title(self, f"listing of {self.program.name} · PC {where}")
+        frame(self, f"listing of {self.program.name} · PC {where}")
         return (self.program.name, address, found is None)
 
     def render(self) -> Text:
@@ -160,7 +150,7 @@ class Core(Page):
     """Core about the PC: its word lit, that of the memory address underlined."""
 
     def look(self) -> object:
-        title(self, f"core about the PC, {self.session.address:04o}")
+        frame(self, f"core about the PC, {self.session.address:04o}")
         return list(self.session.machine.core), self.session.address, self.session.machine.ma
 
     def render(self) -> Text:
@@ -197,7 +187,7 @@ class Card(Page):
         )
 
     def look(self) -> object:
-        title(self, "RIM loader · R toggles it in for you")
+        frame(self, "RIM loader · R toggles it in for you")
         core = self.session.machine.core
         return [core[RIM_START + place] for place in range(len(RIM))], self.session.address
 
@@ -246,8 +236,8 @@ class DrillCard(Page):
     def look(self) -> object:
         """Set the title; the card depends on the step, on what was said, and on the whole seconds."""
         coach = self.coach
-        title(self, f"drill: {coach.drill.title}")
-        subtitle(self, f"{duration(int(coach.seconds))} · {coach.wrong} wrong · X begins again")
+        below = f"{duration(int(coach.seconds))} · {coach.wrong} wrong · X begins again"
+        frame(self, f"drill: {coach.drill.title}", below)
         return coach.at, coach.said, coach.wrong
 
     def render(self) -> Text:

@@ -14,15 +14,13 @@ from collections.abc import Callable, Iterator
 from time import perf_counter
 from typing import NamedTuple
 
-from pal.isa import DEFER, EXECUTE, FETCH
-from pdp8.computer.hardware import panel
+from pal.isa import STATES
 from pdp8.computer.hardware.panel import Lamps, shares
 from pdp8.computer.hardware.signals import NEVER
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History
 from pdp8.computer.stop import Stop
-from pdp8.computer.use.keys import sent
 from pdp8.computer.use.operator import RIM, RIM_START, Operator
 from pdp8.computer.watch import instruction_at
 from tapes import kinds
@@ -30,8 +28,6 @@ from tapes import kinds
 SPEEDS = (1, 10, 100, 1000)
 KEY_SECONDS = 0.1
 """What a key takes: its contacts are given a tenth of a second to come to rest."""
-
-LAMPS = panel.LAMPS
 
 _SAMPLES = 8
 _BUDGET = 0.030  # seconds of ours for one turn, so that the room stays awake
@@ -44,7 +40,6 @@ _ENDED = {
     "stop key": "stopped before {pc:04o}",
     "protect": "MEM PROT stopped a write at {ma:04o}",
 }
-_STATES = {FETCH: "FETCH", DEFER: "DEFER", EXECUTE: "EXECUTE"}
 
 
 class Tape(NamedTuple):
@@ -72,10 +67,6 @@ class Session:
         """What became of the machine, in words."""
         self.reader_tape = ""
         """The name of the tape in the reader."""
-        self.brightness: dict[str, tuple[float, ...]] = {
-            name: (0.0,) * count for name, count in LAMPS.items()
-        }
-        """How bright each lamp is, 0 to 1, most significant first."""
         self._clock = clock
         self._slice = _SHORTEST
         self._hands: Iterator[None] | None = None
@@ -124,6 +115,7 @@ class Session:
         """See the lamps: at a standstill as they are, else each as often as it was on."""
         lamps = self.machine.panel.lamps
         self.brightness = shares(samples if samples and lamps.run else [lamps])
+        """How bright each lamp is, 0 to 1, most significant first."""
 
     @property
     def address(self) -> int:
@@ -144,7 +136,7 @@ class Session:
         elif panel.lamps.protect:
             self.said = _ENDED["protect"].format(ma=self.machine.ma)
         elif key in ("start", "cont"):
-            self.said = f"one cycle: {_STATES[self.machine.processor.state]}"
+            self.said = f"one cycle: {STATES[self.machine.processor.state]}"
         else:
             self.said = f"{self.machine.ma:04o} holds {self.machine.mb:04o}"
         self._look()
@@ -190,20 +182,12 @@ class Session:
             if next(self._hands, self) is self:
                 self._hands = None
 
-    @property
-    def hands_busy(self) -> bool:
-        return self._hands is not None
-
     def mount(self, tape: Tape) -> None:
         """Put a tape into the reader, as Operator.mount does; say what ASCII programs do not find on it."""
         if doubt := kinds.doubt(tape.frames):
             self.said = f"{tape.name} {doubt}"
         self.reader_tape = tape.name
         self.operator.mount(tape.name, tape.frames)
-
-    def throw_lever(self) -> None:
-        """Throw the reader's lever to START, or to STOP; there it stays until it is thrown again."""
-        self.operator.throw_lever()
 
     def tear_off(self, name: str) -> Tape:
         """Tear off what was punched; it lies with the other tapes then, called `name`."""
@@ -212,9 +196,6 @@ class Session:
         punch.frames.clear()
         self.tapes = [other for other in self.tapes if other.name != name] + [tape]
         return tape
-
-    def type(self, characters: str) -> None:
-        self.machine.teletype.keyboard.press(sent(characters))
 
     def clear(self) -> None:
         """Say and do nothing more of what was before, as the next operator comes."""

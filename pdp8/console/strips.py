@@ -9,7 +9,7 @@
 from rich.style import Style
 from rich.text import Text
 
-from pdp8.console.pages import Page, subtitle, title
+from pdp8.console.pages import Page, frame
 from pdp8.console.session import Session
 from tapes import kinds
 from tapes.captions import captions
@@ -29,11 +29,6 @@ class Strip(Page):
 
     DEFAULT_CSS = "Strip { height: 1fr; }"
 
-    def __init__(self, session: Session, name: str) -> None:
-        super().__init__(session, name)
-        self.captions: list[str] = []
-        self.captioned = b""
-
     def rows(self, frames: bytes, said: list[str], first: int, head: int) -> Text:
         """Draw the rows from frame `first` on as far as there is room."""
         text = Text()
@@ -47,12 +42,17 @@ class Strip(Page):
             style = _HEAD if number == head else _DONE if number < head else _PAPER
             text.append("▸" if number == head else " ", _EDGE)
             text.append(draw(frames[number], hole="●", sprocket="·"), style)
-            text.append(f" {said[number - first][:room]}", _FAINT if number < head else _CAPTION)
+            text.append(f" {said[number][:room]}", _FAINT if number < head else _CAPTION)
         return text
 
 
 class ReaderStrip(Strip):
     """The tape in the reader."""
+
+    def __init__(self, session: Session, name: str) -> None:
+        super().__init__(session, name)
+        self.captions: list[str] = []
+        self.captioned = b""
 
     def look(self) -> object:
         reader = self.session.machine.teletype.reader
@@ -60,8 +60,8 @@ class ReaderStrip(Strip):
             self.captioned = reader.tape
             self.captions = captions(reader.tape, kinds.classify(reader.tape))
         name = self.session.reader_tape if reader.loaded else "reader"
-        title(self, name if reader.on else f"STOP · {name}")
-        subtitle(self, f"{reader.position:,} of {len(reader.tape):,}" if reader.loaded else "")
+        place = f"{reader.position:,} of {len(reader.tape):,}" if reader.loaded else ""
+        frame(self, name if reader.on else f"STOP · {name}", place)
         return reader.tape, reader.position, reader.on
 
     def render(self) -> Text:
@@ -69,9 +69,7 @@ class ReaderStrip(Strip):
         if not reader.loaded:
             return Text("no tape: O", _FAINT)
         first = reader.position - max(1, self.size.height // 3)
-        window = range(first, first + self.size.height)
-        said = [self.captions[at] if 0 <= at < len(reader.tape) else "" for at in window]
-        return self.rows(reader.tape, said, first, reader.position)
+        return self.rows(reader.tape, self.captions, first, reader.position)
 
 
 class PunchStrip(Strip):
@@ -79,8 +77,8 @@ class PunchStrip(Strip):
 
     def look(self) -> object:
         punch = self.session.machine.teletype.punch
-        title(self, "punch" if punch.on else "punch OFF")
-        subtitle(self, f"{len(punch.frames):,} punched" if punch.frames else "")
+        punched = f"{len(punch.frames):,} punched" if punch.frames else ""
+        frame(self, "punch" if punch.on else "punch OFF", punched)
         return len(punch.frames), punch.on
 
     def render(self) -> Text:
@@ -89,5 +87,4 @@ class PunchStrip(Strip):
             return Text("nothing punched", _FAINT)
         known = bytes(frames[-_KNOWN:])
         first = max(0, len(known) - self.size.height)
-        said = captions(known, kinds.classify(known))[first:]
-        return self.rows(known, said, first, len(known) - 1)
+        return self.rows(known, captions(known, kinds.classify(known)), first, len(known) - 1)

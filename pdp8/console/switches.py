@@ -11,12 +11,11 @@ from rich.style import Style
 from rich.text import Text
 from textual import events
 from textual.containers import Horizontal
-from textual.message import Message
 from textual.reactive import reactive
 from textual.widget import Widget
 from textual.widgets import Static
 
-from pdp8.console.lamps import label_width, pitch
+from pdp8.console.lamps import columns
 from pdp8.console.session import Session
 
 _CREAM, _RUST, _HAND, _WELL = "#efe3c2", "#d07a35", "#ff5a45", "#4b3a2a"
@@ -40,13 +39,6 @@ class Rocker(Widget):
     DEFAULT_CSS = "Rocker { height: 2; }"
     state: reactive[object] = reactive(None)
 
-    class Thrown(Message):
-        """The switch was clicked."""
-
-        def __init__(self, bit: int) -> None:
-            super().__init__()
-            self.bit = bit
-
     def __init__(self, session: Session, bit: int) -> None:
         super().__init__(id=f"sr{bit}")
         self.session = session
@@ -63,9 +55,9 @@ class Rocker(Widget):
         self.held = held
         self.state = (self.up, held)
 
-    def on_click(self, event: events.Click) -> None:
+    async def on_click(self, event: events.Click) -> None:
         event.stop()
-        self.post_message(self.Thrown(self.bit))
+        await self.run_action(f"app.flip({self.bit})")
 
     def render(self) -> Text:
         wide = self.size.width >= 3
@@ -83,22 +75,15 @@ class Key(Widget):
     state: reactive[object] = reactive(None)
     down: reactive[bool] = reactive(False)
 
-    class Pressed(Message):
-        """The key was clicked."""
-
-        def __init__(self, name: str) -> None:
-            super().__init__()
-            self.name = name
-
     def __init__(self, session: Session, name: str, label: str, letter: str) -> None:
         super().__init__(id=name)
         self.session = session
         self.label = label
         self.letter = letter
 
-    def on_click(self, event: events.Click) -> None:
+    async def on_click(self, event: events.Click) -> None:
         event.stop()
-        self.post_message(self.Pressed(str(self.id)))
+        await self.run_action(f"app.key('{self.id}')")
 
     @property
     def active(self) -> bool:
@@ -144,11 +129,11 @@ class SwitchRegister(Horizontal):
 
     def on_resize(self) -> None:
         """Keep every rocker under its lamps."""
-        wide = self.size.width >= 95
-        self.label.styles.width = label_width(wide) - 1
-        self.label.update("SWITCH REGISTER" if wide else "SWITCHES")
+        room = columns(self.size.width)
+        self.label.styles.width = room.label - 1
+        self.label.update("SWITCH REGISTER" if room.wide else "SWITCHES")
         for bit, rocker in enumerate(self.rockers):
-            rocker.styles.width = pitch(wide)
+            rocker.styles.width = room.lamp
             rocker.styles.margin = (0, 1 if bit % 3 == 2 else 0, 0, 0)
         self.octal.styles.width = 6
         self.show()

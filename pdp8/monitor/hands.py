@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from pal.isa import STATES
 from pdp8.computer.count import Count
 from pdp8.computer.use import counted
 from pdp8.computer.use.trace import Trace
@@ -14,7 +15,6 @@ REGISTERS = {"ac": 0o7777, "link": 1, "pc": 0o7777, "ma": 0o7777, "mb": 0o7777, 
 SWITCHES = ("mem_prot", "sing_step")
 _NAMES = " ".join((*REGISTERS, *SWITCHES, "hands"))
 _KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
-_STATES = ("FETCH", "DEFER", "EXECUTE")
 _POSITIONS = {"1": True, "on": True, "0": False, "off": False}
 _WHOLE_CORE = ("0:7777",)
 
@@ -63,7 +63,7 @@ def registers(monitor: Monitor, arguments: Sequence[str]) -> None:
     lit = [name for name in ("ion", "protect", "run") if getattr(lamps, name)]
     monitor.say(
         f"PC {m.pc:04o}  L {lamps.link}  AC {lamps.ac:04o}  MA {lamps.ma:04o}  MB {lamps.mb:04o}  "
-        f"IR {lamps.ir} {_STATES[m.processor.state]:7}  SR {m.sr:04o}  {m.elapsed * 1000:.5f} ms"
+        f"IR {lamps.ir} {STATES[m.processor.state]:7}  SR {m.sr:04o}  {m.elapsed * 1000:.5f} ms"
         + "".join(f"  {name.upper()}" for name in lit)
     )
 

@@ -10,8 +10,9 @@ pytest.importorskip("textual", reason="Textual, the extra `panel`, is not instal
 from textual.pilot import Pilot
 from textual.widgets import OptionList
 
+from pdp8.computer.use.keys import COLUMNS
 from pdp8.console.app import Room
-from pdp8.console.pages import COLUMNS, Paper
+from pdp8.console.pages import Paper
 from pdp8.console.switches import Rocker, SwitchRegister
 from tapes import shelf
 from tests.conftest import Shell, assert_same_tape, case
@@ -182,9 +183,9 @@ async def test_the_paper_does_what_a_carriage_does(room: Room, pilot: Pilot[None
     paper = room.query_one(Paper)
     for frame in b"ABC\rD\nx" + b"=" * 80:
         paper.take(frame | 0o200)
-    assert paper.lines[0] == "DBC"
-    assert paper.lines[1].startswith(" X====")
-    assert len(paper.lines[1]) == COLUMNS
+    assert paper.typed.lines[0] == "DBC"
+    assert paper.typed.lines[1].startswith(" X====")
+    assert len(paper.typed.lines[1]) == COLUMNS
 
 
 @scene()

@@ -5,9 +5,10 @@ from pathlib import Path
 
 import pytest
 
+from pdp8.computer.hardware.panel import LAMPS
 from pdp8.computer.machine import Machine
 from pdp8.console.opening import opening
-from pdp8.console.session import LAMPS, Session, Tape
+from pdp8.console.session import Session, Tape
 from tapes import shelf
 from tests.conftest import assert_same_tape
 
@@ -47,9 +48,9 @@ def test_the_hands_press_a_key_every_tenth_of_a_second() -> None:
     assert session.machine.core[0o7756] == 0o6032
     session.advance(1.6)
     assert {address: session.machine.core[address] for address in RIM_WORDS} == RIM_WORDS
-    assert session.hands_busy
+    assert session.said == "toggling RIM in: 0000 into 7776"
     session.advance(0.1)
-    assert not session.hands_busy
+    assert session.said == "the RIM loader is in core"
     assert session.machine.elapsed == 0
 
 
@@ -58,8 +59,8 @@ def test_the_hands_find_the_keys_dead_while_run_is_on() -> None:
     session.machine.core[0o200] = 0o5200
     session.machine.start(0o200)
     session.toggle_rim()
+    assert session.said == "the machine runs: press STOP first"
     session.advance(0.2)
-    assert not session.hands_busy
     assert session.machine.core[0o7756] == 0
 
 
@@ -154,15 +155,15 @@ def test_a_tape_put_into_a_running_machine_is_read_at_once() -> None:
 def test_a_lever_thrown_by_hand_is_left_to_the_hand() -> None:
     session = at_rest()
     reader = session.machine.teletype.reader
-    session.throw_lever()
+    session.operator.throw_lever()
     session.mount(Tape("two frames", b"\xb1\xb2"))
     session.press("start")
     assert not reader.on
     session.press("stop")
-    session.throw_lever()
+    session.operator.throw_lever()
     session.mount(Tape("two frames", b"\xb1\xb2"))
-    session.throw_lever()
-    session.throw_lever()
+    session.operator.throw_lever()
+    session.operator.throw_lever()
     session.press("start")
     assert not reader.on
 

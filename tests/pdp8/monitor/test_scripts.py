@@ -186,6 +186,7 @@ def test_what_is_odd_about_a_tape_is_said(
     assert said[-1].startswith(f"{tmp_path}/bin: ")
     assert said[-1].endswith("; loaded as far as it can be read")
     assert monitor.machine.core[0o200] == 0o7402
+    do(monitor, f"listing {tmp_path}/bin")
 
 
 def test_an_address_is_a_symbol_by_its_first_six_letters_plus_or_minus(
