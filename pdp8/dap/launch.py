@@ -71,12 +71,12 @@ class Launch:
         found = find(self.program)
         monitor = Monitor(say, Machine(self.highspeed), found.listing)
         if self.boot:
-            tapes.boot(monitor, [self.program])
+            tapes.boot(monitor, self.program)
             monitor.listing = found.listing
         else:
             monitor.machine.load(found.words)
         if self.reader:
-            tapes.reader(monitor, self.reader)
+            tapes.reader(monitor, *self.reader)
         monitor.machine.sr = monitor.address(self.sr)
         for line in self.commands:
             do(monitor, line)

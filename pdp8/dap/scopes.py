@@ -88,7 +88,7 @@ def set_variable(room: Debuggee, arguments: Body) -> Body:
     monitor, number, name = room.monitor, arguments["variablesReference"], arguments["name"]
     value = arguments["value"].strip()
     if number == REGISTERS:
-        hands.set_(monitor, [name.lower().replace(" ", "_"), value])
+        hands.set_(monitor, name.lower().replace(" ", "_"), value)
     elif number == SYMBOLS:
         monitor.machine.core[monitor.address(name)] = monitor.address(value)
     elif number >= _PARTS:

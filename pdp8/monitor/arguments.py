@@ -91,13 +91,3 @@ def some(arguments: Sequence[str], what: str, least: int = 1, most: int | None =
     if most is not None and len(arguments) > most:
         raise MonitorError(f"{what} expected, and no more: {' '.join(arguments[most:])}")
     return arguments
-
-
-def exactly(arguments: Sequence[str], what: str, count: int) -> Sequence[str]:
-    """Return `arguments` if there are exactly so many. Raises MonitorError."""
-    return some(arguments, what, count, count)
-
-
-def at_most(arguments: Sequence[str], what: str, count: int) -> Sequence[str]:
-    """Return `arguments` if there are no more than so many. Raises MonitorError."""
-    return some(arguments, what, 0, count)

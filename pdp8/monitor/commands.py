@@ -2,11 +2,12 @@
 
 from collections.abc import Callable, Sequence
 from difflib import get_close_matches
+from inspect import signature
 from textwrap import wrap
 from typing import NamedTuple
 
 from pdp8.monitor import hands, keystrokes, past, running, tapes
-from pdp8.monitor.arguments import MonitorError, as_it_stands, command, exactly, split
+from pdp8.monitor.arguments import MonitorError, as_it_stands, command, some, split
 from pdp8.monitor.prompt import Monitor
 
 _SHORT = {"b": "break", "e": "examine", "ex": "examine", "l": "load", "w": "watch"}
@@ -14,65 +15,75 @@ _SHORT = {"b": "break", "e": "examine", "ex": "examine", "l": "load", "w": "watc
 
 
 class Command(NamedTuple):
-    """A command: its name, what comes after it, and what it does."""
+    """A command: its name, what comes after it, what it does, what was expected where too little or too much
+    comes, and how what comes is made words.
+    """
 
     name: str
     arguments: str
-    action: Callable[[Monitor, Sequence[str]], None]
-    arguments_of: Callable[[str], Sequence[str]] = split
-    """Makes the arguments of what stands after the name."""
+    action: Callable[..., None]
+    expected: str = "nothing"
+    words_of: Callable[[str], Sequence[str]] = split
+
+    def words(self, rest: str) -> Sequence[str]:
+        """Return the words of `rest`: as many as the action takes. Raises MonitorError."""
+        _, *takes = signature(self.action).parameters.values()
+        any_number = [each for each in takes if each.kind is each.VAR_POSITIONAL]
+        needed = [each for each in takes if each.default is each.empty and each not in any_number]
+        return some(self.words_of(rest), self.expected, len(needed), None if any_number else len(takes))
 
 
-def help_(monitor: Monitor, arguments: Sequence[str]) -> None:
+def help_(monitor: Monitor, *names: str) -> None:
     """Say what the monitor knows, or one of its commands."""
-    for each in [find(name) for name in arguments] or COMMANDS.values():
+    for each in [find(name) for name in names] or COMMANDS.values():
         said = f"{each.name + ' ' + each.arguments:27} {each.action.__doc__}"
         for line in wrap(said, 79, subsequent_indent=" " * 28):
             monitor.say(line)
 
 
-def quit_(monitor: Monitor, arguments: Sequence[str]) -> None:
+def quit_(monitor: Monitor) -> None:
     """Leave."""
-    exactly(arguments, "nothing", 0)
     monitor.finished = True
 
 
+_PLACES = f"{' '.join(hands.REGISTERS)} or an address"
+_TAPES = "names of tapes, or start, stop, or none"
 COMMANDS = {
     each.name: each
     for each in (
-        Command("examine", "A | A:B ...", hands.examine),
-        Command("deposit", "A WORD ...", hands.deposit),
-        Command("set", "NAME WORD", hands.set_),
+        Command("examine", "A | A:B ...", hands.examine, "an address"),
+        Command("deposit", "A WORD ...", hands.deposit, "an address and words"),
+        Command("set", "NAME WORD", hands.set_, f"one of {hands.NAMES} and a word"),
         Command("registers", "", hands.registers),
-        Command("load", "PROGRAM [force]", tapes.load),
-        Command("boot", "PROGRAM [force]", tapes.boot),
-        Command("listing", "PROGRAM", tapes.listing),
+        Command("load", "PROGRAM [force]", tapes.load, "the name of a program"),
+        Command("boot", "PROGRAM [force]", tapes.boot, "the name of a program"),
+        Command("listing", "PROGRAM", tapes.listing, "the name of a program"),
         Command("rim", "", tapes.rim),
-        Command("key", "KEY ...", hands.key),
+        Command("key", "KEY ...", hands.key, f"one or more of the keys {' '.join(hands.KEYS)}"),
         Command("go", "[A] [SECONDS|until TEXT]", running.go),
         Command("cont", "[SECONDS|until TEXT]", running.cont),
         Command("run", "[SECONDS|until TEXT]", running.run),
         Command("until", "TEXT [N times] [SECONDS]", running.until),
         Command("expect", "TEXT [SECONDS]", running.expect),
-        Command("assert", "REGISTER|A WORD", running.assert_),
-        Command("wait", "SECONDS", running.wait),
-        Command("step", "[N]", hands.step),
-        Command("cycle", "[N]", hands.cycle),
+        Command("assert", "REGISTER|A WORD", running.assert_, f"one of {_PLACES}, and a word"),
+        Command("wait", "SECONDS", running.wait, "seconds"),
+        Command("step", "[N]", hands.step, "how many, octal,"),
+        Command("cycle", "[N]", hands.cycle, "how many, octal,"),
         Command("back", "[N] [UNIT] | until A [written|flag]", past.back),
         Command("break", "[A ...]", hands.break_),
         Command("watch", "[A ...]", hands.watch),
         Command("forget", "[A ...]", hands.forget),
-        Command("trace", "on|cycles|off", hands.trace),
-        Command("count", "[on|off|listing]", hands.count),
-        Command("reader", "TAPE ...|start|stop|none", tapes.reader),
-        Command("punch", "FILE|on|off", tapes.punch),
-        Command("fast-reader", "TAPE", tapes.fast_reader),
-        Command("fast-punch", "FILE|on|off", tapes.fast_punch),
-        Command("type", "TEXT", keystrokes.type_, as_it_stands),
+        Command("trace", "on|cycles|off", hands.trace, "on, cycles or off"),
+        Command("count", "[on|off|listing]", hands.count, "on, off or listing, or nothing"),
+        Command("reader", "TAPE ...|start|stop|none", tapes.reader, _TAPES),
+        Command("punch", "FILE|on|off", tapes.punch, "the name of a file, or on, or off"),
+        Command("fast-reader", "TAPE", tapes.fast_reader, "the name of a tape"),
+        Command("fast-punch", "FILE|on|off", tapes.fast_punch, "the name of a file, or on, or off"),
+        Command("type", "TEXT", keystrokes.type_, words_of=as_it_stands),
         Command("keyboard", "[now] TEXT ...", keystrokes.keyboard),
         Command("page", "[more]", tapes.page),
-        Command("save", "FILE", tapes.save),
-        Command("restore", "FILE", tapes.restore),
+        Command("save", "FILE", tapes.save, "the name of a file"),
+        Command("restore", "FILE", tapes.restore, "the name of a file"),
         Command("help", "[COMMAND]", help_),
         Command("quit", "", quit_),
         Command("exit", "", quit_),
@@ -102,4 +113,4 @@ def do(monitor: Monitor, line: str) -> None:
     name, rest = command(line)
     if name:
         found = find(name)
-        found.action(monitor, found.arguments_of(rest))
+        found.action(monitor, *found.words(rest))

@@ -7,36 +7,34 @@ from pdp8.computer.count import Count
 from pdp8.computer.use import counted
 from pdp8.computer.use.trace import Trace
 from pdp8.computer.watch import Watch
-from pdp8.monitor.arguments import MonitorError, at_most, exactly, octal, seconds, some
+from pdp8.monitor.arguments import MonitorError, octal, seconds
 from pdp8.monitor.prompt import Monitor
 
 REGISTERS = {"ac": 0o7777, "link": 1, "pc": 0o7777, "ma": 0o7777, "mb": 0o7777, "ir": 7, "sr": 0o7777}
 """Each register with its greatest value."""
 SWITCHES = ("mem_prot", "sing_step")
-_NAMES = " ".join((*REGISTERS, *SWITCHES, "hands"))
-_KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
+NAMES = " ".join((*REGISTERS, *SWITCHES, "hands"))
+KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
 _POSITIONS = {"1": True, "on": True, "0": False, "off": False}
 _WHOLE_CORE = ("0:7777",)
 
 
-def examine(monitor: Monitor, arguments: Sequence[str]) -> None:
+def examine(monitor: Monitor, place: str, *more: str) -> None:
     """Say words of core, each with its line of the listing."""
-    for argument in some(arguments, "an address"):
-        for address in monitor.range(argument):
+    for each in (place, *more):
+        for address in monitor.range(each):
             monitor.say(monitor.listing.line(address, monitor.machine.core[address]))
 
 
-def deposit(monitor: Monitor, arguments: Sequence[str]) -> None:
+def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
     """Put words into core."""
-    first, *words = some(arguments, "an address and words", 2)
-    address = monitor.address(first)
-    for offset, word in enumerate([octal(word) for word in words]):
-        monitor.machine.core[address + offset & 0o7777] = word
+    address = monitor.address(place)
+    for offset, each in enumerate([octal(each) for each in (word, *more)]):
+        monitor.machine.core[address + offset & 0o7777] = each
 
 
-def set_(monitor: Monitor, arguments: Sequence[str]) -> None:
+def set_(monitor: Monitor, name: str, value: str) -> None:
     """Set a register, a switch (0 or 1), or the seconds that a key of the panel takes (hands)."""
-    name, value = exactly(arguments, f"one of {_NAMES} and a word", 2)
     name = register(name)
     if name in REGISTERS:
         word = monitor.address(value)
@@ -48,7 +46,7 @@ def set_(monitor: Monitor, arguments: Sequence[str]) -> None:
     elif name == "hands":
         monitor.operator.pace = monitor.operator.pace._replace(pressing=seconds(value))
     else:
-        raise MonitorError(f"{name}: no register or switch; there are {_NAMES}")
+        raise MonitorError(f"{name}: no register or switch; there are {NAMES}")
 
 
 def register(name: str) -> str:
@@ -56,9 +54,8 @@ def register(name: str) -> str:
     return {"l": "link"}.get(name.lower(), name.lower())
 
 
-def registers(monitor: Monitor, arguments: Sequence[str]) -> None:
+def registers(monitor: Monitor) -> None:
     """Say the lamps, the PC and the time."""
-    exactly(arguments, "nothing", 0)
     m, lamps = monitor.machine, monitor.machine.panel.lamps
     lit = [name for name in ("ion", "protect", "run") if getattr(lamps, name)]
     monitor.say(
@@ -68,28 +65,27 @@ def registers(monitor: Monitor, arguments: Sequence[str]) -> None:
     )
 
 
-def key(monitor: Monitor, arguments: Sequence[str]) -> None:
+def key(monitor: Monitor, first: str, *more: str) -> None:
     """Press keys of the panel."""
-    names = [name.lower() for name in some(arguments, f"one or more of the keys {' '.join(_KEYS)}")]
+    names = [name.lower() for name in (first, *more)]
     for name in names:
-        if name not in _KEYS:
-            raise MonitorError(f"{name}: the keys are {' '.join(_KEYS)}")
+        if name not in KEYS:
+            raise MonitorError(f"{name}: the keys are {' '.join(KEYS)}")
     for name in names:
         monitor.operator.press(name)
 
 
-def step(monitor: Monitor, arguments: Sequence[str]) -> None:
+def step(monitor: Monitor, count: str = "1") -> None:
     """Run instructions, and say each."""
-    _traced(monitor, arguments, cycles=False)
+    _traced(monitor, count, cycles=False)
 
 
-def cycle(monitor: Monitor, arguments: Sequence[str]) -> None:
+def cycle(monitor: Monitor, count: str = "1") -> None:
     """Run memory cycles, and say each."""
-    _traced(monitor, arguments, cycles=True)
+    _traced(monitor, count, cycles=True)
 
 
-def _traced(monitor: Monitor, arguments: Sequence[str], cycles: bool) -> None:
-    (count,) = at_most(arguments, "how many, octal,", 1) or ("1",)
+def _traced(monitor: Monitor, count: str, cycles: bool) -> None:
     processor = monitor.machine.processor
     watch = Watch()
     watch.observer = Trace(monitor.say, monitor.listing, cycles)
@@ -101,18 +97,16 @@ def _traced(monitor: Monitor, arguments: Sequence[str], cycles: bool) -> None:
             return
 
 
-def trace(monitor: Monitor, arguments: Sequence[str]) -> None:
+def trace(monitor: Monitor, what: str) -> None:
     """Say every instruction, or cycle, of the runs to come, or no longer."""
-    (what,) = exactly(arguments, "on, cycles or off", 1)
     if what not in ("on", "cycles", "off"):
         raise MonitorError(f"{what}: on, cycles or off")
     tracer = Trace(monitor.say, monitor.listing, what == "cycles")
     monitor.machine.watch.observer = None if what == "off" else tracer
 
 
-def count(monitor: Monitor, arguments: Sequence[str]) -> None:
+def count(monitor: Monitor, what: str = "") -> None:
     """Count, from now on, what is done; say it, or the listing with its counts; or count no longer."""
-    (what,) = at_most(arguments, "on, off or listing, or nothing", 1) or ("",)
     observer = monitor.machine.watch.observer
     if what in ("on", "off"):
         monitor.machine.watch.observer = Count() if what == "on" else None
@@ -126,25 +120,25 @@ def count(monitor: Monitor, arguments: Sequence[str]) -> None:
             monitor.say(line)
 
 
-def break_(monitor: Monitor, arguments: Sequence[str]) -> None:
+def break_(monitor: Monitor, *places: str) -> None:
     """Stop before instructions; without addresses, say where."""
-    _points(monitor, monitor.machine.watch.breakpoints, arguments)
+    _points(monitor, monitor.machine.watch.breakpoints, places)
 
 
-def watch(monitor: Monitor, arguments: Sequence[str]) -> None:
+def watch(monitor: Monitor, *places: str) -> None:
     """Stop after words are written; without addresses, say which."""
-    _points(monitor, monitor.machine.watch.writes, arguments)
+    _points(monitor, monitor.machine.watch.writes, places)
 
 
-def _points(monitor: Monitor, points: set[int], arguments: Sequence[str]) -> None:
-    points |= {address for argument in arguments for address in monitor.range(argument)}
-    if not arguments:
+def _points(monitor: Monitor, points: set[int], places: Sequence[str]) -> None:
+    points |= {address for place in places for address in monitor.range(place)}
+    if not places:
         monitor.say(" ".join(f"{address:04o}" for address in sorted(points)) or "none")
 
 
-def forget(monitor: Monitor, arguments: Sequence[str]) -> None:
+def forget(monitor: Monitor, *places: str) -> None:
     """Forget breakpoints and watched words at addresses, or all."""
     points = monitor.machine.watch
-    gone = {address for argument in arguments or _WHOLE_CORE for address in monitor.range(argument)}
+    gone = {address for place in places or _WHOLE_CORE for address in monitor.range(place)}
     points.breakpoints -= gone
     points.writes -= gone

@@ -9,10 +9,7 @@ it is in. One that counts meanwhile waits when for 0.4 s it has done nothing to 
 glances stood within the same eight words.
 """
 
-from collections.abc import Sequence
-
 from pdp8.computer.hardware.signals import NEVER
-from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason
 from pdp8.computer.use.keys import sent
 from pdp8.monitor.arguments import FRAME, MonitorError, Quoted, some
@@ -27,14 +24,14 @@ _SMALL = 8
 _RETURN = b"\x8d"
 
 
-def type_(monitor: Monitor, arguments: Sequence[str]) -> None:
+def type_(monitor: Monitor, text: str) -> None:
     """Press the keys of TEXT as it stands, then RETURN, each as the program asks for it; fail after 60 s."""
-    _press(monitor, _frames("".join(arguments)) + _RETURN)
+    _press(monitor, _frames(text) + _RETURN)
 
 
-def keyboard(monitor: Monitor, arguments: Sequence[str]) -> None:
+def keyboard(monitor: Monitor, *arguments: str) -> None:
     """Press keys as `type` does, without RETURN: texts as for `expect`; or now, whatever the program does."""
-    now = arguments[:1] == ["now"] and not isinstance(arguments[0], Quoted)
+    now = arguments[:1] == ("now",) and not isinstance(arguments[0], Quoted)
     words = some(arguments[1:] if now else arguments, "a text")
     frames = _frames("".join(map(text_of, words)))
     if now:
@@ -74,29 +71,14 @@ def _refused(monitor: Monitor) -> str:
     if not machine.panel.lamps.run:
         return "the machine stands still"
     why = ""
-    actions, places = machine.bus.actions, list[int]()
+    receiver, actions, places = machine.teletype.receiver, machine.bus.actions, list[int]()
     for stop in slices(monitor, _PATIENCE, GLANCE):
         places = [*places[1 - _GLANCES :], stop.pc] if machine.bus.actions == actions else []
         actions = machine.bus.actions
-        if _has_read(machine) and (_goes_round(places) or _asks(machine, stop.reason)):
+        goes_round = len(places) == _GLANCES and max(places) - min(places) < _SMALL
+        waits = stop.reason in (Reason.IDLE, Reason.TAPE_OUT) and (receiver.tested or machine.ion)
+        has_read_all = not receiver.flag and receiver.due == NEVER
+        if has_read_all and (goes_round or waits):
             return ""
         why = f"{_PATIENCE:g} s have passed" if stop.reason is Reason.LIMIT else str(stop.reason)
     return why
-
-
-def _has_read(machine: Machine) -> bool:
-    """Tell whether every key and frame so far has been read."""
-    receiver = machine.teletype.receiver
-    return not receiver.flag and receiver.due == NEVER
-
-
-def _asks(machine: Machine, reason: Reason) -> bool:
-    """Tell whether a run ended because only a key, or a tape, would let the program go on."""
-    receiver = machine.teletype.receiver
-    tested = receiver.tested
-    return reason in (Reason.IDLE, Reason.TAPE_OUT) and bool(tested or machine.ion)
-
-
-def _goes_round(places: Sequence[int]) -> bool:
-    """Tell whether the program was in one small loop at all of the last glances."""
-    return len(places) == _GLANCES and max(places) - min(places) < _SMALL

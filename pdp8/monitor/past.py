@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History
-from pdp8.monitor.arguments import MonitorError, at_most, octal, seconds
+from pdp8.monitor.arguments import MonitorError, octal, seconds, some
 from pdp8.monitor.prompt import Monitor
 
 _MEASURES: Mapping[str, Callable[[History, int], None]] = {
@@ -25,9 +25,9 @@ _MOST = (1 << 36) - 1
 _WHAT = "[N] [instructions|cycles|characters|blocks|seconds], or until A [written|flag],"
 
 
-def back(monitor: Monitor, arguments: Sequence[str]) -> None:
+def back(monitor: Monitor, *arguments: str) -> None:
     """Undo N instructions (1), cycles, characters, blocks, seconds; or until A was executed or written."""
-    if arguments[:1] == ["until"]:
+    if arguments[:1] == ("until",):
         _until(monitor, arguments[1:])
     else:
         _measured(monitor, arguments)
@@ -40,7 +40,7 @@ def back(monitor: Monitor, arguments: Sequence[str]) -> None:
 
 
 def _measured(monitor: Monitor, arguments: Sequence[str]) -> None:
-    count, unit = [*at_most(arguments, _WHAT, 2), *("1", "instructions")[len(arguments) :]]
+    count, unit = [*some(arguments, _WHAT, 0, 2), *("1", "instructions")[len(arguments) :]]
     unit = unit.removesuffix("s") + "s"
     if unit == "seconds":
         rewind.seconds(monitor.history, seconds(count))
@@ -51,7 +51,7 @@ def _measured(monitor: Monitor, arguments: Sequence[str]) -> None:
 
 
 def _until(monitor: Monitor, arguments: Sequence[str]) -> None:
-    place, how = [*at_most(arguments, _WHAT, 2), *("", "left")[len(arguments) :]]
+    place, how = [*some(arguments, _WHAT, 0, 2), *("", "left")[len(arguments) :]]
     if how == "flag":
         rewind.until_flag(monitor.history, octal(place, 0o77))
     elif how == "written":

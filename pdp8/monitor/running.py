@@ -13,7 +13,7 @@ from typing import NamedTuple
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.stop import Reason, Stop
-from pdp8.monitor.arguments import LONGEST, MonitorError, Quoted, at_most, exactly, seconds, some
+from pdp8.monitor.arguments import LONGEST, MonitorError, Quoted, seconds, some
 from pdp8.monitor.hands import REGISTERS, register
 from pdp8.monitor.prompt import Monitor
 from tapes import shelf
@@ -34,7 +34,7 @@ class Goal(NamedTuple):
     times: int = 0
 
 
-def go(monitor: Monitor, arguments: Sequence[str]) -> None:
+def go(monitor: Monitor, *arguments: str) -> None:
     """START, at an address if one is given, and run: for SECONDS, or until a text is printed."""
     address = None
     if arguments and arguments[0] != "until":
@@ -47,7 +47,7 @@ def go(monitor: Monitor, arguments: Sequence[str]) -> None:
     _begin(monitor, "start", goal)
 
 
-def cont(monitor: Monitor, arguments: Sequence[str]) -> None:
+def cont(monitor: Monitor, *arguments: str) -> None:
     """CONT: go on, for SECONDS or until a text is printed."""
     goal = _goal(arguments)
     if monitor.machine.panel.lamps.run:
@@ -56,26 +56,26 @@ def cont(monitor: Monitor, arguments: Sequence[str]) -> None:
         _begin(monitor, "cont", goal)
 
 
-def run(monitor: Monitor, arguments: Sequence[str]) -> None:
+def run(monitor: Monitor, *arguments: str) -> None:
     """Go on without a key being pressed: for SECONDS, or until a text is printed."""
     _pursue(monitor, _goal(arguments))
 
 
-def until(monitor: Monitor, arguments: Sequence[str]) -> None:
+def until(monitor: Monitor, *arguments: str) -> None:
     """Go on until TEXT, or BEL, is printed from now on, N times if given; fail after SECONDS (60)."""
-    _pursue(monitor, _goal(["until", *arguments]))
+    _pursue(monitor, _goal(("until", *arguments)))
 
 
-def expect(monitor: Monitor, arguments: Sequence[str]) -> None:
+def expect(monitor: Monitor, *arguments: str) -> None:
     """Go on until the page shows TEXT, or fail after SECONDS (60)."""
-    text, *rest = at_most(some(arguments, "a text"), "a text and seconds", 2)
+    text, *rest = some(some(arguments, "a text"), "a text and seconds", 1, 2)
     _wait_for(monitor, Goal(seconds(rest[0]) if rest else _DEFAULT, text_of(text), 1))
 
 
 def _goal(arguments: Sequence[str]) -> Goal:
     """Return what [SECONDS] or until TEXT [N times] [SECONDS] asks for. Raises MonitorError."""
-    if arguments[:1] != ["until"]:
-        at_most(arguments, "seconds, or until TEXT,", 1)
+    if arguments[:1] != ("until",):
+        some(arguments, "seconds, or until TEXT,", 0, 1)
         return Goal(seconds(arguments[0])) if arguments else Goal()
     text, *rest = some(arguments[1:], "a text, or BEL,")
     times = 1
@@ -84,7 +84,7 @@ def _goal(arguments: Sequence[str]) -> Goal:
             raise MonitorError(f"{rest[0]}: how many times, a decimal number from 1")
         times = int(rest[0])
         rest = rest[2:]
-    at_most(rest, 'a text, a count and "times", seconds', 1)
+    some(rest, 'a text, a count and "times", seconds', 0, 1)
     return Goal(seconds(rest[0]) if rest else _DEFAULT, text_of(text), times)
 
 
@@ -172,9 +172,8 @@ def slices(monitor: Monitor, limit: float, longest: float = _SLICE) -> Iterator[
             return
 
 
-def wait(monitor: Monitor, arguments: Sequence[str]) -> None:
+def wait(monitor: Monitor, time: str) -> None:
     """Let time pass: the program runs on if RUN is lit, else the Teletype ends what it has begun."""
-    (time,) = exactly(arguments, "seconds", 1)
     machine = monitor.machine
     end = machine.ticks + round(seconds(time) * TICKS_PER_SECOND)
     if machine.panel.lamps.run:
@@ -184,9 +183,8 @@ def wait(monitor: Monitor, arguments: Sequence[str]) -> None:
         machine.wait(max(0, end - machine.ticks) / TICKS_PER_SECOND)
 
 
-def assert_(monitor: Monitor, arguments: Sequence[str]) -> None:
+def assert_(monitor: Monitor, name: str, value: str) -> None:
     """Fail unless a register, or the word at an address, is so."""
-    name, value = exactly(arguments, f"one of {' '.join(REGISTERS)} or an address, and a word", 2)
     wanted = monitor.address(value)
     if register(name) in REGISTERS:
         found = getattr(monitor.machine, register(name))

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from pdp8.computer.hardware.teletype import Punch, printed
 from pdp8.computer.past import state
 from pdp8.computer.use import operator, program
-from pdp8.monitor.arguments import MonitorError, exactly, some
+from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
 from tapes import kinds, shelf
 from tapes import rim as rim_format
@@ -16,22 +16,21 @@ from tapes.measure import counted
 _MARKS = {"\a": "<BEL>", "\x7f": "<RUBOUT>"}
 
 
-def load(monitor: Monitor, arguments: Sequence[str]) -> None:
+def load(monitor: Monitor, name: str, *force: str) -> None:
     """Put a program straight into core; `load PROGRAM force` takes a damaged tape too."""
-    name, force = _forced(arguments)
-    found = program.read(_read(monitor, name), name, force, monitor.dialect)
+    found = program.read(_read(monitor, name), name, _forced(force), monitor.dialect)
     monitor.machine.load(found.words)
     monitor.listing = found.listing
     monitor.say(f"{name}: {counted(len(found.words), 'words')}")
     _say_notes(monitor, found)
 
 
-def boot(monitor: Monitor, arguments: Sequence[str]) -> None:
+def boot(monitor: Monitor, name: str, *force: str) -> None:
     """Load a program from cold as an operator does; with force, whatever its checksum."""
-    name, force = _forced(arguments)
+    forced = _forced(force)
     found = program.read(_read(monitor, name), name, True, monitor.dialect)
     loader = rim_format.encode(program.bundled("bin.pal").words)
-    for step in monitor.operator.boot(loader, found.tape, name, force):
+    for step in monitor.operator.boot(loader, found.tape, name, forced):
         monitor.say(str(step))
     monitor.listing = found.listing
     _say_notes(monitor, found)
@@ -44,11 +43,10 @@ def _read(monitor: Monitor, name: str) -> bytes:
     return shelf.read(name)
 
 
-def _forced(arguments: Sequence[str]) -> tuple[str, bool]:
-    name, *force = some(arguments, "the name of a program")
-    if force not in ([], ["force"]):
-        raise MonitorError(f"{' '.join(force)}: after the name nothing but force")
-    return name, bool(force)
+def _forced(words: Sequence[str]) -> bool:
+    if words not in ((), ("force",)):
+        raise MonitorError(f"{' '.join(words)}: after the name nothing but force")
+    return bool(words)
 
 
 def _say_notes(monitor: Monitor, found: program.Program) -> None:
@@ -56,22 +54,20 @@ def _say_notes(monitor: Monitor, found: program.Program) -> None:
         monitor.say(f"{found.name}: {note}")
 
 
-def listing(monitor: Monitor, arguments: Sequence[str]) -> None:
+def listing(monitor: Monitor, name: str) -> None:
     """Take the listing of a program that is in core already, as after `restore`."""
-    (name,) = exactly(arguments, "the name of a program", 1)
     monitor.listing = program.read(_read(monitor, name), name, True, monitor.dialect).listing
 
 
-def rim(monitor: Monitor, arguments: Sequence[str]) -> None:
+def rim(monitor: Monitor) -> None:
     """Toggle in the RIM loader."""
-    exactly(arguments, "nothing", 0)
     keys = sum(1 for _ in monitor.operator.toggle(operator.RIM_START, operator.RIM))
     monitor.say(f"RIM loader in {operator.RIM_START:04o}-7776, {keys} keys")
 
 
-def reader(monitor: Monitor, arguments: Sequence[str]) -> None:
+def reader(monitor: Monitor, first: str, *more: str) -> None:
     """Put tapes into the Teletype's reader, each as the one before runs out; or its lever; or none."""
-    names = list(some(arguments, "names of tapes, or start, stop, or none"))
+    names = [first, *more]
     teletype = monitor.machine.teletype
     if names in (["start"], ["stop"]):
         if teletype.reader.on != (names == ["start"]):
@@ -82,8 +78,8 @@ def reader(monitor: Monitor, arguments: Sequence[str]) -> None:
         teletype.reader.remove()
         return
     tapes = [_read(monitor, name) for name in names]
-    monitor.operator.mount(names[0], tapes[0])
-    monitor.waiting_tapes = names[1:]
+    monitor.operator.mount(first, tapes[0])
+    monitor.waiting_tapes = [*more]
     for name, frames in zip(names, tapes, strict=True):
         leader = "; no leader" if frames and not has_leader(frames) else ""
         monitor.say(f"{name}: {counted(len(frames), 'frames')}{leader}")
@@ -91,17 +87,16 @@ def reader(monitor: Monitor, arguments: Sequence[str]) -> None:
             monitor.say(f"{name} {doubt}")
 
 
-def fast_reader(monitor: Monitor, arguments: Sequence[str]) -> None:
+def fast_reader(monitor: Monitor, name: str) -> None:
     """Put a tape into the high-speed reader."""
-    (name,) = exactly(arguments, "the name of a tape", 1)
     _need_highspeed(monitor)
     monitor.machine.highspeed.reader.load(_read(monitor, name))
 
 
-def fast_punch(monitor: Monitor, arguments: Sequence[str]) -> None:
+def fast_punch(monitor: Monitor, what: str) -> None:
     """Take the tape off the high-speed punch into a file; or switch it on or off."""
     _need_highspeed(monitor)
-    _take_off(monitor, monitor.machine.highspeed.punch, arguments)
+    _take_off(monitor, monitor.machine.highspeed.punch, what)
 
 
 def _need_highspeed(monitor: Monitor) -> None:
@@ -109,13 +104,12 @@ def _need_highspeed(monitor: Monitor) -> None:
         raise MonitorError("no high-speed reader and punch are fitted: pdp8 monitor --highspeed fits them")
 
 
-def punch(monitor: Monitor, arguments: Sequence[str]) -> None:
+def punch(monitor: Monitor, what: str) -> None:
     """Take the tape off the Teletype's punch into a file; or switch it on or off."""
-    _take_off(monitor, monitor.machine.teletype.punch, arguments)
+    _take_off(monitor, monitor.machine.teletype.punch, what)
 
 
-def _take_off(monitor: Monitor, device: Punch, arguments: Sequence[str]) -> None:
-    (what,) = exactly(arguments, "the name of a file, or on, or off", 1)
+def _take_off(monitor: Monitor, device: Punch, what: str) -> None:
     if what in ("on", "off"):
         device.on = what == "on"
     else:
@@ -124,12 +118,12 @@ def _take_off(monitor: Monitor, device: Punch, arguments: Sequence[str]) -> None
         device.frames.clear()
 
 
-def page(monitor: Monitor, arguments: Sequence[str]) -> None:
+def page(monitor: Monitor, *more: str) -> None:
     """Say what the Teletype has printed; `page more` only what is new since the last time."""
-    if list(arguments) not in ([], ["more"]):
+    if more not in ((), ("more",)):
         raise MonitorError("nothing, or more, expected")
     frames = monitor.machine.teletype.printer.frames
-    since = monitor.shown if arguments else 0
+    since = monitor.shown if more else 0
     monitor.shown = len(frames)
     text = "".join(
         _MARKS.get(chr(frame & 0o177)) or printed(bytes([frame])).decode() for frame in frames[since:]
@@ -138,15 +132,13 @@ def page(monitor: Monitor, arguments: Sequence[str]) -> None:
         monitor.say(line)
 
 
-def save(monitor: Monitor, arguments: Sequence[str]) -> None:
+def save(monitor: Monitor, name: str) -> None:
     """Write the machine's state into a file."""
-    (name,) = exactly(arguments, "the name of a file", 1)
     monitor.say(shelf.leave(name, state.save(monitor.machine).encode(), "JSON"))
 
 
-def restore(monitor: Monitor, arguments: Sequence[str]) -> None:
+def restore(monitor: Monitor, name: str) -> None:
     """Read the machine's state from a file; the listing stays."""
-    (name,) = exactly(arguments, "the name of a file", 1)
     watch, pace = monitor.machine.watch, monitor.operator.pace
     text = shelf.read_text(name, state.LARGEST)
     with naming(name):
