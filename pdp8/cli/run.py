@@ -20,7 +20,7 @@ from pdp8.computer.use import program as programs
 from pdp8.computer.use.program import DIALECTS, FOUND
 from tapes import arguments, command, shelf
 from tapes.arguments import Command, Source, Target
-from tapes.errors import WorkError, called
+from tapes.errors import called, naming
 
 if TYPE_CHECKING:
     from pdp8.computer.use.program import Program
@@ -162,9 +162,8 @@ def _machine(options: Options, found: "Program | None") -> Machine:
             _boot(options, machine, found)
         else:
             machine.load(found.words)
-        for note in found.notes:
-            if options.force or not options.quiet:
-                command.say(f"{called(found.name)}: {note}")
+        if options.force or not options.quiet:
+            command.say_of(found.name, found.notes)
     return machine
 
 
@@ -182,7 +181,11 @@ def _feed(options: Options, machine: Machine) -> Feed:
 
 def _run(options: Options, machine: Machine, found: "Program | None", feed: Feed) -> _Ended:
     """Run to the end, watched as was asked for; return how it ended."""
-    outputs = _outputs(machine, options.punch, options.fast_punch, _paged(options))
+    outputs = []
+    if options.punch is not None or not _paged(options):
+        outputs.append(Output(machine.teletype.punch, options.punch))
+    if options.fast_punch is not None:
+        outputs.append(Output(machine.highspeed.punch, options.fast_punch))
     pass_on = partial(send, outputs)
     with ExitStack() as stack:
         for output in outputs:
@@ -247,12 +250,10 @@ def _check_options(options: Options, more: Sequence[str]) -> None:
         )
     if (options.program is None) == (options.restore is None):
         raise click.UsageError("give a PROGRAM, or --restore FILE and none.")
-    for option, needed, wrong in (
-        ("cycles", "trace", options.cycles and not options.trace),
-        ("loader", "boot", options.loader and not options.boot),
-    ):
-        if wrong:
-            raise click.UsageError(f"--{option} means nothing without --{needed}.")
+    if options.cycles and not options.trace:
+        raise click.UsageError("--cycles means nothing without --trace.")
+    if options.loader and not options.boot:
+        raise click.UsageError("--loader means nothing without --boot.")
     counts = {"count": options.table, "annotate": options.annotate, "count-json": options.count_json}
     counted = [name for name, wanted in counts.items() if wanted]
     if counted and options.trace:
@@ -265,14 +266,6 @@ def _check_options(options: Options, more: Sequence[str]) -> None:
         raise click.UsageError("--tty is keyboard and reader: it goes with neither --keyboard nor --reader.")
 
 
-def _outputs(machine: Machine, punch: str | None, fast_punch: str | None, paged: bool) -> list[Output]:
-    """Return where each punch's frames go; with the page elsewhere, the Teletype's only if it is named."""
-    outputs = [] if paged and punch is None else [Output(machine.teletype.punch, punch)]
-    if fast_punch is not None:
-        outputs.append(Output(machine.highspeed.punch, fast_punch))
-    return outputs
-
-
 def _listing(found: "Program | None") -> "Listing":
     from pdp8.computer.use.trace import Listing
 
@@ -283,10 +276,9 @@ def _restored(name: str, highspeed: bool) -> Machine:
     """Return the saved machine, with the high-speed reader and punch if it had them or is to have them."""
     from pdp8.computer.past import state
 
-    try:
-        machine = state.restore(shelf.read_text(name, state.LARGEST))
-    except state.StateError as error:
-        raise WorkError(f"{called(name)}: {error}") from error
+    text = shelf.read_text(name, state.LARGEST)
+    with naming(name):
+        machine = state.restore(text)
     if highspeed and not machine.highspeed.fitted:
         machine.highspeed.connect(machine.bus)
     return machine

@@ -1,11 +1,9 @@
-"""`pdp8 workbench` and `pdp8 nc view`: the live machine in one page, and a tape at the machine tool in it."""
-
-from os.path import basename
+"""`pdp8 workbench`: the live machine in one page."""
 
 import click
 
-from tapes import command, shelf
-from tapes.arguments import Command, Source, Target, output
+from tapes import command
+from tapes.arguments import Command, Target, output
 
 
 @click.command(cls=Command)
@@ -23,18 +21,3 @@ def workbench(output: str) -> None:
     from pdp8.web.workbench import page
 
     command.put(output, page())
-
-
-@click.command(cls=Command)
-@click.argument("tape", type=Source(), metavar="FILE.eia")
-@output(Target("HTML"), "PAGE", None, "The page.", required=True)
-def view(tape: str, output: str) -> None:
-    """Write a page that cuts a tape: path, band, blocks, and where the machine refuses it.
-
-    \b
-    Examples:
-      pdp8 nc view circle.eia -o circle.html
-    """
-    from pdp8.web.workbench import page
-
-    command.put(output, page((basename(tape), shelf.read(tape))))
