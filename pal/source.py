@@ -143,8 +143,8 @@ def _characters(tape: bytes | str) -> str:
 def _utf_8(tape: bytes) -> bytes | str:
     """Return the text that a tape is in UTF-8, the tape itself if it is none."""
     try:
-        return tape.decode("utf-8-sig")
-    except UnicodeDecodeError:
+        return tape.decode()
+    except ValueError:  # it is not UTF-8
         return tape
 
 

@@ -33,9 +33,9 @@ RENAMED = {"split": "split_", "replace": "replace_", "pop": "pop_"}
 _SPEC = re.compile(r"f'\+?0?(\d*|{.*}),?(\.\d+[fg]|[oxfg])?'")
 _PROPERTIES = {"property", "cached_property"}
 _LIBRARY = {
-    **dict.fromkeys(("sorted", "min", "max"), ("of", "key", "reverse", "default")),
-    **{"dumps": ("of", "indent"), "bisect_left": ("of", "value", "lo", "hi", "key")},
-    "encode": ("encoding", "errors"),
+    "sorted": ("of", "key", "reverse"),
+    "dumps": ("of", "indent"),
+    "bisect_left": ("of", "value", "lo", "hi", "key"),
 }
 """The parameters of Python's own functions that are called with keywords."""
 
@@ -306,10 +306,10 @@ class Expressions(Types):
                 return f"{self.e(value)}.length"
             case (("str" | "repr"), [value]) if kinds[0] == FLOAT:
                 return f"$.{name}($.floating({self.e(value)}))"
-            case (("min" | "max"), [_, _, *_]) if set(kinds) <= set(NUMBERS) and not node.keywords:
+            case (("min" | "max"), [_, _, *_]) if set(kinds) <= set(NUMBERS):
                 return f"Math.{name}({self.all(node.args)})"
             case (("min" | "max"), [_, _, *_]):
-                return self.e(ast.Call(node.func, [ast.List(node.args)], node.keywords))
+                return self.e(ast.Call(node.func, [ast.List(node.args)], []))
             case "isinstance", [_, ast.BinOp()]:
                 self.fail(node)
         return ""

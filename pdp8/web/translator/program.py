@@ -54,12 +54,11 @@ class Module:
         """{name: (module, its name there)}; "" is the module itself."""
         within = re.search(r"^ +(from|import) ", text, re.MULTILINE)  # imports stand within functions too
         for node in ast.walk(self.tree) if within else self.tree.body:
-            if isinstance(node, ast.Import | ast.ImportFrom):
-                source = getattr(node, "module", "")
-                for each in node.names:
-                    self.imports[each.asname or each.name] = (
-                        (source, each.name) if source else (each.name, "")
-                    )
+            if isinstance(node, ast.ImportFrom):
+                source = node.module or ""
+                self.imports |= {each.asname or each.name: (source, each.name) for each in node.names}
+            elif isinstance(node, ast.Import):
+                self.imports |= {each.name: (each.name, "") for each in node.names}
         for node in self.tree.body:
             self._define(node)
         for left_out in self.omitted:

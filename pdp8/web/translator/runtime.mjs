@@ -17,7 +17,6 @@ export class Exception extends Error {
   toString() { return this.__str__(); }
 }
 export class ValueError extends Exception {}
-export class UnicodeDecodeError extends ValueError {}
 export class IndexError extends Exception {}
 export class KeyError extends Exception {
   __str__() { return repr(this.args[0]); }
@@ -53,10 +52,7 @@ export const IntEnum = StrEnum;
 /** The same record but for some fields. */
 export const replaced = (of, fields) => new of.constructor(...of.constructor.$fields.map((name) => fields[name] ?? of[name]));
 /** Keep the value of a cached property. */
-export const kept = (of, name, value) => {
-  Object.defineProperty(of, name, { value, writable: true, configurable: true, enumerable: true });
-  return value;
-};
+export const kept = (of, name, value) => Object.defineProperty(of, name, { value })[name];
 
 // Text and sequences.
 
@@ -77,19 +73,14 @@ export class Bytes extends Uint8Array {
     return made;
   }
   translate(table, gone = []) {
-    const made = new Bytes(this.length), drop = new Bytes(256);
-    for (const each of gone) drop[each] = 1;
-    let count = 0;
-    for (const each of this) if (!drop[each]) made[count++] = table === null ? each : table[each];
-    return made.slice(0, count);
+    const left = gone.length ? this.filter((each) => !gone.includes(each)) : this;
+    return table === null ? left : left.map((each) => table[each]);
   }
   decode(coding = "utf-8") {
-    if (coding === "ascii" && !this.isascii()) throw new UnicodeDecodeError(coding);
     try {
-      return new TextDecoder(coding.replace("-sig", ""), { fatal: true, ignoreBOM: coding !== "utf-8-sig" }).decode(this);
-    } catch {
-      throw new UnicodeDecodeError(coding);
-    }
+      if (coding !== "ascii" || this.isascii()) return new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(this);
+    } catch { /* as if it was not ASCII */ }
+    throw new ValueError(coding);
   }
 }
 export class ByteArray extends Array {}
@@ -259,7 +250,6 @@ const divisor = (b) => {
   return b;
 };
 export const div = (a, b) => (a.__truediv__ ? a.__truediv__(b) : a / divisor(b));
-export const truediv = div;
 export const pow = (a, b) => (a.__pow__ ? a.__pow__(b) : a ** b);
 export const mod = (a, b) => {
   const rest = a % divisor(b);
@@ -281,8 +271,7 @@ export const eq = (a, b) => {
   if (num(a) && num(b)) return +a === +b;
   if (a?.__eq__) return a.__eq__(b);
   if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return false;
-  if (a instanceof Dict) return b instanceof Dict && a.length === b.length && a.items().every(([k, v]) => b.has(k) && eq(v, b.get(k)));
-  if (a instanceof PySet) return b instanceof PySet && a.length === b.length && [...a].every((each) => b.has(each));
+  if (a.has) return a.constructor === b.constructor && a.length === b.length && [...a].every((k) => b.has(k) && eq(a.get?.(k), b.get?.(k)));
   if (a instanceof Record && !(a instanceof NamedTuple)) {
     return a.constructor === b.constructor && a.constructor.$fields.every((name) => eq(a[name], b[name]));
   }
@@ -433,12 +422,7 @@ export const range = (a, b, step = 1) => {
   const made = Array.from({ length: Math.max(0, Math.ceil((stop - start) / step)) }, (_, at) => start + at * step);
   return Object.assign(made, { start, stop });
 };
-const best = (wins) => (of, by = (each) => each, _, otherwise) => {
-  const [first, ...others] = of;
-  if (first !== undefined) return others.reduce((most, each) => (wins(by(each), by(most)) ? each : most), first);
-  if (otherwise === undefined) throw new ValueError("nothing to choose from");
-  return otherwise;
-};
+const best = (wins) => (of) => [...of].reduce((most, each) => (wins(each, most) ? each : most));
 export const min = best(lt);
 export const max = best(gt);
 export const sum = (of, start = 0) => {
@@ -470,10 +454,6 @@ export const round = (of, places = null) => {
 // The standard library.
 
 export const { abs, acos, asin, atan, ceil, cos, cosh, exp, floor, log, sin, sinh, sqrt, tan, tanh } = Math;
-export const accumulate = (of) => {
-  let total = 0;
-  return Array.from(of, (each) => (total += each));
-};
 export const pairwise = (of) => zip(of, list(of).slice(1));
 export const bisect_left = (of, value, low = 0, high = of.length, by = (each) => each) => {
   while (low < high) {
@@ -513,22 +493,31 @@ export const escape = (text) => text.replace(/[&<>"']/g, (c) => ENTITIES[c]);
 /** The whole root of a whole number, a BigInt, by Newton's steps from just above. */
 export const isqrt = (of) => {
   const square = BigInt(of);
-  let root = BigInt(Math.ceil(Math.sqrt(Number(square)) * (1 + 2 ** -50)));
-  for (;;) {
-    const nearer = (root + square / (root || 1n)) >> 1n;
-    if (nearer >= root) return root;
+  let root, nearer = BigInt(Math.ceil(Math.sqrt(Number(square)) * (1 + 2 ** -50)));
+  do {
     root = nearer;
-  }
+    nearer = (root + square / (root || 1n)) >> 1n;
+  } while (nearer < root);
+  return root;
 };
 const gcd = (a, b) => (b ? gcd(b, a % b) : a);
 /** An exact quotient, in lowest terms. At the left of it a number is a float, at its right a whole one. */
 class Rational {
   constructor(over, under) {
-    const common = gcd(over, under);
-    const sign = common < 0n === under < 0n ? 1n : -1n;
-    this.numerator = (sign * over) / common;
-    this.denominator = (sign * under) / common;
+    const common = gcd(over, under), by = common < 0n === under < 0n ? common : -common;
+    this.numerator = over / by;
+    this.denominator = under / by;
   }
+  __add__(of, sign = 1n) {
+    const { numerator, denominator } = rational(of);
+    return new Rational(this.numerator * denominator + sign * numerator * this.denominator, this.denominator * denominator);
+  }
+  __sub__(of) { return this.__add__(of, -1n); }
+  __mul__(of) {
+    const { numerator, denominator } = rational(of);
+    return new Rational(this.numerator * numerator, this.denominator * denominator);
+  }
+  __truediv__(of) { return this.__mul__(new Rational(rational(of).denominator, rational(of).numerator)); }
   __pow__(of) { return new Rational(this.numerator ** BigInt(of), this.denominator ** BigInt(of)); }
   __eq__(of) { return this.__sub__(of).numerator === 0n; }
   /** The nearest float: of 128 bits after the point the last says whether there are more. */
@@ -538,16 +527,6 @@ class Rational {
   }
 }
 const rational = (of) => (of instanceof Rational ? of : Fraction(of));
-const exact = (by) => function (of) {
-  const { numerator, denominator } = rational(of);
-  return new Rational(...by(this.numerator, this.denominator, numerator, denominator));
-};
-give(Rational, {
-  __add__: exact((a, b, c, d) => [a * d + c * b, b * d]),
-  __sub__: exact((a, b, c, d) => [a * d - c * b, b * d]),
-  __mul__: exact((a, b, c, d) => [a * c, b * d]),
-  __truediv__: exact((a, b, c, d) => [a * d, b * c]),
-});
 export const Fraction = (of, under = 1) => {
   if (typeof of !== "string") return new Rational(BigInt(of), BigInt(under));
   const [figures, power = 0] = of.split("e");

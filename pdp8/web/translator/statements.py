@@ -16,7 +16,7 @@ class Statements(Expressions):
     """Writes the statements of one module."""
 
     loops: list[str]
-    """The labels of the loops around; "" is a switch."""
+    """The labels of the loops around."""
 
     def block(self, nodes: list[ast.stmt]) -> list[str]:
         """Return statements, one after another."""
@@ -43,8 +43,8 @@ class Statements(Expressions):
             case ast.If(ast.Compare(ast.Name(name))) if len(cases := self._cases([node], name)) > _FEW:
                 return self._switch(name, cases)
             case ast.If(test, body, other):
-                lines = [f"if ({self.test(test)}) {{", *self.block(body)]
-                return [*lines, *(["} else {", *self.block(other)] if other else []), "}"]
+                lines = [f"if ({self.test(test)}) {{", *self.block(body), "}"]
+                return [*lines, "else {", *self.block(other), "}"] if other else lines
             case ast.While(test, body, []):
                 return self._loop(f"while ({self.test(test)})", [], body)
             case ast.For(target, source, body, []):
@@ -53,7 +53,7 @@ class Statements(Expressions):
             case ast.Return(value):
                 return [f"return {self.e(value) if value else 'null'};"]
             case ast.Break():
-                return [f"break {next(filter(None, reversed(self.loops)))};"]
+                return [f"break {self.loops[-1]};"]  # by its label, out of a switch too
             case ast.Continue():
                 return ["continue;"]
             case ast.Raise(error):
@@ -90,11 +90,11 @@ class Statements(Expressions):
 
     def _parameters(self, args: ast.arguments) -> list[str]:
         defaults = [None] * (len(args.args) - len(args.defaults)) + list(args.defaults)
-        pairs = [pair for pair in zip(args.args, defaults, strict=True) if pair[0].arg != "self"]
-        pairs += [(args.vararg, None)] if args.vararg else []
-        pairs += zip(args.kwonlyargs, args.kw_defaults, strict=True)
-        pairs += [(args.kwarg, None)] if args.kwarg else []
-        return [named(each.arg) + (f" = {self.e(default)}" if default else "") for each, default in pairs]
+        pairs: list[tuple[ast.arg | None, ast.expr | None]] = [*zip(args.args, defaults, strict=True)]
+        pairs += [(args.vararg, None), *zip(args.kwonlyargs, args.kw_defaults, strict=True)]
+        given = {each.arg: default for each, default in [*pairs, (args.kwarg, None)] if each}
+        given.pop("self", None)
+        return [named(name) + (f" = {self.e(value)}" if value else "") for name, value in given.items()]
 
     def put(self, target: ast.expr, value: str) -> str:
         """Return the assignment of what is written as `value`."""
@@ -135,9 +135,7 @@ class Statements(Expressions):
         return [("default:", body)]
 
     def _switch(self, name: str, cases: list[tuple[str, list[ast.stmt]]]) -> list[str]:
-        self.loops.append("")
         lines = [line for head, body in cases for line in (f"{head} {{", *self.block(body), "break; }")]
-        self.loops.pop()
         return [f"switch ({named(name)}) {{", *lines, "}"]
 
     def _loop(self, head: str, first: list[str], body: list[ast.stmt]) -> list[str]:

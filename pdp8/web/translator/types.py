@@ -40,17 +40,9 @@ PLAIN = (*NUMBERS, BOOL, STR)
 
 _PLAIN = {"int": INT, "float": FLOAT, "bool": BOOL, "str": STR, "bytes": BYTES, "bytearray": BYTES}
 _SEQUENCES = ("list", "tuple", "Sequence", "Iterable", "Iterator")
-_CALLS = _PLAIN | {
-    "len": WORD,
-    "ord": WORD,
-    "round": INT,
-    "isinstance": BOOL,
-    "chr": STR,
-    "isqrt": INT,
-    "array": WORDS,
-}
+_CALLS = _PLAIN | {"len": WORD, "ord": WORD, "round": INT, "isinstance": BOOL, "chr": STR}
+_CALLS |= {"isqrt": INT, "array": WORDS}
 _SETTING = ast.Assign | ast.AnnAssign | ast.AugAssign | ast.NamedExpr | ast.For | ast.ExceptHandler
-_CONSTANT = ast.Constant | ast.BinOp | ast.UnaryOp | ast.operator | ast.unaryop
 _CLOSED = (
     ast.FunctionDef | ast.Lambda | ast.ClassDef | ast.Constant | ast.Name | ast.expr_context | ast.operator
 )
