@@ -12,9 +12,9 @@ import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+from pdp8.thesis import numbers
 from pdp8.thesis.catalogue import Item, catalogue
 from pdp8.thesis.evidence import ARTEFACTS, CLASSES, source, table
-from pdp8.thesis.numbers import numbers, plain, shown
 
 _SECTION = re.compile(r"(<!-- (items|numbers|evidence) (.+?) -->\n).*?(<!-- end -->)", re.DOTALL)
 _HEADINGS = {
@@ -46,10 +46,8 @@ def _items(chapter: str) -> Iterator[tuple[str, ...]]:
 
 def _numbers(chapter: str) -> Iterator[tuple[str, ...]]:
     names = {item.number: item for item in catalogue()}
-    for one in numbers():
-        if one.chapter == int(chapter):
-            number = plain(one.said), shown(one.ours)
-            yield str(one.page), f"`{one.words}`", *number, one.state, _link(one.by, names)
+    for page_, words, said, ours, state, by in numbers.table(int(chapter)).rows:
+        yield page_, f"`{words}`", said, ours, state, _link(by, names)
 
 
 def _link(by: str, names: dict[str, Item]) -> str:

@@ -119,15 +119,10 @@ def table(artefact: str) -> Iterator[Row]:
     if not artefact.endswith(".pal"):
         yield from (row for row in rows(artefact) if row.is_of_the_thesis)
         return
-    words = (f"{address:04o} {word:04o}" for address, word in _words(artefact))
+    assembly = pal.assemble(source(artefact))
+    addresses = (line.address for line in assembly.lines if line.address is not None)
+    words = (f"{address:04o} {assembly.words[address]:04o}" for address in addresses)
     for row in rows(artefact):
         if row.is_of_the_thesis:
             statement = row.ours.partition(" /")[0]
             yield row._replace(ours=row.ours if row.ours[0] in "/*" else f"{next(words)} {statement}")
-
-
-def _words(artefact: str) -> Iterator[tuple[int, int]]:
-    assembly = pal.assemble(source(artefact))
-    for line in assembly.lines:
-        if line.address is not None:
-            yield line.address, assembly.words[line.address]

@@ -5,9 +5,9 @@
         (Arrow("step", "limit"), Arrow("limit", "step", "NO", out="W", into="W")),
     )
 
-A column is as wide as its widest box, a row as high as its highest. An arrow leaves
-and enters a box at a side (N, E, S, W); where both are E, or both W, it goes by a lane beside the columns.
-Lengths are hundredths of an inch of paper.
+A column is as wide as its widest box, a row as high as its highest. An arrow leaves a box at a side (S, E, W)
+and enters one at a side (N, E, W); where both are E, or both W, it goes by a lane beside the columns. Lengths
+are hundredths of an inch of paper.
 """
 
 from collections.abc import Mapping
@@ -76,10 +76,9 @@ def draw(chart: Chart, title: str) -> str:
     """Return the chart as SVG text."""
     boxes = _laid_out(chart)
     routes = [(arrow, _route(arrow, boxes)) for arrow in chart.arrows]
-    across = [x for _, route in routes for x, _ in route] + [
-        box.x + side * box.a for box in boxes.values() for side in (-1, 1)
-    ]
-    down = max(*(box.y + box.b for box in boxes.values()), *(y for _, route in routes for _, y in route))
+    corners = [place for _, route in routes for place in route]
+    corners += [(box.x + side * box.a, box.y + box.b) for box in boxes.values() for side in (-1, 1)]
+    across, down = [x for x, _ in corners], max(y for _, y in corners)
     shift = _MARGIN - min(across)
     sheet = Sheet(max(across) + shift + _MARGIN, down + _MARGIN, title)
     for arrow, route in routes:
@@ -91,7 +90,7 @@ def draw(chart: Chart, title: str) -> str:
 
 def _half_size(node: Node) -> tuple[float, float]:
     lines = node.text.splitlines()
-    width = max(len(line) for line in lines) * _LETTER + 20
+    width = max(map(len, lines)) * _LETTER + 20
     height = len(lines) * _LINE + 14
     if node.kind == DECISION:
         return 0.84 * width, 0.92 * height
@@ -105,8 +104,7 @@ def _laid_out(chart: Chart) -> dict[str, _Box]:
     for name, node in chart.nodes.items():
         widths[node.column] = max(widths.get(node.column, 0), 2 * sizes[name][0])
         heights[node.row] = max(heights.get(node.row, 0), 2 * sizes[name][1])
-    x = _centres(widths, chart.gap)
-    y = _centres(heights, _ROW_GAP)
+    x, y = _centres(widths, chart.gap), _centres(heights, _ROW_GAP)
     return {name: _Box(node, x[node.column], y[node.row], *sizes[name]) for name, node in chart.nodes.items()}
 
 
@@ -128,16 +126,13 @@ def _route(arrow: Arrow, boxes: Mapping[str, _Box]) -> list[_Place]:
         return [(x1, y1), (x, y1), (x, y2), (x2, y2)]
     if x1 == x2 or y1 == y2:
         return [(x1, y1), (x2, y2)]
-    if sides in ("EW", "WE"):
-        x = x2 - _LANE * arrow.lane if sides == "EW" else x2 + _LANE * arrow.lane
+    if sides == "EW":
+        x = x2 - _LANE * arrow.lane
         return [(x1, y1), (x, y1), (x, y2), (x2, y2)]
-    if sides in ("SN", "NS"):
-        y = y2 - _ROW_GAP / 2 if sides == "SN" else y2 + _ROW_GAP / 2
-        return [(x1, y1), (x1, y), (x2, y), (x2, y2)]
-    if sides == "SW" and y2 < y1:
+    if y2 < y1:
         x, y = _lane(arrow, boxes), y1 + _ROW_GAP
         return [(x1, y1), (x1, y), (x, y), (x, y2), (x2, y2)]
-    return [(x1, y1), (x2, y1) if arrow.out in "EW" else (x1, y2), (x2, y2)]
+    return [(x1, y1), (x1, y2), (x2, y2)]
 
 
 def _lane(arrow: Arrow, boxes: Mapping[str, _Box]) -> float:
@@ -158,12 +153,7 @@ def _draw_arrow(sheet: Sheet, arrow: Arrow, route: list[_Place]) -> None:
         _head(sheet, route[1], route[0])
     if arrow.label:
         x, y = route[0]
-        dx, dy, anchor = {
-            "S": (5, 13, "start"),
-            "N": (5, -6, "start"),
-            "E": (4, -5, "start"),
-            "W": (-4, -5, "end"),
-        }[arrow.out]
+        dx, dy, anchor = {"S": (5, 13, "start"), "E": (4, -5, "start"), "W": (-4, -5, "end")}[arrow.out]
         sheet.label(x + dx, y + dy, arrow.label, font_size=10, text_anchor=anchor)
 
 
@@ -180,17 +170,15 @@ def _head(sheet: Sheet, before: _Place, tip: _Place) -> None:
 def _draw_box(sheet: Sheet, box: _Box) -> None:
     x, y, a, b = box.x, box.y, box.a, box.b
     style: dict[str, object] = {"fill": _FILL[box.node.kind], "stroke": INK, "stroke_width": 1.2}
-    match box.node.kind:
-        case "decision":
-            corners = [(x, y - b), (x + a, y), (x, y + b), (x - a, y)]
-            sheet.draw("path", d=polyline(corners) + "Z", **style)
-        case "data":
-            corners = [(x - a + 12, y - b), (x + a, y - b), (x + a - 12, y + b), (x - a, y + b)]
-            sheet.draw("path", d=polyline(corners) + "Z", **style)
-        case "terminal":
-            sheet.draw("rect", x=x - a, y=y - b, width=2 * a, height=2 * b, rx=b, **style)
-        case "process":
-            sheet.draw("rect", x=x - a, y=y - b, width=2 * a, height=2 * b, **style)
+    corners = {
+        DECISION: [(x, y - b), (x + a, y), (x, y + b), (x - a, y)],
+        DATA: [(x - a + 12, y - b), (x + a, y - b), (x + a - 12, y + b), (x - a, y + b)],
+    }.get(box.node.kind)
+    if corners:
+        sheet.draw("path", d=polyline(corners) + "Z", **style)
+    else:
+        rounded = {"rx": b} if box.node.kind == TERMINAL else {}
+        sheet.draw("rect", x=x - a, y=y - b, width=2 * a, height=2 * b, **rounded, **style)
     lines = box.node.text.splitlines()
     for number, line in enumerate(lines):
         sheet.text(x, y + 4 + _LINE * (number - (len(lines) - 1) / 2), line, text_anchor="middle")

@@ -137,16 +137,11 @@ def _quadrant(quadrant: int, nodes: dict[str, Node], arrows: list[Arrow]) -> Non
         Arrow(named("inner"), named("in"), "NO", out="W", into="W"),
         Arrow(named("end"), named("out"), "NO", out="W", into="W", lane=2),
     ]
+    aside = Arrow(named("axis"), following, "YES", out="E", into="W", lane=3)
     if quadrant < 3:
-        arrows += [
-            Arrow(named("axis"), following, "YES", out="E", into="W", lane=3),
-            Arrow(named("end"), following, "YES", out="E", into="W", lane=3),
-        ]
+        arrows += [aside, aside._replace(start=named("end"))]
     else:
-        arrows += [
-            Arrow(named("axis"), following, "YES", out="E", into="E"),
-            Arrow(named("end"), following, "YES"),
-        ]
+        arrows += [aside._replace(into="E", lane=1), Arrow(named("end"), following, "YES")]
 
 
 def stepwise() -> str:

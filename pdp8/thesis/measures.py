@@ -11,7 +11,6 @@ from math import atan2, degrees, log2, radians, tan
 from typing import Any, Final
 
 import nc
-import pal
 from nc import talysurf
 from nc.curves import nominal
 from nc.inspection import Reading, inspect
@@ -52,9 +51,7 @@ def _table() -> _Table:
 def _machine() -> _Table:
     """Chapters 2 and 3: the Hydra-Point, its feeds, the drilling program."""
     feeds, z_feeds = sorted(XY_FEED.values()), sorted(Z_FEED.values())
-    ratios = sorted(
-        {one / two for one in feeds for two in feeds}, key=lambda r: abs(r - 1 / tan(radians(30)))
-    )
+    wanted = 1 / tan(radians(30))
     return {
         "axes": len(nc.path.Position._fields),
         "tools": len(hydrapoint.CAROUSEL),
@@ -73,8 +70,8 @@ def _machine() -> _Table:
         "feeds": len(XY_FEED),
         "mill code": int(Preparatory.MILL),
         "read seconds": READ_SECONDS,
-        "ratio of 30 degrees": 1 / tan(radians(30)),
-        "closest ratio": ratios[0],
+        "ratio of 30 degrees": wanted,
+        "closest ratio": min((one / two for one in feeds for two in feeds), key=lambda r: abs(r - wanted)),
         "first ratio": XY_FEED[2] / XY_FEED[1],
         "second ratio": XY_FEED[4] / XY_FEED[3],
         "second ratio feeds": f"{XY_FEED[4]}/{XY_FEED[3]}",
@@ -107,7 +104,8 @@ def _tape() -> _Table:
     last = dict(zip(FIELDS, ends, strict=True))
     first = {name: end - FIELDS[name] + 1 for name, end in last.items()}
     printed = [name for name in FIELDS if name != "reserved"]
-    formats = [int(width) for width in re.findall(r"I(\d)", _listing_line("C", "335"))]
+    line_335 = re.search("^335.*", _listing("C"), re.MULTILINE)
+    formats = [int(width) for width in re.findall(r"I(\d)", line_335[0] if line_335 else "")]
     return {
         "tape width": picture.WIDTH / 1000,
         "tracks": len(frames.channels(0o377)) + 1,
@@ -133,15 +131,14 @@ def _tape() -> _Table:
     }
 
 
-def _listing_line(appendix: str, number: str) -> str:
-    text = facsimile.facsimile(appendix).replace("Ø", "0")
-    return next(line for line in text.splitlines() if line.startswith(number))
+def _listing(appendix: str) -> str:
+    return facsimile.facsimile(appendix).replace("Ø", "0")
 
 
 def _computer() -> _Table:
     """Chapter 4: the computer's words and instructions, as the assembler has them."""
-    assembled = _assembled("TAD 0")[0]
-    dca = _assembled("DCA 277")[0]
+    word = tables.word
+    dca = word("DCA 277")
     mnemonics = ("CLA", "CMA", "RAR", "IAC", "SZA", "HLT", "KSF", "KRB", "TSF", "TLS")
     references = ("AND", "TAD", "ISZ", "DCA", "JMS", "JMP")
     return {
@@ -151,28 +148,22 @@ def _computer() -> _Table:
         "last address, binary": re.sub("(...)(?!$)", r"\1 ", f"{_MEMORY - 1:b}"),
         "octal digits": len(f"{_MEMORY - 1:o}"),
         "operations": len({word >> 9 for word in range(_MEMORY)}),
-        "operand digits": len(f"{assembled ^ 0o777:04o}") - 1,
+        "operand digits": len(f"{word('TAD 0') ^ 0o777:04o}") - 1,
         "operand of 3277": f"{dca & 0o777:o}",
         "DCA 77 of the page": f"{dca:o}",
         "line of 3277": f"{dca & 0o177:o}",
         "page": f"{_PAGE:o}",
-        "OPR": f"{_assembled('CLA')[0] >> 9:o}",
-        "IOT": f"{_assembled('KRB')[0] >> 9:o}",
-        **{name: f"{_assembled(name)[0]:o}" for name in mnemonics},
-        **{name: f"{_assembled(f'{name} 0')[0] >> 9:o}" for name in references},
+        "OPR": f"{word('CLA') >> 9:o}",
+        "IOT": f"{word('KRB') >> 9:o}",
+        **{name: f"{word(name):o}" for name in mnemonics},
+        **{name: f"{word(f'{name} 0') >> 9:o}" for name in references},
     }
 
 
-@cache
-def _assembled(statement: str) -> tuple[int, ...]:
-    return tuple(pal.assemble(f"*200\n\t{statement}\n$\n").words.values())
-
-
-@cache
 def _conversion() -> Mapping[str, int]:
     """Return the constants of Appendix B by their tags: those after the definitions' origin."""
-    listing = facsimile.facsimile("B").replace("Ø", "0").partition("/DEFINITIONS:")[2]
-    found = re.findall(r"^\d{4}  (\d{4})  (\w+),", listing, re.MULTILINE)
+    definitions = _listing("B").partition("/DEFINITIONS:")[2]
+    found = re.findall(r"^\d{4}  (\d{4})  (\w+),", definitions, re.MULTILINE)
     return {tag: int(word, 8) for word, tag in found}
 
 
@@ -233,9 +224,8 @@ def _of_part(part: str) -> _Table:
 
 def _parts() -> _Table:
     """Chapters 7 and 10: circle, ellipse, die and polynomial."""
-    polynomial, passes = PARTS["polynomial"], tables.PASSES["die"]
+    polynomial, passes, axes = PARTS["polynomial"], tables.PASSES["die"], die.AXES["opening"]
     crossings = [0.0, _default("polynomial", "b"), _default("polynomial", "c")]
-    axes = die.AXES["opening"]
     return {
         "tolerance": _default("circle", "tolerance") / 1000,
         "circle diameter": (2 * _default("circle", "radius") + 1000 * PARTS["circle"].cutter) / 1000,
@@ -253,17 +243,13 @@ def _parts() -> _Table:
         "ellipse reading": lambda: chain.path("ellipse").contour.reading / 60,
         "chapter 10 cutting": 50 - 1000 * READ_SECONDS / 60,
         "chapter 10 efficiency": 100 * (50 - 1000 * READ_SECONDS / 60) / 50,
-        "die block x": die.BLOCK[0] / 1000,
-        "die block y": die.BLOCK[1] / 1000,
-        "die block z": die.BLOCK[2] / 1000,
+        **{f"die block {axis}": side / 1000 for axis, side in zip("xyz", die.BLOCK, strict=True)},
         "die length": 2 * axes[0] / 1000,
         "die height": 2 * axes[1] / 1000,
         "die programs": len(die.AXES),
         "die total": lambda: passes * _minutes(chain.path("die")),
         "die pieces total": lambda: passes * _minutes(_pieces("die")),
-        "polynomial a": _default("polynomial", "a"),
-        "polynomial b": _default("polynomial", "b"),
-        "polynomial c": _default("polynomial", "c"),
+        **{f"polynomial {name}": _default("polynomial", name) for name in "abc"},
         "polynomial tolerance": polynomial.tolerance,
         "polynomial band": lambda: _band_height() / polynomial.tolerance / 1000,
         **{f"polynomial crossing {number}": x for number, x in enumerate(crossings, 1)},
@@ -276,22 +262,16 @@ def _elements() -> _Table:
     corners = [place for segment in outline if isinstance(segment, fluidic.Slope) for place in segment]
     cutter = PARTS["fluidic"].cutter
     nozzle = min(u for u, v in corners if u > 0 and v <= fluidic.EXIT)
-
-    def slopes_of(segments: tuple[fluidic.Segment, ...]) -> int:
-        """Return how many straight lines lie at an angle to both axes."""
-        lines = [segment for segment in segments if isinstance(segment, fluidic.Slope)]
-        return sum(start[0] != end[0] and start[1] != end[1] for start, end in lines)
-
-    arcs = sum(isinstance(segment, fluidic.Bend) for segment in outline)
+    oblique, arcs = len(work.oblique(outline)), sum(isinstance(segment, fluidic.Bend) for segment in outline)
     return {
         "element width": (2 * max(u for u, _ in corners) + cutter) / fluidic.SCALE,
         "element height": (max(v for _, v in corners) + cutter) / fluidic.SCALE,
         "element nozzle": (2 * nozzle + cutter) / fluidic.SCALE,
         "element scale": fluidic.SCALE,
-        "element slopes": slopes_of(outline),
+        "element slopes": oblique,
         "element arcs": arcs,
-        "channel slopes": 2 * slopes_of(channel),
-        "element routines": slopes_of(outline) + arcs,
+        "channel slopes": 2 * len(work.oblique(channel)),
+        "element routines": oblique + arcs,
         "main blocks": lambda: chain.printout("fluidic", program="main").count("\n"),
         "control blocks": lambda: chain.printout("fluidic", program="control").count("\n"),
         "element hours": lambda: _minutes(chain.path("fluidic")) / 60,

@@ -61,6 +61,11 @@ class Number(NamedTuple):
         return measure(self.measure) if self.measure else None
 
     @property
+    def shown(self) -> str:
+        """Ours as a table shows it."""
+        return f"{ours:.4g}" if isinstance(ours := self.ours, int | float) else ours or ""
+
+    @property
     def agrees(self) -> bool:
         """Whether ours is the thesis's: the same text, or to its last place, or within 5 %."""
         ours = self.ours
@@ -94,17 +99,10 @@ def numbers() -> Iterator[Number]:
         yield Number(int(page), scan, found[2] or found[1], STATES[state], name, by)
 
 
-def shown(ours: Measure | None) -> str:
-    """Return a measure as a table shows it."""
-    if ours is None:
-        return ""
-    return ours if isinstance(ours, str) else f"{ours:.4g}"
-
-
 def table(chapter: int | None = None) -> Table:
     """Return the numbers of a chapter, or all, with what we make of them."""
     rows = (
-        (str(one.page), one.words, plain(one.said), shown(one.ours), one.state, one.by)
+        (str(one.page), one.words, plain(one.said), one.shown, one.state, one.by)
         for one in numbers()
         if chapter in (None, one.chapter)
     )

@@ -41,7 +41,8 @@ def wrong_slope() -> str:
     for row, (ratio, x_code, y_code, colour) in enumerate(_RATIOS):
         path = _one_instruction(x_code, y_code)
         view.line(_milled(path), stroke=colour, stroke_width=2)
-        angle = _first_angle(path)
+        x, y, _ = path.cuts[0].end
+        angle = degrees(atan2(y - _START[1], x - _START[0]))
         said = f"X/Y = {ratio} = {XY_FEED[x_code] / XY_FEED[y_code]:.2f}: {angle:.1f}° until one axis arrives"
         sheet.text(_LEFT, 20 + 16 * row, said, fill=colour)
     sheet.text(_LEFT + 330, 20, "dashed: the 30° slope intended, 1.732", fill=INK)
@@ -59,11 +60,6 @@ def _one_instruction(x_code: int, y_code: int) -> nc.Path:
         f"003 6 01000 01000 0 {x_code:02} 84",
         f"004 6 {x:05} {y:05} 0 {y_code:02} 85",
     )
-
-
-def _first_angle(path: nc.Path) -> float:
-    move = path.cuts[0]
-    return degrees(atan2(move.end.y - move.start.y, move.end.x - move.start.x))
 
 
 def _cone(view: View) -> None:
@@ -116,7 +112,7 @@ def _technique(
 ) -> str:
     """Return a path in its band, with its stops named A, C, D ... B as the thesis names them."""
     run = _milled(path)
-    xs, ys = [x for x, _ in run], [y for _, y in run]
+    xs, ys = zip(*run, strict=True)
     window = Window(min(xs) - 500, min(ys) - 600, max(xs) + 500, max(ys) + 600)
     sheet = Sheet(_LEFT + window.width / 10 + 30, _TOP + window.height / 10 + 50, title)
     sheet.text(_LEFT, 22, title, font_size=15)

@@ -104,9 +104,14 @@ def instructions(kind: str) -> Table:
     rows = []
     for what, mnemonic in _INSTRUCTIONS[kind]:
         refers = kind == "memory reference"
-        (word,) = pal.assemble(f"*200\n\t{mnemonic}{' 0' * refers}\n$\n").words.values()
-        rows.append((what, mnemonic, f"{word >> 9:o}" if refers else f"{word:04o}"))
+        value = f"{word(mnemonic + ' 0') >> 9:o}" if refers else f"{word(mnemonic):04o}"
+        rows.append((what, mnemonic, value))
     return Table(("instruction", "mnemonic", "octal value"), tuple(rows))
+
+
+def word(statement: str) -> int:
+    """Return the word that a statement at 0200 is."""
+    return pal.assemble(f"*200\n\t{statement}\n$\n").words[0o200]
 
 
 PASSES: Final = {"die": 5}

@@ -4,6 +4,7 @@ Where the thesis has a photograph stands the plot of the path; polar graphs and 
 nc/. Everything comes from tapes that went through eia.pal.
 """
 
+from collections.abc import Iterable
 from dataclasses import replace
 from random import Random
 from typing import Final
@@ -53,12 +54,10 @@ def polar_graphs() -> list[str]:
 
 def cut_again(path: nc.Path, seed: int) -> nc.Path:
     """Return the path cut once more: each stop is off along its axis, by up to the machine's precision."""
-    errors = Random(seed)
-    at = path.cuts[0].start
-    steps = []
+    errors, at, steps = Random(seed), path.cuts[0].start, []
     for step in path.steps:
-        moves = []
-        for move in step.moves:
+        moves = list(step.moves)
+        for number, move in enumerate(moves):
             if move.kind is MoveKind.MILL:
                 x, y = (
                     at[axis]
@@ -66,10 +65,8 @@ def cut_again(path: nc.Path, seed: int) -> nc.Path:
                     else move.end[axis] + errors.uniform(-PRECISION, PRECISION)
                     for axis in (0, 1)
                 )
-                moves.append(replace(move, start=at, end=Position(x, y, move.end.z)))
-                at = moves[-1].end
-            else:
-                moves.append(move)
+                moves[number] = replace(move, start=at, end=Position(x, y, move.end.z))
+                at = moves[number].end
         steps.append(replace(step, moves=tuple(moves)))
     return replace(path, steps=tuple(steps))
 
@@ -94,13 +91,14 @@ def sloped_surface() -> str:
 
 def wall() -> tuple[float, float, float, float]:
     """Return both ends of the first slope of the element's outline on the table, in inches."""
-    for segment in fluidic.outline():
-        if isinstance(segment, fluidic.Slope) and all(
-            one != other for one, other in zip(segment.start, segment.end, strict=True)
-        ):
-            (u1, v1), (u2, v2) = segment.start, segment.end
-            return _AXIS_X + u1, _BASE_Y + v1, _AXIS_X + u2, _BASE_Y + v2
-    raise AssertionError("the element has slopes")
+    (u1, v1), (u2, v2) = oblique(fluidic.outline())[0]
+    return _AXIS_X + u1, _BASE_Y + v1, _AXIS_X + u2, _BASE_Y + v2
+
+
+def oblique(segments: Iterable[fluidic.Segment]) -> list[fluidic.Slope]:
+    """Return the straight lines that lie at an angle to both axes."""
+    lines = (segment for segment in segments if isinstance(segment, fluidic.Slope))
+    return [line for line in lines if line.start[0] != line.end[0] and line.start[1] != line.end[1]]
 
 
 def element(control: float) -> str:
