@@ -23,7 +23,7 @@ A blank line is one in the artefact, # opens a comment.
 Source: the thesis, Appendices B to D, pages 105 to 113; Chapter 5, pages 44 and 45.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from functools import cache
 from importlib.resources import files
 from typing import NamedTuple
@@ -79,13 +79,10 @@ def read(scan: str, artefact: str) -> str:
     return pal_line(scan)[1] if artefact.endswith(".pal") else fortran_line(scan)
 
 
-def source(artefact: str, known: Iterable[Row] | None = None) -> str:
-    """Return the artefact, the file of that name in programs/: every line laid out, with its mark.
-
-    `known` are other rows than those of its table.
-    """
+def source(artefact: str) -> str:
+    """Return the artefact, the file of that name in programs/: every line laid out, with its mark."""
     lay_out = _pal_source if artefact.endswith(".pal") else _fortran_source
-    lines = [lay_out(row).rstrip() for row in known or rows(artefact) if row.kind != "none"]
+    lines = [lay_out(row).rstrip() for row in rows(artefact) if row.kind != "none"]
     return "".join(line + "\n" for line in lines)
 
 

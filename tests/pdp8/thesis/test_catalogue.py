@@ -49,12 +49,8 @@ def test_every_program_of_chapter_5_is_listed() -> None:
 
 
 @items
-def test_the_words_are_the_thesis_s(item: Item) -> None:
+def test_an_item_is_whole_and_its_words_are_the_thesis_s(item: Item) -> None:
     assert item.says in MENTIONS
-
-
-@items
-def test_an_item_is_whole(item: Item) -> None:
     assert item.kind in ("figure", "table", "listing", "program")
     assert item.state in STATES
     assert item.title
@@ -79,15 +75,9 @@ def test_a_page_lies_in_its_chapter(item: Item) -> None:
     assert item.caption.startswith(f"Page {item.page}. ")
 
 
-def test_the_page_that_the_scan_numbers() -> None:
-    assert find("8.4").page == find("8.5").page == 85
-
-
-def test_numbers_are_unique() -> None:
+def test_an_item_is_found_by_its_number() -> None:
+    assert find("8.4").page == find("8.5").page == 85  # the scan numbers this page
     assert len({item.number.casefold() for item in catalogue()}) == len(catalogue())
-
-
-def test_what_the_thesis_does_not_have_is_refused() -> None:
     with pytest.raises(WorkError, match=r"7\.9: no such figure"):
         find("7.9")
 

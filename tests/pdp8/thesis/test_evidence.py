@@ -49,18 +49,6 @@ def test_the_scan_column_is_the_scan_of_the_circle_but_for_the_notes_that_stand_
     assert lines == scanned("circle.for").replace(apart, "")
 
 
-def test_eia_pal_is_the_scan_and_the_table_byte_for_byte() -> None:
-    """Lines that are legible come from the scan's text alone, the others from the table."""
-    lines = (HERE / "ocr" / "appendix-b.txt").read_text().splitlines()
-    scan = iter([" ".join(line.split()) for line in lines if line.split()])
-    made = []
-    for row in rows("eia.pal"):
-        shown = next(scan) if row.scan not in ("", "^") else row.scan
-        made.append(row._replace(ours=pal_line(shown)[1]) if row.kind == "legible" else row)
-    assert not list(scan)
-    assert evidence.source("eia.pal", made).encode() == (HOUSE / "programs" / "eia.pal").read_bytes()
-
-
 @pytest.mark.parametrize("artefact", ARTEFACTS)
 def test_the_sources_are_made_from_the_tables(artefact: str) -> None:
     made = evidence.source(artefact)
@@ -125,12 +113,6 @@ def test_a_line_of_the_lost_page_repeats_the_line_its_reason_names() -> None:
         assert shape[row.ours[:4]] == shape[twin]
 
 
-def test_the_damaged_definitions_are_marked() -> None:
-    text = shelf.read("eia.pal").decode()
-    marked = re.findall(r"^(\w+),\t\S+\t\t/D$", text.partition("/DEFINITIONS:")[2], re.MULTILINE)
-    assert marked == ["HOLD", "P0", "P1", "P8", "M1", "M6"]
-
-
 def test_the_sixth_rule_moves_what_the_page_says() -> None:
     """Lines of Appendices C and D whose number stands behind; counted in the scan's own words."""
     legible = [
@@ -153,62 +135,11 @@ def test_no_line_of_the_first_two_programs_is_said_to_survive(name: str) -> None
     assert all(tag == "MASK" or tag[0] == "P" for tag in implied), "instructions are conjecture"
 
 
-@pytest.mark.parametrize(
-    ("mark", "lines"),
-    [
-        ("RESTORED", [235, 245, 250, 260, 265, 280, 290, 305, 310, 315]),
-        ("CONJECTURE", [295]),
-        ("DAMAGED", [100, 255, 270, 275, 285, 300, 320, 335, 370, 490]),
-    ],
-)
-def test_every_changed_line_of_the_circle_is_marked(mark: str, lines: list[int]) -> None:
-    listing = shelf.read("circle.for").decode().splitlines()
-    assert [int(line[:3]) for line in listing if line[72:].endswith(mark)] == lines
-
-
 def test_the_radius_cannot_be_known_from_the_tape() -> None:
     printed = circle.part()
     for radius in (1745, 1746, 1755, 2000):
         assert circle.part(radius=radius, start_x=1750, inner=1745, outer=1755) == printed
     assert circle.part(radius=1744, start_x=1750, inner=1745, outer=1755) != printed
-
-
-@pytest.mark.parametrize(
-    ("scan", "line"),
-    [
-        ("17Ø D2=Ø.", "170 D2=0."),
-        ("22Ø G4=189 •", "220 G4=189."),
-        ("165 $D1 = 4\\emptyset \\emptyset \\emptyset .$", "165 D1=4000."),
-        ("195 $E3 = 40000 \\bullet$", "195 E3=40000."),
-        ("405 AR = SQRT(AX * * 2 + AY * * 2)", "405 AR=SQRT(AX**2+AY**2)"),
-        (". IF(AX-Ø.)45,45,41 **38**Ø", "380 IF(AX-0.)45,45,41"),
-        ("305 AA=3005. **/OUTER MAJOR LIMIT**", "305 AA=3005. /OUTER MAJOR LIMIT"),
-        ("/INITIAL Y VALUE 330 AY=Ø.", "330 AY=0. /INITIAL Y VALUE"),
-        ("· 2ØØ E4=80.", "200 E4=80."),
-        ("۰. 630 100 AY=AY-1.", "630 100 AY=AY-1."),
-        ("ONE=AX**2/AA**2+AY**2/BB**2 340", "340 ONE=AX**2/AA**2+AY**2/BB**2"),
-        ("AR=SORT (AX**2)", "AR=SORT(AX**2)"),
-    ],
-)
-def test_the_rules_read_fortran(scan: str, line: str) -> None:
-    assert fortran_line(scan) == line
-
-
-@pytest.mark.parametrize(
-    ("scan", "digits", "source"),
-    [
-        ("*200 • •", "", "*200"),
-        ("/// EIA", "", "/// EIA"),
-        ("0214 ØØØØ /", "02140000", ""),
-        ("Q3 45 7440 SZA", "03457440", "SZA"),
-        ("0255 7640 SZA CLA -", "02557640", "SZA CLA"),
-        ("0125 777 Q M8,-10", "01257770", "M8,-10"),
-        ("Q343 1100 -TAD HOLD", "03431100", "-TAD HOLD"),
-        ("0116 7777 111,-1", "01167777", "111,-1"),
-    ],
-)
-def test_the_rules_read_pal(scan: str, digits: str, source: str) -> None:
-    assert pal_line(scan) == (digits, source)
 
 
 def test_what_has_no_evidence_is_refused() -> None:
@@ -226,9 +157,3 @@ def test_the_command_prints_a_line_of_the_table(shell: Shell) -> None:
         "0103 0040 P0,40",
         "0 and a comma misread; P0, beside P1",
     ]
-
-
-def test_the_command_refuses_what_it_does_not_know(shell: Shell) -> None:
-    done = shell("pdp8 thesis evidence echo.pal")
-    assert (done.returncode, done.stdout) == (1, b"")
-    assert done.stderr.startswith(b"pdp8 thesis evidence: echo.pal: no evidence")
