@@ -21,48 +21,35 @@ NEVER = 1 << 62
 
 
 class Colour(StrEnum):
-    """Named texts."""
-
     RED = "red"
     BLUE = "blue"
 
 
 class Code(IntEnum):
-    """Named numbers."""
-
     MILL = 6
     READ = 9
 
 
 class Point(NamedTuple):
-    """A named tuple with a default and a method."""
-
     x: int
     y: int = 5
 
     def sum(self) -> int:
-        """Return both."""
         return self.x + self.y
 
 
 @dataclass(frozen=True)
 class Mode:
-    """A dataclass."""
-
     feed: float | None = None
     words: list[int] = field(default_factory=list)
 
 
 class Wrong(ValueError):
-    """An error with a place."""
-
     def __init__(self, message: str, place: int | None = None) -> None:
         super().__init__(message if place is None else f"{place}: {message}")
 
 
 class Base:
-    """A class with all kinds of members."""
-
     limit = 7
 
     def __init__(self, start: int) -> None:
@@ -71,7 +58,6 @@ class Base:
 
     @property
     def double(self) -> int:
-        """Twice the value."""
         return self.value * 2
 
     @double.setter
@@ -80,13 +66,11 @@ class Base:
 
     @cached_property
     def made(self) -> int:
-        """Counts its calls."""
         self.seen.append("made")
         return self.value
 
     @staticmethod
     def of(value: int) -> "Base":
-        """Return one."""
         return Base(value + 1)
 
     def __len__(self) -> int:
@@ -98,7 +82,6 @@ class Base:
 
     @contextmanager
     def noting(self) -> Iterator[None]:
-        """Note how it ends."""
         self.seen.append("in")
         try:
             yield
@@ -110,8 +93,6 @@ class Base:
 
 
 class Derived(Base):
-    """A class that calls its base's."""
-
     def __init__(self) -> None:
         super().__init__(3)
         self.more = self.value
