@@ -3,7 +3,6 @@
     blocks      frames to blocks of 20 rows, or the row that is wrong
     machine     what each block makes the machine do, and the time it takes
     path        what it did: steps, moves, modes, times
-    notebook    a path that a notebook draws
     listing     the program as a table
     curves      the nominal curve: circle, ellipse, line, function of x
     inspection  the walls a round cutter left, against that curve

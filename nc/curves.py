@@ -8,9 +8,10 @@ line, circle or ellipse that a path follows, by least squares; a function must b
 Lengths are thousandths of an inch, angles degrees counterclockwise from +X.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,29 +46,29 @@ class Stations:
         return Stations(self.points[chosen], self.normals[chosen], self.along[chosen])
 
 
-class Curve(Protocol):
-    """A curve that can be sampled."""
+class Curve(ABC):
+    """A curve that can be sampled; `closed`: its end is its start."""
 
-    @property
-    def closed(self) -> bool:
-        """Whether its end is its start."""
+    closed: ClassVar[bool] = False
 
+    @abstractmethod
     def stations(self, count: int) -> Stations:
-        """Return `count` stations, evenly spread over its parameter."""
+        """Return `count` stations, evenly spread over the parameter: the eccentric angle from +X, or x."""
 
-    def limit(self, stations: Stations, tolerance: float) -> Floats:
-        """Return the limit of a band at the stations, (n, 2), outside of (left of) the curve for +."""
-
+    @abstractmethod
     def deviations(self, points: Floats) -> Floats:
         """Return how far outside (left of) the curve each of the points (n, 2) lies, to first order."""
 
-    def __str__(self) -> str:
-        """Return its description, in inches."""
+    def limit(self, stations: Stations, tolerance: float) -> Floats:
+        """Return the limit of a band at the stations, (n, 2), outside of (left of) the curve for +."""
+        return stations.points + tolerance * stations.normals
 
 
 @dataclass(frozen=True)
-class Ellipse:
+class Ellipse(Curve):
     """An ellipse with its axes along X and Y; a circle where they are equal."""
+
+    closed = True
 
     x: float
     y: float
@@ -81,11 +82,6 @@ class Ellipse:
                 f"semi-axes {self.a / 1000:g} and {self.b / 1000:g} in: each must be greater than 0"
             )
 
-    @property
-    def closed(self) -> bool:
-        """True."""
-        return True
-
     def stations(self, count: int) -> Stations:
         """Return `count` stations counterclockwise from +X, evenly spread over the eccentric angle."""
         turn = np.linspace(0, 2 * np.pi, count, endpoint=False)
@@ -94,10 +90,6 @@ class Ellipse:
         normals = np.column_stack([self.b * cos, self.a * sin])
         normals /= np.hypot(normals[:, 0], normals[:, 1])[:, None]
         return Stations(points, normals, _along(points))
-
-    def limit(self, stations: Stations, tolerance: float) -> Floats:
-        """Return the points at a distance of `tolerance` along the normals."""
-        return stations.points + tolerance * stations.normals
 
     def deviations(self, points: Floats) -> Floats:
         """Return the distance outside the ellipse: exact for a circle, else to first order near the curve."""
@@ -117,7 +109,7 @@ class Ellipse:
 
 
 @dataclass(frozen=True)
-class StraightLine:
+class StraightLine(Curve):
     """A straight line from one place to another."""
 
     x1: float
@@ -130,21 +122,12 @@ class StraightLine:
         if (self.x1, self.y1) == (self.x2, self.y2):
             raise WorkError(f"line from {self} to the same point: it needs two different ends")
 
-    @property
-    def closed(self) -> bool:
-        """False."""
-        return False
-
     def stations(self, count: int) -> Stations:
         """Return `count` stations from end to end."""
         start, direction = np.array([self.x1, self.y1]), self._direction()
         points = start + np.linspace(0, 1, count)[:, None] * direction
         normals = np.tile(self._normal(), (count, 1))
         return Stations(points, normals, _along(points))
-
-    def limit(self, stations: Stations, tolerance: float) -> Floats:
-        """Return the points at a distance of `tolerance` along the normals."""
-        return stations.points + tolerance * stations.normals
 
     def deviations(self, points: Floats) -> Floats:
         """Return the distance to the left of the line, seen along it."""
@@ -164,7 +147,7 @@ class StraightLine:
 
 
 @dataclass(frozen=True)
-class Graph:
+class Graph(Curve):
     """y = f(x), x from `first` to `last`, inches; its origin is at `x`, `y` of the table, thousandths."""
 
     x: float
@@ -178,11 +161,6 @@ class Graph:
         if not self.first < self.last:
             raise WorkError(f"range from {self.first:g} to {self.last:g}: must go from less to more")
         function(self.expression)
-
-    @property
-    def closed(self) -> bool:
-        """False."""
-        return False
 
     def stations(self, count: int) -> Stations:
         """Return `count` stations in equal steps of x. Raises WorkError where the function has no value."""

@@ -11,12 +11,12 @@ Needs ezdxf, the extra `nc`.
 from collections.abc import Iterator
 from contextlib import contextmanager
 from io import StringIO
-from itertools import groupby
+from itertools import groupby, pairwise
 from types import ModuleType
 from typing import TYPE_CHECKING
 
 from nc.curves import Curve
-from nc.path import Move, MoveKind, Path
+from nc.path import MoveKind, Path
 from tapes.errors import WorkError
 
 if TYPE_CHECKING:
@@ -82,18 +82,10 @@ def _draw_moves(space: "Modelspace", path: Path) -> None:
     across = [move for move in path.moves if move.start[:2] != move.end[:2]]
     for kind, moves in groupby(across, key=lambda move: move.kind):
         run = list(moves)
+        places = [(at.x / 1000, at.y / 1000) for at in (run[0].start, *(move.end for move in run))]
         if kind is MoveKind.MILL:
-            _add_polyline(space, run)
+            elevation = -run[0].start.z / 1000
+            space.add_lwpolyline(places, dxfattribs={"layer": "MILL", "elevation": elevation})
             continue
-        for move in run:
-            space.add_line(_inches(move.start[:2]), _inches(move.end[:2]), dxfattribs={"layer": "POSITION"})
-
-
-def _add_polyline(space: "Modelspace", run: list[Move]) -> None:
-    places = [_inches(run[0].start[:2]), *(_inches(move.end[:2]) for move in run)]
-    elevation = -run[0].start.z / 1000
-    space.add_lwpolyline(places, dxfattribs={"layer": "MILL", "elevation": elevation})
-
-
-def _inches(place: tuple[float, float]) -> tuple[float, float]:
-    return place[0] / 1000, place[1] / 1000
+        for here, there in pairwise(places):
+            space.add_line(here, there, dxfattribs={"layer": "POSITION"})

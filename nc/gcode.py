@@ -60,7 +60,7 @@ def _changes(before: Modes, step: Step) -> Iterator[str]:
 
 def _moves(step: Step) -> Iterator[str]:
     for move in step.moves:
-        yield f"G0 {_words(move)}" if move.kind in _RAPID else f"G1 {_words(move)} F{_feed(move.speed)}"
+        yield f"G0 {_words(move)}" if move.kind in _RAPID else f"G1 {_words(move)} F{round(move.speed, 4)}"
 
 
 def _words(move: Move) -> str:
@@ -72,10 +72,6 @@ def _words(move: Move) -> str:
 
 def _signed(point: Position) -> tuple[float, float, float]:
     return point.x, point.y, -point.z
-
-
-def _feed(speed: float) -> str:
-    return str(round(speed, 4))
 
 
 def _stops(step: Step) -> Iterator[str]:

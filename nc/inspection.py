@@ -204,17 +204,12 @@ def runs(deviation: Floats, closed: bool, every: int = 10) -> list[NDArray[np.in
     steps = np.diff(deviation[there])
     turns[there[1:-1][np.sign(steps[:-1]) != np.sign(steps[1:])]] = True
     turns[::every] = True
-    stretches = np.split(there, np.flatnonzero(np.diff(there) > 1) + 1)
-    kept = [stretch[turns[stretch] | _ends(stretch)] for stretch in stretches if len(stretch)]
+    gaps = np.flatnonzero(np.diff(there) > 1)
+    turns[there[[0, -1, *gaps, *gaps + 1]]] = True
+    kept = [stretch[turns[stretch]] for stretch in np.split(there, gaps + 1)]
     if closed and len(there) == len(deviation):
         kept[0] = np.append(kept[0], 0)
     return kept
-
-
-def _ends(stretch: NDArray[np.intp]) -> NDArray[np.bool_]:
-    ends = np.zeros(len(stretch), dtype=np.bool_)
-    ends[[0, -1]] = True
-    return ends
 
 
 def _through_discs(stations: Stations, centres: Floats, radius: float) -> tuple[Floats, Floats]:

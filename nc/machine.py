@@ -32,7 +32,6 @@ from dataclasses import dataclass, replace
 from math import sqrt
 
 from nc.blocks import BlockError, Row, read
-from nc.notebook import DrawnPath
 from nc.path import Modes, Move, MoveKind, Path, Position, Step
 from tapes.errors import WorkError
 from tapes.hydrapoint import (
@@ -244,7 +243,7 @@ class _Motion:
         return Move(kind, start, end, speed, start.distance(end) / _UNITS / speed * 60)
 
 
-def cut(frames: bytes, *, strict: bool = False, settings: Settings | None = None) -> DrawnPath:
+def cut(frames: bytes, *, strict: bool = False, settings: Settings | None = None) -> Path:
     """Read the tape and carry out its blocks.
 
     Raises CutError, with the path so far, at the first block that is refused; TapeError if no frame is
@@ -253,9 +252,9 @@ def cut(frames: bytes, *, strict: bool = False, settings: Settings | None = None
     machine = HydraPoint(settings)
     steps: list[Step] = []
 
-    def path() -> DrawnPath:
+    def path() -> Path:
         set_to = machine.settings
-        return DrawnPath(tuple(steps), set_to.read_seconds, set_to.tool_change_seconds)
+        return Path(tuple(steps), set_to.read_seconds, set_to.tool_change_seconds)
 
     try:
         for place, block in read(frames, strict):

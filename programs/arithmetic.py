@@ -30,6 +30,7 @@ Sources: GE-625/635 Programming Reference Manual, CPB-1004 (FAD, FMP, FDV, FST, 
 6400/6500/6600 Computer Systems Reference Manual (floating point arithmetic); IEEE 754.
 """
 
+from abc import ABC, abstractmethod
 from fractions import Fraction
 from math import floor, isqrt
 from typing import Any, Final, Protocol
@@ -130,16 +131,16 @@ class Float:
         return self.machine.store(other) if isinstance(other, Float) else Float(self.machine, other, 0)
 
 
-class FloatingPoint:
+class FloatingPoint(ABC):
     """Binary floating point: how many bits of a result are kept (no sign counted) and how the rest is cut."""
 
     word: int
     register: int
     quotient: int
 
+    @abstractmethod
     def cut(self, mantissa: int, bits: int) -> tuple[int, int]:
         """Return `mantissa` cut to `bits`, and how many bits were dropped."""
-        raise NotImplementedError
 
     def keep(self, mantissa: int, exponent: int, bits: int) -> Float:
         """Return mantissa * 2**exponent, cut to `bits`."""

@@ -6,10 +6,9 @@ Source: thesis, Chapters 3 and 6.
 from typing import Annotated
 
 from programs.format import Overflow
-from programs.function import Range, Side, centre_path, offset_path
+from programs.function import CutterOfSurface, Range, Side, centre_path, offset_path
 from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
-from programs.printout import Printout
 from programs.units import INCHES
 from tapes.expression import LANGUAGE, function
 
@@ -22,11 +21,7 @@ def part(
     tolerance: Annotated[float, "half the height of the band", INCHES.below(1)] = 0.005,
     origin_x: Annotated[float, "X of the table where x is 0", INCHES] = 4.0,
     origin_y: Annotated[float, "Y of the table where y is 0", INCHES] = 5.0,
-    cutter: Annotated[
-        float | None,
-        "diameter of the cutter, if the curve is the surface and not the path of its centre",
-        INCHES,
-    ] = None,
+    cutter: CutterOfSurface = None,
     side: Side = "above",
     milling: Milling = SLOWEST,
     header: Header = THESIS,
@@ -39,7 +34,4 @@ def part(
         curve = centre_path(lambda x: y(float(x)), where, tolerance)
     else:
         curve = offset_path(y, where, tolerance, cutter, side)
-    printout = Printout(overflow)
-    printout.header(header, *curve.start)
-    milling.print(printout, curve)
-    return printout.text
+    return milling.printout(curve, header, overflow)

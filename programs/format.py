@@ -24,11 +24,6 @@ class Format:
     def __init__(self, fields: str) -> None:
         self._fields = [_field(field) for field in fields.split(",")]
 
-    @property
-    def width(self) -> int:
-        """Characters of a line."""
-        return sum(width for _, width in self._fields)
-
     def line(self, *values: SupportsInt, overflow: Overflow = "low-digits") -> str:
         r"""Return the line that PRINT gives for `values`, one for each I-field, ended by "\n"."""
         numbers = iter(values)

@@ -20,14 +20,16 @@ from typing import Annotated, Any, Literal
 
 from programs.arithmetic import EXACT, Arithmetic
 from programs.stretches import Curve, graph
-from programs.units import thousandths, tolerance_units
+from programs.units import INCHES, thousandths, tolerance_units
 from tapes.errors import WorkError
 from tapes.hydrapoint import X_TRAVEL
 
 _BEYOND = 1e9
 """Thousandths of an inch; nothing larger is computed."""
 
-CutterOfSurface = Annotated[float | None, "diameter of the cutter, if the curve is the surface it leaves"]
+CutterOfSurface = Annotated[
+    float | None, "diameter of the cutter, if the curve is the surface and not the path of its centre", INCHES
+]
 Side = Annotated[Literal["above", "below"], "side of the curve that the cutter is on"]
 
 

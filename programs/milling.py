@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from typing import Annotated, Final, Literal
 
 from programs import stepwise
+from programs.format import Overflow
+from programs.header import Header
 from programs.piecewise import Feeds, Technique
 from programs.printout import Printout, check_feed
 from programs.stretches import Axis, Curve, Point
@@ -38,6 +40,13 @@ class Milling:
     def is_of_the_listings(self) -> bool:
         """Whether it is that of Appendices C and D: step-wise, each cut to its limit."""
         return (self.technique, self.stop) == ("step", "boundary")
+
+    def printout(self, curve: Curve, header: Header, overflow: Overflow) -> str:
+        """Return the printout of a part that is one curve. Raises WorkError as `print` does."""
+        printout = Printout(overflow)
+        printout.header(header, *curve.start)
+        self.print(printout, curve)
+        return printout.text
 
     def print(self, printout: Printout, curve: Curve) -> None:
         """Print the blocks that mill along `curve`; the cutter is at its start.

@@ -19,6 +19,7 @@ from dataclasses import dataclass
 from math import ceil, sqrt
 from typing import NamedTuple
 
+from programs.printout import check_feed
 from programs.stretches import Curve, Point, Stretch
 from tapes.errors import WorkError
 from tapes.hydrapoint import XY_FEED, corner
@@ -49,8 +50,7 @@ class Technique:
 
     def __post_init__(self) -> None:
         """Raise WorkError for a code that is not in Table 2.4 and for an error that is not a fraction."""
-        if self.fastest not in XY_FEED:
-            raise WorkError(f"feed code {self.fastest} is not in Table 2.4: 1 to {max(XY_FEED)}")
+        check_feed(self.fastest)
         if not 0 <= self.feed_error < 1:
             raise WorkError(f"feed error {100 * self.feed_error:.0f}%: must be from 0 to less than 100 %")
 
@@ -113,10 +113,9 @@ class Technique:
     def _keeps(self, stretch: Stretch, at: Point, stop: Point, speeds: tuple[float, ...]) -> bool:
         """Whether the path is inside the band for both extremes of the feeds, which enclose all others."""
         fast, slow = 1 + self.feed_error, 1 - self.feed_error
-        errors = [(fast, slow), (slow, fast)] if self.feed_error and all(speeds) else [(1.0, 1.0)]
         return all(
             stretch.inside(x, y)
-            for error in errors
+            for error in ((fast, slow), (slow, fast))
             for x, y in way(at, stop, (speeds[0] * error[0], speeds[1] * error[1]))
         )
 

@@ -19,10 +19,9 @@ from typing import Annotated, Any
 
 from programs.arithmetic import EXACT, Arithmetic
 from programs.format import Overflow
-from programs.function import Range, Side, centre_path, offset_path
+from programs.function import CutterOfSurface, Range, Side, centre_path, offset_path
 from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
-from programs.printout import Printout
 from programs.units import INCHES, PER_SQUARE_INCH
 
 
@@ -36,11 +35,7 @@ def part(
     to: Annotated[float, "X where it ends", INCHES] = 6.25,
     origin_x: Annotated[float, "X of the table where x is 0", INCHES] = 4.0,
     origin_y: Annotated[float, "Y of the table where y is 0", INCHES] = 6.0,
-    cutter: Annotated[
-        float | None,
-        "diameter of the cutter, if the curve is the surface and not the path of its centre",
-        INCHES,
-    ] = None,
+    cutter: CutterOfSurface = None,
     side: Side = "above",
     milling: Milling = SLOWEST,
     header: Header = THESIS,
@@ -58,7 +53,4 @@ def part(
         curve = centre_path(polynomial, where, tolerance, arithmetic)
     else:
         curve = offset_path(lambda x: a * x * (x - b) * (x - c), where, tolerance, cutter, side)
-    printout = Printout(overflow)
-    printout.header(header, *curve.start)
-    milling.print(printout, curve)
-    return printout.text
+    return milling.printout(curve, header, overflow)

@@ -38,10 +38,7 @@ def part(
             f"slope from X {from_x:g} Y {from_y:g} to the same point: it needs two different ends"
         )
     curve = line(start, end, tolerance_units(tolerance))
-    printout = Printout(overflow)
-    printout.header(header, *start)
-    milling.print(printout, curve)
-    return printout.text
+    return milling.printout(curve, header, overflow)
 
 
 def pieces(start: Point, end: Point, count: int, x_code: int, y_code: int) -> str:

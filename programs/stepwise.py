@@ -55,12 +55,11 @@ def staircase(start: Point, axis: Axis, stretches: Iterable[Stretch], rule: Stop
     The cut in which the last stretch ends is left out. Raises WorkError where a band is too narrow for a
     cut.
     """
-    cut = _to_the_limit if rule == "boundary" else _inside
     at = done = start
     for stretch in stretches:
         idle = False
         while True:
-            at, ended = cut(stretch, axis, at)
+            at, ended = _cut(stretch, axis, at, rule)
             if ended:
                 break
             if at == done and idle:
@@ -74,28 +73,18 @@ def staircase(start: Point, axis: Axis, stretches: Iterable[Stretch], rule: Stop
             axis = _OTHER[axis]
 
 
-def _to_the_limit(stretch: Stretch, axis: Axis, at: Point) -> tuple[Point, bool]:
-    """Return where a cut along `axis` from `at` reaches its limit, and whether the stretch ended before."""
+def _cut(stretch: Stretch, axis: Axis, at: Point, rule: Stop) -> tuple[Point, bool]:
+    """Return where a cut along `axis` from `at` stops, and whether the stretch ended before."""
     x, y = at
     while not stretch.ends(axis, x, y):
-        if (x, y) != at and stretch.reached(axis, x, y):
+        if rule == "boundary":
+            stops = (x, y) != at and stretch.reached(axis, x, y)
+        else:
+            stops = stretch.leaves(axis, x, y)
+        if stops:
             return Point(x, y), False
-        x, y = _next(stretch, axis, x, y)
+        x, y = (x + stretch.dx, y) if axis == "X" else (x, y + stretch.dy)
     return Point(x, y), True
-
-
-def _inside(stretch: Stretch, axis: Axis, at: Point) -> tuple[Point, bool]:
-    """Return the last point in the band of a cut along `axis`, and whether the stretch ended before."""
-    x, y = at
-    while not stretch.ends(axis, x, y):
-        if stretch.leaves(axis, x, y):
-            return Point(x, y), False
-        x, y = _next(stretch, axis, x, y)
-    return Point(x, y), True
-
-
-def _next(stretch: Stretch, axis: Axis, x: int, y: int) -> tuple[int, int]:
-    return (x + stretch.dx, y) if axis == "X" else (x, y + stretch.dy)
 
 
 def _along(axis: Axis, at: Point, end: Point) -> Point:

@@ -94,8 +94,6 @@ def line(start: Point, end: Point, tolerance: float) -> Curve:
     across, up = end.x - start.x, end.y - start.y
     length = sqrt(across * across + up * up)
     check_tolerance(tolerance, length)
-    if not across or not up:
-        return Curve(start, (), end)
     limit = tolerance * length
 
     def side(x: float, y: float) -> Side:
@@ -180,11 +178,11 @@ def graph(first_x: int, lower: Sequence[Any], upper: Sequence[Any]) -> Curve:
     Its turning points are found first, as in Chapter 6. Raises WorkError where it is too steep for its
     band.
     """
-    middle = [(float(low) + float(high)) / 2 for low, high in zip(lower, upper, strict=True)]
-    tolerance = round((float(upper[0]) - float(lower[0])) / 2, 6)
+    limits = [(float(low), float(high)) for low, high in zip(lower, upper, strict=True)]
+    middle = [(low + high) / 2 for low, high in limits]
+    tolerance = round((limits[0][1] - limits[0][0]) / 2, 6)
     check_tolerance(tolerance, max(len(middle) - 1, max(middle) - min(middle)))
     _check_steepness(first_x, middle, tolerance)
-    limits = [(float(low), float(high)) for low, high in zip(lower, upper, strict=True)]
 
     def side(x: float, y: float) -> Side:
         place = int(x) - first_x

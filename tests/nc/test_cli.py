@@ -274,12 +274,6 @@ def test_failed_jobs(shell: Shell, line: str, says: str) -> None:
     assert says in complaint(shell, f"pdp8 nc {line}")
 
 
-def test_a_reader_that_has_enough_is_no_error(shell: Shell) -> None:
-    done = shell("pdp8 nc list circle.eia | head -1")
-    assert done.stdout.startswith(b"block seq")
-    assert done.stderr == b""
-
-
 @pytest.mark.parametrize(
     ("command", "defaults"),
     [

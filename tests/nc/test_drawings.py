@@ -219,11 +219,6 @@ def test_divisions_are_inches_with_their_sign() -> None:
     assert [signed(deviation) for deviation in (-5, 0, 10, 5000)] == ["-0.005", "0", "+0.010", "+5.000"]
 
 
-def test_no_such_block() -> None:
-    with pytest.raises(WorkError, match="block 667: the tape has blocks 1 to 666"):
-        plot(nc.cut(CIRCLE), block=667)
-
-
 def test_the_talyrond_magnifies_100_times_as_figure_7_2() -> None:
     drawing = drawn("talyrond, circle")
     assert any("radial magnification 100" in line for line in words(drawing))
@@ -279,10 +274,6 @@ def test_a_stretch_beyond_the_curve_is_refused() -> None:
         with pytest.raises(WorkError, match=said):
             talysurf(found, (start, end))
     assert talysurf(found, (0, 2000)).startswith("<svg"), "two stations"
-
-
-def test_a_path_shows_itself_in_a_notebook() -> None:
-    assert nc.cut(CIRCLE)._repr_svg_().startswith("<svg")
 
 
 def test_a_hole_is_removed_metal_once_it_is_drilled() -> None:

@@ -170,8 +170,3 @@ def test_an_error_has_its_sign_and_four_places(y: float, said: str, side: str, v
     assert f"whole length  outer     {said}   {said}           .0000" in report
     assert f"went from {said[1:]} {side} to {said[1:]} {side} of nominal" in report[1]
     assert report[-1].startswith(f"{verdict} tolerance: {said} at most")
-
-
-def test_the_contour_alone_is_read_and_milled() -> None:
-    """660 blocks at 2 s, and 13.861 in at 1 in/min: nothing is positioned, no tool is changed."""
-    assert nc.cut(CIRCLE).contour.total == pytest.approx(1320 + 13.861 * 60, abs=0.05)

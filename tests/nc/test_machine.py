@@ -94,14 +94,6 @@ class TestTheCircle:
     def test_the_bundled_tape_is_the_one_made_here(self) -> None:
         assert shelf.read("circle.eia") == CIRCLE
 
-    def test_blocks_and_ends(self) -> None:
-        path = nc.cut(CIRCLE)
-        assert len(path) == 666
-        assert path.steps[-1].block.sequence == 666
-        assert path.cuts[0].start == Position(2250, 4000, 3500)
-        assert path.cuts[-1].end == Position(2251, 3844, 3500)
-        assert path.gap == pytest.approx(156, abs=0.01)
-
     def test_machining_takes_36_minutes(self) -> None:
         """2 s for each of 660 milling blocks and 13.86 in at 1 in/min are 35.9 min; the header adds .8."""
         path = nc.cut(CIRCLE)
@@ -113,7 +105,7 @@ class TestTheCircle:
 
 
 def test_a_path_is_one_line_to_look_at() -> None:
-    assert repr(nc.cut(CIRCLE)) == "<DrawnPath: 666 blocks, 36.7 min>"
+    assert repr(nc.cut(CIRCLE)) == "<Path: 666 blocks, 36.7 min>"
 
 
 def test_chapter_10s_efficiency() -> None:
@@ -123,9 +115,3 @@ def test_chapter_10s_efficiency() -> None:
     assert contour.reading / 60 == pytest.approx(33, abs=1)
     assert contour.total / 60 == pytest.approx(50, abs=0.5)
     assert round(contour.efficiency, 2) == 0.35
-
-
-def test_an_electronic_reader() -> None:
-    quick = nc.cut(CIRCLE, settings=Settings(read_seconds=0.01))
-    assert quick.contour.total == pytest.approx(660 * 0.01 + quick.times.milling)
-    assert quick.contour.efficiency > 0.99

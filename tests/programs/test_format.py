@@ -7,8 +7,7 @@ import pytest
 from programs import drill
 from programs.arithmetic import ARITHMETICS
 from programs.format import Format, Overflow
-from programs.header import Header
-from programs.printout import FORMAT_10, FORMAT_30, Printout
+from programs.printout import Printout
 from tapes.errors import WorkError
 from tapes.hydrapoint import Block, block
 
@@ -39,26 +38,10 @@ def test_an_i_field_takes_the_whole_part_of_a_real(value: float, printed: str) -
         assert Format("I3").line(real) == f"{printed}\n"
 
 
-def test_both_formats_are_nineteen_wide() -> None:
-    assert FORMAT_10.width == FORMAT_30.width == 19
-
-
 def test_a_block_by_the_digits_of_its_groups() -> None:
     printout = Printout()
     printout.print_10(Block(76, 0, 19234, 4321, 0, 31, 88))
     assert printout.text == " 760192340432103188\n"
-
-
-def test_the_six_blocks_of_the_header_decoded() -> None:
-    decoded = [tuple(found) for found in Header().blocks(2250, 4000)]
-    assert decoded == [
-        (1, 0, 19000, 0, 0, 0, 2),
-        (2, 0, 0, 0, 0, 1, 86),
-        (3, 0, 0, 0, 0, 0, 8),
-        (4, 0, 0, 0, 0, 31, 88),
-        (5, 0, 2250, 4000, 0, 0, 80),
-        (6, 9, 3000, 3500, 0, 1, 89),
-    ]
 
 
 def test_the_drilling_tape_is_chapter_3s() -> None:

@@ -76,30 +76,6 @@ def test_changed_constants_change_both_alike(name: str, part: Callable[..., str]
     assert_same_printout(part(**ALIKE, **OURS[name]), fortran.printout(source, tmp_path))
 
 
-def test_the_circle_by_its_landmarks() -> None:
-    lines = circle.part().splitlines()
-    assert lines[:7] == [
-        "  1019   0    0   2",
-        "  2000   0    0 186",
-        "  3000   0    0   8",
-        "  4000   0    03188",
-        "  5002250040000  80",
-        "  6903   035000 189",
-        "  76 2250 4133  185",
-    ]
-    assert len(lines) == 666
-    assert lines[-1] == "6666 2251 3844  184"
-    assert [line[:3] for line in lines[6:]] == [f"{number:3}" for number in range(7, 667)]
-
-
-def test_the_ellipse_by_its_landmarks() -> None:
-    lines = ellipse.part().splitlines()
-    assert lines[4] == "  5001   040000  80"
-    assert lines[6] == "  76 1000 4131  585"
-    assert len(lines) == 976
-    assert lines[586] == "5876 6404 2647  585"
-
-
 @pytest.mark.parametrize("name", ["circle", "ellipse"])
 def test_listing_lines_are_numbered_by_five(name: str) -> None:
     numbers = [int(line[:3]) for line in listing(name).splitlines()]

@@ -237,11 +237,6 @@ def test_an_option_says_its_unit(capfd: pytest.CaptureFixture[str]) -> None:
     assert "--a PER-SQ-INCH " in ended(capfd, "part polynomial --help")[1]
 
 
-def test_capitals_are_fortrans(capfd: pytest.CaptureFixture[str]) -> None:
-    tapes = [ended(capfd, f"part curve '{y}' --to 2")[1] for y in ("SIN(X)**2*1E0", "sin(x)**2*1e0")]
-    assert tapes[0] == tapes[1] != ""
-
-
 def test_the_circles_tape_is_27_frames_a_line(shell: Shell) -> None:
     tape = shell("pdp8 part circle").stdout
     assert len(tape) == 17982 == 27 * 666
@@ -269,19 +264,6 @@ def test_points_become_a_function_and_a_part_has_another_hand(shell: Shell) -> N
     for option, other in (("", mirrored(slope, "x")), (" --across y --about 5", mirrored(slope, "y", 5000))):
         done = shell(f"pdp8 part slope | pdp8 part mirror{option} --fill 3")
         assert done.stdout == ascii.encode(other, "mark", 3)
-
-
-def test_compare_of_two_that_agree(shell: Shell) -> None:
-    lines = shell("pdp8 part compare circle --with ieee32").stdout.decode().splitlines()
-    assert lines[1:] == ["circle: 666 blocks exact, 666 ieee32, 0 differ"]
-
-
-def test_a_full_disk_and_a_closed_pipe(shell: Shell) -> None:
-    full = shell("pdp8 part circle > /dev/full")
-    assert full.returncode == 1
-    assert b"No space left" in full.stderr
-    closed = shell("pdp8 part ellipse | head -c 1")
-    assert closed.stderr == b""
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ from programs.milling import Milling
 from programs.piecewise import Technique, way
 from programs.printout import Printout
 from programs.stretches import Point, arc, line
-from tests.programs.printouts import blocks, milled
+from tests.programs.printouts import milled
 
 FEEDS = {1: 1.0, 2: 1.9, 3: 2.7, 4: 4.0, 5: 5.5, 6: 7.2, 7: 9.1, 8: 11.2}
 errors = st.sampled_from([0.8, 0.9, 1.0, 1.1, 1.2])
@@ -82,12 +82,6 @@ def test_a_line_at_a_ratio_of_two_feeds_is_one_ray() -> None:
     assert rays[0].feeds == (2, 1)
     for x, y, feeds in ((700, 0, (1, 0)), (0, 700, (0, 1)), (1900, 4000, (2, 4)), (4000, 1900, (4, 2))):
         assert list(Technique(5, 0).rays(line(Point(0, 0), Point(x, y), 200))) == [(feeds, (x, y))]
-
-
-def test_one_feed_is_set_a_block() -> None:
-    path = blocks(piece(circle.part))
-    assert {block.function for block in path[6:]} == {84, 85}
-    assert all(block.tool in FEEDS for block in path[6:])
 
 
 def test_a_block_whose_feed_is_in_force_names_it_again() -> None:

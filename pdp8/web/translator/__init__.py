@@ -31,7 +31,7 @@ MODULES = {
     "pdp8.computer.use": "keys operator program trace",
     "pdp8.replay": "day script",
     "pdp8.lessons": "answer diagnosis drill exercise marking page scores trial values",
-    "nc": "blocks machine notebook path",
+    "nc": "blocks machine path",
     "programs": "arithmetic circle curve die drill ellipse fluidic format function header milling piecewise"
     " polynomial printout slope stepwise stretches units",
 }
@@ -42,12 +42,11 @@ OMITTED = {
     "pal.meaning": "of_name names names8 _FIELDS _MARKS _PSEUDO _WORDS",
     "pdp8.computer.machine": "__reduce__ _copied count",
     "pdp8.computer.use.program": "find bundled",
-    "nc.path": "__repr__ array",
+    "nc.path": "__repr__ _repr_svg_ array",
     "pdp8.lessons.page": "html _STYLE",
     "pdp8.lessons.scores": "table _cell",
     "programs.arithmetic": "Float FloatingPoint IEEE32 CDC6400 GE635 ARITHMETICS"
     " _magnitude_bits _normal _towards_zero _chopped _nearest _quotient _root",
-    "nc.notebook": "_repr_html_ _repr_svg_",
 }
 """What of it is not: names of notebooks, files and pickles, which no page has."""
 
