@@ -23,20 +23,28 @@ from setuptools.command.sdist import sdist
 HOUSE = Path(__file__).parent
 BUILD = Path("build")
 
+DEVICES = (
+    *(f"pdp8.computer.hardware.{name}" for name in ("bus", "processor", "teletype")),
+    "pdp8.computer.speed.waiting",
+)
 MODULES = (  # the largest first: no core waits for it at the end
     *(f"pal.{name}" for name in ("pal8", "assembler", "table", "notes", "source", "isa")),
-    *(f"pdp8.computer.hardware.{name}" for name in ("bus", "processor", "teletype")),
-    *(f"pdp8.computer.speed.{name}" for name in ("waiting", "engine")),
+    *DEVICES,
+    "pdp8.computer.speed.engine",
 )
 CHOICES = ("auto", "require", "forbid")
 FLAGS = ["-O2", "-g0"]
+PIECE = []
 if "gcc" in (os.environ.get("CC") or sysconfig.get_config_var("CC") or ""):
     # A skip that is predicted is not waited for, as one that is computed would be; and each operation keeps a
     # jump of its own to the next. Where each begins should not be chance: aligned, they are a tenth faster.
-    FLAGS += ["-fno-if-conversion", "-fno-if-conversion2", "-fno-gcse", "-fno-crossjumping"]
-    FLAGS += ["-falign-labels=16"]
-SELDOM = {"pal.pal8": ["-O1"]}
-"""What is used seldom, and takes the longest: a third less of it."""
+    PIECE += ["-fno-if-conversion", "-fno-if-conversion2", "-fno-gcse", "-fno-crossjumping"]
+    PIECE += ["-falign-labels=16"]
+OWN = {
+    "pal.pal8": ["-O1"],  # seldom used, and the longest to compile: a third less of it
+    "pdp8.computer.speed.engine": PIECE,
+    **{name: ["-O3"] for name in DEVICES},
+}
 DIRECTIVES = {
     "annotation_typing": False,
     "auto_pickle": False,
@@ -81,7 +89,7 @@ def extensions(required: bool) -> list[Extension]:
                 [name.replace(".", "/") + ".py"],
                 include_dirs=[str(BUILD)],
                 depends=["pdp8/computer/speed/piece.py", "release/threaded.py"],
-                extra_compile_args=[*FLAGS, *SELDOM.get(name, ())],
+                extra_compile_args=[*FLAGS, *OWN.get(name, ())],
             )
             for name in MODULES
         ],

@@ -12,7 +12,6 @@ import stat
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from contextvars import ContextVar
 from typing import BinaryIO
 
 from tapes.errors import WorkError, called
@@ -31,7 +30,7 @@ _OTHER_PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".pdf", ".eps", ".d
 """Endings that tell another format than SVG."""
 
 _bundled: dict[str, str] = {}
-_watched: ContextVar["_Watch | None"] = ContextVar("watched", default=None)
+_watches: list["_Watch | None"] = [None]
 
 
 def beside(module: str) -> str:
@@ -80,11 +79,11 @@ class _Watch:
 @contextmanager
 def watched() -> Iterator[None]:
     """Watch the shelf: what is read inside is not written inside, unless it was written there first."""
-    token = _watched.set(_Watch())
+    _watches.append(_Watch())
     try:
         yield
     finally:
-        _watched.reset(token)
+        _watches.pop()
 
 
 class ShelfError(WorkError):
@@ -155,7 +154,7 @@ def read(name: str, most: int = LARGEST) -> bytes:
 
 def remember(path: str) -> None:
     """Remember that the file at `path` was read, if the shelf is watched."""
-    if watch := _watched.get():
+    if watch := _watches[-1]:
         watch.read.add(identity(path))
 
 
@@ -245,7 +244,7 @@ def write(name: str, content: bytes) -> bool:
             file.write(content)
     except OSError as error:
         raise ShelfError(f"{name}: {error.strerror}; nothing was written") from error
-    if watch := _watched.get():
+    if watch := _watches[-1]:
         watch.written.add(identity(name))
     return replaced
 
@@ -278,7 +277,7 @@ def check_writable(name: str) -> None:
     if not os.path.isdir(folder):
         raise ShelfError(f"{name}: No such file or directory")
     _check_permission(name, name if os.path.exists(name) else folder)
-    watch = _watched.get()
+    watch = _watches[-1]
     if watch and os.path.isfile(name) and identity(name) in watch.read - watch.written:
         raise ShelfError(f"{name} was read: it is not replaced; name another")
 

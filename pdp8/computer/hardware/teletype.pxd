@@ -5,8 +5,8 @@ from libc.stdint cimport int64_t
 
 from pdp8.computer.hardware.bus cimport Device
 
-cdef int64_t NEVER, AT_ONCE, FRAME, PARTS, HALF_UNIT, EIGHTH, _NINE_UNITS
-cdef int SKIP, CLEAR_AC, UNIT, PULSES, FIRST_SHIFT, NINTH_SHIFT, LOOKS_AGAIN, _MARKER, _STOP_UNITS
+cdef int64_t NEVER, AT_ONCE, FRAME, PARTS, HALF_UNIT, EIGHTH, _NINE_UNITS, _FALLS, _RISES
+cdef int SKIP, CLEAR_AC, UNIT, PULSES, FIRST_SHIFT, NINTH_SHIFT, LOOKS_AGAIN, _MARKER, _MARKS, _STOP_UNITS
 
 cpdef int64_t tick_of(int64_t time)
 cpdef int64_t half_units(int64_t count)
@@ -48,11 +48,13 @@ cdef class Receiver(Device):
     @cython.locals(last=int64_t, pulse=int)
     cpdef int start_seen(self) noexcept
     @cython.locals(since=int64_t)
-    cpdef int mark(self, int pulse) noexcept
+    cpdef int units(self, int pulse) noexcept
     cpdef int begin(self) except -1
     cpdef int preset(self) noexcept
-    @cython.locals(pulse=int, mark=int)
+    @cython.locals(first=int)
     cpdef int sample(self, int64_t now) noexcept
+    @cython.locals(count=int, first=int, units=int)
+    cpdef int shift(self, int shifts) noexcept
     cpdef int stop(self, int pulse) noexcept
 
 
@@ -86,8 +88,8 @@ cdef class Transmitter(Device):
     cpdef int64_t next_unit(self) noexcept
     @cython.locals(unit=int64_t)
     cpdef int64_t next_step(self) noexcept
-    @cython.locals(time=int64_t, has_frame=bint)
-    cpdef bint step(self) noexcept
+    @cython.locals(has_frame=bint)
+    cpdef bint step(self, int64_t time) noexcept
     cpdef int send(self) noexcept
     cpdef int deliver(self) except -1
     cpdef int load(self, int character, int64_t now) except -1

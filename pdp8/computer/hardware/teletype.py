@@ -50,6 +50,8 @@ EIGHTH = HALF_UNIT // 4
 """Parts of a tick from one pulse of the receiver's clock to the next."""
 
 _STOP_UNITS = 0o3000
+_MARKS = 0o777 << 11
+"""What the line shows after them, for as many units as are shifted in."""
 _MARKER = 0o400
 
 # The receiver's clock, in pulses: eight a unit.
@@ -79,6 +81,8 @@ def eighths(count: int) -> int:
 
 
 _NINE_UNITS = half_units(18)
+_FALLS, _RISES = eighths(1 + FIRST_SHIFT), eighths(1 + NINTH_SHIFT)
+"""Ticks from a start unit that sets the clock until the flag falls, and until it rises."""
 
 
 class Reader:
@@ -216,7 +220,7 @@ class Receiver(Device):
         else:
             self.edge = self.step = self.due = self.next_edge()
             if self.edge != NEVER:
-                self.due += eighths(1 + (FIRST_SHIFT if self.flag else NINTH_SHIFT))
+                self.due += _FALLS if self.flag else _RISES
         self.step = min(self.step, self.edge)
 
     def next_edge(self) -> int:
@@ -247,17 +251,15 @@ class Receiver(Device):
             return -1
         pulse = self.pulse_after(self.start) if self.beaten(self.pulses, self.start) else self.pulses
         while self.beaten(pulse, last):
-            if not self.mark(pulse):
+            if not self.units(pulse) & 1:
                 return pulse
             pulse += 1
         return -1
 
-    def mark(self, pulse: int) -> int:
-        """Return what the line shows just before a pulse of the clock: 1 for mark, 0 for space."""
+    def units(self, pulse: int) -> int:
+        """Return the units of the line, the one just before a pulse lowest; after the last there is mark."""
         since = PARTS * (self.origin - self.start) + EIGHTH * pulse
-        if since <= 0 or since > PARTS * FRAME:
-            return 1
-        return self.line >> (since - 1) // (2 * HALF_UNIT) & 1
+        return (self.line | _MARKS) >> min(max(since - 1, 0) // (2 * HALF_UNIT), 11)
 
     def advance(self, now: int) -> None:
         """Let the line and the reader run up to tick `now`."""
@@ -268,7 +270,7 @@ class Receiver(Device):
                 self.sample(self.now)
                 self.begin()
             elif self.active:
-                self.sample(self.now)
+                self.shift(9 if self.shifts else 1)
             else:
                 self.preset()
             self.plan()
@@ -303,15 +305,22 @@ class Receiver(Device):
 
     def sample(self, now: int) -> None:
         """Shift in what the line showed at each shift up to tick `now`."""
-        while self.active and self.beaten(pulse := self.pulses + FIRST_SHIFT + UNIT * self.shifts, now):
-            mark = self.mark(pulse)
-            self.flag = ~self.buffer & 1
-            self.buffer = self.buffer >> 1 | mark << 7
-            self.shifts += 1
+        first = self.pulses + FIRST_SHIFT
+        self.shift((PARTS * (now - self.origin) // EIGHTH - first + UNIT) // UNIT)
+
+    def shift(self, shifts: int) -> None:
+        """Shift in what the line shows until there were so many shifts since PRESET, 9 at most."""
+        count = shifts - self.shifts
+        if self.active and count > 0:
+            first = self.pulses + FIRST_SHIFT
+            units = self.units(first + UNIT * self.shifts) << 8 | self.buffer
+            self.flag = ~units >> count - 1 & 1
+            self.buffer = units >> count & 0o377
+            self.shifts = shifts
             if self.flag:
                 self.stop(self.pulses + LOOKS_AGAIN)
-            elif mark and self.shifts == 1:
-                self.stop(self.pulses + FIRST_SHIFT + 1)
+            elif shifts == 1 and self.buffer & 0o200:
+                self.stop(first + 1)
 
     def stop(self, pulse: int) -> None:
         """Clear ACTIVE; from `pulse` on a space is a start unit."""
@@ -472,19 +481,18 @@ class Transmitter(Device):
 
     def advance(self, now: int) -> None:
         """Let the line and the selector run up to tick `now`."""
-        while self.next_step() <= PARTS * now:
-            if self.step():
+        while (time := self.next_step()) <= PARTS * now:
+            if self.step(time):
                 if self.ahead:
                     self.ahead -= 1
                 else:
                     self.deliver()
         self.plan()
 
-    def step(self) -> bool:
+    def step(self, time: int) -> bool:
         """Let the line change, or else the selector go on, which takes what the line shows in the middle of a
         data unit; return whether it has a frame.
         """
-        time = self.next_step()
         has_frame = False
         if time == self.next_unit():
             self.send()
@@ -529,8 +537,8 @@ class Transmitter(Device):
         unit, began, selected = self.unit, self.began, self.selected
         frames = 0
         try:
-            while self.next_step() < NEVER:
-                if self.step():
+            while (time := self.next_step()) < NEVER:
+                if self.step(time):
                     frames += 1
                     if frames > self.ahead:
                         self.deliver()

@@ -8,7 +8,7 @@ cimport pdp8.computer.speed.piece as piece
 from pdp8.computer.hardware.processor cimport Processor
 from pdp8.computer.speed.waiting cimport Waiting
 
-cdef int64_t LONGEST, PIECE
+cdef int64_t LONGEST, PIECE, _CYCLES
 cdef int CYCLE, EXECUTE, FETCH, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, PROTECTED, UNDECODED, JMP_X, GROUP_1, GROUP_1_ROTATE, DELAY, WRAP, LEFT
 
 

@@ -75,6 +75,7 @@ LONGEST = 3
 """The cycles of the longest instruction a piece executes."""
 PIECE = 200_000
 """The ticks of the longest piece: as many cycles can be counted in 13 bits of its `time`."""
+_CYCLES = PIECE // CYCLE
 
 # The conditions of every {L, AC} by the bits of the skips that look for them: SMA 100, SZA 40, SNL 20.
 CONDITIONS = b"\x20" + bytes(2047) + b"\x40" * 2048 + b"\x30" + b"\x10" * 2047 + b"\x50" * 2048
@@ -151,7 +152,7 @@ class Engine:
         if self.wall != _wall(p.mem_prot):
             return 0
         room = min(PIECE, self.waiting.next_look - p.clock, until - p.clock - LONGEST * CYCLE)
-        if last - p.instructions <= PIECE // CYCLE:
+        if last - p.instructions <= _CYCLES:
             room = min(room, (last - p.instructions - 1) * CYCLE)
         if p.ion:
             if not p.ion_delayed or p.bus.request(p.clock):

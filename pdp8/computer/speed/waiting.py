@@ -210,7 +210,9 @@ class Waiting:
     def _pass(self, event: int, until: int, last: int, ticks: int, count: int) -> None:
         """Pass over the turns of `count` instructions in `ticks` that end before `event` and the limits."""
         p = self.processor
-        turns = min((min(event, until) - 1 - p.clock) // ticks, (last - 1 - p.instructions) // count)
+        turns = (min(event, until) - 1 - p.clock) // ticks
+        if turns * count >= last - p.instructions:
+            turns = (last - 1 - p.instructions) // count
         if turns > 0:
             p.clock += turns * ticks
             p.instructions += turns * count

@@ -50,8 +50,8 @@ def test_the_buffer_is_the_shift_register() -> None:
 def test_the_line_shows_eight_pulses_a_unit_just_before_each() -> None:
     r = receiver(b"\123")
     r.advance(0)
-    assert "".join(str(r.mark(pulse)) for pulse in range(90)) == (
-        "1" + "".join(unit * 8 for unit in "01100101011") + "1"
+    assert "".join(str(r.units(pulse) & 1) for pulse in range(1, 90)) == (
+        "".join(unit * 8 for unit in "01100101011") + "1"
     )
 
 
