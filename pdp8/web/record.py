@@ -11,6 +11,7 @@ from html import escape
 from typing import Any
 
 import pal
+from nc.curves import Curve
 from nc.talyrond import talyrond
 from nc.talysurf import talysurf
 from pdp8.lessons import form, student
@@ -22,7 +23,7 @@ from tapes import rim, shelf
 
 _OPENS_WITH = "hello.pal"
 _USUAL = "circle"
-_POINTS = 720
+_POINTS = 360
 """Of the nominal curve."""
 
 
@@ -53,15 +54,21 @@ def _afternoon(done: Afternoon) -> dict[str, Any]:
         "found": [last.name, last.say, last.outcome],
         "figures": _table(done),
         "graph": "",
-        "nominal": None,
+        "band": None,
     }
     if inspection is not None:
         curve = inspection.curve
         found["graph"] = (talyrond if curve.closed else talysurf)(inspection)
-        points = curve.limit(curve.stations(_POINTS), 0).round(1).tolist()
-        nominal = {"points": [*points, points[0]] if curve.closed else points}
-        found["nominal"] = nominal | {"tolerance": PARTS[done.part].tolerance * 1000}
+        tolerance = PARTS[done.part].tolerance * 1000
+        sides = {"inner": -tolerance, "nominal": 0, "outer": tolerance}
+        found["band"] = {name: _limit(curve, off) for name, off in sides.items()}
     return found
+
+
+def _limit(curve: Curve, off: float) -> list[list[float]]:
+    """Return the curve, or a limit of its band, as points, the first one again where it is closed."""
+    points: list[list[float]] = curve.limit(curve.stations(_POINTS), off).round(1).tolist()
+    return points + points[:1] * curve.closed
 
 
 def _table(done: Afternoon) -> str:

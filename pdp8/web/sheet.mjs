@@ -38,6 +38,25 @@ export function write(context, words, x, y, { colour, font, align = "center", ba
   context.fillText(words, x, y);
 }
 
+/** A drawing in SVG that is drawn again when what it shows or its size has changed. */
+export class Drawing {
+  constructor(element, changed = () => {}) {
+    this.element = element;
+    this.key = null;
+    new ResizeObserver(([{ contentRect: { width, height } }]) => {
+      Object.assign(this, { width, height, key: null });
+      changed();
+    }).observe(element);
+  }
+
+  /** Let `draw(width, height)` say what is in it, unless `key` says that it would be the same. */
+  draw(key, draw) {
+    if (this.key === key || !this.width || !this.height) return;
+    this.key = key;
+    this.element.innerHTML = draw(this.width, this.height);
+  }
+}
+
 /** A canvas that is drawn again when what it shows, its size or the colours have changed. */
 export class Sheet {
   constructor(canvas, changed = () => {}) {

@@ -248,7 +248,7 @@ export class Afternoon {
     [...find("acts").children].forEach((each, index) => each.classList.toggle("now", day.acts[index] === act));
     if (act.program) bench.editor.lay(act.program, day.programs.get(act.program));
     const tape = `${day.part}.eia`;
-    bench.mill.lay(tape, day.tapes.get(tape), day.path, "", bench.record.afternoon.nominal);
+    bench.mill.lay(tape, day.tapes.get(tape), day.path, "", bench.record.afternoon.band);
     bench.tabs.open(TABS[act.kind] ?? "program");
   }
 }

@@ -1,13 +1,13 @@
 // The Hydra-Point on the bench: an EIA tape is cut, its path and band drawn, its blocks listed, its refusal said.
 
-import { drawClose, drawWhole } from "../cutter.mjs";
+import { close, whole } from "../cutter.mjs";
 import { CutError, cut } from "../../../nc/machine.mjs";
 import { TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { FIELDS } from "../../../tapes/hydrapoint.mjs";
 import { BLOCK, blockAt } from "./block.mjs";
 import { contour } from "./path.mjs";
 import { Pictures } from "../pictures.mjs";
-import { Sheet } from "../sheet.mjs";
+import { Drawing, Sheet } from "../sheet.mjs";
 import { drawTape, meaning, tapeKey } from "../tape.mjs";
 import { escaped, find, grouped, inches, minutes, octal } from "../written.mjs";
 
@@ -20,8 +20,9 @@ export class Mill {
     this.drawing = null;
     this.line = null; // the block that is carried out, in the list
     this.pictures = new Pictures((passed) => this.#picture(passed));
-    const sheet = (canvas) => new Sheet(canvas, () => this.show());
-    this.sheets = { whole: sheet(find("whole")), close: sheet(find("close")), tape: sheet(find("mill-reader").querySelector("canvas")) };
+    this.whole = new Drawing(find("whole"), () => this.show());
+    this.close = new Drawing(find("close"), () => this.show());
+    this.reader = new Sheet(find("mill-reader").querySelector("canvas"), () => this.show());
   }
 
   choose({ value }) {
@@ -38,15 +39,15 @@ export class Mill {
     this.#go(1);
   }
 
-  /** Show the path of a tape: what of it is cut, and what is still to come; `nominal` is the curve, if it is known. */
-  lay(name, frames, path, refusal = "", nominal = null) {
+  /** Show the path of a tape: what of it is cut, and what is still to come; `band` is that of the curve, if it is known. */
+  lay(name, frames, path, refusal = "", band = null) {
     if (this.path === path) return;
     this.path = path;
     this.name = name;
     this.tape = { label: name, code: "eia", frames, first: frames.findIndex((frame) => frame !== 0) };
     this.steps = path?.steps ?? [];
     find("refusal").textContent = refusal;
-    this.drawing = this.steps.length ? contour(path, this.bench.record.cutter, nominal) : null;
+    this.drawing = this.steps.length ? contour(path, this.bench.record.cutter, band) : null;
     find("eia").value = name;
     find("blocks").innerHTML = `<ol>${this.steps.map((step) => row(step)).join("")}</ol>`;
     this.line = null;
@@ -92,7 +93,7 @@ export class Mill {
   }
 
   show() {
-    const { drawing, path, sheets, bench } = this;
+    const { drawing, path, bench } = this;
     if (!drawing || find("mill").hidden) return;
     const started = this.part >= 0;
     const second = path.times.total * this.part + 1 / SECOND; // what begins at this tick is under way
@@ -100,8 +101,8 @@ export class Mill {
     const key = `${this.name} ${place.knot} ${place.x} ${place.y} ${started}`;
     bench.writer.text(find("whole-label"), started ? this.#where(place) : `waits for its tape: ${this.steps.length} blocks`);
     bench.writer.text(find("close-label"), drawing.circle ? roundness(drawing.circle) : "close by, squares of .010 in");
-    sheets.whole.draw(key, (context, ...size) => drawWhole(context, drawing, place, started, ...size));
-    sheets.close.draw(key, (context, ...size) => drawClose(context, drawing, place, started, ...size));
+    this.whole.draw(key, (...size) => whole(drawing, place, started, ...size));
+    this.close.draw(key, (...size) => close(drawing, place, started, ...size));
     this.#tape({ ...this.tape, head: this.tape.first + (started ? path.row(second) : 0) });
     this.#light(this.rows[place.block]);
   }
@@ -122,13 +123,13 @@ export class Mill {
 
   /** The tape under the head of the Hydra-Point's reader. */
   #tape(view) {
-    const { bench, sheets } = this;
+    const { bench } = this;
     const frame = view.frames[view.head];
     const says = `frame ${grouped(view.head)} of ${grouped(view.frames.length)}: ${octal(frame, 3)} ${meaning(frame, "eia")}`;
     bench.writer.text(find("mill-reader").querySelector(".name"), says);
     bench.writer.label(find("mill-reader").querySelector("canvas"), `${view.label}, ${says}`);
     bench.writer.fill(find("mill-block"), BLOCK, ...(blockAt(view) ?? []));
-    sheets.tape.draw(tapeKey(view), (context, ...size) => drawTape(context, view, ...size));
+    this.reader.draw(tapeKey(view), (context, ...size) => drawTape(context, view, ...size));
   }
 }
 

@@ -2,14 +2,20 @@
 
 const TOLERANCE = 5; // thousandths, half the width of the band
 const NEAR = 4 * TOLERANCE; // a path that stays this near follows the circle
+const MARGIN = 300; // thousandths about what is cut
+const STEPS = 720; // of a circle that is drawn
 
-/** What is drawn of a path. The band is that of the curve `nominal`, {points, tolerance}, or that about the circle which the
- *  path follows.
+/** What is drawn of a path. The band is the one that is known, { inner, nominal, outer } as [x, y], or that about the circle
+ *  which the path follows.
  */
-export function contour(path, diameter, nominal) {
+export function contour(path, diameter, known) {
   const circle = followed(path.cuts);
-  const band = nominal ? beside(nominal) : circle && beside({ points: around(circle), tolerance: TOLERANCE });
-  return { path, diameter, bounds: bounds(path.knots.filter(({ down }) => down), diameter / 2), circle, band };
+  const band = known ? { inner: places(known.inner), nominal: places(known.nominal), outer: places(known.outer) } : circle && about(circle);
+  return { path, diameter, bounds: bounds(path.knots.filter(({ down }) => down), diameter / 2 + MARGIN), circle, band };
+}
+
+function places(points) {
+  return points.map(([x, y]) => ({ x, y }));
 }
 
 function bounds(knots, margin) {
@@ -43,17 +49,11 @@ function fitted(points) {
   return { x, y, radius: Math.round(mean((point) => Math.hypot(point.x - x, point.y - y))) };
 }
 
-function around({ x, y, radius }) {
-  const angles = Array.from({ length: 721 }, (_, step) => (step * Math.PI) / 360);
-  return angles.map((angle) => [x + radius * Math.cos(angle), y + radius * Math.sin(angle)]);
-}
-
-/** The curve through points and its two limits, at right angles to the way between the neighbours of each point. */
-function beside({ points, tolerance }) {
-  const limit = (offset) => points.map(([x, y], index) => {
-    const [[x0, y0], [x1, y1]] = [points[index - 1] ?? points[index], points[index + 1] ?? points[index]];
-    const long = Math.hypot(x1 - x0, y1 - y0) || 1;
-    return [x + ((y1 - y0) / long) * offset, y - ((x1 - x0) / long) * offset];
+/** The band about a circle. */
+function about({ x, y, radius }) {
+  const ring = (far) => Array.from({ length: STEPS + 1 }, (_, step) => {
+    const angle = (2 * Math.PI * step) / STEPS;
+    return { x: x + far * Math.cos(angle), y: y + far * Math.sin(angle) };
   });
-  return { inner: limit(-tolerance), nominal: points, outer: limit(tolerance) };
+  return { inner: ring(radius - TOLERANCE), nominal: ring(radius), outer: ring(radius + TOLERANCE) };
 }

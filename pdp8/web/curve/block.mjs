@@ -3,7 +3,8 @@
 import * as ascii from "../../../tapes/ascii.mjs";
 import * as eia from "../../../tapes/eia.mjs";
 import { block as blockOf, FIELDS } from "../../../tapes/hydrapoint.mjs";
-import { Figure, rect, text } from "./drawing.mjs";
+import { Figure } from "./drawing.mjs";
+import { rect, text } from "../svg.mjs";
 import { punchedTape, translated } from "./computer.mjs";
 import { escaped, inches, octal } from "../written.mjs";
 

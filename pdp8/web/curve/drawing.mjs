@@ -1,7 +1,8 @@
 // A live figure: its inputs, a drawing as wide as the page gives it, and a line that says the numbers.
 
 import { XY_FEED } from "../../../tapes/hydrapoint.mjs";
-import { escaped, inches } from "../written.mjs";
+import { clipped, rect, text, View } from "../svg.mjs";
+import { inches } from "../written.mjs";
 
 /** How the value of an input is written: data-unit names it. */
 const UNITS = {
@@ -72,58 +73,6 @@ function valued({ checked, dataset: { most, unit }, type, value }) {
   if (!most) return Number(value);
   const grown = most ** (value / 100);
   return unit === "times" ? grown : Math.round(grown);
-}
-
-/** Where places, in thousandths, stand in a box of the drawing; Y goes up. */
-export class View {
-  constructor({ left, right, bottom, top }, box, uniform = true) {
-    const across = box.width / (right - left), up = box.height / (top - bottom);
-    this.sx = uniform ? Math.min(across, up) : across;
-    this.sy = uniform ? Math.min(across, up) : up;
-    this.ox = box.x + box.width / 2 - (this.sx * (left + right)) / 2;
-    this.oy = box.y + box.height / 2 + (this.sy * (bottom + top)) / 2;
-    this.box = box;
-  }
-
-  x(at) {
-    return this.ox + at * this.sx;
-  }
-
-  y(at) {
-    return this.oy - at * this.sy;
-  }
-
-  /** A line through places. */
-  line(places, attributes, close = false) {
-    const d = places.map(({ x, y }, index) => `${index ? "L" : "M"}${this.x(x).toFixed(1)} ${this.y(y).toFixed(1)}`);
-    return `<path d="${d.join("")}${close ? "Z" : ""}" ${attributes}/>`;
-  }
-
-  /** A circle of so many thousandths. */
-  circle({ x, y, radius }, attributes) {
-    return this.dot({ x, y }, radius * this.sx, attributes);
-  }
-
-  /** A circle of so many pixels. */
-  dot({ x, y }, radius, attributes) {
-    return `<circle cx="${this.x(x).toFixed(1)}" cy="${this.y(y).toFixed(1)}" r="${radius.toFixed(1)}" ${attributes}/>`;
-  }
-}
-
-let clips = 0;
-
-/** `content`, cut off at a box. */
-export function clipped({ x, y, width, height }, content) {
-  const name = `clip${clips++}`;
-  return `<clipPath id="${name}"><rect x="${x}" y="${y}" width="${width}" height="${height}"/></clipPath><g clip-path="url(#${name})">${content}</g>`;
-}
-
-export function text(x, y, words, attributes = "") {
-  return `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" ${attributes}>${escaped(words)}</text>`;
-}
-
-export function rect({ x, y, width, height }, attributes) {
-  return `<rect x="${x.toFixed(1)}" y="${y.toFixed(1)}" width="${Math.max(0, width).toFixed(1)}" height="${Math.max(0, height).toFixed(1)}" ${attributes}/>`;
 }
 
 /**

@@ -1,7 +1,8 @@
 // The step-wise technique on a curve: what the tolerance, the cutter and the feed change, and what they cost.
 
 import { CENTRE, CIRCLE, onCircle, quarter, RADIUS } from "./method.mjs";
-import { clipped, Figure, mils, minutes, rect, straightened, text, View } from "./drawing.mjs";
+import { Figure, mils, minutes, straightened } from "./drawing.mjs";
+import { clipped, rect, text, View } from "../svg.mjs";
 import { troughToPeak, walls } from "./walls.mjs";
 
 const ARC = (RADIUS * Math.PI) / 2;

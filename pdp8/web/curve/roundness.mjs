@@ -1,7 +1,8 @@
 // What the Talyrond sees: the walls of the circle's groove, their errors magnified and nothing else.
 
 import { CIRCLE, circle, remembered } from "./method.mjs";
-import { clipped, Figure, mils, text } from "./drawing.mjs";
+import { Figure, mils } from "./drawing.mjs";
+import { clipped, text } from "../svg.mjs";
 import { troughToPeak, walls } from "./walls.mjs";
 
 const STATIONS = 36000; // as many as nc/inspection.py has

@@ -1,7 +1,8 @@
 // Chapter 3's slope: one instruction misses it, pieces come near, steps stay in the band whatever the feeds do.
 
 import { pieces, SLOPE, slope } from "./method.mjs";
-import { Figure, inch, minutes, straightened, text, View } from "./drawing.mjs";
+import { Figure, inch, minutes, straightened } from "./drawing.mjs";
+import { text, View } from "../svg.mjs";
 
 const [FROM, TO] = SLOPE;
 const LENGTH = Math.hypot(TO.x - FROM.x, TO.y - FROM.y);

@@ -3,7 +3,8 @@
 import { MoveKind } from "../../../nc/path.mjs";
 import { CENTRE, CIRCLE, RADIUS } from "./method.mjs";
 import { Pictures } from "../pictures.mjs";
-import { clipped, Figure, minutes, rect, text, View } from "./drawing.mjs";
+import { Figure, minutes } from "./drawing.mjs";
+import { clipped, rect, text, View } from "../svg.mjs";
 
 const CUTTER = 250; // its radius
 const TAKES = 20; // seconds in which the whole is played
