@@ -8,11 +8,11 @@ workbench     the one page: the live machine, and the afternoon that plays on it
               the HTML names the method that each control calls (bench/wiring.mjs)
 record        what it has at hand, as JSON; kept: in the user's cache, while the sources are the same
 parts         the part programs' options, as the page asks for them, and their fields
-curve         the page that teaches the method: curve.mjs, its figures in curve/
+curve         the page that teaches the method: curve.mjs, its figures in curve/, what they compute in method.py
 shell.html    what is around every page   base.css             how it looks
 bench.html    what stands where           workbench.css        how that looks
 panel.mjs     lamps and switches          written.mjs    how things are written
 tape.mjs      tapes under their heads     cutter.mjs     the staircase in its band
 sheet.mjs     drawing what has changed    pictures.mjs   when the next picture is due
-packed.mjs    what a page and a link hold
+packed.mjs    what a page and a link hold svg.mjs        places as drawings
 """

@@ -1,12 +1,12 @@
 // A curve in ten minutes: the figures of the page that teaches the method, in Chapter 3's order.
 
 import { computer, holes } from "./curve/block.mjs";
-import { circle } from "./curve/method.mjs";
 import { near } from "./curve/near.mjs";
 import { curved } from "./curve/quarter.mjs";
 import { roundness } from "./curve/roundness.mjs";
 import { one, piecewise, stepwise } from "./curve/slopes.mjs";
 import { whole } from "./curve/whole.mjs";
+import { circle } from "./method.mjs";
 import { unpacked } from "./packed.mjs";
 
 const record = await unpacked(document.getElementById("record").textContent);

@@ -1,7 +1,7 @@
 """A curve in ten minutes: the page that teaches the method of the thesis, in Chapter 3's order.
 
     eia.pal, assembled                                              ──► record (JSON)  ┐
-    programs/stretches, stepwise, piecewise, milling; nc; computer  ──► translated     ├──► one HTML file
+    method.py: programs, nc, the computer                           ──► translated     ├──► one HTML file
     curve.html, curve.css, curve.mjs, curve/                                           ┘
 
 Each figure runs what it shows: the technique makes the blocks, the Hydra-Point carries out their tape, the

@@ -5,7 +5,7 @@ import * as eia from "../../../tapes/eia.mjs";
 import { block as blockOf, FIELDS } from "../../../tapes/hydrapoint.mjs";
 import { Figure } from "./drawing.mjs";
 import { rect, text } from "../svg.mjs";
-import { punchedTape, translated } from "./computer.mjs";
+import { characters, translated } from "../method.mjs";
 import { escaped, inches, octal } from "../written.mjs";
 
 const NAMES = { sequence: "number", preparatory: "mill", x: "X", y: "Y", reserved: "0", tool: "feed", miscellaneous: "axis" };
@@ -67,7 +67,7 @@ export function computer({ text: printout }, record) {
   const listing = new Map(record.listing.map(([address, word, source]) => [`${address} ${word}`, source]));
   let last = { block: 0, done: [] };
   const run = (block) => {
-    if (block !== last.block) last = { block, done: translated(record.words, ascii.encode(`${all[block - 1]}\n`)) };
+    if (block !== last.block) last = { block, done: characters(record.words, ascii.encode(`${all[block - 1]}\n`)) };
     return last.done;
   };
   const words = { block: (number) => `${number} of ${all.length}`, character: (at, { block }) => `${at + 1} of 27: ${shown(run(block)[at].character)}` };
@@ -83,9 +83,9 @@ export function computer({ text: printout }, record) {
   const [button, said] = [document.getElementById("translate"), document.getElementById("translated")];
   button.addEventListener("click", () => {
     const began = performance.now();
-    const { tape: frames, seconds } = punchedTape(record.words, ascii.encode(printout));
+    const { elapsed, teletype: { punch: { tape: frames } } } = translated(record.words, ascii.encode(printout));
     const here = (performance.now() - began) / 1000;
-    said.textContent = `${all.length} blocks: ${(seconds / 60).toFixed(1)} minutes at the computer, ${here.toFixed(1)} s in this page; ${frames.length - 1} frames and a blank one came out.`;
+    said.textContent = `${all.length} blocks: ${(elapsed / 60).toFixed(1)} minutes at the computer, ${here.toFixed(1)} s in this page; ${frames.length - 1} frames and a blank one came out.`;
   });
   return figure;
 }

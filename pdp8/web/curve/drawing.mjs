@@ -1,6 +1,7 @@
 // A live figure: its inputs, a drawing as wide as the page gives it, and a line that says the numbers.
 
 import { XY_FEED } from "../../../tapes/hydrapoint.mjs";
+import { CENTRE, RADIUS } from "../method.mjs";
 import { clipped, rect, text, View } from "../svg.mjs";
 import { inches } from "../written.mjs";
 
@@ -89,6 +90,24 @@ export function straightened(box, length, tolerance, reach, traces) {
   const apart = view.y(-tolerance) - view.y(tolerance) > 14;
   const labels = apart ? label(tolerance, "+") + label(-tolerance, "−") : label(0, "±");
   return clipped(box, band + limit(tolerance) + limit(-tolerance) + centre + drawn) + labels + rect(box, 'class="frame"');
+}
+
+export const CIRCLE = { x: CENTRE, y: CENTRE, radius: RADIUS };
+
+/** The place on the circle at so many degrees, from 3 o'clock against the clock's hands. */
+export function onCircle(degrees) {
+  const angle = (degrees * Math.PI) / 180;
+  return { x: CENTRE + RADIUS * Math.cos(angle), y: CENTRE + RADIUS * Math.sin(angle) };
+}
+
+/** `make`, but nothing is made twice. */
+export function remembered(make) {
+  const made = new Map();
+  return (...given) => {
+    const key = String(given);
+    if (!made.has(key)) made.set(key, make(...given));
+    return made.get(key);
+  };
 }
 
 /** A length in inches, as an engineer of 1971 writes it: .0106 */

@@ -1,7 +1,7 @@
 // The circle, looked at from nearer and nearer: round from afar, a staircase at last.
 
-import { CENTRE, CIRCLE, circle, onCircle, RADIUS } from "./method.mjs";
-import { Figure, mils } from "./drawing.mjs";
+import { CENTRE, circle, RADIUS } from "../method.mjs";
+import { CIRCLE, Figure, mils, onCircle } from "./drawing.mjs";
 import { clipped, text, View } from "../svg.mjs";
 
 const PLACE = onCircle(146);

@@ -1,13 +1,14 @@
 // The step-wise technique on a curve: what the tolerance, the cutter and the feed change, and what they cost.
 
-import { CENTRE, CIRCLE, onCircle, quarter, RADIUS } from "./method.mjs";
-import { Figure, mils, minutes, straightened } from "./drawing.mjs";
+import { CENTRE, quarter as cut, RADIUS } from "../method.mjs";
+import { CIRCLE, Figure, mils, minutes, onCircle, remembered, straightened } from "./drawing.mjs";
 import { clipped, rect, text, View } from "../svg.mjs";
 import { troughToPeak, walls } from "./walls.mjs";
 
 const ARC = (RADIUS * Math.PI) / 2;
 const STATIONS = 1800;
 const COMPARED = [1, 2, 3, 5, 7, 10, 15, 20, 30, 50]; // tolerances of the chart
+const quarter = remembered(cut);
 
 export function curved() {
   return new Figure("curved", ({ tolerance, cutter, feed: code, place }, width) => {

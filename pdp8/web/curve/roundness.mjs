@@ -1,7 +1,7 @@
 // What the Talyrond sees: the walls of the circle's groove, their errors magnified and nothing else.
 
-import { CIRCLE, circle, remembered } from "./method.mjs";
-import { Figure, mils } from "./drawing.mjs";
+import { circle } from "../method.mjs";
+import { CIRCLE, Figure, mils, remembered } from "./drawing.mjs";
 import { clipped, text } from "../svg.mjs";
 import { troughToPeak, walls } from "./walls.mjs";
 

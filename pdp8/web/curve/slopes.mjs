@@ -1,6 +1,6 @@
 // Chapter 3's slope: one instruction misses it, pieces come near, steps stay in the band whatever the feeds do.
 
-import { pieces, SLOPE, slope } from "./method.mjs";
+import { pieces, SLOPE, slope } from "../method.mjs";
 import { Figure, inch, minutes, straightened } from "./drawing.mjs";
 import { text, View } from "../svg.mjs";
 
@@ -80,7 +80,7 @@ function title(box, reach) {
 export function stepwise() {
   return new Figure("stepwise", ({ tolerance, dx }, width) => {
     const [view, height] = plan(width);
-    const { way, stops, blocks, reading, milling, minutes: took } = slope(tolerance, "step", dx / 100, -dx / 100);
+    const { way, stops, blocks, reading, milling, minutes: took } = slope(tolerance, dx / 100, -dx / 100);
     const [left, right] = [tolerance, -tolerance].map((off) => [at(0, off), at(LENGTH, off)]);
     const sides = view.line(left, 'class="limit"') + view.line(right, 'class="limit"');
     const few = stops.length <= 14;

@@ -1,9 +1,9 @@
 // The circle whole, minute by minute: what is cut, and where the time goes.
 
 import { MoveKind } from "../../../nc/path.mjs";
-import { CENTRE, CIRCLE, RADIUS } from "./method.mjs";
+import { CENTRE, RADIUS } from "../method.mjs";
 import { Pictures } from "../pictures.mjs";
-import { Figure, minutes } from "./drawing.mjs";
+import { CIRCLE, Figure, minutes } from "./drawing.mjs";
 import { clipped, rect, text, View } from "../svg.mjs";
 
 const CUTTER = 250; // its radius

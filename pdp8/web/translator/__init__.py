@@ -34,6 +34,7 @@ MODULES = {
     "nc": "blocks machine path",
     "programs": "arithmetic circle curve die drill ellipse fluidic format function header milling piecewise"
     " polynomial printout slope stepwise stretches units",
+    "pdp8.web": "method",
 }
 """What is translated."""
 

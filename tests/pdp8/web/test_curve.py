@@ -8,15 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-import nc
+import pal
 from nc.curves import nominal
 from nc.inspection import inspect
 from pdp8.thesis import chain
-from pdp8.web import curve
-from programs.header import THESIS
+from pdp8.web import curve, method
 from programs.milling import Milling
-from programs.printout import Printout
-from programs.stretches import Curve, Point, arc, line
 from tapes import ascii, eia, shelf
 from tests.pdp8.web.browsing import AXE, needs_axe, serious, until
 from tests.pdp8.web.node import in_node, needs_node
@@ -24,73 +21,40 @@ from tests.pdp8.web.node import in_node, needs_node
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Locator, Page
 
-_SLOPE = (Point(1000, 1000), Point(5330, 3500))
-
-_COMPUTED = """async () => {
-  const method = await import("@/pdp8/web/curve/method.mjs");
+_COMPUTED = """async ({ words, line }) => {
+  const method = await import("@/pdp8/web/method.mjs");
   const { walls } = await import("@/pdp8/web/curve/walls.mjs");
-  const plain = ({ text, blocks, minutes, way }) => [text, blocks, minutes, way.map(({ x, y }) => [x, y])];
-  const made = {
-    circle: method.circle(5), closed: method.circle(5, true), steps: method.slope(7),
-    "fine steps": method.slope(5),
-    "wrong feeds": method.slope(7, "step", 0.2, -0.2), pieces: method.slope(5, "piece", 0.1, -0.1),
-    quarter: method.quarter(5, 3), coarse: method.quarter(10, 3),
-  };
-  const circle = { x: 4000, y: 4000, radius: 1750 };
-  const measured = ({ way }, from, sweep, count) => {
-    const { outer, inner } = walls(way, circle, 500, from, sweep, count);
-    return [[...outer], [...inner]];
-  };
+  const plain = ({ text, minutes, way }) => [text, minutes, way.map(({ x, y }) => [x, y])];
+  const { way } = method.circle(5);
+  const { outer, inner } = walls(way, { x: 4000, y: 4000, radius: 1750 }, 500, 0, 2 * Math.PI, 3600);
   return {
-    ...Object.fromEntries(Object.entries(made).map(([name, each]) => [name, plain(each)])),
-    walls: measured(made.circle, 0, 2 * Math.PI, 3600),
+    made: [method.circle(3, true), method.slope(7, 0.2, -0.2), method.quarter(10, 3)].map(plain),
+    walls: [[...outer], [...inner]],
+    characters: method.characters(words, line).map(
+      ({ rows, punched, waited }) => [rows.map((row) => [...row]), punched, waited]),
   };
 }"""
+_WORDS = list(pal.assemble(shelf.read_bundled("eia.pal")).words.items())
+_LINE = "  76 2250 4133  185\n"
 
 
 @pytest.fixture(scope="module")
 def computed() -> dict[str, Any]:
     """What the figures compute, in Node.js."""
-    found: dict[str, Any] = in_node(_COMPUTED)
+    found: dict[str, Any] = in_node(_COMPUTED, {"words": _WORDS, "line": list(ascii.encode(_LINE))})
     return found
 
 
-def _made(curve: Curve, milling: Milling) -> tuple[str, Curve]:
-    printout = Printout()
-    printout.header(THESIS, *curve.start)
-    milling.print(printout, curve)
-    return printout.text, curve
-
-
-def _cut(text: str, feed_error: tuple[float, float, float] = (0, 0, 0)) -> list[Any]:
-    path = nc.cut(eia.encode(text.replace(" ", "0")), settings=nc.Settings(feed_error=feed_error))
-    way = [path.cuts[0].start, *(move.end for move in path.cuts)]
-    return [text, len(path), path.contour.total / 60, [[place.x, place.y] for place in way]]
-
-
 @needs_node
-def test_the_circle_is_that_of_the_listing(computed: dict[str, Any]) -> None:
-    """666 blocks, the very printout of Appendix C, and 35.9 minutes; the closed one has its last cuts."""
-    assert computed["circle"] == _cut(chain.printout("circle"))
-    assert computed["circle"][1] == 666
-    assert round(computed["circle"][2], 1) == 35.9
-    assert computed["closed"][3][-1] == computed["closed"][3][0] == [2250, 4000]
-
-
-@needs_node
-def test_slopes_and_curve_are_those_of_the_techniques(computed: dict[str, Any]) -> None:
-    """Blocks, minutes and each place, with exact feeds and with wrong ones."""
-    steps, _ = _made(line(*_SLOPE, 7), Milling())
-    pieces, _ = _made(line(*_SLOPE, 5), Milling("piece", feed_error=0.2))
-    assert computed["steps"] == _cut(steps)
-    assert computed["wrong feeds"] == _cut(steps, (0.2, -0.2, 0))
-    assert computed["wrong feeds"][3] == computed["steps"][3]
-    assert [computed[name][1] - 6 for name in ("pieces", "fine steps")] == [174, 408]
-    assert computed["pieces"] == _cut(pieces, (0.1, -0.1, 0))
-    for name, tolerance in (("quarter", 5), ("coarse", 10)):
-        text, _ = _made(arc(Point(4000, 4000), 1750, 180, -90, tolerance), Milling(feed_code=3))
-        assert computed[name] == _cut(text)
-    assert 1.8 < (computed["quarter"][1] - 6) / (computed["coarse"][1] - 6) < 2
+def test_the_page_computes_what_python_does(computed: dict[str, Any]) -> None:
+    """Printouts, minutes and ways; what eia.pal does with each character of a block."""
+    made = (method.circle(3, close=True), method.slope(7, 0.2, -0.2), method.quarter(10, 3))
+    ways = [[[place.x, place.y] for place in each.way] for each in made]
+    expected = [[each.text, each.minutes, way] for each, way in zip(made, ways, strict=True)]
+    assert computed["made"] == expected
+    done = method.characters(_WORDS, ascii.encode(_LINE))
+    rows = [[[list(row) for row in each.rows], each.punched, each.waited] for each in done]
+    assert computed["characters"] == rows
 
 
 @needs_node
@@ -102,24 +66,32 @@ def test_the_walls_are_those_of_the_inspection(computed: dict[str, Any]) -> None
         assert np.allclose(there, here[::every], rtol=0, atol=1e-6)
 
 
-_TRANSLATED = """async ({ words, line, tape }) => {
-  const { punchedTape, translated } = await import("@/pdp8/web/curve/computer.mjs");
-  const frames = translated(words, line).map(({ punched }) => punched).filter((frame) => frame !== null);
-  const whole = punchedTape(words, tape);
-  return [frames, [...whole.tape], whole.seconds];
-}"""
+def test_the_circle_is_that_of_the_listing() -> None:
+    """666 blocks, the very printout of Appendix C, and 35.9 minutes; the closed one has its last cuts."""
+    circle, closed = method.circle(5), method.circle(5, close=True)
+    assert circle.text == chain.printout("circle")
+    assert (circle.blocks, round(circle.minutes, 1)) == (666, 35.9)
+    assert closed.way[-1][:2] == closed.way[0][:2] == (2250, 4000)
 
 
-@needs_node
+def test_slopes_and_curve_are_what_the_page_says() -> None:
+    """408 blocks by steps, none of which moves when the feeds are wrong; half the band, twice the blocks."""
+    exact, wrong = method.slope(5), method.slope(5, 0.2, -0.2)
+    assert exact.blocks - 6 == 408
+    assert wrong.way == exact.way
+    assert wrong.minutes != exact.minutes
+    assert chain.printout("slope", milling=Milling("piece", feed_error=0.2)).count("\n") - 6 == 174
+    fine, coarse = method.quarter(5, 3), method.quarter(10, 3)
+    assert 1.8 < (fine.blocks - 6) / (coarse.blocks - 6) < 2
+
+
 def test_the_computer_punches_the_bundled_tape() -> None:
     """A block frame by frame, and the whole circle: 30 minutes."""
-    text = "  76 2250 4133  185\n"
-    tape = list(shelf.read_bundled("circle.asc"))
-    given = {"words": curve.record()["words"], "line": list(ascii.encode(text)), "tape": tape}
-    frames, whole, seconds = in_node(_TRANSLATED, given)
-    assert bytes(frames) == eia.encode(text.replace(" ", "0"))
-    assert bytes(whole) == shelf.read_bundled("circle.eia")
-    assert round(seconds / 60) == 30
+    frames = [each.punched for each in method.characters(_WORDS, ascii.encode(_LINE))]
+    assert bytes(each for each in frames if each is not None) == eia.encode(_LINE.replace(" ", "0"))
+    machine = method.translated(_WORDS, shelf.read_bundled("circle.asc"))
+    assert machine.teletype.punch.tape == shelf.read_bundled("circle.eia")
+    assert round(machine.elapsed / 60) == 30
 
 
 @pytest.fixture(scope="module")
