@@ -1,7 +1,7 @@
 // The one page: a whole PDP-8/L with its Teletype, assembler and milling machine, live, and the afternoon that plays on it.
 //
 //     Bench ──► panes, each a class of bench/NAME.mjs and a section of HTML: what is seen and what is pressed
-//           ──► clock, history, until, shelf, programs: what they share
+//           ──► clock, history, goal, shelf, programs: what they share
 //
 // A pane is made with the bench; the HTML names the methods that its controls call (bench/wiring.mjs). What it does to
 // `bench.machine` it tells by `bench.touched()`; `bench.say(words)` says what happened. Its show(samples) shows every
@@ -18,7 +18,6 @@ import { Core } from "./bench/core.mjs";
 import { Doors } from "./bench/doors.mjs";
 import { Editor } from "./bench/editor.mjs";
 import { Exercises } from "./bench/exercises.mjs";
-import { History } from "./bench/history.mjs";
 import { marks } from "./bench/marker.mjs";
 import { Mill } from "./bench/mill.mjs";
 import { Parts, printout } from "./bench/parts.mjs";
@@ -30,10 +29,11 @@ import { Switches } from "./bench/switches.mjs";
 import { Tabs } from "./bench/tabs.mjs";
 import { Teletype } from "./bench/teletype.mjs";
 import { Time } from "./bench/time.mjs";
-import { ANY } from "./bench/until.mjs";
 import { wire } from "./bench/wiring.mjs";
 import { Machine } from "../computer/machine.mjs";
+import { History } from "../computer/past/history.mjs";
 import { LARGEST, restore, save } from "../computer/past/state.mjs";
+import { Goal } from "../computer/use/goals.mjs";
 import * as kinds from "../../tapes/kinds.mjs";
 import { unpacked } from "./packed.mjs";
 import { READABLE } from "./pictures.mjs";
@@ -43,7 +43,8 @@ import { find, grouped, octal } from "./written.mjs";
 
 const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT", reached: "reached" };
 const UTF16 = [0xfffe, 0xfeff]; // its byte order marks
-const WAITS = ["tape out", "idle"]; // the program goes on when somebody does something
+const GOES_ON = ["limit", "tape out", "idle"]; // when its time has come, or somebody does something
+const MEMORY = 32 << 20; // bytes of what can be undone
 
 class Bench {
   constructor(record) {
@@ -51,8 +52,8 @@ class Bench {
     this.machine = new Machine(true);
     this.writer = new Writer();
     this.shelf = new Shelf(record.tapes);
-    this.history = new History(this);
-    this.until = ANY;
+    this.until = new Goal();
+    this.remember();
     this.apart = new Apart();
     this.programs = new Programs();
     this.panes = [];
@@ -70,7 +71,7 @@ class Bench {
     find("graph").innerHTML = record.afternoon.graph;
     this.time = new Time(this);
     this.doors = new Doors(this);
-    this.clock = new Clock(this, (samples, stop) => this.#pictured(samples, stop));
+    this.clock = new Clock(this, (samples, reason) => this.#pictured(samples, reason));
     /** @type {any[]} */
     this.panes = [this.afternoon, this.switches, this.teletype, this.registers, this.core, this.mill, this.editor, this.parts, this.time];
     document.addEventListener("dragover", (event) => event.preventDefault());
@@ -87,7 +88,12 @@ class Bench {
     this.machine = new Machine(true);
     this.machine.put(machine.values());
     if (stops) this.machine.panel.stop();
-    this.history.begin();
+    this.remember();
+  }
+
+  /** Keep what the machine does from now on, so that it can be undone. */
+  remember() {
+    this.history = new History(this.machine, MEMORY);
   }
 
   /** Let somebody do `work` at the machine, which is theirs then; return what it returns. */
@@ -110,14 +116,14 @@ class Bench {
   }
 
   /** The machine runs on until a goal, from now on. */
-  aim(goal = ANY) {
+  aim(goal = new Goal()) {
     this.until.over();
     this.until = goal;
   }
 
-  #pictured(samples, stop) {
-    if (stop && !WAITS.includes(stop.reason)) this.ended(stop.reason);
-    else this.show(samples);
+  #pictured(samples, reason) {
+    if (GOES_ON.includes(reason)) this.show(samples);
+    else this.ended(reason);
   }
 
   /** A run has ended: say why and where. */

@@ -13,7 +13,7 @@ Not undone: what has left the machine, such as a frame that an `on_frame` passed
 `on_frame` changes while a run goes on.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import NamedTuple
 
@@ -97,7 +97,19 @@ class History:
             self._add(now, whole=True)
         self._began, self._stands = now, self._moment()
 
-    def ended(self, reason: Reason) -> None:
+    def together(self, work: Callable[[], str]) -> str:
+        """Let `work` do many runs that are kept as one; return why the last ended."""
+        self.begins()
+        self.machine.recorder = None
+        reason: str = Reason.LIMIT
+        try:
+            reason = work()
+        finally:
+            self.machine.recorder = self
+            self.ended(reason)
+        return reason
+
+    def ended(self, reason: str) -> None:
         """Note where a run has ended.
 
         One that ended by itself leaves things that no run as far as its tick leaves: these are noted.
@@ -106,7 +118,7 @@ class History:
         began, self._stands = self._stands, self._moment()
         if began == self._stands or self.machine.panel.sing_step:
             self._add(changed(self._began, self._left), jump=True)
-        elif reason is not Reason.LIMIT:
+        elif reason != Reason.LIMIT:
             others, left = changed(self._began, self._left), self._left.items()
             self._add({name: value for name, value in left if name in others or not isinstance(value, bytes)})
 

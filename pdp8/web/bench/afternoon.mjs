@@ -94,7 +94,7 @@ export class Afternoon {
   /** The script leads the machine. */
   #lead() {
     const { bench } = this;
-    bench.history.end();
+    bench.history.close();
     bench.aim();
     bench.switches.card.end();
     find("counts").checked = false;

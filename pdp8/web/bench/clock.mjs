@@ -18,7 +18,7 @@ const SLOW = 0.01; // and slower: cycle by cycle
 const FORGETS = 0.15; // what a measured speed loses of the pictures before, a picture
 
 export class Clock {
-  /** `show(samples, stop)` is called after every picture, with samples of the lamps; `stop` is how a run ended, if it ended. */
+  /** `show(samples, stop)` is called after every picture, with samples of the lamps and the reason why the run ended, "limit" if it goes on. */
   constructor(bench, show) {
     this.bench = bench;
     this.show = show;
@@ -84,7 +84,7 @@ export class Clock {
 
   #led(passed, now) {
     const { afternoon } = this.bench;
-    this.show(afternoon.pass(passed, this.speed, now + BUDGET), null);
+    this.show(afternoon.pass(passed, this.speed, now + BUDGET), "limit");
     return afternoon.on ? afternoon.playing : this.#moves();
   }
 
@@ -92,12 +92,12 @@ export class Clock {
     const { machine } = this.bench;
     const ticks = (passed / 1000) * SECOND * this.speed;
     const samples = [];
-    let stop = null;
+    let reason = "limit";
     if (!machine.processor.run) {
       if (this.#busy()) machine.wait(Math.min(ticks, SECOND) / SECOND);
-    } else if (this.speed <= SLOW) stop = this.#crawl(ticks, now);
-    else stop = this.bench.history.together(() => this.#run(Math.ceil(ticks), now, samples));
-    this.show(machine.processor.run && samples.length ? samples : [machine.panel.lamps], stop);
+    } else if (this.speed <= SLOW) reason = this.#crawl(ticks, now);
+    else reason = this.bench.history.together(() => this.#run(Math.ceil(ticks), now, samples));
+    this.show(machine.processor.run && samples.length ? samples : [machine.panel.lamps], reason);
     return this.#moves();
   }
 
@@ -113,7 +113,7 @@ export class Clock {
     return machine.processor.run ? !machine.waiting.endless : this.#busy();
   }
 
-  /** Go on cycle by cycle for `ticks`; return how it ended, null if it goes on. */
+  /** Go on cycle by cycle for `ticks`; return why it ended. */
   #crawl(ticks, now) {
     const { processor, watch } = this.bench.machine;
     this.due += ticks;
@@ -121,14 +121,14 @@ export class Clock {
       const { clock } = processor;
       processor.cycle();
       this.due -= processor.clock - clock;
-      if (!processor.run) return { reason: "halt" };
+      if (!processor.run) return "halt";
       const reached = watch.breakpoints.has(processor.pc) || watch.called(processor);
-      if (processor.next === FETCH && reached) return { reason: "breakpoint" };
+      if (processor.next === FETCH && reached) return "breakpoint";
     }
-    return null;
+    return "limit";
   }
 
-  /** Run for `ticks`, or at full speed as long as there is time; return how it ended, null if it goes on. */
+  /** Run for `ticks`, or at full speed as long as there is time; return why it ended. */
   #run(ticks, now, samples) {
     const { machine, until } = this.bench;
     const { processor } = machine;
@@ -136,11 +136,11 @@ export class Clock {
     const slice = Math.min(SECOND / 30, ticks / SLICES);
     while (processor.clock < end && performance.now() - now < BUDGET) {
       const room = Math.max(1, Math.min(end - processor.clock, Math.ceil(slice * (0.5 + Math.random()))));
-      const stop = until.run(machine, room);
+      const reason = until.run(machine, room);
       samples.push(this.glimpse.of(machine));
-      if (stop.reason !== "limit") return stop;
+      if (reason !== "limit") return reason;
     }
-    return null;
+    return "limit";
   }
 }
 

@@ -64,7 +64,7 @@ export class Teletype {
   #tearPaper() {
     this.bench.machine.teletype.printer.frames.clear();
     this.taken = this.drawn = 0;
-    this.bench.history.begin();
+    this.bench.remember();
   }
 
   savePage() {

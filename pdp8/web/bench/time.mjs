@@ -1,8 +1,9 @@
 // The time bar: run and stop, steps by unit, speed; the same controls for the afternoon and for the live machine.
 
+import * as rewind from "../../computer/past/rewind.mjs";
+import { forward, until } from "../../computer/use/goals.mjs";
 import { find } from "../written.mjs";
 import { next } from "./next.mjs";
-import { ANY, until } from "./until.mjs";
 import { keyed } from "./wiring.mjs";
 
 const TYPED_INTO = "input, select, textarea, [tabindex='0']:not(button), a, summary"; // what has keys of its own
@@ -33,7 +34,7 @@ export class Time {
     const { bench } = this;
     if (bench.afternoon.on) bench.afternoon.play(!bench.afternoon.playing);
     else if (bench.machine.processor.run) bench.switches.press("stop");
-    else this.#run(ANY);
+    else this.#run();
   }
 
   /** Run until what the form asks for. */
@@ -62,8 +63,8 @@ export class Time {
 
   #forward(unit) {
     const { bench } = this;
-    bench.aim(ANY);
-    const reason = bench.history.forward(unit);
+    bench.aim();
+    const reason = forward(bench.history, unit);
     bench.machine.processor.run = 0;
     if (reason === "limit") bench.say("");
     else bench.ended(reason);
@@ -73,7 +74,7 @@ export class Time {
     const { bench } = this;
     let said = "";
     try {
-      bench.history.back(unit);
+      rewind[`${unit}s`](bench.history, 1);
     } catch (error) {
       said = String(error);
     }

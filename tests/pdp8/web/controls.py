@@ -43,7 +43,7 @@ WRITTEN = f"workbench.tabs.open('program'); {EDITOR}.open('a.pal', workbench.she
 ASSEMBLED = f"{WRITTEN} {EDITOR}.assemble(); {P}.core.fill(0);"
 WRONG = f"workbench.tabs.open('program'); {EDITOR}.text = '*200\\n\\tJMP X\\n$\\n'; {EDITOR}.assemble();"
 LOADED = f"{STAND} {ASSEMBLED} {EDITOR}.load(); workbench.tabs.open('debugger');"
-STEPPED = f"{LOADED} workbench.history.begin(); workbench.history.forward('instruction');"
+STEPPED = f"{LOADED} workbench.remember(); workbench.time.step({{ value: 1 }});"
 ALL = "document.querySelector('main.one .alone .enlarge')?.click();"
 LIVE = "workbench.afternoon.play(false); workbench.afternoon.takeOver();"
 AFTERNOON = "workbench.afternoon.go(6e10);"
