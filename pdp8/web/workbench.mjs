@@ -12,7 +12,6 @@ import { Afternoon } from "./bench/afternoon.mjs";
 import { embed, rest, RESTS } from "./bench/alone.mjs";
 import { Apart, serve } from "./bench/apart.mjs";
 import { booted } from "./bench/boot.mjs";
-import { checked } from "./bench/checker.mjs";
 import { Clock } from "./bench/clock.mjs";
 import { Core } from "./bench/core.mjs";
 import { Doors } from "./bench/doors.mjs";
@@ -35,6 +34,7 @@ import { History } from "../computer/past/history.mjs";
 import { LARGEST, restore, save } from "../computer/past/state.mjs";
 import { Goal } from "../computer/use/goals.mjs";
 import * as kinds from "../../tapes/kinds.mjs";
+import { checked } from "./findings.mjs";
 import { unpacked } from "./packed.mjs";
 import { READABLE } from "./pictures.mjs";
 import { bytes } from "./translator/runtime.mjs";
@@ -308,4 +308,4 @@ async function start() {
 }
 
 if (globalThis.document) start();
-else serve({ booted, checked, marks, printout });
+else serve({ booted, checked: ({ name, text }) => checked(name, text), marks, printout });

@@ -35,8 +35,3 @@ export function minutes(time) {
 export function escaped(text) {
   return text.replace(/[&<>"]/g, (character) => `&#${character.charCodeAt(0)};`);
 }
-
-/** A message without what it says of the command's options. */
-export function here(message) {
-  return message.split("; ").filter((part) => !/(^|[ `])--[a-z]/.test(part)).join("; ");
-}

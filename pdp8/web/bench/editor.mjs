@@ -10,8 +10,8 @@ import { PERMANENT, PSEUDO_OPERATORS } from "../../../pal/symbols.mjs";
 import { restore, save } from "../../computer/past/state.mjs";
 import { instruction_at } from "../../computer/watch.mjs";
 import { dict } from "../translator/runtime.mjs";
-import { escaped, find, grouped, here, octal } from "../written.mjs";
-import { assembled, checked, findings } from "./checker.mjs";
+import { assembled, checked, findings, here } from "../findings.mjs";
+import { escaped, find, grouped, octal } from "../written.mjs";
 import { Counts } from "./counts.mjs";
 import { keep, kept } from "./programs.mjs";
 
@@ -190,7 +190,7 @@ export class Editor {
       const found = await bench.apart.ask("checked", { name, text }, SECONDS);
       if (text === this.text) this.#found(found);
     } catch (error) {
-      if (!bench.apart.worker) this.#found(checked({ name, text }));
+      if (!bench.apart.worker) this.#found(checked(name, text));
       else this.#say(escaped(error.message));
     }
   }
@@ -281,7 +281,7 @@ export class Editor {
   assemble() {
     this.keep();
     const { name, text } = this;
-    if (this.assembly?.name !== name || this.assembly.text !== text) this.#found(checked({ name, text }));
+    if (this.assembly?.name !== name || this.assembly.text !== text) this.#found(checked(name, text));
     return this.assembly.ok;
   }
 

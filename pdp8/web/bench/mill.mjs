@@ -4,8 +4,8 @@ import { close, whole } from "../cutter.mjs";
 import { CutError, cut } from "../../../nc/machine.mjs";
 import { TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { FIELDS } from "../../../tapes/hydrapoint.mjs";
-import { BLOCK, blockAt } from "./block.mjs";
 import { contour } from "./path.mjs";
+import { BLOCK, passing } from "../passing.mjs";
 import { Pictures } from "../pictures.mjs";
 import { Drawing, Sheet } from "../sheet.mjs";
 import { drawTape, meaning, tapeKey } from "../tape.mjs";
@@ -128,7 +128,7 @@ export class Mill {
     const says = `frame ${grouped(view.head)} of ${grouped(view.frames.length)}: ${octal(frame, 3)} ${meaning(frame, "eia")}`;
     bench.writer.text(find("mill-reader").querySelector(".name"), says);
     bench.writer.label(find("mill-reader").querySelector("canvas"), `${view.label}, ${says}`);
-    bench.writer.fill(find("mill-block"), BLOCK, ...(blockAt(view) ?? []));
+    bench.writer.fill(find("mill-block"), BLOCK, ...passing(view.frames, view.head, view.code));
     this.reader.draw(tapeKey(view), (context, ...size) => drawTape(context, view, ...size));
   }
 }

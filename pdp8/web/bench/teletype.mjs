@@ -2,10 +2,10 @@
 
 import { Paper, sent } from "../../computer/use/keys.mjs";
 import * as kinds from "../../../tapes/kinds.mjs";
+import { BLOCK, passing } from "../passing.mjs";
 import { Sheet } from "../sheet.mjs";
 import { drawTape, meaning, tapeKey } from "../tape.mjs";
 import { find, grouped, octal } from "../written.mjs";
-import { BLOCK, blockAt } from "./block.mjs";
 import { codeOf } from "./shelf.mjs";
 import { Sound } from "./sound.mjs";
 
@@ -179,9 +179,9 @@ export class Teletype {
 
   /** The block that is passing: its fields, the digits read so far dark. */
   #block(tape) {
-    const shown = tape && (tape.code === "ascii" || tape.code === "eia") ? blockAt(tape) : null;
-    find("block").toggleAttribute("hidden", !shown);
-    if (shown) this.bench.writer.fill(find("block"), BLOCK, ...shown);
+    const texts = tape ? passing(tape.frames, tape.head, tape.code) : [];
+    find("block").hidden = !texts.length;
+    if (texts.length) this.bench.writer.fill(find("block"), BLOCK, ...texts);
   }
 
   #tape(which, view, loaded) {

@@ -34,7 +34,7 @@ MODULES = {
     "nc": "blocks machine path",
     "programs": "arithmetic circle curve die drill ellipse fluidic format function header milling piecewise"
     " polynomial printout slope stepwise stretches units",
-    "pdp8.web": "method",
+    "pdp8.web": "findings method passing",
 }
 """What is translated."""
 

@@ -173,7 +173,7 @@ def test_every_key_of_the_panel(page: "Page") -> None:
 
 
 def test_breakpoints_and_run_until(page: "Page") -> None:
-    """A click on a line's address stops there; so does what is chosen from the list; a word is written over."""
+    """A click on a line's address stops there; so does what the list offers; a word is written over."""
     page.locator("#sources").select_option("hello.pal")
     page.locator("#assemble").click()
     page.locator("#load").click()
