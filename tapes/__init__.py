@@ -17,6 +17,7 @@ measure     what can be said of a tape: its length, time, lines, checksum
 convert     from one code to another
 shelf       where files are found, read and written
 arguments   the files that a command takes: completed, compared, never lost
+utf16       text that is no tape
 extras      how a library that is missing is got, as pdp8 was
 command     how every command ends, and what it says
 progress    a bar on work that lasts

@@ -6,7 +6,6 @@ a punch streams, and what it punched stays. While the shelf is watched, as in ev
 read is written over.
 """
 
-import codecs
 import os
 import stat
 import sys
@@ -15,6 +14,7 @@ from contextlib import contextmanager, suppress
 from typing import BinaryIO
 
 from tapes.errors import WorkError, called
+from tapes.utf16 import is_utf16
 
 HIDES = "is the file in this folder, not the bundled one of that name"
 LARGEST = 2 << 20
@@ -164,17 +164,6 @@ def read_text(name: str, most: int = LARGEST) -> str:
         return read(name, most).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise ShelfError(f"{called(name)}: byte {error.start}: not UTF-8") from error
-
-
-def is_utf16(content: bytes) -> bool:
-    """Tell whether a file is text in UTF-16: its byte order mark, then characters of Latin scripts or those
-    that stand for bytes that were none.
-    """
-    if not content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        return False
-    text = content[: len(content) // 2 * 2].decode("utf-16", "surrogatepass")
-    plain = sum(ord(character) < 0x100 or character == "\ufffd" for character in text)
-    return 0 < len(text) <= 4 * plain
 
 
 def without_mark(content: bytes) -> bytes:

@@ -9,6 +9,7 @@ from pdp8.computer.use import program
 from pdp8.lessons.answer import Answer
 from tapes import kinds, shelf
 from tapes.errors import WorkError, called
+from tapes.utf16 import is_utf16
 
 LARGEST = 16 * 1024
 LONGEST = 200
@@ -41,7 +42,7 @@ def of(content: bytes, name: str) -> Answer:
         return Answer(name, fault="an empty file")
     if len(content) > LARGEST:
         return Answer(name, fault=f"more than {LARGEST:,} bytes")
-    if shelf.is_utf16(content):
+    if is_utf16(content):
         return Answer(name, fault="text in UTF-16: save it as UTF-8 or ASCII, or write it with an editor")
     content = shelf.without_mark(content)
     kind = kinds.classify(content)

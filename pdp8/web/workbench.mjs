@@ -34,6 +34,7 @@ import { History } from "../computer/past/history.mjs";
 import { LARGEST, restore, save } from "../computer/past/state.mjs";
 import { Goal } from "../computer/use/goals.mjs";
 import * as kinds from "../../tapes/kinds.mjs";
+import { is_utf16 } from "../../tapes/utf16.mjs";
 import { checked } from "./findings.mjs";
 import { unpacked } from "./packed.mjs";
 import { READABLE } from "./pictures.mjs";
@@ -42,7 +43,6 @@ import { Writer } from "./sheet.mjs";
 import { find, grouped, octal } from "./written.mjs";
 
 const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT", reached: "reached" };
-const UTF16 = [0xfffe, 0xfeff]; // its byte order marks
 const GOES_ON = ["limit", "tape out", "idle"]; // when its time has come, or somebody does something
 const MEMORY = 32 << 20; // bytes of what can be undone
 
@@ -205,7 +205,7 @@ class Bench {
   }
 
   #source(name, frames) {
-    if (UTF16.includes((frames[0] << 8) | frames[1])) throw new Error(`${name}: UTF-16, as PowerShell's > writes it; save it as UTF-8`);
+    if (is_utf16(frames)) throw new Error(`${name}: UTF-16, as PowerShell's > writes it; save it as UTF-8`);
     this.tabs.open("program");
     this.editor.open(name, frames);
   }

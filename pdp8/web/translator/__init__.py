@@ -21,7 +21,7 @@ from pdp8.web.kept import kept
 from pdp8.web.translator.modules import translate
 
 MODULES = {
-    "tapes": "ascii binary eia errors expression frames hydrapoint kinds measure rim",
+    "tapes": "ascii binary eia errors expression frames hydrapoint kinds measure rim utf16",
     "pal": "assembler assembling assembly assembly8 diagnostics dialects disassembler isa listing meaning"
     " models notes pal8 portable punch review source symbols symbols8 table watched",
     "pdp8.computer": "machine stop watch",

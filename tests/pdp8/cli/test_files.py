@@ -18,6 +18,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.lessons import form
 from tapes import command, shelf
+from tapes.utf16 import is_utf16
 from tests import commands
 from tests.conftest import Shell
 
@@ -249,11 +250,11 @@ def test_what_powershell_wrote_is_named(order: str, call: Call, tmp_path: Path) 
 
 
 def test_a_tape_that_begins_with_rubouts_is_not_utf16() -> None:
-    assert not shelf.is_utf16(b"\xff\xff" * 50)
-    assert not shelf.is_utf16(b"\xff\xfe" + shelf.read_bundled("circle.asc"))
-    assert not shelf.is_utf16(b"\xff\xfe")
-    assert shelf.is_utf16("\u0100\u0100\u0100\xff".encode("utf-16") + b"x")
-    assert not shelf.is_utf16("\u0100\u0100\u0100\u0100\xff".encode("utf-16"))
+    assert not is_utf16(b"\xff\xff" * 50)
+    assert not is_utf16(b"\xff\xfe" + shelf.read_bundled("circle.asc"))
+    assert not is_utf16(b"\xff\xfe")
+    assert is_utf16("\u0100\u0100\u0100\xff".encode("utf-16") + b"x")
+    assert not is_utf16("\u0100\u0100\u0100\u0100\xff".encode("utf-16"))
 
 
 def test_a_closed_pipe_loses_no_named_output(shell: Shell, tmp_path: Path) -> None:
