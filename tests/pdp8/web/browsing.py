@@ -71,3 +71,19 @@ def until(page: "Page", condition: str) -> None:
             return
         page.wait_for_timeout(25)
     raise AssertionError(condition)
+
+
+def drawn(page: "Page") -> int:
+    """Return how many pictures the page asks for, and how many elements it changes, in half a second."""
+    return int(
+        page.evaluate(
+            """() => new Promise((done) => {
+          let changes = 0;
+          new MutationObserver((records) => (changes += records.length))
+            .observe(document, { subtree: true, childList: true, attributes: true, characterData: true });
+          const request = window.requestAnimationFrame;
+          window.requestAnimationFrame = (then) => { changes++; return request(then); };
+          setTimeout(() => done(changes), 500);
+        })"""
+        )
+    )

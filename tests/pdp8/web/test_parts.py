@@ -2,7 +2,6 @@
 
 from typing import Any
 
-import pytest
 from click.testing import CliRunner
 
 from pdp8.web import parts
@@ -61,19 +60,9 @@ def _command(name: str, typed: dict[str, Any]) -> tuple[bytes, str]:
     return done.stdout_bytes, done.stderr or str(done.exception)
 
 
-@pytest.fixture(scope="module")
-def printed() -> list[Any]:
-    """What the page makes of all that is asked."""
-    return list(in_node(_PRINTED, [parts.declared(), [*ASKED, *REFUSED]]))
-
-
-@pytest.mark.parametrize("number", range(len(ASKED)), ids=[f"{name} {typed}" for name, typed in ASKED])
-def test_the_page_punches_what_the_command_does(number: int, printed: list[Any]) -> None:
-    assert bytes(printed[number]) == _command(*ASKED[number])[0]
-
-
-@pytest.mark.parametrize("number", range(len(REFUSED)), ids=[f"{name} {typed}" for name, typed in REFUSED])
-def test_the_page_refuses_what_the_command_does(number: int, printed: list[Any]) -> None:
-    said = printed[len(ASKED) + number]
-    assert isinstance(said, str)
-    assert said.partition(": ")[2].rstrip(".") in _command(*REFUSED[number])[1].replace("\n", " ")
+def test_the_page_punches_and_refuses_what_the_command_does() -> None:
+    printed = in_node(_PRINTED, [parts.declared(), [*ASKED, *REFUSED]])
+    for asked, frames in zip(ASKED, printed, strict=False):
+        assert bytes(frames) == _command(*asked)[0], asked
+    for refused, said in zip(REFUSED, printed[len(ASKED) :], strict=True):
+        assert said.partition(": ")[2].rstrip(".") in _command(*refused)[1].replace("\n", " "), refused

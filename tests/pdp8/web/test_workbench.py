@@ -9,8 +9,9 @@ import pytest
 import pal
 from pdp8.computer.past.state import restore
 from pdp8.computer.use.operator import RIM, RIM_START
+from pdp8.replay import Afternoon
 from tapes import shelf
-from tests.pdp8.web.browsing import AXE, needs_axe, serious, until
+from tests.pdp8.web.browsing import AXE, drawn, needs_axe, serious, until
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
@@ -33,19 +34,6 @@ def test_the_file_is_small_and_whole(file: Path) -> None:
     assert "default-src 'none'" in html
 
 
-def test_a_program_is_typed_assembled_and_run(page: "Page") -> None:
-    """Its tape is pal's; START runs it to its HLT, and what it left in core is there."""
-    source = "*200\nSTART,\tCLA\n\tTAD A\n\tTAD B\n\tDCA SUM\n\tHLT\nA,\t1234\nB,\t0321\nSUM,\t0\n$\n"
-    _write(page, source)
-    assert page.evaluate("[...workbench.editor.assembly.tape]") == list(pal.assemble(source).tape)
-    assert "8 words" in page.locator("#messages").inner_text()
-    page.locator("#load").click()
-    page.locator("[data-key=start]").click()
-    until(page, "!workbench.machine.processor.run")
-    assert page.evaluate("workbench.machine.processor.core[0o207]") == 0o1555
-    assert "HLT at 0204" in page.locator("#next").inner_text()
-
-
 def test_messages_have_their_places(page: "Page") -> None:
     """A click on one selects it; a program that has one is not run."""
     _write(page, "*200\n\tJMP LOOP\n\tCLA!\n$\n")
@@ -53,22 +41,6 @@ def test_messages_have_their_places(page: "Page") -> None:
     assert "Not run: line 2, undefined: LOOP" in page.locator("#next").inner_text()
     page.locator("#messages button").first.click()
     assert page.evaluate("getSelection().toString() || document.activeElement.id") in ("CLA", "LOOP")
-
-
-def test_pal8_is_found_and_loads(page: "Page") -> None:
-    """A literal makes it PAL8; a note says so with its code, and the program loads."""
-    _write(page, "*200\n\tCLA\n\tTAD (7)\n\tHLT\n$\n")
-    assert "taken for PAL8" in (page.locator("#messages").text_content() or "")
-    page.locator("#load").click()
-    assert page.evaluate("workbench.machine.processor.core[0o377]") == 7
-
-
-def test_no_option_of_the_command_is_advised(page: "Page") -> None:
-    """Small letters: the page says to write capitals, and not what `pal` could be told."""
-    _write(page, "*200\n\tcla\n\tHLT\n$\n")
-    said = page.locator("#messages").text_content() or ""
-    assert "capital" in said
-    assert "--" not in said + page.locator(".typed").inner_text()
 
 
 def test_what_was_assembled_is_not_assembled_again(page: "Page") -> None:
@@ -83,14 +55,11 @@ def test_what_was_assembled_is_not_assembled_again(page: "Page") -> None:
 
 
 def test_a_note_is_no_error(page: "Page") -> None:
-    """It is counted by itself, in a colour of its own; the program loads."""
+    """It has a colour of its own, and the program loads."""
     _write(page, "*200\n\tCLA!\n\t5 + 3\n$\n")
-    colours = page.evaluate(
-        "[...document.querySelectorAll('#messages button')].map((button) => getComputedStyle(button).color)"
-    )
-    assert len(set(colours)) == len(colours) == 2
+    colours = "[...document.querySelectorAll('#messages button')].map((each) => getComputedStyle(each).color)"
+    assert len(set(page.evaluate(colours))) == 2
     _write(page, "*200\n\t5 + 3\n\tHLT\n$\n")
-    assert page.locator("#messages p").inner_text() == "2 words, a tape of 139 frames; 1 note."
     page.locator("#load").click()
     assert page.evaluate("[...workbench.machine.processor.core.slice(0o200, 0o202)]") == [0o7, 0o7402]
 
@@ -108,30 +77,20 @@ def test_echo_is_typed_at_the_keyboard(page: "Page") -> None:
     until(page, "document.querySelector('#paper pre').textContent.includes('PDP-8/L')")
 
 
-def test_rim_is_toggled_in_by_clicks_and_a_tape_is_loaded(page: "Page") -> None:
-    """18 keys, by mouse and by touch; then BIN through RIM and eia through BIN, checksum right."""
-    locate = page.locator
-    for number, word in enumerate((RIM_START, *RIM)):
-        now = page.evaluate("workbench.machine.processor.sr")
-        for bit in range(12):
-            if (now ^ word) & 0o4000 >> bit:
-                switch = locate("#computer .rocker").nth(bit)
-                switch.tap() if bit % 2 else switch.click()
-        locate("#computer [data-key='dep']" if number else "#computer [data-key='load add']").click()
-    assert page.evaluate(
-        f"[...workbench.machine.processor.core.slice({RIM_START}, {RIM_START + 17})]"
-    ) == list(RIM)
-    locate("#sources").select_option("eia.pal")
-    locate("#assemble").click()
-    read = "eia.pal read by BIN: 335 frames, 131 words; 33.5 s"
-    said = f"document.querySelector('#next').textContent.includes('{read}')"
-    at_once = page.evaluate(f"() => {{ document.getElementById('boot').click(); return {said}; }}")
-    assert not at_once, "the page waited for it"
+def test_a_tape_is_loaded_as_an_operator_does(page: "Page") -> None:
+    """RIM toggled in, BIN through RIM, eia through BIN, checksum right; the page does not wait for it."""
+    page.locator("#sources").select_option("eia.pal")
+    page.locator("#assemble").click()
+    said = (
+        "document.querySelector('#next').textContent"
+        ".includes('eia.pal read by BIN: 335 frames, 131 words; 33.5 s')"
+    )
+    assert not page.evaluate(f"() => {{ document.getElementById('boot').click(); return {said}; }}")
     until(page, said)
+    core = page.evaluate("[...workbench.machine.processor.core]")
     words = pal.assemble(shelf.read_bundled("eia.pal")).words
-    assert page.evaluate("[...workbench.machine.processor.core]")[0o200 : 0o200 + 20] == [
-        words[address] for address in range(0o200, 0o200 + 20)
-    ]
+    assert {address: core[address] for address in words} == words
+    assert core[RIM_START : RIM_START + len(RIM) - 1] == list(RIM[:-1])
     assert page.evaluate("workbench.machine.processor.ma") == 0o200
 
 
@@ -147,29 +106,22 @@ def test_the_drill_names_the_wrong_switch(page: "Page") -> None:
     assert page.locator("#card .now").inner_text().startswith(f"{RIM[0]:04o}  DEP")
 
 
-def test_every_key_of_the_panel(page: "Page") -> None:
-    """DEP, EXAM, LOAD ADD, START, CONT, STOP, SING STEP and MEM PROT, by mouse and keyboard."""
-    names = "pc, ma, mb, run, sing_step, mem_prot, protect"
-    state = f"(({{ {names} }}) => [{names}])"
-    look = f"{state}(workbench.machine.processor)"
+def test_the_panel_by_keyboard(page: "Page") -> None:
+    """Digits into the switches; S L D E C T press the keys that they name; MEM PROT keeps what is written."""
+    names = "pc, ma, mb, run, protect"
+    look = f"(({{ {names} }}) => [{names}])(workbench.machine.processor)"
     page.locator("#computer .rocker").first.focus()
-    page.keyboard.type("0200l7001d5200d0200l")
-    assert page.evaluate("[...workbench.machine.processor.core.slice(0o200, 0o202)]") == [0o7001, 0o5200]
-    page.keyboard.type("e")
+    page.keyboard.type("0200l7001d5200d0200le")
     assert page.evaluate(look)[:3] == [0o201, 0o200, 0o7001]
-    page.keyboard.type("0200l")
-    page.locator("[data-key='sing step']").click()
-    page.locator("[data-key='start']").click()
-    assert page.evaluate(look)[:5] == [0o201, 0o200, 0o7001, 0, 1]
-    page.locator("[data-key='sing step']").tap()
-    page.locator("[data-key='cont']").click()
+    page.keyboard.type("0200ls")
     assert page.evaluate(look)[3] == 1
-    page.locator("[data-key='stop']").click()
+    page.keyboard.type("t")
     assert page.evaluate(look)[3] == 0
+    page.keyboard.type("ct")
     page.locator("[data-key='mem prot']").click()
     page.locator("#computer .rocker").first.focus()
     page.keyboard.type("7700ld")
-    assert page.evaluate(look)[5:] == [1, 1]
+    assert page.evaluate(look)[3:] == [0, 1]
 
 
 def test_breakpoints_and_run_until(page: "Page") -> None:
@@ -243,22 +195,12 @@ def test_a_source_that_does_not_fit_is_not_run(page: "Page") -> None:
 
 
 def test_idle_costs_nothing(page: "Page") -> None:
-    """A machine that stands still, or waits for a key that nobody presses, draws no picture."""
-    _write(page, "*200\n\tKSF\n\tJMP .-1\n\tHLT\n$\n")
-    page.locator("#load").click()
+    """A machine that waits for a key that nobody presses draws no picture."""
+    _load(page, "*200\n\tKSF\n\tJMP .-1\n\tHLT\n$\n")
     page.locator("[data-key=start]").click()
-    _fast(page)
     until(page, "workbench.machine.waiting.endless")
     page.wait_for_timeout(300)
-    asked = page.evaluate(
-        """() => new Promise((done) => {
-          let asked = 0;
-          const request = window.requestAnimationFrame;
-          window.requestAnimationFrame = (then) => { asked++; return request(then); };
-          setTimeout(() => done(asked), 400);
-        })"""
-    )
-    assert asked == 0
+    assert drawn(page) == 0
 
 
 @pytest.mark.parametrize("size", [(1920, 1080), (1366, 768), (768, 1024), (390, 844)])
@@ -319,15 +261,24 @@ def test_few_stops_of_the_tab_key_from_the_panel_to_the_editor(page: "Page") -> 
 
 
 @needs_axe
-@pytest.mark.slow  # three seconds a form
+@pytest.mark.slow  # ten seconds a form
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_axe_finds_nothing_serious(browser: "Browser", file: Path, scheme: str) -> None:
-    """On every tab, in both forms, an error and a note among what is there."""
+def test_axe_finds_nothing_serious(
+    browser: "Browser", circle_page: Path, circle: Afternoon, scheme: str
+) -> None:
+    """Each control has a role and a name, all is read easily: in every act, and on every tab, an error and
+    a note among what is there.
+    """
     context = browser.new_context(color_scheme=scheme, bypass_csp=True)  # type: ignore[arg-type]
     opened = context.new_page()
-    opened.goto(file.as_uri())
-    until(opened, "!!window.workbench")
+    opened.goto(circle_page.as_uri())
+    until(opened, "!!window.workbench?.afternoon.on")
     opened.add_script_tag(path=AXE)
+    for act in circle.acts:
+        opened.evaluate("(tick) => workbench.afternoon.go(tick)", (act.starts + act.ends) // 2)
+        assert serious(opened) == [], act.name
+    opened.evaluate("workbench.afternoon.takeOver(); workbench.editor.create();")
+    opened.locator("[data-opens=program]").click()
     _write(opened, "\tCLA!\n\t5 + 3\n$\n")
     for tab in ("program", "debugger", "mill", "parts", "exercises"):
         opened.locator(f"[data-opens={tab}]").click()
