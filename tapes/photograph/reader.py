@@ -110,7 +110,7 @@ def _strips(light: Array) -> tuple[list[tuple[sprockets.Sizes, Found]], str]:
 
 def _frames(pictures: sprockets.Sizes, tape: Found) -> list[Frame]:
     hole, doubts, rows = _judged(flatten(pictures, tape.sheet), tape)
-    least = float(np.quantile(np.minimum(*tape.sheet.pitches())[rows], 0.02))
+    least = float(np.quantile(np.minimum(*tape.sheet.pitches())[rows], 0.1))
     if least < FEWEST_PIXELS:
         raise TapeError(f"rows and tracks are only {least:.1f} pixels apart: 6 are needed")
     places = tape.sheet.place(np.arange(-1, tape.sheet.length + 1)[:, None], np.array([0, *_TRACKS]))
