@@ -23,95 +23,61 @@ class Rule(NamedTuple):
 
 _UNDEFINED = "is not defined"
 _NOTHING = "does nothing"
-_FIELD = "needs the memory extension"
+_BOTH = "gives the AND of both rotations"
+_EAE = {"8 8/I 8/E": "needs the EAE", "8/S 8/L": _NOTHING}
+_MQ = {"8 8/I": "needs the EAE", "8/S 8/L": _NOTHING, "8/E": "uses MQ"}
+_OTHERS = "8 8/S 8/I 8/L"
 
-RULES = (
-    Rule(0o7416, 0o7002, dict.fromkeys(MODELS, "rotates nothing") | {"8/E": "swaps the halves of AC (BSW)"}),
-    Rule(
+_GROUPS = (
+    (0o7416, [0o7002], {_OTHERS: "rotates nothing", "8/E": "swaps the halves of AC (BSW)"}),
+    (
         0o7416,
-        0o7014,
-        dict.fromkeys(("8", "8/S"), _UNDEFINED)
-        | dict.fromkeys(("8/I", "8/L"), "gives the AND of both rotations")
-        | {"8/E": "gives the AND of AC and the word itself"},
+        [0o7014],
+        {"8 8/S": _UNDEFINED, "8/I 8/L": _BOTH, "8/E": "gives the AND of AC and the word itself"},
     ),
-    Rule(
-        0o7416,
-        0o7016,
-        dict.fromkeys(("8", "8/S"), _UNDEFINED)
-        | dict.fromkeys(("8/I", "8/L"), "gives the AND of both rotations")
-        | {"8/E": "puts an address into AC"},
-    ),
-    *(
-        Rule(
-            0o7415,
-            0o7001 | rotate,
-            dict.fromkeys(("8", "8/S"), _UNDEFINED)
-            | dict.fromkeys(("8/I", "8/L", "8/E"), "increments, then rotates"),
-        )
-        for rotate in (0o10, 0o04)
-    ),
-    *(
-        Rule(
-            0o7454,
-            0o7040 | rotate,
-            dict.fromkeys(("8", "8/I", "8/L", "8/E"), "complements, then rotates") | {"8/S": _UNDEFINED},
-        )
-        for rotate in (0o10, 0o04)
-    ),
-    Rule(0o7601, 0o7601, {"8/L": _NOTHING, "8/I": "clears AC", "8/E": "clears AC"}),
-    *(
-        Rule(
-            0o7401 | bit,
-            0o7401 | bit,
-            dict.fromkeys(("8", "8/I"), "needs the EAE")
-            | dict.fromkeys(("8/S", "8/L"), _NOTHING)
-            | {"8/E": "uses MQ"},
-        )
-        for bit in (0o020, 0o100)
-    ),
-    Rule(
-        0o7441,
-        0o7441,
-        dict.fromkeys(("8", "8/I", "8/E"), "needs the EAE") | dict.fromkeys(("8/S", "8/L"), _NOTHING),
-    ),
-    *(
-        Rule(
-            0o7557,
-            0o7401 | code,
-            dict.fromkeys(("8", "8/I", "8/E"), "needs the EAE") | dict.fromkeys(("8/S", "8/L"), _NOTHING),
-        )
-        for code in range(0o02, 0o20, 0o02)
-    ),
-    Rule(0o7777, 0o6000, dict.fromkeys(MODELS, _NOTHING) | {"8/E": "skips if ION, and clears it (SKON)"}),
-    *(
-        Rule(0o7777, word, dict.fromkeys(MODELS, _UNDEFINED) | {"8/E": on_the_8e})
-        for word, on_the_8e in (
-            (0o6003, "skips on an interrupt request (SRQ)"),
-            (0o6004, "gets the flags (GTF)"),
-            (0o6005, "restores the flags (RTF)"),
-            (0o6006, "skips on the greater-than flag (SGT)"),
-            (0o6007, "clears all flags (CAF)"),
-        )
-    ),
-    *(
-        Rule(0o7777, word, dict.fromkeys(MODELS, on_the_others) | {"8/E": on_the_8e})
-        for word, on_the_others, on_the_8e in (
-            (0o6010, _NOTHING, "enables interrupts of reader and punch (RPE)"),
-            (0o6020, _NOTHING, "disables interrupts of reader and punch (PCE)"),
-            (0o6030, _NOTHING, "clears the keyboard's flag (KCF)"),
-            (0o6033, "skips on the keyboard's flag, then clears it", _UNDEFINED),
-            (0o6035, "skips on the keyboard's flag, and reads", "sets the interrupt enable from AC 11 (KIE)"),
-            (0o6037, "skips on the keyboard's flag, clears it, and reads", _UNDEFINED),
-            (0o6040, _NOTHING, "sets the printer's flag (TFL)"),
-            (0o6045, "skips on the printer's flag, and prints", "skips on a request of the Teletype (TSK)"),
-        )
-    ),
-    Rule(
-        0o7700,
-        0o6200,
-        dict.fromkeys(("8", "8/I", "8/E"), _FIELD)
-        | {"8/S": _NOTHING, "8/L": "needs the MC8/L for a second field"},
-    ),
+    (0o7416, [0o7016], {"8 8/S": _UNDEFINED, "8/I 8/L": _BOTH, "8/E": "puts an address into AC"}),
+    (0o7415, [0o7011, 0o7005], {"8 8/S": _UNDEFINED, "8/I 8/L 8/E": "increments, then rotates"}),
+    (0o7454, [0o7050, 0o7044], {"8 8/I 8/L 8/E": "complements, then rotates", "8/S": _UNDEFINED}),
+    (0o7601, [0o7601], {"8/L": _NOTHING, "8/I 8/E": "clears AC"}),
+    (0o7421, [0o7421], _MQ),
+    (0o7501, [0o7501], _MQ),
+    (0o7441, [0o7441], _EAE),
+    (0o7557, [0o7403, 0o7405, 0o7407, 0o7411, 0o7413, 0o7415, 0o7417], _EAE),
+)
+"""Operates: mask, values under it, and what such words do, by models."""
+
+_IOTS = (
+    (0o6000, _NOTHING, "skips if ION, and clears it (SKON)"),
+    (0o6003, _UNDEFINED, "skips on an interrupt request (SRQ)"),
+    (0o6004, _UNDEFINED, "gets the flags (GTF)"),
+    (0o6005, _UNDEFINED, "restores the flags (RTF)"),
+    (0o6006, _UNDEFINED, "skips on the greater-than flag (SGT)"),
+    (0o6007, _UNDEFINED, "clears all flags (CAF)"),
+    (0o6010, _NOTHING, "enables interrupts of reader and punch (RPE)"),
+    (0o6020, _NOTHING, "disables interrupts of reader and punch (PCE)"),
+    (0o6030, _NOTHING, "clears the keyboard's flag (KCF)"),
+    (0o6033, "skips on the keyboard's flag, then clears it", _UNDEFINED),
+    (0o6035, "skips on the keyboard's flag, and reads", "sets the interrupt enable from AC 11 (KIE)"),
+    (0o6037, "skips on the keyboard's flag, clears it, and reads", _UNDEFINED),
+    (0o6040, _NOTHING, "sets the printer's flag (TFL)"),
+    (0o6045, "skips on the printer's flag, and prints", "skips on a request of the Teletype (TSK)"),
+)
+"""IOTs: what they do on the others, and what on an 8/E."""
+
+_EXTENSION = {
+    "8 8/I 8/E": "needs the memory extension",
+    "8/S": _NOTHING,
+    "8/L": "needs the MC8/L for a second field",
+}
+
+RULES = tuple(
+    Rule(mask, value, {model: what for models, what in does.items() for model in models.split()})
+    for mask, values, does in (
+        *_GROUPS,
+        *((0o7777, [word], {_OTHERS: there, "8/E": here}) for word, there, here in _IOTS),
+        (0o7700, [0o6200], _EXTENSION),
+    )
+    for value in values
 )
 
 
