@@ -10,7 +10,6 @@ punch          the object tape
 listing        what the Teletype typed
 assembly       all of it together: `Assembly`
 diagnostics    the messages for people: place, line, caret, advice
-portable       what a source does otherwise on another model
 notes          what a student should know about a program that assembles
 watched        PAL III with an eye on what a source means otherwise than it says
 review         what is to be noted of it after its passes
@@ -18,14 +17,12 @@ pal8           the later dialect, a front end of its own
 assembly8      the same as assembly, in PAL8
 assembling     the call: `assemble`, in either dialect
 dialects       what PAL III has for what other assemblers know
-crossreference where each symbol is defined and used
-record         an assembly as JSON
+reports        cross reference, JSON, and HTML for a notebook
 disassembler   words and tapes back to source
 lexer          PAL III in colour, for Pygments; grammar   the same for editors
 document       a source as an editor asks about it; meaning   what words and names mean
 columns        a source set in columns
 server         the language server
-notebook       an assembly as a notebook shows it
 cli            the commands `pal` and `dis`
 """
 

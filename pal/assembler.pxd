@@ -21,7 +21,7 @@ cdef class Listed:
 
 
 cdef class Assembler:
-    cdef public list table, lost, again, _items, _output, _feeds, _pending, _names
+    cdef public list table, lost, again, output, _items, _feeds, _pending, _names
     cdef public tuple stopped
     cdef public SymbolTable _symbols
     cdef public dict _seen, _redefined

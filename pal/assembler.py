@@ -100,6 +100,10 @@ class Listed:
         self.at = at
 
 
+Output = list[Message | Punched | Written | Listed]
+"""What a pass types, punches or lists, in order."""
+
+
 class Entry(NamedTuple):
     """A symbol of the source in the symbol table; `at` is the item where it was first seen."""
 
@@ -115,6 +119,7 @@ class Assembler:
     capacity  room for symbols of the source; the high-speed reader's, HIGH_SPEED_SYMBOLS, stands for that
               reader, which at PAUSE loses what it has read ahead, the rest of the line
     table     the symbols of the source as the last pass left them, in the order of the symbol table
+    output    its messages and what it punched or listed
     lost      items that PAUSE lost in it, as pairs of the first and the one after the last
     again     what it typed besides, each with the item and the number of its character that it comes after
     stopped   why it went no further, and at which item; None if it ended
@@ -134,12 +139,12 @@ class Assembler:
         self.again: list[tuple[int, int, str]] = []
         self.stopped: tuple[str, int] | None = None
 
-    def run(self, number: int) -> list[Message | Punched | Written | Listed]:
-        """Run pass `number`: its messages and what it punches or lists, in order."""
+    def run(self, number: int) -> Output:
+        """Run pass `number`: its messages and what it punches or lists."""
         self._number = number
         self._symbols.safe = _SAFE_IN_3 if number == 3 else _SAFE
         self._reader = iter(enumerate(self._items))
-        self._output: list[Message | Punched | Written | Listed] = []
+        self.output: Output = []
         self._location = START
         self._field = 0
         self._radix = 8
@@ -160,7 +165,7 @@ class Assembler:
                 self._list_symbols()
         except Stop as stop:
             self.stopped = str(stop), self._at if self._blamed is None else self._blamed
-        return self._output
+        return self.output
 
     def values(self) -> dict[str, int]:
         """Return {name: value} of all symbols as they stand, the permanent ones included."""
@@ -327,7 +332,7 @@ class Assembler:
         """FIELD in pass 2, FIXMRI in pass 1: do it with the word."""
         if routine == "FIELD" and self._number == 2:
             self._field = (self._word & 7) << 12
-            self._output.append(Punched(FIELD, self._word & 7))
+            self.output.append(Punched(FIELD, self._word & 7))
         elif routine == "FIXMRI" and self._number == 1:
             self._symbols.fix_reference()
 
@@ -345,7 +350,7 @@ class Assembler:
             self._zeros += 1
         elif self._number != 1 and page != self._location & PAGE:
             self._room_for(3)
-            self._output.append(Message("IR", f"{address:04o}", self._location, self._at))
+            self.output.append(Message("IR", f"{address:04o}", self._location, self._at))
         self._address = address & ADDRESS
         self._word = self._word + self._address + (0 if self._zeros else CURRENT_PAGE) & _MASK
 
@@ -356,13 +361,13 @@ class Assembler:
         if self._number == 3:
             self._list(self._at)
         elif self._made and self._number == 2:
-            self._output.append(Written(self._field | self._location, self._word, self._at, self._names))
+            self.output.append(Written(self._field | self._location, self._word, self._at, self._names))
             self._sum(self._word)
         if self._made:
             self._location = self._location + 1 & _MASK
 
     def _list(self, at: int) -> None:
-        self._output.append(Listed(self._location, self._word if self._made else None, at))
+        self.output.append(Listed(self._location, self._word if self._made else None, at))
         fed = False
         if self._items[at][1] == "\r":
             self._symbols.overwrite()
@@ -376,7 +381,7 @@ class Assembler:
         """Punch an origin or the checksum, in pass 2."""
         if self._number != 2:
             return
-        self._output.append(Punched(kind, value))
+        self.output.append(Punched(kind, value))
         self._checksum += 0o100
         self._sum(value)
 
@@ -427,7 +432,7 @@ class Assembler:
         """Type a message, in pass 1."""
         self._room_for(2)
         if self._number == 1:
-            self._output.append(Message(code, subject, self._location, self._at))
+            self.output.append(Message(code, subject, self._location, self._at))
 
     def _go_on(self, rest: str) -> str:
         """Read on after an illegal character in an item; return the item.

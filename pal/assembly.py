@@ -6,10 +6,10 @@ when it is asked for: the program that is to run starts the sooner.
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from pal import punch
-from pal.assembler import Entry, Listed, Message, Punched, Written
+from pal.assembler import Message, Output
 from pal.source import Place, Source
 from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT, typed
 from pal.watched import Watched
@@ -24,17 +24,6 @@ MOST = 100
 
 PAL3, PAL8 = "pal3", "pal8"
 _PSEUDO = {name[:SIGNIFICANT] for name in PSEUDO_OPERATORS}
-
-
-class _Third(NamedTuple):
-    """What pass 3 left."""
-
-    output: list[Message | Punched | Written | Listed]
-    table: list[Entry]
-    lost: list[tuple[int, int]]
-    again: list[tuple[int, int, str]]
-    stopped: tuple[str, int] | None
-    values: dict[str, int]
 
 
 class Assembly:
@@ -58,10 +47,8 @@ class Assembly:
         self.names = names
         self._assembler = assembler = Watched(source, capacity)
         self._first = assembler.run(1)
-        self._table: list[Entry] = assembler.table
-        self._second: list[Message | Punched | Written | Listed] = (
-            [] if assembler.stopped else assembler.run(2)
-        )
+        self._table = assembler.table
+        self._second: Output = [] if assembler.stopped else assembler.run(2)
         self.stopped = assembler.stopped
         self.words = {} if self.stopped else punch.words(self._second)
 
@@ -73,7 +60,7 @@ class Assembly:
     @cached_property
     def tape(self) -> bytes:
         """The object tape as the high-speed punch made it; empty where pass 1 or 2 did not end."""
-        return b"" if self.stopped else punch.tape(self._second)
+        return b"" if self.stopped else punch.START_UP + punch.tape(self._second)
 
     @cached_property
     def diagnostics(self) -> list["Diagnostic"]:
@@ -88,11 +75,9 @@ class Assembly:
         if self._assembler.moved or self.model:
             stopped = stopped or self._third.stopped
             noted += review.of_pass_3(self._second, self._third.output)
-        if self.model:
-            from pal.portable import portability
-
-            noted += portability(self.source, self._third.output, self.model)
-        return diagnose(self.source, self.names, self.messages, [stopped] if stopped else [], noted)
+        if self.model and not self.stopped:
+            noted += review.on_models(self.source, self._second, self.model)
+        return diagnose(self.source, self.names, self.messages, stopped, noted)
 
     def place(self, at: int) -> Place:
         """Return where an item of the source stands, as diagnostics and mentions have it."""
@@ -154,7 +139,7 @@ class Assembly:
 
         if number == 1:
             table = listing.symbol_table(self._table, 1) if self._second else b""
-            return listing.definitions(self._first) + table
+            return punch.START_UP + listing.complaints(self._first) + table
         if number == 2:
             return listing.object_tape(self._second, not self.stopped) if self._second else b""
         if self.stopped:
@@ -166,21 +151,20 @@ class Assembly:
     @cached_property
     def values(self) -> dict[str, int]:
         """{name: value} of all symbols as pass 3 leaves them, the permanent ones included."""
-        return self._third.values
+        return self._third.values()
 
     def _repr_html_(self) -> str:
         """Return the listing as HTML, for a notebook."""
-        from pal.notebook import html
+        from pal.reports import html
 
-        return html(self.lines, self.names, self.diagnostics)
+        return html(self)
 
     @cached_property
-    def _third(self) -> _Third:
-        assembler = self._assembler
-        output = [] if self.stopped else assembler.run(3)
-        return _Third(
-            output, assembler.table, assembler.lost, assembler.again, assembler.stopped, assembler.values()
-        )
+    def _third(self) -> Watched:
+        """The assembler after pass 3; where it stopped before, as it was then."""
+        if not self.stopped:
+            self._assembler.run(3)
+        return self._assembler
 
     @cached_property
     def messages(self) -> list[Message]:

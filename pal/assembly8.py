@@ -11,22 +11,20 @@ from pal import pal8, punch, symbols8
 from pal.assembler import Written
 from pal.assembly import PAL8, Assembly
 from pal.listing import ListingLine, Teletype, octal
-from pal.models import differs
 from pal.notes import (
     AFTER_END,
     DIALECT,
-    MODEL,
     NOT_ON_8L,
     OVERLAID,
     Mention,
     Note,
+    of_model,
     of_names,
     of_undefined,
     of_words,
 )
 from pal.source import Line, Place, lines_of, tokens
 from pal.symbols import SIGNIFICANT
-from tapes import frames
 
 if TYPE_CHECKING:
     from pal.diagnostics import Diagnostic
@@ -63,11 +61,6 @@ class Assembly8(Assembly):
         """Whether there is no error."""
         return not self._problems
 
-    @property
-    def errors(self) -> int:
-        """How many errors there are."""
-        return len(self._problems)
-
     def takes(self, marks: set[str], names: set[str]) -> bool:
         """Tell whether a line without an error has one of these marks or names."""
         wrong = {self._run.places[problem.at][0] for problem in self._problems}
@@ -81,8 +74,7 @@ class Assembly8(Assembly):
     @cached_property
     def tape(self) -> bytes:
         """The object tape: leader, origins and words as they come, checksum, trailer."""
-        body = b"".join([punch.frames_of(piece) for piece in self._run.output])
-        return frames.leader() + body + frames.leader()
+        return punch.tape(self._run.output)
 
     @cached_property
     def symbols(self) -> dict[str, int]:
@@ -162,26 +154,19 @@ class Assembly8(Assembly):
     @cached_property
     def diagnostics(self) -> list["Diagnostic"]:
         """What is wrong, and what to know besides, in source order."""
-        from pal.diagnostics import ERROR, NOTE, at_place, empty, silenced
+        from pal.diagnostics import ERROR, NOTE, empty, told
 
         if not any(line.text for line in self._lines):
             return [empty(self.names)]
         found = [
-            (each.at, ERROR, each.code, f"{each.code}  {each.message}", each.advice)
-            for each in self._problems
+            (ERROR, each._replace(message=f"{each.code}  {each.message}"), "") for each in self._problems
         ]
-        for note in self._notes():
-            if not silenced(self.place(note.at).text, note.code):
-                found.append((note.at, NOTE, note.code, note.message, note.advice))
-        return [
-            at_place(severity, code, message, advice, self.names, self.place(at))
-            for at, severity, code, message, advice in sorted(
-                found, key=lambda each: self._run.places[each[0]]
-            )
-        ]
+        found += [(NOTE, note, "") for note in self._notes()]
+        found = sorted(found, key=lambda each: self._run.places[each[1].at])
+        return told(found, self.names, self.place)
 
     @cached_property
-    def _problems(self) -> list[pal8.Problem]:
+    def _problems(self) -> list[Note]:
         """Return the errors: also a word and a literal in the same place."""
         problems = list(self._run.problems)
         if not any(written.literal for written in self._run.written):
@@ -196,7 +181,7 @@ class Assembly8(Assembly):
                 at = other.at if written.literal else written.at
                 code, which = ("PE", "the current page") if page & 0o37 else ("ZE", "page zero")
                 message = f"{which} is full: a literal and a word are both at {written.address:04o}"
-                problems.append(pal8.Problem(code, message, "put fewer words on the page", at))
+                problems.append(Note(code, at, message, "put fewer words on the page"))
             cells[written.address] = written
         return problems
 
@@ -204,20 +189,14 @@ class Assembly8(Assembly):
         run = self._run
         notes = [*run.notes, *self.noted]
         full = any(problem.code in ("PE", "ZE") for problem in self._problems)
-        for note in of_words(run.written, _INSTRUCTIONS):
-            if note.code != OVERLAID or not full:
-                notes.append(note)
+        said = of_words(run.written, _INSTRUCTIONS)
+        notes += [note for note in said if note.code != OVERLAID or not full]
         if self.model:
-            notes += self._of_model(self.model)
+            named = (
+                written for written in run.written if any(name in _INSTRUCTIONS for name in written.names)
+            )
+            notes += of_model(named, self.model)
         return notes + self._on_names() + self._of_fields() + self._of_the_end()
-
-    def _of_model(self, model: str) -> list[Note]:
-        notes = []
-        for written in self._run.written:
-            if any(name in _INSTRUCTIONS for name in written.names) and differs(written.word, model):
-                message = f"{written.word:04o} {differs(written.word, model)}"
-                notes.append(Note(MODEL, written.at, message, "a program for all models does without"))
-        return notes
 
     def _on_names(self) -> list[Note]:
         """Note what was meant by undefined names, names cut short, and instructions that an 8/L has not."""
@@ -295,7 +274,7 @@ def found(assembly: Assembly, sources: Sequence[str | bytes]) -> Assembly:
     if not illegal and not undefined:
         return assembly
     other = Assembly8(sources, assembly.names, assembly.model)
-    if 2 * other.errors > len(assembly.messages) or not other.takes(illegal, undefined):
+    if 2 * len(other._problems) > len(assembly.messages) or not other.takes(illegal, undefined):
         return assembly
     at = other._run.place_of_line(0)
     other.noted.append(Note(DIALECT, at, TAKEN, "--dialect pal8 says so, --dialect pal3 keeps to PAL III"))

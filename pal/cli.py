@@ -155,11 +155,11 @@ def pal(
     if symbols:
         command.put(symbols, assembly.symbol_table)
     if xref:
-        from pal.crossreference import cross_reference, text
+        from pal.reports import cross_reference
 
-        command.put(xref, text(cross_reference(assembly)))
+        command.put(xref, cross_reference(assembly))
     if json:
-        from pal.record import as_json
+        from pal.reports import as_json
 
         command.put(json, as_json(assembly))
     if tty:

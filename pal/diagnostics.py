@@ -21,7 +21,7 @@ from pal.dialects import hint
 from pal.isa import ADDRESS, PAGE
 from pal.notes import Note
 from pal.source import Place, Source
-from pal.symbols import PERMANENT
+from pal.symbols import REFERENCES
 
 ERROR, NOTE = "error", "note"
 STOPPED = "PS01"
@@ -29,10 +29,6 @@ STOPPED = "PS01"
 
 _CONTROLS = {code: "\N{MIDDLE DOT}" for code in (*range(0x20), 0x7F) if code != ord("\t")}
 """A terminal is shown no control codes of a source."""
-
-
-_REFERENCES = {symbol.mnemonic for symbol in PERMANENT if symbol.memory_reference}
-
 
 _WIDTH = 100
 """Characters of a line that are shown."""
@@ -77,10 +73,11 @@ class Diagnostic(NamedTuple):
 
     @property
     def excerpt(self) -> list[str]:
-        """The source line and carets below it; nothing of an empty line."""
+        """The source line and carets below it; of a long one a screen's width, nothing of an empty one."""
         if not self.source.strip(" \t\f\r\n"):
             return []
-        start, end = _excerpt(self.source, self.column - 1)
+        start = max(0, min(self.column - 1 - _WIDTH // 2, len(self.source) - _WIDTH))
+        end = start + _WIDTH
         before = self.source[start : self.column - 1]
         margin = "".join("\t" if character == "\t" else " " for character in before)
         carets = "^" * max(1, min(self.end_column - self.column, end - self.column + 1))
@@ -92,30 +89,21 @@ class Diagnostic(NamedTuple):
         return [f"  {sentence}" for sentence in (self.advice, self.hint) if sentence]
 
 
-def _excerpt(source: str, place: int) -> tuple[int, int]:
-    """Return which part of a line is shown: all of it, or of a long one a screen's width about the place."""
-    if len(source) <= _WIDTH:
-        return 0, len(source)
-    start = max(0, min(place - _WIDTH // 2, len(source) - _WIDTH))
-    return start, start + _WIDTH
-
-
 def diagnose(
     source: Source,
     names: Sequence[str],
     messages: Iterable[Message],
-    stops: Iterable[tuple[str, int]],
+    stopped: tuple[str, int] | None,
     notes: Iterable[Note],
 ) -> list[Diagnostic]:
     """Return the messages, why PAL III went no further, and our notes as diagnostics, in source order."""
     if len(source.text) == 1:
         return [empty(names)]
-    found: list[tuple[int, Diagnostic]] = []
+    found: list[tuple[str, Note, str]] = []
     full = False
     small = 0
     for message in messages:
         at = _reference(source, message.at) if message.code == "IR" else message.at
-        place = source.place(at)
         subject = message.subject.strip()
         if message.code == "IC" and 0o341 <= int(subject, 8) <= 0o372:
             small += 1
@@ -123,20 +111,15 @@ def diagnose(
                 continue
         advice = _ADVICE[message.code](subject, message.location)
         if message.code == "IC" and subject == "0277":
-            advice = _ADVICE["IC"](subject, message.location).replace("?", _shown(source, message.at), 1)
-        said = str(message)
-        found.append(
-            (at, at_place(ERROR, message.code, said, advice, names, place, hint(message.code, subject)))
-        )
+            mark = source.spans[message.at][1]
+            advice = advice.replace("?", source.shown[mark : mark + 1], 1)
+        said = Note(message.code, at, str(message), advice)
+        found.append((ERROR, said, hint(message.code, subject)))
         full |= message.code == "ST"
-    for reason, at in stops:
-        if not full:
-            found.append((at, at_place(ERROR, STOPPED, reason, "", names, source.place(at))))
-    for note in notes:
-        place = source.place(note.at)
-        if not silenced(place.text, note.code):
-            found.append((note.at, at_place(NOTE, note.code, note.message, note.advice, names, place)))
-    return [diagnostic for _, diagnostic in sorted(found, key=lambda each: each[0])]
+    if stopped and not full:
+        found.append((ERROR, Note(STOPPED, stopped[1], stopped[0], ""), ""))
+    found += [(NOTE, note, "") for note in notes]
+    return told(sorted(found, key=lambda each: each[1].at), names, source.place)
 
 
 def empty(names: Sequence[str]) -> Diagnostic:
@@ -145,36 +128,31 @@ def empty(names: Sequence[str]) -> Diagnostic:
     return Diagnostic(NOTE, "PN27", "the source is empty", "write at least a $", "", file, 1, 1, 2, "")
 
 
-def at_place(
-    severity: str,
-    code: str,
-    message: str,
-    advice: str,
-    names: Sequence[str],
-    place: Place,
-    sentence: str = "",
-) -> Diagnostic:
-    """Return a diagnostic of what stands at `place`; `sentence` is its hint."""
-    end = max(place.end, place.start + 1) + 1
-    where = names[place.tape], place.line, place.start + 1, end, place.text
-    return Diagnostic(severity, code, message.translate(_CONTROLS), advice, sentence, *where)
+def told(
+    found: Iterable[tuple[str, Note, str]], names: Sequence[str], place_of: Callable[[int], Place]
+) -> list[Diagnostic]:
+    """Return diagnostics of what was found: severity, message and advice with their place, and hint."""
+    diagnostics = []
+    for severity, note, sentence in found:
+        place = place_of(note.at)
+        if severity == ERROR or not _silenced(place.text, note.code):
+            end = max(place.end, place.start + 1) + 1
+            where = names[place.tape], place.line, place.start + 1, end, place.text
+            message = note.message.translate(_CONTROLS)
+            diagnostics.append(Diagnostic(severity, note.code, message, note.advice, sentence, *where))
+    return diagnostics
 
 
-def silenced(text: str, code: str) -> bool:
+def _silenced(text: str, code: str) -> bool:
     """Tell whether a comment of the line silences the notes of `code`: `/ pal: PN06`."""
     comment = text.partition("/")[2].lower()
     return "pal:" in comment and code.lower() in comment.partition("pal:")[2]
 
 
-def _shown(source: Source, at: int) -> str:
-    """Return the character that ends an item as a person wrote it."""
-    return source.shown[source.spans[at][1] : source.spans[at][1] + 1]
-
-
 def _reference(source: Source, end: int) -> int:
     """Return the memory-reference symbol of the statement that ends there, or its end."""
     statement = reversed(range(source.begun(end), end + 1))
-    return next((at for at in statement if source.items[at][0] in _REFERENCES), end)
+    return next((at for at in statement if source.items[at][0] in REFERENCES), end)
 
 
 def _undefined(name: str, location: int) -> str:

@@ -6,9 +6,7 @@ characters; so the hint goes with a UA or IC message.
 Sources: DEC-08-ASAC-D (what there is); the manuals of MACRO-8, PAL-D and PAL8 (what there is not).
 """
 
-from pal.symbols import SIGNIFICANT
-
-_ELSEWHERE = {
+_UNKNOWN = {
     "PAGE": "in PAL III write the origin, as in *400",
     "TEXT": "in PAL III write the codes as numbers, one word each",
     "ZBLOCK": "in PAL III leave the words out with *.+20, or write zeros",
@@ -17,16 +15,16 @@ _ELSEWHERE = {
     "DEFINE": "PAL III has no macros; use a subroutine",
     "XLIST": "PAL III lists everything",
     "EJECT": "PAL III's listing has no pages",
-    "NOPUNCH": "PAL III punches everything",
-    "ENPUNCH": "PAL III punches everything",
+    "NOPUNC": "PAL III punches everything",
+    "ENPUNC": "PAL III punches everything",
     "RELOC": "PAL III assembles for where the words are loaded",
-    "FILENAME": "PAL III knows nothing of files",
+    "FILENA": "PAL III knows nothing of files",
     "DEVICE": "PAL III knows nothing of files",
     "DTORG": "PAL III knows nothing of DECtape blocks",
 } | dict.fromkeys(
-    ("IFDEF", "IFNDEF", "IFZERO", "IFNZRO"),
-    "PAL III assembles everything; keep variants on separate tapes",
+    ("IFDEF", "IFNDEF", "IFZERO", "IFNZRO"), "PAL III assembles everything; keep variants on separate tapes"
 )
+"""Of names, the six characters that count."""
 _LATER = (
     "ACL ASR BSW CAF CAM CDF CIF DVI GTF KCF KIE LSR MQA MQL MUY NMI RDF RIB RIF RMF RTF SCA SCL SGT SHL "
     "SKON SRQ SWP TFL TSK"
@@ -50,28 +48,18 @@ _CHARACTERS = {
 
 def hint(code: str, subject: str) -> str:
     """Return one sentence for the message `code` of `subject` (a symbol, or a character in octal), or ""."""
-    if code == "UA":
-        return _of_symbol(subject)
     if code == "IC":
-        return _of_character(int(subject, 8))
+        character = chr(int(subject, 8) & 0o177)
+        capital = "PAL III knows capital letters only"
+        return capital if "a" <= character <= "z" else _CHARACTERS.get(character, "")
+    if code != "UA":
+        return ""
+    if subject in _UNKNOWN:
+        return f"{subject} is another assembler's: {_UNKNOWN[subject]}"
+    if subject in _LATER.split():
+        return f"{subject} is not in PAL III's table, being an option's or a later PDP-8's: define it with ="
+    if subject in _GROUPS:
+        return (
+            f"{subject} is not in PAL III's table: write {_GROUPS[subject]}, or {subject}={_GROUPS[subject]}"
+        )
     return ""
-
-
-def _of_symbol(name: str) -> str:
-    if name in _UNKNOWN:
-        return f"{name} is another assembler's: {_UNKNOWN[name]}"
-    if name in _LATER.split():
-        return f"{name} is not in PAL III's table, being an option's or a later PDP-8's: define it with ="
-    if name in _GROUPS:
-        return f"{name} is not in PAL III's table: write {_GROUPS[name]}, or {name}={_GROUPS[name]}"
-    return ""
-
-
-def _of_character(code: int) -> str:
-    character = chr(code & 0o177)
-    if "a" <= character <= "z":
-        return "PAL III knows capital letters only"
-    return _CHARACTERS.get(character, "")
-
-
-_UNKNOWN = {name[:SIGNIFICANT]: sentence for name, sentence in _ELSEWHERE.items()}

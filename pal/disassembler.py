@@ -20,7 +20,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from pal.assembler import HIGH_SPEED_SYMBOLS, START
-from pal.isa import CURRENT_PAGE, INDIRECT, IOT, JMP, OPERATIONS, PAGE, refers_to
+from pal.isa import CURRENT_PAGE, INDIRECT, IOT, JMP, OPERATIONS, PAGE, REVERSED, refers_to
 from pal.symbols import PERMANENT
 from tapes import binary, kinds, rim
 from tapes.binary import FIELD, ORIGIN, WORD
@@ -31,12 +31,9 @@ _BARE = binary.tape(binary.origin(START), sum(binary.origin(START)))
 _PLAIN = [symbol for symbol in PERMANENT if not symbol.memory_reference]
 _BY_OCTAL = {symbol.octal: symbol.mnemonic for symbol in reversed(_PLAIN)}
 _BY_NAME = {symbol.mnemonic: symbol.octal for symbol in _PLAIN}
-_CLEAR = ("CLA",)
 _GROUP_1 = ("CLA", "CLL", "CMA", "CML", "RTR", "RTL", "RAR", "RAL", "IAC")
 _SKIPS = ("SMA", "SZA", "SNL")
 _REVERSED_SKIPS = ("SPA", "SNA", "SZL", "SKP")
-_REVERSED = 0o010
-_SWITCHES_AND_HALT = ("OSR", "HLT")
 
 
 class Piece(NamedTuple):
@@ -199,4 +196,4 @@ def _candidates(word: int) -> Iterable[str]:
         return _GROUP_1
     if word & 1:
         return ()
-    return (_REVERSED_SKIPS if word & _REVERSED else _SKIPS) + _CLEAR + _SWITCHES_AND_HALT
+    return (_REVERSED_SKIPS if word & REVERSED else _SKIPS) + ("CLA", "OSR", "HLT")

@@ -5,6 +5,7 @@ Lines and columns count from 0. The assembly that answers is the one that `pal` 
 
 import re
 from functools import cached_property
+from itertools import groupby
 from typing import NamedTuple
 
 from pal import meaning, symbols8
@@ -150,11 +151,9 @@ class Document:
             last -= 1
         ends = [number - 1 for number in origins[1:]] + [last]
         found = [(begin, end, False) for begin, end in zip(origins, ends, strict=False)]
-        begin = None
-        for number, comment in enumerate([*comments, False]):
-            if comment and begin is None:
-                begin = number
-            elif not comment and begin is not None:
-                found.append((begin, number - 1, True))
-                begin = None
+        after = 0
+        for comment, run in groupby(comments):
+            begin, after = after, after + len(list(run))
+            if comment:
+                found.append((begin, after - 1, True))
         return [(begin, end, comment) for begin, end, comment in found if end > begin]

@@ -11,9 +11,8 @@ from typing import ClassVar
 from pygments.lexer import RegexLexer, bygroups, words
 from pygments.token import Comment, Error, Generic, Keyword, Name, Number, Operator, Punctuation, Whitespace
 
-from pal.symbols import PERMANENT, PSEUDO_OPERATORS
+from pal.symbols import PERMANENT, PSEUDO_OPERATORS, REFERENCES
 
-_MEMORY_REFERENCE = tuple(symbol.mnemonic for symbol in PERMANENT if symbol.memory_reference)
 _MICROINSTRUCTIONS = tuple(symbol.mnemonic for symbol in PERMANENT if not symbol.memory_reference)
 _INDIRECT = tuple(name for name in PSEUDO_OPERATORS if len(name) == 1)
 _DIRECTIVES = tuple(name for name in PSEUDO_OPERATORS if len(name) > 1)
@@ -39,7 +38,7 @@ class PalLexer(RegexLexer):
             (r"[A-Z][A-Z0-9]*(?=[ \t]*=)", Name.Constant),
             (words(_DIRECTIVES, suffix=r"\b"), Keyword.Declaration),
             (words(_INDIRECT, suffix=r"\b"), Keyword.Pseudo),
-            (words(_MEMORY_REFERENCE, suffix=r"\b"), Keyword),
+            (words(REFERENCES, suffix=r"\b"), Keyword),
             (words(_MICROINSTRUCTIONS, suffix=r"\b"), Name.Builtin),
             (r"[A-Z][A-Z0-9]*", Name),
             (r"[0-9]+", Number.Oct),

@@ -22,7 +22,7 @@ from functools import cache
 from typing import NamedTuple
 
 from pal import punch
-from pal.assembler import Entry, Listed, Message, Punched, Written
+from pal.assembler import Entry, Listed, Message, Output, Punched, Written
 from pal.source import Source
 from pal.symbols import typed
 from tapes import frames
@@ -71,17 +71,12 @@ def text_of(raw: bytes) -> str:
     return raw.translate(frames.PARITIES["none"], _SILENT).decode("ascii")
 
 
-def definitions(messages: Iterable[Message | Punched | Written | Listed]) -> bytes:
-    """Return what pass 1 types before its symbol table."""
-    return punch.START_UP + complaints(messages)
-
-
-def complaints(output: Iterable[Message | Punched | Written | Listed]) -> bytes:
-    """Return the messages, which pass 2 types while the high-speed punch works."""
+def complaints(output: Output) -> bytes:
+    """Return the messages, which pass 1 types, and pass 2 while the high-speed punch works."""
     return _frames("".join(_message(str(piece)) for piece in output if isinstance(piece, Message)))
 
 
-def object_tape(output: list[Message | Punched | Written | Listed], finished: bool) -> bytes:
+def object_tape(output: Output, finished: bool) -> bytes:
     """Return the tape of pass 2 as the ASR-33 punches it, messages and all."""
     body = b"".join(
         punch.frames_of(piece) if isinstance(piece, (Written, Punched)) else _frames(_message(str(piece)))
@@ -91,10 +86,7 @@ def object_tape(output: list[Message | Punched | Written | Listed], finished: bo
 
 
 def listing(
-    source: Source,
-    output: list[Message | Punched | Written | Listed],
-    lost: Iterable[tuple[int, int]],
-    again: Iterable[tuple[int, int, str]],
+    source: Source, output: Output, lost: Iterable[tuple[int, int]], again: Iterable[tuple[int, int, str]]
 ) -> bytes:
     """Return what pass 3 types before its symbol table; `lost` and `again` are the assembler's."""
     texts = _texts(source, output, lost, again)
@@ -106,9 +98,7 @@ def listing(
     return punch.START_UP + frames.leader() + _frames(typed_text)
 
 
-def lines(
-    source: Source, output: Iterable[Message | Punched | Written | Listed], lost: Iterable[tuple[int, int]]
-) -> Iterator[ListingLine]:
+def lines(source: Source, output: Output, lost: Iterable[tuple[int, int]]) -> Iterator[ListingLine]:
     """Yield the listing by statements."""
     texts = _texts(source, output, lost)
     for piece in output:
@@ -135,7 +125,7 @@ def _frames(text: str) -> bytes:
 
 def _texts(
     source: Source,
-    output: Iterable[Message | Punched | Written | Listed],
+    output: Output,
     lost: Iterable[tuple[int, int]],
     again: Iterable[tuple[int, int, str]] = (),
 ) -> Iterator[str]:

@@ -14,7 +14,21 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from pal.assembler import Written
-from pal.isa import CLA, DCA, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, REVERSED, refers_to
+from pal.isa import (
+    CLA,
+    DCA,
+    GROUP_2,
+    INDIRECT,
+    IOT,
+    ISZ,
+    JMP,
+    JMS,
+    OPR,
+    REVERSED,
+    halts,
+    refers_to,
+    tests_flag,
+)
 from pal.symbols import SIGNIFICANT
 
 COMBINED, OVERLAID, AFTER_END, TOO_LARGE, NOT_OCTAL = "PN01", "PN02", "PN03", "PN04", "PN05"
@@ -61,7 +75,8 @@ def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[
         other = cells.get(address)
         if other is not None and not (written.literal and other.literal):
             if overlaid != address - 1:
-                notes.append(_overlaid(written))
+                message = f"{address:04o} has a word already; the later one is loaded over it"
+                notes.append(Note(OVERLAID, written.at, message, "set the origin where there is room"))
             overlaid = address
         cells[address] = written
         if word >= IOT << 9 and len(names) > 1:
@@ -72,11 +87,6 @@ def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[
             if wrong:
                 notes.append(Note(COMBINED, written.at, wrong, "write them as two instructions"))
     return notes + _flow(cells, instructions)
-
-
-def _overlaid(written: Written) -> Note:
-    message = f"{written.address:04o} has a word already; the later one is loaded over it"
-    return Note(OVERLAID, written.at, message, "set the origin where there is room")
 
 
 def _combination(written: Written, instructions: Mapping[str, int]) -> str | None:
@@ -173,7 +183,7 @@ def _changes_field(cells: dict[int, Written], address: int) -> bool:
 def _goes_on(word: int, before: Written | None) -> bool:
     """Tell whether the word after `word` is reached: by it, or by a skip over it."""
     operation = word >> 9
-    if operation == JMS or (operation == OPR and word & 0o7403 == 0o7402):
+    if operation == JMS or halts(word):
         return False
     if operation != JMP:
         return True
@@ -183,7 +193,19 @@ def _goes_on(word: int, before: Written | None) -> bool:
 def _skips(word: int) -> bool:
     if word >> 9 == OPR:
         return word & 0o7401 == 0o7400 and bool(word & (_SKIPS | REVERSED))
-    return word >> 9 == ISZ or word & 0o7007 == 0o6001
+    return word >> 9 == ISZ or tests_flag(word)
+
+
+def of_model(words: Iterable[Written], model: str) -> list[Note]:
+    """Return a note for each word that another model of the PDP-8 than `model` does otherwise.
+
+    Raises ValueError for a model that is not one of models.MODELS.
+    """
+    from pal.models import differs
+
+    advice = "a program for all models does without"
+    found = [(written.at, written.word, differs(written.word, model)) for written in words]
+    return [Note(MODEL, at, f"{word:04o} {said}", advice) for at, word, said in found if said]
 
 
 def meant(name: str, known: Iterable[str]) -> str | None:

@@ -39,7 +39,7 @@ cdef class Assembler:
     cdef str _joined(self)
     cdef int _at(self, int start, int end) except -2
     cdef bint _line(self) except -1
-    @cython.locals(token=str, follows=str)
+    @cython.locals(token=str, follows=str, symbol=Symbol)
     cdef _statement(self)
     @cython.locals(start=int, value=int)
     cdef _word(self)
@@ -61,5 +61,3 @@ cdef class Assembler:
     cdef (int, bint) _symbol(self, str name) except *
     @cython.locals(pool=Pool, number=int)
     cdef int _literal(self, int page, int value) except? -1
-    @cython.locals(symbol=Symbol)
-    cdef bint _is_pseudo_operator(self, str token) except -1

@@ -23,10 +23,8 @@ Not emulated: RIMPUNCH, BINPUNCH and SEGMNT, palbart's alone; the break of a lin
 Sources: palbart 2.13 and DEC's PAL8 V10D under OS/8, each run on several hundred sources.
 """
 
-from typing import NamedTuple
-
 from pal import symbols8
-from pal.assembler import CHECKSUM, FIELD, ORIGIN, START, Punched, Written
+from pal.assembler import CHECKSUM, FIELD, ORIGIN, START, Output, Punched, Written
 from pal.isa import ADDRESS, CURRENT_PAGE, INDIRECT, PAGE
 from pal.notes import COLON, RESERVED, TOO_LARGE, Mention, Note
 from pal.source import Line, tokens
@@ -36,21 +34,18 @@ _MASK = 0o7777
 _OPERATORS = frozenset("+-!&^%")
 _STOPS = frozenset(["", ";", ")", "]", "<"])
 _KNOWN = frozenset('+-!&^%,=*.;$"()[]<')
+_MISPLACED = {
+    "": ("the expression is not complete", "write a symbol, a number, or a literal"),
+    '"': ('no character after "', 'write it directly after, as in "A'),
+    "=": ("= not directly after a symbol", "write the symbol, and = without a blank"),
+    ",": (", not directly after a tag", "write the tag, and the comma without a blank"),
+}
 _LINKED = INDIRECT | CURRENT_PAGE
 _MODES = ("DUBL", "FLTG")
 _MOST_FIGURES = 15  # with the point; a number is less than 2^53
 
 # What a symbol is.
 UNKNOWN, USER, INSTRUCTION, REFERENCE, PSEUDO = 0, 1, 2, 3, 4
-
-
-class Problem(NamedTuple):
-    """An error: its code, what it says, what to do, and the statement's place (an index of `places`)."""
-
-    code: str
-    message: str
-    advice: str
-    at: int
 
 
 class Symbol:
@@ -76,19 +71,14 @@ class Pool:
 
 
 def _permanent() -> dict[str, Symbol]:
-    table: dict[str, Symbol] = {}
-    kinds = (
-        (REFERENCE, symbols8.REFERENCES),
-        (REFERENCE, symbols8.PALBARTS_REFERENCES),
-        (INSTRUCTION, symbols8.INSTRUCTIONS),
-        (INSTRUCTION, symbols8.PALBARTS),
-    )
-    for kind, values in kinds:
-        for name, value in values.items():
-            table[name] = Symbol(name, kind, value)
-    for name in symbols8.PSEUDO_OPERATORS + symbols8.PALBARTS_PSEUDO_OPERATORS:
-        table[name[:SIGNIFICANT]] = Symbol(name, PSEUDO, 0)
-    return table
+    references = {**symbols8.REFERENCES, **symbols8.PALBARTS_REFERENCES}
+    instructions = {**symbols8.INSTRUCTIONS, **symbols8.PALBARTS}
+    pseudo_operators = symbols8.PSEUDO_OPERATORS + symbols8.PALBARTS_PSEUDO_OPERATORS
+    return {
+        **{name: Symbol(name, REFERENCE, value) for name, value in references.items()},
+        **{name: Symbol(name, INSTRUCTION, value) for name, value in instructions.items()},
+        **{name[:SIGNIFICANT]: Symbol(name, PSEUDO, 0) for name in pseudo_operators},
+    }
 
 
 def _signed(value: int) -> int:
@@ -111,9 +101,9 @@ class Assembler:
         self._read = [tokens(line.text) for line in lines]
         self.symbols = _permanent()
         self.written: list[Written] = []
-        self.output: list[Punched | Written] = []
+        self.output: Output = []
         self.places: list[tuple[int, int, int]] = []
-        self.problems: list[Problem] = []
+        self.problems: list[Note] = []
         self.notes: list[Note] = []
         self.mentions: list[Mention] = []
         self.ended = len(lines)
@@ -193,7 +183,7 @@ class Assembler:
     def _complain(self, code: str, message: str, advice: str, start: int, end: int) -> int:
         """Note an error, in pass 2; return 0."""
         if self._number == 2:
-            self.problems.append(Problem(code, message, advice, self._at(start, end)))
+            self.problems.append(Note(code, self._at(start, end), message, advice))
         self._failed = True
         return 0
 
@@ -232,10 +222,12 @@ class Assembler:
             self._origin()
         elif self._mode:
             self._number_of_words()
-        elif self._is_pseudo_operator(token):
-            self._pseudo_operator(token)
         else:
-            self._word()
+            symbol = self.symbols.get(token[:SIGNIFICANT])
+            if symbol is not None and symbol.kind == PSEUDO:
+                self._pseudo_operator(symbol.name)
+            else:
+                self._word()
 
     def _word(self) -> None:
         """Assemble the expressions of a word."""
@@ -341,12 +333,12 @@ class Assembler:
         symbol.passed = self._number
 
     def _origin(self) -> None:
-        value = self._expressions()
-        if self._number == 1 or not self._failed:
-            self._go_to(0 if self._failed else value)
-
-    def _go_to(self, address: int) -> None:
-        """Set the location; `address` is where RELOC says that it runs."""
+        """Set the location; the address is where RELOC says that it runs."""
+        address = self._expressions()
+        if self._failed:
+            if self._number == 2:
+                return
+            address = 0
         location = address - self._shift & _MASK
         if (address ^ self._location) & PAGE:
             self._put_out(0)
@@ -411,15 +403,13 @@ class Assembler:
         if not operand:
             return False
         last = self._tokens[max(self._next - 3, 0)] if self._start != self._before else ""
-        if last[len(last) - 1 :].isalnum() and self._names_value(last):
+        symbol = self.symbols.get(last[:SIGNIFICANT])
+        value = symbol is None or symbol.kind not in (PSEUDO, REFERENCE)
+        if value and last[len(last) - 1 :].isalnum():
             message = f"this is an OR with {sign}{operand}; DEC's PAL8 drops the {sign} (IC)"
             self._note("PN44", message, f"leave no blank before {sign}, to add or subtract")
         self._advance()
         return True
-
-    def _names_value(self, token: str) -> bool:
-        symbol = self.symbols.get(token[:SIGNIFICANT])
-        return symbol is None or symbol.kind not in (PSEUDO, REFERENCE)
 
     def _operate(self, value: int, operator: str, operand: int) -> int:
         if operator == "+":
@@ -480,14 +470,8 @@ class Assembler:
     @staticmethod
     def _illegal(token: str) -> tuple[str, str]:
         """Return message and advice for a token that cannot stand where it does."""
-        if token == "":
-            return "the expression is not complete", "write a symbol, a number, or a literal"
-        if token == '"':
-            return 'no character after "', 'write it directly after, as in "A'
-        if token == "=":
-            return "= not directly after a symbol", "write the symbol, and = without a blank"
-        if token == ",":
-            return ", not directly after a tag", "write the tag, and the comma without a blank"
+        if token in _MISPLACED:
+            return _MISPLACED[token]
         if token[0] in _KNOWN or token[0].isalnum():
             return f"{token} cannot stand here", "a blank or an operator stands between two terms"
         return f"illegal character {token}", "PAL8 has no such operator"
@@ -585,12 +569,7 @@ class Assembler:
 
     # Pseudo-operators
 
-    def _is_pseudo_operator(self, token: str) -> bool:
-        symbol = self.symbols.get(token[:SIGNIFICANT])
-        return symbol is not None and symbol.kind == PSEUDO
-
-    def _pseudo_operator(self, token: str) -> None:
-        name = self.symbols[token[:SIGNIFICANT]].name
+    def _pseudo_operator(self, name: str) -> None:
         start, end = self._start, self._end
         self._advance()
         if name in symbols8.PALBARTS_PSEUDO_OPERATORS:
@@ -736,7 +715,7 @@ class Assembler:
             if self._index + 1 == len(self._lines):
                 if self._number == 2:
                     advice = "write > after what is left out"
-                    self.problems.append(Problem("PH", "a condition without its end", advice, began))
+                    self.problems.append(Note("PH", began, "a condition without its end", advice))
                 self._take_line(len(text))
                 return
             self._index += 1
@@ -745,10 +724,7 @@ class Assembler:
     def _expunge(self) -> None:
         """Forget all symbols but the pseudo-operators, I and Z."""
         kept = {name: symbol for name, symbol in self.symbols.items() if symbol.kind == PSEUDO}
-        for name, word in symbols8.REFERENCES.items():
-            if name in ("I", "Z"):
-                kept[name] = Symbol(name, REFERENCE, word)
-        self.symbols = kept
+        self.symbols = {**kept, **{name: Symbol(name, REFERENCE, symbols8.REFERENCES[name]) for name in "IZ"}}
 
     def _fix_reference(self) -> None:
         """`FIXMRI NAME=expressions`: define a memory reference."""

@@ -10,18 +10,16 @@
 Source: tapes of DEC-08-ASB1.
 """
 
-from collections.abc import Iterable
-
-from pal.assembler import FIELD, ORIGIN, Listed, Message, Punched, Written
+from pal.assembler import FIELD, ORIGIN, Output, Punched, Written
 from tapes import binary, frames
 
 START_UP = b"\0"
 
 
-def tape(output: Iterable[Message | Punched | Written | Listed]) -> bytes:
-    """Return the whole tape."""
+def tape(output: Output) -> bytes:
+    """Return the tape from leader to trailer."""
     body = b"".join([frames_of(piece) for piece in output if isinstance(piece, (Written, Punched))])
-    return START_UP + frames.leader() + body + frames.leader()
+    return frames.leader() + body + frames.leader()
 
 
 def frames_of(piece: Written | Punched) -> bytes:
@@ -35,6 +33,6 @@ def frames_of(piece: Written | Punched) -> bytes:
     return binary.word(piece.value)
 
 
-def words(output: Iterable[Message | Punched | Written | Listed]) -> dict[int, int]:
+def words(output: Output) -> dict[int, int]:
     """Return {address: word}, field n from n0000 on; where an address comes twice, the later word."""
     return {piece.address: piece.word for piece in output if isinstance(piece, Written)}

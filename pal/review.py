@@ -5,7 +5,7 @@ What the assembler itself comes across is in `pal.watched`.
 
 from collections.abc import Sequence
 
-from pal.assembler import Entry, Listed, Message, Punched, Written
+from pal.assembler import Entry, Listed, Message, Output, Written
 from pal.dialects import hint
 from pal.listing import LONGEST
 from pal.notes import (
@@ -15,6 +15,7 @@ from pal.notes import (
     NO_SLASH,
     NOT_IN_TABLE,
     Note,
+    of_model,
     of_names,
     of_undefined,
     of_words,
@@ -32,7 +33,7 @@ def notes(
     tapes: int,
     watched: Watched,
     messages: Sequence[Message],
-    punched: Sequence[Message | Punched | Written | Listed],
+    punched: Output,
     table: Sequence[Entry],
 ) -> list[Note]:
     """Return what is to be noted of a source of so many tapes, after passes 1 and 2.
@@ -123,10 +124,7 @@ def _of_the_end(source: Source, tapes: int, ended: int) -> list[Note]:
     return notes
 
 
-def of_pass_3(
-    punched: Sequence[Message | Punched | Written | Listed],
-    listed: Sequence[Message | Punched | Written | Listed],
-) -> list[Note]:
+def of_pass_3(punched: Output, listed: Output) -> list[Note]:
     """Note the first word that pass 2 and pass 3 see differently."""
     on_tape = [piece for piece in punched if isinstance(piece, Written)]
     words = [piece for piece in listed if isinstance(piece, Listed) and piece.word is not None]
@@ -136,3 +134,11 @@ def of_pass_3(
             advice = "each pass assigns again, with the values that the last one left"
             return [Note("PN24", piece.at, message, advice)]
     return []
+
+
+def on_models(source: Source, punched: Output, model: str) -> list[Note]:
+    """Note what other models do otherwise, of words that are written with a symbol other than a tag."""
+    tags = {name for name, mark in source.items if mark == ","}
+    words = [piece for piece in punched if isinstance(piece, Written)]
+    written = [word for word in words if word.names and word.names[0] not in tags]
+    return [note._replace(at=source.first_symbol(note.at)) for note in of_model(written, model)]

@@ -62,8 +62,9 @@ class Source:
         self._code = self.text.upper() if modern else self.text
         self.items: list[tuple[str, str]] = _ITEM.findall(self._code)
         self.feeds: list[int] = []
-        self._read_again: dict[int, list[tuple[int, int]]] = {}
-        """The spans of the items of a line."""
+        self._lines: dict[
+            int, list[tuple[int, int]]
+        ] = {}  # columns of the items of a line that was asked for
         if "\f" in text:
             self.items = [(item.replace("\f", ""), mark) for item, mark in self.items]
             self.feeds = [at for at, (start, end) in enumerate(self.spans) if "\f" in self.text[start:end]]
@@ -83,20 +84,6 @@ class Source:
         """The item that each line ends with."""
         return [at for at, (_, mark) in enumerate(self.items) if mark == "\r"]
 
-    def _span(self, at: int) -> tuple[int, int, int]:
-        """Return the line of item `at`, counted from 0, and its span; only that line is read again, once."""
-        from bisect import bisect_left
-
-        line = bisect_left(self.line_ends, at)
-        if line not in self._read_again:
-            begin = self._ends[line - 1] + 1 if line else 0
-            end = self._ends[line] + 1 if line < len(self._ends) else len(self._code)
-            found = _ITEM.finditer(self._code[begin:end])
-            self._read_again[line] = [(begin + match.start(), begin + match.end() - 1) for match in found]
-        first = self.line_ends[line - 1] + 1 if line else 0
-        start, mark = self._read_again[line][at - first]
-        return line, start, mark
-
     def begun(self, at: int) -> int:
         """Return the first item of the statement that item `at` belongs to."""
         while at and self.items[at - 1][1] not in ENDS:
@@ -113,15 +100,20 @@ class Source:
         """Return where item `at` stands; for an empty one, the character that ends it."""
         from bisect import bisect_left
 
-        line, start, mark = self._span(at)
-        end = start + len(self.items[at][0])
-        if start == end:
-            start, end = mark, mark + 1
-        tape = sum(begin <= start for begin in self._starts) - 1
+        line = bisect_left(self.line_ends, at)
+        begin = self._ends[line - 1] + 1 if line else 0
+        end = self._ends[line] if line < len(self._ends) else len(self.text)
+        if line not in self._lines:
+            found = _ITEM.finditer(self._code[begin : end + 1])
+            self._lines[line] = [(match.start(), match.end()) for match in found]
+        start, after = self._lines[line][at - (self.line_ends[line - 1] + 1 if line else 0)]
+        if self.items[at][0]:
+            after = start + len(self.items[at][0])
+        else:
+            start = after - 1
+        tape = sum(first <= begin + start for first in self._starts) - 1
         number = line - bisect_left(self._ends, self._starts[tape]) + 1
-        first = self._ends[line - 1] + 1 if line else 0
-        text = self.shown[first : self._ends[line]] if line < len(self._ends) else self.shown[first:]
-        return Place(tape, number, text, start - first, end - first)
+        return Place(tape, number, self.shown[begin:end], start, after)
 
 
 def _ascii(text: str) -> str:

@@ -99,6 +99,8 @@ PERMANENT = (
     Permanent("MMLC", 0o6764, "DECtape 552: load the memory address counter"),
 )
 
+REFERENCES = tuple(symbol.mnemonic for symbol in PERMANENT if symbol.memory_reference)
+
 PSEUDO_OPERATORS = {
     "FIELD": 0o2157,
     "EXPUNGE": 0o1556,

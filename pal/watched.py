@@ -7,10 +7,10 @@ in the source and in the words. A source of which there is nothing to note never
 
 from typing import TYPE_CHECKING
 
-from pal.assembler import Assembler, Listed, Message, Punched, Written
+from pal.assembler import Assembler, Output
 from pal.isa import ADDRESS, INDIRECT, PAGE
 from pal.source import ENDS, Source
-from pal.symbols import PERMANENT, PSEUDO_OPERATORS, SIGNIFICANT, spelled
+from pal.symbols import PERMANENT, PSEUDO_OPERATORS, REFERENCES, SIGNIFICANT, spelled
 from pal.table import ENTRY, PSEUDO, UNDEFINED, VALUE
 
 if TYPE_CHECKING:
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 
 _POINTER = "PAL III takes the symbol it looked up last; write the symbol directly before"
 NAMES = {*(symbol.mnemonic for symbol in PERMANENT), *(name[:SIGNIFICANT] for name in PSEUDO_OPERATORS)}
-_REFERENCES = {symbol.mnemonic for symbol in PERMANENT if symbol.memory_reference}
 
 
 class Watched(Assembler):
@@ -40,7 +39,7 @@ class Watched(Assembler):
         self._swallowed: tuple[int, str] | None = None
         self._kept: int | None = None
 
-    def run(self, number: int) -> list[Message | Punched | Written | Listed]:
+    def run(self, number: int) -> Output:
         """Run a pass, then look at how it ended."""
         output = super().run(number)
         if self.stopped:
@@ -152,7 +151,7 @@ class Watched(Assembler):
     def _see_reference(self) -> None:
         """Look at a memory reference of operation 0400, or with a Z and another page."""
         items = self._items[self._source.begun(self._at) : self._at + 1]
-        if self._word == INDIRECT and not any(item in _REFERENCES for item, _ in items):
+        if self._word == INDIRECT and not any(item in REFERENCES for item, _ in items):
             self._note(
                 "PN16", "I without a memory-reference symbol makes an AND", "write the instruction before I"
             )

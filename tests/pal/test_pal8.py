@@ -9,8 +9,7 @@ from pathlib import Path
 import pytest
 
 import pal
-from pal.crossreference import cross_reference, text
-from pal.record import as_json
+from pal.reports import as_json, cross_reference
 from tapes import binary
 from tests.conftest import case
 from tests.pal.random_pal8 import PALBART, Author, compare
@@ -103,7 +102,7 @@ def test_a_listing_has_words_links_literals_and_symbols() -> None:
     ]
     with pytest.raises(ValueError, match="PAL III's alone"):
         _ = assembly.teletype
-    assert "B       0400  5" in text(cross_reference(assembly))
+    assert "B       0400  5" in cross_reference(assembly)
     assert json.loads(as_json(assembly))["symbols"] == {"A": "0200", "B": "0400"}
 
 

@@ -7,8 +7,7 @@ from hypothesis import strategies as st
 
 import pal
 from pal.assembler import HIGH_SPEED_SYMBOLS
-from pal.crossreference import cross_reference, text
-from pal.record import as_json
+from pal.reports import as_json, cross_reference
 from tapes import binary
 
 CHARACTERS = "AB19 \t+-,=*;$./!a\f\n\r"
@@ -29,7 +28,7 @@ def look_at_everything(assembly: pal.Assembly) -> None:
         assert assembly.text(number).isascii()
     assert len(assembly.teletype) == 3
     assert [str(diagnostic) for diagnostic in assembly.diagnostics if diagnostic.error] or assembly.ok
-    text(cross_reference(assembly))
+    cross_reference(assembly)
     as_json(assembly)
     assert set(assembly.symbols) >= set()
 

@@ -23,7 +23,7 @@ from pdp8.web.translator.modules import translate
 MODULES = {
     "tapes": "ascii binary eia errors expression frames hydrapoint kinds measure rim utf16",
     "pal": "assembler assembling assembly assembly8 diagnostics dialects disassembler isa listing meaning"
-    " models notes pal8 portable punch review source symbols symbols8 table watched",
+    " models notes pal8 punch review source symbols symbols8 table watched",
     "pdp8.computer": "machine stop watch",
     "pdp8.computer.hardware": "bus core fields highspeed operate panel processor signals teletype",
     "pdp8.computer.speed": "engine piece waiting",

@@ -1,0 +1,76 @@
+"""What is made of an assembly besides: its cross reference, JSON for other programs, HTML for a notebook.
+
+    CHK     0227  19               27 33
+    TAD     1000  permanent        13 24 26
+
+    {"words": {"0200": "7200", ...}, "symbols": {"A": "0200", ...},
+     "lines": [{"file": "a.pal", "line": 2, "address": "0200", "word": "7200", "source": "A,\\tCLA"}, ...],
+     "diagnostics": [{"code": "IR", "message": ..., "file": ..., "line": ..., "column": ..., ...}]}
+
+Words and addresses are octal, as text; addresses beyond 7777 have the field as fifth digit.
+"""
+
+import json
+from html import escape
+
+from pal.assembly import Assembly
+from pal.symbols import codes
+
+_STYLE = (
+    "<style>.pal td { font-family: monospace; text-align: left; white-space: pre; padding: 0 1em 0 0 }"
+    " .pal .wrong { background: #fbd9d3; color: #222 }</style>"
+)
+
+
+def cross_reference(assembly: Assembly) -> str:
+    """Return every symbol but the pseudo-operators, one a line: its value, the lines that define and use it.
+
+    They are in the order of PAL III's symbol table. With several files these are named.
+    """
+    places = [(mention, assembly.place(mention.at)) for mention in assembly.mentions]
+    several = len({assembly.names[place.tape] for _, place in places}) > 1
+    defined: dict[str, list[str]] = {}
+    used: dict[str, list[str]] = {}
+    for mention, place in places:
+        where = f"{assembly.names[place.tape]}:{place.line}" if several else str(place.line)
+        (defined if mention.defined else used).setdefault(mention.name, []).append(where)
+    lines = []
+    for name in sorted(defined.keys() | used.keys(), key=codes):
+        origin = " ".join(defined.get(name, [] if name in assembly.symbols else ["permanent"]))
+        uses = " ".join(used.get(name, []))
+        lines.append(f"{name:6}  {assembly.values.get(name, 0):04o}  {origin:16}  {uses}".rstrip() + "\n")
+    return "".join(lines)
+
+
+def as_json(assembly: Assembly) -> str:
+    """Return the assembly as a JSON text."""
+    content = {
+        "words": {f"{address:04o}": f"{word:04o}" for address, word in assembly.words.items()},
+        "symbols": {name: f"{value:04o}" for name, value in assembly.symbols.items()},
+        "lines": [
+            {
+                "file": assembly.names[line.tape],
+                "line": line.number,
+                "address": None if line.address is None else f"{line.address:04o}",
+                "word": None if line.word is None else f"{line.word:04o}",
+                "source": line.source,
+            }
+            for line in assembly.lines
+        ],
+        "diagnostics": [diagnostic._asdict() for diagnostic in assembly.diagnostics],
+    }
+    return json.dumps(content, indent=1) + "\n"
+
+
+def html(assembly: Assembly) -> str:
+    """Return the listing as an HTML table, wrong lines marked, and below it what is wrong."""
+    wrong = {(found.file, found.line) for found in assembly.diagnostics if found.error}
+    rows = []
+    for line in assembly.lines:
+        numbers = ("" if number is None else f"{number:04o}" for number in (line.address, line.word))
+        cells = "".join(f"<td>{escape(cell)}</td>" for cell in (*numbers, line.source.expandtabs()))
+        state = "wrong" if (assembly.names[line.tape], line.number) in wrong else "right"
+        rows.append(f'<tr class="{state}">{cells}</tr>')
+    said = "\n\n".join(map(str, assembly.diagnostics))
+    below = f"<pre>{escape(said)}</pre>" if said else ""
+    return f'{_STYLE}<table class="pal">{"".join(rows)}</table>{below}'
