@@ -5,7 +5,6 @@ from dataclasses import dataclass, field
 
 from pal.assembling import assemble
 from pdp8.computer.use.program import FOUND
-from tapes.errors import WorkError
 
 _SHOWN = 5
 """Errors of a source that are told."""
@@ -74,17 +73,10 @@ def assembled(answer: Answer, dialect: str = FOUND) -> Answer:
     fault = "\n".join([str(error) for error in errors[:_SHOWN]]) + more
     if not fault and not assembly.words:
         fault = "no word for core in it"
+    beyond = [address for address in assembly.words if address > 0o7777]
+    if not fault and beyond:
+        fault = f"address {beyond[0]:05o}: a PDP-8/L with 4K of core ends at 07777"
     source = answer.source.upper()
     if fault:
         return Answer(answer.name, source=source, fault=fault)
-    try:
-        return Answer(answer.name, _in_core(assembly.words), assembly.symbols, source)
-    except WorkError as error:
-        return Answer(answer.name, source=source, fault=str(error))
-
-
-def _in_core(words: Mapping[int, int]) -> Mapping[int, int]:
-    beyond = next((address for address in words if address > 0o7777), None)
-    if beyond is not None:
-        raise WorkError(f"address {beyond:05o}: a PDP-8/L with 4K of core ends at 07777")
-    return words
+    return Answer(answer.name, assembly.words, assembly.symbols, source)

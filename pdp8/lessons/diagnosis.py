@@ -48,15 +48,11 @@ HINTS = {
 }
 _INPUTS = (0o6031, 0o6011)
 _OUTPUTS = (0o6041, 0o6021)
-_WANTED = {
+WANTED = {
     "halt": "a halt", "tape out": "waiting for a frame that does not come",
     "idle": "a loop that nothing ends", "limit": "running on",
 }  # fmt: skip
-
-
-def wanted(stop: str) -> str:
-    """Return how a case's stop is called."""
-    return _WANTED[stop]
+"""How a case's stop is called."""
 
 
 def end(answer: Answer, trial: Trial, outcome: Outcome) -> tuple[str, str]:

@@ -16,13 +16,14 @@ The same seed and name of a case draw the same.
 import importlib.util
 import os
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from random import Random
 from typing import Any
 
 from pdp8.lessons import trial
 from pdp8.lessons.answer import Answer, assembled
 from pdp8.lessons.exercise import Case, Trial
-from pdp8.lessons.tables import CASE, TRIAL, ExerciseError, Field, frames, number, table, word
+from pdp8.lessons.tables import CASE, TRIAL, ExerciseError, Field, frames, number, real, table, word
 from tapes.errors import WorkError
 
 _MOST = 200
@@ -65,22 +66,15 @@ def _expected(drawn: Trial, program: Answer, compare: tuple[str, ...], within: f
     outcome = trial.run(program, drawn)
     if drawn.stop not in (outcome.stop.reason, "any"):
         raise ExerciseError(f"{where}: the solution ends with {outcome.stop.reason}, not {drawn.stop}")
-    core = dict(drawn.core)
-    core |= {each: outcome.core[program.address(each) or 0] for item in compare if item not in _WHAT
-             for each in _places(item)}  # fmt: skip
-    return Trial(
-        start=drawn.start, starts=drawn.starts, sr=drawn.sr, deposit=drawn.deposit, reader=drawn.reader,
-        keys=drawn.keys, seconds=drawn.seconds, stop=drawn.stop, changed=drawn.changed, itself=drawn.itself,
-        takes=drawn.takes, core=core,
-        tape=outcome.tape if "tape" in compare else drawn.tape,
-        page=outcome.page if "page" in compare else drawn.page,
-        ac=outcome.ac if "AC" in compare else drawn.ac,
-        link=outcome.link if "L" in compare else drawn.link,
-        instructions=int(outcome.instructions * within) if "instructions" in compare else drawn.instructions,
-    )  # fmt: skip
+    places = [each for item in compare if item not in _WHAT for each in _places(item)]
+    core = {each: outcome.core[program.address(each) or 0] for each in places}
+    found = outcome._replace(instructions=int(outcome.instructions * within))
+    kept = {_WHAT[item]: getattr(found, _WHAT[item]) for item in compare if item in _WHAT}
+    return replace(drawn, core={**drawn.core, **core}, **kept)
 
 
-_WHAT = ("AC", "L", "tape", "page", "instructions")
+_WHAT = {"AC": "ac", "L": "link", "tape": "tape", "page": "page", "instructions": "instructions"}
+"""What may be compared beside words of core, and what a trial calls it."""
 
 
 def _tags(compare: tuple[str, ...]) -> list[str]:
@@ -154,20 +148,10 @@ _DRAWN: dict[str, Callable[[Any, Random], Any]] = {
 }  # fmt: skip
 
 
-def _as_given(value: Any) -> Any:
-    return value
-
-
 def _compare(value: Any) -> tuple[str, ...]:
     if not isinstance(value, list) or not value or not all(isinstance(item, str) and item for item in value):
         raise ValueError(f"a list of tags, addresses or {', '.join(_WHAT)} is wanted, not {value!r}")
     return tuple(value)
-
-
-def _within(value: Any) -> float:
-    if not isinstance(value, int | float) or isinstance(value, bool) or not value > 0:
-        raise ValueError(f"a factor above 0 is wanted, not {value!r}")
-    return float(value)
 
 
 def _named(value: Any) -> str:
@@ -176,8 +160,7 @@ def _named(value: Any) -> str:
     return value
 
 
-_RANDOM: dict[str, tuple[Field, bool]] = {
-    **CASE, **{key: (_as_given, False) for key in TRIAL},
-    "trials": (number(1, _MOST), False), "compare": (_compare, False), "within": (_within, False),
-    "python": (_named, False),
+_RANDOM: dict[str, Field] = {
+    **CASE, **dict.fromkeys(TRIAL, lambda value: value), "trials": number(1, _MOST), "compare": _compare,
+    "within": real("a factor above 0 is wanted", lambda factor: factor > 0), "python": _named,
 }  # fmt: skip

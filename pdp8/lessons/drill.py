@@ -23,7 +23,7 @@ LEFT_ALONE = 60.0
 _KEYS = {
     "load_add": "LOAD ADD", "exam": "EXAM", "dep": "DEP", "start": "START", "cont": "CONT", "stop": "STOP",
 }  # fmt: skip
-_LOCKING = {"mem_prot": "MEM PROT", "sing_step": "SING STEP"}
+_LOCKING = {"mem_prot": "MEM PROT is up", "sing_step": "SING STEP is on"}
 
 
 class DrillStep(NamedTuple):
@@ -84,7 +84,9 @@ def _boot(tapes: Tapes) -> Iterator[DrillStep]:
     yield DrillStep(f"O: {tapes.program_name} into the reader", come=_at_its_beginning)
     yield DrillStep(f"{BIN_START:04o}  LOAD ADD", "load_add", BIN_START)
     yield DrillStep("START: BIN reads the program", "start", TELETYPE_READER)
-    yield DrillStep("it halts; AC 0000: checksum right", come=lambda machine: _loaded(machine, tapes))
+    yield DrillStep(
+        "it halts; AC 0000: checksum right", come=lambda machine: _loaded(machine, tapes.program_words)
+    )
 
 
 def _at_its_beginning(machine: Machine) -> bool:
@@ -97,9 +99,9 @@ def _holds(machine: Machine, words: Mapping[int, int]) -> bool:
     return reader.position == len(reader.tape) and _in_core(machine, words)
 
 
-def _loaded(machine: Machine, tapes: Tapes) -> bool:
+def _loaded(machine: Machine, words: Mapping[int, int]) -> bool:
     halted = not machine.panel.lamps.run and machine.ma == BIN_HALT
-    return halted and machine.ac == 0 and _in_core(machine, tapes.program_words)
+    return halted and machine.ac == 0 and _in_core(machine, words)
 
 
 def _in_core(machine: Machine, words: Mapping[int, int]) -> bool:
@@ -140,7 +142,8 @@ class Coach:
         self.seconds = 0.0
         """How long it has taken, since the first key."""
         self.said = "Follow the card. The clock begins with your first key."
-        self._begun = False
+        self.begun = False
+        """Whether a key was pressed."""
         self._still = 0.0
 
     def again(self) -> None:
@@ -153,11 +156,6 @@ class Coach:
         """Whether the card is done."""
         return self.at == len(self.drill.steps)
 
-    @property
-    def begun(self) -> bool:
-        """Whether a key was pressed."""
-        return self._begun
-
     def touched(self) -> None:
         """Note that a key or a switch moved: the machine is not left alone."""
         self._still = 0.0
@@ -168,7 +166,7 @@ class Coach:
         What is allowed must then be pressed.
         """
         self.touched()
-        self._begun = True
+        self.begun = True
         if self.done:
             return True
         step = self.drill.steps[self.at]
@@ -182,9 +180,9 @@ class Coach:
 
     def _fault(self, step: DrillStep, key: str) -> str:
         panel = self.machine.panel
-        for name, label in _LOCKING.items():
+        for name, said in _LOCKING.items():
             if getattr(panel, name):
-                return f"{label} is {'up' if name == 'mem_prot' else 'on'}: put it back first"
+                return f"{said}: put it back first"
         if not step.key:
             return f"not {_KEYS[key]} yet: {step.say}"
         if step.sr is not None and panel.sr != step.sr and key == step.key:
@@ -200,7 +198,7 @@ class Coach:
 
     def advance(self, seconds: float) -> bool:
         """Let `seconds` pass; return whether a kiosk has begun again."""
-        if self._begun and not self.done:
+        if self.begun and not self.done:
             self.seconds += seconds
         self._still += seconds
         if self.left_alone is not None and self._still >= self.left_alone and self._moved():
@@ -214,7 +212,7 @@ class Coach:
 
     def _moved(self) -> bool:
         """Tell whether anything is not as it was at first."""
-        return self._begun or bool(changed(self._cold, self.machine.values()))
+        return self.begun or bool(changed(self._cold, self.machine.values()))
 
 
 def _switch(found: int, wanted: int) -> str:

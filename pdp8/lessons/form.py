@@ -98,7 +98,7 @@ def _solution(given: object, name: str, folder: str) -> str:
 
 
 def _case(given: object, where: str) -> Case:
-    found = table(given, where, {**CASE, **TRIAL, "trial": (tables, False)})
+    found = table(given, where, {**CASE, **TRIAL, "trial": tables})
     trials = [
         Trial(**table(each, f"{where}: trial {number}", TRIAL))
         for number, each in enumerate(found.pop("trial", ()), 1)

@@ -49,21 +49,14 @@ def of(content: bytes, name: str) -> Answer:
     try:
         if kind in (kinds.BIN, kinds.RIM):
             return Answer(name, program.read(content, name).words)
+        if kind in (kinds.UNKNOWN, kinds.EIA):
+            content.decode()  # text, its comments in any language, or a picture, another program's file
     except WorkError as error:
         return Answer(name, fault=str(error))
-    if kind in (kinds.UNKNOWN, kinds.EIA) and not _is_utf8(content):
+    except UnicodeDecodeError:
         return Answer(name, fault="neither text, such as PAL source, nor a BIN or RIM tape")
     source = content.decode("ascii", "replace").replace("\r\n", "\n")
     for number, line in enumerate(source.splitlines(), 1):
         if len(line) > LONGEST:
             return Answer(name, fault=f"line {number} has {len(line):,} characters; at most {LONGEST} can be")
     return Answer(name, source=source)
-
-
-def _is_utf8(content: bytes) -> bool:
-    """Tell text, its comments in any language, from a picture or another program's file."""
-    try:
-        content.decode()
-    except UnicodeDecodeError:
-        return False
-    return True

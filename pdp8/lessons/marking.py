@@ -157,7 +157,7 @@ def _failures(tried: Trial, answer: Answer, outcome: Outcome) -> Iterator[Failur
     stop = outcome.stop
     if tried.stop not in ("any", stop.reason):
         happened, got = diagnosis.end(answer, tried, outcome)
-        yield Failure("the end", diagnosis.wanted(tried.stop), got, happened)
+        yield Failure("the end", diagnosis.WANTED[tried.stop], got, happened)
     yield from _registers(tried, outcome)
     for place, word in tried.core.items():
         found = outcome.core[answer.address(place) or 0]

@@ -16,20 +16,22 @@ class ExerciseError(WorkError):
 
 
 Field = Callable[[Any], Any]
+_NEEDED = ("title", "task", "name", "ask")
+"""The keys that must be there, in a table that may have them."""
 
 
-def table(given: object, where: str, fields: Mapping[str, tuple[Field, bool]]) -> dict[str, Any]:
+def table(given: object, where: str, fields: Mapping[str, Field]) -> dict[str, Any]:
     """Return the values of a table, each converted by its field; those that must be there are."""
     if not isinstance(given, dict):
         raise ExerciseError(f"{where}: a table is wanted, not {given!r}")
     for key in given:
         if key not in fields:
             raise ExerciseError(f"{where}: no key is called {key!r}; there are {', '.join(fields)}")
-    missing = [key for key, (_, needed) in fields.items() if needed and key not in given]
+    missing = [key for key in _NEEDED if key in fields and key not in given]
     if missing:
         raise ExerciseError(f"{where}: {missing[0]} is missing")
     try:
-        return {(at := key): fields[key][0](value) for key, value in given.items()}
+        return {(at := key): fields[key](value) for key, value in given.items()}
     except (ValueError, WorkError) as error:
         raise ExerciseError(f"{where}: {at}: {error}") from error
 
@@ -45,6 +47,7 @@ def _of(kind: type, called: str) -> Field:
 
 _text = _of(str, "a text")
 _list = _of(list, "a list")
+_flag = _of(bool, "true or false")
 tables = _of(list, "[[...]] tables")
 
 
@@ -60,6 +63,15 @@ def number(least: int, most: int) -> Field:
     def convert(value: Any) -> int:
         if not isinstance(value, int) or isinstance(value, bool) or not least <= value <= most:
             raise ValueError(f"a number from {least} to {most} is wanted, not {value!r}")
+        return value
+
+    return convert
+
+
+def real(wanted: str, fits: Callable[[float], bool]) -> Field:
+    def convert(value: Any) -> float:
+        if not isinstance(value, int | float) or isinstance(value, bool) or not fits(value):
+            raise ValueError(f"{wanted}, not {value!r}")
         return value
 
     return convert
@@ -93,12 +105,6 @@ def place(value: Any) -> str:
     if not all(digit in "01234567" for digit in text) or int(text, 8) > 0o7777:
         raise ValueError(f"{text} is no octal address from 0000 to 7777")
     return f"{int(text, 8):04o}"
-
-
-def _seconds(value: Any) -> float:
-    if not isinstance(value, int | float) or isinstance(value, bool) or not 0 < value <= LONGEST:
-        raise ValueError(f"seconds up to {LONGEST} are wanted, not {value!r}")
-    return value
 
 
 def _stop(value: Any) -> str:
@@ -148,10 +154,11 @@ def _hints(value: Any) -> dict[str, str]:
     return {"": value} if isinstance(value, str) else _slips(value)
 
 
+_least_0 = real("a number of 0 or more is wanted", lambda value: value >= 0)
+
+
 def _tolerance(value: Any) -> float:
-    if not isinstance(value, int | float) or isinstance(value, bool) or not value >= 0:
-        raise ValueError(f"a number of 0 or more is wanted, not {value!r}")
-    return float(value)
+    return float(_least_0(value))
 
 
 def _takes(value: Any) -> tuple[float, float]:
@@ -161,28 +168,20 @@ def _takes(value: Any) -> tuple[float, float]:
 
 
 _POINTS = number(0, 1000)
-EXERCISE: dict[str, tuple[Field, bool]] = {
-    "title": (_text, True), "task": (_text, True), "solution": (lambda value: value, False),
-    "program": (_mapping, False), "case": (tables, False), "random": (tables, False),
-    "question": (tables, False), "mistakes": (_mistakes, False),
+EXERCISE: dict[str, Field] = {
+    "title": _text, "task": _text, "solution": lambda value: value, "program": _mapping, "case": tables,
+    "random": tables, "question": tables, "mistakes": _mistakes,
 }  # fmt: skip
-SOURCE: dict[str, tuple[Field, bool]] = {
-    "words": (number(1, 4096), False), "required": (_texts, False), "forbidden": (_texts, False),
+SOURCE: dict[str, Field] = {"words": number(1, 4096), "required": _texts, "forbidden": _texts}
+CASE: dict[str, Field] = {"name": _text, "points": _POINTS, "hint": _hints, "hidden": _flag}
+TRIAL: dict[str, Field] = {
+    "start": place, "starts": number(1, 10), "sr": word, "deposit": _deposits, "reader": frames,
+    "keys": frames, "stop": _stop, "tape": frames, "itself": _flag, "page": _text, "ac": word,
+    "seconds": real(f"seconds up to {LONGEST} are wanted", lambda seconds: 0 < seconds <= LONGEST),
+    "link": number(0, 1), "core": _words, "changed": _places, "instructions": number(1, 1 << 40),
+    "takes": _takes,
 }  # fmt: skip
-CASE: dict[str, tuple[Field, bool]] = {
-    "name": (_text, True), "points": (_POINTS, False), "hint": (_hints, False),
-    "hidden": (_of(bool, "true or false"), False),
-}  # fmt: skip
-TRIAL: dict[str, tuple[Field, bool]] = {
-    "start": (place, False), "starts": (number(1, 10), False), "sr": (word, False),
-    "deposit": (_deposits, False), "reader": (frames, False), "keys": (frames, False),
-    "seconds": (_seconds, False), "stop": (_stop, False), "tape": (frames, False),
-    "itself": (_of(bool, "true or false"), False), "page": (_text, False),
-    "ac": (word, False), "link": (number(0, 1), False), "core": (_words, False), "changed": (_places, False),
-    "instructions": (number(1, 1 << 40), False), "takes": (_takes, False),
-}  # fmt: skip
-QUESTION: dict[str, tuple[Field, bool]] = {
-    "name": (_text, True), "ask": (_text, True), "answer": (_answer, False), "unit": (_text, False),
-    "tolerance": (_tolerance, False), "points": (_POINTS, False), "hint": (_text, False),
-    "slips": (_slips, False),
+QUESTION: dict[str, Field] = {
+    "name": _text, "ask": _text, "answer": _answer, "unit": _text, "tolerance": _tolerance,
+    "points": _POINTS, "hint": _text, "slips": _slips,
 }  # fmt: skip

@@ -35,13 +35,10 @@ class Outcome(NamedTuple):
 
 
 def needs(trial: Trial) -> list[str]:
-    """Return the symbols by which the trial calls places of an answer, each once."""
-    found: dict[str, None] = {}
+    """Return the symbols by which the trial calls places of an answer."""
     pointers = [word for word in trial.deposit.values() if isinstance(word, str)]
-    for place in (trial.start, *trial.deposit, *pointers, *trial.core, *trial.changed):
-        if not place[0].isdigit():
-            found[place] = None
-    return list(found)
+    places = [trial.start, *trial.deposit, *pointers, *trial.core, *trial.changed]
+    return [place for place in places if not place[0].isdigit()]
 
 
 def run(answer: Answer, trial: Trial) -> Outcome:
