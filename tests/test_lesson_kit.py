@@ -55,7 +55,7 @@ def texts(card: ElementTree.Element) -> list[str]:
     ],
 )
 def test_a_card_is_the_one_that_was_looked_at(name: str, digest: str) -> None:
-    svg = drawn.CARDS[name]() if name else drawn.afternoon([drawn.Slot("1 s", "step", "done")] * 3, "t")
+    svg = drawn.CARDS[name]() if name else drawn.afternoon([("1 s", "step", "done")] * 3, "t")
     assert sha256(svg.encode()).hexdigest()[:8] == digest, "look at it again"
 
 
@@ -70,7 +70,7 @@ def test_everything_lies_on_the_card(name: str) -> None:
 
 
 def test_the_timetable_goes_down_the_card_in_even_steps() -> None:
-    svg = ElementTree.fromstring(drawn.afternoon([drawn.Slot("1 s", "step", "done")] * 10, "t"))
+    svg = ElementTree.fromstring(drawn.afternoon([("1 s", "step", "done")] * 10, "t"))
     rows = [float(text.get("y", 0)) for text in svg.iter(f"{SVG}text") if text.text == "step"]
     assert rows == [72 + 39 * number for number in range(10)]
     outcomes = [float(text.get("y", 0)) for text in svg.iter(f"{SVG}text") if text.text == "done"]

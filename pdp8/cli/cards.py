@@ -74,5 +74,5 @@ def _afternoon() -> str:
     from pdp8.replay import replay
     from pdp8.replay.day import clock
 
-    slots = [drawn.Slot(clock(act.starts), act.name, act.outcome) for act in replay(_PART).acts]
+    slots = [(clock(act.starts), act.name, act.outcome) for act in replay(_PART).acts]
     return drawn.afternoon(slots, f"The afternoon: {_PART}")

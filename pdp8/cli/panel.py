@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from pdp8.cli.parameters import octal
-from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, Tapes, find
+from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, find
 from tapes.arguments import Command, Source
 from tapes.errors import WorkError
 
@@ -78,5 +78,5 @@ def panel(
 def _coach(drill: str, kiosk: bool, session: "Session", programs: list["Program"]) -> Coach:
     _, bin_loader, program = programs
     bin_tape, program_tape = session.tapes[:2]
-    tapes = Tapes(bin_tape.name, bin_loader.words, program_tape.name, program.words)
+    tapes = (bin_tape.name, bin_loader.words), (program_tape.name, program.words)
     return Coach(find(drill, tapes), session.machine, LEFT_ALONE if kiosk else None)

@@ -11,7 +11,6 @@ as they are used everywhere here.
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from html import escape
-from typing import NamedTuple
 
 from pal.symbols import PERMANENT, Permanent
 from pdp8.computer.use.operator import RIM, RIM_HIGH_SPEED, RIM_START
@@ -29,14 +28,6 @@ text { font-family: "DejaVu Sans Mono", Menlo, monospace; font-size: 11px; fill:
 .list { font-size: 9px } .head { font-weight: bold } .small { font-size: 9px; fill: #444 }
 .up { fill: #111 } .down { fill: #fff; stroke: #111 } .hole { fill: #111 } .sprocket { fill: #888 }
 </style>"""
-
-
-class Slot(NamedTuple):
-    """A line of the timetable: when, what, and its outcome."""
-
-    time: str
-    what: str
-    outcome: str
 
 
 class _Card:
@@ -179,23 +170,21 @@ def _codes(title: str, codes: Sequence[tuple[int, str]], columns: int) -> str:
 def _holes(card: _Card, x: float, y: float, frame: int, pitch: float) -> None:
     for place, mark in enumerate(draw(frame)):
         if mark != " ":
-            sprocket = mark == "."
-            card.circle(
-                x + place * pitch, y, pitch * (0.23 if sprocket else 0.42), "sprocket" if sprocket else "hole"
-            )
+            radius, kind = (0.23, "sprocket") if mark == "." else (0.42, "hole")
+            card.circle(x + place * pitch, y, pitch * radius, kind)
 
 
-def afternoon(slots: Sequence[Slot], title: str) -> str:
-    """Return the timetable's card."""
+def afternoon(slots: Sequence[tuple[str, str, str]], title: str) -> str:
+    """Return the timetable's card; a slot is when, what, and its outcome."""
     card = _Card(
         title, "Machine times are exact; the time a person takes is ours. Made by `pdp8 cards afternoon`."
     )
     step = min(52, (HEIGHT - 110) / max(1, len(slots)))
-    for number, slot in enumerate(slots):
+    for number, (time, what, outcome) in enumerate(slots):
         y = 72 + number * step
-        card.text(_MARGIN, y, f"{slot.time:>11}", "head")
-        card.text(_MARGIN + 92, y, slot.what)
-        card.text(_MARGIN + 92, y + 16, slot.outcome, "small")
+        card.text(_MARGIN, y, f"{time:>11}", "head")
+        card.text(_MARGIN + 92, y, what)
+        card.text(_MARGIN + 92, y + 16, outcome, "small")
     return card.svg()
 
 

@@ -44,15 +44,6 @@ class Drill(NamedTuple):
     words: Mapping[int, int] = {}
 
 
-class Tapes(NamedTuple):
-    """What the drill `boot` needs: the tapes of the BIN loader and of a program, and their words."""
-
-    bin_name: str
-    bin_words: Mapping[int, int]
-    program_name: str
-    program_words: Mapping[int, int]
-
-
 def _words(address: int, words: Sequence[int]) -> Iterator[DrillStep]:
     yield DrillStep(f"{address:04o}  LOAD ADD", "load_add", address)
     for offset, word in enumerate(words):
@@ -72,21 +63,18 @@ def _chain() -> Iterator[DrillStep]:
         yield DrillStep("EXAM", "exam")
 
 
-def _boot(tapes: Tapes) -> Iterator[DrillStep]:
+def _boot(tapes: Sequence[tuple[str, Mapping[int, int]]]) -> Iterator[DrillStep]:
+    (loader, bin_words), (program, words) = tapes
     yield from _words(RIM_START, RIM)
-    yield DrillStep(f"O: {tapes.bin_name} into the reader", come=_at_its_beginning)
+    yield DrillStep(f"O: {loader} into the reader", come=_at_its_beginning)
     yield DrillStep(f"{RIM_START:04o}  LOAD ADD", "load_add", RIM_START)
     yield DrillStep("START: RIM reads BIN (P: faster)", "start")
-    yield DrillStep(
-        "wait until the tape has run through", come=lambda machine: _holds(machine, tapes.bin_words)
-    )
+    yield DrillStep("wait until the tape has run through", come=lambda machine: _holds(machine, bin_words))
     yield DrillStep("STOP", "stop")
-    yield DrillStep(f"O: {tapes.program_name} into the reader", come=_at_its_beginning)
+    yield DrillStep(f"O: {program} into the reader", come=_at_its_beginning)
     yield DrillStep(f"{BIN_START:04o}  LOAD ADD", "load_add", BIN_START)
     yield DrillStep("START: BIN reads the program", "start", TELETYPE_READER)
-    yield DrillStep(
-        "it halts; AC 0000: checksum right", come=lambda machine: _loaded(machine, tapes.program_words)
-    )
+    yield DrillStep("it halts; AC 0000: checksum right", come=lambda machine: _loaded(machine, words))
 
 
 def _at_its_beginning(machine: Machine) -> bool:
@@ -111,8 +99,10 @@ def _in_core(machine: Machine, words: Mapping[int, int]) -> bool:
 NAMES = ("rim", "deposit", "examine", "boot")
 
 
-def find(name: str, tapes: Tapes) -> Drill:
-    """Return the drill called `name`, one of NAMES."""
+def find(name: str, tapes: Sequence[tuple[str, Mapping[int, int]]]) -> Drill:
+    """Return the drill called `name`, one of NAMES. Of the BIN loader's tape and of a program's, which `boot`
+    needs, `tapes` has the names and the words.
+    """
     if name == "rim":
         return Drill(name, "Toggle the RIM loader in", tuple(_words(RIM_START, RIM)))
     if name == "deposit":

@@ -58,9 +58,9 @@ class Script:
         self._starts: list[int] = []
         """The ticks at which the acts start."""
         self._rows: list[int] = []
-        """The ticks at which a row of the EIA tape comes under the Hydra-Point's head."""
+        """The ticks at which the terminal has punched a frame, or the Hydra-Point's head is at a row."""
         self._blocks: list[int] = []
-        """Those at which a block begins there."""
+        """Those at which a line ends at the terminal, or a block begins at the Hydra-Point."""
 
     def rehearse(self) -> Iterator[None]:
         """Let the day pass, and keep what is needed to go to any instant of it."""
@@ -77,7 +77,11 @@ class Script:
         self._snapshots.append(_Snapshot(len(self.day.actions), machine.values()))
 
     def _reading(self) -> None:
-        """Note when the Hydra-Point reads."""
+        """Note when the terminal punches, and when the Hydra-Point reads."""
+        for number, frame in enumerate(self.day.tapes[f"{self.day.part}.asc"], 1):
+            self._rows.append(number * FRAME)
+            if frame & 0o177 == CR:
+                self._blocks.append(number * FRAME)
         path = self.day.path
         reading = path.read_seconds * TICKS_PER_SECOND
         for start in path.starts:
@@ -177,10 +181,7 @@ class Script:
             received = bool(receiver.flag) and not flag
             if self.act.starts != act.starts or self.now == self.end:
                 yield self.now
-            elif act.kind == Kind.TERMINAL:
-                if self.now % FRAME == 0 and (not blocks or self._printed_line()):
-                    yield self.now
-            elif act.kind == Kind.MILL:
+            elif act.kind in (Kind.TERMINAL, Kind.MILL):
                 ticks = self._blocks if blocks else self._rows
                 if self.now == _first_from(ticks, self.now):
                     yield self.now
@@ -193,20 +194,12 @@ class Script:
     def _event(self, act: Act) -> int:
         """Return the tick of what may come next."""
         soon = min(self._next_action, act.ends)
-        if act.kind == Kind.TERMINAL:
-            return min(soon, (self.now // FRAME + 1) * FRAME)
-        if act.kind == Kind.MILL:
+        if act.kind in (Kind.TERMINAL, Kind.MILL):
             return min(soon, _first_from(self._rows, self.now + 1))
         if not self.machine.processor.run:
             return soon
         event = self.machine.bus.next_event(self.machine.processor.clock)
         return max(self.now + 1, min(soon, event, self.now + FRAME // 4))
-
-    def _printed_line(self) -> bool:
-        """Tell whether the frame that the terminal punched just now ends a line."""
-        tape = self.day.tapes[f"{self.day.part}.asc"]
-        frame = self.now // FRAME - 1
-        return frame < len(tape) and tape[frame] & 0o177 == CR
 
     def _restore(self, at: int) -> None:
         snapshot = self._snapshots[at]

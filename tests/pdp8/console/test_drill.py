@@ -11,13 +11,13 @@ from textual.pilot import Pilot
 from pdp8.console.app import Room
 from pdp8.console.opening import opening
 from pdp8.console.pages import DrillCard
-from pdp8.lessons.drill import Coach, Tapes, find
+from pdp8.lessons.drill import Coach, find
 from tests.conftest import Shell, awaited
 
 
 def drilled(name: str, left_alone: float | None = None) -> tuple[Room, Coach]:
     session, programs = opening(clock=lambda: 0.0)
-    tapes = Tapes("bin.rim", programs[1].words, "eia.bin", programs[2].words)
+    tapes = ("bin.rim", programs[1].words), ("eia.bin", programs[2].words)
     coach = Coach(find(name, tapes), session.machine, left_alone)
     return Room(session, programs, ticking=False, coach=coach), coach
 

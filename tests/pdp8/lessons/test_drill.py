@@ -7,7 +7,7 @@ import pytest
 from pdp8.computer.use import program
 from pdp8.console.opening import opening
 from pdp8.console.session import Session, Tape
-from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, Tapes, find
+from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, find
 
 # PDP-8/I instruction card, the loader for the low-speed reader
 RIM = (
@@ -20,7 +20,7 @@ KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
 def room(name: str, left_alone: float | None = None) -> tuple[Session, Coach]:
     session, programs = opening(clock=lambda: 0.0)
     bin_tape, program_tape = session.tapes[:2]
-    tapes = Tapes(bin_tape.name, programs[1].words, program_tape.name, programs[2].words)
+    tapes = (bin_tape.name, programs[1].words), (program_tape.name, programs[2].words)
     return session, Coach(find(name, tapes), session.machine, left_alone)
 
 
