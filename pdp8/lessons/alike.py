@@ -9,7 +9,7 @@ Source: Schleimer, Wilkerson, Aiken: Winnowing, SIGMOD 2003, for the runs and fo
 """
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from itertools import combinations
 from typing import NamedTuple
 
@@ -36,33 +36,20 @@ class Pair(NamedTuple):
 
 def pairs(answers: Sequence[Answer]) -> list[Pair]:
     """Return the pairs that look alike, the likest first."""
-    whole = {answer.name: _runs(answer.source) for answer in answers if answer.source}
-    runs = whole
+    runs = {answer.name: _runs(answer.source) for answer in answers if answer.source}
+    first: dict[frozenset[tuple[str, ...]], str] = {}
+    long = {name: frozenset(found) for name, found in runs.items() if len(found) >= _LONG}
+    copied = {name: first.setdefault(found, name) for name, found in long.items()}
+    pairs = [Pair(one, name, 1.0) for name, one in copied.items() if one != name]
     if len(runs) >= _CLASS:
         often = Counter(run for found in runs.values() for run in found)
         common = {run for run, count in often.items() if count > max(2, len(runs) // 3)}
         runs = {name: found - common for name, found in runs.items()}
-    copies = _copies(whole)
-    same = {name for copy in copies for name in copy[:2]}
-    long = {name: found for name, found in runs.items() if len(found) >= _LEAST}
-    found = [
-        Pair(one, other, len(long[one] & long[other]) / len(long[one] | long[other]))
-        for one, other in combinations(long, 2)
-        if not (one in same and whole[one] == whole[other])
-    ]
-    likely = [pair for pair in found if pair.shared >= _ALIKE]
-    return sorted([*copies, *likely], key=lambda pair: -pair.shared)
-
-
-def _copies(runs: Mapping[str, set[tuple[str, ...]]]) -> list[Pair]:
-    """Return each long answer that another before it has too, with the first of them."""
-    first: dict[frozenset[tuple[str, ...]], str] = {}
-    long = [
-        (name, first.setdefault(frozenset(found), name))
-        for name, found in runs.items()
-        if len(found) >= _LONG
-    ]
-    return [Pair(one, name, 1.0) for name, one in long if one != name]
+    for one, other in combinations([name for name in runs if len(runs[name]) >= _LEAST], 2):
+        shared = len(runs[one] & runs[other]) / len(runs[one] | runs[other])
+        if shared >= _ALIKE and copied.get(one, one) != copied.get(other, other):
+            pairs.append(Pair(one, other, shared))
+    return sorted(pairs, key=lambda pair: -pair.shared)
 
 
 def _runs(source: str) -> set[tuple[str, ...]]:

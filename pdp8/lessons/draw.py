@@ -13,8 +13,8 @@ python = "oracle.py:name"    name(random, case) gets a random.Random and the cas
 The same seed and name of a case draw the same.
 """
 
-import importlib.util
 import os
+import runpy
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from random import Random
@@ -92,12 +92,9 @@ def _places(item: str) -> list[str]:
 def _function(name: str, where: str, folder: str) -> Callable[[Random, dict[str, Any]], dict[str, Any]]:
     file, _, called = name.partition(":")
     path = os.path.join(folder, file)
-    spec = importlib.util.spec_from_file_location("oracle", path)
-    if spec is None or spec.loader is None or not os.path.isfile(path):
+    if not (path.endswith(".py") and os.path.isfile(path)):
         raise ExerciseError(f"{where}: python: {file!r} is no Python file beside the exercise")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    function: Callable[[Random, dict[str, Any]], dict[str, Any]] | None = vars(module).get(called)
+    function: Callable[[Random, dict[str, Any]], dict[str, Any]] | None = runpy.run_path(path).get(called)
     if function is None:
         raise ExerciseError(f"{where}: python: {file} has no function {called!r}")
     return function

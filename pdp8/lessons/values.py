@@ -88,11 +88,9 @@ def _number(form: str) -> bool:
 
 def _same(question: Question, given: str, answer: str) -> bool:
     one, other = _words(given), _words(answer)
-    asked = _words(question.ask)
-    few = [word for word in one if word not in asked and word not in _FILLERS]
-    return one == other or (
-        few != [] and few == [word for word in other if word not in asked and word not in _FILLERS]
-    )
+    known = [*_words(question.ask), *_FILLERS]
+    few = [word for word in one if word not in known]
+    return one == other or (few != [] and few == [word for word in other if word not in known])
 
 
 def _words(text: str) -> list[str]:

@@ -21,7 +21,7 @@ from pal.assembling import assemble
 from pal.assembly import Assembly
 from pdp8.computer.hardware.signals import FRAME, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
-from pdp8.computer.stop import Reason, Stop
+from pdp8.computer.stop import Reason
 from pdp8.computer.use.operator import BIN_START, RIM_START, Action, Operator, Pace
 from tapes import ascii, frames, rim
 from tapes.errors import WorkError
@@ -122,8 +122,6 @@ class Day:
         """What the thesis timed: punch, translate and cut."""
         self.path = Path((), 0.0, 0.0)
         self.mill_starts = 0
-        self.ended = Stop(Reason.LIMIT, 0, 0.0)
-        """How the last run ended."""
         self.began = monotonic()
 
     def through(self) -> Iterator[None]:
@@ -161,14 +159,18 @@ class Day:
         self.operator.wait(seconds)
         yield
 
-    def _run(self, address: int) -> Iterator[None]:
-        """Start at `address`, and run until the program halts or the tape is out."""
+    def _read(self, name: str, tape: bytes, program: str, address: int, end: Reason) -> Iterator[None]:
+        """Have `program`, at `address`, read a tape; it must end so."""
+        self.tapes[name] = tape
+        self.operator.mount(name, tape)
         self.operator.begin(address)
-        while True:
-            self.ended = self.machine.run(_SLICE)
+        stop = self.machine.run(_SLICE)
+        while stop.reason is Reason.LIMIT:
             yield
-            if self.ended.reason is not Reason.LIMIT:
-                return
+            stop = self.machine.run(_SLICE)
+        if stop.reason is not end:
+            raise WorkError(f"{program} stopped at {stop.pc:04o}: {stop.reason}")
+        yield
 
     def _punch(self) -> Iterator[None]:
         tape = self.tapes[f"{self.part}.asc"] = ascii.encode(self.text)
@@ -198,10 +200,7 @@ class Day:
 
     def _load_bin(self) -> Iterator[None]:
         assembly = self._assemble("bin.pal")
-        self._mount("bin.rim", rim.encode(assembly.words))
-        yield from self._run(RIM_START)
-        stop = self.ended
-        self._expect(stop.reason == Reason.TAPE_OUT, f"RIM stopped at {stop.pc:04o}: {stop.reason}")
+        yield from self._read("bin.rim", rim.encode(assembly.words), "RIM", RIM_START, Reason.TAPE_OUT)
         self.operator.stop()
         self._act(
             Kind.LOAD,
@@ -213,11 +212,10 @@ class Day:
 
     def _load_program(self) -> Iterator[None]:
         assembly = self._assemble("eia.pal")
-        self._mount("eia.bin", assembly.tape[frames.leader_start(assembly.tape) or 0 :])
-        yield from self._run(BIN_START)
-        stop, ac = self.ended, self.machine.ac
-        self._expect(stop.reason == Reason.HALT, f"BIN stopped at {stop.pc:04o}: {stop.reason}")
-        self._expect(ac == 0, f"BIN halted with AC {ac:04o}: the checksum of eia.bin is wrong")
+        tape = assembly.tape[frames.leader_start(assembly.tape) or 0 :]
+        yield from self._read("eia.bin", tape, "BIN", BIN_START, Reason.HALT)
+        if self.machine.ac:
+            raise WorkError(f"BIN halted with AC {self.machine.ac:04o}: the checksum of eia.bin is wrong")
         self._act(
             Kind.LOAD,
             "eia.pal loaded",
@@ -228,11 +226,8 @@ class Day:
 
     def _translate(self) -> Iterator[None]:
         name = f"{self.part}.asc"
-        self._mount(name, self.tapes[name])
         punched = len(self.machine.teletype.punch.tape)
-        yield from self._run(0o200)
-        stop = self.ended
-        self._expect(stop.reason == Reason.TAPE_OUT, f"eia.pal stopped at {stop.pc:04o}: {stop.reason}")
+        yield from self._read(name, self.tapes[name], "eia.pal", 0o200, Reason.TAPE_OUT)
         lever = next(action.at for action in reversed(self.actions) if action.key == "lever")
         self.minutes["translate"] = (self.now - lever) / TICKS_PER_SECOND / 60
         self.operator.stop()
@@ -267,13 +262,6 @@ class Day:
 
     def _assemble(self, name: str) -> Assembly:
         assembly = self.programs[name] = assemble(self.sources[name], names=[name])
-        self._expect(assembly.ok, f"{name}: does not assemble")
+        if not assembly.ok:
+            raise WorkError(f"{name}: does not assemble")
         return assembly
-
-    def _mount(self, name: str, tape: bytes) -> None:
-        self.tapes[name] = tape
-        self.operator.mount(name, tape)
-
-    def _expect(self, met: bool, otherwise: str) -> None:
-        if not met:
-            raise WorkError(otherwise)

@@ -31,40 +31,36 @@ class Figure(NamedTuple):
 def compare(afternoon: "Afternoon") -> list[Figure]:
     """Return the table's lines for this afternoon."""
     said = THESIS.get(afternoon.part, Thesis())
-    minutes = afternoon.minutes
-    return [
-        Figure("blocks", said.blocks or NOT_SAID, f"{len(afternoon.path)}"),
-        Figure("minutes to punch", said.punch or NOT_SAID, f"{minutes['punch']:.1f}"),
-        Figure("minutes to translate", said.translate or NOT_SAID, f"{minutes['translate']:.1f}"),
-        Figure("minutes to machine a pass", said.cut or NOT_SAID, f"{minutes['cut']:.1f}"),
-        *_machining(afternoon, said),
-        *_errors(afternoon, said),
-    ]
+    found = [*_minutes(afternoon, said), *_errors(afternoon, said)]
+    return [Figure(name, thesis or NOT_SAID, replayed) for name, thesis, replayed in found]
 
 
-def _machining(afternoon: "Afternoon", said: Thesis) -> Iterator[Figure]:
-    """Yield what the minutes at the machine are made of, and what they were at another feed."""
-    times = afternoon.path.times
-    yield Figure("  of these reading the tape", said.reading or NOT_SAID, f"{times.reading / 60:.1f}")
+def _minutes(afternoon: "Afternoon", said: Thesis) -> Iterator[tuple[str, str | None, str]]:
+    """Yield blocks and minutes, what those at the machine are made of, and what they were at another feed."""
+    minutes, times = afternoon.minutes, afternoon.path.times
+    yield "blocks", said.blocks, f"{len(afternoon.path)}"
+    yield "minutes to punch", said.punch, f"{minutes['punch']:.1f}"
+    yield "minutes to translate", said.translate, f"{minutes['translate']:.1f}"
+    yield "minutes to machine a pass", said.cut, f"{minutes['cut']:.1f}"
+    yield "  of these reading the tape", said.reading, f"{times.reading / 60:.1f}"
     milled = [step for step in afternoon.path.steps if step.block.preparatory == Preparatory.MILL]
     if milled:
-        contour = afternoon.path.contour.total
-        yield Figure("  of these the contour alone", NOT_SAID, f"{contour / 60:.1f}")
+        yield "  of these the contour alone", None, f"{afternoon.path.contour.total / 60:.1f}"
     if any(step.block.tool != _SLOWEST for step in milled):
         for error, name in ((0.0, "1.0"), (FEED_TOLERANCE, "1.2")):
             settings = nc.Settings(feed_error=(error, error, 0.0), feed_code=_SLOWEST)
             slower = nc.cut(afternoon.tapes[f"{afternoon.part}.eia"], settings=settings).times.total
-            yield Figure(f"  the pass at {name} in/min", said.cut or NOT_SAID, f"{slower / 60:.1f}")
+            yield f"  the pass at {name} in/min", said.cut, f"{slower / 60:.1f}"
 
 
-def _errors(afternoon: "Afternoon", said: Thesis) -> Iterator[Figure]:
+def _errors(afternoon: "Afternoon", said: Thesis) -> Iterator[tuple[str, str | None, str]]:
     """Yield the walls' errors, trough to peak, and of the circle those with its contour closed."""
     if afternoon.inspection is None:
         return
-    yield _worst("inches off at most", afternoon.inspection, said.worst)
+    yield "inches off at most", said.worst, _worst(afternoon.inspection)
     if afternoon.part == "circle":
         closed = inspect(machined(circle.part(close=True)))
-        yield _worst("  with one block that closes the contour", closed, said.worst)
+        yield "  with one block that closes the contour", said.worst, _worst(closed)
     for name, thesis, mark in (
         ("inches off at +X +Y -X -Y", None, "apex"),
         ("inches off at 45°", said.diagonals, "45°"),
@@ -76,11 +72,9 @@ def _errors(afternoon: "Afternoon", said: Thesis) -> Iterator[Figure]:
                 if mark in reading.place and reading.wall == wall
             ]
             if spans:
-                yield Figure(f"{name}, {wall} wall", thesis or NOT_SAID, " ".join(spans))
+                yield f"{name}, {wall} wall", thesis, " ".join(spans)
 
 
-def _worst(name: str, inspection: Inspection, thesis: str | None) -> Figure:
+def _worst(inspection: Inspection) -> str:
     worst = inspection.worst
-    return Figure(
-        name, thesis or NOT_SAID, f"{inches(worst.trough_to_peak)}, {worst.wall} wall, {worst.place}"
-    )
+    return f"{inches(worst.trough_to_peak)}, {worst.wall} wall, {worst.place}"
