@@ -37,7 +37,7 @@ def case(given: object, where: str, solution: str, seed: int, folder: str) -> Ca
     trials = found.pop("trials", 20)
     compare, within = found.pop("compare", ()), found.pop("within", 1.0)
     function = _function(found.pop("python"), where, folder) if "python" in found else None
-    if not compare and function is None:
+    if not compare and function is None and not found.get("itself"):
         raise ExerciseError(f"{where}: compare or python is missing: nothing says what is right")
     program = assembled(Answer("the solution", source=solution)) if compare else Answer("")
     if program.fault:

@@ -3,9 +3,8 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final, NamedTuple
 
-import nc
 from nc.inspection import Inspection, inspect
-from pdp8.replay.implied import machined
+from pdp8.replay.implied import SLOWEST, machined
 from programs import circle
 from programs.thesis import THESIS, Thesis
 from tapes.hydrapoint import FEED_TOLERANCE, Preparatory
@@ -16,8 +15,6 @@ if TYPE_CHECKING:
 
 COLUMNS: Final = ("", "thesis", "replay")
 NOT_SAID: Final = "–"
-_SLOWEST = 1
-"""The feed code of 1 inch a minute."""
 
 
 class Figure(NamedTuple):
@@ -46,10 +43,9 @@ def _minutes(afternoon: "Afternoon", said: Thesis) -> Iterator[tuple[str, str | 
     milled = [step for step in afternoon.path.steps if step.block.preparatory == Preparatory.MILL]
     if milled:
         yield "  of these the contour alone", None, f"{afternoon.path.contour.total / 60:.1f}"
-    if any(step.block.tool != _SLOWEST for step in milled):
+    if any(step.block.tool != SLOWEST for step in milled):
         for error, name in ((0.0, "1.0"), (FEED_TOLERANCE, "1.2")):
-            settings = nc.Settings(feed_error=(error, error, 0.0), feed_code=_SLOWEST)
-            slower = nc.cut(afternoon.tapes[f"{afternoon.part}.eia"], settings=settings).times.total
+            slower = machined(afternoon.text, SLOWEST, error).times.total
             yield f"  the pass at {name} in/min", said.cut, f"{slower / 60:.1f}"
 
 

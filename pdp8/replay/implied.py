@@ -22,7 +22,8 @@ ROUGHLY: Final = 3.0
 """Seconds a block of an estimate: 2 to read, 1 to cut."""
 
 _CODES, _FEED_ERRORS = (1, 2), (-0.2, 0.0, 0.2)
-_SLOWEST = 1
+SLOWEST: Final = 1
+"""The feed code of 1 inch a minute."""
 
 
 def machined(printout: str, feed_code: int | None = None, feed_error: float = 0.0) -> nc.Path:
@@ -43,7 +44,7 @@ def rivals() -> Iterator[list[str]]:
     """
     for name, row in TABLE_10_1.items():
         cells = {
-            "step-wise": (row.step, Milling(), _SLOWEST),
+            "step-wise": (row.step, Milling(), SLOWEST),
             "piece-wise": (row.piece, Milling("piece"), None),
         }
         for technique, (said, milling, code) in cells.items():

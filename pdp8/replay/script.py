@@ -55,8 +55,6 @@ class Script:
         """Actions done."""
         self._ticks: list[int] = []
         self._snapshots: list[_Snapshot] = []
-        self._starts: list[int] = []
-        """The ticks at which the acts start."""
         self._rows: list[int] = []
         """The ticks at which the terminal has punched a frame, or the Hydra-Point's head is at a row."""
         self._blocks: list[int] = []
@@ -68,7 +66,6 @@ class Script:
         for _ in self.day.through():
             self._keep()
             yield
-        self._starts = [act.starts for act in self.day.acts]
         self._reading()
 
     def _keep(self) -> None:
@@ -97,7 +94,7 @@ class Script:
     @property
     def act(self) -> Act:
         """The act that is under way."""
-        return self.day.acts[bisect_left(self._starts, self.now + 1) - 1]
+        return next(act for act in reversed(self.day.acts) if act.starts <= self.now)
 
     @property
     def action(self) -> Action | None:

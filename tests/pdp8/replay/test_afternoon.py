@@ -95,12 +95,6 @@ def test_a_part_that_no_instrument_fits() -> None:
     assert drilled.acts[-1].outcome == "not inspected"
 
 
-def test_no_such_part() -> None:
-    """A clear word, not a traceback."""
-    with pytest.raises(WorkError, match="square: no such part program"):
-        replay("square")
-
-
 def test_a_damaged_program_tape_stops_the_afternoon(monkeypatch: pytest.MonkeyPatch) -> None:
     """One hole too many in eia.bin: BIN halts with AC not 0, and the operator goes no further."""
     mount = Operator.mount

@@ -36,12 +36,6 @@ def test_every_word_is_there_in_so_many_states(folder: Path) -> None:
         assert count == dict.fromkeys(words, STATES), name
 
 
-def test_a_hundred_states_stay_under_5_megabytes(folder: Path) -> None:
-    """More states pack better, not worse."""
-    size = sum(path.stat().st_size for path in folder.glob("*.json.gz"))
-    assert size / STATES * 100 < 8_000_000
-
-
 def test_a_vector_has_the_form_that_the_readme_says(folder: Path) -> None:
     """TAD I 0017, autoindexed: three cycles, and every word they touch; a file is JSON as a whole."""
     whole = json.loads(gzip.decompress((folder / "tad.json.gz").read_bytes()))
