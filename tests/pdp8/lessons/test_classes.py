@@ -34,16 +34,7 @@ PROGRAMS = [name for name in form.bundled() if form.read(name).cases]
 DOCS = Path(__file__).parents[3] / "docs" / "lessons.md"
 HEAD = "title='t'\ntask='t'\n"
 PUNCH = "*200\n\tTAD A\n\tTLS\n\tTSF\n\tJMP .-1\n\tHLT\nA,\t{}\n$"
-DOUBLE = '''solution="""*200
-	TAD A
-	CLL RAL
-	DCA B
-	HLT
-A,	0
-B,	0
-$
-"""
-'''
+DOUBLE = 'solution="""*200\n\tTAD A\n\tCLL RAL\n\tDCA B\n\tHLT\nA,\t0\nB,\t0\n$\n"""\n'
 RANDOM = HEAD + DOUBLE + "[[random]]\nname='r'\ntrials=5\ndeposit={A={from=1,to=0o3777}}\ncompare=['B']\n"
 
 

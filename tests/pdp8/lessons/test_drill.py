@@ -95,11 +95,7 @@ def test_boot_leaves_the_program_in_core() -> None:
         ("load_add", 0o7656, "switch 5 should be up: 7756, not 7656"),
         ("load_add", 0o7757, "switch 11 should be down: 7756, not 7757"),
         ("load_add", 0o0001, "switch 0 should be up: 7756, not 0001"),
-        ("dep", 0o7756, "LOAD ADD is next, not DEP"),
-        ("exam", 0o7756, "LOAD ADD is next, not EXAM"),
-        ("start", 0o7756, "LOAD ADD is next, not START"),
-        ("cont", 0o7756, "LOAD ADD is next, not CONT"),
-        ("stop", 0o7756, "LOAD ADD is next, not STOP"),
+        *((key, 0o7756, f"LOAD ADD is next, not {key.upper()}") for key in KEYS[1:]),
     ],
 )
 def test_the_first_wrong_switch_is_named_and_the_key_not_pressed(key: str, sr: int, said: str) -> None:

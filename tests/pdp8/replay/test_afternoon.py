@@ -6,7 +6,6 @@ import pal
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.use.operator import Operator
 from pdp8.replay import Act, Afternoon, clock, replay
-from pdp8.replay.day import Kind
 from pdp8.replay.desk import desk
 from pdp8.replay.figures import compare
 from tapes import shelf
@@ -16,15 +15,8 @@ from tests.pdp8.web.follower import Follower
 
 def test_the_acts_follow_one_another(circle: Afternoon) -> None:
     """Seven acts without a gap, from one o'clock on, announced as they are done."""
-    assert [act.kind for act in circle.acts] == [
-        Kind.TERMINAL,
-        Kind.TOGGLE,
-        Kind.LOAD,
-        Kind.LOAD,
-        Kind.TRANSLATE,
-        Kind.MILL,
-        Kind.INSPECT,
-    ]
+    kinds = "terminal toggle load load translate mill inspect"
+    assert " ".join(act.kind for act in circle.acts) == kinds
     assert circle.acts[0].starts == 0
     assert [act.starts for act in circle.acts[1:]] == [act.ends for act in circle.acts[:-1]]
     announced: list[Act] = []
@@ -77,14 +69,11 @@ def test_the_ellipse_at_the_feed_it_was_probably_run_at() -> None:
 def test_what_is_left_on_the_desk(circle: Afternoon) -> None:
     """Tapes, listings and pictures; the terminal's page is the part program's output."""
     left = desk(circle)
-    assert {"circle.asc", "circle.eia", "bin.rim", "eia.bin", "eia.lst", "circle.svg", "talyrond.svg"} <= set(
-        left
-    )
+    assert {"circle.asc", "circle.eia", "bin.rim", "eia.bin", "eia.lst", "circle.svg"} <= set(left)
+    assert "talyrond.svg" in left
     assert left["circle.txt"].decode() == circle.text
     assert all(left.values())
-    assert all(
-        left[name].startswith(b"<svg") or b"<svg" in left[name][:200] for name in left if name.endswith("svg")
-    )
+    assert all(b"<svg" in left[name][:200] for name in left if name.endswith("svg"))
 
 
 def test_a_part_that_no_instrument_fits() -> None:
