@@ -110,22 +110,9 @@ def test_an_endless_loop_says_so(shell: Shell) -> None:
 
 
 BROKEN = {
-    "an empty program": ("pdp8 run empty.bin", "empty.bin: the program tape is empty"),
     "a directory": ("mkdir -p d; pdp8 run d", "d: Is a directory"),
     "no such file": ("pdp8 run nowhere.bin", "nowhere.bin: no such file"),
     "a tape cut short": ("head -c 200 $S/eia.bin > cut.bin; pdp8 run cut.bin", "cut.bin: frame 200: "),
-    "a wrong checksum": (
-        "python3 -c \"import sys; t=bytearray(open('$S/eia.bin','rb').read()); t[70]^=1; "
-        "open('bad.bin','wb').write(t)\"; pdp8 run bad.bin",
-        "checksum: computed",
-    ),
-    "another field": (
-        "python3 -c \"open('f.bin','wb').write(bytes([128]*9+[0o310,0o102,0,0,1,1,3]+[128]*9))\"; "
-        "pdp8 run f.bin",
-        "frame 9: field 1",
-    ),
-    "no tape at all": ("head -c 100 /dev/zero | tr '\\0' '\\033' > x; pdp8 run x", "x: neither PAL source"),
-    "a program with errors": ("printf 'JMP 400\\n$\\n' > e.pal; pdp8 run e.pal", "e.pal"),
     "no tape file": ("pdp8 run eia.pal --reader nowhere.asc", "nowhere.asc: no such file"),
     "a full disk": ("pdp8 run eia.pal --reader circle.asc --punch /dev/full", "/dev/full: No space left"),
     "a full disk behind": (
@@ -138,16 +125,10 @@ BROKEN = {
 @pytest.mark.parametrize("case", BROKEN)
 def test_what_cannot_be_run_is_named(shell: Shell, case: str) -> None:
     line, message = BROKEN[case]
-    done = shell(f": > empty.bin; S={SAMPLES}; {line} < /dev/null")
+    done = shell(f"S={SAMPLES}; {line} < /dev/null")
     assert done.returncode == 1, done.stderr
     assert message in done.stderr.decode()
     assert "Traceback" not in done.stderr.decode()
-
-
-def test_a_closed_pipe_is_quiet(shell: Shell) -> None:
-    done = shell("pdp8 run eia.pal --reader circle.asc --quiet | head -c 21 | wc -c")
-    assert done.stdout.strip() == b"21"
-    assert done.stderr == b""
 
 
 def test_output_appears_as_it_is_punched() -> None:

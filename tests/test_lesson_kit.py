@@ -10,7 +10,6 @@ from xml.etree import ElementTree
 
 import pytest
 
-from pdp8.cli.cards import cards
 from pdp8.lessons import cards as drawn
 from tapes import ascii, eia
 from tests.conftest import Shell
@@ -27,13 +26,6 @@ def test_the_notebook_runs_from_top_to_bottom() -> None:
             assert cell["outputs"] == []
             exec("".join(cell["source"]), names)
     assert names["stop"].reason == "tape out"
-
-
-def test_the_notebook_shows_what_ends_a_cell() -> None:
-    notebook = json.loads((DOCS / "afternoon.ipynb").read_text())
-    shown = [cell["source"][-1] for cell in notebook["cells"] if cell["cell_type"] == "code"]
-    assert shown[1:4:2] == ["tape[162:189]", 'assert stop.reason == "tape out"']
-    assert shown[-1] == "path"
 
 
 def card(name: str) -> ElementTree.Element:
@@ -119,8 +111,3 @@ def test_cards_as_pdf_are_sheets_of_a4_in_one_file(shell: Shell, tmp_path: Path)
     pdf = (tmp_path / "handout" / "cards.pdf").read_bytes()
     assert pdf.startswith(b"%PDF")
     assert len(re.findall(rb"MediaBox\s*\[\s*0 0 841\.\d+ 595\.\d+\s*\]", pdf)) == 2
-
-
-def test_the_command_asks_for_a_card(shell: Shell) -> None:
-    assert cards.name == "cards"
-    assert b"Give a card's name: rim" in shell("pdp8 cards").stderr

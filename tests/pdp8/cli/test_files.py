@@ -230,6 +230,8 @@ def test_a_byte_order_mark_means_nothing(call: Call, tmp_path: Path) -> None:
     (tmp_path / "own.pal").write_bytes(mark + RIGHT.encode())
     (tmp_path / "own.state").write_bytes(mark + state.save(Machine()).encode())
     assert call("pdp8 check own.toml own.pal")[0] == 0
+    (tmp_path / "script").write_bytes(mark + b"assert ac 0")
+    assert call("pdp8 monitor script")[0] == 0
     assert call("pal own.pal")[0] == 0
     assert call("pdp8 run own.pal")[0] == 0
     assert call("pdp8 run --restore own.state --max-time 0")[0] in (0, 1)

@@ -80,13 +80,6 @@ def test_a_tape_is_translated_at_a_terminal(form: str, shell: Shell, tmp_path: P
     assert_same_tape((tmp_path / "panel.eia").read_bytes(), (tmp_path / "run.eia").read_bytes())
 
 
-def test_it_opens_cold_and_closes() -> None:
-    pytest.importorskip("textual", reason="Textual, the extra `panel`, is not installed")
-    status, seen = at_a_terminal(steps=[(b"Teletype", b"q")])
-    assert status == 0
-    assert b"Traceback" not in seen
-
-
 def test_without_textual_it_says_how_to_get_it() -> None:
     status, seen = at_a_terminal(before="import sys; sys.modules['textual'] = None")
     assert status == 1
@@ -107,9 +100,3 @@ def test_what_cannot_be_loaded_is_named(arguments: tuple[str, ...], said: str) -
     assert status == 1
     assert seen.decode().startswith(said)
     assert b"Traceback" not in seen
-
-
-def test_a_wrong_address_is_misuse() -> None:
-    status, seen = at_a_terminal("--start", "8")
-    assert status == 2
-    assert b"octal" in seen

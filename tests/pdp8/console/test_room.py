@@ -10,9 +10,7 @@ pytest.importorskip("textual", reason="Textual, the extra `panel`, is not instal
 from textual.pilot import Pilot
 from textual.widgets import OptionList
 
-from pdp8.computer.use.keys import COLUMNS
 from pdp8.console.app import Room
-from pdp8.console.pages import Paper
 from pdp8.console.switches import Rocker, SwitchRegister
 from tapes import shelf
 from tests.conftest import Shell, assert_same_tape, case
@@ -176,16 +174,6 @@ async def test_typing_at_the_teletype(room: Room, pilot: Pilot[None]) -> None:
     assert "ESC goes back" in shown(room)
     await press(pilot, "escape 7")
     assert machine.sr == 0o2007
-
-
-@scene()
-async def test_the_paper_does_what_a_carriage_does(room: Room, pilot: Pilot[None]) -> None:
-    paper = room.query_one(Paper)
-    for frame in b"ABC\rD\nx" + b"=" * 80:
-        paper.take(frame | 0o200)
-    assert paper.typed.lines[0] == "DBC"
-    assert paper.typed.lines[1].startswith(" X====")
-    assert len(paper.typed.lines[1]) == COLUMNS
 
 
 @scene()

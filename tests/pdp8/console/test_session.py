@@ -10,7 +10,6 @@ from pdp8.computer.machine import Machine
 from pdp8.console.opening import opening
 from pdp8.console.session import Session, Tape
 from tapes import shelf
-from tests.conftest import assert_same_tape
 
 # The loader's words as DEC's instruction card has them.
 RIM_WORDS = {
@@ -126,107 +125,6 @@ def test_the_teletype_goes_on_while_the_processor_stands_still() -> None:
     assert session.address == 0o202
     session.press("cont")
     assert session.machine.ac == 0o261
-
-
-@pytest.mark.parametrize("key", ["start", "cont"])
-def test_a_tape_put_in_at_a_standstill_waits_for_the_key_that_starts_the_machine(key: str) -> None:
-    session = at_rest()
-    reader = session.machine.teletype.reader
-    session.mount(Tape("two frames", b"\xb1\xb2"))
-    session.machine.core[0o200] = 0o5200
-    load_address(session, 0o200)
-    session.advance(3)
-    assert (reader.position, reader.on) == (0, False)
-    session.press(key)
-    assert reader.on
-    session.advance(0.05)
-    assert reader.position == 1
-
-
-def test_a_tape_put_into_a_running_machine_is_read_at_once() -> None:
-    session = at_rest()
-    session.machine.core[0o200] = 0o5200
-    session.machine.start(0o200)
-    session.mount(Tape("two frames", b"\xb1\xb2"))
-    session.advance(0.05)
-    assert session.machine.teletype.reader.position == 1
-
-
-def test_a_lever_thrown_by_hand_is_left_to_the_hand() -> None:
-    session = at_rest()
-    reader = session.machine.teletype.reader
-    session.operator.throw_lever()
-    session.mount(Tape("two frames", b"\xb1\xb2"))
-    session.press("start")
-    assert not reader.on
-    session.press("stop")
-    session.operator.throw_lever()
-    session.mount(Tape("two frames", b"\xb1\xb2"))
-    session.operator.throw_lever()
-    session.operator.throw_lever()
-    session.press("start")
-    assert not reader.on
-
-
-def test_single_steps_name_their_state() -> None:
-    session = at_rest()
-    session.machine.load({0o200: 0o1410, 0o10: 0o0377, 0o400: 0o7777})  # TAD I 10
-    session.machine.panel.sing_step = True
-    load_address(session, 0o200)
-    said = []
-    for key in ("start", "cont", "cont"):
-        session.press(key)
-        said.append((session.said, session.address))
-    assert said == [("one cycle: FETCH", 0o200), ("one cycle: DEFER", 0o200), ("one cycle: EXECUTE", 0o201)]
-    assert session.machine.ac == 0o7777
-
-
-def test_a_loaders_tape_is_set_on_its_leader_and_no_other_tape_loses_a_frame() -> None:
-    session = at_rest()
-    session.mount(Tape("loader", b"\0\0\x80\x80\x01\x02"))
-    assert session.machine.teletype.reader.tape == b"\x80\x80\x01\x02"
-    session.mount(Tape("eia", b"\0\x20\x01\x80"))
-    assert session.machine.teletype.reader.tape == b"\0\x20\x01\x80"
-
-
-def test_dialling_octal_digits_sets_three_switches_at_a_time() -> None:
-    session = at_rest()
-    for digit in (7, 7, 5, 6):
-        session.dial(digit)
-    assert session.machine.sr == 0o7756
-    session.throw(0)
-    assert session.machine.sr == 0o3756
-
-
-def test_the_whole_morning_at_a_thousand_times_the_pace() -> None:
-    session, programs = opening(clock=lambda: 0.0)
-    session.speed = 1000
-    tapes = {tape.name: tape for tape in session.tapes}
-    assert set(tapes) == {"bin.rim", "eia.bin", "circle.asc", "ellipse.asc"}
-    session.toggle_rim()
-    session.advance(2)
-    read_by(session, tapes["bin.rim"], 0o7756)
-    assert session.said.startswith("out of tape")
-    session.press("stop")
-    read_by(session, tapes["eia.bin"], 0o7777)
-    assert session.said == "HLT at 7700"
-    assert session.machine.ac == 0
-    assert programs[-1].listing.fits(0o200, session.machine.core[0o200])
-    short = tapes["circle.asc"].frames[:54]
-    read_by(session, Tape("two lines", short), 0o200)
-    expected = bytes([0, *(0o40, 0o40, 0o1, 0o40, 0o1, 0o31), *[0o40] * 12, 0o2, 0o200])
-    assert_same_tape(session.machine.teletype.punch.tape[:21], expected)
-
-
-def read_by(session: Session, tape: Tape, start: int) -> None:
-    """Put the tape in, LOAD ADD, START, and wait until the machine has had enough."""
-    session.mount(tape)
-    load_address(session, start)
-    session.press("start")
-    for _ in range(100):
-        session.advance(0.05)
-        if session.said != "running":
-            return
 
 
 def test_sing_step_stops_a_running_machine_and_cont_goes_on() -> None:

@@ -77,11 +77,6 @@ def test_what_fails_ends_a_script_with_status_1(
     assert done.stderr.decode().startswith(f"pdp8 monitor: script, line 3: {message}")
 
 
-def test_a_script_may_begin_with_the_mark_that_windows_puts_there(shell: Shell, tmp_path: Path) -> None:
-    (tmp_path / "script").write_text("assert ac 0\n", "utf-8-sig")
-    assert shell("pdp8 monitor script").stderr == b""
-
-
 def test_codes_by_their_names() -> None:
     codes = {"BEL": 7, "CR": 13, "LF": 10, "FF": 12, "RUBOUT": 127, "rubout": 127, "A": 65}
     assert {name: ord(text_of(name)) for name in codes} == codes
@@ -266,8 +261,11 @@ def test_the_first_page_more_is_all_of_it(monitor: Monitor, said: list[str], tmp
     assert [line for line in said if line == "A"] == ["A", "A"]
 
 
-def test_the_listing_stays_and_can_be_taken(monitor: Monitor, said: list[str], tmp_path: Path) -> None:
-    do(monitor, "load eia.pal", f"save {tmp_path}/state", f"restore {tmp_path}/state", "e CHK")
+@pytest.mark.parametrize("command", ["load", "boot"])
+def test_the_listing_stays_and_can_be_taken(
+    monitor: Monitor, said: list[str], tmp_path: Path, command: str
+) -> None:
+    do(monitor, f"{command} eia.pal", f"save {tmp_path}/state", f"restore {tmp_path}/state", "e CHK")
     assert said[-1].startswith("0227  0000  CHK,")
     other = Monitor(said.append)
     do(other, f"restore {tmp_path}/state", "listing eia.pal", "e CHK", "exit")
