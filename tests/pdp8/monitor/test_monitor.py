@@ -25,33 +25,6 @@ def test_a_script_and_its_answers(shell: Shell, tmp_path: Path, name: str) -> No
     assert ran.returncode == 0
 
 
-@pytest.mark.parametrize(
-    ("line", "message"),
-    [
-        ("frobnicate", "no such command; help tells which there are"),
-        ("continue", "no such command; did you mean cont?"),
-        ("exmaine", "no such command; did you mean examine?"),
-        ("attach", "no such command; help tells which there are"),
-        ("load nothing.pal", "no such file"),
-        ("load .", "Is a directory"),
-        ("load empty", "empty"),
-        ("reader nothing.asc", "no such file"),
-        ("punch /nowhere/x", "No such file or directory"),
-        ("save /dev/full", "No space left"),
-        ("restore lesson.txt", "saved state begins with"),
-    ],
-)
-def test_misuse_is_one_line_that_names_it(shell: Shell, tmp_path: Path, line: str, message: str) -> None:
-    (tmp_path / "lesson.txt").write_text(f"rim\n{line}\n")
-    (tmp_path / "empty").write_bytes(b"")
-    ran = shell("pdp8 monitor lesson.txt")
-    said = ran.stderr.decode()
-    assert said.startswith("pdp8 monitor: lesson.txt, line 2: ")
-    assert message in said
-    assert said.count("\n") == 1
-    assert ran.returncode == 1
-
-
 LONGEST = (
     "set ac 1; registers; load hello.pal force; boot hello.pal force; listing hello.pal; rim; assert ac 0; "
     "go 200 until X 2 times 5; run 5; cont until X 2 times 5; until X 2 times 5; expect X 5; "

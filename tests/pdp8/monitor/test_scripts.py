@@ -200,6 +200,17 @@ def test_a_wrong_state_is_named(monitor: Monitor) -> None:
     ("line", "message"),
     [
         ("r", "registers, rim, run, reader, restore?"),
+        ("frobnicate", "no such command; help tells which there are"),
+        ("continue", "no such command; did you mean cont?"),
+        ("exmaine", "no such command; did you mean examine?"),
+        ("attach", "no such command; help tells which there are"),
+        ("load nothing.pal", "no such file"),
+        ("load .", "Is a directory"),
+        ("load /dev/null", "empty"),
+        ("reader nothing.asc", "no such file"),
+        ("punch /nowhere/x", "No such file or directory"),
+        ("save /dev/full", "No space left"),
+        ("restore eia.pal", "saved state begins with"),
         ("examine", "an address expected"),
         ("examine 9", "9: neither an octal number nor a symbol"),
         ("examine 10000", "not between 0000 and 7777"),
@@ -239,7 +250,7 @@ def test_a_wrong_state_is_named(monitor: Monitor) -> None:
     ],
 )
 def test_what_is_wrong_is_an_error_and_changes_nothing(monitor: Monitor, line: str, message: str) -> None:
-    with pytest.raises(MonitorError) as raised:
+    with pytest.raises(WorkError) as raised:
         commands.do(monitor, line)
     assert message in f"{raised.value}\n"
     assert monitor.machine.ticks == 0
