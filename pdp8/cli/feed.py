@@ -51,8 +51,8 @@ class Feed:
         if self._file >= 0:
             self._reader.more = self._more
             self._reader.device.look()
-        elif not self._quiet:
-            _warn(name, self._reader.tape)
+        else:
+            self._warn(self._reader.tape)
         return True
 
     @property
@@ -79,12 +79,11 @@ class Feed:
 
     def announce_next(self) -> bool:
         """Put the next tape in and say so."""
-        name = self._names[0] if self._names else ""
-        if self.next_tape():
-            if not self._quiet:
-                command.say(f"{called(name)} goes into the reader after {self._passed:,} frames")
-            return True
-        return False
+        if not self.next_tape():
+            return False
+        if not self._quiet:
+            command.say(f"{called(self._name)} goes into the reader after {self._passed:,} frames")
+        return True
 
     def _more(self) -> bytes:
         """Return the next frames of the pipe, as soon as there are some; none at its end."""
@@ -98,11 +97,16 @@ class Feed:
                 raise shelf.ShelfError(
                     f"{called(self._name)}: longer than {shelf.LARGEST:,} frames, the most of a tape"
                 )
-            if not self._reader.tape and not self._quiet:
-                _warn(self._name, frames)
+            if not self._reader.tape:
+                self._warn(frames)
             return frames
         except OSError:
             return b""
+
+    def _warn(self, tape: bytes) -> None:
+        """Say where a tape will not do what its owner expects."""
+        if not self._quiet and (doubt := kinds.doubt(tape)):
+            command.say(f"{called(self._name)} {doubt}")
 
 
 def say_unread() -> None:
@@ -152,9 +156,3 @@ def _pipe(name: str) -> int:
     import stat
 
     return -1 if stat.S_ISREG(os.fstat(number).st_mode) else number
-
-
-def _warn(name: str, tape: bytes) -> None:
-    """Say where a tape will not do what its owner expects."""
-    if doubt := kinds.doubt(tape):
-        command.say(f"{called(name)} {doubt}")

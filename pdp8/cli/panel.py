@@ -2,7 +2,6 @@
 
 import sys
 from importlib.util import find_spec
-from typing import TYPE_CHECKING
 
 import click
 
@@ -10,10 +9,6 @@ from pdp8.cli.parameters import octal
 from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, find
 from tapes.arguments import Command, Source
 from tapes.errors import WorkError
-
-if TYPE_CHECKING:
-    from pdp8.computer.use.program import Program
-    from pdp8.console.session import Session
 
 
 @click.command(cls=Command)
@@ -71,12 +66,9 @@ def panel(
         session.machine.sr = sr
     from pdp8.console.app import Room
 
-    coach = None if drill is None else _coach(drill, kiosk, session, programs)
+    coach = None
+    if drill is not None:
+        bin_tape, tape = session.tapes[:2]
+        tapes = (bin_tape.name, programs[1].words), (tape.name, programs[2].words)
+        coach = Coach(find(drill, tapes), session.machine, LEFT_ALONE if kiosk else None)
     Room(session, programs, coach=coach).run()
-
-
-def _coach(drill: str, kiosk: bool, session: "Session", programs: list["Program"]) -> Coach:
-    _, bin_loader, program = programs
-    bin_tape, program_tape = session.tapes[:2]
-    tapes = (bin_tape.name, bin_loader.words), (program_tape.name, program.words)
-    return Coach(find(drill, tapes), session.machine, LEFT_ALONE if kiosk else None)

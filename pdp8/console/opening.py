@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from time import perf_counter
-from typing import NamedTuple
 
 from pdp8.computer.machine import Machine
 from pdp8.computer.use import program as programs
@@ -13,24 +12,17 @@ from tapes import rim, shelf
 DATA = ("circle.asc", "ellipse.asc")
 
 
-class Opening(NamedTuple):
-    """A session and the programs whose listings lie ready: RIM, BIN and the one it is about."""
-
-    session: Session
-    programs: list[Program]
-
-
 def opening(
     program: str | None = None,
     reader: str | None = None,
     start: int = 0o200,
     cold: bool = False,
     clock: Callable[[], float] = perf_counter,
-) -> Opening:
-    """Return the room: `program` in core and the PC at `start`, or `cold`, as it is without a program.
+) -> tuple[Session, list[Program]]:
+    """Return the session and the programs whose listings lie ready: RIM, BIN and the one it is about.
 
-    `reader` names the tape in the reader, `clock` tells the computer's own seconds. Raises WorkError for what
-    cannot be read.
+    `program` is in core and the PC at `start`, or core is `cold`, as it is without a program. `reader` names
+    the tape in the reader, `clock` tells the computer's own seconds. Raises WorkError for an unreadable file.
     """
     rim_loader, loader = programs.bundled("rim.pal"), programs.bundled("bin.pal")
     last = programs.find(program) if program else programs.bundled("eia.pal")
@@ -45,4 +37,4 @@ def opening(
         machine.load(last.words)
         machine.sr = start
         session.press("load_add")
-    return Opening(session, [rim_loader, loader, last])
+    return session, [rim_loader, loader, last]

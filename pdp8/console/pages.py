@@ -192,33 +192,27 @@ class Card(Page):
         return [core[RIM_START + place] for place in range(len(RIM))], self.session.address
 
     def render(self) -> Text:
-        columns, cell = (2, self._word) if self.size.width >= _CARD_WIDTH else (3, self._brief)
-        height = -(-len(RIM) // columns)
+        wide = self.size.width >= _CARD_WIDTH
+        height = -(-len(RIM) // (2 if wide else 3))
         text = Text()
         for row in range(height):
             for place in range(row, len(RIM), height):
-                text.append_text(cell(place)).append("  ")
+                text.append_text(self._word(place, wide)).append("  ")
             text.append("\n")
         for step in self.steps:
             text.append(f"{step}\n", _FAINT)
         text.right_crop(1)
         return text
 
-    def _word(self, place: int) -> Text:
-        address, word = RIM_START + place, RIM[place]
-        text = self._brief(place)
-        text.right_crop(1)
-        text.append(f" {self.statements[address]:<11}", _LABEL)
-        there = self.session.machine.core[address] == word
-        return text.append("✓ " if there else "· ", _BRIGHT if there else _FAINT)
-
-    def _brief(self, place: int) -> Text:
+    def _word(self, place: int, wide: bool) -> Text:
         address, word = RIM_START + place, RIM[place]
         there = self.session.machine.core[address] == word
+        tick, ticked = "✓" if there else "·", _BRIGHT if there else _FAINT
         here = _HERE if address == self.session.address else None
-        text = Text(f"{address:04o}", here or _FAINT)
-        text.append(f" {word:04o}", here or _BRIGHT)
-        return text.append("✓" if there else "·", here or (_BRIGHT if there else _FAINT))
+        text = Text(f"{address:04o}", here or _FAINT).append(f" {word:04o}", here or _BRIGHT)
+        if wide:
+            return text.append(f" {self.statements[address]:<11}", _LABEL).append(f"{tick} ", ticked)
+        return text.append(tick, here or ticked)
 
 
 def _statement(line: str) -> str:

@@ -1,12 +1,11 @@
 """A debugger for editors: the Debug Adapter Protocol over the monitor's machine, with steps back.
 
     editor ◄── wire ──► session ──► debuggee: monitor, machine, history
-                           └──► scopes, stops, memory ──► calls, breakpoints, places
+                           └──► scopes, breakpoints, memory ──► calls, places
 
 wire         messages on two streams
 session      what the editor asks for, and what it is told: the life of a debugger
 scopes       what it is shown: calls, registers, lamps, symbols and devices as variables, expressions
-stops        what it asks about breakpoints
 memory       core as bytes, and as instructions
 launch       what launch.json says, and the machine made ready by it
 debuggee     the machine at its monitor, and where it is to stop

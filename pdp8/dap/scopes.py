@@ -16,7 +16,7 @@ from pdp8.computer.hardware.signals import AT_ONCE, NEVER, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
 from pdp8.dap import calls
 from pdp8.dap.debuggee import Debuggee
-from pdp8.dap.places import reference
+from pdp8.dap.places import DEVICES, LAMPS, REGISTERS, SYMBOLS, reference
 from pdp8.dap.wire import Body
 from pdp8.monitor import hands
 from pdp8.monitor.arguments import MonitorError, command, octal
@@ -25,8 +25,6 @@ from pdp8.monitor.prompt import Monitor
 from tapes.errors import WorkError
 from tapes.measure import counted
 
-REGISTERS, LAMPS, SYMBOLS, DEVICES = 1, 2, 3, 4
-"""References of the scopes."""
 _PARTS = 100
 """The reference of the first part of a device."""
 _READ_ONLY = {"presentationHint": {"attributes": ["readOnly"]}}

@@ -9,7 +9,7 @@ One machine is one thread. While it runs, requests are answered between two slic
 from collections.abc import Callable, Mapping
 from typing import BinaryIO
 
-from pdp8.dap import memory, motion, scopes, stops
+from pdp8.dap import breakpoints, memory, motion, scopes
 from pdp8.dap.breakpoints import Breakpoints
 from pdp8.dap.debuggee import Debuggee, Halt
 from pdp8.dap.launch import Launch
@@ -32,11 +32,11 @@ _CAPABILITIES = (
     "supportsDisassembleRequest",
 )
 _OF_THE_MACHINE: Mapping[str, Callable[[Debuggee, Body], Body]] = {
-    "setBreakpoints": stops.set_lines,
-    "setFunctionBreakpoints": stops.set_functions,
-    "setInstructionBreakpoints": stops.set_instructions,
-    "setDataBreakpoints": stops.set_data,
-    "dataBreakpointInfo": stops.data_info,
+    "setBreakpoints": breakpoints.set_lines,
+    "setFunctionBreakpoints": breakpoints.set_functions,
+    "setInstructionBreakpoints": breakpoints.set_instructions,
+    "setDataBreakpoints": breakpoints.set_data,
+    "dataBreakpointInfo": breakpoints.data_info,
     "setExceptionBreakpoints": lambda room, arguments: {},
     "stackTrace": scopes.stack_trace,
     "source": scopes.source,
@@ -169,7 +169,7 @@ class Session:
     def _restart(self, arguments: Body) -> None:
         given = arguments.get("arguments")
         self._load(Launch.of(given) if given else self._loaded.launch)
-        stops.place_lines(self._loaded)
+        breakpoints.place_lines(self._loaded)
         self._begin(arguments)
 
     def _finish(self) -> None:

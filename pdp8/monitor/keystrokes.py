@@ -47,7 +47,7 @@ def _frames(characters: str) -> bytes:
 
 def _frame(character: str) -> bytes:
     code = ord(character)
-    if FRAME <= code <= FRAME + 0o377:
+    if FRAME + 0o200 <= code <= FRAME + 0o377:
         return bytes([code - FRAME])
     frame = bytes([0o200 | code]) if code < 0o40 else sent(character)
     if not frame:
@@ -79,6 +79,7 @@ def _refused(monitor: Monitor) -> str:
         waits = stop.reason in (Reason.IDLE, Reason.TAPE_OUT) and (receiver.tested or machine.ion)
         has_read_all = not receiver.flag and receiver.due == NEVER
         if has_read_all and (goes_round or waits):
-            return ""
+            why = ""
+            break
         why = f"{_PATIENCE:g} s have passed" if stop.reason is Reason.LIMIT else str(stop.reason)
     return why

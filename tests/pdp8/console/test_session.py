@@ -190,5 +190,5 @@ def test_files_of_the_same_names_change_nothing_in_the_room(
         (tmp_path / name).write_text("*200\n\tHLT\n$\n")
     monkeypatch.chdir(tmp_path)
     here = opening(clock=lambda: 0.0)
-    assert here.session.tapes == there.session.tapes
-    assert [program.words for program in here.programs] == [program.words for program in there.programs]
+    assert here[0].tapes == there[0].tapes
+    assert [program.words for program in here[1]] == [program.words for program in there[1]]

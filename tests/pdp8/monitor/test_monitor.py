@@ -41,11 +41,13 @@ def test_one_word_more_than_a_command_takes_is_refused(line: str) -> None:
     assert (monitor.machine.ticks, monitor.machine.core[0o200], monitor.finished) == (0, 0, False)
 
 
-def test_a_tape_in_the_high_speed_reader() -> None:
-    """RFC; RSF; JMP .-1; RRB; HLT (the user's handbook) reads the first frame of hello.pal, its `/`."""
+def test_a_tape_in_the_high_speed_reader_and_one_off_the_punch(tmp_path: Path) -> None:
+    """RFC; RSF; JMP .-1; RRB; PLS; HLT (the user's handbook) copies the first frame of hello.pal, its `/`."""
     monitor = Monitor(lambda line: None, Machine(highspeed=True))
-    for line in ("deposit 200 6014 6011 5201 6012 7402", "fast-reader hello.pal", "go 200 1", "assert ac 57"):
+    for line in ("deposit 200 6014 6011 5201 6012 6026 7402", "fast-reader hello.pal", "go 200 1", "wait 1"):
         do(monitor, line)
+    do(monitor, f"fast-punch {tmp_path}/x")
+    assert (tmp_path / "x").read_bytes() == b"/"
 
 
 def test_a_command_may_be_shortened() -> None:

@@ -111,6 +111,13 @@ def test_a_key_press_takes_its_time(monitor: Monitor) -> None:
     assert monitor.machine.ticks - before == 2_000_000 + 32 + 10_000_000
 
 
+def test_every_key_of_the_panel(monitor: Monitor, said: list[str]) -> None:
+    do(monitor, "set sr 200", "key load_add", "set sr 5200", "key dep", "assert 200 5200", "assert pc 201")
+    do(monitor, "key exam", "assert pc 202", "set pc 200", "key start", "key stop cont", "wait 0.1", "run 0")
+    assert monitor.machine.panel.lamps.run
+    assert said[-1].startswith("limit; ")
+
+
 def test_waiting_takes_its_time_whether_the_program_runs_or_stands(monitor: Monitor) -> None:
     do(monitor, "wait 0.1")
     assert monitor.machine.ticks == 2_000_000
@@ -178,6 +185,7 @@ def test_what_is_odd_about_a_tape_is_said(
     do(monitor, f"reader {tmp_path}/text")
     assert said[-1].startswith(f"{tmp_path}/text has line feeds but no carriage returns")
     do(monitor, f"{command} {tmp_path}/bin force")
+    assert ("RIM loader toggled in: 18 keys" in said) == (command == "boot")
     assert said[-1].startswith(f"{tmp_path}/bin: ")
     assert said[-1].endswith("; loaded as far as it can be read")
     assert monitor.machine.core[0o200] == 0o7402
