@@ -20,7 +20,6 @@ from pdp8.computer.hardware.signals import NEVER
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History
-from pdp8.computer.stop import Stop
 from pdp8.computer.use.operator import RIM, RIM_START, Operator
 from pdp8.computer.watch import instruction_at
 from tapes import kinds
@@ -95,7 +94,7 @@ class Session:
             stop = machine.run(seconds=max(step, 1e-6))
             samples.append(machine.panel.lamps)
             if stop.reason != "limit":
-                self._ended(stop)
+                self.said = _ENDED[stop.reason].format(pc=stop.pc, ma=machine.ma)
                 break
             self.said = "running"
             self._suit(self._clock() - before)
@@ -107,9 +106,6 @@ class Session:
             self._slice *= 2
         elif took > _BUDGET / 4:
             self._slice = max(self._slice / 2, _SHORTEST)
-
-    def _ended(self, stop: Stop) -> None:
-        self.said = _ENDED[stop.reason].format(pc=stop.pc, ma=self.machine.ma)
 
     def _look(self, samples: list[Lamps] | None = None) -> None:
         """See the lamps: at a standstill as they are, else each as often as it was on."""

@@ -66,11 +66,10 @@ def _target(core: Sequence[int], word: int, location: int) -> int | None:
 
 
 def _entry(core: Sequence[int], live: Mapping[int, int], pc: int) -> int | None:
-    for entry in sorted((entry for entry in live if entry < pc or entry == _INTERRUPT), reverse=True):
-        end = min((other for other in live if other > entry), default=len(core))
-        if entry == _INTERRUPT:
-            end = len(core)
-        if (pc < end or entry == _INTERRUPT) and _reaches(core, live, entry, end, pc):
+    below = max((entry for entry in live if entry < pc), default=_INTERRUPT)
+    above = min((entry for entry in live if entry > below), default=len(core))
+    for entry, end in ((below, above), (_INTERRUPT, len(core))):
+        if entry in live and _reaches(core, live, entry, end, pc):
             return entry
     return None
 

@@ -47,7 +47,7 @@ def _frames(characters: str) -> bytes:
 
 def _frame(character: str) -> bytes:
     code = ord(character)
-    if FRAME + 0o200 <= code <= FRAME + 0o377:
+    if code - FRAME in range(0o200, 0o400):
         return bytes([code - FRAME])
     frame = bytes([0o200 | code]) if code < 0o40 else sent(character)
     if not frame:

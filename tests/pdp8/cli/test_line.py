@@ -33,25 +33,6 @@ $
 """Each frame that comes goes into core, from 300 on."""
 
 
-def test_each_special_key_through_a_terminal(tmp_path: Path) -> None:
-    (tmp_path / "keep.pal").write_text(KEEP)
-    terminal = Terminal("pdp8", "run", tmp_path / "keep.pal", "--keyboard")
-    terminal.until(b"Ctrl-]")
-    for key in (b"a", b"\r", b"\n", b"\f", b"\x7f", b"\x1b", b"\x1b[A", b"\x1c"):
-        terminal.type(key)
-        time.sleep(0.3)
-    time.sleep(1)
-    terminal.type(b"\x1d")
-    terminal.until(b"quit leaves")
-    terminal.type(b"e 300:305 L\r")
-    shown = terminal.until(b"L,      KSF").decode()
-    keys = (0o301, 0o215, 0o212, 0o214, 0o377, 0o375)
-    words = [f"{0o300 + at:04o}  {key:04o}" for at, key in enumerate(keys)]
-    assert all(word in shown for word in words), shown
-    terminal.type(b"quit\r")
-    assert terminal.ended() == 0
-
-
 def test_the_time_limit_of_a_program_that_waits_for_a_key(tmp_path: Path) -> None:
     (tmp_path / "keep.pal").write_text(KEEP)
     terminal = Terminal("pdp8", "run", tmp_path / "keep.pal", "--keyboard", "--max-time", "1.01")

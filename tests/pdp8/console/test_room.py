@@ -13,7 +13,7 @@ from textual.widgets import OptionList
 from pdp8.console.app import Room
 from pdp8.console.switches import Rocker, SwitchRegister
 from tapes import shelf
-from tests.conftest import Shell, assert_same_tape, case
+from tests.conftest import assert_same_tape, case
 from tests.pdp8.console.pictures import assert_shows, play, scene, shown
 from tests.pdp8.console.test_session import RIM_WORDS
 
@@ -71,30 +71,6 @@ async def test_a_morning_by_keys_rim_bin_program_and_tape(room: Room, pilot: Pil
     assert room.session.said.startswith("out of tape")
     eia = Path(__file__).parents[3] / "tapes" / "circle.eia"
     assert_same_tape(machine.teletype.punch.tape, eia.read_bytes())
-
-
-@pytest.mark.parametrize("tape", [b"\xb3", CIRCLE], ids=["one digit", "circle.asc"])
-def test_a_tape_that_lay_in_the_reader_before_start_loses_no_frame(
-    shell: Shell, tmp_path: Path, tape: bytes
-) -> None:
-    (tmp_path / "data.asc").write_bytes(tape)
-    done = shell("pdp8 run eia.pal --reader data.asc --punch run.eia")
-    assert done.returncode == 0, done.stderr
-
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        turn(room, 3)
-        await pilot.pause()
-        assert "STOP · " in shown(room)
-        assert room.session.machine.teletype.reader.position == 0
-        await press(pilot, "p p p s")
-        await pilot.pause()
-        assert "STOP · " not in shown(room)
-        for _ in range(4):
-            room.turn(0.5)
-        assert room.session.said.startswith("out of tape")
-        assert_same_tape(room.session.machine.teletype.punch.tape, (tmp_path / "run.eia").read_bytes())
-
-    play(scene, program="eia.pal", reader=str(tmp_path / "data.asc"))
 
 
 @pytest.mark.parametrize("letter", ["r", "R"])
