@@ -58,11 +58,15 @@ def test_back_until(monitor: Monitor) -> None:
 
 
 def test_what_is_expected_is_printed_again_after_back() -> None:
-    monitor = Monitor(lambda line: None)
+    said: list[str] = []
+    monitor = Monitor(said.append)
     monitor.machine.load(program.find("hello.pal").words)
     do(monitor, "go 200 until WORLD.")
+    do(monitor, "page")
     do(monitor, "back 4 characters")
     do(monitor, "cont until .")
+    do(monitor, "page more")
+    assert said[-1] == "RLD."
     do(monitor, "back 4 characters")
     do(monitor, "expect LD.")
 

@@ -220,6 +220,7 @@ def test_a_wrong_state_is_named(monitor: Monitor) -> None:
         ("save /dev/full", "No space left"),
         ("restore eia.pal", "saved state begins with"),
         ("examine", "an address expected"),
+        ("rim now", "nothing expected, and no more: now"),
         ("examine 9", "9: neither an octal number nor a symbol"),
         ("examine 10000", "not between 0000 and 7777"),
         ("deposit 200", "an address and words expected"),
@@ -276,8 +277,8 @@ def test_the_page_shows_marks_and_goes_on(monitor: Monitor, said: list[str]) -> 
 
 def test_the_first_page_more_is_all_of_it(monitor: Monitor, said: list[str], tmp_path: Path) -> None:
     do(monitor, "deposit 200 7300 1204 6046 7402 0301", "go 200", "wait 1")
-    do(monitor, *["page more", "expect A", f"save {tmp_path}/state", f"restore {tmp_path}/state"] * 2)
-    assert [line for line in said if line == "A"] == ["A", "A"]
+    do(monitor, *["page more", "expect A", "page", f"save {tmp_path}/x", f"restore {tmp_path}/x"] * 2)
+    assert [line for line in said if line == "A"] == ["A"] * 4
 
 
 @pytest.mark.parametrize("command", ["load", "boot"])
