@@ -254,6 +254,7 @@ def test_a_wrong_state_is_named(monitor: Monitor) -> None:
             "NOPE: neither an octal number nor a symbol; a tape brings none, `listing SOURCE` does",
         ),
         ("examine 20:17", "20:17: 0017 lies before 0020"),
+        ("wait", "seconds expected"),
         ("wait -1", "-1: not between 0 and 1e9 seconds"),
         ("wait 1000000001", "1000000001: not between 0 and 1e9 seconds"),
     ],
