@@ -8,7 +8,7 @@ import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from types import FrameType
+from types import FrameType, SimpleNamespace
 
 from pdp8.cli.feed import Feed
 from pdp8.cli.outputs import Output, send
@@ -29,26 +29,20 @@ _SILENT = 5.0
 """Seconds of ours without a frame, after which a run at a terminal says where it is."""
 
 
-class CtrlC:
-    """Whether Ctrl-C was pressed; `on_press` is called as it is."""
-
-    def __init__(self, on_press: Callable[[], object]) -> None:
-        self.pressed = False
-        self._on_press = on_press
-
-    def press(self, number: int, frame: FrameType | None) -> None:
-        """Take the signal; the second one raises KeyboardInterrupt, for code that does not look."""
-        if self.pressed:
-            raise KeyboardInterrupt
-        self.pressed = True
-        self._on_press()
-
-
 @contextmanager
-def ctrl_c(on_press: Callable[[], object] = lambda: None) -> Iterator[CtrlC]:
-    """Note Ctrl-C instead of breaking off at once."""
-    noted = CtrlC(on_press)
-    before = signal.signal(signal.SIGINT, noted.press)
+def ctrl_c(on_press: Callable[[], object] = lambda: None) -> Iterator[SimpleNamespace]:
+    """Note Ctrl-C as `pressed`, and call `on_press`, instead of breaking off at once. The second one raises
+    KeyboardInterrupt, for code that does not look.
+    """
+    noted = SimpleNamespace(pressed=False)
+
+    def press(number: int, frame: FrameType | None) -> None:
+        if noted.pressed:
+            raise KeyboardInterrupt
+        noted.pressed = True
+        on_press()
+
+    before = signal.signal(signal.SIGINT, press)
     try:
         yield noted
     finally:
@@ -106,7 +100,7 @@ def run(
 
         def idle() -> bool:
             send(outputs)
-            return interrupt.pressed
+            return bool(interrupt.pressed)
 
         feed.idle = idle
         ended: Stop | None = None

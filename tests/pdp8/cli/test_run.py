@@ -90,8 +90,6 @@ def test_the_pc8_reads_and_punches_files(shell: Shell, tmp_path: Path) -> None:
         ("run hello.pal --save /dev/full", 1, "/dev/full: No space left on device"),
         ("run hello.pal --fast-punch .", 1, ".: Is a directory"),
         ("run hello.pal --save ''", 1, "the name of a file is empty"),
-        ("run hello.pal --punch ''", 1, "the name of a file is empty"),
-        ("run hello.pal --reader ''", 1, "the name of a file is empty"),
         ("run ''", 1, "the name of a file is empty"),
         ("run empty --boot", 1, "empty: the program tape is empty"),
     ],

@@ -9,7 +9,6 @@ import pytest
 
 from tests.commands import BIN, Terminal
 from tests.conftest import Shell, assert_same_tape
-from tests.pdp8.computer.speed.forms import FORMS, HOUSE, machine_module
 
 
 def test_it_wants_a_terminal(shell: Shell) -> None:
@@ -21,20 +20,6 @@ def test_it_wants_a_terminal(shell: Shell) -> None:
 
 Step = tuple[bytes, bytes]
 """What is to be seen on the terminal since the last step, and the keys that are pressed then."""
-
-PLAIN = f"""
-import os
-import re, sys
-from importlib.util import spec_from_file_location
-class Sources:
-    @staticmethod
-    def find_spec(name, path, target=None):
-        source = os.path.join({str(HOUSE)!r}, name.replace(".", "/") + ".py")
-        if name.startswith(("pdp8.computer.", "pal.")) and os.path.exists(source):
-            return spec_from_file_location(name, source)
-sys.meta_path.insert(0, Sources)
-"""
-"""Python that has the machine and PAL of their sources, whatever is compiled beside them."""
 
 
 def at_a_terminal(
@@ -53,11 +38,9 @@ def at_a_terminal(
     return status, seen + terminal.seen
 
 
-@pytest.mark.parametrize("form", FORMS)
-def test_a_tape_is_translated_at_a_terminal(form: str, shell: Shell, tmp_path: Path) -> None:
+def test_a_tape_is_translated_at_a_terminal(shell: Shell, tmp_path: Path) -> None:
     """The tape lies in the reader for a while before START; no frame of it is lost."""
     pytest.importorskip("textual", reason="Textual, the extra `panel`, is not installed")
-    machine_module(form)
     (tmp_path / "three.asc").write_bytes(b"\xb3\x8d\x8a")
     done = shell("pdp8 run eia.pal --reader three.asc --punch run.eia")
     assert done.returncode == 0, done.stderr
@@ -71,7 +54,6 @@ def test_a_tape_is_translated_at_a_terminal(form: str, shell: Shell, tmp_path: P
             (b"frames", b"\x03"),
             (b"stopped before", b"q"),
         ],
-        before=PLAIN if form == "plain" else "",
         folder=tmp_path,
     )
     assert status == 0, seen[-2000:]
