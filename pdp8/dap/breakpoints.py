@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from pal.isa import EXECUTE, JMS, autoindexed
 from pdp8.computer.machine import Machine
 from pdp8.computer.watch import wrote
-from pdp8.dap.places import SYMBOLS, place, reference
+from pdp8.dap.places import place, reference
 from pdp8.dap.wire import Body
 from tapes.errors import WorkError
 
@@ -122,15 +122,3 @@ def _set(room: "Debuggee", kind: str, arguments: Body, find: Callable[[Body], in
 
 def _verified(numbers: dict[int, int], address: int) -> Body:
     return {"id": numbers[address], "verified": True, "instructionReference": reference(address)}
-
-
-def data_info(room: "Debuggee", arguments: Body) -> Body:
-    """Say whether a word can be watched: that of a symbol or an address."""
-    name, scope = arguments["name"], arguments.get("variablesReference") or SYMBOLS
-    try:
-        if scope != SYMBOLS:
-            raise WorkError(f"{name}: words of core alone are watched")
-        address = room.monitor.address(name)
-    except WorkError as error:
-        return {"dataId": None, "description": str(error)}
-    return {"dataId": f"{address:04o}", "description": f"{name}, {address:04o}", "accessTypes": ["write"]}

@@ -14,8 +14,6 @@ from tapes.errors import WorkError
 
 BYTES = 2
 """Of a word."""
-REGISTERS, LAMPS, SYMBOLS, DEVICES = 1, 2, 3, 4
-"""The editor's references for the scopes of variables."""
 _LISTING = 1
 """The editor's reference for the listing of a tape."""
 

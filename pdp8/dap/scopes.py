@@ -16,7 +16,7 @@ from pdp8.computer.hardware.signals import AT_ONCE, NEVER, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
 from pdp8.dap import calls
 from pdp8.dap.debuggee import Debuggee
-from pdp8.dap.places import DEVICES, LAMPS, REGISTERS, SYMBOLS, reference
+from pdp8.dap.places import reference
 from pdp8.dap.wire import Body
 from pdp8.monitor import hands
 from pdp8.monitor.arguments import MonitorError, command, octal
@@ -25,6 +25,8 @@ from pdp8.monitor.prompt import Monitor
 from tapes.errors import WorkError
 from tapes.measure import counted
 
+REGISTERS, LAMPS, SYMBOLS, DEVICES = 1, 2, 3, 4
+"""References of the scopes."""
 _PARTS = 100
 """The reference of the first part of a device."""
 _READ_ONLY = {"presentationHint": {"attributes": ["readOnly"]}}
@@ -96,6 +98,18 @@ def set_variable(room: Debuggee, arguments: Body) -> Body:
         raise WorkError(f"{name}: lamps only show; set the registers")
     now = {each["name"]: each["value"] for each in _variables(monitor, number)}
     return {"value": now.get(name, "")}
+
+
+def data_info(room: Debuggee, arguments: Body) -> Body:
+    """Say whether a word can be watched: that of a symbol or an address."""
+    name, scope = arguments["name"], arguments.get("variablesReference") or SYMBOLS
+    try:
+        if scope != SYMBOLS:
+            raise WorkError(f"{name}: words of core alone are watched")
+        address = room.monitor.address(name)
+    except WorkError as error:
+        return {"dataId": None, "description": str(error)}
+    return {"dataId": f"{address:04o}", "description": f"{name}, {address:04o}", "accessTypes": ["write"]}
 
 
 def evaluate(room: Debuggee, arguments: Body) -> Body:

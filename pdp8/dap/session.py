@@ -36,7 +36,7 @@ _OF_THE_MACHINE: Mapping[str, Callable[[Debuggee, Body], Body]] = {
     "setFunctionBreakpoints": breakpoints.set_functions,
     "setInstructionBreakpoints": breakpoints.set_instructions,
     "setDataBreakpoints": breakpoints.set_data,
-    "dataBreakpointInfo": breakpoints.data_info,
+    "dataBreakpointInfo": scopes.data_info,
     "setExceptionBreakpoints": lambda room, arguments: {},
     "stackTrace": scopes.stack_trace,
     "source": scopes.source,

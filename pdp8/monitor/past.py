@@ -8,7 +8,7 @@
 Words, keys, switches and tapes set since go back too. Counts are octal, as everywhere here; seconds are not.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History
@@ -28,9 +28,9 @@ _WHAT = "[N] [instructions|cycles|characters|blocks|seconds], or until A [writte
 def back(monitor: Monitor, *arguments: str) -> None:
     """Undo N instructions (1), cycles, characters, blocks, seconds; or until A was executed or written."""
     if arguments[:1] == ("until",):
-        _until(monitor, arguments[1:])
+        _until(monitor, *some(arguments[1:], _WHAT, 0, 2))
     else:
-        _measured(monitor, arguments)
+        _measured(monitor, *some(arguments, _WHAT, 0, 2))
     frames = len(monitor.machine.teletype.printer.frames)
     monitor.expected = min(monitor.expected, frames)
     monitor.shown = min(monitor.shown, frames)
@@ -39,8 +39,7 @@ def back(monitor: Monitor, *arguments: str) -> None:
     monitor.say(f"back; {machine.elapsed:,.6f} s; next {line}")
 
 
-def _measured(monitor: Monitor, arguments: Sequence[str]) -> None:
-    count, unit = [*some(arguments, _WHAT, 0, 2), *("1", "instructions")[len(arguments) :]]
+def _measured(monitor: Monitor, count: str = "1", unit: str = "instructions") -> None:
     unit = unit.removesuffix("s") + "s"
     if unit == "seconds":
         rewind.seconds(monitor.history, seconds(count))
@@ -50,8 +49,7 @@ def _measured(monitor: Monitor, arguments: Sequence[str]) -> None:
         raise MonitorError(f"{unit}: there are {', '.join(_MEASURES)} and seconds")
 
 
-def _until(monitor: Monitor, arguments: Sequence[str]) -> None:
-    place, how = [*some(arguments, _WHAT, 0, 2), *("", "left")[len(arguments) :]]
+def _until(monitor: Monitor, place: str = "", how: str = "left") -> None:
     if how == "flag":
         rewind.until_flag(monitor.history, octal(place, 0o77))
     elif how == "written":
