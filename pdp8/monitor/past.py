@@ -34,9 +34,7 @@ def back(monitor: Monitor, *arguments: str) -> None:
     frames = len(monitor.machine.teletype.printer.frames)
     monitor.expected = min(monitor.expected, frames)
     monitor.shown = min(monitor.shown, frames)
-    machine = monitor.machine
-    line = monitor.listing.line(machine.pc, machine.core[machine.pc])
-    monitor.say(f"back; {machine.elapsed:,.6f} s; next {line}")
+    monitor.say_where("back")
 
 
 def _measured(monitor: Monitor, count: str = "1", unit: str = "instructions") -> None:

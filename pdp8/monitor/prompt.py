@@ -46,6 +46,11 @@ class Monitor:
         self.shown = 0
         """How many frames of it `page` has shown."""
 
+    def say_where(self, why: str) -> None:
+        """Say where the machine stands now, `why`, and at what time."""
+        m = self.machine
+        self.say(f"{why}; {m.elapsed:,.6f} s; next {self.listing.line(m.pc, m.core[m.pc])}")
+
     def address(self, text: str) -> int:
         """Return the address that `text` names: octal, or symbol, plus or minus octal."""
         for sign, factor in (("+", 1), ("-", -1)):

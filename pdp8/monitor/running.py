@@ -101,8 +101,7 @@ def _begin(monitor: Monitor, key: str, goal: Goal) -> None:
     monitor.operator.press(key)
     machine = monitor.machine
     if machine.panel.sing_step and not goal.times:
-        reason = Reason.PROTECT if machine.panel.lamps.protect else Reason.STOP_KEY
-        _say(monitor, Stop(reason, machine.pc, machine.elapsed))
+        monitor.say_where(Reason.PROTECT if machine.panel.lamps.protect else Reason.STOP_KEY)
     else:
         _pursue(monitor, goal)
 
@@ -114,12 +113,7 @@ def _pursue(monitor: Monitor, goal: Goal) -> None:
         _wait_for(monitor, goal)
         return
     *_, stop = slices(monitor, goal.seconds)
-    _say(monitor, stop)
-
-
-def _say(monitor: Monitor, stop: Stop) -> None:
-    line = monitor.listing.line(stop.pc, monitor.machine.core[stop.pc])
-    monitor.say(f"{stop.reason}; {stop.elapsed:,.6f} s; next {line}")
+    monitor.say_where(stop.reason)
 
 
 def _wait_for(monitor: Monitor, goal: Goal) -> None:
