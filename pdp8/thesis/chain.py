@@ -10,6 +10,7 @@ import nc
 import pal
 import pdp8
 from programs import parts
+from programs.milling import Milling
 from tapes import ascii, eia, shelf
 
 
@@ -34,6 +35,11 @@ def translated(text: str, program: str = "eia.pal") -> bytes:
 def path(part: str, **constants: Any) -> nc.Path:
     """Return the path of a part's tape at the Hydra-Point."""
     return nc.cut(translated(printout(part, **constants)))
+
+
+def pieces(part: str) -> nc.Path:
+    """Return the path of a part's tape by the piece-wise technique."""
+    return path(part, milling=Milling("piece"))
 
 
 def typed(*blocks: str) -> nc.Path:

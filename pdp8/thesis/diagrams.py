@@ -6,6 +6,7 @@ stand, and how large they are, is ours. drawn/ has 2.1 and 9.1, which nothing is
 
 from collections.abc import Iterator
 from importlib.resources import files
+from itertools import chain
 from math import atan, cos, degrees, radians, sin
 
 from nc.drawing import FAINT, INK, Sheet, View, Window, around, polyline
@@ -45,9 +46,7 @@ def cutter_path() -> str:
     x2, y2 = x1 - _RADIUS * sin(angle), y1 + _RADIUS * cos(angle)
     view.circle(x2, y2, _RADIUS, stroke=_RED)
     for x, y in ((x1, y1), (x2, y2)):
-        reach = 900
-        ends = [(x + side * reach * cos(angle), y + side * reach * sin(angle)) for side in (-1, 1)]
-        view.line(ends, stroke=FAINT)
+        view.line([(x + reach * cos(angle), y + reach * sin(angle)) for reach in (-900, 900)], stroke=FAINT)
         view.circle(x, y, 28, fill=INK)
     view.line([(x1, y1), (x2, y2)], stroke=_RED)
     view.line([(x1, y1), (x1, y2), (x2, y2)], stroke=FAINT, stroke_dasharray="3 3")
@@ -68,7 +67,9 @@ def die() -> str:
     window, left = Window(-400, -400, 12400, 8400), 70.0
     sheet = Sheet(left + window.width / 20 + 30, window.height / 20 + 190, "The die")
     view = sheet.view(left, 16, window, 0.5)
-    _plate(view, (0, 0, *BLOCK[:2]), fill="#dfe3e8", stroke=INK, stroke_width=1.4)
+    x, y = view.at(0, BLOCK[1])
+    size = {"width": BLOCK[0] * view.unit, "height": BLOCK[1] * view.unit}
+    view.draw("rect", x=x, y=y, **size, fill="#dfe3e8", stroke=INK, stroke_width=1.4)
     for cut, colour in (("groove", "#b9c4d2"), ("rounding", "#cdd5df")):
         a, b = AXES[cut]
         _ellipse(view, a, b, fill="none", stroke=colour, stroke_width=_CUTTER * view.unit)
@@ -88,7 +89,7 @@ def die() -> str:
     top = 16 + view.height + 62
     sheet.text(left, top - 8, "from the front", fill=FAINT)
     x = left + 400 * view.unit
-    size = {"width": BLOCK[0] * view.unit, "height": BLOCK[2] * view.unit}
+    size["height"] = BLOCK[2] * view.unit
     sheet.draw("rect", x=x, y=top, **size, fill="#dfe3e8", stroke=INK, stroke_width=1.2, rx=2)
     for side in (-1, 1):
         edge = x + (6000 + side * (a + _CUTTER / 2)) * view.unit
@@ -98,11 +99,6 @@ def die() -> str:
 
 
 _CUTTER = 500
-
-
-def _plate(view: View, corners: tuple[float, float, float, float], **style: object) -> None:
-    (x, y), (right, bottom) = view.at(corners[0], corners[3]), view.at(corners[2], corners[1])
-    view.draw("rect", x=x, y=y, width=right - x, height=bottom - y, **style)
 
 
 def _ellipse(view: View, a: float, b: float, **style: object) -> None:
@@ -128,13 +124,9 @@ def element() -> str:
     The outline lies half a cutter outside of the path of the cutter's centre: the path is stroked as wide as
     the cutter in ink, and again, a line narrower, in the colour of the cavity.
     """
-    right = [place for segment in fluidic.channel(0) for place in _points(segment)]
-    paths = (
-        [place for segment in fluidic.outline() for place in _points(segment)],
-        right,
-        [(-x, y) for x, y in right],
-    )
-    window = around([place for path in paths for place in path]).grown(500)
+    main, right = ([*chain.from_iterable(map(_points, of))] for of in (fluidic.outline(), fluidic.channel(0)))
+    paths = main, right, [(-x, y) for x, y in right]
+    window = around(chain(*paths)).grown(500)
     scale = 0.7
     sheet = Sheet(window.width * scale / 10 + 100, window.height * scale / 10 + 70, "The bistable element")
     view = sheet.view(70, 16, window, scale)

@@ -36,6 +36,7 @@ ARTEFACTS = ("eia.pal", "eia1.pal", "eia2.pal", "circle.for", "ellipse.for")
 CLASSES = ("legible", "damaged", "implied", "conjecture", "ours", "none")
 
 _AS_READ = "="
+_PAL_MARKS = {"damaged": "/D", "conjecture": "/C"}
 _FORTRAN_MARKS = {"damaged": "DAMAGED", "implied": "RESTORED", "conjecture": "CONJECTURE"}
 _NOTE_COLUMN, _MARK_COLUMN, _PAL_NOTE_COLUMN, _TAB = 40, 72, 24, 8
 
@@ -92,14 +93,9 @@ def _pal_source(row: Row) -> str:
     statement, _, note = row.ours.partition(" /")
     tag, comma, rest = statement.rpartition(",")
     line = f"{tag}{comma}\t{rest.strip()}"
-    said = f"{_pal_mark(row)} {note}".strip()
+    mark = ("/W" if row.scan else "/R") if row.kind == "implied" else _PAL_MARKS.get(row.kind, "")
+    said = f"{mark} {note}".strip()
     return line + "\t" * -((len(line.expandtabs(_TAB)) - _PAL_NOTE_COLUMN) // _TAB) + said if said else line
-
-
-def _pal_mark(row: Row) -> str:
-    if row.kind == "implied":
-        return "/W" if row.scan else "/R"
-    return {"damaged": "/D", "conjecture": "/C"}.get(row.kind, "")
 
 
 def _fortran_source(row: Row) -> str:

@@ -53,13 +53,16 @@ def _section(chapter: str, items: list[Item], made: Mapping[str, Made]) -> str:
 
 
 def _article(item: Item, made: Made | None) -> str:
-    shown = _shown(made) if made else '<p class="lost-item">Lost.</p>'
+    shown, links = '<p class="lost-item">Lost.</p>', ""
+    if made:
+        names = ", ".join(f'<a href="{name}">{name}</a>' for name, _ in made.files)
+        shown, links = _shown(made), f'<p class="files">{names}</p>\n'
     return (
         f'<article id="{item.stem}">\n'
         f"<h3>{item.name}. {escape(item.title)} {_badge(item.state)}</h3>\n"
         f'<div class="words">\n<h4>The thesis, page {item.page}</h4>\n'
         f"<blockquote>{escape(item.says)}</blockquote>\n"
-        f"<h4>Here</h4>\n<p>{_with_code(item.note)}</p>\n{_links(made)}</div>\n"
+        f"<h4>Here</h4>\n<p>{_with_code(item.note)}</p>\n{links}</div>\n"
         f"{shown}</article>\n"
     )
 
@@ -68,13 +71,6 @@ def _with_code(text: str) -> str:
     """Return text as HTML, what stands between back quotes as code."""
     parts = escape(text).split("`")
     return "".join(f"<code>{part}</code>" if number % 2 else part for number, part in enumerate(parts))
-
-
-def _links(made: Made | None) -> str:
-    if made is None:
-        return ""
-    links = ", ".join(f'<a href="{name}">{name}</a>' for name, _ in made.files)
-    return f'<p class="files">{links}</p>\n'
 
 
 def _shown(made: Made) -> str:
@@ -97,8 +93,7 @@ def _table(item: Item, table: Table) -> str:
 
 
 def _text(made: Made) -> str:
-    lines = made.text.splitlines()[3:]
-    more = ""
+    lines, more = made.text.splitlines()[3:], ""
     if len(lines) > _LONGEST:
         more = f"<p>{len(lines) - _EXCERPT} more lines in {made.name}.</p>"
         lines = lines[:_EXCERPT]

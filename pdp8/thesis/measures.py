@@ -217,8 +217,8 @@ def _of_part(part: str) -> _Table:
         f"{part} blocks": lambda: len(chain.path(part)),
         f"{part} tape minutes": lambda: chain.printout(part).count("\n") * LINE_SECONDS / 60,
         f"{part} minutes": lambda: _minutes(chain.path(part)),
-        f"{part} pieces": lambda: len(_pieces(part)),
-        f"{part} pieces minutes": lambda: _minutes(_pieces(part)),
+        f"{part} pieces": lambda: len(chain.pieces(part)),
+        f"{part} pieces minutes": lambda: _minutes(chain.pieces(part)),
     }
 
 
@@ -232,8 +232,8 @@ def _parts() -> _Table:
         "circle centre diameter": 2 * _default("circle", "radius") / 1000,
         "cutter": PARTS["circle"].cutter,
         "circle depth": lambda: _depth(chain.path("circle")),
-        "circle worst": lambda: _worst("whole"),
-        "circle diagonals": lambda: _worst("45°"),
+        "circle worst": lambda: max(r.trough_to_peak for r in _readings("whole")) / 1000,
+        "circle diagonals": lambda: max(r.trough_to_peak for r in _readings("45°")) / 1000,
         "division": hydrapoint.RESOLUTION,
         "magnification": lambda: int(re.findall(r"magnification (\d+)", work.polar_graphs()[0])[0]),
         "ellipse major": _default("ellipse", "major") / 1000,
@@ -248,7 +248,7 @@ def _parts() -> _Table:
         "die height": 2 * axes[1] / 1000,
         "die programs": len(die.AXES),
         "die total": lambda: passes * _minutes(chain.path("die")),
-        "die pieces total": lambda: passes * _minutes(_pieces("die")),
+        "die pieces total": lambda: passes * _minutes(chain.pieces("die")),
         **{f"polynomial {name}": _default("polynomial", name) for name in "abc"},
         "polynomial tolerance": polynomial.tolerance,
         "polynomial band": lambda: _band_height() / polynomial.tolerance / 1000,
@@ -288,11 +288,6 @@ def _default(part: str, parameter: str) -> Any:
     return signature(PARTS[part].program()).parameters[parameter].default
 
 
-@cache
-def _pieces(part: str) -> nc.Path:
-    return chain.path(part, milling=Milling("piece"))
-
-
 def _minutes(path: nc.Path) -> float:
     return path.contour.total / 60
 
@@ -307,11 +302,6 @@ def _readings(place: str) -> list[Reading]:
     """Return the readings of the closed circle's walls there."""
     readings = inspect(chain.path("circle", close=True)).readings
     return [reading for reading in readings if place in reading.place]
-
-
-def _worst(place: str) -> float:
-    """Return the greatest trough to peak there, inches."""
-    return max(reading.trough_to_peak for reading in _readings(place)) / 1000
 
 
 def _band_height() -> float:

@@ -45,21 +45,13 @@ def framed(pictures: list[str], heading: str, title: str, note: str, *, across: 
 
 
 def _sheet(width: float, height: float, title: str, description: str) -> ET.Element:
-    sheet = ET.Element(
-        f"{{{_SVG}}}svg",
-        {
-            "width": f"{width / 100:.4g}in",
-            "height": f"{height / 100:.4g}in",
-            "viewBox": f"0 0 {width:.2f} {height:.2f}",
-            "role": "img",
-            "aria-labelledby": "title description",
-        },
-    )
+    sizes = (("width", width), ("height", height))
+    sheet = ET.Element(f"{{{_SVG}}}svg", {side: f"{of / 100:.4g}in" for side, of in sizes})
+    sheet.attrib |= {"viewBox": f"0 0 {width:.2f} {height:.2f}", "role": "img"}
+    sheet.attrib |= {"aria-labelledby": "title description"}
     ET.SubElement(sheet, f"{{{_SVG}}}title", {"id": "title"}).text = title
     ET.SubElement(sheet, f"{{{_SVG}}}desc", {"id": "description"}).text = description
-    ET.SubElement(
-        sheet, f"{{{_SVG}}}rect", {"width": f"{width:.2f}", "height": f"{height:.2f}", "fill": "#fff"}
-    )
+    ET.SubElement(sheet, f"{{{_SVG}}}rect", {side: f"{of:.2f}" for side, of in sizes} | {"fill": "#fff"})
     return sheet
 
 

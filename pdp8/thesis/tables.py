@@ -8,19 +8,16 @@ import nc
 import pal
 from pdp8.thesis import chain
 from pdp8.thesis.table import Table
-from programs.milling import Milling
 from programs.thesis import TABLE_10_1, Timed
 from tapes import hydrapoint
-from tapes.hydrapoint import MISCELLANEOUS, PREPARATORY, SPINDLE, TOOL_FUNCTION
+from tapes.hydrapoint import MISCELLANEOUS, PREPARATORY, SPINDLE, TOOL_FUNCTION, XY_FEED, Z_FEED
 
 
 def specifications() -> Table:
     """Chapter 2: what the machine can do, and how much of it is emulated."""
     travel = f'{hydrapoint.X_TRAVEL // 1000}" by {hydrapoint.Y_TRAVEL // 1000}"'
-    speed = f'{hydrapoint.POSITIONING_SPEED:.0f}"/min'
     error = f"±{hydrapoint.FEED_TOLERANCE:.0%}"
-    xy = [rates.xy_feed for rates in TOOL_FUNCTION.values()]
-    z = [rates.z_feed for rates in TOOL_FUNCTION.values()]
+    xy, z = XY_FEED.values(), Z_FEED.values()
     return Table(
         ("", "thesis", "here"),
         (
@@ -28,7 +25,7 @@ def specifications() -> Table:
             ("precision", '±.0003"', "not emulated"),
             ("resolution", '.001"', f'{hydrapoint.RESOLUTION:.3f}"'.lstrip("0")),
             ("X-Y travel", '20" by 10"', travel),
-            ("positioning speed", '300"/min', speed),
+            ("positioning speed", '300"/min', f'{hydrapoint.POSITIONING_SPEED:.0f}"/min'),
             ("X-Y feed rates", '1 to 40"/min ±20%', f'{min(xy):g} to {max(xy):g}"/min, {error} if asked'),
             ("Z feed rates", '1 to 64"/min ±20%', f'{min(z):g} to {max(z):g}"/min, {error} if asked'),
             ("zero adjustment", '±.02"', "not emulated"),
@@ -125,8 +122,7 @@ def comparison() -> Table:
         passes = PASSES.get(part, 1)
         rows.append((row.part, "step-wise", *_compared(row.step, chain.path(part), passes)))
         if row.piece:
-            path = chain.path(part, milling=Milling("piece"))
-            rows.append(("", "piece-wise", *_compared(row.piece, path, passes)))
+            rows.append(("", "piece-wise", *_compared(row.piece, chain.pieces(part), passes)))
     measures = ("blocks", "minutes a pass", "minutes in all")
     figures = (f"{measure}, {whose}" for measure in measures for whose in ("thesis", "ours"))
     return Table(("part", "technique", *figures, "seconds a block, thesis"), tuple(rows))
