@@ -10,7 +10,6 @@ from pdp8.web.translator.statements import Statements
 from pdp8.web.translator.types import leaf
 
 _ALIASES = ("Callable", "Annotated", "Literal", "dict", "tuple", "list", "Sequence", "Mapping")
-_MARKS = {"property", "setter", "cached_property", "contextmanager", "staticmethod"}
 _PROTOCOLS = {
     "__len__": "get length() { return this.__len__(); }",
     "__str__": "toString() { return this.__str__(); }",
@@ -29,7 +28,7 @@ class Writer(Statements):
 
     def text(self) -> str:
         """Return the module."""
-        body = [line for node in self.module.tree.body for line in self._top(node)]
+        body = [line for name, node in self.module.defined.items() for line in self._top(name, node)]
         head = self._imports(set(re.findall(r"[\w$]+", "\n".join(body))))
         own_names = [f"let {', '.join(self.temporary[0])};"] if self.temporary[0] else []
         return "\n".join([*head, *own_names, *body, ""])
@@ -45,30 +44,16 @@ class Writer(Statements):
             what = f"* as {named(name)}" if found.node is None else f"{{ {there} }}"
             yield f'import {what} from "{up}{found.module.name.replace(".", "/")}.mjs";'
 
-    def _top(self, node: ast.stmt) -> list[str]:
-        omitted = self.module.omitted
-        match node:
-            case (
-                ast.Expr(ast.Constant()) | ast.Import() | ast.ImportFrom() | ast.If(ast.Name("TYPE_CHECKING"))
-            ):
-                return []
-            case ast.FunctionDef(name) | ast.ClassDef(name) if name in omitted:
-                return []
-            case ast.Assign([ast.Name(name)], value) | ast.AnnAssign(ast.Name(name), _, ast.expr() as value):
-                alias = isinstance(value, ast.Subscript) and leaf(value) in _ALIASES
-                return [] if alias or name in omitted else [f"export const {named(name)} = {self.e(value)};"]
-            case ast.Assign([ast.Tuple(targets)], ast.Tuple(values)):
-                pairs = zip(targets, values, strict=True)
-                return [f"export const {named(leaf(target))} = {self.e(value)};" for target, value in pairs]
-            case ast.FunctionDef(name):
-                for mark in node.decorator_list:
-                    if leaf(mark) not in ("contextmanager", "cache"):
-                        self.fail(mark, "decorator")
-                star, head, *rest = self.function(node)
-                return [f"export function{star} {named(name)}{head} {{", *rest]
-            case ast.ClassDef():
-                return self._class(node)
-        self.fail(node)
+    def _top(self, name: str, node: ast.AST) -> list[str]:
+        """Return what a module defines as `name`."""
+        if isinstance(node, ast.ClassDef):
+            return self._class(node)
+        if isinstance(node, ast.FunctionDef):
+            star, head, *rest = self.function(node)
+            return [f"export function{star} {named(name)}{head} {{", *rest]
+        value = node.value if isinstance(node, ast.AnnAssign) else node
+        alias = isinstance(value, ast.Subscript) and leaf(value) in _ALIASES
+        return [] if alias else [f"export const {named(name)} = {self.e(value)};"]  # type: ignore[arg-type]
 
     def _class(self, node: ast.ClassDef) -> list[str]:
         if "Protocol" in map(leaf, node.bases):
@@ -109,8 +94,6 @@ class Writer(Statements):
 
     def _member(self, node: ast.FunctionDef, owner: str) -> list[str]:
         marks = set(map(leaf, node.decorator_list))
-        if marks - _MARKS:
-            self.fail(node, f"decorator {marks - _MARKS}")
         name = RENAMED.get(node.name, node.name)
         star, head, *rest = self.function(node)
         made = [f"{star}{name}{head} {{", *rest]

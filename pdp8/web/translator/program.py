@@ -74,8 +74,14 @@ class Module:
                 if name in self.defined:
                     raise Untranslated(f"{self.path}:{node.lineno}: {name} is set twice")
                 self.defined[name] = value
-            case ast.AnnAssign(ast.Name(name)):
+            case ast.AnnAssign(ast.Name(name), _, ast.expr()):
                 self.defined[name] = node
+            case (
+                ast.Expr(ast.Constant()) | ast.Import() | ast.ImportFrom() | ast.If(ast.Name("TYPE_CHECKING"))
+            ):
+                pass
+            case _:
+                raise Untranslated(f"{self.path}:{node.lineno}: no translation: {ast.unparse(node)[:80]}")
 
 
 class Program:

@@ -6,8 +6,9 @@ A function's names are declared at its beginning, since in Python they are the w
 import ast
 
 from pdp8.web.translator.expressions import Expressions, named
-from pdp8.web.translator.types import ANY, PLAIN, WORD, own, whole
+from pdp8.web.translator.types import ANY, PLAIN, WORD, leaf, own, whole
 
+_MARKS = {"property", "setter", "cached_property", "contextmanager", "staticmethod", "cache"}
 _FEW = 5
 """Cases that are left to `if`."""
 
@@ -46,10 +47,9 @@ class Statements(Expressions):
                 lines = [f"if ({self.test(test)}) {{", *self.block(body), "}"]
                 return [*lines, "else {", *self.block(other), "}"] if other else lines
             case ast.While(test, body, []):
-                return self._loop(f"while ({self.test(test)})", [], body)
-            case ast.For(target, source, body, []):
-                once = self.temp()
-                return self._loop(f"for ({once} of {self.e(source)})", [self.put(target, once)], body)
+                return self._loop(f"while ({self.test(test)})", body)
+            case ast.For(ast.Name() | ast.Tuple() as target, source, body, []):
+                return self._loop(f"for ({self.e(target)} of {self.e(source)})", body)
             case ast.Return(value):
                 return [f"return {self.e(value) if value else 'null'};"]
             case ast.Break():
@@ -72,6 +72,8 @@ class Statements(Expressions):
 
     def function(self, node: ast.FunctionDef) -> list[str]:
         """Return a function: a * if it is a generator, its parameters, its statements and a brace."""
+        if marks := set(map(leaf, node.decorator_list)) - _MARKS:
+            self.fail(node, f"decorator {marks}")
         head = f"({', '.join(self._parameters(node.args))})"
         body = own(node.body)
         scope = self.parameters(node)
@@ -138,10 +140,10 @@ class Statements(Expressions):
         lines = [line for head, body in cases for line in (f"{head} {{", *self.block(body), "break; }")]
         return [f"switch ({named(name)}) {{", *lines, "}"]
 
-    def _loop(self, head: str, first: list[str], body: list[ast.stmt]) -> list[str]:
+    def _loop(self, head: str, body: list[ast.stmt]) -> list[str]:
         label = f"$l{len(self.loops)}"
         self.loops.append(label)
-        lines = [f"{label}: {head} {{", *first, *self.block(body), "}"]
+        lines = [f"{label}: {head} {{", *self.block(body), "}"]
         self.loops.pop()
         return lines
 
