@@ -6,7 +6,6 @@ stand, and how large they are, is ours. drawn/ has 2.1 and 9.1, which nothing is
 
 from collections.abc import Iterator
 from importlib.resources import files
-from itertools import chain
 from math import atan, cos, degrees, radians, sin
 
 from nc.drawing import FAINT, INK, Sheet, View, Window, around, polyline
@@ -124,9 +123,10 @@ def element() -> str:
     The outline lies half a cutter outside of the path of the cutter's centre: the path is stroked as wide as
     the cutter in ink, and again, a line narrower, in the colour of the cavity.
     """
-    main, right = ([*chain.from_iterable(map(_points, of))] for of in (fluidic.outline(), fluidic.channel(0)))
+    main = [place for segment in fluidic.outline() for place in _points(segment)]
+    right = [place for segment in fluidic.channel(0) for place in _points(segment)]
     paths = main, right, [(-x, y) for x, y in right]
-    window = around(chain(*paths)).grown(500)
+    window = around([place for path in paths for place in path]).grown(500)
     scale = 0.7
     sheet = Sheet(window.width * scale / 10 + 100, window.height * scale / 10 + 70, "The bistable element")
     view = sheet.view(70, 16, window, scale)

@@ -5,6 +5,7 @@ from Chapter 5's and the program of Appendix B, 6.1 from the listing of Appendix
 """
 
 from itertools import pairwise
+from typing import Final
 
 from pdp8.thesis.flow import DATA, DECISION, PROCESS, TERMINAL, Arrow, Chart, Node, draw
 from tapes import eia
@@ -144,28 +145,22 @@ def _quadrant(quadrant: int, nodes: dict[str, Node], arrows: list[Arrow]) -> Non
         arrows += [aside._replace(into="E", lane=1), Arrow(named("end"), following, "YES")]
 
 
-def stepwise() -> str:
-    """Figure 3.5: the Step-wise Linear Technique."""
-    return draw(STEPWISE, "Flow chart of the Step-wise Linear Technique")
+_CHARTS: Final = {
+    "3.5": (STEPWISE, "Flow chart of the Step-wise Linear Technique"),
+    "4.1": (COMPUTER, "Block diagram of the PDP-8/L"),
+    "5.2": (
+        _conversion(Arrow("is '\\n'", "punch", "NO", out="S", into="W")),
+        "Flow chart of conversion program 2",
+    ),
+    "5.3": (
+        _conversion(Arrow("is '\\n'", "accept", "NO", out="W", into="W")),
+        "Flow chart of conversion program 3",
+    ),
+    "6.1": (_circle(), "Flow chart of the circle program"),
+}
+"""Program 2 lets unknown characters through, Program 3 ignores them."""
 
 
-def computer() -> str:
-    """Figure 4.1: the units of the PDP-8/L."""
-    return draw(COMPUTER, "Block diagram of the PDP-8/L")
-
-
-def second_program() -> str:
-    """Figure 5.2: Program 2, which lets unknown characters through."""
-    unknown = Arrow("is '\\n'", "punch", "NO", out="S", into="W")
-    return draw(_conversion(unknown), "Flow chart of conversion program 2")
-
-
-def third_program() -> str:
-    """Figure 5.3: Program 3, which ignores them."""
-    unknown = Arrow("is '\\n'", "accept", "NO", out="W", into="W")
-    return draw(_conversion(unknown), "Flow chart of conversion program 3")
-
-
-def circle() -> str:
-    """Figure 6.1: the coordinates of the circle."""
-    return draw(_circle(), "Flow chart of the circle program")
+def chart(figure: str) -> str:
+    """Figures 3.5, 4.1, 5.2, 5.3 and 6.1: flow charts, and the computer's units."""
+    return draw(*_CHARTS[figure])

@@ -41,20 +41,17 @@ def make(item: Item) -> Made:
         raise WorkError(f"{item.name}: {item.state}. {item.note}")
     product = _function(item.maker)(**item.given)
     tape: bytes = _function(item.tape)() if item.tape else b""
-    if isinstance(product, Table):
-        return Made(item, f"{item.stem}.txt", _captioned(item, product.text()), product, tape)
-    pictures = product if isinstance(product, list) else [product]
+    table = product if isinstance(product, Table) else None
+    pictures = product if isinstance(product, list) else [table.text() if table else product]
+    heading = item.name.upper()
     if pictures[0].startswith("<svg"):
-        sheet = framed(pictures, item.name.upper(), item.title, item.caption, across=item.across)
-        return Made(item, f"{item.stem}.svg", sheet, None, tape)
-    return Made(item, f"{item.stem}.txt", _captioned(item, product), None, tape)
+        sheet = framed(pictures, heading, item.title, item.caption, across=item.across)
+        return Made(item, f"{item.stem}.svg", sheet, table, tape)
+    text = f"{heading}  {item.title}\n{item.caption}\n\n{pictures[0]}"
+    return Made(item, f"{item.stem}.txt", text, table, tape)
 
 
 def _function(name: str) -> Callable[..., Any]:
     module, function = name.split(".")
     found: Callable[..., Any] = getattr(import_module(f"pdp8.thesis.{module}"), function)
     return found
-
-
-def _captioned(item: Item, text: str) -> str:
-    return f"{item.name.upper()}  {item.title}\n{item.caption}\n\n{text}"

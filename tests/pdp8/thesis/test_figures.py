@@ -103,7 +103,7 @@ def test_the_codes_and_constants_of_figure_5_3_are_those_stored_in_appendix_b() 
     definitions = shelf.read("eia.pal").decode().partition("/DEFINITIONS:")[2]
     stored = [int(word, 8) for word in re.findall(r"^P(?:\d|CR),\t(\d+)", definitions, re.MULTILINE)]
     constants = re.findall(r"^M(?:[1-9]|SP|CR),\t(-?\d+)", definitions, re.MULTILINE)
-    chart = flowcharts.third_program()
+    chart = flowcharts.chart("5.3")
     drawn = [int(code, 8) for code in re.findall(r"new code (\d{3})", chart)]
     assert drawn == [*stored[:10], stored[0], stored[10]]
     assert re.findall(r"add (-?\d+), zero", chart) == constants
@@ -111,7 +111,7 @@ def test_the_codes_and_constants_of_figure_5_3_are_those_stored_in_appendix_b() 
 
 def test_the_limits_of_figure_6_1_are_those_of_the_listing() -> None:
     listing = listings.source("circle.for")
-    for limit in re.findall(r"R [≥≤] (\d+)", flowcharts.circle()):
+    for limit in re.findall(r"R [≥≤] (\d+)", flowcharts.chart("6.1")):
         assert f"={limit}." in listing
 
 
