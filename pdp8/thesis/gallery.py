@@ -4,6 +4,7 @@ Pictures are inside the page, so that it can be sent alone; long printouts are c
 """
 
 from base64 import b64encode
+from collections import Counter
 from collections.abc import Mapping
 from html import escape
 from importlib.resources import files
@@ -19,37 +20,26 @@ _EXCERPT = 24
 
 def page(made: Mapping[str, Made]) -> str:
     """Return the page; `made` has everything that is not lost, by its number."""
-    items = catalogue()
+    contents = chapters = ""
+    for chapter, group in groupby(catalogue(), key=_chapter):
+        items = list(group)
+        links = " ".join(f'<a href="#{item.stem}">{escape(item.number)}</a>' for item in items)
+        articles = "".join(_article(item, made.get(item.number)) for item in items)
+        contents += f"<li>{chapter}: {links}</li>\n"
+        chapters += f"<section>\n<h2>{chapter}</h2>\n{articles}</section>\n"
+    counts = Counter(item.state for item in catalogue())
+    states = "".join(f"<li>{_badge(state)} {counts[state]}</li>" for state in STATES)
     template = (files("pdp8.thesis") / "gallery.html").read_text(encoding="utf-8")
-    chapters = [(chapter, list(group)) for chapter, group in groupby(items, key=_chapter)]
-    return (
-        template.replace("{{counts}}", _counts(items))
-        .replace("{{contents}}", "".join(_contents(chapter, group) for chapter, group in chapters))
-        .replace("{{chapters}}", "".join(_section(chapter, group, made) for chapter, group in chapters))
-    )
+    with_states = template.replace("{{counts}}", states).replace("{{contents}}", contents)
+    return with_states.replace("{{chapters}}", chapters)
 
 
 def _chapter(item: Item) -> str:
     return f"Chapter {item.chapter}" if item.chapter.isdigit() else "Appendices"
 
 
-def _counts(items: tuple[Item, ...]) -> str:
-    counts = ((state, sum(item.state == state for item in items)) for state in STATES)
-    return "".join(f"<li>{_badge(state)} {count}</li>" for state, count in counts)
-
-
 def _badge(state: str) -> str:
     return f'<span class="state {state.split(maxsplit=1)[0]}">{state}</span>'
-
-
-def _contents(chapter: str, items: list[Item]) -> str:
-    links = " ".join(f'<a href="#{item.stem}">{escape(item.number)}</a>' for item in items)
-    return f"<li>{chapter}: {links}</li>\n"
-
-
-def _section(chapter: str, items: list[Item], made: Mapping[str, Made]) -> str:
-    articles = "".join(_article(item, made.get(item.number)) for item in items)
-    return f"<section>\n<h2>{chapter}</h2>\n{articles}</section>\n"
 
 
 def _article(item: Item, made: Made | None) -> str:

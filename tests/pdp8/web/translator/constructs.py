@@ -122,21 +122,6 @@ def wide_numbers() -> Any:
     ]  # fmt: skip
 
 
-def precedence() -> Any:
-    """Bit operators bind tighter than comparisons, and as Python has them among each other."""
-    a, b, c = 0o7000, 0o640, 3
-    return [
-        a & b == b,
-        a | b >> c,
-        a ^ b & c + 1,
-        a << 1 & 0o7777 | b >> 2,
-        -c % 2,
-        -(c**2),
-        not a & 1,
-        (a and b) or c,
-    ]
-
-
 def comparisons() -> Any:
     """Chains look at each operand once; sequences compare item by item."""
     seen: list[str] = []
@@ -361,6 +346,6 @@ def library() -> Any:
 
 
 FUNCTIONS = [
-    wide_numbers, precedence, comparisons, truth, assignments, loops, switched, errors, classes, calls,
+    wide_numbers, comparisons, truth, assignments, loops, switched, errors, classes, calls,
     comprehensions, texts, frames, tables, library,
 ]  # fmt: skip
