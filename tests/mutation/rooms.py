@@ -23,7 +23,7 @@ ROOMS = {
     "photographs": ("tapes/photograph", [PHOTOGRAPHS]),
     "pal": ("pal", ["tests/pal", "tests/test_editors.py", "tests/test_notebook.py"]),
     "programs": ("programs", ["tests/programs"]),
-    "nc": ("nc", ["tests/nc", "tests/tapes/test_hydrapoint.py"]),
+    "nc": ("nc", ["tests/nc", "tests/tapes/test_hydrapoint.py", "tests/test_notebook.py"]),
     "lessons": ("pdp8/lessons", ["tests/pdp8/lessons", "tests/test_lesson_kit.py"]),
     "monitor": ("pdp8/monitor", ["tests/pdp8/monitor", "tests/pdp8/cli/test_files.py"]),
     "computer": ("pdp8/computer", ["tests/pdp8/computer"]),

@@ -161,17 +161,6 @@ def test_the_part_is_drawn_true_size() -> None:
     assert "part, scale 1:1" in words(drawing)
 
 
-def test_the_close_view_stands_about_the_current_block() -> None:
-    drawing = drawn("circle, block 120")
-    assert "block 120: 120 6 03034 05453 0 01 84 — mill X to 3.034 at 1.0 in/min" in words(drawing)
-    assert any("at X 3.034 Y 5.453" in line for line in words(drawing))
-    assert "120" in words(drawing)
-    assert (
-        "close, scale 10:1; band ±0.005 in about the circle, centre X 4.000 Y 4.000, radius 1.750 in"
-        in words(drawing)
-    )
-
-
 def test_a_close_view_stretched_has_the_band_s_true_height_on_its_own_scale() -> None:
     """Y 90:1: the .010 in of the band are .9 in of paper."""
     drawing = drawn("circle, stretched")

@@ -113,26 +113,11 @@ class TestTheCircle:
         assert circle.curve == THE_CIRCLE
         assert str(circle.curve) == "circle, centre X 4.000 Y 4.000, radius 1.750 in"
 
-    @pytest.mark.parametrize(
-        ("place", "outer"),
-        [("+Y apex", 0.0106), ("-Y apex", 0.0106), ("+X apex", 0.0069), ("-X apex", 0.0173)],
-    )
-    def test_apexes_of_the_outer_wall(self, circle: Inspection, place: str, outer: float) -> None:
-        assert reading(circle, place, "outer") == outer
-
-    @pytest.mark.parametrize(
-        ("place", "inner"), [("+Y apex", 0.0057), ("+X apex", 0.0072), ("-X apex", 0.0144)]
-    )
-    def test_apexes_of_the_inner_wall(self, circle: Inspection, place: str, inner: float) -> None:
-        assert reading(circle, place, "inner") == pytest.approx(inner, abs=0.00011)
-
-    def test_45_degrees(self, circle: Inspection) -> None:
-        found = [r.trough_to_peak for r in circle.readings if r.place.startswith("45°")]
-        assert len(found) == 8
-        assert 0.6 < min(found) <= max(found) < 0.95
-
-    def test_the_worst_is_where_the_contour_does_not_close(self, circle: Inspection) -> None:
-        assert (circle.worst.place, circle.worst.wall) == ("-X apex", "outer")
+    def test_its_apexes(self, circle: Inspection) -> None:
+        for place, outer in (("+Y", 0.0106), ("-Y", 0.0106), ("+X", 0.0069), ("-X", 0.0173)):
+            assert reading(circle, f"{place} apex", "outer") == outer
+        for place, inner in (("+Y", 0.0057), ("+X", 0.0072), ("-X", 0.0144)):
+            assert reading(circle, f"{place} apex", "inner") == pytest.approx(inner, abs=0.00011)
 
     def test_the_centre_kept_to_its_band_and_one_step(self, circle: Inspection) -> None:
         """The limits are +-.005; the first whole thousandth on or beyond them is less than .001 further."""

@@ -63,20 +63,6 @@ def test_the_blocks_of_the_rule_to_stop_inside(row: list[str]) -> None:
     assert count(row[1]) == int(row[2])
 
 
-@pytest.mark.parametrize(
-    ("command", "blocks"),
-    [
-        ("pdp8 part polynomial", 1200),
-        ("pdp8 part fluidic --program main", 2050),
-        ("pdp8 part fluidic --program control", 600),
-        ("pdp8 part fluidic", 2650),
-        ("pdp8 part fluidic --program both --control 0.8", 2650),
-    ],
-)
-def test_the_inferred_parts_have_the_thesiss_blocks_within_2_percent(command: str, blocks: int) -> None:
-    assert abs(count(command) / blocks - 1) <= 0.02
-
-
 def test_the_minutes_of_the_ellipse_at_the_slowest_feed() -> None:
     path = machined(printout("pdp8 part ellipse"), 1)
     assert f"code 01 gives {path.contour.total / 60:.1f}" in PAGE
@@ -184,12 +170,6 @@ def test_errata_the_ellipse_ends_short() -> None:
     assert ellipse().splitlines()[-1] == "9766  997 3900  584"
     assert round(machined(ellipse()).gap) == 100
     assert "ends .100 in short" in ERRATA
-
-
-def test_errata_the_polynomials_frames() -> None:
-    assert (50 * 600 / 1200, 60 * 600 / 1200, 27 * 1200 / 600) == (25, 30, 54)
-    assert round(30 * 600 / 670) == 27
-    assert "50 minutes are 25 frames a line, 60 are 30" in ERRATA
 
 
 def test_errata_the_minutes_of_circle_and_ellipse() -> None:

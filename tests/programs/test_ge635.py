@@ -47,6 +47,13 @@ def test_fad_loses_what_is_shifted_past_aq() -> None:
     assert GE.add(ge(1, 71), ge(-1)).exactly == 2**71 - 2
 
 
+@pytest.mark.parametrize("machine", [GE, CDC])
+def test_nothing_is_lost_beside_a_zero(machine: GE635 | CDC6400) -> None:
+    """Whatever exponent the zero has."""
+    zero, one = Float(machine, 0, 99), Float(machine, 1, 0)
+    assert machine.add(zero, one).exactly == machine.add(one, zero).exactly == 1
+
+
 def test_fmp_cuts_before_it_normalises() -> None:
     """1.0 times a number of 71 bits: the product as it stands begins with a zero."""
     assert GE.multiply(ge(2**70 + 1), ge(1)).exactly == 2**70

@@ -33,13 +33,9 @@ def assert_same_printout(ours: str, expected: str) -> None:
 @gfortran
 @PORTS
 def test_gfortran_prints_the_same(name: str, part: Callable[[], str], tmp_path: Path) -> None:
-    assert_same_printout(part(), fortran.printout(listing(name), tmp_path))
-
-
-@gfortran
-@PORTS
-def test_double_precision_prints_the_same(name: str, part: Callable[[], str], tmp_path: Path) -> None:
-    assert_same_printout(part(), fortran.printout(listing(name), tmp_path, "-fdefault-real-8"))
+    """In single precision and in double."""
+    for options in ((), ("-fdefault-real-8",)):
+        assert_same_printout(part(), fortran.printout(listing(name), tmp_path, *options))
 
 
 ALIKE: dict[str, Any] = {
@@ -74,6 +70,11 @@ def test_changed_constants_change_both_alike(name: str, part: Callable[..., str]
         source, found = re.subn(rf"(?<=[ \d]) {constant}=\d+\.", f" {value}", source)
         assert found, value
     assert_same_printout(part(**ALIKE, **OURS[name]), fortran.printout(source, tmp_path))
+
+
+def test_a_closed_ellipse_has_one_block_more() -> None:
+    lines = ellipse.part(close=True).splitlines()
+    assert lines[-2:] == ["9766  997 3900  584", "9776  997 4000  585"]
 
 
 @pytest.mark.parametrize("name", ["circle", "ellipse"])

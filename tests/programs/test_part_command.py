@@ -35,30 +35,24 @@ PARTS = [
 """Parts to send through the whole chain; the circle and the ellipse go there in tests/test_chain.py."""
 
 REFUSED = [
-    ("circle --radius -5", "radius -5 in: must be greater than 0"),
-    ("circle --tolerance 0", "a tolerance must be .001 in, the machine's resolution, or more"),
     ("circle --tolerance 0.0005", "radius 1.75 in between 1.7495 in and 1.7505 in"),
-    ("circle --radius 0.5 --tolerance 0.6", "the tolerance must be smaller than the curve"),
     ("circle --radius 5", "block 005: X -1.000 leaves the table: 0 to 20 in"),
     ("circle --centre-x 19", "block 226: X 20.002 leaves the table"),
     ("circle --preparatory 3", "preparatory function 3"),
     ("circle --x-feed 99", "miscellaneous function 99"),
     ("circle --start-x 9", "must be in the first quadrant"),
     ("circle --outer 90", "the table is 20 in"),
+    ("circle --tool 25", "tool 25 is not in the carousel: 1 to 24"),
     ("circle --park-x 20.002", "park X 20.002 in is outside the travel: 0 to 20 in"),
     ("polynomial --a 999999", "at x = -0.75 the curve is off the table"),
     ("polynomial --a 999999 --cutter 0.1", "at x = -0.75 the curve is off the table"),
     ("polynomial --a 999999 --arithmetic ge635", "at x = -0.75 the curve is off the table"),
-    ("curve 'exp(x)*1e300'", "must be within 1e+06"),
     ("drill --holes 1.0005,1", "X 1.0005 in: must be a whole number of thousandths"),
     ("ellipse --minor 0.5 --tolerance 0.5", "semi-minor axis 0.5 in has an inner limit of 0 in"),
     ("ellipse --major 0", "semi-major axis 0 in: must be greater than 0"),
     ("ellipse --sequence 1000", "sequence number 1000: must be 0 to 999"),
     ("ellipse --start-y 9", "start X 3 in, Y 9 in from the centre: must be in the first quadrant"),
-    ("die --cut groove --centre-y 1", "leaves the table"),
-    ("polynomial --tolerance 0.001", "too steep"),
     ("polynomial --from 6 --to 0", "must go from less to more"),
-    ("polynomial --to 7.5", "leaves the table"),
     ("curve 1 --from 0 --to 99", "block 007: X 24.000 leaves the table"),
     ("curve 1 --from -99 --to 0", "block 005: X -16.000 leaves the table"),
     ("curve 1 --from -99 --to -50", "block 005: X "),
@@ -68,18 +62,14 @@ REFUSED = [
     ("polynomial --cutter 4", "too big: at x ="),
     ("polynomial --cutter -1", "cutter of diameter -1 in: must be greater than 0"),
     ("slope --to-x 4 --to-y 4", "two different ends"),
-    ("slope --to-x 21", "leaves the table"),
     ("slope --to-x 4.003 --to-y 4.004 --tolerance 0.6", "0.6 in: must be smaller than the curve, 0.005 in"),
     ("slope --tolerance 0.0009", "tolerance 0.0009 in: must be .001 in, the machine's resolution, or more"),
     ("slope --to-x 4.0000000001", "X 4.0000000001 in: must be a whole number of thousandths"),
-    ("curve 1/x", "at x = 0 the expression"),
     ("curve 9.99*x --tolerance .005", "at X 4.000 of the table it moves 0.00999 in along Y"),
-    ("curve 'import os'", "not an expression in x"),
     ("curve x --technique piece --feed-error -5", "feed error -5%: must be from 0 to less than 100 %"),
     ("drill --holes ''", "no holes are given"),
     ("drill --z-depth 2", "final Z depth 2 in is above the Z feed point, 3 in"),
     ("drill --holes 21,1", "block 003: X 21.000 leaves the table"),
-    ("fluidic --axis-x 1", "leaves the table"),
 ]
 
 MISUSED = [
@@ -90,20 +80,14 @@ MISUSED = [
     ("circle --outer 1e999999999", "1e999999999 in: must be less than 100 in."),
     ("circle --sequence 7.5", "7.5 is not a whole number."),
     ("circle --sequence 1e999999999", "must be less than 1,000,000"),
-    ("slope --park-x 19000", "for 19000 thousandths write 19"),
-    ("slope --z-depth 3.4995", "3.4995 is not a whole number of thousandths of an inch"),
     ("slope --feed-error 0.2", "0.2 %: must be 0, or at least 1 %; for 0.2 as a fraction write 20"),
-    ("slope --feed-error 0.01", "for 0.01 as a fraction write 1"),
     ("circle --radius 1_0", "'1_0' is not a number"),
     ("polynomial --tolerance 1", "1 in: must be less than 1 in"),
     ("drill --holes 1000,1000", "for 1000 thousandths write 1"),
     ("drill --holes nan,1", "not a finite number"),
-    ("circle --tolerance nan", "not a finite number"),
     ("curve x --cutter inf", "not a finite number"),
-    ("curve x --cutter nan", "not a finite number"),
     ("circle --arithmetic pdp8", "--arithmetic"),
     ("circle --fill 1001", "1001 is not in the range 0<=x<=1000"),
-    ("circle --radius 100000", "100000 in: must be less than 100 in."),
     ("curve", "EXPRESSION"),
     ("drill --holes 1", "not a list of places"),
     ("square", "square"),
@@ -231,10 +215,9 @@ def test_what_a_curve_knows_stands_in_its_help_and_in_its_message(
 
 
 def test_an_option_says_its_unit(capfd: pytest.CaptureFixture[str]) -> None:
-    for line in ("circle --radius INCHES", "circle --sequence NUMBER", "slope --feed-error PERCENT"):
-        part, option, unit = line.split()
-        assert f"{option} {unit} " in ended(capfd, f"part {part} --help")[1]
-    assert "--a PER-SQ-INCH " in ended(capfd, "part polynomial --help")[1]
+    shown = ended(capfd, "part circle --help")[1] + ended(capfd, "part polynomial --help")[1]
+    for option in ("radius INCHES", "sequence NUMBER", "feed-error PERCENT", "spindle CODE", "a PER-SQ-INCH"):
+        assert f"--{option} " in shown
 
 
 def test_the_circles_tape_is_27_frames_a_line(shell: Shell) -> None:
@@ -255,7 +238,7 @@ def test_compare_shows_the_nine_blocks_side_by_side(shell: Shell) -> None:
 
 def test_points_become_a_function_and_a_part_has_another_hand(shell: Shell) -> None:
     points = "0 1\n1 2.5\n2 1\n3 4\n4 7\n5 0\n"
-    for degree, option in ((3, ""), (2, " --degree 2")):
+    for degree, option in ((3, ""), (0, " --degree 0")):
         done = shell(f"pdp8 part fit -{option}", points.encode())
         found = least_squares.fit(least_squares.read(points), degree)
         assert done.stdout.decode() == f"{found.expression}\n"

@@ -4,12 +4,14 @@ from inspect import signature
 from pathlib import Path
 
 import pytest
+from click import Choice
 from click.testing import CliRunner
 
 import programs
 from pdp8.replay import replay
 from programs import die, fluidic, thesis
 from programs.cli import part
+from programs.options import parameters
 from programs.parts import PARTS, Part, find
 from tapes.errors import WorkError
 
@@ -76,6 +78,19 @@ def test_every_entry_is_a_part_program(name: str) -> None:
     assert f"\n  Examples:\n    pdp8 part {name} {entry.examples[0]}\n" in said
     tolerance = signature(program).parameters.get("tolerance")
     assert tolerance is None or tolerance.default in (entry.tolerance, entry.tolerance * 1000)
+
+
+def test_what_an_option_may_be() -> None:
+    taken = (option for entry in PARTS.values() for option in parameters(entry.program()))
+    assert {option.name: [*option.type.choices] for option in taken if isinstance(option.type, Choice)} == {
+        "technique": ["step", "piece"],
+        "stop": ["boundary", "inside"],
+        "arithmetic": ["exact", "ge635", "ieee32", "cdc6400"],
+        "overflow": ["low-digits", "stars"],
+        "side": ["above", "below"],
+        "cut": ["opening", "rounding", "groove"],
+        "program": ["both", "main", "control"],
+    }
 
 
 TABLE_10_1 = """\

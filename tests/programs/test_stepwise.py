@@ -53,18 +53,6 @@ def test_the_general_procedure_makes_the_thesiss_circle() -> None:
     assert_same_staircase(oval(CENTRE, 1750, (1745, 1745), (1755, 1755)), circle.part())
 
 
-@settings(max_examples=25, deadline=None)
-@given(st.integers(20, 400), st.integers(1, 15))
-def test_the_circles_stops_are_in_the_band_or_less_than_a_thousandth_past_it(
-    radius: int, tolerance: int
-) -> None:
-    part = circle.part(radius=radius, tolerance=tolerance)
-    assert_fit_for_the_machine(part)
-    for block in milled(part):
-        off = dist((block.x, block.y), CENTRE) - radius
-        assert -tolerance - 1 < off < tolerance + 1
-
-
 @settings(max_examples=40, deadline=None)
 @given(places, places, st.sampled_from([1.0, 2.5, 3.0, 5.0, 20.0]))
 def test_every_stop_of_a_line_is_in_its_band(start: Point, end: Point, tolerance: float) -> None:
@@ -138,17 +126,6 @@ def test_an_arc_is_parted_at_each_right_angle_within_it(low: float, sweep: float
 def test_a_point_just_outside_the_inner_ellipse_is_inside_the_band() -> None:
     """(5/7)² + (7/10)² = 1 + 1/4900."""
     assert oval(Point(0, 0), 9, (7, 10), (9, 12)).stretches[0].side(5, 7) is Side.INSIDE
-
-
-def test_the_polynomial_turns_where_the_calculus_says() -> None:
-    blocks = milled(polynomial.part(from_=0, to=6))
-    highest = max(blocks, key=lambda block: block.y)
-    lowest = min(blocks, key=lambda block: block.y)
-    # roots of 3x^2 - 16x + 12: (8 -+ sqrt 28) / 3
-    assert abs(highest.x - 4000 - 902.8) < 150
-    assert abs(lowest.x - 4000 - 4430.5) < 150
-    assert abs(highest.y - 6000 - 1010) <= 10
-    assert abs(lowest.y - 6000 + 3380) <= 11
 
 
 def height_above_the_polynomial(x: int, y: int) -> Fraction:
