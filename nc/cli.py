@@ -9,12 +9,12 @@ from nc.options import (
     CURVE,
     TAPE,
     TIMES,
+    Within,
     curve,
     curve_or_followed,
     cut_so_far,
     cut_tape,
     numbers,
-    within,
 )
 from tapes import command
 from tapes.arguments import Group, Target, output
@@ -100,8 +100,7 @@ def cut(passes: int, **options: Any) -> None:
 )
 @click.option(
     "--zoom",
-    type=float,
-    callback=within(1, 1000),
+    type=Within(1, 1000),
     metavar="TIMES",
     default=10.0,
     show_default=True,

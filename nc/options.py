@@ -18,17 +18,31 @@ if TYPE_CHECKING:
 _Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
 
 
-class _Inches(click.types.FloatParamType):
-    """A length in inches, with its unit or without, as `pdp8 part` takes it."""
+class Within(click.types.FloatParamType):
+    """A number from `low` (`above`: greater than it) to `high`."""
 
-    name = "inches"
+    def __init__(self, low: float, high: float, above: bool = False) -> None:
+        self.low, self.high, self.above = low, high, above
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        """Return the number."""
+        number = float(super().convert(value, param, ctx))
+        if self.low <= number <= self.high and not (self.above and number == self.low):
+            return number
+        start = f"above {self.low:g}" if self.above else f"from {self.low:g}"
+        self.fail(f"{number:g} is not {start} to {self.high:g}", param, ctx)
+
+
+class _Inches(Within):
+    """A length in inches, with its unit or without, as `pdp8 part` takes it."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         """Return the number of inches."""
         try:
-            return float(value.removesuffix("in") if isinstance(value, str) else value)
+            number = float(value.removesuffix("in") if isinstance(value, str) else value)
         except ValueError:
             self.fail(f"{value!r} is not a length in inches, such as .005 or .005in", param, ctx)
+        return super().convert(number, param, ctx)
 
 
 def numbers(
@@ -51,20 +65,6 @@ def numbers(
         return given
 
     return read
-
-
-def within(
-    low: float, high: float, above: bool = False
-) -> Callable[[click.Context, click.Parameter, float], float]:
-    """Return a callback that accepts a number from low (`above`: greater than low) to high."""
-
-    def check(_: click.Context, __: click.Parameter, value: float) -> float:
-        if low <= value <= high and not (above and value == low):
-            return value
-        start = f"above {low:g}" if above else f"from {low:g}"
-        raise click.BadParameter(f"{value:g} is not {start} to {high:g}")
-
-    return check
 
 
 def _adding(*options: _Decorator) -> _Decorator:
@@ -100,8 +100,8 @@ TAPE = _adding(
 TIMES = _adding(
     click.option(
         "--peck",
-        type=_Inches(),
-        callback=lambda *given: round(within(0.001, 5)(*given) * 1000),
+        type=_Inches(0.001, 5),
+        callback=lambda _, __, inches: round(inches * 1000),
         metavar="INCHES",
         default=0.1,
         show_default=True,
@@ -110,8 +110,7 @@ TIMES = _adding(
     click.option(
         "--tool-change",
         "tool_change_seconds",
-        type=float,
-        callback=within(0, 3600),
+        type=Within(0, 3600),
         default=0.0,
         show_default=True,
         metavar="SECONDS",
@@ -119,8 +118,7 @@ TIMES = _adding(
     ),
     click.option(
         "--read-seconds",
-        type=float,
-        callback=within(0, 3600),
+        type=Within(0, 3600),
         default=2.0,
         show_default=True,
         metavar="SECONDS",
@@ -172,8 +170,7 @@ CURVE = _adding(
     ),
     click.option(
         "--cutter",
-        type=_Inches(),
-        callback=within(0, 10, above=True),
+        type=_Inches(0, 10, above=True),
         metavar="INCHES",
         default=0.5,
         show_default=True,
@@ -181,8 +178,7 @@ CURVE = _adding(
     ),
     click.option(
         "--tolerance",
-        type=_Inches(),
-        callback=within(0, 1, above=True),
+        type=_Inches(0, 1, above=True),
         metavar="INCHES",
         default=0.005,
         show_default=True,

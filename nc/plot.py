@@ -10,7 +10,7 @@
 The cut surface is the path drawn with the cutter's width and round ends, as an SVG stroke.
 """
 
-from itertools import groupby, pairwise
+from itertools import groupby
 from math import ceil, floor
 from textwrap import wrap
 
@@ -242,22 +242,13 @@ def _number_steps(view: View, path: Path, current: int) -> None:
 
 def _runs(moves: list[Move], milling: bool) -> list[list[tuple[float, float]]]:
     """Return the moves joined end to end into lines of (x, y); moves of the quill alone are left out."""
-    chosen = [
-        move
-        for move in moves
-        if (move.kind is MoveKind.MILL) == milling
-        and (move.start.x, move.start.y) != (move.end.x, move.end.y)
-    ]
-    if not chosen:
-        return []
-    runs = [[_flat(chosen[0].start), _flat(chosen[0].end)]]
-    for before, move in pairwise(chosen):
-        if before.end == move.start:
-            runs[-1].append(_flat(move.end))
-        else:
-            runs.append([_flat(move.start), _flat(move.end)])
+    runs: list[list[tuple[float, float]]] = []
+    end = None
+    for move in moves:
+        if (move.kind is MoveKind.MILL) != milling or move.start[:2] == move.end[:2]:
+            continue
+        if move.start != end:
+            runs.append([move.start[:2]])
+        runs[-1].append(move.end[:2])
+        end = move.end
     return runs
-
-
-def _flat(point: Position) -> tuple[float, float]:
-    return point.x, point.y

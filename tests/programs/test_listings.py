@@ -13,6 +13,7 @@ from programs.arithmetic import ARITHMETICS
 from programs.header import Header
 from programs.milling import Milling
 from tests.programs import fortran
+from tests.programs.printouts import milled
 
 PORTS = pytest.mark.parametrize(("name", "part"), [("circle", circle.part), ("ellipse", ellipse.part)])
 gfortran = pytest.mark.skipif(not shutil.which("gfortran"), reason="gfortran is not installed")
@@ -45,16 +46,14 @@ ALIKE: dict[str, Any] = {
 }
 """Every constant of a listing, with another value, as ours has it, ..."""
 OURS: dict[str, dict[str, Any]] = {
-    "circle": {"radius": 222, "outer": 246, "inner": 238, "start_x": 240, "start_y": 17, "sequence": 40}
+    "circle": {"radius": 222, "outer": 246, "inner": 238, "start_y": 17, "sequence": 40}
     | {"centre_x": 5000, "centre_y": 4400},
     "ellipse": {"major": 906, "minor": 641, "outer_major": 1003, "outer_minor": 704, "inner_major": 996}
-    | {"inner_minor": 697, "start_x": 990, "start_y": 13, "sequence": 20, "centre_x": 5000, "centre_y": 4500},
+    | {"inner_minor": 697, "start_y": 13, "sequence": 20, "centre_x": 5000, "centre_y": 4500},
 }
 THEIRS = {
-    "circle": "E1=5004. E2=7600. E3=44170. AS=40. AY=17. AX=240. RAD=222. ARL=246. ARS=238. AXX=5000. "
-    "AYY=4400.",
-    "ellipse": "E1=5004. E2=100. E3=45130. AS=20. CX=5000. CY=4500. AC=906. BC=641. AA=1003. BB=704. A=996. "
-    "B=697. AX=990. AY=13.",
+    "circle": "E3=44170. AS=40. AY=17. RAD=222. ARL=246. ARS=238. AXX=5000. AYY=4400.",
+    "ellipse": "E3=45130. AS=20. CX=5000. CY=4500. AC=906. BC=641. AA=1003. BB=704. A=996. B=697. AY=13.",
 }
 PARKED = "A1=1018. A2=7650. A3=43210. B4=1286. C4=7. D4=2288. G1=6902. G2=5000. G3=40000. G4=389."
 """... and as FORTRAN has it."""
@@ -63,13 +62,28 @@ PARKED = "A1=1018. A2=7650. A3=43210. B4=1286. C4=7. D4=2288. G1=6902. G2=5000. 
 @gfortran
 @PORTS
 def test_changed_constants_change_both_alike(name: str, part: Callable[..., str], tmp_path: Path) -> None:
-    """The circle's quadrants end against RAD here."""
-    source = listing(name)
-    for value in f"{PARKED} AP=5. AT=2. AMX=85. AMY=84. {THEIRS[name]}".split():
-        constant = value.partition("=")[0]
-        source, found = re.subn(rf"(?<=[ \d]) {constant}=\d+\.", f" {value}", source)
-        assert found, value
-    assert_same_printout(part(**ALIKE, **OURS[name]), fortran.printout(source, tmp_path))
+    """The circle's quadrants end against RAD here; the start is within the band, beyond it, on the axis."""
+    for start_x in {"circle": (240, 246), "ellipse": (990, 1003, 0)}[name]:
+        source, x = listing(name), 5000 - start_x
+        start = f"AX={start_x}. E1={5000 + x // 1000}. E2={x % 1000}0."
+        for value in f"{PARKED} AP=5. AT=2. AMX=85. AMY=84. {start} {THEIRS[name]}".split():
+            constant = value.partition("=")[0]
+            source, found = re.subn(rf"(?<=[ \d]) {constant}=\d+\.", f" {value}", source)
+            assert found, value
+        ours = part(start_x=start_x, **ALIKE, **OURS[name])
+        assert_same_printout(ours, fortran.printout(source, tmp_path))
+
+
+def test_a_circle_that_starts_above_its_centre_is_the_ellipse_s() -> None:
+    """FORTRAN has no inner limit there: statement 41 sets it, and is passed over."""
+    ends = [
+        [(cut.x, cut.y) for cut in milled(part)]
+        for part in (
+            circle.part(radius=200, start_x=0),
+            ellipse.part(major=200, minor=200, start_x=0),
+        )
+    ]
+    assert ends[0] == ends[1]
 
 
 def test_a_closed_ellipse_has_one_block_more() -> None:
