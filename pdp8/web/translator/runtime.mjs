@@ -73,12 +73,15 @@ export class Bytes extends Uint8Array {
     return made;
   }
   translate(table, gone = []) {
-    const left = gone.length ? this.filter((each) => !gone.includes(each)) : this;
-    return table === null ? left : left.map((each) => table[each]);
+    const made = new Bytes(this.length), drop = new Bytes(256);
+    for (const each of gone) drop[each] = 1;
+    let count = 0;
+    for (const each of this) if (!drop[each]) made[count++] = table === null ? each : table[each];
+    return made.slice(0, count);
   }
   decode(coding = "utf-8") {
     try {
-      if (coding !== "ascii" || this.isascii()) return new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(this);
+      if (coding !== "ascii" || this.isascii()) return new TextDecoder(coding, { fatal: true, ignoreBOM: true }).decode(this);
     } catch { /* as if it was not ASCII */ }
     throw new ValueError(coding);
   }
@@ -271,7 +274,9 @@ export const eq = (a, b) => {
   if (num(a) && num(b)) return +a === +b;
   if (a?.__eq__) return a.__eq__(b);
   if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return false;
-  if (a.has) return a.constructor === b.constructor && a.length === b.length && [...a].every((k) => b.has(k) && eq(a.get?.(k), b.get?.(k)));
+  if (a instanceof Dict || a instanceof PySet) {
+    return a.constructor === b.constructor && a.length === b.length && [...a].every((k) => b.has(k) && eq(a.get?.(k), b.get?.(k)));
+  }
   if (a instanceof Record && !(a instanceof NamedTuple)) {
     return a.constructor === b.constructor && a.constructor.$fields.every((name) => eq(a[name], b[name]));
   }
