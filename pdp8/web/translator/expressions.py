@@ -317,9 +317,7 @@ class Expressions(Types):
     def _arguments(self, node: ast.Call, found: Found | None) -> str:
         """Return the arguments of a call, those by keywords in the places of the parameters."""
         values, names = [self.e(each) for each in node.args], list(_LIBRARY.get(leaf(node.func), ()))
-        signature = self.program.made_with(found) if found and found.is_class else None
-        if found and isinstance(found.node, ast.FunctionDef):
-            signature = found.node.args
+        signature = self.program.signature(found)
         if signature and signature.kwarg:
             keys = [each.arg and ast.Constant(each.arg) for each in node.keywords]
             return self.e(ast.Dict(keys, [each.value for each in node.keywords]))  # type: ignore[arg-type]

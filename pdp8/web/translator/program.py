@@ -121,9 +121,11 @@ class Program:
             if (found := self.find(of.module, leaf(base))) and found.is_class:
                 yield from self.lineage(found)
 
-    def made_with(self, of: Found) -> ast.arguments | None:
-        """Return the parameters of a class."""
-        for each in self.lineage(of):
+    def signature(self, of: Found | None) -> ast.arguments | None:
+        """Return the parameters of a function or a class."""
+        if of and isinstance(of.node, ast.FunctionDef):
+            return of.node.args
+        for each in self.lineage(of) if of and of.is_class else ():
             for member in each.node.body:
                 if isinstance(member, ast.FunctionDef) and member.name == "__init__":
                     return member.args
