@@ -23,7 +23,7 @@ from pdp8.console.lamps import LampRows
 from pdp8.console.pages import Card, Core, DrillCard, ListingPage, Page, Paper, frame
 from pdp8.console.session import Session, Tape
 from pdp8.console.strips import PunchStrip, ReaderStrip
-from pdp8.console.switches import KEYS, LOCKING, Key, SwitchRegister
+from pdp8.console.switches import KEYS, LOCKING, Key, Rocker, SwitchRegister
 from pdp8.lessons.drill import Coach
 from tapes import shelf
 from tapes.errors import WorkError
@@ -159,9 +159,6 @@ class Room(App[None]):
         screen = self.screen_stack[0]
         panel = screen.query_one("#panel")
         frame(panel, "digital · PDP-8/L", self._status())
-        screen.query_one(SwitchRegister).show()
-        for key in LOCKING:
-            screen.query_one(f"#{key}", Key).show()
         for page in screen.query(Page):
             if page.display:
                 page.show()
@@ -198,13 +195,11 @@ class Room(App[None]):
         self.session.throw(bit)
 
     def action_hand(self, by: int) -> None:
-        register = self.query_one(SwitchRegister)
-        register.hand = (register.hand + by) % 12
+        self.session.hand = (self.session.hand + by) % 12
 
     def action_throw(self, up: int) -> None:
-        register = self.query_one(SwitchRegister)
-        if register.rockers[register.hand].up != bool(up):
-            self.session.throw(register.hand)
+        if self.query_one(f"#sr{self.session.hand}", Rocker).up != bool(up):
+            self.session.throw(self.session.hand)
 
     def action_rim(self) -> None:
         """Toggle the RIM loader in; in a drill the user does it."""

@@ -66,6 +66,8 @@ class Session:
         """What became of the machine, in words."""
         self.reader_tape = ""
         """The name of the tape in the reader."""
+        self.hand = 0
+        """Which switch of the switch register the hand is at, 0 the leftmost."""
         self._clock = clock
         self._slice = _SHORTEST
         self._hands: Iterator[None] | None = None

@@ -12,10 +12,10 @@ from rich.text import Text
 from textual import events
 from textual.containers import Horizontal
 from textual.reactive import reactive
-from textual.widget import Widget
 from textual.widgets import Static
 
 from pdp8.console.lamps import columns
+from pdp8.console.pages import Page
 from pdp8.console.session import Session
 
 _CREAM, _RUST, _HAND, _WELL = "#efe3c2", "#d07a35", "#ff5a45", "#4b3a2a"
@@ -33,27 +33,28 @@ KEYS = (
 LOCKING = ("mem_prot", "sing_step")
 
 
-class Rocker(Widget):
+class Rocker(Page):
     """One switch of the switch register, `bit` 0 the leftmost."""
 
     DEFAULT_CSS = "Rocker { height: 2; }"
-    state: reactive[object] = reactive(None)
 
     def __init__(self, session: Session, bit: int) -> None:
-        super().__init__(id=f"sr{bit}")
-        self.session = session
+        super().__init__(session, f"sr{bit}")
         self.bit = bit
-        self.held = False
 
     @property
     def up(self) -> bool:
         """Whether it is up, a 1."""
         return bool(self.session.machine.sr & 0o4000 >> self.bit)
 
-    def show(self, held: bool) -> None:
-        """Show it as it is now, and whether the hand is on it."""
-        self.held = held
-        self.state = (self.up, held)
+    @property
+    def held(self) -> bool:
+        """Whether the hand is on it."""
+        focused = self.screen.focused
+        return self.session.hand == self.bit and focused is not None and focused.id == "panel"
+
+    def look(self) -> object:
+        return self.up, self.held
 
     async def on_click(self, event: events.Click) -> None:
         event.stop()
@@ -68,16 +69,14 @@ class Rocker(Widget):
         return Text().append(*top).append("\n").append(*bottom)
 
 
-class Key(Widget):
+class Key(Page):
     """A key or a locking switch, with its letter."""
 
     DEFAULT_CSS = "Key { height: 2; width: 1fr; text-align: center; }"
-    state: reactive[object] = reactive(None)
     down: reactive[bool] = reactive(False)
 
     def __init__(self, session: Session, name: str, label: str, letter: str) -> None:
-        super().__init__(id=name)
-        self.session = session
+        super().__init__(session, name)
         self.label = label
         self.letter = letter
 
@@ -90,8 +89,8 @@ class Key(Widget):
         """Whether it is a locking switch that is on."""
         return self.id in LOCKING and bool(getattr(self.session.machine.panel, self.id))
 
-    def show(self) -> None:
-        self.state = self.active
+    def look(self) -> object:
+        return self.active
 
     def flash(self) -> None:
         self.down = True
@@ -113,19 +112,27 @@ class Key(Widget):
         return Text("▐▀▀▌" if up else "▐▄▄▌", Style(color=_HAND if self.active else _RUST))
 
 
+class Octal(Page):
+    """What the switches come to."""
+
+    DEFAULT_CSS = "Octal { height: 2; width: 6; }"
+
+    def look(self) -> object:
+        return self.session.machine.sr
+
+    def render(self) -> Text:
+        return Text(f" {self.session.machine.sr:04o}", Style(color="#ffd9a0", bold=True))
+
+
 class SwitchRegister(Horizontal):
     """The twelve rockers, each under the lamps of its bit, and what they come to."""
 
     DEFAULT_CSS = "SwitchRegister { height: 2; } SwitchRegister Static { height: 2; color: #d8c7a4; }"
 
     def __init__(self, session: Session) -> None:
-        self.session = session
         self.label = Static()
         self.rockers = [Rocker(session, bit) for bit in range(12)]
-        self.octal = Static()
-        self.hand = 0
-        self.shown = -1
-        super().__init__(self.label, *self.rockers, self.octal)
+        super().__init__(self.label, *self.rockers, Octal(session, "octal"))
 
     def on_resize(self) -> None:
         """Keep every rocker under its lamps."""
@@ -135,15 +142,3 @@ class SwitchRegister(Horizontal):
         for bit, rocker in enumerate(self.rockers):
             rocker.styles.width = room.lamp
             rocker.styles.margin = (0, 1 if bit % 3 == 2 else 0, 0, 0)
-        self.octal.styles.width = 6
-        self.show()
-
-    def show(self) -> None:
-        focused = self.screen.focused
-        at_panel = focused is not None and focused.id == "panel"
-        for bit, rocker in enumerate(self.rockers):
-            rocker.show(held=at_panel and bit == self.hand)
-        word = self.session.machine.sr
-        if word != self.shown:
-            self.shown = word
-            self.octal.update(Text(f" {word:04o}", Style(color="#ffd9a0", bold=True)), layout=False)

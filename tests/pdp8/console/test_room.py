@@ -11,7 +11,7 @@ from textual.pilot import Pilot
 from textual.widgets import OptionList
 
 from pdp8.console.app import Room
-from pdp8.console.switches import Rocker, SwitchRegister
+from pdp8.console.switches import Rocker
 from tapes import shelf
 from tests.conftest import assert_same_tape, case
 from tests.pdp8.console.pictures import assert_shows, play, scene, shown
@@ -91,7 +91,7 @@ async def test_switches_by_hand_and_by_mouse(room: Room, pilot: Pilot[None]) -> 
     assert machine.sr == 0o6001
     await press(pilot, "down down right")
     assert machine.sr == 0o6000
-    assert room.query_one(SwitchRegister).hand == 0
+    assert room.session.hand == 0
     await pilot.click("#sr3")
     await pilot.click("#sr0")
     assert machine.sr == 0o2400
