@@ -93,6 +93,8 @@ def test_a_diagnostic_that_rings_the_bell_at_each_pass(monitor: Monitor) -> None
     do(monitor, "set pc 200", "go until BEL 5")
     with pytest.raises(MonitorError, match=r"BEL was printed 10 times of 99: 1 s have passed"):
         do(monitor, "until BEL 99 times 1")
+    with pytest.raises(MonitorError, match=r"BEL was printed 600 times of 999: 60 s have passed"):
+        do(monitor, "until BEL 999 times")
 
 
 def test_what_the_page_shows_already_is_expected_once(monitor: Monitor) -> None:
