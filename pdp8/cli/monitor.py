@@ -34,8 +34,7 @@ def monitor(script: str | None, highspeed: bool, dialect: str, echo: bool) -> No
       printf 'load eia.pal\\nreader circle.asc\\nbreak CHK\\ngo 200\\n' | pdp8 monitor -
       pdp8 monitor lesson.txt --echo
     """
-    machine = Machine(highspeed)
-    made = Monitor(command.echo, machine)
+    made = Monitor(command.echo, Machine(highspeed))
     made.dialect = dialect
     if script is None and sys.stdin.isatty():
         converse(made)
@@ -75,12 +74,11 @@ def converse(made: Monitor) -> None:
 def _typed() -> Iterator[str]:
     from prompt_toolkit import PromptSession
     from prompt_toolkit.completion import WordCompleter
-    from prompt_toolkit.history import FileHistory, History, InMemoryHistory
+    from prompt_toolkit.history import FileHistory, InMemoryHistory
 
     folder = os.environ.get("XDG_STATE_HOME", os.path.expanduser("~/.local/state"))
-    history: History = InMemoryHistory()
-    if os.path.isdir(folder) and os.access(folder, os.W_OK):
-        history = FileHistory(os.path.join(folder, "pdp8-monitor"))
+    kept = os.path.isdir(folder) and os.access(folder, os.W_OK)
+    history = FileHistory(os.path.join(folder, "pdp8-monitor")) if kept else InMemoryHistory()
     session: PromptSession[str] = PromptSession(history=history, completer=WordCompleter(list(COMMANDS)))
     while True:
         try:

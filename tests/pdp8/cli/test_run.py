@@ -41,16 +41,13 @@ def test_a_run_saved_and_restored_is_one_run(shell: Shell, eia: bytes) -> None:
     assert 5 < len(first.stdout) < 15
 
 
-def test_a_trace_follows_the_listing(shell: Shell, eia: bytes, tmp_path: Path) -> None:
+def test_a_trace_follows_the_listing_or_each_cycle(shell: Shell, eia: bytes, tmp_path: Path) -> None:
     ran = shell("pdp8 run eia.pal --trace eia.trace < line.asc")
     assert_same_tape(ran.stdout, eia)
     lines = (tmp_path / "eia.trace").read_text().splitlines()
     assert lines[0].startswith("          0.00 us  0 0000  0200 6046  0200  6046  START,  TLS")
     assert any("the same again" in line for line in lines)
     assert len(lines) < 3000
-
-
-def test_a_trace_by_cycles(shell: Shell, tmp_path: Path) -> None:
     shell("pdp8 run hello.pal --trace hello.trace --cycles > /dev/null < /dev/null")
     lines = (tmp_path / "hello.trace").read_text().splitlines()
     assert [line.split()[2] for line in lines[:4]] == ["FETCH", "FETCH", "EXECUTE", "FETCH"]

@@ -57,12 +57,8 @@ def test_breakpoints_and_steps_in_both_directions(folder: Path) -> None:
         ["stepBack", {"threadId": 1}],
     )
     points = seen.answers[2]["body"]["breakpoints"]
-    assert [(point["verified"], point["line"]) for point in points] == [
-        (True, 12),
-        (True, 13),
-        (True, 17),
-        (False, 99),
-    ]
+    placed = [(point["verified"], point["line"]) for point in points]
+    assert placed == [(True, 12), (True, 13), (True, 17), (False, 99)]
     assert not seen.answers[3]["body"]["breakpoints"][0]["verified"]
     assert [point["verified"] for point in seen.answers[4]["body"]["breakpoints"]] == [True, True, False]
     assert [where(answer) for answer in seen.answers[7::2]] == [
@@ -81,15 +77,7 @@ def test_breakpoints_and_steps_in_both_directions(folder: Path) -> None:
         [("0214  ADD", 18), ("0201  main program", 6)],
     ]
     kinds = ["breakpoint", "function breakpoint", "breakpoint", "breakpoint"]
-    assert stops(seen) == [
-        "entry",
-        *["step"] * 5,
-        *kinds,
-        "breakpoint",
-        "function breakpoint",
-        "breakpoint",
-        "breakpoint",
-    ]
+    assert stops(seen) == ["entry", *["step"] * 5, *kinds * 2]
     assert seen.page == "H"
     assert [answer for answer in seen.answers if "error" in answer] == []
 
@@ -151,10 +139,8 @@ def test_what_the_machine_holds_is_shown_and_set(folder: Path) -> None:
     assert "177777 into 0200" in answers[8]["error"]
     assert base64.b64decode(answers[9]["body"]["data"]) == bytes([0o7300 >> 8, 0o300, 0o7402 >> 8, 0o2])
     assert answers[10]["body"]["unreadableBytes"] == 2
-    assert [each["instruction"] for each in answers[11]["body"]["instructions"]] == [
-        "0201  HLT",
-        "0202  AND 0005",
-    ]
+    instructions = [each["instruction"] for each in answers[11]["body"]["instructions"]]
+    assert instructions == ["0201  HLT", "0202  AND 0005"]
     assert answers[12]["body"]["instructions"][0]["presentationHint"] == "invalid"
     assert answers[13]["body"]["dataId"] == "0212"
     assert answers[16]["event"]["reason"] == "data breakpoint"
