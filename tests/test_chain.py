@@ -78,12 +78,6 @@ def test_the_bundled_bin_tape_is_what_pal_makes(shell: Shell) -> None:
     assert done.stdout == b"\0"
 
 
-def test_a_file_of_the_current_folder_comes_before_a_bundled_one(shell: Shell) -> None:
-    done = shell("printf '*200\\nHLT\\n$\\n' > eia.pal; pdp8 run eia.pal < /dev/null")
-    assert done.returncode == 0
-    assert b"HLT at 0200" in done.stderr
-
-
 def test_an_empty_tape_is_no_error(shell: Shell) -> None:
     done = shell("pdp8 run eia.pal < /dev/null")
     assert (done.returncode, done.stdout) == (0, b"\0")

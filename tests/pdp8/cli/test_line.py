@@ -169,11 +169,6 @@ def test_a_restored_machine_keeps_its_tape_and_names_an_input_that_it_does_not_r
     assert unread not in done.stderr
 
 
-def test_a_tape_of_another_code_is_noted(shell: Shell) -> None:
-    done = shell("pdp8 run eia.pal --reader circle.eia --max-time 1 > /dev/null")
-    assert b"circle.eia is an EIA tape: a program for ASCII finds no character on it" in done.stderr
-
-
 def test_a_long_silence_says_once_where_the_run_is(tmp_path: Path) -> None:
     """A third of a second is long here."""
     script = "from pdp8 import cli; from pdp8.cli import pacing; pacing._SILENT = 0.3; cli.main()"
