@@ -1,12 +1,9 @@
 """The machine as a whole: what may be looked at and set, and that nothing an operator does makes it raise."""
 
 import sys
-from functools import partial
 from importlib.metadata import version
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 import pdp8
 from pdp8.computer.hardware.bus import Bus
@@ -16,7 +13,6 @@ from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import NEVER
 from pdp8.computer.hardware.teletype import Receiver, Transmitter
 from pdp8.computer.machine import Machine
-from pdp8.computer.past import state
 from pdp8.computer.speed.waiting import Waiting
 from tests import commands
 from tests.pdp8.computer.bench import octal, program
@@ -82,15 +78,6 @@ def test_there_is_no_core_beyond_7777(address: int) -> None:
         Machine().core[address] = 0
 
 
-def test_setting_the_pc_begins_a_new_instruction() -> None:
-    m = program(*octal("1300 7402"))
-    m.load({0o300: 5, 0o400: 0o7402})
-    m.processor.cycle()
-    m.pc = 0o400
-    assert m.run().reason == "halt"
-    assert (m.ma, m.ac) == (0o400, 0)
-
-
 def test_start_counts_time_from_zero_and_switches_stay() -> None:
     m = program(*octal("7604 7402"))
     m.sr = 0o1234
@@ -118,97 +105,6 @@ def test_waiting_time_passes_for_the_teletype() -> None:
     before = m.ticks
     assert m.run().reason == "halt"
     assert m.ticks - before == 85 + 32
-
-
-def press(key: str, m: Machine) -> None:
-    getattr(m.panel, key)()
-
-
-def switches(word: int, m: Machine) -> None:
-    m.sr = word
-
-
-def deposit(address: int, word: int, m: Machine) -> None:
-    m.core[address] = word
-
-
-def tape(frames: bytes, m: Machine) -> None:
-    m.teletype.reader.load(frames)
-    m.highspeed.reader.load(frames)
-
-
-def keys(frames: bytes, m: Machine) -> None:
-    m.teletype.keyboard.press(frames)
-
-
-def lever(on: bool, m: Machine) -> None:
-    m.teletype.reader.lever(on)
-    m.teletype.punch.on = on
-
-
-def switch(name: str, on: bool, m: Machine) -> None:
-    setattr(m.panel, name, on)
-
-
-def run(instructions: int, m: Machine) -> None:
-    m.run(instructions=instructions)
-
-
-def short_run(seconds: float, m: Machine) -> None:
-    m.run(seconds=seconds, instructions=3000)
-
-
-def wait(seconds: float, m: Machine) -> None:
-    m.wait(seconds)
-
-
-def save_and_restore(m: Machine) -> None:
-    text = state.save(m)
-    assert state.save(state.restore(text)) == text
-
-
-TEXT = st.binary(max_size=5)
-WORD = st.integers(0, 0o7777)
-LIKELY = st.sampled_from(
-    octal("6001 6002 6031 6032 6036 6041 6046 6014 6012 6024 5200 5600 2300 7402 4200 3410")
-)
-ACTIONS = st.one_of(
-    st.builds(partial, st.just(press), st.sampled_from(["load_add", "exam", "dep", "start", "cont", "stop"])),
-    st.builds(partial, st.just(switches), WORD),
-    st.builds(partial, st.just(deposit), st.sampled_from([0, 1, 0o200, 0o201, 0o202, 0o203]), LIKELY | WORD),
-    st.builds(partial, st.just(tape), TEXT),
-    st.builds(partial, st.just(keys), TEXT),
-    st.builds(partial, st.just(lever), st.booleans()),
-    st.builds(partial, st.just(switch), st.sampled_from(["mem_prot", "sing_step"]), st.booleans()),
-    st.builds(partial, st.just(run), st.integers(0, 500)),
-    st.builds(partial, st.just(short_run), st.floats(0, 0.3)),
-    st.builds(partial, st.just(wait), st.floats(0, 0.3)),
-    st.just(save_and_restore),
-)
-
-
-@settings(max_examples=150, deadline=None)
-@given(st.lists(ACTIONS, max_size=25))
-def test_nothing_an_operator_does_makes_it_raise(actions: "list[partial[None]]") -> None:
-    m = Machine(highspeed=True)
-    m.start(0o200)
-    for action in actions:
-        action(m)
-        assert 0 <= m.processor.lac <= 0o17777
-        assert 0 <= m.pc <= 0o7777
-        assert all(word <= 0o7777 for word in m.core)
-
-
-def test_ion_may_be_set_while_the_machine_stands_still() -> None:
-    machine = Machine()
-    machine.load({0o000: 0, 0o001: 0o7402, 0o200: 0o7000, 0o201: 0o5201})
-    machine.start(0o200)
-    machine.ion = 1
-    assert machine.ion == 1
-    machine.teletype.keyboard.press(b"\301")
-    assert machine.run(seconds=1).reason == "halt"
-    assert machine.core[0] == 0o201
-    assert machine.ion == 0
 
 
 @pytest.mark.parametrize("breakpoints", [set(), {0o7000}])
@@ -287,14 +183,6 @@ def test_start_is_load_add_and_start_at_the_panel(sing_step: bool) -> None:
     assert (called.pc, called.ticks, called.ma) == (pressed.pc, pressed.ticks, 0o200)
     assert called.panel.lamps.run == (not sing_step)
     assert called.sr == 0
-
-
-def test_start_of_a_running_machine_stops_it_first() -> None:
-    machine = program(*octal("1210 5200"))
-    machine.run(instructions=3)
-    machine.processor.cycle()
-    machine.start(0o201)
-    assert (machine.pc, machine.ac, machine.ticks, machine.processor.run) == (0o201, 0, 0, 1)
 
 
 def test_repr_says_where_it_stands() -> None:

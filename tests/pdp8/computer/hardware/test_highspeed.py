@@ -30,36 +30,6 @@ def test_reading_alone_is_300_a_second_less_the_programs_own_time() -> None:
     assert 1 < m.elapsed < 1.02
 
 
-def test_it_reads_nothing_before_rfc() -> None:
-    m = machine("6011 5200", b"\1")
-    assert m.run().reason == "idle"
-    assert m.highspeed.reader.position == 0
-
-
-def test_rrb_ors_and_rfc_empties_the_buffer() -> None:
-    m = machine("6014 6011 5201 6012 6014 6012 7402", b"\125\252")
-    m.ac = 0o7000
-    assert m.run().reason == "halt"
-    assert m.ac == 0o7125
-
-
-def test_a_second_rfc_starts_no_second_frame() -> None:
-    m = machine("6014 6014 6011 5202 7402", b"\125\252")
-    m.run()
-    assert m.highspeed.reader.position == 1
-    assert m.ticks == pytest.approx(65 + 66_667, abs=300)
-
-
-def test_ppc_ors_into_what_is_not_cleared() -> None:
-    # LAS; PPC; PSF; JMP .-1; CLA; TAD 0020; PPC; PSF ... the flag is still up, so wait with the delay of
-    # another PLS
-    m = machine("7604 6026 6021 5202 7240 0220 6022 6024 6024 6021 5211 7402")
-    m.sr = 0o101
-    m.core[0o220] = 0o002
-    assert m.run().reason == "halt"
-    assert m.highspeed.punch.tape == bytes([0o101, 0o002])
-
-
 def test_a_halt_lets_the_punch_finish_once() -> None:
     m = machine("7604 6026 7402 6021 5203 7402")
     m.sr = 0o101

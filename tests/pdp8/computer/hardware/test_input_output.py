@@ -96,49 +96,6 @@ def test_every_iot() -> None:
                 )
 
 
-@pytest.mark.parametrize("code", range(8))
-def test_interrupt_enable(code: int) -> None:
-    for ion in (0, 1):
-        machine = Machine()
-        machine.core[0o200] = 0o6000 | code
-        machine.start(0o200)
-        machine.processor.ion = ion
-        machine.processor.instruction()
-        expected = {1: 1, 5: 1, 2: 0, 3: 0, 6: 0, 7: 0}.get(code, ion)
-        assert machine.ion == expected
-        assert (machine.ticks, machine.bus.actions) == (85, 3)
-        assert (machine.pc, machine.ac) == (0o201, 0)
-
-
-@pytest.mark.parametrize(
-    "word", [0o6101, 0o6102, 0o6104, 0o6167, 0o6201, 0o6214, 0o6234, 0o6244, 0o6344, 0o6777]
-)
-def test_what_is_not_fitted_does_nothing_for_four_and_a_quarter_microseconds(word: int) -> None:
-    machine = Machine()
-    machine.core[0o200] = word
-    machine.start(0o200)
-    machine.ac, machine.link = AC, 1
-    machine.processor.instruction()
-    assert (machine.ac, machine.link, machine.pc, machine.ticks) == (AC, 1, 0o201, 85)
-
-
-def test_the_pc8_is_fitted_on_request_only() -> None:
-    machine = Machine()
-    machine.core[0o200] = 0o6014
-    machine.highspeed.reader.load(b"\1")
-    machine.start(0o200)
-    machine.processor.instruction()
-    machine.wait(1)
-    assert machine.highspeed.reader_control.flag == 0
-
-
-def test_eight_iots_of_device_0_cost_34_microseconds() -> None:
-    machine = Machine()
-    machine.load(dict.fromkeys(range(0o200, 0o210), 0o6000) | {0o210: 0o7402})
-    machine.start(0o200)
-    assert machine.run(instructions=8).elapsed == pytest.approx(34e-6, abs=1e-12)
-
-
 # From the pulse that starts it, the tick at which each flag rises. IOP1, IOP2, IOP4 come 29, 47, 65 ticks
 # (1.45, 2.35, 3.25 us) into an IOT.
 RISES = {

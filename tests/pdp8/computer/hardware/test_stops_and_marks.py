@@ -2,7 +2,6 @@
 
 import pytest
 
-from pdp8.computer.hardware.signals import INTERRUPT
 from pdp8.computer.machine import Machine
 from tests.pdp8.computer.bench import octal
 
@@ -62,17 +61,6 @@ def test_protect_goes_out_with_a_key(key: str) -> None:
     assert m.panel.lamps.protect == 0
 
 
-def test_ion_that_is_set_has_no_delay() -> None:
-    """With a flag up, the first instruction ends with an interrupt."""
-    m = machine("7000 7000")
-    m.teletype.transmitter.flag = 1
-    m.ion = 1
-    m.run(instructions=1)
-    assert m.processor.next == INTERRUPT
-    m.ion = 0
-    assert m.processor.ion_delayed == 0
-
-
 def stopped_by(m: Machine, *writes: int) -> str:
     m.watch.writes = set(writes)
     return m.run(instructions=3).reason.value
@@ -103,14 +91,6 @@ def test_a_watch_stops_once() -> None:
     assert stopped_by(m, 0o21) == "limit"
 
 
-def test_a_protected_write_writes_nothing() -> None:
-    m = machine("3420 7000", at_20=0o7700)
-    m.panel.mem_prot = True
-    m.watch.writes = {0o7700}
-    m.watch.instruction(m.processor)
-    assert not m.watch.reached
-
-
 @pytest.mark.parametrize("observed", [False, True])
 def test_a_jms_to_a_breakpoint_stops(observed: bool) -> None:
     """JMS 210: its first word, where the return address goes, is never executed."""
@@ -119,38 +99,6 @@ def test_a_jms_to_a_breakpoint_stops(observed: bool) -> None:
     m.watch.writes = {0o7777} if observed else set()
     assert m.run(instructions=5).reason == "breakpoint"
     assert m.pc == 0o211
-
-
-def test_mem_prot_down_lets_write() -> None:
-    m = machine("3420 7402", at_20=0o7700)
-    m.panel.mem_prot = True
-    m.panel.mem_prot = False
-    m.ac = 0o123
-    assert m.run().reason == "halt"
-    assert m.core[0o7700] == 0o123
-
-
-def test_the_lamps_of_each_major_state() -> None:
-    """TAD I 20, cycle by cycle: one lamp of three."""
-    m = machine("1420", at_20=0o30)
-    m.panel.sing_step = True
-    lit = []
-    for _ in range(3):
-        m.run()
-        lamps = m.panel.lamps
-        lit.append((lamps.fetch, lamps.defer, lamps.execute))
-    assert lit == [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
-
-
-def test_setting_pc_begins_with_a_fetch() -> None:
-    """In the middle of TAD I 20."""
-    m = machine("1420", at_20=0o30, at_30=5, at_300=0o7402)
-    m.panel.sing_step = True
-    m.run()
-    m.panel.sing_step = False
-    m.pc = 0o300
-    assert m.run().reason == "halt"
-    assert (m.ac, m.mb) == (0, 0o7402)
 
 
 def test_a_tape_put_in_after_rfc_takes_its_time_from_then() -> None:
@@ -175,11 +123,3 @@ def test_a_breakpoint_after_a_skip_stops(skip: int, at: int) -> None:
     m.watch.breakpoints = {at + 2 & 0o7777}
     assert m.run(seconds=0.01).reason == "breakpoint"
     assert (m.pc, m.instructions, m.ac) == (at + 2 & 0o7777, 2, 0)
-
-
-def test_the_first_instruction_of_a_subroutine_is_a_breakpoint() -> None:
-    """JMS 210 leaves the return address at 0210 and goes on at 0211."""
-    m = machine("7000 7000 4210", at_211=0o7001, at_212=0o7402)
-    m.watch.breakpoints = {0o211}
-    assert m.run(seconds=0.01).reason == "breakpoint"
-    assert (m.pc, m.instructions, m.ac) == (0o211, 3, 0)

@@ -173,6 +173,17 @@ def test_what_a_breakpoint_has_finished_is_there_again() -> None:
     assert saved(machine) == was
 
 
+def test_nothing_that_is_searched_for_stops_the_way_there() -> None:
+    """TLS, IAC, JMP .-1: a stop at 0202 would print the frame that is on its way."""
+    machine = program(*octal("6046 7001 5201"))
+    history = History(machine)
+    machine.run(instructions=4)
+    was = saved(machine)
+    machine.run(instructions=1)
+    rewind.until_left(history, 0o202)
+    assert saved(machine) == was
+
+
 def test_a_history_that_is_closed_records_nothing() -> None:
     machine = Machine()
     history = History(machine)

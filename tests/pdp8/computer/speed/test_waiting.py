@@ -32,6 +32,7 @@ def test_why_a_run_ends(reason: str, words: str, tape: bytes | None) -> None:
     if tape is not None:
         m.teletype.reader.load(tape)
     assert m.run().reason == reason
+    assert m.elapsed < 0.001 or words != "5200"
     if words in (COPY, RING):
         assert m.teletype.punch.tape == tape
 
@@ -44,45 +45,12 @@ def test_a_ring_that_only_goes_round_is_endless(words: str) -> None:
     assert m.elapsed < 0.05
 
 
-def test_a_count_is_not_endless() -> None:
-    assert program(*octal("7001 5200")).run(seconds=0.05).reason == "limit"
-    m = program(*octal("2210 5200 2211 5200 7402"))
-    m.core[0o211] = -20
-    assert m.run(seconds=10).reason == "halt"
-
-
 def test_a_tape_out_waits_until_the_last_frame_is_punched() -> None:
     m = program(*octal("6031 5200 6036 6046 5200"))
     m.teletype.reader.load(b"\301")
     stop = m.run()
     assert m.teletype.punch.tape == b"\301"
     assert stop.elapsed == pytest.approx((1_545_455 + 1_636_364) / 20e6, abs=50e-6)
-
-
-def test_a_limit_is_a_limit() -> None:
-    m = program(*octal("7001 5200"))
-    assert m.run(instructions=1000).reason == "limit"
-    assert (m.ac, m.instructions) == (500, 1000)
-    assert m.run(seconds=0.001).reason == "limit"
-    m = program(*octal("7000 2210 7001 5202"))
-    m.run(instructions=12_499)  # 6,250 from 10 ms on: a whole piece of the engine, but for the last
-    assert (m.ma, m.mb, m.ir) == (0o202, 0o7001, 7)
-
-
-def test_a_hundred_seconds_of_waiting_are_passed_over() -> None:
-    m = program(*octal("6031 5200 6036 5200"))
-    m.teletype.reader.load(bytes(1000))
-    m.run()
-    assert m.ticks == pytest.approx(999 * 2_000_000 + 1_545_455, abs=500)
-    assert m.instructions > 30_000_000
-
-
-def test_a_flag_is_waited_for_at_the_end_of_core() -> None:
-    """KSF at 7777, JMP I 2 at 0000, and HLT at 0001, where KSF skips to."""
-    m = machine({0o7777: 0o6031, 0: 0o5402, 1: 0o7402, 2: 0o7777})
-    m.start(0o7777)
-    m.teletype.keyboard.press(b"\301")
-    assert (m.run().reason, m.pc) == ("halt", 2)
 
 
 def test_a_tape_that_was_taken_out_does_not_run_out() -> None:

@@ -118,16 +118,6 @@ def test_what_follows_a_rim_tapes_trailer_stays_out_of_core(after: str) -> None:
     assert (done.frames, done.words, done.missing) == (len(tape) + after.count("200"), 3, 0)
 
 
-def test_cont_takes_the_next_tape_and_restarts_its_sum() -> None:
-    machine = bin_machine()
-    Operator(machine).read_bin(binary.encode({0o200: 0o1111}))
-    Operator(machine).mount("next", binary.encode({0o300: 0o2222}))
-    machine.teletype.reader.lever(True)
-    stop = machine.run()
-    assert (stop.reason, machine.ma, machine.ac) == ("halt", 0o7700, 0)
-    assert (machine.core[0o200], machine.core[0o300]) == (0o1111, 0o2222)
-
-
 @pytest.mark.parametrize("gap", ["000 000", "000 000 200 000 000 000", "200"])
 def test_blank_tape_between_sections_is_passed_over(gap: str) -> None:
     """The loader would take it for words of 0000 and its leader for their trailer."""
@@ -164,14 +154,6 @@ def test_words_to_the_end_of_core_and_messages_between_rubouts() -> None:
     machine = bin_machine()
     Operator(machine).read_bin(noisy)
     assert (machine.core[0o7577], machine.core[0o17], machine.core[0]) == (1, 0o7777, 0o4000)
-
-
-def test_a_field_is_passed_over() -> None:
-    tape = binary.encode({0o200: 0o1234})
-    leader = len(tape) - len(tape.lstrip(b"\200"))
-    machine = bin_machine()
-    Operator(machine).read_bin(tape[:leader] + b"\300" + tape[leader:])
-    assert machine.core[0o200] == 0o1234
 
 
 @pytest.mark.parametrize("frame", range(64, 74))

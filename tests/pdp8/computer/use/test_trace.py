@@ -87,39 +87,6 @@ def test_a_word_that_is_not_as_assembled_is_disassembled() -> None:
     assert instruction(0, 0o7401) == "7401"
 
 
-def test_a_breakpoint_stops_before_its_instruction_and_cont_goes_on() -> None:
-    machine = program(*octal("7001 7001 5200"))
-    machine.watch.breakpoints.add(0o201)
-    for count in (1, 3, 5):
-        assert machine.run() == ("breakpoint", 0o201, machine.elapsed)
-        assert machine.ac == count
-
-
-def test_a_breakpoint_at_a_subroutine_stops_as_it_is_called() -> None:
-    machine = program(*octal("4210 7402"))
-    machine.load({0o210: 0, 0o211: 0o5610})
-    machine.watch.breakpoints.add(0o210)
-    stop = machine.run()
-    assert (stop.reason, stop.pc, machine.core[0o210]) == ("breakpoint", 0o211, 0o201)
-    assert machine.run().reason == "halt"
-
-
-def test_a_watched_word_stops_after_it_is_written() -> None:
-    for words, address in (
-        ("3220 7402", 0o220),
-        ("2220 7402", 0o220),
-        ("4220 7402", 0o220),
-        ("1410 7402", 0o10),
-    ):
-        machine = program(*octal(words))
-        machine.core[0o221] = 0o7402
-        machine.watch.writes.add(address)
-        assert machine.run().reason == "breakpoint", words
-    machine = program(*octal("1220 0220 5203 7402"))
-    machine.watch.writes.add(0o220)
-    assert machine.run().reason == "halt"
-
-
 @pytest.mark.parametrize("instructions", [46, 47])
 def test_a_word_watched_in_the_middle_of_a_wait_stops_at_its_next_writing(instructions: int) -> None:
     """DCA 0220, two NOPs, KSF, JMP 0200: known for a wait, and past the DCA, when the word is watched."""
@@ -131,16 +98,3 @@ def test_a_word_watched_in_the_middle_of_a_wait_stops_at_its_next_writing(instru
         before = machine.instructions
         assert machine.run(seconds=1).reason == "breakpoint"
         assert machine.instructions - before <= 5
-
-
-def test_watching_changes_nothing() -> None:
-    plain, watched = (Machine() for _ in range(2))
-    for machine in (plain, watched):
-        machine.load(assembly("eia").words)
-        machine.start(0o200)
-        machine.teletype.reader.load(bytes(0o200 | code for code in b" 12\r\n"))
-    watched.watch.writes.add(0o7777)
-    assert plain.run() == watched.run()
-    assert plain.ticks == watched.ticks
-    assert plain.instructions == watched.instructions
-    assert plain.teletype.punch.tape == watched.teletype.punch.tape
