@@ -24,40 +24,18 @@ class Effect(NamedTuple):
     ac: int
 
 
-KEYBOARD = {
-    0o6030: Effect(False, False, 0o5125),
-    0o6031: Effect(True, False, 0o5125),
-    0o6032: Effect(False, True, 0o0000),
-    0o6033: Effect(True, True, 0o0000),
-    0o6034: Effect(False, False, 0o5377),
-    0o6035: Effect(True, False, 0o5377),
-    0o6036: Effect(False, True, 0o0252),
-    0o6037: Effect(True, True, 0o0252),
-}
-PRINTER = {
-    code: Effect(tests, clears, AC)
-    for code, tests, clears in (
-        (0o6040, False, False),
-        (0o6041, True, False),
-        (0o6042, False, True),
-        (0o6043, True, True),
-        (0o6044, False, False),
-        (0o6045, True, False),
-        (0o6046, False, True),
-        (0o6047, True, True),
-    )
-}
-FAST_READER = {
-    0o6010: Effect(False, False, 0o5125),
-    0o6011: Effect(True, False, 0o5125),
-    0o6012: Effect(False, True, 0o5377),
-    0o6013: Effect(True, True, 0o5377),
-    0o6014: Effect(False, True, 0o5125),
-    0o6015: Effect(True, True, 0o5125),
-    0o6016: Effect(False, True, 0o5377),
-    0o6017: Effect(True, True, 0o5377),
-}
-FAST_PUNCH = {code - 0o20: effect for code, effect in PRINTER.items()}
+def effects(device: int, *ac: int, clears: str) -> dict[int, Effect]:
+    """Return what the eight IOTs of a device do: odd ones test; those of the pulses in `clears` clear."""
+    return {
+        0o6000 | device << 3 | pulses: Effect(pulses % 2 == 1, str(pulses) in clears, after)
+        for pulses, after in enumerate(ac)
+    }
+
+
+KEYBOARD = effects(3, *(0o5125, 0o5125, 0, 0, 0o5377, 0o5377, 0o0252, 0o0252), clears="2367")
+PRINTER = effects(4, *[AC] * 8, clears="2367")
+FAST_READER = effects(1, *(0o5125, 0o5125, 0o5377, 0o5377, 0o5125, 0o5125, 0o5377, 0o5377), clears="234567")
+FAST_PUNCH = effects(2, *[AC] * 8, clears="2367")
 
 
 def executed(word: int, flag: int) -> Machine:

@@ -1,4 +1,4 @@
-"""The memory-reference instructions at the edges of pages, of core and of autoindexing, as the books have it."""
+"""The memory-reference instructions at the edges of pages, core and autoindexing, as the books have it."""
 
 from pdp8.computer.hardware.bus import Bus
 from pdp8.computer.hardware.processor import Processor

@@ -168,3 +168,10 @@ def test_a_frame_begins_when_it_comes_not_when_the_wait_ends(source: str, before
     assert device.flag == 0
     machine.wait(1 / 20e6)
     assert device.flag == 1
+
+
+def test_a_tape_that_is_still_being_made_is_read_to_its_end() -> None:
+    m, parts = program(*octal("6031 5200 6036 6046 6041 5204 5200")), [b"bc", b"d", b""]
+    m.teletype.reader.load(b"a")
+    m.teletype.reader.more = lambda: parts.pop(0)
+    assert (m.run().reason, m.teletype.punch.tape) == ("tape out", b"abcd")

@@ -71,14 +71,6 @@ def copied(form: ModuleType, frames: int) -> None:
     assert machine.elapsed == pytest.approx(frames / 10, abs=0.2)
 
 
-def test_a_breakpoint_in_a_waiting_loop_is_met_in_its_first_turn(form: ModuleType) -> None:
-    machine = started(form, COPY, b"A")
-    machine.watch.breakpoints = {0o202}
-    for turn in range(1, 4):
-        stop = machine.run()
-        assert (stop.reason, stop.pc, machine.ticks) == ("breakpoint", 0o202, 85 + 117 * turn - 32)
-
-
 @pytest.mark.skipif(sys.platform == "win32", reason="no SIGALRM there")
 @pytest.mark.parametrize("delays", [True, False])
 def test_a_signal_gets_through_to_a_run_without_end(form: ModuleType, delays: bool) -> None:
