@@ -71,6 +71,14 @@ def test_single_step_shows_each_cycle(machine: Machine) -> None:
     assert machine.ticks == 6 * 32
 
 
+def test_a_cycle_ends_with_the_switch_or_with_protect() -> None:
+    machine = Machine()
+    machine.load({0o200: 0o3577, 0o177: 0o7600})
+    machine.start(0o200)
+    machine.panel.mem_prot = machine.panel.sing_step = True
+    assert [machine.run().reason for _ in range(3)] == ["stop key", "stop key", "protect"]
+
+
 @pytest.mark.parametrize(
     ("word", "core", "ac", "pc"),
     [
