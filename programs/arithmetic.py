@@ -253,7 +253,7 @@ ARITHMETICS: Final[dict[str, Arithmetic]] = {
 
 def _magnitude_bits(mantissa: int) -> int:
     """Bits of a two's complement number, its sign not counted."""
-    return (mantissa if mantissa >= 0 else ~mantissa).bit_length()
+    return max(mantissa, ~mantissa).bit_length()
 
 
 def _normal(value: Float, bits: int) -> tuple[int, int]:

@@ -33,10 +33,9 @@ def fit(points: Points, degree: int) -> Fit:
     from numpy.polynomial import Polynomial  # only a fit needs it
 
     distinct = len({x for x, _ in points})
-    if not 0 <= degree <= min(LARGEST_DEGREE, distinct - 1):
-        raise WorkError(
-            f"degree {degree} with {distinct} different x: must be 0 to {min(LARGEST_DEGREE, distinct - 1)}"
-        )
+    highest = min(LARGEST_DEGREE, distinct - 1)
+    if not 0 <= degree <= highest:
+        raise WorkError(f"degree {degree} with {distinct} different x: must be 0 to {highest}")
     x, y = zip(*points, strict=True)
     polynomial = Polynomial.fit(x, y, degree).convert()
     worst = max(abs(float(polynomial(place)) - height) for place, height in points)

@@ -106,9 +106,10 @@ class Technique:
         steps = max(both_move, int(beyond / sqrt(across * across + up * up)) + 1)
         if not kept(steps):
             return at
-        while kept(2 * steps):
-            steps *= 2
-        return stop(bisect_left(range(2 * steps), True, lo=steps, key=lambda more: not kept(more)) - 1)
+        far = 2 * steps
+        while kept(far):
+            steps, far = far, 2 * far
+        return stop(bisect_left(range(far), True, lo=steps, key=lambda more: not kept(more)) - 1)
 
     def _keeps(self, stretch: Stretch, at: Point, stop: Point, speeds: tuple[float, ...]) -> bool:
         """Whether the path is inside the band for both extremes of the feeds, which enclose all others."""

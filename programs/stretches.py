@@ -107,10 +107,8 @@ def line(start: Point, end: Point, tolerance: float) -> Curve:
 def arc(centre: Point, radius: float, start: float, sweep: float, tolerance: float) -> Curve:
     """Return the arc about `centre` from angle `start` through `sweep`, degrees counterclockwise.
 
-    Raises WorkError for a radius that is not positive, or a tolerance out of range.
+    Raises WorkError for a tolerance out of range, for none is smaller than a radius that is not positive.
     """
-    if radius <= 0:
-        raise WorkError(f"radius {radius:g} of an arc: must be greater than 0")
     check_tolerance(tolerance, radius)
     inner, outer = (radius - tolerance) ** 2, (radius + tolerance) ** 2
 

@@ -64,7 +64,7 @@ class Unit(NamedTuple):
         bound = f"less than {self.limit:,}" if abs(asked) >= self.limit else f"0, or at least {self.least:,}"
         refusal = f"{text}{self.short}: must be {bound}{self.short}"
         meant = _moved(text, self.shift)
-        if not (self.shift and self.least <= abs(meant) < self.limit):
+        if not self.least <= abs(meant) < self.limit:
             return refusal
         return f"{refusal}; for {text} {self.of_another} write {_plain(meant)}"
 

@@ -47,6 +47,10 @@ REFUSED = [
     ("polynomial --a 999999", "at x = -0.75 the curve is off the table"),
     ("polynomial --a 999999 --cutter 0.1", "at x = -0.75 the curve is off the table"),
     ("polynomial --a 999999 --arithmetic ge635", "at x = -0.75 the curve is off the table"),
+    ("drill --holes 1,1.0005", "Y 1.0005 in: must be a whole number of thousandths"),
+    ("slope --from-x 1.0005", "slope: X 1.0005 in: must be a whole number of thousandths"),
+    ("slope --from-y 1.0005", "slope: Y 1.0005 in: must be a whole number of thousandths"),
+    ("slope --to-y 1.0005", "slope: Y 1.0005 in: must be a whole number of thousandths"),
     ("drill --holes 1.0005,1", "X 1.0005 in: must be a whole number of thousandths"),
     ("ellipse --minor 0.5 --tolerance 0.5", "semi-minor axis 0.5 in has an inner limit of 0 in"),
     ("ellipse --major 0", "semi-major axis 0 in: must be greater than 0"),
@@ -65,7 +69,10 @@ REFUSED = [
     ("slope --to-x 4.003 --to-y 4.004 --tolerance 0.6", "0.6 in: must be smaller than the curve, 0.005 in"),
     ("slope --tolerance 0.0009", "tolerance 0.0009 in: must be .001 in, the machine's resolution, or more"),
     ("slope --to-x 4.0000000001", "X 4.0000000001 in: must be a whole number of thousandths"),
-    ("curve 9.99*x --tolerance .005", "at X 4.000 of the table it moves 0.00999 in along Y"),
+    (
+        "curve 9.99*x --tolerance .005",
+        "a tolerance of 0.005 in: at X 4.000 of the table it moves 0.00999 in along Y",
+    ),
     ("curve x --technique piece --feed-error -5", "feed error -5%: must be from 0 to less than 100 %"),
     ("drill --holes ''", "no holes are given"),
     ("drill --z-depth 2", "final Z depth 2 in is above the Z feed point, 3 in"),
@@ -81,7 +88,10 @@ MISUSED = [
     ("circle --sequence 7.5", "7.5 is not a whole number."),
     ("circle --sequence 1e999999999", "must be less than 1,000,000"),
     ("slope --feed-error 0.2", "0.2 %: must be 0, or at least 1 %; for 0.2 as a fraction write 20"),
+    ("slope --feed-error 0.01", "for 0.01 as a fraction write 1"),
     ("circle --radius 1_0", "'1_0' is not a number"),
+    ("circle --radius ?nan", "'?nan' is not a number"),
+    ("circle --radius -Infinity", "'-Infinity' is not a finite number"),
     ("polynomial --tolerance 1", "1 in: must be less than 1 in"),
     ("drill --holes 1000,1000", "for 1000 thousandths write 1"),
     ("drill --holes nan,1", "not a finite number"),
@@ -218,6 +228,13 @@ def test_an_option_says_its_unit(capfd: pytest.CaptureFixture[str]) -> None:
     shown = ended(capfd, "part circle --help")[1] + ended(capfd, "part polynomial --help")[1]
     for option in ("radius INCHES", "sequence NUMBER", "feed-error PERCENT", "spindle CODE", "a PER-SQ-INCH"):
         assert f"--{option} " in shown
+    for part, said in (
+        ("circle", "1.75 0.005 4 4 0 7 6 84 85"),
+        ("drill", "1,1 1,2 4,2 4,1 35 3 3.5 1 6 mark"),
+        ("compare circle", "ge635 1.75"),
+    ):
+        shown = " ".join(ended(capfd, f"part {part} --help")[1].split())
+        assert " ".join(re.findall(r"\[default: ([^];]*)", shown)).startswith(said)
 
 
 def test_the_circles_tape_is_27_frames_a_line(shell: Shell) -> None:
@@ -232,8 +249,9 @@ def test_compare_shows_the_nine_blocks_side_by_side(shell: Shell) -> None:
     assert lines[1] == "  587  5876 6404 2647  585  5876 6404 2646  585"
     assert len(lines) == 11
     assert lines[-1] == "ellipse: 976 blocks exact, 976 ge635, 9 differ"
-    small = shell("pdp8 part compare ellipse --major .135 --minor .05 --tolerance .001").stdout.decode()
-    assert re.search(r"\n  120  1206 .{14}  - *\nellipse: 120 blocks exact, 114 ge635, 83 differ\n$", small)
+    other = "--with cdc6400 --major .135 --minor .05 --tolerance .001"
+    small = shell(f"pdp8 part compare ellipse {other}").stdout.decode()
+    assert re.search(r"\n  120  1206 .{14}  - *\nellipse: 120 blocks exact, 114 cdc6400, 83 differ\n$", small)
 
 
 def test_points_become_a_function_and_a_part_has_another_hand(shell: Shell) -> None:
@@ -244,7 +262,10 @@ def test_points_become_a_function_and_a_part_has_another_hand(shell: Shell) -> N
         assert done.stdout.decode() == f"{found.expression}\n"
         assert done.stderr.decode() == f"at most {found.worst:.4f} in from a point\n"
     slope = parts.part("slope")
-    for option, other in (("", mirrored(slope, "x")), (" --across y --about 5", mirrored(slope, "y", 5000))):
+    for option, other in (
+        ("", mirrored(slope, "x")),
+        (" --across y --about 5.0005", mirrored(slope, "y", 5000.5)),
+    ):
         done = shell(f"pdp8 part slope | pdp8 part mirror{option} --fill 3")
         assert done.stdout == ascii.encode(other, "mark", 3)
 

@@ -91,6 +91,16 @@ def test_a_block_whose_feed_is_in_force_names_it_again() -> None:
     assert printout.text == "  16 3902 4000  185\n  26 3902 4017  185\n"
 
 
+def test_a_block_sets_one_feed_and_x_s_moves() -> None:
+    for x, y, text in (
+        (1900, 1000, "  16    0    0  185\n  26 1900 1000  284\n"),
+        (1000, 1900, "  16    0    0  285\n  26 1000 1900  184\n"),
+    ):
+        printout = Printout()
+        Milling("piece", fastest=2, feed_error=0).print(printout, line(Point(0, 0), Point(x, y), 5))
+        assert printout.text == text
+
+
 def test_the_way_has_the_corner_of_figure_3_1() -> None:
     passed = list(way(Point(0, 0), Point(120, 120), (2.0, 1.0)))
     assert (120.0, 60.0) in passed

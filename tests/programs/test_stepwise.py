@@ -111,7 +111,7 @@ def test_every_stop_of_a_graph_is_in_its_band(steps: list[int], tolerance: float
 
 def test_turning_points_are_where_a_table_turns() -> None:
     assert turning_points([0, 1, 2, 2, 1, 0, 0, 3]) == [3, 6]
-    assert turning_points([0, 1, 2, 3]) == []
+    assert turning_points([0, 1, 2, 3]) == turning_points([1, 0]) == []
     assert turning_points([5, 5, 5]) == []
 
 
@@ -121,6 +121,17 @@ def test_an_arc_is_parted_at_each_right_angle_within_it(low: float, sweep: float
     between = sum(low < 90 * turn < low + sweep for turn in range(-9, 9))
     assert len(arc(CENTRE, 100, low, sweep, 3).stretches) == 1 + between
     assert len(arc(CENTRE, 100, low + sweep, -sweep, 3).stretches) == 1 + between
+
+
+def test_a_limit_is_a_side_of_its_own() -> None:
+    """Of a rising graph, which has no band beyond its ends, and of a ring between two circles."""
+    rising = graph(100, [0, 2, 4, 6], [4, 6, 8, 10]).stretches[0].side
+    ring = oval(Point(0, 0), 9, (5, 5), (13, 13)).stretches[0].side
+    for x, low in ((100, 0), (100.5, 1), (102, 4), (103, 6)):
+        sides = [rising(x, low + up) for up in (-0.1, 0, 2, 4, 4.1)]
+        assert sides == [Side.BELOW, Side.LOWER_LIMIT, Side.INSIDE, Side.UPPER_LIMIT, Side.ABOVE]
+    assert rising(99, 2) is rising(103.5, 9) is rising(104, 10) is Side.BELOW
+    assert [ring(x, y) for x, y in ((3, 3), (3, 4), (6, 6), (5, 12), (12, 12))] == sides
 
 
 def test_a_point_just_outside_the_inner_ellipse_is_inside_the_band() -> None:
