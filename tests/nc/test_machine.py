@@ -95,6 +95,28 @@ class TestTheCircle:
         assert list(path.clock())[-1] == pytest.approx(path.times.total)
 
 
+def test_where_the_cutter_is_at_a_second() -> None:
+    """2 s a block, 8 s a tool; .2 s an inch across, .6 s down; half an inch in and half along, 30 s each."""
+    blocks = (READ_Z, "002 0 01000 00500 0 01 86", "003 6 01500 00500 0 01 84")
+    path = nc.cut(tape(*blocks), settings=Settings(tool_change_seconds=8))
+    assert path.starts == pytest.approx([0, 2, 12.2])
+    knots = [(0, 0, 0), (12, 0, 0), (12.1, 500, 500), (12.2, 1000, 500), (14.2, 1000, 500), (14.8, 1000, 500)]
+    knots += [(44.8, 1000, 500), (74.8, 1500, 500)]
+    assert [knot[:3] for knot in path.knots] == [pytest.approx(knot) for knot in knots]
+    assert [knot.down for knot in path.knots] == [False] * 6 + [True] * 2
+    for second, knot, x, y, down, block in (
+        (0, 0, 0, 0, False, -1),
+        (6, 0, 0, 0, False, 1),
+        (12.05, 1, 250, 250, False, 1),
+        (59.8, 6, 1250, 500, True, 2),
+        (80, 7, 1500, 500, False, 2),
+    ):
+        assert [*path.at(second)] == pytest.approx([knot, x, y, down, block])
+    assert [*path.first] == pytest.approx([5, 1000, 500, False, -1])
+    assert [path.row(second) for second in (0, 1, 2, 3, 12.2, 80)] == [0, 10, 19, 30, 39, 59]
+    assert [*nc.cut(tape(FOUR_HOLES[0])).first] == [0, 0, 0, False, -1]
+
+
 def test_a_path_is_one_line_to_look_at() -> None:
     assert repr(nc.cut(CIRCLE)) == "<Path: 666 blocks, 36.7 min>"
 
