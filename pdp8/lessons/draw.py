@@ -1,16 +1,6 @@
 """Random cases: inputs drawn by ranges and kinds, and what the solution, or a Python function, makes of them.
 
-[[random]]                                  the keys of a case, and
-trials = 20                                 how many are drawn
-deposit = { A = { from = 0, to = 0o77 }, "0300-0311" = { from = 0, to = 0o777 }, B = { pick = [0, 1] } }
-sr = { from = 0, to = 0o7777 }
-reader = [0o200, { length = [1, 20], pick = "0123456789" }, { length = 3, from = 0, to = 0o377 }]   keys too
-compare = ["SUM", "0400-0410", "AC", "L", "tape", "page", "instructions"]    what must be as in the solution
-within = 1.5                                how often the solution's count of instructions is allowed
-python = "oracle.py:name"    name(random, case) gets a random.Random and the case's keys so far, as in
-                             [[case]], and returns them with what it adds
-
-The same seed and name of a case draw the same.
+docs/lessons.md says what may stand in a [[random]]. The same seed and name of a case draw the same.
 """
 
 import os
@@ -23,7 +13,7 @@ from typing import Any
 from pdp8.lessons import trial
 from pdp8.lessons.answer import Answer, assembled
 from pdp8.lessons.exercise import Case, Trial
-from pdp8.lessons.tables import CASE, TRIAL, ExerciseError, Field, frames, number, real, table, word
+from pdp8.lessons.tables import CASE, TRIAL, ExerciseError, Field, field, frames, number, table, word
 from tapes.errors import WorkError
 
 _MOST = 200
@@ -159,5 +149,6 @@ def _named(value: Any) -> str:
 
 _RANDOM: dict[str, Field] = {
     **CASE, **dict.fromkeys(TRIAL, lambda value: value), "trials": number(1, _MOST), "compare": _compare,
-    "within": real("a factor above 0 is wanted", lambda factor: factor > 0), "python": _named,
+    "within": field("a factor above 0 is wanted", int, float, fits=lambda factor: factor > 0),
+    "python": _named,
 }  # fmt: skip

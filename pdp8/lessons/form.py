@@ -1,14 +1,5 @@
 """An exercise's file, in TOML. docs/lessons.md says what may stand in it, tables.py what each table may have.
 
-title = "Add two words"
-task = "..."                          what the student is asked
-solution = '''...'''                  the teacher's own answer, or { file = "add.pal" } beside the exercise
-[program]                             words = 40, required = ["TAD"], forbidden = ["ISZ"]
-[[case]]                              a program on one set of inputs, or on each [[case.trial]]
-[[random]]                            a program on drawn inputs (draw.py)
-[[question]]                          a line of a sheet
-[mistakes]                            what students do wrong: a piece of the solution, what they write
-
 The same tables in JSON are a student's form (student.py).
 """
 

@@ -19,21 +19,17 @@ LONGEST = 200
 def read(name: str) -> Answer:
     """Return the answer in file `name`, `-` for standard input; what cannot be read has a fault."""
     try:
-        if name != "-" and os.path.exists(name) and not os.path.isfile(name):
+        if name == "-":
+            return of(sys.stdin.buffer.read(LARGEST + 1), called(name))
+        if os.path.exists(name) and not os.path.isfile(name):
             return Answer(called(name), fault="not a file")
-        return of(_content(name), called(name))
+        shelf.remember(name)
+        with open(name, "rb") as file:
+            return of(file.read(LARGEST + 1), called(name))
     except OSError as error:
         return Answer(called(name), fault=f"{error.strerror}")
     except ValueError:
         return Answer(called(name), fault="NUL in the name of a file")
-
-
-def _content(name: str) -> bytes:
-    if name == "-":
-        return sys.stdin.buffer.read(LARGEST + 1)
-    shelf.remember(name)
-    with open(name, "rb") as file:
-        return file.read(LARGEST + 1)
 
 
 def of(content: bytes, name: str) -> Answer:

@@ -5,7 +5,7 @@ from html import escape
 
 from pdp8.lessons import scores
 from pdp8.lessons.exercise import Exercise
-from pdp8.lessons.marking import Mark, Result
+from pdp8.lessons.marking import Result
 
 _STYLE = """
 body { font: 1rem/1.5 system-ui, sans-serif; max-width: 46rem; margin: 2rem auto; padding: 0 1rem }
@@ -43,15 +43,10 @@ def body(result: Result) -> Iterator[str]:
         right = "not yet" if mark.failures else "right"
         yield f"<tr><td>{escape(mark.name)}</td><td>{mark.points} of {mark.of}</td><td>{right}</td></tr>"
     yield "</table>"
-    for mark in result.marks:
-        if mark.failures:
-            yield from _failed(mark)
-
-
-def _failed(mark: Mark) -> Iterator[str]:
-    yield f"<h2>{escape(mark.name)}</h2>"
-    if mark.inputs:
-        yield f"<p>Tried with {escape(mark.inputs)}.</p>"
-    yield f"<pre>{escape(chr(10).join(scores.said(mark)))}</pre>"
-    if mark.hint:
-        yield f'<p class="hint">{escape(mark.hint)}</p>'
+    for mark in [each for each in result.marks if each.failures]:
+        yield f"<h2>{escape(mark.name)}</h2>"
+        if mark.inputs:
+            yield f"<p>Tried with {escape(mark.inputs)}.</p>"
+        yield f"<pre>{escape(chr(10).join(scores.said(mark)))}</pre>"
+        if mark.hint:
+            yield f'<p class="hint">{escape(mark.hint)}</p>'

@@ -36,19 +36,27 @@ def table(given: object, where: str, fields: Mapping[str, Field]) -> dict[str, A
         raise ExerciseError(f"{where}: {at}: {error}") from error
 
 
-def _of(kind: type, called: str) -> Field:
+def field(wanted: str, *kinds: type, fits: Callable[[Any], bool] = lambda value: True) -> Field:
+    """Return the field that takes values of these types alone, such as fit, as they are."""
+
     def convert(value: Any) -> Any:
-        if not isinstance(value, kind):
-            raise ValueError(f"{called} is wanted, not {value!r}")
+        if type(value) not in kinds or not fits(value):
+            raise ValueError(f"{wanted}, not {value!r}")
         return value
 
     return convert
 
 
-_text = _of(str, "a text")
-_list = _of(list, "a list")
-_flag = _of(bool, "true or false")
-tables = _of(list, "[[...]] tables")
+def number(least: int, most: int) -> Field:
+    return field(f"a number from {least} to {most} is wanted", int, fits=lambda value: least <= value <= most)
+
+
+_text = field("a text is wanted", str)
+_list = field("a list is wanted", list)
+_flag = field("true or false is wanted", bool)
+_least_0 = field("a number of 0 or more is wanted", int, float, fits=lambda value: value >= 0)
+_seconds = field(f"seconds up to {LONGEST} are wanted", int, float, fits=lambda value: 0 < value <= LONGEST)
+tables = field("[[...]] tables is wanted", list)
 
 
 def _mapping(value: Any) -> dict[str, Any]:
@@ -57,24 +65,6 @@ def _mapping(value: Any) -> dict[str, Any]:
         return dict(value)
     except (TypeError, ValueError):
         raise ValueError(f"a table is wanted, not {value!r}") from None
-
-
-def number(least: int, most: int) -> Field:
-    def convert(value: Any) -> int:
-        if not isinstance(value, int) or isinstance(value, bool) or not least <= value <= most:
-            raise ValueError(f"a number from {least} to {most} is wanted, not {value!r}")
-        return value
-
-    return convert
-
-
-def real(wanted: str, fits: Callable[[float], bool]) -> Field:
-    def convert(value: Any) -> float:
-        if not isinstance(value, int | float) or isinstance(value, bool) or not fits(value):
-            raise ValueError(f"{wanted}, not {value!r}")
-        return value
-
-    return convert
 
 
 def word(value: Any) -> int:
@@ -99,7 +89,7 @@ def _places(value: Any) -> tuple[str, ...]:
 
 def place(value: Any) -> str:
     """Return an address as four octal digits, or a symbol as it is."""
-    text = f"{value:o}" if isinstance(value, int) and not isinstance(value, bool) else _text(value)
+    text = f"{value:o}" if type(value) is int else _text(value)
     if not text[:1].isdigit():
         return str(text)
     if not all(digit in "01234567" for digit in text) or int(text, 8) > 0o7777:
@@ -145,16 +135,11 @@ def _mistakes(value: Any) -> dict[str, tuple[str, str]]:
 
 
 def _answer(value: Any) -> float | tuple[str, ...]:
-    if isinstance(value, int | float) and not isinstance(value, bool):
-        return float(value)
-    return _texts(value)
+    return float(value) if type(value) in (int, float) else _texts(value)
 
 
 def _hints(value: Any) -> dict[str, str]:
     return {"": value} if isinstance(value, str) else _slips(value)
-
-
-_least_0 = real("a number of 0 or more is wanted", lambda value: value >= 0)
 
 
 def _tolerance(value: Any) -> float:
@@ -177,9 +162,8 @@ CASE: dict[str, Field] = {"name": _text, "points": _POINTS, "hint": _hints, "hid
 TRIAL: dict[str, Field] = {
     "start": place, "starts": number(1, 10), "sr": word, "deposit": _deposits, "reader": frames,
     "keys": frames, "stop": _stop, "tape": frames, "itself": _flag, "page": _text, "ac": word,
-    "seconds": real(f"seconds up to {LONGEST} are wanted", lambda seconds: 0 < seconds <= LONGEST),
-    "link": number(0, 1), "core": _words, "changed": _places, "instructions": number(1, 1 << 40),
-    "takes": _takes,
+    "seconds": _seconds, "link": number(0, 1), "core": _words, "changed": _places,
+    "instructions": number(1, 1 << 40), "takes": _takes,
 }  # fmt: skip
 QUESTION: dict[str, Field] = {
     "name": _text, "ask": _text, "answer": _answer, "unit": _text, "tolerance": _tolerance,

@@ -1,18 +1,6 @@
 """The Teletype and the PC8/L against the clock: IOTs at given ticks, and what the devices do at which tick.
 
-A vector begins with the machine as it is switched on and the tape of "initial" in both readers. Its events
-are in the order of their ticks. What is done:
-
-    {"tick", "iot": word, "ac", "final": {"ac", "skip"}}    an IOT begins; it takes 85 ticks
-    {"tick", "key": frame}                                  a key is pressed
-    {"tick", "start": 1}                                    INITIALIZE, by the START key
-
-What comes of it, by itself at this tick, or seen at the end of an IOT:
-
-    {"tick", "flag": device, "is": 0 or 1}
-    {"tick", "read": frame, "device"}      a start unit begins (03), the frame is in the buffer (01)
-    {"tick", "print": frame}               the middle of the eighth data unit
-    {"tick", "punch": frame}               by the high-speed punch
+README.md says what an event is, and how a vector begins.
 """
 
 import random

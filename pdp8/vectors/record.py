@@ -1,8 +1,6 @@
 """Instructions of the processor, written down: registers and core before and after, and each memory cycle.
 
-    {"name", "models", "instructions", "initial", "final", "ticks", "cycles": [["FETCH", MA, MB], ...]}
-
-Of core "ram" has every word that a cycle touches. "models" are those on which the words do the same.
+README.md says what a vector has.
 """
 
 from array import array

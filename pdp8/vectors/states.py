@@ -59,10 +59,6 @@ def states(count: int) -> Iterator[list[State]]:
     """Yield `count` states, or up to three more, in lists of four that differ in link and ION only."""
     draw = random.Random(_SEED)
     for number in range(-(-count // len(LINK_AND_ION))):
-        state = EDGES[number] if number < len(EDGES) else _by_chance(draw)
+        by_chance = number >= len(EDGES)
+        state = State(*[draw.getrandbits(12) for _ in range(5)]) if by_chance else EDGES[number]
         yield [state._replace(link=link, ion=ion) for link, ion in LINK_AND_ION]
-
-
-def _by_chance(draw: random.Random) -> State:
-    pc, ac, sr, target, operand = (draw.getrandbits(12) for _ in range(5))
-    return State(pc, ac, sr, target, operand)
