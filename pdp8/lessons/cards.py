@@ -1,10 +1,5 @@
 """Cards to print and lay beside the machine: a sheet of A4 each, SVG.
 
-    rim            the 17 words of the RIM loader, as switches, and how they go in
-    instructions   what a word does: memory reference, operate, the Teletype's IOTs
-    ascii, eia     every code as holes
-    afternoon      the timetable of an afternoon, as the replay made it
-
 Sources: the PDP-8/I instruction card, for the RIM loader and the instructions; tapes/ and pal/ for the codes,
 as they are used everywhere here.
 """
@@ -179,7 +174,7 @@ def afternoon(slots: Sequence[tuple[str, str, str]], title: str) -> str:
     card = _Card(
         title, "Machine times are exact; the time a person takes is ours. Made by `pdp8 cards afternoon`."
     )
-    step = min(52, (HEIGHT - 110) / max(1, len(slots)))
+    step = min(52, (HEIGHT - 110) / len(slots))
     for number, (time, what, outcome) in enumerate(slots):
         y = 72 + number * step
         card.text(_MARGIN, y, f"{time:>11}", "head")

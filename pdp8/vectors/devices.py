@@ -31,8 +31,7 @@ AFTERWARDS = 2 * FRAME
 
 def vectors(name: str) -> Iterator[dict[str, Any]]:
     """Yield the vectors of "teletype" or "pc8l"."""
-    directed = {"teletype": _teletype, "pc8l": _pc8l}[name]
-    codes = {"teletype": (0o03, 0o04), "pc8l": (0o01, 0o02)}[name]
+    codes, directed = {"teletype": ((0o03, 0o04), _teletype), "pc8l": ((0o01, 0o02), _pc8l)}[name]
     for title, inputs in directed():
         yield _vector(f"{name}: {title}", inputs)
     draw = random.Random(_SEED)

@@ -22,7 +22,7 @@ from pdp8.lessons import (
     student,
     values,
 )
-from pdp8.lessons.answer import Answer
+from pdp8.lessons.answer import Answer, parted
 from pdp8.lessons.diagnosis import sequence, word
 from pdp8.lessons.exercise import Exercise, Trial
 from pdp8.lessons.form import parse
@@ -333,6 +333,7 @@ def test_answers_that_differ_in_names_and_comments_look_alike() -> None:
     answers = [handed.of(text.encode(), name) for name, text in
                (("a", source), ("b", other), ("c", form.read("step-wise").solution))]  # fmt: skip
     assert alike.pairs(answers) == [alike.Pair("a", "b", 1.0)]
+    assert parted("LOOP,\tjmp .-1") == ["LOOP", ",", "JMP", ".", "-", "1"]
 
 
 def numbers(length: int, *others: int, first: int = 0) -> Answer:
