@@ -20,9 +20,9 @@ class Answer:
     source: str = ""
     fault: str = ""
 
-    def address(self, place: str) -> int | None:
-        """Return the address that octal digits or a symbol name; None for a symbol it has not."""
-        return int(place, 8) if place[0].isdigit() else self.symbols.get(place)
+    def address(self, place: str) -> int:
+        """Return the address that octal digits name, or a symbol that it has."""
+        return int(place, 8) if place[0].isdigit() else self.symbols[place]
 
     def items(self) -> list[str]:
         """Return the symbols and numbers of the source as they stand, comments apart."""

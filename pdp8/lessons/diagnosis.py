@@ -57,7 +57,7 @@ WANTED = {
 
 def end(answer: Answer, trial: Trial, outcome: Outcome) -> tuple[str, str]:
     """Return what happened where the end is not as wanted, and what is said of it."""
-    stop, start = outcome.stop, answer.address(trial.start) or 0
+    stop, start = outcome.stop, answer.address(trial.start)
     if start not in answer.words and trial.start not in trial.deposit:
         return NO_WORD, f"no word of yours is at {start:04o}"
     if stop.reason is Reason.LIMIT:

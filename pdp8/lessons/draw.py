@@ -57,7 +57,7 @@ def _expected(drawn: Trial, program: Answer, compare: tuple[str, ...], within: f
     if drawn.stop not in (outcome.stop.reason, "any"):
         raise ExerciseError(f"{where}: the solution ends with {outcome.stop.reason}, not {drawn.stop}")
     places = [each for item in compare if item not in _WHAT for each in _places(item)]
-    core = {each: outcome.core[program.address(each) or 0] for each in places}
+    core = {each: outcome.core[program.address(each)] for each in places}
     found = outcome._replace(instructions=int(outcome.instructions * within))
     kept = {_WHAT[item]: getattr(found, _WHAT[item]) for item in compare if item in _WHAT}
     return replace(drawn, core={**drawn.core, **core}, **kept)

@@ -160,11 +160,11 @@ def _failures(tried: Trial, answer: Answer, outcome: Outcome) -> Iterator[Failur
         yield Failure("the end", diagnosis.WANTED[tried.stop], got, happened)
     yield from _registers(tried, outcome)
     for place, word in tried.core.items():
-        found = outcome.core[answer.address(place) or 0]
+        found = outcome.core[answer.address(place)]
         if found != word:
             yield Failure(place, f"{word:04o}", f"{found:04o}", diagnosis.word(word, found))
     for place in tried.changed:
-        address = answer.address(place) or 0
+        address = answer.address(place)
         if outcome.core[address] == outcome.before[address]:
             yield Failure(place, "another word", f"{outcome.core[address]:04o}, as before")
     yield from _products(tried, answer, outcome)

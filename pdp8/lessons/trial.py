@@ -89,18 +89,12 @@ def _ready(answer: Answer, trial: Trial) -> Machine:
     machine.put({"core": _JUNK})
     machine.load(answer.words)
     for place, word in trial.deposit.items():
-        machine.core[_at(answer, place)] = word if isinstance(word, int) else _at(answer, word)
+        machine.core[answer.address(place)] = word if isinstance(word, int) else answer.address(word)
     machine.sr = trial.sr
     return machine
 
 
 def _start(machine: Machine, answer: Answer, trial: Trial) -> None:
     machine.teletype.reader.load(trial.reader)
-    machine.start(_at(answer, trial.start))
+    machine.start(answer.address(trial.start))
     machine.teletype.keyboard.press(trial.keys)
-
-
-def _at(answer: Answer, place: str) -> int:
-    address = answer.address(place)
-    assert address is not None, f"the answer has no {place}"
-    return address

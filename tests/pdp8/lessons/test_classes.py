@@ -281,7 +281,7 @@ def test_an_answer_that_takes_too_much_memory_is_ended(monkeypatch: pytest.Monke
 
     monkeypatch.setattr(marking, "mark", hungry)
     exercise = parse(HEAD + "[[case]]\nname='c'\n", "e")
-    results = bounded.marked(exercise, [Answer("500"), Answer("520")])
+    results = bounded.marked(exercise, [Answer("440"), Answer("520")])
     assert [result.fault for result in results] == ["", "it took more than 512 MiB of memory, and was ended"]
 
 
@@ -404,6 +404,7 @@ def test_results_go_to_a_spreadsheet_to_junit_and_to_the_students(shell: Shell, 
     assert (tmp_path / "marks.xml").read_text().count("<testcase ") == 10
     assert "7 of 7 points" in (tmp_path / "pages" / "=ana.html").read_text()
     assert "JMP Q" in (tmp_path / "pages" / "ben.html").read_text()
+    assert b"ben.pal was read: it is not replaced" in shell("pdp8 check add ben.pal --csv ben.pal").stderr
 
 
 @pytest.mark.parametrize("option", ["--show solution", "--prove"])
