@@ -86,8 +86,8 @@ def sequence(expected: Sequence[object], got: Sequence[object]) -> str:
     """Return in which way a tape or a printed page differs."""
     if not got:
         return NOTHING
-    at = next((each for each in range(min(len(expected), len(got))) if expected[each] != got[each]), None)
-    if at is None:
+    at = first_difference(expected, got)
+    if at in (len(expected), len(got)):
         return SHORT if len(got) < len(expected) else LONG
     if _parity(expected, got, 0o200) or _parity(expected, got, 0o20):
         return PARITY
@@ -97,6 +97,12 @@ def sequence(expected: Sequence[object], got: Sequence[object]) -> str:
     if (lost and got[at:] == lost) or (doubled and doubled == expected[at:]):
         return SHIFTED
     return RESULT
+
+
+def first_difference(one: Sequence[object], other: Sequence[object]) -> int:
+    """Return where two first differ: one may have ended there."""
+    both = min(len(one), len(other))
+    return next((at for at in range(both) if one[at] != other[at]), both)
 
 
 def _parity(expected: Sequence[object], got: Sequence[object], channel: int) -> bool:

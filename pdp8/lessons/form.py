@@ -53,14 +53,13 @@ def parse(text: str, name: str, seed: int = SEED, folder: str = "") -> Exercise:
     Raises ExerciseError.
     """
     try:
-        deep = any(_DEEP.fullmatch(line.partition("=")[0]) for line in text.splitlines())
-        given = {} if deep else (json if text.startswith("{") else tomllib).loads(text)
+        if any(_DEEP.fullmatch(line.partition("=")[0]) for line in text.splitlines()):
+            raise RecursionError
+        given = (json if text.startswith("{") else tomllib).loads(text)
     except RecursionError:
-        deep = True
+        raise ExerciseError(f"{name}: nested too deeply") from None
     except ValueError as error:
         raise ExerciseError(f"{name}: {error}") from error
-    if deep:
-        raise ExerciseError(f"{name}: nested too deeply")
     found = table(given, name, EXERCISE)
     solution = _solution(found.pop("solution", ""), name, folder)
     cases = [_case(case, f"{name}: case {number}") for number, case in enumerate(found.pop("case", ()), 1)]

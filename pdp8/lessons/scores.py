@@ -13,6 +13,7 @@ ben.pal: wraps at 12 bits
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from pdp8.lessons.diagnosis import first_difference
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.marking import Failure, Mark, Result
 from tapes import errors
@@ -87,7 +88,7 @@ def lines(failure: Failure) -> Iterator[str]:
     if not expected:
         yield f"{failure.what:12} got {_cut(got, 0)}"
         return
-    at = _first_difference(expected, got)
+    at = first_difference(expected, got)
     start = max(0, at - _WIDEST // 2)
     yield f"{failure.what:12} expected {_cut(expected, start)}"
     yield f"{'':17} got {_cut(got, start)}"
@@ -104,13 +105,8 @@ def _cut(text: str, start: int) -> str:
     return text[start : start + _WIDEST] + ("..." if len(text) > start + _WIDEST else "")
 
 
-def _first_difference(one: Sequence[object], other: Sequence[object]) -> int:
-    both = min(len(one), len(other))
-    return next((at for at in range(both) if one[at] != other[at]), both)
-
-
 def _tapes(what: str, expected: bytes, got: bytes) -> Iterator[str]:
-    at = _first_difference(expected, got)
+    at = first_difference(expected, got)
     start, stop = max(0, at - _BEFORE), at + _AFTER + 1
     yield f"{what}: {len(got):,} frames, {len(expected):,} expected; the first difference is frame {at}"
     yield "   frame    expected               got"

@@ -10,18 +10,7 @@ from typing import Any
 
 import pytest
 
-from pdp8.lessons import (
-    alike,
-    bounded,
-    form,
-    handed,
-    marking,
-    page,
-    records,
-    scores,
-    student,
-    values,
-)
+from pdp8.lessons import alike, bounded, form, handed, marking, page, records, scores, student, values
 from pdp8.lessons.answer import Answer, parted
 from pdp8.lessons.diagnosis import sequence, word
 from pdp8.lessons.exercise import Exercise, Trial
