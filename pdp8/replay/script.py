@@ -18,9 +18,8 @@ from pal.isa import FETCH, IOT
 from pdp8.computer.hardware.fields import Values
 from pdp8.computer.hardware.signals import CYCLE, FRAME, IO_TICKS, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
-from pdp8.computer.use.operator import Action
+from pdp8.computer.use.operator import Action, Operator
 from pdp8.replay.day import Act, Day, Kind
-from tapes import kinds
 from tapes.ascii import CR
 from tapes.hydrapoint import ROWS
 
@@ -215,18 +214,15 @@ class Script:
 
     def _do(self, action: Action) -> None:
         """Do what the operator did."""
-        panel, reader = self.machine.panel, self.machine.teletype.reader
+        operator = Operator(self.machine)
         if action.key == "sr":
-            panel.sr = int(action.value or 0)
+            operator.set_switches(int(action.value or 0))
         elif action.key == "lever":
-            reader.lever(not reader.on)
+            operator.throw_lever()
         elif action.key == "mount":
-            tape = self.day.tapes[str(action.value)]
-            if reader.on and not panel.lamps.run:
-                reader.lever(False)
-            reader.load(tape[kinds.start(tape) :])
+            operator.mount(str(action.value), self.day.tapes[str(action.value)])
         else:
-            getattr(panel, action.key.replace(" ", "_"))()
+            getattr(operator.panel, action.key.replace(" ", "_"))()
 
 
 def go_on(machine: Machine, until: int) -> None:
