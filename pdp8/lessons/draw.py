@@ -48,7 +48,7 @@ def case(given: object, where: str, solution: str, seed: int, folder: str) -> Ca
     return Case(trials=tuple(made), hints=own.pop("hint", {}), **own)
 
 
-def _expected(drawn: Trial, program: Answer, compare: tuple[str, ...], within: float, where: str) -> Trial:
+def _expected(drawn: Trial, program: Answer, compare: Sequence[str], within: float, where: str) -> Trial:
     """Return the trial with what the solution made of it."""
     missing = [name for name in (*trial.needs(drawn), *_tags(compare)) if name not in program.symbols]
     if missing:
@@ -67,7 +67,7 @@ _WHAT = {"AC": "ac", "L": "link", "tape": "tape", "page": "page", "instructions"
 """What may be compared beside words of core, and what a trial calls it."""
 
 
-def _tags(compare: tuple[str, ...]) -> list[str]:
+def _tags(compare: Sequence[str]) -> list[str]:
     return [item for item in compare if item not in _WHAT and not item[0].isdigit()]
 
 
@@ -135,20 +135,10 @@ _DRAWN: dict[str, Callable[[Any, Random], Any]] = {
 }  # fmt: skip
 
 
-def _compare(value: Any) -> tuple[str, ...]:
-    if not isinstance(value, list) or not value or not all(isinstance(item, str) and item for item in value):
-        raise ValueError(f"a list of tags, addresses or {', '.join(_WHAT)} is wanted, not {value!r}")
-    return tuple(value)
-
-
-def _named(value: Any) -> str:
-    if not isinstance(value, str) or ":" not in value:
-        raise ValueError(f'"file.py:function" is wanted, not {value!r}')
-    return value
-
-
 _RANDOM: dict[str, Field] = {
-    **CASE, **dict.fromkeys(TRIAL, lambda value: value), "trials": number(1, _MOST), "compare": _compare,
+    **CASE, **dict.fromkeys(TRIAL, lambda value: value), "trials": number(1, _MOST),
+    "compare": field(f"a list of tags, addresses or {', '.join(_WHAT)} is wanted", list, fits=lambda items:
+                     items and all(isinstance(item, str) and item for item in items)),
     "within": field("a factor above 0 is wanted", int, float, fits=lambda factor: factor > 0),
-    "python": _named,
+    "python": field('"file.py:function" is wanted', str, fits=lambda name: ":" in name),
 }  # fmt: skip

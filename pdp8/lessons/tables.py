@@ -124,14 +124,13 @@ def _slips(value: Any) -> dict[str, str]:
     return {key: _text(hint) for key, hint in _mapping(value).items()}
 
 
-def _mistakes(value: Any) -> dict[str, tuple[str, str]]:
-    def edit(pair: Any) -> tuple[str, str]:
-        texts = _texts(pair)
-        if len(texts) != 2:
-            raise ValueError(f"[piece of the solution, what is written instead] is wanted, not {pair!r}")
-        return texts[0], texts[1]
+def _pair(wanted: str) -> Field:
+    return field(wanted, list, fits=lambda pair: len(pair) == 2)
 
-    return {what: edit(pair) for what, pair in _mapping(value).items()}
+
+def _mistakes(value: Any) -> dict[str, tuple[str, ...]]:
+    edit = _pair("[piece of the solution, what is written instead] is wanted")
+    return {what: _texts(edit(pair)) for what, pair in _mapping(value).items()}
 
 
 def _answer(value: Any) -> float | tuple[str, ...]:
@@ -146,10 +145,8 @@ def _tolerance(value: Any) -> float:
     return float(_least_0(value))
 
 
-def _takes(value: Any) -> tuple[float, float]:
-    if not isinstance(value, list) or len(value) != 2:
-        raise ValueError(f"the least and the most seconds are wanted, not {value!r}")
-    return _tolerance(value[0]), _tolerance(value[1])
+def _takes(value: Any) -> tuple[float, ...]:
+    return tuple(map(_tolerance, _pair("the least and the most seconds are wanted")(value)))
 
 
 _POINTS = number(0, 1000)

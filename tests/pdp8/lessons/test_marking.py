@@ -256,6 +256,9 @@ TABLE = """\
 answer  \u2026  \u2026  points
 ana\u240a    1  -   1 / 3
 =b\u241b     -  -   0 / 3
+answer  sum  A<B  points
+ana\u240a     1    -    1 / 3
+=b\u241b      -    -    0 / 3
 """
 HTML = f"""\
 <!doctype html>
@@ -280,7 +283,8 @@ def test_marks_for_people_and_machines() -> None:
     assert records.as_junit(GIVEN, CLASS[:2]) == XML
     assert records.as_csv(GIVEN, CLASS) == CSV
     shown = io.StringIO()
-    Console(file=shown, width=20).print(scores.table(GIVEN, CLASS[:2]))
+    for width in (20, 40):
+        Console(file=shown, width=width).print(scores.table(GIVEN, CLASS[:2]))
     assert shown.getvalue() == TABLE
     assert re.sub(r"(?s)<style>.*</style>", "<style></style>", page.html(GIVEN, CLASS[0])) == HTML
     assert list(page.body(CLASS[1])) == ["<h2>It was not tried</h2><pre>no      word</pre>"]
