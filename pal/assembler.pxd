@@ -27,9 +27,9 @@ cdef class Assembler:
     cdef public dict _seen, _redefined
     cdef public str _broken
     cdef public object _reader, _blamed
-    cdef public bint _reads_ahead, _made, _refers, _referring, _doubtful
+    cdef public bint _reads_ahead, _made, _refers, _referring, _doubtful, _zero
     cdef public int _number, _at, _location, _field, _radix, _checksum, _line, _places, _letters
-    cdef public int _pointer, _item, _word, _address, _operator, _zeros
+    cdef public int _pointer, _item, _word, _address, _operator
 
     @cython.locals(at=int, item=str, mark=str, name=str)
     cdef _read(self)

@@ -12,7 +12,7 @@ on the cells of the statement, which are cleared when a statement begins:
     made         whether the statement makes a word
     word         the memory-reference symbols and I, ORed; `referring`: there was one
     address      the other items, from left to right by `operator`: OR (0), +1, -1
-    zeros        how often there was a Z, or an address on page zero
+    zero         whether there was a Z, or an address on page zero
 
 CR and ``;`` make a word of it. ``=``, ``*``, FIELD and FIXMRI read an expression, to its CR or ``;``, with
 the statement as it stands; they wait for it on a push-down list of seven places.
@@ -172,8 +172,8 @@ class Assembler:
         return self._symbols.values()
 
     def _clear(self) -> None:
-        self._word = self._address = self._item = self._operator = self._zeros = 0
-        self._made = self._referring = self._doubtful = False
+        self._word = self._address = self._item = self._operator = 0
+        self._made = self._referring = self._doubtful = self._zero = False
         self._names = []
 
     def _read(self) -> None:
@@ -264,7 +264,7 @@ class Assembler:
             self._item = INDIRECT
             self._made = True
         elif routine == "Z":
-            self._zeros += 1
+            self._zero = True
         elif routine in {"FIELD", "FIXMRI"}:
             self._wait(routine)
             return False
@@ -344,15 +344,15 @@ class Assembler:
             return
         self._referring = False
         page = address & PAGE
-        if self._word == INDIRECT or (self._zeros and page):
+        if self._word == INDIRECT or (self._zero and page):
             self._watch("reference", self._pointer)
         if not page:
-            self._zeros += 1
+            self._zero = True
         elif self._number != 1 and page != self._location & PAGE:
             self._room_for(3)
             self.output.append(Message("IR", f"{address:04o}", self._location, self._at))
         self._address = address & ADDRESS
-        self._word = self._word + self._address + (0 if self._zeros else CURRENT_PAGE) & _MASK
+        self._word = self._word + self._address + (0 if self._zero else CURRENT_PAGE) & _MASK
 
     def _write(self) -> None:
         """Punch or list the statement, and move on by a word if it makes one."""

@@ -156,7 +156,7 @@ class Watched(Assembler):
                 "PN16", "I without a memory-reference symbol makes an AND", "write the instruction before I"
             )
         page = self._address & PAGE
-        if self._zeros and page and page == self._location & PAGE:
+        if self._zero and page and page == self._location & PAGE:
             message = f"Z makes this refer to {self._address & ADDRESS:04o} on page zero"
             self._note("PN14", message, f"for {self._address:04o}, on this page, leave out Z")
 

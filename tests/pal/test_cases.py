@@ -7,17 +7,12 @@
 What a line does not say must not be: a line without `/=` makes no word, and one without `/!` gets no message.
 """
 
-import os
 import re
-import sys
-from contextlib import suppress
 from pathlib import Path
 
 import pytest
 
 import pal
-from pal import cli
-from pal.cli import AssemblyError
 from tapes import binary
 
 CASES = sorted((Path(__file__).parent / "cases").glob("*.pal"))
@@ -51,19 +46,6 @@ def test_a_source_gives_what_its_lines_say(path: Path) -> None:
     if table:
         pairs = zip(table[1].split()[::2], table[1].split()[1::2], strict=True)
         assert assembly.symbol_table == "".join(f"{name:6}  {value}\n" for name, value in pairs)
-
-
-@pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
-def test_a_pipe_gives_the_same_tape(
-    path: Path, monkeypatch: pytest.MonkeyPatch, capfdbinary: pytest.CaptureFixture[bytes]
-) -> None:
-    reading, writing = os.pipe()
-    assert os.write(writing, path.read_bytes()) == path.stat().st_size
-    os.close(writing)
-    with open(reading) as pipe, suppress(AssemblyError):
-        monkeypatch.setattr(sys, "stdin", pipe)
-        cli.pal.main(["-", "--force", "-o", "-", "--dialect", "pal3"], standalone_mode=False)
-    assert capfdbinary.readouterr().out == pal.assemble(path.read_text()).tape
 
 
 def test_each_pass_assigns_again_so_that_tape_and_listing_may_differ() -> None:

@@ -36,11 +36,6 @@ def assert_same_tape(ours: bytes, theirs: bytes) -> None:
             pytest.fail(f"frame {number}: ours and DEC's are {shown}")
 
 
-def assert_same_print(ours: str, theirs: str) -> None:
-    for number, (our, their) in enumerate(zip_longest(ours.split("\n"), theirs.split("\n")), 1):
-        assert our == their, f"line {number} of the print"
-
-
 def test_the_tape_is_decs_frame_for_frame() -> None:
     assert len(NAMES) == 56
     for name in NAMES:
@@ -52,9 +47,8 @@ def test_the_teletype_prints_what_it_printed() -> None:
     for number in [1, 2, 3]:
         for name in NAMES:
             with case(name, number):
-                assert_same_print(
-                    assembled(name).text(number), (EXAMPLES / f"{name}.pass{number}.txt").read_text()
-                )
+                printed = (EXAMPLES / f"{name}.pass{number}.txt").read_text()
+                assert assembled(name).text(number).split("\n") == printed.split("\n")
 
 
 def typed(text: str) -> bytes:
@@ -91,10 +85,8 @@ def test_the_frames_of_the_three_passes_by_the_asr_33s_reader(path: Path) -> Non
 def test_after_a_second_letter_the_rest_of_a_number_is_passed_over(number: str, types: str) -> None:
     """As DEC-08-ASB1 does by the ASR-33's reader; so the word is 0, unless digits come first."""
     assembly = pal.assemble(f"*200\n{number}\n$\n")
-    codes = [
-        f"{ord(character) | 0o200 if character == '!' else ord(character) & 0o77:04o}" for character in types
-    ]
-    assert [message.subject for message in assembly.messages] == codes
+    codes = [0o241 if character == "!" else ord(character) & 0o77 for character in types]
+    assert [int(message.subject, 8) for message in assembly.messages] == codes
     assert assembly.words == {0o200: 0o11 if number == "9M" else 0}
 
 
@@ -113,6 +105,7 @@ def test_some_words_of_page_zero_may_be_written_over() -> None:
     assert pal.assemble("=5\n\t5\n$\n").listing == "\n            =5\n0200  0005  \t5\n\n\n"
     assert pal.assemble("=5\n\t6\n$\n").listing == ""
     assert pal.assemble("A!AAZ\n$\n").values["IOQ@C"] == 0o7601  # ION, and A, A, Z thrice
+    assert pal.assemble("A!A\n$\n").values["IOQ"] == 0o6001
     after_a_form_feed = pal.assemble("A=1\n\tA\n\f\tA\n=5\n\tA\n$\n")
     assert after_a_form_feed.listing.endswith("\n0202  0001  \tA\n\nA       0001\n\n")
 
@@ -123,28 +116,25 @@ def test_the_loader_skips_the_messages_on_the_asr_33s_tape() -> None:
             assembly = assembled(name)
             tape = assembly.teletype.pass2
             assert binary.decode(tape).words == assembly.words
-            without = bytearray()
-            for number, piece in enumerate(tape.split(b"\xff")):
-                without += piece if number % 2 == 0 else b""
-            assert_same_tape(bytes(without), (EXAMPLES / f"{name}.bin").read_bytes())
+            without = b"".join(tape.split(b"\xff")[::2])
+            assert_same_tape(without, (EXAMPLES / f"{name}.bin").read_bytes())
 
 
 def test_the_form_of_the_source_tape_does_not_matter() -> None:
     for name in NAMES:
-        for form in ["CR LF", "CR", "mark", "even", "leader and rubouts"]:
+        text = (EXAMPLES / f"{name}.pal").read_bytes()
+        tape = text.replace(b"\n", b"\r\n")
+        forms = {
+            **{"CR LF": tape, "CR": text.replace(b"\n", b"\r")},
+            "mark": bytes(frame | 0o200 for frame in tape),
+            "even": bytes(frame | 0o200 * (frame.bit_count() % 2) for frame in tape),
+            "leader and rubouts": b"\0\x80\x80" + text.replace(b"\n", b"\r\0\xff\n\xff\xff") + b"\x80",
+        }
+        for form, tape in forms.items():
             with case(name, form):
-                text = (EXAMPLES / f"{name}.pal").read_bytes()
-                line_end = {"CR": b"\r", "leader and rubouts": b"\r\0\xff\n\xff\xff"}.get(form, b"\r\n")
-                tape = text.replace(b"\n", line_end)
-                if form == "mark":
-                    tape = bytes(frame | 0o200 for frame in tape)
-                elif form == "even":
-                    tape = bytes(frame | 0o200 * (frame.bit_count() % 2) for frame in tape)
-                elif form == "leader and rubouts":
-                    tape = b"\0" * 5 + b"\x80" * 20 + tape + b"\x80" * 20
                 assembly = pal.assemble(tape, capacity=HIGH_SPEED_SYMBOLS)
                 assert_same_tape(assembly.tape, (EXAMPLES / f"{name}.bin").read_bytes())
-                assert_same_print(assembly.listing, (EXAMPLES / f"{name}.pass3.txt").read_text())
+                assert assembly.listing == (EXAMPLES / f"{name}.pass3.txt").read_text()
 
 
 @pytest.mark.parametrize("name", ["chain3", "fieldchain2", "full490"])

@@ -11,7 +11,12 @@ WORDS = {
     0o7041: ("7041  CIA: complement", "complement and increment the AC", "1 cycle, 1.6 µs"),
     0o6046: ("6046  TLS: ", "print a character", "an IOT, 4.25 µs"),
 }
-NAMES = {"CIA": "7041  CIA: complement and increment the AC", "I": "I: indirect: the word there", "NOPE": ""}
+NAMES = {
+    "CIA": "7041  CIA: complement and increment the AC",
+    "I": "I: indirect: the word there",
+    "Z": "Z: on page zero",
+    "NOPE": "",
+}
 
 
 def test_a_word_at_0200_is_told_with_its_time() -> None:

@@ -101,6 +101,4 @@ def test_the_command_notes_and_punches(shell: Shell) -> None:
     assert b"7002 swaps the halves of AC (BSW) on 8/E; on 8, 8/S, 8/I, 8/L it rotates nothing" in done.stderr
     assert shell("pal eia.pal -o eia.bin --for 8/K").returncode == 2
 
-
-def test_the_translation_runs_on_every_model_with_a_teletype(shell: Shell) -> None:
     assert shell("pal eia.pal -o eia.bin --for 8/L").stderr == b"wrote eia.bin\n"

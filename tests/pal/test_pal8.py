@@ -50,9 +50,7 @@ def test_the_words_are_palbarts() -> None:
             assert octal(assembly.words) == octal(core(words))
             assert [str(diagnostic) for diagnostic in assembly.diagnostics if diagnostic.error] == []
             assert octal(binary.decode(assembly.tape).words) == octal(core(words))
-            said = [
-                found.code for found in assembly.diagnostics if found.code == "PN30" or found.code > "PN41"
-            ]
+            said = [note.code for note in assembly.diagnostics if note.code == "PN30" or note.code > "PN41"]
             assert said == DECS.get(name, "").split()
             listed = [line.source for line in assembly.lines if line.source]
             assert listed == [line for line in source.replace("\r", "").split("\n") if line][: len(listed)]
@@ -70,10 +68,8 @@ def test_the_words_are_palbarts() -> None:
 
 @pytest.mark.skipif(PALBART is None, reason="palbart is not installed")
 def test_palbart_punches_the_same_frames_of_the_examples_and_of_random_sources(tmp_path: Path) -> None:
-    for source in [
-        *(source for source, _ in EXAMPLES.values()),
-        *(Author(seed).source() for seed in range(40)),
-    ]:
+    examples = [source for source, _ in EXAMPLES.values()]
+    for source in examples + [Author(seed).source() for seed in range(40)]:
         with case(source):
             assert not compare(source, tmp_path)
 
@@ -95,19 +91,12 @@ def test_a_listing_has_words_links_literals_and_symbols() -> None:
         "A       0200",
         "B       0400",
     ]
-    assert [assembly.text(number) for number in (1, 2, 3)] == [
-        "A       0200\nB       0400\n",
-        "",
-        assembly.listing,
-    ]
+    table = "A       0200\nB       0400\n"
+    assert [assembly.text(number) for number in (1, 2, 3)] == [table, "", assembly.listing]
     with pytest.raises(ValueError, match="PAL III's alone"):
         _ = assembly.teletype
     assert "B       0400  5" in cross_reference(assembly)
     assert json.loads(as_json(assembly))["symbols"] == {"A": "0200", "B": "0400"}
-
-
-def codes(source: str, dialect: str) -> list[str]:
-    return [diagnostic.code for diagnostic in pal.assemble(source, dialect=dialect).diagnostics]
 
 
 @pytest.mark.parametrize(
@@ -138,12 +127,8 @@ def test_a_page_has_room_for_128_literals(opening: str, code: str) -> None:
     for count, codes in ((128, []), (129, [code])):
         source = "*400\n" + "".join(f"A{number}={opening}{number:o}\n" for number in range(count))
         assembly = pal.assemble(source, dialect="pal8")
-        said = [
-            (each.code, each.message, each.column, each.end_column)
-            for each in assembly.diagnostics
-            if each.error
-        ]
-        assert said == [(code, f"{code}  more than 128 literals on this page", 9, 10) for code in codes]
+        said = [(each.message, each.column, each.end_column) for each in assembly.diagnostics if each.error]
+        assert said == [(f"{code}  more than 128 literals on this page", 9, 10) for code in codes]
         assert len(assembly.words) == 128
 
 

@@ -131,12 +131,8 @@ def test_an_editor_asks_for_all_there_is(tmp_path: Path) -> None:
     (tmp_path / "loop.pal").write_text(SOURCE)
     run("pal", "loop.pal", "--force", "--json", "loop.json", folder=tmp_path)
     said = json.loads((tmp_path / "loop.json").read_text())["diagnostics"]
-    ranges = [each.range for each in found["diagnostics"]]
-    codes = [each.code for each in found["diagnostics"]]
-    shown = [
-        (each.start.line + 1, each.start.character + 1, code)
-        for each, code in zip(ranges, codes, strict=True)
-    ]
+    starts = [(each.range.start, each.code) for each in found["diagnostics"]]
+    shown = [(start.line + 1, start.character + 1, code) for start, code in starts]
     assert shown == [(each["line"], each["column"], each["code"]) for each in said]
     assert shown[0] == (10, 6, "UA")
     assert "complement the AC; increment the AC" in found["hover or"]
@@ -195,9 +191,9 @@ def test_a_document_knows_what_stands_where() -> None:
 
 @pytest.mark.parametrize("name", ["eia.pal", "echo.pal", "hello.pal"])
 def test_columns_change_no_word(name: str) -> None:
-    source = shelf.read(name).decode()
-    text = formatted(source.replace("\t", "  "), "pal3")
-    assert text != source.replace("\t", "  ")
+    source = shelf.read(name).decode().replace("\t", "  ")
+    text = formatted(source, "pal3")
+    assert text != source
     assert pal.assemble(text).words == pal.assemble(source).words
     assert formatted(text, "pal3") == text
 
