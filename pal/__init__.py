@@ -21,7 +21,6 @@ reports        cross reference, JSON, and HTML for a notebook
 disassembler   words and tapes back to source
 lexer          PAL III in colour, for Pygments; grammar   the same for editors
 document       a source as an editor asks about it; meaning   what words and names mean
-columns        a source set in columns
 server         the language server
 cli            the commands `pal` and `dis`
 """

@@ -35,10 +35,7 @@ class AssemblyError(WorkError):
     "--xref", type=_TEXT, metavar="FILE", help="Write each symbol, its value, where it is defined and used."
 )
 @click.option(
-    "--json",
-    type=Target("JSON"),
-    metavar="FILE",
-    help="Write words, symbols, lines and diagnostics as JSON.",
+    "--json", type=Target("JSON"), metavar="FILE", help="Write words, symbols, lines and diagnostics as JSON."
 )
 @click.option(
     "--tty",
@@ -172,11 +169,9 @@ def _coloured(diagnostic: Diagnostic) -> str:
     place, severity, message = visible(diagnostic.headline).partition(f" {diagnostic.severity}: ")
     severity = click.style(severity.strip(), fg="red" if diagnostic.error else "cyan", bold=True)
     headline = f"{click.style(place, bold=True)} {severity} {click.style(message, bold=True)}"
-    carets = [
-        click.style(line, fg="green") if number else line
-        for number, line in enumerate(map(visible, diagnostic.excerpt))
-    ]
-    return "\n".join([headline, *carets, *map(visible, diagnostic.sentences)])
+    shown = [visible(line) for line in diagnostic.excerpt]
+    carets = [click.style(line, fg="green") for line in shown[1:]]
+    return "\n".join([headline, *shown[:1], *carets, *map(visible, diagnostic.sentences)])
 
 
 def _read(name: str) -> bytes:

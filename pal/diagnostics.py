@@ -110,7 +110,7 @@ def diagnose(
             if small > 1:
                 continue
         advice = _ADVICE[message.code](subject, message.location)
-        if message.code == "IC" and subject == "0277":
+        if subject == "0277":
             mark = source.spans[message.at][1]
             advice = advice.replace("?", source.shown[mark : mark + 1], 1)
         said = Note(message.code, at, str(message), advice)

@@ -7,9 +7,8 @@ from lsprotocol import types as lsp
 from pygls.exceptions import JsonRpcException
 from pygls.lsp.server import LanguageServer
 
-from pal import columns
 from pal.diagnostics import Diagnostic
-from pal.document import TAG, Document, Span
+from pal.document import TAG, Document, Span, formatted
 
 _VERSION = "1"
 _Placed = lsp.HoverParams | lsp.DefinitionParams | lsp.ReferenceParams | lsp.RenameParams
@@ -106,7 +105,7 @@ def made(dialect: str) -> LanguageServer:
     @server.feature(lsp.TEXT_DOCUMENT_FORMATTING)
     def formatting(params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit]:
         found = document(params.text_document.uri)
-        text = columns.formatted(found.text, dialect)
+        text = formatted(found.text, dialect)
         if text == found.text:
             return []
         return [lsp.TextEdit(lsp.Range(lsp.Position(0, 0), lsp.Position(len(found.lines), 0)), text)]

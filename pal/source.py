@@ -62,9 +62,8 @@ class Source:
         self._code = self.text.upper() if modern else self.text
         self.items: list[tuple[str, str]] = _ITEM.findall(self._code)
         self.feeds: list[int] = []
-        self._lines: dict[
-            int, list[tuple[int, int]]
-        ] = {}  # columns of the items of a line that was asked for
+        self._lines: dict[int, list[tuple[int, int]]] = {}
+        """The columns of the items of a line that was asked for."""
         if "\f" in text:
             self.items = [(item.replace("\f", ""), mark) for item, mark in self.items]
             self.feeds = [at for at, (start, end) in enumerate(self.spans) if "\f" in self.text[start:end]]

@@ -1,5 +1,7 @@
 """The messages for people: every message of DEC's, ours beside it, in the order of the source."""
 
+import re
+
 import pytest
 
 import pal
@@ -61,4 +63,5 @@ def test_a_byte_order_mark_is_no_character() -> None:
 @pytest.mark.parametrize("statement", ["CLA \033[31mX\x07", "FIELD\0331"])
 def test_a_terminal_is_shown_no_control_codes_of_a_source(statement: str) -> None:
     for diagnostic in pal.assemble(f"*200\n\t{statement}\n$\n").diagnostics:
+        assert diagnostic.excerpt[0] == "    \t" + re.sub("[\033\a]", "·", statement)
         assert not any(ord(character) < 0o40 and character not in "\t\n" for character in str(diagnostic))

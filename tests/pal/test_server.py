@@ -11,8 +11,7 @@ from pygls.exceptions import JsonRpcException
 from pytest_lsp import make_test_lsp_client
 
 import pal
-from pal.columns import formatted
-from pal.document import Document
+from pal.document import Document, formatted
 from tapes import shelf
 from tests.commands import run, warm_environment
 from tests.conftest import awaited
@@ -135,6 +134,7 @@ def test_an_editor_asks_for_all_there_is(tmp_path: Path) -> None:
     shown = [(start.line + 1, start.character + 1, code) for start, code in starts]
     assert shown == [(each["line"], each["column"], each["code"]) for each in said]
     assert shown[0] == (10, 6, "UA")
+    assert {each.source for each in found["diagnostics"]} == {"pal"}
     assert "complement the AC; increment the AC" in found["hover or"]
     assert "1 cycle, 1.6 µs" in found["hover or"]
     assert "0010 holds the address, and is incremented first" in found["hover tad"]
