@@ -39,9 +39,9 @@ def flatten(pictures: Sizes, sheet: Sheet) -> Flat:
     """Return the sheet as if it lay flat."""
     u = np.arange(-BEYOND * SAMPLES, (sheet.length - 1 + BEYOND) * SAMPLES + 1) / SAMPLES
     v = np.arange(-REACH * SAMPLES, REACH * SAMPLES + 1) / SAMPLES
-    picture, _, scale = pictures.for_step(float(np.median(sheet.pitches())))
-    places = (sheet.place(u[None, :], v[:, None]) + 0.5) * scale - 0.5
-    light = between(picture, places[..., 0], places[..., 1])
+    size = pictures.for_step(float(np.median(sheet.pitches())))
+    places = (sheet.place(u[None, :], v[:, None]) + 0.5) * size.scale - 0.5
+    light = between(size.light, places[..., 0], places[..., 1])
     smooth = _blurred(light, 0.1)
     paper = _blurred(cv2.dilate(smooth, np.ones((SAMPLES + 1, SAMPLES + 1))), 0.5)
     dark = 1 - smooth / (paper + 2)

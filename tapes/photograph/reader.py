@@ -15,6 +15,7 @@ below looks like another tape seen from above: `underside` has to say so.
 Needs OpenCV, the extra `vision`. Source: ECMA-10.
 """
 
+from itertools import compress
 from typing import NamedTuple
 
 import cv2
@@ -81,30 +82,38 @@ def read(picture: bytes, underside: bool = False) -> list[Frame]:
     Raises TapeError where there is no picture, no tape in it, or one that cannot be read; it says why.
     """
     light = pixels.light(picture)
-    found, why = _strips(light)
+    pictures = sprockets.sizes(light)
+    found, why = _strips(pictures)
     if not found:
-        found, _ = _strips(255 - light)
+        pictures = sprockets.sizes(255 - light)
+        found, _ = _strips(pictures)
     if not found:
         raise TapeError(_NO_TAPE + why)
-    strips = [_frames(pictures, strip) for pictures, strip in found]
+    strips = [_frames(pictures, strip) for strip in found]
     strips.sort(key=lambda strip: sum(frame.y for frame in strip) / len(strip))
     return [frame for strip in strips for frame in (strip[::-1] if underside else strip)]
 
 
-def _strips(light: Array) -> tuple[list[tuple[sprockets.Sizes, Found]], str]:
-    """Return the tapes in which holes are dark, and if there are none, why the likeliest row is not one."""
-    pictures = sprockets.sizes(light)
-    found: list[tuple[sprockets.Sizes, Found]] = []
+def _strips(pictures: sprockets.Sizes) -> tuple[list[Found], str]:
+    """Return the tapes in which holes are dark, the longest where two are one; and if there are none, why the
+    likeliest row is not one.
+    """
+    found: list[Found] = []
     why: list[str] = []
     for row in sprockets.rows(pictures):
         if len(why) >= _FAILURES:
             break
-        if any(tape.sheet.covers(row.places) for _, tape in found):
+        if any(tape.sheet.covers(row.places) for tape in found):
             continue
         try:
-            found.append((pictures, find(pictures, row)))
+            tape = find(pictures, row)
         except TapeError as error:
             why.append(str(error))
+            continue
+        u = np.arange(tape.sheet.length)
+        same = [other.sheet.covers(tape.sheet.place(u, 0 * u)) for other in found]
+        if all(len(other.seen) < len(tape.seen) for other in compress(found, same)):
+            found = [*(other for other, covers in zip(found, same, strict=True) if not covers), tape]
     return found, why[0] if why else "no row of small round holes was found"
 
 

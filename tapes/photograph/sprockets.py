@@ -40,12 +40,13 @@ class Row(NamedTuple):
 
 
 class Size(NamedTuple):
-    """A picture, how much darker it is in each place than around, as a part of the light there, and its
-    pixels to one of the first picture's.
+    """A picture; how much darker it is in each place than around, as a part of the light there; the same for
+    its spots alone, places deeper than those beside them, else 0; and its pixels to one of the first's.
     """
 
     light: Array
     depth: Array
+    spots: Array
     scale: float
 
 
@@ -68,7 +69,9 @@ def sizes(light: Array) -> Sizes:
         picture = cv2.resize(light, (wide, high), interpolation=cv2.INTER_AREA)
         relative: Array = picture / (cv2.blur(picture, (41, 41)) + 4)
         soft, sharp = (np.asarray(cv2.GaussianBlur(relative, (0, 0), width)) for width in (2.1, 1.1))
-        found.append(Size(picture, soft - sharp, wide / light.shape[1]))
+        depth = soft - sharp
+        spots = np.where(depth < cv2.dilate(depth, np.ones((3, 3))), 0, depth)
+        found.append(Size(picture, depth, spots, wide / light.shape[1]))
         wide, high = (round(length / _STEP ** len(found)) for length in light.shape[::-1])
     return Sizes(found)
 
@@ -76,19 +79,14 @@ def sizes(light: Array) -> Sizes:
 def starts(pictures: Sizes) -> list[Array]:
     """Return places (FEWEST, 2) of spots in a row, in pixels, the clearest first."""
     found: list[tuple[float, Array]] = []
-    for _, depth, scale in pictures.pictures:
-        x, y = _spots(depth)
-        places = np.stack([x, y], axis=1).astype(float)
-        for row in _straight(places, depth.shape):
-            found.append((float(depth[y[row], x[row]].min()), (places[row] + 0.5) / scale - 0.5))
+    for _, depth, spots, scale in pictures.pictures:
+        y, x = np.nonzero(spots > 4 * np.median(abs(depth)))
+        deepest = np.argsort(-spots[y, x])[:_MOST_SPOTS]
+        places = np.stack([x, y], axis=1)[deepest].astype(float)
+        for row in _straight(places, spots.shape):
+            least = float(spots[y, x][deepest][row].min())
+            found.append((least, (places[row] + 0.5) / scale - 0.5))
     return [row for _, row in sorted(found, key=lambda pair: -pair[0])]
-
-
-def _spots(depth: Array) -> tuple[Array, Array]:
-    """Return the columns and lines of what is darker than around, the deepest."""
-    y, x = np.nonzero((depth >= cv2.dilate(depth, np.ones((3, 3)))) & (depth > 4 * np.median(abs(depth))))
-    deepest = np.argsort(-depth[y, x])[:_MOST_SPOTS]
-    return x[deepest], y[deepest]
 
 
 def _straight(places: Array, shape: tuple[int, ...]) -> Array:
@@ -163,15 +161,15 @@ def measured(pictures: Sizes, place: Array, step: Array) -> tuple[Array, float]:
     """Return the middle of the hole that is nearest to `place`, and how much darker it is than around it, as
     a part of the light there. `step` leads to the next hole.
     """
-    _, depth, scale = pictures.for_step(float(np.hypot(*step)))
+    _, depth, spots, scale = pictures.for_step(float(np.hypot(*step)))
     reach = round(0.4 * float(np.hypot(*step)) * scale)
-    most = np.array(depth.shape[::-1]) - reach - 2
+    most = np.array(spots.shape[::-1]) - reach - 2
     x, y = np.rint((place + 0.5) * scale - 0.5).astype(int).clip(reach + 1, most)
-    patch = depth[y - reach : y + reach + 1, x - reach : x + reach + 1]
+    patch = spots[y - reach : y + reach + 1, x - reach : x + reach + 1]
     down, aside = np.unravel_index(int(patch.argmax()), patch.shape)
     x, y = x + aside - reach, y + down - reach
     off = [vertex(*depth[y, x - 1 : x + 2]), vertex(*depth[y - 1 : y + 2, x])]
-    return (np.array([x, y]) + off + 0.5) / scale - 0.5, float(depth[y, x])
+    return (np.array([x, y]) + off + 0.5) / scale - 0.5, float(spots[y, x])
 
 
 def rows(pictures: Sizes) -> list[Row]:
