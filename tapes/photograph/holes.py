@@ -26,11 +26,17 @@ FAINT = 0.05
 def by_holes(pictures: Sizes, row: Row) -> Sheet:
     """Return the sheet of a row by the holes beside it, whatever track it is."""
     sheet = _first(pictures, row)
-    for reach, knots in ((2, 60), (4, 30), (8, KNOTS)):
-        flat = flatten(pictures, sheet)
-        holes, _ = find_holes(flat, sheet, range(-reach, reach + 1))
-        sheet = fit(sheet.length, holes.and_(row_points(row), grid(sheet, weight=FAINT)), sheet, knots)
+    for reach, knots in ((2, 60), (2, 40), (3, 30), (5, 20), (7, 14), (9, KNOTS)):
+        holes, astray = find_holes(flatten(pictures, sheet), sheet, range(-reach, reach + 1))
+        held = grid(sheet)
+        held = held._replace(weight=FAINT * _trust(astray)[held.u])
+        sheet = fit(sheet.length, holes.and_(row_points(row), held), sheet, knots)
     return sheet
+
+
+def _trust(astray: Array) -> Array:
+    """Return what holes count that are astray by so many pitches."""
+    return np.asarray(1 / (1 + (astray / 0.07) ** 4))
 
 
 def row_points(row: Row) -> Points:
@@ -39,12 +45,10 @@ def row_points(row: Row) -> Points:
     return holes_at(u, 0 * u, row.places, np.where(row.seen, 1, FAINT))
 
 
-def grid(sheet: Sheet, width: float = 1, weight: float = 1) -> Points:
+def grid(sheet: Sheet, width: float = 1) -> Points:
     """Return places of the sheet as points, to fit it again with another width."""
-    u, v = (
-        axis.ravel() for axis in np.meshgrid(np.arange(sheet.length, dtype=float), [-3.0, -1.5, 0, 2.5, 5])
-    )
-    return holes_at(u, v, sheet.place(u, v * width), weight)
+    u, v = (axis.ravel() for axis in np.meshgrid(np.arange(sheet.length), [-3.0, -1.5, 0, 2.5, 5]))
+    return holes_at(u, v, sheet.place(u, v * width))
 
 
 def _first(pictures: Sizes, row: Row) -> Sheet:
@@ -109,5 +113,5 @@ def find_holes(flat: Flat, sheet: Sheet, tracks: range) -> tuple[Points, Array]:
     squares = np.convolve(np.bincount(u, off, sheet.length), around, "same")
     count = np.convolve(np.bincount(u, minlength=sheet.length), around, "same")
     astray = np.sqrt(squares / np.maximum(count, 1))
-    weight = 1 / (1 + (astray[u] / 0.07) ** 4) / (1 + off / 0.1**2)
+    weight = _trust(astray)[u] / (1 + off / 0.1**2)
     return holes_at(u, v, sheet.place(u + off_u, v + off_v), weight), astray
