@@ -33,9 +33,10 @@ _GO = """async ([kind, speed]) => {
   afternoon.play(true);
 }"""
 _TRANSLATE = """(tab) => {
+  workbench.parts.name = "circle.asc";
+  workbench.parts.translate();
+  workbench.time.setSpeed(1);
   workbench.tabs.open(tab);
-  workbench.translate("circle.asc");
-  workbench.switches.press("start");
 }"""
 _WAIT = """() => {
   workbench.editor.text = "*200\\n\\tKSF\\n\\tJMP .-1\\n$\\n";

@@ -59,33 +59,7 @@ class Follower:
             keys = {"load add": panel.load_add, "dep": panel.dep, "start": panel.start, "stop": panel.stop}
             keys[action.key]()
 
-    def state(self) -> dict[str, int]:
-        """Return everything that can be seen of the machine."""
-        return state(self.machine)
 
-
-def state(machine: Machine) -> dict[str, int]:
-    """Return everything that can be seen of a machine."""
-    processor = machine.processor
-    receiver, transmitter = machine.teletype.receiver, machine.teletype.transmitter
-    return {
-        "ticks": processor.clock,
-        "instructions": processor.instructions,
-        "ac": machine.ac,
-        "link": machine.link,
-        "pc": machine.pc,
-        "ma": machine.ma,
-        "mb": machine.mb,
-        "ir": machine.ir,
-        "sr": machine.sr,
-        "state": processor.state,
-        "next": processor.next,
-        "run": processor.run,
-        "ion": processor.ion,
-        "reader flag": receiver.flag,
-        "reader run": receiver.reader_run,
-        "taken": machine.teletype.reader.position,
-        "punch flag": transmitter.flag,
-        "frame start": receiver.start,
-        "send start": transmitter.start,
-    }
+def state(machine: Machine) -> dict[str, object]:
+    """Return all values of a machine, but for what it notes of its own runs."""
+    return {name: value for name, value in machine.values().items() if not name.startswith("waiting")}
