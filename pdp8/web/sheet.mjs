@@ -38,51 +38,47 @@ export function write(context, words, x, y, { colour, font, align = "center", ba
   context.fillText(words, x, y);
 }
 
-/** A drawing in SVG that is drawn again when what it shows or its size has changed. */
+/** A drawing in SVG that is drawn again when what it shows or its size has changed; then `changed` is called. */
 export class Drawing {
-  constructor(element, changed = () => {}) {
+  constructor(element, changed) {
     this.element = element;
     this.key = null;
-    new ResizeObserver(([{ contentRect: { width, height } }]) => {
-      Object.assign(this, { width, height, key: null });
+    this.anew = () => {
+      this.key = null;
       changed();
+    };
+    new ResizeObserver(([{ contentRect: { width, height } }]) => {
+      Object.assign(this, { width: Math.round(width), height: Math.round(height) });
+      this.anew();
     }).observe(element);
   }
 
   /** Let `draw(width, height)` say what is in it, unless `key` says that it would be the same. */
   draw(key, draw) {
     if (this.key === key || !this.width || !this.height) return;
+    this.show(draw);
     this.key = key;
+  }
+
+  show(draw) {
     this.element.innerHTML = draw(this.width, this.height);
   }
 }
 
-/** A canvas that is drawn again when what it shows, its size or the colours have changed. */
-export class Sheet {
-  constructor(canvas, changed = () => {}) {
-    this.canvas = canvas;
-    this.key = null;
-    this.width = this.height = 0;
-    const look = () => {
-      const style = getComputedStyle(canvas);
-      this.width = canvas.clientWidth;
-      this.height = canvas.clientHeight;
-      const names = ["sheet", "ink", "soft", "rust"];
-      this.colours = Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`)]));
-      this.key = null;
-      changed();
-    };
-    new ResizeObserver(look).observe(canvas);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", look);
+/** A drawing on a canvas: quicker where it moves all the time. It is drawn again when the colours have changed, too. */
+export class Sheet extends Drawing {
+  constructor(canvas, changed) {
+    super(canvas, changed);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", this.anew);
   }
 
-  /** Let `draw(context, width, height, {sheet, ink, soft, rust, ratio})` draw in CSS pixels, `ratio` of the screen's
-   *  each, unless `key` says that it would be the same.
-   */
-  draw(key, draw) {
-    const { canvas, width, height } = this;
-    if (this.key === key || width === 0 || height === 0) return;
-    this.key = key;
+  /** Let `draw(context, width, height, {sheet, ink, soft, rust, ratio})` draw in CSS pixels, `ratio` of the screen's each. */
+  show(draw) {
+    const { element: canvas, width, height } = this;
+    if (this.key === null) {
+      const style = getComputedStyle(canvas);
+      this.colours = Object.fromEntries(["sheet", "ink", "soft", "rust"].map((name) => [name, style.getPropertyValue(`--${name}`)]));
+    }
     const ratio = window.devicePixelRatio || 1;
     const [wide, tall] = [Math.round(width * ratio), Math.round(height * ratio)];
     if (canvas.width !== wide || canvas.height !== tall) Object.assign(canvas, { width: wide, height: tall });

@@ -308,4 +308,4 @@ async function start() {
 }
 
 if (globalThis.document) start();
-else serve({ booted, checked: ({ name, text }) => checked(name, text), marks, printout });
+else serve({ booted, checked, marks, printout });

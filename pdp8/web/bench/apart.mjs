@@ -6,7 +6,7 @@
 export function serve(work) {
   globalThis.onmessage = ({ data: [number, what, given] }) => {
     try {
-      globalThis.postMessage([number, work[what](given)]);
+      globalThis.postMessage([number, work[what](...given)]);
     } catch (error) {
       globalThis.postMessage([number, null, String(error.message ?? error)]);
     }
@@ -32,7 +32,7 @@ export class Apart {
     };
   }
 
-  /** What the Worker makes of `given`. Throws what it throws, or that it takes more than some seconds. */
+  /** What the Worker makes of the arguments `given`. Throws what it throws, or that it takes more than some seconds. */
   ask(what, given, seconds) {
     if (!this.worker) this.#begin();
     const number = this.number++;

@@ -187,7 +187,7 @@ export class Editor {
     this.keep();
     if (this.area.readOnly) return;
     try {
-      const found = await bench.apart.ask("checked", { name, text }, SECONDS);
+      const found = await bench.apart.ask("checked", [name, text], SECONDS);
       if (text === this.text) this.#found(found);
     } catch (error) {
       if (!bench.apart.worker) this.#found(checked(name, text));
@@ -322,7 +322,7 @@ export class Editor {
     const { name, tape } = this.#stopped();
     const { bench, bench: { machine, record: { loader } } } = this;
     try {
-      const { state, said } = await bench.apart.ask("booted", { state: save(machine), loader, tape, name }, SECONDS);
+      const { state, said } = await bench.apart.ask("booted", [save(machine), loader, tape, name], SECONDS);
       if (machine !== bench.machine) return; // another has come meanwhile
       machine.put(restore(state).values());
       bench.why = said;

@@ -65,7 +65,7 @@ export class Exercises {
     const source = tables.question ? lines.join("") : editor.text;
     find("marks").innerHTML = "<p>It is tried …</p>";
     try {
-      const { right, points, of, html } = await apart.ask("marks", { tables, name: tables.question ? name : editor.name, source }, SECONDS);
+      const { right, points, of, html } = await apart.ask("marks", [tables, tables.question ? name : editor.name, source], SECONDS);
       if (right) this.done.add(name);
       if (name !== this.name) return;
       find("marks").innerHTML = `<p><b class="${right ? "right" : ""}">${escaped(tables.question ? "The sheet" : editor.name)}: ${points} of ${of} points</b></p>${html}`;

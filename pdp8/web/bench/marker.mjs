@@ -32,7 +32,7 @@ function exercise({ title, task, program = {}, case: cases = [], question: quest
 }
 
 /** The marks of a source: { right, points, of, html }. */
-export function marks({ tables, name, source }) {
+export function marks(tables, name, source) {
   const result = mark(exercise(tables), new Answer(name, undefined, undefined, source));
   const { right, points, of } = result;
   return { right, points, of, html: [...body(result)].join("\n") };

@@ -35,7 +35,7 @@ function kept({ choices, default: by_itself, flag, places, spelling, unit, whole
 }
 
 /** The printout of a part, for options as they were typed, {name: text}. Throws what the command would say. */
-export function printout([{ name, options, arguments: places }, typed]) {
+export function printout({ name, options, arguments: places }, typed) {
   const missing = options.find((option) => option.required && !typed[option.name]);
   if (missing) throw new Error(`${name}: Missing argument '${missing.name.toUpperCase()}'.`);
   const values = Object.fromEntries(options.map((option) => [option.name, kept(option, typed[option.name])]));

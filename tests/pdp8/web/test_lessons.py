@@ -13,7 +13,7 @@ pytestmark = needs_node
 
 _MARKS = """async (asked) => {
   const { marks } = await import("@/pdp8/web/bench/marker.mjs");
-  return asked.map(marks);
+  return asked.map(({ tables, name, source }) => marks(tables, name, source));
 }"""
 _WRONG = 5
 

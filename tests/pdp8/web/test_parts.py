@@ -15,7 +15,7 @@ _PRINTED = """async ([declared, asked]) => {
   const { encode } = await import("@/tapes/ascii.mjs");
   const said = ([name, typed]) => {
     try {
-      return [...encode(printout([declared.find((part) => part.name === name), typed]))];
+      return [...encode(printout(declared.find((part) => part.name === name), typed))];
     } catch (error) {
       return error.message;
     }
