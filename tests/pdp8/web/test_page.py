@@ -50,12 +50,6 @@ def _translating(circle: Afternoon, seconds: float = 100.05) -> int:
     return lever + round(seconds * TICKS_PER_SECOND)
 
 
-def test_it_opens_at_one_o_clock(page: "Page") -> None:
-    """The clock, the title, an empty machine."""
-    assert page.locator("#clock").inner_text() == "1:00:00 pm"
-    assert page.locator(".lamp.on").count() == 1  # FETCH
-
-
 _LAMPS = """() => {
   const word = (lit) => [...lit].reduce((word, bit) => word * 2 + Number(bit), 0);
   const lamps = Map.groupBy(document.querySelectorAll("[data-lamp]"), ({ dataset }) => dataset.lamp);
