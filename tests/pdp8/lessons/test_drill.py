@@ -130,16 +130,14 @@ def test_each_card_says_what_to_do() -> None:
         *(("exam", None, "EXAM"), ("load_add", 0o4571, again), ("exam", None, "EXAM")),
     ]
     assert cards["boot"] == [
-        *(*rim, ("", None, "O: bin.rim into the reader"), rim[0]),
-        *(
-            ("start", None, "START: RIM reads BIN (P: faster)"),
-            ("", None, "wait until the tape has run through"),
-        ),
-        *(
-            ("stop", None, "STOP"),
-            ("", None, "O: eia.bin into the reader"),
-            ("load_add", 0o7777, "7777  LOAD ADD"),
-        ),
+        *rim,
+        ("", None, "O: bin.rim into the reader"),
+        rim[0],
+        ("start", None, "START: RIM reads BIN (P: faster)"),
+        ("", None, "wait until the tape has run through"),
+        ("stop", None, "STOP"),
+        ("", None, "O: eia.bin into the reader"),
+        ("load_add", 0o7777, "7777  LOAD ADD"),
         ("start", 0o7777, "START: BIN reads the program"),
         ("", None, "it halts; AC 0000: checksum right"),
     ]
