@@ -1,17 +1,21 @@
-"""The vectors, with few states: the same bytes always, in the form that the README says."""
+"""The vectors, with few states: the same bytes always, and the page's machine passes them."""
 
 import gzip
 import json
+import shutil
 import subprocess
 from collections import Counter
 from pathlib import Path
 from typing import Any
+
+import pytest
 
 from pal.models import MODELS
 from pdp8.vectors import runner
 from pdp8.vectors.folder import GROUPS
 from tests.conftest import Shell
 from tests.pdp8.vectors.conftest import STATES
+from tests.pdp8.web.node import modules
 
 
 def read(path: Path) -> list[dict[str, Any]]:
@@ -70,6 +74,15 @@ def test_a_vector_says_how_many_instructions_it_holds(folder: Path) -> None:
     counts = {vector["name"]: vector["instructions"] for vector in read(folder / "interrupts.json.gz")}
     assert counts["6001 7402 0 flags 1"] == 2
     assert counts["6001 6002 7000 0 flags 1"] == 3
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="Node.js is not installed")
+def test_the_machine_of_the_page_passes(folder: Path) -> None:
+    driver = Path(__file__).parent / "page_machine.mjs"
+    done = subprocess.run(["node", driver, modules(), folder], capture_output=True, text=True, check=True)
+    results = json.loads(done.stdout)
+    assert {file: wrong for file, (_, wrong) in results.items() if wrong} == {}
+    assert sum(count for count, _ in results.values()) > 4096 * STATES
 
 
 def test_models_are_those_that_do_the_same(folder: Path) -> None:
