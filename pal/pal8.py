@@ -818,11 +818,14 @@ class Assembler:
             return
         at = self._at(start, end)
         self._take_line(end)
+        alone = self._token in ("", ";", ">") or (self._mode == "FLTG" and self._token[:1].isalpha())
+        if not alone:
+            value = self._fail("IC", f"more than a number for {self._mode}", "put a ; between two numbers")
         if self._mode == "DUBL":
             value = -value if negative else value
             self._write(value >> 12 & _MASK, at)
             self._write(value & _MASK, at)
-        elif value == 0 or self._token[:1].isalpha():
+        elif alone and (value == 0 or self._token[:1].isalpha()):
             self._fail(
                 "IC", "FLTG with 0 or an exponent", "palbart never ends here; write three words", start, end
             )
