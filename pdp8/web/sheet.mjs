@@ -42,6 +42,7 @@ export function write(context, words, x, y, { colour, font, align = "center", ba
 export class Drawing {
   constructor(element, changed) {
     this.element = element;
+    this.width = this.height = 0;
     this.key = null;
     this.anew = () => {
       this.key = null;

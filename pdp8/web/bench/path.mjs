@@ -11,7 +11,8 @@ const STEPS = 720; // of a circle that is drawn
 export function contour(path, diameter, known) {
   const circle = followed(path.cuts);
   const band = known ? { inner: places(known.inner), nominal: places(known.nominal), outer: places(known.outer) } : circle && about(circle);
-  return { path, diameter, bounds: bounds(path.knots.filter(({ down }) => down), diameter / 2 + MARGIN), circle, band };
+  const cut = path.knots.filter(({ down }) => down);
+  return { path, diameter, bounds: bounds(cut.length ? cut : path.knots, diameter / 2 + MARGIN), circle, band };
 }
 
 function places(points) {
