@@ -169,7 +169,7 @@ def _object(value: object, place: str) -> dict[str, Any]:
 
 
 def _number(value: object, least: int, most: int, place: str) -> int:
-    if not isinstance(value, int) or not least <= value <= most:
+    if not isinstance(value, int) or isinstance(value, bool) or not least <= value <= most:
         raise StateError(f"{place}: {_short(value)} is not a number from {least} to {most}")
     return value
 
@@ -182,11 +182,18 @@ def _octal(value: object, most: int, place: str) -> int:
     return int(str(value), 8)
 
 
+def _numbers(value: object, place: str) -> list[str]:
+    """Return the octal numbers of a text of several."""
+    if not isinstance(value, str):
+        raise StateError(f"{place}: {_short(value)} is not a text of octal numbers")
+    return value.split()
+
+
 def _frames(value: object, place: str) -> Iterator[int]:
     if not isinstance(value, list):
         raise StateError(f"{place}: {_short(value)} is not a list of rows of frames")
     for row in value:
-        for frame in str(row).split():
+        for frame in _numbers(row, place):
             yield _octal(frame, 0o377, place)
 
 
@@ -194,7 +201,7 @@ def _copy(value: object, place: str, core: "array[int]") -> "array[int]":
     """Return a copy of `core` that differs from it in the words given, {address: words}."""
     copy = core[:]
     for first, words in _object(value, place).items():
-        for offset, word in enumerate(str(words).split()):
+        for offset, word in enumerate(_numbers(words, f"{place} {first}")):
             address = _octal(first, 0o7777, place) + offset
             if address > 0o7777:
                 raise StateError(f"{place} {first}: the words go beyond 7777")

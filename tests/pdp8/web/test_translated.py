@@ -161,12 +161,12 @@ _REFUSED = """async (texts) => {
 }"""
 
 
-_CLOCKS = ('"abc"', "-500", "1e20", "1.5", str(1 << 70))
+_CLOCKS = ('"abc"', "-500", "1e20", "1.5", "true", str(1 << 70))
 _PARTS = (
     *(f'"processor": {{"clock": {clock}}}' for clock in _CLOCKS),
     *('"processor": {"run": 2}', '"processor": {"x": 2}', '"waiting": {"clock": 5}', '"cpu": {}'),
     *('"devices": {"03": {"reader": {"position": 7}}}', '"devices": {"05": {}}'),
-    '"core": {"0200": "9"}',
+    *('"core": {"0200": "9"}', '"core": {"0200": 5}'),
 )
 
 
