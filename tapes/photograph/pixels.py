@@ -29,7 +29,7 @@ def light(picture: bytes) -> Array:
     """
     decoded = _decoded(picture)
     colours = [cv2.cvtColor(decoded, cv2.COLOR_BGR2GRAY), *cv2.split(decoded)]
-    return np.asarray(max(colours, key=lambda colour: float(colour.std())), dtype=np.float32)
+    return np.asarray(max(colours, key=lambda colour: cv2.meanStdDev(colour)[1].item()), dtype=np.float32)
 
 
 def shown(picture: bytes) -> bytes:

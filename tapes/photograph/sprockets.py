@@ -23,6 +23,8 @@ _STEP = 2**0.5
 """From one size of the picture to the next."""
 _NEAR, _FAR = 4.7, 10.5
 """Pixels from hole to hole that are looked for at each size."""
+_SMALLEST = 50
+"""Pixels of a picture, across or down, that are too few for the width of a tape."""
 _MOST_SPOTS = 12_000
 _MOST_ROWS = 40
 _LONGEST_GAP = 12
@@ -40,13 +42,13 @@ class Row(NamedTuple):
 
 
 class Size(NamedTuple):
-    """A picture; how much darker it is in each place than around, as a part of the light there; the same for
-    its spots alone, places deeper than those beside them, else 0; and its pixels to one of the first's.
+    """A picture; how much darker it is in each place than around, as a part of the light there; which places
+    are deeper than those beside them; and its pixels to one of the first's.
     """
 
     light: Array
     depth: Array
-    spots: Array
+    spot: Array
     scale: float
 
 
@@ -65,13 +67,13 @@ def sizes(light: Array) -> Sizes:
     """Return the picture, shades of grey, in all sizes in which a row may be found."""
     found: list[Size] = []
     wide, high = light.shape[::-1]
-    while min(wide, high) > 60:
+    while min(wide, high) > _SMALLEST:
         picture = cv2.resize(light, (wide, high), interpolation=cv2.INTER_AREA)
         relative: Array = picture / (cv2.blur(picture, (41, 41)) + 4)
         soft, sharp = (np.asarray(cv2.GaussianBlur(relative, (0, 0), width)) for width in (2.1, 1.1))
         depth = soft - sharp
-        spots = np.where(depth < cv2.dilate(depth, np.ones((3, 3))), 0, depth)
-        found.append(Size(picture, depth, spots, wide / light.shape[1]))
+        spot = depth >= cv2.dilate(depth, np.ones((3, 3)))
+        found.append(Size(picture, depth, spot, wide / light.shape[1]))
         wide, high = (round(length / _STEP ** len(found)) for length in light.shape[::-1])
     return Sizes(found)
 
@@ -79,13 +81,13 @@ def sizes(light: Array) -> Sizes:
 def starts(pictures: Sizes) -> list[Array]:
     """Return places (FEWEST, 2) of spots in a row, in pixels, the clearest first."""
     found: list[tuple[float, Array]] = []
-    for _, depth, spots, scale in pictures.pictures:
-        y, x = np.nonzero(spots > 4 * np.median(abs(depth)))
-        deepest = np.argsort(-spots[y, x])[:_MOST_SPOTS]
-        places = np.stack([x, y], axis=1)[deepest].astype(float)
-        for row in _straight(places, spots.shape):
-            least = float(spots[y, x][deepest][row].min())
-            found.append((least, (places[row] + 0.5) / scale - 0.5))
+    for _, depth, spot, scale in pictures.pictures:
+        y, x = np.nonzero(spot & (depth > 4 * np.median(abs(depth))))
+        deepest = np.argsort(-depth[y, x])[:_MOST_SPOTS]
+        y, x = y[deepest], x[deepest]
+        places = np.stack([x, y], axis=1).astype(float)
+        for row in _straight(places, depth.shape):
+            found.append((float(depth[y[row], x[row]].min()), (places[row] + 0.5) / scale - 0.5))
     return [row for _, row in sorted(found, key=lambda pair: -pair[0])]
 
 
@@ -161,15 +163,16 @@ def measured(pictures: Sizes, place: Array, step: Array) -> tuple[Array, float]:
     """Return the middle of the hole that is nearest to `place`, and how much darker it is than around it, as
     a part of the light there. `step` leads to the next hole.
     """
-    _, depth, spots, scale = pictures.for_step(float(np.hypot(*step)))
-    reach = round(0.4 * float(np.hypot(*step)) * scale)
-    most = np.array(spots.shape[::-1]) - reach - 2
+    _, depth, spot, scale = pictures.for_step(float(np.hypot(*step)))
+    reach = min(round(0.4 * float(np.hypot(*step)) * scale), _SMALLEST // 5)
+    most = np.array(depth.shape[::-1]) - reach - 2
     x, y = np.rint((place + 0.5) * scale - 0.5).astype(int).clip(reach + 1, most)
-    patch = spots[y - reach : y + reach + 1, x - reach : x + reach + 1]
+    around = slice(y - reach, y + reach + 1), slice(x - reach, x + reach + 1)
+    patch = np.where(spot[around], depth[around], 0)
     down, aside = np.unravel_index(int(patch.argmax()), patch.shape)
     x, y = x + aside - reach, y + down - reach
     off = [vertex(*depth[y, x - 1 : x + 2]), vertex(*depth[y - 1 : y + 2, x])]
-    return (np.array([x, y]) + off + 0.5) / scale - 0.5, float(spots[y, x])
+    return (np.array([x, y]) + off + 0.5) / scale - 0.5, float(patch.max())
 
 
 def rows(pictures: Sizes) -> list[Row]:
