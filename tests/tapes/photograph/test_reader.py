@@ -52,7 +52,7 @@ WITHOUT = {
     "film": "the paper's edges are not",
     "a desk": "the paper's edges are not",
     "a strip of it": "the holes are all of one size",
-    "five-channel tape": "frames are doubtful, most of them: holes are not at their places",
+    "five-channel tape": "the paper's edges are not",
 }
 """What of the survey's pictures differs most, and why it is refused."""
 
