@@ -49,11 +49,8 @@ class Left:
 
     def note(self, processor: Processor) -> None:
         """Note the registers as they are."""
-        p = processor
-        self.pc, self.lac, self.next = p.pc, p.lac, p.next
-        self.ion, self.ion_delayed = p.ion, p.ion_delayed
-        self.sr, self.mem_prot = p.sr, p.mem_prot
-        self.clock, self.instructions = p.clock, p.instructions
+        for name in self.fields:
+            setattr(self, name, getattr(processor, name))
 
     def forget(self) -> None:
         """Note nothing: the run ended by itself."""
@@ -61,13 +58,7 @@ class Left:
 
     def holds(self, processor: Processor) -> bool:
         """Tell whether the registers are as they were noted."""
-        p = processor
-        return (
-            (self.clock, self.instructions) == (p.clock, p.instructions)
-            and (self.pc, self.lac, self.next) == (p.pc, p.lac, p.next)
-            and (self.ion, self.ion_delayed) == (p.ion, p.ion_delayed)
-            and (self.sr, self.mem_prot) == (p.sr, p.mem_prot)
-        )
+        return all(getattr(self, name) == getattr(processor, name) for name in self.fields)
 
 
 class Waiting:
