@@ -134,3 +134,21 @@ def test_stop_of_an_observer_ends_the_instruction_and_the_run(machine: Machine) 
     machine.start(0o200)
     stop = machine.run()
     assert (stop.reason, stop.pc, machine.core[0o300], machine.ticks) == ("stop key", 0o202, 0o300, 64 + 96)
+
+
+def test_start_initializes_and_cont_clears_nothing(machine: Machine) -> None:
+    panel = machine.panel
+    load_address(panel, 0o202)
+    machine.ac, machine.link = 0o1234, 1
+    machine.processor.ion = 1
+    machine.teletype.transmitter.flag = machine.teletype.receiver.flag = 1
+    machine.teletype.receiver.reader_run = 0
+    panel.cont()
+    assert machine.run().reason == "halt"
+    assert (machine.ac, machine.link, machine.ion, machine.teletype.transmitter.flag) == (0o1234, 1, 1, 1)
+    load_address(panel, 0o202)
+    panel.start()
+    assert (machine.ac, machine.link, machine.ion) == (0, 0, 0)
+    assert [device.flag for device in machine.bus] == [0, 0]
+    assert machine.teletype.receiver.reader_run == 1
+    assert (machine.pc, machine.core[0o202]) == (0o202, 0o7402)

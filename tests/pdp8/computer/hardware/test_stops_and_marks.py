@@ -123,3 +123,14 @@ def test_a_breakpoint_after_a_skip_stops(skip: int, at: int) -> None:
     m.watch.breakpoints = {at + 2 & 0o7777}
     assert m.run(seconds=0.01).reason == "breakpoint"
     assert (m.pc, m.instructions, m.ac) == (at + 2 & 0o7777, 2, 0)
+
+
+def test_setting_pc_begins_with_a_fetch() -> None:
+    """In the middle of TAD I 20."""
+    m = machine("1420", at_20=0o30, at_30=5, at_300=0o7402)
+    m.panel.sing_step = True
+    m.run()
+    m.panel.sing_step = False
+    m.pc = 0o300
+    assert m.run().reason == "halt"
+    assert (m.ac, m.mb) == (0, 0o7402)

@@ -52,6 +52,22 @@ def test_a_character_back_and_a_block(translated: tuple[Machine, History]) -> No
     assert machine.teletype.punch.tape == punched[: punched.index(0o200)]
 
 
+def test_one_is_undone_where_no_number_is_named(translated: tuple[Machine, History]) -> None:
+    machine, history = translated
+    machine.run()
+    clock, instructions = machine.processor.clock, machine.instructions
+    rewind.cycles(history)
+    assert clock - machine.processor.clock in (32, 85)
+    rewind.instructions(history)
+    assert machine.instructions in (instructions - 1, instructions - 2)
+    printed = len(machine.teletype.printer.frames)
+    rewind.characters(history)
+    assert len(machine.teletype.printer.frames) == printed - 1
+    punched = machine.teletype.punch.tape.count(0o200)
+    rewind.blocks(history)
+    assert machine.teletype.punch.tape.count(0o200) == punched - 1
+
+
 def test_cycles_back_stand_within_an_instruction(translated: tuple[Machine, History]) -> None:
     machine, history = translated
     was = saved(machine)

@@ -30,8 +30,8 @@ def bin_tape() -> bytes:
     return rim.encode(assembly("bin").words)
 
 
-def boot(machine: Machine, program: bytes, name: str = "program") -> list[Loading]:
-    return list(Operator(machine).boot(bin_tape(), program, name))
+def boot(machine: Machine, program: bytes, *name: str) -> list[Loading]:
+    return list(Operator(machine).boot(bin_tape(), program, *name))
 
 
 def bin_machine(highspeed: bool = False) -> Machine:
@@ -116,6 +116,7 @@ def test_what_follows_a_rim_tapes_trailer_stays_out_of_core(after: str) -> None:
     done = boot(machine, tape + bytes(octal(after)))[-1]
     assert [machine.core[address] for address in (0, 0o176, 0o200)] == [0o2222, 0o1111, 0o7402]
     assert (done.frames, done.words, done.missing) == (len(tape) + after.count("200"), 3, 0)
+    assert done.what == "program read by RIM"
 
 
 @pytest.mark.parametrize("gap", ["000 000", "000 000 200 000 000 000", "200"])
@@ -168,6 +169,10 @@ def test_a_wrong_hole_shows_in_the_checksum(frame: int) -> None:
 def test_a_tape_cut_short(tape: bytes) -> None:
     with pytest.raises(LoadError, match=r"torn.bin: the BIN loader ended with tape out"):
         Operator(bin_machine()).read_bin(tape, "torn.bin")
+    with pytest.raises(LoadError, match=r"^tape: the BIN loader ended with tape out"):
+        Operator(bin_machine()).read_bin(tape)
+    with pytest.raises(LoadError, match=r"^tape: the RIM loader ended with idle"):
+        Operator(Machine()).read_rim(tape)
 
 
 def test_start_at_once_runs_nothing_before_the_lever() -> None:
