@@ -30,8 +30,8 @@ def bin_tape() -> bytes:
     return rim.encode(assembly("bin").words)
 
 
-def boot(machine: Machine, program: bytes, *name: str) -> list[Loading]:
-    return list(Operator(machine).boot(bin_tape(), program, *name))
+def boot(machine: Machine, program: bytes, name: str) -> list[Loading]:
+    return list(Operator(machine).boot(bin_tape(), program, name))
 
 
 def bin_machine(highspeed: bool = False) -> Machine:
@@ -113,7 +113,7 @@ def test_what_follows_a_rim_tapes_trailer_stays_out_of_core(after: str) -> None:
     """The RIM loader knows no end: to it blank tape is 0000 for 0000, and 101 076 076 101 a word for 0176."""
     machine = Machine()
     tape = rim.encode({0: 0o2222, 0o176: 0o1111, 0o200: 0o7402}).rstrip(b"\200")
-    done = boot(machine, tape + bytes(octal(after)))[-1]
+    done = list(Operator(machine).boot(bin_tape(), tape + bytes(octal(after))))[-1]
     assert [machine.core[address] for address in (0, 0o176, 0o200)] == [0o2222, 0o1111, 0o7402]
     assert (done.frames, done.words, done.missing) == (len(tape) + after.count("200"), 3, 0)
     assert done.what == "program read by RIM"
