@@ -175,3 +175,11 @@ def test_a_tape_that_is_still_being_made_is_read_to_its_end() -> None:
     m.teletype.reader.load(b"a")
     m.teletype.reader.more = lambda: parts.pop(0)
     assert (m.run().reason, m.teletype.punch.tape) == ("tape out", b"abcd")
+
+
+def test_a_punch_that_is_off_punches_nothing_and_the_printer_prints() -> None:
+    m = program(*octal("6031 5200 6036 6046 6041 5204 5200"))
+    m.teletype.reader.load(b"abc")
+    m.teletype.punch.on = False
+    m.run(seconds=2)
+    assert (bytes(m.teletype.printer.frames), m.teletype.punch.tape) == (b"abc", b"")

@@ -8,7 +8,7 @@ import pytest
 import pal
 from pdp8.computer.machine import LoadError, Machine
 from pdp8.computer.use import operator
-from pdp8.computer.use.operator import Loading, Operator
+from pdp8.computer.use.operator import Operator
 from tapes import binary, rim
 from tests.pdp8.computer.bench import octal
 
@@ -28,10 +28,6 @@ def assembly(name: str) -> pal.Assembly:
 
 def bin_tape() -> bytes:
     return rim.encode(assembly("bin").words)
-
-
-def boot(machine: Machine, program: bytes, name: str) -> list[Loading]:
-    return list(Operator(machine).boot(bin_tape(), program, name))
 
 
 def bin_machine(highspeed: bool = False) -> Machine:
@@ -90,7 +86,7 @@ def test_boot_from_cold() -> None:
     program = assembly("eia")
     machine = Machine()
     machine.panel.mem_prot = True
-    steps = boot(machine, program.tape, "eia.bin")
+    steps = list(Operator(machine).boot(bin_tape(), program.tape, "eia.bin"))
     assert {address: machine.core[address] for address in program.words} == program.words
     trailer = len(program.tape.rstrip(b"\0").rstrip(b"\x80")) - program.tape.index(0o200)
     frames = (len(bin_tape()), trailer + 1)
