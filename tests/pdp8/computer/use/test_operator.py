@@ -196,6 +196,13 @@ def test_a_tape_cut_short_is_loaded_as_far_as_the_loader_got_if_forced(frames: i
     assert list(machine.core)[0o200:0o202] == [0o1234, 0o4321][:loaded] + [0] * (2 - loaded)
 
 
+def test_a_second_section_without_an_end_is_read_if_forced() -> None:
+    first, second = binary.encode({0o200: 0o1111}), binary.encode({0o300: 0o2222})
+    machine = bin_machine()
+    assert Operator(machine).read_bin(first + second[:70], force=True).sections == 2
+    assert machine.core[0o300] == 0o2222
+
+
 @pytest.mark.parametrize("force", [False, True])
 def test_a_loader_that_does_not_read_has_loaded_nothing(force: bool) -> None:
     """The words of another program are no loader; where they halt with AC = 0, the sum seems good."""
