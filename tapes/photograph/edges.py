@@ -10,11 +10,11 @@ import cv2
 import numpy as np
 
 from tapes.errors import TapeError
-from tapes.photograph.flat import SAMPLES, Flat
+from tapes.photograph.flat import SAMPLES, Flat, find_spots
 from tapes.photograph.pixels import Array
 from tapes.photograph.sheet import FIVE, THREE, Points, Sheet
 
-_ACROSS = np.arange(-8, 9) / SAMPLES
+_PROFILE = np.arange(-8, 9) / SAMPLES
 """Places across an edge, from inside to outside."""
 
 
@@ -37,26 +37,32 @@ def find_side(flat: Flat, sheet: Sheet) -> Side:
     Raises TapeError if the paper has not its edges where a tape has, or the holes are not as a tape's.
     """
     always, mass = {}, {}
-    u = np.arange(sheet.length)
-    limit = 0.5 * np.median(flat.take(flat.spots, u, 0))
+    spots = find_spots(flat.dark)
+    u = np.arange(sheet.length, dtype=float)
+    limit = 0.5 * np.median(flat.take(spots, u, 0 * u))
     for track in range(-5, 6):
-        deep = flat.take(flat.spots, u, track) > limit
-        always[track] = float(deep.mean())
-        mass[track] = _mass(flat, u[deep], track)
+        deep = flat.take(spots, u, 0 * u + track)
+        always[track] = float((deep > limit).mean())
+        mass[track] = _mass(flat, u[deep > limit], track)
     has_codes = sum(always.values()) * sheet.length > sheet.length + 12
+    widths = np.array([1.0]) if has_codes else np.geomspace(0.55, 1.8, 33)
+    sides = [
+        Side(track, three, float(width), 0)
+        for track in range(-5, 6)
+        for three in (-1, 1)
+        for width in widths
+        if always[track] > 0.7 and (has_codes or track == 0)
+    ]
     paper = _paper(flat, sheet)
-    sides = []
-    for track in (track for track in always if always[track] > 0.7 and (has_codes or track == 0)):
-        for three in (-1, 1):
-            for width in np.ones(1) if has_codes else np.geomspace(0.55, 1.8, 33):
-                side = Side(track, three, float(width), 0)
-                sides.append(side._replace(share=_share(flat, paper, side)))
+    sides = [side._replace(share=_share(flat, paper, side)) for side in sides]
     best = max((side.share for side in sides), default=0)
     if best < 0.5:
         raise TapeError("the paper's edges are not 3.92 and 6.08 rows' distances from the sprocket holes")
     likely = [side for side in sides if side.share > 0.75 * best]
     found = min(likely, key=lambda side: (round(mass[side.track] / mass[0], 1), -side.share))
-    others = [mass[track] for track in range(-3, 4) if track != found.track and always[track] > 0.1]
+    others = [
+        mass[track] for track in mass if track != found.track and always[track] > 0.1 and abs(track) <= 3
+    ]
     if others and np.median(others) < 1.35 * mass[found.track]:
         raise TapeError(
             "the holes are all of one size: a tape's sprocket holes are smaller than its code holes"
@@ -66,9 +72,14 @@ def find_side(flat: Flat, sheet: Sheet) -> Side:
 
 def _mass(flat: Flat, u: Array, track: int) -> float:
     """Return how much of the light is lost in a hole of a track, its depth times its area: blur keeps it."""
+    if not len(u):
+        return 0.0
     away = np.arange(-5, 6) / SAMPLES
-    dark = flat.take(flat.dark, u[:, None, None] + away, track + away[:, None])
-    return float(np.median(dark.sum(axis=(1, 2)))) if len(u) else 0.0
+    x, y = np.meshgrid(away, away)
+    disc = np.hypot(x, y) < 0.45
+    x, y = x[disc], y[disc]
+    dark = flat.take(flat.dark, u[:, None] + x, track + 0 * u[:, None] + y)
+    return float(np.median(dark.sum(axis=1)))
 
 
 class _Paper(NamedTuple):
@@ -81,8 +92,9 @@ class _Paper(NamedTuple):
 
 def _paper(flat: Flat, sheet: Sheet) -> _Paper:
     u = np.arange(-0.5, sheet.length)
-    light = np.median(flat.take(flat.light, u[:, None], np.arange(-2.5, 3)), axis=1)
-    depth = float(np.median(flat.take(flat.dark, np.arange(sheet.length), 0)))
+    light = np.median(flat.take(flat.light, *np.broadcast_arrays(u[:, None], np.arange(-2.5, 3))), axis=1)
+    rows = np.arange(sheet.length, dtype=float)
+    depth = float(np.median(flat.take(flat.dark, rows, 0 * rows)))
     return _Paper(u, cv2.medianBlur(light[:, None].astype(np.float32), 5)[:, 0] + 2, depth)
 
 
@@ -90,14 +102,16 @@ def _profiles(flat: Flat, paper: _Paper, edge: float, outward: float) -> tuple[A
     """Return the light from inside to outside an edge, between each two rows: (rows, places), as a part of
     the paper's; and which have an edge there.
     """
-    profile = flat.take(flat.light, paper.u[:, None], edge + outward * _ACROSS) / paper.light[:, None]
+    rows = (paper.u[:, None] + np.array([-0.1, 0, 0.1]))[:, :, None]
+    places = edge + outward * _PROFILE
+    profile = flat.take(flat.light, *np.broadcast_arrays(rows, places)).mean(axis=1) / paper.light[:, None]
     inside, outside = profile[:, :5].mean(axis=1), profile[:, -5:].mean(axis=1)
     return profile, (abs(inside - outside) > 0.4 * paper.depth) & (abs(inside - 1) < 0.35)
 
 
 def _share(flat: Flat, paper: _Paper, side: Side) -> float:
     """Return at how many of the rows both edges are where they are on a tape."""
-    there = (_profiles(flat, paper, edge, np.sign(edge - side.track))[1] for edge in side.edges)
+    there = (_profiles(flat, paper, edge, -1.0 if edge < side.track else 1.0)[1] for edge in side.edges)
     return float(min(edge.mean() for edge in there))
 
 
@@ -105,16 +119,16 @@ def find_edges(flat: Flat, sheet: Sheet) -> tuple[Points, Array]:
     """Return the paper's edges as points, and which rows have both."""
     paper = _paper(flat, sheet)
     sides: list[Points] = []
-    both = np.ones(sheet.length, dtype=bool)
+    both: list[Array] = []
     for edge, outward in ((-THREE, -1.0), (FIVE, 1.0)):
         profile, there = _profiles(flat, paper, edge, outward)
-        both &= there[:-1] | there[1:]
+        both.append(there[:-1] | there[1:])
         profile, u = profile[there], paper.u[there]
-        inside, outside = profile[:, :5].mean(axis=1), profile[:, -5:].mean(axis=1)
+        inside, outside = profile[:, :4].mean(axis=1), profile[:, -4:].mean(axis=1)
         share = ((profile - outside[:, None]) / (inside - outside)[:, None]).clip(0, 1).mean(axis=1)
-        off = (share - 0.5) * len(_ACROSS) / SAMPLES
+        off = share * (len(_PROFILE) / SAMPLES) - (len(_PROFILE) / SAMPLES) / 2
         v = np.full_like(u, edge)
         along = sheet.place(u + 0.5, v) - sheet.place(u - 0.5, v)
         normal = np.stack([-along[:, 1], along[:, 0]], axis=1) / np.hypot(*along.T)[:, None]
         sides.append(Points(u, v, sheet.place(u, v + outward * off), normal, np.full_like(u, 0.3)))
-    return sides[0].and_(sides[1]), both
+    return sides[0].and_(sides[1]), both[0] & both[1]

@@ -6,47 +6,78 @@ import cv2
 import numpy as np
 
 from tapes.photograph.pixels import Array, between
-from tapes.photograph.sheet import BEYOND, Sheet
+from tapes.photograph.sheet import Sheet
 from tapes.photograph.sprockets import Sizes
 
 SAMPLES = 12
 """Of a pitch."""
-REACH = 12
-"""Pitches to each side of a row of holes, which may be any track of a tape, that are flattened."""
+
+_REACH = 8
+"""Pitches from the sprocket track to each side that are flattened."""
+_BEYOND = 3.5
+"""Rows before the first and after the last that are flattened."""
 
 
 class Flat(NamedTuple):
-    """A picture of a sheet as if it lay flat: SAMPLES a pitch, from row -BEYOND and from track -REACH on.
+    """A picture of a sheet as if it lay flat: SAMPLES a pitch, from `first` row and -`reach` on.
 
-    `light` as it is; `dark`, how much darker than the paper around, as a part of its light; `spots`, how much
-    darker than what is around within a pitch.
+    `light` as it is; `dark`, how much darker than the paper around, as a part of its light.
     """
 
     light: Array
     dark: Array
-    spots: Array
+    first: float
+    reach: float
 
     def at(self, u: Array, v: Array) -> tuple[Array, Array]:
         """Return the columns and lines of places on the tape."""
-        return (u + BEYOND) * SAMPLES, (v + REACH) * SAMPLES
+        return (u - self.first) * SAMPLES, (v + self.reach) * SAMPLES
 
-    def take(self, picture: Array, u: Array | float, v: Array | float) -> Array:
-        """Return what a picture of this shape has at places on the tape: arrays broadcast together."""
-        return between(picture, *self.at(*np.broadcast_arrays(u, v)))
+    def take(self, picture: Array, u: Array, v: Array) -> Array:
+        """Return what a picture of this shape has at places on the tape, between its samples."""
+        x, y = (
+            axis.clip(0, length - 1.001)
+            for axis, length in zip(self.at(u, v), picture.shape[::-1], strict=True)
+        )
+        column, line = x.astype(int), y.astype(int)
+        right, down = x - column, y - line
+        above, below = (
+            picture[line + row, column] * (1 - right) + picture[line + row, column + 1] * right
+            for row in (0, 1)
+        )
+        return np.asarray(above * (1 - down) + below * down)
 
 
-def flatten(pictures: Sizes, sheet: Sheet) -> Flat:
+def flatten(pictures: Sizes, sheet: Sheet, reach: float = _REACH) -> Flat:
     """Return the sheet as if it lay flat."""
-    u = np.arange(-BEYOND * SAMPLES, (sheet.length - 1 + BEYOND) * SAMPLES + 1) / SAMPLES
-    v = np.arange(-REACH * SAMPLES, REACH * SAMPLES + 1) / SAMPLES
-    size = pictures.for_step(float(np.median(sheet.pitches())))
-    places = (sheet.place(u[None, :], v[:, None]) + 0.5) * size.scale - 0.5
-    light = between(size.light, places[..., 0], places[..., 1])
-    smooth = _blurred(light, 0.1)
-    paper = _blurred(cv2.dilate(smooth, np.ones((SAMPLES + 1, SAMPLES + 1))), 0.5)
-    dark = 1 - smooth / (paper + 2)
-    return Flat(light, dark, _blurred(dark, 0.07) - _blurred(dark, 0.3))
+    first = -_BEYOND
+    u = np.arange(first * SAMPLES, (sheet.length + _BEYOND - 1) * SAMPLES + 1) / SAMPLES
+    v = np.arange(-reach * SAMPLES, reach * SAMPLES + 1) / SAMPLES
+    along, across = sheet.pitches()
+    pieces = []
+    block = 24 * SAMPLES
+    for start in range(0, len(u), block):
+        part = u[start : start + block]
+        rows = np.clip(np.rint(part).astype(int), 0, sheet.length - 1)
+        step = float(np.sqrt(along[rows].mean() * across[rows].mean()))
+        picture, scale = pictures.for_step(step)
+        places = sheet.place(part[None, :], v[:, None])
+        x, y = ((places[..., axis] + 0.5) * scale - 0.5 for axis in (0, 1))
+        pieces.append(between(picture, x, y, cv2.INTER_CUBIC))
+    light = np.concatenate(pieces, axis=1)
+    return Flat(light, _darkness(light), first, reach)
 
 
-def _blurred(picture: Array, pitches: float) -> Array:
-    return cv2.GaussianBlur(picture, (0, 0), pitches * SAMPLES)
+def _darkness(light: Array) -> Array:
+    smooth = cv2.GaussianBlur(light, (0, 0), 0.1 * SAMPLES)
+    size = round(1.25 * SAMPLES) | 1
+    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))
+    paper = cv2.GaussianBlur(cv2.dilate(smooth, kernel), (0, 0), 0.5 * SAMPLES)
+    return np.asarray(1 - smooth / (paper + 2))
+
+
+def find_spots(dark: Array) -> Array:
+    """Return how much darker each place is than what is around it, within a pitch."""
+    return np.asarray(
+        cv2.GaussianBlur(dark, (0, 0), 0.07 * SAMPLES) - cv2.GaussianBlur(dark, (0, 0), 0.3 * SAMPLES)
+    )

@@ -8,18 +8,22 @@ ever farther from the row and ever less stiffly.
 import cv2
 import numpy as np
 
-from tapes.photograph.flat import SAMPLES, Flat, flatten
+from tapes.photograph.flat import SAMPLES, Flat, find_spots, flatten
 from tapes.photograph.pixels import Array, vertex
-from tapes.photograph.sheet import KNOTS, Points, Sheet, fit, holes_at
+from tapes.photograph.sheet import FIVE, KNOTS, THREE, Points, Sheet, fit, holes_at
 from tapes.photograph.sprockets import Row, Sizes
 
+FULL = 12
+"""Pitches to each side of a row that may be any track of a tape."""
+
+_WINDOW = 8
 _SKEW_STEP, _WIDTH_STEP = 0.05, 0.045
 _SKEWS = _SKEW_STEP * np.arange(-12, 13)
 _WIDTHS = np.exp(_WIDTH_STEP * np.arange(-11, 13))
 _EVERY, _STIFFNESS = 4, 0.03
-_ASTRAY = 4
-"""Samples from its place within which a hole is looked for."""
-FAINT = 0.05
+_ASTRAY = 0.3
+"""Pitches from its place within which a hole is looked for."""
+_FAINT = 0.02
 """What places count that only hold the sheet where there are no holes."""
 
 
@@ -27,41 +31,49 @@ def by_holes(pictures: Sizes, row: Row) -> Sheet:
     """Return the sheet of a row by the holes beside it, whatever track it is."""
     sheet = _first(pictures, row)
     for reach, knots in ((2, 60), (2, 40), (3, 30), (5, 20), (7, 14), (9, KNOTS)):
-        holes, astray = find_holes(flatten(pictures, sheet), sheet, range(-reach, reach + 1))
-        held = grid(sheet)
-        held = held._replace(weight=FAINT * _trust(astray)[held.u])
-        sheet = fit(sheet.length, holes.and_(row_points(row), held), sheet, knots)
+        flat = flatten(pictures, sheet, reach + 1.5)
+        holes, _ = find_holes(flat, sheet, range(-reach, reach + 1))
+        sheet = fit(sheet.length, sprocket_points(row).and_(holes, grid(sheet, weight=_FAINT)), sheet, knots)
     return sheet
 
 
-def _trust(astray: Array) -> Array:
-    """Return what holes count that are astray by so many pitches."""
-    return np.asarray(1 / (1 + (astray / 0.07) ** 4))
-
-
-def row_points(row: Row) -> Points:
-    """Return the holes of a row as points; those that were put in count little."""
+def sprocket_points(row: Row) -> Points:
     u = np.arange(len(row.places), dtype=float)
-    return holes_at(u, 0 * u, row.places, np.where(row.seen, 1, FAINT))
+    return holes_at(u, 0 * u, row.places, np.where(row.seen, 1, 0.05))
 
 
-def grid(sheet: Sheet, width: float = 1) -> Points:
+def grid(sheet: Sheet, width: float = 1, weight: float = 1) -> Points:
     """Return places of the sheet as points, to fit it again with another width."""
-    u, v = (axis.ravel() for axis in np.meshgrid(np.arange(sheet.length), [-3.0, -1.5, 0, 2.5, 5]))
-    return holes_at(u, v, sheet.place(u, v * width))
+    u, v = (
+        axis.ravel() for axis in np.meshgrid(np.arange(sheet.length, dtype=float), [-3.0, -1.5, 0, 2.5, 5])
+    )
+    return holes_at(u, v, sheet.place(u, v * width), weight)
 
 
 def _first(pictures: Sizes, row: Row) -> Sheet:
     """Return the sheet of a row by the slant and distance at which most is dark beside it."""
     length = len(row.places)
-    steps = cv2.blur(np.gradient(row.places, axis=0), (1, 17), borderType=cv2.BORDER_REPLICATE)
+    steps = np.gradient(row.places, axis=0)
+    reach = min(8, length // 2)
+    steps = np.stack(
+        [
+            np.convolve(
+                np.pad(steps[:, way], reach, mode="edge"), np.ones(2 * reach + 1) / (2 * reach + 1), "valid"
+            )
+            for way in (0, 1)
+        ],
+        axis=1,
+    )
     square = np.stack([-steps[:, 1], steps[:, 0]], axis=1)
-    flat = flatten(pictures, fit(length, _beside(row, square)))
-    spots = flat.spots.clip(0, np.quantile(flat.spots, 0.98))
+    u = np.arange(length, dtype=float)
+    sheet = fit(length, _beside(row, square))
+    flat = flatten(pictures, sheet, 1.3 * FULL)
+    spots = np.maximum(find_spots(flat.dark), 0)
     tracks = np.array([track for track in range(-6, 7) if track])
     skews, widths = (axis.ravel() for axis in np.meshgrid(_SKEWS, _WIDTHS))
-    along = np.arange(length)[:, None, None] + skews[:, None] * tracks * widths[:, None]
-    depth = flat.take(spots, along, tracks * widths[:, None]).mean(axis=2)
+    along = u[:, None, None] + skews[:, None] * tracks * widths[:, None]
+    aside = np.broadcast_to(tracks * widths[:, None], along.shape)
+    depth = flat.take(np.minimum(spots, np.quantile(spots, 0.98)), along, aside).mean(axis=2)
     best = _likeliest(depth, np.stack([skews / _SKEW_STEP, np.log(widths) / _WIDTH_STEP], axis=1))
     across = (square + skews[best][:, None] * steps) * widths[best][:, None]
     return fit(length, _beside(row, across), None, 60)
@@ -71,8 +83,9 @@ def _likeliest(depth: Array, states: Array) -> Array:
     """Return for each row which state (n, 2) fits best if it changes little from row to row: of all paths,
     the one that gathers most of `depth` (rows, n).
     """
-    gathered = cv2.blur(depth, (1, 17), borderType=cv2.BORDER_REFLECT)[::_EVERY]
-    score = (gathered - np.median(gathered)) / np.ptp(gathered)
+    rows = np.arange(0, len(depth), _EVERY)
+    gathered = cv2.blur(depth, (1, 2 * _WINDOW + 1), borderType=cv2.BORDER_REFLECT)[rows]
+    score = (gathered - np.median(gathered)) / (gathered.max() - np.median(gathered) + 1e-9)
     change = _STIFFNESS * ((states[:, None] - states) ** 2).sum(axis=2)
     total, ways = score[0], []
     for here in score[1:]:
@@ -82,36 +95,57 @@ def _likeliest(depth: Array, states: Array) -> Array:
     path = [int(total.argmax())]
     for way in ways[::-1]:
         path.append(int(way[path[-1]]))
-    return np.repeat(path[::-1], _EVERY)[: len(depth)]
+    return np.array(path[::-1])[np.minimum(np.arange(len(depth)) // _EVERY, len(path) - 1)]
 
 
 def _beside(row: Row, across: Array) -> Points:
     """Return the row, and places three pitches beside it."""
     u = np.arange(len(across), dtype=float)
     sides = (holes_at(u, np.full_like(u, side), row.places + side * across, 0.3) for side in (-3.0, 3.0))
-    return row_points(row).and_(*sides)
+    return sprocket_points(row).and_(*sides)
 
 
 def find_holes(flat: Flat, sheet: Sheet, tracks: range) -> tuple[Points, Array]:
     """Return the holes that are seen near their places, and how far off they are around each row."""
-    u, v = np.meshgrid(np.arange(sheet.length), np.array(tracks), indexing="ij")
-    near = np.arange(-_ASTRAY, _ASTRAY + 1)
-    x, y = flat.at(u, v)
-    patch = flat.spots[
-        (y[..., None, None] + near[:, None]).astype(int), (x[..., None, None] + near).astype(int)
+    spots = find_spots(flat.dark)
+    u, v = np.meshgrid(np.arange(sheet.length, dtype=float), np.array(tracks, dtype=float), indexing="ij")
+    near = np.arange(-round(_ASTRAY * SAMPLES), round(_ASTRAY * SAMPLES) + 1)
+    x, y = (np.rint(axis).astype(int) for axis in flat.at(u, v))
+    patch = spots[
+        (y[..., None, None] + near[:, None]).clip(0, spots.shape[0] - 1),
+        (x[..., None, None] + near).clip(0, spots.shape[1] - 1),
     ]
     depth = patch.reshape(*u.shape, -1)
-    down, aside = np.unravel_index(depth.argmax(axis=2), patch.shape[2:])
-    inside = (down % (2 * _ASTRAY) > 0) & (aside % (2 * _ASTRAY) > 0)
     deep = depth.max(axis=2)
-    seen = inside & (deep > 0.6 * np.median(deep[:, tracks.index(0)]))
+    down, aside = np.unravel_index(depth.argmax(axis=2), patch.shape[2:])
+    inside = (down > 0) & (down < len(near) - 1) & (aside > 0) & (aside < len(near) - 1)
+    sprocket = np.median(deep[:, list(tracks).index(0)])
+    seen = inside & (deep > 0.6 * sprocket)
     patch, down, aside, at = patch[seen], down[seen], aside[seen], np.arange(seen.sum())
-    off_u = (near[aside] + vertex(*(patch[at, down, aside + step] for step in (-1, 0, 1)))) / SAMPLES
-    off_v = (near[down] + vertex(*(patch[at, down + step, aside] for step in (-1, 0, 1)))) / SAMPLES
-    u, v, off = u[seen], v[seen], off_u**2 + off_v**2
-    around = np.ones(7)
-    squares = np.convolve(np.bincount(u, off, sheet.length), around, "same")
-    count = np.convolve(np.bincount(u, minlength=sheet.length), around, "same")
-    astray = np.sqrt(squares / np.maximum(count, 1))
-    weight = _trust(astray)[u] / (1 + off / 0.1**2)
+    off_x = near[aside] + vertex(*(patch[at, down, aside + step] for step in (-1, 0, 1)))
+    off_y = near[down] + vertex(*(patch[at, down + step, aside] for step in (-1, 0, 1)))
+    off_u = (x[seen] + off_x) / SAMPLES + flat.first - u[seen]
+    off_v = (y[seen] + off_y) / SAMPLES - flat.reach - v[seen]
+    u, v = u[seen], v[seen]
+    squares = np.bincount(u.astype(int), off_u**2 + off_v**2, sheet.length)
+    count = np.bincount(u.astype(int), minlength=sheet.length).astype(float)
+    width = np.ones(7)
+    astray = np.sqrt(np.convolve(squares, width, "same") / np.maximum(np.convolve(count, width, "same"), 1))
+    astray = np.maximum(astray, _strays(flat, sheet, spots, 0.6 * sprocket))
+    trust = 1 / (1 + (astray / 0.07) ** 4)
+    weight = trust[u.astype(int)] / (1 + (off_u**2 + off_v**2) / 0.1**2)
     return holes_at(u, v, sheet.place(u + off_u, v + off_v), weight), astray
+
+
+def _strays(flat: Flat, sheet: Sheet, spots: Array, limit: float) -> Array:
+    """Return for each row how far from its place a spot near it is, if it is at no place of a hole at all."""
+    size = round(0.6 * SAMPLES) | 1
+    y, x = np.nonzero((spots > limit) & (spots >= cv2.dilate(spots, np.ones((size, size), np.uint8))))
+    u, v = x / SAMPLES + flat.first, y / SAMPLES - flat.reach
+    off = np.maximum(abs(u - np.rint(u)), abs(v - np.rint(v)))
+    stray = (off > _ASTRAY) & (v > 0.7 - THREE) & (v < FIVE - 0.7) & (u > -0.5) & (u < sheet.length - 0.5)
+    found = np.zeros(sheet.length)
+    for row, away in zip(np.rint(u[stray]).astype(int), off[stray], strict=True):
+        near = slice(max(0, row - 2), row + 3)
+        found[near] = np.maximum(found[near], away)
+    return found

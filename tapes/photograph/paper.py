@@ -6,11 +6,14 @@ import numpy as np
 
 from tapes.errors import TapeError
 from tapes.photograph.edges import find_edges, find_side
-from tapes.photograph.flat import flatten
-from tapes.photograph.holes import by_holes, find_holes, grid, row_points
+from tapes.photograph.flat import SAMPLES, Flat, find_spots, flatten
+from tapes.photograph.holes import FULL, by_holes, find_holes, grid, sprocket_points
 from tapes.photograph.pixels import Array
 from tapes.photograph.sheet import Points, Sheet, fit
 from tapes.photograph.sprockets import FEWEST, Row, Sizes, follow, measured
+
+_LONGER = 12
+"""How often holes are looked for beyond the ends of a row."""
 
 
 class Found(NamedTuple):
@@ -31,11 +34,11 @@ def find(pictures: Sizes, row: Row) -> Found:
     Raises TapeError, which says what is not as on a tape.
     """
     sheet = by_holes(pictures, row)
-    side = find_side(flatten(pictures, sheet), sheet)
+    side = find_side(flatten(pictures, sheet, FULL), sheet)
     if side.track:
         row = _sprockets(pictures, sheet, side.track)
         sheet = by_holes(pictures, row)
-        side = find_side(flatten(pictures, sheet), sheet)
+        side = find_side(flatten(pictures, sheet, FULL), sheet)
         if side.track:
             raise TapeError("the sprocket holes cannot be told from code holes")
     if side.three > 0:
@@ -43,12 +46,45 @@ def find(pictures: Sizes, row: Row) -> Found:
         sheet = fit(len(row.places), _turned(grid(sheet, side.width), len(row.places)), None)
     elif side.width != 1:
         sheet = fit(len(row.places), grid(sheet, side.width), None)
+    for more in reversed(range(_LONGER)):
+        sheet, flat, astray, edged = _refined(pictures, sheet, row)
+        longer, before = _longer(flat, sheet, row)
+        if len(longer.places) == len(row.places) or not more:
+            break
+        known = grid(sheet)
+        row = longer
+        points = sprocket_points(row).and_(known._replace(u=known.u + before))
+        sheet = fit(len(row.places), points)
+    return Found(sheet, row.seen, astray, edged)
+
+
+def _refined(pictures: Sizes, sheet: Sheet, row: Row) -> tuple[Sheet, Flat, Array, Array]:
     for _ in range(3):
         flat = flatten(pictures, sheet)
         edges, edged = find_edges(flat, sheet)
         holes, astray = find_holes(flat, sheet, range(-3, 6))
-        sheet = fit(sheet.length, row_points(row).and_(holes, edges), sheet)
-    return Found(sheet, row.seen, astray, edged)
+        sheet = fit(sheet.length, sprocket_points(row).and_(holes, edges), sheet)
+    return sheet, flat, astray, edged
+
+
+def _longer(flat: Flat, sheet: Sheet, row: Row) -> tuple[Row, int]:
+    """Return the row with sprocket holes that are seen beyond its ends, and how many were put before it."""
+    spots = find_spots(flat.dark)
+    u = np.arange(sheet.length, dtype=float)
+    limit = 0.5 * np.median(flat.take(spots, u, 0 * u))
+    near = np.arange(-3, 4) / SAMPLES
+    ends: list[list[Array]] = []
+    for places in (-1.0 - np.arange(3), sheet.length + np.arange(3.0)):
+        ends.append([])
+        for place in places:
+            depth = flat.take(spots, *np.broadcast_arrays(place + near[:, None], near))
+            along, aside = np.unravel_index(int(depth.argmax()), depth.shape)
+            if depth[along, aside] < limit:
+                break
+            ends[-1].append(sheet.place(np.array(place + near[along]), np.array(near[aside])))
+    before, after = (np.reshape(end, (-1, 2)) for end in (ends[0][::-1], ends[1]))
+    seen = np.concatenate([np.ones(len(before), bool), row.seen, np.ones(len(after), bool)])
+    return Row(np.concatenate([before, row.places, after]), seen), len(before)
 
 
 def _turned(points: Points, length: int) -> Points:
@@ -57,9 +93,12 @@ def _turned(points: Points, length: int) -> Points:
 
 def _sprockets(pictures: Sizes, sheet: Sheet, track: int) -> Row:
     """Return the row of sprocket holes on a track of the sheet."""
-    u = np.arange(sheet.length)
+    u = np.arange(sheet.length, dtype=float)
     places = sheet.place(u, np.full_like(u, track))
-    steps = np.gradient(places, axis=0)
-    depth = [measured(pictures, *hole)[1] for hole in zip(places, steps, strict=True)]
-    start = int(np.convolve(depth, np.ones(FEWEST), "valid").argmax())
+    depth = [
+        measured(pictures, place, step)[1]
+        for place, step in zip(places, np.gradient(places, axis=0), strict=True)
+    ]
+    total = np.convolve(depth, np.ones(FEWEST), "valid")
+    start = int(total.argmax())
     return follow(pictures, places[start : start + FEWEST])

@@ -3,7 +3,7 @@
 Needs OpenCV, the extra `vision`. Sources of the headers: PNG (W3C, IHDR), JPEG (ITU T.81, B.2.2), TIFF 6.0.
 """
 
-from typing import Any, Literal
+from typing import Any
 
 import cv2
 import numpy as np
@@ -27,9 +27,7 @@ def light(picture: bytes) -> Array:
 
     Raises TapeError where it is none, or has more than LARGEST pixels by its header.
     """
-    decoded = _decoded(picture)
-    colours = [cv2.cvtColor(decoded, cv2.COLOR_BGR2GRAY), *cv2.split(decoded)]
-    return np.asarray(max(colours, key=lambda colour: cv2.meanStdDev(colour)[1].item()), dtype=np.float32)
+    return max(_colours(_decoded(picture)), key=lambda colour: float(colour[::4, ::4].std()))
 
 
 def shown(picture: bytes) -> bytes:
@@ -37,18 +35,13 @@ def shown(picture: bytes) -> bytes:
     return bytes(cv2.imencode(".jpg", _decoded(picture), [cv2.IMWRITE_JPEG_QUALITY, 85])[1])
 
 
-def between(picture: Array, x: Array, y: Array) -> Array:
+def between(picture: Array, x: Array, y: Array, how: int = cv2.INTER_LINEAR) -> Array:
     """Return the light at places between the pixels; beyond the picture it is that of its edge.
 
-    `x` and `y` are in pixels, of the shape of what is returned.
+    `x` and `y` are in pixels, of the shape of what is returned; `how` is one of OpenCV's interpolations.
     """
-    x, y = (axis.clip(0, most - 1.001) for axis, most in zip((x, y), picture.shape[::-1], strict=True))
-    column, line = x.astype(int), y.astype(int)
-    right, down = x - column, y - line
-    above, below = (
-        picture[line + row, column] * (1 - right) + picture[line + row, column + 1] * right for row in (0, 1)
-    )
-    return np.asarray(above * (1 - down) + below * down)
+    places = x.astype(np.float32), y.astype(np.float32)
+    return np.asarray(cv2.remap(picture, *places, how, borderMode=cv2.BORDER_REPLICATE))
 
 
 def vertex(before: Array, top: Array, after: Array) -> Array:
@@ -76,6 +69,11 @@ def _decoded(picture: bytes) -> Array:
     return np.asarray(decoded)
 
 
+def _colours(decoded: Array) -> list[Array]:
+    grey = cv2.cvtColor(decoded, cv2.COLOR_BGR2GRAY)
+    return [np.asarray(grey), *(np.ascontiguousarray(decoded[:, :, colour]) for colour in range(3))]
+
+
 def _size(picture: bytes) -> tuple[int, int]:
     """Return width and height by the file's header; (0, 0) where no picture begins so."""
     if picture.startswith(_PNG):
@@ -98,9 +96,9 @@ def _size_of_jpeg(picture: bytes) -> tuple[int, int]:
     return 0, 0
 
 
-def _size_of_tiff(picture: bytes, order: Literal["little", "big"]) -> tuple[int, int]:
+def _size_of_tiff(picture: bytes, order: str) -> tuple[int, int]:
     def number(at: int, length: int) -> int:
-        return int.from_bytes(picture[at : at + length], order)
+        return int.from_bytes(picture[at : at + length], "little" if order == "little" else "big")
 
     directory = number(4, 4)
     entries = range(directory + 2, directory + 2 + 12 * number(directory, 2), 12)

@@ -15,7 +15,6 @@ below looks like another tape seen from above: `underside` has to say so.
 Needs OpenCV, the extra `vision`. Source: ECMA-10.
 """
 
-from itertools import compress
 from typing import NamedTuple
 
 import cv2
@@ -25,7 +24,8 @@ from tapes.errors import TapeError
 from tapes.photograph import pixels, sprockets
 from tapes.photograph.flat import SAMPLES, Flat, flatten
 from tapes.photograph.paper import Found, find
-from tapes.photograph.pixels import Array, between
+from tapes.photograph.pixels import Array
+from tapes.photograph.sheet import Sheet
 
 FEWEST_PIXELS = 5.2
 """From row to row and from track to track."""
@@ -33,9 +33,7 @@ FEWEST_PIXELS = 5.2
 UNSEEN = "its sprocket hole is not seen"
 """Why a frame is doubtful in a gap: it was counted by its distance from those before."""
 
-_GOES_ON = "the tape goes on beyond it, where no sprocket hole is seen"
-
-_TRACKS = (-3, -2, -1, 1, 2, 3, 4, 5)
+_TRACKS = np.array([-3, -2, -1, 1, 2, 3, 4, 5], dtype=float)
 """Channels 1 to 8, in pitches from the sprocket track."""
 _WINDOW = 8
 _MOST_DOUBTFUL = 0.35
@@ -82,59 +80,69 @@ def read(picture: bytes, underside: bool = False) -> list[Frame]:
     Raises TapeError where there is no picture, no tape in it, or one that cannot be read; it says why.
     """
     light = pixels.light(picture)
-    pictures = sprockets.sizes(light)
-    found, why = _strips(pictures)
+    found, why = _strips(light)
     if not found:
-        pictures = sprockets.sizes(255 - light)
-        found, _ = _strips(pictures)
+        found, _ = _strips(255 - light)
     if not found:
         raise TapeError(_NO_TAPE + why)
-    strips = [_frames(pictures, strip) for strip in found]
+    strips = [_frames(pictures, strip) for pictures, strip in found]
     strips.sort(key=lambda strip: sum(frame.y for frame in strip) / len(strip))
     return [frame for strip in strips for frame in (strip[::-1] if underside else strip)]
 
 
-def _strips(pictures: sprockets.Sizes) -> tuple[list[Found], str]:
-    """Return the tapes in which holes are dark, the longest where two are one; and if there are none, why the
-    likeliest row is not one.
-    """
-    found: list[Found] = []
+def _strips(light: Array) -> tuple[list[tuple[sprockets.Sizes, Found]], str]:
+    """Return the tapes in which holes are dark, and if there are none, why the likeliest row is not one."""
+    pictures = sprockets.sizes(light)
+    found: list[tuple[sprockets.Sizes, Found]] = []
     why: list[str] = []
     for row in sprockets.rows(pictures):
         if len(why) >= _FAILURES:
             break
-        if any(tape.sheet.covers(row.places) for tape in found):
+        if any(tape.sheet.covers(row.places) for _, tape in found):
             continue
         try:
-            tape = find(pictures, row)
+            found.append((pictures, find(pictures, row)))
         except TapeError as error:
             why.append(str(error))
-            continue
-        u = np.arange(tape.sheet.length)
-        same = [other.sheet.covers(tape.sheet.place(u, 0 * u)) for other in found]
-        if all(len(other.seen) < len(tape.seen) for other in compress(found, same)):
-            found = [*(other for other, covers in zip(found, same, strict=True) if not covers), tape]
     return found, why[0] if why else "no row of small round holes was found"
 
 
+class _Cells(NamedTuple):
+    """Of each frame (n) and channel (8): how dark the middle is, the darkest and brightest of what should be
+    like it, and the darkness of eight places beyond the hole; all in parts of a hole's full darkness (n).
+    """
+
+    core: Array
+    most: Array
+    ring: Array
+    full: Array
+    sprocket: Array
+    paper: Array
+
+
 def _frames(pictures: sprockets.Sizes, tape: Found) -> list[Frame]:
-    hole, doubts, rows = _judged(flatten(pictures, tape.sheet), tape)
-    least = float(np.quantile(np.minimum(*tape.sheet.pitches())[rows], 0.1))
+    flat = flatten(pictures, tape.sheet)
+    flat = flat._replace(light=cv2.GaussianBlur(flat.light, (0, 0), 0.08 * SAMPLES))
+    on_paper = _on_paper(flat, tape.edged)
+    if on_paper.sum() < sprockets.FEWEST:
+        raise TapeError(_NO_TAPE + "no paper around the row of holes")
+    cells = _cells(flat, tape.sheet.length)
+    along, across = tape.sheet.pitches()
+    least = float(np.quantile(np.minimum(along, across)[on_paper], 0.02))
     if least < FEWEST_PIXELS:
         raise TapeError(f"rows and tracks are only {least:.1f} pixels apart: 6 are needed")
-    places = tape.sheet.place(np.arange(-1, tape.sheet.length + 1)[:, None], np.array([0, *_TRACKS]))
-    most = np.array(pictures.pictures[0].light.shape[::-1]) - 1
-    for end, beyond in ((rows[0], rows[0]), (rows[-1], rows[-1] + 2)):
-        doubts[_GOES_ON][end] &= bool((places[beyond] == places[beyond].clip(0, most)).all())
+    doubts = _doubts(cells, tape, _ends(flat, tape.sheet, pictures, on_paper))
     doubtful = np.any([*doubts.values()], axis=0)
+    u = np.arange(tape.sheet.length, dtype=float)[:, None]
+    places = tape.sheet.place(u, np.concatenate([[0], _TRACKS]))
     frames = [
         Frame(
-            _mask(hole[at]),
+            _mask(cells.core[at] > 0.5),
             _mask(doubtful[at]),
             next((why for why, where in doubts.items() if where[at, doubtful[at].argmax()]), ""),
-            tuple((round(float(x)), round(float(y))) for x, y in places[1 + at]),
+            tuple((round(float(x)), round(float(y))) for x, y in places[at]),
         )
-        for at in rows
+        for at in np.nonzero(on_paper)[0]
     ]
     _refuse_doubtful(frames)
     return frames
@@ -151,73 +159,86 @@ def _refuse_doubtful(frames: list[Frame]) -> None:
         raise TapeError(f"{len(why)} of {len(frames)} frames are doubtful, most of them: {most}")
 
 
+def _on_paper(flat: Flat, edged: Array) -> Array:
+    """Return which rows have paper around them, and a hole in it: from the first that has to the last."""
+    u = np.arange(len(edged), dtype=float)[:, None]
+    v = np.arange(-2.5, 5)
+    light = [flat.take(flat.light, *np.broadcast_arrays(u + off, v)) for off in (-0.3, 0, 0.3)]
+    paper = np.median(np.concatenate(light, axis=1), axis=1)
+    depth = 1 - flat.take(flat.light, u, 0 * u)[:, 0] / np.maximum(paper, 1)
+    rows = np.nonzero(edged & (depth > 0.5 * np.median(depth)))[0]
+    there = np.zeros(len(edged), dtype=bool)
+    if len(rows):
+        there[rows[0] : rows[-1] + 1] = True
+    return there
+
+
+def _ends(flat: Flat, tape: Sheet, pictures: sprockets.Sizes, on_paper: Array) -> Array:
+    """Return which rows are a first or last one beyond which there is room for another one on the paper."""
+    found = np.zeros(len(on_paper), dtype=bool)
+    rows = np.nonzero(on_paper)[0]
+    v = np.arange(-2.5, 5)
+    for end, way in ((rows[0], -1), (rows[-1], 1)):
+        near = end - way * np.arange(0.5, 6)[:, None]
+        paper = np.median(flat.take(flat.light, *np.broadcast_arrays(near, v)))
+        hole = np.quantile(flat.take(flat.light, *np.broadcast_arrays(near + 0.5, 0 * v)), 0.25)
+        light, inside = [], True
+        for off in (0.8, 1.1):
+            there = np.array([float(end + way * off)])
+            x, y = tape.place(there, v).T
+            height, width = pictures.pictures[0].shape
+            inside &= bool(
+                (x > 0).all() and (y > 0).all() and (x < width - 1).all() and (y < height - 1).all()
+            )
+            light.append(np.median(flat.take(flat.light, *np.broadcast_arrays(there, v))))
+        found[end] = inside and min(light) > (paper + hole) / 2
+    return found
+
+
 _OFFSETS = np.arange(-4, 5) / SAMPLES
 _AWAY = np.hypot(*np.meshgrid(_OFFSETS, _OFFSETS))
 _CORE = np.exp(-0.5 * (_AWAY / 0.11) ** 2)
+_CORE /= _CORE.sum()
 _RING = [(0.52 * np.cos(turn), 0.52 * np.sin(turn)) for turn in np.arange(8) * np.pi / 4 + np.pi / 8]
 
 
-def _judged(flat: Flat, tape: Found) -> tuple[Array, dict[str, Array], Array]:
-    """Return which places (n, 8) are holes, where one is doubtful, by why, the worst first, and which rows
-    are on paper: from the first that has both edges and a sprocket hole to the last.
-
-    How dark a place is, is measured beside the paper at its four corners; the darkness of a hole is that of
-    the clear ones near.
-    """
-    light = cv2.GaussianBlur(flat.light, (0, 0), 0.08 * SAMPLES)
-    rows, tracks = np.arange(tape.sheet.length)[:, None], np.array([0, *_TRACKS])
-    corners = flat.take(light, np.arange(-0.5, tape.sheet.length)[:, None], np.arange(-3.5, 6))
-
-    def paper_at(u: Array, v: Array) -> Array:
-        return np.maximum(between(corners, *np.broadcast_arrays(v + 3.5, u + 0.5)), 1)
-
-    def dark(u: Array, v: Array) -> Array:
-        return np.asarray(1 - flat.take(light, u, v) / paper_at(u, v))
-
-    disc = np.stack([[dark(rows + along, tracks + aside) for along in _OFFSETS] for aside in _OFFSETS])
-    core = np.tensordot(_CORE / _CORE.sum(), disc, axes=2)
-    full = _full(core[:, 1:], core[:, 0])[:, None]
-    core = core[:, 1:] / full
-    ring = np.stack([dark(rows + along, tracks[1:] + aside) for along, aside in _RING]) / full
-    inside = disc[_AWAY < 0.3][..., 1:] / full
-    hole = core > 0.5
-    on_paper, unseen, goes_on = _ends(flat._replace(light=light), tape)
-    found = {
-        UNSEEN: unseen[:, None],
-        _GOES_ON: goes_on[:, None],
-        "holes are not at their places": tape.astray[:, None] > 0.08,
-        "an edge of the paper is not seen": ~tape.edged[:, None],
-        "not a round hole: torn, or dirt": hole & ((ring > 0.6).sum(axis=0) >= 2),
-        "a hole that is not dark throughout": hole & (inside.min(axis=0) < 0.25),
-        "paper that is not clear": ~hole & (inside.max(axis=0) > 0.5),
-        "too little light": full * paper_at(rows, tracks[1:]) < _LEAST_LIGHT,
-        "between paper and hole": abs(core - 0.5) < np.maximum(0.25, 4.5 * _noise(core, hole)),
+def _cells(flat: Flat, length: int) -> _Cells:
+    """Measure each place of a hole beside the paper at its four corners."""
+    u = np.arange(length, dtype=float)
+    tracks = np.concatenate([[0], _TRACKS])
+    rows, columns = np.meshgrid(u, tracks, indexing="ij")
+    corners = {
+        (down, aside): _smooth_at(flat, rows + down, columns + aside)
+        for down in (-0.5, 0.5)
+        for aside in (-0.5, 0.5)
     }
-    doubts = {why: np.broadcast_to(where, hole.shape).copy() for why, where in found.items()}
-    return hole, doubts, on_paper
+
+    def dark(along: Array | float, aside: Array | float) -> Array:
+        paper = sum(
+            corner * (0.5 + 2 * way * along) * (0.5 + 2 * side * aside)
+            for corner, (way, side) in ((value, (key[0], key[1])) for key, value in corners.items())
+        )
+        here = flat.take(flat.light, rows + along, columns + aside)
+        return np.asarray(1 - here / np.maximum(paper, 1))
+
+    disc = np.stack([[dark(along, aside) for along in _OFFSETS] for aside in _OFFSETS])
+    core = np.tensordot(_CORE, disc, axes=2)
+    ring = np.stack([dark(along, aside) for along, aside in _RING])
+    inside = disc[_AWAY < 0.3]
+    full = _full(core[:, 1:], core[:, 0])
+    scale = full[:, None]
+    paper = np.mean(list(corners.values()), axis=0)
+    spread = np.where(core[:, 1:] > 0.5 * scale, inside.min(axis=0)[:, 1:], inside.max(axis=0)[:, 1:])
+    return _Cells(
+        core[:, 1:] / scale, spread / scale, ring[..., 1:] / scale, full, core[:, 0] / full, paper[:, 1:]
+    )
 
 
-def _ends(flat: Flat, tape: Found) -> tuple[Array, Array, Array]:
-    """Return the rows on paper, which rows have no sprocket hole, and which one is the first or last although
-    the paper goes on.
-    """
-    u = np.arange(-1, tape.sheet.length + 1)
-    paper = np.median(flat.take(flat.light, u[:, None], np.arange(-2.5, 5)), axis=1)
-    hole = flat.take(flat.light, u, 0)
-    depth = 1 - hole / np.maximum(paper, 1)
-    unseen = ~tape.seen | (depth < 0.5 * np.median(depth))[1:-1]
-    there = np.nonzero(tape.edged & ~unseen)[0]
-    if len(there) < sprockets.FEWEST:
-        raise TapeError(_NO_TAPE + "no paper around the row of holes")
-    first, last = there[0], there[-1]
-    goes_on = np.zeros_like(unseen)
-    for end, beyond in ((first, first), (last, last + 2)):
-        goes_on[end] = paper[beyond] > (paper[end + 1] + hole[end + 1]) / 2
-    return np.arange(first, last + 1), unseen, goes_on
-
-
-def _near(at: int) -> slice:
-    return slice(max(0, at - _WINDOW), at + _WINDOW + 1)
+def _smooth_at(flat: Flat, u: Array, v: Array) -> Array:
+    near = [-0.1, 0, 0.1]
+    return np.asarray(
+        np.mean([flat.take(flat.light, u + along, v + aside) for along in near for aside in near], axis=0)
+    )
 
 
 def _full(core: Array, sprocket: Array) -> Array:
@@ -229,16 +250,36 @@ def _full(core: Array, sprocket: Array) -> Array:
     more = np.median(core[clear]) / np.median(sprocket) if clear.sum() > 8 else 1.1
     full = np.empty(len(core))
     for at in range(len(core)):
-        there = core[_near(at)][clear[_near(at)]]
-        full[at] = np.median(there) if len(there) >= 6 else more * np.median(sprocket[_near(at)])
+        near = slice(max(0, at - _WINDOW), at + _WINDOW + 1)
+        there = core[near][core[near] > 0.5 * np.median(sprocket[near])]
+        full[at] = np.median(there) if len(there) >= 6 else more * np.median(sprocket[near])
     return np.maximum(full, 0.01)
+
+
+def _doubts(cells: _Cells, tape: Found, beyond: Array) -> dict[str, Array]:
+    """Return where (n, 8) a place is doubtful, by why, the worst first."""
+    hole = cells.core > 0.5
+    rows = {
+        UNSEEN: ~tape.seen | (cells.sprocket < 0.4) | (cells.sprocket > 1.6),
+        "the tape goes on beyond it, where no sprocket hole is seen": beyond,
+        "holes are not at their places": tape.astray > 0.08,
+        "an edge of the paper is not seen": ~tape.edged,
+    }
+    return {why: np.broadcast_to(where[:, None], hole.shape) for why, where in rows.items()} | {
+        "not a round hole: torn, or dirt": hole & ((cells.ring > 0.6).sum(axis=0) >= 2),
+        "a hole that is not dark throughout": hole & (cells.most < 0.25),
+        "paper that is not clear": ~hole & (cells.most > 0.5),
+        "too little light": cells.full[:, None] * cells.paper < _LEAST_LIGHT,
+        "between paper and hole": abs(cells.core - 0.5) < np.maximum(0.25, 4.5 * _noise(cells.core, hole)),
+    }
 
 
 def _noise(core: Array, hole: Array) -> Array:
     """Return the standard deviation of what is alike around each place, holes or paper."""
     found = np.empty(core.shape)
     for at in range(len(core)):
+        near = slice(max(0, at - _WINDOW), at + _WINDOW + 1)
         for kind in np.unique(hole[at]):
-            like = core[_near(at)][hole[_near(at)] == kind]
+            like = core[near][hole[near] == kind]
             found[at, hole[at] == kind] = 1.48 * np.median(abs(like - np.median(like)))
     return found

@@ -7,9 +7,9 @@
 Each row of holes is a straight line, seen in perspective; from row to row everything may change slowly.
 """
 
-from itertools import pairwise
 from typing import NamedTuple
 
+import cv2
 import numpy as np
 
 from tapes.photograph.pixels import Array
@@ -17,25 +17,29 @@ from tapes.photograph.pixels import Array
 THREE, FIVE = 3.92, 6.08
 """Pitches from the sprocket track to the edges beside three and five channels (ECMA-10)."""
 
-BEYOND = 4
-"""Rows before the first and after the last that have a place too."""
 KNOTS = 10
 """Rows from knot to knot of the splines of what crosses the tape."""
 _KNOTS = 6
 
 
 class Spline(NamedTuple):
-    """Cubic B-splines along a tape of `length` rows and BEYOND more at each end, in so many pieces."""
+    """Cubic B-splines along a tape of `length` rows, one some `knots` rows."""
 
     length: int
     pieces: int
 
     def at(self, rows: Array) -> Array:
         """Return the weight of each spline (n, pieces + 3) at each row (n,)."""
-        x = (rows + BEYOND) / (self.length - 1 + 2 * BEYOND) * self.pieces
-        away = abs(x[:, None] - np.arange(-1, self.pieces + 2))
-        far, near = (2 - away).clip(0), (1 - away).clip(0)
-        return np.asarray((far * far * far - 4 * near * near * near) / 6)
+        x = rows / max(self.length - 1, 1) * self.pieces
+        piece = np.clip(np.floor(x), 0, self.pieces - 1).astype(int)
+        t = x - piece
+        weights = np.stack(
+            [(1 - t) ** 3, 3 * t**3 - 6 * t**2 + 4, -3 * t**3 + 3 * t**2 + 3 * t + 1, t**3], axis=1
+        )
+        found = np.zeros((len(rows), self.pieces + 3))
+        for number in range(4):
+            found[np.arange(len(rows)), piece + number] = weights[:, number] / 6
+        return found
 
     def bends(self) -> Array:
         """Return the matrix of the second differences of its coefficients."""
@@ -63,10 +67,12 @@ class Sheet(NamedTuple):
         return np.asarray(a + b * (v / (1 + v * w))[..., None])
 
     def covers(self, places: Array) -> bool:
-        """Tell whether it lies beneath some of the places (n, 2), in pixels."""
-        u = np.arange(self.length, dtype=float)
-        away = np.hypot(*np.moveaxis(places[:, None] - self.place(u, 0 * u), 2, 0))
-        return bool((away < FIVE * self.pitches()[1]).any(axis=1).mean() > 0.2)
+        """Tell whether it lies beneath or close beside some of the places (n, 2), in pixels."""
+        u = np.linspace(-1, self.length, 4 * self.length)
+        sides = [self.place(along, np.array([aside])) for along, aside in ((u, -5.5), (u[::-1], 7.5))]
+        outline = np.concatenate(sides).astype(np.float32)
+        inside = [cv2.pointPolygonTest(outline, (float(x), float(y)), False) >= 0 for x, y in places]
+        return sum(inside) > 0.2 * len(inside)
 
     @property
     def length(self) -> int:
@@ -76,7 +82,7 @@ class Sheet(NamedTuple):
     def pitches(self) -> tuple[Array, Array]:
         """Return the pixels from row to row and from track to track, for each row the least of both sides."""
         u = np.arange(self.length, dtype=float)
-        sides = [np.array([side]) for side in (-THREE, THREE)]
+        sides = [np.array([side]) for side in (-THREE, 0, THREE)]
         along = [np.hypot(*(self.place(u + 0.5, side) - self.place(u - 0.5, side)).T) for side in sides]
         across = [np.hypot(*(self.place(u, side + 0.5) - self.place(u, side - 0.5)).T) for side in sides]
         return np.min(along, axis=0), np.min(across, axis=0)
@@ -111,24 +117,34 @@ def fit(length: int, points: Points, first: Sheet | None = None, knots: int = KN
     What crosses the tape may bend every `knots` rows. How the tracks draw together, `narrowing`, is found
     only where there is a `first` sheet that says how far each point is from the sprocket track.
     """
-    soft = Spline(length, length // _KNOTS + 2)
-    stiff = Spline(length, length // knots + 2)
-    pitch = float(np.hypot(*np.ptp(points.pixels, axis=0))) / length
+    soft = Spline(length, max(1, round(length / _KNOTS)))
+    stiff = Spline(length, max(1, round(length / knots)))
+    pitch = float(np.hypot(*np.ptp(points.pixels, axis=0))) / max(length, 10)
     a, b = soft.at(points.u), stiff.at(points.u)
     x, y = points.direction[:, :1], points.direction[:, 1:]
     v = points.v[:, None]
     base = first.place(points.u, 0 * points.v) if first else points.pixels
     away = ((points.pixels - base) * points.direction).sum(axis=1)[:, None] / pitch
+    counts = [a.shape[1], a.shape[1], b.shape[1], b.shape[1], b.shape[1]]
+    stiffness = _blocks(
+        [(0, 0.02, soft), (1, 0.02, soft), (2, 0.15, stiff), (3, 0.15, stiff), (4, 20, stiff)], counts
+    )
+    small = np.concatenate([np.zeros((counts[4], sum(counts[:4]))), 3 * np.eye(counts[4])], axis=1)
     seen = np.concatenate([x * a, y * a, x * v * b, y * v * b, -v * away * b], axis=1)
-    seen *= points.weight[:, None]
-    squares = seen.T @ seen + 1e-9 * np.eye(seen.shape[1])
-    ends = [0]
-    for spline, stiffness in ((soft, 4e-4), (soft, 4e-4), (stiff, 0.02), (stiff, 0.02), (stiff, 400)):
-        bends = spline.bends()
-        block = slice(ends[-1], ends[-1] + bends.shape[1])
-        squares[block, block] += stiffness * bends.T @ bends
-        ends.append(block.stop)
-    right = (points.pixels * points.direction).sum(axis=1) / pitch * points.weight
-    found = np.linalg.solve(squares, seen.T @ right)
-    ax, ay, bx, by, w = (found[start:end] for start, end in pairwise(ends))
+    matrix = np.concatenate([seen * points.weight[:, None], stiffness, small])
+    right = np.zeros(len(matrix))
+    right[: len(seen)] = (points.pixels * points.direction).sum(axis=1) / pitch * points.weight
+    found = np.linalg.solve(matrix.T @ matrix + 1e-9 * np.eye(sum(counts)), matrix.T @ right)
+    ax, ay, bx, by, w = np.split(found, np.cumsum(counts)[:-1])
     return Sheet(soft, stiff, np.stack([ax, ay], axis=1) * pitch, np.stack([bx, by], axis=1) * pitch, w)
+
+
+def _blocks(bends: list[tuple[int, float, Spline]], counts: list[int]) -> Array:
+    """Return rows that hold each block of coefficients stiff, by its number and its stiffness."""
+    rows = []
+    for number, stiffness, spline in bends:
+        row = np.zeros((spline.pieces + 1, sum(counts)))
+        start = sum(counts[:number])
+        row[:, start : start + counts[number]] = stiffness * spline.bends()
+        rows.append(row)
+    return np.concatenate(rows)

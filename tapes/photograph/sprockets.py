@@ -1,11 +1,11 @@
 """Rows of small round holes in a picture, followed one by one: a tape's sprocket holes are such a row.
 
     spots     places darker than what is around them, at each of several sizes of the picture
-    starts    ten spots in a row, as far apart as it takes
+    starts    ten spots and more in a row, as far apart as it takes
     rows      from a start on both ways, hole by hole: where the next one is expected, something round and as
               dark has to be. A few may be missing, and are put in between.
 
-Rows are found among code holes too, and in many a picture without a tape: paper.py says which are a tape's.
+Rows are found among code holes too, and in many a picture without a tape: sheet.py says which are a tape's.
 Holes are dark; the picture of a tape lit from behind has to be inverted. Needs OpenCV, the extra `vision`.
 """
 
@@ -14,7 +14,7 @@ from typing import NamedTuple
 import cv2
 import numpy as np
 
-from tapes.photograph.pixels import Array, vertex
+from tapes.photograph.pixels import Array, between, vertex
 
 FEWEST = 10
 """Frames of a tape: not even a frame of all holes has so many in a row."""
@@ -23,15 +23,15 @@ _STEP = 2**0.5
 """From one size of the picture to the next."""
 _NEAR, _FAR = 4.7, 10.5
 """Pixels from hole to hole that are looked for at each size."""
-_SMALLEST = 50
-"""Pixels of a picture, across or down, that are too few for the width of a tape."""
 _MOST_SPOTS = 12_000
+_FAINTEST = 0.015
 _MOST_ROWS = 40
 _LONGEST_GAP = 12
 _AFTER_GAP = 4
 """So many holes in a row have to follow a gap of more than two."""
-_REACH = 0.3
-"""Of a step, within which a hole is of its place."""
+_REACH = 0.32
+_SAMPLES = 10
+"""Of a row's distance, where a hole is measured."""
 
 
 class Row(NamedTuple):
@@ -41,138 +41,183 @@ class Row(NamedTuple):
     seen: Array
 
 
-class Size(NamedTuple):
-    """A picture; how much darker it is in each place than around, as a part of the light there; which places
-    are deeper than those beside them; and its pixels to one of the first's.
-    """
-
-    light: Array
-    depth: Array
-    spot: Array
-    scale: float
-
-
 class Sizes(NamedTuple):
     """A picture in several sizes, each smaller than the one before by the square root of 2."""
 
-    pictures: list[Size]
+    pictures: list[Array]
 
-    def for_step(self, step: float) -> Size:
-        """Return the picture in which `step` pixels of the first are some 11."""
-        wanted = np.log(max(step, 9) / 9) / np.log(_STEP)
-        return self.pictures[min(int(wanted), len(self.pictures) - 1)]
+    def for_step(self, step: float) -> tuple[Array, float]:
+        """Return the picture in which `step` pixels of the first are some 11, and its scale."""
+        at = int(np.clip(np.floor(np.log(step / 9) / np.log(_STEP)), 0, len(self.pictures) - 1))
+        return self.pictures[at], self.pictures[at].shape[1] / self.pictures[0].shape[1]
 
 
 def sizes(light: Array) -> Sizes:
     """Return the picture, shades of grey, in all sizes in which a row may be found."""
-    found: list[Size] = []
-    wide, high = light.shape[::-1]
-    while min(wide, high) > _SMALLEST:
-        picture = cv2.resize(light, (wide, high), interpolation=cv2.INTER_AREA)
-        relative: Array = picture / (cv2.blur(picture, (41, 41)) + 4)
-        soft, sharp = (np.asarray(cv2.GaussianBlur(relative, (0, 0), width)) for width in (2.1, 1.1))
-        depth = soft - sharp
-        spot = depth >= cv2.dilate(depth, np.ones((3, 3)))
-        found.append(Size(picture, depth, spot, wide / light.shape[1]))
-        wide, high = (round(length / _STEP ** len(found)) for length in light.shape[::-1])
-    return Sizes(found)
+    pictures: list[Array] = [light.astype(np.float32)]
+    while min(pictures[-1].shape) > 90:
+        scale = _STEP ** -len(pictures)
+        wide, high = (max(1, round(length * scale)) for length in light.shape[::-1])
+        pictures.append(cv2.resize(pictures[0], (wide, high), interpolation=cv2.INTER_AREA))
+    return Sizes(pictures)
 
 
 def starts(pictures: Sizes) -> list[Array]:
     """Return places (FEWEST, 2) of spots in a row, in pixels, the clearest first."""
     found: list[tuple[float, Array]] = []
-    for _, depth, spot, scale in pictures.pictures:
-        y, x = np.nonzero(spot & (depth > 4 * np.median(abs(depth))))
-        deepest = np.argsort(-depth[y, x])[:_MOST_SPOTS]
-        y, x = y[deepest], x[deepest]
-        places = np.stack([x, y], axis=1).astype(float)
-        for row in _straight(places, depth.shape):
-            found.append((float(depth[y[row], x[row]].min()), (places[row] + 0.5) / scale - 0.5))
+    for picture in pictures.pictures:
+        scale = picture.shape[1] / pictures.pictures[0].shape[1]
+        places, depths = _spots(picture)
+        for row in _straight(places, picture.shape):
+            found.append(
+                (float(np.median(depths[row]) - depths[row].std()), (places[row] + 0.5) / scale - 0.5)
+            )
     return [row for _, row in sorted(found, key=lambda pair: -pair[0])]
+
+
+def _spots(picture: Array) -> tuple[Array, Array]:
+    """Return where it is darker than around, and by which part of the light there."""
+    around = cv2.blur(picture, (41, 41)) + 4
+    relative = picture / around
+    depth = cv2.GaussianBlur(relative, (0, 0), 2.1) - cv2.GaussianBlur(relative, (0, 0), 1.1)
+    faintest = max(_FAINTEST, 3 * 1.48 * float(np.median(abs(depth[::5, ::5]))))
+    top = (depth >= cv2.dilate(depth, np.ones((3, 3), np.uint8))) & (depth > faintest)
+    y, x = np.nonzero(top)
+    depths = depth[y, x]
+    if len(x) > _MOST_SPOTS:
+        kept = np.argpartition(-depths, _MOST_SPOTS)[:_MOST_SPOTS]
+        y, x, depths = y[kept], x[kept], depths[kept]
+    return np.stack([x, y], axis=1).astype(float), depths
 
 
 def _straight(places: Array, shape: tuple[int, ...]) -> Array:
     """Return the numbers (n, FEWEST) of spots that follow each other at like distances and directions."""
-    numbered = np.zeros(shape, np.uint16)
-    x, y = places.astype(int).T
-    numbered[y, x] = np.arange(1, len(places) + 1)
-    which = np.asarray(cv2.dilate(numbered, np.ones((3, 3))))
+    if len(places) < FEWEST:
+        return np.empty((0, FEWEST), int)
+    margin = 2  # where there is no spot: what is beyond the picture is found there
+    which = np.full((shape[0] + 2 * margin, shape[1] + 2 * margin), -1, np.int32)
+    x, y = (places.astype(int) + margin).T
+    for aside, down in ((-1, -1), (-1, 1), (1, -1), (1, 1), (-1, 0), (1, 0), (0, -1), (0, 1), (0, 0)):
+        which[y + down, x + aside] = np.arange(len(places))
 
     def spot_at(place: Array) -> Array:
-        x, y = np.rint(place).astype(int).T
-        found = which[y.clip(0, shape[0] - 1), x.clip(0, shape[1] - 1)].astype(int)
-        return np.array([np.arange(len(place)), found - 1])[:, found > 0]
+        x, y = (np.rint(place).astype(int) + margin).T
+        return np.asarray(which[y.clip(0, which.shape[0] - 1), x.clip(0, which.shape[1] - 1)])
 
-    offsets = np.arange(-_FAR, _FAR + 1, 2)
-    pairs = [spot_at(places + np.array([aside, down])) for aside in offsets for down in offsets]
-    rows = np.unique(np.concatenate(pairs, axis=1), axis=1).T
+    reach = range(-int(_FAR), int(_FAR) + 1, 2)
+    pairs = []
+    for offset in [(aside, down) for aside in reach for down in reach if (aside, down) > (0, 0)]:
+        other = spot_at(places + offset)
+        pairs.append(np.stack([np.arange(len(places)), other], axis=1)[other >= 0])
+    rows = np.unique(np.concatenate(pairs), axis=0)
     length = np.hypot(*(places[rows[:, 1]] - places[rows[:, 0]]).T)
     rows = rows[(length > _NEAR) & (length < _FAR)]
-    while rows.shape[1] < FEWEST:
-        step = (places[rows[:, -1]] - places[rows[:, 0]]) / (rows.shape[1] - 1)
-        expected = places[rows[:, -1]] + step
-        kept, following = spot_at(expected)
-        near = np.hypot(*(places[following] - expected[kept]).T) < _REACH * np.hypot(*step[kept].T)
-        rows = np.concatenate([rows[kept], following[:, None]], axis=1)[near]
+    while rows.shape[1] < FEWEST and len(rows):
+        last, step = places[rows[:, -1]], places[rows[:, -1]] - places[rows[:, -2]]
+        if rows.shape[1] > 2:
+            step = (step + places[rows[:, -2]] - places[rows[:, -3]]) / 2
+        following = spot_at(last + step)
+        near = np.hypot(*(places[following] - last - step).T) < 0.28 * np.hypot(*step.T)
+        kept = (following >= 0) & near
+        rows = np.concatenate([rows, following[:, None]], axis=1)[kept]
     return np.asarray(rows)
-
-
-class _Hole(NamedTuple):
-    number: int
-    place: Array
-    depth: float
 
 
 def follow(pictures: Sizes, start: Array) -> Row:
     """Return the whole row that a start belongs to."""
+    places = _measured_all(pictures, start)
+    depth = float(np.median([depth for _, depth in places]))
+    chain = [place for place, _ in places]
+    after = _onward(pictures, chain, depth)
+    before = _onward(pictures, chain[::-1], depth)
+    whole = [*before[::-1], *((place, True) for place in chain), *after]
+    return Row(np.array([place for place, _ in whole]), np.array([seen for _, seen in whole]))
+
+
+def _measured_all(pictures: Sizes, start: Array) -> list[tuple[Array, float]]:
     steps = np.gradient(start, axis=0)
-    holes = [_Hole(at, *measured(pictures, *pair)) for at, pair in enumerate(zip(start, steps, strict=True))]
-    for _ in range(2):
-        holes = _followed(pictures, holes)[::-1]
-    numbers = [hole.number for hole in holes]
-    all_numbers = np.arange(numbers[0], numbers[-1] + 1)
-    places = [np.interp(all_numbers, numbers, axis) for axis in np.transpose([hole.place for hole in holes])]
-    return Row(np.stack(places, axis=1), np.isin(all_numbers, numbers))
+    return [measured(pictures, place, step) for place, step in zip(start, steps, strict=True)]
 
 
-def _followed(pictures: Sizes, holes: list[_Hole]) -> list[_Hole]:
-    """Return the holes with those beyond the last one, as far as no gap is too long."""
-    gap = 0
-    while gap <= _LONGEST_GAP:
-        wanted = _AFTER_GAP if gap > 2 else 1
-        ahead: list[_Hole] = []
-        while len(ahead) < wanted and (hole := _next(pictures, holes + ahead, 0 if ahead else gap)):
-            ahead.append(hole)
-        gap = 0 if len(ahead) == wanted else gap + 1
-        holes = holes if gap else holes + ahead
-    return holes
+def _onward(pictures: Sizes, chain: list[Array], depth: float) -> list[tuple[Array, bool]]:
+    """Follow the holes beyond the chain's last, as far as no gap is too long."""
+    known = [(at, place) for at, place in enumerate(chain)][-14:]
+    found: list[tuple[Array, bool]] = []
+    waiting: list[tuple[Array, bool]] = []
+    at = len(chain)
+    height, width = pictures.pictures[0].shape
+    while len(waiting) - sum(seen for _, seen in waiting) <= _LONGEST_GAP:
+        gap = at - known[-1][0]
+        place, step = _expected(known, at, bend=gap < 4 or len(known) > 12)
+        if not (0 <= place[0] < width and 0 <= place[1] < height) or np.hypot(*step) < 3:
+            break
+        there, deep = measured(pictures, place, step)
+        seen = deep > 0.35 * depth and np.hypot(*(there - place)) < _REACH * np.hypot(*step)
+        waiting.append((there if seen else place, bool(seen)))
+        if seen:
+            known = [*known, (at, there)][-14:]
+            depth = 0.8 * depth + 0.2 * deep
+        run = _run(waiting)
+        if run and (len(waiting) - run <= 2 or run >= _AFTER_GAP):
+            found += waiting
+            waiting = []
+        elif not seen and waiting and any(was for _, was in waiting):
+            lost = {at - len(waiting) + 1 + number for number, (_, was) in enumerate(waiting) if was}
+            known = [pair for pair in known if pair[0] not in lost] or known
+            waiting = [(where, False) for where, _ in waiting]
+        at += 1
+    return found
 
 
-def _next(pictures: Sizes, holes: list[_Hole], gap: int) -> _Hole | None:
-    """Return the hole that follows after a gap, None if none is there."""
-    numbers = np.array([hole.number for hole in holes[-FEWEST:]])
-    at = numbers[-1] + (1 + gap) * np.sign(numbers[-1] - numbers[0])
-    place, step = np.polyfit(numbers - at, [hole.place for hole in holes[-FEWEST:]], 2)[:0:-1]
-    hole = _Hole(int(at), *measured(pictures, place, step))
-    deep = hole.depth > 0.35 * np.median([hole.depth for hole in holes[-FEWEST:]])
-    near = np.hypot(*(hole.place - place)) < _REACH * np.hypot(*step)
-    return hole if deep and near and np.hypot(*step) > 3 else None
+def _run(waiting: list[tuple[Array, bool]]) -> int:
+    run = 0
+    while run < len(waiting) and waiting[-1 - run][1]:
+        run += 1
+    return run
+
+
+def _expected(known: list[tuple[int, Array]], at: int, bend: bool) -> tuple[Array, Array]:
+    """Return where hole `at` is expected and the step there, by those before it."""
+    numbers = np.array([number for number, _ in known], dtype=float) - at
+    places = np.array([place for _, place in known])
+    powers = 2 if bend and len(known) > 5 else 1
+    curve = np.polyfit(numbers, places, powers)
+    return curve[-1], curve[-2]
 
 
 def measured(pictures: Sizes, place: Array, step: Array) -> tuple[Array, float]:
     """Return the middle of the hole that is nearest to `place`, and how much darker it is than around it, as
     a part of the light there. `step` leads to the next hole.
     """
-    _, depth, spot, scale = pictures.for_step(float(np.hypot(*step)))
-    reach = min(round(0.4 * float(np.hypot(*step)) * scale), _SMALLEST // 5)
-    most = np.array(depth.shape[::-1]) - reach - 2
-    x, y = np.rint((place + 0.5) * scale - 0.5).astype(int).clip(reach + 1, most)
-    around = slice(y - reach, y + reach + 1), slice(x - reach, x + reach + 1)
-    patch = np.where(spot[around], depth[around], 0)
-    down, aside = np.unravel_index(int(patch.argmax()), patch.shape)
-    x, y = x + aside - reach, y + down - reach
-    off = [vertex(*depth[y, x - 1 : x + 2]), vertex(*depth[y - 1 : y + 2, x])]
-    return (np.array([x, y]) + off + 0.5) / scale - 0.5, float(patch.max())
+    picture, scale = pictures.for_step(float(np.hypot(*step)))
+    along = step / _SAMPLES
+    across = np.array([-along[1], along[0]])
+    x = place[0] + along[0] * _GRID[0] + across[0] * _GRID[1]
+    y = place[1] + along[1] * _GRID[0] + across[1] * _GRID[1]
+    patch = between(picture, (x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5)
+    level = float(np.partition(patch, _BRIGHT, axis=None)[_BRIGHT]) + 4
+    depth = cv2.filter2D(patch / level, -1, _HOLE)
+    inner = depth[_MARGIN:-_MARGIN, _MARGIN:-_MARGIN]
+    down, aside = (at + _MARGIN for at in np.unravel_index(int(inner.argmax()), inner.shape))
+    top = depth[down, aside]
+    off_x = aside - _SIDE + vertex(depth[down, aside - 1], top, depth[down, aside + 1])
+    off_y = down - _SIDE + vertex(depth[down - 1, aside], top, depth[down + 1, aside])
+    return place + off_x * along + off_y * across, float(top)
+
+
+def _kernel() -> Array:
+    y, x = np.mgrid[-4:5, -4:5] / _SAMPLES
+    away = np.hypot(x, y)
+    inside, ring = np.exp(-0.5 * (away / 0.15) ** 2), ((away > 0.3) & (away < 0.44)).astype(float)
+    return np.asarray((ring / ring.sum() - inside / inside.sum()), dtype=np.float32)
+
+
+_MARGIN = 5
+"""Samples at the border of what is measured, in which no hole has its middle: half a hole, and one more."""
+_SIDE = 9
+_GRID = np.mgrid[-_SIDE : _SIDE + 1, -_SIDE : _SIDE + 1].astype(float)[::-1]
+_BRIGHT = int(0.7 * _GRID[0].size)
+_HOLE = _kernel()
 
 
 def rows(pictures: Sizes) -> list[Row]:
@@ -183,7 +228,7 @@ def rows(pictures: Sizes) -> list[Row]:
         row = follow(pictures, left[0])
         found.append(row)
         left = left[1:][_apart(row, left[1:, FEWEST // 2])]
-    return sorted(found, key=lambda row: -int(row.seen.sum()))
+    return sorted((row for row in found if row.seen.sum() >= FEWEST), key=lambda row: -int(row.seen.sum()))
 
 
 def _apart(row: Row, places: Array) -> Array:

@@ -51,8 +51,8 @@ WITHOUT = {
     "text with dots": "the paper's edges are not 3.92 and 6.08 rows' distances from the sprocket holes",
     "film": "the paper's edges are not",
     "a desk": "the paper's edges are not",
-    "a strip of it": "the holes are all of one size",
-    "five-channel tape": "the paper's edges are not",
+    "a strip of it": "the paper's edges are not",
+    "five-channel tape": "frames are doubtful, most of them: holes are not at their places",
 }
 """What of the survey's pictures differs most, and why it is refused."""
 

@@ -26,14 +26,15 @@ def flat() -> Sheet:
 
 def test_splines_are_those_of_the_book() -> None:
     """They add up to one, coefficients on a line make a line, at a knot they are 1, 4, 1 sixths."""
-    spline, rows = Spline(53, 10), np.arange(-4.0, 57)
+    spline, rows = Spline(61, 10), np.arange(61.0)
     weights = spline.at(rows)
     assert weights.sum(axis=1) == pytest.approx(np.ones(61))
-    assert weights @ (np.arange(13.0) - 1) == pytest.approx((rows + 4) / 6)
+    assert weights @ (np.arange(13.0) - 1) == pytest.approx(rows / 6)
     assert weights[[0, 6, 60]] @ np.eye(13) == pytest.approx(
         np.array([[1, 4, 1] + [0] * 10, [0, 1, 4, 1] + [0] * 9, [0] * 10 + [1, 4, 1]]) / 6
     )
     assert spline.bends() @ np.arange(13.0) ** 2 == pytest.approx(np.full(11, 2))
+    assert Spline(1, 1).at(np.zeros(1)) == pytest.approx(np.array([[1, 4, 1, 0]]) / 6)
 
 
 def test_a_flat_sheet_is_where_its_holes_are() -> None:
@@ -58,10 +59,9 @@ def test_a_slanted_sheet_is_found_from_its_holes() -> None:
 def test_a_sheet_covers_what_lies_beneath_it() -> None:
     for u, v, covered in (
         ((0, 30, 59), 0, True),
-        ((-7, 66), 0, True),
-        ((30, 30), (-6, 6), True),
-        ((-7.4, 66.4), 0, False),
-        ((30, 30), (-6.1, 6.1), False),
+        ((-0.9, 59.9), (-5.4, 7.4), True),
+        ((-1.1, 60.1), 0, False),
+        ((30, 30), (-5.6, 7.6), False),
         ((30, 99, 99, 99, 99), 0, False),  # no more than a fifth
         ((30, 99, 99, 99), 0, True),
     ):
