@@ -152,3 +152,13 @@ def test_start_initializes_and_cont_clears_nothing(machine: Machine) -> None:
     assert [device.flag for device in machine.bus] == [0, 0]
     assert machine.teletype.receiver.reader_run == 1
     assert (machine.pc, machine.core[0o202]) == (0o202, 0o7402)
+
+
+def test_mem_prot_is_the_last_page_alone_and_reading_is_free() -> None:
+    machine = Machine()
+    machine.load({0o200: 0o3577, 0o201: 0o1576, 0o202: 0o7402, 0o177: 0o7577, 0o176: 0o7600, 0o7600: 0o1111})
+    machine.start(0o200)
+    machine.ac = 0o7070
+    machine.panel.mem_prot = True
+    assert machine.run().reason == "halt"
+    assert (machine.core[0o7577], machine.ac) == (0o7070, 0o1111)

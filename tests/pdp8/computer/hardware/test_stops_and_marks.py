@@ -134,3 +134,11 @@ def test_setting_pc_begins_with_a_fetch() -> None:
     m.pc = 0o300
     assert m.run().reason == "halt"
     assert (m.ac, m.mb) == (0, 0o7402)
+
+
+def test_a_protected_write_writes_nothing() -> None:
+    m = machine("3420 7000", at_20=0o7700)
+    m.panel.mem_prot = True
+    m.watch.writes = {0o7700}
+    m.watch.instruction(m.processor)
+    assert not m.watch.reached

@@ -31,7 +31,7 @@ def test_why_a_run_ends(reason: str, words: str, tape: bytes | None) -> None:
     m = machine(core)
     if tape is not None:
         m.teletype.reader.load(tape)
-    assert m.run().reason == reason
+    assert m.run(seconds=5).reason == reason
     assert m.elapsed < 0.001 or words != "5200"
     if words in (COPY, RING):
         assert m.teletype.punch.tape == tape
@@ -58,3 +58,10 @@ def test_a_tape_that_was_taken_out_does_not_run_out() -> None:
     m.teletype.reader.load(b"")
     m.teletype.reader.remove()
     assert m.run().reason == "idle"
+
+
+def test_a_count_is_not_endless() -> None:
+    assert program(*octal("7001 5200")).run(seconds=0.05).reason == "limit"
+    m = program(*octal("2210 5200 2211 5200 7402"))
+    m.core[0o211] = -20
+    assert m.run(seconds=10).reason == "halt"
