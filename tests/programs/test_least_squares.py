@@ -76,3 +76,4 @@ def test_a_slope_in_pieces() -> None:
         (5667, 3334, 7),
         (6000, 3001, 7),
     ]
+    assert cut[:-5] == blocks(slope.part(from_x=5, from_y=4, to_x=6, to_y=3.001))[: len(cut) - 5] != []

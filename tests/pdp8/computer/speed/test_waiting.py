@@ -17,6 +17,7 @@ RING = "6031 7410 5207 6041 5200 6042 5200 6036 6046 5200"
         ("idle", "6031 5200 6036 5200", None),  # no tape at all: nothing was asked of the reader's owner
         ("idle", "5200", None),  # JMP .
         ("idle", "5200", b""),  # JMP . does not wait for the reader
+        ("idle", "6031 5200 6036 5203", b"\301"),  # nor after what did
         ("idle", "6041 5200", b"\301"),  # TSF before anything was printed
         ("tape out", "6001 5201", b""),  # under interrupt it does
         ("idle", "6001 5201", None),
