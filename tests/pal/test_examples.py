@@ -100,6 +100,16 @@ def test_where_pal_iii_is_wrecked_the_definition_is_to_blame(source: str, line: 
     assert (error.line, error.column) == (line, 1)
 
 
+def test_a_name_may_have_a_digit_where_it_is_mentioned() -> None:
+    mentions = pal.assemble("B1,\tJMP B1\n\tCLA\n$\n").mentions
+    assert [(mention.name, mention.defined) for mention in mentions] == [
+        ("B1", True),
+        ("JMP", False),
+        ("B1", False),
+        ("CLA", False),
+    ]
+
+
 def test_some_words_of_page_zero_may_be_written_over() -> None:
     assert pal.assemble("\t14\n=5\n$\n").words == {0o200: 0o14}
     assert pal.assemble("=5\n\t5\n$\n").listing == "\n            =5\n0200  0005  \t5\n\n\n"

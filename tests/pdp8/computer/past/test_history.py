@@ -170,7 +170,9 @@ def test_many_snapshots_are_thinned_out() -> None:
     for undo in (rewind.instructions, rewind.characters, rewind.cycles, rewind.seconds, rewind.blocks):
         now = saved(machine)
         undo(history, 0)
-        with pytest.raises(HistoryError, match=f"9,999,999,999 {undo.__name__} cannot be undone: the history goes back [0-9]"):
+        with pytest.raises(
+            HistoryError, match=f"9,999,999,999 {undo.__name__} cannot be undone: the history goes back [0-9]"
+        ):
             undo(history, 9_999_999_999)
         assert saved(machine) == now
     rewind.instructions(history, machine.instructions - 1000)
