@@ -35,7 +35,9 @@ def house() -> str:
     for package in _PACKAGES:
         spec = find_spec(package)
         for folder in (spec and spec.submodule_search_locations) or ():
-            for path in sorted(Path(folder).rglob("*")):
+            archive = (path for path in Path(folder).parents if path.is_file())  # a zip holds them
+            for path in sorted(Path(folder).rglob("*")) or archive:
                 if path.is_file() and path.suffix not in _NOT_SOURCES:
-                    digest.update(f"{package} {path.relative_to(folder)}\n".encode() + path.read_bytes())
+                    name = os.path.relpath(path, folder)
+                    digest.update(f"{package} {name}\n".encode() + path.read_bytes())
     return digest.hexdigest()

@@ -1,10 +1,13 @@
 """What is kept in the user's cache is taken from there while it holds, and made again else."""
 
+import importlib
+import zipfile
 from pathlib import Path
 
 import pytest
 
-from pdp8.web.kept import kept
+from pdp8.web import kept as module
+from pdp8.web.kept import house, kept
 
 
 @pytest.fixture
@@ -36,3 +39,15 @@ def test_a_cache_that_cannot_be_written_is_done_without(cache: Path) -> None:
     """A file stands where the folder should be."""
     cache.write_text("")
     assert kept("page", "a", lambda: {"made": 1}) == {"made": 1}
+
+
+def test_a_zip_of_our_packages_is_a_source_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "_PACKAGES", ("boxed",))
+    monkeypatch.syspath_prepend(str(tmp_path / "box.zip"))
+    seen = set()
+    for text in ("", "ONE = 1", "ONE = 2"):
+        with zipfile.ZipFile(tmp_path / "box.zip", "w") as box:
+            box.writestr("boxed/__init__.py", text)
+        importlib.invalidate_caches()
+        seen.add(house())
+    assert len(seen) == 3
