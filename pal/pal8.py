@@ -818,17 +818,19 @@ class Assembler:
             return
         at = self._at(start, end)
         self._take_line(end)
-        alone = self._token in ("", ";", ">") or (self._mode == "FLTG" and self._token[:1].isalpha())
-        if not alone:
+        floating = self._mode == "FLTG"
+        exponent = floating and self._token[:1].isalpha()
+        if self._token not in ("", ";", ">") and not exponent:
             value = self._fail("IC", f"more than a number for {self._mode}", "put a ; between two numbers")
+        elif exponent or (floating and value == 0):
+            self._fail(
+                "IC", "FLTG with 0 or an exponent", "palbart never ends here; write three words", start, end
+            )
+            return
         if self._mode == "DUBL":
             value = -value if negative else value
             self._write(value >> 12 & _MASK, at)
             self._write(value & _MASK, at)
-        elif alone and (value == 0 or self._token[:1].isalpha()):
-            self._fail(
-                "IC", "FLTG with 0 or an exponent", "palbart never ends here; write three words", start, end
-            )
         else:
             self._floating(value, len(fraction), negative, at)
 

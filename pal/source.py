@@ -22,8 +22,7 @@ from typing import NamedTuple
 from tapes.frames import PARITIES
 
 _PASSED_OVER = bytes((0o000, 0o200, 0o177, 0o377, 0o212))
-_TOKEN = r'([A-Z0-9]+|".|/.*|[^\t-\r\x1c- >])'
-"""Compiled for PAL8 alone."""
+_TOKEN = re.compile(r'([A-Z0-9]+|".|/.*|[^\t-\r\x1c- >])')
 _ITEM = re.compile(r"([A-Z0-9\f]*)(?:/[^\r]*)?([^A-Z0-9\f])")
 
 ENDS = frozenset("\r;")
@@ -169,7 +168,7 @@ def tokens(text: str, start: int = 0) -> list[str]:
     the end of the line.
     """
     code = (text if text.isascii() else _ascii(text)).upper()
-    found = re.compile(_TOKEN).split(code[start:])
+    found = _TOKEN.split(code[start:])
     end = len(found) - 2
     if end > 0 and found[end].startswith("/"):
         found[end] = ""
