@@ -9,6 +9,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from tapes import shelf
+
 _PACKAGES = ("nc", "pal", "pdp8", "programs", "tapes")
 _NOT_SOURCES = (".pyc", ".so", ".pyd")
 
@@ -34,10 +36,10 @@ def house() -> str:
     digest = hashlib.sha256()
     for package in _PACKAGES:
         spec = find_spec(package)
-        for folder in (spec and spec.submodule_search_locations) or ():
-            archive = (path for path in Path(folder).parents if path.is_file())  # a zip holds them
-            for path in sorted(Path(folder).rglob("*")) or archive:
-                if path.is_file() and path.suffix not in _NOT_SOURCES:
-                    name = os.path.relpath(path, folder)
-                    digest.update(f"{package} {name}\n".encode() + path.read_bytes())
+        if spec is None or spec.origin is None:
+            continue
+        folder = shelf.beside(spec.origin)
+        for path in sorted(Path(folder).rglob("*")):
+            if path.is_file() and path.suffix not in _NOT_SOURCES:
+                digest.update(f"{package} {path.relative_to(folder)}\n".encode() + path.read_bytes())
     return digest.hexdigest()

@@ -18,7 +18,6 @@ from programs import circle as listed
 from programs import slope as slopes
 from programs.header import THESIS
 from programs.milling import SLOWEST, Milling
-from programs.printout import Printout
 from programs.stretches import Curve, Point, arc, line, oval
 from tapes import eia
 from tapes.hydrapoint import Preparatory
@@ -83,10 +82,7 @@ def _made(text: str, x_error: float = 0.0, y_error: float = 0.0) -> Made:
 
 
 def _milled(curve: Curve, milling: Milling, x_error: float = 0.0, y_error: float = 0.0) -> Made:
-    printout = Printout()
-    printout.header(THESIS, curve.start.x, curve.start.y)
-    milling.print(printout, curve)
-    return _made(printout.text, x_error, y_error)
+    return _made(milling.printout(curve, THESIS, "low-digits"), x_error, y_error)
 
 
 def pieces(count: int, x_code: int, y_code: int, x_error: float, y_error: float) -> Made:

@@ -44,13 +44,13 @@ export class Drawing {
     this.element = element;
     this.width = this.height = 0;
     this.key = null;
-    this.anew = () => {
+    this.redraw = () => {
       this.key = null;
       changed();
     };
     new ResizeObserver(([{ contentRect: { width, height } }]) => {
       Object.assign(this, { width: Math.round(width), height: Math.round(height) });
-      this.anew();
+      this.redraw();
     }).observe(element);
   }
 
@@ -70,7 +70,7 @@ export class Drawing {
 export class Sheet extends Drawing {
   constructor(canvas, changed) {
     super(canvas, changed);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", this.anew);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", this.redraw);
   }
 
   /** Let `draw(context, width, height, {sheet, ink, soft, rust, ratio})` draw in CSS pixels, `ratio` of the screen's each. */
