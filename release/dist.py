@@ -139,11 +139,8 @@ def check_pages(room: Path, bin_: Path, archive: Path | None) -> None:
     for page in (("workbench",), ("thesis", "page")):
         installed = run(bin_ / "pdp8", *page, "-o", "-", cwd=room)
         if archive:
-            zipped = run(
-                *(bin_ / "python", "-m", "pdp8", *page, "-o", "-"),
-                cwd=room,
-                env={"PYTHONPATH": str(archive.resolve())},
-            )
+            from_it = {"PYTHONPATH": str(archive.resolve())}
+            zipped = run(bin_ / "python", "-m", "pdp8", *page, "-o", "-", cwd=room, env=from_it)
             if zipped != installed:
                 sys.exit(f"{archive.name}: pdp8 {' '.join(page)} is another page from the zip than installed")
 

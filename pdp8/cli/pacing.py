@@ -73,7 +73,7 @@ def live(
         if waits:
             machine.wait(max(_LOOK, time.monotonic() - began - machine.elapsed if realtime else 0.0))
         machine.teletype.keyboard.press(frames)
-    return stop._replace(reason=Reason.LIMIT) if waits else stop  # whoever waits goes on to the limit
+    return stop._replace(reason=Reason.LIMIT) if waits else stop  # a program that waits does so to the limit
 
 
 def run(

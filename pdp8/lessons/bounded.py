@@ -45,11 +45,13 @@ def _apart(exercise: Exercise, answer: Answer, seconds: float, dialect: str) -> 
     worker = fork.Process(target=_work, args=(exercise, answer, seconds, dialect, sink))
     worker.start()
     sink.close()
-    try:
-        result: Result = pickle.loads(source.recv_bytes())
-    except (EOFError, OSError):
-        worker.join()
+    content = b""
+    with source, suppress(EOFError, OSError):
+        content = source.recv_bytes()
+    worker.join()
+    if not content:
         return Result(answer.name, (), exercise.points, _fault(worker.exitcode, seconds))
+    result: Result = pickle.loads(content)
     return result
 
 

@@ -20,7 +20,6 @@ REACHED = "reached"
 _FAR = {"character": 3 * TICKS_PER_SECOND, "block": 30 * TICKS_PER_SECOND}
 """Ticks that a step may take at most."""
 
-
 _GLANCE = TICKS_PER_SECOND // 100
 """Ticks: a character takes ten times as long."""
 
@@ -58,8 +57,8 @@ class _Met(Goal):
 
 
 class _Grown(Goal):
-    """One of some numbers of the Teletype grows: it is looked at after each event, of which none comes sooner
-    after the instruction that begins it than `_GLANCE`.
+    """A number of the Teletype grows. It is looked at after each event and each `_GLANCE`: an event that an
+    instruction begins takes longer than that.
     """
 
     def __init__(self, counted: Callable[[Teletype], list[int]]) -> None:
