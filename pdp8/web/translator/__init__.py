@@ -69,7 +69,8 @@ def translated() -> dict[str, str]:
 
 def _source(package: str, name: str) -> tuple[str, str]:
     """Return the path and the text of a module, wherever it is installed."""
-    path = files(package).joinpath(f"{name}.py")
+    top, *rooms = package.split(".")  # what a room's __init__ imports is not needed here
+    path = files(top).joinpath(*rooms, f"{name}.py")
     return str(path), path.read_text(encoding="utf-8")
 
 

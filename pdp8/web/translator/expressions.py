@@ -82,6 +82,12 @@ class Expressions(Types):
                 self.fail(node, f"{number} is beyond 2^53, to which JavaScript is exact")
             return f"({number})" if number < 0 else str(number)
         match node:
+            case ast.Name(name):
+                return self._name(node, name)
+            case ast.Attribute(value, name):
+                return self._attribute(node, value, name)
+            case ast.Call():
+                return self._call(node)
             case ast.Constant(None):
                 return "null"
             case ast.Constant(bytes(value)):
@@ -104,10 +110,6 @@ class Expressions(Types):
                 return self._compared(left, operators, rights)
             case ast.NamedExpr(target, value):
                 return f"({self.e(target)} = {self.e(value)})"
-            case ast.Name(name):
-                return self._name(node, name)
-            case ast.Attribute(value, name):
-                return self._attribute(node, value, name)
             case ast.Subscript(value, index):
                 return self._indexed(value, index)
             case ast.Tuple(items) | ast.List(items):
@@ -138,8 +140,6 @@ class Expressions(Types):
                 return f"$.set({self._comprehension(generators, value)})"
             case ast.DictComp(key, value, generators):
                 return f"$.dict({self._comprehension(generators, ast.Tuple([key, value]))})"
-            case ast.Call():
-                return self._call(node)
         self.fail(node)
 
     def all(self, nodes: list[ast.expr]) -> str:

@@ -67,11 +67,18 @@ def join(one: Type, other: Type) -> Type:
 @cache
 def whole(node: ast.AST | None) -> int | None:
     """Return the value of an expression of whole numbers alone, None for any other."""
-    if not isinstance(node, ast.Constant | ast.BinOp | ast.UnaryOp):
-        return None
+    match node:
+        case ast.Constant(value):
+            return value if type(value) is int else None
+        case ast.BinOp(left, _, right) if whole(left) is not None and whole(right) is not None:
+            pass
+        case ast.UnaryOp(_, operand) if whole(operand) is not None:
+            pass
+        case _:
+            return None
     try:
-        value = eval(compile(ast.Expression(node), "<constant>", "eval"), {"__builtins__": {}})
-    except (ArithmeticError, NameError, TypeError, ValueError):  # no constant, or it raises when it runs
+        value = eval(compile(ast.Expression(node), "<constant>", "eval"))
+    except (ArithmeticError, ValueError):  # it raises when it runs
         return None
     return value if type(value) is int else None
 
@@ -160,7 +167,9 @@ class Types:
         """Find the types of the names that a function's statements set."""
         scope, given = self.scope.maps[0], set(self.scope.maps[0])
         setting = [node for node in own(body) if isinstance(node, _SETTING)]
-        for _ in range(3):
+        before = None
+        while before != scope:
+            before = dict(scope)
             for target, kind in (pair for node in setting for pair in self._set_by(node)):
                 if isinstance(target, ast.Name) and target.id not in given:
                     scope[target.id] = join(scope.get(target.id, UNSEEN), kind)
@@ -202,6 +211,12 @@ class Types:
     def infer(self, node: ast.AST) -> Type:
         """Return the type of an expression."""
         match node:
+            case ast.Name(name) if name in self.scope:
+                return self.scope[name]
+            case ast.Name() | ast.Attribute():
+                return self._named_type(node)
+            case ast.Call(function, arguments):
+                return self._called(function, arguments)
             case ast.Constant(bool()) | ast.Compare() | ast.UnaryOp(ast.Not()):
                 return BOOL
             case ast.Constant() | ast.BinOp() | ast.UnaryOp() if (number := whole(node)) is not None:
@@ -218,17 +233,11 @@ class Types:
                 return self._joined(values)
             case ast.IfExp(_, one, other):
                 return self._joined([one, other])
-            case ast.Name(name) if name in self.scope:
-                return self.scope[name]
-            case ast.Name() | ast.Attribute():
-                return self._named_type(node)
             case ast.Subscript(value, index):
                 kind = self.infer(value)
                 return kind if isinstance(index, ast.Slice) else kind.item
             case ast.List(items) | ast.Tuple(items):
                 return Type("list", _kept(self._joined(items)))
-            case ast.Call(function, arguments):
-                return self._called(function, arguments)
         return ANY
 
     def _joined(self, nodes: list[ast.expr]) -> Type:
@@ -292,5 +301,9 @@ def own(body: list[ast.stmt]) -> list[ast.AST]:
 
 @cache
 def _own(node: ast.AST) -> list[ast.AST]:
-    inside = [] if isinstance(node, _CLOSED) else ast.iter_child_nodes(node)
-    return [node, *(part for each in inside for part in _own(each))]
+    found, left = [], [node]
+    while left:
+        found.append(part := left.pop())
+        if not isinstance(part, _CLOSED):
+            left += reversed([*ast.iter_child_nodes(part)])
+    return found
