@@ -17,8 +17,7 @@ from rich.console import Console
 from rich.table import Table
 
 from pdp8.web import workbench
-from tests.pdp8.web.browsing import until
-from tests.pdp8.web.chromium import launched
+from tests.pdp8.web.browsing import launched, until
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, CDPSession

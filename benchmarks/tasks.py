@@ -18,8 +18,7 @@ from rich.table import Table
 
 from pdp8.replay import replay
 from pdp8.web.workbench import page
-from tests.pdp8.web.browsing import until
-from tests.pdp8.web.chromium import launched
+from tests.pdp8.web.browsing import launched, until
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page

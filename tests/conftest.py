@@ -13,7 +13,7 @@ import pytest
 
 import programs  # noqa: F401 - its files go on the shelf
 from tests import commands
-from tests.pdp8.web.chromium import CHROMIUM, launched
+from tests.pdp8.web.browsing import CHROMIUM, launched
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser

@@ -1,6 +1,5 @@
 """The vectors, played on the reference and on the page's machine.
 
-emulators         the reference as runner.py wants an emulator
-faults            faults of the reference that the runner in C has to find
-page_machine.mjs  the page's machine plays a folder in Node.js
+emulators   the reference as runner.py wants an emulator
+faults      faults of the reference that the runner in C has to find
 """

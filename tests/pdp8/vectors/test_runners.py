@@ -7,6 +7,8 @@ import re
 import shutil
 import subprocess
 import sys
+from functools import reduce
+from operator import getitem
 from pathlib import Path
 from typing import Any
 
@@ -28,25 +30,18 @@ pytestmark = pytest.mark.skipif(compiler() is None, reason="the reference needs 
 @pytest.fixture(scope="module")
 def changed(folder: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A file of vectors of different words, each with one value changed, and of one that is as it was."""
-    words = dict(zip(GROUPS["isz"][0o20:], (*CHANGED, ""), strict=False))
-    every = {int(vector["name"][:4], 8): vector for vector in runner.read(folder / "mem_prot.json.gz")}
-    for word, what in words.items():
-        _change(every[word], what)
-    lines = ",\n".join(json.dumps(vector, separators=(",", ":")) for vector in map(every.__getitem__, words))
+    places: dict[str, Any] = {"ticks": ("ticks",), "core": ("final", "ram", 0, 1), "MA": ("cycles", 0, 1)}
+    every: dict[int, Any] = {
+        int(vector["name"][:4], 8): vector for vector in runner.read(folder / "mem_prot.json.gz")
+    }
+    some = [every[word] for word in GROUPS["isz"][0o20 : 0o20 + len(CHANGED) + 1]]
+    for vector, what in zip(some, CHANGED, strict=False):
+        *path, last = places.get(what, ("final", what))
+        reduce(getitem, path, vector)[last] ^= 1
+    lines = ",\n".join(json.dumps(vector, separators=(",", ":")) for vector in some)
     file = tmp_path_factory.mktemp("changed") / "changed.json.gz"
     file.write_bytes(gzip.compress(f"[\n{lines}\n]\n".encode()))
     return file
-
-
-def _change(vector: dict[str, Any], what: str) -> None:
-    if what == "ticks":
-        vector["ticks"] += 1
-    elif what == "core":
-        vector["final"]["ram"][0][1] ^= 1
-    elif what == "MA":
-        vector["cycles"][0][1] ^= 1
-    elif what:
-        vector["final"][what] ^= 1
 
 
 def assert_said(printed: str, cycles: bool) -> None:
@@ -136,17 +131,13 @@ func (t *Toy) step() {
 """An emulator that knows TAD only, for what the README has a reader write."""
 
 
-def block(folder: Path, language: str) -> str:
-    """Return the README's example in a language."""
-    (found,) = re.findall(rf"```{language}\n(.*?)```", (folder / "README.md").read_text(), re.DOTALL)
-    return str(found)
-
-
 @pytest.fixture
 def toy(folder: Path, tmp_path: Path) -> Path:
-    """A folder with the toy, and what the README adds to it."""
-    mine = {"mine.py": "python", "mine.c": "c", "mine_test.go": "go"}
-    for name, text in {**TOY, **{name: block(folder, language) for name, language in mine.items()}}.items():
+    """A folder with the toy, and what the README adds to it in each language."""
+    texts, readme = TOY.copy(), (folder / "README.md").read_text()
+    for name, language in (("mine.py", "python"), ("mine.c", "c"), ("mine_test.go", "go")):
+        (texts[name],) = re.findall(rf"```{language}\n(.*?)```", readme, re.DOTALL)
+    for name, text in texts.items():
         (tmp_path / name).write_text(text)
     return tmp_path
 
@@ -170,48 +161,34 @@ def test_the_first_result_of_the_readme_in_go(folder: Path, toy: Path) -> None:
     runner = (folder / "runner_test.go").read_text().replace("\npackage main\n", "\npackage toy\n")
     (toy / "runner_test.go").write_text(runner)
     (toy / "go.mod").write_text("module toy\ngo 1.22\n")
-    status, said = in_folder(
-        toy, "go", "test", "-v", "-run", "TestVectors", "-files", "tad", "-vectors", folder
-    )
+    command = "go", "test", "-v", "-run", "TestVectors", "-files", "tad", "-vectors"
+    status, said = in_folder(toy, *command, folder)
     assert status == 0, said
     assert "4096 played, 0 differ in 0 words" in said
 
 
 class CRunner:
-    """The C runner with the reference, of which one source is compiled again with a fault."""
+    """The C runner with the reference, of which one source is compiled again, with a fault or an option."""
 
     def __init__(self, folder: Path, work: Path) -> None:
         self.work = work
         self.options = f"-I{folder}", f"-I{REFERENCE}"
-        self.parts = {
-            source.name: source for source in (folder / "runner.c", *SOURCES, REFERENCE / "emulator.c")
-        }
-        self.objects = {name: self.object("", source) for name, source in self.parts.items()}
+        self.parts = folder / "runner.c", *SOURCES, REFERENCE / "emulator.c"
+        self.objects = {source: self.compiled(source, source.stem) for source in self.parts}
         packed = [folder / f"{name}.json.gz" for name in (*GROUPS, "mem_prot", "interrupts")]
         self.vectors = b"".join(gzip.decompress(path.read_bytes()) for path in packed)
 
-    def object(self, prefix: str, source: Path, *options: str) -> Path:
-        compiled = self.work / f"{prefix}{source.stem}.o"
-        compile_c(compiled, "-c", *self.options, *options, source)
-        return compiled
+    def compiled(self, source: Path, name: str, *options: str) -> Path:
+        compile_c(self.work / f"{name}.o", "-c", *self.options, *options, source)
+        return self.work / f"{name}.o"
 
-    def run(self, *objects: Path, vectors: bytes = b"") -> tuple[int, str]:
-        """Link and run; return exit status and what is printed."""
+    def run(self, part: Path, again: Path, vectors: bytes = b"") -> tuple[int, str]:
+        """Link with the object `again` for `part`, and run; return exit status and what is printed."""
         program = self.work / "runner"
-        compile_c(program, *objects)
+        compile_c(program, *{**self.objects, part: again}.values())
         vectors = vectors or self.vectors
         done = subprocess.run([program], input=vectors, capture_output=True, check=False, timeout=60)
         return done.returncode, done.stdout.decode()
-
-    def run_with(self, old: str, new: str) -> tuple[int, str]:
-        """Run with `old` replaced by `new` in the one source that has it once."""
-        (name,) = (name for name, source in self.parts.items() if old in source.read_text())
-        text = self.parts[name].read_text()
-        assert text.count(old) == 1
-        faulty = self.work / f"faulty-{name}"
-        faulty.write_text(text.replace(old, new))
-        others = [compiled for other, compiled in self.objects.items() if other != name]
-        return self.run(*others, self.object("", faulty))
 
 
 @pytest.fixture(scope="module")
@@ -221,19 +198,23 @@ def c_runner(folder: Path, tmp_path_factory: pytest.TempPathFactory) -> CRunner:
 
 @pytest.mark.parametrize("options", [(), ("-DCYCLES",)], ids=["instructions", "cycles"])
 def test_the_runner_in_c(c_runner: CRunner, folder: Path, changed: Path, options: tuple[str, ...]) -> None:
-    others = [compiled for name, compiled in c_runner.objects.items() if name != "runner.c"]
-    objects = *others, c_runner.object("by", folder / "runner.c", *options)
-    status, said = c_runner.run(*objects)
+    source = folder / "runner.c"
+    by = source, c_runner.compiled(source, "by", *options)
+    status, said = c_runner.run(*by)
     assert status == 0, said
     assert int(said.split()[0]) == c_runner.vectors.count(b'"cycles"') > 35_000
-    status, said = c_runner.run(*objects, vectors=gzip.decompress(changed.read_bytes()))
+    status, said = c_runner.run(*by, gzip.decompress(changed.read_bytes()))
     assert status == 1
     assert_said(said, cycles=bool(options))
 
 
 @pytest.mark.parametrize("fault", FAULTS)
 def test_the_runner_in_c_finds_a_fault(c_runner: CRunner, fault: str) -> None:
-    status, said = c_runner.run_with(*FAULTS[fault])
+    old, new = FAULTS[fault]
+    (source,) = (source for source in c_runner.parts if old in source.read_text())
+    faulty = c_runner.work / "faulty.c"
+    faulty.write_text(source.read_text().replace(old, new))
+    status, said = c_runner.run(source, c_runner.compiled(faulty, "faulty"))
     assert status == 1, said
 
 

@@ -2,7 +2,6 @@
 
 import gzip
 import json
-import shutil
 import subprocess
 from collections import Counter
 from pathlib import Path
@@ -15,11 +14,15 @@ from pdp8.vectors import runner
 from pdp8.vectors.folder import GROUPS
 from tests.conftest import Shell
 from tests.pdp8.vectors.conftest import STATES
-from tests.pdp8.web.node import modules
+from tests.pdp8.web.node import in_node, needs_node
+
+Vectors = dict[str, list[dict[str, Any]]]
 
 
-def read(path: Path) -> list[dict[str, Any]]:
-    return list(runner.read(path))
+@pytest.fixture(scope="module")
+def vectors(folder: Path) -> Vectors:
+    """What is in each file."""
+    return {file.name.partition(".")[0]: list(runner.read(file)) for file in folder.glob("*.json.gz")}
 
 
 def test_made_twice_they_are_the_same_bytes(folder: Path, shell: Shell) -> None:
@@ -30,64 +33,85 @@ def test_made_twice_they_are_the_same_bytes(folder: Path, shell: Shell) -> None:
     assert done.stdout == first.stdout
 
 
-def test_every_word_is_there_in_so_many_states(folder: Path) -> None:
+def test_every_word_is_there_in_so_many_states(vectors: Vectors) -> None:
     for name, words in GROUPS.items():
-        count = Counter(int(vector["name"].split()[0], 8) for vector in read(folder / f"{name}.json.gz"))
+        count = Counter(int(vector["name"].split()[0], 8) for vector in vectors[name])
         assert count == dict.fromkeys(words, STATES), name
 
 
-def test_a_vector_has_the_form_that_the_readme_says(folder: Path) -> None:
+def test_a_vector_has_the_form_that_the_readme_says(folder: Path, vectors: Vectors) -> None:
     """TAD I 0017, autoindexed: three cycles, and every word they touch; a file is JSON as a whole."""
-    whole = json.loads(gzip.decompress((folder / "tad.json.gz").read_bytes()))
-    assert whole == read(folder / "tad.json.gz")
-    vector = next(one for one in read(folder / "tad.json.gz") if one["name"] == "1417 4")
-    assert list(vector) == ["name", "models", "instructions", "initial", "final", "ticks", "cycles"]
-    assert vector["instructions"] == 1
-    registers = ["pc", "ac", "link", "sr", "ion"]
-    assert list(vector["initial"]) == [*registers, "ram"]
-    assert list(vector["final"]) == [*registers, "run", "ram"]
-    assert vector["ticks"] == 96
-    assert [state for state, _, _ in vector["cycles"]] == ["FETCH", "DEFER", "EXECUTE"]
-    assert [address for address, _ in vector["initial"]["ram"]] == sorted(
-        {ma for _, ma, _ in vector["cycles"]}
-    )
+    assert json.loads(gzip.decompress((folder / "tad.json.gz").read_bytes())) == vectors["tad"]
+    vector = next(one for one in vectors["tad"] if one["name"] == "1417 4")
+    assert " ".join(vector) == "name models instructions initial final ticks cycles"
+    assert " ".join(vector["initial"]) == "pc ac link sr ion ram"
+    assert " ".join(vector["final"]) == "pc ac link sr ion run ram"
+    assert (vector["instructions"], vector["ticks"]) == (1, 96)
+    states, addresses, _ = zip(*vector["cycles"], strict=True)
+    assert states == ("FETCH", "DEFER", "EXECUTE")
+    assert [address for address, _ in vector["initial"]["ram"]] == sorted(set(addresses))
 
 
-def test_mem_prot_is_up_in_one_file_only(folder: Path) -> None:
+def test_mem_prot_is_up_in_one_file_only(vectors: Vectors) -> None:
     """There it stops hundreds of ISZ, DCA and JMS each."""
-    for file in folder.glob("*.json.gz"):
-        up = {vector["initial"].get("mem_prot") for vector in read(file)}
-        assert up == ({1} if file.name == "mem_prot.json.gz" else {None}), file.name
-    vectors = read(folder / "mem_prot.json.gz")
-    stopped = Counter(vector["name"][0] for vector in vectors if vector["final"]["protect"])
+    for name, those in vectors.items():
+        up = {vector["initial"].get("mem_prot") for vector in those}
+        assert up == ({1} if name == "mem_prot" else {None}), name
+    stopped = Counter(vector["name"][0] for vector in vectors["mem_prot"] if vector["final"]["protect"])
     assert set(stopped) == set("234")
     assert min(stopped.values()) > 200
 
 
-def test_a_vector_says_how_many_instructions_it_holds(folder: Path) -> None:
+def test_a_vector_says_how_many_instructions_it_holds(vectors: Vectors) -> None:
     """Of a program that stops at its HLT, so many as were run; the cycle of an interrupt is none."""
-    for file in folder.glob("*.json.gz"):
-        for vector in read(file):
-            if "cycles" in vector:
-                fetched = sum(state == "FETCH" for state, _, _ in vector["cycles"])
-                assert vector["instructions"] == fetched, vector["name"]
-    counts = {vector["name"]: vector["instructions"] for vector in read(folder / "interrupts.json.gz")}
+    for vector in (each for those in vectors.values() for each in those if "cycles" in each):
+        fetched = [state for state, _, _ in vector["cycles"]].count("FETCH")
+        assert vector["instructions"] == fetched, vector["name"]
+    counts = {vector["name"]: vector["instructions"] for vector in vectors["interrupts"]}
     assert counts["6001 7402 0 flags 1"] == 2
     assert counts["6001 6002 7000 0 flags 1"] == 3
 
 
-@pytest.mark.skipif(shutil.which("node") is None, reason="Node.js is not installed")
-def test_the_machine_of_the_page_passes(folder: Path) -> None:
-    driver = Path(__file__).parent / "page_machine.mjs"
-    done = subprocess.run(["node", driver, modules(), folder], capture_output=True, text=True, check=True)
-    results = json.loads(done.stdout)
-    assert {file: wrong for file, (_, wrong) in results.items() if wrong} == {}
-    assert sum(count for count, _ in results.values()) > 4096 * STATES
+_PLAYED = """async (vectors) => {
+  const { Machine } = await import("@/pdp8/computer/machine.mjs");
+  const machine = new Machine(true), p = machine.processor;
+  return vectors.map(({ initial, final, cycles }) => {
+    machine.power_up();
+    p.pc = initial.pc;
+    p.lac = (initial.link << 12) | initial.ac;
+    p.sr = initial.sr;
+    machine.ion = initial.ion;
+    p.mem_prot = initial.mem_prot ?? 0;
+    p.run = 1;
+    p.core.fill(0);
+    for (const [address, word] of initial.ram) p.core[address] = word;
+    for (const device of machine.bus) device.flag = Number((initial.flags ?? []).includes(device.code));
+    const clock = p.clock;
+    const done = cycles.map(() => {
+      p.cycle();
+      return [["FETCH", "DEFER", "EXECUTE"][p.state], p.ma, p.mb];
+    });
+    const now = {
+      ...{ pc: p.pc, ac: machine.ac, link: machine.link, sr: p.sr, ion: p.ion, mem_prot: p.mem_prot },
+      ...{ ram: initial.ram.map(([address]) => [address, p.core[address]]), run: p.run, protect: p.protect },
+    };
+    return [Object.keys(final).map((register) => now[register]), p.clock - clock, done];
+  });
+}"""
 
 
-def test_models_are_those_that_do_the_same(folder: Path) -> None:
+@needs_node
+def test_the_machine_of_the_page_passes(vectors: Vectors) -> None:
+    """Cycle by cycle."""
+    those = [vector for each in vectors.values() for vector in each if "cycles" in vector]
+    assert len(those) > 4096 * STATES
+    for vector, found in zip(those, in_node(_PLAYED, those), strict=True):
+        assert found == [[*vector["final"].values()], vector["ticks"], vector["cycles"]], vector["name"]
+
+
+def test_models_are_those_that_do_the_same(vectors: Vectors) -> None:
     words: dict[str, set[int]] = {model: set() for model in MODELS}
-    for vector in read(folder / "opr1.json.gz"):
+    for vector in vectors["opr1"]:
         for model in vector["models"]:
             words[model].add(int(vector["name"][:4], 8))
     assert words["8/L"] == words["8/I"] == set(GROUPS["opr1"])

@@ -1,32 +1,73 @@
-"""What the tests of the pages do in a browser, whichever it is."""
+"""What the tests of the pages do in a browser: open a page, wait, and work it in whichever browser it is."""
 
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from tests.pdp8.web.firefox import Firefox
+
 if TYPE_CHECKING:
-    from playwright.sync_api import Page
+    from playwright.sync_api import Browser, Page
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
+AXE = Path(__file__).parents[2] / "node" / "node_modules" / "axe-core" / "axe.min.js"
+needs_axe = pytest.mark.skipif(
+    not AXE.exists(), reason="axe-core is not installed: npm install --prefix tests/node"
+)
 
 
-class Tab(Protocol):
-    """A page that is opened in some browser."""
+@contextmanager
+def launched() -> "Iterator[Browser]":
+    """A headless Chromium."""
+    from playwright.sync_api import sync_playwright
 
-    def run(self, script: str) -> Any:
-        """Return what a script in the page returns."""
-
-    def until(self, condition: str) -> None:
-        """Wait until an expression of the page is true."""
-
-    def press(self, keys: str) -> None:
-        """Press a key, "a" or "ArrowDown", or some at once, "Control+a"."""
-
-    def point(self, selector: str, which: int, pointer: str) -> None:
-        """Click or tap one of the elements that a selector finds; the pointer is "mouse" or "touch"."""
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--disable-gpu"])
+        yield browser
+        browser.close()
 
 
-class ChromiumTab:
-    """A page in Chromium."""
+@contextmanager
+def visit(
+    browser: "Browser", address: str, condition: str = "!!window.workbench", **options: Any
+) -> "Iterator[Page]":
+    """A page that knows no other, offline; it may not complain, nor ask for anything."""
+    context = browser.new_context(offline=True, **options)
+    page = context.new_page()
+    complaints: list[str] = []
+    page.on("console", lambda message: complaints.append(message.text))
+    page.on("pageerror", lambda error: complaints.append(str(error)))
+    page.goto(address)
+    until(page, condition)
+    yield page
+    context.close()
+    assert complaints == []
+
+
+def until(page: "Page", condition: str) -> None:
+    """Wait until it holds; Playwright's own way evaluates a string, which the page's policy forbids."""
+    for _ in range(400):
+        if page.evaluate(condition):
+            return
+        page.wait_for_timeout(25)
+    raise AssertionError(condition)
+
+
+def serious(page: "Page") -> Any:
+    """Return what axe-core finds that is serious or critical: roles, names, contrast."""
+    return page.evaluate(
+        """async () => (await axe.run()).violations
+          .filter(({ impact }) => impact === "serious" || impact === "critical")
+          .map(({ id, nodes }) => [id, nodes.slice(0, 3).map(({ html }) => html.slice(0, 120))])"""
+    )
+
+
+class Chromium:
+    """A page in Chromium, worked as one in Firefox is."""
 
     def __init__(self, page: "Page") -> None:
         self.page = page
@@ -40,50 +81,13 @@ class ChromiumTab:
         until(self.page, condition)
 
     def press(self, keys: str) -> None:
-        """Press a key, or some at once."""
+        """Press a key, "a" or "ArrowDown", or some at once, "Control+a"."""
         self.page.keyboard.press(keys)
 
     def point(self, selector: str, which: int, pointer: str) -> None:
-        """Click or tap one of the elements that a selector finds."""
+        """Click or tap one of the elements that a selector finds; the pointer is "mouse" or "touch"."""
         target = self.page.locator(selector).nth(which)
         target.click() if pointer == "mouse" else target.tap()
 
 
-AXE = Path(__file__).parents[2] / "node" / "node_modules" / "axe-core" / "axe.min.js"
-needs_axe = pytest.mark.skipif(
-    not AXE.exists(), reason="axe-core is not installed: npm install --prefix tests/node"
-)
-
-
-def serious(page: "Page") -> Any:
-    """Return what axe-core finds that is serious or critical: roles, names, contrast."""
-    return page.evaluate(
-        """async () => (await axe.run()).violations
-          .filter(({ impact }) => impact === "serious" || impact === "critical")
-          .map(({ id, nodes }) => [id, nodes.slice(0, 3).map(({ html }) => html.slice(0, 120))])"""
-    )
-
-
-def until(page: "Page", condition: str) -> None:
-    """Wait until it holds; Playwright's own way evaluates a string, which the page's policy forbids."""
-    for _ in range(400):
-        if page.evaluate(condition):
-            return
-        page.wait_for_timeout(25)
-    raise AssertionError(condition)
-
-
-def drawn(page: "Page") -> int:
-    """Return how many pictures the page asks for, and how many elements it changes, in half a second."""
-    return int(
-        page.evaluate(
-            """() => new Promise((done) => {
-          let changes = 0;
-          new MutationObserver((records) => (changes += records.length))
-            .observe(document, { subtree: true, childList: true, attributes: true, characterData: true });
-          const request = window.requestAnimationFrame;
-          window.requestAnimationFrame = (then) => { changes++; return request(then); };
-          setTimeout(() => done(changes), 500);
-        })"""
-        )
-    )
+Tab = Chromium | Firefox

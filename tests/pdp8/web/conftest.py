@@ -1,4 +1,4 @@
-"""The workbench on disk, and opened in Chromium."""
+"""The workbench on disk, and opened in Chromium or Firefox."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from pdp8.web.workbench import page as workbench
-from tests.pdp8.web.browsing import ChromiumTab, Tab, until
+from tests.pdp8.web.browsing import Chromium, Tab, visit
 from tests.pdp8.web.firefox import FIREFOX, Firefox, opened
 
 if TYPE_CHECKING:
@@ -24,25 +24,17 @@ def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def page(browser: "Browser", file: Path) -> "Iterator[Page]":
-    """The page, offline; the test fails if it complains or asks for anything."""
-    context = browser.new_context(viewport={"width": 1366, "height": 768}, has_touch=True, offline=True)
-    opened = context.new_page()
-    complaints: list[str] = []
-    opened.on("console", lambda message: complaints.append(message.text))
-    opened.on("pageerror", lambda error: complaints.append(str(error)))
-    opened.goto(file.as_uri())
-    until(opened, "!!window.workbench")
-    yield opened
-    context.close()
-    assert complaints == []
+    """The page in Chromium."""
+    with visit(browser, file.as_uri(), viewport={"width": 1366, "height": 768}, has_touch=True) as page:
+        yield page
 
 
 @pytest.fixture(scope="session")
 def firefox(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Firefox]:
-    """A Firefox of its own profile, at the workbench."""
+    """A Firefox of its own profile."""
     if FIREFOX is None:
         pytest.skip("Firefox is not installed")
-    with opened(tmp_path_factory.mktemp("firefox"), workbench()) as driver:
+    with opened(tmp_path_factory.mktemp("firefox")) as driver:
         yield driver
 
 
@@ -50,7 +42,7 @@ def firefox(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Firefox]:
 def tab(request: pytest.FixtureRequest, file: Path, tmp_path: Path) -> Tab:
     """The workbench as it opens, in each browser; Firefox, which takes seconds for each, in `make check`."""
     if request.param == "chromium":
-        return ChromiumTab(request.getfixturevalue("page"))
+        return Chromium(request.getfixturevalue("page"))
     driver: Firefox = request.getfixturevalue("firefox")
     fresh = tmp_path / file.name  # at another path Firefox has nothing kept: no programs, no settings
     fresh.write_bytes(file.read_bytes())

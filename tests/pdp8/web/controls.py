@@ -21,12 +21,8 @@ class Control(NamedTuple):
     within: str = ""
 
 
-P, TTY, EDITOR, MACHINE = (
-    "workbench.machine.processor",
-    "workbench.machine.teletype",
-    "workbench.editor",
-    "workbench.machine",
-)
+MACHINE, EDITOR, SCRIPT = "workbench.machine", "workbench.editor", "workbench.afternoon.script"
+P, TTY, FAST = f"{MACHINE}.processor", f"{MACHINE}.teletype", f"{MACHINE}.highspeed"
 SENT = f"[{TTY}.keyboard.waiting.length, {TTY}.receiver.line, {TTY}.receiver.start]"
 STAND = (
     f"{P}.core.fill(0o7000); Object.assign({P}, {{ run: 0, pc: 0o200, next: 0, lac: 0 }});"
@@ -38,57 +34,45 @@ SAVED = (
     "window.saved = 0; window.made ??= URL.createObjectURL;"
     "URL.createObjectURL = (blob) => { window.saved++; return window.made.call(URL, blob); };"
 )
-CHOSEN = "window.chosen = 0; document.getElementById('file').click = () => { window.chosen++; };"
-WRITTEN = f"workbench.tabs.open('program'); {EDITOR}.open('a.pal', workbench.shelf.get('hello.pal').frames);"
+
+
+def opened(tab: str) -> str:
+    """Return the statement that opens a tab."""
+    return f"workbench.tabs.open('{tab}');"
+
+
+def written(*lines: str) -> str:
+    """Return the statements that bring a source into the editor, assembled."""
+    return f"{opened('program')} {EDITOR}.text = {list(lines)}.join('\\n'); {EDITOR}.assemble();"
+
+
+WRITTEN = f"{opened('program')} {EDITOR}.open('a.pal', workbench.shelf.get('hello.pal').frames);"
 ASSEMBLED = f"{WRITTEN} {EDITOR}.assemble(); {P}.core.fill(0);"
-WRONG = f"workbench.tabs.open('program'); {EDITOR}.text = '*200\\n\\tJMP X\\n$\\n'; {EDITOR}.assemble();"
-LOADED = f"{STAND} {ASSEMBLED} {EDITOR}.load(); workbench.tabs.open('debugger');"
-STEPPED = f"{LOADED} workbench.remember(); workbench.time.step({{ value: 1 }});"
+WRONG = written("*200", " JMP X", "$")
+LOADED = f"{STAND} {ASSEMBLED} {EDITOR}.load(); {opened('debugger')}"
 ALL = "document.querySelector('main.one .alone .enlarge')?.click();"
-LIVE = "workbench.afternoon.play(false); workbench.afternoon.takeOver();"
 AFTERNOON = "workbench.afternoon.go(6e10);"
-NO_UNIT = (
-    "workbench.time.unit = ''; "
-    "for (const each of document.querySelectorAll('#units input')) each.checked = false;"
-)
-UNTIL = f"{LOADED} workbench.tabs.open('debugger'); document.getElementById('where').value = '0203';"
-LONG = (
-    f"workbench.tabs.open('program'); {EDITOR}.text = '*200\\n' + '7000\\n'.repeat(90) + '$\\n';"
-    f" {EDITOR}.assemble(); {EDITOR}.load();"
-)
 CUT = "workbench.mill.cut('circle.eia');"
-COPIED = "window.copied = 0; navigator.clipboard.writeText = async () => { window.copied++; };"
-EXERCISES = "workbench.tabs.open('exercises'); workbench.exercises.open('add');"
+EXERCISES = f"{opened('exercises')} workbench.exercises.open('add');"
 PC8 = "document.querySelector('#pc8').open = true;"
 PARTS = (
-    "workbench.tabs.open('parts'); document.getElementById('part-name').value = 'circle';"
+    f"{opened('parts')} document.getElementById('part-name').value = 'circle';"
     "document.getElementById('part-name').dispatchEvent(new Event('change'));"
 )
 READY = (
-    "workbench.parts.name = 'circle.asc'; workbench.teletype.mount('circle.asc');"
+    f"{PARTS} workbench.parts.name = 'circle.asc'; workbench.teletype.mount('circle.asc');"
     "for (const id of ['part-translate', 'part-cut']) document.getElementById(id).disabled = false;"
 )
 
 
 def tab(name: str, neighbour: str, key: str) -> Control:
     """Return a tab: by keyboard an arrow leads to it from its neighbour."""
-    watch = f"document.getElementById('{name}').hidden"
-    return Control(watch, f"workbench.tabs.open('{neighbour}');", key, "[role=tab][aria-selected=true]")
+    return Control(of(f"#{name}", "hidden"), opened(neighbour), key, "[role=tab][aria-selected=true]")
 
 
-def value(selector: str) -> str:
-    """Return the expression of what a field holds."""
-    return f'document.querySelector("{selector}").value'
-
-
-def every(selector: str, of: str) -> str:
-    """Return the expression of what the elements of a family hold or say."""
-    return f"[...document.querySelectorAll('{selector}')].map((each) => each.{of})"
-
-
-def scrolled(selector: str) -> str:
-    """Return the expression of how far a region is scrolled."""
-    return f"document.querySelector('{selector}').scrollTop"
+def of(selector: str, name: str = "value") -> str:
+    """Return the expression of what all that a selector finds have."""
+    return f"[...document.querySelectorAll('{selector}')].map((each) => each.{name})"
 
 
 CONTROLS = {
@@ -101,33 +85,29 @@ CONTROLS = {
     "[data-key='exam']": Control(f"{P}.pc", STAND),
     "[data-key='cont']": Control(f"{P}.clock", STAND),
     "[data-key='stop']": Control(f"{P}.run", f"{STAND} {P}.run = 1;"),
-    "#card summary": Control("document.querySelector('#card details').open"),
+    "#card summary": Control(of("#card details", "open")),
     "#toggle-rim": Control(f"{P}.core[0o7756]", STAND + OPEN),
-    "#drill": Control("document.getElementById('drill').ariaPressed", OPEN),
+    "#drill": Control(of("#drill", "ariaPressed"), OPEN),
     "#paper": Control(SENT, keys="a"),
     "#typed": Control(SENT, keys="a"),
     "[data-key='return']": Control(SENT),
     "[data-key='linefeed']": Control(SENT),
     "[data-key='rubout']": Control(SENT),
     "#in-words": Control("workbench.switches.panel.speaking"),
-    ".enlarge": Control("document.querySelector('main').className", ALL),
+    ".enlarge": Control(of("main", "className"), ALL),
     ".skip": Control("location.hash", f"{ALL} location.hash = ''; document.querySelector('.skip').focus();"),
-    "[data-door='afternoon']": Control("workbench.afternoon.playing", LIVE),
-    "[data-door='first']": Control(f"{P}.core[0o200]", STAND),
-    "[data-door='rim']": Control(
-        "workbench.switches.card.coach !== null", "workbench.switches.card.coach = null;"
+    "[data-door='afternoon']": Control(
+        "workbench.afternoon.playing", "workbench.afternoon.play(false); workbench.afternoon.takeOver();"
     ),
+    "[data-door='first']": Control(f"{P}.core[0o200]", STAND),
+    "[data-door='rim']": Control("workbench.switches.card.coach !== null", STAND),
     "#sound": Control("workbench.teletype.sound.on", keys="Space"),
     "#lever": Control(f"{TTY}.reader.on"),
     "#shelf": Control(f"{TTY}.reader.tape.length", f"{TTY}.reader.remove();", "c"),
     "#save-page": Control("window.saved", SAVED),
-    "#pc8 summary": Control("document.querySelector('#pc8').open"),
-    "#pc8-shelf": Control(
-        f"{MACHINE}.highspeed.reader.tape.length", f"{PC8} {MACHINE}.highspeed.reader.remove();", "c"
-    ),
-    "#pc8-tear": Control(
-        f"{MACHINE}.highspeed.punch.frames.length", f"{PC8} {MACHINE}.highspeed.punch.frames.append(1);"
-    ),
+    "#pc8 summary": Control(of("#pc8", "open")),
+    "#pc8-shelf": Control(f"{FAST}.reader.tape.length", f"{PC8} {FAST}.reader.remove();", "c"),
+    "#pc8-tear": Control(f"{FAST}.punch.frames.length", f"{PC8} {FAST}.punch.frames.append(1);"),
     "#punch-on": Control(f"{TTY}.punch.on"),
     "#tear": Control(f"{TTY}.punch.frames.length", PUNCHED),
     "#store": Control("window.saved", PUNCHED + SAVED),
@@ -135,61 +115,71 @@ CONTROLS = {
     "#speed": Control("workbench.clock.speed", "document.getElementById('speed').selectedIndex = 0;", "a"),
     "#share": Control("location.hash", "history.replaceState(null, '', '#');"),
     "#save": Control("window.saved", SAVED),
-    "#open": Control("window.chosen", CHOSEN),
+    "#open": Control(
+        "window.chosen",
+        "window.chosen = 0; document.getElementById('file').click = () => { window.chosen++; };",
+    ),
     "[data-opens='program']": tab("program", "debugger", "ArrowLeft"),
     "[data-opens='debugger']": tab("debugger", "mill", "ArrowLeft"),
     "[data-opens='figures']": tab("figures", "exercises", "ArrowRight"),
     "[data-opens='mill']": tab("mill", "debugger", "ArrowRight"),
     "[data-opens='exercises']": tab("exercises", "parts", "ArrowRight"),
+    "[data-opens='parts']": tab("parts", "mill", "ArrowRight"),
     "#sources": Control(f"{EDITOR}.name", WRITTEN, "e"),
     "#assemble": Control(f"{EDITOR}.assembly !== null", f"{WRITTEN} {EDITOR}.assembly = null;"),
     "#load": Control(f"{P}.core[0o200]", ASSEMBLED),
     "#boot": Control(f"{P}.core[0o200]", ASSEMBLED),
     "#source": Control(f"{EDITOR}.text", WRITTEN, "a"),
-    "#messages button": Control("document.getElementById('source').selectionStart", WRONG),
+    "#messages button": Control(of("#source", "selectionStart"), WRONG),
     "#run-it": Control(f"{P}.core[0o200]", WRITTEN + STAND),
     "#forward": Control(f"{P}.clock", LOADED),
-    "#back": Control(f"{P}.clock", STEPPED),
+    "#back": Control(f"{P}.clock", f"{LOADED} workbench.remember(); workbench.time.step({{ value: 1 }});"),
     "#play": Control(f"{P}.clock", LOADED),
-    "#units input": Control("workbench.time.unit", NO_UNIT, "Space"),
+    "#units input": Control(
+        "workbench.time.unit",
+        "workbench.time.unit = ''; "
+        "for (const each of document.querySelectorAll('#units input')) each.checked = false;",
+        "Space",
+    ),
     "#next button": Control(f"{P}.clock", f"{LOADED} workbench.show();"),
-    "#kind": Control(value("#kind"), "workbench.tabs.open('debugger');", "w"),
-    "#where": Control(value("#where"), "workbench.tabs.open('debugger');", "7"),
-    "#until button": Control(f"{P}.clock", UNTIL),
+    "#kind": Control(of("#kind"), opened("debugger"), "w"),
+    "#where": Control(of("#where"), opened("debugger"), "7"),
+    "#until button": Control(f"{P}.clock", f"{LOADED} document.getElementById('where').value = '0203';"),
     "#registers input": Control(f"[{P}.pc, {P}.lac]", LOADED, "Control+a 7 Enter"),
-    "#gutter button": Control(f"{MACHINE}.watch.breakpoints.length", f"{LOADED} {LONG}"),
+    "#gutter button": Control(
+        f"{MACHINE}.watch.breakpoints.length",
+        f"{LOADED} {written('*200', *['7000'] * 90, '$')} {EDITOR}.load();",
+    ),
     "#program-name": Control(f"{EDITOR}.name", WRITTEN, "End 7 Enter"),
     "#new-program": Control(f"{EDITOR}.name", WRITTEN),
-    "#delete-program": Control("document.getElementById('program-says').textContent", WRITTEN),
+    "#delete-program": Control(of("#program-says", "textContent"), WRITTEN),
     "#save-as": Control("window.saved", WRITTEN + SAVED, "."),
-    "#list": Control(
-        f"{EDITOR}.core.text", f"{LOADED} workbench.tabs.open('program'); {EDITOR}.core.text = null;"
-    ),
-    "#counts": Control(
-        "document.getElementById('counts').checked", "workbench.tabs.open('program');", "Space"
-    ),
-    "#core": Control(scrolled("#core"), LOADED, "PageDown", within=" th"),
+    "#list": Control(f"{EDITOR}.core.text", f"{LOADED} {opened('program')} {EDITOR}.core.text = null;"),
+    "#counts": Control(of("#counts", "checked"), opened("program"), "Space"),
+    "#core": Control(of("#core", "scrollTop"), LOADED, "PageDown", within=" th"),
     "#core input": Control(f"[...{P}.core]", LOADED, "Control+a 7 Enter"),
-    "#page": Control("workbench.core.first", "workbench.tabs.open('debugger');", "0"),
+    "#page": Control("workbench.core.first", opened("debugger"), "0"),
     "#eia": Control("workbench.mill.name", CUT, "e"),
     "#at": Control("workbench.mill.part", CUT, "ArrowLeft"),
     "#run-mill": Control("workbench.mill.part", CUT),
     "#blocks": Control(
-        scrolled("#blocks"), f"{CUT} document.getElementById('blocks').scrollTop = 0;", "PageDown"
+        of("#blocks", "scrollTop"), f"{CUT} document.getElementById('blocks').scrollTop = 0;", "PageDown"
     ),
-    "#previous-act": Control("workbench.afternoon.script.now", AFTERNOON),
-    "#next-act": Control("workbench.afternoon.script.now", AFTERNOON),
-    "#slider": Control("workbench.afternoon.script.now", AFTERNOON, "ArrowLeft"),
-    "#link": Control("window.copied", f"{AFTERNOON} {COPIED}"),
-    "[data-opens='parts']": tab("parts", "mill", "ArrowRight"),
-    "#part-name": Control(value("#part-name"), PARTS, "e"),
-    "#part-options [name]": Control(every("#part-options [name]", "value"), PARTS, "7"),
-    "#part-options summary": Control("document.querySelector('#part-options details').open", PARTS),
+    "#previous-act": Control(f"{SCRIPT}.now", AFTERNOON),
+    "#next-act": Control(f"{SCRIPT}.now", AFTERNOON),
+    "#slider": Control(f"{SCRIPT}.now", AFTERNOON, "ArrowLeft"),
+    "#link": Control(
+        "window.copied",
+        f"{AFTERNOON} window.copied = 0; navigator.clipboard.writeText = async () => {{ window.copied++; }};",
+    ),
+    "#part-name": Control(of("#part-name"), PARTS, "e"),
+    "#part-options [name]": Control(of("#part-options [name]"), PARTS, "7"),
+    "#part-options summary": Control(of("#part-options details", "open"), PARTS),
     "#part .go": Control(f"{TTY}.reader.tape.length", f"{PARTS} {TTY}.reader.remove();"),
-    "#part-translate": Control(f"{TTY}.reader.position", f"{PARTS} {READY}"),
-    "#part-cut": Control("workbench.mill.name", f"{PARTS} {READY} {PUNCHED}"),
+    "#part-translate": Control(f"{TTY}.reader.position", READY),
+    "#part-cut": Control("workbench.mill.name", f"{READY} {PUNCHED}"),
     "#exercise": Control("workbench.exercises.name", EXERCISES, "m"),
     "#exercise-link": Control("location.hash", f"{EXERCISES} history.replaceState(null, '', '#');"),
     "[data-click='exercises.begin']": Control(f"{EDITOR}.name", f"{WRITTEN} {EXERCISES}"),
-    "#asked .go": Control("document.getElementById('marks').textContent.length", EXERCISES),
+    "#asked .go": Control(of("#marks", "textContent.length"), EXERCISES),
 }

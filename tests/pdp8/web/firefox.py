@@ -11,40 +11,19 @@ from pathlib import Path
 from typing import Any
 
 FIREFOX = shutil.which("firefox-esr") or shutil.which("firefox")
-_START_SECONDS = 60
 _KEYS = {  # of the WebDriver protocol
-    "Enter": "\ue007",
-    "Space": " ",
-    "Control": "\ue009",
-    "PageDown": "\ue00f",
-    "End": "\ue010",
-    "Home": "\ue011",
-    "ArrowLeft": "\ue012",
-    "ArrowUp": "\ue013",
-    "ArrowRight": "\ue014",
-    "ArrowDown": "\ue015",
-}
+    "Enter": "\ue007", "Space": " ", "Control": "\ue009", "PageDown": "\ue00f", "End": "\ue010",
+    "ArrowLeft": "\ue012", "ArrowRight": "\ue014",
+}  # fmt: skip
 
 
 class Firefox:
     """A headless Firefox; `call` sends one command of the WebDriver protocol over Marionette's socket."""
 
-    def __init__(self, port: int) -> None:
+    def __init__(self, connection: socket.socket) -> None:
         self._number = 0
-        self._socket = self._connected(port)
+        self._socket = connection
         self._read()  # it says hello
-
-    @staticmethod
-    def _connected(port: int) -> socket.socket:
-        """Return a socket to Marionette, as soon as it listens."""
-        end = time.monotonic() + _START_SECONDS
-        while True:
-            try:
-                return socket.create_connection(("127.0.0.1", port), timeout=60)
-            except OSError:
-                if time.monotonic() > end:
-                    raise
-                time.sleep(0.25)
 
     def call(self, name: str, **parameters: Any) -> Any:
         """Return what the command answers."""
@@ -54,6 +33,15 @@ class Firefox:
         _, _, error, result = self._read()
         assert error is None, error
         return result
+
+    def _read(self) -> Any:
+        length = b""
+        while not length.endswith(b":"):
+            length += self._socket.recv(1)
+        text = b""
+        while len(text) < int(length[:-1]):
+            text += self._socket.recv(int(length[:-1]) - len(text))
+        return json.loads(text)
 
     def run(self, script: str) -> Any:
         """Return what a script in the page returns."""
@@ -73,7 +61,7 @@ class Firefox:
         codes = [_KEYS.get(key, key) for key in keys.split("+")]
         down = [{"type": "keyDown", "value": code} for code in codes]
         up = [{"type": "keyUp", "value": code} for code in reversed(codes)]
-        self._act({"type": "key", "id": "keyboard", "actions": [*down, *up]})
+        self._act(type="key", id="keyboard", actions=[*down, *up])
 
     def point(self, selector: str, which: int, pointer: str) -> None:
         """Click or tap the middle of one of the elements that a selector finds."""
@@ -82,36 +70,29 @@ class Firefox:
         self.run(f"{found}.scrollIntoView({{ block: 'center' }})")
         to = {"type": "pointerMove", "x": 0, "y": 0, "origin": element}
         down, up = ({"type": kind, "button": 0} for kind in ("pointerDown", "pointerUp"))
-        self._act(
-            {
-                "type": "pointer",
-                "id": pointer,
-                "parameters": {"pointerType": pointer},
-                "actions": [to, down, up],
-            }
-        )
+        kind = {"pointerType": pointer}
+        self._act(type="pointer", id=pointer, parameters=kind, actions=[to, down, up])
 
-    def _act(self, actions: dict[str, Any]) -> None:
+    def _act(self, **actions: Any) -> None:
         self.call("WebDriver:PerformActions", actions=[actions])
         self.call("WebDriver:ReleaseActions")
 
-    def close(self) -> None:
-        """Hang up."""
-        self._socket.close()
 
-    def _read(self) -> Any:
-        length = b""
-        while not length.endswith(b":"):
-            length += self._socket.recv(1)
-        text = b""
-        while len(text) < int(length[:-1]):
-            text += self._socket.recv(int(length[:-1]) - len(text))
-        return json.loads(text)
+def _connected(port: int, seconds: float = 60) -> socket.socket:
+    """Return a socket to Marionette, as soon as it listens."""
+    end = time.monotonic() + seconds
+    while True:
+        try:
+            return socket.create_connection(("127.0.0.1", port), timeout=60)
+        except OSError:
+            if time.monotonic() > end:
+                raise
+            time.sleep(0.25)
 
 
 @contextmanager
-def opened(folder: Path, html: str) -> Iterator[Firefox]:
-    """A Firefox with its profile in `folder`, at a page opened from disk."""
+def opened(folder: Path) -> Iterator[Firefox]:
+    """A Firefox with its profile in `folder`."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
@@ -123,15 +104,12 @@ def opened(folder: Path, html: str) -> Iterator[Firefox]:
         f'user_pref("browser.download.dir", "{folder}");\n'
         'user_pref("remote.prefs.recommended", false);\n'  # they let all files on disk share what is kept
     )
-    file = folder / "page.html"
-    file.write_text(html, encoding="utf-8")
     command = [str(FIREFOX), "--headless", "--marionette", "--no-remote", "--profile", str(folder)]
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
         try:
-            driver = Firefox(port)
-            driver.call("WebDriver:NewSession")
-            driver.call("WebDriver:Navigate", url=file.as_uri())
-            yield driver
-            driver.close()
+            with _connected(port) as connection:
+                driver = Firefox(connection)
+                driver.call("WebDriver:NewSession")
+                yield driver
         finally:
             process.terminate()

@@ -9,19 +9,18 @@ import sys
 import tempfile
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from pdp8.web.workbench import page
-from tests.pdp8.web.chromium import opened
+from tests.pdp8.web.browsing import launched, visit
 
 if TYPE_CHECKING:
     from playwright.sync_api import CDPSession, Page
 
 WARM_UP = 60.0
 """Seconds: what is compiled, cached and kept for steps back is there by then."""
-HEAP = 4e6
-"""Bytes by which the heap may differ: garbage that is not yet collected, code that is compiled later."""
-NODES = 50
+HEAP, NODES = 4e6, 50
+"""By how much bytes and nodes may differ: garbage that is not yet collected, code that is compiled later."""
 
 _AGAIN = """() => {
   if (!workbench.machine._out_of_tape() && workbench.machine.processor.run) return false;
@@ -29,13 +28,6 @@ _AGAIN = """() => {
   workbench.parts.translate();
   return true;
 }"""
-
-
-class Count(NamedTuple):
-    """Bytes of the heap and nodes of the document, garbage collected."""
-
-    heap: int
-    nodes: int
 
 
 def translate(tab: "Page", seconds: float) -> int:
@@ -48,32 +40,30 @@ def translate(tab: "Page", seconds: float) -> int:
     return times
 
 
-def count(session: "CDPSession") -> Count:
-    """Collect garbage, and count."""
+def count(session: "CDPSession") -> tuple[int, int]:
+    """Collect garbage; return the bytes of the heap and the nodes of the document."""
     session.send("HeapProfiler.collectGarbage")
     metrics = {each["name"]: each["value"] for each in session.send("Performance.getMetrics")["metrics"]}
-    return Count(int(metrics["JSHeapUsedSize"]), int(metrics["Nodes"]))
-
-
-def measure(seconds: float) -> tuple[Count, Count, int]:
-    """Return the counts before and after, and how often the circle was translated."""
-    with tempfile.TemporaryDirectory() as folder, opened(Path(folder), page()) as tab:
-        tab.locator("#speed").select_option(label="as fast as it goes")
-        session = tab.context.new_cdp_session(tab)
-        session.send("Performance.enable")
-        translate(tab, WARM_UP)
-        before = count(session)
-        times = translate(tab, seconds)
-        return before, count(session), times
+    return int(metrics["JSHeapUsedSize"]), int(metrics["Nodes"])
 
 
 def main(seconds: float) -> int:
     """Measure, say what was found, and return the exit status."""
-    before, after, times = measure(seconds)
+    with tempfile.TemporaryDirectory() as folder, launched() as browser:
+        file = Path(folder) / "page.html"
+        file.write_text(page(), encoding="utf-8")
+        with visit(browser, file.as_uri()) as tab:
+            tab.locator("#speed").select_option(label="as fast as it goes")
+            session = tab.context.new_cdp_session(tab)
+            session.send("Performance.enable")
+            translate(tab, WARM_UP)
+            heap, nodes = count(session)
+            times = translate(tab, seconds)
+            heap_then, nodes_then = count(session)
     print(f"the circle translated {times} times in {seconds:g} s at full speed")
-    print(f"heap   {before.heap / 1e6:8.2f} MB  ->  {after.heap / 1e6:8.2f} MB")
-    print(f"nodes  {before.nodes:8}     ->  {after.nodes:8}")
-    return int(after.heap - before.heap > HEAP or after.nodes - before.nodes > NODES)
+    print(f"heap   {heap / 1e6:8.2f} MB  ->  {heap_then / 1e6:8.2f} MB")
+    print(f"nodes  {nodes:8}     ->  {nodes_then:8}")
+    return int(heap_then - heap > HEAP or nodes_then - nodes > NODES)
 
 
 if __name__ == "__main__":

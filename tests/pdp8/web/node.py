@@ -5,6 +5,8 @@ import json
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Iterable
+from dataclasses import fields, is_dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -22,7 +24,14 @@ needs_node = pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
 
 _DRIVER = """
 import { readFileSync } from "node:fs";
-console.log(JSON.stringify(await (FUNCTION)(JSON.parse(readFileSync(0, "utf8")))));
+import { Dict } from "@/pdp8/web/translator/runtime.mjs";
+const plain = (of) =>
+  of instanceof Dict ? of.items().map(plain)
+  : of instanceof Number ? of.valueOf()
+  : of === null || typeof of !== "object" ? of
+  : of[Symbol.iterator] ? Array.from(of, plain)
+  : of.constructor.$fields?.map((name) => plain(of[name])) ?? of;
+console.log(JSON.stringify(plain(await (FUNCTION)(JSON.parse(readFileSync(0, "utf8"))))));
 """
 
 
@@ -48,11 +57,11 @@ def write(folder: Path, translated: dict[str, str], suffix: str = ".mjs") -> Non
 
 
 def in_node(function: str, given: Any = None, folder: Path | None = None) -> Any:
-    """Return what the JavaScript `function` returns of `given`, both as JSON goes. In it "@/" is the house:
+    """Return what the JavaScript `function` returns of `given`, as `plain` does. In it "@/" is the house:
     `async (given) => { const { assemble } = await import("@/pal/assembling.mjs"); ... }`.
     """
     house = (folder or modules()).as_uri()
-    driver = _DRIVER.replace("FUNCTION", function.replace('"@/', f'"{house}/'))
+    driver = _DRIVER.replace("FUNCTION", function).replace('"@/', f'"{house}/')
     done = subprocess.run(
         [str(NODE), "--input-type=module", "--eval", driver],
         input=json.dumps(given),
@@ -63,3 +72,12 @@ def in_node(function: str, given: Any = None, folder: Path | None = None) -> Any
     )
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
+
+
+def plain(of: Any) -> Any:
+    """Return a value as JSON has it in both languages: records, sequences and tables as lists."""
+    if isinstance(of, dict):
+        return plain(of.items())
+    if is_dataclass(of):
+        return [plain(getattr(of, field.name)) for field in fields(of)]
+    return [plain(each) for each in of] if isinstance(of, Iterable) and not isinstance(of, str) else of

@@ -16,37 +16,26 @@ if TYPE_CHECKING:
 
 _ALL = f"{CUT} {LOADED} {WRONG} {OPEN}"
 """Everything that can be there is there: a listing, messages, blocks, the card."""
-
 _OF_A_FAMILY = 12
 """How many are tried of those that are alike: all the switches, some of the words of core."""
-
-_TRIES = 2
-"""On a busy machine a list is not open yet when its key comes."""
-
-_ENOUGH = 3
-"""So many that do nothing end the test: each of them takes a minute."""
-
+_FIELDS = "select, textarea, input:not([type=checkbox]), [tabindex='0']:not(button)"
+"""What a pointer gives the focus to, and keys then work."""
 _FOUND = """(selectors) => {
   const controls = "button, input:not([hidden]), select, textarea, summary, a[href], [tabindex='0']";
   return [...document.querySelectorAll(controls)].map((control) =>
     selectors.find((selector) => control.matches(selector)) ?? control.outerHTML.slice(0, 100));
 }"""
-
-
-def test_every_control_is_tried(page: "Page") -> None:
-    """None is in the page that is not in the table, and none in the table that is not in the page."""
-    page.evaluate(f"() => {{ {_ALL} }}")
-    assert set(page.evaluate(_FOUND, list(CONTROLS))) == set(CONTROLS)
-
-
 _NAMED = """() => ["click", "change", "input", "submit"].flatMap((kind) =>
   [...document.querySelectorAll(`[data-${kind}]`)].map((control) => control.dataset[kind]))
   .filter((path) => typeof path.split(".").reduce((of, name) => of?.[name], workbench) !== "function")"""
 
 
-def test_every_control_names_a_method(page: "Page") -> None:
-    """What the HTML names is there to be called."""
+def test_every_control_is_tried(page: "Page") -> None:
+    """None is in the page that is not in the table, and none in the table that is not in the page; what the
+    HTML names is there to be called.
+    """
     page.evaluate(f"() => {{ {_ALL} }}")
+    assert set(page.evaluate(_FOUND, list(CONTROLS))) == set(CONTROLS)
     assert page.evaluate(_NAMED) == []
 
 
@@ -62,38 +51,28 @@ def test_every_control_works(tab: Tab, way: str) -> None:
         for which in range(min(count, _OF_A_FAMILY)):
             tab.run(f"{control.before} workbench.show();")
             tab.run(f"window.earlier = JSON.stringify({control.watch});")
-            if not any(_works(tab, control, selector, which, way) for _ in range(_TRIES)):
+            # twice: on a busy machine a list is not open yet when its key comes
+            if not any(_works(tab, control, selector, which, way) for _ in range(2)):
                 idle.append((selector, which, control.watch, tab.run("return window.earlier")))
-                assert len(idle) < _ENOUGH, idle
+                assert len(idle) < 3, idle  # each takes a minute
     assert not idle, "\n".join(map(str, idle))
 
 
 def _works(tab: Tab, control: Control, selector: str, which: int, way: str) -> bool:
     """Work a control; tell whether what it is there for is seen."""
-    _work(tab, control, selector, which, way)
-    try:
-        tab.until(f"JSON.stringify({control.watch}) !== window.earlier")
-    except AssertionError:
-        return False
-    return True
-
-
-def _work(tab: Tab, control: Control, selector: str, which: int, way: str) -> None:
+    first = f"document.querySelector({json.dumps(selector)})"
     if way == "keyboard":
         focus = json.dumps(control.focus or selector)
         tab.run(f"document.querySelectorAll({focus})[{0 if control.focus else which}].focus()")
     else:
         tab.point(selector + control.within, which, way)
-    if way == "keyboard" or _is(tab, selector, _FIELDS):
+    if way == "keyboard" or tab.run(f'return {first}.matches("{_FIELDS}")'):
         for keys in control.keys.split():
             tab.press(keys)
-        if way != "keyboard" and _is(tab, selector, "select"):
+        if way != "keyboard" and tab.run(f"return {first}.matches('select')"):
             tab.press("Enter")  # the list that the pointer has opened
-
-
-_FIELDS = "select, textarea, input:not([type=checkbox]), [tabindex='0']:not(button)"
-"""What a pointer gives the focus to, and keys then work."""
-
-
-def _is(tab: Tab, selector: str, kind: str) -> bool:
-    return bool(tab.run(f"return document.querySelector({json.dumps(selector)}).matches({json.dumps(kind)})"))
+    try:
+        tab.until(f"JSON.stringify({control.watch}) !== window.earlier")
+    except AssertionError:
+        return False
+    return True

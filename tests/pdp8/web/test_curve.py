@@ -2,8 +2,7 @@
 
 import re
 from collections.abc import Iterator
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
@@ -15,54 +14,36 @@ from pdp8.thesis import chain
 from pdp8.web import curve, method
 from programs.milling import Milling
 from tapes import ascii, eia, shelf
-from tests.pdp8.web.browsing import AXE, needs_axe, serious, until
-from tests.pdp8.web.node import in_node, needs_node
+from tests.pdp8.web.browsing import AXE, needs_axe, serious, until, visit
+from tests.pdp8.web.node import in_node, needs_node, plain
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Locator, Page
 
-_COMPUTED = """async ({ words, line }) => {
+_COMPUTED = """async ([words, line]) => {
   const method = await import("@/pdp8/web/method.mjs");
   const { walls } = await import("@/pdp8/web/curve/walls.mjs");
-  const plain = ({ text, minutes, way }) => [text, minutes, way.map(({ x, y }) => [x, y])];
   const { way } = method.circle(5);
   const { outer, inner } = walls(way, { x: 4000, y: 4000, radius: 1750 }, 500, 0, 2 * Math.PI, 3600);
-  return {
-    made: [method.circle(3, true), method.slope(7, 0.2, -0.2), method.quarter(10, 3)].map(plain),
-    walls: [[...outer], [...inner]],
-    characters: method.characters(words, line).map(
-      ({ rows, punched, waited }) => [rows.map((row) => [...row]), punched, waited]),
-  };
+  const shapes = [method.circle(3, true), method.slope(7, 0.2, -0.2), method.quarter(10, 3)];
+  return [shapes, method.characters(words, line), outer, inner];
 }"""
 _WORDS = list(pal.assemble(shelf.read_bundled("eia.pal")).words.items())
 _LINE = "  76 2250 4133  185\n"
 
 
-@pytest.fixture(scope="module")
-def computed() -> dict[str, Any]:
-    """What the figures compute, in Node.js."""
-    found: dict[str, Any] = in_node(_COMPUTED, {"words": _WORDS, "line": list(ascii.encode(_LINE))})
-    return found
-
-
 @needs_node
-def test_the_page_computes_what_python_does(computed: dict[str, Any]) -> None:
-    """Printouts, minutes and ways; what eia.pal does with each character of a block."""
-    made = (method.circle(3, close=True), method.slope(7, 0.2, -0.2), method.quarter(10, 3))
-    ways = [[[place.x, place.y] for place in each.way] for each in made]
-    expected = [[each.text, each.minutes, way] for each, way in zip(made, ways, strict=True)]
-    assert computed["made"] == expected
-    done = method.characters(_WORDS, ascii.encode(_LINE))
-    rows = [[[list(row) for row in each.rows], each.punched, each.waited] for each in done]
-    assert computed["characters"] == rows
-
-
-@needs_node
-def test_the_walls_are_those_of_the_inspection(computed: dict[str, Any]) -> None:
-    """Each station of both walls to a millionth of a thousandth; none is where nothing was cut."""
-    inspection = inspect(chain.path("circle"), nominal(circle=(4, 4, 1.75)), tolerance=5)
-    every = len(inspection.walls.stations) // 3600
-    for there, here in zip(computed["walls"], (inspection.walls.outer, inspection.walls.inner), strict=True):
+def test_the_page_computes_what_python_does() -> None:
+    """Printouts, minutes, ways; what eia.pal does with each character of a block; each station of both walls,
+    to a millionth of a thousandth; none is where nothing was cut.
+    """
+    made, characters, *walls = in_node(_COMPUTED, [_WORDS, list(ascii.encode(_LINE))])
+    shapes = (method.circle(3, close=True), method.slope(7, 0.2, -0.2), method.quarter(10, 3))
+    assert made == plain(shapes)
+    assert characters == plain(method.characters(_WORDS, ascii.encode(_LINE)))
+    found = inspect(chain.path("circle"), nominal(circle=(4, 4, 1.75)), tolerance=5).walls
+    every = len(found.stations) // 3600
+    for there, here in zip(walls, (found.outer, found.inner), strict=True):
         assert np.allclose(there, here[::every], rtol=0, atol=1e-6)
 
 
@@ -96,15 +77,15 @@ def test_the_computer_punches_the_bundled_tape() -> None:
 
 @pytest.fixture(scope="module")
 def page(browser: "Browser", tmp_path_factory: pytest.TempPathFactory) -> Iterator["Page"]:
-    """The page in Chromium, from disk, on a phone; `errors` of it are kept in the page."""
+    """The page in Chromium, on a phone: it is whole, with nothing to fetch, and under 400 kB."""
+    html = curve.page()
+    assert len(html) < 400_000
+    assert not re.search(r"(?:src|href)=\"(?!data:)", html)
     file = tmp_path_factory.mktemp("curve") / "curve.html"
-    file.write_text(curve.page(), encoding="utf-8")
-    found = browser.new_page(viewport={"width": 390, "height": 800})
-    found.add_init_script("errors = []; addEventListener('error', ({ message }) => errors.push(message))")
-    found.goto(file.as_uri())
-    until(found, "[...document.querySelectorAll('.said')].every((each) => each.textContent)")
-    yield found
-    found.close()
+    file.write_text(html, encoding="utf-8")
+    said = "[...document.querySelectorAll('.said')].every((each) => each.textContent)"
+    with visit(browser, file.as_uri(), said, viewport={"width": 390, "height": 800}) as page:
+        yield page
 
 
 def test_each_control_changes_its_figure(page: "Page") -> None:
@@ -121,7 +102,6 @@ def test_each_control_changes_its_figure(page: "Page") -> None:
         until(page, "new Promise((done) => setTimeout(() => done(true), 30))")
         assert _shown(figure) != before, control.get_attribute("name")
     assert page.evaluate("document.documentElement.scrollWidth") == 390
-    assert page.evaluate("errors") == []
 
 
 def _shown(figure: "Locator") -> str:
@@ -148,12 +128,5 @@ def test_the_page_answers_its_questions(page: "Page") -> None:
 @needs_axe
 def test_the_page_is_accessible(page: "Page") -> None:
     """Nothing that axe-core finds serious."""
-    page.evaluate(Path(AXE).read_text(encoding="utf-8"))
+    page.evaluate(AXE.read_text(encoding="utf-8"))
     assert serious(page) == []
-
-
-def test_the_file_is_whole(tmp_path: Path) -> None:
-    """Nothing to fetch, and under 400 kB."""
-    html = curve.page()
-    assert len(html) < 400_000
-    assert not re.search(r"(?:src|href)=\"(?!data:)", html)

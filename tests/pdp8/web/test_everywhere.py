@@ -7,15 +7,14 @@ import base64
 import re
 from pathlib import Path
 
-import pytest
-
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from tapes import shelf
 from tests.commands import run
 from tests.pdp8.web.browsing import Tab
 
-_ECHO = [0o6032, 0o6046, 0o6031, 0o5202, 0o6036, 0o6041, 0o5205, 0o6046, 0o5202]
+_TTY = "workbench.machine.teletype"
+_NEXT = "document.getElementById('next').textContent"
 
 
 def click(tab: Tab, *selectors: str) -> None:
@@ -25,16 +24,18 @@ def click(tab: Tab, *selectors: str) -> None:
 
 
 def choose(tab: Tab, selector: str, value: str) -> None:
-    """Choose from a list, or write into a field."""
+    """Choose from a list."""
     tab.run(
         f'const field = document.querySelector("{selector}"); field.value = "{value}";'
         'field.dispatchEvent(new Event("change", { bubbles: true }));'
     )
 
 
-def fast(tab: Tab) -> None:
-    """As fast as it goes."""
+def start(tab: Tab, source: str) -> None:
+    """Assemble a bundled source, load it and start it, as fast as it goes."""
+    choose(tab, "#sources", source)
     choose(tab, "#speed", "Infinity")
+    click(tab, "#assemble", "#load", "[data-key=start]")
 
 
 def drop(tab: Tab, name: str, content: bytes, place: str = "body") -> None:
@@ -62,26 +63,14 @@ def saved(tab: Tab, button: str) -> bytes:
     return bytes(tab.run("return window.file"))
 
 
-def punched(tab: Tab) -> bytes:
-    """Return the tape in the punch."""
-    return bytes(tab.run("return workbench.machine.teletype.punch.frames"))
-
-
-def translate(tab: Tab) -> None:
-    """Let eia.pal translate circle.asc to its end."""
-    choose(tab, "#sources", "eia.pal")
-    click(tab, "#assemble", "#load")
-    choose(tab, "#shelf", "circle.asc")
-    fast(tab)
-    click(tab, "[data-key=start]")
-    tab.until("workbench.machine._out_of_tape()")
-    tab.until(f"workbench.machine.teletype.punch.frames.length === {len(shelf.read_bundled('circle.eia'))}")
-
-
 def test_the_circle_is_translated_and_cut(tab: Tab) -> None:
     """Assembled, loaded and started by its buttons; the tape is circle.eia, and the mill cuts it."""
-    translate(tab)
-    assert punched(tab) == shelf.read_bundled("circle.eia")
+    choose(tab, "#shelf", "circle.asc")
+    start(tab, "eia.pal")
+    tab.until("workbench.machine._out_of_tape()")
+    circle = shelf.read_bundled("circle.eia")
+    tab.until(f"{_TTY}.punch.frames.length === {len(circle)}")
+    assert bytes(tab.run(f"return {_TTY}.punch.frames")) == circle
     click(tab, "#to-mill")
     label = tab.run("return document.getElementById('close-label').textContent")
     assert "circle of 1.750 in about 4.000, 4.000" in label
@@ -90,18 +79,18 @@ def test_the_circle_is_translated_and_cut(tab: Tab) -> None:
 
 def test_a_punched_tape_is_saved_torn_off_and_read(tab: Tab) -> None:
     """The file has its frames; torn off, it goes from the shelf into the reader, and the punch is empty."""
-    tab.run("workbench.machine.teletype.punch.frames.extend([0o301, 0o302, 0o215]); workbench.touched();")
+    tab.run(f"{_TTY}.punch.frames.extend([0o301, 0o302, 0o215]); workbench.touched();")
     assert saved(tab, "#store") == b"\xc1\xc2\x8d"
     click(tab, "#tear")
-    assert punched(tab) == b""
     choose(tab, "#shelf", "punched")
-    assert tab.run("return [...workbench.machine.teletype.reader.tape]") == [0o301, 0o302, 0o215]
+    found = tab.run(f"return [{_TTY}.punch.frames, {_TTY}.reader.tape].map((each) => [...each])")
+    assert found == [[], [0o301, 0o302, 0o215]]
 
 
 def test_a_file_dropped_on_the_page(tab: Tab) -> None:
     """ASCII goes into the reader, EIA to the mill, a source into the editor, shown; their names are text."""
     drop(tab, "<b>mine.asc", b"\xb1\xb2\xb3\x8d\x8a")
-    tab.until("workbench.machine.teletype.reader.tape.length === 5")
+    tab.until(f"{_TTY}.reader.tape.length === 5")
     assert "<b>mine.asc" in tab.run("return document.querySelector('#reader .name').textContent")
     assert tab.run("return document.querySelectorAll('#reader .name b').length") == 0
     drop(tab, "mine.eia", shelf.read_bundled("circle.eia"))
@@ -115,20 +104,19 @@ def test_a_file_dropped_on_the_page(tab: Tab) -> None:
 def test_a_file_that_is_nothing_of_ours(tab: Tab) -> None:
     """A picture goes nowhere, and is refused by its name; dropped on the reader itself it is a tape."""
     picture = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + bytes(range(255, 100, -1))
-    drop(tab, "photo.png", picture)
-    tab.until("document.getElementById('next').textContent.includes('photo.png is no tape')")
     for name, content, said in (
+        ("photo.png", picture, "photo.png is no tape"),
         ("photo.pal", picture, "photo.pal is no tape"),
         ("power.pal", "*200\n$\n".encode("utf-16"), "power.pal: UTF-16"),
     ):
         drop(tab, name, content)
-        tab.until(f"document.getElementById('next').textContent.includes('{said}')")
+        tab.until(f"{_NEXT}.includes('{said}')")
     drop(tab, "mine.pal", b"*200\n$\n")
     tab.until("workbench.editor.name === 'mine.pal'")
-    assert "UTF-16" not in tab.run("return document.getElementById('next').textContent")
-    assert tab.run("return workbench.machine.teletype.reader.loaded") is False
+    assert "UTF-16" not in tab.run(f"return {_NEXT}")
+    assert tab.run(f"return {_TTY}.reader.loaded") is False
     drop(tab, "photo.png", picture, "#reader")
-    tab.until(f"workbench.machine.teletype.reader.tape.length === {len(picture)}")
+    tab.until(f"{_TTY}.reader.tape.length === {len(picture)}")
 
 
 def test_what_was_typed_last_is_kept_as_the_page_is_left(tab: Tab) -> None:
@@ -141,20 +129,20 @@ def test_what_was_typed_last_is_kept_as_the_page_is_left(tab: Tab) -> None:
 def test_a_state_goes_in_and_out(tab: Tab, tmp_path: Path) -> None:
     """A state of `pdp8 run --save` dropped in; saved out again, `pdp8 run --restore` goes on from it."""
     machine = Machine(highspeed=True)
-    machine.load(enumerate(_ECHO, 0o200))
+    echo = [0o6032, 0o6046, 0o6031, 0o5202, 0o6036, 0o6041, 0o5205, 0o6046, 0o5202]
+    machine.load(enumerate(echo, 0o200))
     machine.teletype.reader.load(b"\xc1\xc2\xc3")
     machine.start(0o200)
     machine.run(seconds=0.15)
     machine.stop()
     tab.run("workbench.clock.wake = () => {};")  # the Teletype goes on although the processor stands still
     drop(tab, "noon.state", state.save(machine).encode())
-    tab.until("workbench.machine.teletype.reader.tape.length === 3")
+    tab.until(f"{_TTY}.reader.tape.length === 3")
     assert tab.run("return workbench.machine.processor.clock") == machine.processor.clock
     file = tmp_path / "page.state"
     file.write_bytes(saved(tab, "#save"))
     done = run("pdp8", "run", "--restore", file)
-    assert done.returncode == 0, done.stderr
-    assert done.stdout == b"\xc1\xc2\xc3"
+    assert (done.returncode, done.stdout) == (0, b"\xc1\xc2\xc3"), done.stderr
 
 
 def test_sound_is_made_on_request_only(tab: Tab) -> None:
@@ -163,32 +151,27 @@ def test_sound_is_made_on_request_only(tab: Tab) -> None:
         "window.contexts = 0; const Real = AudioContext;"
         "window.AudioContext = class extends Real { constructor() { super(); window.contexts++; } };"
     )
-    choose(tab, "#sources", "hello.pal")
-    click(tab, "#assemble", "#load")
-    fast(tab)
-    click(tab, "[data-key=start]")
-    tab.until("workbench.machine.teletype.printer.frames.length > 3")
+    start(tab, "hello.pal")
+    tab.until(f"{_TTY}.printer.frames.length > 3")
     assert tab.run("return window.contexts") == 0
     click(tab, "#sound")
     assert tab.run("return window.contexts") == 1
 
 
-@pytest.mark.parametrize(
-    "source",
-    [
-        "*200\n\tJMP 400\n\tCLA!\n\tTAD FOO\n\t5 + 3\n$\n",
-        "*200\n\tTAD A + 1\nA,\t5\n",
-        "*200\n" + "\t5 + 3\n" * 1200 + "$\n",
-    ],
-    ids=["errors and a note", "notes", "many"],
-)
-def test_what_the_assembler_says_is_what_pal_prints(tab: Tab, tmp_path: Path, source: str) -> None:
+def test_what_the_assembler_says_is_what_pal_prints(tab: Tab, tmp_path: Path) -> None:
     """Place, message, line, carets, advice and hint, in the words of the command; notes among the errors."""
-    (tmp_path / "far.pal").write_text(source)
-    done = run("pal", "far.pal", folder=tmp_path)
-    drop(tab, "far.pal", (tmp_path / "far.pal").read_bytes())
-    tab.until("workbench.editor.name === 'far.pal'")
-    click(tab, "#assemble")
-    said = "[...document.querySelectorAll('#messages li > *, #messages ol + p')]"
-    shown = tab.run(f"return {said}.map(({{ textContent }}) => textContent).join('\\n')")
-    assert shown == re.split("\n(?:pal:|wrote) ", done.stderr.decode())[0].rstrip("\n")
+    shown = (
+        "[...document.querySelectorAll('#messages li > *, #messages ol + p')].map((each) => each.textContent)"
+    )
+    for name, source in (
+        ("error.pal", "*200\n\tJMP 400\n\tCLA!\n\tTAD FOO\n\t5 + 3\n$\n"),
+        ("note.pal", "*200\n\tTAD A + 1\nA,\t5\n"),
+        ("many.pal", "*200\n" + "\t5 + 3\n" * 1200 + "$\n"),
+    ):
+        (tmp_path / name).write_text(source)
+        done = run("pal", name, folder=tmp_path)
+        drop(tab, name, source.encode())
+        tab.until(f"workbench.editor.name === '{name}'")
+        click(tab, "#assemble")
+        printed = re.split("\n(?:pal:|wrote) ", done.stderr.decode())[0].rstrip("\n")
+        assert "\n".join(tab.run(f"return {shown}")) == printed

@@ -1,5 +1,6 @@
 """The afternoon on the page, in a real browser, opened from disk."""
 
+import random
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -7,34 +8,23 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from pdp8.computer.hardware.signals import TICKS_PER_SECOND
+from pdp8.computer.hardware.signals import NEVER, TICKS_PER_SECOND
 from pdp8.replay import Afternoon, clock
-from tests.pdp8.web.browsing import drawn, until
-from tests.pdp8.web.follower import Follower
+from tests.pdp8.web.browsing import until, visit
+from tests.pdp8.web.follower import Follower, state
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
-PROJECTOR, PHONE = (1280, 720), (390, 844)
+PROJECTOR, PHONE = {"width": 1280, "height": 720}, {"width": 390, "height": 844}
 
 
 @pytest.fixture
 def page(browser: "Browser", circle_page: Path) -> "Iterator[Page]":
-    """The circle's page on a projector; the test fails if the page complains or asks for anything else."""
-    opened = browser.new_page(viewport={"width": PROJECTOR[0], "height": PROJECTOR[1]})
-    complaints: list[str] = []
-    opened.on("console", lambda message: complaints.append(message.text))
-    opened.on("pageerror", lambda error: complaints.append(str(error)))
-    opened.on("request", lambda request: complaints.append(request.url) if _outside(request.url) else None)
-    opened.goto(circle_page.as_uri() + "#t=0")
-    until(opened, "!!window.workbench?.afternoon.on")
-    yield opened
-    opened.close()
-    assert complaints == []
-
-
-def _outside(url: str) -> bool:
-    return not url.startswith(("file:", "data:", "blob:"))
+    """The circle's page on a projector."""
+    start = circle_page.as_uri() + "#t=0"
+    with visit(browser, start, "!!window.workbench?.afternoon.on", viewport=PROJECTOR) as page:
+        yield page
 
 
 def _now(page: "Page") -> int:
@@ -45,129 +35,118 @@ def _go(page: "Page", tick: int) -> None:
     page.evaluate("(tick) => workbench.afternoon.go(tick)", tick)
 
 
+def _clock(page: "Page") -> int:
+    return int(page.evaluate("workbench.machine.processor.clock"))
+
+
 def _translating(circle: Afternoon, seconds: float = 100.05) -> int:
     lever = next(action.at for action in reversed(circle.actions) if action.key == "lever")
     return lever + round(seconds * TICKS_PER_SECOND)
 
 
-_LAMPS = """() => {
+_SHOWN = """() => {
   const word = (lit) => [...lit].reduce((word, bit) => word * 2 + Number(bit), 0);
   const lamps = Map.groupBy(document.querySelectorAll("[data-lamp]"), ({ dataset }) => dataset.lamp);
   lamps.delete("ema");
   const lit = (bits) => word(bits.map(({ classList }) => classList.contains("on")));
-  const shown = [...lamps].map(([name, bits]) => [name, lit(bits)]);
   const rockers = [...document.querySelectorAll(".rocker")].map(({ classList }) => classList.contains("up"));
-  return Object.fromEntries([...shown, ["sr", word(rockers)]]);
+  const plain = (value) => value?.[Symbol.iterator] ? [...value] : value === 2 ** 62 ? null : value;
+  return {
+    lamps: Object.fromEntries([...lamps].map(([name, bits]) => [name, lit(bits)])),
+    switches: word(rockers),
+    registers: Object.fromEntries([...document.querySelectorAll("[data-register]")].map((row) =>
+      [row.dataset.register, row.querySelector("input")?.value ?? row.lastElementChild.textContent])),
+    line: [...document.querySelectorAll("#gutter .now button, #gutter .now b")].map((each) => each.innerText),
+    state: Object.fromEntries(workbench.machine.values().items().map(([name, value]) => [name, plain(value)])
+      .filter(([name]) => !name.startsWith("waiting"))),
+  };
 }"""
 
 
-def test_the_lamps_are_the_processors(page: "Page", circle: Afternoon) -> None:
-    """While RIM is toggled in, tapes load, characters are translated and afterwards."""
-    ends = [act.ends for act in circle.acts]
-    instants = sorted(
-        [action.at for action in circle.actions[::7]]
-        + [_translating(circle, seconds) for seconds in (0.0771, 0.0773, 0.0774, 0.1775, 99.97728, 1234.5678)]
-        + [
-            _translating(circle, 50 + 0.1 * character + 0.07730 + 0.00001 * character)
-            for character in range(40)
-        ]
-        + ends
-    )
-    follower = Follower(circle)
-    for tick in instants:
+def test_any_instant_is_that_of_the_machine(page: "Page", circle: Afternoon) -> None:
+    """As RIM is toggled in, tapes are loaded, characters translated, and afterwards, in any order: lamps,
+    switches, registers, the line that is being done, and all of the state are those of one that goes forward.
+    """
+    steps = [_translating(circle, 0.0773 + step * 0.00004) for step in range(30)]
+    seconds = (0.0771, 0.0774, 0.1775, 99.97728, 1234.5678, *(50 + 0.10001 * each for each in range(30)))
+    ticks = [action.at for action in circle.actions[::9]] + [act.ends for act in circle.acts]
+    ticks = sorted({*ticks, *steps, *(_translating(circle, each) for each in seconds)})
+    follower, expected = Follower(circle), {}
+    for tick in ticks:
         follower.to(tick)
-        _go(page, tick)
-        expected = {**follower.machine.panel.lamps._asdict(), "sr": follower.machine.sr}
-        assert page.evaluate(_LAMPS) == expected, f"at {clock(tick)}, tick {tick}"
-
-
-def test_a_block_is_shown_by_its_fields(page: "Page", circle: Afternoon) -> None:
-    """The first block under the head of the Hydra-Point: digits above their names."""
-    _go(page, circle.mill_starts + round(1.95 * TICKS_PER_SECOND))
-    cells = page.locator("#mill-block p > span").all()
-    shown = {cell.locator("small").inner_text(): cell.locator("b").inner_text() for cell in cells}
-    assert list(shown.items()) == [
-        ("sequence", "001"), ("prep.", "0"), ("X", "19000"), ("Y", "00000"),
-        ("res.", "0"), ("tool", "00"), ("misc.", "02"), ("end", "↵"),
-    ]  # fmt: skip
-
-
-def test_registers_and_listing_stand_beside_the_lamps(page: "Page", circle: Afternoon) -> None:
-    """L, AC, MA, MB are written in octal, and the line of Appendix B is lit that is being done."""
-    lines = {line.address: line for line in circle.programs["eia.pal"].lines if line.address is not None}
-    follower = Follower(circle)
-    for step in range(30):
-        tick = _translating(circle, 0.0773 + step * 0.00004)
-        follower.to(tick)
-        _go(page, tick)
         machine = follower.machine
-        shown = page.evaluate(_REGISTERS)
-        assert (shown["L"], shown["AC"]) == (str(machine.link), f"{machine.ac:04o}")
-        assert (shown["MA"], shown["MB"]) == (f"{machine.ma:04o}", f"{machine.mb:04o}")
-        address, word = page.locator("#gutter .now button, #gutter .now b").all_inner_texts()
-        assert int(word, 8) == lines[int(address, 8)].word
+        whole = {key: [*each] if isinstance(each, bytes) else each for key, each in state(machine).items()}
+        whole = {key: None if each == NEVER else each for key, each in whole.items()}
+        names = {name: f"{getattr(machine, name.lower()):04o}" for name in ("AC", "MA", "MB")}
+        expected[tick] = machine.panel.lamps._asdict(), machine.sr, whole, {"L": str(machine.link), **names}
+    words = {line.address: line.word for line in circle.programs["eia.pal"].lines}
+    for tick in random.Random(71).sample(ticks, len(ticks)):
+        _go(page, tick)
+        shown = page.evaluate(_SHOWN)
+        lamps, switches, whole, registers = expected[tick]
+        assert (shown["lamps"], shown["switches"]) == (lamps, switches), f"at {clock(tick)}, tick {tick}"
+        assert shown["state"] == whole, f"at {clock(tick)}, tick {tick}"
+        if tick in steps:
+            assert shown["registers"].items() >= registers.items()
+            address, word = shown["line"]
+            assert int(word, 8) == words[int(address, 8)]
 
 
-_REGISTERS = """() => Object.fromEntries([...document.querySelectorAll("[data-register]")].map((row) =>
-  [row.dataset.register, row.querySelector("input")?.value ?? row.lastElementChild.textContent]))"""
-
-
-def test_what_has_keys_of_its_own(page: "Page", circle: Afternoon) -> None:
-    """The units have the arrows while they have the focus; the rail and the slider lead to instants."""
-    _go(page, _translating(circle))
-    before = _now(page)
-    page.locator("#units input[value=block]").focus()
-    page.keyboard.press("ArrowRight")
-    assert _now(page) == before
-    assert page.locator("#units input:checked").get_attribute("value") == "character"
-    page.locator("#acts span").nth(2).click()
-    assert _now(page) == circle.acts[2].starts
-    page.locator("#slider").evaluate(
-        "(slider) => { slider.value = 1e10; slider.dispatchEvent(new Event('input')); }"
+def test_the_tapes_are_those_on_the_desk(page: "Page", circle: Afternoon) -> None:
+    """The page's machine punches the very tape; the frame under each head is named, and a block's fields."""
+    _go(page, circle.acts[4].ends - 1)
+    punched = page.evaluate("workbench.machine.teletype.punch.frames")
+    assert bytes(punched) == circle.tapes["circle.eia"]
+    assert "13\u2009321 frames" in page.locator("#punch .name").inner_text()
+    named = page.locator("#reader canvas").get_attribute("aria-label")
+    assert named == "the reader's tape, under the head: 377 RUBOUT"
+    _go(page, circle.mill_starts + round(1.95 * TICKS_PER_SECOND))
+    named = page.locator("#mill-reader canvas").get_attribute("aria-label")
+    assert named == "circle.eia, frame 20 of 13\u2009321: 200 EOB"
+    names, digits = (
+        page.locator(f"#mill-block p > span {each}").all_inner_texts() for each in ("small", "b")
     )
-    assert _now(page) == 10**10
-    page.locator("#speed").select_option(index=9)
-    page.locator("#play").click()
-    until(page, "workbench.afternoon.script.now > 1e10 + 20e6 * 10")
-    page.locator("#play").click()
-    stopped = _now(page)
-    page.wait_for_timeout(200)
-    assert _now(page) == stopped
+    assert names == ["sequence", "prep.", "X", "Y", "res.", "tool", "misc.", "end"]
+    assert digits == ["001", "0", "19000", "00000", "0", "00", "02", "↵"]
 
 
 def test_every_key_works(page: "Page", circle: Afternoon) -> None:
-    """By keyboard alone, the focus on nothing; each presses the button that names it."""
+    """By keyboard alone, the focus on nothing: each presses the button that names it. The units have the
+    arrows while they have the focus; the rail leads to an act.
+    """
     press = page.keyboard.press
-    press("]")
-    assert _now(page) == circle.acts[1].starts
-    press("[")
-    assert _now(page) == 0
-    press("End")
-    assert _now(page) == circle.acts[-1].ends
-    press("Home")
-    assert _now(page) == 0
+    for key, tick in (("]", circle.acts[1].starts), ("[", 0), ("End", circle.acts[-1].ends), ("Home", 0)):
+        press(key)
+        assert _now(page) == tick
     _go(page, _translating(circle))
+    unit = page.locator("#units input:checked")
     units = {"block": 60_000_000, "character": 4_000_000, "instruction": 200, "cycle": 85}
-    for key, (unit, most) in enumerate(units.items(), 1):
-        press(str(key))
-        assert page.locator("#units input:checked").get_attribute("value") == unit
+    for number, (name, most) in enumerate(units.items(), 1):
+        press(str(number))
+        assert unit.get_attribute("value") == name
         before = _now(page)
         press("ArrowRight")
         after = _now(page)
         assert 0 < after - before <= most
         press("ArrowLeft")
         assert _now(page) < after
-    chosen = page.locator("#speed").evaluate("(select) => select.selectedIndex")
-    press("+")
-    assert page.locator("#speed").evaluate("(select) => select.selectedIndex") == chosen + 1
-    press("-")
-    press("-")
-    assert page.locator("#speed").evaluate("(select) => select.selectedIndex") == chosen - 1
+    speed = page.locator("#speed")
+    chosen = speed.evaluate("(select) => select.selectedIndex")
+    for keys, index in (("+", chosen + 1), ("--", chosen - 1)):
+        for key in keys:
+            press(key)
+        assert speed.evaluate("(select) => select.selectedIndex") == index
     before = _now(page)
     press(" ")
     until(page, f"workbench.afternoon.script.now > {before}")
     press(" ")
     assert not page.evaluate("workbench.afternoon.playing")
+    before = _now(page)
+    page.locator("#units input[value=block]").focus()
+    press("ArrowRight")
+    assert (_now(page), unit.get_attribute("value")) == (before, "character")
+    page.locator("#acts span").nth(2).click()
+    assert _now(page) == circle.acts[2].starts
 
 
 def test_slow_motion_goes_cycle_by_cycle(page: "Page", circle: Afternoon) -> None:
@@ -181,35 +160,23 @@ def test_slow_motion_goes_cycle_by_cycle(page: "Page", circle: Afternoon) -> Non
     assert 40 < _now(page) - before < 1000
 
 
-def test_the_tapes_are_those_on_the_desk(page: "Page", circle: Afternoon) -> None:
-    """The page's machine punches the very tape; the block and the frame under each head are named."""
-    _go(page, circle.acts[4].ends - 1)
-    punched = page.evaluate("workbench.machine.teletype.punch.frames")
-    assert bytes(punched) == circle.tapes["circle.eia"]
-    assert "13\u2009321 frames" in page.locator("#punch .name").inner_text()
-    named = page.locator("#reader canvas").get_attribute("aria-label")
-    assert named == "the reader's tape, under the head: 377 RUBOUT"
-    _go(page, circle.mill_starts + round(1.95 * TICKS_PER_SECOND))
-    named = page.locator("#mill-reader canvas").get_attribute("aria-label")
-    assert named == "circle.eia, frame 20 of 13\u2009321: 200 EOB"
-
-
-@pytest.mark.parametrize("size", [PROJECTOR, PHONE])
-def test_nothing_hangs_over_the_edge(page: "Page", circle: Afternoon, size: tuple[int, int]) -> None:
-    """At both widths, in every act, the page needs no scrolling sideways, and the controls are in sight."""
-    page.set_viewport_size({"width": size[0], "height": size[1]})
-    for act in circle.acts:
-        _go(page, (act.starts + act.ends) // 2)
-        assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), act.name
-        box = page.locator("#time").bounding_box()
-        assert box is not None
-        assert box["y"] + box["height"] <= size[1] + 1
-        assert page.evaluate(_CLIPPED) == [], act.name
-
-
 _CLIPPED = """() => [...document.querySelectorAll("#registers dd, .block span, .key small, #units span")]
   .filter((element) => element.checkVisibility() && element.scrollWidth > element.clientWidth + 1)
   .map((element) => element.textContent)"""
+
+
+def test_an_act_fits_on_a_projector_and_on_a_phone(page: "Page", circle: Afternoon) -> None:
+    """The page needs no scrolling sideways, the controls are in sight, nothing is cut off."""
+    for size in (PROJECTOR, PHONE):
+        page.set_viewport_size(size)  # type: ignore[arg-type]
+        for act in circle.acts:
+            _go(page, (act.starts + act.ends) // 2)
+            assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), act.name
+            assert (
+                page.evaluate("document.getElementById('time').getBoundingClientRect().bottom - innerHeight")
+                <= 1
+            )
+            assert page.evaluate(_CLIPPED) == [], act.name
 
 
 def test_the_lamps_in_words(page: "Page", circle: Afternoon) -> None:
@@ -222,16 +189,13 @@ def test_the_lamps_in_words(page: "Page", circle: Afternoon) -> None:
     )
 
 
-def _lines(kind: str) -> str:
-    return f"document.querySelectorAll('#gutter {kind}').length"
-
-
 def test_one_line_is_current_whatever_sheet_comes_back(page: "Page", circle: Afternoon) -> None:
     """Act after act and back: a line that was lit when its sheet was put away is not lit when it returns."""
     ends = [act.ends - 1 for act in circle.acts[:-1]]
+    lines = "['.now', '[aria-current]'].map((kind) => document.querySelectorAll(`#gutter ${kind}`).length)"
     for tick in [*ends, *reversed(ends), *ends]:
         _go(page, tick)
-        lit, named = page.evaluate(f"[{_lines('.now')}, {_lines('[aria-current]')}]")  # at one instant
+        lit, named = page.evaluate(lines)  # at one instant
         assert lit == named <= 1
 
 
@@ -239,14 +203,18 @@ def test_the_address_names_the_instant(page: "Page") -> None:
     """It follows the instant, leads to it when it is changed, and nonsense in it does no harm."""
     _go(page, 10**10)
     page.wait_for_url("**#t=500")
-    page.evaluate("location.hash = '#t=1000.5'")
-    page.wait_for_timeout(50)
-    assert _now(page) == 1000.5 * TICKS_PER_SECOND
+    for address in ("#t=1000.5", "#t=1.2.3"):
+        page.evaluate("(address) => { location.hash = address; }", address)
+        page.wait_for_timeout(50)
+        assert _now(page) == 1000.5 * TICKS_PER_SECOND
     assert page.locator("#clock").inner_text() == clock(_now(page))
-    page.evaluate("location.hash = '#t=1.2.3'")
-    page.wait_for_timeout(50)
-    assert _now(page) == 1000.5 * TICKS_PER_SECOND
     assert "memory address" in page.locator("#said").inner_text()
+
+
+_HIDDEN = """(hidden) => {
+  Object.defineProperty(document, "hidden", { get: () => hidden, configurable: true });
+  document.dispatchEvent(new Event("visibilitychange"));
+}"""
 
 
 def test_a_page_that_slept_does_not_jump(page: "Page") -> None:
@@ -263,20 +231,10 @@ def test_a_page_that_slept_does_not_jump(page: "Page") -> None:
     page.evaluate("workbench.afternoon.play(false)")
     assert _now(page) <= 60 * 60 * TICKS_PER_SECOND / 4
     page.evaluate("workbench.afternoon.play(true)")
-    page.evaluate(
-        """() => {
-          Object.defineProperty(document, "hidden", { get: () => true, configurable: true });
-          document.dispatchEvent(new Event("visibilitychange"));
-        }"""
-    )
+    page.evaluate(_HIDDEN, True)
     assert not page.evaluate("workbench.clock.pictures.running")
     assert page.title() == "Stopped: PDP-8/L workbench"
-    page.evaluate(
-        """() => {
-          Object.defineProperty(document, "hidden", { get: () => false });
-          document.dispatchEvent(new Event("visibilitychange"));
-        }"""
-    )
+    page.evaluate(_HIDDEN, False)
     assert page.title() == "PDP-8/L workbench"
     assert "everything stood still for" in page.locator("#said:not(.spoken)").inner_text()
     page.locator(".rocker").first.click()
@@ -288,35 +246,25 @@ _LEVELS = """() => {
   const level = ({ style }) => Number(style.getPropertyValue("--lit"));
   return Object.fromEntries([...lamps].map(([name, bits]) => [name, bits.map(level)]));
 }"""
-
-
-def test_lamps_are_as_bright_as_they_were_often_lit(page: "Page", circle: Afternoon) -> None:
-    """While a character is awaited RUN is full, WORD COUNT dark, and some lamp of KSF, JMP .-1 between."""
-    _go(page, _translating(circle))
-    page.locator("#speed").select_option(index=6)
-    page.evaluate("workbench.afternoon.play(true)")
-    page.wait_for_timeout(400)
-    levels = page.evaluate(_LEVELS)
-    assert levels["run"] == [1]
-    assert levels["word_count"] == [0]
-    assert any(0 < level < 1 for bits in levels.values() for level in bits)
-
-
 _NEARLY = """for (const lamp of [...workbench.switches.panel.lamps.values()].flat()) {
   workbench.switches.panel.levels.set(lamp, 11);
   lamp.style.setProperty("--lit", 11 / 12);
 }"""
 
 
-def test_all_is_of_one_instant_when_a_play_is_halted(page: "Page", circle: Afternoon) -> None:
-    """Registers and line, which are written less often while they run, agree with the lamps; each lamp is
-    full or dark, however bright it was: nearly full is near enough only while a machine runs.
+def test_lamps_are_as_bright_as_they_were_often_lit(page: "Page", circle: Afternoon) -> None:
+    """While a character is awaited RUN is full, WORD COUNT dark, and some lamp of KSF, JMP .-1 between. Once
+    halted each is full or dark, nearly full as well, and all is of one instant: registers and line too, which
+    are written less often while they run.
     """
     _go(page, _translating(circle))
     page.locator("#speed").select_option(index=6)
     for _ in range(5):
         page.evaluate("workbench.afternoon.play(true)")
-        page.wait_for_timeout(330)
+        page.wait_for_timeout(400)
+        levels = page.evaluate(_LEVELS)
+        assert (levels["run"], levels["word_count"]) == ([1], [0])
+        assert any(0 < level < 1 for bits in levels.values() for level in bits)
         page.evaluate(f"() => {{ {_NEARLY} workbench.afternoon.play(false); }}")
         word, at = page.evaluate(
             "(({ ma, pc, next }) => [ma, next % 3 ? pc - 1 : pc])(workbench.machine.processor)"
@@ -326,20 +274,6 @@ def test_all_is_of_one_instant_when_a_play_is_halted(page: "Page", circle: After
         assert {level for field in levels if field != "ema" for level in levels[field]} == {0, 1}
         assert page.locator("[data-register=MA] dd").inner_text() == f"{word:04o}"
         assert page.locator("#gutter .now button").text_content() == f"{at:04o}"
-
-
-def test_nothing_is_drawn_while_nothing_changes(page: "Page") -> None:
-    """Standing still, the page asks for no picture and changes no element."""
-    page.wait_for_timeout(400)
-    assert drawn(page) == 0
-
-
-def test_a_pane_alone_for_a_projector(page: "Page") -> None:
-    """Its button shows it alone, as large as the page, and all again."""
-    page.locator("#computer .enlarge").click()
-    assert page.locator("main > section:visible").count() == 1
-    page.locator("#computer .enlarge").click()
-    assert page.locator("main > section:visible").count() == 5
 
 
 def test_a_play_waits_while_the_slider_is_dragged(page: "Page") -> None:
@@ -357,22 +291,25 @@ def test_a_play_waits_while_the_slider_is_dragged(page: "Page") -> None:
     until(page, f"workbench.afternoon.playing && workbench.afternoon.script.now > {held}")
 
 
-def _take_over(page: "Page", circle: Afternoon) -> int:
-    """Go to an instant of the translation, and flip a switch: the machine is the visitor's, and stopped."""
+def test_taken_over_brought_back_and_finished(page: "Page", circle: Afternoon) -> None:
+    """A switch flipped, and the machine is the visitor's, and stopped. Back at the afternoon what was done in
+    between is undone; taken over again, a step forward and back, CONT goes on to the right EIA tape.
+    """
     tick = _translating(circle, 1234.5678)
     _go(page, tick)
+    before = page.evaluate(_SHOWN) | {"line": None}  # that is drawn a little later
+    for _ in range(2):
+        page.locator(".rocker").first.click()
+        assert not page.evaluate("workbench.afternoon.on || workbench.machine.processor.run")
+        assert "You have taken over at" in page.locator("#next").inner_text()
+        page.evaluate("workbench.machine.processor.deposit(0o200, 0); workbench.teletype.mount('hello.pal');")
+        page.locator("#next [data-click='afternoon.back']").click()
+        assert _now(page) == tick
+        assert page.evaluate(_SHOWN) | {"line": None} == before
     page.locator(".rocker").first.click()
-    assert not page.evaluate("workbench.afternoon.on || workbench.machine.processor.run")
-    return tick
-
-
-def test_taken_over_and_finished(page: "Page", circle: Afternoon) -> None:
-    """A switch flipped, a word looked at, a step forward and back: CONT goes on to the right EIA tape."""
-    _take_over(page, circle)
-    assert "You have taken over at" in page.locator("#next").inner_text()
-    clock = page.evaluate("workbench.machine.processor.clock")
+    clock = _clock(page)
     page.locator("#forward").click()
-    assert page.evaluate("workbench.machine.processor.clock") > clock
+    assert _clock(page) > clock
     page.locator("#back").click()
     page.locator("[data-opens=debugger]").click()
     assert page.locator("#core input").first.input_value() == f"{circle.programs['eia.pal'].words[0o200]:04o}"
@@ -400,27 +337,13 @@ def test_who_takes_over_has_all_of_the_machine(page: "Page", circle: Afternoon) 
     assert page.locator("#pc8-reader").inner_text().startswith("1 of ")
 
 
-def test_back_to_the_afternoon(page: "Page", circle: Afternoon) -> None:
-    """What was done in between is undone: the machine is at the instant at which it was taken over."""
-    tick = _take_over(page, circle)
-    page.evaluate("workbench.machine.processor.deposit(0o200, 0); workbench.teletype.mount('hello.pal');")
-    page.locator("#next [data-click='afternoon.back']").click()
-    assert _now(page) == tick
-    follower = Follower(circle)
-    follower.to(tick)
-    expected = {**follower.machine.panel.lamps._asdict(), "sr": follower.machine.sr}
-    assert page.evaluate(_LAMPS) == expected
-    assert page.evaluate("[...workbench.machine.processor.core]") == [*follower.machine.processor.core]
-
-
 def test_a_play_that_is_taken_over_runs_on(page: "Page", circle: Afternoon) -> None:
     """Whoever touches a lever while it plays has a machine that runs."""
     _go(page, _translating(circle))
     page.locator("#speed").select_option(label="as it was")
     page.locator("#play").click()
     page.locator("#punch-on").click()
-    before = page.evaluate("workbench.machine.processor.clock")
-    until(page, f"workbench.machine.processor.clock > {before} + 1e6")
+    until(page, f"workbench.machine.processor.clock > {_clock(page)} + 1e6")
     assert not page.evaluate("workbench.afternoon.on")
 
 
@@ -442,11 +365,9 @@ def test_the_doors(page: "Page") -> None:
 
 def test_the_panel_alone_begins_with_the_first_switch(browser: "Browser", circle_page: Path) -> None:
     """The half hour at the terminal in Toronto shows nothing on it."""
-    opened = browser.new_page()
-    opened.goto(circle_page.as_uri() + "?embed=panel")
-    until(opened, "!!window.workbench?.afternoon.playing")
-    assert opened.evaluate("workbench.afternoon.script.act.kind") == "toggle"
-    opened.close()
+    playing = "!!window.workbench?.afternoon.playing"
+    with visit(browser, circle_page.as_uri() + "?embed=panel", playing) as page:
+        assert page.evaluate("workbench.afternoon.script.act.kind") == "toggle"
 
 
 _HASTE = """(() => {  // 10 ms pass at every look at the clock; what is done from turn to turn is noted
@@ -489,8 +410,7 @@ def test_no_task_is_long(browser: "Browser", circle_page: Path, circle: Afternoo
     until(opened, f"workbench.afternoon.script.now > {tick + 4e8}")
     opened.locator(".rocker").first.click()
     opened.evaluate("seen.ran = 0")
-    begun = opened.evaluate("workbench.machine.processor.clock")
-    until(opened, f"workbench.machine.processor.clock > {begun + 3e7}")
+    until(opened, f"workbench.machine.processor.clock > {_clock(opened) + 3e7}")
     seen = opened.evaluate("seen")
     assert seen["most"] < 40
     assert seen["led"] <= 15 * TICKS_PER_SECOND

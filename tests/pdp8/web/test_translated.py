@@ -10,23 +10,20 @@ from nc.machine import CutError, cut
 from pdp8.computer.past import state
 from tapes import kinds, shelf
 from tests.pal.random_pal8 import Author
-from tests.pdp8.web.node import HOUSE, in_node, needs_node
+from tests.pdp8.web.node import HOUSE, in_node, needs_node, plain
 
 pytestmark = needs_node
 
-_ASSEMBLE = """async (sources) => {
+_MADE = "tape words listing lines symbols stopped"
+_ASSEMBLE = """async ([made, sources]) => {
   const { assemble } = await import("@/pal/assembling.mjs");
   const { bytes } = await import("@/pdp8/web/translator/runtime.mjs");
   return sources.map(([dialect, tapes]) => {
     const others = [undefined, undefined, undefined, undefined, dialect];
     const assembly = assemble(tapes.map((tape) => bytes(tape)), ...others);
+    const said = assembly.diagnostics.map(String);
     const typed = assembly.dialect === "pal3" ? assembly.teletype : [];
-    return [
-      assembly.dialect, [...assembly.tape], assembly.words.items(),
-      Array.from(typed, (frames) => [...frames]),
-      assembly.listing, assembly.lines.map((line) => [...line]), assembly.symbols.items(),
-      assembly.diagnostics.map(String), assembly.stopped,
-    ];
+    return [assembly.dialect, typed, said, ...made.split(" ").map((name) => assembly[name])];
   });
 }"""
 _PIECES = (
@@ -37,29 +34,25 @@ _PIECES = (
 )
 
 
+def _same(dialect: str, sources: list[list[bytes]]) -> None:
+    """Assemble each source's tapes in both; compare tape, words, what is typed, listing, diagnostics."""
+    there = in_node(_ASSEMBLE, [_MADE, [[dialect, [list(tape) for tape in tapes]] for tapes in sources]])
+    for tapes, found in zip(sources, there, strict=True):
+        assembly = pal.assemble(*tapes, dialect=dialect)
+        said = [str(each) for each in assembly.diagnostics]
+        typed = assembly.teletype if assembly.dialect == "pal3" else ()
+        made = [getattr(assembly, name) for name in _MADE.split()]
+        assert found == plain([assembly.dialect, typed, said, *made]), tapes
+
+
 def _source(draw: random.Random) -> bytes:
     text = "".join(draw.choice(_PIECES) + draw.choice(("", " ", "\t")) for _ in range(draw.randrange(60)))
     code = text.encode("ascii")
     return bytes(frame | 0o200 for frame in code) if draw.random() < 0.2 else code
 
 
-def _assembled(dialect: str, tapes: list[bytes]) -> list[Any]:
-    assembly = pal.assemble(*tapes, dialect=dialect)
-    return [
-        assembly.dialect,
-        list(assembly.tape),
-        [list(item) for item in assembly.words.items()],
-        [list(frames) for frames in (assembly.teletype if assembly.dialect == "pal3" else ())],
-        assembly.listing,
-        [list(line) for line in assembly.lines],
-        [list(item) for item in assembly.symbols.items()],
-        [str(diagnostic) for diagnostic in assembly.diagnostics],
-        list(assembly.stopped) if assembly.stopped else None,
-    ]
-
-
 def test_the_assembler() -> None:
-    """Every source of the project and 1,000 random ones: tape, words, what is typed, listing, diagnostics."""
+    """Every source of the project and 1,000 random ones."""
     draw = random.Random(33)
     sources = [[path.read_bytes()] for path in (*HOUSE.glob("programs/*.pal"), *HOUSE.glob("tests/**/*.pal"))]
     assert len(sources) > 40
@@ -73,18 +66,12 @@ def test_the_assembler_in_pal8() -> None:
     written = [Author(seed).source() for seed in range(60)]
     draw = random.Random(8)
     spoiled = [_spoiled(draw, text) for text in written]
-    sources = [[text.encode("latin-1", "replace")] for text in written + spoiled + list(_LARGE)]
+    large = ["*200\n\t99999999999999999999\nDECIMAL\n\t99999999999999999999\n$\n"]
+    for n in ("16777217", "9007199254740993", "123456789012345678", "99999999999999999999"):
+        large.append(f"*200\nDUBL\n\t{n}\n\t-{n}\nFLTG\n\t{n}\n\t-{n[:9]}.{n[9:]}\n$\n")
+    sources = [[text.encode("latin-1", "replace")] for text in written + spoiled + large]
     _same("pal8", sources)
     _same("auto", sources[::3] + [[_source(draw)] for _ in range(100)])
-
-
-_LARGE = (
-    "*200\n\t99999999999999999999\nDECIMAL\n\t99999999999999999999\n$\n",
-    *(
-        f"*200\nDUBL\n\t{n}\n\t-{n}\nFLTG\n\t{n}\n\t-{n[:9]}.{n[9:]}\n$\n"
-        for n in ("16777217", "9007199254740993", "123456789012345678", "99999999999999999999")
-    ),
-)
 
 
 def _spoiled(draw: random.Random, text: str) -> str:
@@ -94,28 +81,30 @@ def _spoiled(draw: random.Random, text: str) -> str:
     return text
 
 
-def _same(dialect: str, sources: list[list[bytes]]) -> None:
-    there = in_node(_ASSEMBLE, [[dialect, [list(tape) for tape in tapes]] for tapes in sources])
-    for tapes, found in zip(sources, there, strict=True):
-        assert found == _assembled(dialect, tapes), tapes
-
-
 _CUT = """async (tapes) => {
   const { CutError, cut } = await import("@/nc/machine.mjs");
   const { TapeError } = await import("@/tapes/errors.mjs");
   const kinds = await import("@/tapes/kinds.mjs");
   const { bytes } = await import("@/pdp8/web/translator/runtime.mjs");
-  const steps = (path) => path.steps.map((step) => [step.number, step.moves.map(
-    ({ kind, start, end, speed, seconds }) => [kind, [...start], [...end], speed, seconds])]);
   return tapes.map((tape) => {
     const frames = bytes(tape);
     const kind = [kinds.classify(frames), kinds.start(frames)];
-    try { return [kind, "", steps(cut(frames))]; } catch (error) {
+    try { return [kind, "", cut(frames).steps]; } catch (error) {
       if (!(error instanceof CutError) && !(error instanceof TapeError)) throw error;
-      return [kind, String(error), error.path ? steps(error.path) : []];
+      return [kind, String(error), error.path?.steps ?? []];
     }
   });
 }"""
+
+
+def _cut(tape: bytes) -> Any:
+    kind = [kinds.classify(tape), kinds.start(tape)]
+    try:
+        return plain([kind, "", cut(tape).steps])
+    except CutError as error:
+        return plain([kind, str(error), error.path.steps])
+    except ValueError as error:
+        return [kind, str(error), []]
 
 
 def _damaged(draw: random.Random, tape: bytes) -> bytes:
@@ -124,23 +113,6 @@ def _damaged(draw: random.Random, tape: bytes) -> bytes:
         at = draw.randrange(len(frames))
         frames[at : at + draw.randrange(2)] = draw.randbytes(draw.randrange(2))
     return bytes(frames)
-
-
-def _steps(path: Any) -> list[Any]:
-    return [
-        [step.number, [[m.kind, list(m.start), list(m.end), m.speed, m.seconds] for m in step.moves]]
-        for step in path.steps
-    ]
-
-
-def _cut(tape: bytes) -> list[Any]:
-    kind = [kinds.classify(tape), kinds.start(tape)]
-    try:
-        return [kind, "", _steps(cut(tape))]
-    except CutError as error:
-        return [kind, str(error), _steps(error.path)]
-    except ValueError as error:
-        return [kind, str(error), []]
 
 
 def test_tapes_and_the_milling_machine() -> None:
@@ -159,11 +131,11 @@ _REFUSED = """async (texts) => {
     return String(error);
   } });
 }"""
-
-
-_CLOCKS = ('"abc"', "-500", "1e20", "1.5", "true", str(1 << 70))
 _PARTS = (
-    *(f'"processor": {{"clock": {clock}}}' for clock in _CLOCKS),
+    *(
+        f'"processor": {{"clock": {clock}}}'
+        for clock in ('"abc"', "-500", "1e20", "1.5", "true", str(1 << 70))
+    ),
     *('"processor": {"run": 2}', '"processor": {"x": 2}', '"waiting": {"clock": 5}', '"cpu": {}'),
     *('"devices": {"03": {"reader": {"position": 7}}}', '"devices": {"05": {}}'),
     *('"core": {"0200": "9"}', '"core": {"0200": 5}'),
