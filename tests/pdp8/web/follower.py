@@ -56,8 +56,7 @@ class Follower:
         elif action.key == "lever":
             reader.lever(True)
         else:
-            keys = {"load add": panel.load_add, "dep": panel.dep, "start": panel.start, "stop": panel.stop}
-            keys[action.key]()
+            getattr(panel, action.key.replace(" ", "_"))()
 
 
 def state(machine: Machine) -> dict[str, object]:

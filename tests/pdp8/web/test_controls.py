@@ -31,9 +31,7 @@ _NAMED = """() => ["click", "change", "input", "submit"].flatMap((kind) =>
 
 
 def test_every_control_is_tried(page: "Page") -> None:
-    """None is in the page that is not in the table, and none in the table that is not in the page; what the
-    HTML names is there to be called.
-    """
+    """The page and the table have the same controls; what the HTML names is there to be called."""
     page.evaluate(f"() => {{ {_ALL} }}")
     assert set(page.evaluate(_FOUND, list(CONTROLS))) == set(CONTROLS)
     assert page.evaluate(_NAMED) == []

@@ -34,9 +34,7 @@ _LINE = "  76 2250 4133  185\n"
 
 @needs_node
 def test_the_page_computes_what_python_does() -> None:
-    """Printouts, minutes, ways; what eia.pal does with each character of a block; each station of both walls,
-    to a millionth of a thousandth; none is where nothing was cut.
-    """
+    """Printouts, minutes, ways, characters; each station of both walls to a millionth of a thousandth."""
     made, characters, *walls = in_node(_COMPUTED, [_WORDS, list(ascii.encode(_LINE))])
     shapes = (method.circle(3, close=True), method.slope(7, 0.2, -0.2), method.quarter(10, 3))
     assert made == plain(shapes)

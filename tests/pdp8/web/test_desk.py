@@ -61,14 +61,6 @@ def test_a_browser_that_keeps_nothing_says_so(page: "Page") -> None:
     assert page.evaluate("workbench.editor.assemble()")
 
 
-def test_what_is_wrong_is_said_at_its_line_while_it_is_typed(page: "Page") -> None:
-    page.locator("#source").fill("*200\n\tCLA\n\tJMP NOPE\n$\n")
-    until(page, "document.querySelectorAll('#gutter .error').length === 1")
-    assert "undefined: NOPE" in page.locator(".typed em").inner_text()
-    rows = page.locator("#gutter .line").all_inner_texts()
-    assert [row.split() for row in rows[1:3]] == [["2", "0200", "7200"], ["3", "0201", "5377"]]
-
-
 def test_a_thousand_lines_are_typed_without_delay(page: "Page") -> None:
     """16 ms a key, from before its input to the next task; a quick one's, since others work too."""
     source = "*200\n" + "".join(f"/ LINE {n}: TAD COUNT, AND THEN SOME MORE\n" for n in range(1000)) + "$\n"

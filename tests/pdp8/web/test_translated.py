@@ -1,12 +1,11 @@
 """What runs in the pages is our own Python: here each part of it once in Node.js, beside Python itself."""
 
 import random
+from types import ModuleType
 from typing import Any
 
-import pytest
-
 import pal
-from nc.machine import CutError, cut
+from nc import machine
 from pdp8.computer.past import state
 from tapes import kinds, shelf
 from tests.pal.random_pal8 import Author
@@ -81,30 +80,32 @@ def _spoiled(draw: random.Random, text: str) -> str:
     return text
 
 
-_CUT = """async (tapes) => {
-  const { CutError, cut } = await import("@/nc/machine.mjs");
-  const { TapeError } = await import("@/tapes/errors.mjs");
-  const kinds = await import("@/tapes/kinds.mjs");
+_BOTH = """async (calls) => {
   const { bytes } = await import("@/pdp8/web/translator/runtime.mjs");
-  return tapes.map((tape) => {
-    const frames = bytes(tape);
-    const kind = [kinds.classify(frames), kinds.start(frames)];
-    try { return [kind, "", cut(frames).steps]; } catch (error) {
-      if (!(error instanceof CutError) && !(error instanceof TapeError)) throw error;
-      return [kind, String(error), error.path?.steps ?? []];
-    }
+  const modules = {
+    kinds: await import("@/tapes/kinds.mjs"),
+    machine: await import("@/nc/machine.mjs"),
+    state: await import("@/pdp8/computer/past/state.mjs"),
+  };
+  return calls.map(([module, name, given]) => {
+    try { return modules[module][name](Array.isArray(given) ? bytes(given) : given); }
+    catch (error) { return `${error.constructor.name}: ${error}`; }
   });
 }"""
 
 
-def _cut(tape: bytes) -> Any:
-    kind = [kinds.classify(tape), kinds.start(tape)]
-    try:
-        return plain([kind, "", cut(tape).steps])
-    except CutError as error:
-        return plain([kind, str(error), error.path.steps])
-    except ValueError as error:
-        return [kind, str(error), []]
+def _in_both(calls: list[tuple[ModuleType, str, Any]]) -> list[Any]:
+    """Return what each call returns, or the error it raises, the same in both."""
+    asked = [(module.__name__.rpartition(".")[2], name, plain(given)) for module, name, given in calls]
+    expected = []
+    for module, name, given in calls:
+        try:
+            expected.append(plain(getattr(module, name)(given)))
+        except ValueError as error:
+            expected.append(f"{type(error).__name__}: {error}")
+    for (_, name, given), there, here in zip(calls, in_node(_BOTH, asked), expected, strict=True):
+        assert there == here, f"{name} {given[:60]!r}"
+    return expected
 
 
 def _damaged(draw: random.Random, tape: bytes) -> bytes:
@@ -120,22 +121,13 @@ def test_tapes_and_the_milling_machine() -> None:
     draw = random.Random(7)
     whole = [shelf.read_bundled(name) for name in ("circle.asc", "circle.eia", "ellipse.eia", "eia.bin")]
     tapes = whole + [_damaged(draw, tape) for tape in whole for _ in range(12)]
-    for tape, found in zip(tapes, in_node(_CUT, [list(tape) for tape in tapes]), strict=True):
-        assert found == _cut(tape), len(tape)
+    names = ((kinds, "classify"), (kinds, "start"), (machine, "cut"))
+    _in_both([(module, name, tape) for tape in tapes for module, name in names])
 
 
-_REFUSED = """async (texts) => {
-  const { restore, StateError } = await import("@/pdp8/computer/past/state.mjs");
-  return texts.map((text) => { try { restore(text); return ""; } catch (error) {
-    if (!(error instanceof StateError)) throw error;
-    return String(error);
-  } });
-}"""
+_CLOCKS = ('"abc"', "-500", "1e20", "1.5", "true", str(1 << 70))
 _PARTS = (
-    *(
-        f'"processor": {{"clock": {clock}}}'
-        for clock in ('"abc"', "-500", "1e20", "1.5", "true", str(1 << 70))
-    ),
+    *(f'"processor": {{"clock": {clock}}}' for clock in _CLOCKS),
     *('"processor": {"run": 2}', '"processor": {"x": 2}', '"waiting": {"clock": 5}', '"cpu": {}'),
     *('"devices": {"03": {"reader": {"position": 7}}}', '"devices": {"05": {}}'),
     *('"core": {"0200": "9"}', '"core": {"0200": 5}'),
@@ -145,9 +137,5 @@ _PARTS = (
 def test_a_state_is_refused_with_the_same_words() -> None:
     """A clock that is none, a reader beyond its tape, an unknown part, a word that is none."""
     texts = ["[]", "pdp8 state 1", *(f'{{"format": "pdp8 state", "version": 2, {part}}}' for part in _PARTS)]
-    expected = []
-    for text in texts:
-        with pytest.raises(state.StateError) as refused:
-            state.restore(text)
-        expected.append(str(refused.value))
-    assert in_node(_REFUSED, texts) == expected
+    said = _in_both([(state, "restore", text) for text in texts])
+    assert all(each.startswith("StateError: ") for each in said)

@@ -51,13 +51,18 @@ def test_the_file_is_small_and_whole(file: Path) -> None:
     assert "default-src 'none'" in html
 
 
-def test_messages_have_their_places(page: "Page") -> None:
-    """A click on one selects it; a program that has one is not run, nor one that does not fit."""
-    _write(page, "*200\n\tJMP LOOP\n\tCLA!\n$\n")
+def test_what_is_wrong_is_said_at_its_line(page: "Page") -> None:
+    """While it is typed; a click selects it. Such a program is not run, nor one that does not fit."""
+    page.locator("#source").fill("*200\n\tCLA\n\tJMP NOPE\n$\n")
+    until(page, "document.querySelectorAll('#gutter .error').length === 1")
+    assert "undefined: NOPE" in page.locator(".typed em").inner_text()
+    rows = page.locator("#gutter .line").all_inner_texts()
+    assert [row.split() for row in rows[1:3]] == [["2", "0200", "7200"], ["3", "0201", "5377"]]
     page.locator("#run-it").click()
-    _says(page, "Not run: line 2, undefined: LOOP")
+    _says(page, "Not run: line 3, undefined: NOPE")
     page.locator("#messages button").first.click()
-    assert page.evaluate("getSelection().toString() || document.activeElement.id") in ("CLA", "LOOP")
+    source = page.locator("#source")
+    assert source.evaluate("(it) => it.value.slice(it.selectionStart, it.selectionEnd)") == "NOPE"
     _write(page, "*200\n\tHLT\n\tFIELD 1\n*200\n\tHLT\n$\n")
     page.locator("#run-it").click()
     _says(page, "10200")
@@ -237,9 +242,7 @@ _SMALL = """() => {
 
 
 def test_it_fits_from_a_telephone_to_a_projector(page: "Page") -> None:
-    """Each switch is under its lamp, to the pixel. On every tab nothing hangs over the edge; targets have 24
-    pixels each way, and letters 11; a telephone has no word before its list of speeds.
-    """
+    """Switches under their lamps, nothing over the edge, targets of 24 pixels and letters of 11 at least."""
     page.evaluate("for (const each of document.querySelectorAll('details')) each.open = true")
     for width in (320, 390, 720, 768, 1024, 1261, 1280, 1366, 1440, 1920):
         page.set_viewport_size({"width": width, "height": 800})
@@ -267,9 +270,7 @@ def test_few_stops_of_the_tab_key_from_the_panel_to_the_editor(page: "Page") -> 
 def test_axe_finds_nothing_serious(
     browser: "Browser", circle_page: Path, circle: Afternoon, scheme: str
 ) -> None:
-    """Each control has a role and a name, all is read easily: in every act, and on every tab, an error and
-    a note among what is there.
-    """
+    """In every act, and on every tab, an error and a note among what is there."""
     afternoon = "!!window.workbench?.afternoon.on"
     with visit(browser, circle_page.as_uri(), afternoon, color_scheme=scheme, bypass_csp=True) as page:
         page.add_script_tag(path=AXE)

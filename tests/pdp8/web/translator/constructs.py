@@ -343,9 +343,3 @@ def library() -> Any:
         [*zip("ab", [1, 2], strict=True)], [*enumerate("a", 3)], divmod(-7, 2), sqrt(3.0), min([4, 2]), sum([0.5, 1]),
         list(array("H", [1, 2])), getattr(points[0], "x"), abs(-2.5),
     ]  # fmt: skip
-
-
-FUNCTIONS = [
-    wide_numbers, comparisons, truth, assignments, loops, switched, errors, classes, calls,
-    comprehensions, texts, frames, tables, library,
-]  # fmt: skip

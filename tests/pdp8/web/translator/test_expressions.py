@@ -105,10 +105,7 @@ def cases(draw: st.DrawFn) -> tuple[str, dict[str, Any], Any]:
 
 @needs_node
 def test_expressions_have_the_same_value(tmp_path: Path) -> None:
-    """Operators, precedence, //, %, shifts, chained comparisons, truth of sequences, wide numbers.
-
-    All are gathered first and run in one Node.js; the shortest that differs is shown.
-    """
+    """All are gathered first and run in one Node.js; the shortest that differs is shown."""
     gathered: list[tuple[str, dict[str, Any], Any]] = []
 
     @settings(max_examples=200, deadline=None, database=None, phases=[Phase.generate])
