@@ -215,14 +215,17 @@ _CHANGES = """() => new Promise((done) => {
 
 
 def test_idle_costs_nothing(page: "Page") -> None:
-    """Standing still, or waiting for a key, it asks for no picture, and changes no element."""
+    """Afternoon or machine, standing still or waiting for a key: no picture is asked for, nothing changes."""
     _load(page, "*200\n\tKSF\n\tJMP .-1\n\tHLT\n$\n")
-    page.wait_for_timeout(300)
-    assert page.evaluate(_CHANGES) == 0
-    page.locator("[data-key=start]").click()
-    until(page, "workbench.machine.waiting.endless")
-    page.wait_for_timeout(300)
-    assert page.evaluate(_CHANGES) == 0
+    for act, done in (
+        ("", "true"),
+        ("workbench.machine.panel.start(); workbench.touched();", "workbench.machine.waiting.endless"),
+        ("workbench.afternoon.go(6e10);", "workbench.afternoon.on"),
+    ):
+        page.evaluate(f"() => {{ {act} }}")
+        until(page, done)
+        page.wait_for_timeout(400)
+        assert page.evaluate(_CHANGES) == 0, done
 
 
 _OFF = """() => [...document.querySelectorAll(".rocker")].map((rocker, bit) => {
