@@ -102,7 +102,6 @@ _PLAYED = """async (vectors) => {
 
 @needs_node
 def test_the_machine_of_the_page_passes(vectors: Vectors) -> None:
-    """Cycle by cycle."""
     those = [vector for each in vectors.values() for vector in each if "cycles" in vector]
     assert len(those) > 4096 * STATES
     for vector, found in zip(those, in_node(_PLAYED, those), strict=True):

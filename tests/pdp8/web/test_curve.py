@@ -109,7 +109,6 @@ def _shown(figure: "Locator") -> str:
 
 
 def test_the_button_translates_the_whole_tape(page: "Page") -> None:
-    """All 666 blocks, in the page."""
     page.locator("#translate").click()
     said = page.locator("#translated")
     assert re.match(r"666 blocks: 30\.0 minutes .*; 13320 frames", said.inner_text())
@@ -125,6 +124,5 @@ def test_the_page_answers_its_questions(page: "Page") -> None:
 
 @needs_axe
 def test_the_page_is_accessible(page: "Page") -> None:
-    """Nothing that axe-core finds serious."""
     page.evaluate(AXE.read_text(encoding="utf-8"))
     assert serious(page) == []

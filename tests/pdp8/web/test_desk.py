@@ -47,7 +47,6 @@ def test_programs_are_kept_and_never_written_over(page: "Page") -> None:
 
 
 def test_a_file_that_is_too_long_is_refused_and_not_cut(page: "Page") -> None:
-    """One byte more than a saved state may have."""
     page.evaluate("size => workbench.take(new File([new Uint8Array(size)], 'long.tape'))", LARGEST + 1)
     assert "long.tape: longer than" in page.locator("#next").inner_text()
     assert not page.evaluate("workbench.shelf.names().includes('long.tape')")

@@ -120,7 +120,6 @@ def test_a_file_that_is_nothing_of_ours(tab: Tab) -> None:
 
 
 def test_what_was_typed_last_is_kept_as_the_page_is_left(tab: Tab) -> None:
-    """Typed, and the page is left before anything else: it is there when the page is opened again."""
     tab.run("workbench.editor.text = '/ AS IT WAS LEFT'; dispatchEvent(new Event('pagehide'));")
     found = "const { editor, programs } = workbench; return new programs.constructor().get(editor.name);"
     assert tab.run(found) == "/ AS IT WAS LEFT"

@@ -262,7 +262,6 @@ def test_lamps_are_as_bright_as_they_were_often_lit(page: "Page", circle: Aftern
 
 
 def test_a_play_waits_while_the_slider_is_dragged(page: "Page") -> None:
-    """Held, it stays where it was put; let go, it plays on from there."""
     page.evaluate("workbench.afternoon.play(true)")
     box = page.locator("#slider").bounding_box()
     assert box is not None
@@ -321,7 +320,6 @@ def test_who_takes_over_has_all_of_the_machine(page: "Page", circle: Afternoon) 
 
 
 def test_a_play_that_is_taken_over_runs_on(page: "Page", circle: Afternoon) -> None:
-    """Whoever touches a lever while it plays has a machine that runs."""
     _go(page, _translating(circle))
     page.locator("#speed").select_option(label="as it was")
     page.locator("#play").click()
@@ -345,7 +343,6 @@ def test_the_doors(page: "Page") -> None:
 
 
 def test_the_panel_alone_begins_with_the_first_switch(browser: "Browser", circle_page: Path) -> None:
-    """The half hour at the terminal in Toronto shows nothing on it."""
     playing = "!!window.workbench?.afternoon.playing"
     with visit(browser, circle_page.as_uri() + "?embed=panel", playing) as page:
         assert page.evaluate("workbench.afternoon.script.act.kind") == "toggle"

@@ -44,7 +44,6 @@ def _says(page: "Page", what: str) -> None:
 
 
 def test_the_file_is_small_and_whole(file: Path) -> None:
-    """Under 1 MB; nothing to fetch; what it may do is said."""
     html = file.read_text(encoding="utf-8")
     assert file.stat().st_size <= 500_000
     assert not re.search(r"(?:src|href)=\"(?!data:|#)", html)
@@ -70,7 +69,6 @@ def test_what_is_wrong_is_said_at_its_line(page: "Page") -> None:
 
 
 def test_a_note_is_no_error(page: "Page") -> None:
-    """It has a colour of its own, and the program loads."""
     _write(page, "*200\n\tCLA!\n\t5 + 3\n$\n")
     colours = "[...document.querySelectorAll('#messages button')].map((each) => getComputedStyle(each).color)"
     assert len(set(page.evaluate(colours))) == 2
@@ -79,7 +77,6 @@ def test_a_note_is_no_error(page: "Page") -> None:
 
 
 def test_what_was_assembled_is_not_assembled_again(page: "Page") -> None:
-    """A Worker has done it while nobody typed: the buttons take what it made."""
     page.locator("#source").fill("*200\n\tHLT\n$\n")
     until(page, "workbench.editor.assembly.words.length === 1")
     page.evaluate("window.made = workbench.editor.assembly")
@@ -115,7 +112,6 @@ def test_a_tape_is_loaded_as_an_operator_does(page: "Page") -> None:
 
 
 def test_the_drill_names_the_wrong_switch(page: "Page") -> None:
-    """Set 7757 for 7756: switch 11 should be down."""
     page.locator("#card summary").click()
     page.locator("#drill").click()
     page.locator("#computer .rocker").first.focus()

@@ -19,7 +19,6 @@ _RUN = """async (names) => {
 
 @needs_node
 def test_every_construct_does_as_in_python(tmp_path: Path) -> None:
-    """Each function of constructs.py returns the same in both."""
     own = (each for each in vars(constructs).values() if isfunction(each) and "constructs" in each.__module__)
     functions = [each for each in own if not each.__name__.startswith("_")]
     path = Path(constructs.__file__)
@@ -56,7 +55,6 @@ def test_every_construct_does_as_in_python(tmp_path: Path) -> None:
     ],
 )
 def test_what_has_no_translation_is_an_error_with_its_place(source: str, said: str) -> None:
-    """It is never passed over."""
     with pytest.raises(Untranslated) as raised:
         translate({"m": ("m.py", source)}, {}, runtime())
     assert str(raised.value).startswith(f"m.py:{said}")
