@@ -64,13 +64,9 @@ def test_slopes_and_curve_are_what_the_page_says() -> None:
     assert 1.8 < (fine.blocks - 6) / (coarse.blocks - 6) < 2
 
 
-def test_the_computer_punches_the_bundled_tape() -> None:
-    """A block frame by frame, and the whole circle: 30 minutes."""
+def test_the_computer_punches_a_block_frame_by_frame() -> None:
     frames = [each.punched for each in method.characters(_WORDS, ascii.encode(_LINE))]
     assert bytes(each for each in frames if each is not None) == eia.encode(_LINE.replace(" ", "0"))
-    machine = method.translated(_WORDS, shelf.read_bundled("circle.asc"))
-    assert machine.teletype.punch.tape == shelf.read_bundled("circle.eia")
-    assert round(machine.elapsed / 60) == 30
 
 
 @pytest.fixture(scope="module")
@@ -112,14 +108,6 @@ def test_the_button_translates_the_whole_tape(page: "Page") -> None:
     page.locator("#translate").click()
     said = page.locator("#translated")
     assert re.match(r"666 blocks: 30\.0 minutes .*; 13320 frames", said.inner_text())
-
-
-def test_the_page_answers_its_questions(page: "Page") -> None:
-    """Why a staircase, what the tolerance buys, why 36 minutes: once in the text, once at the end."""
-    text = page.locator("main").text_content() or ""
-    for question in ("why a staircase", "What a narrower tolerance buys", "Why 36 minutes"):
-        assert question in text
-    assert page.locator("main > details").count() == 3
 
 
 @needs_axe
