@@ -115,10 +115,15 @@ def wide_numbers() -> Any:
     """Numbers beyond 2^31, up to 2^53, and NEVER."""
     ticks, least = (1 << 52) + 12345, -(1 << 40) - 7
     limit = 3 << 26 | 1
+    large = ~ticks & 0x7FFF_FFFF
+    before = wide = 1
+    for _ in range(4):
+        before, wide = wide, wide * 4096
     return [
         ticks >> 26, ticks & 0o17777, ticks % 4093, ticks // 3, -ticks // 3, least >> 3, least & 0xFFFF, least // 7,
         least % 7, limit << 13, limit >> 26, ticks | 1 << 40, ticks ^ (1 << 51), ~ticks, ticks < NEVER,
         min(NEVER, ticks), NEVER == 1 << 62, f"{ticks:o} {ticks:,} {NEVER} {-(ticks & 0):o}", ticks.bit_length(), abs(least),
+        large + large >> 1, large * 3 & 0o7777, large << 3 >> 1, large - least >> 1, large + 1 | 1, before >> 3, wide >> 3,
     ]  # fmt: skip
 
 
