@@ -54,6 +54,7 @@ class Base:
 
     def __init__(self, start: int) -> None:
         self.value = start
+        self.total = 0
         self.seen: list[str] = []
 
     @property
@@ -124,6 +125,7 @@ def wide_numbers() -> Any:
         least % 7, limit << 13, limit >> 26, ticks | 1 << 40, ticks ^ (1 << 51), ~ticks, ticks < NEVER,
         min(NEVER, ticks), NEVER == 1 << 62, f"{ticks:o} {ticks:,} {NEVER} {-(ticks & 0):o}", ticks.bit_length(), abs(least),
         large + large >> 1, large * 3 & 0o7777, large << 3 >> 1, large - least >> 1, large + 1 | 1, before >> 3, wide >> 3,
+        -large % 1000, ticks >> 4 | 1, ticks & least | 1, large ^ 5_000_000_000, large >> len("x" * 40), [large, ticks][1] >> 3,
     ]  # fmt: skip
 
 
@@ -135,6 +137,7 @@ def comparisons() -> Any:
         chain, seen, (1, 2) < (1, 3), [1, 2] == [1, 2], (1, "a") == (1, "b"), bytes([97, 98]) == b"ab", 1 == True,
         Point(1, 2) == (1, 2), Point(1) < Point(2), {1: [2]} == {1: [2]}, {1, 2} == {2, 1}, "b" in "abc", 2 in (1, 2),
         3 not in [1], b"b" in b"abc", 97 in b"abc", Mode(1.0) == Mode(1.0), None is None, Colour.RED == "red",
+        min("b", "a"), max((1, 2), (1, 3)),
     ]  # fmt: skip
 
 
@@ -155,6 +158,7 @@ def assignments() -> Any:
     first, (second, third), *rest = [1, (2, 3), 4, 5]
     words = array("H", bytes(8))
     words[1] = words[2] = 0o7777
+    words[-1] = 5
     frames = bytearray(b"abc")
     frames += b"de"
     numbers = [0, 1, 2, 3, 4, 5]
@@ -249,7 +253,8 @@ def classes() -> Any:
     """Properties, cached ones, methods of all kinds, inheritance, named tuples, dataclasses, enumerations."""
     base, derived = Base(5), Derived()
     base.double = 30
-    made = [base.made, base.made, base.seen]
+    base.total = 1 << 40
+    made = [base.made, base.made, base.seen, base.total >> 3]
     point = Point(1)._replace(y=7)
     mode = replace(Mode(2.0), feed=3.5)
     return [

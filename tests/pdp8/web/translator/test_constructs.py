@@ -1,5 +1,6 @@
 """What a translated module does is what Python does; what has no translation is an error with its place."""
 
+import gc
 from inspect import isfunction
 from pathlib import Path
 
@@ -58,3 +59,4 @@ def test_what_has_no_translation_is_an_error_with_its_place(source: str, said: s
     with pytest.raises(Untranslated) as raised:
         translate({"m": ("m.py", source)}, {}, runtime())
     assert str(raised.value).startswith(f"m.py:{said}")
+    assert gc.isenabled()  # it is off while modules are translated
