@@ -43,6 +43,9 @@ class Mode:
     feed: float | None = None
     words: list[int] = field(default_factory=list)
 
+    def __post_init__(self) -> None:
+        self.words.append(len(self.words))
+
 
 class Wrong(ValueError):
     def __init__(self, message: str, place: int | None = None) -> None:
@@ -99,6 +102,14 @@ class Derived(Base):
         self.more = self.value
 
 
+class More(Base):
+    pass
+
+
+class Most(More):
+    pass
+
+
 def _note(seen: list[str], value: Any) -> Any:
     seen.append(str(value))
     return value
@@ -106,6 +117,10 @@ def _note(seen: list[str], value: Any) -> Any:
 
 def _placed(*values: int, scale: int = 1, add: int = 0) -> list[int]:
     return [value * scale + add for value in values]
+
+
+def _after(first: int, *rest: int) -> list[int]:
+    return [first, len(rest), *rest]
 
 
 def _named(**fields: int) -> Mapping[str, int]:
@@ -155,6 +170,7 @@ def assignments() -> Any:
     """Targets of all kinds; what is read is read before anything is set."""
     a, b = 1, 2
     a, b = b, a
+    new, default = a, b
     first, (second, third), *rest = [1, (2, 3), 4, 5]
     words = array("H", bytes(8))
     words[1] = words[2] = 0o7777
@@ -170,7 +186,7 @@ def assignments() -> Any:
     other = texts
     texts += ["y"]
     return [
-        a, b, first, second, third, rest, list(words), list(frames), numbers, table, other, words[:2].tobytes()[1],
+        a, b, new, default, first, second, third, rest, list(words), list(frames), numbers, table, other, words[:2].tobytes()[1],
     ]  # fmt: skip
 
 
@@ -238,6 +254,10 @@ def errors() -> Any:
             pass
     except ValueError:
         seen.append("not this")
+    try:
+        raise IndexError
+    except IndexError:
+        seen.append("index")
     wrong = [lambda: {}["x"], lambda: [1][4], lambda: int("x"), lambda: 1 // len("")]
     for bad in [*wrong, lambda: b"\xff".decode("ascii"), lambda: b"\xff".decode()]:
         try:
@@ -279,7 +299,7 @@ def calls() -> Any:
     more()
     more(4)
     return [
-        _placed(1, 2), _placed(1, scale=3), _placed(*[1, 2], add=1), _named(a=1, **spent), more(0), 
+        _placed(1, 2), _placed(1, scale=3), _placed(*[1, 2], add=1), _after(1, 2, 3), Most(start=4).value, _named(a=1, **spent), more(0), 
         [*map(len, ["a", "bb"])], (lambda x: x + 1)(2), [f(2) for f in (more, abs)],
     ]  # fmt: skip
 
@@ -288,6 +308,7 @@ def comprehensions() -> Any:
     """Lists, sets, dicts, nested, with conditions, with a name that is kept."""
     pairs = [(1, "a"), (2, "b"), (3, "c")]
     return [
+        [some for some in ([], [1]) if some],
         [number * 2 for number, _ in pairs if number > 1], {text: number for number, text in pairs}, sorted({n % 2 for n, _ in pairs}),
         [a + b for a in "xy" for b in "12"], sum(number for number, _ in pairs), any(n > 2 for n, _ in pairs), all([]),
         next((t for n, t in pairs if n == 2), ""), next(iter([7])), [double for n in (1, 2) if (double := n * 2) > 2],
@@ -302,7 +323,7 @@ def texts() -> Any:
         text.split(","), "a  b ".split(), ["a", "b"], "a\nb\r\n".splitlines(), "a\nb".splitlines(True), text.replace(",", ""),
         text.partition(","), "-".join(["x", "y"]), " x ".strip(), "xxaxx".lstrip("x"), "tape.bin".removesuffix(".bin"), "a\tb".expandtabs(8),
         text.find("c"), text.rfind(","), text.count(","), text.count(",", 1, 3), "abc".startswith("a"), "12".isdigit(), "a1".islower(), "aB".islower(), "a1".isalnum(), "a-".isalnum(), "a ~".isprintable(), "\x7f".isprintable(), "Ab".lower() + "Ab".upper(),
-        "abc"[1:], "abc"[-1], "abc"[0:-1], "aZ".translate({ord("a"): "b", ord("Z"): None}), "x" * 3, ord("A"), chr(0o101),
+        "abc"[1:], "abc"[-1], "abc"[0:-1], "abc"[1 : {}.get("x")], f"`${{x}}{number}`", "aZ".translate({ord("a"): "b", ord("Z"): None}), "x" * 3, ord("A"), chr(0o101),
         f"{number:04o} {number:5}|{number:6,}|{-number:06}|{part:+.1f}|{part:g}|{part:8.3f}|{'x':3}|{number:x}",
         f"{part!r} {text!r} {number / 2} {number // 2} {1e20} {1e-7} {True} {None} {[1, 'x']} {0.1 + 0.2} {100.0:,}",
         f"{2.5:.0f} {3.5:.0f} {0.125:.2f} {1e15:.1f} {1234567.0:g} {0.00001:g}", str(5.0), str(5), repr("it's"), int("17", 8),
@@ -331,11 +352,11 @@ def tables() -> Any:
     table = {"7000": 1, "0100": 2}
     table.setdefault("x", 5)
     table.update({"y": 6})
-    some = {3, 1}
+    some, sized = {3, 1}, {"items": 3}
     some.add(2)
     some.discard(9)
     return [
-        [*table], [*table.items()], [*table.values()], table.get("q"), table.get("q", 7), table.pop("y"), "x" in table, len(table),
+        [*table], [*table.items()], [*table.values()], table.get("q"), table.get("q") is None, sized["items"], table.get("q", 7), table.pop("y"), "x" in table, len(table),
         dict.fromkeys(["a", "b"], 0), {**table, "z": 1}, table | {"w": 2}, sorted(some), sorted(some & {1, 2}), sorted(some - {1}), sorted(some | {8}),
         sorted(frozenset([2, 1])), json.dumps({"b": [1, "x"], "a": None}, indent=1),
         json.dumps(json.loads('{"n": [1, 2.0, 1e20, true, null, "\\u00e9"]}')), {None: 1}[None],

@@ -45,6 +45,8 @@ def test_every_construct_does_as_in_python(tmp_path: Path) -> None:
         ("X = print('a', end='')\n", "1: the runtime has no print"),
         ("def f(x: int) -> None:\n    global y\n    y = x\n", "2: no translation"),
         ("def f(a: int) -> int:\n    return f(a, b=1)\n", "2: keywords that are no parameters"),
+        ("def f(a: int) -> int:\n    return f(a, a)\n", "2: too many arguments"),
+        ("def f(a: int) -> int:\n    return f(*[a], a=1)\n", "2: an unpacked argument before keywords"),
         (
             "def f(a: str) -> None:\n    for x in a:\n        pass\n    else:\n        f(a)\n",
             "2: no translation",
