@@ -9,11 +9,9 @@ import pytest
 import pal
 from pdp8.thesis.facsimile import facsimile
 from programs import circle, ellipse
-from tapes.errors import WorkError
-from tests.conftest import Shell
+from tests.pdp8.thesis import OCR, scanned
 from tests.programs.fortran import printout
 
-OCR = Path(__file__).parent / "ocr"
 B = [line.replace("Ø", "0") for line in facsimile("B").replace("\f", "").splitlines()]
 
 
@@ -37,8 +35,7 @@ def test_nothing_of_ours_is_on_the_page(appendix: str) -> None:
     text = facsimile(appendix)
     assert not re.search(r"/[WDRC]\b|DAMAGED|RESTORED|CONJECTURE|RESTORATION", text)
     notes = set(re.findall(r"/ ?([A-Z][A-Z -]+[A-Z])", text.replace("Ø", "0")))
-    scan = " ".join((OCR / f"appendix-{appendix.lower()}.txt").read_text().split())
-    assert {note for note in notes if note not in scan} <= set()
+    assert [note for note in notes if note not in scanned(f"appendix-{appendix.lower()}")] == []
 
 
 def test_the_pages_end_with_their_numbers() -> None:
@@ -57,14 +54,3 @@ def test_the_columns_are_those_of_page_109() -> None:
     assert "345  IF(AX-0.) 45,45,41" in lines
     assert "335 30 FORMAT(I3,I1,I5,I5,I3,I2)" in lines
     assert f"{'355  ARS=1745.':<33}/INNER LIMIT" in lines
-
-
-def test_what_has_no_facsimile_is_refused() -> None:
-    with pytest.raises(WorkError, match=r"7\.2: no facsimile; there is one of B, C, D"):
-        facsimile("7.2")
-
-
-def test_the_command_writes_it(shell: Shell, tmp_path: Path) -> None:
-    done = shell("pdp8 thesis make b --facsimile --out pages")
-    assert (done.returncode, done.stderr) == (0, b"wrote facsimile-B.txt in pages\n")
-    assert (tmp_path / "pages" / "facsimile-B.txt").read_text() == facsimile("B")

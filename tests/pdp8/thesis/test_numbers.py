@@ -13,10 +13,10 @@ import pytest
 from pdp8.thesis import edition
 from pdp8.thesis.catalogue import catalogue
 from pdp8.thesis.numbers import STATES, numbers, plain
-from tests.conftest import Shell
+from tests.pdp8.thesis import scanned
 
-OCR = Path(__file__).parent / "ocr"
 DOCS = Path(__file__).parents[3] / "docs"
+PAGE = (DOCS / "thesis.md").read_text()
 ALL = list(numbers())
 
 NAMES = (
@@ -30,33 +30,26 @@ NAMES = (
 word All, misread."""
 
 
-def scanned() -> str:
-    """Return the paragraphs of the chapters, every run of white space as one space."""
-    mentions = (OCR / "mentions.txt").read_text().partition("The Moog Hydra-Point model")
-    tables = (OCR / "tables.txt").read_text().partition("TABLE 2.4")[2]
-    texts = ((OCR / "numbers.txt").read_text(), mentions[1] + mentions[2], tables)
-    return " " + " ".join(" ".join(text.split()) for text in texts) + " "
-
-
-def marked() -> list[tuple[str, str, str]]:
-    """Return for each number the scan's words before it, the number, and the words after it."""
-    text = (files("pdp8.thesis") / "numbers.txt").read_text(encoding="utf-8")
-    words = [line.split("|")[1].strip() for line in text.splitlines() if not line.startswith("#")]
-    return [tuple(re.sub("‹.*?›", "", line).replace("»", "«").split("«")) for line in words]  # type: ignore[misc]
+CHAPTERS = " {} {}{} {} ".format(
+    scanned("numbers"),
+    *scanned("mentions").partition("The Moog Hydra-Point model")[1:],
+    scanned("tables").partition("TABLE 2.4")[2],
+)
 
 
 def test_the_words_are_the_scan_s() -> None:
-    text = scanned()
-    assert [one.words for one in ALL if one.words not in text] == []
+    assert [one.words for one in ALL if one.words not in CHAPTERS] == []
 
 
 def test_no_number_of_the_chapters_is_left_out() -> None:
-    text = scanned()
-    left = list(text)
-    for before, number, after in marked():
-        for found in re.finditer(re.escape(before + number + after), text):
-            start = found.start() + len(before)
-            left[start : start + len(number)] = "_" * len(number)
+    left = list(CHAPTERS)
+    text = (files("pdp8.thesis") / "numbers.txt").read_text(encoding="utf-8")
+    for line in text.splitlines():
+        if not line.startswith("#"):
+            before, number, after = re.split("[«»]", re.sub("‹.*?›", "", line.split("|")[1].strip()))
+            for found in re.finditer(re.escape(before + number + after), CHAPTERS):
+                start = found.start() + len(before)
+                left[start : start + len(number)] = "_" * len(number)
     remains = re.sub("|".join(NAMES), " ", "".join(left))
     assert re.findall(r".{30}\d.{10}", remains) == []
 
@@ -91,21 +84,19 @@ def test_what_makes_a_number_is_there() -> None:
 
 @pytest.mark.slow("runs every part of the thesis, and the piece-wise technique")
 def test_the_edition_is_made_from_the_catalogue_and_the_numbers() -> None:
-    page = (DOCS / "thesis.md").read_text()
-    assert edition.page(page) == page, "run `make evidence`"
+    assert edition.page(PAGE) == PAGE, "run `make evidence`"
 
 
 def test_the_edition_has_every_item_and_every_number_with_its_link() -> None:
-    page = (DOCS / "thesis.md").read_text()
-    anchors = re.findall(r'<a id="([^"]+)">', page)
+    anchors = re.findall(r'<a id="([^"]+)">', PAGE)
     assert anchors == [f"{item.kind}-{item.number}" for item in catalogue()]
-    rows = re.findall(r"^\| \d+ \| `.*` \|.*\| (.*) \|$", page, re.MULTILINE)
+    rows = re.findall(r"^\| \d+ \| `.*` \|.*\| (.*) \|$", PAGE, re.MULTILINE)
     assert len(rows) == len(ALL)
     assert {link for row in rows for link in re.findall(r"\(#(.*?)\)", row)} <= set(anchors)
     assert all(row for row, one in zip(rows, ALL, strict=True) if one.state != STATES["none"])
 
 
-def test_pages_follow_each_other() -> None:
+def test_pages_follow_each_other_through_the_ten_chapters() -> None:
     pages = [one.page for one in ALL]
     assert pages == sorted(pages)
     assert {one.chapter for one in ALL} == set(range(1, 11))
@@ -113,10 +104,3 @@ def test_pages_follow_each_other() -> None:
 
 def test_what_differs_stands_in_errata_or_is_explained() -> None:
     assert {one.by for one in ALL if one.state == STATES["errs"]} == {"errata", "implied"}
-
-
-def test_the_command_lists_a_chapter(shell: Shell) -> None:
-    done = shell("pdp8 thesis numbers --chapter 9")
-    lines = done.stdout.decode().splitlines()
-    assert len(lines) == 1 + sum(one.chapter == 9 for one in ALL)
-    assert lines[1].split()[0] == "89"

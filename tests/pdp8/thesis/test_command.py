@@ -1,0 +1,57 @@
+"""`pdp8 thesis` as a user types it."""
+
+from pathlib import Path
+
+import pytest
+
+from pdp8.thesis.catalogue import catalogue
+from pdp8.thesis.numbers import numbers
+from tests.conftest import Shell
+
+
+@pytest.mark.parametrize(
+    ("line", "firsts"),
+    [
+        ("list", [item.number for item in catalogue()]),
+        ("numbers --chapter 9", [f"{one.page}" for one in numbers() if one.chapter == 9]),
+    ],
+)
+def test_a_list_has_a_line_for_each(line: str, firsts: list[str], shell: Shell) -> None:
+    lines = shell(f"pdp8 thesis {line}").stdout.decode().splitlines()
+    assert [line.split()[0] for line in lines[1:]] == firsts
+
+
+def test_evidence_is_a_table(shell: Shell) -> None:
+    row = "107  damaged  0103 0040 PQ.40  0103 0040 P0,40  0 and a comma misread; P0, beside P1"
+    assert shell("pdp8 thesis evidence eia.pal | grep PQ.40").stdout.decode().split() == row.split()
+
+
+@pytest.mark.parametrize(
+    ("line", "made", "begins"),
+    [
+        ("make 4.1", "figure-4.1.svg", "<svg"),
+        ("make b --facsimile", "facsimile-B.txt", f"{'APPENDIX B':>41}"),
+    ],
+)
+def test_what_is_made_is_left_in_a_folder(
+    line: str, made: str, begins: str, shell: Shell, tmp_path: Path
+) -> None:
+    done = shell(f"pdp8 thesis {line} --out made")
+    assert (done.returncode, done.stderr.decode()) == (0, f"wrote {made} in made\n")
+    (file,) = (tmp_path / "made").iterdir()
+    assert (file.name, file.read_text()[: len(begins)]) == (made, begins)
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("make 4.2", "make: Figure 4.2: lost. Photograph, lost"),
+        ("make 7.9", "make: 7.9: no such figure"),
+        ("make 7.2 --facsimile", "make: 7.2: no facsimile; there is one of B, C, D\n"),
+        ("evidence bin.pal", "evidence: bin.pal: no evidence; there is some of eia.pal"),
+    ],
+)
+def test_what_there_is_not_is_said(line: str, said: str, shell: Shell) -> None:
+    done = shell(f"pdp8 thesis {line}")
+    assert done.returncode == 1
+    assert done.stderr.decode().startswith(f"pdp8 thesis {said}")
