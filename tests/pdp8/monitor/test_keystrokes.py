@@ -4,8 +4,8 @@ import pytest
 
 import pal
 from pdp8.monitor.arguments import MonitorError
-from pdp8.monitor.commands import do
 from pdp8.monitor.prompt import Monitor
+from tests.pdp8.monitor import do
 
 STORE = """
 *10
@@ -41,13 +41,10 @@ PRINT = """	TAD TEN
 """
 
 
-def started(wait: str, then: str = "") -> Monitor:
-    """Return a monitor at a program that stores each key from 0300 on, and runs."""
-    monitor = Monitor(lambda line: None)
-    source = STORE.format(wait=wait, then=then)
-    monitor.machine.load(pal.assemble(source).words)
+def start(monitor: Monitor, wait: str, then: str = "") -> None:
+    """Run a program that stores each key from 0300 on."""
+    monitor.machine.load(pal.assemble(STORE.format(wait=wait, then=then)).words)
     do(monitor, "go 200 0.1")
-    return monitor
 
 
 def stored(monitor: Monitor) -> list[int]:
@@ -64,47 +61,41 @@ def frames(text: str) -> list[int]:
     [(LISTEN, ""), (LISTEN, PRINT), (LISTEN, DELAY), (LISTEN_AND_COUNT, ""), (LISTEN_AND_COUNT, PRINT)],
     ids=["at once", "printing", "slow", "counting", "counting and printing"],
 )
-def test_a_line_arrives_as_it_stands(wait: str, then: str) -> None:
-    monitor = started(wait, then)
-    do(monitor, 'type  01.04 T "HI  there"! # 5 \\r ')
-    do(monitor, "wait 9")
+def test_a_line_arrives_as_it_stands(monitor: Monitor, wait: str, then: str) -> None:
+    start(monitor, wait, then)
+    do(monitor, 'type  01.04 T "HI  there"! # 5 \\r ', "wait 9")
     assert stored(monitor) == frames(' 01.04 T "HI  THERE"! # 5 \\R \r')
 
 
-def test_no_key_is_pressed_before_the_program_is_done_with_the_last() -> None:
-    monitor = started(LISTEN, PRINT)
+def test_no_key_is_pressed_before_the_program_is_done_with_the_last(monitor: Monitor) -> None:
+    start(monitor, LISTEN, PRINT)
     do(monitor, "type A")
     assert monitor.machine.teletype.printer.frames == b"\xae" * 10
 
 
-def test_keys_pressed_without_waiting_are_lost_where_the_program_prints() -> None:
-    monitor = started(LISTEN, PRINT)
-    do(monitor, 'keyboard now "ABCDEFGH"')
-    do(monitor, "wait 5")
+def test_keys_pressed_without_waiting_are_lost_where_the_program_prints(monitor: Monitor) -> None:
+    start(monitor, LISTEN, PRINT)
+    do(monitor, 'keyboard now "ABCDEFGH"', "wait 5")
     assert 0 < len(stored(monitor)) < 8
 
 
-def test_keys_alone_are_texts_and_codes() -> None:
-    monitor = started(LISTEN, PRINT)
-    do(monitor, r'keyboard a "B c" CR "\n\f\177\e\a\"\\\003\301\034\r\t\377\200" # a comment')
-    do(monitor, "wait 1")
+def test_keys_alone_are_texts_and_codes(monitor: Monitor) -> None:
+    start(monitor, LISTEN, PRINT)
+    line = r'keyboard a "B c" CR "\n\f\177\e\a\"\\\003\301\034\r\t\377\200" # a comment'
+    do(monitor, line, "wait 1")
     codes = "215 212 214 377 375 207 242 334 203 301 234 215 211 377 200"
     assert stored(monitor) == [*frames("AB C"), *(int(code, 8) for code in codes.split())]
 
 
-def test_keys_come_after_what_is_on_the_tape() -> None:
-    monitor = started(LISTEN)
+def test_keys_come_after_what_is_on_the_tape(monitor: Monitor) -> None:
+    start(monitor, LISTEN)
     monitor.machine.teletype.reader.load(b"\1\2\3")
-    do(monitor, "type A")
-    do(monitor, "wait 1")
+    do(monitor, "type A", "wait 1")
     assert stored(monitor) == [1, 2, 3, *frames("A\r")]
 
 
-def test_a_program_that_counts_in_eight_words_asks_at_the_eighth_glance() -> None:
-    monitor = Monitor(lambda line: None)
-    do(monitor, "deposit 200 7001 5207 0 0 0 0 0 5200")
-    do(monitor, "go 200 0.1")
-    do(monitor, "keyboard A")
+def test_a_program_that_counts_in_eight_words_asks_at_the_eighth_glance(monitor: Monitor) -> None:
+    do(monitor, "deposit 200 7001 5207 0 0 0 0 0 5200", "go 200 0.1", "keyboard A")
     assert monitor.machine.elapsed == pytest.approx(0.1 + 8 * 0.05, abs=1e-5)
 
 
@@ -117,10 +108,8 @@ def test_a_program_that_counts_in_eight_words_asks_at_the_eighth_glance() -> Non
         ("6031 5200 5202", "idle; 1 key of 3 sent"),
     ],
 )
-def test_a_program_that_asks_for_no_key_is_given_up(program: str, why: str) -> None:
-    monitor = Monitor(lambda line: None)
-    do(monitor, f"deposit 200 {program}")
-    do(monitor, "go 200 0.1")
+def test_a_program_that_asks_for_no_key_is_given_up(monitor: Monitor, program: str, why: str) -> None:
+    do(monitor, f"deposit 200 {program}", "go 200 0.1")
     with pytest.raises(MonitorError, match=f"^the program asks for no key: {why}$"):
         do(monitor, "type AB")
     assert monitor.machine.elapsed < 62

@@ -2,22 +2,18 @@
 
 import pytest
 
-from pdp8.computer.use import program
-from pdp8.monitor.commands import do
 from pdp8.monitor.prompt import Monitor
 from tapes import ascii
 from tapes.errors import WorkError
+from tests.pdp8.monitor import do
 
 
-@pytest.fixture
-def monitor() -> Monitor:
-    """A monitor that has translated two lines."""
-    made = Monitor(lambda line: None)
-    made.machine.load(program.find("eia.pal").words)
-    made.listing = program.find("eia.pal").listing
-    made.operator.mount("two lines", ascii.encode("12\n34\n"))
-    do(made, "go 200")
-    return made
+@pytest.fixture(autouse=True)
+def translated(monitor: Monitor) -> None:
+    """Two lines have been translated."""
+    do(monitor, "load eia.pal")
+    monitor.operator.mount("two lines", ascii.encode("12\n34\n"))
+    do(monitor, "go 200")
 
 
 @pytest.mark.parametrize(
@@ -41,41 +37,16 @@ def test_counts_are_octal_and_steps_go_back_too(monitor: Monitor) -> None:
     before = monitor.machine.instructions
     do(monitor, "step 12")
     assert monitor.machine.instructions == before + 10
-    do(monitor, "back 2")
-    do(monitor, "back")
+    do(monitor, "back 2", "back")
     assert monitor.machine.instructions == before + 7
     do(monitor, "back 7")
     assert monitor.machine.instructions == before
 
 
 def test_back_until(monitor: Monitor) -> None:
-    do(monitor, "back until CHK+1")
-    assert monitor.machine.pc == 0o230
-    do(monitor, "back until HOLD written")
-    assert monitor.machine.pc == 0o205
+    do(monitor, "back until CHK+1", "assert pc 230", "back until HOLD written", "assert pc 205")
     do(monitor, "back until 4 flag")
     assert monitor.machine.teletype.transmitter.flag == 1
-
-
-def test_what_is_expected_is_printed_again_after_back() -> None:
-    said: list[str] = []
-    monitor = Monitor(said.append)
-    monitor.machine.load(program.find("hello.pal").words)
-    do(monitor, "go 200 until WORLD.")
-    do(monitor, "page")
-    do(monitor, "back 4 characters")
-    do(monitor, "cont until .")
-    do(monitor, "page more")
-    assert said[-1] == "RLD."
-    do(monitor, "back 4 characters")
-    do(monitor, "expect LD.")
-
-
-def test_what_was_set_goes_back_too(monitor: Monitor) -> None:
-    do(monitor, "deposit HOLD 1234")
-    do(monitor, "set sr 7")
-    do(monitor, "back 1")
-    assert (monitor.machine.core[0o100], monitor.machine.sr) != (0o1234, 7)
 
 
 @pytest.mark.parametrize(
