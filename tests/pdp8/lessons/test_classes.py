@@ -5,6 +5,7 @@ import pickle
 import signal
 import sys
 from dataclasses import replace
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -13,29 +14,21 @@ import pytest
 from pdp8.lessons import alike, bounded, form, handed, marking, page, records, scores, student, values
 from pdp8.lessons.answer import Answer, parted
 from pdp8.lessons.diagnosis import sequence, word
-from pdp8.lessons.exercise import Exercise, Trial
+from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.form import parse
 from pdp8.lessons.marking import Result
 from pdp8.lessons.tables import ExerciseError
 from tests.conftest import Shell
+from tests.pdp8.lessons import HEAD, PUNCH, exercise, mark
 
-PROGRAMS = [name for name in form.bundled() if form.read(name).cases]
 DOCS = Path(__file__).parents[3] / "docs" / "lessons.md"
-HEAD = "title='t'\ntask='t'\n"
-PUNCH = "*200\n\tTAD A\n\tTLS\n\tTSF\n\tJMP .-1\n\tHLT\nA,\t{}\n$"
 DOUBLE = 'solution="""*200\n\tTAD A\n\tCLL RAL\n\tDCA B\n\tHLT\nA,\t0\nB,\t0\n$\n"""\n'
 RANDOM = HEAD + DOUBLE + "[[random]]\nname='r'\ntrials=5\ndeposit={A={from=1,to=0o3777}}\ncompare=['B']\n"
 
 
-def mark(exercise: Exercise, source: str) -> Result:
-    return marking.mark(exercise, handed.of(source.encode(), "a.pal"))
-
-
-@pytest.mark.parametrize("name", PROGRAMS)
+@pytest.mark.parametrize("name", [name for name in form.bundled() if form.read(name).cases])
 def test_a_table_of_the_shown_cases_does_not_answer_them_all(name: str) -> None:
-    def inputs(trial: Trial) -> object:
-        return trial.start, trial.starts, trial.deposit, trial.sr, trial.reader, trial.keys
-
+    inputs = attrgetter("start", "starts", "deposit", "sr", "reader", "keys")
     cases = form.read(name).cases
     shown = [inputs(case.trials[0]) for case in cases if not case.hidden and len(case.trials) == 1]
     assert any(inputs(trial) not in shown for case in cases for trial in case.trials)
@@ -86,13 +79,13 @@ def test_a_python_function_is_the_oracle(tmp_path: Path) -> None:
     (tmp_path / "own.pal").write_text(form.parse(RANDOM, "e").solution)
     text = RANDOM.replace("compare=['B']", "python='own.py:triple'").replace("to=0o3777", "to=100")
     text = text.replace(DOUBLE, "solution={file='own.pal'}\n")
-    exercise = parse(text, "e", folder=str(tmp_path))
+    made = parse(text, "e", folder=str(tmp_path))
     with pytest.raises(ExerciseError, match="e: random 1: drawn trial 4: core: a number from -2048 to 4095"):
         parse(text.replace("to=100", "to=0o3777"), "e", folder=str(tmp_path))
     with pytest.raises(ExerciseError, match=r"own\.py has no function 'double'"):
         parse(text.replace(":triple", ":double"), "e", folder=str(tmp_path))
-    assert not mark(exercise, exercise.solution).right
-    assert all(trial.core["B"] == 3 * int(trial.deposit["A"]) for trial in exercise.cases[0].trials)
+    assert not mark(made, made.solution).right
+    assert all(trial.core["B"] == 3 * int(trial.deposit["A"]) for trial in made.cases[0].trials)
 
 
 @pytest.mark.parametrize(
@@ -125,20 +118,14 @@ def test_a_random_case_that_cannot_be_drawn_is_refused(change: tuple[str, str], 
 
 
 def test_nothing_of_a_hidden_case_is_written() -> None:
-    text = (
-        HEAD
-        + "[[case]]\nname='h'\nhidden=true\ndeposit={A=0o6543}\ncore={A=0o3456}\ntape=[0o123]\nsr=0o4567\n"
-    )
-    exercise = parse(text, "e")
-    results = [mark(exercise, "*200\n\tTAD A\n\tDCA 300\n\tTAD 300\n\tTLS\n\tHLT\nA,\t0\n$\n")]
+    given = exercise("hidden=true\ndeposit={A=0o6543}\ncore={A=0o3456}\ntape=[0o123]\nsr=0o4567")
+    result = mark(given, "*200\n\tTAD A\n\tDCA 300\n\tTAD 300\n\tTLS\n\tHLT\nA,\t0\n$\n")
     said = [
-        *scores.details(results[0]), records.as_json(exercise, results), records.as_csv(exercise, results),
-        records.as_junit(exercise, results), page.html(exercise, results[0]), student.form(exercise),
+        *scores.details(result), records.as_json(given, [result]), records.as_csv(given, [result]),
+        records.as_junit(given, [result]), page.html(given, result), student.form(given),
     ]  # fmt: skip
-    assert [(found.hidden, bool(found.failures)) for found in results[0].marks] == [(True, True)]
-    assert [
-        number for number in ("6543", "3456", "123", "103", "4567") for each in said if number in each
-    ] == []
+    assert [(found.hidden, bool(found.failures)) for found in result.marks] == [(True, True)]
+    assert not any(word in each for word in ("6543", "3456", "123", "103", "4567") for each in said)
 
 
 @pytest.mark.parametrize(
@@ -159,16 +146,13 @@ def test_nothing_of_a_hidden_case_is_written() -> None:
         ("stop='limit'", "*200\n\tHLT\n$", "stopped elsewhere", "expected running on\n"),
         ("stop='tape out'", "*200\n\tCLA\n\tHLT\n$", "stopped elsewhere", "a halt at 0201"),
         ("ac=2", "*200\n\tCLA CLL IAC\n\tHLT\n$", "one off", "0001"),
-        ("ac=2", "*200\n\tCLA CLL CMA RAL\n\tHLT\n$", "the negative", "7776"),
         ("tape='AB'", "*200\n\tCLA\n\tHLT\n$", "nothing came", "0 frames, 2 expected"),
-        ("tape='A'", PUNCH.format("101"), "parity", "frame 0"),
         ("tape='AB'", PUNCH.format("301"), "too short", "frame 1"),
-        ("tape='A'", PUNCH.format("302"), "the first is wrong", "frame 0"),
         ("ac=1", "*200\n\tDCA B\nB,\tIAC\n\tHLT\n$", "wrote over itself", "a write over itself at 0201"),
     ],
 )  # fmt: skip
 def test_what_happened_is_told(case: str, source: str, happened: str, says: str) -> None:
-    (found,) = mark(parse(f"{HEAD}[[case]]\nname='c'\n{case}\n", "e"), source).marks
+    (found,) = mark(exercise(case), source).marks
     assert happened in [failure.happened for failure in found.failures]
     assert says in "\n".join(scores.said(found))
     assert "TSF" not in found.hint or happened == "waits for the printer"
@@ -193,15 +177,13 @@ def test_in_which_way_a_tape_a_page_or_a_word_differs(found: str) -> None:
 
 
 def test_a_hint_is_said_where_it_fits() -> None:
-    one = parse(HEAD + "[[case]]\nname='c'\nac=1\nhint='look at AC'\n", "e")
-    assert mark(one, "*200\n\tCLA\n\tHLT\n$").marks[0].hint == "look at AC"
-    (idle,) = mark(one, "*200\n\tJMP .\n$").marks
+    one = exercise("ac=1\nhint='look at AC'")
+    halt, idle = (mark(one, f"*200\n\t{word}\n$").marks[0] for word in ("HLT", "JMP ."))
+    assert halt.hint == "look at AC"
     assert ("look at AC" in idle.hint, idle.hidden) == (False, False)
-    each = parse(HEAD + "[[case]]\nname='c'\nac=1\nhint={'jumps to itself'='no JMP .', AC='look'}\n", "e")
-    assert [mark(each, f"*200\n\t{word}\n$").marks[0].hint for word in ("JMP .", "HLT")] == [
-        "no JMP .",
-        "look",
-    ]
+    each = exercise("ac=1\nhint={'jumps to itself'='no JMP .', AC='look'}")
+    hints = [mark(each, f"*200\n\t{word}\n$").marks[0].hint for word in ("JMP .", "HLT")]
+    assert hints == ["no JMP .", "look"]
 
 
 SHEET = "title='t'\ntask='t'\n[[question]]\nname='a'\nask='How many?'\n"
@@ -251,11 +233,10 @@ FORK = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no fork")
 
 @FORK
 def test_an_answer_that_takes_too_long_is_ended_and_the_next_is_marked() -> None:
-    exercise = parse(HEAD + "[[case]]\nname='c'\nseconds=3600\nac=1\n", "e")
     loop = handed.of(b"*200\nL,\tTLS\n\tJMP L\n$\n", "loop.pal")
     good = handed.of(b"*200\n\tCLA CLL IAC\n\tHLT\n$\n", "good.pal")
     before = signal.signal(signal.SIGPROF, signal.SIG_IGN)
-    results = bounded.marked(exercise, [good, loop, good], 0.3)
+    results = bounded.marked(exercise("seconds=3600\nac=1"), [good, loop, good], 0.3)
     signal.signal(signal.SIGPROF, before)
     assert [result.right for result in results] == [True, False, True]
     assert results[1].fault == "it took more than 0.3 s of processor time, and was ended"
@@ -269,8 +250,7 @@ def test_an_answer_that_takes_too_much_memory_is_ended(monkeypatch: pytest.Monke
         return Result(answer.name, (), 0)
 
     monkeypatch.setattr(marking, "mark", hungry)
-    exercise = parse(HEAD + "[[case]]\nname='c'\n", "e")
-    results = bounded.marked(exercise, [Answer("440"), Answer("520")])
+    results = bounded.marked(exercise(""), [Answer("440"), Answer("520")])
     assert [result.fault for result in results] == ["", "it took more than 512 MiB of memory, and was ended"]
 
 
@@ -295,11 +275,9 @@ def test_an_answers_marks_have_at_most_a_mebibyte(monkeypatch: pytest.MonkeyPatc
     spare = (1 << 21) - len(pickle.dumps(Result("a", (), 0, "x" * (1 << 20))))
     made = [Result("a", (), 0, "x" * size) for size in (spare, spare + 1)]
     monkeypatch.setattr(marking, "mark", lambda exercise, answer, dialect: made[int(answer.name)])
-    results = bounded.marked(parse(HEAD + "[[case]]\nname='c'\n", "e"), [Answer("0"), Answer("1")])
-    assert [result.fault for result in results] == [
-        made[0].fault,
-        "its tapes and pages have more than 1,048,576 bytes",
-    ]
+    results = bounded.marked(exercise(""), [Answer("0"), Answer("1")])
+    too_many = "its tapes and pages have more than 1,048,576 bytes"
+    assert [result.fault for result in results] == [made[0].fault, too_many]
 
 
 def test_an_error_of_ours_is_no_fault_of_an_answer(
@@ -311,7 +289,7 @@ def test_an_error_of_ours_is_no_fault_of_an_answer(
     monkeypatch.setattr(marking, "mark", broken)
     for error in (RuntimeError, KeyError):
         with pytest.raises(error):
-            bounded.marked(parse(HEAD + "[[case]]\nname='c'\n", "e"), [Answer("a")])
+            bounded.marked(exercise(""), [Answer("a")])
         monkeypatch.delattr("os.fork", raising=False)
     assert capfd.readouterr().err.endswith("KeyError: 'a'\n")
 
@@ -377,8 +355,8 @@ def test_a_students_form_marks_without_the_solution(name: str) -> None:
 
 
 def test_a_students_form_has_what_is_not_as_usual() -> None:
-    text = "hint='\u00fc'\nac=1\n[[case]]\nname='h'\nhidden=true\n"
-    assert student.form(parse(f"{HEAD}[[case]]\nname='c'\n{text}", "e")) == json.dumps(
+    given = exercise("hint='\u00fc'\nac=1\n[[case]]\nname='h'\nhidden=true")
+    assert student.form(given) == json.dumps(
         {"title": "t", "task": "t", "case": [{"name": "c", "hint": [["", "\u00fc"]], "trial": [{"ac": 1}]}]},
         indent=1, ensure_ascii=False,
     ) + "\n"  # fmt: skip
