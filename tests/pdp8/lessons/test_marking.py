@@ -4,7 +4,6 @@ import io
 import json
 import re
 import sys
-from html import escape
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -13,27 +12,12 @@ from rich.console import Console
 
 import pal
 from pdp8.lessons import handed, marking, page, records, scores
-from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.form import parse
-from pdp8.lessons.marking import Result
 from tests.conftest import Shell
-
-
-def exercise(case: str, program: str = "") -> Exercise:
-    head = f"title='t'\ntask='t'\nsolution='x'\n{program}\n[[case]]\nname='the case'\n"
-    return parse(head + case, "e")
-
-
-def mark(case: str, source: str, program: str = "") -> Result:
-    return marking.mark(exercise(case, program), handed.of(source.encode(), "a.pal"))
-
-
-def failed(case: str, source: str) -> list[tuple[str, str | bytes]]:
-    return [(failure.what, failure.got) for failure in mark(case, source).marks[0].failures]
-
+from tests.pdp8.lessons import HEAD, PUNCH, exercise, mark
 
 IAC = "*200\n\tCLA CLL IAC\n\tDCA A\n\tTAD A\n\tHLT\nA,\t0\n$\n"
-PUNCH = "*200\n\tTAD A\n\tTLS\n\tTSF\n\tJMP .-1\n\tHLT\nA,\t301\n$\n"
+TYPE_A = PUNCH.format("301")
 LOOP = "*200\n\tJMP .\n$\n"
 
 
@@ -52,30 +36,31 @@ LOOP = "*200\n\tJMP .\n$\n"
         ("stop='tape out'", IAC, [("the end", "a halt at 0203")]),
         ("instructions=4", IAC, []),
         ("instructions=3", IAC, [("instructions", "4")]),
-        ("tape=[0o301]\npage='A'", PUNCH, []),
-        ("tape='B'", PUNCH, [("the tape", b"\xc1")]),
-        ("page='AB'", PUNCH, [("the page", "A")]),
-        ("tape=''", PUNCH, [("the tape", b"\xc1")]),
+        ("tape=[0o301]\npage='A'", TYPE_A, []),
+        ("tape='B'", TYPE_A, [("the tape", b"\xc1")]),
+        ("page='AB'", TYPE_A, [("the page", "A")]),
+        ("tape=''", TYPE_A, [("the tape", b"\xc1")]),
         ("stop='idle'", LOOP, []),
         ("takes=[9.6e-6, 9.6e-6]", IAC, []),
         ("takes=[9.7e-6, 1]", IAC, [("the time", "9.6e-06 s")]),
         ("takes=[0, 9.5e-6]", IAC, [("the time", "9.6e-06 s")]),
         ("ac=0o5200", "*200\n\tCLA CLL\n\tTAD 300\n\tHLT\n$\n", []),
         ("starts=2\ninstructions=4", IAC, []),
-        ("starts=2\ntape=[0o301]\npage='A'", PUNCH, []),
+        ("starts=2\ntape=[0o301]\npage='A'", TYPE_A, []),
         ("seconds=0.1\nstop='limit'", "*200\n\tISZ 300\n\tJMP 200\n\tJMP 200\n$\n", []),
     ],
 )  # fmt: skip
 def test_an_expectation_notices_what_differs(
     case: str, source: str, wrong: list[tuple[str, str | bytes]]
 ) -> None:
-    assert failed(case, source) == wrong
+    (found,) = mark(exercise(case), source).marks
+    assert [(failure.what, failure.got) for failure in found.failures] == wrong
 
 
 def test_the_inputs_of_the_trial_that_failed_are_told() -> None:
     keys, deposit = f'keys="{"A" * 24}"', 'deposit={"300"=7,"301"="A"}'
     second = f"ac=2\nsr=0o17\nreader={[0o200, 1] + [2] * 23}\n{keys}\n{deposit}"
-    (found,) = mark(f"[[case.trial]]\nac=1\n[[case.trial]]\n{second}", IAC).marks
+    (found,) = mark(exercise(f"[[case.trial]]\nac=1\n[[case.trial]]\n{second}"), IAC).marks
     assert found.inputs == (
         f"0300 = 0007, 0301 = A, switches 0017, tape 200 001 {'002 ' * 22}..., keys {' '.join(['301'] * 24)}"
     )
@@ -102,23 +87,21 @@ NO_SOURCE = "this exercise looks at the source: hand in PAL, not a tape"
     ],
 )
 def test_an_answer_that_breaks_a_rule_has_no_points(rule: str, answer: str | bytes, fault: str) -> None:
-    content = answer.encode() if isinstance(answer, str) else answer
-    case = "ac=1" if rule else "core={A=1}"
-    result = marking.mark(exercise(case, f"[program]\n{rule}"), handed.of(content, "a"))
+    result = mark(exercise("ac=1" if rule else "core={A=1}", f"[program]\n{rule}"), answer)
     assert (result.fault, result.points, result.right) == (fault, int(not fault), not fault)
 
 
 @pytest.mark.parametrize(("count", "more"), [(5, []), (6, ["and 1 more"]), (15, ["and 10 more"])])
 def test_five_errors_of_a_source_are_told(count: int, more: list[str]) -> None:
     wrong = "".join(f"\tJMP Q{at}\n" for at in range(count))
-    assert mark("ac=1", f"*200\n{wrong}$\n").fault.splitlines()[20:] == more
+    assert mark(exercise("ac=1"), f"*200\n{wrong}$\n").fault.splitlines()[20:] == more
 
 
 def test_a_line_of_a_sheet_is_marked_by_its_name() -> None:
-    sheet = parse("title='t'\ntask='t'\n[[question]]\nname='A'\nask='?'\nanswer='1234 or 7'\n", "e")
-    assert marking.mark(sheet, handed.of(b"a) 01,234 OR  007", "a.txt")).right
+    sheet = parse(f"{HEAD}[[question]]\nname='A'\nask='?'\nanswer='1234 or 7'\n", "e")
+    assert mark(sheet, "a) 01,234 OR  007").right
     for given, got in (("a: 8", "8"), ("b: 7", "nothing")):
-        (found,) = marking.mark(sheet, handed.of(given.encode(), "a.txt")).marks
+        (found,) = mark(sheet, given).marks
         assert [failure.got for failure in found.failures] == [got]
 
 
@@ -192,6 +175,7 @@ def test_two_long_tapes_are_shown_where_they_differ() -> None:
     assert [line.split()[0] for line in shown.splitlines()[2:]] == [str(at) for at in range(3998, 4005)]
 
 
+CLASS = Path(__file__).parent / "class"
 GIVEN = parse(
     "title='t'\ntask=' do '\nsolution='x'\n[[case]]\nname='sum'\n[[case]]\nname='A<B'\npoints=2\n", "e"
 )
@@ -201,110 +185,26 @@ FAILURES = (
     *(marking.Failure("the end", "a", "b"), marking.Failure("AC", "1", "2"), marking.Failure("L", "1", "0")),
 )
 MARKS = (marking.Mark("sum", 1, 1), marking.Mark("A<B", 0, 2, FAILURES, "l<k\x1b", "A <1"))
-CLASS = [
-    marking.Result("ana\n", MARKS, 3),
-    marking.Result("=b\x1b", (), 3, "no\tword"),
-    *(marking.Result(name, MARKS[:1], 1) for name in ("+c", "-d", "@e")),
-]
-SAID = """\
-SUM          expected 0001
-                  got 0000
-                      ---^
-the time     10 s
-instructions got 7
-the tape: 2 frames, 3 expected; the first difference is frame 2
-   frame    expected               got
-       0    |     .  o| 001      |     .  o| 001
-       1    |     . o | 002      |     . o | 002
-       2    |     . oo| 003      no frame           <--
-the end      expected a
-                  got b
-AC           expected 1
-                  got 2
-                      ^
-and 1 more"""
-WRONG = "SUM, the time, instructions, the tape, the end, AC, L"
-XML = f"""\
-<?xml version="1.0" encoding="utf-8"?>
-<testsuites name="e">
-  <testsuite name="ana&#10;" tests="2" failures="1">
-    <testcase name="sum" classname="e" />
-    <testcase name="A&lt;B" classname="e">
-      <failure message="not as expected: {WRONG}">{escape(SAID)}
-hint: l&lt;k\u241b</failure>
-    </testcase>
-  </testsuite>
-  <testsuite name="=b\u241b" tests="2" failures="2">
-    <testcase name="sum" classname="e">
-      <failure message="not as expected: fault">no      word</failure>
-    </testcase>
-    <testcase name="A&lt;B" classname="e">
-      <failure message="not as expected: fault">no      word</failure>
-    </testcase>
-  </testsuite>
-</testsuites>
-"""
-CSV = """\
-answer,sum,A<B,points,of,fault
-ana\u240a,1,0,1,3,
-'=b\u241b,0,0,0,3,no\u2409word
-'+c,1,1,1,
-'-d,1,1,1,
-'@e,1,1,1,
-"""
-TABLE = """\
-answer  \u2026  \u2026  points
-ana\u240a    1  -   1 / 3
-=b\u241b     -  -   0 / 3
-answer  sum  A<B  points
-ana\u240a     1    -    1 / 3
-=b\u241b      -    -    0 / 3
-"""
-HTML = f"""\
-<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><title>t: ana\u240a</title>
-<meta name="viewport" content="width=device-width"><style></style></head><body>
-<h1>t</h1>
-<p><strong>ana\u240a: 1 of 3 points</strong></p>
-<p>do</p>
-<table><tr><th>tried</th><th>points</th><th></th></tr>
-<tr><td>sum</td><td>1 of 1</td><td>right</td></tr>
-<tr><td>A&lt;B</td><td>0 of 2</td><td>not yet</td></tr>
-</table>
-<h2>A&lt;B</h2>
-<p>Tried with A &lt;1.</p>
-<pre>{escape(SAID)}</pre>
-<p class="hint">l&lt;k\x1b</p>
-</body></html>
-"""
+ANA, BEN = marking.Result("ana\n", MARKS, 3), marking.Result("=b\x1b", (), 3, "no\tword")
+FORMULAS = [marking.Result(name, MARKS[:1], 1) for name in ("+c", "-d", "@e")]
 
 
 def test_marks_for_people_and_machines() -> None:
-    assert records.as_junit(GIVEN, CLASS[:2]) == XML
-    assert records.as_csv(GIVEN, CLASS) == CSV
     shown = io.StringIO()
     for width in (20, 40):
-        Console(file=shown, width=width).print(scores.table(GIVEN, CLASS[:2]))
-    assert shown.getvalue() == TABLE
-    assert re.sub(r"(?s)<style>.*</style>", "<style></style>", page.html(GIVEN, CLASS[0])) == HTML
-    assert list(page.body(CLASS[1])) == ["<h2>It was not tried</h2><pre>no      word</pre>"]
-    lines = [line for result in CLASS[:2] for line in scores.details(result)]
-    assert lines == [
-        *("ana\n: A<B, with A <1", *(f"  {line}" for line in SAID.splitlines()), "  hint: l<k\x1b"),
-        *("=b\x1b: no points", "  no      word"),
-    ]
-    failures = [
-        {"what": each.what, "happened": each.happened, "expected": each.expected, "got": each.got}
-        for each in FAILURES
-    ]
-    failures[3] |= {"expected": "001 002 003", "got": "001 002"}
-    right = {"name": "sum", "points": 1, "of": 1, "hidden": False, "inputs": None, "hint": None}
-    wrong = right | {"name": "A<B", "points": 0, "of": 2, "inputs": "A <1", "hint": "l<k\x1b"}
-    marks = [right | {"failures": []}, wrong | {"failures": failures}]
-    ana = {"answer": "ana\n", "right": False, "points": 1, "of": 3, "fault": None, "marks": marks}
-    ben = {"answer": "=b\x1b", "right": False, "points": 0, "of": 3, "fault": "no\tword", "marks": []}
-    record = {"exercise": "e", "title": "t", "answers": [ana, ben]}
-    assert records.as_json(GIVEN, CLASS[:2]) == json.dumps(record, indent=2) + "\n"
+        Console(file=shown, width=width).print(scores.table(GIVEN, [ANA, BEN]))
+    details = [line for result in (ANA, BEN) for line in scores.details(result)]
+    written = {
+        "marks.xml": records.as_junit(GIVEN, [ANA, BEN]),
+        "marks.csv": records.as_csv(GIVEN, [ANA, BEN, *FORMULAS]),
+        "marks.json": records.as_json(GIVEN, [ANA, BEN]),
+        "ana.html": re.sub(r"(?s)<style>.*</style>", "<style></style>", page.html(GIVEN, ANA)),
+        "table.txt": shown.getvalue(),
+        "details.txt": "\n".join(details) + "\n",
+    }
+    for name, text in written.items():
+        assert text == (CLASS / name).read_text("utf-8"), name
+    assert list(page.body(BEN)) == ["<h2>It was not tried</h2><pre>no      word</pre>"]
 
 
 @pytest.mark.parametrize(
