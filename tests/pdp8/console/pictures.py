@@ -4,10 +4,8 @@ from collections.abc import Awaitable, Callable
 from functools import wraps
 from inspect import signature
 from pathlib import Path
-from typing import Any
 
 import pytest
-from textual.pilot import Pilot
 
 from pdp8.console.app import Room
 from pdp8.console.opening import opening
@@ -16,38 +14,31 @@ from tests.conftest import awaited
 
 PICTURES = Path(__file__).parent / "pictures"
 
-Scene = Callable[[Room, Pilot[None]], Awaitable[None]]
 
-
-def play(
-    scene: Scene,
+def scene(
     size: tuple[int, int] = (100, 30),
     program: str | None = None,
     reader: str | None = None,
     drill: str = "",
     left_alone: float | None = None,
-) -> None:
-    """Play the scene in a room whose terminal has `size` columns and lines and whose clock stands still."""
-
-    async def perform() -> None:
-        session, programs = opening(program, reader, clock=lambda: 0.0)
-        tapes = ("bin.rim", programs[1].words), ("eia.bin", programs[2].words)
-        coach = Coach(find(drill, tapes), session.machine, left_alone) if drill else None
-        room = Room(session, programs, ticking=False, coach=coach)
-        async with room.run_test(size=size) as pilot:
-            await pilot.pause()
-            await scene(room, pilot)
-
-    awaited(perform())
-
-
-def scene(**room: Any) -> Callable[[Callable[..., Awaitable[None]]], Callable[..., None]]:
-    """Make a test of a scene in a room, as `play` has it: after the room and the pilot it takes fixtures."""
+) -> Callable[[Callable[..., Awaitable[None]]], Callable[..., None]]:
+    """Make a test of a scene in a room whose terminal has `size` columns and lines and whose clock stands
+    still: after the room and the pilot it takes fixtures.
+    """
 
     def made(act: Callable[..., Awaitable[None]]) -> Callable[..., None]:
+        async def perform(fixtures: dict[str, object]) -> None:
+            session, programs = opening(program, reader, clock=lambda: 0.0)
+            tapes = ("bin.rim", programs[1].words), ("eia.bin", programs[2].words)
+            coach = Coach(find(drill, tapes), session.machine, left_alone) if drill else None
+            room = Room(session, programs, ticking=False, coach=coach)
+            async with room.run_test(size=size) as pilot:
+                await pilot.pause()
+                await act(room, pilot, **fixtures)
+
         @wraps(act)
         def test(**fixtures: object) -> None:
-            play(lambda room, pilot: act(room, pilot, **fixtures), **room)
+            awaited(perform(fixtures))
 
         _, _, *taken = signature(act).parameters.values()
         test.__signature__ = signature(act).replace(parameters=taken)  # type: ignore[attr-defined]

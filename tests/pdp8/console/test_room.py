@@ -14,14 +14,14 @@ from pdp8.console.app import Room
 from pdp8.console.switches import Rocker
 from tapes import shelf
 from tests.conftest import assert_same_tape, case
-from tests.pdp8.console.pictures import assert_shows, play, scene, shown
+from tests.pdp8.console.pictures import assert_shows, scene, shown
 from tests.pdp8.console.test_session import RIM_WORDS
-
-CIRCLE = shelf.read("circle.asc")
 
 
 async def press(pilot: Pilot[None], keys: str) -> None:
+    """Press keys, and wait until what they do is drawn."""
     await pilot.press(*keys.split())
+    await pilot.pause()
 
 
 async def dial(pilot: Pilot[None], word: int) -> None:
@@ -31,7 +31,6 @@ async def dial(pilot: Pilot[None], word: int) -> None:
 async def mount(pilot: Pilot[None], place: int) -> None:
     """Choose the tape at `place` of those at hand."""
     await press(pilot, "o " + "down " * place + "enter")
-    await pilot.pause()
 
 
 def turn(room: Room, seconds: float) -> None:
@@ -103,8 +102,7 @@ async def test_switches_by_hand_and_by_mouse(room: Room, pilot: Pilot[None]) -> 
     assert machine.ma == 0o2401
     await pilot.click("#mem_prot")
     await pilot.click("#sing_step")
-    assert machine.panel.mem_prot
-    assert machine.panel.sing_step
+    assert (machine.panel.mem_prot, machine.panel.sing_step) == (True, True)
     assert [rocker.up for rocker in room.query(Rocker)].count(True) == 2
 
 
@@ -119,15 +117,15 @@ async def test_sing_step_by_cycle_with_the_listing(room: Room, pilot: Pilot[None
 
 
 @pytest.mark.parametrize("size", [(80, 24), (100, 30), (160, 45)], ids=lambda size: f"{size[0]}x{size[1]}")
-def test_the_room_in_terminals_of_three_sizes(size: tuple[int, int]) -> None:
-    async def scene(room: Room, pilot: Pilot[None]) -> None:
-        await press(pilot, "p p s")
-        turn(room, 0.5)
-        await press(pilot, "t")
-        await pilot.pause()
-        assert_shows(room, f"translating, {size[0]}x{size[1]}")
-
-    play(scene, size, "eia.pal", "circle.asc")
+@scene(program="eia.pal", reader="circle.asc")
+async def test_the_room_in_terminals_of_three_sizes(
+    room: Room, pilot: Pilot[None], size: tuple[int, int]
+) -> None:
+    await pilot.resize_terminal(*size)
+    await press(pilot, "p p s")
+    turn(room, 0.5)
+    await press(pilot, "t")
+    assert_shows(room, f"translating, {size[0]}x{size[1]}")
 
 
 @scene(size=(60, 20))
@@ -157,13 +155,10 @@ async def test_typing_at_the_teletype(room: Room, pilot: Pilot[None]) -> None:
 async def test_pages_pace_lever_and_punch(room: Room, pilot: Pilot[None]) -> None:
     assert "RIM loader" in shown(room)
     await press(pilot, "g")
-    await pilot.pause()
     assert "listing of" in shown(room)
     await press(pilot, "g")
-    await pilot.pause()
     assert "core about the PC" in shown(room)
     await press(pilot, "v u p")
-    await pilot.pause()
     assert "STOP · reader" in shown(room)
     assert "punch OFF" in shown(room)
     assert "×10" in shown(room)
@@ -181,7 +176,6 @@ async def test_tearing_off_and_reading_again(room: Room, pilot: Pilot[None], tmp
     for name, stays in ((".", True), ("own.pal", True), ("mine.eia", False)):
         room.screen.query_one("Input").value = f"{tmp_path}/{name}"  # type: ignore[attr-defined]
         await press(pilot, "enter")
-        await pilot.pause()
         assert bool(room.session.machine.teletype.punch.frames) == stays
         if stays:
             await press(pilot, "w")
@@ -196,21 +190,17 @@ async def test_leaving_asks_for_a_tape_that_is_not_torn_off(room: Room, pilot: P
     await press(pilot, "q")
     assert "2 frames punched and not torn off" in shown(room)
     await press(pilot, "n")
-    await pilot.pause()
     assert len(room.screen_stack) == 1
     assert room.is_running
     await press(pilot, "q y")
-    await pilot.pause()
     assert not room.is_running or room._exit
 
 
 @scene()
 async def test_a_tape_that_is_not_there_is_named(room: Room, pilot: Pilot[None]) -> None:
     await press(pilot, "o n o enter")
-    await pilot.pause()
     assert "no: no such file" in shown(room)
     await press(pilot, "t")
-    await pilot.pause()
     assert "no such file" not in shown(room)
     await press(pilot, "escape")
     assert not room.session.machine.teletype.reader.loaded
@@ -228,7 +218,6 @@ async def test_enter_takes_the_tape_whose_name_stands_on_the_line(room: Room, pi
         with case(keys):
             at_hand = {tape.name: tape.frames for tape in room.session.tapes}
             await press(pilot, "o " + keys)
-            await pilot.pause()
             assert len(room.screen_stack) == 1
             assert room.session.reader_tape == name
             frames = at_hand.get(name) or shelf.read(name)
@@ -240,11 +229,9 @@ async def test_a_tape_at_hand_is_lit_while_its_name_stands_there_and_taken_by_a_
     room: Room, pilot: Pilot[None]
 ) -> None:
     await press(pilot, "o e i a full_stop b i n")
-    await pilot.pause()
     assert_shows(room, "choosing a tape, 80x24")
     assert room.screen.query_one(OptionList).highlighted == 1
     await press(pilot, "x")
-    await pilot.pause()
     assert room.screen.query_one(OptionList).highlighted is None
     await pilot.click(OptionList, offset=(2, 2))
     await pilot.pause()
@@ -272,7 +259,6 @@ async def test_ctrl_c_leaves_a_question_as_escape_does(room: Room, pilot: Pilot[
         await press(pilot, question)
         assert len(room.screen_stack) == 2
         await press(pilot, leave)
-        await pilot.pause()
         assert len(room.screen_stack) == 1
     assert not room.session.machine.teletype.reader.loaded
     assert not room._notifications
