@@ -4,17 +4,63 @@ Addresses, words and lines are those of add_and_type.pal, worked out by hand.
 """
 
 import base64
+import json
 import shutil
 import subprocess
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import pytest
 
 from tests.commands import BIN
-from tests.pdp8.dap.editor import Seen, Step, launched, play
+from tests.pdp8.web.node import NODE
 
+NPM = Path(__file__).parents[2] / "node"
 PROGRAM = "add_and_type.pal"
+
+Step = Sequence[Any]
+
+
+class Seen(NamedTuple):
+    """What an editor was answered, step by step, and what was put out, each with its category."""
+
+    answers: list[dict[str, Any]]
+    output: list[tuple[str, str]]
+
+    @property
+    def page(self) -> str:
+        """What the Teletype has printed."""
+        return "".join(text for category, text in self.output if category == "stdout")
+
+
+def play(folder: Path, *steps: Step) -> Seen:
+    """Hold a conversation: each step is a request, its arguments, the event that is to come of it."""
+    if NODE is None or not (NPM / "node_modules" / "@vscode").exists():
+        pytest.skip("the debug client is not installed: npm install --prefix tests/node")
+    whole = [[*step, *({}, None)[len(step) - 1 :]] for step in steps]
+    asked = {"adapter": [str(BIN / "pdp8"), "dap"], "steps": whole}
+    done = subprocess.run(
+        [NODE, str(NPM / "debug_client.mjs")],
+        input=json.dumps(asked),
+        capture_output=True,
+        text=True,
+        cwd=folder,
+        check=False,
+        timeout=60,
+    )
+    assert done.returncode == 0, done.stderr
+    return Seen(**json.loads(done.stdout))
+
+
+def launched(arguments: dict[str, Any], *breakpoints: Step) -> list[Step]:
+    """Return the steps up to where the program stands before its first instruction."""
+    return [
+        ["initialize", {"adapterID": "pdp8", "linesStartAt1": True}],
+        ["launch", {"stopOnEntry": True, **arguments}, "initialized"],
+        *breakpoints,
+        ["configurationDone", {}, "stopped"],
+    ]
 
 
 @pytest.fixture
@@ -29,6 +75,20 @@ def console(line: str) -> Step:
     return ["evaluate", {"expression": line, "context": "repl"}]
 
 
+def data(*words: int) -> str:
+    """Return words as an editor has memory: two bytes each, in base 64."""
+    return base64.b64encode(b"".join(word.to_bytes(2, "big") for word in words)).decode()
+
+
+def assert_told(folder: Path, arguments: dict[str, Any], *asked: tuple[Step, str]) -> Seen:
+    """Take each step once the program stands before its first instruction; its answer has the texts."""
+    seen = play(folder, *launched(arguments), *(step for step, _ in asked))
+    for answer, (step, texts) in zip(seen.answers[3:], asked, strict=True):
+        told = json.dumps(answer, ensure_ascii=False)
+        assert [text for text in texts.split(" ... ") if text not in told] == [], (step, told)
+    return seen
+
+
 WHERE: Step = ["stackTrace", {"threadId": 1}]
 
 
@@ -37,14 +97,23 @@ def where(answer: dict[str, Any]) -> list[tuple[str, int]]:
     return [(frame["name"], frame["line"]) for frame in answer["body"]["stackFrames"]]
 
 
-def stops(seen: Seen) -> list[str]:
-    """Return why the machine stopped, each time that it did."""
-    return [answer["event"]["reason"] for answer in seen.answers if (answer.get("event") or {}).get("reason")]
-
-
 def test_breakpoints_and_steps_in_both_directions(folder: Path) -> None:
     lines = [{"line": 12}, {"line": 13}, {"line": 16}, {"line": 99}]
-    moves = ("next", "stepIn", "stepOut", "stepBack", "stepOut", *["continue"] * 4, *["reverseContinue"] * 4)
+    moves = [
+        ("next", [("0201  main program", 6)]),
+        ("stepIn", [("0214  ADD", 18), ("0201  main program", 6)]),
+        ("stepOut", [("0203  main program", 8)]),
+        ("stepBack", [("0216  ADD", 20), ("0201  main program", 6)]),
+        ("stepOut", [("0203  main program", 8)]),
+        ("continue", [("0207  main program", 12)]),
+        ("continue", [("0220  TYPE", 22), ("0207  main program", 12)]),
+        ("continue", [("0210  main program", 13)]),
+        ("continue", [("0207  main program", 12)]),
+        ("reverseContinue", [("0210  main program", 13)]),
+        ("reverseContinue", [("0220  TYPE", 22), ("0207  main program", 12)]),
+        ("reverseContinue", [("0207  main program", 12)]),
+        ("reverseContinue", [("0214  ADD", 18), ("0201  main program", 6)]),
+    ]
     seen = play(
         folder,
         *launched(
@@ -53,31 +122,18 @@ def test_breakpoints_and_steps_in_both_directions(folder: Path) -> None:
             ["setBreakpoints", {"source": {"path": "/other.pal"}, "breakpoints": [{"line": 1}]}],
             ["setFunctionBreakpoints", {"breakpoints": [{"name": "TYPE"}, {"name": "206"}, {"name": "NIX"}]}],
         ),
-        *(step for move in moves for step in ([move, {"threadId": 1}, "stopped"], WHERE)),
+        *(step for move, _ in moves for step in ([move, {"threadId": 1}, "stopped"], WHERE)),
         ["stepBack", {"threadId": 1}],
     )
-    points = seen.answers[2]["body"]["breakpoints"]
-    placed = [(point["verified"], point["line"]) for point in points]
-    assert placed == [(True, 12), (True, 13), (True, 17), (False, 99)]
-    assert not seen.answers[3]["body"]["breakpoints"][0]["verified"]
-    assert [point["verified"] for point in seen.answers[4]["body"]["breakpoints"]] == [True, True, False]
-    assert [where(answer) for answer in seen.answers[7::2]] == [
-        [("0201  main program", 6)],
-        [("0214  ADD", 18), ("0201  main program", 6)],
-        [("0203  main program", 8)],
-        [("0216  ADD", 20), ("0201  main program", 6)],
-        [("0203  main program", 8)],
-        [("0207  main program", 12)],
-        [("0220  TYPE", 22), ("0207  main program", 12)],
-        [("0210  main program", 13)],
-        [("0207  main program", 12)],
-        [("0210  main program", 13)],
-        [("0220  TYPE", 22), ("0207  main program", 12)],
-        [("0207  main program", 12)],
-        [("0214  ADD", 18), ("0201  main program", 6)],
-    ]
+    placed, other, functions = (answer["body"]["breakpoints"] for answer in seen.answers[2:5])
+    verified = [(point["verified"], point["line"]) for point in placed]
+    assert verified == [(True, 12), (True, 13), (True, 17), (False, 99)]
+    assert [point["verified"] for point in (*other, *functions)] == [False, True, True, False]
+    for (move, frames), answer in zip(moves, seen.answers[7::2], strict=True):
+        assert where(answer) == frames, move
     kinds = ["breakpoint", "function breakpoint", "breakpoint", "breakpoint"]
-    assert stops(seen) == ["entry", *["step"] * 5, *kinds * 2]
+    stops = [answer["event"]["reason"] for answer in seen.answers[5:] if answer.get("event")]
+    assert stops == ["entry", *["step"] * 5, *kinds * 2]
     assert seen.page == "H"
     assert [answer for answer in seen.answers if "error" in answer] == []
 
@@ -98,77 +154,60 @@ def test_a_subroutine_that_waits_right_behind_its_call_is_left(folder: Path) -> 
 
 
 def test_what_the_machine_holds_is_shown_and_set(folder: Path) -> None:
-    words = base64.b64encode(bytes([0o7402 >> 8, 0o7402 & 0xFF])).decode()
-    seen = play(
+    def setting(scope: int, name: str, value: str) -> Step:
+        return ["setVariable", {"variablesReference": scope, "name": name, "value": value}]
+
+    def variables(scope: int) -> Step:
+        return ["variables", {"variablesReference": scope}]
+
+    def disassembled(address: str, offset: int, count: int) -> Step:
+        return memory("disassemble", address, instructionOffset=offset, instructionCount=count)
+
+    def memory(request: str, address: str, **more: object) -> Step:
+        return [request, {"memoryReference": address, **more}]
+
+    assert_told(
         folder,
-        *launched({"program": PROGRAM, "sr": "4321"}),
-        ["setVariable", {"variablesReference": 1, "name": "AC", "value": "1234"}],
-        ["setVariable", {"variablesReference": 1, "name": "AC", "value": "12345"}],
-        ["setVariable", {"variablesReference": 3, "name": "SUM", "value": "0007"}],
-        ["setVariable", {"variablesReference": 2, "name": "RUN", "value": "1"}],
-        ["variables", {"variablesReference": 1}],
-        ["variables", {"variablesReference": 2}],
-        ["variables", {"variablesReference": 4}],
-        ["writeMemory", {"memoryReference": "0x0100", "offset": 2, "data": words}],
-        ["writeMemory", {"memoryReference": "0x0100", "data": base64.b64encode(b"\xff\xff").decode()}],
-        ["readMemory", {"memoryReference": "0x0100", "offset": 0, "count": 4}],
-        ["readMemory", {"memoryReference": "0x0000", "offset": 8190, "count": 4}],
-        ["disassemble", {"memoryReference": "0x0100", "instructionOffset": 1, "instructionCount": 2}],
-        ["disassemble", {"memoryReference": "0x0000", "instructionOffset": -1, "instructionCount": 1}],
-        ["dataBreakpointInfo", {"variablesReference": 3, "name": "SUM"}],
-        ["setDataBreakpoints", {"breakpoints": [{"dataId": "0212"}]}],
-        ["setVariable", {"variablesReference": 1, "name": "PC", "value": "0210"}],
-        ["continue", {"threadId": 1}, "stopped"],
-        ["evaluate", {"expression": "SUM", "context": "hover"}],
-        ["reverseContinue", {"threadId": 1}, "stopped"],
-        ["evaluate", {"expression": "SUM", "context": "watch"}],
-        ["evaluate", {"expression": "CUONT", "context": "hover"}],
-        console("examine SUM"),
+        {"program": PROGRAM, "sr": "4321"},
+        (setting(1, "AC", "1234"), '"value": "1234"'),
+        (setting(1, "AC", "12345"), '"error": "12345: '),
+        (setting(3, "SUM", "0007"), '"value": "0007"'),
+        (setting(2, "RUN", "1"), "lamps only show"),
+        (variables(1), '"AC", "value": "1234" ... "PC", "value": "0200" ... "SR", "value": "4321"'),
+        (variables(2), '"AC", "value": "○○● ○●○ ○●● ●○○"'),
+        (variables(4), '{"variables": [{"name": "03 Receiver", ... "name": "04 Transmitter", '),
+        (memory("writeMemory", "0x0100", offset=2, data=data(0o7402)), '"bytesWritten": 2'),
+        (memory("writeMemory", "0x0100", data=data(0o177777)), "177777 into 0200"),
+        (memory("readMemory", "0x0100", offset=0, count=4), f'"data": "{data(0o7300, 0o7402)}"'),
+        (memory("readMemory", "0x0000", offset=8190, count=4), '"unreadableBytes": 2'),
+        (disassembled("0x0100", 1, 2), '"0201  HLT" ... "0202  AND 0005"'),
+        (disassembled("0x0000", -1, 1), '"invalid"'),
+        (["dataBreakpointInfo", {"variablesReference": 3, "name": "SUM"}], '"dataId": "0212"'),
+        (["setDataBreakpoints", {"breakpoints": [{"dataId": "0212"}]}], '"verified": true'),
+        (setting(1, "PC", "0210"), '"value": "0210"'),
+        (["continue", {"threadId": 1}, "stopped"], '"reason": "data breakpoint"'),
+        (["evaluate", {"expression": "SUM", "context": "hover"}], '"0212  0010          AND 0010"'),
+        (["reverseContinue", {"threadId": 1}, "stopped"], '"reason": "data breakpoint"'),
+        (["evaluate", {"expression": "SUM", "context": "watch"}], '"0212  0007          AND 0007"'),
+        (["evaluate", {"expression": "CUONT", "context": "hover"}], '"error": "CUONT: '),
+        (console("examine SUM"), '"0212  0007          AND 0007"'),
     )
-    answers = seen.answers[3:]
-    assert answers[0]["body"]["value"] == "1234"
-    assert "12345" in answers[1]["error"]
-    assert answers[2]["body"]["value"] == "0007"
-    assert "lamps only show" in answers[3]["error"]
-    registers = {each["name"]: each["value"] for each in answers[4]["body"]["variables"]}
-    assert (registers["AC"], registers["SR"], registers["PC"]) == ("1234", "4321", "0200")
-    lamps = {each["name"]: each["value"] for each in answers[5]["body"]["variables"]}
-    assert lamps["AC"] == "○○● ○●○ ○●● ●○○"
-    assert [each["name"] for each in answers[6]["body"]["variables"]] == ["03 Receiver", "04 Transmitter"]
-    assert answers[7]["body"] == {"bytesWritten": 2}
-    assert "177777 into 0200" in answers[8]["error"]
-    assert base64.b64decode(answers[9]["body"]["data"]) == bytes([0o7300 >> 8, 0o300, 0o7402 >> 8, 0o2])
-    assert answers[10]["body"]["unreadableBytes"] == 2
-    instructions = [each["instruction"] for each in answers[11]["body"]["instructions"]]
-    assert instructions == ["0201  HLT", "0202  AND 0005"]
-    assert answers[12]["body"]["instructions"][0]["presentationHint"] == "invalid"
-    assert answers[13]["body"]["dataId"] == "0212"
-    assert answers[16]["event"]["reason"] == "data breakpoint"
-    assert answers[17]["body"]["result"].split() == ["0212", "0010", "AND", "0010"]
-    assert answers[18]["event"]["reason"] == "data breakpoint"
-    assert answers[19]["body"]["result"].split() == ["0212", "0007", "AND", "0007"]
-    assert "CUONT" in answers[20]["error"]
-    assert answers[21]["body"]["result"] == answers[19]["body"]["result"]
 
 
 def test_a_program_that_waits_is_typed_to_paused_and_restarted(folder: Path) -> None:
-    seen = play(
+    seen = assert_told(
         folder,
-        *launched({"program": "echo.pal"}),
-        ["continue", {"threadId": 1}],
-        ["next", {"threadId": 1}],
-        console("keyboard PAL"),
-        console("expect PAL"),
-        ["pause", {"threadId": 1}, "stopped"],
-        ["restart", {}, "stopped"],
-        ["evaluate", {"expression": "PC"}],
-        ["terminate", {}, "terminated"],
+        {"program": "echo.pal"},
+        (["continue", {"threadId": 1}], ""),
+        (["next", {"threadId": 1}], '{"error": "the machine runs: pause comes first"}'),
+        (console("keyboard PAL"), '"body"'),
+        (console("expect PAL"), '"body"'),
+        (["pause", {"threadId": 1}, "stopped"], '"reason": "pause"'),
+        (["restart", {}, "stopped"], '"reason": "entry"'),
+        (["evaluate", {"expression": "PC"}], '"result": "0200"'),
+        (["terminate", {}, "terminated"], '"body"'),
     )
-    assert seen.answers[4]["error"] == "the machine runs: pause comes first"
-    assert [answer["error"] for answer in seen.answers if "error" in answer] == [seen.answers[4]["error"]]
     assert seen.page == "PAL"
-    assert stops(seen) == ["entry", "pause", "entry"]
-    assert seen.answers[-2]["body"]["result"] == "0200"
 
 
 def test_tapes_of_the_configuration_and_a_run_without_debugging(folder: Path) -> None:
