@@ -169,5 +169,13 @@ def test_a_mistake_must_change_one_place_of_the_solution(pair: str, times: str) 
 
 
 def test_a_sheet_is_read_however_its_lines_are_written() -> None:
-    read = handed.of(b"A: 270\r\n b) the digit 8\nc = 1,798.2\n\n d 5 \ne:6\nf=-7", "s")
-    assert read.lines() == {"a": "270", "b": "the digit 8", "c": "1,798.2", "d": "5", "e": "6", "f": "-7"}
+    read = handed.of(b"A: 270\r\n b) the digit 8\nc = 1,798.2\n\n d 5 \ne:6\nf=-7\ng? 8", "s")
+    assert read.lines() == {
+        "a": "270",
+        "b": "the digit 8",
+        "c": "1,798.2",
+        "d": "5",
+        "e": "6",
+        "f": "-7",
+        "g?": "8",
+    }

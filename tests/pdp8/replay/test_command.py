@@ -9,7 +9,6 @@ from tests.conftest import Shell
 
 
 def test_the_acts_are_said_and_the_table_printed(shell: Shell, tmp_path: Path) -> None:
-    """Lines on standard error, the table on standard output, files in a folder, the page where asked."""
     done = shell("pdp8 replay drill --out desk --html page.html")
     assert done.returncode == 0
     said = done.stderr.decode().splitlines()

@@ -24,11 +24,8 @@ def script(circle: Afternoon) -> Script:
 
 def test_any_instant_in_any_order(script: Script, circle: Afternoon) -> None:
     """Thirty of the whole afternoon, thirty of the translation, to the cycle."""
-    draw = random.Random(5)
-    starts, ends = circle.acts[4].starts, circle.acts[4].ends
-    ticks = [draw.randrange(script.end) for _ in range(30)] + [
-        draw.randrange(starts, ends) for _ in range(30)
-    ]
+    draw, act = random.Random(5), circle.acts[4]
+    ticks = [draw.randrange(*of) for of in ((0, script.end), (act.starts, act.ends)) for _ in range(30)]
     follower, expected = Follower(circle), {}
     for tick in sorted(ticks):
         follower.to(tick)
