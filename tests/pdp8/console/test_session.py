@@ -15,8 +15,9 @@ from tapes import shelf
 RIM_WORDS = dict(enumerate(RIM, 0o7756))
 
 
-def at_rest() -> Session:
-    """Return a session whose computer never tires: its clock stands still."""
+@pytest.fixture
+def session() -> Session:
+    """A session whose computer never tires: its clock stands still."""
     return Session(Machine(), clock=lambda: 0.0)
 
 
@@ -33,12 +34,10 @@ def load_address(session: Session, address: int) -> None:
     session.press("load_add")
 
 
-def test_the_hands_press_a_key_every_tenth_of_a_second() -> None:
-    session = at_rest()
+def test_the_hands_press_a_key_every_tenth_of_a_second(session: Session) -> None:
     session.toggle_rim()
     session.advance(0.05)
-    assert session.machine.ma == 0o7756
-    assert session.machine.core[0o7756] == 0
+    assert (session.machine.ma, session.machine.core[0o7756]) == (0o7756, 0)
     session.advance(0.1)
     assert session.machine.core[0o7756] == 0o6032
     session.advance(1.6)
@@ -49,8 +48,7 @@ def test_the_hands_press_a_key_every_tenth_of_a_second() -> None:
     assert session.machine.elapsed == 0
 
 
-def test_the_hands_find_the_keys_dead_while_run_is_on() -> None:
-    session = at_rest()
+def test_the_hands_find_the_keys_dead_while_run_is_on(session: Session) -> None:
     session.machine.core[0o200] = 0o5200
     session.machine.start(0o200)
     session.toggle_rim()
@@ -59,8 +57,7 @@ def test_the_hands_find_the_keys_dead_while_run_is_on() -> None:
     assert session.machine.core[0o7756] == 0
 
 
-def test_stop_stops_the_hands() -> None:
-    session = at_rest()
+def test_stop_stops_the_hands(session: Session) -> None:
     session.toggle_rim()
     session.press("stop")
     session.advance(5)
@@ -87,8 +84,7 @@ def test_a_computer_that_tires_falls_behind_and_leaves_nothing_out() -> None:
     assert session.machine.ac in (turns & 0o7777, turns + 1 & 0o7777)
 
 
-def test_lamps_at_a_standstill_are_the_panels() -> None:
-    session = at_rest()
+def test_lamps_at_a_standstill_are_the_panels(session: Session) -> None:
     session.machine.core[0o1234] = 0o4321
     load_address(session, 0o1234)
     assert session.brightness["ma"] == (0, 0, 1, 0, 1, 0, 0, 1, 1, 1, 0, 0)
@@ -105,8 +101,7 @@ def test_lamps_of_a_running_machine_are_as_bright_as_they_were_often_on() -> Non
     assert all(0 <= brightness <= 1 for bits in session.brightness.values() for brightness in bits)
 
 
-def test_the_teletype_goes_on_while_the_processor_stands_still() -> None:
-    session = at_rest()
+def test_the_teletype_goes_on_while_the_processor_stands_still(session: Session) -> None:
     session.mount(Tape("two frames", b"\xb1\xb2"))
     session.machine.load({0o200: 0o6031, 0o201: 0o5200, 0o202: 0o6036})  # KSF, JMP .-1, KRB
     session.machine.panel.sing_step = True
@@ -138,8 +133,7 @@ def test_sing_step_stops_a_running_machine_and_cont_goes_on() -> None:
     assert session.machine.instructions > count
 
 
-def test_mem_prot_is_said() -> None:
-    session = at_rest()
+def test_mem_prot_is_said(session: Session) -> None:
     session.machine.panel.mem_prot = True
     load_address(session, 0o7600)
     session.press("dep")
@@ -167,14 +161,17 @@ def test_time_runs_back_by_an_instruction_and_by_a_second() -> None:
     assert session.machine.teletype.punch.tape == b""
 
 
-def test_a_tape_that_is_none_for_ascii_is_said(tmp_path: Path) -> None:
-    session = at_rest()
-    session.mount(Tape("circle.eia", shelf.read_bundled("circle.eia")))
-    assert session.said == "circle.eia is an EIA tape: a program for ASCII finds no character on it"
-    session = at_rest()
-    for name in ("circle.asc", "eia.bin"):
+@pytest.mark.parametrize(
+    ("names", "said"),
+    [
+        (["circle.eia"], "circle.eia is an EIA tape: a program for ASCII finds no character on it"),
+        (["circle.asc", "eia.bin"], "standing still"),
+    ],
+)
+def test_a_tape_that_is_none_for_ascii_is_said(names: list[str], said: str, session: Session) -> None:
+    for name in names:
         session.mount(Tape(name, shelf.read_bundled(name)))
-    assert session.said == "standing still"
+    assert session.said == said
 
 
 def test_files_of_the_same_names_change_nothing_in_the_room(

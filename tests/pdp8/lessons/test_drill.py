@@ -91,15 +91,12 @@ def test_the_first_wrong_switch_is_named_and_the_key_not_pressed(key: str, sr: i
     session, coach = room("rim")
     assert not press(session, coach, key, sr)
     assert (coach.said, coach.wrong, coach.at) == (said, 1, 0)
+    for name, is_so in (("mem_prot", "MEM PROT is up"), ("sing_step", "SING STEP is on")):
+        setattr(session.machine.panel, name, True)
+        assert not press(session, coach, "load_add", 0o7756)
+        assert coach.said == f"{is_so}: put it back first"
+        setattr(session.machine.panel, name, False)
     assert press(session, coach, "load_add", 0o7756)
-
-
-@pytest.mark.parametrize(("name", "said"), [("mem_prot", "MEM PROT is up"), ("sing_step", "SING STEP is on")])
-def test_a_locking_switch_that_is_wrong_is_named(name: str, said: str) -> None:
-    session, coach = room("rim")
-    setattr(session.machine.panel, name, True)
-    assert not press(session, coach, "load_add", 0o7756)
-    assert coach.said == f"{said}: put it back first"
 
 
 def test_each_card_says_what_to_do() -> None:
@@ -123,21 +120,9 @@ def test_a_chain_of_addresses_is_in_core_again_and_again() -> None:
     assert [session.machine.core[address] for address in chain] == [*chain[1:], 0]
 
 
-def test_a_kiosk_begins_again_when_it_is_left_alone() -> None:
-    session, coach = room("deposit", LEFT_ALONE)
-    press(session, coach, "load_add", 0o200)
-    press(session, coach, "dep", 0o7200)
-    advance(session, coach, 59)
-    assert coach.at == 2
-    session.advance(1)
-    assert coach.advance(1)
-    session.clear()
-    assert (coach.at, session.machine.core[0o200], session.machine.pc, session.machine.sr) == (0, 0, 0, 0)
-
-
 @pytest.mark.parametrize("name", NAMES)
-def test_what_a_visitor_leaves_is_as_it_was_for_the_next(name: str) -> None:
-    session, coach = room(name, left_alone=60)
+def test_a_kiosk_that_is_left_alone_is_as_it_was_for_the_next(name: str) -> None:
+    session, coach = room(name, LEFT_ALONE)
     session.mount(session.tapes[0])
     session.machine.panel.mem_prot = session.machine.panel.sing_step = True
     for _ in range(2):
@@ -146,5 +131,10 @@ def test_what_a_visitor_leaves_is_as_it_was_for_the_next(name: str) -> None:
         coach.touched()
     advance(session, coach, 60)
     assert (coach.at, coach.begun, session.machine.panel.mem_prot) == (0, False, False)
+    follow(session, coach, 2)
+    advance(session, coach, 59)
+    assert coach.at == 2
+    advance(session, coach, 1)
+    assert (coach.at, session.machine.pc, session.machine.sr) == (0, 0, 0)
     follow(session, coach)
     assert coach.done
