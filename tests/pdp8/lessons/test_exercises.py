@@ -8,10 +8,12 @@ from random import Random
 import pytest
 
 from pdp8.lessons import form, handed, proof, values
+from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.exercises import delay, loader, short_block
 from pdp8.lessons.form import parse
 from pdp8.lessons.tables import ExerciseError
 from tapes import shelf
+from tests.pdp8.lessons import exercise
 
 TUTORIAL = (
     "read-a-frame", "follow-a-digit", "no-character-lost", "spaces-are-zeros", "truncation", "break-a-tape",
@@ -134,15 +136,15 @@ def test_a_wrong_file_is_named_with_its_place(text: str, complaint: str) -> None
     ],
 )  # fmt: skip
 def test_a_number_lies_within_its_bounds(key: str, least: int, most: int) -> None:
-    def given(value: int | str) -> str:
-        program = f"[program]\nwords={value}\n" * (key == "words")
-        return f'{PROGRAM}{program}[[case]]\nname="a"\n' + f"{key}={value}" * (key != "words")
+    def given(value: int | str) -> Exercise:
+        line = f"{key}={value}"
+        return exercise("", f"[program]\n{line}") if key == "words" else exercise(line)
 
     for value in (least, most):
-        parse(given(value), "e")
+        given(value)
     for wrong in (least - 1, most + 1, "true"):
         with pytest.raises(ExerciseError, match=rf"{key}: .*(from {least} |up |){most}"):
-            parse(given(wrong), "e")
+            given(wrong)
 
 
 @pytest.mark.parametrize(
@@ -155,8 +157,7 @@ def test_a_number_lies_within_its_bounds(key: str, least: int, most: int) -> Non
     ],
 )
 def test_a_tape_is_a_text_or_frames_or_eia_or_a_file(tape: str, frames: bytes) -> None:
-    (case,) = parse(f'{PROGRAM}[[case]]\nname="a"\ntape={tape}', "e").cases
-    assert case.trials[0].tape == frames
+    assert exercise(f"tape={tape}").cases[0].trials[0].tape == frames
 
 
 @pytest.mark.parametrize(

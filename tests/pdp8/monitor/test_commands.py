@@ -95,16 +95,6 @@ def test_what_ctrl_c_sets_is_the_stop_key_once(tmp_path: Path) -> None:
     assert said[-1].startswith("tape out; ")
 
 
-def test_a_tape_put_in_at_a_standstill_loses_no_frame(monitor: Monitor, tmp_path: Path) -> None:
-    (tmp_path / "a").write_bytes(b"\x81\x82")
-    (tmp_path / "b c").write_bytes(b"\x83")
-    echo = {0o200: 0o6031, 0o201: 0o5200, 0o202: 0o6036, 0o203: 0o3410, 0o204: 0o5200}
-    monitor.machine.load(echo)
-    monitor.machine.core[0o10] = 0o277
-    do(monitor, f'reader "{tmp_path}/a" "{tmp_path}/b c"', "wait 1", "go 200")
-    assert [monitor.machine.core[0o300 + at] for at in range(4)] == [0o201, 0o202, 0o203, 0]
-
-
 def test_the_lever_leaves_the_tapes_that_wait(monitor: Monitor) -> None:
     do(monitor, "reader circle.asc ellipse.asc")
     for position in ("stop", "stop", "start", "start"):

@@ -13,7 +13,8 @@ FOLDER = Path(__file__).parent
 @pytest.mark.parametrize("session", sorted(FOLDER.glob("*.txt")), ids=lambda path: path.stem)
 def test_a_session_and_its_answers(session: Path, shell: Shell, tmp_path: Path) -> None:
     shutil.copy(FOLDER / "dialogue.pal", tmp_path)
-    (tmp_path / "line.asc").write_bytes(bytes(0o200 | code for code in b" 19\r\n"))
+    for name in ("line.asc", "a line.asc"):
+        (tmp_path / name).write_bytes(bytes(0o200 | code for code in b" 19\r\n"))
     lines = session.read_text().splitlines()
     script = [line.removeprefix("* ") for line in lines if line.startswith("* ")]
     (tmp_path / "script").write_text("\n".join(script))
