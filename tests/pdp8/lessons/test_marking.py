@@ -185,7 +185,7 @@ FAILURES = (
     *(marking.Failure("the end", "a", "b"), marking.Failure("AC", "1", "2"), marking.Failure("L", "1", "0")),
 )
 MARKS = (marking.Mark("sum", 1, 1), marking.Mark("A<B", 0, 2, FAILURES, "l<k\x1b", "A <1"))
-ANA, BEN = marking.Result("ana\n", MARKS, 3), marking.Result("=b\x1b", (), 3, "no\tword")
+ANA, BEN = marking.Result("ana\n", MARKS, 3), marking.Result("=b\x1b", (), 3, "no\tword\ntwo")
 FORMULAS = [marking.Result(name, MARKS[:1], 1) for name in ("+c", "-d", "@e")]
 
 
@@ -204,7 +204,7 @@ def test_marks_for_people_and_machines() -> None:
     }
     for name, text in written.items():
         assert text == (CLASS / name).read_text("utf-8"), name
-    assert list(page.body(BEN)) == ["<h2>It was not tried</h2><pre>no      word</pre>"]
+    assert list(page.body(BEN)) == ["<h2>It was not tried</h2><pre>no      word\ntwo</pre>"]
 
 
 @pytest.mark.parametrize(
