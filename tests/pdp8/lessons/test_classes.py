@@ -311,27 +311,26 @@ def numbers(length: int, *others: int, first: int = 0) -> Answer:
     )
 
 
+def a_class(size: int, same: int) -> list[Answer]:
+    """Return the answers of so many, of whom `same` have the same."""
+    others = [numbers(20, first=1000 * each) for each in range(1, 1 + size - same)]
+    return [*[numbers(20, 99 + each) for each in range(same)], *others]
+
+
 @pytest.mark.parametrize(
-    ("length", "others", "shared"),
+    ("answers", "shared"),
     [
-        (38, [18, 19], [28 / 40]),  # of 34 runs of five, six have an item that changed
-        (38, [18, 19, 20], []),
-        *((16, [99], [1.0]), (15, [99], [])),
+        ([numbers(38), numbers(38, 18, 19)], [28 / 40]),  # of 34 runs of five, six have an item that changed
+        ([numbers(38), numbers(38, 18, 19), numbers(38, 98)], [1.0, 28 / 40, 28 / 40]),
+        ([numbers(38), numbers(38, 18, 19, 20)], []),
+        *(([numbers(16), numbers(16, 99)], [1.0]), ([numbers(15), numbers(15, 99)], [])),
+        # what more than a third of a class of six have says nothing
+        *((a_class(5, 5), [1.0] * 10), (a_class(6, 2), [1.0]), (a_class(6, 3), [])),
+        *((a_class(9, 3), [1.0] * 3), (a_class(9, 4), [])),
     ],
 )
-def test_how_alike_answers_are_is_by_the_runs_they_share(
-    length: int, others: list[int], shared: list[float]
-) -> None:
-    answers = [numbers(length), numbers(length, *others)]
+def test_how_alike_answers_are_is_by_the_runs_they_share(answers: list[Answer], shared: list[float]) -> None:
     assert [pair.shared for pair in alike.pairs(answers)] == shared
-    if shared:
-        assert [pair.shared for pair in alike.pairs([*answers, numbers(length, 98)])] == [1.0, *shared * 2]
-
-
-@pytest.mark.parametrize(("size", "same", "pairs"), [(5, 5, 10), (6, 2, 1), (6, 3, 0), (9, 3, 3), (9, 4, 0)])
-def test_what_more_than_a_third_of_a_class_of_six_have_says_nothing(size: int, same: int, pairs: int) -> None:
-    others = [numbers(20, first=1000 * each) for each in range(1, 1 + size - same)]
-    assert len(alike.pairs([*[numbers(20, 99 + each) for each in range(same)], *others])) == pairs
 
 
 @pytest.mark.parametrize(("length", "named"), [(29, 10), (28, 0)])
