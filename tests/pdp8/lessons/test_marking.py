@@ -204,6 +204,7 @@ def test_marks_for_people_and_machines() -> None:
     }
     for name, text in written.items():
         assert text == (CLASS / name).read_text("utf-8"), name
+    assert not any("more" in line for line in scores.said(marking.Mark("six", 0, 2, FAILURES[:6])))
     assert list(page.body(BEN)) == ["<h2>It was not tried</h2><pre>no      word\ntwo</pre>"]
 
 
