@@ -6,7 +6,6 @@ import pytest
 
 import pal
 from pal.models import MODELS, differs, rules
-from tests.conftest import Shell
 
 TABLE = """
 1110....001. 8SIL: rotates nothing|E: swaps the halves of AC (BSW)
@@ -91,14 +90,3 @@ def test_instructions_are_noted_and_constants_are_not(dialect: str) -> None:
 
 def test_without_a_model_nothing_is_noted() -> None:
     assert [note.code for note in pal.assemble(SOURCE).diagnostics] == ["PN01"]  # RAL RAR
-
-
-def test_the_command_notes_and_punches(shell: Shell) -> None:
-    done = shell(
-        f"printf '{SOURCE}' > some.pal && pal some.pal --for 8/E && ls some.bin".replace("\n", "\\n")
-    )
-    assert done.returncode == 0
-    assert b"7002 swaps the halves of AC (BSW) on 8/E; on 8, 8/S, 8/I, 8/L it rotates nothing" in done.stderr
-    assert shell("pal eia.pal -o eia.bin --for 8/K").returncode == 2
-
-    assert shell("pal eia.pal -o eia.bin --for 8/L").stderr == b"wrote eia.bin\n"
