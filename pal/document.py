@@ -66,7 +66,7 @@ class Document:
     def name_at(self, line: int, column: int) -> str:
         """Return the symbol at a place as it counts, six characters at most; "" in a comment or elsewhere."""
         text = self.lines[line] if line < len(self.lines) else ""
-        code = text.split("/", 1)[0]
+        code = text.partition("/")[0]
         for found in NAME.finditer(code):
             if found.start() <= column <= found.end():
                 return found[0].upper()[:SIGNIFICANT]
@@ -144,7 +144,7 @@ class Document:
         return "  \n".join(said)
 
     def _is_instruction(self, line: int) -> bool:
-        names = NAME.findall(self.lines[line].split("/", 1)[0].upper())
+        names = NAME.findall(self.lines[line].partition("/")[0].upper())
         return any(name in self.known and name not in _PSEUDO_OPERATORS for name in names)
 
     def _symbol(self, name: str) -> list[str]:

@@ -1,4 +1,8 @@
-"""`pal --lsp`, asked by a real client (pytest-lsp): what an editor shows is what `pal` says."""
+"""`pal --lsp`, and the document that knows its answers.
+
+editor.txt is a conversation as the protocol's specification has it: a line asks, the next is the answer, or
+what is published then; of completions the first four. A real client (pytest-lsp) holds it.
+"""
 
 import asyncio
 import json
@@ -6,7 +10,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from lsprotocol import types as lsp
+from lsprotocol.converters import get_converter
+from lsprotocol.types import (
+    METHOD_TO_TYPES,
+    TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS,
+    ClientCapabilities,
+    InitializeParams,
+)
 from pygls.exceptions import JsonRpcException
 from pytest_lsp import make_test_lsp_client
 
@@ -14,65 +24,47 @@ import pal
 from pal.document import Document, formatted
 from tapes import shelf
 from tests.commands import run, warm_environment
-from tests.conftest import awaited
+from tests.conftest import awaited, case
 
-SOURCE = """\
-/ TWO COMMENTS
-/ ABOVE
-COUNT=20
-*200
-START, CLA CMA IAC
-\tDCA COUNT /KEEP
-LOOP,\tTAD I 10
-\tISZ COUNT
-\tJMP LOOP
-\tJMP CUONT
-$
-"""
 URI = "file:///tmp/loop.pal"
-HERE = lsp.TextDocumentIdentifier(URI)
 
 
-async def _ask(folder: Path) -> dict[str, Any]:
+async def _answers(asked: list[str]) -> list[Any]:
+    """Return what the server answers, as JSON has it; to a notification, what it publishes."""
     client = make_test_lsp_client()
     await client.start_io("pal", "--lsp", env=warm_environment())
-    await client.initialize_session(
-        lsp.InitializeParams(capabilities=lsp.ClientCapabilities(), root_uri=folder.as_uri())
-    )
-    client.text_document_did_open(lsp.DidOpenTextDocumentParams(lsp.TextDocumentItem(URI, "pal", 1, SOURCE)))
-    await client.wait_for_notification(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
-    found: dict[str, Any] = {"diagnostics": list(client.diagnostics[URI])}
-
-    def at(line: int, column: int) -> dict[str, Any]:
-        return {"text_document": HERE, "position": lsp.Position(line, column)}
-
-    for name, line, column in (("or", 4, 9), ("tad", 6, 6), ("count", 5, 7), ("comment", 5, 12)):
-        hover = await client.text_document_hover_async(lsp.HoverParams(**at(line, column)))
-        found[f"hover {name}"] = hover and hover.contents.value  # type: ignore[union-attr]
-    found["definition"] = await client.text_document_definition_async(lsp.DefinitionParams(**at(8, 6)))
-    context = lsp.ReferenceContext(include_declaration=True)
-    found["references"] = await client.text_document_references_async(
-        lsp.ReferenceParams(context=context, **at(5, 6))
-    )
-    found["rename"] = await client.text_document_rename_async(lsp.RenameParams(new_name="TALLY", **at(5, 6)))
-    with pytest.raises(JsonRpcException, match="LOOP is taken: it stands in line 7"):
-        await client.text_document_rename_async(lsp.RenameParams(new_name="LOOP", **at(5, 6)))
-    found["completion"] = await client.text_document_completion_async(lsp.CompletionParams(**at(8, 1)))
-    found["symbols"] = await client.text_document_document_symbol_async(lsp.DocumentSymbolParams(HERE))
-    found["folding"] = await client.text_document_folding_range_async(lsp.FoldingRangeParams(HERE))
-    options = lsp.FormattingOptions(tab_size=8, insert_spaces=False)
-    found["format"] = await client.text_document_formatting_async(lsp.DocumentFormattingParams(HERE, options))
-    client.text_document_did_change(
-        lsp.DidChangeTextDocumentParams(
-            lsp.VersionedTextDocumentIdentifier(2, URI),
-            [lsp.TextDocumentContentChangeWholeDocument("*200\n\tHLT\n$\n")],
-        )
-    )
-    await client.wait_for_notification(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
-    found["mended"] = list(client.diagnostics[URI])
+    await client.initialize_session(InitializeParams(capabilities=ClientCapabilities()))
+    convert = get_converter()
+    answers: list[Any] = []
+    for question in asked:
+        feature, _, given = question.partition(" ")
+        params = json.loads(given)
+        method = f"textDocument/{feature}"
+        content = {**params, "textDocument": {"uri": URI, **params.get("textDocument", {})}}
+        request = convert.structure(content, METHOD_TO_TYPES[method][2])
+        try:
+            if feature.startswith("did"):
+                client.protocol.notify(method, request)
+                await client.wait_for_notification(TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
+                answers.append(client.diagnostics[URI])
+            else:
+                answers.append(await client.protocol.send_request_async(method, request))
+        except JsonRpcException as error:
+            answers.append(error.message)
     await client.shutdown_session()
     await client.stop()  # type: ignore[no-untyped-call]
-    return found
+    return [convert.unstructure(answer) for answer in answers]
+
+
+CONVERSATION = (Path(__file__).parent / "editor.txt").read_text("utf-8").splitlines()
+
+
+def test_an_editor_is_answered() -> None:
+    asked = CONVERSATION[::2]
+    answers = awaited(asyncio.wait_for(_answers(asked), 120))
+    for question, expected, answer in zip(asked, CONVERSATION[1::2], answers, strict=True):
+        with case(question):
+            assert (answer[:4] if "completion" in question else answer) == json.loads(expected)
 
 
 REFUSED = {
@@ -89,7 +81,7 @@ REFUSED = {
 
 
 def test_a_name_that_is_taken_or_none_is_refused_by_name() -> None:
-    document = Document(SOURCE, "loop.pal")
+    document = Document(json.loads(CONVERSATION[0].partition(" ")[2])["textDocument"]["text"], "loop.pal")
     assert {new: document.refusal("LOOP", new) for new in REFUSED} == REFUSED
     assert document.refusal("TAD", "X") == "TAD is no symbol that this source defines"
     later = Document("*200\nLOOPER,\tTAD (5)\n\tJMP LOOPER\n$\n", "loop.pa")
@@ -116,49 +108,7 @@ def test_a_session_ends_in_silence() -> None:
     ]
     sent = [json.dumps({"jsonrpc": "2.0", **message}) for message in messages]
     ended = run("pal", "--lsp", stdin="".join(f"Content-Length: {len(m)}\r\n\r\n{m}" for m in sent).encode())
-    assert (ended.returncode, ended.stderr) == (0, b"")
-    assert b'"id": 2' in ended.stdout
-
-
-def spans(places: list[Any]) -> list[tuple[int, int, int]]:
-    ranges = [place.range for place in places]
-    return [(each.start.line, each.start.character, each.end.character) for each in ranges]
-
-
-def test_an_editor_asks_for_all_there_is(tmp_path: Path) -> None:
-    found = awaited(asyncio.wait_for(_ask(tmp_path), 120))
-    (tmp_path / "loop.pal").write_text(SOURCE)
-    run("pal", "loop.pal", "--force", "--json", "loop.json", folder=tmp_path)
-    said = json.loads((tmp_path / "loop.json").read_text())["diagnostics"]
-    starts = [(each.range.start, each.code) for each in found["diagnostics"]]
-    shown = [(start.line + 1, start.character + 1, code) for start, code in starts]
-    assert shown == [(each["line"], each["column"], each["code"]) for each in said]
-    assert shown[0] == (10, 6, "UA")
-    assert {each.source for each in found["diagnostics"]} == {"pal"}
-    assert "complement the AC; increment the AC" in found["hover or"]
-    assert "1 cycle, 1.6 µs" in found["hover or"]
-    assert "0010 holds the address, and is incremented first" in found["hover tad"]
-    assert "3 cycles, 4.8 µs" in found["hover tad"]
-    assert "`COUNT` = 0020, defined in line 3, used 2 times" in found["hover count"]
-    assert found["hover comment"] is None
-    assert spans(found["definition"]) == [(6, 0, 4)]
-    places = [(2, 0, 5), (5, 5, 10), (7, 5, 10)]
-    assert spans(found["references"]) == places
-    assert spans(found["rename"].changes[URI]) == places
-    offered = {
-        item.label: (lsp.CompletionItemKind(item.kind).name, item.detail) for item in found["completion"]
-    }
-    assert [offered["LOOP"], offered["COUNT"]] == [("Function", "0202"), ("Constant", "0020")]
-    assert offered["I"] == ("Keyword", "indirect: the word there holds the address")
-    assert {"TAD", "FIELD", "Z"} <= offered.keys()
-    assert [(each.name, each.detail, lsp.SymbolKind(each.kind).name) for each in found["symbols"]] == [
-        ("COUNT", "0020", "Constant"),
-        ("START", "0200", "Function"),
-        ("LOOP", "0202", "Function"),
-    ]
-    assert [(each.start_line, each.end_line) for each in found["folding"]] == [(3, 10), (0, 1)]
-    assert found["format"][0].new_text.splitlines()[4:6] == ["START,\tCLA CMA IAC", "\tDCA COUNT\t/KEEP"]
-    assert found["mended"] == []
+    assert (ended.returncode, ended.stderr, b'"id": 2' in ended.stdout) == (0, b"", True)
 
 
 DOCUMENT = """\
@@ -189,20 +139,6 @@ def test_a_document_knows_what_stands_where() -> None:
     assert (known.hover(3, 0), Document("*200\n", "x.pal").folds()) == ("", [])
 
 
-@pytest.mark.parametrize("name", ["eia.pal", "echo.pal", "hello.pal"])
-def test_columns_change_no_word(name: str) -> None:
-    source = shelf.read(name).decode().replace("\t", "  ")
-    text = formatted(source, "pal3")
-    assert text != source
-    assert pal.assemble(text).words == pal.assemble(source).words
-    assert formatted(text, "pal3") == text
-
-
-def test_columns_leave_texts_alone() -> None:
-    source = '*200\n  CLA  /X\n TEXT "A / B"\n$\n'
-    assert formatted(source, "pal8") == '*200\n\tCLA\t\t/X\n TEXT "A / B"\n$\n'
-
-
 COLUMNS = {
     "  /C": "  /C",
     "*200 /X": "*200\t\t\t/X",
@@ -220,5 +156,18 @@ COLUMNS = {
 """Lines, and what they are in columns of eight."""
 
 
-def test_each_line_is_put_in_columns() -> None:
+def test_each_line_is_put_in_columns_and_no_word_changes() -> None:
     assert formatted("\n".join(COLUMNS), "pal3").split("\n") == list(COLUMNS.values())
+    for name in ("eia.pal", "echo.pal", "hello.pal"):
+        spaced = shelf.read(name).decode().replace("\t", "  ")
+        text = formatted(spaced, "pal3")
+        assert text != spaced
+        assert formatted(text, "pal3") == text
+        assert pal.assemble(text).words == pal.assemble(spaced).words
+
+
+def test_columns_leave_texts_alone() -> None:
+    texts = '*200\n  CLA  /X\n TEXT "A / B"\n$\n'
+    assert formatted(texts, "pal8") == '*200\n\tCLA\t\t/X\n TEXT "A / B"\n$\n'
+    other_words = "*200\n CLA\n ASCII .A /B.\n$\n"
+    assert formatted(other_words, "pal8") == other_words
