@@ -75,8 +75,8 @@ def test_every_source_through_a_pipe_gives_decs_tape_and_listing(folder: Path) -
 def at_a_terminal(line: str, folder: Path, no_color: str = "") -> str:
     """Return what a terminal shows of a command line."""
     ours, its = pytest.importorskip("pty").openpty()
-    variables = {"TERM": "xterm-256color", "NO_COLOR": no_color}
-    commands.run("bash", "-c", f"{line} 2>&1", folder=folder, stdout=its, **variables)
+    line += " 2>&1"
+    commands.run("bash", "-c", line, folder=folder, stdout=its, TERM="xterm-256color", NO_COLOR=no_color)
     shown = os.read(ours, 4096).decode().replace("\r\n", "\n")
     os.close(its)
     os.close(ours)

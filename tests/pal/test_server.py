@@ -9,14 +9,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-import pytest
+from lsprotocol import types as lsp
 from lsprotocol.converters import get_converter
-from lsprotocol.types import (
-    METHOD_TO_TYPES,
-    TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS,
-    ClientCapabilities,
-    InitializeParams,
-)
 from pygls.exceptions import JsonRpcException
 from pytest_lsp import make_test_lsp_client
 
@@ -33,22 +27,23 @@ async def _answers(asked: list[str]) -> list[Any]:
     """Return what the server answers, as JSON has it; to a notification, what it publishes."""
     client = make_test_lsp_client()
     await client.start_io("pal", "--lsp", env=warm_environment())
-    await client.initialize_session(InitializeParams(capabilities=ClientCapabilities()))
-    convert = get_converter()
+    await client.initialize_session(lsp.InitializeParams(capabilities=lsp.ClientCapabilities()))
+    protocol: Any = client.protocol
+    convert: Any = get_converter()
     answers: list[Any] = []
     for question in asked:
         feature, _, given = question.partition(" ")
         params = json.loads(given)
         method = f"textDocument/{feature}"
         content = {**params, "textDocument": {"uri": URI, **params.get("textDocument", {})}}
-        request = convert.structure(content, METHOD_TO_TYPES[method][2])
+        request = convert.structure(content, lsp.METHOD_TO_TYPES[method][2])
         try:
             if feature.startswith("did"):
-                client.protocol.notify(method, request)
-                await client.wait_for_notification(TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
+                protocol.notify(method, request)
+                await client.wait_for_notification(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
                 answers.append(client.diagnostics[URI])
             else:
-                answers.append(await client.protocol.send_request_async(method, request))
+                answers.append(await protocol.send_request_async(method, request))
         except JsonRpcException as error:
             answers.append(error.message)
     await client.shutdown_session()
