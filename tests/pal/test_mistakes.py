@@ -1,5 +1,5 @@
 """What students write by mistake, in mistakes/; and in said.txt all that is said of each, as it was read by
-eye: line, columns, code, message, advice, hint.
+eye: line, columns, code, message, advice, hint. Below, what of a line is shown.
 
 A `$` is added where there is none, but at "no end". No advice changes what a source means: it names what to
 write, and never says to take a character away.
@@ -8,31 +8,43 @@ write, and never says to take a character away.
 from pathlib import Path
 
 import pal
-from pal.diagnostics import Diagnostic
 
 FOLDER = Path(__file__).parent / "mistakes"
 
 
-def mistakes(dialect: str) -> list[tuple[str, str]]:
-    pieces = (FOLDER / f"{dialect}.txt").read_text().split("== ")[1:]
-    return [(title, text) for title, _, text in (piece.partition("\n") for piece in pieces)]
-
-
-def diagnosed(dialect: str, title: str, text: str) -> list[Diagnostic]:
-    end = "" if title.startswith("no end") or "$" in text else "$\n"
-    return pal.assemble(text + end, dialect=dialect).diagnostics
-
-
-CASES = [(dialect, *case) for dialect in ("pal3", "pal8") for case in mistakes(dialect)]
-
-
 def test_what_is_said_of_each_is_what_was_read() -> None:
     said = []
-    for dialect, title, text in CASES:
-        said.append(f"== {dialect} {title}")
-        for found in diagnosed(dialect, title, text):
-            place = f"{found.line}:{found.column}-{found.end_column}"
-            said.append(
-                " | ".join(filter(None, (place, found.code, found.message, found.advice, found.hint)))
-            )
+    for dialect in ("pal3", "pal8"):
+        for mistake in (FOLDER / f"{dialect}.txt").read_text().split("== ")[1:]:
+            title, _, text = mistake.partition("\n")
+            said.append(f"== {dialect} {title}")
+            end = "" if title.startswith("no end") or "$" in text else "$\n"
+            for found in pal.assemble(text + end, dialect=dialect).diagnostics:
+                place = f"{found.line}:{found.column}-{found.end_column}"
+                told = (place, found.code, found.message, found.advice, found.hint)
+                said.append(" | ".join(filter(None, told)))
     assert said == (FOLDER / "said.txt").read_text().splitlines()
+
+
+def test_of_an_empty_line_nothing_is_shown() -> None:
+    assert [pal.assemble(*tapes).diagnostics[0].file for tapes in ([], [""])] == ["source", "tape 1"]
+    (note,) = pal.assemble("\n").diagnostics
+    advice = "PAL III would wait for more tape; it is taken as if there were one"
+    assert str(note) == f"tape 1:1:1: note: no $ at the end [PN27]\n  {advice}"
+
+
+def test_of_a_long_line_a_hundred_characters_are_shown() -> None:
+    line = "\t1" + f"{'!':>61}2" * 3
+    shown = [found.excerpt for found in pal.assemble(f"{line}\n$\n").diagnostics]
+    assert shown == [
+        [f"    {line[start : start + 100]}", f"    {' ' * blanks}^"]
+        for start, blanks in ((12, 50), (74, 50), (88, 98))
+    ]
+    line = "\tTEXT /" + "ABCDEFGHIJ" * 15
+    (error,) = pal.assemble(f"{line}\n$\n", dialect="pal8").diagnostics
+    assert error.excerpt == [f"    {line[:100]}", "    \t" + "^" * 99]
+
+
+def test_what_a_reader_wrote_is_shown() -> None:
+    (error, *_) = pal.assemble('*200\n\t"é\n\tTEXT /ü/\n$\n', dialect="pal8").diagnostics
+    assert (error.source, error.error) == ('\t"é', True)

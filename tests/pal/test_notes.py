@@ -3,7 +3,6 @@
 from pathlib import Path
 
 import pal
-from pal.assembler import HIGH_SPEED_SYMBOLS
 from pal.notes import meant
 from tests.conftest import case
 
@@ -15,9 +14,9 @@ ORDINARY = (
 )
 
 
-def noted(source: str | bytes, capacity: int = 585) -> list[tuple[int, int, str, str]]:
-    found = pal.assemble(source, capacity=capacity).diagnostics
-    return [(note.line, note.column, note.code, note.message) for note in found if not note.error]
+def noted(source: str) -> list[tuple[int, int, str, str]]:
+    found = pal.assemble(source).diagnostics
+    return [(note.line, note.column, note.code, note.message) for note in found]
 
 
 def test_an_ordinary_source_has_none() -> None:
@@ -62,10 +61,3 @@ def test_data_that_the_program_runs_into_are_noted() -> None:
                 found = noted(f"*200\n\t{words}\nA,\t5\n\t{use} A\n\tHLT\n$\n")
                 note = (3, 4, "PN06", "the program runs on from 0201 into data at 0202")
                 assert found == ([note] if use not in ("JMP", "DCA") and words in RUNS_ON.split("|") else [])
-
-
-def test_the_end_of_a_line_that_the_high_speed_reader_loses() -> None:
-    source = "PAUSE;5\n1\n$\n"
-    lost = (1, 1, "PN26", "what follows PAUSE on its line is lost")
-    assert noted(source, HIGH_SPEED_SYMBOLS) == [lost]
-    assert noted(source) == []

@@ -137,11 +137,6 @@ def test_another_dialect_is_refused() -> None:
         pal.assemble("$", dialect="pal9")
 
 
-def test_what_a_reader_wrote_is_shown() -> None:
-    (error, *_) = pal.assemble('*200\n\t"é\n\tTEXT /ü/\n$\n', dialect="pal8").diagnostics
-    assert (error.source, error.error) == ('\t"é', True)
-
-
 @pytest.mark.parametrize(
     "source", ["", "\n", "(", '"', "TEXT", "IFDEF", "<>", "*", "A=", "FIELD 9", "((((", "DUBL;.", "$"]
 )
