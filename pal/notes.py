@@ -73,7 +73,7 @@ def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[
     for written in words:
         address, word, names = written.address, written.word, written.names
         other = cells.get(address)
-        if other is not None and not (written.literal and other.literal):
+        if other is not None and not written.literal:
             if overlaid != address - 1:
                 message = f"{address:04o} has a word already; the later one is loaded over it"
                 notes.append(Note(OVERLAID, written.at, message, "set the origin where there is room"))

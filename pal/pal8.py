@@ -618,7 +618,8 @@ class Assembler:
         if name == "FIELD":
             self._go_to_field(value if given else self._field + 1, given, start, end)
         elif name == "PAGE":
-            self._go_to_page(value if given else -1)
+            following = self._location + self._shift + ADDRESS & PAGE
+            self._go_to_page((value & 0o37) << 7 if given else following)
         elif name == "ZBLOCK":
             self._zeros(value & _MASK, start)
         elif name == "RELOC":
@@ -638,10 +639,8 @@ class Assembler:
         self._location = START
         self._put(ORIGIN, START)
 
-    def _go_to_page(self, page: int) -> None:
-        """Go to a page of the field; below 0, to the next one, if not at the start of a page."""
-        here = self._location + self._shift & _MASK
-        there = here + ADDRESS & PAGE if page < 0 else (page & 0o37) << 7
+    def _go_to_page(self, there: int) -> None:
+        """Go to the page that begins `there`."""
         self._put_out(0)
         location = there - self._shift & _MASK
         if location != self._location:

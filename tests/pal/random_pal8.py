@@ -52,7 +52,7 @@ class Author:
         page = self.random.choice([1, self.random.randrange(1, 0o37)]) << 7
         origin = "*" + self.number(page, page + 0o60)
         field, relocated = f"FIELD {self.random.randrange(4)}", self.pick("400", ".+200", "1000", "")
-        pages = ["PAGE"] * 3 + [f"PAGE {self.random.randrange(7)}"] * 2
+        pages = ["PAGE"] * 3 + [f"PAGE {self.random.randrange(-1, 7)}"] * 2
         return self.pick(*[origin] * 8, *pages, field, f"RELOC {relocated}", self.pick("NOPUNCH", "ENPUNCH"))
 
     def line(self) -> str:
