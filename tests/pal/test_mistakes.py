@@ -1,5 +1,6 @@
 """What students write by mistake, in mistakes/; and in said.txt all that is said of each, as it was read by
-eye: line, columns, code, message, advice, hint. Below, what of a line is shown.
+eye: line, columns, code, message, advice, hint. In auto.txt PN36 says that PAL8 was found. Below, what of a
+line is shown.
 
 A `$` is added where there is none, but at "no end". No advice changes what a source means: it names what to
 write, and never says to take a character away.
@@ -14,7 +15,7 @@ FOLDER = Path(__file__).parent / "mistakes"
 
 def test_what_is_said_of_each_is_what_was_read() -> None:
     said = []
-    for dialect in ("pal3", "pal8"):
+    for dialect in ("pal3", "pal8", "auto"):
         for mistake in (FOLDER / f"{dialect}.txt").read_text().split("== ")[1:]:
             title, _, text = mistake.partition("\n")
             said.append(f"== {dialect} {title}")
