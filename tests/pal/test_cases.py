@@ -53,3 +53,9 @@ def test_each_pass_assigns_again_so_that_tape_and_listing_may_differ() -> None:
     assert "\nP       0000\nQ       0200\nR       0003\n" in assembly.text(1)
     assert assembly.words == {0o200: 0o200}
     assert "0200  0003  " in assembly.text(3)
+
+
+def test_the_package_has_the_call_for_three_dialects() -> None:
+    assert {"assemble", "Assembly"} <= set(dir(pal))
+    with pytest.raises(ValueError, match="'pal9' is not one of auto, pal3, pal8"):
+        pal.assemble("$", dialect="pal9")

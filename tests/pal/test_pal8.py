@@ -89,8 +89,3 @@ def test_the_passes_have_texts_and_no_frames() -> None:
     assert [assembly.text(number) for number in (1, 2, 3)] == ["A       0005\n", "", assembly.listing]
     with pytest.raises(ValueError, match="PAL III's alone"):
         _ = assembly.teletype
-
-
-def test_another_dialect_is_refused() -> None:
-    with pytest.raises(ValueError, match="'pal9' is not one of auto, pal3, pal8"):
-        pal.assemble("$", dialect="pal9")
