@@ -45,7 +45,7 @@ cdef class Assembler:
     cdef _write(self)
     @cython.locals(fed=bint, feed=int)
     cdef _list(self, int at)
-    cdef _punch(self, int kind, int value)
+    cdef _punch(self, str kind, int value)
     cdef void _sum(self, int value) noexcept
     @cython.locals(pointer=int, first=int)
     cdef _tag(self)

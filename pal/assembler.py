@@ -33,19 +33,18 @@ from pal.isa import ADDRESS, CURRENT_PAGE, INDIRECT, PAGE
 from pal.source import ENDS, Source
 from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT, spelled, typed
 from pal.table import ENTRY, PSEUDO, UNDEFINED, VALUE, Stop, SymbolTable
+from tapes.binary import FIELD, ORIGIN, WORD
 
 START = 0o200  # the origin before any other
 TELETYPE_SYMBOLS = 585  # room for the source's symbols with the source in the ASR-33's reader
 HIGH_SPEED_SYMBOLS = 489  # and in the high-speed reader, whose buffer takes the rest
-
-ORIGIN, FIELD, CHECKSUM = 0, 1, 2
 
 _MASK = 0o7777
 _OPERATORS = {" ": 0, "\t": 0, "+": 1, "-": -1}
 _ROUTINES = {address: name for name, address in PSEUDO_OPERATORS.items()}
 _PLACES = 7  # of the push-down list
 _PUSHED = {"=": 2, "*": 1, "FIELD": 2, "FIXMRI": 2}  # places that each takes while it waits
-_SAFE, _SAFE_IN_3 = 0o17, 0o12  # up to here in page zero a pass does not mind what is stored
+_SAFE_IN_3 = 0o12  # up to here in page zero pass 3 does not mind what is stored
 _REREAD = 7  # the letter of a number that is read twice, and counts so
 _TO_BLANKS = (10, 13, 14)  # letters of a number after which blank frames seem to be read
 _BLANK = "\x80"
@@ -65,9 +64,9 @@ class Message(NamedTuple):
 
 
 class Punched(NamedTuple):
-    """What pass 2 punches besides words: an ORIGIN, FIELD or CHECKSUM."""
+    """What pass 2 punches besides: an ORIGIN, a FIELD, or the checksum, as a WORD."""
 
-    kind: int
+    kind: str
     value: int
 
 
@@ -142,7 +141,8 @@ class Assembler:
     def run(self, number: int) -> Output:
         """Run pass `number`: its messages and what it punches or lists."""
         self._number = number
-        self._symbols.safe = _SAFE_IN_3 if number == 3 else _SAFE
+        if number == 3:
+            self._symbols.safe = _SAFE_IN_3
         self._reader = iter(enumerate(self._items))
         self.output: Output = []
         self._location = START
@@ -160,7 +160,7 @@ class Assembler:
         try:
             self._punch(ORIGIN, START)
             self._read()
-            self._punch(CHECKSUM, self._checksum & _MASK)
+            self._punch(WORD, self._checksum & _MASK)
             if number != 2:
                 self._list_symbols()
         except Stop as stop:
@@ -377,7 +377,7 @@ class Assembler:
         if fed or not self._made:
             self._pointer = self._symbols.page_zero(0)
 
-    def _punch(self, kind: int, value: int) -> None:
+    def _punch(self, kind: str, value: int) -> None:
         """Punch an origin or the checksum, in pass 2."""
         if self._number != 2:
             return

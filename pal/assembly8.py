@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from pal import pal8, punch, symbols8
 from pal.assembler import Written
 from pal.assembly import PAL8, Assembly
-from pal.listing import ListingLine, Teletype, octal
+from pal.listing import UNNUMBERED, ListingLine, Teletype, octal
 from pal.notes import (
     AFTER_END,
     DIALECT,
@@ -23,7 +23,7 @@ from pal.notes import (
     of_undefined,
     of_words,
 )
-from pal.source import Line, Place, lines_of, tokens
+from pal.source import Place, lines_of, tokens
 from pal.symbols import SIGNIFICANT
 
 if TYPE_CHECKING:
@@ -31,7 +31,6 @@ if TYPE_CHECKING:
 
 TAKEN = "taken for PAL8: it has what PAL III has not"
 
-_UNNUMBERED = " " * 12
 _MARKS = set('(["<&^%')
 _NAMES = {name[:SIGNIFICANT] for name in symbols8.PSEUDO_OPERATORS}
 _FIELDS = ("CDF", "CIF", "CDI")
@@ -103,43 +102,41 @@ class Assembly8(Assembly):
         return Place(line.tape, line.number, line.text, start, end)
 
     @cached_property
-    def _rows(self) -> list[tuple[Written | None, Line, str]]:
-        """The words, or None, with their lines and what is listed of these: all of it at the first word."""
-        rows: list[tuple[Written | None, Line, str]] = []
-        literals: list[tuple[Written | None, Line, str]] = []
+    def _rows(self) -> list[tuple[ListingLine, str]]:
+        """The listing with the mark of each word: all of a line at its first word, literals at the end."""
+        rows: list[tuple[ListingLine, str]] = []
+        literals: list[tuple[ListingLine, str]] = []
         last = -1
         for written in self._run.written:
             index = self._run.places[written.at][0]
             line = self._lines[index]
+            text = "" if written.literal or index == last else line.text
+            row = ListingLine(written.address, written.word, text, line.tape, line.number)
             if written.literal:
-                literals.append((written, line, ""))
+                literals.append((row, "  "))
                 continue
-            rows += [(None, other, other.text) for other in self._lines[last + 1 : index]]
-            rows.append((written, line, "" if index == last else line.text))
+            rows += [*self._without_word(last + 1, index), (row, "@ " if written.link else "  ")]
             last = index
-        rows += [(None, other, other.text) for other in self._lines[last + 1 : self._run.ended + 1]]
-        return rows + literals
+        return [*rows, *self._without_word(last + 1, self._run.ended + 1), *literals]
+
+    def _without_word(self, first: int, after: int) -> list[tuple[ListingLine, str]]:
+        lines = self._lines[first:after]
+        return [(ListingLine(None, None, line.text, line.tape, line.number), "") for line in lines]
 
     @cached_property
     def lines(self) -> list[ListingLine]:
         """The listing by statements; literals stand after the program, where they are put out."""
-        return [
-            ListingLine(written.address, written.word, text, line.tape, line.number)
-            if written
-            else ListingLine(None, None, text, line.tape, line.number)
-            for written, line, text in self._rows
-        ]
+        return [line for line, _ in self._rows]
 
     @cached_property
     def listing(self) -> str:
         """The listing with the symbol table, as text."""
         listed = []
-        for written, _, text in self._rows:
-            if written is None:
-                listed.append((_UNNUMBERED + text).rstrip())
-            else:
-                mark = "@ " if written.link else "  "
-                listed.append(f"{octal(written.address)}  {octal(written.word)}{mark}{text}".rstrip())
+        for line, mark in self._rows:
+            word = UNNUMBERED
+            if line.address is not None and line.word is not None:
+                word = f"{octal(line.address)}  {octal(line.word)}{mark}"
+            listed.append((word + line.source).rstrip())
         return "\n".join([*listed, "", self.symbol_table])
 
     def text(self, number: int) -> str:

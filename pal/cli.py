@@ -15,8 +15,6 @@ from tapes.arguments import Command, Folder, Source, Target, output
 from tapes.errors import WorkError, called, naming, visible
 from tapes.progress import Busy
 
-_LONG = 500_000
-"""Bytes of source that take a second or so."""
 _TEXT = Target("text")
 _PASSES = ("pass1", "pass2", "pass3")
 
@@ -126,7 +124,7 @@ def pal(
     capacity = HIGH_SPEED_SYMBOLS if high_speed_reader else TELETYPE_SYMBOLS
     contents = [_read(source) for source in sources]
     names = [called(source) for source in sources]
-    with Busy("assembling", sum(map(len, contents)) > _LONG):
+    with Busy("assembling", wanted=True):
         assembly = assemble(
             *contents, names=names, modern=modern, capacity=capacity, model=model, dialect=dialect
         )

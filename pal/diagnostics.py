@@ -27,7 +27,7 @@ ERROR, NOTE = "error", "note"
 STOPPED = "PS01"
 """Where PAL III goes no further."""
 
-_CONTROLS = {code: "\N{MIDDLE DOT}" for code in (*range(0x20), 0x7F) if code != ord("\t")}
+_CONTROLS = {code: "\N{MIDDLE DOT}" for code in range(0x20) if code != ord("\t")}
 """A terminal is shown no control codes of a source."""
 
 _WIDTH = 100

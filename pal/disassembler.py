@@ -51,7 +51,7 @@ def disassemble(words: Mapping[int, int]) -> str:
 
 def disassemble_tape(frames: bytes) -> str:
     """Return PAL source for a BIN or RIM tape. Raises TapeError: no such tape, a damaged one."""
-    if kinds.classify(frames) == kinds.RIM and frames.strip(b"\0") != _BARE:
+    if kinds.classify(frames) == kinds.RIM and _BARE not in frames:
         words = rim.decode(frames)
         return _source(_pieces_of(words, words))
     return _source(_pieces_on(frames))

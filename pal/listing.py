@@ -32,7 +32,7 @@ RUBOUT = "\x7f"
 NEW_LINE = "\r\n"
 LONGEST = 222  # characters of a line that pass 3 has room for
 
-_UNNUMBERED = " " * 12
+UNNUMBERED = " " * 12
 _FORM_FEED = "\0" * 6 + "\f" + "\0" * 6
 _MARKED = bytes([0, *frames.PARITIES["mark"][1:]])
 _SILENT = bytes((0, 0o200, 0o204, 0o215, 0o377))
@@ -158,7 +158,7 @@ def _texts(
 
 def _statement(listed: Listed, text: str) -> str:
     if listed.word is None:
-        return NEW_LINE + _UNNUMBERED + text
+        return NEW_LINE + UNNUMBERED + text
     return f"{NEW_LINE}{octal(listed.location)}  {octal(listed.word)}  {text}"
 
 

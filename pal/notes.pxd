@@ -14,7 +14,7 @@ cdef class Mention:
     cdef public bint defined
 
 
-@cython.locals(cells=dict, looked_at=dict, written=Written, other=Written, names=list, overlaid=int, address=int)
+@cython.locals(cells=dict, looked_at=dict, written=Written, other=Written, names=list, address=int)
 cpdef list of_words(object words, dict instructions)
 @cython.locals(name=str)
 cdef bint _is_instruction(Written written, dict instructions) except -1

@@ -25,6 +25,9 @@ from pal.isa import (
     JMS,
     OPR,
     REVERSED,
+    SMA,
+    SNL,
+    SZA,
     halts,
     refers_to,
     tests_flag,
@@ -36,7 +39,7 @@ INTO_DATA, INTO_CODE, NO_RETURN, CUT, RESERVED = "PN06", "PN07", "PN08", "PN09",
 COLON, NO_SLASH, MEANT, NOT_IN_TABLE, LOWER_CASE = "PN31", "PN32", "PN33", "PN34", "PN35"
 DIALECT, NOT_ON_8L, MODEL = "PN36", "PN37", "PN38"
 
-_SKIPS = 0o160  # the bits of group 2 that test
+_SKIPS = SMA | SZA | SNL
 _SAME_AS = {
     **{"HALT": "HLT", "STOP": "HLT", "JUMP": "JMP", "BRA": "JMP", "GOTO": "JMP", "CALL": "JMS", "JSR": "JMS"},
     **{"ADD": "TAD", "LOAD": "TAD", "LDA": "TAD", "STORE": "DCA", "STO": "DCA", "INC": "IAC", "CLEAR": "CLA"},
@@ -69,7 +72,7 @@ def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[
     notes: list[Note] = []
     cells: dict[int, Written] = {}
     looked_at: dict[str, str | None] = {}
-    overlaid = -2
+    overlaid: int | None = None
     for written in words:
         address, word, names = written.address, written.word, written.names
         other = cells.get(address)
@@ -79,7 +82,7 @@ def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[
                 notes.append(Note(OVERLAID, written.at, message, "set the origin where there is room"))
             overlaid = address
         cells[address] = written
-        if word >= IOT << 9 and len(names) > 1:
+        if word >= IOT << 9:
             key = " ".join(names)
             if key not in looked_at:
                 looked_at[key] = _combination(written, instructions)

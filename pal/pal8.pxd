@@ -46,7 +46,7 @@ cdef class Assembler:
     @cython.locals(address=int)
     cdef _write(self, int value, int at)
     cdef _put_word(self, Written written)
-    cdef _put(self, int kind, int value)
+    cdef _put(self, str kind, int value)
     @cython.locals(word=int, refers=bint, start=int, addressed=bint, address=int, item=int, also=bint)
     cdef int _expressions(self) except? -1
     cdef int _refer(self, int word, int address, int start) except? -1

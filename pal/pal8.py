@@ -24,11 +24,12 @@ Sources: palbart 2.13 and DEC's PAL8 V10D under OS/8, each run on several hundre
 """
 
 from pal import symbols8
-from pal.assembler import CHECKSUM, FIELD, ORIGIN, START, Output, Punched, Written
+from pal.assembler import START, Output, Punched, Written
 from pal.isa import ADDRESS, CURRENT_PAGE, INDIRECT, PAGE
 from pal.notes import COLON, RESERVED, TOO_LARGE, Mention, Note
 from pal.source import Line, tokens
 from pal.symbols import SIGNIFICANT
+from tapes.binary import FIELD, ORIGIN, WORD
 
 _MASK = 0o7777
 _OPERATORS = frozenset("+-!&^%")
@@ -128,8 +129,8 @@ class Assembler:
             if self._token and self._line():
                 self.ended = self._index
                 break
-        self._put_out(-1)
-        self._put(CHECKSUM, self._checksum & _MASK)
+        self._put_out(0)
+        self._put(WORD, self._checksum & _MASK)
 
     def place_of_line(self, index: int) -> int:
         """Return the place of a whole line."""
@@ -253,9 +254,9 @@ class Assembler:
         self._loading = self._loading & ~_MASK | self._loading + 1 & _MASK
         self._checksum += (written.word >> 6) + (written.word & 0o77)
 
-    def _put(self, kind: int, value: int) -> None:
+    def _put(self, kind: str, value: int) -> None:
         """Punch an origin, a field or the checksum, in pass 2."""
-        if self._number == 1 or not (self._punching or kind == CHECKSUM):
+        if self._number == 1 or not (self._punching or kind == WORD):
             return
         self.output.append(Punched(kind, value))
         if kind == FIELD:
@@ -341,7 +342,7 @@ class Assembler:
             address = 0
         location = address - self._shift & _MASK
         if (address ^ self._location) & PAGE:
-            self._put_out(0)
+            self._put_out(1)
         self._location = location
         self._put(ORIGIN, location)
 
@@ -553,11 +554,11 @@ class Assembler:
     def _here(self) -> tuple[int, int]:
         return self._before - 1, self._before
 
-    def _put_out(self, last: int) -> None:
-        """Put the literals out, of the last page first, of page zero only if `last` is below 0."""
-        for page in range(0o37, last, -1):
-            pool = self._pools.get(page)
-            if pool is None or pool.out == len(pool.values):
+    def _put_out(self, first: int) -> None:
+        """Put out the literals of page `first` and those after it, of the last page first."""
+        for page in sorted(self._pools, reverse=True):
+            pool = self._pools[page]
+            if page < first or pool.out == len(pool.values):
                 continue
             self._put(ORIGIN, page << 7 | ADDRESS - len(pool.values) + 1)
             for number in range(len(pool.values) - 1, pool.out - 1, -1):
@@ -632,7 +633,7 @@ class Assembler:
         if not given:
             message = f"FIELD alone is FIELD {field}; DEC's PAL8 refuses it (IC, IP)"
             self._note("PN47", message, "write the number", start, end)
-        self._put_out(-1)
+        self._put_out(0)
         self._pools = {}
         self._field = field
         self._put(FIELD, field)
@@ -641,7 +642,7 @@ class Assembler:
 
     def _go_to_page(self, there: int) -> None:
         """Go to the page that begins `there`."""
-        self._put_out(0)
+        self._put_out(1)
         location = there - self._shift & _MASK
         if location != self._location:
             self._location = location

@@ -10,7 +10,7 @@
 Source: tapes of DEC-08-ASB1.
 """
 
-from pal.assembler import FIELD, ORIGIN, Output, Punched, Written
+from pal.assembler import Output, Punched, Written
 from tapes import binary, frames
 
 START_UP = b"\0"
@@ -26,9 +26,9 @@ def frames_of(piece: Written | Punched) -> bytes:
     """Return what stands on the tape for it."""
     if isinstance(piece, Written):
         return binary.word(piece.word)
-    if piece.kind == FIELD:
+    if piece.kind == binary.FIELD:
         return binary.field(piece.value)
-    if piece.kind == ORIGIN:
+    if piece.kind == binary.ORIGIN:
         return binary.origin(piece.value)
     return binary.word(piece.value)
 

@@ -8,10 +8,14 @@ from pygls.exceptions import JsonRpcException
 from pygls.lsp.server import LanguageServer
 
 from pal.diagnostics import Diagnostic
-from pal.document import TAG, Document, Span, formatted
+from pal.document import TAG, VALUE, Document, Span, formatted
 
 _VERSION = "1"
 _Placed = lsp.HoverParams | lsp.DefinitionParams | lsp.ReferenceParams | lsp.RenameParams
+_KINDS = {
+    TAG: (lsp.CompletionItemKind.Function, lsp.SymbolKind.Function),
+    VALUE: (lsp.CompletionItemKind.Constant, lsp.SymbolKind.Constant),
+}
 _SEVERITIES = {True: lsp.DiagnosticSeverity.Error, False: lsp.DiagnosticSeverity.Warning}
 
 
@@ -76,7 +80,7 @@ def made(dialect: str) -> LanguageServer:
             for name, said in found.known.items()
         ]
         own = [
-            lsp.CompletionItem(each.name, kind=_item_kind(each.kind), detail=f"{each.value:04o}")
+            lsp.CompletionItem(each.name, kind=_KINDS[each.kind][0], detail=f"{each.value:04o}")
             for each in found.definitions
         ]
         return own + known
@@ -86,7 +90,7 @@ def made(dialect: str) -> LanguageServer:
         return [
             lsp.DocumentSymbol(
                 each.name,
-                lsp.SymbolKind.Function if each.kind == TAG else lsp.SymbolKind.Constant,
+                _KINDS[each.kind][1],
                 _range(each.span),
                 _range(each.span),
                 detail=f"{each.value:04o}",
@@ -115,10 +119,6 @@ def made(dialect: str) -> LanguageServer:
 
 def _range(span: Span) -> lsp.Range:
     return lsp.Range(lsp.Position(span.line, span.start), lsp.Position(span.line, span.end))
-
-
-def _item_kind(kind: str) -> lsp.CompletionItemKind:
-    return lsp.CompletionItemKind.Function if kind == TAG else lsp.CompletionItemKind.Constant
 
 
 def _diagnostic(found: Diagnostic) -> lsp.Diagnostic:

@@ -1,6 +1,6 @@
 # The types with which Cython compiles table.py; Python itself never reads this.
 
-cdef int _MASK, _PERMANENT_END, _BOUNDARY, _BEYOND, _SPILL, _CORE, _LINE_FEED
+cdef int _MASK, _PERMANENT_END, _BOUNDARY, _SPILL, _CORE, _LINE_FEED, _SAFE
 
 
 cdef class SymbolTable:

@@ -23,10 +23,10 @@ UNDEFINED = 0o4000
 _MASK = 0o7777
 _PERMANENT_END = PSEUDO + len(PERMANENT) * ENTRY
 _BOUNDARY = PSEUDO + sum(symbol.memory_reference for symbol in PERMANENT) * ENTRY
-_BEYOND = 0o10000  # a boundary after any symbol
 _SPILL = 93  # the word that takes the first character of a name after an illegal one (late)
 _CORE = 0o2266  # the table's address in core (late; the room for symbols agrees)
 _LINE_FEED = 0o212
+_SAFE = 0o17  # up to here in page zero passes 1 and 2 do not mind what is stored
 _LEFT_THERE = {1: 0o206, 2: 0o1073}  # words of page zero before pass 1; others are 0 (late)
 
 _NAMES = (*PSEUDO_OPERATORS.items(), *((symbol.mnemonic, symbol.octal) for symbol in PERMANENT))
@@ -52,7 +52,7 @@ class SymbolTable:
         self.index = dict(_INDEX)
         self.first = self.end = _PERMANENT_END
         self.boundary = _BOUNDARY
-        self.safe = 0
+        self.safe = _SAFE
         self._room = _PERMANENT_END + capacity * ENTRY
 
     @staticmethod
@@ -99,10 +99,10 @@ class SymbolTable:
             return
         if not 0 <= at < len(self.words):
             raise Stop(f"PAL III writes over itself, at {at + _CORE:04o}")
-        changed = self.words[at] ^ word
+        entry = at - at % ENTRY
+        before = self.name(entry)
         self.words[at] = word
-        place = at % ENTRY
-        if place != VALUE and changed & ~(0 if place else UNDEFINED):
+        if self.name(entry) != before:
             self._rename()
 
     def spill(self, characters: str) -> None:
@@ -113,7 +113,7 @@ class SymbolTable:
     def expunge(self) -> None:
         """Forget all but the pseudo-operators; what is entered next is a memory reference, until FIXMRI."""
         self.first = self.end = PSEUDO
-        self.boundary = _BEYOND
+        self.boundary = len(self.words)
         self._rename()
 
     def fix(self) -> None:
@@ -122,7 +122,7 @@ class SymbolTable:
 
     def fix_reference(self) -> None:
         """Move the boundary by one symbol."""
-        self.boundary = (PSEUDO if self.boundary == _BEYOND else self.boundary) + ENTRY
+        self.boundary = (PSEUDO if self.boundary == len(self.words) else self.boundary) + ENTRY
 
     def listed(self) -> list[int]:
         """Return where the symbols stand that are listed, in the order of their names; of equal ones one."""
