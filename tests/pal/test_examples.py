@@ -97,7 +97,7 @@ def test_the_form_of_the_source_tape_does_not_matter() -> None:
             **{"CR LF": tape, "CR": text.replace(b"\n", b"\r")},
             "mark": bytes(frame | 0o200 for frame in tape),
             "even": bytes(frame | 0o200 * (frame.bit_count() % 2) for frame in tape),
-            "leader and rubouts": b"\0\x80\x80" + text.replace(b"\n", b"\r\0\xff\n\xff\xff") + b"\x80",
+            "leader and rubouts": b"\0\x7f\x80" + text.replace(b"\n", b"\r\0\xff\n\xff\xff") + b"\x80",
         }
         for form, tape in forms.items():
             with case(name, form):

@@ -33,4 +33,6 @@ def test_a_word_at_0200_is_told_with_its_time() -> None:
 def test_a_name_is_told_with_its_word() -> None:
     for name, told in NAMES.items():
         assert meaning.of_name(name) == told
+    fields = [meaning.names8()[name] for name in ("CDF", "CIF", "CDI", "RDF", "RIF", "RIB", "RMF")]
+    assert all(told.endswith(", with the MC8/L") for told in fields)
     assert meaning.of_name("PAUSE").startswith("PAUSE: a pseudo-operator")

@@ -104,6 +104,7 @@ def test_a_session_ends_in_silence() -> None:
     sent = [json.dumps({"jsonrpc": "2.0", **message}) for message in messages]
     ended = run("pal", "--lsp", stdin="".join(f"Content-Length: {len(m)}\r\n\r\n{m}" for m in sent).encode())
     assert (ended.returncode, ended.stderr, b'"id": 2' in ended.stdout) == (0, b"", True)
+    assert b'"serverInfo": {"name": "pal", "version": "1"}' in ended.stdout
 
 
 DOCUMENT = """\
@@ -142,6 +143,7 @@ COLUMNS = {
     " CLA CLL CMA CML /L": "\tCLA CLL CMA CML\t/L",
     " \t": "",
     "BB = 6/W": "BB = 6\t\t\t/W",
+    "TEXTS, 5/Y": "TEXTS,\t5\t\t/Y",
     "LONGTAG,LONGER,5": "LONGTAG,\tLONGER,5",
     "\tHLT  \r": "\tHLT\r",
     "1234567/Q": "\t1234567\t\t/Q",
