@@ -188,10 +188,8 @@ def _check_kinds(names: tuple[str, ...], contents: list[bytes], ok: bool) -> Non
     for name, content in zip(names, contents, strict=True):
         if kinds.only_figures(content):
             raise AssemblyError(f"{called(name)}: nothing but figures: data, and no PAL source")
-        if ok:
-            continue
         kind = kinds.classify(content)
-        if kind in (kinds.BIN, kinds.RIM, kinds.EIA):
+        if not ok and kind in (kinds.BIN, kinds.RIM, kinds.EIA):
             raise AssemblyError(f"{called(name)}: a tape in {kind.upper()}, not PAL source")
 
 

@@ -84,10 +84,11 @@ def at_a_terminal(line: str, folder: Path, no_color: str = "") -> str:
 
 
 def test_a_terminal_is_shown_colours_that_it_may_have(folder: Path) -> None:
-    shown = at_a_terminal("pal good.pal --listing -", folder)
+    (folder / "wide.pal").write_text(wide := SOURCES["good"].replace("HLT", f"HLT\t/{'X' * 120}"))
+    shown = at_a_terminal("pal wide.pal --listing -", folder)
     assert "\x1b[94mTAD" in shown
     plain = re.sub(r"\x1b\[[0-9;]*m", "", shown)
-    assert plain == pal.assemble(SOURCES["good"]).listing.expandtabs(8) + "\nwrote good.bin\n"
+    assert plain == pal.assemble(wide).listing.expandtabs(8) + "\nwrote wide.bin\n"
     for option, no_color, coloured in (
         ("auto", "", 1),
         ("auto", "1", 0),
