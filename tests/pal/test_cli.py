@@ -25,20 +25,19 @@ SOURCES = {
     "bad": "*200\n\tJMP 400\n$\n",
     "five": "*200\n\tTAD (5)\n\tHLT\n$\n",
 }
-SESSIONS = (HERE / "cli.txt").read_text().removeprefix("== ").split("\n== ")
+SESSIONS = (HERE / "cli.txt").read_text("utf-8").removeprefix("== ").split("\n== ")
 
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     for name, source in SOURCES.items():
         (tmp_path / f"{name}.pal").write_text(source)
-    (tmp_path / "examples").symlink_to(EXAMPLES)
     return tmp_path
 
 
-@pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize("session", SESSIONS, ids=lambda session: session.partition("\n")[0])
-def test_a_session_goes_as_it_is_shown(session: str, shell: Shell) -> None:
+def test_a_session_goes_as_it_is_shown(session: str, folder: Path, shell: Shell) -> None:
+    (folder / "examples").symlink_to(EXAMPLES)
     seen = session.partition("\n")[0]
     for line in re.findall(r"^\$ (.*)", session, re.MULTILINE):
         done = shell(line)

@@ -16,7 +16,7 @@ FOLDER = Path(__file__).parent / "mistakes"
 def test_what_is_said_of_each_is_what_was_read() -> None:
     said = []
     for dialect in ("pal3", "pal8", "auto"):
-        for mistake in (FOLDER / f"{dialect}.txt").read_text().split("== ")[1:]:
+        for mistake in (FOLDER / f"{dialect}.txt").read_text("utf-8").split("== ")[1:]:
             title, _, text = mistake.partition("\n")
             said.append(f"== {dialect} {title}")
             end = "" if title.startswith("no end") or "$" in text else "$\n"
@@ -24,7 +24,7 @@ def test_what_is_said_of_each_is_what_was_read() -> None:
                 place = f"{found.line}:{found.column}-{found.end_column}"
                 told = (place, found.code, found.message, found.advice, found.hint)
                 said.append(" | ".join(filter(None, told)))
-    assert said == (FOLDER / "said.txt").read_text().splitlines()
+    assert said == (FOLDER / "said.txt").read_text("utf-8").splitlines()
 
 
 def test_of_an_empty_line_nothing_is_shown() -> None:
