@@ -100,15 +100,14 @@ def diagnose(
     if len(source.text) == 1:
         return [empty(names)]
     found: list[tuple[str, Note, str]] = []
-    full = False
-    small = 0
+    full = small = False
     for message in messages:
         at = _reference(source, message.at) if message.code == "IR" else message.at
         subject = message.subject.strip()
-        if message.code == "IC" and 0o341 <= int(subject, 8) <= 0o372:
-            small += 1
-            if small > 1:
-                continue
+        lower = message.code == "IC" and 0o341 <= int(subject, 8) <= 0o372
+        if lower and small:
+            continue
+        small |= lower
         advice = _ADVICE[message.code](subject, message.location)
         if subject == "0277":
             mark = source.spans[message.at][1]
