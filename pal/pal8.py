@@ -820,7 +820,7 @@ class Assembler:
         self._take_line(end)
         floating = self._mode == "FLTG"
         exponent = floating and self._token[:1].isalpha()
-        if self._token not in ("", ";", ">") and not exponent:
+        if self._token not in ("", ";") and not exponent:
             value = self._fail("IC", f"more than a number for {self._mode}", "put a ; between two numbers")
         elif exponent or (floating and value == 0):
             self._fail(
