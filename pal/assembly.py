@@ -68,10 +68,13 @@ class Assembly:
         from pal import review
         from pal.diagnostics import diagnose
 
-        noted = review.notes(
-            self.source, len(self.names), self._assembler, self.messages, self._second, self._table
-        )
+        noted = list(self._assembler.notes)
         stopped = self.stopped
+        if not stopped:
+            tapes = len(self.names)
+            noted += review.notes(
+                self.source, tapes, self._assembler, self.messages, self._second, self._table
+            )
         if self._assembler.moved or self.model:
             stopped = stopped or self._third.stopped
             noted += review.of_pass_3(self._second, self._third.output)

@@ -36,17 +36,14 @@ def notes(
     punched: Output,
     table: Sequence[Entry],
 ) -> list[Note]:
-    """Return what is to be noted of a source of so many tapes, after passes 1 and 2.
+    """Return what else is to be noted of a source of so many tapes, after passes 1 and 2.
 
     `messages` are theirs, `punched` is what pass 2 punched, `table` the symbols as pass 1 left them.
     """
-    found = list(watched.notes)
-    if watched.stopped:
-        return found
     ended = watched.ended
     items = source.items
     words = [piece for piece in punched if isinstance(piece, Written)]
-    found += [note._replace(at=source.first_symbol(note.at)) for note in of_words(words, _INSTRUCTIONS)]
+    found = [note._replace(at=source.first_symbol(note.at)) for note in of_words(words, _INSTRUCTIONS)]
     undefined = [entry for entry in table if not entry.defined]
     if undefined:
         found += _undefined(source, undefined, [entry.name for entry in table if entry.defined])

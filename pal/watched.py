@@ -40,9 +40,9 @@ class Watched(Assembler):
         self._kept: int | None = None
 
     def run(self, number: int) -> Output:
-        """Run a pass, then look at how it ended."""
+        """Run a pass, then look at how 1 and 2 ended."""
         output = super().run(number)
-        if self.stopped:
+        if self.stopped or number == 3:
             return output
         self.ended = self._at
         if number == 1:

@@ -1,6 +1,7 @@
 """What holds of any source whatever."""
 
 import re
+from typing import Any
 
 from hypothesis import example, given
 from hypothesis import strategies as st
@@ -37,27 +38,31 @@ pieces = made_of(*NAMES * 3, *PSEUDO)
 later = made_of(*NAMES, *LATER)
 
 
-def look_at_everything(assembly: pal.Assembly) -> None:
+def look_at_everything(source: bytes | str, **options: Any) -> pal.Assembly:
+    diagnostics = pal.assemble(source, **options).diagnostics
+    assembly = pal.assemble(source, **options)
     for number in (1, 2, 3):
         assert assembly.text(number).isascii() or assembly.dialect == "pal8"
     assert assembly.dialect == "pal8" or len(assembly.teletype) == 3
-    assert any(diagnostic.error for diagnostic in assembly.diagnostics) != assembly.ok
+    assert assembly.diagnostics == diagnostics
+    assert any(diagnostic.error for diagnostic in diagnostics) != assembly.ok
     cross_reference(assembly)
     as_json(assembly)
     if assembly.stopped:
         assert (assembly.tape, assembly.words) == (b"", {})
     else:
         assert binary.decode(assembly.tape).words == assembly.words
+    return assembly
 
 
 @given(statements | pieces | st.binary(max_size=200) | st.text(max_size=100), st.booleans())
 def test_anything_assembles_to_a_good_tape(source: bytes | str, modern: bool) -> None:
-    look_at_everything(pal.assemble(source, modern=modern))
+    look_at_everything(source, modern=modern)
 
 
 @given(st.text(CHARACTERS + '(["<>&%)]', max_size=80) | later | st.text(max_size=100))
 def test_anything_is_a_source_of_pal8(source: str) -> None:
-    look_at_everything(pal.assemble(source, dialect="pal8"))
+    look_at_everything(source, dialect="pal8")
 
 
 @given(pieces)
@@ -80,6 +85,5 @@ def test_two_tapes_are_one_after_the_other(first: str, second: str) -> None:
 @given(pieces, st.sampled_from([1, 3, HIGH_SPEED_SYMBOLS]))
 @example("FIXMRI 1\n" * 80, 1)
 def test_any_reader_and_any_room_come_to_an_end(source: str, capacity: int) -> None:
-    assembly = pal.assemble(source, capacity=capacity)
-    look_at_everything(assembly)
+    assembly = look_at_everything(source, capacity=capacity)
     assert len(assembly.symbols) <= capacity + 75
