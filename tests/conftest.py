@@ -1,17 +1,24 @@
-"""What the tests of several packages share: a shell, and how two tapes are compared."""
+"""What the tests of several packages share: commands in this process, a shell, how two tapes are compared."""
 
 import asyncio
+import io
 import os
+import shlex
 import sys
 from collections.abc import Callable, Coroutine, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
+from itertools import zip_longest
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 import pytest
 
 import programs  # noqa: F401 - its files go on the shelf
+from pal.cli import pal
+from pdp8.cli.root import pdp8
+from tapes import command
+from tapes.frames import draw
 from tests import commands
 from tests.pdp8.web.browsing import CHROMIUM, launched
 
@@ -24,10 +31,12 @@ if sys.platform == "win32":  # signals, terminals, devices, links and modes are 
         "pdp8/cli/test_files.py",
         "pdp8/cli/test_line.py",
         "pdp8/cli/test_manners.py",
+        "pdp8/cli/test_refusals.py",
         "pdp8/cli/test_run.py",
         "pdp8/replay/test_command.py",
     ]
 
+Call = Callable[..., tuple[int, str, str]]
 Shell = Callable[..., commands.Done]
 Result = TypeVar("Result")
 
@@ -36,6 +45,31 @@ Result = TypeVar("Result")
 def pytest_xdist_auto_num_workers() -> int:
     """Return one process more than there are cores: browsers, terminals and pipes are waited for."""
     return (os.cpu_count() or 1) + 1
+
+
+class Stream(io.TextIOWrapper):
+    """A standard stream in memory, a terminal or not."""
+
+    def __init__(self, content: bytes, terminal: bool) -> None:
+        super().__init__(io.BytesIO(content), encoding="utf-8", write_through=True)
+        self.isatty = lambda: terminal  # type: ignore[method-assign]
+
+
+@pytest.fixture
+def call(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Call:
+    """Call a command in this process, in an empty folder; return its status, standard output and error."""
+    monkeypatch.chdir(tmp_path)
+
+    def called(line: str, stdin: bytes = b"", terminal: bool = False) -> tuple[int, str, str]:
+        streams = [Stream(content, terminal) for content in (stdin, b"", b"")]
+        for name, stream in zip(("stdin", "stdout", "stderr"), streams, strict=True):
+            monkeypatch.setattr(sys, name, stream)
+        name, *words = shlex.split(line)
+        status = command.status({"pdp8": pdp8, "pal": pal}[name], name, words)
+        out, said = (stream.buffer.getvalue() for stream in streams[1:])  # type: ignore[attr-defined]
+        return status, out.decode("utf-8", "surrogateescape"), said.decode()
+
+    return called
 
 
 @pytest.fixture
@@ -62,27 +96,14 @@ def case(*values: object) -> Iterator[None]:
         raise
 
 
-def holes(frame: int | None) -> str:
-    """Return a frame as its row of holes, channel 8 first, the sprocket between 4 and 3."""
-    if frame is None:
-        return "(no frame)"
-    row = "".join("o" if frame & 1 << channel else "-" for channel in range(7, -1, -1))
-    return f"{row[:5]}.{row[5:]} {frame:03o}"
-
-
 def assert_same_tape(ours: bytes, expected: bytes) -> None:
     """Compare two tapes; the first difference is shown as holes."""
     if ours == expected:
         return
-    at = next(
-        (i for i, pair in enumerate(zip(ours, expected, strict=False)) if pair[0] != pair[1]),
-        min(len(ours), len(expected)),
-    )
-    there, here = (tape[at] if at < len(tape) else None for tape in (ours, expected))
-    pytest.fail(
-        f"tapes of {len(ours)} and {len(expected)} frames differ first at frame {at}: "
-        f"{holes(there)} where {holes(here)} was expected"
-    )
+    for at, pair in enumerate(zip_longest(ours, expected)):
+        if pair[0] != pair[1]:
+            here, there = ("no frame" if frame is None else f"{frame:03o} |{draw(frame)}|" for frame in pair)
+            pytest.fail(f"frame {at}: {here} should be {there} ({len(ours)} and {len(expected)} frames)")
 
 
 @pytest.fixture(scope="session")

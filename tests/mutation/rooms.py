@@ -6,7 +6,7 @@ from pathlib import Path
 HOUSE = Path(__file__).parents[2]
 
 PHOTOGRAPHS = "tests/tapes/photograph"
-COMMANDS = [f"tests/pdp8/cli/test_{name}.py" for name in ("files", "loading", "manners", "root")]
+COMMANDS = [f"tests/pdp8/cli/test_{name}.py" for name in ("files", "loading", "manners", "refusals", "root")]
 """The tests of what all commands do alike, which tapes/ holds."""
 
 ROOMS = {

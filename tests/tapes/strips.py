@@ -1,4 +1,4 @@
-"""What the tests of tapes share: comparing strips of holes, and other people's programs to compare with."""
+"""What the tests of tapes share: a tape of DEC's, and other people's programs to compare with."""
 
 import shutil
 import subprocess
@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 
 from tapes.errors import TapeError
-from tapes.frames import draw
 
 LEADER = bytes([0o200]) * 64
 
@@ -32,14 +31,6 @@ FORMAT_WORDS = {
     0o232: 0o0006, 0o300: 0o0007, 0o400: 0o0010, 0o401: 0o1200,
 }  # fmt: skip
 """What that program's own listing, of pass 3, says of it."""
-
-
-def assert_same(made: bytes, expected: bytes) -> None:
-    """Fail at the first frame that differs, shown as holes."""
-    for number, (ours, theirs) in enumerate(zip(made, expected, strict=False)):
-        if ours != theirs:
-            pytest.fail(f"frame {number}: {ours:03o} |{draw(ours)}| should be {theirs:03o} |{draw(theirs)}|")
-    assert len(made) == len(expected), f"{len(made)} frames should be {len(expected)}"
 
 
 def simh() -> str:

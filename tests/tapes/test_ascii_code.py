@@ -6,13 +6,14 @@ from hypothesis import strategies as st
 
 from tapes import ascii
 from tapes.errors import TapeError, TextError
-from tests.tapes.strips import assert_same, octal
+from tests.conftest import assert_same_tape
+from tests.tapes.strips import octal
 
 
 def test_a_line_as_the_thesis_has_it() -> None:
     """Channel 8 always punched, CR LF and six RUBOUTs."""
     expected = "240 261 260 261 271 215 212 377 377 377 377 377 377"
-    assert_same(ascii.encode(" 1019\n"), octal(expected))
+    assert_same_tape(ascii.encode(" 1019\n"), octal(expected))
 
 
 @pytest.mark.parametrize(
@@ -25,7 +26,7 @@ def test_a_line_as_the_thesis_has_it() -> None:
     ],
 )
 def test_parity_and_fill(parity: str, fill: int, expected: str) -> None:
-    assert_same(ascii.encode("01\n", parity, fill), octal(expected))
+    assert_same_tape(ascii.encode("01\n", parity, fill), octal(expected))
 
 
 @given(

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from tapes import ascii, binary, kinds, rim
 from tapes.errors import TapeError
 from tapes.frames import leader
-from tests.conftest import case
-from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, assert_same, octal, palbart, refused, simh
+from tests.conftest import assert_same_tape, case
+from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, octal, palbart, refused, simh
 
 WORDS = st.dictionaries(st.integers(0, 0o7777), st.integers(0, 0o7777))
 
@@ -24,7 +24,7 @@ def tape(body: str) -> bytes:
 def test_the_canonical_tape() -> None:
     made = binary.encode({0o201: 0o7402, 0o200: 0o7300, 0o400: 0o0001})
     # checksum: 102+000+073+000+074+002 + 104+000+000+001, octal
-    assert_same(made, tape("102 000 073 000 074 002 104 000 000 001 004 000"))
+    assert_same_tape(made, tape("102 000 073 000 074 002 104 000 000 001 004 000"))
 
 
 def test_a_tape_of_dec_s_assembler() -> None:
@@ -48,7 +48,7 @@ def test_what_is_punched_is_read(words: dict[int, int]) -> None:
 def test_fields_have_their_own_frame_which_is_not_summed() -> None:
     made = binary.encode({0o07777: 1, 0o10000: 2, 0o70000: 3})
     # 177+077+001 + 100+000+002 + 100+000+003 = 0504 octal
-    assert_same(made, tape("177 077 000 001 310 100 000 000 002 370 100 000 000 003 005 004"))
+    assert_same_tape(made, tape("177 077 000 001 310 100 000 000 002 370 100 000 000 003 005 004"))
     assert binary.decode(made) == ({0o07777: 1, 0o10000: 2, 0o70000: 3}, {1: 68, 7: 73})
 
 

@@ -7,7 +7,8 @@ import pytest
 from tapes import ascii, binary, eia, measure, rim
 from tapes.convert import convert, typed
 from tapes.errors import TextError, WorkError
-from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, assert_same, octal
+from tests.conftest import assert_same_tape
+from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, octal
 
 TEXT = "0010000000000003588\n0029030000350000189\n"
 
@@ -16,30 +17,32 @@ TEXT = "0010000000000003588\n0029030000350000189\n"
 @pytest.mark.parametrize("target", ["text", "ascii", "eia"])
 def test_characters(source: str, target: str) -> None:
     punched = {"text": TEXT.encode(), "ascii": ascii.encode(TEXT), "eia": eia.encode(TEXT)}
-    assert_same(convert(punched[source], source, target), punched[target])
+    assert_same_tape(convert(punched[source], source, target), punched[target])
 
 
 def test_words() -> None:
-    assert_same(convert(FORMAT_BIN, "bin", "rim"), rim.encode(FORMAT_WORDS))
-    assert_same(convert(rim.encode(FORMAT_WORDS), "rim", "bin"), binary.encode(FORMAT_WORDS))
+    assert_same_tape(convert(FORMAT_BIN, "bin", "rim"), rim.encode(FORMAT_WORDS))
+    assert_same_tape(convert(rim.encode(FORMAT_WORDS), "rim", "bin"), binary.encode(FORMAT_WORDS))
 
 
 def test_octal_gives_back_the_very_frames() -> None:
-    assert_same(convert(convert(FORMAT_BIN, "bin", "octal"), "octal", "frames"), FORMAT_BIN)
-    assert_same(convert(b"200 102 000 073 000 001 075 200", "octal", "rim"), rim.encode({0o200: 0o7300}))
+    assert_same_tape(convert(convert(FORMAT_BIN, "bin", "octal"), "octal", "frames"), FORMAT_BIN)
+    assert_same_tape(convert(b"200 102 000 073 000 001 075 200", "octal", "rim"), rim.encode({0o200: 0o7300}))
 
 
 def test_parity_alone_leaves_leader_and_fill_as_they_are() -> None:
     tape = LEADER + octal("301 215 212 377 000 303") + bytes(3)
-    assert_same(convert(tape, "ascii", "ascii", "even"), LEADER + octal("101 215 012 377 000 303") + bytes(3))
+    assert_same_tape(
+        convert(tape, "ascii", "ascii", "even"), LEADER + octal("101 215 012 377 000 303") + bytes(3)
+    )
 
 
 def test_the_fill_is_punched_again() -> None:
-    assert_same(convert(ascii.encode(TEXT), "ascii", "ascii", "none", 1), ascii.encode(TEXT, "none", 1))
+    assert_same_tape(convert(ascii.encode(TEXT), "ascii", "ascii", "none", 1), ascii.encode(TEXT, "none", 1))
 
 
 def test_a_text_file_taken_for_a_tape_becomes_a_tape() -> None:
-    assert_same(convert(b"A\nB\n", "ascii", "ascii"), ascii.encode("A\nB\n"))
+    assert_same_tape(convert(b"A\nB\n", "ascii", "ascii"), ascii.encode("A\nB\n"))
 
 
 @pytest.mark.parametrize(

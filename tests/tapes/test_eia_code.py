@@ -6,7 +6,8 @@ from hypothesis import strategies as st
 
 from tapes import eia, shelf
 from tapes.errors import TapeError, TextError
-from tests.tapes.strips import assert_same, octal, refused
+from tests.conftest import assert_same_tape
+from tests.tapes.strips import octal, refused
 
 TABLE = """
 0 20  1 01  2 02  3 13  4 04  5 15  6 16  7 07  8 08  9 19
@@ -38,7 +39,7 @@ def test_every_frame_has_its_name() -> None:
 
 def test_the_constants_of_appendix_b() -> None:
     expected = octal("040 001 002 023 004 025 026 007 010 031 200")
-    assert_same(eia.encode("0123456789\n"), expected)
+    assert_same_tape(eia.encode("0123456789\n"), expected)
 
 
 @given(st.text(st.sampled_from(sorted(eia.CODES))))

@@ -6,14 +6,15 @@ from hypothesis import strategies as st
 
 from tapes import rim
 from tapes.errors import TapeError
-from tests.tapes.strips import LEADER, assert_same, octal, refused
+from tests.conftest import assert_same_tape
+from tests.tapes.strips import LEADER, octal, refused
 
 WORDS = st.dictionaries(st.integers(0, 0o7777), st.integers(0, 0o7777), min_size=1)
 GROUPS = "102 000 073 000 177 077 043 021"
 
 
 def test_address_and_word_in_four_frames() -> None:
-    assert_same(rim.encode({0o7777: 0o4321, 0o200: 0o7300}), LEADER + octal(GROUPS) + LEADER)
+    assert_same_tape(rim.encode({0o7777: 0o4321, 0o200: 0o7300}), LEADER + octal(GROUPS) + LEADER)
 
 
 @given(WORDS)

@@ -63,43 +63,6 @@ def test_the_pc8_reads_and_punches_files(shell: Shell, tmp_path: Path) -> None:
     assert ran.returncode == 0
 
 
-@pytest.mark.parametrize(
-    ("line", "status", "message"),
-    [
-        ("run", 2, "give a PROGRAM, or --restore"),
-        ("run hello.pal --restore x", 2, "give a PROGRAM, or --restore"),
-        ("run --restore x --boot", 2, "--boot means nothing beside --restore"),
-        ("run hello.pal --loader x", 2, "--loader means nothing without --boot"),
-        ("run hello.pal --tty x --reader y", 2, "--tty is keyboard and reader"),
-        ("run hello.pal --tty /dev/null", 1, "/dev/null: not a line"),
-        ("run hello.pal --start 9", 2, "not an octal number"),
-        ("run hello.pal --sr 10000", 2, "not between 0000 and 7777"),
-        ("run hello.pal --nonsense", 2, "No such option"),
-        ("run hello.pal --max-time nan", 2, "not between 0 and 1e9 seconds"),
-        ("check add x.pal --cpu nan", 2, "not between 0.1 and 3600 seconds"),
-        ("run hello.pal --max-time soon", 2, "not a number of seconds"),
-        ("run hello.pal --keyboard", 2, "needs a terminal"),
-        ("run --restore nothing", 1, "nothing: no such file"),
-        ("run --restore empty", 1, "empty: a saved state begins with"),
-        ("run hello.pal --fast-reader nothing", 1, "nothing: no such file"),
-        ("run hello.pal --trace /dev/full", 1, "/dev/full: No space left on device"),
-        ("run hello.pal --trace .", 1, ".: Is a directory"),
-        ("run hello.pal --save /dev/full", 1, "/dev/full: No space left on device"),
-        ("run hello.pal --fast-punch .", 1, ".: Is a directory"),
-        ("run hello.pal --save ''", 1, "the name of a file is empty"),
-        ("run ''", 1, "the name of a file is empty"),
-        ("run empty --boot", 1, "empty: the program tape is empty"),
-    ],
-)
-def test_misuse(shell: Shell, tmp_path: Path, line: str, status: int, message: str) -> None:
-    (tmp_path / "empty").write_bytes(b"")
-    ran = shell(f"pdp8 {line} < /dev/null > out.tape")
-    assert message in ran.stderr.decode()
-    assert "Traceback" not in ran.stderr.decode()
-    assert ran.returncode == status
-    assert not (tmp_path / "hello.trace").exists()
-
-
 def test_the_live_teletype_and_the_way_to_the_monitor() -> None:
     terminal = Terminal("pdp8", "run", "echo.pal", "--keyboard")
     terminal.until(b"Ctrl-]")

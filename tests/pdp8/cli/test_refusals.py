@@ -1,0 +1,159 @@
+"""What each command refuses, in a line that names the place; every file is left as it was.
+
+A line of the tables: the command, ` -> `, and what it says of it. Status 2, misuse, ends with where help is.
+"""
+
+from pathlib import Path
+
+import click
+import pytest
+
+from pdp8.cli.root import pdp8
+from release.reference import commands as walk
+from tapes import shelf
+from tests.conftest import Call
+from tests.tapes.strips import FORMAT_BIN
+
+EVERY = {each.command_path: each.command for each in walk(click.Context(pdp8, info_name="pdp8"))}
+"""Each command by its name, `pdp8 tape show`."""
+
+EVERY = {each.command_path: each.command for each in walk(click.Context(pdp8, info_name="pdp8"))}
+"""Each command by its name, `pdp8 tape show`."""
+
+FILES = {
+    **{
+        "ana.pal": b"*200\n\tHLT\n$\n",
+        "ben.pal": b"*200\n\tHLT\n$\n",
+        "a.bin": FORMAT_BIN,
+        "a.asc": b"12\r\n",
+    },
+    **{"empty": b"", "blank": bytes(1), "half": FORMAT_BIN[:100], "even": b"\n", "mark": b"\xff\xfe"},
+    **{"accent": "1\né".encode(), "shout": b"1!\n", "data": b"123\r\n", "line": b"A"},
+    "cut.bin": shelf.read_bundled("eia.bin")[:200],
+}
+
+FAILS = """\
+pdp8 tape show nowhere.asc -> : nowhere.asc: no such file, here or among the bundled ones
+pdp8 tape show . -> : .: Is a directory
+pdp8 tape show -> : standard input: frame 0: empty tape
+pdp8 tape show --from 9 blank -> : blank: frame 9: the tape has only 1
+pdp8 tape show --svg . blank -> : .: Is a directory
+pdp8 tape convert --to rim half -> : half: frame 100: the tape is cut short inside a word
+pdp8 tape convert --code eia --to text even -> : even: frame 0: 012 (channels 4 2) is no EIA
+pdp8 tape convert --to octal -o no/x a.bin -> : no/x: No such file or directory
+pdp8 tape punch mark -> : mark: line 1, column 1: byte 377 is no text
+pdp8 tape punch accent -> : accent: line 2, column 1: 'é' is no ASCII character
+pdp8 tape punch --code eia shout -> : shout: line 1, column 2: '!' has no EIA code
+pdp8 tape punch -o /dev/full line -> : /dev/full: No space left on device
+pdp8 run . -> : .: Is a directory
+pdp8 run nowhere.bin -> : nowhere.bin: no such file
+pdp8 run cut.bin -> : cut.bin: frame 200:
+pdp8 run a.asc -> : a.asc: nothing but figures: no program, but a tape for the reader
+pdp8 run circle.asc -> : circle.asc: nothing but figures: no program, but a tape for the reader
+pdp8 run eia.pal --reader nowhere.asc -> : nowhere.asc: no such file
+pdp8 run hello.pal --tty /dev/null -> : /dev/null: not a line
+pdp8 run --restore nothing -> : nothing: no such file
+pdp8 run --restore empty -> : empty: a saved state begins with
+pdp8 run hello.pal --fast-reader nothing -> : nothing: no such file
+pdp8 run ana.pal --trace /dev/full -> : /dev/full: No space left on device
+pdp8 run hello.pal --trace . -> : .: Is a directory
+pdp8 run ana.pal --save /dev/full -> : /dev/full: No space left on device
+pdp8 run hello.pal --fast-punch . -> : .: Is a directory
+pdp8 run hello.pal --save '' -> : the name of a file is empty
+pdp8 run '' -> : the name of a file is empty
+pdp8 run empty --boot -> : empty: the program tape is empty
+pdp8 dis -> : standard input: frame 0: empty tape
+"""
+
+MISUSE = """\
+pdp8 tape show --from -1 -> '--from': -1 is not in the range x>=0.
+pdp8 tape show --to -1 -> '--to': -1 is not in the range x>=0.
+pdp8 tape show --to 1 --from 2 -> --to 1 lies before --from 2
+pdp8 tape show --code x -> '--code': 'x' is not one of 'auto', 'ascii', 'eia', 'bin', 'rim', 'none'.
+pdp8 tape convert -> Missing option '--to'. Choose from:
+pdp8 tape convert --code x -> 'x' is not one of 'auto', 'text', 'ascii', 'eia', 'bin', 'rim', 'octal'.
+pdp8 tape convert --to x -> 'x' is not one of 'text', 'ascii', 'eia', 'bin', 'rim', 'octal', 'frames'.
+pdp8 tape convert --parity x -> '--parity': 'x' is not one of 'mark', 'even', 'odd', 'none'.
+pdp8 tape convert --fill 1001 -> '--fill': 1001 is not in the range 0<=x<=1000.
+pdp8 tape punch --code text -> '--code': 'text' is not one of 'ascii', 'eia'.
+pdp8 tape punch --fill -1 -> '--fill': -1 is not in the range 0<=x<=1000.
+pdp8 tape punch --fill 1001 -> '--fill': 1001 is not in the range 0<=x<=1000.
+pdp8 tape punch --leader -1 -> '--leader': -1 is not in the range 0<=x<=100000.
+pdp8 tape punch --leader 100001 -> '--leader': 100001 is not in the range 0<=x<=100000.
+pdp8 tape punch --leader 100000000000000000000 -> is not in the range 0<=x<=100000.
+pdp8 tape read -> Missing argument 'PHOTOS...'.
+pdp8 tape hang -> there is no command 'hang'
+pdp8 monitr -> there is no command 'monitr'; did you mean monitor?
+pdp8 part circel -> there is no command 'circel'; did you mean circle?
+pdp8 nc view circle.eia -> Missing option '-o'
+pdp8 nc inspect a.asc --stretch 1,2 -> --stretch needs --talysurf
+pdp8 check add x.pal --cpu nan -> not between 0.1 and 3600 seconds
+pdp8 run -> give a PROGRAM, or --restore
+pdp8 run hello.pal --restore x -> give a PROGRAM, or --restore
+pdp8 run --restore x --boot -> --boot means nothing beside --restore
+pdp8 run hello.pal --loader x -> --loader means nothing without --boot
+pdp8 run a.bin --cycles -> --cycles means nothing without --trace
+pdp8 run hello.pal --tty x --reader y -> --tty is keyboard and reader
+pdp8 run hello.pal --start 9 -> not an octal number
+pdp8 run hello.pal --sr 10000 -> not between 0000 and 7777
+pdp8 run hello.pal --nonsense -> No such option
+pdp8 run hello.pal --max-time nan -> not between 0 and 1e9 seconds
+pdp8 run hello.pal --max-time soon -> not a number of seconds
+pdp8 run hello.pal --keyboard -> needs a terminal
+pdp8 run eia.pal circle.asc -> a tape goes into the reader: --reader circle.asc
+pdp8 run a.bin --reader a.asc --punch a.asc -> a.asc is the source; name another file
+pdp8 run a.bin --punch x --trace x -> two outputs go to x
+pdp8 run a.bin --trace - -> two outputs go to standard output
+pdp8 run - --reader - -> standard input can be read only once
+pdp8 tape convert a.asc --to text -o a.asc -> a.asc is the source; name another file
+pdp8 check add ana.pal --json - --junit - -> two outputs go to standard output
+pdp8 check add --junit ana.pal ben.pal -> ana.pal is there, and is no XML
+pdp8 check add --json ana.pal ben.pal -> ana.pal is there, and is no JSON
+pdp8 check add --export-student ana.pal -> ana.pal is there, and is no JSON
+pdp8 check add ben.pal --junit ana.pal -> ana.pal is there, and is no XML
+pal --json ana.pal ben.pal -> ana.pal is there, and is no JSON
+pal --listing ana.pal ben.pal -> ana.pal is there, and is no text
+pal -o ana.pal ben.pal -> ana.pal is there, and is no tape
+pdp8 run ben.pal --save ana.pal -> ana.pal is there, and is no JSON
+pdp8 run ben.pal --punch ana.pal -> ana.pal is there, and is no tape
+pdp8 run ben.pal --trace ana.pal -> ana.pal is there, and is no text
+pdp8 nc plot circle.eia -o ana.pal -> ana.pal is there, and is no SVG
+pdp8 tape show --svg ana.pal circle.eia -> ana.pal is there, and is no SVG
+pdp8 part circle -o ana.pal -> ana.pal is there, and is no tape
+pdp8 tape clean circle.eia -o ana.pal -> ana.pal is there, and is no tape
+"""
+
+
+def refused(call: Call, row: str, folder: Path) -> tuple[int, str, str]:
+    """Call what a row of a table says, in a folder of FILES; return its status, what it said and should."""
+    for name, content in FILES.items():
+        (folder / name).write_bytes(content)
+    line, expected = row.split(" -> ")
+    status, shown, said = call(line)
+    assert shown == ""
+    assert {path.name: path.read_bytes() for path in folder.iterdir()} == FILES
+    return status, said, expected
+
+
+@pytest.mark.parametrize("row", FAILS.splitlines())
+def test_what_fails_says_why_in_one_line(row: str, call: Call, tmp_path: Path) -> None:
+    status, said, expected = refused(call, row, tmp_path)
+    assert (status, said.count("\n")) == (1, 1), said
+    assert said.startswith(f"{' '.join(row.split()[: 2 + row.startswith('pdp8 tape')])}{expected}")
+
+
+@pytest.mark.parametrize("row", MISUSE.splitlines())
+def test_misuse_is_told_with_where_help_is(row: str, call: Call, tmp_path: Path) -> None:
+    status, said, expected = refused(call, row, tmp_path)
+    assert status == 2
+    assert expected in said.splitlines()[0]
+    assert said.startswith(row.split(maxsplit=1)[0])
+    assert "--help shows what there is" in said
+
+
+@pytest.mark.parametrize(
+    "path", [path for path, each in EVERY.items() for option in each.params if option.required]
+)
+def test_what_is_required_is_asked_for(path: str, call: Call) -> None:
+    status, _, said = call(path)
+    assert (status, ": Missing " in said) == (2, True)
