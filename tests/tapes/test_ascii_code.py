@@ -1,5 +1,7 @@
 """ASCII tapes: line ends, fill, parity."""
 
+from typing import Any
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -10,23 +12,18 @@ from tests.conftest import assert_same_tape
 from tests.tapes.strips import octal
 
 
-def test_a_line_as_the_thesis_has_it() -> None:
-    """Channel 8 always punched, CR LF and six RUBOUTs."""
-    expected = "240 261 260 261 271 215 212 377 377 377 377 377 377"
-    assert_same_tape(ascii.encode(" 1019\n"), octal(expected))
-
-
 @pytest.mark.parametrize(
-    ("parity", "fill", "expected"),
-    [
-        ("even", 2, "060 261 215 012 377 377"),
-        ("none", 1, "060 061 015 012 177"),
-        ("odd", 1, "260 061 015 212 177"),
-        ("mark", 0, "260 261 215 212"),
+    ("text", "options", "punched"),
+    [  # the first as the thesis has it: channel 8 always punched, CR LF and six RUBOUTs
+        (" 1019\n", {}, "240 261 260 261 271 215 212 377 377 377 377 377 377"),
+        ("01\n", {"parity": "even", "fill": 2}, "060 261 215 012 377 377"),
+        ("01\n", {"parity": "none", "fill": 1}, "060 061 015 012 177"),
+        ("01\n", {"parity": "odd", "fill": 1}, "260 061 015 212 177"),
+        ("01\n", {"fill": 0}, "260 261 215 212"),
     ],
 )
-def test_parity_and_fill(parity: str, fill: int, expected: str) -> None:
-    assert_same_tape(ascii.encode("01\n", parity, fill), octal(expected))
+def test_parity_and_fill(text: str, options: dict[str, Any], punched: str) -> None:
+    assert_same_tape(ascii.encode(text, **options), octal(punched))
 
 
 @given(
@@ -51,7 +48,7 @@ def test_lines_however_they_end(tape: str, text: str) -> None:
     assert ascii.decode(octal(tape)) == text
 
 
-def test_a_character_without_a_code_is_named_by_line_and_column() -> None:
+def test_what_cannot_be_punched_is_named() -> None:
     with pytest.raises(TextError, match="line 2, column 3: 'é' is no ASCII character"):
         ascii.encode("AB\nCDé\n")
     with pytest.raises(TapeError, match="-1 RUBOUTs"):

@@ -75,6 +75,19 @@ def test_show_a_range(call: Call) -> None:
     assert product(call, "show --svg -", FORMAT_BIN).startswith(b"<svg")
 
 
+def test_a_label_is_drawn_below_the_rows(call: Call) -> None:
+    seven = bytes([0o001, 0o161, 0o011, 0o005, 0o003])
+    for tape, span in (
+        (FORMAT_BIN + seven, "--from 186"),
+        (seven + bytes(3) + FORMAT_BIN, "--from 1 --to 9"),
+    ):
+        rows = product(call, f"show {span}", tape).decode().splitlines()
+        assert rows[1].endswith("|  label")
+        assert rows[-8:] == [
+            f"   label    {row}".rstrip() for row in ("oooo", "   o", "  o", " o", "o", "o", "o", "")
+        ]
+
+
 def test_info_of_several(call: Call, tmp_path: Path) -> None:
     (tmp_path / "a.bin").write_bytes(FORMAT_BIN)
     said = product(call, "info a.bin -", eia.encode("1\n")).decode()
