@@ -1,39 +1,142 @@
-"""Quantities in words and on drawings."""
+"""What is said of a tape; quantities in words and on drawings."""
+
+from collections.abc import Callable
 
 import pytest
 
-from tapes.measure import duration, inches
+from tapes import ascii, binary, eia, measure, rim
+from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, octal
+
+BLOCKS = "0010000000000003588\n0029030000350000189\n"
+EIA = bytes(4) + eia.encode(BLOCKS + "003") + bytes(2)
+RIM = rim.encode(FORMAT_WORDS)
+CORE = "0200-0221, 0232, 0300, 0400-0401"
+SEVEN = octal("001 161 011 005 003")
+LABELLED = bytes(2) + SEVEN + bytes(3) + rim.encode({0o200: 0o7402}) + bytes(1) + SEVEN + bytes(3)
+APART = FORMAT_BIN + SEVEN + bytes(3) + binary.encode({0o200: 0o7402})
+FORTRAN = LEADER + octal("300 012 034 056 070") * 9 + LEADER
+NO_ADDRESS = "The BIN loader has no address for it; an object tape of FORTRAN looks so"
+DRAWN = "\n".join(f" {row}" for row in ("ooooo", "    o", "   o", "  o", " o", " o", " o", ""))
+"""A 7 for the eye, channel 1 at the top."""
+BIN = "tape BIN, DEC's binary loader format\n"
+HOLDS = "holds words 22, origins 5, fields 0"
+
+REPORTS: dict[bytes, str] = {
+    ascii.encode(("0" * 19 + "\n") * 666): """\
+tape ASCII
+frames 17,982: leader 0, trailer 0
+length 149 ft 10.2 in
+time Teletype (10 a second) 29 min 58.2 s; high-speed reader (300) 59.9 s, punch (50) 5 min 59.6 s
+parity mark
+lines 666 of 19 characters
+line ends 666 CR, 666 LF, 3,996 RUBOUT""",
+    b"ABAB": """\
+tape ASCII
+parity none
+lines 0, then 4 characters without an end""",
+    b"A\rB": """\
+tape ASCII
+parity none
+lines 1 of 1 character, then 1 character without an end
+line ends 1 CR, 0 LF, 0 RUBOUT""",
+    b"A\nBC\nD": """\
+tape ASCII
+parity none
+lines 2 of 1 to 2 characters, then 1 character without an end
+line ends 0 CR, 2 LF, 0 RUBOUT
+warning LF without CR: no Teletype would return its carriage; `pdp8 tape punch` punches CR LF""",
+    b"": "tape empty",
+    bytes(9): "tape blank",
+    bytes(range(256)): "tape unknown: not ASCII, EIA, BIN or RIM",
+    EIA: """\
+tape EIA RS-244
+frames 49: leader 4, trailer 2
+blocks 2 of 20 frames, then 3 frames without an end
+parity odd in every frame; every frame an EIA code""",
+    EIA.replace(b"\x15", b"\x14"): """\
+tape EIA RS-244
+blocks 2 of 20 frames, then 3 frames without an end
+parity frame 20: 024 (channels 5 3) is no EIA code: an even number of holes""",
+    FORMAT_BIN: f"""{BIN}\
+frames 185: leader 65, trailer 64
+checksum 1251 at frame 119: good
+{HOLDS}
+core {CORE}""",
+    FORMAT_BIN.replace(
+        b"\x3a\0\x39", b"\x3a\0\x38"
+    ): f"{BIN}checksum 1251 at frame 119: WRONG, 1250 computed\n{HOLDS}",
+    binary.encode({}): f"{BIN}checksum 0000 at frame 64: good\nholds words 0, origins 0, fields 0\ncore none",
+    LEADER: f"{BIN}damage frame 64: nothing but leader",
+    FORMAT_BIN[:101]: f"{BIN}damage frame 101: the tape is cut short: it has no trailer",
+    FORTRAN: f"{BIN}damage frame 65: a word before any origin. {NO_ADDRESS}",
+    FORMAT_BIN + b"\x41": f"""{BIN}\
+checksum 1251 at frame 119: good
+{HOLDS}
+core {CORE}
+label 1 frame from frame 185 on""",
+    APART: f"""{BIN}\
+checksum 1251 at frame 119: good
+{HOLDS}
+core {CORE}
+label 142 frames from frame 185 on
+apart a good section from frame 193 on, after the label: a tape of its own""",
+    RIM: f"tape RIM, DEC's read-in mode format\nholds 22 words; RIM has no checksum\ncore {CORE}",
+    RIM[:90]: """\
+tape RIM, DEC's read-in mode format
+holds 6 words; RIM has no checksum
+core 0200-0205
+damage frame 90: the tape is cut short inside a word""",
+    LABELLED: f"""\
+tape RIM, DEC's read-in mode format
+holds 1 word; RIM has no checksum
+core 0200
+label 5 frames from frame 2 on
+{DRAWN}
+label 8 frames from frame 143 on
+{DRAWN}""",
+}
+"""What is said of each: its length in frames, inches and minutes only where it is told here."""
+
+
+@pytest.mark.parametrize("tape", REPORTS)
+def test_a_report(tape: bytes) -> None:
+    report = [f"{name} {value}" for name, value in measure.report(tape)]
+    told = [row for row in report if row in REPORTS[tape] or row not in report[1:4] and row[0] != " "]
+    assert "\n".join(told) == REPORTS[tape]
+
+
+def test_what_is_left_out_is_said() -> None:
+    assert measure.left_out(FORMAT_BIN, "bin") == ()
+    assert measure.left_out(FORMAT_BIN + SEVEN, "bin") == ("a label of 5 frames from frame 185 on, left out",)
+    assert measure.left_out(LABELLED, "rim") == (
+        "a label of 5 frames from frame 2 on, left out",
+        "a label of 8 frames from frame 143 on, left out",
+    )
+    assert measure.left_out(APART, "bin")[1:] == (
+        "after the label, from frame 193 on, a good section: a tape of its own, left out",
+    )
 
 
 @pytest.mark.parametrize(
-    ("thousandths", "written"),
+    ("write", "number", "written"),
     [
-        (0, ".0000"),
-        (0.7, ".0007"),
-        (10.6, ".0106"),
-        (1250, "1.2500"),
-        (10_600, "10.6000"),
-        (20_000, "20.0000"),
-        (10_500.04, "10.5000"),
-        (-4.6, "-.0046"),
-        (-10_600, "-10.6000"),
-        (-0.01, "-.0000"),
+        (measure.length, 0, "0.0 in"),
+        (measure.length, 119, "11.9 in"),
+        (measure.length, 120, "1 ft 0.0 in"),
+        (measure.inches, 0, ".0000"),
+        (measure.inches, 0.7, ".0007"),
+        (measure.inches, 1250, "1.2500"),
+        (measure.inches, 10_500.04, "10.5000"),
+        (measure.inches, -4.6, "-.0046"),
+        (measure.inches, -10_600, "-10.6000"),
+        (measure.inches, -0.01, "-.0000"),
+        (measure.duration, 59.94, "59.9 s"),
+        (measure.duration, 60, "1 min 0.0 s"),
+        (measure.duration, 3599.96, "1 h 0 min 0.0 s"),
+        (measure.duration, 3723, "1 h 2 min 3.0 s"),
     ],
 )
-def test_lengths_are_written_as_on_drawings(thousandths: float, written: str) -> None:
-    assert inches(thousandths) == written
-
-
-@pytest.mark.parametrize(
-    ("seconds", "written"),
-    [
-        (0, "0.0 s"),
-        (59.94, "59.9 s"),
-        (60, "1 min 0.0 s"),
-        (3599.96, "1 h 0 min 0.0 s"),
-        (1798.2, "29 min 58.2 s"),
-        (3723, "1 h 2 min 3.0 s"),
-    ],
-)
-def test_durations_are_written_in_hours_minutes_and_seconds(seconds: float, written: str) -> None:
-    assert duration(seconds) == written
+def test_quantities_in_words_and_as_on_drawings(
+    write: Callable[[float], str], number: float, written: str
+) -> None:
+    assert write(number) == written
