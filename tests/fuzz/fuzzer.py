@@ -25,9 +25,9 @@ import tempfile
 import time
 import traceback
 import zlib
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import ExitStack, contextmanager
-from functools import cache, partial
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, chdir, contextmanager
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -43,7 +43,6 @@ MEMORY = 2 << 30
 STATUSES = (0, 1, 2, 130)
 LONGEST = 3000
 LOOK = 10_000
-MEMORY_DISK = "/dev/shm"
 
 WORDS = {0o200 + at: word for at, word in enumerate((0o7300, 0o1205, 0o6046, 0o6041, 0o5203, 0o7402))}
 NUMBERS = ["0", "1", "-1", "7777", "10000", "9", "1e9", "1e308", "nan", "inf", "-inf", "0.01", "1,1", "é", ""]
@@ -92,7 +91,7 @@ class TooLong(BaseException):
     """A call that takes too long."""
 
 
-def seeds() -> list[bytes]:
+def inputs() -> list[bytes]:
     """Return the good inputs that the others are made from."""
     import programs  # noqa: F401 - its files go on the shelf
 
@@ -233,32 +232,22 @@ def limited() -> Iterator[None]:
         yield
 
 
-class Stream(io.TextIOWrapper):
-    """A stream kept in memory, or a pipe that nobody reads."""
+class Kept(io.BytesIO):
+    """What a stream was given, or a pipe that nobody reads."""
 
     closed_pipe = False
 
-    def __init__(self) -> None:
-        super().__init__(_Kept(self), encoding="utf-8", write_through=True)
-
-
-class _Kept(io.BytesIO):
-    """What a stream was given."""
-
-    def __init__(self, stream: Stream) -> None:
-        super().__init__()
-        self._stream = stream
-
     def write(self, content: Any) -> int:
-        if self._stream.closed_pipe:
+        if self.closed_pipe:
             raise BrokenPipeError(errno.EPIPE, "Broken pipe")
         return super().write(content)
 
 
 @cache
-def streams() -> tuple[Stream, Stream]:
-    """Return a standard output and error for all calls: click keeps every stream it has written to."""
-    return Stream(), Stream()
+def stream(_name: str) -> tuple[Kept, io.TextIOWrapper]:
+    """Return a standard stream for all calls, and what keeps it: click keeps all that it has written to."""
+    kept = Kept()
+    return kept, io.TextIOWrapper(kept, encoding="utf-8", write_through=True)
 
 
 def called(line: list[str], closed: bool = False) -> tuple[int | str, str]:
@@ -266,14 +255,14 @@ def called(line: list[str], closed: bool = False) -> tuple[int | str, str]:
     and what it said.
     """
     before = sys.stdin, sys.stdout, sys.stderr
-    out, said = streams()
-    for stream in (out, said):
-        stream.seek(0)
-        stream.truncate()
+    (out, stdout), (said, stderr) = stream("stdout"), stream("stderr")
+    for kept in (out, said):
+        kept.seek(0)
+        kept.truncate()
     out.closed_pipe = closed
     status: int | str
     with open("reader") as stdin, limited():
-        sys.stdin, sys.stdout, sys.stderr = stdin, out, said
+        sys.stdin, sys.stdout, sys.stderr = stdin, stdout, stderr
         try:
             status = command.status(pdp8, "pdp8", line)
         except TooLong:
@@ -282,8 +271,7 @@ def called(line: list[str], closed: bool = False) -> tuple[int | str, str]:
             status = traceback.format_exc()
         finally:
             sys.stdin, sys.stdout, sys.stderr = before
-    assert isinstance(said.buffer, io.BytesIO)
-    return status, said.buffer.getvalue().decode("utf-8", "replace")
+    return status, said.getvalue().decode("utf-8", "replace")
 
 
 def fault(seed: int, good: list[bytes]) -> str:
@@ -318,45 +306,31 @@ def fault(seed: int, good: list[bytes]) -> str:
     return f"seed {seed}: pdp8 {' '.join(line)}: {wrong}" if wrong else ""
 
 
-def fuzz(
-    count: int, seed: int, say: Callable[[str], object], progress: Callable[[int, int], object] | None = None
-) -> int:
-    """Make `count` calls from `seed` on; `say` each failure; return how many there were.
-
-    `progress` is called every LOOK calls with the calls and the failures so far.
-    """
-    good = seeds()
-    home, failures = os.getcwd(), 0
-    with tempfile.TemporaryDirectory(dir=MEMORY_DISK if os.path.isdir(MEMORY_DISK) else None) as folder:
-        os.chdir(folder)
-        try:
-            for done in range(1, count + 1):
-                wrong = fault(seed + done - 1, good)
-                if wrong:
-                    failures += 1
-                    say(wrong)
-                if progress and done % LOOK == 0:
-                    progress(done, failures)
-        finally:
-            os.chdir(home)
-    return failures
+def failures(seeds: range) -> Iterator[str]:
+    """Make the call of each seed in a folder in memory; yield what is wrong."""
+    good = inputs()
+    memory = "/dev/shm" if os.path.isdir("/dev/shm") else None
+    with tempfile.TemporaryDirectory(dir=memory) as folder, chdir(folder):
+        yield from filter(None, (fault(seed, good) for seed in seeds))
 
 
 def main() -> None:
     """Fuzz from the command line."""
     parser = argparse.ArgumentParser()
-    parser.add_argument("--count", type=int, default=10_000)
+    parser.add_argument("--count", type=int, default=LOOK)
     parser.add_argument("--seed", type=int, default=0)
     given = parser.parse_args()
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    began = time.monotonic()
-
-    def progress(calls: int, failures: int) -> None:
-        print(f"{calls:,} calls in {time.monotonic() - began:.0f} s: {failures} failures", flush=True)
-
-    failures = fuzz(given.count, given.seed, partial(print, flush=True), progress)
-    progress(given.count, failures)
-    sys.exit(bool(failures))
+    began, found = time.monotonic(), 0
+    seeds = range(given.seed, given.seed + given.count)
+    for start in range(0, given.count, LOOK):
+        some = seeds[start : start + LOOK]
+        for wrong in failures(some):
+            found += 1
+            print(wrong, flush=True)
+        passed = time.monotonic() - began
+        print(f"{start + len(some):,} calls in {passed:.0f} s: {found} failures", flush=True)
+    sys.exit(bool(found))
 
 
 if __name__ == "__main__":

@@ -36,7 +36,7 @@ TAPES = {  # what is on it, what goes into core, and what is said of it
 
 
 def loaded(call: Call, tape: bytes, way: str, force: bool = False) -> tuple[int, str]:
-    """Load x.bin with `run` or by the monitor, save the machine as x; return the status and all that is said."""
+    """Load x.bin by `run` or in the monitor, save the machine as x; return the status and what is said."""
     Path("x.bin").write_bytes(tape)
     if way.startswith("run"):
         status, shown, said = call(f"pdp8 {way} x.bin {'--force' * force} --save x")
