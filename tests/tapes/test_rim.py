@@ -1,35 +1,24 @@
-"""RIM tapes: the loader's own format, and what can be wrong with one."""
+"""RIM tapes: the loader's own format, and what can be wrong with one; test_binary.py has what judges both."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from tapes import rim
 from tapes.errors import TapeError
 from tests.conftest import assert_same_tape
 from tests.tapes.strips import LEADER, octal, refused
 
-WORDS = st.dictionaries(st.integers(0, 0o7777), st.integers(0, 0o7777), min_size=1)
-GROUPS = "102 000 073 000 177 077 043 021"
-
 
 def test_address_and_word_in_four_frames() -> None:
-    assert_same_tape(rim.encode({0o7777: 0o4321, 0o200: 0o7300}), LEADER + octal(GROUPS) + LEADER)
-
-
-@given(WORDS)
-def test_what_is_punched_is_read(words: dict[int, int]) -> None:
-    assert rim.decode(rim.encode(words)) == words
+    punched = LEADER + octal("102 000 073 000 177 077 043 021") + LEADER
+    assert_same_tape(rim.encode({0o7777: 0o4321, 0o200: 0o7300}), punched)
+    assert rim.decode(punched) == {0o7777: 0o4321, 0o200: 0o7300}
+    with pytest.raises(TapeError, match="address 10000: a RIM tape can name only 0000 to 7777"):
+        rim.encode({0o10000: 0})
 
 
 def test_leader_between_the_words_and_blank_tape_around() -> None:
     tape = bytes(9) + octal("200 200 102 000 073 000 200 200 102 001 074 002 200 000 000")
     assert rim.decode(tape) == {0o200: 0o7300, 0o201: 0o7402}
-
-
-def test_an_address_out_of_core() -> None:
-    with pytest.raises(TapeError, match="address 10000: a RIM tape can name only 0000 to 7777"):
-        rim.encode({0o10000: 0})
 
 
 @pytest.mark.parametrize(
@@ -38,9 +27,9 @@ def test_an_address_out_of_core() -> None:
         ("", 0, "empty tape"),
         ("000 000", 0, "nothing but blank tape"),
         ("200 200", 0, "nothing but leader"),
-        ("000 102 000 073 000 200", 1, r"102 where the leader \(200\) was expected"),
-        ("200 102 000 073 000", 5, "no trailer"),
-        ("200 102 000 073", 4, "cut short inside a word"),
+        ("000 102 000 073 000 200", 1, "102 where the leader (200) was expected"),
+        ("200 102 000 073 000", 5, "the tape is cut short: it has no trailer"),
+        ("200 102 000 073", 4, "the tape is cut short inside a word"),
         ("200 102 000 073 200", 4, "200 where the second half of a word was expected"),
         ("200 102 102 073 000 200", 2, "102 where the second half of an address was expected"),
         ("200 073 000 200", 1, "073 where the first half of an address was expected"),
@@ -50,13 +39,4 @@ def test_an_address_out_of_core() -> None:
     ],
 )
 def test_what_is_wrong_and_where(frames: str, frame: int, message: str) -> None:
-    with pytest.raises(TapeError, match=message) as caught:
-        rim.decode(octal(frames))
-    assert caught.value.frame == frame
-
-
-@given(st.binary())
-def test_any_frames_are_read_or_refused_with_their_place(frames: bytes) -> None:
-    for attempt in (frames, LEADER + frames + LEADER):
-        error = refused(rim.decode, attempt)
-        assert error is None or error.frame in range(len(attempt) + 1)
+    assert str(refused(rim.decode, octal(frames))) == f"frame {frame}: {message}"
