@@ -54,19 +54,16 @@ def test_captions_frame_by_frame() -> None:
         assert captions.captions(holes(tape[5:]), tape[:3]) == said.strip().split("|")
 
 
-def test_captions_of_blank_tape_between_a_trailer_and_a_label() -> None:
-    letters = holes("000 000 000 177 011 000")
+def test_captions_of_labels_before_the_leader_and_after_the_trailer() -> None:
+    one = rim.encode({0o200: 0o7402})
+    behind = holes("000 000 000 177 011 000")
     said = ["leader", "blank", "blank", "blank", "label", "label", "label"]
-    assert captions.captions(FORMAT_BIN.rstrip(b"\0") + letters, "bin")[-7:] == said
-    assert captions.captions(rim.encode({0o200: 0o7402}) + letters, "rim")[-7:] == said
-
-
-def test_captions_of_a_label_before_the_leader() -> None:
-    letters = holes("000 177 011 377 000 000 000")
-    said = ["blank", "label", "label", "label", "blank", "blank", "blank", "leader"]
-    assert captions.captions(letters + FORMAT_BIN.lstrip(b"\0"), "bin")[:8] == said
-    tape = rim.encode({0o200: 0o7402})
-    assert captions.captions(letters + tape, "rim") == said[:7] + captions.captions(tape, "rim")
+    assert captions.captions(FORMAT_BIN.rstrip(b"\0") + behind, "bin")[-7:] == said
+    assert captions.captions(one + behind, "rim")[-7:] == said
+    before = holes("000 177 011 377 000 000 000")
+    said = ["blank", "label", "label", "label", "blank", "blank", "blank"]
+    assert captions.captions(before + FORMAT_BIN.lstrip(b"\0"), "bin")[:8] == [*said, "leader"]
+    assert captions.captions(before + one, "rim") == said + captions.captions(one, "rim")
 
 
 @given(st.binary(), st.sampled_from(["ascii", "eia", "bin", "rim", "none"]))
@@ -74,22 +71,21 @@ def test_whatever_is_on_the_tape_gets_one_caption_a_frame(tape: bytes, code: str
     assert len(captions.captions(tape, code)) == len(tape)
 
 
-def circles(drawing: str) -> list[tuple[int, int, int]]:
-    page = ET.fromstring(drawing)
-    return [(int(c.attrib["cx"]), int(c.attrib["cy"]), int(c.attrib["r"])) for c in page.iter(f"{NS}circle")]
-
-
 def test_svg_has_every_hole_where_the_standard_puts_it() -> None:
     """Thousandths of an inch from the paper's edge beside channel 1: 0.392 to the sprocket, 0.1 a channel."""
-    page = ET.fromstring(picture.svg(bytes([0o377, 0o000, 0o301]), "ascii"))
+    tape = bytes([0o377, 0o000, 0o301])
+    page = ET.fromstring(picture.svg(tape, "ascii"))
     paper = next(rect for rect in page.iter(f"{NS}rect") if rect.attrib["class"] == "paper")
-    left, top = int(paper.attrib["x"]), int(paper.attrib["y"])
-    assert (int(paper.attrib["width"]), int(paper.attrib["height"])) == (300, 1000)
-    punched = [(x - left, y - top, r) for x, y, r in circles(picture.svg(bytes([0o377, 0o000, 0o301])))]
+    left, top, width, height = (int(paper.attrib[name]) for name in ("x", "y", "width", "height"))
+    assert (width, height) == (300, 1000)
+    circles = [
+        tuple(int(circle.attrib[name]) for name in ("cx", "cy", "r"))
+        for circle in ET.fromstring(picture.svg(tape)).iter(f"{NS}circle")
+    ]
     tracks = {1: 92, 2: 192, 3: 292, 4: 492, 5: 592, 6: 692, 7: 792, 8: 892}
     expected = [(x, 392, 23) for x in (50, 150, 250)]
     expected += [(50, y, 36) for y in tracks.values()] + [(250, tracks[channel], 36) for channel in (1, 7, 8)]
-    assert sorted(punched) == sorted(expected)
+    assert sorted((x - left, y - top, radius) for x, y, radius in circles) == sorted(expected)
 
 
 def test_a_drawing_is_the_one_that_was_looked_at() -> None:
