@@ -2,8 +2,10 @@
 
 import io
 import signal
+import sys
 import time
 from collections.abc import Callable
+from unittest.mock import Mock
 
 import pytest
 
@@ -11,16 +13,22 @@ from tapes import command
 from tapes.progress import Bar, Busy
 from tests.commands import Terminal
 
+ERASED = "\x1b[1A\x1b[2K"
+Screen = Callable[[bool], io.StringIO]
 
-class Screen(io.StringIO):
-    """Standard error at a terminal, or not."""
 
-    def __init__(self, terminal: bool) -> None:
-        super().__init__()
-        self._terminal = terminal
+@pytest.fixture
+def screen(monkeypatch: pytest.MonkeyPatch) -> Screen:
+    """Return what makes standard error a terminal, or none."""
 
-    def isatty(self) -> bool:
-        return self._terminal
+    def shown(terminal: bool) -> io.StringIO:
+        stream = io.StringIO()
+        stream.isatty = lambda: terminal  # type: ignore[method-assign]
+        monkeypatch.setattr(sys, "stderr", stream)
+        monkeypatch.setenv("TERM", "xterm")
+        return stream
+
+    return shown
 
 
 @pytest.fixture
@@ -31,17 +39,8 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     return now
 
 
-def screen(monkeypatch: pytest.MonkeyPatch, terminal: bool = True) -> Screen:
-    shown = Screen(terminal)
-    monkeypatch.setattr("sys.stderr", shown)
-    monkeypatch.setenv("TERM", "xterm")
-    return shown
-
-
-def test_it_appears_after_a_second_and_says_how_far_the_work_is(
-    monkeypatch: pytest.MonkeyPatch, clock: list[float]
-) -> None:
-    shown = screen(monkeypatch)
+def test_it_appears_after_a_second_and_says_how_far_the_work_is(screen: Screen, clock: list[float]) -> None:
+    shown = screen(True)
     with Bar("reading tape", 8) as bar:
         clock[0] += 0.5
         bar.show(1)
@@ -50,16 +49,14 @@ def test_it_appears_after_a_second_and_says_how_far_the_work_is(
         assert list(bar.along("four")) == list("four")
     assert "reading tape" in shown.getvalue()
     assert "50%" in shown.getvalue()
-    assert shown.getvalue().endswith("\x1b[1A\x1b[2K")  # the line is erased
+    assert shown.getvalue().endswith(ERASED)
 
 
 @pytest.mark.parametrize(
     ("terminal", "wanted", "total"), [(False, True, 8), (True, False, 8), (True, True, 0)]
 )
-def test_it_stays_away(
-    terminal: bool, wanted: bool, total: int, monkeypatch: pytest.MonkeyPatch, clock: list[float]
-) -> None:
-    shown = screen(monkeypatch, terminal)
+def test_it_stays_away(terminal: bool, wanted: bool, total: int, screen: Screen, clock: list[float]) -> None:
+    shown = screen(terminal)
     with Bar("reading tape", total, wanted) as bar:
         clock[0] += 5
         bar.show(4)
@@ -68,27 +65,19 @@ def test_it_stays_away(
 
 @pytest.mark.parametrize(("terminal", "wanted"), [(True, True), (False, True), (True, False)])
 def test_work_without_steps_shows_one_that_moves(
-    terminal: bool, wanted: bool, monkeypatch: pytest.MonkeyPatch
+    terminal: bool, wanted: bool, screen: Screen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    started: list[float] = []
-
-    class Timer:
-        def __init__(self, delay: float, show: Callable[[], None]) -> None:
-            started.append(delay)
-            self.start = show
-
-        def cancel(self) -> None:
-            started.append(-1)
-
-        def join(self) -> None:
-            started.append(-2)
-
-    monkeypatch.setattr("threading.Timer", Timer)
-    shown = screen(monkeypatch, terminal)
+    timer = Mock()
+    monkeypatch.setattr("threading.Timer", timer)
+    shown = screen(terminal)
     with Busy("reading it", wanted):
+        for delay, show in (call.args for call in timer.call_args_list):
+            assert delay == 1
+            show()
         assert ("reading it" in shown.getvalue()) == (terminal and wanted)
-    assert started == ([1, -1, -2] if terminal and wanted else [])
-    assert shown.getvalue().endswith("\x1b[1A\x1b[2K" if terminal and wanted else "")
+    ended = ["start", "cancel", "join"] if terminal and wanted else []
+    assert [name for name, _, _ in timer.return_value.method_calls] == ended
+    assert shown.getvalue().endswith(ERASED if ended else "")
 
 
 def test_a_run_shows_it_and_ctrl_c_takes_it_away() -> None:
@@ -101,10 +90,13 @@ def test_a_run_shows_it_and_ctrl_c_takes_it_away() -> None:
     assert b"interrupted at" in terminal.seen.split(b"\x1b[2K")[-1]
 
 
-def test_colours_are_a_terminal_s_unless_no_color_is_set(monkeypatch: pytest.MonkeyPatch) -> None:
-    bold = "\x1b[1mA\x1b[0m"
-    for no_color, color, said in (("", None, bold), ("1", None, "A"), ("1", True, bold)):
-        monkeypatch.setenv("NO_COLOR", no_color)
-        shown = screen(monkeypatch)
-        command.tell(bold, styled=True, color=color)
-        assert shown.getvalue() == f"{said}\n"
+@pytest.mark.parametrize(
+    ("no_color", "color", "shown"), [("", None, True), ("1", None, False), ("1", True, True)]
+)
+def test_colours_are_a_terminal_s_unless_no_color_is_set(
+    no_color: str, color: bool | None, shown: bool, screen: Screen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("NO_COLOR", no_color)
+    said = screen(True)
+    command.tell("\x1b[1mA\x1b[0m", styled=True, color=color)
+    assert said.getvalue() == ("\x1b[1mA\x1b[0m\n" if shown else "A\n")
