@@ -14,83 +14,69 @@ from pathlib import Path
 
 import pytest
 
+from tapes import eia
 from tests import commands
 from tests.commands import Terminal
-from tests.conftest import Shell, assert_same_tape
+from tests.conftest import Call, Shell, assert_same_tape
 from tests.pdp8.cli.test_run import LINE
 
-KEEP = """*200
-	KCC
-L,	KSF
-	JMP .-1
-	KRB
-	DCA I 10
-	JMP L
-*10
-	277
-$
-"""
-"""Each frame that comes goes into core, from 300 on."""
 
-
-def test_the_time_limit_of_a_program_that_waits_for_a_key(tmp_path: Path) -> None:
-    (tmp_path / "keep.pal").write_text(KEEP)
-    terminal = Terminal("pdp8", "run", tmp_path / "keep.pal", "--keyboard", "--max-time", "1.01")
-    seen = terminal.until(b"1971")
-    assert b"when --max-time was over" in seen
+def test_the_time_limit_of_a_program_that_waits_for_a_key() -> None:
+    terminal = Terminal("pdp8", "run", "echo.pal", "--keyboard", "--max-time", "1.01")
+    assert b"when --max-time was over" in terminal.until(b"1971")
     assert terminal.ended() == 1
 
 
-class Other:
-    """The other end of a line."""
+class Line:
+    """echo.pal with its Teletype on a line; `end` is the other end of it."""
 
     def __init__(self) -> None:
         self.end, self.line = pty.openpty()
         tty.setraw(self.line)
-        self.name = os.ttyname(self.line)
+        self.before = termios.tcgetattr(self.line)
+        self.run = commands.start("pdp8", "run", "echo.pal", "--tty", os.ttyname(self.line))
+        assert commands.eventually(lambda: termios.tcgetattr(self.line)[:6] != self.before[:6])
 
-    def read(self, count: int, seconds: float = 20) -> bytes:
+    def read(self, count: int) -> bytes:
         frames = b""
-        give_up = time.monotonic() + seconds
-        while len(frames) < count and time.monotonic() < give_up:
-            if select.select([self.end], [], [], 0.1)[0]:
-                frames += os.read(self.end, 100)
+        while len(frames) < count and select.select([self.end], [], [], 20)[0]:
+            frames += os.read(self.end, 100)
         return frames
+
+    def interrupted(self) -> bytes:
+        """Press Ctrl-C; return what the run said."""
+        self.run.send_signal(signal.SIGINT)
+        return self.run.communicate(timeout=20)[1]
 
 
 def test_a_line_without_its_other_end_is_named_once() -> None:
-    other = Other()
-    before = termios.tcgetattr(other.line)
-    run = commands.start("pdp8", "run", "echo.pal", "--tty", other.name)
-    assert commands.eventually(lambda: termios.tcgetattr(other.line)[:6] != before[:6])
-    os.close(other.line)
-    os.close(other.end)
+    line = Line()
+    os.close(line.line)
+    os.close(line.end)
     time.sleep(0.5)
-    run.send_signal(signal.SIGINT)
-    said = run.communicate(timeout=20)[1]
+    said = line.interrupted()
     assert said.count(b"nobody is at the other end; the machine goes on, Ctrl-C stops it") == 1
     assert re.search(rb"interrupted at .* [0-9]\.. s in 1971", said), "the machine lost its pace"
 
 
 def test_the_teletype_is_a_line() -> None:
     """echo.pal prints what comes over the line, seven or eight bits as they are, at ten frames a second."""
-    other = Other()
-    before = termios.tcgetattr(other.line)
-    run = commands.start("pdp8", "run", "echo.pal", "--tty", other.name)
-    assert commands.eventually(lambda: termios.tcgetattr(other.line)[:6] != before[:6])
+    line = Line()
     time.sleep(0.2)
     began = time.monotonic()
-    os.write(other.end, b"\xd0\xc1\xcc\x01\xc1\xd0")
-    assert other.read(6) == b"\xd0\xc1\xcc\x01\xc1\xd0"
+    os.write(line.end, b"\xd0\xc1\xcc\x01\xc1\xd0")
+    assert line.read(6) == b"\xd0\xc1\xcc\x01\xc1\xd0"
     assert time.monotonic() - began > 0.5
-    run.send_signal(signal.SIGINT)
-    said = run.communicate(timeout=20)[1]
-    assert b"interrupted at" in said
-    assert run.returncode == 130
-    assert termios.tcgetattr(other.line)[:4] == before[:4]
+    assert b"interrupted at" in line.interrupted()
+    assert line.run.returncode == 130
+    assert termios.tcgetattr(line.line)[:4] == line.before[:4]
 
 
-def test_a_pipe_that_stays_open_is_read_as_it_comes(tmp_path: Path) -> None:
+WHOLE = b"\0" + eia.encode("  76 2250 4133  185\n".replace(" ", "0"))
+"""What eia.pal makes of LINE."""
+
+
+def test_a_pipe_that_stays_open_is_read_as_it_comes() -> None:
     run = commands.start("pdp8", "run", "eia.pal", stdin=subprocess.PIPE)
     assert run.stdin
     assert run.stdout
@@ -100,15 +86,9 @@ def test_a_pipe_that_stays_open_is_read_as_it_comes(tmp_path: Path) -> None:
     time.sleep(0.5)
     os.write(run.stdin.fileno(), LINE[6:])
     rest, said = run.communicate(timeout=20)
-    assert_same_tape(first + rest, whole(tmp_path))
+    assert_same_tape(first + rest, WHOLE)
     assert b"21 frames read, 21 frames punched; 2.1 s in 1971" in said
     assert run.returncode == 0
-
-
-def whole(folder: Path) -> bytes:
-    """Return what eia.pal makes of LINE from a file."""
-    (folder / "line.asc").write_bytes(LINE)
-    return commands.run("pdp8", "run", "eia.pal", "--reader", folder / "line.asc").stdout
 
 
 def test_a_program_that_reads_no_tape_does_not_wait_for_an_open_pipe() -> None:
@@ -126,47 +106,48 @@ def test_a_named_pipe_and_ctrl_c_while_it_is_silent(tmp_path: Path) -> None:
     with open(tmp_path / "pipe", "wb", buffering=0) as pipe:
         pipe.write(LINE[:9])
         assert run.stdout
-        seen = b""
-        while len(seen) < 5:
-            seen += os.read(run.stdout.fileno(), 100)
+        assert len(run.stdout.read(5)) == 5
         run.send_signal(signal.SIGINT)
         said = run.communicate(timeout=20)[1]
     assert run.returncode == 130
     assert b"9 frames read" in said
 
 
-def test_several_tapes_one_after_another(shell: Shell, tmp_path: Path) -> None:
+@pytest.fixture
+def halves(tmp_path: Path) -> None:
+    """LINE on two tapes."""
     (tmp_path / "a.asc").write_bytes(LINE[:11])
     (tmp_path / "b.asc").write_bytes(LINE[11:])
+
+
+@pytest.mark.usefixtures("halves")
+def test_several_tapes_one_after_another(shell: Shell) -> None:
     done = shell("pdp8 run eia.pal --reader a.asc --reader b.asc")
-    assert_same_tape(done.stdout, whole(tmp_path))
+    assert_same_tape(done.stdout, WHOLE)
     assert b"b.asc goes into the reader after 11 frames" in done.stderr
     assert b"21 frames read, 21 frames punched" in done.stderr
 
 
-def test_switches_and_start_beside_a_restored_state(shell: Shell, tmp_path: Path) -> None:
+def test_switches_and_start_beside_a_restored_state(call: Call, tmp_path: Path) -> None:
     (tmp_path / "halt.pal").write_text("*200\n\tHLT\n\tLAS\n\tTLS\n\tTSF\n\tJMP .-1\n\tHLT\n*300\n\tHLT\n$\n")
-    assert shell("pdp8 run halt.pal --save s </dev/null >/dev/null").returncode == 0
-    assert shell("pdp8 run --restore s --sr 0301").stdout == b"\xc1"
-    assert b"HLT at 0300" in shell("pdp8 run --restore s --start 300").stderr
-    done = shell("pdp8 run --restore s --fast-reader halt.pal --sr 0301")
-    assert b"no frames read, no frames punched at high speed" in done.stderr
+    assert call("pdp8 run halt.pal --save s")[0] == 0
+    assert call("pdp8 run --restore s --sr 0301")[1].encode(errors="surrogateescape") == b"\xc1"
+    assert "HLT at 0300" in call("pdp8 run --restore s --start 300")[2]
+    said = call("pdp8 run --restore s --fast-reader halt.pal --sr 0301")[2]
+    assert "no frames read, no frames punched at high speed" in said
 
 
+@pytest.mark.usefixtures("halves")
 @pytest.mark.parametrize("given", ["< b.asc", "< <(cat b.asc)"])
 def test_a_restored_machine_keeps_its_tape_and_names_an_input_that_it_does_not_read(
-    shell: Shell, tmp_path: Path, given: str
+    shell: Shell, given: str
 ) -> None:
-    (tmp_path / "a.asc").write_bytes(LINE[:11])
-    (tmp_path / "b.asc").write_bytes(LINE[11:])
     assert shell("pdp8 run eia.pal --reader a.asc --max-time 0.5 --save s > first").returncode == 1
     unread = b"standard input was not read: a restored machine goes on with the tape in its reader"
     done = shell(f"pdp8 run --restore s {given} > rest")
-    assert unread in done.stderr
-    assert done.returncode == 0
-    assert unread not in shell("pdp8 run --restore s < /dev/null > rest").stderr
-    done = shell(f"pdp8 run --restore s --reader a.asc --reader - {given}")
-    assert unread not in done.stderr
+    assert (done.returncode, unread in done.stderr) == (0, True)
+    for line in ("< /dev/null", f"--reader a.asc --reader - {given}"):
+        assert unread not in shell(f"pdp8 run --restore s {line} > rest").stderr
 
 
 def test_a_long_silence_says_once_where_the_run_is(tmp_path: Path) -> None:

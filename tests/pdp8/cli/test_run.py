@@ -1,6 +1,4 @@
-"""What `pdp8 run` does beside the main job: booting, tracing, saving, the PC8/L, the live Teletype, and
-misuse.
-"""
+"""What `pdp8 run` does beside the main job: booting, tracing, saving, the PC8/L, the live Teletype."""
 
 import signal
 import time
