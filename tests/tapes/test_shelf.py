@@ -11,26 +11,32 @@ from tapes.errors import WorkError, naming
 from tapes.shelf import ShelfError
 
 
-def test_what_is_here_comes_before_what_is_bundled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
+
+
+def test_what_is_here_comes_before_what_is_bundled_and_hides_it() -> None:
+    bundled = shelf.read_bundled("eia.pal")
     assert os.path.isabs(shelf.find("eia.pal"))
-    (tmp_path / "eia.pal").write_text("$\n")
-    assert shelf.find("eia.pal") == "eia.pal"
-    assert shelf.read("eia.pal") == b"$\n"
+    assert not shelf.hides("eia.pal")
+    for content in (bundled, b"$\n"):
+        Path("eia.pal").write_bytes(content)
+        assert shelf.find("eia.pal") == "eia.pal"
+        assert shelf.read("eia.pal") == content
+        assert shelf.hides("eia.pal") == (content != bundled)
+    assert shelf.read_bundled("eia.pal") == bundled
 
 
-def test_a_bundled_name_is_a_name_only(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    for name in ("./eia.pal", "sub/eia.pal", "cli.py", "../programs/eia.pal"):
-        with pytest.raises(ShelfError, match="no such file, here or among the bundled ones"):
-            shelf.find(name)
+@pytest.mark.parametrize("name", ["./eia.pal", "sub/eia.pal", "cli.py", "../programs/eia.pal"])
+def test_a_bundled_name_is_a_name_only(name: str) -> None:
+    with pytest.raises(ShelfError, match="no such file, here or among the bundled ones"):
+        shelf.find(name)
 
 
-def test_everything_bundled_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
+def test_everything_bundled_is_found() -> None:
     assert "eia.pal" in shelf.bundled()
-    for name in shelf.bundled():
-        assert shelf.read(name)
+    assert all(shelf.read(name) for name in shelf.bundled())
 
 
 def test_a_package_lays_its_own_files_on_the_shelf(tmp_path: Path) -> None:
@@ -50,16 +56,6 @@ def test_a_package_in_a_zip_has_its_files_too(tmp_path: Path) -> None:
     assert {path.name: path.is_file() for path in folder.iterdir()} == {"ours.tape": True, "deep": False}
     assert (folder / "ours.tape").read_text() == "a/package/ours.tape"
     assert sorted(path.name for path in folder.parent.iterdir()) == ["package"]
-
-
-def test_a_file_that_hides_a_bundled_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    assert not shelf.hides("eia.pal")
-    (tmp_path / "eia.pal").write_bytes(shelf.read_bundled("eia.pal"))
-    assert not shelf.hides("eia.pal")
-    (tmp_path / "eia.pal").write_bytes(b"$\n")
-    assert shelf.hides("eia.pal")
-    assert shelf.read_bundled("eia.pal") != b"$\n"
 
 
 BY_HAND = ".pal .pa .for .toml .jpg .jpeg .PNG"
