@@ -22,19 +22,14 @@ def expected_eia(lines: str) -> bytes:
     return b"\0" + bytes(EIA[character] for character in lines)
 
 
-def part(shell: Shell, name: str) -> str:
-    made = shell(f"pdp8 part {name} --parity none --fill 0")
-    assert made.returncode == 0, made.stderr
-    return made.stdout.decode("ascii").replace("\r\n", "\n")
-
-
 @pytest.mark.parametrize(
     ("name", "blocks", "frames", "minutes"),
     [("circle", 666, 13_321, "29 min 58."), ("ellipse", 976, 19_521, "43 min 55.")],
 )
 def test_part_program_to_eia_tape(shell: Shell, name: str, blocks: int, frames: int, minutes: str) -> None:
-    lines = part(shell, name)
-    assert shell(f"pdp8 part {name} > {name}.asc").returncode == 0
+    """The bundled tapes are what the chain makes."""
+    lines = shell(f"pdp8 part {name} --parity none --fill 0").stdout.decode("ascii").replace("\r\n", "\n")
+    typed = shell(f"pdp8 part {name} > {name}.asc; cat {name}.asc").stdout
     done = shell(f"pdp8 run eia.pal < {name}.asc > {name}.eia; cat {name}.eia")
     tape = done.stdout
     assert len(lines.splitlines()) == blocks
@@ -47,6 +42,8 @@ def test_part_program_to_eia_tape(shell: Shell, name: str, blocks: int, frames: 
     assert_same_tape(tape, expected_eia(lines))
     assert minutes in done.stderr.decode()
     assert f"{blocks * 27:,} frames read, {frames:,} frames punched" in done.stderr.decode()
+    assert_same_tape((SAMPLES / f"{name}.asc").read_bytes(), typed)
+    assert_same_tape((SAMPLES / f"{name}.eia").read_bytes(), tape)
 
 
 @pytest.mark.parametrize(
@@ -64,43 +61,24 @@ def test_other_characters_punch_nothing(shell: Shell) -> None:
     assert_same_tape(done.stdout, bytes([0, 0o007, 0o200]))
 
 
-@pytest.mark.parametrize("name", ["circle", "ellipse"])
-def test_sample_tapes_are_what_the_chain_makes(shell: Shell, name: str) -> None:
-    assert_same_tape((SAMPLES / f"{name}.asc").read_bytes(), shell(f"pdp8 part {name}").stdout)
-    made = shell(f"pdp8 run eia.pal --reader {name}.asc --quiet").stdout
-    assert_same_tape((SAMPLES / f"{name}.eia").read_bytes(), made)
-
-
 def test_the_bundled_bin_tape_is_what_pal_makes(shell: Shell) -> None:
     assert shell("pal eia.pal -o made.bin").returncode == 0
     assert_same_tape((SAMPLES / "eia.bin").read_bytes(), shell("cat made.bin").stdout)
-    done = shell("pdp8 run made.bin --quiet < /dev/null")
-    assert done.stdout == b"\0"
+    assert shell("pdp8 run made.bin --quiet < /dev/null").stdout == b"\0"
 
 
-def test_an_empty_tape_is_no_error(shell: Shell) -> None:
-    done = shell("pdp8 run eia.pal < /dev/null")
-    assert (done.returncode, done.stdout) == (0, b"\0")
-    assert b"no frames read" in done.stderr
-
-
-def test_a_tape_without_carriage_returns_is_named(shell: Shell) -> None:
-    done = shell("pdp8 run eia.pal", b"0010190000000000002\n")
-    assert done.returncode == 0
-    assert b"no carriage returns" in done.stderr
-    assert b"pdp8 tape punch" in done.stderr
-
-
-def test_max_time_ends_a_program_that_never_stops(shell: Shell) -> None:
-    done = shell("printf '*200\\nL,IAC\\nJMP L\\n$\\n' > l.pal; pdp8 run l.pal --max-time 0.5 < /dev/null")
-    assert done.returncode == 1
-    assert b"still running" in done.stderr
-
-
-def test_an_endless_loop_says_so(shell: Shell) -> None:
-    done = shell("printf '*200\\nJMP .\\n$\\n' > l.pal; pdp8 run l.pal < /dev/null")
-    assert done.returncode == 1
-    assert b"an endless loop at 0200" in done.stderr
+@pytest.mark.parametrize(
+    ("line", "given", "status", "said"),
+    [
+        ("eia.pal", "", 0, "no frames read"),
+        ("eia.pal", "0010190000000000002\n", 0, "no carriage returns: no block will end."),
+        ("- --max-time 0.5", "*200\nL,IAC\nJMP L\n$\n", 1, "still running"),
+        ("-", "*200\nJMP .\n$\n", 1, "an endless loop at 0200"),
+    ],
+)
+def test_how_a_run_ends_is_said(line: str, given: str, status: int, said: str, shell: Shell) -> None:
+    done = shell(f"pdp8 run {line}", given.encode())
+    assert (done.returncode, said in done.stderr.decode()) == (status, True), done.stderr
 
 
 @pytest.mark.parametrize(

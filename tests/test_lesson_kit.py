@@ -36,19 +36,19 @@ def texts(card: ElementTree.Element) -> list[str]:
     return [text.text or "" for text in card.iter(f"{SVG}text")]
 
 
-@pytest.mark.parametrize(
-    ("name", "digest"),
-    [
-        ("rim", "fa102400"),
-        ("instructions", "adc79e48"),
-        ("ascii", "6ea0432c"),
-        ("eia", "872fe939"),
-        ("", "c9a42da1"),
-    ],
-)
-def test_a_card_is_the_one_that_was_looked_at(name: str, digest: str) -> None:
+DIGESTS = {
+    "rim": "fa102400",
+    "instructions": "adc79e48",
+    "ascii": "6ea0432c",
+    "eia": "872fe939",
+    "": "c9a42da1",
+}
+
+
+@pytest.mark.parametrize("name", DIGESTS)
+def test_a_card_is_the_one_that_was_looked_at(name: str) -> None:
     svg = drawn.CARDS[name]() if name else drawn.afternoon([("1 s", "step", "done")] * 3, "t")
-    assert sha256(svg.encode()).hexdigest()[:8] == digest, "look at it again"
+    assert sha256(svg.encode()).hexdigest()[:8] == DIGESTS[name], "look at it again"
 
 
 @pytest.mark.parametrize("name", list(drawn.CARDS))
@@ -59,14 +59,6 @@ def test_everything_lies_on_the_card(name: str) -> None:
         assert float(text.get("y", 0)) < drawn.HEIGHT
     for circle in card(name).iter(f"{SVG}circle"):
         assert float(circle.get("cx", 0)) < drawn.WIDTH - 10
-
-
-def test_the_timetable_goes_down_the_card_in_even_steps() -> None:
-    svg = ElementTree.fromstring(drawn.afternoon([("1 s", "step", "done")] * 10, "t"))
-    rows = [float(text.get("y", 0)) for text in svg.iter(f"{SVG}text") if text.text == "step"]
-    assert rows == [72 + 39 * number for number in range(10)]
-    outcomes = [float(text.get("y", 0)) for text in svg.iter(f"{SVG}text") if text.text == "done"]
-    assert outcomes == [row + 16 for row in rows]
 
 
 def test_the_rim_card_has_the_words_of_the_book_as_switches() -> None:

@@ -294,13 +294,6 @@ def test_a_command_that_waits_for_a_terminal_says_so(call: Call) -> None:
         assert "waits" not in call(f"pdp8 {line}")[2]
 
 
-def test_lists_of_commands_have_whole_lines(call: Call) -> None:
-    for group in ("", "tape", "nc", "part", "thesis"):
-        listed = call(f"pdp8 {group} --help")[1].partition("Commands:\n" if group else "Run:\n")[2]
-        assert listed
-        assert "..." not in listed
-
-
 def test_python_m_pal_finds_bundled_programs(tmp_path: Path) -> None:
     done = commands.run(sys.executable, "-m", "pal", "eia.pal", folder=tmp_path)
     assert (done.returncode, done.stderr) == (0, b"wrote eia.bin\n")

@@ -5,26 +5,21 @@ import pytest
 import pdp8
 from pdp8.cli import root
 from pdp8.computer.speed import engine
-from tests.conftest import Shell
+from tests.conftest import Call, Shell
 
 
-@pytest.mark.parametrize("command", ["pdp8", "pdp8l"])
-def test_the_version_says_which_core_runs_and_where(command: str, shell: Shell) -> None:
+def test_the_version_says_which_core_runs_and_where(shell: Shell) -> None:
     path = str(engine.__file__)
     form = "interpreted" if path.endswith(".py") else "compiled"
-    done = shell(f"{command} --version")
-    assert done.stdout.decode() == f"pdp8, version {pdp8.__version__}, {form} core: {path}\n"
-    assert (done.returncode, done.stderr) == (0, b"")
-
-
-def test_the_version_of_the_assembler(shell: Shell) -> None:
-    assert shell("pal --version").stdout.decode() == f"pal, version {pdp8.__version__}\n"
+    said = f"pdp8, version {pdp8.__version__}, {form} core: {path}\n"
+    for name, expected in (("pdp8", said), ("pdp8l", said), ("pal", f"pal, version {pdp8.__version__}\n")):
+        done = shell(f"{name} --version")
+        assert (done.returncode, done.stdout.decode(), done.stderr) == (0, expected, b"")
 
 
 @pytest.mark.parametrize("option", ["--help", "-h"])
-def test_the_help_names_every_command_in_one_line_each_in_groups(option: str, shell: Shell) -> None:
-    done = shell(f"pdp8 {option}")
-    shown = done.stdout.decode()
+def test_the_help_names_every_command_in_one_line_each_in_groups(option: str, call: Call) -> None:
+    shown = call(f"pdp8 {option}")[1]
     assert "pdp8 run eia.pal --reader circle.asc --punch circle.eia" in shown
     groups = shown[shown.index("Run:\n") :].split("\n\n")
     assert [group.partition(":\n")[0] for group in groups] == [
@@ -36,7 +31,14 @@ def test_the_help_names_every_command_in_one_line_each_in_groups(option: str, sh
 
 
 @pytest.mark.parametrize("command", ["pdp8", "pdp8 tape"])
-def test_no_command_is_misuse_and_shows_the_help_alone(command: str, shell: Shell) -> None:
-    done = shell(command)
-    assert done.returncode == 2
-    assert done.stdout + done.stderr == shell(f"{command} --help").stdout
+def test_no_command_is_misuse_and_shows_the_help_alone(command: str, call: Call) -> None:
+    status, shown, said = call(command)
+    assert status == 2
+    assert shown + said == call(f"{command} --help")[1]
+
+
+@pytest.mark.parametrize("group", ["", "tape", "nc", "part", "thesis"])
+def test_lists_of_commands_have_whole_lines(group: str, call: Call) -> None:
+    listed = call(f"pdp8 {group} --help")[1].partition("Commands:\n" if group else "Run:\n")[2]
+    assert listed
+    assert "..." not in listed
