@@ -7,7 +7,6 @@ second in which Python starts and imports. The server ends when the process that
 is no C compiler, or where the environment says how Python starts, commands start as they are.
 """
 
-import array
 import atexit
 import os
 import select
@@ -97,8 +96,9 @@ def serve(address: str) -> None:
 def _watch(client: socket.socket) -> None:
     """Run one command in a process of its own, and tell the client how it ended."""
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-    size, streams = _received(client)
-    fields = [os.fsdecode(field) for field in _whole(client, size).split(b"\0")[:-1]]
+    size, streams, _, _ = socket.recv_fds(client, 4, _STREAMS)
+    sent = client.recv(struct.unpack("i", size)[0], socket.MSG_WAITALL)
+    fields = [os.fsdecode(field) for field in sent.split(b"\0")[:-1]]
     child = os.fork()
     if child == 0:
         client.close()
@@ -109,21 +109,6 @@ def _watch(client: socket.socket) -> None:
     with suppress(OSError):
         client.sendall(struct.pack("i", status))
     os._exit(0)
-
-
-def _received(client: socket.socket) -> tuple[int, list[int]]:
-    body, control, _, _ = client.recvmsg(4, socket.CMSG_SPACE(_STREAMS * 4))
-    streams = array.array("i")
-    for _, _, data in control:
-        streams.frombytes(data)
-    return struct.unpack("i", body)[0], list(streams)
-
-
-def _whole(client: socket.socket, size: int) -> bytes:
-    body = b""
-    while len(body) < size:
-        body += client.recv(size - len(body))
-    return body
 
 
 def _become(fields: list[str], streams: list[int]) -> None:
