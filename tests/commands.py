@@ -75,6 +75,13 @@ def start(
     )
 
 
+def signalled(run: "subprocess.Popen[bytes]", number: int) -> tuple[int, bytes]:
+    """Send a signal to a command; return its exit status and what it said on standard error."""
+    run.send_signal(number)
+    said = run.communicate(timeout=20)[1]
+    return run.returncode, said
+
+
 def eventually(condition: Callable[[], object], seconds: float = 30) -> bool:
     """Wait until `condition` holds; return whether it did within `seconds`."""
     end = time.monotonic() + seconds

@@ -109,6 +109,16 @@ def test_a_closed_standard_stream_is_no_traceback(
     assert capsys.readouterr().err == said
 
 
+def test_a_conversation_has_the_standard_streams_for_itself(
+    monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sys, "stdin", sys.stdin)
+    with command.conversation() as (reader, writer), reader, writer:
+        writer.write(f"{sys.stdin.read()}answer".encode())
+        print("noise")
+    assert capfd.readouterr() == ("answer", "noise\n")
+
+
 def test_up_to_six_files_in_a_folder_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     with click.Context(click.Command("own")):
         command.put_all(str(tmp_path / "a"), [(name, b"") for name in "abcdef"])

@@ -43,18 +43,13 @@ class Line:
             frames += os.read(self.end, 100)
         return frames
 
-    def interrupted(self) -> bytes:
-        """Press Ctrl-C; return what the run said."""
-        self.run.send_signal(signal.SIGINT)
-        return self.run.communicate(timeout=20)[1]
-
 
 def test_a_line_without_its_other_end_is_named_once() -> None:
     line = Line()
     os.close(line.line)
     os.close(line.end)
     time.sleep(0.5)
-    said = line.interrupted()
+    _, said = commands.signalled(line.run, signal.SIGINT)
     assert said.count(b"nobody is at the other end; the machine goes on, Ctrl-C stops it") == 1
     assert re.search(rb"interrupted at .* [0-9]\.. s in 1971", said), "the machine lost its pace"
 
@@ -67,8 +62,8 @@ def test_the_teletype_is_a_line() -> None:
     os.write(line.end, b"\xd0\xc1\xcc\x01\xc1\xd0")
     assert line.read(6) == b"\xd0\xc1\xcc\x01\xc1\xd0"
     assert time.monotonic() - began > 0.5
-    assert b"interrupted at" in line.interrupted()
-    assert line.run.returncode == 130
+    status, said = commands.signalled(line.run, signal.SIGINT)
+    assert (status, b"interrupted at" in said) == (130, True)
     assert termios.tcgetattr(line.line)[:4] == line.before[:4]
 
 
@@ -107,10 +102,8 @@ def test_a_named_pipe_and_ctrl_c_while_it_is_silent(tmp_path: Path) -> None:
         pipe.write(LINE[:9])
         assert run.stdout
         assert len(run.stdout.read(5)) == 5
-        run.send_signal(signal.SIGINT)
-        said = run.communicate(timeout=20)[1]
-    assert run.returncode == 130
-    assert b"9 frames read" in said
+        status, said = commands.signalled(run, signal.SIGINT)
+    assert (status, b"9 frames read" in said) == (130, True)
 
 
 @pytest.fixture
