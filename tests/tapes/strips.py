@@ -1,11 +1,6 @@
-"""What the tests of tapes share: a tape of DEC's, and other people's programs to compare with."""
+"""What the tests of tapes share: a tape of DEC's, and why one is refused."""
 
-import shutil
-import subprocess
 from collections.abc import Callable
-from pathlib import Path
-
-import pytest
 
 from tapes.errors import TapeError
 
@@ -31,26 +26,6 @@ FORMAT_WORDS = {
     0o232: 0o0006, 0o300: 0o0007, 0o400: 0o0010, 0o401: 0o1200,
 }  # fmt: skip
 """What that program's own listing, of pass 3, says of it."""
-
-
-def simh() -> str:
-    """Return the path of SIMH's PDP-8, or skip; our own command has the same name, so ask what it is."""
-    for path in ("/usr/bin/pdp8", shutil.which("simh-pdp8")):
-        if path and Path(path).exists():
-            said = subprocess.run(
-                [path], input="quit\n", capture_output=True, text=True, timeout=20, check=False
-            )
-            if "PDP-8 simulator" in said.stdout:
-                return path
-    pytest.skip("SIMH's pdp8 is not installed")
-
-
-def palbart() -> str:
-    """Return the path of palbart, or skip."""
-    found = shutil.which("palbart")
-    if found is None:
-        pytest.skip("palbart is not installed")
-    return found
 
 
 def refused(read: Callable[[bytes], object], tape: bytes) -> TapeError | None:

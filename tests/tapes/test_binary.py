@@ -12,7 +12,9 @@ from tapes import ascii, binary, kinds, rim
 from tapes.errors import TapeError
 from tapes.frames import leader
 from tests.conftest import assert_same_tape
-from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, octal, palbart, refused, simh
+from tests.pal.random_pal8 import PALBART
+from tests.pdp8.computer.hardware.test_simh import SIMH
+from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, octal, refused
 
 WORDS = st.dictionaries(st.integers(0, 0o7777), st.integers(0, 0o7777))
 
@@ -220,24 +222,26 @@ def test_any_frames_are_read_or_refused_with_their_place(code: ModuleType, frame
         assert error is None or error.frame in range(len(attempt) + 1)
 
 
+@pytest.mark.skipif(not SIMH, reason="SIMH's pdp8 is not installed")
 @pytest.mark.parametrize(("load", "code"), [("load", binary), ("load -r", rim)])
 def test_simh_loads_the_same_words(load: str, code: ModuleType, tmp_path: Path) -> None:
     words = {address: address * 0o1357 + 0o2461 & 0o7777 for address in range(0, 0o10000, 3)} | FORMAT_WORDS
     (tmp_path / "x").write_bytes(code.encode(words))
     (tmp_path / "x.ini").write_text(f"{load} x\nexamine 0-7777\nquit\n")
     said = subprocess.run(
-        [simh(), "x.ini"], cwd=tmp_path, capture_output=True, text=True, timeout=60, check=True
+        [SIMH, "x.ini"], cwd=tmp_path, capture_output=True, text=True, timeout=60, check=True
     ).stdout
     lines = (line.split(":\t") for line in said.splitlines() if ":\t" in line)
     core = {int(address, 8): int(word, 8) for address, word in lines}
     assert core == {address: words.get(address, 0) for address in range(0o10000)}
 
 
+@pytest.mark.skipif(PALBART is None, reason="palbart is not installed")
 def test_palbart_punches_the_words_of_its_listing(tmp_path: Path) -> None:
     (tmp_path / "x.pal").write_text("*200\n CLA CLL\n TAD 300\n HLT\n*300\n 1234\n*7777\n 4321\n$\n")
     for options in ([], ["-r"]):
         subprocess.run(
-            [palbart(), *options, "x.pal"], cwd=tmp_path, capture_output=True, timeout=20, check=True
+            [str(PALBART), *options, "x.pal"], cwd=tmp_path, capture_output=True, timeout=20, check=True
         )
     words = {0o200: 0o7300, 0o201: 0o1300, 0o202: 0o7402, 0o300: 0o1234, 0o7777: 0o4321}
     assert binary.decode((tmp_path / "x.bin").read_bytes()).words == words

@@ -1,5 +1,6 @@
 """The examples of every --help: each can be pasted into a shell; its commands and options exist."""
 
+import re
 import shlex
 from collections.abc import Iterator
 
@@ -20,18 +21,10 @@ def examples(context: click.Context) -> list[str]:
 
 def calls(example: str) -> Iterator[list[str]]:
     """Yield the words of each of our commands in a line for a shell, without what is redirected."""
-    line = shlex.shlex(example, posix=True, punctuation_chars="|<>")
-    line.whitespace_split = True
-    words: list[str] = []
-    redirected = False
-    for word in [*line, "|"]:
-        if word == "|":
-            if words[0] in ("pdp8", "pal"):
-                yield words[1:] if words[0] == "pdp8" else words
-            words = []
-        elif not redirected and word not in "<>":
-            words.append(word)
-        redirected = word in "<>"
+    for piece in example.partition(" # ")[0].split(" | "):
+        words = shlex.split(re.sub(r" [<>] \S+", "", piece))
+        if words[0] in ("pdp8", "pal"):
+            yield words[1:] if words[0] == "pdp8" else words
 
 
 def left_over(words: list[str]) -> list[str]:
