@@ -91,19 +91,13 @@ def test_a_signal_ends_a_command_with_its_status(
         signal.signal(number, before)
 
 
-@pytest.mark.parametrize(
-    ("closed", "status", "said"),
-    [
-        ("stdin", 0, ""),
-        ("stdout", 1, "pdp8 tape info: standard output: Bad file descriptor\n"),
-        ("stderr", 0, ""),
-    ],
-)
+@pytest.mark.parametrize("closed", ["stdin", "stdout", "stderr"])
 def test_a_closed_standard_stream_is_no_traceback(
-    closed: str, status: int, said: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    closed: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(sys, closed, None)
-    with pytest.raises(SystemExit, match=f"^{status}$"):
+    said = "pdp8 tape info: standard output: Bad file descriptor\n" if closed == "stdout" else ""
+    with pytest.raises(SystemExit, match="1" if said else "0"):
         command.run(pdp8, "pdp8", ["tape", "info", "-" if closed == "stdin" else "circle.asc"])
     getattr(sys, closed).close()
     assert capsys.readouterr().err == said
