@@ -91,6 +91,16 @@ def test_a_signal_ends_a_command_with_its_status(
         signal.signal(number, before)
 
 
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_that_is_ignored_stays_so(number: int) -> None:
+    """In the background, under nohup."""
+    before = signal.signal(number, signal.SIG_IGN)
+    inside = click.Command("own", callback=lambda: int(signal.getsignal(number) is signal.SIG_IGN))
+    with pytest.raises(SystemExit, match="1"):
+        command.run(inside, "own", [])
+    assert signal.signal(number, before) is signal.SIG_IGN
+
+
 @pytest.mark.parametrize("closed", ["stdin", "stdout", "stderr"])
 def test_a_closed_standard_stream_is_no_traceback(
     closed: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

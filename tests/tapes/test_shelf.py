@@ -2,6 +2,8 @@
 
 import os
 import zipfile
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -101,18 +103,19 @@ def test_what_cannot_be_written_leaves_what_was_there(
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_devices_and_directories() -> None:
-    shelf.check_writable("/dev/full")
-    with pytest.raises(ShelfError, match="/dev/full: No space left"):
-        shelf.write("/dev/full", b"x")
-    with pytest.raises(ShelfError, match="/tmp: Is a directory"):
-        shelf.check_writable("/tmp")
-
-
-@pytest.mark.parametrize(("name", "said"), [("no/x", "No such file"), ("x" * 300, "File name too long")])
-def test_a_punch_that_cannot_be_opened(name: str, said: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("put", "name", "said"),
+    [
+        (partial(shelf.write, content=b"x"), "/dev/full", "/dev/full: No space left"),
+        (shelf.check_writable, "/tmp", "/tmp: Is a directory"),
+        (shelf.open_punch, "no/x", "No such file"),
+        (shelf.open_punch, "x" * 300, "File name too long"),
+    ],
+)
+def test_what_cannot_be_written_is_named(put: Callable[[str], object], name: str, said: str) -> None:
     with pytest.raises(ShelfError, match=said):
-        shelf.open_punch(str(tmp_path / name))
+        put(name)
+    shelf.check_writable("/dev/full")
 
 
 def test_a_text_that_is_not_utf8_is_named_with_the_place(tmp_path: Path) -> None:

@@ -24,24 +24,6 @@ HALT = "*200\n\tHLT\n$\n"
 RIGHT = form.read("add").solution
 
 
-@pytest.mark.parametrize("name", ["own.bin", "hard.bin", "soft.bin", "sub/../own.bin"])
-def test_no_name_of_a_source_is_written(name: str, call: Call, tmp_path: Path) -> None:
-    (tmp_path / "sub").mkdir()
-    (tmp_path / "own.bin").write_bytes(shelf.read_bundled("eia.bin"))
-    os.link("own.bin", "hard.bin")
-    os.symlink("own.bin", "soft.bin")
-    for line in (
-        "run own.bin --punch",
-        "run eia.pal --reader own.bin --fast-punch",
-        "tape convert own.bin --to rim -o",
-        *("part mirror own.bin -o", "tape clean own.bin -o", "nc view own.bin -o", "pal own.bin -o"),
-    ):
-        status, _, said = call(f"pdp8 {line} {name}")
-        assert status == 2
-        assert "own.bin is the source; name another file" in said
-    assert (tmp_path / "own.bin").read_bytes() == shelf.read_bundled("eia.bin")
-
-
 @pytest.mark.parametrize(
     ("lines", "said"),
     [
@@ -72,28 +54,6 @@ def test_the_monitor_reads_and_writes_again_what_it_wrote(call: Call, tmp_path: 
         *("wrote x.state", "replaced x.state", "wrote x.asc: no frames", "x.asc: no frames"),
         "replaced x.asc: no frames",
     ]
-
-
-def test_check_keeps_the_files_that_an_exercise_names(call: Call, tmp_path: Path) -> None:
-    (tmp_path / "in.csv").write_text("A")
-    (tmp_path / "own.toml").write_text(
-        'title = "t"\ntask = "t"\n[[case]]\nname = "a"\nreader = { file = "in.csv" }\n'
-    )
-    (tmp_path / "cleo.html").write_text(RIGHT)
-    for line, name in (
-        ("own.toml cleo.html --csv in.csv", "in.csv"),
-        ("add cleo.html --pages .", "cleo.html"),
-    ):
-        before = (tmp_path / name).read_bytes()
-        status, _, said = call(f"pdp8 check {line}")
-        assert (status, f"{name} was read: it is not replaced" in said) == (1, True)
-        assert (tmp_path / name).read_bytes() == before
-
-
-def test_a_pass_is_not_written_over_its_source(call: Call, tmp_path: Path) -> None:
-    (tmp_path / "odd.pass1").write_text(HALT)
-    assert call("pal odd.pass1 --tty .")[0] == 2
-    assert (tmp_path / "odd.pass1").read_text() == HALT
 
 
 def test_a_record_goes_to_a_file_in_every_command(call: Call, tmp_path: Path) -> None:

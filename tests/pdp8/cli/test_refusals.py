@@ -3,6 +3,7 @@
 A line of the tables: the command, ` -> `, and what it says of it. Status 2, misuse, ends with where help is.
 """
 
+import os
 from pathlib import Path
 
 import click
@@ -29,7 +30,9 @@ FILES = {
     },
     **{"empty": b"", "blank": bytes(1), "half": FORMAT_BIN[:100], "even": b"\n", "mark": b"\xff\xfe"},
     **{"accent": "1\né".encode(), "shout": b"1!\n", "data": b"123\r\n", "line": b"A"},
-    "cut.bin": shelf.read_bundled("eia.bin")[:200],
+    **{"cut.bin": shelf.read_bundled("eia.bin")[:200], "ana.pass1": b"*200\n\tHLT\n$\n", "in.csv": b"A"},
+    "own.toml": b'title = "t"\ntask = "t"\n[[case]]\nname = "a"\nreader = { file = "in.csv" }\n',
+    "ana.html": b"*200\n\tHLT\n$\n",
 }
 
 FAILS = """\
@@ -63,6 +66,8 @@ pdp8 run hello.pal --save '' -> : the name of a file is empty
 pdp8 run '' -> : the name of a file is empty
 pdp8 run empty --boot -> : empty: the program tape is empty
 pdp8 dis -> : standard input: frame 0: empty tape
+pdp8 check own.toml ana.pal --csv in.csv -> : in.csv was read: it is not replaced
+pdp8 check add ana.html --pages . -> : ./ana.html was read: it is not replaced
 """
 
 MISUSE = """\
@@ -106,6 +111,14 @@ pdp8 run a.bin --punch x --trace x -> two outputs go to x
 pdp8 run a.bin --trace - -> two outputs go to standard output
 pdp8 run - --reader - -> standard input can be read only once
 pdp8 tape convert a.asc --to text -o a.asc -> a.asc is the source; name another file
+pdp8 tape convert a.bin --to rim -o ./a.bin -> a.bin is the source; name another file
+pdp8 run a.bin --punch hard.bin -> a.bin is the source; name another file
+pdp8 run eia.pal --reader a.bin --fast-punch soft.bin -> a.bin is the source; name another file
+pdp8 part mirror a.bin -o soft.bin -> a.bin is the source; name another file
+pdp8 tape clean a.bin -o hard.bin -> a.bin is the source; name another file
+pdp8 nc view a.bin -o a.bin -> a.bin is the source; name another file
+pdp8 pal a.bin -o soft.bin -> a.bin is the source; name another file
+pal ana.pass1 --tty . -> ana.pass1 is the source; name another file
 pdp8 check add ana.pal --json - --junit - -> two outputs go to standard output
 pdp8 check add --junit ana.pal ben.pal -> ana.pal is there, and is no XML
 pdp8 check add --json ana.pal ben.pal -> ana.pal is there, and is no JSON
@@ -128,10 +141,13 @@ def refused(call: Call, row: str, folder: Path) -> tuple[int, str, str]:
     """Call what a row of a table says, in a folder of FILES; return its status, what it said and should."""
     for name, content in FILES.items():
         (folder / name).write_bytes(content)
+    os.link("a.bin", "hard.bin")
+    os.symlink("a.bin", "soft.bin")
     line, expected = row.split(" -> ")
     status, shown, said = call(line)
     assert shown == ""
-    assert {path.name: path.read_bytes() for path in folder.iterdir()} == FILES
+    links = dict.fromkeys(("hard.bin", "soft.bin"), FORMAT_BIN)
+    assert {path.name: path.read_bytes() for path in folder.iterdir()} == FILES | links
     return status, said, expected
 
 
