@@ -143,10 +143,6 @@ def _sections(tape: bytes) -> Iterator[Row]:
 
 
 def _words(tape: bytes) -> Iterator[Row]:
-    fault = _fault(rim.read, tape)
-    if fault:
-        yield "damage", fault
-        return
     words, damage, labels = rim.read(tape)
     yield "holds", f"{counted(len(words), 'words')}; RIM has no checksum"
     yield "core", ranges(words)

@@ -11,7 +11,6 @@ from xml.etree import ElementTree
 import pytest
 
 from pdp8.lessons import cards as drawn
-from tapes import ascii, eia
 from tests.conftest import Shell
 
 DOCS = Path(__file__).parent.parent / "docs"
@@ -73,18 +72,6 @@ def test_the_rim_card_has_the_words_of_the_book_as_switches() -> None:
     assert (rows[0][1], rows[-1][1]) == ("7756", "7776")
     switches = [circle.get("class") == "up" for circle in rim.iter(f"{SVG}circle")]
     assert switches == [bit == "1" for word in book for bit in f"{word:012b}"]
-
-
-@pytest.mark.parametrize(
-    ("name", "digits"), [("ascii", ascii.encode("0123456789")), ("eia", eia.encode("0123456789"))]
-)
-def test_a_code_card_has_a_hole_for_each_bit(name: str, digits: bytes) -> None:
-    shown = card(name)
-    frames = [int(text, 8) for text in texts(shown) if re.fullmatch("[0-3][0-7]{2}", text)]
-    assert set(digits) <= set(frames)
-    holes = [circle.get("class") for circle in shown.iter(f"{SVG}circle")]
-    assert holes.count("hole") == sum(frame.bit_count() for frame in frames)
-    assert holes.count("sprocket") == len(frames)
 
 
 def test_the_instruction_card_has_what_an_8l_executes() -> None:

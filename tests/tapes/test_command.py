@@ -91,9 +91,10 @@ def test_a_signal_ends_a_command_with_its_status(
         signal.signal(number, before)
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
-def test_a_signal_that_is_ignored_stays_so(number: int) -> None:
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
+def test_a_signal_that_is_ignored_stays_so(name: str) -> None:
     """In the background, under nohup."""
+    number = getattr(signal, name)
     before = signal.signal(number, signal.SIG_IGN)
     inside = click.Command("own", callback=lambda: int(signal.getsignal(number) is signal.SIG_IGN))
     with pytest.raises(SystemExit, match="1"):

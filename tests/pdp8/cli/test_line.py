@@ -14,11 +14,10 @@ from pathlib import Path
 
 import pytest
 
-from tapes import eia
 from tests import commands
 from tests.commands import Terminal
 from tests.conftest import Call, Shell, assert_same_tape
-from tests.pdp8.cli.test_run import LINE
+from tests.pdp8.cli.test_run import LINE, WHOLE
 
 
 def test_the_time_limit_of_a_program_that_waits_for_a_key() -> None:
@@ -65,10 +64,6 @@ def test_the_teletype_is_a_line() -> None:
     status, said = commands.signalled(line.run, signal.SIGINT)
     assert (status, b"interrupted at" in said) == (130, True)
     assert termios.tcgetattr(line.line)[:4] == line.before[:4]
-
-
-WHOLE = b"\0" + eia.encode("  76 2250 4133  185\n".replace(" ", "0"))
-"""What eia.pal makes of LINE."""
 
 
 def test_a_pipe_that_stays_open_is_read_as_it_comes() -> None:
