@@ -67,7 +67,7 @@ core {CORE}""",
     ): f"{BIN}checksum 1251 at frame 119: WRONG, 1250 computed\n{HOLDS}",
     binary.encode({}): f"{BIN}checksum 0000 at frame 64: good\nholds words 0, origins 0, fields 0\ncore none",
     binary.encode({0o10200: 0o7402}): f"""{BIN}\
-checksum 0176 at frame 69: good
+checksum 0200 at frame 69: good
 holds words 1, origins 1, fields 1
 core 10200""",
     LEADER: f"{BIN}damage frame 64: nothing but leader",
