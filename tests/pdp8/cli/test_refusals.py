@@ -67,6 +67,7 @@ pdp8 run '' -> : the name of a file is empty
 pdp8 run empty --boot -> : empty: the program tape is empty
 pdp8 dis -> : standard input: frame 0: empty tape
 pdp8 check own.toml ana.pal --csv in.csv -> : in.csv was read: it is not replaced
+pdp8 cards rim -o line/sub -> : line/sub: Not a directory
 pdp8 check add ana.html --pages . -> : ./ana.html was read: it is not replaced
 """
 
