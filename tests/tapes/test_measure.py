@@ -39,11 +39,11 @@ tape ASCII
 parity none
 lines 1 of 1 character, then 1 character without an end
 line ends 1 CR, 0 LF, 0 RUBOUT""",
-    b"A\nBC\nD": """\
+    b"A\nBC\nBCD\nD": """\
 tape ASCII
 parity none
-lines 2 of 1 to 2 characters, then 1 character without an end
-line ends 0 CR, 2 LF, 0 RUBOUT
+lines 3 of 1 to 3 characters, then 1 character without an end
+line ends 0 CR, 3 LF, 0 RUBOUT
 warning LF without CR: no Teletype would return its carriage; `pdp8 tape punch` punches CR LF""",
     b"": "tape empty",
     bytes(9): "tape blank",
