@@ -22,16 +22,6 @@ def line(tmp_path: Path) -> None:
     (tmp_path / "line.asc").write_bytes(LINE)
 
 
-def test_boot_makes_the_same_tape_and_says_what_it_took(shell: Shell) -> None:
-    ran = shell("pdp8 run eia.pal --boot < line.asc")
-    assert_same_tape(ran.stdout, WHOLE)
-    said = ran.stderr.decode().splitlines()
-    assert said[0] == "pdp8 run: RIM loader toggled in: 18 keys"
-    assert said[1].endswith("492 frames, 91 words; 49.2 s")
-    assert said[3].startswith("pdp8 run: loaded in 1 min 22.7 s")
-    assert ran.returncode == 0
-
-
 def test_a_run_saved_and_restored_is_one_run(shell: Shell) -> None:
     first = shell("pdp8 run eia.pal --max-time 1.05 --save noon.state < line.asc")
     assert first.returncode == 1
