@@ -18,8 +18,8 @@ def test_the_version_says_which_core_runs_and_where(shell: Shell) -> None:
 
 
 @pytest.mark.parametrize("option", ["--help", "-h"])
-def test_the_help_names_every_command_in_one_line_each_in_groups(option: str, call: Call) -> None:
-    shown = call(f"pdp8 {option}")[1]
+def test_the_help_names_every_command_in_one_line_each_in_groups(option: str, shell: Shell) -> None:
+    shown = shell(f"pdp8 {option}").stdout.decode()
     assert "pdp8 run eia.pal --reader circle.asc --punch circle.eia" in shown
     groups = shown[shown.index("Run:\n") :].split("\n\n")
     assert [group.partition(":\n")[0] for group in groups] == [
