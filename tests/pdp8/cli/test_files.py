@@ -56,31 +56,31 @@ def test_the_monitor_reads_and_writes_again_what_it_wrote(call: Call, tmp_path: 
     ]
 
 
-def test_a_record_goes_to_a_file_in_every_command(call: Call, tmp_path: Path) -> None:
-    (tmp_path / "ana.pal").write_text(RIGHT)
-    for line in ("pdp8 check add ana.pal --json", "pal ana.pal --json", "pdp8 run ana.pal --count-json"):
-        status, _, said = call(f"{line} x.json")
-        assert (status, "wrote x.json\n" in said) == (0, True)
-        assert json.loads((tmp_path / "x.json").read_text())
-        (tmp_path / "x.json").unlink()
-    _, out, _ = call("pdp8 check add ana.pal --json -")
-    assert json.loads(out)["answers"][0]["right"]
-
-
-def test_what_is_written_and_what_is_replaced_is_said(call: Call, tmp_path: Path) -> None:
-    for line in (
+@pytest.mark.parametrize(
+    "line",
+    [
         "pal eia.pal -o x.bin",
+        "pal eia.pal --json x.json",
         "pdp8 run hello.pal --punch x.tape",
         "pdp8 run hello.pal --save x.state",
         "pdp8 run hello.pal --trace x.trace",
+        "pdp8 run hello.pal --count-json x.json",
+        "pdp8 check add add.pal --json x.json",
         "pdp8 part drill -o x.asc",
         "pdp8 nc export circle.eia --gcode -o x.ngc",
         "pdp8 dis eia.bin -o x.pal",
-    ):
-        name = line.split()[-1]
-        assert f"wrote {name}\n" in call(line)[2]
-        assert f"replaced {name}\n" in call(line)[2]
-        assert "run" not in line or "replaced" not in call(f"{line} --quiet")[2]
+    ],
+)
+def test_what_is_written_and_what_is_replaced_is_said(line: str, call: Call, tmp_path: Path) -> None:
+    name = line.rsplit(maxsplit=1)[-1]
+    (tmp_path / "add.pal").write_text(RIGHT)
+    for said in (f"wrote {name}\n", f"replaced {name}\n"):
+        assert said in call(line)[2]
+    assert not name.endswith("json") or json.loads((tmp_path / name).read_text())
+    assert "run" not in line or "replaced" not in call(f"{line} --quiet")[2]
+
+
+def test_what_is_written_into_a_folder_is_said(call: Call) -> None:
     assert "wrote rim.svg, eia.svg in cards\n" in call("pdp8 cards rim eia -o cards")[2]
     assert "wrote rim.svg in cards; 1 replaced\n" in call("pdp8 cards rim -o cards")[2]
 

@@ -39,7 +39,7 @@ FAILS = """\
 pdp8 tape show nowhere.asc -> : nowhere.asc: no such file, here or among the bundled ones
 pdp8 tape show . -> : .: Is a directory
 pdp8 tape show -> : standard input: frame 0: empty tape
-pdp8 tape show --from 9 blank -> : blank: frame 9: the tape has only 1
+pdp8 tape show --from 1 blank -> : blank: frame 1: the tape has only 1
 pdp8 tape show --svg . blank -> : .: Is a directory
 pdp8 tape convert --to rim half -> : half: frame 100: the tape is cut short inside a word
 pdp8 tape convert --code eia --to text even -> : even: frame 0: 012 (channels 4 2) is no EIA
