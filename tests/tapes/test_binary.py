@@ -148,6 +148,8 @@ def test_text_before_a_leader_is_no_label() -> None:
     for tail in (bytes(10) + binary.encode({0o200: 1}), bytes(10) + leader(), bytes(10) + leader() + text):
         assert kinds.classify(text + tail) not in (kinds.BIN, kinds.RIM)
         assert kinds.start(text + tail) == 0
+    assert kinds.classify(text * 9 + bytes(10) + leader() + b"\3\6\5") == kinds.ASCII
+    assert kinds.classify(b"ABC" * 9 + bytes(10) + leader() + b"\3\6\5") == kinds.ASCII
     assert kinds.start(ascii.encode("A") + bytes(9) + leader()) == 0
     assert kinds.start(ascii.encode("A") + bytes(9) + b"\x41") == 0
 

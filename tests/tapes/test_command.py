@@ -5,6 +5,7 @@ import signal
 import sys
 from errno import ENOSPC, EPIPE
 from functools import partial
+from io import BytesIO, TextIOWrapper
 from pathlib import Path
 from unicodedata import category
 
@@ -100,6 +101,14 @@ def test_a_signal_that_is_ignored_stays_so(name: str) -> None:
     with pytest.raises(SystemExit, match="1"):
         command.run(inside, "own", [])
     assert signal.signal(number, before) is signal.SIG_IGN
+
+
+def test_a_stream_that_is_not_utf8_takes_any_character(monkeypatch: pytest.MonkeyPatch) -> None:
+    kept = BytesIO()
+    monkeypatch.setattr(sys, "stdout", TextIOWrapper(kept, encoding="latin-1"))
+    with pytest.raises(SystemExit, match="0"):
+        command.run(click.Command("own", callback=lambda: command.echo("→")), "own", [])
+    assert kept.getvalue() == b"?\n"
 
 
 @pytest.mark.parametrize("closed", ["stdin", "stdout", "stderr"])

@@ -94,13 +94,10 @@ def test_a_closed_standard_output_is_one_error(shell: Shell) -> None:
     assert done.stderr == b"pdp8 run: standard output: Bad file descriptor after 0 frames\n"
 
 
-@pytest.mark.parametrize("encoding", ["ascii", "latin-1"])
-def test_a_stream_that_is_not_utf8_takes_any_message(shell: Shell, encoding: str) -> None:
-    done = shell(f"printf '*200\\n\\tCLÄ\\n$\\n' > x.pal; PYTHONIOENCODING={encoding} pal x.pal -o y")
-    assert b"Traceback" not in done.stderr
-    done = shell(f"PYTHONIOENCODING={encoding} pdp8 nc plot circle.eia")
+def test_a_drawing_is_utf8_whatever_the_stream_is(shell: Shell) -> None:
+    done = shell("PYTHONIOENCODING=latin-1 pdp8 nc plot circle.eia")
     assert done.returncode == 0
-    done.stdout.decode("utf-8")
+    assert done.stdout.decode("utf-8")
 
 
 def test_errors_on_one_long_line_are_excerpts_and_counted(call: Call, tmp_path: Path) -> None:
