@@ -3,6 +3,7 @@
 import os
 import signal
 import sys
+from collections.abc import Callable, Iterator
 from errno import ENOSPC, EPIPE
 from functools import partial
 from io import BytesIO, TextIOWrapper
@@ -75,12 +76,21 @@ def test_what_standard_output_still_holds_is_written(
         assert capsys.readouterr().err == f"own: {said}\n"
 
 
+@pytest.fixture(autouse=True)
+def signals() -> Iterator[None]:
+    """Have the signals after each test as they were."""
+    numbers = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    before = [signal.getsignal(number) for number in numbers]
+    yield
+    for number, handler in zip(numbers, before, strict=True):
+        signal.signal(number, handler)
+
+
 @pytest.mark.parametrize(("name", "status"), [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
 def test_a_signal_ends_a_command_with_its_status(
     name: str, status: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     number = getattr(signal, name)
-    before = signal.getsignal(number)
     killed = f"import os\nos.kill({os.getpid()}, {number})\n"
     (tmp_path / "importing.py").write_text(killed)
     monkeypatch.syspath_prepend(tmp_path)
@@ -89,18 +99,17 @@ def test_a_signal_ends_a_command_with_its_status(
         with pytest.raises(SystemExit) as ended:
             command.run(click.Command("own", callback=partial(exec, line)), "own", [])
         assert ended.value.code == (said if name == "SIGINT" else status)
-        signal.signal(number, before)
 
 
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
 def test_a_signal_that_is_ignored_stays_so(name: str) -> None:
     """In the background, under nohup."""
     number = getattr(signal, name)
-    before = signal.signal(number, signal.SIG_IGN)
+    signal.signal(number, signal.SIG_IGN)
     inside = click.Command("own", callback=lambda: int(signal.getsignal(number) is signal.SIG_IGN))
     with pytest.raises(SystemExit, match="1"):
         command.run(inside, "own", [])
-    assert signal.signal(number, before) is signal.SIG_IGN
+    assert signal.getsignal(number) is signal.SIG_IGN
 
 
 def test_a_stream_that_is_not_utf8_takes_any_character(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -120,7 +129,23 @@ def test_a_closed_standard_stream_is_no_traceback(
     with pytest.raises(SystemExit, match="1" if said else "0"):
         command.run(pdp8, "pdp8", ["tape", "info", "-" if closed == "stdin" else "circle.asc"])
     getattr(sys, closed).close()
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
     assert capsys.readouterr().err == said
+
+
+@pytest.mark.parametrize(
+    ("name", "write"),
+    [("stderr", command.tell), ("stdout", command.echo), ("stdout", partial(command.put, "-"))],
+)
+def test_a_stream_that_nobody_reads_is_pointed_at_nothing(
+    name: str, write: Callable[[str], None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    reader, writer = os.pipe()
+    os.close(reader)
+    with os.fdopen(writer, "w") as stream:
+        monkeypatch.setattr(sys, name, stream)
+        write("x")
+        print("what Python writes at exit", file=stream, flush=True)
 
 
 def test_a_conversation_has_the_standard_streams_for_itself(
@@ -128,6 +153,7 @@ def test_a_conversation_has_the_standard_streams_for_itself(
 ) -> None:
     monkeypatch.setattr(sys, "stdin", sys.stdin)
     with command.conversation() as (reader, writer), reader, writer:
+        assert os.path.samestat(os.fstat(reader.fileno()), os.fstat(0))
         writer.write(f"{sys.stdin.read()}answer".encode())
         print("noise")
     assert capfd.readouterr() == ("answer", "noise\n")

@@ -87,6 +87,13 @@ def test_what_a_product_never_replaces(kind: str, kept: str, first: str, taken: 
                 shelf.check_kind(str(path), kind)
 
 
+@pytest.mark.parametrize("ending", [".png", ".jpg", ".jpeg", ".gif", ".webp", ".pdf", ".eps", ".DXF"])
+def test_a_picture_of_another_format_is_not_promised(ending: str) -> None:
+    with pytest.raises(ShelfError, match=f"x{ending}: a picture is written as SVG alone; name it .svg"):
+        shelf.check_kind(f"x{ending}", "SVG")
+    shelf.check_kind(f"x{ending}", "HTML")
+
+
 def test_what_cannot_be_written_leaves_what_was_there(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -200,6 +200,8 @@ def test_a_tape_without_end_is_refused(line: str, call: Call, monkeypatch: pytes
     monkeypatch.setattr(shelf.read, "__defaults__", (200_000,))
     status, _, said = call(f"pdp8 {line} /dev/zero")
     assert (status, "/dev/zero: longer than 200,000 " in said) == (1, True)
+    assert call("pdp8 tape info", bytes(200_000))[0] == 0
+    assert "standard input: longer than 200,000 " in call("pdp8 tape info", bytes(200_001))[2]
 
 
 def test_escapes_are_shown_and_valid_in_records(call: Call, tmp_path: Path) -> None:
