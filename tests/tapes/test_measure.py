@@ -14,6 +14,7 @@ CORE = "0200-0221, 0232, 0300, 0400-0401"
 SEVEN = octal("001 161 011 005 003")
 LABELLED = bytes(2) + SEVEN + bytes(3) + rim.encode({0o200: 0o7402}) + bytes(1) + SEVEN + bytes(3)
 APART = FORMAT_BIN + SEVEN + bytes(3) + binary.encode({0o200: 0o7402})
+WRONG = FORMAT_BIN.replace(octal("072 000 071"), octal("072 000 070"))
 FORTRAN = LEADER + octal("300 012 034 056 070") * 9 + LEADER
 NO_ADDRESS = "The BIN loader has no address for it; an object tape of FORTRAN looks so"
 DRAWN = "\n".join(f" {row}" for row in ("ooooo", "    o", "   o", "  o", " o", " o", " o", ""))
@@ -62,9 +63,7 @@ frames 185: leader 65, trailer 64
 checksum 1251 at frame 119: good
 {HOLDS}
 core {CORE}""",
-    FORMAT_BIN.replace(
-        b"\x3a\0\x39", b"\x3a\0\x38"
-    ): f"{BIN}checksum 1251 at frame 119: WRONG, 1250 computed\n{HOLDS}",
+    WRONG: f"{BIN}checksum 1251 at frame 119: WRONG, 1250 computed\n{HOLDS}",
     binary.encode({}): f"{BIN}checksum 0000 at frame 64: good\nholds words 0, origins 0, fields 0\ncore none",
     binary.encode({0o10200: 0o7402}): f"""{BIN}\
 checksum 0200 at frame 69: good

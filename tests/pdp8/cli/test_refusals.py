@@ -18,21 +18,12 @@ from tests.tapes.strips import FORMAT_BIN
 EVERY = {each.command_path: each.command for each in walk(click.Context(pdp8, info_name="pdp8"))}
 """Each command by its name, `pdp8 tape show`."""
 
-EVERY = {each.command_path: each.command for each in walk(click.Context(pdp8, info_name="pdp8"))}
-"""Each command by its name, `pdp8 tape show`."""
-
 FILES = {
-    **{
-        "ana.pal": b"*200\n\tHLT\n$\n",
-        "ben.pal": b"*200\n\tHLT\n$\n",
-        "a.bin": FORMAT_BIN,
-        "a.asc": b"12\r\n",
-    },
-    **{"empty": b"", "blank": bytes(1), "half": FORMAT_BIN[:100], "even": b"\n", "mark": b"\xff\xfe"},
-    **{"accent": "1\né".encode(), "shout": b"1!\n", "data": b"123\r\n", "line": b"A"},
-    **{"cut.bin": shelf.read_bundled("eia.bin")[:200], "ana.pass1": b"*200\n\tHLT\n$\n", "in.csv": b"A"},
+    **dict.fromkeys(("ana.pal", "ben.pal", "ana.pass1", "ana.html"), b"*200\n\tHLT\n$\n"),
+    **{"a.bin": FORMAT_BIN, "half": FORMAT_BIN[:100], "cut.bin": shelf.read_bundled("eia.bin")[:200]},
+    **{"empty": b"", "blank": bytes(1), "even": b"\n", "line": b"A", "shout": b"1!\n", "a.asc": b"12\r\n"},
+    **{"mark": b"\xff\xfe", "accent": "1\né".encode(), "in.csv": b"A"},
     "own.toml": b'title = "t"\ntask = "t"\n[[case]]\nname = "a"\nreader = { file = "in.csv" }\n',
-    "ana.html": b"*200\n\tHLT\n$\n",
 }
 
 FAILS = """\
