@@ -39,3 +39,13 @@ def test_nothing_is_proposed_where_several_values_fit() -> None:
     seen = bytearray(TAPES["even"])
     seen[100] ^= 0o004
     assert redundancy.propose(bytes(seen), {100: 0o017})[0] == {}
+
+
+@pytest.mark.parametrize("faults", [3, 4])
+def test_of_a_bin_tape_no_more_than_three_faults_are_mended(faults: int) -> None:
+    doubtful = {100 + at: 1 << at for at in range(faults)}
+    seen = bytearray(BIN)
+    for at, bit in doubtful.items():
+        seen[at] ^= bit
+    found = {at: BIN[at] for at in doubtful}
+    assert redundancy.propose(bytes(seen), doubtful)[0] == (found if faults == 3 else {})
