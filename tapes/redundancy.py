@@ -99,7 +99,7 @@ def _sense(frames: bytes) -> float:
             damage = binary.find_damage(binary.read(frames)) if kind == kinds.BIN else rim.read(frames).damage
         except TapeError as error:
             damage = error
-        return inf if damage is None else damage.frame or 0
+        return inf if damage is None or damage.frame is None else damage.frame
     if kind == kinds.ASCII:
         return frames.translate(PARITIES["none"]).count(b"\r\n")
     if kind == kinds.EIA:

@@ -101,8 +101,11 @@ def test_info_of_several(call: Call, tmp_path: Path) -> None:
 
 def test_convert_tells_the_code_and_clean_leaves_digits(call: Call) -> None:
     assert_same_tape(product(call, "convert --to bin", rim.encode(FORMAT_WORDS)), binary.encode(FORMAT_WORDS))
-    spelled = product(call, "convert --to octal", FORMAT_BIN)
-    assert_same_tape(product(call, "convert --code octal --to frames", spelled), FORMAT_BIN)
+    labelled = FORMAT_BIN + b"\x41"
+    spelled = product(call, "convert --to octal", labelled)
+    assert_same_tape(product(call, "convert --code octal --to frames", spelled), labelled)
+    for target in ("text", "octal"):
+        assert call(f"pdp8 tape convert circle.eia --to {target}", terminal=True)[0] == 0
     assert product(call, "convert --to text", eia.encode("12\n")) == b"12\n"
     assert product(call, "clean", b"\x4f" + eia.encode("12\n")) == eia.encode("12\n")
 

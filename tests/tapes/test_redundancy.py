@@ -8,7 +8,7 @@ from tapes.frames import with_parity
 BIN = shelf.read("eia.bin")
 TAPES = {
     "bin": BIN,
-    "rim": convert.convert(BIN, "bin", "rim", "mark", None),
+    "rim": b"\0" + convert.convert(BIN, "bin", "rim", "mark", None),
     "eia": shelf.read("circle.eia"),
     "mark": shelf.read("circle.asc"),
     "even": with_parity(shelf.read("circle.asc"), "even"),
@@ -32,7 +32,12 @@ def test_a_fault_in_a_doubtful_channel_is_mended_and_a_reversed_tape_found_out(c
     seen[100] ^= bit
     assert redundancy.propose(bytes(seen), {100: bit, 121: 0o003}) == ({100: tape[100]}, by)
     assert redundancy.propose(tape, {100: 0o377, 120: 0o377})[0] == {}
-    assert [redundancy.looks_reversed(each) for each in (tape, tape[::-1])] == [False, True]
+    assert [redundancy.looks_reversed(each) for each in (tape, tape[::-1], b"\3\6\5")] == [False, True, False]
+
+
+def test_a_good_tape_stays_though_two_holes_could_change_places() -> None:
+    ones, noughts = ([at for at in range(70, 120) if BIN[at] & 1 == bit] for bit in (1, 0))
+    assert redundancy.propose(BIN, {ones[0]: 1, noughts[0]: 1}) == ({}, "")
 
 
 def test_nothing_is_proposed_where_several_values_fit() -> None:
