@@ -14,7 +14,7 @@ from math import inf
 
 from tapes import binary, eia, kinds, rim
 from tapes.errors import TapeError
-from tapes.frames import BLANK, LEADER, PARITIES, RUBOUT, leader_start, parity, skip
+from tapes.frames import BLANK, LEADER, PARITIES, RUBOUT, find_leader, parity, skip
 
 _MOST_FLIPPED = 3
 _MOST_CHANNELS = 24
@@ -32,7 +32,7 @@ def propose(frames: bytes, doubtful: Mapping[int, int]) -> tuple[dict[int, int],
     if kind == kinds.BIN:
         return _by_checksum(frames, doubtful)
     if kind == kinds.RIM:
-        start = skip(frames, leader_start(frames) or 0, LEADER)
+        start = skip(frames, find_leader(frames), LEADER)
         return _by_frame(
             frames, doubtful, lambda at, frame: frame >> 6 == ((at - start) % 4 == 0)
         ), "RIM's order"
@@ -110,8 +110,8 @@ def _sense(frames: bytes) -> float:
 def _in_sequence(frames: bytes) -> float:
     """Return how many blocks of an EIA tape have a number one more than that before."""
     try:
-        lines = eia.decode(frames, blank="0").split("\n")
+        starts = [line[:3] for line in eia.decode(frames, blank="0").split("\n")]
     except TapeError:
         return 0
-    numbers = [int(line[:3]) for line in lines if line[:3].isascii() and line[:3].isdigit()]
+    numbers = [int(start) for start in starts if start.isdecimal()]
     return sum(after - before == 1 for before, after in pairwise(numbers))

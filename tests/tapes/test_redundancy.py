@@ -2,8 +2,9 @@
 
 import pytest
 
-from tapes import convert, redundancy, shelf
+from tapes import convert, eia, redundancy, shelf
 from tapes.frames import with_parity
+from tests.tapes.strips import FORMAT_BIN, LEADER
 
 BIN = shelf.read("eia.bin")
 TAPES = {
@@ -15,24 +16,44 @@ TAPES = {
     "none": with_parity(shelf.read("circle.asc"), "none"),
 }
 FAULTS = {
-    "bin": (0o004, "the checksum"),
-    "rim": (0o100, "RIM's order"),
-    "eia": (0o004, "EIA's odd holes"),
-    "mark": (0o200, "the tape's parity, mark"),
-    "even": (0o004, "the tape's parity, even"),
-    "none": (0o200, "the tape's parity, none"),
+    "bin": (100, 0o004, "the checksum"),
+    "rim": (101, 0o100, "RIM's order"),
+    "eia": (100, 0o004, "EIA's odd holes"),
+    "mark": (100, 0o200, "the tape's parity, mark"),
+    "even": (100, 0o004, "the tape's parity, even"),
+    "none": (100, 0o200, "the tape's parity, none"),
 }
-"""A channel in which the code shows a fault, and by what."""
+"""A frame, a channel in which the code shows a fault there, and by what."""
 
 
 @pytest.mark.parametrize("code", TAPES)
-def test_a_fault_in_a_doubtful_channel_is_mended_and_a_reversed_tape_found_out(code: str) -> None:
-    tape, (bit, by) = TAPES[code], FAULTS[code]
+def test_a_fault_in_a_doubtful_channel_is_mended(code: str) -> None:
+    tape, (at, bit, by) = TAPES[code], FAULTS[code]
     seen = bytearray(tape)
-    seen[100] ^= bit
-    assert redundancy.propose(bytes(seen), {100: bit, 121: 0o003}) == ({100: tape[100]}, by)
-    assert redundancy.propose(tape, {100: 0o377, 120: 0o377})[0] == {}
-    assert [redundancy.looks_reversed(each) for each in (tape, tape[::-1], b"\3\6\5")] == [False, True, False]
+    seen[at] ^= bit
+    assert redundancy.propose(bytes(seen), {at: bit, 121: 0o003}) == ({at: tape[at]}, by)
+    assert redundancy.propose(tape, {at: 0o377, 120: 0o377})[0] == {}
+
+
+BLANKS = TAPES["eia"].replace(b"\x20", b"\0")
+"""Its zeros are blank frames, as a Hydra-Point may have them."""
+TORN = FORMAT_BIN[:121] + b"\x42" + LEADER
+"""BIN from either end; from this one it goes on for longer."""
+
+
+@pytest.mark.parametrize("tape", [*TAPES.values(), BLANKS, TORN], ids=[*TAPES, "blanks", "torn"])
+def test_a_tape_read_from_its_end_is_found_out(tape: bytes) -> None:
+    assert not redundancy.looks_reversed(tape)
+    assert redundancy.looks_reversed(tape[::-1])
+
+
+@pytest.mark.parametrize("tape", [b"\x83\6\5", eia.encode("0" * 19 + "\n"), TAPES["eia"][:90] + b"\3\x80"])
+def test_a_tape_without_order_says_nothing(tape: bytes) -> None:
+    assert not redundancy.looks_reversed(tape)
+
+
+def test_nothing_is_proposed_for_a_tape_of_no_known_code() -> None:
+    assert redundancy.propose(b"\x83\6\5", {0: 0o200}) == ({}, "")
 
 
 def test_a_good_tape_stays_though_two_holes_could_change_places() -> None:
