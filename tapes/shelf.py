@@ -48,7 +48,7 @@ def _unpacked(folder: str) -> str:
     archive = folder
     while not os.path.isfile(archive):
         archive = os.path.dirname(archive)
-    copy = tempfile.mkdtemp(prefix="pdp8-")
+    copy = tempfile.mkdtemp()
     atexit.register(shutil.rmtree, copy, ignore_errors=True)
     within = os.path.relpath(folder, archive)
     with zipfile.ZipFile(archive) as opened:

@@ -50,6 +50,7 @@ def test_eia(blocks: list[str], leader: int, ended_first: bool) -> None:
         (b"", "blank"),
         (bytes(100), "blank"),
         (LEADER, "bin"),
+        (binary.encode({}), "bin"),
         (octal("377 377 377"), "ascii"),
         (octal("200 102 000 073 000 001 076 200"), "bin"),
         (octal("200 200 310 102 000 073 000 001 075"), "bin"),

@@ -146,7 +146,7 @@ def test_what_powershell_wrote_is_named(order: str, call: Call, tmp_path: Path) 
 def test_a_tape_that_begins_with_rubouts_is_not_utf16() -> None:
     assert not is_utf16(b"\xff\xff" * 50)
     assert not is_utf16(b"\xff\xfe" + shelf.read_bundled("circle.asc"))
-    assert not is_utf16(b"\xff\xfe")
+    assert [is_utf16("A".encode("utf-16")[:count]) for count in (2, 4)] == [False, True]
     assert is_utf16("\u0100\u0100\u0100\xff".encode("utf-16") + b"x")
     assert not is_utf16("\u0100\u0100\u0100\u0100\xff".encode("utf-16"))
 
