@@ -51,6 +51,9 @@ def test_eia(blocks: list[str], leader: int, ended_first: bool) -> None:
         (bytes(100), "blank"),
         (LEADER, "bin"),
         (binary.encode({}), "bin"),
+        (b"\7", "ascii"),  # BELL, and EIA's 7
+        (b"\16", "eia"),  # SO, and EIA's &
+        (b"2478", "ascii"),  # EIA's S, U, X and Y
         (octal("377 377 377"), "ascii"),
         (octal("200 102 000 073 000 001 076 200"), "bin"),
         (octal("200 200 310 102 000 073 000 001 075"), "bin"),
