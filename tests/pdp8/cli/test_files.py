@@ -80,7 +80,8 @@ def test_what_is_written_and_what_is_replaced_is_said(line: str, call: Call, tmp
     assert "run" not in line or "replaced" not in call(f"{line} --quiet")[2]
 
 
-def test_what_is_written_into_a_folder_is_said(call: Call) -> None:
+def test_what_is_written_into_a_folder_or_a_device_is_said(call: Call) -> None:
+    assert call("pdp8 part drill -o /dev/null")[2] == "wrote /dev/null\n"
     assert "wrote rim.svg, eia.svg in cards\n" in call("pdp8 cards rim eia -o cards")[2]
     assert "wrote rim.svg in cards; 1 replaced\n" in call("pdp8 cards rim -o cards")[2]
 
