@@ -7,14 +7,13 @@ Sheet                title, notes, views; width and height in inches, so that it
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from math import ceil, floor
+from math import ceil, floor, log10
 from xml.etree import ElementTree as ET
 
 INK, FAINT, GRID = "#1b1b1b", "#8a8a8a", "#e4e4e4"
 _FONT = "Helvetica, Arial, sans-serif"
-_TICKS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
 _APART = 45
-"""Thousandths from tick to tick of a scale, and hundredths of an inch of paper between two at the least."""
+"""Hundredths of an inch of paper between two figures of a scale, at the least."""
 
 
 @dataclass(frozen=True)
@@ -59,6 +58,12 @@ def number(value: float) -> str:
 def signed(deviation: float) -> str:
     """Return thousandths of an inch as the scale of a graph of errors has them, in inches."""
     return f"{deviation / 1000:+.3f}" if deviation else "0"
+
+
+def round_step(least: float) -> int:
+    """Return the least of 1, 2, 5, 10, 20, 50, ... that is not less; `least` is 1 or more."""
+    decade: int = 10 ** floor(log10(least))
+    return next(step * decade for step in (1, 2, 5, 10) if step * decade >= least)
 
 
 def polyline(points: Iterable[tuple[float, float]]) -> str:
@@ -184,7 +189,7 @@ class View:
 
 def _tick(scale: float) -> tuple[float, int]:
     """Return the step of an inch scale, thousandths, and its places."""
-    step = next((tick for tick in _TICKS if tick * scale / 10 >= _APART), max(_TICKS))
+    step = round_step(max(1, 10 * _APART / scale))
     return step, 1 if step >= 100 else 2 if step >= 10 else 3
 
 

@@ -11,7 +11,7 @@ from math import ceil, floor
 import numpy as np
 
 from nc.curves import Floats
-from nc.drawing import FAINT, GRID, INK, Sheet, polyline, signed
+from nc.drawing import FAINT, GRID, INK, Sheet, polyline, round_step, signed
 from nc.inspection import Inspection, runs
 from nc.talyrond import COLOURS
 from tapes.errors import WorkError
@@ -20,9 +20,6 @@ from tapes.measure import inches
 _LEFT, _WIDTH, _HEIGHT = 80.0, 660.0, 200.0
 DIVISION = 10.0
 """Thousandths of an inch from one light line to the next, along the surface."""
-
-_STEPS = (10, 20, 50, 100, 200, 500, 1000, 2000)
-"""Thousandths from one figure to the next."""
 
 
 def talysurf(
@@ -87,7 +84,7 @@ def _trace(
         for count in range(ceil(start / DIVISION), floor((start + length) / DIVISION) + 1):
             x = _LEFT + (count * DIVISION - start) * across
             sheet.draw("line", x1=x, y1=top, x2=x, y2=bottom, stroke=GRID, stroke_width=0.6)
-    step = next((step for step in _STEPS if step * across >= 48), max(_STEPS))
+    step = round_step(max(DIVISION, 48 / across))
     for count in range(ceil(start / step), floor((start + length) / step) + 1):
         x = _LEFT + (count * step - start) * across
         sheet.draw("line", x1=x, y1=top, x2=x, y2=bottom, stroke=GRID)

@@ -7,9 +7,9 @@ from fractions import Fraction
 import pytest
 
 import nc
-from nc.blocks import BlockError
 from nc.machine import Settings
 from nc.path import MoveKind, Path, Step
+from tests.conftest import case
 from tests.nc.tapes_1971 import tape
 from tests.reference.hydrapoint import HydraPoint, Leg, RefusedError, blocks
 
@@ -55,12 +55,8 @@ def damaged(draw: random.Random, frames: bytes) -> bytes:
     return frames[:at] + other + frames[at + 1 :]
 
 
-def legs(step: Step) -> list[tuple[tuple[float, ...], bool, float]]:
-    return [((*move.end,), move.kind in RAPID, move.seconds) for move in step.moves]
-
-
 def approximately(leg: Leg) -> tuple[object, bool, object]:
-    return pytest.approx([float(at) for at in leg.end]), leg.rapid, pytest.approx(float(leg.seconds))
+    return pytest.approx([*map(float, leg.end)]), leg.rapid, pytest.approx(float(leg.seconds))
 
 
 def in_force(step: Step) -> list[object]:
@@ -70,17 +66,11 @@ def in_force(step: Step) -> list[object]:
     return [*feeds, modes.spindle, modes.tool, modes.coolant, *quill]
 
 
-def settings(draw: random.Random) -> tuple[Settings, HydraPoint]:
-    """Return how this machine is set, and the second one set alike."""
-    errors = [Fraction(draw.choice((-20, -7, 0, 0, 13, 20)), 100) for _ in "XYZ"]
-    peck = draw.choice((1000, 367, 100))
-    x, y, z = map(float, errors)
-    return Settings(feed_error=(x, y, z), peck=peck, tool_change_seconds=8), HydraPoint(peck, errors)
-
-
 def judge(frames: bytes, seed: int) -> Path:
-    """Run a tape on both machines; compare every block that is carried out, and the one that is not."""
-    set_to, second = settings(random.Random(seed))
+    """Run a tape on both machines, set alike; compare every block, and the one that is refused."""
+    draw = random.Random(seed)
+    errors = [Fraction(draw.choice((-20, -7, 0, 0, 13, 20)), 100) for _ in "XYZ"]
+    second = HydraPoint(draw.choice((1000, 367, 100)), errors)
     states, refused, error = [], None, None
     try:
         for block in blocks(frames):
@@ -88,38 +78,44 @@ def judge(frames: bytes, seed: int) -> Path:
             states.append((tuple(block), tuple(second.at), second.state))
     except RefusedError as caught:
         refused = caught
+    x, y, z = map(float, errors)
     try:
-        path: Path = nc.cut(frames, settings=set_to)
+        path = nc.cut(frames, settings=Settings((x, y, z), peck=second.peck, tool_change_seconds=8))
     except nc.CutError as caught:
         path, error = caught.path, caught
     for step, expected, (digits, at, state) in zip(path.steps, second.done, states, strict=False):
-        here = f"seed {seed}, block {step.number}"
-        assert tuple(step.block) == digits, here
-        assert legs(step) == [approximately(leg) for leg in expected], here
-        assert [*step.at] == pytest.approx([float(place) for place in at]), here
-        assert in_force(step) == [
-            value if isinstance(value, str | None) else pytest.approx(value) for value in state
-        ]
-    assert len(path) == len(second.done), f"seed {seed}: {error}, {refused}"
-    assert [step.number for step in path.steps if step.stop] == second.stops, seed
-    changes = sum(step.block.miscellaneous == 86 for step in path.steps)
-    assert path.times.total == pytest.approx(float(second.seconds) + 8 * changes), seed
-    assert [0.0, *path.clock()][-1] == pytest.approx(path.times.total), seed
-    assert_same_refusal(error, refused, f"seed {seed}")
+        with case(seed, step.number):
+            assert (step.frame, *step.block) == digits
+            legs = [((*move.end,), move.kind in RAPID, move.seconds) for move in step.moves]
+            assert legs == [*map(approximately, expected)]
+            assert [*step.at] == pytest.approx([*map(float, at)])
+            for ours, theirs in zip(in_force(step), state, strict=True):
+                assert ours == (theirs if isinstance(theirs, str | None) else pytest.approx(theirs))
+    with case(seed, error, refused):
+        assert len(path) == len(second.done)
+        assert [step.number for step in path.steps if step.stop] == second.stops
+        changes = sum(step.block.miscellaneous == 86 for step in path.steps)
+        assert path.times.total == pytest.approx(float(second.seconds) + 8 * changes)
+        assert [0.0, *path.clock()][-1] == pytest.approx(path.times.total)
+        assert (error is None) == (refused is None)
+        if error and refused:
+            assert (error.block, error.row, error.frame) in refused.places
     return path
-
-
-def assert_same_refusal(error: BlockError | None, refused: RefusedError | None, where: str) -> None:
-    assert (error and error.block) == (refused and refused.block), where
-    if error and refused:
-        assert error.row in refused.rows, f"{where}: {error}"
-        assert error.frame is not None
 
 
 def without_parity(draw: random.Random, frames: bytes) -> bytes:
     """Return the tape after a leader of any length, one in three without parity: there a zero is blank."""
     body = bytes(frame & 0o217 for frame in frames) if draw.random() < 0.3 else frames
     return bytes(draw.randrange(30)) + body[1:] + bytes(draw.randrange(30))
+
+
+@pytest.mark.parametrize("row", [1, 9, 20])
+def test_every_frame_of_256_is_a_digit_or_refused(row: int) -> None:
+    """As the first row, where the tape begins, within a block, and as its end, where the tape ends."""
+    for frame in range(0o400):
+        rows = bytearray(tape("001 0 00000 00000 0 00 80"))
+        rows[row] = frame
+        judge(bytes(rows), frame)
 
 
 def test_random_programs_move_both_machines_alike() -> None:

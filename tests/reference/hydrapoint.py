@@ -55,16 +55,17 @@ MISCELLANEOUS = (*STOPS, *COOLANT, *range(80, 87), 88, 89)
 
 
 class RefusedError(Exception):
-    """What the machine cannot carry out: the block's place on the tape and the rows to blame, from 1."""
+    """What the machine cannot carry out: the block's number, the rows to blame, from 1, and their frames."""
 
-    def __init__(self, block: int, *rows: int) -> None:
+    def __init__(self, block: int, frame: int, *rows: int) -> None:
         super().__init__(block, rows)
-        self.block, self.rows = block, rows
+        self.places = [(block, row, frame + row - 1) for row in rows]
 
 
 class Block(NamedTuple):
-    """What a block's digits say."""
+    """The frame of a block's first row, and what its digits say."""
 
+    frame: int
     sequence: int
     preparatory: int
     x: int
@@ -88,20 +89,20 @@ def blocks(frames: bytes) -> Iterator[Block]:
     Zeros are punched 040 or, on a tape without parity, not at all: only there do blank rows before the first
     hole belong to the first block, as many as it needs.
     """
-    rows = [frame & SENSED for frame in frames.rstrip(b"\0")]
+    rows = [frame & SENSED for frame in frames]
     start = next(at for at, frame in enumerate(frames) if frame)
     if not any(frame & ~SENSED for frame in frames) and END_OF_BLOCK in rows:
         start = min(start, max(rows.index(END_OF_BLOCK) - (ROWS - 1), 0))
-    for number, at in enumerate(range(start, len(rows), ROWS), 1):
+    for number, at in enumerate(range(start, len(frames.rstrip(b"\0")), ROWS), 1):
         block = rows[at : at + ROWS]
         for row, value in enumerate(block, 1):
             if value > 9 and (value != END_OF_BLOCK or row < ROWS):
-                raise RefusedError(number, row)
+                raise RefusedError(number, at, row)
         if block[-1] != END_OF_BLOCK or len(block) < ROWS:
-            raise RefusedError(number, len(block))
+            raise RefusedError(number, at, len(block))
         digits = "".join(map(str, block[:-1]))
         fields = ((0, 3), (3, 4), (4, 9), (9, 14), (14, 15), (15, 17), (17, 19))
-        yield Block(*(int(digits[first:last]) for first, last in fields))
+        yield Block(at, *(int(digits[first:last]) for first, last in fields))
 
 
 class HydraPoint:
@@ -118,6 +119,7 @@ class HydraPoint:
         self.coolant = "off"
         self.speed: int | None = None
         self.tool: int | None = None
+        self.legs: list[Leg] = []
         self.done: list[list[Leg]] = []
         self.stops: list[int] = []
 
@@ -134,43 +136,22 @@ class HydraPoint:
 
     def obey(self, block: Block) -> None:
         """Carry out one block. Raises RefusedError; then the machine is not to be used any more."""
-        self.number = len(self.done) + 1
-        self._check(block)
-        self.legs: list[Leg] = []
+        number = len(self.done) + 1
+        if wrong := _unknown(block):
+            raise RefusedError(number, block.frame, *wrong)
         self._set(block)
+        if self._lacks(block):
+            raise RefusedError(number, block.frame, 4)
+        self.legs = []
         if block.preparatory == READ_Z:
             self.feed_point, self.depth = block.x, block.y
         else:
             self._move(block)
         if block.miscellaneous in QUILL_UP:
-            self._rapid_quill(0)
+            self._quill(0)
         if block.miscellaneous in STOPS:
-            self.stops.append(self.number)
+            self.stops.append(number)
         self.done.append(self.legs)
-
-    def _check(self, block: Block) -> None:
-        """Refuse what Tables 2.3 and 2.4 and the travels do not have, at the first row of its field.
-
-        Open: a tool function that the block does not use has to be 00, a code of Table 2.4 or a tool.
-        """
-        selects: dict[int, Collection[int]] = {
-            84: XY_FEEDS,
-            85: XY_FEEDS,
-            89: Z_FEEDS,
-            88: SPEEDS,
-            86: range(25),
-        }
-        reads_z = block.preparatory == READ_Z
-        wrong = {
-            4: block.preparatory not in PREPARATORY,
-            5: block.x > TRAVEL[2 if reads_z else 0],
-            10: block.y > TRAVEL[2 if reads_z else 1] or (reads_z and block.y < block.x),
-            15: block.reserved != 0,
-            16: block.tool not in selects.get(block.miscellaneous, {*SPEEDS, *range(25)}),
-            18: block.miscellaneous not in MISCELLANEOUS,
-        }
-        if any(wrong.values()):
-            raise RefusedError(self.number, *(row for row, is_wrong in wrong.items() if is_wrong))
 
     def _set(self, block: Block) -> None:
         """Carry out the miscellaneous function; a feed holds for its own block.
@@ -194,81 +175,86 @@ class HydraPoint:
             case 6 if block.tool:
                 self.tool = block.tool
 
-    def _move(self, block: Block) -> None:
-        goal = (block.x, block.y)
+    def _lacks(self, block: Block) -> bool:
+        """Tell whether no block has set what this one needs.
+
+        Open: the quill needs a Z feed even where it stands at the final depth already.
+        """
+        goes = (block.x != self.at[0], block.y != self.at[1], True)
+        lacking = [moves and feed is None for moves, feed in zip(goes, self.feeds, strict=True)]
         if block.preparatory == MILL:
-            for axis in (0, 1):
-                if goal[axis] != self.at[axis] and self.feeds[axis] is None:
-                    raise RefusedError(self.number, 4)
-            self._check_quill()
-            self._mill_down()
-            self._table(goal, rapid=False)
-            return
-        if block.preparatory in HOLES:
-            self._check_quill()
-        self._rapid_quill(min(self.at[2], Fraction(self._up())))
-        self._table(goal, rapid=True)
-        if block.preparatory in HOLES:
-            self._hole(block.preparatory)
+            return any(lacking) or self.feed_point is None
+        return block.preparatory in HOLES and (lacking[2] or self.feed_point is None)
 
-    def _check_quill(self) -> None:
-        """Open: the quill needs a Z feed even where it stands at the final depth already."""
-        if self.feed_point is None or self.feeds[2] is None:
-            raise RefusedError(self.number, 4)
-
-    def _up(self) -> int:
-        """Return the quill's place between holes: at the feed point with partial retract, else at zero."""
-        return (self.feed_point or 0) if self.partial else 0
-
-    def _mill_down(self) -> None:
+    def _move(self, block: Block) -> None:
         """Open: from within the work the quill is fed to another final depth, deeper or not."""
-        if self.at[2] != self.depth:
-            assert self.feed_point is not None
-            self._rapid_quill(max(self.at[2], Fraction(self.feed_point)))
-            self._feed_quill(self.depth)
+        point = self.feed_point or 0
+        up = point if self.partial else 0
+        if block.preparatory == MILL:
+            if self.at[2] != self.depth:
+                self._quill(max(self.at[2], Fraction(point)))
+                self._quill(self.depth, self.feeds[2])
+            self._table((block.x, block.y), *self.feeds[:2])
+            return
+        self._quill(min(self.at[2], Fraction(up)))
+        self._table((block.x, block.y), RAPID, RAPID)
+        if block.preparatory in HOLES:
+            self._hole(block.preparatory, point)
+            self._quill(up)
 
-    def _hole(self, function: int) -> None:
+    def _hole(self, function: int, point: int) -> None:
         """Make a hole. Open: how deep a peck is, that it leaves to the feed point; a tap's feed, here Z's."""
-        point = self.feed_point
-        assert point is not None
-        self._rapid_quill(point)
+        self._quill(point)
         depth = point
         while function == PECK and depth + self.peck < self.depth:
-            self._rapid_quill(depth)
             depth += self.peck
-            self._feed_quill(depth)
-            self._rapid_quill(point)
-        self._rapid_quill(depth)
-        self._feed_quill(self.depth)
+            self._quill(depth, self.feeds[2])
+            self._quill(point)
+            self._quill(depth)
+        self._quill(self.depth, self.feeds[2])
         if function in (BORE, TAP_FEED, TAP_PITCH):
-            self._feed_quill(point)
-        self._rapid_quill(self._up())
+            self._quill(point, self.feeds[2])
 
-    def _rapid_quill(self, z: Fraction | int) -> None:
+    def _quill(self, z: Fraction | int, speed: Fraction | None = RAPID) -> None:
         """Open: the quill's rapid speed; here the table's."""
-        self._leg((*self.at[:2], Fraction(z)), True, abs(z - self.at[2]) / THOUSANDTHS_A_SECOND / RAPID)
+        assert speed is not None
+        seconds = abs(z - self.at[2]) / THOUSANDTHS_A_SECOND / speed
+        self._leg((*self.at[:2], Fraction(z)), speed == RAPID, seconds)
 
-    def _feed_quill(self, z: int) -> None:
-        feed = self.feeds[2]
-        assert feed is not None
-        self._leg((*self.at[:2], Fraction(z)), False, abs(z - self.at[2]) / THOUSANDTHS_A_SECOND / feed)
-
-    def _table(self, goal: tuple[int, int], rapid: bool) -> None:
+    def _table(self, goal: tuple[int, int], *speeds: Fraction | None) -> None:
         """Move X and Y, each at its own speed: the first to arrive leaves the other to go on alone."""
-        needs = [Fraction(0)] * 2
-        for axis in (0, 1):
-            speed = RAPID if rapid else self.feeds[axis]
-            if goal[axis] != self.at[axis]:
-                assert speed is not None
-                needs[axis] = abs(goal[axis] - self.at[axis]) / THOUSANDTHS_A_SECOND / speed
+        ways = [goal[axis] - self.at[axis] for axis in (0, 1)]
+        needs = [
+            abs(way) / THOUSANDTHS_A_SECOND / speed if speed else Fraction(0)
+            for way, speed in zip(ways, speeds, strict=True)
+        ]
         start, spent = self.at, Fraction(0)
         for now in sorted({need for need in needs if need}):
             part = [min(now / need, Fraction(1)) if need else Fraction(0) for need in needs]
-            x, y = (start[axis] + part[axis] * (goal[axis] - start[axis]) for axis in (0, 1))
-            self._leg((x, y, start[2]), rapid, now - spent)
+            x, y = (start[axis] + part[axis] * ways[axis] for axis in (0, 1))
+            self._leg((x, y, start[2]), speeds[0] == RAPID, now - spent)
             spent = now
 
     def _leg(self, end: tuple[Fraction, ...], rapid: bool, seconds: Fraction) -> None:
         if seconds:
             self.legs.append(Leg(end, rapid, seconds))
         self.at = list(end)
+
+
+def _unknown(block: Block) -> list[int]:
+    """Return the first row of each field that Tables 2.3 and 2.4 and the travels do not have.
+
+    Open: a tool function that the block does not use has to be 00, a code of Table 2.4 or a tool.
+    """
+    feeds: Collection[int] = XY_FEEDS
+    selects = {84: feeds, 85: feeds, 89: Z_FEEDS, 88: SPEEDS, 86: range(25)}
+    reads_z = block.preparatory == READ_Z
+    wrong = {
+        4: block.preparatory not in PREPARATORY,
+        5: block.x > TRAVEL[2 if reads_z else 0],
+        10: block.y > TRAVEL[2 if reads_z else 1] or (reads_z and block.y < block.x),
+        15: block.reserved != 0,
+        16: block.tool not in selects.get(block.miscellaneous, {*SPEEDS, *range(25)}),
+        18: block.miscellaneous not in MISCELLANEOUS,
+    }
+    return [row for row, is_wrong in wrong.items() if is_wrong]
