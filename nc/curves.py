@@ -120,7 +120,7 @@ class StraightLine(Curve):
     def __post_init__(self) -> None:
         """Raise WorkError for a line of length 0."""
         if (self.x1, self.y1) == (self.x2, self.y2):
-            raise WorkError(f"line from {self} to the same point: it needs two different ends")
+            raise WorkError(f"{self}: it needs two different ends")
 
     def stations(self, count: int) -> Stations:
         """Return `count` stations from end to end."""
