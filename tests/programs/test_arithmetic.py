@@ -1,4 +1,4 @@
-"""Each arithmetic against its rules, IEEE against numpy, and the nine blocks of the ellipse."""
+"""Each arithmetic by its rules, from the manuals' words (CPB-1004), or numpy's. The ellipse's nine blocks."""
 
 from collections.abc import Callable
 from fractions import Fraction
@@ -10,111 +10,60 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from programs import circle, ellipse
-from programs.arithmetic import ARITHMETICS, CDC6400, GE635, IEEE32, Exact, Float
+from programs.arithmetic import ARITHMETICS, CDC6400, GE635, IEEE32, Exact, Float, FloatingPoint
+from tests.conftest import case
 
 GE, IEEE, CDC = GE635(), IEEE32(), CDC6400()
-
-wholes = st.integers(-(2**20), 2**20)
-ratios = st.tuples(wholes, st.integers(1, 2**20))
+ratios = st.tuples(st.integers(-(2**20), 2**20), st.integers(1, 2**20))
 
 
-PARTS: dict[str, Callable[..., str]] = {"circle": circle.part, "ellipse": ellipse.part}
+def ge(mantissa: int, exponent: int = 0) -> Float:
+    return Float(GE, mantissa, exponent)
 
 
-@cache
-def exactly(part: str) -> str:
-    return PARTS[part]()
-
-
-def differing(part: str, arithmetic: str) -> list[int]:
-    exact = exactly(part)
-    other = PARTS[part](arithmetic=ARITHMETICS[arithmetic])
-    assert exact.count("\n") == other.count("\n")
-    pairs = zip(exact.splitlines(), other.splitlines(), strict=True)
-    return [number for number, (one, two) in enumerate(pairs, 1) if one != two]
-
-
-@pytest.mark.parametrize("arithmetic", ["ge635", "cdc6400"])
-def test_truncation_moves_nine_blocks_of_the_ellipse(arithmetic: str) -> None:
-    assert differing("ellipse", arithmetic) == list(range(587, 596))
-    block = ellipse.part(arithmetic=ARITHMETICS[arithmetic]).splitlines()[586]
-    assert block == "5876 6404 2646  585"
-
-
-def test_rounding_moves_none() -> None:
-    assert differing("ellipse", "ieee32") == []
-
-
-@pytest.mark.parametrize("arithmetic", ["ge635", "ieee32", "cdc6400"])
-def test_the_circle_is_the_same_in_all(arithmetic: str) -> None:
-    assert differing("circle", arithmetic) == []
-
-
-def test_a_ge635_that_rounds_its_stores_moves_none() -> None:
-    """So the question of 1971 is truncate or round, not how long the words were."""
-
-    class Rounding(GE635):
-        """The GE-635 with FSTR in place of FST."""
-
-        def store(self, value: Float) -> Float:
-            dropped = max(0, value.mantissa.bit_length() - self.word)
-            half = 1 << dropped >> 1
-            return Float(self, (value.mantissa + half) >> dropped, value.exponent + dropped)
-
-    assert ellipse.part(arithmetic=Rounding()) == exactly("ellipse")
-
-
-def test_a_twenty_four_bit_truncating_machine_makes_978_blocks() -> None:
-    class Short(CDC6400):
-        """A truncating machine of 24 bits, of which it is known that it breaks elsewhere too."""
-
-        word = register = quotient = 24
-
-        def add(self, a: Float, b: Float) -> Float:
-            return super(CDC6400, self).add(a, b)
-
-    assert ellipse.part(arithmetic=Short()).count("\n") == 978 + 6
-
-
-def test_one_is_less_than_one_where_quotients_are_cut() -> None:
-    def one(machine: GE635 | IEEE32 | CDC6400) -> Fraction:
-        real = machine.real
-        total = real(2404) ** 2 / real(3005) ** 2 + real(1353) ** 2 / real(2255) ** 2
-        return machine.store(total).exactly
-
-    assert one(IEEE) == 1
-    assert one(GE) == 1 - Fraction(1, 2**27)
-    assert one(CDC) == 1 - Fraction(1, 2**48)
-
-
-def test_the_cdc_loses_what_is_shifted_past_the_upper_half() -> None:
-    one = CDC.real(1)
-    below = Float(CDC, 2**48 - 1, -48)
-    assert below.exactly == 1 - Fraction(1, 2**48)
-    assert (one - below).exactly == 0
-
-
-def test_the_cdc_cuts_towards_zero() -> None:
-    assert (CDC.real(-1) / CDC.real(3)).exactly == -Fraction(2**49 // 3, 2**49)
-
-
-@given(wholes, wholes)
-def test_ieee_sums_products_and_roots_are_numpys(a: int, b: int) -> None:
-    x, y = np.float32(a), np.float32(b)
-    p, q = IEEE.real(a), IEEE.real(b)
-    assert (p + q).exactly == Fraction(float(x + y))
-    assert (p - q).exactly == Fraction(float(x - y))
-    assert (p * q).exactly == Fraction(float(x * y))
-    assert IEEE.sqrt(IEEE.real(abs(a))).exactly == Fraction(float(np.sqrt(np.float32(abs(a)))))
+def test_each_rule_of_the_registers() -> None:
+    """Numbers chosen so that one rule alone makes the difference."""
+    one, zero, below, tiny = CDC.real(1), Float(CDC, 0, 99), Float(CDC, 2**48 - 1, -48), Float(CDC, -1, -50)
+    for rule, ours, exactly in (
+        ("FST keeps 27 bits", GE.store(ge(2**27 - 1)), 2**27 - 1),
+        ("FST cuts the 28th", GE.store(ge(2**27 + 1)), 2**27),
+        ("FST cuts more", GE.store(ge(2**28 + 7)), 2**28 + 4),
+        ("-2**27 has 27 bits in two's complement", GE.store(ge(-(2**27))), -(2**27)),
+        ("FST cuts towards minus infinity", GE.store(ge(-(2**27) - 1)), -(2**27) - 2),
+        ("FDV keeps 35 bits", GE.divide(ge(3), ge(5)), Fraction(3 * 2**35 // 5, 2**35)),
+        ("FDV keeps 35 bits of 36", GE.divide(ge(1), ge(3)), Fraction(2**36 // 3, 2**36)),
+        ("FDV cuts a magnitude", GE.divide(ge(-1), ge(3)), -Fraction(2**36 // 3, 2**36)),
+        ("EAQ has 71 bits", GE.add(ge(2**70), ge(1)), 2**70 + 1),
+        ("EAQ has no more", GE.add(ge(1, 71), ge(1)), 2**71),
+        ("FAD aligns to 2**71, past the end of AQ", GE.add(ge(1, 71), ge(-1)), 2**71 - 2),
+        ("FAD of a zero", GE.add(ge(0, 99), ge(1)), 1),
+        ("FAD with a zero", GE.add(ge(1), ge(0, 99)), 1),
+        ("FMP cuts before it normalises", GE.multiply(ge(2**70 + 1), ge(1)), 2**70),
+        ("SQRT is rounded: 94906265.6", GE.sqrt(ge(2)), Fraction(94906266, 2**26)),
+        ("SQRT is of a word: 2**54 - 1 is less when it is stored", GE.sqrt(ge(2**54 - 1)), 2**27 - 1),
+        ("a right operand is stored", ge(1) + GE.divide(ge(1), ge(3)), 1 + Fraction(2**28 // 3, 2**28)),
+        ("FX keeps the upper half, then normalises", CDC.add(one, tiny), 1 - Fraction(1, 2**47)),
+        ("FX loses what is shifted past it", one - below, 0),
+        ("FX of a zero", CDC.add(zero, one), 1),
+        ("FX with a zero", CDC.add(one, zero), 1),
+        ("the CDC cuts towards zero", CDC.real(-1) / CDC.real(3), -Fraction(2**49 // 3, 2**49)),
+        ("IEEE: a half goes down to even", IEEE.store(Float(IEEE, 2**24 + 1, 0)), 2**24),
+        ("IEEE: a half goes up to even", IEEE.store(Float(IEEE, 2**24 + 3, 0)), 2**24 + 4),
+        ("IEEE: half of a place more", IEEE.store(Float(IEEE, 2**25 + 2, 0)), 2**25),
+        ("a constant is its digits", IEEE.real(0.2), Fraction(float(np.float32(0.2)))),
+    ):
+        with case(rule):
+            assert ours.exactly == exactly
+    assert Exact().real(0.2) == Fraction(1, 5)
 
 
 @given(ratios, ratios)
-def test_ieee_quotients_are_numpys(a: tuple[int, int], b: tuple[int, int]) -> None:
+def test_ieee_is_numpys(a: tuple[int, int], b: tuple[int, int]) -> None:
     x, y = np.float32(a[0]) / np.float32(a[1]), np.float32(b[0]) / np.float32(b[1])
     p, q = IEEE.real(a[0]) / IEEE.real(a[1]), IEEE.real(b[0]) / IEEE.real(b[1])
-    assert p.exactly == Fraction(float(x))
-    assert (p + q).exactly == Fraction(float(x + y))
-    assert (p * q).exactly == Fraction(float(x * y))
+    for ours, numpys in ((p, x), (p + q, x + y), (p - q, x - y), (p * q, x * y)):
+        assert ours.exactly == Fraction(float(numpys))
+    assert IEEE.sqrt(IEEE.real(abs(a[0]))).exactly == Fraction(float(np.sqrt(np.float32(abs(a[0])))))
 
 
 @given(ratios, ratios, st.sampled_from([GE, CDC]))
@@ -142,6 +91,59 @@ def test_an_irrational_root_is_within_its_cut() -> None:
     assert Exact().sqrt(Fraction(9, 25)) == Fraction(3, 5)
 
 
-def test_a_constant_is_what_its_digits_say() -> None:
-    assert Exact().real(0.2) == Fraction(1, 5)
-    assert IEEE.real(0.2).exactly == Fraction(float(np.float32(0.2)))
+def test_one_is_less_than_one_where_quotients_are_cut() -> None:
+    """2404, 1353 lies on the outer ellipse: .64 + .36."""
+    for machine, short in ((IEEE, 0), (GE, Fraction(1, 2**27)), (CDC, Fraction(1, 2**48))):
+        real = machine.real
+        total = real(2404) ** 2 / real(3005) ** 2 + real(1353) ** 2 / real(2255) ** 2
+        assert machine.store(total).exactly == 1 - short
+
+
+@cache
+def lines(part: Callable[..., str], arithmetic: str = "exact") -> list[str]:
+    return part(arithmetic=ARITHMETICS[arithmetic]).splitlines()
+
+
+class Rounding(GE635):
+    """The GE-635 with FSTR in place of FST."""
+
+    def store(self, value: Float) -> Float:
+        dropped = max(0, value.mantissa.bit_length() - self.word)
+        return Float(self, (value.mantissa + (1 << dropped >> 1)) >> dropped, value.exponent + dropped)
+
+
+def of_bits(bits: int, like: type[FloatingPoint]) -> FloatingPoint:
+    """Return a machine that cuts like another, to words of so many bits: the GE-235 had 30."""
+    sizes = {"word": bits, "register": bits, "quotient": bits, "add": FloatingPoint.add}
+    machine: FloatingPoint = type("OfBits", (like,), sizes)()
+    return machine
+
+
+@pytest.mark.parametrize(
+    ("machine", "differing"),
+    [
+        (GE, 9),
+        (CDC, 9),
+        (of_bits(30, CDC6400), 9),
+        (IEEE, 0),
+        (of_bits(30, IEEE32), 0),
+        (Rounding(), 0),
+    ],
+)
+def test_truncation_moves_nine_blocks_of_the_ellipse(machine: FloatingPoint, differing: int) -> None:
+    """So the question of 1971 is truncate or round, not how long the words were."""
+    exact, other = lines(ellipse.part), ellipse.part(arithmetic=machine).splitlines()
+    pairs = enumerate(zip(exact, other, strict=True), 1)
+    assert [number for number, (one, two) in pairs if one != two] == [*range(587, 596)][:differing]
+    if differing:
+        assert other[586] == "5876 6404 2646  585"
+        assert other == lines(ellipse.part, "ge635")
+
+
+def test_a_twenty_four_bit_truncating_machine_makes_978_blocks() -> None:
+    assert ellipse.part(arithmetic=of_bits(24, CDC6400)).count("\n") == 978 + 6
+
+
+@pytest.mark.parametrize("arithmetic", ["ge635", "ieee32", "cdc6400"])
+def test_the_circle_is_the_same_in_all(arithmetic: str) -> None:
+    assert lines(circle.part, arithmetic) == lines(circle.part)
