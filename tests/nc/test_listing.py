@@ -110,10 +110,10 @@ def test_the_day_with_the_four_holes() -> None:
 
 
 def test_milling_at_several_feeds() -> None:
-    ends = ("007 6 02250 05000 0 05 85", "008 6 02350 05000 0 02 84")
+    ends = ("007 6 02250 05000 0 05 85", "008 6 02350 05000 0 02 84", "009 6 02350 05001 0 04 85")
     said = list(cut_report(nc.cut(tape(*HEADER, *ends), settings=Settings((0.12345, -0.2, 0)))))
     assert "milling           0.3 min   at 2.135 to 4.4 in/min" in said
-    assert "milling ends  X 2.350 Y 5.000, 1.005 in from its start" in said
+    assert "milling ends  X 2.350 Y 5.001, 1.006 in from its start" in said
 
 
 def test_the_inspection_stands_beside_the_thesis() -> None:
