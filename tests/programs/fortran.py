@@ -1,11 +1,10 @@
 """The transcribed listings, made into FORTRAN that gfortran takes, and run.
 
-265     AP=6.         /MILLING CODE       RESTORED       the line number, the author's note and what
-stands 330     PRINT 30,AS,AP                                   from column 73 are taken off 335 30
-FORMAT(I3,I1)                                     a label goes to columns 1 to 5, a statement to column 7
-        PRINT 30,INT(AS),INT(AP)                         and an I-field is given an integer: FORTRAN of
-        today
-                                                         does not print a REAL under I, that of 1971 did
+265     AP=6.         /MILLING CODE       RESTORED       the line number, the author's note and what stands
+330     PRINT 30,AS,AP                                   from column 73 are taken off
+335 30  FORMAT(I3,I1)                                    a label goes to columns 1 to 5, a statement to
+        PRINT 30,INT(AS),INT(AP)                         column 7; an I-field is given an integer: today's
+                                                         FORTRAN does not print a REAL under I
 """
 
 import re
