@@ -4,6 +4,8 @@ The circle is written from Chapter 6's rule alone: step out along one axis to th
 the outer limit, step in along the other to the first on or within the inner one.
 """
 
+import nc
+
 EIA = dict(zip("0123456789\r", (0o040, 1, 2, 0o023, 4, 0o025, 0o026, 7, 0o010, 0o031, 0o200), strict=True))
 
 HEADER = (
@@ -65,6 +67,11 @@ def milling(corners: list[tuple[int, int]], start: tuple[int, int], feed: int = 
         blocks.append(f"{number % 1000:03} 6 {x:05} {y:05} 0 {feed:02} {axis}")
         before = (x, y)
     return blocks
+
+
+def milled(*corners: tuple[int, int]) -> nc.Path:
+    """Return the path that mills to these places from X 2.250 Y 4.000, cut."""
+    return nc.cut(tape(*HEADER, *milling([*corners], (2250, 4000))))
 
 
 CIRCLE_BLOCKS = (*HEADER, *milling(staircase(1750, 5), (2250, 4000)))

@@ -14,7 +14,7 @@ from nc.inspection import Inspection, Walls, followed, inspect, runs, walls
 from nc.report import inspection_report
 from tapes.errors import WorkError
 from tests.conftest import case
-from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, HEADER, milling, staircase, tape
+from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, milled, staircase, tape
 
 THE_CIRCLE = Ellipse(4000, 4000, 1750, 1750)
 
@@ -22,11 +22,6 @@ THE_CIRCLE = Ellipse(4000, 4000, 1750, 1750)
 @pytest.fixture(scope="module")
 def circle() -> Inspection:
     return inspect(nc.cut(CIRCLE))
-
-
-def milled(*corners: tuple[int, int]) -> nc.Path:
-    """Return the path through these places, from X 2.250 Y 4.000."""
-    return nc.cut(tape(*HEADER, *milling([*corners], (2250, 4000))))
 
 
 def reading(inspection: Inspection, place: str, wall: str) -> float:
@@ -70,13 +65,6 @@ def test_a_station_that_the_cutter_only_touches_is_cut(
     found = walls_along(line, 2, cut)
     assert np.nanmax(found.outer) + 50 == outer
     assert np.isnan(found.outer).sum() == 1
-
-
-def test_one_step_leaves_a_cusp_where_the_discs_meet() -> None:
-    """Two corners (0, 0) and (80, 0) with nothing milled between: walls meet at 40, sqrt(50² - 40²) high."""
-    found = walls_along((0, 0, 80, 0), 81, (0, 0, 0, 0), (80, 0, 80, 0))
-    assert found.outer.min() == pytest.approx(30 - 50)
-    assert found.outer.argmin() == 40
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from nc.inspection import inspect
 from nc.listing import does, in_force, lines
 from nc.machine import Settings
 from nc.report import cut_report, inspection_report
-from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, milling, tape
+from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, milled, tape
 
 
 def test_the_circle_begins() -> None:
@@ -154,8 +154,7 @@ def test_other_parts_have_no_thesis_beside_them() -> None:
     ],
 )
 def test_an_error_has_its_sign_and_four_places(y: float, said: str, side: str, verdict: str) -> None:
-    path = nc.cut(tape(*HEADER, *milling([(3250, 4000)], (2250, 4000))))
-    report = list(inspection_report(inspect(path, StraightLine(2250, y, 3250, y))))
+    report = list(inspection_report(inspect(milled((3250, 4000)), StraightLine(2250, y, 3250, y))))
     assert f"whole length  outer     {said}   {said}           .0000" in report
     assert f"went from {said[1:]} {side} to {said[1:]} {side} of nominal" in report[1]
     assert report[-1].startswith(f"{verdict} tolerance: {said} at most")
