@@ -1,5 +1,7 @@
 """Curves from measured points, and the other hand of a part."""
 
+from typing import Literal
+
 import pytest
 
 from programs import circle, drill, slope
@@ -29,24 +31,18 @@ def test_a_line_through_three_points() -> None:
 
 def test_points_are_read_with_their_comments() -> None:
     assert read("# x y\n0 1\n\n2, 3.5  # last\n") == [(0, 1), (2, 3.5)]
+    for text, said in (("", "no points"), ("1 2\n3\n", "line 2"), ("1 nan\n", "line 1")):
+        with pytest.raises(WorkError, match=said):
+            read(text)
 
 
-@pytest.mark.parametrize(("text", "said"), [("", "no points"), ("1 2\n3\n", "line 2"), ("1 nan\n", "line 1")])
-def test_what_is_not_a_point(text: str, said: str) -> None:
-    with pytest.raises(WorkError, match=said):
-        read(text)
-
-
-@pytest.mark.parametrize(("across", "index"), [("x", 2), ("y", 3)])
-def test_a_mirrored_part_has_the_other_hand(across: str, index: int) -> None:
+@pytest.mark.parametrize(("across", "twice"), [("x", 4000 + 8330), ("y", 4000 + 6500)])
+def test_a_mirrored_part_has_the_other_hand(across: Literal["x", "y"], twice: int) -> None:
     printout = slope.part()
-    other = blocks(mirrored(printout, across))  # type: ignore[arg-type]
-    twice = {2: 4000 + 8330, 3: 4000 + 6500}[index]
-    for before, after in zip(blocks(printout), other, strict=True):
+    for before, after in zip(blocks(printout), blocks(mirrored(printout, across)), strict=True):
         of_the_part = before.preparatory == 6 or before.function == 80
-        expected = twice - before[index] if of_the_part else before[index]
-        assert after[index] == expected
-        assert after[:index] + after[index + 1 :] == before[:index] + before[index + 1 :]
+        place = twice - getattr(before, across) if of_the_part else getattr(before, across)
+        assert after == before._replace(**{across: place})
 
 
 def test_a_mirror_at_a_place() -> None:
@@ -57,13 +53,14 @@ def test_a_mirror_at_a_place() -> None:
     assert mirrored(mirrored(circle.part(), "y"), "y").replace(" ", "0") == circle.part().replace(" ", "0")
 
 
-@pytest.mark.parametrize(
-    ("printout", "said"),
-    [("12\n", "line 1"), ("  1019   0    0   2\n", "no block mills"), (drill.part(), "block 3: X -2.000")],
-)
-def test_what_cannot_be_mirrored(printout: str, said: str) -> None:
-    with pytest.raises(WorkError, match=said):
-        mirrored(printout, "x", -500)
+def test_what_cannot_be_mirrored() -> None:
+    for printout, said in (
+        ("12\n", "line 1"),
+        ("  1019   0    0   2\n", "no block mills"),
+        (drill.part(), r"block 3: X -2\.000"),
+    ):
+        with pytest.raises(WorkError, match=said):
+            mirrored(printout, "x", -500)
 
 
 def test_a_slope_in_pieces() -> None:
