@@ -50,21 +50,17 @@ def test_a_single_plunge_leaves_a_hole() -> None:
     assert found.inner == pytest.approx(50 - chord, nan_ok=True)
 
 
-@pytest.mark.parametrize(
-    ("cut", "line", "outer"),
-    [
-        ((0, 0, 0, 0), (50, 0, 60, 0), 0),
-        ((0, 0, 0, 0), (-60, 0, -50, 0), 0),
-        ((-100, 0, 100, 0), (0, 50, 0, 60), 100),
-        ((-100, 0, 100, 0), (0, -60, 0, -50), 100),
-    ],
-)
-def test_a_station_that_the_cutter_only_touches_is_cut(
-    cut: tuple[float, ...], line: tuple[float, ...], outer: float
-) -> None:
-    found = walls_along(line, 2, cut)
-    assert np.nanmax(found.outer) + 50 == outer
-    assert np.isnan(found.outer).sum() == 1
+def test_a_station_that_the_cutter_only_touches_is_cut() -> None:
+    plunge, across = (0, 0, 0, 0), (-100, 0, 100, 0)
+    for cut, line, outer in (
+        (plunge, (50, 0, 60, 0), 0),
+        (plunge, (-60, 0, -50, 0), 0),
+        (across, (0, 50, 0, 60), 100),
+        (across, (0, -60, 0, -50), 100),
+    ):
+        found = walls_along(line, 2, cut)
+        assert np.nanmax(found.outer) + 50 == outer
+        assert np.isnan(found.outer).sum() == 1
 
 
 @pytest.mark.parametrize(

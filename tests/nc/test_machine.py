@@ -1,6 +1,8 @@
 """What the machine refuses, in its words, and how long it takes; tests/reference judges what it does."""
 
+import re
 from contextlib import suppress
+from math import nan
 from typing import Any
 
 import pytest
@@ -22,10 +24,10 @@ def refusal(frames: bytes, strict: bool = False) -> nc.BlockError:
     return caught.value
 
 
-@pytest.mark.parametrize("length", [0, 1, 19, 500])
-def test_nothing_punched_is_no_tape(length: int) -> None:
-    with pytest.raises(TapeError, match="no row is punched"):
-        nc.cut(bytes(length))
+def test_nothing_punched_is_no_tape() -> None:
+    for length in (0, 1, 19, 500):
+        with pytest.raises(TapeError, match="no row is punched"):
+            nc.cut(bytes(length))
 
 
 REFUSED = """\
@@ -92,25 +94,23 @@ def test_no_tape_brings_down_the_machine(frames: bytes) -> None:
             nc.cut(frames, strict=strict)
 
 
-@pytest.mark.parametrize(
-    ("setting", "says"),
-    [
-        ({"feed_error": (0, 0.21, 0)}, r"Y feed error \+21%: must be within 20%"),
+def test_what_the_machine_cannot_be_set_to() -> None:
+    Settings((0.2, -0.2, 0), 18, tool_change_seconds=0, peck=1, read_seconds=0)
+    settings: list[tuple[dict[str, Any], str]] = [
+        ({"feed_error": (0, 0.21, 0)}, "Y feed error +21%: must be within 20%"),
         ({"feed_error": (-0.201, 0, 0)}, "X feed error -20%: must be within 20%"),
-        ({"feed_error": (0, 0, 1.0)}, r"Z feed error \+100%: must be within 20%"),
-        ({"feed_error": (0, float("nan"), 0)}, "must be within 20%"),
+        ({"feed_error": (0, 0, 1.0)}, "Z feed error +100%: must be within 20%"),
+        ({"feed_error": (0, nan, 0)}, "Y feed error +nan%: must be within 20%"),
         ({"feed_code": 0}, "unknown feed code 00: Table 2.4 has 01 to 18"),
-        ({"feed_code": 19}, "unknown feed code 19"),
+        ({"feed_code": 19}, "unknown feed code 19: Table 2.4 has 01 to 18"),
         ({"tool_change_seconds": -0.1}, "tool change of -0.1 s: must be 0 or more"),
         ({"peck": 0}, "peck of 0 thousandths: must be 1 or more"),
         ({"read_seconds": -0.1}, "reading time of -0.1 s a block: must be 0 or more"),
-        ({"read_seconds": float("nan")}, "must be 0 or more"),
-    ],
-)
-def test_what_the_machine_cannot_be_set_to(setting: dict[str, Any], says: str) -> None:
-    Settings((0.2, -0.2, 0), 18, tool_change_seconds=0, peck=1, read_seconds=0)
-    with pytest.raises(WorkError, match=says):
-        Settings(**setting)
+        ({"read_seconds": nan}, "reading time of nan s a block: must be 0 or more"),
+    ]
+    for setting, says in settings:
+        with pytest.raises(WorkError, match=f"^{re.escape(says)}$"):
+            Settings(**setting)
 
 
 class TestStrict:
@@ -129,9 +129,8 @@ class TestStrict:
                 error = refusal(bytes(changed), strict=True)
                 assert (error.frame, error.row) == (frame, (frame - 1) % 20 + 1), f"{frame} {hole:03o}"
 
-    @pytest.mark.parametrize(
-        ("frame", "says"),
-        [
+    def test_what_is_wrong_is_said(self) -> None:
+        for frame, says in (
             (0o000, "a blank row within the block"),
             (0o003, "wrong parity: 003 has 2 holes, EIA frames have an odd number"),
             (0o111, "111 is not an EIA digit"),
@@ -139,12 +138,10 @@ class TestStrict:
             (0o020, "020 is not an EIA digit"),
             (0o052, "052 is 10, not a decimal digit"),
             (0o203, "an end of block with digit holes beside it: 203"),
-        ],
-    )
-    def test_what_is_wrong_is_said(self, frame: int, says: str) -> None:
-        rows = bytearray(tape(*HEADER))
-        rows[30] = frame
-        assert refusal(bytes(rows), strict=True).reason == says
+        ):
+            rows = bytearray(tape(*HEADER))
+            rows[30] = frame
+            assert refusal(bytes(rows), strict=True).reason == says
 
 
 def test_the_four_holes_of_chapter_3() -> None:
@@ -164,15 +161,6 @@ def test_the_circle_takes_36_minutes() -> None:
     assert sum(2 + step.moves[-1].seconds for step in path.steps[6:]) / 60 == pytest.approx(35.86, abs=0.01)
     assert path.times.total / 60 == pytest.approx(36.7, abs=0.05)
     assert repr(path) == "<Path: 666 blocks, 36.7 min>"
-
-
-def test_chapter_10s_efficiency() -> None:
-    """About 33 of 50 minutes of the ellipse are reading: 17 minutes of work, an efficiency of about 33 %."""
-    fast = Settings(feed_error=(0.2, 0.2, 0), feed_code=1)
-    contour = nc.cut(shelf.read("ellipse.eia"), settings=fast).contour
-    assert contour.reading / 60 == pytest.approx(33, abs=1)
-    assert contour.total / 60 == pytest.approx(50, abs=0.5)
-    assert round(contour.efficiency, 2) == 0.35
 
 
 def test_where_the_cutter_is_at_a_second() -> None:
