@@ -91,14 +91,6 @@ def test_an_irrational_root_is_within_its_cut() -> None:
     assert Exact().sqrt(Fraction(9, 25)) == Fraction(3, 5)
 
 
-def test_one_is_less_than_one_where_quotients_are_cut() -> None:
-    """2404, 1353 lies on the outer ellipse: .64 + .36."""
-    for machine, short in ((IEEE, 0), (GE, Fraction(1, 2**27)), (CDC, Fraction(1, 2**48))):
-        real = machine.real
-        total = real(2404) ** 2 / real(3005) ** 2 + real(1353) ** 2 / real(2255) ** 2
-        assert machine.store(total).exactly == 1 - short
-
-
 @cache
 def lines(part: Callable[..., str], arithmetic: str = "exact") -> list[str]:
     return part(arithmetic=ARITHMETICS[arithmetic]).splitlines()

@@ -10,8 +10,6 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-import pal
-import pdp8
 from nc.inspection import Inspection, inspect
 from pdp8.replay.implied import machined
 from programs import circle
@@ -110,14 +108,3 @@ def test_the_walls_and_ends_in_the_errata() -> None:
         f"the listing's {short} of its start",
     ):
         assert said in ERRATA
-
-
-def test_all_of_core_is_within_three_octal_digits() -> None:
-    """Not an erratum: the nine bits after the operation hold the indirect bit."""
-    words = pal.assemble("*200\n\tTAD I 177\n*177\n\t7777\n$\n").words
-    assert (words[0o200] & 0o7000, words[0o200] & 0o777) == (0o1000, 0o577)
-    machine = pdp8.Machine()
-    machine.load(words | {0o201: 0o7402, 0o7777: 0o1234})
-    machine.start(0o200)
-    machine.run()
-    assert machine.ac == 0o1234
