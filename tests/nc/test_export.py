@@ -24,7 +24,8 @@ from nc.machine import Settings
 from nc.path import MoveKind
 from tapes.errors import WorkError
 from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, tape
-from tests.nc.test_second_machine import ALL_SET, CODES, program
+from tests.nc.test_second_machine import ALL_SET, program
+from tests.reference.hydrapoint import SELECTS
 
 SLOPE = tape(*HEADER, "007 6 02250 04000 0 02 84", "008 6 05250 05000 0 01 85")
 
@@ -33,7 +34,7 @@ def everything() -> Iterator[str]:
     """Yield a program with every code of Tables 2.3 and 2.4, and cuts, holes and stops between them."""
     yield from ALL_SET
     draw = random.Random(1)
-    for code, tools in CODES.items():
+    for code, tools in SELECTS.items():
         for tool in tools:
             yield f"001 6 {draw.randrange(20000):05} {draw.randrange(10000):05} 0 {tool:02} {code}"
             yield f"002 {draw.choice((1, 4, 5, 7, 8))} {draw.randrange(20000):05} 02000 0 00 80"

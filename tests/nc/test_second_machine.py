@@ -11,17 +11,9 @@ from nc.machine import Settings
 from nc.path import MoveKind, Path, Step
 from tests.conftest import case
 from tests.nc.tapes_1971 import tape
-from tests.reference.hydrapoint import HydraPoint, Leg, RefusedError, blocks
+from tests.reference.hydrapoint import MISCELLANEOUS, SELECTS, HydraPoint, Leg, RefusedError, blocks
 
 RAPID = (MoveKind.POSITION, MoveKind.APPROACH, MoveKind.RETRACT)
-CODES = {
-    84: range(1, 19),
-    85: range(1, 19),
-    86: range(25),
-    88: (*range(1, 19), *range(21, 39)),
-    89: range(1, 19),
-}
-MISCELLANEOUS = (0, 2, 6, 7, 8, 9, 80, 81, 82, 83, 84, 85, 86, 88, 89)
 ALL_SET = ("001 9 00500 01234 0 03 89", "002 0 00000 00000 0 04 84", "003 0 00000 00000 0 01 85")
 
 
@@ -41,7 +33,7 @@ def program(draw: random.Random) -> Iterator[str]:
                 place[axis] = min(max(place[axis], 0), most)
             x, y = place
         code = draw.choice(MISCELLANEOUS)
-        tool = draw.choice(CODES.get(code, (0, 0, 1, 24, 38)))
+        tool = draw.choice(SELECTS.get(code, (0, 0, 1, 24, 38)))
         yield f"{number:03} {function} {x:05} {y:05} 0 {tool:02} {code:02}"
 
 

@@ -13,50 +13,27 @@ from click.testing import CliRunner
 
 import programs
 from pdp8.replay import replay
-from programs import die, fluidic, parts, thesis
+from programs import die, fluidic, parts, slope, thesis
 from programs.cli import part
 from programs.options import parameters
 from programs.parts import PARTS, Part
 from tapes.errors import WorkError
 from tests.programs.printouts import blocks, milled
 
-SQUARE = """
-from typing import Annotated
-from programs.header import THESIS, Header
-from programs.milling import SLOWEST, Milling
-from programs.printout import Printout
-from programs.stretches import Point, line
-from programs.units import THOUSANDTHS
-
-CORNERS = (Point(1000, 1000), Point(2000, 1000), Point(2000, 2000), Point(1000, 2000), Point(1000, 1000))
-
-def part(
-    *,
-    tolerance: Annotated[float, "half the band", THOUSANDTHS] = 5,
-    milling: Milling = SLOWEST,
-    header: Header = THESIS,
-) -> str:
-    printout = Printout()
-    printout.header(header, *CORNERS[0])
-    for start, stop in zip(CORNERS, CORNERS[1:]):
-        milling.print(printout, line(start, stop, tolerance))
-    return printout.text
-"""
-
 
 def test_a_new_part_program_is_its_file_and_its_entry(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    (tmp_path / "square.py").write_text(SQUARE)
+    """The file is a copy of the slope's."""
+    (tmp_path / "chamfer.py").write_text(Path(slope.__file__).read_text())
     monkeypatch.setattr(programs, "__path__", [*programs.__path__, str(tmp_path)])
-    monkeypatch.setitem(PARTS, "square", Part("square", "A square of 1 in.", ("> square.asc",)))
+    monkeypatch.setitem(PARTS, "chamfer", Part("chamfer", "A slope of 30 degrees.", ("> chamfer.asc",)))
     run = CliRunner()
-    assert "A square of 1 in" in run.invoke(part, ["--help"]).output
-    assert "--feed-error" in run.invoke(part, ["square", "--help"]).output
-    tape = run.invoke(part, ["square", "--parity", "none"]).stdout_bytes
-    assert tape.count(b"\r") == 6 + 4
-    afternoon = replay("square")
-    assert (len(afternoon.path), afternoon.path.gap) == (10, 0)
+    assert "A slope of 30 degrees" in run.invoke(part, ["--help"]).output
+    assert "--feed-error" in run.invoke(part, ["chamfer", "--help"]).output
+    made = run.invoke(part, ["chamfer", "--parity", "none", "--fill", "0"]).stdout
+    assert made.splitlines() == slope.part().splitlines()
+    assert replay("chamfer").path.blocks == replay("slope").path.blocks
 
 
 def test_no_such_part() -> None:
@@ -96,6 +73,7 @@ def test_what_an_option_may_be() -> None:
         ("polynomial", {}, (3250, 3216), (10250, 7328)),
         ("slope", {}, (4000, 4000), (8330, 6500)),
         ("curve", {"to": 6.283}, (4000, 5000), (10283, 5000)),
+        ("die", {"cut": "groove"}, (2250, 4000), (2251, 3863)),
         ("fluidic", {"program": "main"}, (6938, 250), (6938, 250)),
         ("fluidic", {"program": "control", "control": 0.8}, (6266, 3400), (5734, 3400)),
         ("fluidic", {}, (6938, 250), (5882, 2600)),

@@ -15,8 +15,8 @@ from programs.piecewise import Technique, way
 from programs.printout import Printout
 from programs.stretches import Point, arc, line
 from tests.programs.printouts import milled
+from tests.reference.hydrapoint import XY_FEEDS
 
-FEEDS = {1: 1.0, 2: 1.9, 3: 2.7, 4: 4.0, 5: 5.5, 6: 7.2, 7: 9.1, 8: 11.2}
 errors = st.sampled_from([0.8, 0.9, 1.0, 1.1, 1.2])
 ALLOWED = 0.1
 """Of the band: what rounding a stop, and asking a band at a dozen places of a leg, may add."""
@@ -32,7 +32,7 @@ def places(printout: str, wrong: tuple[float, float]) -> Iterator[tuple[float, f
     path = milled(printout)
     feeds = {84: 0.0, 85: 0.0}
     for before, block in pairwise(path):
-        feeds[block.function] = FEEDS[block.tool]
+        feeds[block.function] = float(XY_FEEDS[block.tool])
         across, up = block.x - before.x, block.y - before.y
         needs = [
             abs(length) / (feed * error) if length else 0.0

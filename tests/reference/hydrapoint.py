@@ -4,7 +4,7 @@ Lengths are thousandths of an inch; times are exact, in seconds. Where the thesi
 assumptions of nc/machine.py hold here too, marked "open": there the two cannot judge each other.
 """
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -17,7 +17,9 @@ READING = 2  # seconds a block
 THOUSANDTHS_A_SECOND = Fraction(1000, 60)  # for each inch a minute
 
 # Table 2.4, line by line: code, X and Y feed, Z feed, spindle; code, spindle.
-TABLE_2_4 = """\
+TABLE_2_4 = [
+    line.split()
+    for line in """\
 01 1.0 1.0 65 21 525
 02 1.9 2.1 75 22 625
 03 2.7 3.6 91 23 760
@@ -35,14 +37,11 @@ TABLE_2_4 = """\
 15 31.5 48 375 35 3100
 16 35.6 53 415 36 3450
 17 39.7 59 465 37 3830
-18 44.0 64 495 38 4090"""
-XY_FEEDS = {int(line.split()[0]): Fraction(line.split()[1]) for line in TABLE_2_4.splitlines()}
-Z_FEEDS = {int(line.split()[0]): Fraction(line.split()[2]) for line in TABLE_2_4.splitlines()}
-SPEEDS = {
-    int(line.split()[i]): int(line.split()[i + 1 + 2 * (i == 0)])
-    for line in TABLE_2_4.splitlines()
-    for i in (0, 4)
-}
+18 44.0 64 495 38 4090""".splitlines()
+]
+XY_FEEDS = {int(code): Fraction(feed) for code, feed, *_ in TABLE_2_4}
+Z_FEEDS = {int(code): Fraction(feed) for code, _, feed, *_ in TABLE_2_4}
+SPEEDS = {int(row[at]): int(row[speed]) for row in TABLE_2_4 for at, speed in ((0, 3), (4, 5))}
 
 # Table 2.3.
 POSITION, TAP_FEED, PECK, DRILL, MILL, BORE, TAP_PITCH, READ_Z = 0, 1, 4, 5, 6, 7, 8, 9
@@ -52,6 +51,8 @@ STOPS = (0, 2, 6)
 QUILL_UP = (6, 83, 86)  # open: for these the quill goes up after the block's moves
 COOLANT = {7: "flood", 8: "mist", 9: "off"}
 MISCELLANEOUS = (*STOPS, *COOLANT, *range(80, 87), 88, 89)
+SELECTS = {84: (*XY_FEEDS,), 85: (*XY_FEEDS,), 86: (*range(25),), 88: (*SPEEDS,), 89: (*Z_FEEDS,)}
+"""The tool functions of those that have one: a feed, a tool, 00 for the next, or a speed."""
 
 
 class RefusedError(Exception):
@@ -246,15 +247,13 @@ def _unknown(block: Block) -> list[int]:
 
     Open: a tool function that the block does not use has to be 00, a code of Table 2.4 or a tool.
     """
-    feeds: Collection[int] = XY_FEEDS
-    selects = {84: feeds, 85: feeds, 89: Z_FEEDS, 88: SPEEDS, 86: range(25)}
     reads_z = block.preparatory == READ_Z
     wrong = {
         4: block.preparatory not in PREPARATORY,
         5: block.x > TRAVEL[2 if reads_z else 0],
         10: block.y > TRAVEL[2 if reads_z else 1] or (reads_z and block.y < block.x),
         15: block.reserved != 0,
-        16: block.tool not in selects.get(block.miscellaneous, {*SPEEDS, *range(25)}),
+        16: block.tool not in SELECTS.get(block.miscellaneous, (*SPEEDS, *range(25))),
         18: block.miscellaneous not in MISCELLANEOUS,
     }
     return [row for row, is_wrong in wrong.items() if is_wrong]
