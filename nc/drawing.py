@@ -170,14 +170,14 @@ class View:
     def _scales(self) -> None:
         step, places = _tick(self.scale[0])
         for value in _multiples(self.window.left, self.window.right, step):
-            x, _ = self.at(value, 0)
+            x, _ = self.at(value, value)
             bottom = self.y + self.height
             self.sheet.draw("line", x1=x, y1=self.y, x2=x, y2=bottom, stroke=GRID)
             self.sheet.draw("line", x1=x, y1=bottom, x2=x, y2=bottom + 5, stroke=INK)
             self.sheet.text(x, bottom + 17, f"{value / 1000:.{places}f}", text_anchor="middle")
         step, places = _tick(self.scale[1])
         for value in _multiples(self.window.bottom, self.window.top, step):
-            _, y = self.at(0, value)
+            _, y = self.at(value, value)
             self.sheet.draw("line", x1=self.x, y1=y, x2=self.x + self.width, y2=y, stroke=GRID)
             self.sheet.draw("line", x1=self.x - 5, y1=y, x2=self.x, y2=y, stroke=INK)
             self.sheet.text(self.x - 8, y + 4, f"{value / 1000:.{places}f}", text_anchor="end")

@@ -162,7 +162,7 @@ def read_back(text: str) -> "ezdxf.document.Drawing":
 
 
 def test_the_circle_as_dxf() -> None:
-    path = nc.cut(CIRCLE)
+    path = nc.cut(CIRCLE + tape("667 0 02251 00000 0 00 80")[1:])
     drawing = read_back(dxf(path, Ellipse(4000, 4000, 1750, 1750)))
     assert (drawing.units, drawing.header["$MEASUREMENT"]) == (ezdxf.units.IN, 0)
     assert {layer.dxf.name: (layer.color, layer.dxf.linetype) for layer in drawing.layers} == {
@@ -182,7 +182,7 @@ def test_the_circle_as_dxf() -> None:
     assert np.array(milled.get_points("xy")) == pytest.approx(expected)
     assert (curve.dxf.layer, curve.closed) == ("CURVE", True)
     assert np.hypot(*(np.array(curve.get_points("xy")) - 4).T) == pytest.approx(1.75)
-    assert [line.dxf.layer for line in drawing.query("LINE")] == ["POSITION"] * 4
+    assert [line.dxf.layer for line in drawing.query("LINE")] == ["POSITION"] * 5
 
 
 def test_the_four_holes_as_dxf() -> None:

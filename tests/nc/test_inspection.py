@@ -109,6 +109,12 @@ def test_the_centre_kept_to_its_band_and_one_step(circle: Inspection) -> None:
     assert inspect(path, StraightLine(2250, 4000, 3250, 4000)).centre == (0, 500)
 
 
+def test_a_cut_along_both_axes_is_not_step_wise(circle: Inspection) -> None:
+    path = milled((2250, 4001), (2251, 4001), (2300, 4051))
+    assert circle.stepwise
+    assert not inspect(path, StraightLine(2250, 4000, 2300, 4050)).stepwise
+
+
 def test_a_larger_cutter_leaves_a_smoother_wall() -> None:
     """Chapter 7: a larger cutter smooths out sharp variations."""
     path = nc.cut(CIRCLE)

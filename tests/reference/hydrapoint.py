@@ -195,7 +195,7 @@ class HydraPoint:
             if self.at[2] != self.depth:
                 self._quill(max(self.at[2], Fraction(point)))
                 self._quill(self.depth, self.feeds[2])
-            self._table((block.x, block.y), *self.feeds[:2])
+            self._table((block.x, block.y), self.feeds[0], self.feeds[1])
             return
         self._quill(min(self.at[2], Fraction(up)))
         self._table((block.x, block.y), RAPID, RAPID)
@@ -216,24 +216,21 @@ class HydraPoint:
         if function in (BORE, TAP_FEED, TAP_PITCH):
             self._quill(point, self.feeds[2])
 
-    def _quill(self, z: Fraction | int, speed: Fraction | None = RAPID) -> None:
-        """Open: the quill's rapid speed; here the table's."""
-        assert speed is not None
-        seconds = abs(z - self.at[2]) / THOUSANDTHS_A_SECOND / speed
-        self._leg((*self.at[:2], Fraction(z)), speed == RAPID, seconds)
+    def _quill(self, z: Fraction | int, feed: Fraction | None = None) -> None:
+        """Open: the quill's rapid speed, without a feed; here the table's."""
+        seconds = abs(z - self.at[2]) / THOUSANDTHS_A_SECOND / (feed or RAPID)
+        self._leg((*self.at[:2], Fraction(z)), feed is None, seconds)
 
-    def _table(self, goal: tuple[int, int], *speeds: Fraction | None) -> None:
+    def _table(self, goal: tuple[int, int], x_speed: Fraction | None, y_speed: Fraction | None) -> None:
         """Move X and Y, each at its own speed: the first to arrive leaves the other to go on alone."""
         ways = [goal[axis] - self.at[axis] for axis in (0, 1)]
-        needs = [
-            abs(way) / THOUSANDTHS_A_SECOND / speed if speed else Fraction(0)
-            for way, speed in zip(ways, speeds, strict=True)
-        ]
+        speeds = (x_speed or RAPID, y_speed or RAPID)  # an axis without a feed stands still
+        needs = [abs(way) / THOUSANDTHS_A_SECOND / speed for way, speed in zip(ways, speeds, strict=True)]
         start, spent = self.at, Fraction(0)
         for now in sorted({need for need in needs if need}):
             part = [min(now / need, Fraction(1)) if need else Fraction(0) for need in needs]
             x, y = (start[axis] + part[axis] * ways[axis] for axis in (0, 1))
-            self._leg((x, y, start[2]), speeds[0] == RAPID, now - spent)
+            self._leg((x, y, start[2]), x_speed == RAPID, now - spent)
             spent = now
 
     def _leg(self, end: tuple[Fraction, ...], rapid: bool, seconds: Fraction) -> None:
