@@ -68,11 +68,12 @@ def test_what_an_option_may_be() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "constants", "start", "end"),
+    ("words", "constants", "start", "end"),
     [
         ("polynomial", {}, (3250, 3216), (10250, 7328)),
         ("slope", {}, (4000, 4000), (8330, 6500)),
-        ("curve", {"to": 6.283}, (4000, 5000), (10283, 5000)),
+        ("curve sin(x)", {"to": 6.283}, (4000, 5000), (10283, 5000)),
+        ("curve 1", {}, (4000, 6000), (8000, 6000)),
         ("die", {"cut": "groove"}, (2250, 4000), (2251, 3863)),
         ("fluidic", {"program": "main"}, (6938, 250), (6938, 250)),
         ("fluidic", {"program": "control", "control": 0.8}, (6266, 3400), (5734, 3400)),
@@ -80,10 +81,10 @@ def test_what_an_option_may_be() -> None:
     ],
 )
 def test_a_part_is_fit_for_the_machine(
-    name: str, constants: dict[str, Any], start: tuple[int, int], end: tuple[int, int]
+    words: str, constants: dict[str, Any], start: tuple[int, int], end: tuple[int, int]
 ) -> None:
     """Travel, sequence, and that a cut moves along the axis that its function names and no other."""
-    printout = parts.part(name, *["sin(x)"][: name == "curve"], **constants)
+    printout = parts.part(*words.split(), **constants)
     path = milled(printout)
     assert [path[0][2:4], path[-1][2:4]] == [start, end]
     for number, block in enumerate(blocks(printout), 1):
