@@ -20,12 +20,16 @@ _NOTE = re.compile(r" +/[A-Z].*")
 _PRINT = re.compile(r"PRINT (?P<format>\d+),(?P<values>.*)")
 
 
-def adapted(listing: str) -> str:
-    """Return `listing` as fixed form FORTRAN."""
-    return "".join(f"{line}\n" for line in map(_adapted_line, listing.splitlines()) if line)
+def printout(listing: str, folder: Path, *options: str) -> str:
+    """Compile `listing` in `folder` with gfortran's `options`, run it, return what it prints."""
+    source, program = folder / "part.f", folder / "part"
+    source.write_text("".join(f"{_adapted(line)}\n" for line in listing.splitlines() if line))
+    subprocess.run(["gfortran", "-std=legacy", *options, "-o", program, source], check=True)
+    return subprocess.run([program], check=True, capture_output=True, text=True).stdout
 
 
-def _adapted_line(line: str) -> str:
+def _adapted(line: str) -> str:
+    """Return a line as fixed form FORTRAN, a comment as an empty one."""
     found = _LINE.fullmatch(line[:72].rstrip())
     assert found, f"no line of a listing: {line}"
     if found["comment"]:
@@ -35,11 +39,3 @@ def _adapted_line(line: str) -> str:
         values = ",".join(f"INT({value})" for value in printed["values"].split(","))
         statement = f"PRINT {printed['format']},{values}"
     return f"{found['label'] or '':5} {statement}"
-
-
-def printout(listing: str, folder: Path, *options: str) -> str:
-    """Compile `listing` in `folder` with gfortran's `options`, run it, return what it prints."""
-    source, program = folder / "part.f", folder / "part"
-    source.write_text(adapted(listing))
-    subprocess.run(["gfortran", "-std=legacy", *options, "-o", program, source], check=True)
-    return subprocess.run([program], check=True, capture_output=True, text=True).stdout
