@@ -31,8 +31,7 @@ def assert_same_staircase(path: Curve, printout: str) -> None:
     cuts = stepwise.staircase(path.start, "Y", path.stretches[:3], "boundary")
     ours = [(*cut.stop, {"X": 84, "Y": 85}[cut.axis]) for cut in cuts]
     theirs = [(block.x, block.y, block.function) for block in milled(printout)[1:]]
-    for number, (cut, wanted) in enumerate(zip(ours, theirs, strict=False), 7):
-        assert cut == wanted, f"block {number:03}"
+    assert ours[: len(theirs)] == theirs[: len(ours)]
     assert len(ours) > 0.7 * len(theirs)
 
 
