@@ -171,25 +171,19 @@ MISUSE = {
         "--feed-error 1,2": "'1,2' is not X,Y,Z: 3 numbers separated by commas",
         "--feed-error fast": "'fast' is not X,Y,Z: 3 numbers separated by commas",
         "--feed-code 0": "0 is not in the range 1<=x<=18.",
-        "--feed-code 19": "19 is not in the range 1<=x<=18.",
         "--tool-change -0.1": "-0.1 is not from 0 to 3600",
         "--tool-change 3601": "3601 is not from 0 to 3600",
         "--read-seconds -0.1": "-0.1 is not from 0 to 3600",
-        "--read-seconds 3601": "3601 is not from 0 to 3600",
         "--passes 0": "0 is not in the range x>=1.",
         "--peck 0": "0 is not from 0.001 to 5",
-        "--peck 5.1": "5.1 is not from 0.001 to 5",
         "ellipse.eia": "Got unexpected extra argument (ellipse.eia)",
     },
     "plot": {
         "--cutter 0": "0 is not above 0 to 10",
-        "--cutter 10.1": "10.1 is not above 0 to 10",
         "--cutter nan": "nan is not above 0 to 10",
         "--tolerance 1mm": "'1mm' is not a length in inches, such as .005 or .005in",
         "--tolerance 0": "0 is not above 0 to 1",
-        "--tolerance 1.1": "1.1 is not above 0 to 1",
         "--zoom 0.9": "0.9 is not from 1 to 1000",
-        "--zoom 1001": "1001 is not from 1 to 1000",
         "--block 0": "0 is not in the range x>=1.",
         "--at 4": "'4' is not X,Y: 2 numbers separated by commas",
     },
@@ -215,6 +209,7 @@ MISUSE = {
 
 @pytest.mark.parametrize("command", MISUSE)
 def test_misuse(command: str) -> None:
+    """A message has both limits."""
     for given, says in MISUSE[command].items():
         with case(command, given):
             done = CliRunner().invoke(nc, [command, "circle.eia", *given.split()])
