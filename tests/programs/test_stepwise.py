@@ -23,7 +23,6 @@ from tests.programs.printouts import milled
 
 CENTRE = Point(4000, 4000)
 places = st.builds(Point, st.integers(0, 3000), st.integers(0, 3000))
-tolerances = st.sampled_from([1.0, 2.5, 3.0, 5.0, 20.0])
 
 
 def assert_same_staircase(path: Curve, printout: str) -> None:
@@ -59,7 +58,7 @@ def stops(path: Curve) -> Iterator[Point]:
 
 
 @settings(max_examples=40, deadline=None)
-@given(places, places, tolerances)
+@given(places, places, st.sampled_from([1.0, 2.5, 3.0, 5.0, 20.0]))
 def test_every_stop_of_a_line_is_in_its_band(start: Point, end: Point, tolerance: float) -> None:
     assume(dist(start, end) > tolerance)
     across, up = end.x - start.x, end.y - start.y
@@ -71,12 +70,11 @@ def test_every_stop_of_a_line_is_in_its_band(start: Point, end: Point, tolerance
 
 
 @settings(max_examples=60, deadline=None)
-@given(st.integers(10, 500), st.floats(-360, 360), st.floats(-360, 360), tolerances)
+@given(st.integers(10, 500), st.floats(-360, 360), st.floats(-360, 360), st.sampled_from([1.0, 3.0, 5.0]))
 @example(267, 261.0, 2.0, 1.0)  # ends within its first cut
 def test_every_stop_of_an_arc_is_in_its_band(
     radius: int, start: float, sweep: float, tolerance: float
 ) -> None:
-    assume(tolerance < radius)
     for stop in stops(arc(CENTRE, radius, start, sweep, tolerance)):
         assert abs(dist(stop, CENTRE) - radius) <= tolerance * (1 + 1e-12)
 
