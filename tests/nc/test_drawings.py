@@ -213,4 +213,5 @@ def test_a_hole_is_removed_metal_once_it_is_drilled() -> None:
     second = [step.number for step in path.steps if step.block.preparatory == 5][1]
     filled = [circle.get("fill") for circle in elements(plot(path, block=second), "circle")]
     assert filled.count("#dfe3e8") == 3  # two on the part, and the second again in the close view
+    assert {*filled} == {"#dfe3e8", "none"}
     assert [float(circle.get("r", "0")) for circle in elements(plot(path), "circle")].count(250) == 2

@@ -136,7 +136,9 @@ def test_an_error_has_its_sign_and_four_places() -> None:
         (3994.96, "+.0050", "left", "within"),
         (4005.06, "-.0051", "right", "out of"),
     ):
-        report = list(inspection_report(inspect(milled((3250, 4000)), StraightLine(2250, y, 3250, y))))
+        found = inspect(milled((3250, 4000)), StraightLine(2250, y, 3250, y), cutter=10_000)
+        report = list(inspection_report(found))
         assert f"whole length  outer     {said}   {said}           .0000" in report
-        assert f"went from {said[1:]} {side} to {said[1:]} {side} of nominal" in report[1]
+        went = f"its centre went from {said[1:]} {side} to {said[1:]} {side} of nominal"
+        assert report[1] == f"cutter    10.000 in; {went}"
         assert report[-1].startswith(f"{verdict} tolerance: {said} at most")

@@ -89,6 +89,12 @@ def test_a_line_at_a_ratio_of_two_feeds_is_one_ray() -> None:
         assert list(Technique(5, 0).rays(line(Point(0, 0), Point(x, y), 200))) == [(feeds, (x, y))]
 
 
+def test_a_ray_of_two_feeds_goes_on_until_the_slower_axis_has_moved_a_thousandth() -> None:
+    """Else it would be taken from X .565 Y .499 to X .566 Y .500, by 1.0 and 1.9 in/min."""
+    rays = Technique(fastest=2).rays(arc(Point(500, 500), 64, 359, 45, 2))
+    assert [*rays][:2] == [((1, 0), (565, 499)), ((0, 1), (565, 500))]
+
+
 def test_a_block_whose_feed_is_in_force_names_it_again() -> None:
     """An arc of 20 degrees about 9 o'clock is as good as upright: two blocks along Y."""
     printout = Printout()
