@@ -168,12 +168,13 @@ def test_divisions_are_inches_with_their_sign() -> None:
 def walled(curve: Curve, outer: float) -> Inspection:
     """Return an inspection of a curve whose outer wall is so far out, and whose inner one is nominal."""
     walls = Walls(curve.stations(2), np.full(2, float(outer)), np.zeros(2))
-    return replace(inspect(slope(), SLOPE), curve=curve, walls=walls)
+    return replace(inspect(slope(), SLOPE), curve=curve, walls=walls, cutter=5000)
 
 
 def test_the_talyrond_magnifies_as_much_as_its_divisions_leave_room_for() -> None:
-    """100 times in Figure 7.2, as the circle here does."""
-    assert "radial magnification 100, " in drawn("talyrond, circle")
+    """100 times in Figure 7.2."""
+    said = "cutter 5.000 in · radial magnification 100, centre suppressed · small division .001 in"
+    assert said in talyrond(walled(THE_CIRCLE, 25))
     for divisions, times in zip(
         (25, 30, 50, 55, 130, 135, 260, 265, 520, 525, 1300, 1305, 2605),
         (100, 50, 50, 20, 20, 10, 10, 5, 5, 2, 2, 1, 1),

@@ -186,8 +186,9 @@ def test_what_follows_no_curve_is_none() -> None:
     there_and_back = np.array([[0.0, 0], [1000, 0], [2000, 0], [0, 0]])
     assert fitted(there_and_back, within=5) is fitted(there_and_back[:, ::-1], within=5) is None
     assert fitted(np.array([[0.0, 0], [1000, 0], [1000, 700], [0, 700], [500, 100]]), within=20) is None
-    with pytest.raises(WorkError, match=r"within 0\.020 in: name the nominal curve"):
-        inspect(milled((2250, 8000), (9000, 8000)))
+    for tolerance, within in ((4, r"0\.020"), (250, r"1\.000")):
+        with pytest.raises(WorkError, match=f"within {within} in: name the nominal curve"):
+            inspect(milled((2250, 8000), (9000, 8000)), tolerance=tolerance)
 
 
 @pytest.mark.parametrize(

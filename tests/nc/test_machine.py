@@ -151,6 +151,9 @@ def test_the_four_holes_of_chapter_3() -> None:
     assert path.gap == path.contour.efficiency == 0
     assert path.array().tolist() == [[0, 0, 0], *([*move.end] for move in path.moves)]
     assert nc.cut(tape(FOUR_HOLES[0])).array().shape == (0, 3)
+    bored = nc.cut(tape(*FOUR_HOLES[:2], "003 7 01000 01000 0 01 89", "004 6 01000 01500 0 01 85"))
+    kinds = ["position", "approach", "feed in", "feed out", "retract", "approach", "feed in", "mill"]
+    assert [move.kind for move in bored.moves] == kinds
 
 
 def test_the_circle_takes_36_minutes() -> None:
