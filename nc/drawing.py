@@ -52,7 +52,7 @@ def around(points: Iterable[Sequence[float]]) -> Window:
 
 def number(value: float) -> str:
     """Return a coordinate on paper, short."""
-    return f"{value:.2f}".rstrip("0").rstrip(".") if value % 1 else f"{value:.0f}"
+    return f"{value:.2f}".rstrip("0").rstrip(".")
 
 
 def signed(deviation: float) -> str:

@@ -38,7 +38,7 @@ def test_modes_and_the_clock_after_each_block() -> None:
 def test_the_words_for_every_code() -> None:
     path = nc.cut(
         tape(
-            "001 9 01000 02000 0 02 89",
+            "001 9 00000 02000 0 02 89",
             "002 1 00100 00100 0 00 81",
             "004 7 00100 00300 0 00 83",
             "005 5 00100 00400 0 00 00",
@@ -47,19 +47,21 @@ def test_the_words_for_every_code() -> None:
             "008 6 00100 00400 0 06 85",
             "009 6 00200 00500 0 06 85",
             "010 0 00000 00000 0 03 06",
-            "011 0 00000 00000 0 00 07",
+            "011 0 00000 00000 0 00 06",
+            "012 0 00000 00000 0 00 07",
         )
     )
     assert [does(step) for step in path.steps] == [
-        "read Z: feed point 1.000, final depth 2.000; Z feed 2.1 in/min",
-        "tap, feed control at X 0.100 Y 0.100, from 1.000 to 2.000 at 2.1 in/min; partial retract on",
-        "bore at X 0.100 Y 0.300, from 1.000 to 2.000 at 2.1 in/min; index work piece",
-        "drill at X 0.100 Y 0.400, from 1.000 to 2.000 at 2.1 in/min; program stop, waits for START",
+        "read Z: feed point 0.000, final depth 2.000; Z feed 2.1 in/min",
+        "tap, feed control at X 0.100 Y 0.100, from 0.000 to 2.000 at 2.1 in/min; partial retract on",
+        "bore at X 0.100 Y 0.300, from 0.000 to 2.000 at 2.1 in/min; index work piece",
+        "drill at X 0.100 Y 0.400, from 0.000 to 2.000 at 2.1 in/min; program stop, waits for START",
         "position to X 0.100 Y 0.400; X feed 5.5 in/min",
         "position to X 0.100 Y 0.400; Y feed 7.2 in/min",
         "quill to 2.000 at 2.1 in/min, mill, already there",
         "mill X to 0.176 Y to 0.500 at 9.1 in/min, mill X to 0.200 at 5.5 in/min",
         "position to X 0.000 Y 0.000; tool change, manual, tool 03, waits for START",
+        "position to X 0.000 Y 0.000; tool change, manual, waits for START",
         "position to X 0.000 Y 0.000; flood coolant on",
     ]
     said = "at X 0.200 Y 0.500, quill down 2.000 · X feed 5.5, Y feed 7.2, Z feed 2.1 in/min · coolant off · "

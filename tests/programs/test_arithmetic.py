@@ -44,6 +44,7 @@ def test_each_rule_of_the_registers() -> None:
         ("a right operand is stored", ge(1) + GE.divide(ge(1), ge(3)), 1 + Fraction(2**28 // 3, 2**28)),
         ("FX keeps the upper half, then normalises", CDC.add(one, tiny), 1 - Fraction(1, 2**47)),
         ("FX loses what is shifted past it", one - below, 0),
+        ("FX keeps 48 bits", CDC.add(Float(CDC, 2**48 - 1, 0), Float(CDC, 2**48 - 2, 0)), 2**49 - 4),
         ("FX of a zero", CDC.add(zero, one), 1),
         ("FX with a zero", CDC.add(one, zero), 1),
         ("the CDC cuts towards zero", CDC.real(-1) / CDC.real(3), -Fraction(2**49 // 3, 2**49)),
