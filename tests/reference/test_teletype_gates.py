@@ -7,9 +7,9 @@ import pytest
 from tests.reference.gates import PARTS, UNIT, Gates
 
 EIGHTH = UNIT // 8
-PHASES = (1, EIGHTH // 3, EIGHTH)
-KSF, KCC, KRS, KRB, TSF, TCF, TPC, TLS = 0o6031, 0o6032, 0o6034, 0o6036, 0o6041, 0o6042, 0o6044, 0o6046
-IOP2, IOP4 = 47, 65
+KRS, TPC, TLS = 0o6034, 0o6044, 0o6046
+IOP4 = 65
+phases = pytest.mark.parametrize("d", [1, EIGHTH // 3, EIGHTH])
 
 
 def tick(units: float, parts: int = 0) -> int:
@@ -25,51 +25,54 @@ def changes(gates: Gates, until: int) -> list[tuple[int, int, int, int]]:
     return seen
 
 
+def printer_flag(gates: Gates, until: int) -> list[tuple[int, int]]:
+    """Run to `until`; return the ticks at which something changes, and the printer's flag then."""
+    return [(now, flag) for now, _, flag, _ in changes(gates, until)]
+
+
+def received(d: int, frames: bytes, wide_pulse: bool = False) -> Gates:
+    """Return the model with keys pressed at tick 0, its clocks at phase `d`."""
+    gates = Gates(phase=d, wide_pulse=wide_pulse)
+    gates.type(frames)
+    return gates
+
+
 def line(gates: Gates, *edges: tuple[float, int]) -> None:
     """Put the receiver's line at a level at each of these times, in units."""
     for units, level in edges:
-        while gates.run(tick(units)) < tick(units):
-            pass
+        changes(gates, tick(units))
         gates.sender.line = level
 
 
-@pytest.mark.parametrize("d", PHASES)
+@phases
 def test_a_character_is_received(d: int) -> None:
-    gates = Gates(phase=d)
-    gates.type(b"\xff\x00")
-    assert changes(gates, 2_000_000) == [
-        (tick(0, d), 0, 0, 0),
-        (tick(8.375, d), 1, 0, 0),
-    ]
-    assert [change[:2] for change in changes(gates, 4_000_000)] == [
-        (tick(11.375, d), 0),
-        (tick(19.375, d), 1),
-    ]
+    seen = changes(received(d, b"\xff\x00"), 4_000_000)
+    assert seen[:2] == [(tick(0, d), 0, 0, 0), (tick(8.375, d), 1, 0, 0)]
+    assert [change[:2] for change in seen[2:]] == [(tick(11.375, d), 0), (tick(19.375, d), 1)]
 
 
-@pytest.mark.parametrize("d", PHASES)
+@phases
 @pytest.mark.parametrize("frame", [0o377, 0o000, 0o301, 0o125])
 def test_the_start_unit_is_shifted_in_first(d: int, frame: int) -> None:
-    gates = Gates(phase=d)
-    gates.type(bytes([frame]))
+    gates = received(d, bytes([frame]))
     for shifts in range(10):
+        at = tick(shifts - 1 + 3 / 8, d) if shifts else tick(0, d)
         if shifts:
-            before = tick(shifts - 1 + 3 / 8, d) - 1
-            assert gates.iot(KRS, 0, before - IOP4) == ((frame << 9 | 0o377) >> shifts - 1) & 0o377
-        after = tick(shifts - 1 + 3 / 8, d) if shifts else tick(0, d)
-        assert gates.iot(KRS, 0o7000, after - IOP4) == 0o7000 | ((frame << 9 | 0o377) >> shifts) & 0o377
+            assert gates.iot(KRS, 0, at - 1 - IOP4) == ((frame << 9 | 0o377) >> shifts - 1) & 0o377
+        assert gates.iot(KRS, 0o7000, at - IOP4) == 0o7000 | ((frame << 9 | 0o377) >> shifts) & 0o377
 
 
-@pytest.mark.parametrize("d", PHASES)
+@phases
 def test_stop_units(d: int) -> None:
-    gates = Gates(phase=d)
-    gates.type(b"\x55")
-    seen = []
+    gates = received(d, b"\x55")
+    r = gates.receiver
+    seen: list[tuple[int, tuple[int, ...]]] = []
     for eighth in range(88):
         changes(gates, tick(eighth / 8, d))
-        r = gates.receiver
-        seen.append((r.active, r.spike, r.in_last_unit, r.stop_1, r.stop_2))
-    assert [(index, state) for index, state in enumerate(seen) if not index or state != seen[index - 1]] == [
+        state = (r.active, r.spike, r.in_last_unit, r.stop_1, r.stop_2)
+        if not seen or state != seen[-1][1]:
+            seen.append((eighth, state))
+    assert seen == [
         (0, (1, 1, 0, 0, 0)),
         (7, (1, 0, 0, 0, 0)),
         (67, (1, 0, 1, 0, 0)),
@@ -81,40 +84,34 @@ def test_stop_units(d: int) -> None:
 
 def test_a_false_start() -> None:
     d = 1000
-    gates = Gates(phase=d)
-    gates.type(b"\x00")
+    gates = received(d, b"\x00")
     changes(gates, tick(10.7))
-    assert gates.receiver.flag
-    gates.receiver.reader_run = 1
-    gates.receiver.pulse_at = tick(20) * PARTS + d
+    r = gates.receiver
+    assert r.flag
+    r.reader_run = 1
+    r.pulse_at = tick(20) * PARTS + d
     line(gates, (20, 0), (20.3, 1))
-    assert (gates.receiver.reader_run, gates.receiver.flag, gates.receiver.bits) == (0, 1, 0o377)
+    assert (r.reader_run, r.flag, r.bits) == (0, 1, 0o377)
     assert changes(gates, tick(30)) == [(tick(20.375, d), 0, 0, 0)]
-    assert gates.receiver.bits == 0o377
-    assert not gates.receiver.active
+    assert (r.bits, r.active) == (0o377, 0)
 
 
 @pytest.mark.parametrize("wide_pulse", [False, True])
 @pytest.mark.parametrize("g", [9.1, 9.875, 10.125, 10.375])
 def test_a_character_that_follows_early(g: float, wide_pulse: bool) -> None:
+    """Its shifts come at n - 1 + 10 7/8 + d."""
     d = 2000
-    gates = Gates(phase=d, wide_pulse=wide_pulse)
-    gates.type(b"\x00")
+    gates = received(d, b"\x00", wide_pulse)
     line(gates, (9, 1), (g, 0))
-    started = tick(10.375 + (0 if wide_pulse else 0.125), d)
-    shown = changes(gates, tick(10.875, d))
-    assert shown == [(tick(10.875, d), 0, 0, 0)] or not shown
-    assert tick(8.375, d) < started
-    # shifts at n - 1 + 10 7/8 + d
+    assert changes(gates, tick(10.875, d)) in ([(tick(10.875, d), 0, 0, 0)], [])
     line(gates, (g + 1, 1))
     assert changes(gates, tick(25))[-1][:2] == (tick(8 + 10.875, d), 1)
     assert gates.receiver.bits == 0o377
 
 
-@pytest.mark.parametrize("d", PHASES)
+@phases
 def test_initialize_in_a_character(d: int) -> None:
-    gates = Gates(phase=d)
-    gates.type(b"\xef")  # a space in unit 5, 5.0 to 6.0
+    gates = received(d, b"\xef")  # a space in unit 5, 5.0 to 6.0
     changes(gates, tick(3.2))
     gates.initialize(tick(3.2))
     r = gates.receiver
@@ -126,15 +123,21 @@ def test_initialize_in_a_character(d: int) -> None:
 
 def test_initialize_in_the_stop_units() -> None:
     d = 100
-    gates = Gates(phase=d)
-    gates.type(b"\xef")
+    gates = received(d, b"\xef")
     changes(gates, tick(8.5))
     gates.initialize(tick(8.5))
-    assert gates.receiver.in_last_unit
-    changes(gates, tick(10.375, d) - 1)
-    assert gates.receiver.in_last_unit
-    changes(gates, tick(10.375, d))
-    assert not gates.receiver.in_last_unit
+    for until, last in ((tick(8.5), 1), (tick(10.375, d) - 1, 1), (tick(10.375, d), 0)):
+        changes(gates, until)
+        assert gates.receiver.in_last_unit == last
+
+
+def loaded(word: int, *loads: tuple[float, int]) -> Gates:
+    """Return the model after IOT `word`, with another frame each time, at these times in units."""
+    gates = Gates()
+    for units, frame in loads:
+        changes(gates, tick(units))
+        gates.iot(word, frame, tick(units) - IOP4)
+    return gates
 
 
 def sent(gates: Gates, since: float, units: int) -> list[int]:
@@ -146,8 +149,8 @@ def sent(gates: Gates, since: float, units: int) -> list[int]:
     return levels
 
 
-def bits(frame: int, count: int = 8) -> list[int]:
-    return [frame >> place & 1 for place in range(count)]
+def bits(frame: int) -> list[int]:
+    return [frame >> place & 1 for place in range(8)]
 
 
 @pytest.mark.parametrize("delay", [0.01, 0.25, 0.49])
@@ -163,45 +166,25 @@ def test_a_character_is_sent(delay: float) -> None:
 
 
 def test_a_flag_that_stands_falls_at_the_first_shift() -> None:
-    gates = Gates()
-    gates.iot(TLS, 0, 0)
-    changes(gates, tick(22))
+    gates = loaded(TPC, (0, 0), (22, 0))
     assert gates.transmitter.flag
-    gates.iot(TPC, 0, tick(22) - IOP4)
-    assert [change[::2] for change in changes(gates, tick(35))] == [(tick(23), 0), (tick(31), 1)]
+    assert printer_flag(gates, tick(35)) == [(tick(23), 0), (tick(31), 1)]
 
 
-def test_back_to_back() -> None:
-    for loaded in (9.0, 9.3, 10.4, 10.6, 10.99):
-        gates = Gates()
-        gates.iot(TLS, 0, -IOP4)
-        changes(gates, tick(loaded))
-        gates.iot(TLS, 0, tick(loaded) - IOP4)
-        assert changes(gates, tick(30))[-1][0] == tick(20)
+@pytest.mark.parametrize("again", [9.0, 9.3, 10.4, 10.6, 10.99])
+def test_back_to_back(again: float) -> None:
+    assert printer_flag(loaded(TLS, (0, 0), (again, 0)), tick(30))[-1] == (tick(20), 1)
 
 
 @pytest.mark.parametrize("shifts", range(9))
 def test_a_load_while_busy(shifts: int) -> None:
     for _ in range(20):
         old, new = random.randrange(256), random.randrange(256)
-        gates = Gates()
-        gates.iot(TPC, old, -IOP4)
-        changes(gates, tick(shifts + 0.6))
-        gates.iot(TPC, new, tick(shifts + 0.6) - IOP4)
+        garbled = ((0, old), (shifts + 0.6, new))
         rest = (old | 0o400) >> shifts | new
-        assert sent(gates, shifts, 12)[1:] == [*bits(rest), 1, 1, 1]
-        ended = Gates()
-        ended.iot(TPC, old, -IOP4)
-        changes(ended, tick(shifts + 0.6))
-        ended.iot(TPC, new, tick(shifts + 0.6) - IOP4)
-        assert [change[::2] for change in changes(ended, tick(30))] == [(tick(9 + shifts), 1)]
-        ended = Gates()
-        ended.iot(TPC, old, -IOP4)
-        changes(ended, tick(shifts + 0.6))
-        ended.iot(TPC, new, tick(shifts + 0.6) - IOP4)
-        changes(ended, tick(9.5 + shifts))
-        ended.iot(TLS, 0, tick(9.5 + shifts) - IOP4)
-        assert sent(ended, 10 + shifts, 3) == [1, 0, 0]
+        assert sent(loaded(TPC, *garbled), shifts, 12)[1:] == [*bits(rest), 1, 1, 1]
+        assert printer_flag(loaded(TPC, *garbled), tick(30)) == [(tick(9 + shifts), 1)]
+        assert sent(loaded(TPC, *garbled, (9.5 + shifts, 0)), 10 + shifts, 3) == [1, 0, 0]
 
 
 @pytest.mark.parametrize(
@@ -209,8 +192,7 @@ def test_a_load_while_busy(shifts: int) -> None:
     [(0.2, 0.5), (0.49, 0.5), (0.51, 2.5), (0.99, 2.5), (1.01, 3), (8.9, 10.5), (9.1, 11), (10.9, 11)],
 )
 def test_initialize_while_sending(at: float, next_start: float) -> None:
-    gates = Gates()
-    gates.iot(TPC, 0, -IOP4)
+    gates = loaded(TPC, (0, 0))
     changes(gates, tick(at))
     gates.initialize(tick(at))
     assert gates.transmitter.line == 1
@@ -219,4 +201,4 @@ def test_initialize_while_sending(at: float, next_start: float) -> None:
     assert gates.transmitter.line == 1
     changes(gates, tick(next_start))
     assert gates.transmitter.line == 0
-    assert [change[::2] for change in changes(gates, tick(30))] == [(tick(next_start + 9), 1)]
+    assert printer_flag(gates, tick(30)) == [(tick(next_start + 9), 1)]

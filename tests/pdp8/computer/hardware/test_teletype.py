@@ -4,26 +4,29 @@ from itertools import pairwise
 
 import pytest
 
+from pdp8.computer.hardware.bus import Device
 from pdp8.computer.hardware.teletype import Receiver, Transmitter, half_units, printed
-from pdp8.computer.machine import Machine
-from tests.pdp8.computer.bench import octal, program
+from tests.pdp8.computer.bench import machine
 
 UNIT = 2_000_000 / 11
+COPY = "6031 5200 6036 6046 6041 5204 5200"  # KSF, JMP .-1, KRB, TLS, TSF, JMP .-1, JMP 0200
 
 
-def receiver(tape: bytes, run: int = 1) -> Receiver:
+def receiver(tape: bytes) -> Receiver:
     """Return a receiver with `tape` in its reader, at tick 0."""
     made = Receiver()
     made.reader.load(tape)
     made.initialize(0)
-    made.reader_run = run
-    made.plan()
     return made
 
 
-def flag_at(device: Receiver | Transmitter, tick: int) -> int:
-    device.advance(tick)
-    return device.flag
+def flags(device: Device, *ticks: int) -> list[int]:
+    """Return the flag at each of these ticks."""
+    seen = []
+    for tick in ticks:
+        device.advance(tick)
+        seen.append(device.flag)
+    return seen
 
 
 def test_the_ticks_of_the_line() -> None:
@@ -32,7 +35,7 @@ def test_the_ticks_of_the_line() -> None:
 
 def test_initialize_reads_one_frame_and_no_more() -> None:
     r = receiver(b"\123\124")
-    assert [flag_at(r, tick) for tick in (0, 1_545_454, 1_545_455)] == [0, 0, 1]
+    assert flags(r, 0, 1_545_454, 1_545_455) == [0, 0, 1]
     assert (r.buffer, r.reader.position, r.reader_run) == (0o123, 1, 0)
     r.advance(100_000_000)
     assert (r.buffer, r.reader.position, r.flag) == (0o123, 1, 1)
@@ -42,46 +45,44 @@ def test_the_buffer_is_the_shift_register() -> None:
     """PRESET at 1/8 unit, and nine shifts: the start unit comes in first."""
     r = receiver(b"\001")
     units = (0, 0.12, 0.13, 0.49, 0.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.49, 8.5)
-    seen = [f"{r.pulse(4, 0, round(at * UNIT) + 2):03o}" for at in units]
-    expected = "000 000 377 377 177 277 137 057 027 013 005 002 002 001"
-    assert seen == expected.split()
+    seen = " ".join(f"{r.pulse(4, 0, round(at * UNIT) + 2):03o}" for at in units)
+    assert seen == "000 000 377 377 177 277 137 057 027 013 005 002 002 001"
 
 
 def test_the_next_frame_comes_at_eleven_units_at_the_earliest() -> None:
     r = receiver(b"\1\2\3")
     r.pulse(2, 0, 1_545_455)
-    assert [flag_at(r, tick) for tick in (3_545_454, 3_545_455)] == [0, 1]
-    late = 5_000_000
-    r.pulse(2, 0, late)
-    assert [flag_at(r, late + tick) for tick in (1_545_454, 1_545_455)] == [0, 1]
+    assert flags(r, 3_545_454, 3_545_455) == [0, 1]
+    r.pulse(2, 0, 5_000_000)
+    assert flags(r, 6_545_454, 6_545_455) == [0, 1]
     assert r.buffer == 3
 
 
 def test_a_start_unit_takes_the_flag_down_half_a_unit_later() -> None:
-    r = receiver(b"\1\2", run=1)
+    r = receiver(b"\1\2")
     r.pulse(2, 0, 100_000)  # during the first: the second follows without being asked for
-    assert [flag_at(r, tick) for tick in (1_545_455, 2_000_000, 2_090_909, 2_090_910)] == [1, 1, 1, 0]
+    assert flags(r, 1_545_455, 2_000_000, 2_090_909, 2_090_910) == [1, 1, 1, 0]
 
 
 def test_a_flag_unread_for_more_than_two_and_five_eighths_units_has_lost_its_character() -> None:
     for delay, seen in ((477_272, 0o125), (477_273, 0o377)):  # 23.9 ms
         r = receiver(b"\125\252")
         r.pulse(2, 0, 100_000)
-        assert flag_at(r, 1_545_455) == 1
+        assert flags(r, 1_545_455) == [1]
         assert r.pulse(4, 0, 1_545_455 + delay) == seen
 
 
 def test_a_transmission_takes_nine_units_and_the_next_starts_after_eleven() -> None:
     t = Transmitter()
     t.pulse(4, 0o101, 0)
-    assert [flag_at(t, tick) for tick in (1_636_363, 1_636_364)] == [0, 1]
+    assert flags(t, 1_636_363, 1_636_364) == [0, 1]
     t.pulse(2, 0, 1_636_400)
     t.pulse(4, 0o102, 1_636_418)
-    assert [flag_at(t, tick) for tick in (3_636_363, 3_636_364)] == [0, 1]
+    assert flags(t, 3_636_363, 3_636_364) == [0, 1]
     assert t.punch.tape == b"\101\102"
     t.pulse(2, 0, 9_000_000)
     t.pulse(4, 0o103, 9_000_018)
-    assert [flag_at(t, tick) for tick in (10_636_381, 10_636_382)] == [0, 1]
+    assert flags(t, 10_636_381, 10_636_382) == [0, 1]
 
 
 def test_loading_while_busy_garbles_and_lengthens() -> None:
@@ -91,51 +92,44 @@ def test_loading_while_busy_garbles_and_lengthens() -> None:
     t = Transmitter()
     t.pulse(4, 0o101, 0)
     t.pulse(4, 0o102, half_units(8))
-    assert [flag_at(t, tick) for tick in (1_636_364, half_units(26) - 1, half_units(26))] == [0, 0, 1]
+    assert flags(t, 1_636_364, half_units(26) - 1, half_units(26)) == [0, 0, 1]
     t.advance(half_units(37))  # 10 + 8.5 units
-    assert [f"{frame:03o}" for frame in t.punch.tape] == ["141", "375"]
+    assert t.punch.tape == b"\141\375"
 
 
 def test_loading_for_ever_never_ends() -> None:
-    m = program(0o6046, 0o5200)  # TLS, JMP .-1
-    stop = m.run(seconds=0.2)
-    assert stop.reason == "limit"
+    m = machine("6046 5200")
+    assert m.run(seconds=0.2).reason == "limit"
     assert m.teletype.transmitter.flag == 0
     assert m.teletype.transmitter.register < 0o1000
 
 
-def test_a_halt_lets_the_printer_finish() -> None:
-    m = program(0o7604, 0o6046, 0o7402, 0o6041, 0o5203, 0o7402)  # LAS TLS HLT, TSF, JMP .-1, HLT
-    m.sr = 0o301
+def test_a_halt_lets_the_printer_finish_and_each_frame_is_printed_once() -> None:
+    """LAS, TLS, HLT, then TSF, JMP .-1, HLT; the flag keeps its time, and so does the next frame."""
+    m = machine("7604 6046 7402 6041 5203 7402 6046 6041 5207 7402", sr=0o301)
     assert m.run().reason == "halt"
-    assert m.ticks == 32 + 85 + 32
-    assert m.teletype.punch.tape == b"\301"
+    assert (m.ticks, m.teletype.punch.tape) == (32 + 85 + 32, b"\301")
     assert m.run().reason == "halt"
-    assert m.teletype.punch.tape == b"\301"
-    assert m.ticks >= 32 + 65 + 1_636_364
+    assert (m.ticks >= 32 + 65 + 1_636_364, m.teletype.punch.tape) == (True, b"\301")
+    m.run()
+    assert m.teletype.punch.tape == b"\301\301"
 
 
 def test_ten_characters_a_second_out() -> None:
-    # TLS, TSF, JMP .-1, ISZ COUNT, JMP 0200, HLT: 100 characters of 0 with the flag asked for each time.
-    m = program(*octal("6046 6041 5201 2210 5200 7402"))
-    m.core[0o210] = -100
+    """TLS, TSF, JMP .-1, ISZ 210, JMP 0200, HLT: 100 characters of 0."""
+    m = machine("6046 6041 5201 2210 5200 7402 210/ 7634")
     times: list[int] = []
     m.teletype.punch.on_frame = lambda frame: times.append(m.teletype.transmitter.start // 11)
     m.run()
-    assert len(times) == 100
     assert [after - before for before, after in pairwise(times)] == [2_000_000] * 99
 
 
 def test_ten_characters_a_second_both_ways_together() -> None:
-    # A copy: KSF, JMP .-1, KRB, TLS, TSF, JMP .-1, JMP 0200. Reading and printing overlap, so it still takes
-    # 100 ms each.
-    m = program(0o6031, 0o5200, 0o6036, 0o6046, 0o6041, 0o5204, 0o5200)
+    """Reading and printing overlap; each frame waits for the printer, 9 units, then the flag is up."""
     tape = bytes(range(256))
-    m.teletype.reader.load(tape)
-    stop = m.run()
-    assert stop.reason == "tape out"
+    m = machine(COPY, tape)
+    assert m.run().reason == "tape out"
     assert m.teletype.punch.tape == tape
-    # each frame waits for the printer: flag to flag 9 units, then the read flag is already up
     assert m.ticks == pytest.approx(255 * 2_000_000 + 1_545_455 + 1_636_364, abs=2_000)
 
 
@@ -146,40 +140,42 @@ def test_what_a_model_33_prints() -> None:
     assert rows == ("\a\n\r" + figures + letters + letters[:29]) * 2
 
 
-@pytest.mark.parametrize("before", [(), (0.0,)])
-@pytest.mark.parametrize("source", ["key", "tape", "fast tape"])
-def test_a_frame_begins_when_it_comes_not_when_the_wait_ends(source: str, before: tuple[float, ...]) -> None:
-    machine = Machine(highspeed=True)
-    machine.load({0o200: 0o6014, 0o201: 0o7402})
-    machine.start(0o200)
-    machine.run()
-    if source == "key":
-        machine.teletype.keyboard.press(b"\301")
-    elif source == "tape":
-        machine.teletype.reader.load(b"\301")
-    else:
-        machine.highspeed.reader.load(b"\301")
-    device = machine.bus.device(0o01 if source == "fast tape" else 0o03)
-    assert device is not None
-    rises = 66_667 if source == "fast tape" else 1_545_455  # 1/300 s; 8.5 units of 1/110 s
-    for seconds in before:
-        machine.wait(seconds)
-    machine.wait((rises - 1) / 20e6)
-    assert device.flag == 0
-    machine.wait(1 / 20e6)
-    assert device.flag == 1
+@pytest.mark.parametrize(
+    ("source", "code", "rises"),
+    [  # 8.5 units of 1/110 s; 1/300 s
+        ("teletype.keyboard.press", 0o03, 1_545_455),
+        ("teletype.reader.load", 0o03, 1_545_455),
+        ("highspeed.reader.load", 0o01, 66_667),
+    ],
+)
+def test_a_frame_begins_when_it_comes_not_when_the_wait_ends(source: str, code: int, rises: int) -> None:
+    m = machine("6014 7402", highspeed=True)
+    m.run()
+    station, part, method = source.split(".")
+    getattr(getattr(getattr(m, station), part), method)(b"\301")
+    device = m.bus.device(code)
+    assert device
+    for ticks, flag in ((rises - 1, 0), (1, 1)):
+        m.wait(ticks / 20e6)
+        assert device.flag == flag
 
 
 def test_a_tape_that_is_still_being_made_is_read_to_its_end() -> None:
-    m, parts = program(*octal("6031 5200 6036 6046 6041 5204 5200")), [b"bc", b"d", b""]
-    m.teletype.reader.load(b"a")
-    m.teletype.reader.more = lambda: parts.pop(0)
+    """It is asked for more when all that it has was read, and until it has none."""
+    m, parts = machine(COPY, b"a"), [b"bc", b"d", b""]
+    reader, asked = m.teletype.reader, []
+
+    def more() -> bytes:
+        asked.append((reader.position, len(reader.tape)))
+        return parts.pop(0)
+
+    reader.more = more
     assert (m.run().reason, m.teletype.punch.tape) == ("tape out", b"abcd")
+    assert asked == [(1, 1), (3, 3), (4, 4)]
 
 
 def test_a_punch_that_is_off_punches_nothing_and_the_printer_prints() -> None:
-    m = program(*octal("6031 5200 6036 6046 6041 5204 5200"))
-    m.teletype.reader.load(b"abc")
+    m = machine(COPY, b"abc")
     m.teletype.punch.on = False
     m.run(seconds=2)
     assert (bytes(m.teletype.printer.frames), m.teletype.punch.tape) == (b"abc", b"")

@@ -4,12 +4,12 @@ from array import array
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
-from tests.pdp8.computer.lockstep.sides import ReferenceSide, Seen, Side, side
+from tests.pdp8.computer.lockstep.sides import ReferenceSide, Seen, Side, sides
 from tests.pdp8.computer.lockstep.situations import Act, Situation
 
 ENDLESS = ("idle", "tape out")
 AS_REFERENCE_SAYS = {"halt": "stopped", "stop key": "stopped", "protect": "stopped"}
-DECIMAL = ("clock", "instructions", "read", "fast read", "keys", "counted", "cycles", "ticks", "interrupts")
+DECIMAL = ("clock", "instructions", "position", "counted", "cycles", "ticks", "interrupts")
 
 
 class Played(NamedTuple):
@@ -21,14 +21,12 @@ class Played(NamedTuple):
 
 def play(situation: Situation, forms: Sequence[str]) -> Played:
     """Do all of `situation` in each of `forms` and on the reference; stop at the first difference."""
-    sides = {form: side(form, situation) for form in forms}
-    reference = ReferenceSide(situation)
+    played, reference = sides(forms, situation), ReferenceSide(situation)
     for number, act in enumerate(situation.acts):
-        for form, difference in _after(act, sides, reference):
+        for form, difference in _after(act, played, reference):
             if difference:
-                return Played(
-                    reference.reference.instructions, f"act {number}, {act.name}: {form}: {difference}"
-                )
+                where = f"act {number}, {act.name}: {form}"
+                return Played(reference.reference.instructions, f"{where}: {difference}")
     return Played(reference.reference.instructions, "")
 
 
@@ -46,7 +44,7 @@ def _after(act: Act, sides: dict[str, Side], reference: ReferenceSide) -> Iterat
         reference.do(act)
     expected = reference.seen()
     for form, ours in seen.items():
-        yield form, _difference(ours, expected)
+        yield form, ", ".join(_differences(ours, expected)) if ours != expected else ""
 
 
 def _run(reason: str, instructions: int, act: Act, reference: ReferenceSide) -> str:
@@ -59,10 +57,6 @@ def _run(reason: str, instructions: int, act: Act, reference: ReferenceSide) -> 
     return ""
 
 
-def _difference(ours: Seen, expected: Seen) -> str:
-    return ", ".join(_differences(ours, expected)) if ours != expected else ""
-
-
 def _differences(ours: Seen, expected: Seen) -> Iterator[str]:
     """Yield what differs of all that can be seen of a form: the pages have no counts by address."""
     for name, own in ours.items():
@@ -72,11 +66,11 @@ def _differences(ours: Seen, expected: Seen) -> Iterator[str]:
         if isinstance(value, dict):
             addresses = [address for address in {**own, **value} if own.get(address) != value.get(address)]
             yield f"{name} at {addresses[0]:04o} {own.get(addresses[0])}, not {value.get(addresses[0])}"
-        elif name == "core":
+        elif name == "processor.core":
             yield from _words(own, value)
         elif isinstance(value, bytes):
             yield f"{name} {own.hex(' ') or 'nothing'}, not {value.hex(' ') or 'nothing'}"
-        elif name in DECIMAL:
+        elif name.rpartition(".")[2] in DECIMAL:
             yield f"{name} {own}, not {value}"
         else:
             yield f"{name} {own:o}, not {value:o}"
@@ -109,4 +103,4 @@ def _value(value: Any) -> str:
         return "{" + " ".join(f"{address:04o}" for address in sorted(value)) + "}"
     if isinstance(value, bytes):
         return " ".join(f"{frame:03o}" for frame in value) or "nothing"
-    return repr(value)
+    return str(value)

@@ -10,30 +10,36 @@ const { Machine } = await modules("pdp8/computer/machine");
 const { restore, save } = await modules("pdp8/computer/past/state");
 const { History } = await modules("pdp8/computer/past/history");
 const { instructions: go_back } = await modules("pdp8/computer/past/rewind");
-const { Lamps } = await modules("pdp8/computer/hardware/panel");
 const { TICKS_PER_SECOND } = await modules("pdp8/computer/hardware/signals");
 const { bytes, set } = await modules("pdp8/web/translator/runtime");
 
-const LOOKS = {
-  values: (machine) => machine.values(),
-  lamps: (machine) => machine.panel.lamps,
-  save,
-  "no time": (machine) => machine.wait(0),
-  "no seconds": (machine) => machine.run(0),
-  "no instructions": (machine) => machine.run(null, 0),
-  "out of tape": (machine) => [...machine.bus].map((device) => device.out_of_tape()),
-};
-const hex = (frames) => Buffer.from(frames).toString("hex");
+const at = (owner, names) => names.reduce((of, name) => of[name], owner);
+const plain = (value) => (typeof value === "object" ? Buffer.from(value).toString("hex") : Number(value));
 
 class Side {
-  constructor({ fast, words, watched }) {
+  constructor({ fast, words, watched, paths }) {
     this.machine = new Machine(fast);
     this.machine.load(words);
     this.longest = watched;
+    this.paths = paths.map((path) => [path, path.split(".")]);
     this.marks = [];
     this.watch([], false);
     this.count_delays = true;
     this.history = null;
+    this.stood = [];
+  }
+
+  call(path, ...values) {
+    const names = path.split(".");
+    const name = names.pop();
+    const owner = at(this.machine, names);
+    if (name in owner) owner[name](...values.map((value) => (Array.isArray(value) ? bytes(value) : value)));
+  }
+
+  set(path, value) {
+    const names = path.split(".");
+    const name = names.pop();
+    at(this.machine, names)[name] = value;
   }
 
   run(ticks, instructions) {
@@ -57,20 +63,10 @@ class Side {
       : null;
   }
 
-  deposit(address, word) { this.machine.core.__setitem__(address, word); }
-  deposit_at_pc(beyond, word) { this.deposit((this.machine.pc + beyond) & 0o7777, word); }
-  switches(word) { this.machine.panel.sr = word; }
-  mem_prot(up) { this.machine.panel.mem_prot = up; }
-  type(frames) { this.machine.teletype.keyboard.press(bytes(frames)); }
-  station(fast) { return fast ? this.machine.highspeed : this.machine.teletype; }
-  load_tape(fast, frames) { this.station(fast).reader.load(bytes(frames)); }
-  lever(fast, start) { this.station(fast).reader.lever(start); }
-  punch(fast, on) { this.station(fast).punch.on = on; }
-  press(key) { this.machine.panel[key](); }
+  deposit_at_pc(beyond, word) { this.machine.core.__setitem__((this.machine.pc + beyond) & 0o7777, word); }
   wait(ticks) { this.machine.wait(ticks / TICKS_PER_SECOND); }
-  set(name, value) { this.machine[name] = value; }
   delays(on) { this.count_delays = on; }
-  look(name) { LOOKS[name]?.(this.machine); }
+  look() { save(this.machine); }
 
   single_cycles(count) {
     this.machine.panel.sing_step = true;
@@ -99,26 +95,8 @@ class Side {
     this.machine.panel.sing_step = false;
   }
 
-  stood = [];
-
   seen() {
-    const { processor: p, panel, teletype, highspeed } = this.machine;
-    const { receiver, transmitter } = teletype;
-    const { lamps } = panel;
-    const seen = Object.fromEntries(Lamps.$fields.map((name) => [name, Number(lamps[name])]));
-    Object.assign(seen, { pc: p.pc, sr: p.sr, next: p.next, "ion delayed": Number(p.ion_delayed) });
-    Object.assign(seen, { clock: p.clock, instructions: p.instructions, counted: this.counted });
-    Object.assign(seen, { "keyboard flag": receiver.flag, buffer: receiver.buffer });
-    Object.assign(seen, { "reader run": receiver.reader_run, read: teletype.reader.position });
-    Object.assign(seen, { keys: teletype.keyboard.waiting.length, "printer flag": transmitter.flag });
-    Object.assign(seen, { register: transmitter.register, page: hex(teletype.printer.frames), punched: hex(teletype.punch.tape) });
-    if (highspeed.fitted) {
-      const { reader_control: reader, punch_control: punch } = highspeed;
-      Object.assign(seen, { "reader flag": reader.flag, "reader buffer": reader.buffer, fetching: reader.fetching });
-      Object.assign(seen, { "fast read": reader.reader.position, "punch flag": punch.flag });
-      Object.assign(seen, { "punch buffer": punch.buffer, "fast punched": hex(punch.punch.tape) });
-    }
-    return seen;
+    return Object.fromEntries([["counted", this.counted], ...this.paths.map(([path, names]) => [path, plain(at(this.machine, names))])]);
   }
 }
 

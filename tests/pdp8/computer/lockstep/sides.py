@@ -1,22 +1,26 @@
-"""The machine in each of its forms, and the reference, each with a method for every act of a situation.
+"""The machine in each of its forms, and the reference, each doing all acts of a situation.
 
 compiled, plain    the package, as Cython compiled it and as Python reads its sources
 javascript         the package as the pages have it, in Node.js (side.mjs)
+
+What is called, set and seen of a machine is named by its path in the package; SEEN has what is the same of
+the reference.
 """
 
 import copy
 import json
 import subprocess
 from array import array
-from collections.abc import Callable
+from collections.abc import Iterable
 from functools import cache, partial
-from itertools import islice
+from operator import attrgetter
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
-from tests.pdp8.computer.lockstep.situations import Act, Situation
+from tests.pdp8.computer.lockstep.situations import LOOKS, Act, Situation
 from tests.pdp8.computer.speed.forms import module
 from tests.pdp8.web.node import NODE, modules
+from tests.reference.gates import QUEUE
 from tests.reference.model import NEVER, Counts, Reference
 
 TICKS_PER_SECOND = 20_000_000
@@ -24,33 +28,53 @@ LONGEST_WATCHED = 2_000
 """Instructions of a piece that is watched: the machine is slow then."""
 Seen = dict[str, Any]
 
+SEEN = {
+    **{f"panel.lamps.{name}": name for name in ("ma", "mb", "link", "ac", "ir", "ion", "protect", "run")},
+    **{f"panel.lamps.{name}": name for name in ("fetch", "defer", "execute")},
+    **{f"panel.lamps.{name}": "dark" for name in ("word_count", "current_address", "break_", "parity")},
+    **{"pc": "pc", "sr": "sr", "processor.next": "next", "processor.ion_delayed": "ion_ready"},
+    **{"processor.clock": "now", "instructions": "instructions", "processor.core": "core"},
+    "teletype.receiver.flag": "teletype.receiver.flag",
+    "teletype.receiver.buffer": "teletype.receiver.bits",
+    "teletype.receiver.reader_run": "teletype.receiver.reader_run",
+    "teletype.reader.position": "teletype.sender.position",
+    "teletype.keyboard.waiting": "waiting",
+    "teletype.transmitter.flag": "teletype.transmitter.flag",
+    "teletype.transmitter.register": "register",
+    "teletype.printer.frames": "page",
+    "teletype.punch.frames": "punched",
+}
+SEEN_FAST = {
+    **{f"highspeed.reader_control.{name}": f"fast_reader.{name}" for name in ("flag", "buffer", "fetching")},
+    **{f"highspeed.punch_control.{name}": f"fast_punch.{name}" for name in ("flag", "buffer")},
+    "highspeed.reader.position": "fast_tape.position",
+    "highspeed.punch.frames": "fast_punched",
+}
 
-class Side(Protocol):
-    """A machine that does all acts of one situation, one after the other."""
 
-    def do(self, act: Act) -> str | None:
-        """Do an act; return why the run ended, if it was one."""
-
-    def seen(self) -> Seen:
-        """Return everything that can be seen of the machine."""
+def seen_of(fast: bool) -> dict[str, str]:
+    """Return what is compared of a machine with or without the PC8/L."""
+    return SEEN | SEEN_FAST if fast else SEEN
 
 
-def side(form: str, situation: Situation) -> Side:
-    """Return the machine in a form, as the situation begins."""
-    return InNode(situation) if form == "javascript" else InPython(form, situation)
-
-
-class Acting:
-    """Does acts by its methods, and keeps which instructions are watched."""
+class Side:
+    """Does the acts of a situation, one after the other, by its methods."""
 
     def __init__(self) -> None:
         self.marks: frozenset[int] = frozenset()
         self.writes: frozenset[int] = frozenset()
         self.observed = False
+        self.stood: list[int] = []
+        """How many instructions were done as each run began."""
 
     def do(self, act: Act) -> str | None:
+        """Do an act; return why the run ended, if it was one."""
         result: str | None = getattr(self, act.name)(*act.values)
         return result
+
+    def seen(self) -> Seen:
+        """Return everything that can be seen of the machine."""
+        raise NotImplementedError
 
     def breakpoints(self, addresses: frozenset[int]) -> None:
         self.marks = addresses
@@ -58,34 +82,20 @@ class Acting:
     def watch(self, writes: frozenset[int], observed: bool) -> None:
         self.writes, self.observed = writes, observed
 
+    def delays(self, on: bool) -> None:
+        """Whether delay loops are counted down at once."""
+
     def limited(self, instructions: int) -> int:
         return min(instructions, LONGEST_WATCHED) if self.writes or self.observed else instructions
 
-
-def _taken_back(stood: list[int], now: int, runs: int) -> int | None:
-    """Take the last `runs` moments before `now` off `stood`; return the first of them, if there is one."""
-    stood[:] = [number for number in stood if number < now]
-    taken = stood[-runs:]
-    del stood[-runs:]
-    return taken[0] if taken else None
+    def taken_back(self, now: int, runs: int) -> int | None:
+        """Take the last `runs` moments before `now` off `stood`; return the first of them."""
+        stood = [number for number in self.stood if number < now]
+        self.stood = stood[:-runs]
+        return stood[-runs:][0] if stood else None
 
 
-LOOKS: dict[str, Callable[[Any], object]] = {
-    "values": lambda machine: machine.values(),
-    "lamps": lambda machine: machine.panel.lamps,
-    "save": lambda machine: module("plain", "pdp8.computer.past.state").save(machine),
-    "no time": lambda machine: machine.wait(0),
-    "no seconds": lambda machine: machine.run(seconds=0),
-    "no instructions": lambda machine: machine.run(instructions=0),
-    "out of tape": lambda machine: [device.out_of_tape() for device in machine.bus],
-    "copy": copy.deepcopy,
-    "repr": repr,
-    "no slice": lambda machine: list(islice(machine.slices(seconds=0), 1)),
-}
-"""Looking at a machine changes nothing."""
-
-
-class InPython(Acting):
+class InPython(Side):
     """The machine of the package, compiled or plain."""
 
     def __init__(self, form: str, situation: Situation) -> None:
@@ -93,65 +103,38 @@ class InPython(Acting):
         self.module = partial(module, form)
         self.machine = self.module("pdp8.computer.machine").Machine(highspeed=situation.fast)
         self.machine.load(situation.words)
+        self.paths = list(seen_of(situation.fast))
         self.count_delays = True
         self.count: Any = None
         self.history: Any = None
-        self.stood: list[int] = []
 
-    def run(self, ticks: int | None, instructions: int) -> str:
-        watch = self.machine.watch
-        watch.breakpoints, watch.writes = set(self.marks), set(self.writes)
-        watch.observer = self.count
-        self.machine.engine.delays = self.count_delays
-        self.stood.append(self.machine.instructions)
-        seconds = None if ticks is None else ticks / TICKS_PER_SECOND
-        return str(self.machine.run(seconds=seconds, instructions=self.limited(instructions)).reason)
+    def call(self, path: str, *values: Any) -> None:
+        attrgetter(path)(self.machine)(*values)
+
+    def set(self, path: str, value: Any) -> None:
+        owner, _, name = f"machine.{path}".rpartition(".")
+        setattr(attrgetter(owner)(self), name, value)
+
+    def wait(self, ticks: int) -> None:
+        self.machine.wait(ticks / TICKS_PER_SECOND)
+
+    def deposit_at_pc(self, beyond: int, word: int) -> None:
+        self.machine.core[self.machine.pc + beyond & 0o7777] = word
+
+    def delays(self, on: bool) -> None:
+        self.count_delays = on
 
     def watch(self, writes: frozenset[int], observed: bool) -> None:
         super().watch(writes, observed)
         self.count = self.module("pdp8.computer.count").Count() if observed else None
 
-    def deposit(self, address: int, word: int) -> None:
-        self.machine.core[address] = word
-
-    def deposit_at_pc(self, beyond: int, word: int) -> None:
-        self.deposit(self.machine.pc + beyond & 0o7777, word)
-
-    def switches(self, word: int) -> None:
-        self.machine.panel.sr = word
-
-    def mem_prot(self, up: bool) -> None:
-        self.machine.panel.mem_prot = up
-
-    def type(self, frames: bytes) -> None:
-        self.machine.teletype.keyboard.press(frames)
-
-    def _station(self, fast: bool) -> Any:
-        return self.machine.highspeed if fast else self.machine.teletype
-
-    def load_tape(self, fast: bool, frames: bytes) -> None:
-        self._station(fast).reader.load(frames)
-
-    def lever(self, fast: bool, start: bool) -> None:
-        self._station(fast).reader.lever(start)
-
-    def punch(self, fast: bool, on: bool) -> None:
-        self._station(fast).punch.on = on
-
-    def press(self, key: str) -> None:
-        getattr(self.machine.panel, key)()
-
-    def wait(self, ticks: int) -> None:
-        self.machine.wait(ticks / TICKS_PER_SECOND)
-
-    def set(self, name: str, value: int) -> None:
-        setattr(self.machine, name, value)
-
-    def delays(self, on: bool) -> None:
-        self.count_delays = on
-
-    def look(self, name: str) -> None:
-        LOOKS[name](self.machine)
+    def run(self, ticks: int | None, instructions: int) -> str:
+        watch = self.machine.watch
+        watch.breakpoints, watch.writes, watch.observer = set(self.marks), set(self.writes), self.count
+        self.machine.engine.delays = self.count_delays
+        self.stood.append(self.machine.instructions)
+        seconds = None if ticks is None else ticks / TICKS_PER_SECOND
+        return str(self.machine.run(seconds, self.limited(instructions)).reason)
 
     def single_cycles(self, count: int) -> None:
         """Put SING STEP down and press CONT `count` times."""
@@ -160,6 +143,12 @@ class InPython(Acting):
             self.stood.append(self.machine.instructions)
             self.machine.run()
         self.machine.panel.sing_step = False
+
+    def look(self) -> None:
+        """Save it, copy it, begin a run in slices: nothing is changed by that."""
+        self.module("pdp8.computer.past.state").save(self.machine)
+        copy.deepcopy(self.machine)
+        next(self.machine.slices(0))
 
     def save_and_restore(self) -> None:
         """Go on with a copy made from what is saved."""
@@ -177,66 +166,52 @@ class InPython(Acting):
     def back(self, runs: int) -> None:
         """Go back to the moment before one of the last runs."""
         now = self.machine.instructions
-        number = _taken_back(self.stood, now, runs)
+        number = self.taken_back(now, runs)
         if self.history and number is not None:
             self.module("pdp8.computer.past.rewind").instructions(self.history, now - number)
             self.machine.panel.sing_step = False
 
     def seen(self) -> Seen:
-        machine, count = self.machine, self.count
-        p, teletype = machine.processor, machine.teletype
-        receiver, transmitter = teletype.receiver, teletype.transmitter
-        seen = {
-            **machine.panel.lamps._asdict(),
-            **{"pc": p.pc, "sr": p.sr, "next": p.next, "ion delayed": p.ion_delayed},
-            **{"clock": p.clock, "instructions": p.instructions},
-            **{"keyboard flag": receiver.flag, "buffer": receiver.buffer},
-            **{"reader run": receiver.reader_run, "read": teletype.reader.position},
-            **{"keys": len(teletype.keyboard.waiting), "printer flag": transmitter.flag},
-            **{"register": transmitter.register, "page": bytes(teletype.printer.frames)},
-            **{"punched": teletype.punch.tape, "core": p.core.tobytes()},
-            "counted": count.instructions if count else 0,
-        }
-        if count:
-            seen |= {name: getattr(count, name) for name in ("cycles", "ticks", "interrupts")}
-            seen |= {name: +getattr(count, name) for name in ("executed", "written")}
-        if machine.highspeed.fitted:
-            reader, punch = machine.highspeed.reader_control, machine.highspeed.punch_control
-            seen |= {"reader flag": reader.flag, "reader buffer": reader.buffer, "fetching": reader.fetching}
-            seen |= {"fast read": reader.reader.position, "punch flag": punch.flag}
-            seen |= {"punch buffer": punch.buffer, "fast punched": punch.punch.tape}
-        return seen
+        seen = {path: _plain(attrgetter(path)(self.machine)) for path in self.paths}
+        return seen | _counted(self.count, lambda name: +getattr(self.count, name))
 
 
-_FRAMES = ("page", "punched", "fast punched")
+def _plain(value: Any) -> Any:
+    return value if isinstance(value, int) else bytes(value)
 
 
-class InNode:
+def _counted(count: Any, by_address: Any) -> Seen:
+    if not count:
+        return {"counted": 0}
+    seen = {name: getattr(count, name) for name in ("cycles", "ticks", "interrupts")}
+    seen |= {name: by_address(name) for name in ("executed", "written")}
+    return seen | {"counted": sum(seen["executed"].values())}
+
+
+class InNode(Side):
     """The machine of the pages; all acts are done at once, and what was seen is told act by act."""
 
     def __init__(self, situation: Situation) -> None:
-        acts = [[name, [_plain(value) for value in values]] for name, values in situation.acts]
-        words = list(situation.words.items())
-        given = {"fast": situation.fast, "words": words, "watched": LONGEST_WATCHED, "acts": acts}
-        self._answers = iter(_node().ask(given))
+        acts = [[name, [_as_json(value) for value in values]] for name, values in situation.acts]
+        given = {"fast": situation.fast, "words": list(situation.words.items()), "acts": acts}
+        paths = [path for path in seen_of(situation.fast) if path != "processor.core"]
+        self._answers = iter(_node().ask(given | {"watched": LONGEST_WATCHED, "paths": paths}))
         self._seen: Seen = {}
         self._core = array("H", bytes(2 * 4096))
 
     def do(self, act: Act) -> str | None:
         reason, different, words = next(self._answers)
-        for name in _FRAMES:
-            if name in different:
-                different[name] = bytes.fromhex(different[name])
-        self._seen |= different
+        for name, value in different.items():
+            self._seen[name] = bytes.fromhex(value) if isinstance(value, str) else value
         for address, word in words:
             self._core[address] = word
         return str(reason) if reason else None
 
     def seen(self) -> Seen:
-        return {**self._seen, "core": self._core.tobytes()}
+        return {**self._seen, "processor.core": self._core.tobytes()}
 
 
-def _plain(value: Any) -> Any:
+def _as_json(value: Any) -> Any:
     return list(value) if isinstance(value, bytes | frozenset) else value
 
 
@@ -249,20 +224,18 @@ class _Node:
 
     def ask(self, given: object) -> Any:
         asked, answered = self._process.stdin, self._process.stdout
-        assert asked is not None
-        assert answered is not None
-        asked.write(json.dumps(given) + "\n")
-        asked.flush()
+        assert asked
+        assert answered
+        print(json.dumps(given), file=asked, flush=True)
         line = answered.readline()
-        if not line:
-            raise RuntimeError("Node.js ended; its message stands above")
+        assert line, "Node.js ended; its message stands above"
         return json.loads(line)
 
 
 _node = cache(_Node)
 
 
-class ReferenceSide(Acting):
+class ReferenceSide(Side):
     """The reference."""
 
     def __init__(self, situation: Situation) -> None:
@@ -271,14 +244,44 @@ class ReferenceSide(Acting):
         for address, word in situation.words.items():
             self.reference.core[address] = word
         self.counts: Counts | None = None
-        self.recorded = False
-        self.stood: list[int] = []
-        self.moments: dict[int, Reference] = {}
+        self.moments: dict[int, Reference] | None = None
+
+    def call(self, path: str, *values: Any) -> None:
+        where, _, what = path.rpartition(".")
+        m, fast = self.reference, where == "highspeed.reader"
+        if path in LOOKS:
+            return
+        if where == "panel":
+            m.press(what)
+        elif what == "load":
+            m.load_tape(*values, fast)
+        elif what == "lever":
+            m.throw_lever(*values, fast)
+        elif what == "press":
+            m.type(*values)
+        else:
+            assert path == "core.__setitem__"
+            m.core[values[0]] = values[1]
+
+    def set(self, path: str, value: int) -> None:
+        m = self.reference
+        others = {"teletype.punch.on": "punch_on", "highspeed.punch.on": "fast_punch_on"}
+        setattr(m, others.get(path, path.removeprefix("panel.")), value)
+        if path == "ion":
+            m.ion_ready = value
+        if path == "pc":
+            m.next = 0
+
+    def wait(self, ticks: int) -> None:
+        self.reference.wait(ticks)
+
+    def deposit_at_pc(self, beyond: int, word: int) -> None:
+        self.reference.core[self.reference.pc + beyond & 0o7777] = word
 
     def _stands(self) -> None:
         """Note a moment that can be gone back to: the last with so many instructions."""
         self.stood.append(self.reference.instructions)
-        if self.recorded:
+        if self.moments is not None:
             self.moments[self.reference.instructions] = self.reference.copied()
 
     def run(self, ticks: int | None, instructions: int) -> str:
@@ -303,49 +306,6 @@ class ReferenceSide(Acting):
         super().watch(writes, observed)
         self.counts = self.reference.count() if observed else None
 
-    def deposit(self, address: int, word: int) -> None:
-        self.reference.core[address] = word
-
-    def deposit_at_pc(self, beyond: int, word: int) -> None:
-        self.deposit(self.reference.pc + beyond & 0o7777, word)
-
-    def switches(self, word: int) -> None:
-        self.reference.sr = word
-
-    def mem_prot(self, up: bool) -> None:
-        self.reference.mem_prot = up
-
-    def type(self, frames: bytes) -> None:
-        self.reference.type(frames)
-
-    def load_tape(self, fast: bool, frames: bytes) -> None:
-        self.reference.load_tape(frames, fast)
-
-    def lever(self, fast: bool, start: bool) -> None:
-        self.reference.throw_lever(start, fast)
-
-    def punch(self, fast: bool, on: bool) -> None:
-        setattr(self.reference, "fast_punch_on" if fast else "punch_on", on)
-
-    def press(self, key: str) -> None:
-        self.reference.press(key)
-
-    def wait(self, ticks: int) -> None:
-        self.reference.wait(ticks)
-
-    def set(self, name: str, value: int) -> None:
-        setattr(self.reference, name, value)
-        if name == "ion":
-            self.reference.ion_ready = value
-        if name == "pc":
-            self.reference.next = 0
-
-    def delays(self, on: bool) -> None:
-        """There are none that could be counted down at once."""
-
-    def look(self, name: str) -> None:
-        """Nothing is changed by it."""
-
     def single_cycles(self, count: int) -> None:
         for _ in range(count):
             self._stands()
@@ -355,43 +315,36 @@ class ReferenceSide(Acting):
             self.reference.settle()
             self.reference.finish()
 
+    def look(self) -> None:
+        """Nothing is changed by it."""
+
     def save_and_restore(self) -> None:
         """Nothing is lost here; but what was recorded is not saved."""
-        if self.recorded:
+        if self.moments is not None:
             self.record()
 
     def record(self) -> None:
-        self.recorded = True
         self.stood, self.moments = [], {}
 
     def back(self, runs: int) -> None:
-        number = _taken_back(self.stood, self.reference.instructions, runs)
-        if self.recorded and number is not None:
+        number = self.taken_back(self.reference.instructions, runs)
+        if self.moments is not None and number is not None:
             self.reference = self.moments[number].copied()
             self.reference.count(self.counts)
 
     def seen(self) -> Seen:
-        m, counts = self.reference, self.counts
-        receiver, transmitter, sender = m.teletype.receiver, m.teletype.transmitter, m.teletype.sender
+        m = self.reference
+        sender, transmitter = m.teletype.sender, m.teletype.transmitter
+        own: Seen = {name: int(m.state == state) for state, name in enumerate(("fetch", "defer", "execute"))}
+        own |= {"dark": 0, "register": transmitter.enable << 8 | transmitter.bits}
+        own["waiting"] = bytes(sender.keyboard[n % QUEUE] for n in range(sender.keys_sent, sender.keys))
         seen = {
-            **{name: getattr(m, name) for name in ("ma", "mb", "link", "ac", "ir", "ion", "protect", "run")},
-            **{name: int(m.state == state) for state, name in enumerate(("fetch", "defer", "execute"))},
-            **dict.fromkeys(("word_count", "current_address", "break_", "parity"), 0),
-            **{"pc": m.pc, "sr": m.sr, "next": m.next, "ion delayed": m.ion_ready},
-            **{"clock": m.now, "instructions": m.instructions},
-            **{"keyboard flag": receiver.flag, "buffer": receiver.bits},
-            **{"reader run": receiver.reader_run, "read": sender.position},
-            **{"keys": sender.keys - sender.keys_sent, "printer flag": transmitter.flag},
-            **{"register": transmitter.enable << 8 | transmitter.bits, "page": bytes(m.page)},
-            **{"punched": bytes(m.punched), "core": bytes(m.core)},
-            "counted": sum(counts.executed) if counts else 0,
+            path: own[theirs] if theirs in own else _plain(attrgetter(theirs)(m))
+            for path, theirs in seen_of(m.fast).items()
         }
-        if counts:
-            seen |= {name: getattr(counts, name) for name in ("cycles", "ticks", "interrupts")}
-            seen |= {name: counts.by_address(name) for name in ("executed", "written")}
-        if m.fast:
-            reader, punch = m.fast_reader, m.fast_punch
-            seen |= {"reader flag": reader.flag, "reader buffer": reader.buffer, "fetching": reader.fetching}
-            seen |= {"fast read": m.fast_tape.position, "punch flag": punch.flag}
-            seen |= {"punch buffer": punch.buffer, "fast punched": bytes(m.fast_punched)}
-        return seen
+        return seen | _counted(self.counts, lambda name: self.counts and self.counts.by_address(name))
+
+
+def sides(forms: Iterable[str], situation: Situation) -> dict[str, Side]:
+    """Return the machine in each of `forms`, as the situation begins."""
+    return {form: InNode(situation) if form == "javascript" else InPython(form, situation) for form in forms}

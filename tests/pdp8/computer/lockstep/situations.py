@@ -23,25 +23,9 @@ EDGES = (0o0000, 0o0177, 0o0200, 0o0377, 0o0400, 0o7577, 0o7600, 0o7776, 0o7777)
 FLAG_IOTS = (0o6031, 0o6041, 0o6011, 0o6021)
 DEVICE_IOTS = (0o6032, 0o6034, 0o6036, 0o6042, 0o6044, 0o6046, 0o6012, 0o6014, 0o6016, 0o6022, 0o6024, 0o6026)
 ODD_IOTS = (
-    0o6000,
-    0o6003,
-    0o6005,
-    0o6033,
-    0o6035,
-    0o6037,
-    0o6043,
-    0o6045,
-    0o6047,
-    0o6013,
-    0o6027,
-    0o6214,
-    0o6171,
+    *(0o6000, 0o6003, 0o6005, 0o6033, 0o6035, 0o6037, 0o6043, 0o6045, 0o6047),
+    *(0o6013, 0o6027, 0o6214, 0o6171),
 )
-LOOKS = (
-    *("values", "lamps", "save", "copy", "repr", "out of tape"),
-    *("no time", "no seconds", "no instructions", "no slice"),
-)
-"""Ways to look at a machine, which change nothing."""
 ION, IOF, SKP, JMP_I_0 = 0o6001, 0o6002, 0o7410, 0o5400
 
 
@@ -50,6 +34,31 @@ class Act(NamedTuple):
 
     name: str
     values: tuple[Any, ...] = ()
+
+
+def call(path: str, *values: Any) -> Act:
+    """Return the act of calling what has this path in a machine."""
+    return Act("call", (path, *values))
+
+
+def put(path: str, value: int) -> Act:
+    """Return the act of setting it."""
+    return Act("set", (path, value))
+
+
+def load_tape(fast: bool, frames: bytes) -> Act:
+    """Return the act of putting a tape in one of the readers."""
+    return call(f"{_STATIONS[fast]}.reader.load", frames)
+
+
+_STATIONS = ("teletype", "highspeed")
+STOP, START, LOAD_ADD = call("panel.stop"), call("panel.start"), call("panel.load_add")
+_LOOKED_AT = (
+    *(Act("look"), call("wait", 0), call("run", 0), call("run", None, 0), call("values")),
+    *(call("__repr__"), call("teletype.receiver.out_of_tape"), call("highspeed.reader_control.out_of_tape")),
+)
+LOOKS = {path for _, (path, *_) in _LOOKED_AT[1:]}
+"""What is called to look at a machine, which changes nothing."""
 
 
 class Situation(NamedTuple):
@@ -203,15 +212,12 @@ def _service(draw: random.Random) -> dict[int, int]:
 def _acts(draw: random.Random, base: int, longest: int) -> Iterator[Act]:
     for fast in (False, True):
         if draw.random() < 0.7:
-            yield Act("load_tape", (fast, draw.randbytes(draw.choice((1, 5, 40)))))
+            yield load_tape(fast, draw.randbytes(draw.choice((1, 5, 40))))
     if draw.random() < 0.3:
         yield Act("record")
-    yield Act("switches", (base,))
-    yield Act("mem_prot", (draw.random() < 0.3,))
-    yield Act("press", ("load_add",))
-    yield Act("press", ("start",))
+    yield from (put("sr", base), put("panel.mem_prot", draw.random() < 0.3), LOAD_ADD, START)
     if draw.random() < 0.5:
-        yield Act("set", ("ion", 1))
+        yield put("ion", 1)
     for _ in range(draw.randrange(5, 40)):
         if draw.random() < 0.4:
             yield from _hands(draw, base)
@@ -228,30 +234,31 @@ def _run(draw: random.Random, longest: int) -> Act:
 def _hands(draw: random.Random, base: int) -> list[Act]:
     """Return what is done between two pieces of a run; a key that is dead while RUN is on may be among it."""
     fast = draw.random() < 0.5
-    word = any_word(draw)
+    station, word = _STATIONS[fast], any_word(draw)
+    near = (base + draw.randrange(20) & 0o7777, draw.randrange(0o30))
     return draw.choice(
         (
-            [Act("deposit", (draw.choice((base + draw.randrange(20) & 0o7777, draw.randrange(0o30))), word))],
+            [call("core.__setitem__", draw.choice(near), word)],
             [Act("deposit_at_pc", (draw.randrange(3), word))],
-            [Act("switches", (draw.randrange(0o10000),))],
-            [Act("mem_prot", (draw.random() < 0.5,))],
-            [Act("type", (draw.randbytes(draw.randrange(1, 4)),))],
-            [Act("load_tape", (fast, draw.randbytes(draw.randrange(30))))],
-            [Act("lever", (fast, draw.random() < 0.6))],
-            [Act("punch", (fast, draw.random() < 0.6))],
-            [Act("press", ("stop",))],
-            [Act("press", ("stop",)), Act("wait", (draw.randrange(3_000_000),))],
-            [Act("press", ("stop",)), Act("press", ("start",))],
-            [Act("press", ("stop",)), *_key_sequence(draw, base)],
-            [Act("press", (draw.choice(("start", "load_add", "exam", "dep")),))],
-            [Act("set", ("pc", base))],
-            [Act("set", ("ion", draw.randrange(2)))],
-            [Act("set", ("ac", draw.randrange(0o10000))), Act("set", ("link", draw.randrange(2)))],
+            [put("sr", draw.randrange(0o10000))],
+            [put("panel.mem_prot", draw.random() < 0.5)],
+            [call("teletype.keyboard.press", draw.randbytes(draw.randrange(1, 4)))],
+            [load_tape(fast, draw.randbytes(draw.randrange(30)))],
+            [call(f"{station}.reader.lever", draw.random() < 0.6)],
+            [put(f"{station}.punch.on", draw.random() < 0.6)],
+            [STOP],
+            [STOP, Act("wait", (draw.randrange(3_000_000),))],
+            [STOP, START],
+            [STOP, *_key_sequence(draw, base)],
+            [call(f"panel.{draw.choice(('start', 'load_add', 'exam', 'dep'))}")],
+            [put("pc", base)],
+            [put("ion", draw.randrange(2))],
+            [put("ac", draw.randrange(0o10000)), put("link", draw.randrange(2))],
             [Act("save_and_restore")],
             [Act("record")],
             [Act("back", (draw.randrange(1, 5),))],
             [Act("back", (draw.randrange(1, 5),)), _run(draw, 5), Act("back", (1,))],
-            [Act("look", (draw.choice(LOOKS),))],
+            [draw.choice(_LOOKED_AT)],
             [Act("delays", (draw.random() < 0.5,))],
             [Act("single_cycles", (draw.randrange(1, 6),))],
             [Act("breakpoints", (frozenset(draw.sample(range(0o10000), draw.choice((0, 20, 300)))),))],
@@ -266,7 +273,7 @@ def _hands(draw: random.Random, base: int) -> list[Act]:
 def _key_sequence(draw: random.Random, base: int) -> list[Act]:
     """Return LOAD ADD, some DEP or EXAM, and back to the base."""
     place = draw.choice((base + draw.randrange(20) & 0o7777, draw.choice(EDGES)))
-    acts = [Act("switches", (place,)), Act("press", ("load_add",))]
+    acts = [put("sr", place), LOAD_ADD]
     for _ in range(draw.randrange(3)):
-        acts += [Act("switches", (any_word(draw),)), Act("press", (draw.choice(("dep", "exam")),))]
-    return [*acts, Act("switches", (base,)), Act("press", ("load_add",))]
+        acts += [put("sr", any_word(draw)), call(f"panel.{draw.choice(('dep', 'exam'))}")]
+    return [*acts, put("sr", base), LOAD_ADD]

@@ -6,7 +6,9 @@ free clocks both sides time some changes differently, and an IOT stands clear of
 """
 
 from collections import deque
-from typing import NamedTuple
+from collections.abc import Callable
+from functools import partial
+from typing import Any
 
 from pdp8.computer.hardware.bus import Bus
 from pdp8.computer.hardware.teletype import Teletype
@@ -18,20 +20,9 @@ PULSES = {1: 29, 2: 47, 4: 65}
 KEYBOARD_FLAG, PRINTER_FLAG, READER_RUN = SIGNALS = ("keyboard flag", "printer flag", "READER RUN")
 
 
-class Window(NamedTuple):
-    """How many ticks the Teletype may be later than the modules, and how many earlier."""
-
-    later: int
-    earlier: int
-
-
-SAME = dict.fromkeys(SIGNALS, Window(0, 0))
 EIGHTH, HALF = UNIT // 8 // PARTS + 1, UNIT // 2 // PARTS + 1
-FREE = {
-    KEYBOARD_FLAG: Window(EIGHTH, 0),
-    PRINTER_FLAG: Window(0, HALF),
-    READER_RUN: Window(EIGHTH, 0),
-}
+FREE = {KEYBOARD_FLAG: (EIGHTH, 0), PRINTER_FLAG: (0, HALF), READER_RUN: (EIGHTH, 0)}
+"""With free clocks, how many ticks the Teletype may be later than the modules, and how many earlier."""
 STEP, LONGEST_STEP = 5, 10_000
 """Ticks by which an act that stands too near a change is put off: more each time."""
 
@@ -41,31 +32,28 @@ class Difference(AssertionError):
 
 
 class _Edges:
-    """The changes of one signal that only one side has shown so far."""
+    """The changes of one signal that only one side has shown so far: ours, the modules'."""
 
-    def __init__(self, name: str, window: Window) -> None:
+    def __init__(self, name: str, later: int, earlier: int) -> None:
         self.name = name
-        self.window = window
-        self.ours = deque[tuple[int, int]]()
-        self.gates = deque[tuple[int, int]]()
+        self.later, self.earlier = later, earlier
+        self.shown = deque[tuple[int, int]](), deque[tuple[int, int]]()
 
     def match(self, now: int) -> None:
         """Match the changes one by one. Raises Difference."""
-        while self.ours and self.gates:
-            (ours, our_level), (gates, level) = self.ours.popleft(), self.gates.popleft()
-            if our_level != level or not -self.window.earlier <= ours - gates <= self.window.later:
-                self._differ((ours, our_level), (gates, level))
-        if self.ours and now - self.ours[0][0] > self.window.earlier:
-            self._differ(self.ours[0], None)
-        if self.gates and now - self.gates[0][0] > self.window.later:
-            self._differ(None, self.gates[0])
-
-    def _differ(self, ours: tuple[int, int] | None, gates: tuple[int, int] | None) -> None:
-        raise Difference(f"{self.name}: {_told(ours)}, in the modules {_told(gates)}")
+        ours, gates = self.shown
+        while ours and gates:
+            (tick, level), (expected_tick, expected) = one, other = ours.popleft(), gates.popleft()
+            if level != expected or not -self.earlier <= tick - expected_tick <= self.later:
+                raise Difference(f"{self.name}: {_told(one)}, in the modules {_told(other)}")
+        if ours and now - ours[0][0] > self.earlier:
+            raise Difference(f"{self.name}: {_told(ours[0])}, in the modules no change")
+        if gates and now - gates[0][0] > self.later:
+            raise Difference(f"{self.name}: no change, in the modules {_told(gates[0])}")
 
 
-def _told(edge: tuple[int, int] | None) -> str:
-    return f"to {edge[1]} at tick {edge[0]}" if edge else "no change"
+def _told(edge: tuple[int, int]) -> str:
+    return f"to {edge[1]} at tick {edge[0]}"
 
 
 class Beside:
@@ -81,72 +69,49 @@ class Beside:
         self.bus.initialize(0)
         self.now = 0
         self.characters = 0
-        self.edges = [_Edges(name, window) for name, window in (FREE if self.free else SAME).items()]
-        self._seen_ours, self._seen_gates = self._ours(), self._gates()
+        self.edges = [_Edges(name, *(FREE[name] if self.free else (0, 0))) for name in SIGNALS]
+        self._seen = [self._levels(0), self._levels(1)]
         self._printed = 0
 
-    def _ours(self) -> tuple[int, int, int]:
-        receiver = self.teletype.receiver
-        return receiver.flag, self.teletype.transmitter.flag, receiver.reader_run
+    def _levels(self, side: int) -> tuple[int, ...]:
+        receiver, transmitter = (
+            (self.gates.receiver, self.gates.transmitter)
+            if side
+            else (self.teletype.receiver, self.teletype.transmitter)
+        )
+        return receiver.flag, transmitter.flag, receiver.reader_run
 
-    def _gates(self) -> tuple[int, int, int]:
-        receiver = self.gates.receiver
-        return receiver.flag, self.gates.transmitter.flag, receiver.reader_run
-
-    def _note_ours(self, now: int) -> None:
-        if (seen := self._ours()) == self._seen_ours:
-            return
-        for edges, before, level in zip(self.edges, self._seen_ours, seen, strict=True):
-            if level != before:
-                edges.ours.append((now, level))
-        self._seen_ours = seen
-
-    def _note_gates(self, now: int) -> None:
-        if (seen := self._gates()) == self._seen_gates:
-            return
-        for edges, before, level in zip(self.edges, self._seen_gates, seen, strict=True):
-            if level != before:
-                edges.gates.append((now, level))
-        self.characters += seen[0] > self._seen_gates[0]
-        self._seen_gates = seen
-
-    def _note(self) -> None:
-        self._note_ours(self.now)
-        self._note_gates(self.now)
-
-    def _run_ours(self, until: int) -> None:
-        now = self.now
-        self.bus.advance(now)
-        self._note_ours(now)
-        while now < until:
-            now = max(now + 1, min(self.bus.next_event(now), self.teletype.receiver.step, until))
-            self.bus.advance(now)
-            self._note_ours(now)
+    def _note(self, side: int, now: int) -> None:
+        """Note what has changed on one side."""
+        before, self._seen[side] = self._seen[side], self._levels(side)
+        for edges, old, level in zip(self.edges, before, self._seen[side], strict=True):
+            if level != old:
+                edges.shown[side].append((now, level))
+        self.characters += side and self._seen[side][0] > before[0]
 
     def run(self, until: int) -> None:
         """Let time go on to tick `until`. Raises Difference."""
-        self._run_ours(until)
         now = self.now
+        self.bus.advance(now)
+        self._note(0, now)
         while now < until:
-            now = self.gates.run(until)
-            self._note_gates(now)
-        self.now = until
+            now = max(now + 1, min(self.bus.next_event(now), self.teletype.receiver.step, until))
+            self.bus.advance(now)
+            self._note(0, now)
+        while self.now < until:
+            self.now = self.gates.run(until)
+            self._note(1, self.now)
         for edges in self.edges:
             edges.match(until)
         self._compare_pages()
 
     def _compare_pages(self) -> None:
-        page = self.teletype.printer.frames
-        until = min(len(page), self.gates.selector.printed)
-        if until > self._printed:
-            expected = self.gates.printed(self._printed)[: until - self._printed]
-            ours = bytes(page[self._printed : until])
-            if ours != expected:
-                raise Difference(
-                    f"tick {self.now}: printed {_octal(ours)}, by the modules {_octal(expected)}"
-                )
-            self.characters += until - self._printed
-            self._printed = until
+        page, since = self.teletype.printer.frames, self._printed
+        self._printed = max(since, min(len(page), self.gates.selector.printed))
+        self.characters += self._printed - since
+        ours, expected = bytes(page[since : self._printed]), self.gates.printed(since)
+        if ours != expected[: len(ours)]:
+            raise Difference(f"tick {self.now}: printed {ours.hex(' ')}, by the modules {expected.hex(' ')}")
 
     def stand_clear(self, device: int, *pulses: int) -> None:
         """With free clocks let time go on until both sides have done all that an IOT of `device` could meet,
@@ -188,35 +153,34 @@ class Beside:
                     f"in the modules {_answer(answer)}"
                 )
             ac = answer & 0o7777
-            self._note()
+            self._note(0, self.now)
+            self._note(1, self.now)
         self.run(began + IOT)
 
     def initialize(self) -> None:
         """INITIALIZE on both."""
         self.bus.initialize(self.now)
         self.gates.initialize(self.now)
-        self._note()
+        self._note(0, self.now)
+        self._note(1, self.now)
         self.run(self.now + 1)
 
     def type(self, frames: bytes) -> None:
         """Press the keys that send `frames`."""
-        self.bus.advance(self.now)
-        self.teletype.keyboard.press(frames)
-        self.gates.type(frames)
-        self.run(self.now + 1)
+        self._hands(self.teletype.keyboard.press, self.gates.type, frames)
 
     def load_tape(self, frames: bytes) -> None:
         """Put a tape in."""
-        self.bus.advance(self.now)
-        self.teletype.reader.load(frames)
-        self.gates.load_tape(frames)
-        self.run(self.now + 1)
+        self._hands(self.teletype.reader.load, self.gates.load_tape, frames)
 
     def lever(self, on: bool) -> None:
         """Put the reader's lever to START or STOP."""
+        self._hands(self.teletype.reader.lever, partial(setattr, self.gates.sender, "lever"), on)
+
+    def _hands(self, ours: Callable[[Any], object], gates: Callable[[Any], object], value: object) -> None:
         self.bus.advance(self.now)
-        self.teletype.reader.lever(on)
-        self.gates.sender.lever = on
+        ours(value)
+        gates(value)
         self.run(self.now + 1)
 
     def end(self) -> None:
@@ -225,17 +189,12 @@ class Beside:
         while (waiting := self.gates.sender.keys - self.gates.sender.keys_sent) or self.gates.sender.units:
             self.run(self.now + (waiting + 1) * 2_000_000)
         self.run(self.now + 6_000_000)
-        ours, gates = self.teletype, self.gates
-        if len(ours.printer.frames) != gates.selector.printed:
+        printed, expected = len(self.teletype.printer.frames), self.gates.selector.printed
+        if printed != expected or self._seen[0] != self._seen[1]:
             raise Difference(
-                f"printed {len(ours.printer.frames)} frames, the modules {gates.selector.printed}"
+                f"at the end {printed} frames and {self._seen[0]}, "
+                f"in the modules {expected} and {self._seen[1]} of {SIGNALS}"
             )
-        if self._seen_ours != self._seen_gates:
-            raise Difference(f"{SIGNALS} {self._seen_ours}, in the modules {self._seen_gates}")
-
-
-def _octal(frames: bytes) -> str:
-    return " ".join(f"{frame:03o}" for frame in frames)
 
 
 def _answer(answer: int) -> str:

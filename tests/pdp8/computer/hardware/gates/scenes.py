@@ -11,6 +11,7 @@ A mood lasts some acts:
 
 import random
 from collections.abc import Callable
+from functools import partial
 
 from tests.pdp8.computer.hardware.gates.beside import CYCLE, PULSES, Beside
 from tests.reference.gates import PARTS, UNIT, Gates
@@ -31,9 +32,9 @@ class Scenes:
     def play(self, characters: int) -> None:
         """Act until so many characters were received and printed. Raises Difference."""
         moods: tuple[Callable[[], None], ...] = (
-            self._wild,
-            self._reading,
-            self._writing,
+            partial(self._burst, (KEYBOARD, PRINTER)),
+            partial(self._burst, (KEYBOARD,)),
+            partial(self._burst, (PRINTER,)),
             self._polite,
             self._polite,
             self._silent,
@@ -44,15 +45,6 @@ class Scenes:
                 mood()
                 self._hands()
         self.beside.end()
-
-    def _wild(self) -> None:
-        self._burst((KEYBOARD, PRINTER))
-
-    def _reading(self) -> None:
-        self._burst((KEYBOARD,))
-
-    def _writing(self) -> None:
-        self._burst((PRINTER,))
 
     def _burst(self, words: tuple[range, ...]) -> None:
         self._wait(self._moment())
@@ -121,15 +113,9 @@ class Scenes:
             on = draw.random() < 0.8
             self._note(f"lever {'START' if on else 'STOP'}")
             beside.lever(on)
-        else:
-            self._initialize()
-
-    def _initialize(self) -> None:
-        beside = self.beside
-        if beside.free and (beside.gates.sender.units or beside.gates.transmitter.active):
-            return
-        self._note("INITIALIZE")
-        beside.initialize()
+        elif not (beside.free and (beside.gates.sender.units or beside.gates.transmitter.active)):
+            self._note("INITIALIZE")
+            beside.initialize()
 
     def _note(self, act: str) -> None:
         self.acts.append(f"tick {self.beside.now}: {act}")
