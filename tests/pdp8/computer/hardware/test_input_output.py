@@ -1,4 +1,4 @@
-"""Every IOT of the console, the PC8/L and device 00, from each state of the flag: AC, skip, flag, time.
+"""Every IOT of the console and the PC8/L, from each state of the flag: AC, skip, flag, time; its pulses.
 
 The tables are those of the PDP-8/I instruction card and the Small Computer Handbook, one line an instruction.
 """
@@ -8,9 +8,10 @@ from typing import NamedTuple
 import pytest
 
 from pdp8.computer.hardware.bus import Device
-from pdp8.computer.hardware.signals import NEVER
+from pdp8.computer.hardware.signals import NEVER, SKIP
 from pdp8.computer.machine import Machine
 from tests.conftest import case
+from tests.pdp8.computer.bench import core, machine
 
 AC = 0o5125
 BUFFER = 0o252
@@ -38,40 +39,30 @@ FAST_READER = effects(1, *(0o5125, 0o5125, 0o5377, 0o5377, 0o5125, 0o5125, 0o537
 FAST_PUNCH = effects(2, *[AC] * 8, clears="2367")
 
 
-def executed(word: int, flag: int) -> Machine:
-    """Return the machine after `word` at 0200, every device's flag being `flag`."""
-    machine = Machine(highspeed=True)
-    machine.teletype.receiver.buffer = BUFFER
-    machine.highspeed.reader_control.buffer = BUFFER
-    machine.start(0o200)
-    for device in machine.bus:
-        device.flag = flag
-    machine.teletype.receiver.reader_run = 0
-    machine.highspeed.reader_control.buffer = BUFFER
-    machine.core[0o200] = word
-    machine.ac = AC
-    machine.processor.instruction()
-    return machine
+def executed(word: int, flag: int) -> tuple[Machine, Device]:
+    """Return the machine after `word` at 0200, every device's flag being `flag`, and the word's device."""
+    m = machine(f"{word:o}", highspeed=True, ac=AC)
+    m.teletype.receiver.buffer = m.highspeed.reader_control.buffer = BUFFER
+    m.teletype.receiver.reader_run = 0
+    for each in m.bus:
+        each.flag = flag
+    m.processor.instruction()
+    device = m.bus.device(word >> 3 & 0o77)
+    assert device
+    return m, device
 
 
 def test_every_iot() -> None:
-    for flag in [0, 1]:
-        for code in [*KEYBOARD, *PRINTER, *FAST_READER, *FAST_PUNCH]:
-            with case(code, flag):
-                effect = {**KEYBOARD, **PRINTER, **FAST_READER, **FAST_PUNCH}[code]
-                machine = executed(code, flag)
-                device = machine.bus.device(code >> 3 & 0o77)
-                assert device is not None
-                assert f"{machine.ac:04o}" == f"{effect.ac:04o}"
-                assert f"{machine.pc:04o}" == ("0202" if effect.tests and flag else "0201")
+    for code, effect in {**KEYBOARD, **PRINTER, **FAST_READER, **FAST_PUNCH}.items():
+        for flag in (0, 1):
+            with case(f"{code:o}", flag):
+                m, device = executed(code, flag)
+                assert f"{m.ac:04o}" == f"{effect.ac:04o}"
+                assert f"{m.pc:04o}" == ("0202" if effect.tests and flag else "0201")
                 assert device.flag == (0 if effect.clears else flag)
-                assert machine.ticks == 85
-                assert machine.bus.actions == 2 + (code & 6).bit_count()
-                others = [other.flag for other in machine.bus if other is not device]
-                assert others == [flag] * 3
-                assert machine.teletype.receiver.reader_run == (
-                    1 if code in (0o6032, 0o6033, 0o6036, 0o6037) else 0
-                )
+                assert (m.ticks, m.bus.actions) == (85, 2 + (code & 6).bit_count())
+                assert [other.flag for other in m.bus if other is not device] == [flag] * 3
+                assert m.teletype.receiver.reader_run == (code in (0o6032, 0o6033, 0o6036, 0o6037))
 
 
 # From the pulse that starts it, the tick at which each flag rises. IOP1, IOP2, IOP4 come 29, 47, 65 ticks
@@ -90,56 +81,81 @@ RISES = {
 
 @pytest.mark.parametrize("code", RISES)
 def test_the_tick_at_which_the_flag_rises(code: int) -> None:
-    machine = executed(code, 0)
-    device = machine.bus.device(code >> 3 & 0o77)
-    assert device is not None
-    if code in (0o6032, 0o6036):
-        assert device.due == NEVER  # there is no tape
-        machine = Machine()
-        machine.core[0o200] = code
-        machine.start(0o200)
-        machine.teletype.receiver.reader_run = 0
-        machine.teletype.reader.load(b"\123")
-    else:
-        machine = Machine(highspeed=True)
-        machine.core[0o200] = code
-        machine.highspeed.reader.load(b"\123")
-        machine.start(0o200)
-    machine.processor.instruction()
-    device = machine.bus.device(code >> 3 & 0o77)
-    assert device is not None
-    machine.bus.advance(RISES[code] - 1)
-    assert device.flag == 0
-    machine.bus.advance(RISES[code])
-    assert device.flag == 1
+    teletype = code in (0o6032, 0o6036)
+    m = machine(f"{code:o}", highspeed=not teletype)
+    if teletype:
+        m.teletype.receiver.reader_run = 0
+    (m.teletype if teletype else m.highspeed).reader.load(b"\123")
+    m.processor.instruction()
+    device = m.bus.device(code >> 3 & 0o77)
+    assert device
+    for tick, flag in ((RISES[code] - 1, 0), (RISES[code], 1)):
+        m.bus.advance(tick)
+        assert device.flag == flag
+    if teletype:
+        assert executed(code, 0)[1].due == NEVER  # there is no tape
 
 
 def test_a_code_is_fitted_once() -> None:
-    machine = Machine(highspeed=True)
+    m = Machine(highspeed=True)
     with pytest.raises(ValueError, match="device 01 is fitted already"):
-        machine.highspeed.connect(machine.bus)
+        m.highspeed.connect(m.bus)
 
 
-class Empty(Device):
-    """A device that waits for a tape that has run out."""
+class Flag(Device):
+    """A flag that rises at a tick, and a record of the pulses; its tape has run out."""
+
+    def __init__(self, rises: int) -> None:
+        super().__init__()
+        self.rises = rises
+        self.pulses: list[tuple[int, int]] = []
 
     def pulse(self, iop: int, ac: int, now: int) -> int:
-        return 0
+        self.pulses.append((iop, now))
+        return SKIP if iop == 1 and self.flag else 0
 
     def advance(self, now: int) -> None:
-        pass
+        if self.due <= now:
+            self.flag, self.due = 1, NEVER
 
     def initialize(self, now: int) -> None:
-        pass
+        self.flag, self.due = 0, self.rises
 
     def out_of_tape(self) -> bool:
         return True
 
 
+def fitted(words: str, rises: int = NEVER, code: int = 0o05) -> tuple[Machine, Flag]:
+    m, flag = Machine(), Flag(rises)
+    m.bus.fit(code, flag)
+    m.load(core(words))
+    m.start(0o200)
+    return m, flag
+
+
 @pytest.mark.parametrize("code", [0o05, 0o37, 0o40, 0o77])
 def test_any_code_may_be_waited_for(code: int) -> None:
-    machine = Machine()
-    machine.bus.fit(code, Empty())
-    machine.load({0o200: 0o6001 | code << 3, 0o201: 0o5200})
-    machine.start(0o200)
-    assert machine.run().reason == "tape out"
+    m, _ = fitted(f"{0o6001 | code << 3:o} 5200", code=code)
+    assert m.run().reason == "tape out"
+
+
+def test_three_pulses_29_47_and_65_ticks_after_the_iot_begins() -> None:
+    m, flag = fitted("7000 6057 7000")
+    m.run(instructions=3)
+    assert flag.pulses == [(1, 32 + 29), (2, 32 + 47), (4, 32 + 65)]
+
+
+@pytest.mark.parametrize(("rises", "skips"), [(28, 1), (29, 1), (30, 0)])
+def test_a_flag_that_rises_in_the_tick_of_iop1_is_seen(rises: int, skips: int) -> None:
+    m, _ = fitted("6051 7000 7000", rises)
+    m.run(instructions=1)
+    assert m.pc == 0o201 + skips
+
+
+@pytest.mark.parametrize(("rises", "returns_to"), [(63, 0o202), (64, 0o202), (65, 0o203)])
+def test_a_flag_that_rises_as_an_instruction_ends_interrupts_there(rises: int, returns_to: int) -> None:
+    """NOPs of 32 ticks; the word at 0000 is the return address."""
+    m, _ = fitted("7000 " * 8 + "1/ 7402", rises)
+    m.ion = 1
+    m.run(instructions=9)
+    assert f"{m.core[0]:04o}" == f"{returns_to:04o}"

@@ -15,7 +15,7 @@ from pdp8.computer.hardware.fields import BIT, TICK, saved
 from pdp8.computer.hardware.signals import NEVER, SKIP
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
-from tests.pdp8.computer.bench import octal
+from tests.pdp8.computer.bench import core
 
 MILLISECOND = 20_000
 
@@ -49,49 +49,29 @@ class Clock(Device):
         self.due = NEVER
 
 
-# TAD 20, 6054, ION, JMP .; at 0001: ISZ 10, 6052, ION, JMP I 0
-TICKING = {0o200: "1020 6054 6001 5203", 0: "0 2010 6052 6001 5400", 0o20: "24"}
-
-
+@pytest.fixture
 def ticking() -> Machine:
-    machine = Machine()
-    machine.bus.fit(0o05, Clock())
-    for address, words in TICKING.items():
-        machine.load(dict(enumerate(octal(words), address)))
-    machine.start(0o200)
-    return machine
+    """TAD 20, 6054, ION, JMP .; at 0001: ISZ 10, 6052, ION, JMP I 0."""
+    made = Machine()
+    made.bus.fit(0o05, Clock())
+    made.load(core("1020 6054 6001 5203 0/ 0 2010 6052 6001 5400 20/ 24"))
+    made.start(0o200)
+    made.run(seconds=0.5)
+    return made
 
 
-def test_it_skips_and_interrupts() -> None:
-    machine = ticking()
-    machine.run(seconds=1)
-    assert machine.core[0o10] == 49  # every 20 ms, the first of them after 2 instructions
+def test_it_skips_and_interrupts(ticking: Machine) -> None:
+    ticking.run(seconds=0.5)
+    assert ticking.core[0o10] == 49  # every 20 ms, the first of them after 2 instructions
 
 
-def test_its_state_is_saved() -> None:
-    machine = ticking()
-    machine.run(seconds=0.5)
-    text = state.save(machine)
-    assert json.loads(text)["devices"]["05"] == {
-        "device": "Clock",
-        "flag": 0,
-        "due": machine.bus.next_event(machine.processor.clock),
-        "period": 20 * MILLISECOND,
-    }
-    restored = state.restore(text, {0o05: Clock})
-    for each in (machine, restored):
+def test_its_state_is_saved_and_copied(ticking: Machine) -> None:
+    text = state.save(ticking)
+    due = ticking.bus.next_event(ticking.processor.clock)
+    assert json.loads(text)["devices"]["05"] == {"device": "Clock", "flag": 0, "due": due, "period": 400_000}
+    restored, copied = state.restore(text, {0o05: Clock}), copy.deepcopy(ticking)
+    for each in (ticking, restored, copied):
         each.run(seconds=0.5)
-    assert state.save(restored) == state.save(machine)
-
-
-def test_a_copy_has_one_too() -> None:
-    machine = ticking()
-    machine.run(seconds=0.5)
-    other = copy.deepcopy(machine)
-    assert other.run(seconds=0.5) == machine.run(seconds=0.5)
-    assert list(other.core) == list(machine.core)
-
-
-def test_a_machine_without_it_refuses_the_state() -> None:
+    assert state.save(restored) == state.save(copied) == state.save(ticking)
     with pytest.raises(state.StateError, match="devices 05: this machine has no such device"):
-        state.restore(state.save(ticking()))
+        state.restore(text)

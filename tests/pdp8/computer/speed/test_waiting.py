@@ -1,12 +1,18 @@
-"""What is passed over is passed over exactly, and a run that cannot go on says why."""
+"""What is passed over is passed over exactly, and makes no difference to how and when a run ends."""
+
+import signal
+import sys
+from types import FrameType
 
 import pytest
 
-from tests.pdp8.computer.bench import machine, octal, program
+from tests.pdp8.computer.bench import machine
+from tests.pdp8.computer.speed.forms import FORMS
 
 COPY = "6031 5200 6036 6046 6041 5204 5200"
 # KSF, SKP, JMP read, TSF, JMP ., TCF, JMP ., read: KRB, TLS, JMP .
 RING = "6031 7410 5207 6041 5200 6042 5200 6036 6046 5200"
+COUNT = "2220 5200 2221 5200 7402"  # ISZ 0220; JMP .-1; ISZ 0221; JMP .-3; HLT
 
 
 @pytest.mark.parametrize(
@@ -22,47 +28,84 @@ RING = "6031 7410 5207 6041 5200 6042 5200 6036 6046 5200"
         ("tape out", "6001 5201", b""),  # under interrupt it does
         ("idle", "6001 5201", None),
         ("idle", "4210 5200 0 0 0 0 0 0 0 5610", None),  # a subroutine that writes the same word again
+        ("idle", "7200 5200", None),  # CLA, JMP .-1
+        ("idle", "7000 " * 100 + "5344", None),  # a long way round
+        ("idle", "", None),  # empty core, 4096 times AND 0
+        ("limit", "7001 5200", None),  # a count in AC
+        ("halt", "2210 5200 2211 5200 7402 211/ 7754", None),
         ("halt", "7402", None),
         ("tape out", COPY, b"\301\302"),
         ("tape out", RING, b"\301\302"),
     ],
 )
 def test_why_a_run_ends(reason: str, words: str, tape: bytes | None) -> None:
-    core = dict(enumerate(octal(words), 0o200))
-    m = machine(core)
-    if tape is not None:
-        m.teletype.reader.load(tape)
+    m = machine(words, tape)
     assert m.run(seconds=5).reason == reason
-    assert m.elapsed < 0.001 or words != "5200"
     if words in (COPY, RING):
         assert m.teletype.punch.tape == tape
-
-
-@pytest.mark.parametrize("words", ["7200 5200", "7000 " * 100 + "5200", ""])
-def test_a_ring_that_only_goes_round_is_endless(words: str) -> None:
-    # CLA, JMP .-1; a long way round; and empty core, 4096 times AND 0.
-    m = program(*octal(words))
-    assert m.run(seconds=1).reason == "idle"
-    assert m.elapsed < 0.05
+    if reason == "idle" and tape is None:
+        assert m.elapsed < 0.05
+    if words == "5200":
+        assert m.elapsed < 0.001
 
 
 def test_a_tape_out_waits_until_the_last_frame_is_punched() -> None:
-    m = program(*octal("6031 5200 6036 6046 5200"))
-    m.teletype.reader.load(b"\301")
+    m = machine("6031 5200 6036 6046 5200", b"\301")
     stop = m.run()
     assert m.teletype.punch.tape == b"\301"
     assert stop.elapsed == pytest.approx((1_545_455 + 1_636_364) / 20e6, abs=50e-6)
 
 
 def test_a_tape_that_was_taken_out_does_not_run_out() -> None:
-    m = program(*octal("6031 5200"))
-    m.teletype.reader.load(b"")
+    m = machine("6031 5200", b"")
     m.teletype.reader.remove()
     assert m.run().reason == "idle"
 
 
-def test_a_count_is_not_endless() -> None:
-    assert program(*octal("7001 5200")).run(seconds=0.05).reason == "limit"
-    m = program(*octal("2210 5200 2211 5200 7402"))
-    m.core[0o211] = -20
-    assert m.run(seconds=10).reason == "halt"
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize("delays", [True, False])
+def test_a_delay_loop_counts_all_its_turns(form: str, delays: bool) -> None:
+    """4096 turns of ISZ, JMP .-1, the last of which skips, then one of ISZ, JMP .-3: so often; HLT."""
+    times = 4096 if delays else 8
+    m = machine(f"{COUNT} 221/ {-times & 0o7777:o}", form=form)
+    m.engine.delays = delays
+    assert m.run().reason == "halt"
+    turns = times * (4096 * 96 - 32) + times * 96 - 32
+    assert (m.ticks, m.instructions) == (turns + 32, times * 8191 + 2 * times - 1 + 1)
+
+
+@pytest.mark.parametrize(("form", "frames"), [("compiled", 8 * 3600 * 10), ("plain", 300 * 10)])
+def test_a_working_day_of_1971(form: str, frames: int) -> None:
+    """Tape is copied, 10 frames a second, without a compiler for five minutes: every tick is accounted for.
+
+    A character is 8 instructions in 532 ticks; what is left are turns of waiting, 2 instructions in 117.
+    """
+    # TLS; KSF; JMP .-1; KRB; DCA HOLD; TSF; JMP .-1; TAD HOLD; TLS; CLA CLL; JMP 0201
+    m = machine("6046 6031 5201 6036 3220 6041 5205 1220 6046 7300 5201", bytes(frames), form=form)
+    assert m.run()[:2] == ("tape out", 0o201)
+    assert len(m.teletype.punch.tape) == frames + 1
+    turns, rest = divmod(m.instructions - 1 - 8 * frames, 2)
+    assert rest == 0
+    assert m.ticks == 85 + 532 * frames + 117 * turns
+    assert m.elapsed == pytest.approx(frames / 10, abs=0.2)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no SIGALRM there")
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize("delays", [True, False])
+def test_a_signal_gets_through_to_a_run_without_end(form: str, delays: bool) -> None:
+    """ISZ, JMP .-1, JMP .-2 counts for ever; no limit is given."""
+
+    def interrupt(number: int, frame: FrameType | None) -> None:
+        raise KeyboardInterrupt
+
+    m = machine("2220 5200 5200", form=form)
+    m.engine.delays = delays
+    before = signal.signal(signal.SIGALRM, interrupt)
+    signal.setitimer(signal.ITIMER_REAL, 0.1)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            m.run()
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    assert m.ticks > 0
