@@ -1,22 +1,22 @@
 """What a machine has done is undone exactly: over tapes, waits, interrupts, and whatever was set between."""
 
 import json
-from itertools import pairwise
-from typing import Any
+from collections.abc import Callable
+from itertools import count, pairwise
+from typing import Any, NamedTuple
 
 import pytest
 
-import pal
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind, state
 from pdp8.computer.past.history import History, HistoryError
-from tapes import ascii, shelf
-from tests.pdp8.computer.bench import octal, program
+from tests.conftest import case
+from tests.pdp8.computer.bench import machine
 
-PROGRAMS = {
-    name: dict(pal.assemble(shelf.read(name)).words) for name in ("eia.pal", "echo.pal", "counter.pal")
-}
-TAPE = ascii.encode("  76 2250 4133  185\n 123\n")
+# CLA, TAD 30, CMA, DCA 30, TAD 30, TLS, TSF, JMP .-1, JMS 220, JMP 200: prints and punches 200 and 177 in
+# turn, and counts them at 0031; a key is read, KRB
+PRINTS = "7200 1030 7040 3030 1030 6046 6041 5206 4220 6031 5200 6036 5200 220/ 0 2031 5620 30/ 7577"
+COUNTER = "7001 2040 5201 2041 5201 5200"  # IAC, ISZ 40, JMP .-1, ISZ 41, JMP .-3, JMP 0200
 
 
 def saved(machine: Machine) -> dict[str, Any]:
@@ -26,210 +26,247 @@ def saved(machine: Machine) -> dict[str, Any]:
     return saved
 
 
-@pytest.fixture
-def translated() -> tuple[Machine, History]:
-    """A machine in the middle of a line of eia.pal, recorded from START on, run in slices."""
-    machine = Machine()
-    machine.load(PROGRAMS["eia.pal"])
-    machine.teletype.reader.load(TAPE)
-    machine.start(0o200)
-    history = History(machine)
-    for _ in range(24):
-        machine.run(seconds=0.1)
-    return machine, history
+def recorded(words: str, memory: int = 1 << 26) -> tuple[Machine, History]:
+    made = machine(words)
+    return made, History(made, memory)
 
 
-def test_a_character_back_and_a_block(translated: tuple[Machine, History]) -> None:
-    machine, history = translated
-    punched = machine.teletype.punch.tape
-    rewind.characters(history, 3)
-    assert machine.teletype.punch.tape == punched[:-3]
-    machine.run(instructions=1)
-    assert machine.teletype.punch.tape == punched[:-2]
-    machine.run()
-    assert machine.teletype.punch.tape.count(0o200) == 2
-    rewind.blocks(history, 2)
-    assert machine.teletype.punch.tape == punched[: punched.index(0o200)]
+class Moment(NamedTuple):
+    """What there was to see after so many instructions as the moment's place in its list has it."""
+
+    clock: int
+    pc: int
+    core: tuple[int, int]
+    printed: int
+    blocks: int
+    keyboard_flag: int
 
 
-def test_one_is_undone_where_no_number_is_named(translated: tuple[Machine, History]) -> None:
-    machine, history = translated
-    machine.run()
-    clock, instructions = machine.processor.clock, machine.instructions
-    rewind.cycles(history)
-    assert clock - machine.processor.clock in (32, 85)
-    rewind.instructions(history)
-    assert machine.instructions in (instructions - 1, instructions - 2)
-    printed = len(machine.teletype.printer.frames)
-    rewind.characters(history)
-    assert len(machine.teletype.printer.frames) == printed - 1
-    punched = machine.teletype.punch.tape.count(0o200)
-    rewind.blocks(history)
-    assert machine.teletype.punch.tape.count(0o200) == punched - 1
+def moment(m: Machine) -> Moment:
+    blocks = m.teletype.punch.frames.count(0o200)
+    seen = len(m.teletype.printer.frames), blocks, m.teletype.receiver.flag
+    return Moment(m.processor.clock, m.pc, (m.core[0o30], m.core[0o31]), *seen)
 
 
-def test_cycles_back_stand_within_an_instruction(translated: tuple[Machine, History]) -> None:
-    machine, history = translated
-    was = saved(machine)
+@pytest.fixture(scope="module")
+def moments() -> list[Moment]:
+    """PRINTS for 0.35 s, instruction by instruction; a key is pressed at 0.15 s."""
+    m = machine(PRINTS)
+    found = [moment(m)]
+    while m.ticks < 7_000_000:
+        if found[-2:][0].clock < 3_000_000 <= m.ticks:
+            m.teletype.keyboard.press(b"A")
+            m.bus.advance(m.processor.clock)
+        m.processor.instruction()
+        m.bus.advance(m.processor.clock)
+        found.append(moment(m))
+    return found
+
+
+def printed_and_recorded() -> tuple[Machine, History]:
+    m, history = recorded(PRINTS)
+    for until, key in ((2_000_000, b""), (3_000_000, b"A"), (6_000_000, b""), (7_000_000, b"")):
+        m.run(seconds=(until - m.ticks) / 20_000_000)
+        m.teletype.keyboard.press(key)
+    return m, history
+
+
+def last(moments: list[Moment], matches: Callable[[int], bool]) -> int:
+    return next(number for number in range(len(moments) - 2, -1, -1) if matches(number))
+
+
+def test_each_way_back_ends_at_its_moment(moments: list[Moment]) -> None:
+    now = len(moments) - 1
+    end = moments[-1]
+
+    def fewer(name: str, undone: int) -> int:
+        return last(moments, lambda at: getattr(moments[at], name) <= getattr(end, name) - undone)
+
+    def written(place: int) -> int:
+        return last(moments, lambda at: moments[at].core[place] != moments[at + 1].core[place])
+
+    ways: list[tuple[Callable[..., None], list[Any], int]] = [
+        *((rewind.instructions, [n], now - n) for n in (0, 1, 2, 1000, now - 1, now)),
+        (rewind.instructions, [], now - 1),
+        *((rewind.characters, [n], fewer("printed", n)) for n in (1, 2, 3)),
+        (rewind.characters, [], fewer("printed", 1)),
+        (rewind.characters, [0], now),
+        (rewind.blocks, [], fewer("blocks", 1)),
+        (rewind.blocks, [2], fewer("blocks", 2)),
+        *(
+            (rewind.until_left, [a], last(moments, lambda at, a=a: moments[at].pc == a))
+            for a in (0o206, 0o210)
+        ),
+        (rewind.until_left, [0o220], 1 + last(moments, lambda at: moments[at].pc == 0o210)),
+        (rewind.until_written, [0o30], written(0)),
+        (rewind.until_written, [0o31], written(1)),
+        (
+            rewind.until_flag,
+            [0o03],
+            1 + last(moments, lambda at: moments[at].keyboard_flag < moments[at + 1][5]),
+        ),
+        *(
+            (
+                rewind.seconds,
+                [s],
+                next(at for at in count() if moments[at].clock >= end.clock - s * 20_000_000),
+            )
+            for s in (0.0, 0.05, 0.151, 0.3)
+        ),
+    ]
+    for way, values, number in ways:
+        with case(way.__name__, *values):
+            m, history = printed_and_recorded()
+            assert moment(m) == end
+            way(history, *values)
+            assert (m.instructions, moment(m)) == (number, moments[number])
+            m.run(instructions=now - number)
+            assert moment(m) == end or moments[number].clock <= 3_000_000
+
+
+def test_what_cannot_be_undone_leaves_the_machine_as_it_is() -> None:
+    m, history = printed_and_recorded()
+    was = saved(m)
+    for way, value, message in (
+        (
+            rewind.instructions,
+            10**9,
+            r"1,000,000,000 instructions cannot be undone: the history goes back \d",
+        ),
+        (rewind.cycles, 10**9, r"1,000,000,000 cycles cannot be undone: the history goes back \d"),
+        (rewind.seconds, 9, r"9 seconds cannot be undone: the history goes back 0\.35"),
+        (rewind.characters, 9, r"9 characters cannot be undone: the history goes back \d"),
+        (rewind.blocks, 3, r"3 blocks cannot be undone: the history goes back 2"),
+        (rewind.blocks, -1, r"-1 blocks cannot be undone"),
+        (rewind.until_written, 0o7000, "nothing was written at 7000 as far as the history goes back"),
+        (rewind.until_left, 0o7000, "nothing was executed at 7000 as far"),
+        (rewind.until_flag, 0o01, "device 01 is not fitted"),
+    ):
+        with pytest.raises(HistoryError, match=f"^{message}"):
+            way(history, value)
+        assert saved(m) == was
+
+
+def test_cycles_back_stand_within_an_instruction() -> None:
+    m, history = recorded(PRINTS)
+    m.run(seconds=0.1)
     stood = []
     for _ in range(12):
-        stood.append((machine.processor.clock, machine.pc, machine.processor.next, machine.ac))
-        machine.processor.cycle()
+        stood.append(saved(m)["processor"])
+        m.processor.cycle()
     rewind.cycles(history, 5)
-    assert (machine.processor.clock, machine.pc, machine.processor.next, machine.ac) == stood[7]
-    within, done = saved(machine), machine.instructions
-    machine.run(instructions=3)
-    rewind.instructions(history, machine.instructions - done)
-    assert saved(machine) == within
-    rewind.cycles(history, 7)
-    assert saved(machine)["processor"] == was["processor"]
-
-
-def test_seconds_back_end_with_an_instruction(translated: tuple[Machine, History]) -> None:
-    machine, history = translated
-    clock = machine.processor.clock
-    rewind.seconds(history, 1.25)
-    assert 0 <= machine.processor.clock - (clock - 25_000_000) < 200
-    with pytest.raises(HistoryError, match=r"9 seconds cannot be undone: the history goes back 1\.1"):
-        rewind.seconds(history, 9)
+    within, done = saved(m), m.instructions
+    assert within["processor"] == stood[7]
+    m.run(instructions=3)
+    rewind.instructions(history, m.instructions - done)
+    assert saved(m) == within
+    for undone, at in ((0, 7), (1, 6), (6, 0)):
+        rewind.cycles(history, undone)
+        assert saved(m)["processor"] == stood[at]
 
 
 def test_what_was_set_as_an_instruction_ended_is_set_there_again() -> None:
-    machine = program(*octal("7000 " * 30))
-    history = History(machine)
+    m, history = recorded("7000 " * 30)
     for sr in (0o17, 0o4000):
-        machine.run(instructions=10)
-        machine.sr = sr
+        m.run(instructions=10)
+        m.sr = sr
     rewind.seconds(history, (10 * 32 + 5) / 20_000_000)
-    assert (machine.ticks, machine.sr) == (10 * 32, 0o17)
+    assert (m.ticks, m.sr) == (10 * 32, 0o17)
 
 
-def test_back_to_the_last_time_that_something_happened(translated: tuple[Machine, History]) -> None:
-    machine, history = translated
-    rewind.until_left(history, 0o205)  # DCA HOLD, of the last character
-    assert (machine.pc, machine.processor.next) == (0o205, 0)
-    held = machine.ac
-    machine.run(instructions=1)
-    assert machine.core[0o100] == held
-    rewind.until_written(history, 0o100)
-    assert (machine.pc, machine.ac) == (0o205, held)
-    rewind.until_flag(history, 0o03)
-    assert machine.teletype.receiver.flag
-    rewind.instructions(history, 1)
-    assert not machine.teletype.receiver.flag
-    was = saved(machine)
-    with pytest.raises(HistoryError, match="nothing was written at 7000 as far as the history goes back"):
-        rewind.until_written(history, 0o7000)
-    assert saved(machine) == was
-
-
-def test_breakpoints_and_listeners_notice_nothing(translated: tuple[Machine, History]) -> None:
-    machine, history = translated
-    machine.watch.breakpoints.add(0o205)
+def test_breakpoints_and_listeners_notice_nothing() -> None:
+    m, history = printed_and_recorded()
+    m.watch.breakpoints.add(0o205)
     heard: list[int] = []
-    machine.teletype.punch.on_frame = heard.append
-    rewind.instructions(history, 5000)
+    m.teletype.punch.on_frame = m.teletype.printer.on_frame = heard.append
+    rewind.instructions(history, 50_000)
     assert heard == []
-    assert (machine.watch.breakpoints, machine.run().pc) == ({0o205}, 0o205)
+    assert (m.watch.breakpoints, m.run().pc) == ({0o205}, 0o205)
+    m.run(instructions=100_000)
+    assert heard
 
 
 def test_the_memory_is_bounded_and_the_oldest_past_forgotten() -> None:
-    machine = Machine()
-    machine.load(PROGRAMS["counter.pal"])
-    machine.start(0o200)
-    history = History(machine, memory=200_000)
+    m, history = recorded(COUNTER, memory=200_000)
     for _ in range(400):
-        machine.run(seconds=1)
+        m.run(seconds=1)
     assert 100_000 < history.size <= 200_000
     assert 10 < history.seconds < 110
-    was = saved(machine)
+    was = saved(m)
     rewind.seconds(history, history.seconds)
     with pytest.raises(HistoryError, match="1 instructions cannot be undone: the history goes back 0"):
         rewind.instructions(history)
-    assert saved(machine) != was
+    assert saved(m) != was
+    m, history = recorded(COUNTER, memory=1)  # the newest snapshot is kept, whatever it takes
+    m.run(seconds=6)
+    m.run(seconds=1)
+    assert (history.seconds, len(history.snapshots())) == (pytest.approx(1, abs=1e-5), 1)
 
 
 def test_many_snapshots_are_thinned_out() -> None:
-    machine = Machine()
-    machine.load(PROGRAMS["counter.pal"])
-    machine.start(0o200)
-    history = History(machine)
-    machine.run(instructions=1000)
-    was = saved(machine)
+    m, history = recorded(COUNTER)
+    m.run(instructions=1000)
+    was = saved(m)
 
     def apart() -> list[float]:
         return [(late.clock - soon.clock) / 20_000_000 for late, soon in pairwise(history.snapshots())]
 
     while len(history.snapshots()) < 128:
-        machine.run(seconds=0.5)
+        m.run(seconds=0.5)
     assert 5 <= min(apart()) <= max(apart()) < 5.6
+    rewind.seconds(history, 20)  # as far apart go those that come after
+    while len(history.snapshots()) < 128:
+        m.run(seconds=0.5)
+    assert 4.9 <= min(apart()) <= max(apart()) < 5.6
     while len(history.snapshots()) == 128:
-        machine.run(seconds=0.5)
+        m.run(seconds=0.5)
     assert len(history.snapshots()) == 65
-    assert 10 <= min(apart()) <= max(apart()) < 11.2
-    for undo in (rewind.instructions, rewind.characters, rewind.cycles, rewind.seconds, rewind.blocks):
-        now = saved(machine)
-        undo(history, 0)
-        with pytest.raises(
-            HistoryError, match=f"9,999,999,999 {undo.__name__} cannot be undone: the history goes back [0-9]"
-        ):
-            undo(history, 9_999_999_999)
-        assert saved(machine) == now
-    rewind.instructions(history, machine.instructions - 1000)
-    assert saved(machine) == was
+    assert 9.9 <= min(apart()) <= max(apart()) < 11.2
+    rewind.instructions(history, m.instructions - 1000)
+    assert saved(m) == was
 
 
 def test_what_a_breakpoint_has_finished_is_there_again() -> None:
     """TLS, IAC: the frame on its way is out when the run has ended, though no time has passed for it."""
-    machine = program(*octal("6046 7001 5201"))
-    machine.watch.breakpoints.add(0o202)
-    history = History(machine)
-    machine.run()
-    machine.watch.breakpoints.clear()
-    was = saved(machine)
-    assert machine.teletype.punch.tape == b"\0"
-    machine.run(instructions=4)
+    m, history = recorded("6046 7001 5201")
+    m.watch.breakpoints.add(0o202)
+    m.run()
+    m.watch.breakpoints.clear()
+    was = saved(m)
+    assert m.teletype.punch.tape == b"\0"
+    m.run(instructions=4)
     rewind.instructions(history, 4)
-    assert saved(machine) == was
+    assert saved(m) == was
 
 
 def test_nothing_that_is_searched_for_stops_the_way_there() -> None:
     """TLS, IAC, JMP .-1: a stop at 0202 would print the frame that is on its way."""
-    machine = program(*octal("6046 7001 5201"))
-    history = History(machine)
-    machine.run(instructions=4)
-    was = saved(machine)
-    machine.run(instructions=1)
+    m, history = recorded("6046 7001 5201")
+    m.run(instructions=4)
+    was = saved(m)
+    m.run(instructions=1)
     rewind.until_left(history, 0o202)
-    assert saved(machine) == was
+    assert saved(m) == was
 
 
 def test_a_history_that_is_closed_records_nothing() -> None:
-    machine = Machine()
-    history = History(machine)
+    m, history = recorded("7001 5200")
+    m.run(instructions=10)
     history.close()
-    assert machine.recorder is None
-    machine.run(instructions=10)
+    assert (m.recorder, history.size) == (None, 0)
+    m.run(instructions=10)
     assert history.size == 0
-
-
-def test_a_device_that_is_not_fitted() -> None:
-    machine = Machine()
-    history = History(machine)
-    machine.run(instructions=10)
-    with pytest.raises(HistoryError, match="device 01 is not fitted"):
-        rewind.until_flag(history, 0o01)
 
 
 def test_going_back_passes_what_is_idle() -> None:
     """Core of AND 0 and one JMP I 27 waits in vain, which the run that goes back may see sooner."""
-    machine = Machine()
-    machine.load({0o3521: 0o5427})
-    history = History(machine)
-    machine.watch.writes = {0o20}
+    m = Machine()
+    m.load({0o3521: 0o5427})
+    history = History(m)
+    m.watch.writes = {0o20}
     for instructions in (1000, 2000, 2000):
-        assert machine.run(instructions=instructions).reason == "limit"
-    machine.panel.stop()
-    machine.run(instructions=2)
+        assert m.run(instructions=instructions).reason == "limit"
+    m.panel.stop()
+    m.run(instructions=2)
     rewind.instructions(history, 2)
-    assert (machine.instructions, machine.pc, machine.processor.run) == (5000, 0o2344, 0)
+    assert (m.instructions, m.pc, m.processor.run) == (5000, 0o2344, 0)
