@@ -5,48 +5,40 @@ from copy import copy
 from pathlib import Path
 
 from pdp8.computer.count import Count
-from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History
 from pdp8.computer.use import counted as used
 from pdp8.computer.use.trace import Listing, Trace
 from tapes import ascii
 from tests.conftest import Shell, case
+from tests.pdp8.computer.bench import machine
 
 
 def test_a_ring_of_several_instructions_is_known_by_its_turn() -> None:
-    machine = Machine()
-    # 0200 KSF, 0201 SKP, 0202 HLT, 0203 CLA, 0204 JMP 200: four instructions a turn, until a key comes
-    machine.load({0o200: 0o6031, 0o201: 0o7410, 0o202: 0o7402, 0o203: 0o7200, 0o204: 0o5200})
-    machine.start(0o200)
-    machine.wait(0)
-    count = machine.watch.observer = Count()
-    machine.teletype.keyboard.press(b"\xc1")
-    machine.run()
+    """KSF, SKP, HLT, CLA, JMP 200: four instructions a turn, until a key comes."""
+    m = machine("6031 7410 7402 7200 5200")
+    m.wait(0)
+    count = m.watch.observer = Count()
+    m.teletype.keyboard.press(b"\xc1")
+    m.run()
     turns = count.executed[0o203]
     assert turns > 8000
     assert [count.executed[0o200 + at] for at in range(5)] == [turns + 1, turns, 1, turns, turns]
-    assert count.ticks == machine.ticks
+    assert count.ticks == m.ticks
     assert count.waiting > 0.9 * count.ticks
 
 
 def test_by_hand() -> None:
-    machine = Machine()
-    # three turns of ISZ 210, JMP .-1, then JMS 211, which is written, then HLT
-    machine.load({0o200: 0o2210, 0o201: 0o5200, 0o202: 0o4211, 0o210: 0o7775, 0o212: 0o7402})
-    machine.start(0o200)
-    with machine.count() as count:
-        machine.run()
-    assert machine.watch.observer is None
-    assert dict(count.executed) == {0o200: 3, 0o201: 2, 0o202: 1, 0o212: 1}
-    assert dict(count.written) == {0o210: 3, 0o211: 1}
-    assert dict(count.operations) == {"ISZ": 3, "JMP": 2, "JMS": 1, "HLT": 1}
-    assert count.cycles == 3 * 2 + 2 * 1 + 2 + 1
+    """Three turns of ISZ 210, JMP .-1, then JMS 211, which is written, then HLT."""
+    m = machine("2210 5200 4211 210/ 7775 212/ 7402")
+    with m.count() as count:
+        m.run()
+    assert m.watch.observer is None
+    count.waiting, count.interrupts = 88, 1234
     listing = Listing()
     listing.words = {0o200: 0o2210, 0o213: 0}
-    count.waiting, count.interrupts = 88, 1234
     assert used.record(count, listing) == {
-        **{"instructions": 7, "cycles": 11, "interrupts": 1234},
+        **{"instructions": 7, "cycles": 3 * 2 + 2 * 1 + 2 + 1, "interrupts": 1234},
         **{"seconds": 17.6e-6, "waiting_seconds": 4.4e-6},
         "operations": {"ISZ": 3, "JMP": 2, "JMS": 1, "HLT": 1},
         "executed": {"0200": 3, "0201": 2, "0202": 1, "0212": 1},
@@ -59,46 +51,38 @@ def test_by_hand() -> None:
         *("never executed: 0213", "written: 0210-0211"),
     ]
     assert list(used.table(Count(), Listing())) == [
-        *(
-            "0 instructions, 0 cycles, 0.0 s",
-            "waiting 0.00 %, 0.0 s",
-            "never executed: none",
-            "written: none",
-        ),
+        *("0 instructions, 0 cycles, 0.0 s", "waiting 0.00 %, 0.0 s"),
+        *("never executed: none", "written: none"),
     ]
 
 
 def test_an_interrupt_that_was_due_before_counts_too() -> None:
-    """It is counted and traced whenever that begins; 6001 is ION, 7000 NOP."""
-    machine = Machine()
-    machine.load({1: 0o7402, 0o200: 0o6031, 0o201: 0o5200, 0o202: 0o6001, 0o203: 0o7000})
-    machine.start(0o200)
-    machine.teletype.keyboard.press(b"\xc1")
-    machine.watch.breakpoints = {0o203}
-    assert machine.run().pc == 0o203
-    machine.run(instructions=1)
+    """KSF, JMP .-1, ION, NOP: it is counted and traced whenever that begins."""
+    m = machine("6031 5200 6001 7000 1/ 7402")
+    m.teletype.keyboard.press(b"\xc1")
+    m.watch.breakpoints = {0o203}
+    assert m.run().pc == 0o203
+    m.run(instructions=1)
     count, lines = Count(), list[str]()
-    again = copy(machine)
-    machine.watch.observer, again.watch.observer = count, Trace(lines.append)
-    assert machine.run().pc == again.run().pc == 2
+    again = copy(m)
+    m.watch.observer, again.watch.observer = count, Trace(lines.append)
+    assert m.run().pc == again.run().pc == 2
     assert (count.interrupts, dict(count.executed), dict(count.written)) == (1, {1: 1}, {0: 1})
     assert [line.split()[-1] for line in lines] == ["interrupt", "HLT"]
 
 
 def test_what_was_undone_is_no_turn_of_a_loop() -> None:
-    """What is run is counted, before and after a step back; 6046 is TLS, 6041 TSF, 0000 AND 0."""
+    """TLS, then TSF, AND 0 twice, JMP 200: what is run is counted, before and after a step back."""
     for first in range(2, 12):
-        machine = Machine()
-        machine.load({0o177: 0o6046, 0o200: 0o6041, 0o203: 0o5200})
-        machine.start(0o177)
-        count = machine.watch.observer = Count()
-        machine.run(instructions=first)
-        history = History(machine)
-        machine.run(instructions=1)
+        m = machine("6041 203/ 5200 177/ 6046", pc=0o177)
+        count = m.watch.observer = Count()
+        m.run(instructions=first)
+        history = History(m)
+        m.run(instructions=1)
         rewind.instructions(history, 1)
-        machine.run(instructions=10)
+        m.run(instructions=10)
         with case(first):
-            assert count.instructions == machine.instructions + 1 == first + 11
+            assert count.instructions == m.instructions + 1 == first + 11
             assert count.cycles == count.instructions + count.executed[0o201] + count.executed[0o202]
 
 
@@ -112,11 +96,7 @@ def test_the_run_command_counts(shell: Shell, tmp_path: Path) -> None:
     assert 0.99 < record["waiting_seconds"] / record["seconds"] < 1
     (krb,) = [line for line in (tmp_path / "a").read_text().splitlines() if "KRB" in line]
     assert krb.split()[:3] == ["9", "0217", "6036"]
-    plain = shell("pdp8 run eia.pal --reader in.asc --punch plain --quiet; cmp out plain")
-    assert plain.returncode == 0
-
-
-def test_one_run_is_traced_or_counted(shell: Shell) -> None:
+    assert shell("pdp8 run eia.pal --reader in.asc --punch plain --quiet; cmp out plain").returncode == 0
     done = shell("pdp8 run hello.pal --count --trace t < /dev/null")
     assert (done.returncode, b"--count and --trace" in done.stderr) == (2, True)
 

@@ -5,22 +5,22 @@ import pytest
 import pal
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.trace import Listing, Trace, instruction
-from tests.pdp8.computer.bench import octal, program
+from tests.pdp8.computer.bench import machine
 from tests.pdp8.computer.use.test_operator import assembly
 
 
-def traced(machine: Machine, cycles: bool, listing: Listing | None = None) -> list[str]:
+def traced(m: Machine, cycles: bool = False, listing: Listing | None = None) -> list[str]:
     lines: list[str] = []
-    machine.watch.observer = Trace(lines.append, listing, cycles)
+    m.watch.observer = Trace(lines.append, listing, cycles)
     return lines
 
 
 def test_an_instruction_a_line() -> None:
-    machine = Machine()
-    machine.load(assembly("hello").words)
-    machine.start(0o200)
-    lines = traced(machine, False, Listing.of(assembly("hello")))
-    machine.run(instructions=6)
+    m = Machine()
+    m.load(assembly("hello").words)
+    m.start(0o200)
+    lines = traced(m, listing=Listing.of(assembly("hello")))
+    m.run(instructions=7)
     assert lines == [
         "          0.00 us  0 0000  0200 7300  0200  7300  START,  CLA CLL",
         "          1.60 us  0 0213  0213 0213  0201  1213          TAD FIRST",
@@ -29,6 +29,7 @@ def test_an_instruction_a_line() -> None:
         "          8.00 us  0 0215  0214 0215  0203  1410  NEXT,   TAD I POINT",
         "         12.80 us  0 0215  0204 7450  0204  7450          SNA",
         "         14.40 us  0 0215  0206 6046  0206  6046          TLS",
+        "         18.65 us  0 0215  0207 6041  0207  6041          TSF",
     ]
 
 
@@ -40,14 +41,14 @@ def test_a_listing_is_the_assemblys() -> None:
 
 
 def test_a_cycle_a_line() -> None:
-    machine = program(*octal("1410 7402"))
-    machine.wait(0.001)
-    machine.start(0o200)
-    machine.link = 1
-    machine.core[0o10] = 0o277
-    machine.core[0o300] = 0o1234
-    lines = traced(machine, True)
-    machine.run()
+    m = machine("1410 7402 10/ 277 300/ 1234", link=1)
+    m.stop()
+    m.wait(0.001)
+    m.panel.load_address(0o200)
+    m.panel.start()
+    m.link = 1
+    lines = traced(m, cycles=True)
+    m.run()
     assert lines == [
         "          0.00 us  FETCH    1 0000  0200 1410  0200  1410          TAD I 0010",
         "          1.60 us  DEFER    1 0000  0010 0300  0200  1410          TAD I 0010",
@@ -57,25 +58,25 @@ def test_a_cycle_a_line() -> None:
 
 
 def test_of_an_instruction_that_began_before_the_end_is_told() -> None:
-    machine = program(*octal("1300"))
-    machine.processor.cycle()
-    lines = traced(machine, False)
-    machine.run(instructions=1)
+    m = machine("1300")
+    m.processor.cycle()
+    lines = traced(m)
+    m.run(instructions=1)
     assert lines[0] == f"{0:14.2f} us  0 0000  0300 0000  "
 
 
 def test_an_interrupt_and_a_wait_are_told() -> None:
-    machine = program(*octal("6001 5201"))
-    machine.core[1] = 0o7402
-    machine.teletype.reader.load(b"\1")
-    lines = traced(machine, False)
-    machine.run()
+    m = machine("6001 5201 1/ 7402", b"\1")
+    lines = traced(m)
+    m.run()
     assert lines[0].endswith("6001          ION")
     (again,) = [line for line in lines if "the same again" in line]
     turns = int(again.split()[4].replace(",", ""))
     assert again == f"{' ' * 16}  ... the same again: {turns:,} instructions, {turns * 0.0016:,.3f} ms"
-    assert lines[-2].endswith("0000 0201              JMS 0: an interrupt")
-    assert lines[-1].endswith("0001  7402          HLT")
+    assert lines[-2:] == [
+        f"{(m.ticks - 64) / 20:14,.2f} us  0 0000  0000 0201              JMS 0: an interrupt",
+        f"{(m.ticks - 32) / 20:14,.2f} us  0 0000  0001 7402  0001  7402          HLT",
+    ]
     assert len(lines) < 20_000
 
 
@@ -90,11 +91,11 @@ def test_a_word_that_is_not_as_assembled_is_disassembled() -> None:
 @pytest.mark.parametrize("instructions", [46, 47])
 def test_a_word_watched_in_the_middle_of_a_wait_stops_at_its_next_writing(instructions: int) -> None:
     """DCA 0220, two NOPs, KSF, JMP 0200: known for a wait, and past the DCA, when the word is watched."""
-    machine = program(*octal("3220 7000 7000 6031 5200"))
-    machine.teletype.keyboard.press(b"A")
-    machine.run(instructions=instructions)
-    machine.watch.writes.add(0o220)
+    m = machine("3220 7000 7000 6031 5200")
+    m.teletype.keyboard.press(b"A")
+    m.run(instructions=instructions)
+    m.watch.writes.add(0o220)
     for _ in range(2):
-        before = machine.instructions
-        assert machine.run(seconds=1).reason == "breakpoint"
-        assert machine.instructions - before <= 5
+        before = m.instructions
+        assert m.run(seconds=1).reason == "breakpoint"
+        assert m.instructions - before <= 5
