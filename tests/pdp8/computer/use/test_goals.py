@@ -1,4 +1,4 @@
-"""What a run goes on until, and steps forward: hello.pal, stopped where it should be."""
+"""What a run goes on until, and steps forward: a program that prints, stopped where it should be."""
 
 import pytest
 
@@ -7,66 +7,81 @@ from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History
 from pdp8.computer.stop import Reason
 from pdp8.computer.use import goals
-from pdp8.computer.use.program import read
-from tapes import shelf
-
-_PRINTS = [0o7200, 0o1210, 0o6046, 0o6041, 0o5203, 0o3211, 0o2212, 0o5200, 0o0301, 0o0000, 0o7770]
-"""CLA, TAD 0210, TLS, TSF, JMP .-1, DCA 0211, ISZ 0212, JMP 0200; an A, what was printed, minus eight."""
+from tests.pdp8.computer.bench import machine
 
 
 @pytest.fixture
-def machine() -> Machine:
-    """A machine that prints and punches eight times, and is started."""
-    machine = Machine()
-    machine.load(enumerate(_PRINTS, 0o200))
-    machine.start(0o200)
-    return machine
+def printing() -> Machine:
+    """CLA, TAD 210, TLS, TSF, JMP .-1, DCA 211, ISZ 212, JMP 200: it prints and punches 301 eight times."""
+    return machine("7200 1210 6046 6041 5203 3211 2212 5200 301 0 7770")
 
 
 @pytest.mark.parametrize(
-    ("kind", "address", "reason", "at"),
+    ("kind", "address", "reason", "at", "word"),
     [
-        ("address", 0o205, Reason.BREAKPOINT, (0o205, 0o0000)),
-        ("word", 0o211, Reason.BREAKPOINT, (0o206, 0o0301)),
-        ("flag", 0, goals.REACHED, (0o203, 0o0000)),
-        ("frame", 0, goals.REACHED, (0o203, 0o0000)),
-        ("character", 0, goals.REACHED, (0o203, 0o0000)),
+        ("address", 0o205, Reason.BREAKPOINT, 0o205, 0),
+        ("word", 0o211, Reason.BREAKPOINT, 0o206, 0o301),
+        ("flag", 0, goals.REACHED, 0o203, 0),
+        ("frame", 0, goals.REACHED, 0o203, 0),
+        ("character", 0, goals.REACHED, 0o203, 0),
     ],
 )
 def test_a_run_ends_at_its_goal(
-    machine: Machine, kind: str, address: int, reason: str, at: tuple[int, int]
+    printing: Machine, kind: str, address: int, reason: str, at: int, word: int
 ) -> None:
     """And when that is over, nothing is watched that was not before."""
-    goal = goals.until(machine, kind, address)
+    goal = goals.until(printing, kind, address)
     ended: str = Reason.LIMIT
     while ended == Reason.LIMIT:
-        ended = goal.run(machine, 20_000)
-    assert (ended, machine.core[0o211]) == (reason, at[1])
-    assert machine.pc in (at[0], at[0] + 1)
+        ended = goal.run(printing, 20_000)
+    assert (ended, printing.core[0o211]) == (reason, word)
+    assert printing.pc in (at, at + 1)
     goal.over()
-    assert not machine.watch.breakpoints | machine.watch.writes
+    assert not printing.watch.breakpoints | printing.watch.writes
 
 
-def test_a_word_that_stays_the_same_is_no_goal(machine: Machine) -> None:
-    """0211 is written eight times with the same word: after the first the program runs to its end."""
-    machine.processor.deposit(0o211, 0o301)
-    goal = goals.until(machine, "word", 0o211)
-    reasons = {goal.run(machine, 20_000) for _ in range(1000)}
+def test_what_was_watched_before_is_watched_on(printing: Machine) -> None:
+    printing.watch.breakpoints.add(0o205)
+    goals.until(printing, "address", 0o205).over()
+    assert printing.watch.breakpoints == {0o205}
+
+
+def test_a_word_that_stays_the_same_is_no_goal(printing: Machine) -> None:
+    """0211 is written eight times with the same word: the program runs to its end."""
+    printing.core[0o211] = 0o301
+    goal = goals.until(printing, "word", 0o211)
+    reasons = {goal.run(printing, 20_000) for _ in range(1000)}
     assert Reason.BREAKPOINT not in reasons
 
 
-def test_steps_lead_forward_and_back() -> None:
+def test_steps_lead_forward_and_back(printing: Machine) -> None:
     """By each unit, recorded as one: back leads before what forward came to."""
-    machine = Machine()
-    machine.load(read(shelf.read_bundled("hello.pal"), "hello.pal").words)
-    machine.start(0o200)
-    history = History(machine)
-    undo = {"cycle": rewind.cycles, "instruction": rewind.instructions, "character": rewind.characters}
-    for unit, back in undo.items():
-        before = machine.processor.clock
+    printing.core[0o210] = 0o200  # an end of block
+    history = History(printing)
+    for unit, back, most in (
+        ("cycle", rewind.cycles, 32),
+        ("instruction", rewind.instructions, 64),
+        ("character", rewind.characters, 2_000_000),
+        ("block", rewind.blocks, 2_000_000),
+    ):
+        before = printing.processor.clock
         assert goals.forward(history, unit) == Reason.LIMIT
-        after = machine.processor.clock
+        after = printing.processor.clock
+        assert before < after <= before + most
         back(history)
-        assert before <= machine.processor.clock < after
+        assert before <= printing.processor.clock < after
     goals.forward(history, "character")
-    assert len(machine.teletype.printer.frames) == 1
+    assert len(printing.teletype.printer.frames) == 1
+
+
+@pytest.mark.parametrize(("unit", "seconds"), [("character", 3), ("block", 30)])
+def test_a_step_that_finds_nothing_ends(unit: str, seconds: int) -> None:
+    """ISZ 210, JMP .-1, JMP .-2."""
+    m = machine("2210 5200 5200")
+    assert goals.forward(History(m), unit) == Reason.LIMIT
+    assert m.elapsed == pytest.approx(seconds, abs=1e-4)
+
+
+def test_a_cycle_that_halts_says_so() -> None:
+    m = machine("7402")
+    assert goals.forward(History(m), "cycle") == Reason.HALT

@@ -10,12 +10,14 @@ from pdp8.computer.machine import LoadError, Machine
 from pdp8.computer.use import operator
 from pdp8.computer.use.operator import Operator
 from tapes import binary, rim
-from tests.pdp8.computer.bench import octal
+from tests.pdp8.computer.bench import core, machine, octal
 
 PROGRAMS = Path(__file__).parents[4] / "programs"
 # The PDP-8/I instruction card's two RIM loaders, from 7756.
 CARD = "6032 6031 5357 6036 7106 7006 7510 5357 7006 6031 5367 6034 7420 3776 3376 5356 0000"
 CARD_HIGH_SPEED = "6014 6011 5357 6016 7106 7006 7510 5374 7006 6011 5367 6016 7420 3776 3376 5357 0000"
+TWO_WORDS = binary.encode({0o200: 0o1234, 0o201: 0o4321})
+FIRST, SECOND = binary.encode({0o200: 0o1111}), binary.encode({0o300: 0o2222})
 
 
 @cache
@@ -30,28 +32,20 @@ def bin_tape() -> bytes:
     return rim.encode(assembly("bin").words)
 
 
-def bin_machine(highspeed: bool = False) -> Machine:
-    """Return a machine that has only the BIN loader in core."""
-    machine = Machine(highspeed)
-    machine.load(assembly("bin").words)
-    return machine
+@pytest.fixture
+def hands() -> Operator:
+    """An operator at a machine that has only the BIN loader in core."""
+    made = Machine()
+    made.load(assembly("bin").words)
+    return Operator(made)
 
 
-def test_rim_is_the_cards() -> None:
+def test_rim_is_the_cards_and_bin_lives_below_it() -> None:
     assert list(operator.RIM) == octal(CARD)
     assert list(operator.RIM_HIGH_SPEED) == octal(CARD_HIGH_SPEED)
-    assert assembly("rim").words == dict(enumerate(octal(CARD), 0o7756))
-
-
-def test_bin_lives_below_rim() -> None:
+    assert assembly("rim").words == core(f"7756/ {CARD}")
     assert set(assembly("bin").words) <= {*range(0o7622, 0o7756), 0o7777}
     assert assembly("bin").words[0o7700] == 0o7402
-
-
-def test_toggling() -> None:
-    machine = Machine()
-    assert sum(1 for _ in Operator(machine).toggle(0o7756, operator.RIM)) == 18
-    assert [machine.core[address] for address in range(0o7756, 0o7777)] == octal(CARD)
 
 
 def test_each_action_takes_its_time_and_is_noted() -> None:
@@ -84,10 +78,11 @@ def test_each_action_takes_its_time_and_is_noted() -> None:
 
 def test_boot_from_cold() -> None:
     program = assembly("eia")
-    machine = Machine()
-    machine.panel.mem_prot = True
-    steps = list(Operator(machine).boot(bin_tape(), program.tape, "eia.bin"))
-    assert {address: machine.core[address] for address in program.words} == program.words
+    m = Machine()
+    m.panel.mem_prot = m.panel.sing_step = True
+    steps = list(Operator(m).boot(bin_tape(), program.tape, "eia.bin"))
+    assert [m.core[address] for address in range(0o7756, 0o7777)] == octal(CARD)
+    assert {address: m.core[address] for address in program.words} == program.words
     trailer = len(program.tape.rstrip(b"\0").rstrip(b"\x80")) - program.tape.index(0o200)
     frames = (len(bin_tape()), trailer + 1)
     seconds = [pytest.approx(count / 10, abs=0.1) for count in frames]
@@ -101,74 +96,89 @@ def test_boot_from_cold() -> None:
         f"BIN loader read by RIM: {frames[0]} frames, 91 words",
         f"eia.bin read by BIN: {frames[1]} frames, 131 words",
     ]
-    assert machine.panel.lamps.run == 0
+    assert (m.panel.lamps.run, m.teletype.reader.loaded) == (0, False)
 
 
 @pytest.mark.parametrize("after", ["200 000 000", "200 " * 64 + "000 000 000 000 101 076 076 101 000 177"])
 def test_what_follows_a_rim_tapes_trailer_stays_out_of_core(after: str) -> None:
     """The RIM loader knows no end: to it blank tape is 0000 for 0000, and 101 076 076 101 a word for 0176."""
-    machine = Machine()
+    m = Machine()
     tape = rim.encode({0: 0o2222, 0o176: 0o1111, 0o200: 0o7402}).rstrip(b"\200")
-    done = list(Operator(machine).boot(bin_tape(), tape + bytes(octal(after))))[-1]
-    assert [machine.core[address] for address in (0, 0o176, 0o200)] == [0o2222, 0o1111, 0o7402]
-    assert (done.frames, done.words, done.missing) == (len(tape) + after.count("200"), 3, 0)
-    assert done.what == "program read by RIM"
+    done = list(Operator(m).boot(bin_tape(), tape + bytes(octal(after))))[-1]
+    assert [m.core[address] for address in (0, 0o176, 0o200)] == [0o2222, 0o1111, 0o7402]
+    assert done[:5] == ("program read by RIM", 2, len(tape) + after.count("200"), 1, 3)
+    assert done.missing == 0
 
 
 @pytest.mark.parametrize("gap", ["000 000", "000 000 200 000 000 000", "200"])
-def test_blank_tape_between_sections_is_passed_over(gap: str) -> None:
+def test_blank_tape_between_sections_is_passed_over(hands: Operator, gap: str) -> None:
     """The loader would take it for words of 0000 and its leader for their trailer."""
-    machine = bin_machine()
-    machine.core[0o201] = 0o5252
-    first, second = binary.encode({0o200: 0o1111}), binary.encode({0o300: 0o2222})
-    done = Operator(machine).read_bin(first + bytes(octal(gap)) + second)
-    assert list(machine.core)[0o200:0o202] == [0o1111, 0o5252]
-    assert machine.core[0o300] == 0o2222
-    skipped = len(first) - len(first.rstrip(b"\200")) - 1 if "000" in gap else -len(octal(gap))
-    frames = len(first) + len(second.rstrip(b"\200")) + 1 - skipped
+    hands.machine.core[0o201] = 0o5252
+    done = hands.read_bin(FIRST + bytes(octal(gap)) + SECOND)
+    assert [hands.machine.core[address] for address in (0o200, 0o201, 0o300)] == [0o1111, 0o5252, 0o2222]
+    skipped = len(FIRST) - len(FIRST.rstrip(b"\200")) - 1 if "000" in gap else -len(octal(gap))
+    frames = len(FIRST) + len(SECOND.rstrip(b"\200")) + 1 - skipped
     assert (done.frames, done.sections, done.words) == (frames, 2, 2)
     assert " frames, 2 sections, 2 words; " in str(done)
 
 
 def test_the_switches_are_set_anew_before_start() -> None:
-    machine = Machine()
-    machine.load({0o200: 0o7604, 0o201: 0o7402})  # LAS, HLT
-    assert Operator(machine).start(0o200, 0o1234).reason == "halt"
-    assert machine.ac == 0o1234
+    m = machine("7604 7402")
+    m.stop()
+    assert Operator(m).start(0o200, 0o1234).reason == "halt"
+    assert m.ac == 0o1234
 
 
-def test_a_word_where_the_loader_keeps_its_own_is_counted_as_missing() -> None:
+def test_a_word_where_the_loader_keeps_its_own_is_counted_as_missing(hands: Operator) -> None:
     """7622 is where FRAME of the BIN loader keeps the address it returns to."""
-    done = Operator(bin_machine()).read_bin(binary.encode({0o200: 0o1111, 0o7622: 0o5252}), "low.bin")
+    done = hands.read_bin(binary.encode({0o200: 0o1111, 0o7622: 0o5252}), "low.bin")
     assert (done.words, done.missing) == (1, 1)
     assert ", 1 word, 1 more not in core; " in str(done)
 
 
-def test_words_to_the_end_of_core_and_messages_between_rubouts() -> None:
+def test_words_to_the_end_of_core_and_messages_between_rubouts(hands: Operator) -> None:
     tape = binary.encode({0o7577: 1, 0o17: 0o7777, 0: 0o4000})
     at = len(tape) - 64 - 2  # before the checksum
-    noisy = tape[:at] + b"\377 IR  0307\377" + tape[at:]
-    machine = bin_machine()
-    Operator(machine).read_bin(noisy)
-    assert (machine.core[0o7577], machine.core[0o17], machine.core[0]) == (1, 0o7777, 0o4000)
+    hands.read_bin(tape[:at] + b"\377 IR  0307\377" + tape[at:])
+    assert [hands.machine.core[address] for address in (0o7577, 0o17, 0)] == [1, 0o7777, 0o4000]
+
+
+def refused(hands: Operator, tape: bytes, *, read: str = "read_bin") -> str:
+    """Return why a loader's tape is not read; the reader is empty then."""
+    with pytest.raises(LoadError) as error:
+        getattr(hands, read)(tape)
+    assert read == "read_rim" or not hands.reader.loaded
+    return str(error.value)
 
 
 @pytest.mark.parametrize("frame", range(64, 74))
-def test_a_wrong_hole_shows_in_the_checksum(frame: int) -> None:
+def test_a_wrong_hole_shows_in_the_checksum(hands: Operator, frame: int) -> None:
     tape = bytearray(binary.encode({0o200: 0o1234, 0o201: 0o4321, 0o202: 0o7402}))
     tape[frame] ^= 0o001
-    with pytest.raises(LoadError, match="wrong checksum"):
-        Operator(bin_machine()).read_bin(bytes(tape), "torn.bin")
+    assert "wrong checksum" in refused(hands, bytes(tape))
 
 
-@pytest.mark.parametrize("tape", [binary.encode({0o200: 0o1234, 0o201: 0o4321})[:68], b"\0", b""])
-def test_a_tape_cut_short(tape: bytes) -> None:
-    with pytest.raises(LoadError, match=r"torn.bin: the BIN loader ended with tape out"):
-        Operator(bin_machine()).read_bin(tape, "torn.bin")
-    with pytest.raises(LoadError, match=r"^tape: the BIN loader ended with tape out"):
-        Operator(bin_machine()).read_bin(tape)
-    with pytest.raises(LoadError, match=r"^tape: the RIM loader ended with idle"):
-        Operator(Machine()).read_rim(tape)
+@pytest.mark.parametrize("tape", [TWO_WORDS[:68], b"\0", b""])
+def test_a_tape_cut_short(hands: Operator, tape: bytes) -> None:
+    ended = "tape: the {} loader ended with {} at "
+    assert refused(hands, tape).startswith(ended.format("BIN", "tape out"))
+    assert refused(Operator(Machine()), tape, read="read_rim").startswith(ended.format("RIM", "idle"))
+
+
+@pytest.mark.parametrize(("frames", "loaded"), [(72, 2), (70, 1), (66, 0)])
+def test_a_tape_cut_short_is_loaded_as_far_as_the_loader_got_if_forced(
+    hands: Operator, frames: int, loaded: int
+) -> None:
+    """The loader keeps a word back until the frames after it show that it is not the checksum."""
+    done = hands.read_bin(TWO_WORDS[:frames], "torn.bin", force=True)
+    assert (done.frames, done.words) == (frames, loaded)
+    assert not hands.panel.lamps.run
+    assert hands.machine.core[0o200:0o202] == [0o1234, 0o4321][:loaded] + [0] * (2 - loaded)
+
+
+def test_a_second_section_without_an_end_is_read_if_forced(hands: Operator) -> None:
+    assert hands.read_bin(FIRST + SECOND[:70], force=True).sections == 2
+    assert hands.machine.core[0o300] == 0o2222
 
 
 def test_start_at_once_runs_nothing_before_the_lever() -> None:
@@ -185,58 +195,31 @@ def test_start_at_once_runs_nothing_before_the_lever() -> None:
     assert not hands.reader.on, "nobody threw it"
 
 
-@pytest.mark.parametrize(("frames", "loaded"), [(72, 2), (70, 1), (66, 0)])
-def test_a_tape_cut_short_is_loaded_as_far_as_the_loader_got_if_forced(frames: int, loaded: int) -> None:
-    """The loader keeps a word back until the frames after it show that it is not the checksum."""
-    tape = binary.encode({0o200: 0o1234, 0o201: 0o4321})
-    machine = bin_machine()
-    done = Operator(machine).read_bin(tape[:frames], "torn.bin", force=True)
-    assert (done.frames, done.words) == (frames, loaded)
-    assert not machine.panel.lamps.run
-    assert list(machine.core)[0o200:0o202] == [0o1234, 0o4321][:loaded] + [0] * (2 - loaded)
-
-
-def test_a_second_section_without_an_end_is_read_if_forced() -> None:
-    first, second = binary.encode({0o200: 0o1111}), binary.encode({0o300: 0o2222})
-    machine = bin_machine()
-    assert Operator(machine).read_bin(first + second[:70], force=True).sections == 2
-    assert machine.core[0o300] == 0o2222
-
-
 @pytest.mark.parametrize("force", [False, True])
 def test_a_loader_that_does_not_read_has_loaded_nothing(force: bool) -> None:
     """The words of another program are no loader; where they halt with AC = 0, the sum seems good."""
-    machine = Machine()
-    machine.load({0o7777: 0o5300, 0o7700: 0o7402})
+    hands = Operator(machine("7777/ 5300 7700/ 7402"))
+    hands.panel.stop()
     with pytest.raises(LoadError, match="halted and had not read the tape"):
-        Operator(machine).read_bin(binary.encode({0o200: 0o1234}), "x.bin", force)
+        hands.read_bin(TWO_WORDS, "x.bin", force)
+    assert not hands.reader.loaded
 
 
 def test_a_loader_slower_than_its_limit_is_named_with_the_limit_and_the_way_on() -> None:
-    tape = binary.encode({0o200: 0o1234})
-    machine = Machine()
-    machine.load({0o7777: 0o5300, 0o7700: 0o2010, 0o7701: 0o5300, 0o7702: 0o5300})
-    with pytest.raises(LoadError) as error:
-        Operator(machine).read_bin(tape, "slow.bin")
-    seconds = 60 + 2 * len(tape) / 10
-    said = str(error.value)
-    assert f"did not end within 1 min {seconds - 60:.1f} s, a minute and twice what its tape takes" in said
+    hands = Operator(machine("7777/ 5300 7700/ 2010 5300 5300"))
+    hands.panel.stop()
+    said = refused(hands, TWO_WORDS)
+    limit = f"1 min {2 * len(TWO_WORDS) / 10:.1f} s, a minute and twice what its tape takes"
+    assert f"did not end within {limit}" in said
     assert "pdp8 run LOADER --start 7777 --sr 7777 --reader TAPE --save FILE" in said
 
 
 def test_the_high_speed_reader_by_switch_0_down() -> None:
-    machine = bin_machine(highspeed=True)
-    machine.highspeed.reader.load(binary.encode({0o200: 0o1234}))
-    machine.sr = operator.HIGH_SPEED_READER
-    machine.start(operator.BIN_START)
-    assert machine.run().reason == "halt"
-    assert (machine.ma, machine.ac, machine.core[0o200]) == (0o7700, 0, 0o1234)
-    assert machine.elapsed < 1
-
-
-@pytest.mark.parametrize("words", [{0o10000: 0}, {-1: 0}])
-def test_what_does_not_fit_into_core(words: dict[int, int]) -> None:
-    machine = Machine()
-    with pytest.raises(LoadError):
-        machine.load({0o300: 1} | words)
-    assert list(machine.core) == [0] * 0o10000
+    m = Machine(highspeed=True)
+    m.load(assembly("bin").words)
+    m.highspeed.reader.load(TWO_WORDS)
+    m.sr = operator.HIGH_SPEED_READER
+    m.start(operator.BIN_START)
+    assert m.run().reason == "halt"
+    assert (m.ma, m.ac, m.core[0o200]) == (0o7700, 0, 0o1234)
+    assert m.elapsed < 1

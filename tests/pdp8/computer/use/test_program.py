@@ -75,15 +75,16 @@ def test_the_first_of_many_errors_are_shown_and_all_counted() -> None:
     assert said.endswith("\nand 117 more: `pal` shows them, with its notes")
 
 
-def test_a_label_is_noted() -> None:
-    for tape in (binary.encode(WORDS), rim.encode(WORDS)):
-        found = program.read(tape + LABEL, "x")
-        assert found.words == WORDS
-        behind = f"a label of 9 frames from frame {len(tape) + 8} on, left out"
-        assert found.notes == (behind,)
-        found = program.read(LABEL + bytes(9) + tape, "x")
-        assert found.words == WORDS
-        assert found.notes == ("a label of 9 frames from frame 8 on, left out",)
+@pytest.mark.parametrize("tape", [binary.encode(WORDS), rim.encode(WORDS)])
+def test_a_label_is_noted_and_drawn_as_the_eye_reads_it(tape: bytes) -> None:
+    for labelled, frame in ((tape + LABEL, len(tape) + 8), (LABEL + bytes(9) + tape, 8)):
+        found = program.read(labelled, "x")
+        assert (found.words, found.notes) == (
+            WORDS,
+            (f"a label of 9 frames from frame {frame} on, left out",),
+        )
+    picture = "oooo  oo/o    o  o/o    o  o/ooo  o  o/o    o  o/o    o  o/o     oo/"
+    assert frames.draw_label(LABEL) == picture.split("/")
 
 
 def test_a_damaged_tape_is_loaded_by_force_alone() -> None:
@@ -93,19 +94,7 @@ def test_a_damaged_tape_is_loaded_by_force_alone() -> None:
         program.read(bytes(damaged), "x")
     found = program.read(bytes(damaged), "x", force=True)
     assert found.words == {0o200: 0o7003, 0o201: 0o7402}
+    assert found.notes[0].startswith("frame ")
     assert "checksum: computed" in found.notes[0]
     with pytest.raises(WorkError, match="no word in it goes into core; frame 66: the tape is cut short"):
         program.read(binary.encode(WORDS)[:66], "x", force=True)
-
-
-def test_a_label_is_drawn_as_the_eye_reads_it() -> None:
-    assert frames.draw_label(LABEL) == [
-        "oooo  oo",
-        "o    o  o",
-        "o    o  o",
-        "ooo  o  o",
-        "o    o  o",
-        "o    o  o",
-        "o     oo",
-        "",
-    ]
