@@ -32,7 +32,6 @@ from pal.isa import (
     ISZ,
     JMP,
     JMS,
-    OPR,
     REVERSED,
     autoindexed,
     jumps_to,
@@ -163,10 +162,11 @@ class Engine:
     def _decode(self, address: int) -> None:
         """Fill in the operation of the word at `address`, and its operand."""
         word = self.core[address]
-        if word < IOT << 9:
+        code = word >> 9
+        if code < IOT:
             operand = refers_to(word, address)
             op = self._memory_reference(word, operand, address)
-        elif word < OPR << 9:
+        elif code == IOT:
             operand, op = 0, LEFT
         elif not word & GROUP_2:
             operand, op = word & 0o377, _group1(word & 0o377)

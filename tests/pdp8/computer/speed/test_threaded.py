@@ -6,6 +6,7 @@ import shutil
 import subprocess
 from array import array
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -17,6 +18,10 @@ from tests.pdp8.computer.speed.forms import HOUSE, machine_module
 PIECE = HOUSE / "pdp8/computer/speed/piece.py"
 
 
+def plain_engine() -> Any:
+    return machine_module("plain").Machine().engine
+
+
 @pytest.fixture(scope="module", params=["jumps", "switch"])
 def library(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
     if shutil.which("gcc") is None:
@@ -24,29 +29,16 @@ def library(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     source = tmp_path_factory.mktemp(request.param) / "piece.c"
     source.write_text(translate(PIECE).replace("static int execute(", "int execute("))
     form = ["-U__GNUC__"] if request.param == "switch" else []
-    subprocess.run(
-        [
-            "gcc",
-            "-O1",
-            "-shared",
-            "-fPIC",
-            "-Wall",
-            "-Werror",
-            *form,
-            "-o",
-            source.with_suffix(".so"),
-            source,
-        ],
-        check=True,
-    )
-    return ctypes.CDLL(str(source.with_suffix(".so")))
+    made = source.with_suffix(".so")
+    options = ["-O1", "-shared", "-fPIC", "-Wall", "-Werror"]
+    subprocess.run(["gcc", *options, *form, "-o", made, source], check=True)
+    return ctypes.CDLL(str(made))
 
 
 def decoded(draw: random.Random) -> "list[array[int]]":
     """Return a core of nonsense, its operations and their operands; some words are not decoded."""
-    engine = machine_module("plain").Machine().engine
-    for address in range(0o10000):
-        engine.core[address] = any_word(draw)
+    engine = plain_engine()
+    engine.core[:] = array("H", [any_word(draw) for _ in range(0o10000)])
     for page in range(0o200, 0o10000, 0o200):  # ISZ x110, JMP .-1
         engine.core[page], engine.core[page + 1] = 0o2310, 0o5200
     for address in range(0o10000):
@@ -55,37 +47,27 @@ def decoded(draw: random.Random) -> "list[array[int]]":
     return [array("H", words) for words in (engine.core, engine.processor.forms, engine.arg)]
 
 
-def pointer(words: "array[int]") -> ctypes.c_void_p:
-    return ctypes.c_void_p(words.buffer_info()[0])
-
-
 def test_the_translation_does_what_the_source_does(library: ctypes.CDLL) -> None:
-    engine = machine_module("plain").Machine().engine
-    keep, flip, plus = (array("H", table) for table in (engine.keep, engine.flip, engine.plus))
+    engine = plain_engine()
+    tables = [array("H", table) for table in (engine.keep, engine.flip, engine.plus)]
     draw = random.Random(1971)
     tried = set()
     for _ in range(8):
-        core, ops, arg = words = decoded(draw)
-        for operation in set(ops) - {WRAP}:
-            for _ in range(20):
-                start = draw.choice(
-                    [address for address in range(0o10000) if ops[address] == operation] or [0]
-                )
-                registers = [start, draw.randrange(0o20000), 0]
-                wall, limit = draw.choice([0o7600, 0o10000]), draw.choice([0, 1, 5, 100, 6000]) << 26
-                copies = [array("H", part) for part in words]
-                translated = array("q", registers)
-                meant = execute(core, ops, arg, keep, flip, plus, engine.conditions, registers, wall, limit)
-                found = library.execute(
-                    *map(pointer, [*copies, keep, flip, plus]),
-                    engine.conditions,
-                    pointer(translated),
-                    ctypes.c_int64(wall),
-                    ctypes.c_int64(limit),
-                )
-                assert (found, list(translated)) == (meant, registers)
-                assert copies == words
-            tried.add(operation)
+        words = decoded(draw)
+        places: dict[int, list[int]] = {}
+        for address, operation in enumerate(words[1][:0o10000]):
+            places.setdefault(operation, []).append(address)
+        for start in (draw.choice(places[operation]) for operation in places for _ in range(20)):
+            copies = [array("H", part) for part in words]
+            registers = [start, draw.randrange(0o20000), 0]
+            translated = array("q", registers)
+            wall, limit = draw.choice([0o7600, 0o10000]), draw.choice([0, 1, 5, 100, 6000]) << 26
+            meant = execute(*words, *tables, engine.conditions, registers, wall, limit)
+            pointers = [ctypes.c_void_p(each.buffer_info()[0]) for each in (*copies, *tables, translated)]
+            limits = ctypes.c_int64(wall), ctypes.c_int64(limit)
+            found = library.execute(*pointers[:6], engine.conditions, pointers[6], *limits)
+            assert (found, list(translated), copies) == (meant, registers, words)
+        tried |= places.keys()
     assert tried == {*range(WRAP), LEFT}
 
 

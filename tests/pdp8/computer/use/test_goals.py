@@ -68,6 +68,7 @@ def test_steps_lead_forward_and_back(printing: Machine) -> None:
         assert goals.forward(history, unit) == Reason.LIMIT
         after = printing.processor.clock
         assert before < after <= before + most
+        assert printing.recorder is history
         back(history)
         assert before <= printing.processor.clock < after
     goals.forward(history, "character")

@@ -3,7 +3,7 @@
 import pytest
 
 from pdp8.computer.use import program
-from tapes import binary, frames, kinds, rim, shelf
+from tapes import binary, kinds, rim, shelf
 from tapes.errors import WorkError
 
 WORDS = {0o200: 0o7001, 0o201: 0o7402}
@@ -76,15 +76,13 @@ def test_the_first_of_many_errors_are_shown_and_all_counted() -> None:
 
 
 @pytest.mark.parametrize("tape", [binary.encode(WORDS), rim.encode(WORDS)])
-def test_a_label_is_noted_and_drawn_as_the_eye_reads_it(tape: bytes) -> None:
+def test_a_label_is_noted(tape: bytes) -> None:
     for labelled, frame in ((tape + LABEL, len(tape) + 8), (LABEL + bytes(9) + tape, 8)):
         found = program.read(labelled, "x")
         assert (found.words, found.notes) == (
             WORDS,
             (f"a label of 9 frames from frame {frame} on, left out",),
         )
-    picture = "oooo  oo/o    o  o/o    o  o/ooo  o  o/o    o  o/o    o  o/o     oo/"
-    assert frames.draw_label(LABEL) == picture.split("/")
 
 
 def test_a_damaged_tape_is_loaded_by_force_alone() -> None:

@@ -1,0 +1,65 @@
+"""Who executes what: the processor no more than it has to, and of what only waits nobody more than needed."""
+
+import pytest
+
+from pdp8.computer.machine import Machine
+from tests.conftest import case
+from tests.pdp8.computer.bench import machine
+
+OPERATE = [word for word in range(0o7000, 0o10000) if word & 0o403 != 0o402]
+BOTH_ROTATES = {word for word in OPERATE if word & 0o414 == 0o014}
+READS_SWITCHES = {word for word in OPERATE if word & 0o405 == 0o404}
+REFERENCES = [code << 9 | address for code in range(6) for address in (0o22, 0o222, 0o422, 0o622, 0o410)]
+LEFT = {0o410, 0o2410, 0o4410, 0o5410, 0o6000, *BOTH_ROTATES, *READS_SWITCHES}
+"""What a piece leaves: autoindexing but that of TAD and DCA, IOT, both rotates, OSR."""
+
+
+def counted(words: str, tape: bytes = b"", ion: int = 0) -> tuple[Machine, list[int]]:
+    """Return a plain machine, and the addresses at which its processor executes an instruction."""
+    m = machine(words, tape, form="plain", ion=ion)
+    executed: list[int] = []
+    instruction = m.processor.instruction
+
+    def counting() -> None:
+        executed.append(m.pc)
+        instruction()
+
+    vars(m.processor)["instruction"] = counting
+    return m, executed
+
+
+@pytest.mark.parametrize("ion", [0, 1])
+def test_a_piece_leaves_the_first_and_the_last_instruction_and_what_it_does_not_know(ion: int) -> None:
+    """The word, JMP 200, so often: at the word every pointer leads to, and after a skip, is JMP 200 too."""
+    back = "5200 " * 0o60
+    for word in (*REFERENCES, 0o6000, *(OPERATE if not ion else OPERATE[::16])):
+        with case(f"{word:04o}"):
+            m, executed = counted(
+                f"{word:o} 5200 5200 10/ 300 22/ 230 222/ 230 5200 230/ 5200 5200 301/ {back}"
+            )
+            m.processor.ion = m.processor.ion_delayed = ion
+            if word == 0o5222:
+                m.core[0o222] = 0o5200
+            m.run(instructions=61)
+            assert m.instructions == 61
+            assert len(executed) == (31 if word in LEFT else 2)
+            m.run(seconds=1e-3)
+            assert word in LEFT or len(executed) <= 5
+
+
+@pytest.mark.parametrize(
+    ("words", "seconds", "most"),
+    [
+        ("6031 5200", 0.02, 3),
+        ("5200", 0.02, 3),
+        ("5200", 0.5, 5),
+        ("6001 5201", 0.02, 3),
+        ("6031 7000 5200", 0.02, 10),
+        ("6031 7410 5202 5200", 0.02, 10),
+        ("7000 5200", 0.1, 7),
+    ],
+)
+def test_what_only_waits_is_passed_over(words: str, seconds: float, most: int) -> None:
+    m, executed = counted(words, b"abc" if words.startswith("60") else b"")
+    m.run(seconds)
+    assert len(executed) <= most
