@@ -2,7 +2,7 @@
 
 import ctypes
 from collections.abc import Iterable
-from ctypes import POINTER, Structure, c_int, c_int32, c_int64, c_uint8, c_uint16
+from ctypes import POINTER, Structure, c_int32, c_int64, c_uint8, c_uint16
 from functools import cache
 from pathlib import Path
 
@@ -82,19 +82,17 @@ class Reference(Structure):
 
     def __init__(self, fast: bool = False) -> None:
         super().__init__()
-        self._call("power_up", c_int(fast))
+        self.do("power_up", fast)
 
-    def _call(self, name: str, *arguments: object) -> int:
+    def do(self, name: str, *given: int | bytes) -> int:
+        """Call pdp8l_NAME of pdp8l.h; bytes are followed by their length."""
+        arguments = [
+            each
+            for value in given
+            for each in ((value, len(value)) if isinstance(value, bytes) else (value,))
+        ]
         result: int = getattr(library(), f"pdp8l_{name}")(ctypes.byref(self), *arguments)
         return result
-
-    def press(self, key: str) -> None:
-        """Press START, STOP, LOAD ADD, EXAM or DEP: `start`, `stop`, `load_add`, `exam`, `dep`."""
-        self._call(key)
-
-    def cycle(self) -> None:
-        """Run one memory cycle."""
-        self._call("cycle")
 
     def run_to(
         self, until: int, last: int, breakpoints: Iterable[int] = (), writes: Iterable[int] = ()
@@ -105,7 +103,8 @@ class Reference(Structure):
             marks[address] |= 1
         for address in writes:
             marks[address] |= 2
-        return REASONS[self._call("run", until, last, bytes(marks) if any(marks) or self.counts else None)]
+        looked_at = bytes(marks) if any(marks) or self.counts else None
+        return REASONS[library().pdp8l_run(ctypes.byref(self), until, last, looked_at)]
 
     def count(self, counts: Counts | None = None) -> Counts:
         """Count from now on, on `counts` or from 0; return the counts."""
@@ -116,35 +115,3 @@ class Reference(Structure):
     def copied(self) -> "Reference":
         """Return another that does the same from here on; counts are shared."""
         return Reference.from_buffer_copy(self)
-
-    def endless(self) -> bool:
-        """Tell whether the program, left alone, goes round for ever and no device will do anything."""
-        return bool(self._call("endless"))
-
-    def wait(self, ticks: int) -> None:
-        """Let time pass while the processor stands still."""
-        self._call("wait", ticks)
-
-    def settle(self) -> None:
-        """Let all happen that happens now."""
-        self._call("settle")
-
-    def next_event(self) -> int:
-        """Return the tick at which a device does something next, be it that nobody sees it."""
-        return self._call("next")
-
-    def finish(self) -> None:
-        """Let the mechanisms finish what they have begun."""
-        self._call("finish")
-
-    def type(self, frames: bytes) -> None:
-        """Press the keys that send `frames`."""
-        self._call("type", frames, len(frames))
-
-    def load_tape(self, frames: bytes, fast: bool = False) -> None:
-        """Put a tape in one of the readers."""
-        self._call("tape", c_int(fast), frames, len(frames))
-
-    def throw_lever(self, start: bool, fast: bool = False) -> None:
-        """Put a reader's lever to START or STOP."""
-        self._call("lever", c_int(fast), c_int(start))

@@ -39,7 +39,7 @@ cdef class Engine:
     cdef _prepare(self, object breakpoints)
     @cython.locals(room=int64_t)
     cdef int64_t _room(self, int64_t until, int64_t last) except? -1
-    @cython.locals(word=int, operand=int, op=int)
+    @cython.locals(word=int, code=int, operand=int, op=int)
     cdef _decode(self, int address)
     @cython.locals(code=int)
     cdef int _memory_reference(self, int word, int operand, int address) except -1

@@ -30,7 +30,7 @@ class ReferenceEmulator:
         return True
 
     def cycle(self) -> list[Any]:
-        self.m.cycle()
+        self.m.do("cycle")
         return [STATES[self.m.state], self.m.ma, self.m.mb]
 
     def get(self) -> dict[str, int]:
@@ -47,7 +47,7 @@ class ReferenceDevices(Devices):
         self.tape = tape
         self.m = Reference(fast=True)
         for fast in (False, True):
-            self.m.load_tape(tape, fast)
+            self.m.do("tape", fast, tape)
 
     @property
     def now(self) -> int:
@@ -65,22 +65,22 @@ class ReferenceDevices(Devices):
         ]
 
     def next_event(self) -> int:
-        return int(self.m.next_event())
+        return self.m.do("next")
 
     def to(self, tick: int) -> None:
-        self.m.wait(tick - self.m.now)
-        self.m.settle()
+        self.m.do("wait", tick - self.m.now)
+        self.m.do("settle")
 
     def iot(self, word: int, ac: int) -> Event:
         m = self.m
         m.pc, m.ac, m.core[0o200], m.next = 0o200, ac, word, 0
-        m.cycle()
-        m.settle()
+        m.do("cycle")
+        m.do("settle")
         return {"ac": m.ac, "skip": m.pc - 0o201}
 
     def key(self, frame: int) -> None:
-        self.m.type(bytes([frame]))
+        self.m.do("type", bytes([frame]))
 
     def start(self) -> None:
         self.m.run = 0
-        self.m.press("start")
+        self.m.do("start")

@@ -252,13 +252,11 @@ class ReferenceSide(Side):
         if path in LOOKS:
             return
         if where == "panel":
-            m.press(what)
-        elif what == "load":
-            m.load_tape(*values, fast)
-        elif what == "lever":
-            m.throw_lever(*values, fast)
+            m.do(what)
+        elif what in ("load", "lever"):
+            m.do("tape" if what == "load" else "lever", fast, *values)
         elif what == "press":
-            m.type(*values)
+            m.do("type", *values)
         else:
             assert path == "core.__setitem__"
             m.core[values[0]] = values[1]
@@ -273,7 +271,7 @@ class ReferenceSide(Side):
             m.next = 0
 
     def wait(self, ticks: int) -> None:
-        self.reference.wait(ticks)
+        self.reference.do("wait", ticks)
 
     def deposit_at_pc(self, beyond: int, word: int) -> None:
         self.reference.core[self.reference.pc + beyond & 0o7777] = word
@@ -291,7 +289,7 @@ class ReferenceSide(Side):
         until = NEVER if ticks is None else m.now + ticks
         reason = m.run_to(until, m.instructions + self.limited(instructions), self.marks, self.writes)
         if reason != "limit":
-            m.finish()
+            m.do("finish")
         return reason
 
     def run_endless(self, instructions: int) -> bool:
@@ -299,8 +297,8 @@ class ReferenceSide(Side):
         self._stands()
         m = self.reference
         reason = m.run_to(NEVER, instructions, self.marks, self.writes)
-        m.finish()
-        return reason == "limit" and m.endless()
+        m.do("finish")
+        return reason == "limit" and bool(m.do("endless"))
 
     def watch(self, writes: frozenset[int], observed: bool) -> None:
         super().watch(writes, observed)
@@ -310,10 +308,8 @@ class ReferenceSide(Side):
         for _ in range(count):
             self._stands()
             self.reference.run = 0
-            self.reference.settle()
-            self.reference.cycle()
-            self.reference.settle()
-            self.reference.finish()
+            for part in ("settle", "cycle", "settle", "finish"):
+                self.reference.do(part)
 
     def look(self) -> None:
         """Nothing is changed by it."""
