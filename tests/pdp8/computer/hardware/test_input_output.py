@@ -96,6 +96,15 @@ def test_the_tick_at_which_the_flag_rises(code: int) -> None:
         assert executed(code, 0)[1].due == NEVER  # there is no tape
 
 
+def test_a_copy_goes_at_the_pace_of_the_fast_punch() -> None:
+    # RFC; RSF; JMP .-1; RRB RFC; PLS; PSF; JMP .-1; CLA; JMP 0201
+    tape = bytes(range(256))
+    m = machine("6014 6011 5201 6016 6026 6021 5205 7200 5201", tape, highspeed=True)
+    assert m.run().reason == "tape out"
+    assert m.highspeed.punch.tape == tape
+    assert m.elapsed == pytest.approx(256 / 50 + 1 / 300, abs=256 * 40e-6)
+
+
 def test_a_code_is_fitted_once() -> None:
     m = Machine(highspeed=True)
     with pytest.raises(ValueError, match="device 01 is fitted already"):

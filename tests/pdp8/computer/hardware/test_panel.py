@@ -1,4 +1,4 @@
-"""Every key and switch, and what the lamps show after each."""
+"""Every key and switch, what the lamps show after each, and why it stopped."""
 
 import pytest
 
@@ -6,6 +6,20 @@ from pdp8.computer.hardware.panel import Lamps, Panel, shares
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.machine import Machine
 from tests.pdp8.computer.bench import core, machine
+
+
+class Stopper:
+    """An observer that presses STOP after a cycle of a major state."""
+
+    def __init__(self, state: int) -> None:
+        self.state = state
+
+    def cycle(self, processor: Processor, interrupt: bool) -> None:
+        if processor.state == self.state:
+            processor.stop()
+
+    def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
+        """Nothing is passed over."""
 
 
 @pytest.fixture
@@ -115,17 +129,8 @@ def test_stop_comes_before_an_interrupt_of_the_same_instruction(stepped: int) ->
 
 def test_stop_of_an_observer_ends_the_instruction_and_the_run() -> None:
     """TAD 250, then DCA I 250, stopped at its DEFER."""
-
-    class Stopper:
-        def cycle(self, processor: Processor, interrupt: bool) -> None:
-            if processor.state == 1:
-                processor.stop()
-
-        def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
-            """Nothing is passed over."""
-
     m = machine("1250 3650 7402 250/ 300")
-    m.watch.observer = Stopper()
+    m.watch.observer = Stopper(1)
     assert m.run()[:2] == ("stop key", 0o202)
     assert (m.core[0o300], m.ticks) == (0o300, 64 + 96)
 
@@ -141,3 +146,15 @@ def test_start_initializes_and_cont_clears_nothing() -> None:
     m.panel.start()
     assert (m.ac, m.link, m.ion, transmitter.flag, receiver.flag) == (0, 0, 0, 0, 0)
     assert (receiver.reader_run, m.pc, m.core[0o200]) == (1, 0o200, 0o7402)
+
+
+@pytest.mark.parametrize("word", ["7402", "7406", "7606", "7412", "7502"])
+def test_every_word_with_the_hlt_bit_of_group_2_is_a_halt(word: str) -> None:
+    assert machine(word).run().reason == "halt"
+
+
+def test_a_stop_after_a_word_of_group_3_is_no_halt() -> None:
+    """7403 has HLT's bit, in group 3."""
+    m = machine("7403 5200")
+    m.watch.observer = Stopper(0)
+    assert (m.run().reason, m.mb) == ("stop key", 0o7403)

@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from tests.pdp8.computer.bench import core
+from tests.pdp8.computer.bench import core, octal
 from tests.pdp8.computer.lockstep.play import listing, play
 from tests.pdp8.computer.lockstep.situations import (
     LOAD_ADD,
@@ -85,6 +85,7 @@ WAITS = {
     "ISZ, JMP I .-1": "2220 5600",
     "KSF, NOP, JMP": "6031 7000 5200",
     "NOP, JMP .-1": "7000 5200",
+    "TLS, JMP .-1": "6046 5200",
     "KSF, SKP, JMP, TSF, JMP, TCF, JMP, KRB, TLS, JMP": "6031 7410 5207 6041 5200 6042 5200 6036 6046 5200",
     "KSF, JMP .-1, KRB, TLS, TSF, JMP .-1, JMP": "6031 5200 6036 6046 6041 5204 5200",
     "KSF, JMP and NOPs that only look like a wait: JMP 0": "7000 7000 6031 5002",
@@ -171,3 +172,26 @@ def test_every_iot_and_every_opr(first: int, form: str) -> None:
         for observed in (False, True):
             watched = Act("watch", (frozenset(), observed))
             same(form, words, watched, *acts, name=f"{start:04o}", fast=start % 0o200 == 0)
+
+
+def test_marks_and_protected_words(form: str) -> None:
+    """Each word that writes, reads or skips where it can meet a breakpoint, a watched word, MEM PROT."""
+    skips = octal("7410 7440 2022 7610")
+    for word in (*octal("3021 2021 4021 1021 21 1421 1410 3410 4210 3420"), *skips):
+        for start in (0o200, 0o7775, 0o7776, 0o7777) if word in skips else (0o200,):
+            words = core(f"{start:o}/ {word:o} 7001 7001 7001 5200 10/ 300 20/ 7700 30 7777 210/ 0 7001 5200")
+            begin = (put("pc", start), put("ac", 0), *runs((None, 1), (None, 4)))
+            acts: list[Act] = []
+            for mark in (0o10, 0o21, 0o210, 0o7700, *(start + on & 0o7777 for on in range(1, 4))):
+                marks = frozenset({mark})
+                acts += [Act("breakpoints", (marks,)), *begin, Act("watch", (marks, False)), *begin]
+                acts += [Act("breakpoints", (frozenset(),)), *begin, Act("watch", (frozenset(), False))]
+            acts.append(put("panel.mem_prot", True))
+            for after in (call("panel.exam"), call("panel.dep"), LOAD_ADD, Act("single_cycles", (1,))):
+                acts += [*begin, after, *runs((None, 1))]
+            same(form, words, *acts, name=f"{word:04o} at {start:04o}")
+
+
+def test_setting_pc_within_an_instruction_begins_with_a_fetch(form: str) -> None:
+    words = core("1420 20/ 30 30/ 5 300/ 7402")
+    same(form, words, *STARTED, Act("single_cycles", (1,)), put("pc", 0o300), *runs((None, 2)))
