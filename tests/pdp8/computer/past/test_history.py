@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable
-from itertools import count, pairwise
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import pytest
@@ -71,54 +71,37 @@ def printed_and_recorded() -> tuple[Machine, History]:
     return m, history
 
 
-def last(moments: list[Moment], matches: Callable[[int], bool]) -> int:
-    return next(number for number in range(len(moments) - 2, -1, -1) if matches(number))
-
-
 def test_each_way_back_ends_at_its_moment(moments: list[Moment]) -> None:
-    now = len(moments) - 1
-    end = moments[-1]
+    """One is undone where no number is named."""
+    now, end = len(moments) - 1, moments[-1]
 
-    def fewer(name: str, undone: int) -> int:
-        return last(moments, lambda at: getattr(moments[at], name) <= getattr(end, name) - undone)
+    def last(matches: Callable[[Moment, Moment], bool]) -> int:
+        return next(n for n in range(now - 1, -1, -1) if matches(moments[n], moments[n + 1]))
 
-    def written(place: int) -> int:
-        return last(moments, lambda at: moments[at].core[place] != moments[at + 1].core[place])
+    def first(clock: float) -> int:
+        return next(number for number, one in enumerate(moments) if one.clock >= clock)
 
-    ways: list[tuple[Callable[..., None], list[Any], int]] = [
-        *((rewind.instructions, [n], now - n) for n in (0, 1, 2, 1000, now - 1, now)),
-        (rewind.instructions, [], now - 1),
-        *((rewind.characters, [n], fewer("printed", n)) for n in (1, 2, 3)),
-        (rewind.characters, [], fewer("printed", 1)),
-        (rewind.characters, [0], now),
-        (rewind.blocks, [], fewer("blocks", 1)),
-        (rewind.blocks, [2], fewer("blocks", 2)),
+    ways: list[tuple[Callable[..., None], Any, int]] = [
+        *((rewind.instructions, n, now - n) for n in (0, 1, 2, 1000, now - 1, now)),
         *(
-            (rewind.until_left, [a], last(moments, lambda at, a=a: moments[at].pc == a))
-            for a in (0o206, 0o210)
+            (rewind.characters, n, last(lambda one, _, n=n: one.printed <= end.printed - n))
+            for n in (1, 2, 3)
         ),
-        (rewind.until_left, [0o220], 1 + last(moments, lambda at: moments[at].pc == 0o210)),
-        (rewind.until_written, [0o30], written(0)),
-        (rewind.until_written, [0o31], written(1)),
-        (
-            rewind.until_flag,
-            [0o03],
-            1 + last(moments, lambda at: moments[at].keyboard_flag < moments[at + 1][5]),
-        ),
-        *(
-            (
-                rewind.seconds,
-                [s],
-                next(at for at in count() if moments[at].clock >= end.clock - s * 20_000_000),
-            )
-            for s in (0.0, 0.05, 0.151, 0.3)
-        ),
+        *((rewind.blocks, n, last(lambda one, _, n=n: one.blocks <= end.blocks - n)) for n in (1, 2)),
+        *((rewind.seconds, s, first(end.clock - s * 20_000_000)) for s in (0.0, 0.05, 0.151, 0.3)),
+        (rewind.characters, 0, now),
+        (rewind.until_left, 0o206, last(lambda one, _: one.pc == 0o206)),
+        (rewind.until_left, 0o210, last(lambda one, _: one.pc == 0o210)),
+        (rewind.until_left, 0o220, last(lambda one, _: one.pc == 0o210) + 1),
+        (rewind.until_written, 0o30, last(lambda one, after: one.core[0] != after.core[0])),
+        (rewind.until_written, 0o31, last(lambda one, after: one.core[1] != after.core[1])),
+        (rewind.until_flag, 0o03, last(lambda one, after: one.keyboard_flag < after.keyboard_flag) + 1),
     ]
-    for way, values, number in ways:
-        with case(way.__name__, *values):
+    for way, value, number in ways:
+        with case(way.__name__, value):
             m, history = printed_and_recorded()
             assert moment(m) == end
-            way(history, *values)
+            way(history, *([] if value == 1 else [value]))
             assert (m.instructions, moment(m)) == (number, moments[number])
             m.run(instructions=now - number)
             assert moment(m) == end or moments[number].clock <= 3_000_000

@@ -8,6 +8,7 @@ from importlib.machinery import EXTENSION_SUFFIXES, ModuleSpec
 from importlib.util import spec_from_file_location
 from pathlib import Path
 from types import ModuleType
+from unittest.mock import patch
 
 import pal
 
@@ -51,23 +52,17 @@ class _Sources(MetaPathFinder):
 
 def _plain() -> dict[str, ModuleType]:
     """Import what is USED from sources alone, and leave the modules in use as they were."""
+    for name in USED:
+        importlib.import_module(name)
     used = {name: module for name, module in sys.modules.items() if _is_ours(name)}
-    finder = _Sources()
-    for name in used:
-        del sys.modules[name]
-    sys.meta_path.insert(0, finder)
-    try:
-        return {name: importlib.import_module(name) for name in USED}
-    finally:
-        sys.meta_path.remove(finder)
-        for name in [name for name in sys.modules if _is_ours(name)]:
+    with patch.dict(sys.modules), patch.object(sys, "meta_path", [_Sources(), *sys.meta_path]):
+        for name in used:
             del sys.modules[name]
-            package, _, own = name.rpartition(".")
-            delattr(sys.modules[package], own)
-        sys.modules.update(used)
-        for name, module in used.items():
-            package, _, own = name.rpartition(".")
-            setattr(sys.modules[package], own, module)
+        plain = {name: importlib.import_module(name) for name in USED}
+    for name, module in used.items():
+        package, _, own = name.rpartition(".")
+        setattr(sys.modules[package], own, module)
+    return plain
 
 
 _PLAIN = _plain()
