@@ -14,12 +14,20 @@ def shrink(situation: Situation, fails: Fails) -> Situation:
     before = None
     while situation != before:
         before = situation
-        acts = _fewer(before.acts, lambda acts, before=before: fails(before._replace(acts=tuple(acts))))
-        shorter = _shorter_runs(situation._replace(acts=tuple(acts)), fails)
-        words = list(situation.words.items())
-        words = _fewer(words, lambda words, shorter=shorter: fails(shorter._replace(words=dict(words))))
-        situation = shorter._replace(words=dict(words))
+        situation = _fewer_acts(situation, fails)
+        situation = _shorter_runs(situation, fails)
+        situation = _fewer_words(situation, fails)
     return situation
+
+
+def _fewer_acts(situation: Situation, fails: Fails) -> Situation:
+    acts = _fewer(situation.acts, lambda acts: fails(situation._replace(acts=tuple(acts))))
+    return situation._replace(acts=tuple(acts))
+
+
+def _fewer_words(situation: Situation, fails: Fails) -> Situation:
+    words = _fewer(list(situation.words.items()), lambda words: fails(situation._replace(words=dict(words))))
+    return situation._replace(words=dict(words))
 
 
 def _fewer(items: Sequence[T], fails: Callable[[Sequence[T]], bool]) -> Sequence[T]:

@@ -1,5 +1,6 @@
 """What a run may not overlook: hands in the middle of it, of whoever sees a frame; and limits in any year."""
 
+from collections.abc import Callable
 from functools import partial
 
 import pytest
@@ -40,7 +41,7 @@ def test_stop_from_whoever_sees_a_frame(form: str, seconds: float) -> None:
 def test_a_flag_test_that_the_operator_interrupts(form: str, act: str, reason: str) -> None:
     """TLS, KSF, JMP .-1: the printer's frame comes while it waits, and is seen in front of the KSF."""
     m = machine("6046 6031 5201 6036 5201 300/ 2310 5300", b"ab", form=form, ac=A)
-    acts = {
+    acts: dict[str, Callable[[], object]] = {
         "stop": m.stop,
         "deposit": partial(m.core.__setitem__, 0o201, HLT),
         "jump": partial(setattr, m, "pc", 0o300),

@@ -49,20 +49,20 @@ def decoded(draw: random.Random) -> "list[array[int]]":
 
 def test_the_translation_does_what_the_source_does(library: ctypes.CDLL) -> None:
     engine = plain_engine()
-    tables = [array("H", table) for table in (engine.keep, engine.flip, engine.plus)]
+    keep, flip, plus = tables = [array("H", table) for table in (engine.keep, engine.flip, engine.plus)]
     draw = random.Random(1971)
-    tried = set()
+    tried: set[int] = set()
     for _ in range(8):
-        words = decoded(draw)
+        core, ops, arg = words = decoded(draw)
         places: dict[int, list[int]] = {}
-        for address, operation in enumerate(words[1][:0o10000]):
+        for address, operation in enumerate(ops[:0o10000]):
             places.setdefault(operation, []).append(address)
         for start in (draw.choice(places[operation]) for operation in places for _ in range(20)):
             copies = [array("H", part) for part in words]
             registers = [start, draw.randrange(0o20000), 0]
             translated = array("q", registers)
             wall, limit = draw.choice([0o7600, 0o10000]), draw.choice([0, 1, 5, 100, 6000]) << 26
-            meant = execute(*words, *tables, engine.conditions, registers, wall, limit)
+            meant = execute(core, ops, arg, keep, flip, plus, engine.conditions, registers, wall, limit)
             pointers = [ctypes.c_void_p(each.buffer_info()[0]) for each in (*copies, *tables, translated)]
             limits = ctypes.c_int64(wall), ctypes.c_int64(limit)
             found = library.execute(*pointers[:6], engine.conditions, pointers[6], *limits)
