@@ -83,6 +83,20 @@ def test_a_halt_lets_the_printer_finish_and_each_frame_is_printed_once() -> None
     assert m.teletype.punch.tape == b"\301\301"
 
 
+def test_what_start_silenced_after_it_was_printed_ahead_is_not_owed() -> None:
+    """TLS, ISZ 20, JMP .-1, TLS, HLT: two garbled frames; START comes before they are through the line."""
+    m = machine("6046 2020 5201 6046 7402")
+    m.run()
+    garbled = m.teletype.punch.tape
+    assert len(garbled) == 2
+    m.start(0o200)
+    m.stop()
+    m.wait(1)
+    m.start(0o200)
+    m.run()
+    assert m.teletype.punch.tape == garbled * 2
+
+
 def test_ten_characters_a_second_both_ways_together() -> None:
     """Reading and printing overlap; each frame waits for the printer, 9 units, then the flag is up."""
     tape = bytes(range(256))

@@ -192,6 +192,11 @@ def test_marks_and_protected_words(form: str) -> None:
             same(form, words, *acts, name=f"{word:04o} at {start:04o}")
 
 
-def test_setting_pc_within_an_instruction_begins_with_a_fetch(form: str) -> None:
-    words = core("1420 20/ 30 30/ 5 300/ 7402")
-    same(form, words, *STARTED, Act("single_cycles", (1,)), put("pc", 0o300), *runs((None, 2)))
+def test_hands_within_an_instruction(form: str) -> None:
+    """TAD I 20 in 3 cycles, after ION, with a flag up: STOP and its kin in any of them, then single steps."""
+    words = core("6046 6041 5201 6001 1420 7001 5204 20/ 30 30/ 1111 1/ 7402 300/ 7402")
+    for hand in (put("pc", 0o300), STOP, call("panel.dep"), put("panel.mem_prot", True), START):
+        for before in (27_974, 27_975, 27_976):
+            for cycles in range(5):
+                acts = (*runs((None, before)), Act("single_cycles", (cycles,)), hand, *runs(*[(None, 1)] * 4))
+                same(form, words, *STARTED, *acts)
