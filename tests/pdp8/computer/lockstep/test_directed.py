@@ -186,7 +186,7 @@ def test_marks_and_protected_words(form: str) -> None:
                 marks = frozenset({mark})
                 acts += [Act("breakpoints", (marks,)), *begin, Act("watch", (marks, False)), *begin]
                 acts += [Act("breakpoints", (frozenset(),)), *begin, Act("watch", (frozenset(), False))]
-            acts.append(put("panel.mem_prot", True))
+            acts += [put("panel.mem_prot", True), Act("watch", (frozenset({0o7700}), False))]
             for after in (call("panel.exam"), call("panel.dep"), LOAD_ADD, Act("single_cycles", (1,))):
                 acts += [*begin, after, *runs((None, 1))]
             same(form, words, *acts, name=f"{word:04o} at {start:04o}")
