@@ -179,16 +179,26 @@ def test_marks_and_protected_words(form: str) -> None:
     skips = octal("7410 7440 2022 7610")
     for word in (*octal("3021 2021 4021 1021 21 1421 1410 3410 4210 3420"), *skips):
         for start in (0o200, 0o7775, 0o7776, 0o7777) if word in skips else (0o200,):
-            words = core(f"{start:o}/ {word:o} 7001 7001 7001 5200 10/ 300 20/ 7700 30 7777 210/ 0 7001 5200")
-            begin = (put("pc", start), put("ac", 0), *runs((None, 1), (None, 4)))
+            before = start - 1
+            words = core(
+                f"{before:o}/ 7000 {word:o} 7001 7001 7001 5200 10/ 300 20/ 7700 30 7777 210/ 0 7001 5200"
+            )
+            begin = (put("pc", before), put("ac", 0), *runs((None, 6)))
             acts: list[Act] = []
             for mark in (0o10, 0o21, 0o210, 0o7700, *(start + on & 0o7777 for on in range(1, 4))):
                 marks = frozenset({mark})
-                acts += [Act("breakpoints", (marks,)), *begin, Act("watch", (marks, False)), *begin]
+                acts += [
+                    Act("breakpoints", (marks,)),
+                    *begin,
+                    Act("watch", (marks, False)),
+                    *begin,
+                    *runs((None, 3)),
+                ]
                 acts += [Act("breakpoints", (frozenset(),)), *begin, Act("watch", (frozenset(), False))]
-            acts += [put("panel.mem_prot", True), Act("watch", (frozenset({0o7700}), False))]
-            for after in (call("panel.exam"), call("panel.dep"), LOAD_ADD, Act("single_cycles", (1,))):
-                acts += [*begin, after, *runs((None, 1))]
+            for watched in (frozenset[int](), frozenset({0o7700})):
+                acts += [put("panel.mem_prot", True), Act("watch", (watched, False))]
+                for after in (call("panel.exam"), call("panel.dep"), LOAD_ADD, Act("single_cycles", (1,))):
+                    acts += [*begin, after, *runs((None, 1))]
             same(form, words, *acts, name=f"{word:04o} at {start:04o}")
 
 
