@@ -3,6 +3,7 @@
 import pytest
 
 from pdp8.computer.machine import Machine
+from pdp8.computer.speed.piece import DELAY
 from tests.conftest import case
 from tests.pdp8.computer.bench import machine
 
@@ -49,6 +50,7 @@ def test_a_piece_leaves_the_first_and_the_last_instruction_and_what_it_does_not_
             m.run(instructions=61)
             assert m.instructions == 61
             assert len(executed) == (31 if word in left else 2)
+            assert (m.processor.forms[0o200] == DELAY) == (word in (0o2022, 0o2222)), "ISZ, JMP .-1"
             m.run(seconds=1e-3)
             assert word in left or len(executed) <= 5
 
