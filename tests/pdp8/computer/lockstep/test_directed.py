@@ -187,13 +187,9 @@ def test_marks_and_protected_words(form: str) -> None:
             acts: list[Act] = []
             for mark in (0o10, 0o21, 0o210, 0o7700, *(start + on & 0o7777 for on in range(1, 4))):
                 marks = frozenset({mark})
-                acts += [
-                    Act("breakpoints", (marks,)),
-                    *begin,
-                    Act("watch", (marks, False)),
-                    *begin,
-                    *runs((None, 3)),
-                ]
+                acts += [Act("breakpoints", (marks,)), *begin]
+                for writes in (frozenset({0o17}), marks):
+                    acts += [Act("watch", (writes, False)), *begin, *runs((None, 3))]
                 acts += [Act("breakpoints", (frozenset(),)), *begin, Act("watch", (frozenset(), False))]
             for watched in (frozenset[int](), frozenset({0o7700})):
                 acts += [put("panel.mem_prot", True), Act("watch", (watched, False))]
