@@ -233,6 +233,14 @@ def test_nothing_that_is_searched_for_stops_the_way_there() -> None:
     assert saved(m) == was
 
 
+def test_a_search_begins_before_where_the_machine_stands() -> None:
+    m, history = recorded("7001 7001 5200")
+    m.run(instructions=9)
+    for number in (6, 3, 0):
+        rewind.until_left(history, 0o200)
+        assert (m.pc, m.instructions) == (0o200, number)
+
+
 def test_a_history_that_is_closed_records_nothing() -> None:
     m, history = recorded("7001 5200")
     m.run(instructions=10)
