@@ -17,12 +17,15 @@ import struct
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable
 from contextlib import suppress
 from functools import cache
 from importlib import import_module
 from pathlib import Path
 from pkgutil import iter_modules
 from typing import NamedTuple
+
+from coverage import process_startup
 
 from tests.reference.compiling import compile_c, compiler
 
@@ -35,7 +38,7 @@ _LOADED = ("pal.cli", "tapes.cli", "nc.cli", "programs.cli", "pdp8.cli", "pdp8.l
 def environment(cold: Path) -> dict[str, str]:
     """Return what finds our commands warm; those in the folder `cold` where they cannot be."""
     path = f"{cold}{os.pathsep}{os.environ['PATH']}"
-    if compiler() is None or "COVERAGE_RUN" in os.environ or not hasattr(socket, "AF_UNIX"):
+    if compiler() is None or not hasattr(socket, "AF_UNIX"):
         return {"PATH": path}
     folder = started().folder
     places = {"WARM_COMMANDS": f"{folder}/server", "COLD_COMMANDS": str(cold)}
@@ -129,8 +132,11 @@ def _become(fields: list[str], streams: list[int]) -> None:
     signal.signal(signal.SIGINT, signal.default_int_handler)
     from pdp8 import cli
 
-    run = cli.pal if words[0] == "pal" else cli.main
-    status = status_of(run)
+    measured = process_startup(force=True)  # by what the environment says, as where a command starts cold
+    status = _status_of(cli.pal if words[0] == "pal" else cli.main)
+    if measured:
+        measured.stop()
+        measured.save()
     for out in (sys.stdout, sys.stderr):
         try:
             out.flush()
@@ -139,10 +145,10 @@ def _become(fields: list[str], streams: list[int]) -> None:
     os._exit(status)
 
 
-def status_of(run: object) -> int:
+def _status_of(run: Callable[[], object]) -> int:
     """Run the command; return its exit status as Python does."""
     try:
-        run()  # type: ignore[operator]
+        run()
     except SystemExit as end:
         if end.code is None or isinstance(end.code, int):
             return (end.code or 0) & 0xFF

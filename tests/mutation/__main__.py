@@ -7,7 +7,6 @@ those that do not, each with its reason. Exit status 1 where a room is below the
 """
 
 import argparse
-import os
 import random
 import re
 import subprocess
@@ -15,12 +14,11 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Iterator
 from pathlib import Path
 
-from tests.faults.workshop import Workshop
-from tests.mutation.mutants import Mutant, mutants
+from tests.mutation.mutants import mutants
 from tests.mutation.rooms import HOUSE, ROOMS, equal, sources
+from tests.mutation.runner import tried
 
 FLOOR = 0.95
 
@@ -33,17 +31,17 @@ def main(arguments: argparse.Namespace) -> int:
         began = time.monotonic()
         found = _room(room, arguments, changed)
         if found["tried"]:
-            table.append((room, found, time.monotonic() - began))
+            table.append((room, found))
+            print(f"{room}: {time.monotonic() - began:.0f} s", file=sys.stderr)
     print("\n| room | mutants | tried | caught | survive | not run | change nothing | score |")
     print("|---|--:|--:|--:|--:|--:|--:|--:|")
-    for room, found, seconds in table:
+    for room, found in table:
         numbers = (found[verdict] for verdict in ("there", "tried", "caught", "survived", "not run", "equal"))
-        print(f"| {room} | {' | '.join(map(str, numbers))} | {score(found):.1%} |")
-        print(f"{room}: {seconds:.0f} s", file=sys.stderr)
-    return int(any(score(found) < FLOOR for _, found, _ in table))
+        print(f"| {room} | {' | '.join(map(str, numbers))} | {_score(found):.1%} |")
+    return int(any(_score(found) < FLOOR for _, found in table))
 
 
-def score(found: Counter[str]) -> float:
+def _score(found: Counter[str]) -> float:
     """Return the part that is caught of the mutants that change something."""
     counted = found["tried"] - found["equal"]
     return found["caught"] / counted if counted else 1.0
@@ -51,67 +49,27 @@ def score(found: Counter[str]) -> float:
 
 def _room(room: str, arguments: argparse.Namespace, changed: dict[str, set[int]] | None) -> Counter[str]:
     """Try the mutants of a room and print those that no test catches; return the number of each verdict."""
+    there = [
+        (file, mutant)
+        for file in sources(room)
+        for mutant in mutants((HOUSE / file).read_text())
+        if (changed is None or not changed.get(file, set()).isdisjoint(mutant.lines))
+        and arguments.only in f"{file} {mutant.scope}"
+    ]
+    picked = there
+    if 0 < arguments.sample < len(there):
+        numbers = random.Random(arguments.seed).sample(range(len(there)), arguments.sample)
+        picked = [there[number] for number in sorted(numbers)]
     same = equal()
-    known: dict[tuple[str, int], Mutant] = {}
-    found: Counter[str] = Counter()
-    for path in sources(room):
-        file = path.as_posix()
-        for mutant in mutants((HOUSE / path).read_text()):
-            if changed is not None and changed.get(file, set()).isdisjoint(mutant.lines):
-                continue
-            if arguments.only and arguments.only not in f"{file} {mutant.scope}":
-                continue
-            known[file, mutant.number] = mutant._replace(tree=None)  # type: ignore[arg-type]
-    picked = sorted(known)
-    if arguments.sample and len(picked) > arguments.sample:
-        picked = sorted(random.Random(arguments.seed).sample(picked, arguments.sample))
-    found.update(there=len(known), tried=len(picked))
-    chosen: dict[str, set[int]] = {path.as_posix(): set() for path in sources(room)}
-    for file, number in picked:
-        if (file, known[file, number].scope, known[file, number].text) in same:
-            found["equal"] += 1
-        else:
-            chosen[file].add(number)
-    for file, number, verdict in _tried(room, chosen, arguments.jobs):
-        found[verdict] += 1
-        if verdict != "caught":
-            mutant = known[file, number]
-            print(
-                f"{verdict:8} {file}:{mutant.lines[-1]} {mutant.scope or '(module)'}: {mutant.text}",
-                flush=True,
-            )
+    chosen = [(file, mutant) for file, mutant in picked if (file, mutant.scope, mutant.text) not in same]
+    found = Counter(there=len(there), tried=len(picked), equal=len(picked) - len(chosen))
+    with tempfile.TemporaryDirectory(prefix="pdp8-mutation-") as folder:
+        for file, mutant, verdict in tried(room, chosen, arguments.jobs, Path(folder)):
+            found[verdict] += 1
+            if verdict != "caught":
+                place = f"{file}:{mutant.lines[-1]} {mutant.scope or '(module)'}"
+                print(f"{verdict:8} {place}: {mutant.text}", flush=True)
     return found
-
-
-def _tried(room: str, chosen: dict[str, set[int]], jobs: int) -> Iterator[tuple[str, int, str]]:
-    """Try mutants in a copy of the sources, where nothing of the room is compiled."""
-    if not any(chosen.values()):
-        return
-    kept = HOUSE / "build" / "mutation" / room
-    kept.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix="pdp8-mutation-") as name:
-        copy = Path(name)
-        Workshop(copy)
-        folder, tests = ROOMS[room]
-        for built in () if room == "pal" else HOUSE.glob("p*/**/*.so"):
-            path = built.relative_to(HOUSE)
-            if not path.is_relative_to(folder):
-                (copy / path).symlink_to(built)
-        work = "import sys; from tests.mutation.runner import main; main(*sys.argv[1:])"
-        with subprocess.Popen(
-            [sys.executable, "-c", work, repr(tests), repr(chosen), str(jobs), str(kept)],
-            cwd=copy,
-            env=os.environ | {"PYTHONPATH": str(copy)},
-            stdout=subprocess.PIPE,
-            text=True,
-        ) as running:
-            assert running.stdout
-            for line in running.stdout:
-                if line.count("\t") == 2:
-                    file, number, verdict = line.split("\t")
-                    yield file, int(number), verdict.rstrip()
-    if running.returncode:
-        raise SystemExit(f"the runner ended with status {running.returncode}")
 
 
 def _changed(since: str) -> dict[str, set[int]]:
@@ -138,7 +96,9 @@ if __name__ == "__main__":
     )
     parser.add_argument("--seed", type=int, default=0, help="of the drawing [0]")
     parser.add_argument("--since", metavar="REF", help="only on lines that differ from this commit")
-    parser.add_argument("--only", metavar="TEXT", help="only in files or functions with this in their name")
+    parser.add_argument(
+        "--only", default="", metavar="TEXT", help="only in files or functions with this in their name"
+    )
     parser.add_argument("-j", "--jobs", type=int, default=1, help="how many at once [1]")
     found = parser.parse_args()
     if unknown := set(found.rooms) - set(ROOMS):

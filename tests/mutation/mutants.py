@@ -1,9 +1,9 @@
 """The mutants of a source: one change each, of the kinds that people make.
 
-    a < b     a <= b, a >= b        not a     a            return a    return None
-    a + b     a - b                 a and b   a or b       f(a)        (nothing)
-    7         8                     if a      if not a     x.y = a     (nothing)
-    "word"    "word?"               case a if b   case a   raise E     (nothing)
+    a < b     a <= b, a >= b        not a     a            return a     return None
+    a + b     a - b                 a and b   a or b       f(a)         (nothing)
+    7         8                     if a      if not a     x.y = a      (nothing)
+    "word"    "word?"               case a if b   if True  raise E      (nothing)
 
 Not changed: docstrings, annotations, decorators, imports, assertions (`strict` of zip is one), texts with a
 space or in an f-string (what messages say), help and metavar, what stands only for a type checker, and the
@@ -12,7 +12,8 @@ name of a codec, of which Python reads letters and digits alone.
 
 import ast
 from collections.abc import Iterator
-from typing import NamedTuple
+from types import CodeType
+from typing import Any, NamedTuple
 
 _COMPARE: dict[type[ast.cmpop], tuple[type[ast.cmpop], ...]] = {
     ast.Lt: (ast.LtE, ast.GtE),
@@ -40,100 +41,66 @@ _OPERATOR: dict[type[ast.operator], type[ast.operator]] = {
     ast.BitOr: ast.BitAnd,
     ast.BitXor: ast.BitOr,
 }
-_FOR_READERS = (ast.Import, ast.ImportFrom, ast.Assert)
 _FIELDS_FOR_READERS = {"annotation", "returns", "decorator_list", "format_spec"}
 
 
 class Mutant(NamedTuple):
-    """One change. `lines`: of its statement, up to it; `whole`: it works outside every function."""
+    """One change: `after` for `before`, which stands at `key` of a list or of the fields of a node.
 
-    number: int
+    `lines`: of its statement, up to it.
+    """
+
+    tree: ast.Module
+    holder: Any
+    key: int | str
+    before: ast.expr | ast.stmt
+    after: ast.expr | ast.stmt
     lines: range
     scope: str
-    before: str
-    after: str
-    whole: bool
-    tree: ast.Module
 
     @property
     def text(self) -> str:
         """Return the change in one line."""
-        return f"{' '.join(self.before.split())} → {' '.join(self.after.split())}"
+        after = "(nothing)" if isinstance(self.after, ast.Pass) else ast.unparse(self.after)
+        return " ".join(f"{ast.unparse(self.before)} → {after}".split())
+
+    def code(self, path: str) -> CodeType:
+        """Return the module, from `path`, with the change."""
+        self.holder[self.key] = ast.copy_location(self.after, self.before)
+        code: CodeType = compile(ast.fix_missing_locations(self.tree), path, "exec")
+        self.holder[self.key] = self.before
+        return code
 
 
-class _Place(NamedTuple):
-    """A node that may change: the field of its parent that holds it, and which element of a list."""
-
-    parent: ast.AST
-    field: str
-    element: int | None
-    node: ast.expr | ast.stmt
-    scope: tuple[str, ...]
-    statement: int
-    inside: bool
-
-    def put(self, node: ast.AST) -> None:
-        if self.element is None:
-            setattr(self.parent, self.field, node)
-        else:
-            getattr(self.parent, self.field)[self.element] = node
-
-
-def mutants(source: str) -> Iterator[Mutant]:
-    """Yield the mutants of a source in order; `tree` has the change until the next is asked for."""
+def mutants(source: str) -> list[Mutant]:
+    """Return the mutants of a source in order."""
     tree = ast.parse(source)
-    number = 0
-    for place in _places(tree, (), 0, inside=False):
-        for after in _changes(place.node):
-            put = ast.copy_location(after, place.node)
-            place.put(ast.fix_missing_locations(put))
-            yield Mutant(
-                number,
-                range(place.statement, place.node.lineno + 1),
-                ".".join(place.scope),
-                *_shown(place.node, after),
-                not place.inside,
-                tree,
-            )
-            number += 1
-        place.put(place.node)
+    return list(_mutants(tree, tree, (), 0))
 
 
-def _shown(node: ast.AST, after: ast.AST) -> tuple[str, str]:
-    """Return the text of what changes, and of what it becomes."""
-    match node, after:
-        case ast.If(test) | ast.While(test), ast.If(other) | ast.While(other):
-            return f"if {ast.unparse(test)}", f"if {ast.unparse(other)}"
-        case ast.Match(cases=cases), ast.Match(cases=others):
-            case = next(case for case, changed in zip(cases, others, strict=True) if case is not changed)
-            assert case.guard
-            return f"if {ast.unparse(case.guard)}", "(always)"
-        case _, ast.Pass():
-            return ast.unparse(node), "(nothing)"
-    return ast.unparse(node), ast.unparse(after)
-
-
-def _places(parent: ast.AST, scope: tuple[str, ...], statement: int, inside: bool) -> Iterator[_Place]:
-    """Yield every node that may change, each before what is in it."""
+def _mutants(tree: ast.Module, parent: ast.AST, scope: tuple[str, ...], statement: int) -> Iterator[Mutant]:
+    """Yield the mutants within a node, which is of the statement on a line."""
     for field, value in ast.iter_fields(parent):
         if field in _FIELDS_FOR_READERS:
             continue
-        within = inside or (isinstance(parent, ast.FunctionDef) and field == "body")
-        children = enumerate(value) if isinstance(value, list) else ((None, value),)
-        for index, node in children:
+        holder, nodes = (
+            (value, enumerate(value)) if isinstance(value, list) else (vars(parent), [(field, value)])
+        )
+        for key, node in nodes:
             if not isinstance(node, ast.AST) or _for_readers(parent, node):
                 continue
-            if isinstance(node, ast.stmt):
-                statement = node.lineno
+            first = node.lineno if isinstance(node, ast.stmt) else statement
             if isinstance(node, ast.expr | ast.stmt):
-                yield _Place(parent, field, index, node, scope, statement, within)
-            deeper = (*scope, node.name) if isinstance(node, ast.FunctionDef | ast.ClassDef) else scope
-            yield from _places(node, deeper, statement, within)
+                lines = range(first, node.lineno + 1)
+                for after in (*_conditions(field, node), *_changes(node)):
+                    yield Mutant(tree, holder, key, node, after, lines, ".".join(scope))
+            inner = (*scope, node.name) if isinstance(node, ast.FunctionDef | ast.ClassDef) else scope
+            yield from _mutants(tree, node, inner, first)
 
 
 def _for_readers(parent: ast.AST, node: ast.AST) -> bool:
     match parent, node:
-        case _, ast.Expr(ast.Constant()):
+        case _, ast.Expr(ast.Constant()) | ast.Import() | ast.ImportFrom() | ast.Assert():
             return True
         case ast.JoinedStr(), ast.Constant():
             return True
@@ -143,10 +110,21 @@ def _for_readers(parent: ast.AST, node: ast.AST) -> bool:
             return True
         case _, ast.If(ast.Name("TYPE_CHECKING")) | ast.Assign([ast.Name("__all__")]):
             return True
-    return isinstance(node, _FOR_READERS)
+    return False
 
 
-def _changes(node: ast.expr | ast.stmt) -> Iterator[ast.AST]:
+def _conditions(field: str, node: ast.expr | ast.stmt) -> Iterator[ast.expr]:
+    """Yield what may stand for the condition of an if, a while or a case, if the field is that."""
+    match field, node:
+        case "guard", ast.expr():
+            yield ast.Constant(True)
+        case "test", ast.Compare() | ast.UnaryOp() | ast.BoolOp():
+            return  # changed as a comparison, or by its `not`
+        case "test", ast.expr():
+            yield ast.UnaryOp(ast.Not(), node)
+
+
+def _changes(node: ast.expr | ast.stmt) -> Iterator[ast.expr | ast.stmt]:
     """Yield what may stand in place of a node."""
     match node:
         case ast.Compare(left, [comparison, *others], right):
@@ -161,12 +139,6 @@ def _changes(node: ast.expr | ast.stmt) -> Iterator[ast.AST]:
             yield ast.BoolOp(ast.Or() if isinstance(junction, ast.And) else ast.And(), values)
         case ast.UnaryOp(ast.Not() | ast.USub(), operand):
             yield operand
-        case ast.IfExp(test, body, orelse) if _truth(test):
-            yield ast.IfExp(ast.UnaryOp(ast.Not(), test), body, orelse)
-        case ast.If(test, then, other_then) if _truth(test):
-            yield ast.If(ast.UnaryOp(ast.Not(), test), then, other_then)
-        case ast.While(test, loop, after) if _truth(test):
-            yield ast.While(ast.UnaryOp(ast.Not(), test), loop, after)
         case ast.Constant(bool() as flag):
             yield ast.Constant(not flag)
         case ast.Constant(int() | float() as figure):
@@ -183,13 +155,3 @@ def _changes(node: ast.expr | ast.stmt) -> Iterator[ast.AST]:
             yield ast.Continue()
         case ast.Continue():
             yield ast.Break()
-        case ast.Match(subject, cases):
-            for index, case in enumerate(cases):
-                if case.guard is not None:
-                    free = ast.match_case(case.pattern, None, case.body)
-                    yield ast.Match(subject, [*cases[:index], free, *cases[index + 1 :]])
-
-
-def _truth(test: ast.expr) -> bool:
-    """Tell whether a condition is not changed already, as a comparison or by its `not`."""
-    return not isinstance(test, ast.Compare | ast.UnaryOp | ast.BoolOp)

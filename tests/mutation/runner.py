@@ -1,211 +1,141 @@
-"""A warm pytest that forks for each mutant.
+"""Which mutants a test catches: a warm process forks for each, and the fork imports ours and runs tests.
 
-    this process ──fork──► collected: the room's tests, each run once under coverage (in a fork of its own);
-         │                  then, for each mutant in a function, fork ► put in its code ► its lines' tests
-         └────────fork──► for each mutant outside a function: import it ► run all tests
+    this process ── fork ► each file of tests once, under coverage: the lines and the seconds of each test
+                 ── fork ► a mutant: the tests that run its line, the quickest first; then all others
 
-A mutant is caught when a test fails, or takes LONGER times as long as it did, or all do.
+A mutant stands as the bytecode of its module in a copy of the sources in which nothing of the room is
+compiled: whatever a test starts has it too. It is caught when a test fails, or takes LONGER times as long as
+it did. Which lines a test runs only says which is first: a mutant survives all tests of its room.
 """
 
-import ast
-import gc
 import importlib
+import marshal
 import os
 import pickle
 import resource
-import shutil
 import signal
-import subprocess
 import sys
-import tempfile
 import time
-import traceback
-import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
-from functools import cache, partial
+from functools import partial
 from hashlib import sha256
-from importlib.machinery import SourceFileLoader
+from importlib.util import MAGIC_NUMBER, cache_from_source
 from pathlib import Path
-from types import CodeType, FunctionType, SimpleNamespace
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import coverage
-import coverage.exceptions
 import pytest
-from _pytest.runner import runtestprotocol
+from hypothesis import HealthCheck, Phase, settings
 
-from tests import commands, warm
-from tests.mutation.mutants import Mutant, mutants
+from tests.faults.workshop import Workshop
+from tests.mutation.mutants import Mutant
+from tests.mutation.rooms import HOUSE, ROOMS, tests
 
-LONGER = 4
-LEAST = 5.0
-"""Seconds of processor time that every mutant may take, and as often the time of its tests."""
+LEAST, LONGER = 5.0, 4
+"""Seconds of processor time that every test may take, and how often the time that it takes."""
 WAITING = 10
 """How many times as long a test may take in real time, on a busy machine."""
-LONGEST = 120.0
-"""Seconds of processor time that a test may take when its lines are noted."""
+LONGEST = 30.0
+"""The seconds of a test of which none are known."""
 
+KEPT = HOUSE / "build/mutation"
 _MEMORY = 6 << 30
-_OFF = ("cacheprovider", "xdist", "randomly")
-_PYTEST = ["-q", *(f"-pno:{plugin}" for plugin in _OFF), "--capture=sys", "-m", "not slow"]
-_PYTEST += ["-W", "ignore::pytest.PytestAssertRewriteWarning"]
+_OURS = {"tapes", "pal", "pdp8", "programs", "nc", "tests"}
+_PYTEST = ["-m", "not slow", "--hypothesis-profile=mutants", "-pno:cacheprovider", "-pno:xdist", "--tb=no"]
+_PYTEST += ["-W", "ignore::pytest.PytestAssertRewriteWarning"]  # what is warm
 
-Chosen = dict[str, set[int]]
-"""The numbers of the mutants to try, by file."""
+Trial = tuple[str, Mutant]
+Task = TypeVar("Task")
 
 
 class Runs(NamedTuple):
-    """What the tests run: for each file and line its tests; how long each takes; what is loaded."""
+    """The seconds of each test, which fail by themselves, and which run each line of each file."""
 
-    tests: dict[str, dict[int, set[str]]]
     seconds: dict[str, float]
-    failed: list[str]
-    loaded: list[str]
+    failed: set[str]
+    tests: dict[tuple[str, int], list[str]]
 
 
-def run(tests: list[str], chosen: Chosen, jobs: int, kept: Path) -> None:
-    """Tell of each mutant its file, its number and the verdict: caught, survived or not run.
+def tried(room: str, trials: list[Trial], jobs: int, folder: Path) -> Iterator[tuple[str, Mutant, str]]:
+    """Yield mutants, each with its file and the verdict: caught, survived or not run (by any test seen).
 
-    `kept` has the lines of each test from one call to the next: what has not changed is not run again.
+    `folder` is for copies of the sources.
     """
-    with tempfile.TemporaryDirectory(prefix="pdp8-mutants-") as folder:
-        answer = Path(folder) / "answer"
-        pid = _fork(lambda _own: _collected(tests, chosen, jobs, answer, kept), Path(folder), quiet=False)
-        os.waitpid(pid, 0)
-        runs, again = pickle.loads(answer.read_bytes())
-        if runs.failed:
-            print(f"left out: {' '.join(runs.failed)}"[:2000], file=sys.stderr)
-        for name in runs.loaded:
-            try:
-                importlib.import_module(name)
-            except Exception:
-                continue
-        for tried in _whole(again, runs, jobs, Path(folder)):
-            _tell(*tried)
+    copies = [_copy(room, folder / str(number)) for number in range(jobs if trials else 0)]
+    if not copies:
+        return
+    _warm(room, copies)
+    runs = _measured(room, copies)
+    if runs.failed:
+        print(f"left out: {' '.join(runs.failed)}"[:2000], file=sys.stderr)
+    for copy, (file, mutant), status in _each(trials, partial(_try, runs), copies):
+        _bytecode(copy, file).unlink(missing_ok=True)
+        seen = any((file, line) in runs.tests for line in mutant.lines)
+        yield file, mutant, "caught" if status else "survived" if seen else "not run"
 
 
-def _tell(file: str, number: int, verdict: str) -> None:
-    """Write a line, its parts between tabs, past whatever captures standard output."""
-    os.write(1, f"\n{file}\t{number}\t{verdict}\n".encode())
+def _copy(room: str, copy: Path) -> Path:
+    """Copy the sources to a folder; what is compiled of other rooms is compiled there."""
+    Workshop(copy)
+    for built in () if room == "pal" else HOUSE.glob("p*/**/*.so"):
+        path = built.relative_to(HOUSE)
+        if not path.is_relative_to(ROOMS[room][0]):
+            (copy / path).symlink_to(built)
+    return copy
 
 
-def _fork(work: Callable[[Path], int], folder: Path, limit: float | None = None, quiet: bool = True) -> int:
-    """Do `work` in a process of its own, in a folder of its own, and all that it starts for at most `limit`
-    seconds of processor time; the status tells.
-    """
-    pid = os.fork()
-    if pid:
-        return pid
+def _bytecode(copy: Path, file: str) -> Path:
+    """Return where Python keeps the bytecode of a file."""
+    path = Path(cache_from_source(str(copy / file)))
+    path.parent.mkdir(exist_ok=True)
+    return path
+
+
+def _each(
+    tasks: Sequence[Task], work: Callable[[Path, Task], int], copies: list[Path]
+) -> Iterator[tuple[Path, Task, int]]:
+    """Do the work of each task in a fork, in a copy that is free; yield both and the status."""
+    waiting, free = list(reversed(tasks)), list(copies)
+    alive: dict[int, tuple[Path, Task]] = {}
+    while waiting or alive:
+        while waiting and free:
+            copy, task = free.pop(), waiting.pop()
+            pid = os.fork()
+            if pid == 0:
+                _within(copy, partial(work, copy, task))
+            alive[pid] = copy, task
+        pid, status = os.wait()
+        with suppress(ProcessLookupError):
+            os.killpg(pid, signal.SIGKILL)  # whatever its tests have started
+        copy, task = alive.pop(pid)
+        free.append(copy)
+        yield copy, task, status
+
+
+def _within(copy: Path, work: Callable[[], int]) -> None:
+    """Do the work with the modules and commands of a copy, in silence; end the process."""
     status = 3
     try:
-        if quiet:
-            nowhere = os.open(os.devnull, os.O_WRONLY)
-            os.dup2(nowhere, 1)
-            os.dup2(nowhere, 2)
-        if limit is not None:
-            os.setpgid(0, 0)
-            resource.setrlimit(resource.RLIMIT_CPU, (int(limit), int(limit)))
-            resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, _MEMORY))
-        own = folder / str(os.getpid())
-        own.mkdir()
-        os.environ["PYTEST_DEBUG_TEMPROOT"] = os.environ["HYPOTHESIS_STORAGE_DIRECTORY"] = str(own)
-        status = work(own)
-        shutil.rmtree(own, ignore_errors=True)
-    except BaseException:
-        traceback.print_exc()
+        nowhere = os.open(os.devnull, os.O_RDWR)
+        for stream in range(3):
+            os.dup2(nowhere, stream)
+        os.setpgid(0, 0)
+        resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, _MEMORY))
+        os.chdir(copy)
+        sys.path.insert(0, str(copy))
+        os.environ["PYTHONPATH"] = str(copy)
+        for name in [name for name in sys.modules if name.split(".")[0] in _OURS]:
+            del sys.modules[name]
+        status = work()
     finally:
         os._exit(status)
 
 
-def _wait() -> tuple[int, int]:
-    """Wait for one process of `_fork`, and end all that it started; return its number and status."""
-    pid, status = os.wait()
-    with suppress(ProcessLookupError):
-        os.killpg(pid, signal.SIGKILL)
-    return pid, status
-
-
-def _serve_commands(own: Path, clients: Path, status_of: Callable[[object], int] = warm.status_of) -> None:
-    """Have the tests' commands run in forks of this process, with whatever is changed in it."""
-
-    @cache
-    def started() -> warm.Server:
-        for name in warm.COMMANDS:
-            (own / name).symlink_to(clients / warm.COMMANDS[0])
-        (asked, life), (heard, ready) = os.pipe(), os.pipe()
-        if os.fork() == 0:
-            os.dup2(asked, 0)
-            os.dup2(ready, 1)
-            os.closerange(3, 1024)
-            warnings.resetwarnings()
-            setattr(warm, "status_of", status_of)  # noqa: B010
-            warm.load()
-            warm.serve(str(own / "server"))
-            os._exit(0)
-        os.close(asked)
-        os.read(heard, 1)
-        return warm.Server(own, life)
-
-    setattr(warm, "started", started)  # noqa: B010
-    setattr(commands, "subprocess", SimpleNamespace(**vars(subprocess) | {"Popen": _refused}))  # noqa: B010
-
-
-def _refused(*_words: object, **_options: object) -> None:
-    raise OSError("what starts as it is has no mutant in it")
-
-
-def _each(
-    trials: Sequence[tuple[str, int]], begin: Callable[[Mutant, str], int | str], jobs: int
-) -> Iterator[tuple[str, int, str]]:
-    """Begin each trial, `jobs` at once; yield its verdict, from `begin` or from the status of its process."""
-    wanted: Chosen = {}
-    for file, number in trials:
-        wanted.setdefault(file, set()).add(number)
-    alive: dict[int, tuple[str, int]] = {}
-
-    def ended() -> tuple[str, int, str]:
-        pid, status = _wait()
-        return *alive.pop(pid), "survived" if status == 0 else "caught"
-
-    for file, numbers in wanted.items():
-        for mutant in mutants(Path(file).read_text()):
-            if mutant.number not in numbers:
-                continue
-            begun = begin(mutant, file)
-            if isinstance(begun, str):
-                yield file, mutant.number, begun
-                continue
-            alive[begun] = file, mutant.number
-            if len(alive) == jobs:
-                yield ended()
-    while alive:
-        yield ended()
-
-
-# The collected process
-
-
-def _collected(tests: list[str], chosen: Chosen, jobs: int, answer: Path, kept: Path) -> int:
-    """Collect the tests, find what each runs, try the mutants in functions; leave all of it in `answer`."""
-    _calm_hypothesis()
-    measured = _measuring([str(Path(file).resolve()) for file in chosen])
-    warm.load()
-    plugin = _Collected(measured, chosen, jobs, answer, kept)
-    return int(pytest.main([*_PYTEST, *tests], plugins=[plugin]))
-
-
-def _measuring(files: list[str]) -> coverage.Coverage:
-    """Begin to note which lines of these files run."""
-    measured = coverage.Coverage(data_file=None, config_file=False, include=files, messages=False)
-    measured.start()
-    return measured
-
-
-def _calm_hypothesis() -> None:
-    """Have Hypothesis draw the same examples always, without a clock and without shrinking."""
-    from hypothesis import HealthCheck, Phase, settings
-
+def _warm(room: str, copies: list[Path]) -> None:
+    """Import what the tests of a room import that is not ours; have Hypothesis always draw the same."""
+    found = copies[0].with_suffix(".modules")
     settings.register_profile(
         "mutants",
         deadline=None,
@@ -214,241 +144,129 @@ def _calm_hypothesis() -> None:
         phases=(Phase.explicit, Phase.generate),
         suppress_health_check=list(HealthCheck),
     )
-    settings.load_profile("mutants")
 
-
-_Ran = tuple[dict[str, set[int]], float]
-"""The lines that a test runs, by file, and its seconds."""
-
-
-class _Collected:
-    def __init__(
-        self, measured: coverage.Coverage, chosen: Chosen, jobs: int, answer: Path, kept: Path
-    ) -> None:
-        self.kept = kept
-        self.measured = measured
-        self.chosen = chosen
-        self.files = {file: str(Path(file).resolve()) for file in chosen}
-        self.jobs = jobs
-        self.answer = answer
-        self.clients = answer.parent / "clients"
-
-    def pytest_runtestloop(self, session: pytest.Session) -> bool:
-        items = {item.nodeid: item for item in session.items}
-        runs = self._measure(list(items.values()))
-        functions = _functions({str(Path(file).resolve()) for file in self.chosen})
-        folder = self.answer.parent
-        imported: set[tuple[str, int]] = set()
-
-        def begin(mutant: Mutant, file: str) -> int | str:
-            lines = runs.tests.get(file, {})
-            names = set().union(*(lines.get(line, set()) for line in mutant.lines))
-            code = compile(mutant.tree, str(Path(file).resolve()), "exec")
-            if mutant.whole or (names and not _fits(functions, code)):
-                return "import"
-            if "" in names:
-                imported.add((file, mutant.number))
-            names &= runs.seconds.keys()
-            if not names and (file, mutant.number) in imported:
-                return "import"
-            # what no test is seen to run, one may in a process that it starts
-            names = names or set().union(*lines.values()) & runs.seconds.keys()
-            if not names:
-                return "not run"
-            order = sorted(names, key=lambda name: runs.seconds[name])
-
-            def work(own: Path) -> int:
-                _swap(functions, code)
-                _load(code)
-                _serve_commands(own, self.clients)
-                return _fails([items[name] for name in order], runs.seconds)
-
-            return _fork(work, folder, LEAST + LONGER * sum(runs.seconds[name] for name in order))
-
-        trials = [(file, number) for file, numbers in self.chosen.items() for number in numbers]
-        again = []
-        for file, number, verdict in _each(trials, begin, self.jobs):
-            if verdict == "import" or (verdict == "survived" and (file, number) in imported):
-                again.append((file, number))
-            else:
-                _tell(file, number, verdict)
-        self.answer.write_bytes(pickle.dumps((runs, again)))
-        return True
-
-    def _measure(self, items: list[pytest.Item]) -> Runs:
-        """Run every test once under coverage, each in a fork: none finds what another has cached."""
-        folder = self.answer.parent
-        self.clients.mkdir()
-        warm.compile_commands(self.clients)
-        runs = Runs({file: {} for file in self.files}, {}, [], _loaded())
-        self._note(runs, "", self._lines(self.measured))
-        alive: dict[int, str] = {}
-        before = pickle.loads(self.kept.read_bytes()) if self.kept.exists() else {}
-        kept: dict[str, tuple[str, _Ran]] = {}
-        items_by_name = {item.nodeid: item for item in items}
-
-        def note() -> None:
-            pid, _ = _wait()
-            name, found = alive.pop(pid), folder / f"{pid}.ran"
-            if found.exists():
-                ran: _Ran = pickle.loads(found.read_bytes())
-                kept[name] = self._key(items_by_name[name], ran[0]), ran
-            else:
-                runs.failed.append(name)
-
-        for item in items:
-            key, ran = before.get(item.nodeid, ("", ({}, 0.0)))
-            if key == self._key(item, ran[0]):
-                kept[item.nodeid] = key, ran
-                continue
-            alive[_fork(partial(self._run, item), folder, LONGEST)] = item.nodeid
-            if len(alive) == self.jobs:
-                note()
-        while alive:
-            note()
-        self.kept.write_bytes(pickle.dumps(kept))
-        for name, (_, (lines, seconds)) in kept.items():
-            runs.seconds[name] = seconds
-            self._note(runs, name, lines)
-        return runs
-
-    def _key(self, item: pytest.Item, lines: dict[str, set[int]]) -> str:
-        """Return what stays the same while a test's file and the sources that it runs do."""
-        ran = (Path(file).read_bytes() for file in sorted(lines) if lines[file] and Path(file).exists())
-        return sha256(b"".join([item.path.read_bytes(), *ran])).hexdigest()
-
-    def _run(self, item: pytest.Item, own: Path) -> int:
-        """Run a test; leave what it ran, unless it fails."""
-        gc.disable()  # what it ends may run a traced line while coverage holds its lock, and wait for ever
-        measured = _measuring(list(self.files.values()))
-        plain = warm.status_of
-
-        def status_of(run: object) -> int:
-            status = plain(run)
-            (own / f"{os.getpid()}.lines").write_bytes(pickle.dumps(self._lines(measured)))
-            return status
-
-        _serve_commands(own, self.clients, status_of)
-        began = time.monotonic()
-        if _fails([item], {}):
-            return 1
-        seconds = time.monotonic() - began
-        lines = self._lines(measured)
-        for one in own.glob("*.lines"):
-            for file, there in pickle.loads(one.read_bytes()).items():
-                lines[file] |= there
-        ran: _Ran = lines, seconds
-        own.with_suffix(".ran").write_bytes(pickle.dumps(ran))
+    def collect(copy: Path, files: list[str]) -> int:
+        _pytest(copy, files, None, "--collect-only")
+        found.write_text("\n".join(name for name in sys.modules if name.split(".")[0] not in _OURS))
         return 0
 
-    def _lines(self, measured: coverage.Coverage) -> dict[str, set[int]]:
-        measured.stop()
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", coverage.exceptions.CoverageWarning)  # no line is an answer
-            data = measured.get_data()
-        return {file: set(data.lines(path) or ()) for file, path in self.files.items()}
-
-    def _note(self, runs: Runs, name: str, lines: dict[str, set[int]]) -> None:
-        for file, there in lines.items():
-            for line in there:
-                runs.tests[file].setdefault(line, set()).add(name)
+    for _ in _each([tests(room)], collect, copies):
+        for name in found.read_text().splitlines():
+            with suppress(Exception):
+                importlib.import_module(name)
 
 
-def _loaded() -> list[str]:
-    """Return the packages that are loaded and not ours."""
-    ours = {"tapes", "pal", "pdp8", "programs", "nc", "tests", "__main__", "__mp_main__"}
-    return sorted({name.split(".")[0] for name in sys.modules} - ours)
+def _pytest(copy: Path, files: Iterable[str], plugin: object, *options: str) -> int:
+    return int(pytest.main([*_PYTEST, f"--basetemp={copy}.tmp", *options, *files], plugins=[plugin]))
 
 
-def _functions(files: set[str]) -> dict[tuple[str, int, str], list[FunctionType]]:
-    """Return the functions that are defined in these files, by file, first line and name."""
-    found: dict[tuple[str, int, str], list[FunctionType]] = {}
-    for thing in gc.get_objects():
-        if isinstance(thing, FunctionType) and thing.__code__.co_filename in files:
-            code = thing.__code__
-            found.setdefault((code.co_filename, code.co_firstlineno, code.co_qualname), []).append(thing)
-    return found
+def _limit(seconds: float) -> None:
+    """Give a test that begins, and what it starts, LONGER times these seconds."""
+    limit = LEAST + LONGER * seconds
+    resource.setrlimit(resource.RLIMIT_CPU, (int(time.process_time() + limit), resource.RLIM_INFINITY))
+    signal.alarm(int(WAITING * limit))
 
 
-def _fits(functions: dict[tuple[str, int, str], list[FunctionType]], code: CodeType) -> bool:
-    """Tell whether the code of a changed module can be put into the functions that are there."""
-    return all(
-        all(
-            function.__code__.co_freevars == inner.co_freevars
-            for function in functions.get((inner.co_filename, inner.co_firstlineno, inner.co_qualname), ())
-        )
-        and _fits(functions, inner)
-        for inner in code.co_consts
-        if isinstance(inner, CodeType)
+# The lines and seconds of the tests
+
+
+def _measured(room: str, copies: list[Path]) -> Runs:
+    """Return what the tests of a room run; it is kept of each file until that or any other module changes."""
+    others = sorted(path for path in copies[0].rglob("*.py") if not path.name.startswith("test_"))
+    texts = sha256(b"".join(path.read_bytes() for path in others)).digest()
+    kept = {file: KEPT / sha256(texts + (HOUSE / file).read_bytes()).hexdigest() for file in tests(room)}
+    KEPT.mkdir(parents=True, exist_ok=True)
+    new = [(file, path) for file, path in kept.items() if not path.exists()]
+    for _ in _each(new, partial(_measure, room), copies):
+        pass
+    runs = Runs({}, set(), defaultdict(list))
+    for path in filter(Path.exists, kept.values()):
+        seconds, failed, lines = pickle.loads(path.read_bytes())
+        runs.seconds.update(seconds)
+        runs.failed.update(failed)
+        for line, names in lines.items():
+            runs.tests[line] += names
+    return runs
+
+
+def _measure(room: str, copy: Path, task: tuple[str, Path]) -> int:
+    """Run the tests of a file under coverage; keep what they run."""
+    file, kept = task
+    lines = copy.with_suffix(".lines")
+    lines.mkdir(exist_ok=True)
+    within = f"{copy / ROOMS[room][0]}/*"
+    measured = coverage.Coverage(
+        str(lines / "one"), data_suffix=True, config_file=False, include=[within], messages=False
     )
+    meter = _Meter(measured)
+    measured.start()
+    _pytest(copy, [file], meter)
+    measured.stop()
+    measured.save()
+    measured.combine()
+    data = measured.get_data()
+    found = {
+        (Path(path).relative_to(copy).as_posix(), line): [name for name in names if name]
+        for path in data.measured_files()
+        for line, names in data.contexts_by_lineno(path).items()
+    }
+    kept.write_bytes(pickle.dumps((meter.seconds, meter.failed, found)))
+    return 0
 
 
-def _swap(functions: dict[tuple[str, int, str], list[FunctionType]], code: CodeType) -> None:
-    """Put the code of a changed module into the functions that are there."""
-    for inner in code.co_consts:
-        if isinstance(inner, CodeType):
-            for function in functions.get((inner.co_filename, inner.co_firstlineno, inner.co_qualname), ()):
-                function.__code__ = inner
-            _swap(functions, inner)
+class _Meter:
+    """Notes the seconds of tests and which fail; names each to coverage, in the commands it starts too."""
+
+    def __init__(self, measured: coverage.Coverage) -> None:
+        self.measured = measured
+        self.seconds: dict[str, float] = {}
+        self.failed: set[str] = set()
+
+    def pytest_runtest_logstart(self, nodeid: str) -> None:
+        self.seconds[nodeid] = 0.0
+        self.measured.switch_context(nodeid)
+        self.measured.config.context = nodeid
+        os.environ["COVERAGE_PROCESS_CONFIG"] = self.measured.config.serialize()
+        _limit(LONGEST)
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        self.seconds[report.nodeid] += report.duration
+        if report.failed:
+            self.failed.add(report.nodeid)
 
 
-def _load(code: CodeType) -> None:
-    """Have the changed module be what is loaded from its file from now on."""
-    plain = SourceFileLoader.get_code
-
-    def get_code(self: SourceFileLoader, fullname: str) -> CodeType | None:
-        return code if self.path == code.co_filename else plain(self, fullname)
-
-    setattr(SourceFileLoader, "get_code", get_code)  # noqa: B010
+# A mutant and its tests
 
 
-def _fails(items: list[pytest.Item], seconds: dict[str, float]) -> int:
-    """Run tests up to the first that fails; return 1 if one does."""
-    for item, after in zip(items, [*items[1:], None], strict=True):
-        _Bounds(seconds).pytest_runtest_logstart(item.nodeid)
-        if any(report.failed for report in runtestprotocol(item, log=False, nextitem=after)):
+def _try(runs: Runs, copy: Path, trial: Trial) -> int:
+    """Run the tests of a mutant's lines, or else of its file, and then all others; return 1 if one fails."""
+    file, mutant = trial
+    unchecked = (1).to_bytes(4, "little") + bytes(8)  # by a hash of the source, which is not looked at
+    code = marshal.dumps(mutant.code(str(copy / file)))
+    _bytecode(copy, file).write_bytes(MAGIC_NUMBER + unchecked + code)
+    first = {name for line in mutant.lines for name in runs.tests.get((file, line), ())}
+    if not first:
+        first = {name for (other, _), names in runs.tests.items() if other == file for name in names}
+    others = runs.seconds.keys() - first
+    for wanted, left in (first, others), (others, first):
+        files = {name.split("::")[0] for name in wanted}
+        chosen = _Chosen(runs.seconds, left | runs.failed)
+        if wanted and _pytest(copy, files, chosen, "-x") not in (0, pytest.ExitCode.NO_TESTS_COLLECTED):
             return 1
     return 0
 
 
-class _Bounds(NamedTuple):
-    """Ends the process where a test takes LONGER times the `seconds` known of it, or waits for ever."""
+class _Chosen:
+    """Leaves tests out, and runs the quickest of the others first, each within its time."""
 
-    seconds: dict[str, float]
+    def __init__(self, seconds: dict[str, float], left: set[str]) -> None:
+        self.seconds = seconds
+        self.left = left
+
+    @pytest.hookimpl(trylast=True)
+    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+        chosen = (item for item in items if item.nodeid not in self.left)
+        items[:] = sorted(chosen, key=lambda item: self.seconds.get(item.nodeid, LONGEST))
 
     def pytest_runtest_logstart(self, nodeid: str) -> None:
-        limit = LEAST + LONGER * self.seconds.get(nodeid, LONGEST / LONGER)
-        signal.setitimer(signal.ITIMER_PROF, limit)
-        signal.setitimer(signal.ITIMER_REAL, WAITING * limit)
-
-
-# What works when a module is imported
-
-
-def _whole(
-    trials: list[tuple[str, int]], runs: Runs, jobs: int, folder: Path
-) -> Iterator[tuple[str, int, str]]:
-    """Try mutants by importing them: with the tests that run anything of their module, then with the others,
-    which may read a table of it.
-    """
-
-    def begin(mutant: Mutant, file: str) -> int | str:
-        names = set().union(*runs.tests.get(file, {}).values())
-        order = sorted(runs.seconds, key=lambda name: (name not in names, runs.seconds[name]))
-        code = compile(mutant.tree, str(Path(file).resolve()), "exec")
-        limit = LEAST + LONGER * sum(runs.seconds[name] for name in order)
-
-        def work(own: Path) -> int:
-            _load(code)
-            _serve_commands(own, folder / "clients")
-            _calm_hypothesis()
-            return int(pytest.main([*_PYTEST, "-x", "--tb=no", *order], plugins=[_Bounds(runs.seconds)]))
-
-        return _fork(work, folder, limit)
-
-    return _each(trials, begin, jobs)
-
-
-def main(tests: str, chosen: str, jobs: str, kept: str) -> None:
-    """Call `run`; the arguments are Python literals."""
-    run(ast.literal_eval(tests), ast.literal_eval(chosen), int(jobs), Path(kept))
+        _limit(self.seconds.get(nodeid, LONGEST))
