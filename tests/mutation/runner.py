@@ -42,7 +42,7 @@ LONGEST = 30.0
 
 KEPT = HOUSE / "build/mutation"
 _MEMORY = 6 << 30
-_OURS = {"tapes", "pal", "pdp8", "programs", "nc", "tests"}
+_OURS = {"tapes", "pal", "pdp8", "programs", "nc", "tests", "release"}
 _PYTEST = ["-m", "not slow", "--hypothesis-profile=mutants", "-pno:cacheprovider", "-pno:xdist", "--tb=no"]
 _PYTEST += ["-W", "ignore::pytest.PytestAssertRewriteWarning"]  # what is warm
 
@@ -69,7 +69,9 @@ def tried(room: str, trials: list[Trial], jobs: int, folder: Path) -> Iterator[t
     _warm(room, copies)
     runs = _measured(room, copies)
     if runs.failed:
-        print(f"left out: {' '.join(runs.failed)}"[:2000], file=sys.stderr)
+        print(f"left out: {' '.join(sorted(runs.failed))}"[:2000], file=sys.stderr)
+    if not runs.seconds:
+        raise SystemExit(f"no test of {room} runs")
     for copy, (file, mutant), status in _each(trials, partial(_try, runs), copies):
         _bytecode(copy, file).unlink(missing_ok=True)
         seen = any((file, line) in runs.tests for line in mutant.lines)
@@ -180,7 +182,10 @@ def _measured(room: str, copies: list[Path]) -> Runs:
     for _ in _each(new, partial(_measure, room), copies):
         pass
     runs = Runs({}, set(), defaultdict(list))
-    for path in filter(Path.exists, kept.values()):
+    for file, path in kept.items():
+        if not path.exists():
+            runs.failed.add(file)
+            continue
         seconds, failed, lines = pickle.loads(path.read_bytes())
         runs.seconds.update(seconds)
         runs.failed.update(failed)
@@ -210,7 +215,8 @@ def _measure(room: str, copy: Path, task: tuple[str, Path]) -> int:
         for path in data.measured_files()
         for line, names in data.contexts_by_lineno(path).items()
     }
-    kept.write_bytes(pickle.dumps((meter.seconds, meter.failed, found)))
+    if meter.seconds:
+        kept.write_bytes(pickle.dumps((meter.seconds, meter.failed, found)))
     return 0
 
 
