@@ -89,7 +89,7 @@ fuzz: .venv/ready-dev
 lint: .venv/ready-dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/mypy
+	$(BIN)/mypy -n 2
 
 .PHONY: format
 format: .venv/ready-dev
