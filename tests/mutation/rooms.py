@@ -11,6 +11,7 @@ ROOMS = {
         [
             "tests/tapes/test_*.py",
             "tests/tapes/photograph/test_c*.py",
+            # what all commands do alike, which tapes/ holds
             *(
                 f"tests/pdp8/cli/test_{name}.py"
                 for name in ("files", "loading", "manners", "refusals", "root")
