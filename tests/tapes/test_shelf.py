@@ -5,6 +5,7 @@ import zipfile
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from socket import AF_UNIX, socket
 
 import pytest
 
@@ -80,12 +81,13 @@ def test_what_a_product_never_replaces(kind: str, kept: set[str]) -> None:
 @pytest.mark.parametrize(("kind", "first"), [("JSON", b"{"), ("XML", b"<"), ("SVG", b"<"), ("HTML", b"<")])
 def test_a_record_replaces_its_like_alone(kind: str, first: bytes) -> None:
     shelf.check_kind("x", kind)
-    for harmless in (b"", b"\xef\xbb\xbf \n" + first):
+    for harmless in (b"", b"\xef\xbb\xbf \n" + first, b" " * 63 + first):
         Path("x").write_bytes(harmless)
         shelf.check_kind("x", kind)
-    Path("x").write_bytes(b"9")
-    with pytest.raises(ShelfError, match=f"x is there, and is no {kind}: it is not"):
-        shelf.check_kind("x", kind)
+    for other in (b"9", b" " * 64 + first):
+        Path("x").write_bytes(other)
+        with pytest.raises(ShelfError, match=f"x is there, and is no {kind}: it is not"):
+            shelf.check_kind("x", kind)
 
 
 @pytest.mark.parametrize("ending", [".png", ".jpg", ".jpeg", ".gif", ".webp", ".pdf", ".eps", ".DXF"])
@@ -114,16 +116,19 @@ def test_what_cannot_be_written_leaves_what_was_there(
 @pytest.mark.parametrize(
     ("put", "name", "said"),
     [
-        (partial(shelf.write, content=b"x"), "/dev/full", "/dev/full: No space left"),
+        (partial(shelf.write, content=b"x"), "socket", "socket: No such device or address"),
         (shelf.check_writable, "/tmp", "/tmp: Is a directory"),
         (shelf.open_punch, "no/x", "No such file"),
         (shelf.open_punch, "x" * 300, "File name too long"),
     ],
 )
 def test_what_cannot_be_written_is_named(put: Callable[[str], object], name: str, said: str) -> None:
+    with socket(AF_UNIX) as device:
+        device.bind("socket")
+    shelf.check_writable("socket")
     with pytest.raises(ShelfError, match=said):
         put(name)
-    shelf.check_writable("/dev/full")
+    assert Path("socket").is_socket()
 
 
 def test_a_text_that_is_not_utf8_is_named_with_the_place(tmp_path: Path) -> None:

@@ -81,7 +81,11 @@ def test_what_is_written_and_what_is_replaced_is_said(line: str, call: Call, tmp
 
 
 def test_what_is_written_into_a_folder_or_a_device_is_said(call: Call) -> None:
-    assert call("pdp8 part drill -o /dev/null")[2] == "wrote /dev/null\n"
+    os.mkfifo("device")
+    reader = os.open("device", os.O_RDWR | os.O_NONBLOCK)
+    assert call("pdp8 part drill -o device")[2] == "wrote device\n"
+    assert os.read(reader, 1 << 16) == call("pdp8 part drill")[1].encode("utf-8", "surrogateescape")
+    os.close(reader)
     assert "wrote rim.svg, eia.svg in cards\n" in call("pdp8 cards rim eia -o cards")[2]
     assert "wrote rim.svg in cards; 1 replaced\n" in call("pdp8 cards rim -o cards")[2]
 
@@ -113,7 +117,9 @@ def test_a_drawing_goes_to_standard_output_at_a_terminal_too_a_tape_does_not(
     call: Call, tmp_path: Path
 ) -> None:
     assert "standard output is a terminal: send it to a file" in call("pdp8 part drill", terminal=True)[2]
-    assert call("pdp8 nc plot circle.eia", terminal=True)[1].startswith("<svg")
+    drawn = call("pdp8 nc plot circle.eia")[1]
+    assert drawn.startswith("<svg")
+    assert call("pdp8 nc plot circle.eia", terminal=True)[1] == drawn
     assert not list(tmp_path.iterdir())
 
 
