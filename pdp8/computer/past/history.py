@@ -125,6 +125,7 @@ class History:
     def _note(self, now: Values) -> None:
         stepped = self.machine.instructions != self._stands[1]
         if stepped:
+            self._add({})  # as far as here it is a run
             self._stands = self._moment()
         self._add(changed(self._left, now), jump=stepped)
 

@@ -31,10 +31,8 @@ cdef class Engine:
     cdef unsigned short plus[256]
     cdef int64_t registers[3]
 
-    @cython.locals(called=bint)
     cpdef run(self, int64_t until, int64_t last, object breakpoints = *)
     cdef bint _called(self) except -1
-    cdef bint _at_breakpoint(self, int64_t until, int64_t last) except -1
     @cython.locals(address=int)
     cdef _prepare(self, object breakpoints)
     @cython.locals(room=int64_t)

@@ -112,23 +112,17 @@ class Engine:
 
     def run(self, until: int, last: int, breakpoints: Set[int] = frozenset()) -> bool:
         """Run to tick `until`, to `last` instructions in all, until RUN goes off, the program waits for ever
-        or comes, after its first instruction, to one of the `breakpoints` or from a JMS to one: only then
-        return True.
+        or comes, after its first instruction, to one of the `breakpoints`, or from a JMS to one: only for
+        that return True.
         """
         self._prepare(breakpoints)
         self.waiting.endless = False
-        called = self._run_pieces(until, last)
-        return self.processor.run == 1 and (called or self._at_breakpoint(until, last))
+        return self._run_pieces(until, last)
 
     def _called(self) -> bool:
         """Tell whether the processor's last instruction was a JMS to a breakpoint."""
         p = self.processor
         return p.run == 1 and p.ir == JMS and p.state == EXECUTE and p.ma in self.breakpoints
-
-    def _at_breakpoint(self, until: int, last: int) -> bool:
-        p = self.processor
-        reached = p.clock >= until or p.instructions >= last
-        return p.pc in self.breakpoints and not self.waiting.endless and not reached
 
     def _prepare(self, breakpoints: Set[int]) -> None:
         """Clear the decoded forms if MEM PROT or the breakpoints are others than in the last run."""

@@ -148,13 +148,27 @@ def test_cycles_back_stand_within_an_instruction() -> None:
         assert saved(m)["processor"] == stood[at]
 
 
-def test_what_was_set_as_an_instruction_ended_is_set_there_again() -> None:
+def test_a_search_runs_no_further_than_to_where_cycles_back_led() -> None:
+    """DCA 30, IAC, JMP .-2: the second DCA is left in the middle."""
+    m, history = recorded("3030 7001 5200")
+    m.run(instructions=2)
+    for _ in range(3):
+        m.processor.cycle()
+    rewind.cycles(history, 1)
+    m.pc = 0o201
+    m.run(instructions=1)
+    rewind.until_written(history, 0o30)
+    assert m.instructions == 0
+
+
+@pytest.mark.parametrize(("back", "ticks"), [(10 * 32 + 5, 10 * 32), (10 * 32 - 1, 11 * 32)])
+def test_what_was_set_as_an_instruction_ended_is_set_there_again(back: int, ticks: int) -> None:
     m, history = recorded("7000 " * 30)
     for sr in (0o17, 0o4000):
         m.run(instructions=10)
         m.sr = sr
-    rewind.seconds(history, (10 * 32 + 5) / 20_000_000)
-    assert (m.ticks, m.sr) == (10 * 32, 0o17)
+    rewind.seconds(history, back / 20_000_000)
+    assert (m.ticks, m.sr) == (ticks, 0o17)
 
 
 def test_breakpoints_and_listeners_notice_nothing() -> None:

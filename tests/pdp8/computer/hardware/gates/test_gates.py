@@ -57,3 +57,15 @@ def test_a_line_that_changes_within_a_tick_of_a_shift(unit: int, aside: int) -> 
     beside.run(ninth_shift // PARTS + 10)
     beside.iot(0o6034, 0)
     beside.run(6_000_000)
+
+
+@pytest.mark.parametrize("eighth", range(17, 25))
+def test_a_false_start_clears_reader_run_but_once(eighth: int) -> None:
+    """INITIALIZE in a space makes the receiver begin a false character; KCC comes before its first shift."""
+    beside = Beside()
+    beside.type(b"\x55")
+    beside.run(eighth * UNIT // 8 // PARTS - 10)
+    beside.initialize()
+    beside.run((eighth + 1) * UNIT // 8 // PARTS)
+    beside.iot(0o6032, 0)
+    beside.run(6_000_000)
