@@ -110,7 +110,10 @@ OBJECT, OCTAL, NUMBER = (
         (given(devices={"03": {"reader": {"position": 3}}}), "the reader stands at frame 3 of a tape of 0"),
         (given(devices={"01": {"reader": {"position": 1}}}), "the reader stands at frame 1 of a tape of 0"),
         (given(devices={"03": {"shifts": 10}}), f"devices 03 shifts: 10 {NUMBER} 0 to 9"),
-        (given(devices={"04": {"sent": 1 << 31}}), f"devices 04 sent: 2147483648 {NUMBER} 0 to"),
+        (given(devices={"03": {"pulses": 256}}), f"devices 03 pulses: 256 {NUMBER} 0 to 255"),
+        (given(devices={"04": {"unit": 10}}), f"devices 04 unit: 10 {NUMBER} 0 to 9"),
+        (given(devices={"04": {"sent": 1 << 31}}), f"devices 04 sent: 2147483648 {NUMBER} 0 to 1073741824"),
+        (given(waiting={"tries": 5001}), f"waiting tries: 5001 {NUMBER} 0 to 5000"),
         (given(core={"10000": "0"}), f'core: "10000" {OCTAL} 7777'),
         (given(core={"7777": "0 0"}), "core 7777: the words go beyond 7777"),
         (given(core={"0200": 5}), "core 0200: 5 is not a text of octal numbers"),
@@ -146,6 +149,15 @@ def test_the_largest_values_are_taken() -> None:
         given(core={"7777": "7777"}, processor={"clock": 1 << 56, "run": 1, "next": 3, "pc": "7777"})
     )
     assert (m.processor.clock, m.pc, m.core[0o7777], m.processor.next) == (1 << 56, 0o7777, 0o7777, 3)
+
+
+def test_five_tapes_of_2_mib_are_not_too_large() -> None:
+    m, part = machine(highspeed=True), bytes([0o377]) * (1 << 15)
+    for station in (m.teletype, m.highspeed):
+        station.reader.load(part)
+        station.punch.frames[:] = part
+    m.teletype.printer.frames[:] = part
+    assert 0.8 * state.LARGEST < 64 * len(state.save(m)) <= state.LARGEST
 
 
 def test_a_switch_set_back_is_as_the_last_run_left_it_in_the_restored_machine_too() -> None:
