@@ -83,6 +83,16 @@ def test_a_halt_lets_the_printer_finish_and_each_frame_is_printed_once() -> None
     assert m.teletype.punch.tape == b"\301\301"
 
 
+def test_one_frame_that_was_printed_ahead_is_one_that_is_not_printed_again() -> None:
+    """TLS, HLT, then TLS four units later, and a count: the second frame of both comes in its time."""
+    m = machine("6046 7402 6046 2020 5203 5203", ac=0o101)
+    m.run()
+    m.wait(half_units(8) / 20e6)
+    m.ac = 0o102
+    m.run(seconds=0.3)
+    assert m.teletype.punch.tape == b"\101\375"
+
+
 def test_what_start_silenced_after_it_was_printed_ahead_is_not_owed() -> None:
     """TLS, ISZ 20, JMP .-1, TLS, HLT: two garbled frames; START comes before they are through the line."""
     m = machine("6046 2020 5201 6046 7402")
