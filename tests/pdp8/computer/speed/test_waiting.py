@@ -47,6 +47,8 @@ def test_why_a_run_ends(reason: str, words: str, tape: bytes | None) -> None:
         assert m.elapsed < 0.05
     if words == "5200":
         assert m.elapsed < 0.001
+    if words == "7200 5200":
+        assert m.ticks == 200_000 + 64  # it is looked at after 10 ms, and does one turn more
 
 
 def test_a_tape_out_waits_until_the_last_frame_is_punched() -> None:
