@@ -37,6 +37,9 @@ def test_the_buffer_is_the_shift_register() -> None:
     units = (0, 0.12, 0.13, 0.49, 0.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.49, 8.5)
     seen = " ".join(f"{r.pulse(4, 0, round(at * UNIT) + 2):03o}" for at in units)
     assert seen == "000 000 377 377 177 277 137 057 027 013 005 002 002 001"
+    r = receiver(b"\001")
+    r.initialize(round(4.6 * UNIT))
+    assert r.pulse(4, 0, round(4.6 * UNIT)) == 0o027
 
 
 def test_a_flag_unread_for_more_than_two_and_five_eighths_units_has_lost_its_character() -> None:
