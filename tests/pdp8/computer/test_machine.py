@@ -177,6 +177,7 @@ def test_repr_says_where_it_stands() -> None:
     m = machine("7001 7402")
     assert repr(m) == "<Machine at 0200: L 0 AC 0000, running, 0.000000 s>"
     m.run()
+    m.run(instructions=0)
     assert repr(m) == "<Machine at 0202: L 0 AC 0001, stopped, 0.000003 s>"
 
 
