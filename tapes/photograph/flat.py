@@ -14,24 +14,23 @@ SAMPLES = 12
 
 _REACH = 8
 """Pitches from the sprocket track to each side that are flattened."""
-_BEYOND = 3.5
+BEYOND = 3.5
 """Rows before the first and after the last that are flattened."""
 
 
 class Flat(NamedTuple):
-    """A picture of a sheet as if it lay flat: SAMPLES a pitch, from `first` row and -`reach` on.
+    """A picture of a sheet as if it lay flat: SAMPLES a pitch, from row -BEYOND and track -`reach` on.
 
     `light` as it is; `dark`, how much darker than the paper around, as a part of its light.
     """
 
     light: Array
     dark: Array
-    first: float
     reach: float
 
     def at(self, u: Array, v: Array) -> tuple[Array, Array]:
         """Return the columns and lines of places on the tape."""
-        return (u - self.first) * SAMPLES, (v + self.reach) * SAMPLES
+        return (u + BEYOND) * SAMPLES, (v + self.reach) * SAMPLES
 
     def take(self, picture: Array, u: Array, v: Array) -> Array:
         """Return what a picture of this shape has at places on the tape, between its samples."""
@@ -50,8 +49,7 @@ class Flat(NamedTuple):
 
 def flatten(pictures: Sizes, sheet: Sheet, reach: float = _REACH) -> Flat:
     """Return the sheet as if it lay flat."""
-    first = -_BEYOND
-    u = np.arange(first * SAMPLES, (sheet.length + _BEYOND - 1) * SAMPLES + 1) / SAMPLES
+    u = np.arange(-BEYOND * SAMPLES, (sheet.length + BEYOND - 1) * SAMPLES + 1) / SAMPLES
     v = np.arange(-reach * SAMPLES, reach * SAMPLES + 1) / SAMPLES
     along, across = sheet.pitches()
     pieces = []
@@ -65,12 +63,12 @@ def flatten(pictures: Sizes, sheet: Sheet, reach: float = _REACH) -> Flat:
         x, y = ((places[..., axis] + 0.5) * scale - 0.5 for axis in (0, 1))
         pieces.append(between(picture, x, y, cv2.INTER_CUBIC))
     light = np.concatenate(pieces, axis=1)
-    return Flat(light, _darkness(light), first, reach)
+    return Flat(light, _darkness(light), reach)
 
 
 def _darkness(light: Array) -> Array:
     smooth = cv2.GaussianBlur(light, (0, 0), 0.1 * SAMPLES)
-    size = round(1.25 * SAMPLES) | 1
+    size = round(1.25 * SAMPLES)
     kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))
     paper = cv2.GaussianBlur(cv2.dilate(smooth, kernel), (0, 0), 0.5 * SAMPLES)
     return np.asarray(1 - smooth / (paper + 2))

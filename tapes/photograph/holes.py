@@ -8,7 +8,7 @@ ever farther from the row and ever less stiffly.
 import cv2
 import numpy as np
 
-from tapes.photograph.flat import SAMPLES, Flat, find_spots, flatten
+from tapes.photograph.flat import BEYOND, SAMPLES, Flat, find_spots, flatten
 from tapes.photograph.pixels import Array, vertex
 from tapes.photograph.sheet import FIVE, KNOTS, THREE, Points, Sheet, fit, holes_at
 from tapes.photograph.sprockets import Row, Sizes
@@ -124,7 +124,7 @@ def find_holes(flat: Flat, sheet: Sheet, tracks: range) -> tuple[Points, Array]:
     patch, down, aside, at = patch[seen], down[seen], aside[seen], np.arange(seen.sum())
     off_x = near[aside] + vertex(*(patch[at, down, aside + step] for step in (-1, 0, 1)))
     off_y = near[down] + vertex(*(patch[at, down + step, aside] for step in (-1, 0, 1)))
-    off_u = (x[seen] + off_x) / SAMPLES + flat.first - u[seen]
+    off_u = (x[seen] + off_x) / SAMPLES - BEYOND - u[seen]
     off_v = (y[seen] + off_y) / SAMPLES - flat.reach - v[seen]
     u, v = u[seen], v[seen]
     squares = np.bincount(u.astype(int), off_u**2 + off_v**2, sheet.length)
@@ -141,7 +141,7 @@ def _strays(flat: Flat, sheet: Sheet, spots: Array, limit: float) -> Array:
     """Return for each row how far from its place a spot near it is, if it is at no place of a hole at all."""
     size = round(0.6 * SAMPLES) | 1
     y, x = np.nonzero((spots > limit) & (spots >= cv2.dilate(spots, np.ones((size, size), np.uint8))))
-    u, v = x / SAMPLES + flat.first, y / SAMPLES - flat.reach
+    u, v = x / SAMPLES - BEYOND, y / SAMPLES - flat.reach
     off = np.maximum(abs(u - np.rint(u)), abs(v - np.rint(v)))
     stray = (off > _ASTRAY) & (v > 0.7 - THREE) & (v < FIVE - 0.7) & (u > -0.5) & (u < sheet.length - 0.5)
     found = np.zeros(sheet.length)

@@ -10,7 +10,7 @@ from tapes.photograph.flat import SAMPLES, Flat, find_spots, flatten
 from tapes.photograph.holes import FULL, by_holes, find_holes, grid, sprocket_points
 from tapes.photograph.pixels import Array
 from tapes.photograph.sheet import Points, Sheet, fit
-from tapes.photograph.sprockets import FEWEST, Row, Sizes, follow, measured
+from tapes.photograph.sprockets import FEWEST, Row, Sizes, follow, measured_all
 
 _LONGER = 12
 """How often holes are looked for beyond the ends of a row."""
@@ -95,10 +95,6 @@ def _sprockets(pictures: Sizes, sheet: Sheet, track: int) -> Row:
     """Return the row of sprocket holes on a track of the sheet."""
     u = np.arange(sheet.length, dtype=float)
     places = sheet.place(u, np.full_like(u, track))
-    depth = [
-        measured(pictures, place, step)[1]
-        for place, step in zip(places, np.gradient(places, axis=0), strict=True)
-    ]
-    total = np.convolve(depth, np.ones(FEWEST), "valid")
-    start = int(total.argmax())
+    _, depths = measured_all(pictures, places)
+    start = int(np.convolve(depths, np.ones(FEWEST), "valid").argmax())
     return follow(pictures, places[start : start + FEWEST])

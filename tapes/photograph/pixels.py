@@ -3,7 +3,7 @@
 Needs OpenCV, the extra `vision`. Sources of the headers: PNG (W3C, IHDR), JPEG (ITU T.81, B.2.2), TIFF 6.0.
 """
 
-from typing import Any
+from typing import Any, Literal
 
 import cv2
 import numpy as np
@@ -18,8 +18,9 @@ LARGEST_FILE = 64 << 20
 """Bytes of its file; a camera's has some 8 MB, a scanner's 35."""
 
 _PNG, _JPEG = b"\x89PNG\r\n\x1a\n", b"\xff\xd8"
-_NOT_A_FRAME = (0xC4, 0xC8, 0xCC)
-"""Markers between C0 and CF that begin tables, and no frame of a JPEG."""
+_FRAMES = {*range(0xC0, 0xD0)} - {0xC4, 0xC8, 0xCC}
+"""Markers of a JPEG's frame; the three between them begin tables."""
+_NONE = "no picture that can be read: PNG, JPEG or TIFF is wanted"
 
 
 def light(picture: bytes) -> Array:
@@ -27,7 +28,7 @@ def light(picture: bytes) -> Array:
 
     Raises TapeError where it is none, or has more than LARGEST pixels by its header.
     """
-    return max(_colours(_decoded(picture)), key=lambda colour: float(colour[::4, ::4].std()))
+    return max(cv2.split(_decoded(picture)), key=lambda colour: float(cv2.meanStdDev(colour)[1].item()))
 
 
 def shown(picture: bytes) -> bytes:
@@ -45,13 +46,9 @@ def between(picture: Array, x: Array, y: Array, how: int = cv2.INTER_LINEAR) -> 
 
 
 def vertex(before: Array, top: Array, after: Array) -> Array:
-    """Return how far from the middle of three places the top of a parabola through them is, half at most; 0
-    where the middle one is no top.
-    """
-    curvature = before - 2 * top + after
-    return np.where(curvature < -1e-9, 0.5 * (before - after) / np.minimum(curvature, -1e-9), 0).clip(
-        -0.5, 0.5
-    )
+    """Return how far from the middle of three places the top of a parabola through them is, half at most."""
+    curvature = np.minimum(before - 2 * top + after, -1e-9)
+    return np.asarray(0.5 * (before - after) / curvature).clip(-0.5, 0.5)
 
 
 def _decoded(picture: bytes) -> Array:
@@ -59,46 +56,39 @@ def _decoded(picture: bytes) -> Array:
     if width * height > LARGEST:
         raise TapeError(f"{width:,} by {height:,} pixels: a picture may have {LARGEST:,}")
     try:
-        decoded = (
-            cv2.imdecode(np.frombuffer(picture, np.uint8), cv2.IMREAD_COLOR) if width and height else None
-        )
+        decoded = cv2.imdecode(np.frombuffer(picture, np.uint8), cv2.IMREAD_COLOR)
     except cv2.error:
         decoded = None
     if decoded is None:
-        raise TapeError("no picture that can be read: PNG, JPEG or TIFF is wanted")
+        raise TapeError(_NONE)
     return np.asarray(decoded)
 
 
-def _colours(decoded: Array) -> list[Array]:
-    grey = cv2.cvtColor(decoded, cv2.COLOR_BGR2GRAY)
-    return [np.asarray(grey), *(np.ascontiguousarray(decoded[:, :, colour]) for colour in range(3))]
-
-
 def _size(picture: bytes) -> tuple[int, int]:
-    """Return width and height by the file's header; (0, 0) where no picture begins so."""
+    """Return width and height by the file's header."""
     if picture.startswith(_PNG):
         return int.from_bytes(picture[16:20], "big"), int.from_bytes(picture[20:24], "big")
     if picture.startswith(_JPEG):
         return _size_of_jpeg(picture)
     if picture[:4] in (b"II*\0", b"MM\0*"):
         return _size_of_tiff(picture, "little" if picture[:2] == b"II" else "big")
-    return 0, 0
+    raise TapeError(_NONE)
 
 
 def _size_of_jpeg(picture: bytes) -> tuple[int, int]:
     at = 2
     while at + 9 <= len(picture) and picture[at] == 0xFF:
         marker = picture[at + 1]
-        if 0xC0 <= marker <= 0xCF and marker not in _NOT_A_FRAME:
+        if marker in _FRAMES:
             height, width = (int.from_bytes(picture[at + place : at + place + 2], "big") for place in (5, 7))
             return width, height
         at += 1 if marker == 0xFF else 2 + int.from_bytes(picture[at + 2 : at + 4], "big")
-    return 0, 0
+    raise TapeError(_NONE)
 
 
-def _size_of_tiff(picture: bytes, order: str) -> tuple[int, int]:
+def _size_of_tiff(picture: bytes, order: Literal["little", "big"]) -> tuple[int, int]:
     def number(at: int, length: int) -> int:
-        return int.from_bytes(picture[at : at + length], "little" if order == "little" else "big")
+        return int.from_bytes(picture[at : at + length], order)
 
     directory = number(4, 4)
     entries = range(directory + 2, directory + 2 + 12 * number(directory, 2), 12)

@@ -30,7 +30,7 @@ class Spline(NamedTuple):
 
     def at(self, rows: Array) -> Array:
         """Return the weight of each spline (n, pieces + 3) at each row (n,)."""
-        x = rows / max(self.length - 1, 1) * self.pieces
+        x = rows / (self.length - 1) * self.pieces
         piece = np.clip(np.floor(x), 0, self.pieces - 1).astype(int)
         t = x - piece
         weights = np.stack(
@@ -68,10 +68,10 @@ class Sheet(NamedTuple):
 
     def covers(self, places: Array) -> bool:
         """Tell whether it lies beneath or close beside some of the places (n, 2), in pixels."""
-        u = np.linspace(-1, self.length, 4 * self.length)
+        u = np.arange(-1.0, self.length + 1)
         sides = [self.place(along, np.array([aside])) for along, aside in ((u, -5.5), (u[::-1], 7.5))]
         outline = np.concatenate(sides).astype(np.float32)
-        inside = [cv2.pointPolygonTest(outline, (float(x), float(y)), False) >= 0 for x, y in places]
+        inside = [cv2.pointPolygonTest(outline, place, False) > 0 for place in places.tolist()]
         return sum(inside) > 0.2 * len(inside)
 
     @property
@@ -82,7 +82,7 @@ class Sheet(NamedTuple):
     def pitches(self) -> tuple[Array, Array]:
         """Return the pixels from row to row and from track to track, for each row the least of both sides."""
         u = np.arange(self.length, dtype=float)
-        sides = [np.array([side]) for side in (-THREE, 0, THREE)]
+        sides = [np.array([side]) for side in (-THREE, THREE)]
         along = [np.hypot(*(self.place(u + 0.5, side) - self.place(u - 0.5, side)).T) for side in sides]
         across = [np.hypot(*(self.place(u, side + 0.5) - self.place(u, side - 0.5)).T) for side in sides]
         return np.min(along, axis=0), np.min(across, axis=0)
@@ -107,7 +107,7 @@ class Points(NamedTuple):
 def holes_at(u: Array, v: Array, pixels: Array, weight: Array | float = 1) -> Points:
     """Return the middles of holes as points: their distance counts in all directions."""
     weights = np.broadcast_to(np.asarray(weight, dtype=float), u.shape)
-    on_x, on_y = (np.tile(way, (len(u), 1)) for way in ((1.0, 0.0), (0.0, 1.0)))
+    on_x, on_y = (np.tile(way, (len(u), 1)) for way in np.eye(2))
     return Points(u, v, pixels, on_x, weights).and_(Points(u, v, pixels, on_y, weights))
 
 
@@ -117,18 +117,16 @@ def fit(length: int, points: Points, first: Sheet | None = None, knots: int = KN
     What crosses the tape may bend every `knots` rows. How the tracks draw together, `narrowing`, is found
     only where there is a `first` sheet that says how far each point is from the sprocket track.
     """
-    soft = Spline(length, max(1, round(length / _KNOTS)))
+    soft = Spline(length, round(length / _KNOTS))
     stiff = Spline(length, max(1, round(length / knots)))
-    pitch = float(np.hypot(*np.ptp(points.pixels, axis=0))) / max(length, 10)
+    pitch = float(np.hypot(*np.ptp(points.pixels, axis=0))) / length
     a, b = soft.at(points.u), stiff.at(points.u)
     x, y = points.direction[:, :1], points.direction[:, 1:]
     v = points.v[:, None]
     base = first.place(points.u, 0 * points.v) if first else points.pixels
     away = ((points.pixels - base) * points.direction).sum(axis=1)[:, None] / pitch
     counts = [a.shape[1], a.shape[1], b.shape[1], b.shape[1], b.shape[1]]
-    stiffness = _blocks(
-        [(0, 0.02, soft), (1, 0.02, soft), (2, 0.15, stiff), (3, 0.15, stiff), (4, 20, stiff)], counts
-    )
+    stiffness = _blocks([(0.02, soft), (0.02, soft), (0.15, stiff), (0.15, stiff), (20, stiff)], counts)
     small = np.concatenate([np.zeros((counts[4], sum(counts[:4]))), 3 * np.eye(counts[4])], axis=1)
     seen = np.concatenate([x * a, y * a, x * v * b, y * v * b, -v * away * b], axis=1)
     matrix = np.concatenate([seen * points.weight[:, None], stiffness, small])
@@ -139,10 +137,10 @@ def fit(length: int, points: Points, first: Sheet | None = None, knots: int = KN
     return Sheet(soft, stiff, np.stack([ax, ay], axis=1) * pitch, np.stack([bx, by], axis=1) * pitch, w)
 
 
-def _blocks(bends: list[tuple[int, float, Spline]], counts: list[int]) -> Array:
-    """Return rows that hold each block of coefficients stiff, by its number and its stiffness."""
+def _blocks(bends: list[tuple[float, Spline]], counts: list[int]) -> Array:
+    """Return rows that hold each block of coefficients stiff."""
     rows = []
-    for number, stiffness, spline in bends:
+    for number, (stiffness, spline) in enumerate(bends):
         row = np.zeros((spline.pieces + 1, sum(counts)))
         start = sum(counts[:number])
         row[:, start : start + counts[number]] = stiffness * spline.bends()

@@ -57,7 +57,7 @@ def sizes(light: Array) -> Sizes:
     pictures: list[Array] = [light.astype(np.float32)]
     while min(pictures[-1].shape) > 90:
         scale = _STEP ** -len(pictures)
-        wide, high = (max(1, round(length * scale)) for length in light.shape[::-1])
+        wide, high = (round(length * scale) for length in light.shape[::-1])
         pictures.append(cv2.resize(pictures[0], (wide, high), interpolation=cv2.INTER_AREA))
     return Sizes(pictures)
 
@@ -76,33 +76,28 @@ def starts(pictures: Sizes) -> list[Array]:
 
 
 def _spots(picture: Array) -> tuple[Array, Array]:
-    """Return where it is darker than around, and by which part of the light there."""
+    """Return where it is darker than around, and by which part of the light there; the darkest last."""
     around = cv2.blur(picture, (41, 41)) + 4
     relative = picture / around
     depth = cv2.GaussianBlur(relative, (0, 0), 2.1) - cv2.GaussianBlur(relative, (0, 0), 1.1)
-    faintest = max(_FAINTEST, 3 * 1.48 * float(np.median(abs(depth[::5, ::5]))))
+    faintest = max(_FAINTEST, 4.5 * float(np.median(abs(depth.ravel()[::25]))))
     top = (depth >= cv2.dilate(depth, np.ones((3, 3), np.uint8))) & (depth > faintest)
     y, x = np.nonzero(top)
-    depths = depth[y, x]
-    if len(x) > _MOST_SPOTS:
-        kept = np.argpartition(-depths, _MOST_SPOTS)[:_MOST_SPOTS]
-        y, x, depths = y[kept], x[kept], depths[kept]
-    return np.stack([x, y], axis=1).astype(float), depths
+    kept = np.argsort(depth[y, x])[-_MOST_SPOTS:]
+    y, x = y[kept], x[kept]
+    return np.stack([x, y], axis=1).astype(float), depth[y, x]
 
 
 def _straight(places: Array, shape: tuple[int, ...]) -> Array:
     """Return the numbers (n, FEWEST) of spots that follow each other at like distances and directions."""
-    if len(places) < FEWEST:
-        return np.empty((0, FEWEST), int)
-    margin = 2  # where there is no spot: what is beyond the picture is found there
-    which = np.full((shape[0] + 2 * margin, shape[1] + 2 * margin), -1, np.int32)
-    x, y = (places.astype(int) + margin).T
-    for aside, down in ((-1, -1), (-1, 1), (1, -1), (1, 1), (-1, 0), (1, 0), (0, -1), (0, 1), (0, 0)):
-        which[y + down, x + aside] = np.arange(len(places))
+    which: Array = np.full(shape, -1, np.float32)
+    x, y = places.astype(int).T
+    which[y, x] = np.arange(len(places))
+    which = cv2.dilate(which, np.ones((3, 3), np.uint8))
 
     def spot_at(place: Array) -> Array:
-        x, y = (np.rint(place).astype(int) + margin).T
-        return np.asarray(which[y.clip(0, which.shape[0] - 1), x.clip(0, which.shape[1] - 1)])
+        x, y = np.rint(place).astype(int).T
+        return np.asarray(which[y.clip(0, shape[0] - 1), x.clip(0, shape[1] - 1)].astype(int))
 
     reach = range(-int(_FAR), int(_FAR) + 1, 2)
     pairs = []
@@ -125,63 +120,50 @@ def _straight(places: Array, shape: tuple[int, ...]) -> Array:
 
 def follow(pictures: Sizes, start: Array) -> Row:
     """Return the whole row that a start belongs to."""
-    places = _measured_all(pictures, start)
-    depth = float(np.median([depth for _, depth in places]))
-    chain = [place for place, _ in places]
-    after = _onward(pictures, chain, depth)
-    before = _onward(pictures, chain[::-1], depth)
+    chain, depths = measured_all(pictures, start)
+    after, before = (_onward(pictures, known, float(np.median(depths))) for known in (chain, chain[::-1]))
     whole = [*before[::-1], *((place, True) for place in chain), *after]
     return Row(np.array([place for place, _ in whole]), np.array([seen for _, seen in whole]))
 
 
-def _measured_all(pictures: Sizes, start: Array) -> list[tuple[Array, float]]:
-    steps = np.gradient(start, axis=0)
-    return [measured(pictures, place, step) for place, step in zip(start, steps, strict=True)]
+def measured_all(pictures: Sizes, places: Array) -> tuple[Array, Array]:
+    """Return the middles (n, 2) of the holes nearest to places in a row, and how much darker they are."""
+    steps = np.gradient(places, axis=0)
+    found = [measured(pictures, place, step) for place, step in zip(places, steps, strict=True)]
+    return np.array([place for place, _ in found]), np.array([depth for _, depth in found])
 
 
-def _onward(pictures: Sizes, chain: list[Array], depth: float) -> list[tuple[Array, bool]]:
+def _onward(pictures: Sizes, chain: Array, depth: float) -> list[tuple[Array, bool]]:
     """Follow the holes beyond the chain's last, as far as no gap is too long."""
-    known = [(at, place) for at, place in enumerate(chain)][-14:]
+    known = sure = list(enumerate(chain))
     found: list[tuple[Array, bool]] = []
     waiting: list[tuple[Array, bool]] = []
-    at = len(chain)
-    height, width = pictures.pictures[0].shape
-    while len(waiting) - sum(seen for _, seen in waiting) <= _LONGEST_GAP:
-        gap = at - known[-1][0]
-        place, step = _expected(known, at, bend=gap < 4 or len(known) > 12)
-        if not (0 <= place[0] < width and 0 <= place[1] < height) or np.hypot(*step) < 3:
+    run = 0
+    size = pictures.pictures[0].shape[::-1]
+    while len(waiting) - run <= _LONGEST_GAP:
+        at = len(chain) + len(found) + len(waiting)
+        place, step = _expected(known, at)
+        if (place < 0).any() or (place >= size).any() or np.hypot(*step) < 3:
             break
         there, deep = measured(pictures, place, step)
-        seen = deep > 0.35 * depth and np.hypot(*(there - place)) < _REACH * np.hypot(*step)
-        waiting.append((there if seen else place, bool(seen)))
-        if seen:
-            known = [*known, (at, there)][-14:]
+        if deep > 0.35 * depth and np.hypot(*(there - place)) < _REACH * np.hypot(*step):
             depth = 0.8 * depth + 0.2 * deep
-        run = _run(waiting)
-        if run and (len(waiting) - run <= 2 or run >= _AFTER_GAP):
-            found += waiting
-            waiting = []
-        elif not seen and waiting and any(was for _, was in waiting):
-            lost = {at - len(waiting) + 1 + number for number, (_, was) in enumerate(waiting) if was}
-            known = [pair for pair in known if pair[0] not in lost] or known
-            waiting = [(where, False) for where, _ in waiting]
-        at += 1
+            known = [*known, (at, there)][-14:]
+            waiting.append((there, True))
+            run += 1
+            if len(waiting) - run <= 2 or run >= _AFTER_GAP:
+                found += waiting
+                waiting, run, sure = [], 0, known
+        else:
+            waiting = [*((lost, False) for lost, _ in waiting), (place, False)]
+            run, known = 0, sure
     return found
 
 
-def _run(waiting: list[tuple[Array, bool]]) -> int:
-    run = 0
-    while run < len(waiting) and waiting[-1 - run][1]:
-        run += 1
-    return run
-
-
-def _expected(known: list[tuple[int, Array]], at: int, bend: bool) -> tuple[Array, Array]:
-    """Return where hole `at` is expected and the step there, by those before it."""
-    numbers = np.array([number for number, _ in known], dtype=float) - at
-    places = np.array([place for _, place in known])
-    powers = 2 if bend and len(known) > 5 else 1
-    curve = np.polyfit(numbers, places, powers)
+def _expected(known: list[tuple[int, Array]], at: int) -> tuple[Array, Array]:
+    """Return where hole `at` is expected and the step there, by those before it: on a parabola."""
+    numbers, places = zip(*known, strict=True)
+    curve = np.polyfit(np.array(numbers) - at, np.array(places), 2)
     return curve[-1], curve[-2]
 
 
@@ -192,9 +174,8 @@ def measured(pictures: Sizes, place: Array, step: Array) -> tuple[Array, float]:
     picture, scale = pictures.for_step(float(np.hypot(*step)))
     along = step / _SAMPLES
     across = np.array([-along[1], along[0]])
-    x = place[0] + along[0] * _GRID[0] + across[0] * _GRID[1]
-    y = place[1] + along[1] * _GRID[0] + across[1] * _GRID[1]
-    patch = between(picture, (x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5)
+    x, y = ((place + _GRID[0] * along + _GRID[1] * across + 0.5) * scale - 0.5).transpose(2, 0, 1)
+    patch = between(picture, x, y)
     level = float(np.partition(patch, _BRIGHT, axis=None)[_BRIGHT]) + 4
     depth = cv2.filter2D(patch / level, -1, _HOLE)
     inner = depth[_MARGIN:-_MARGIN, _MARGIN:-_MARGIN]
@@ -215,7 +196,7 @@ def _kernel() -> Array:
 _MARGIN = 5
 """Samples at the border of what is measured, in which no hole has its middle: half a hole, and one more."""
 _SIDE = 9
-_GRID = np.mgrid[-_SIDE : _SIDE + 1, -_SIDE : _SIDE + 1].astype(float)[::-1]
+_GRID = np.mgrid[-_SIDE : _SIDE + 1, -_SIDE : _SIDE + 1, 0:1].astype(float)[1::-1]
 _BRIGHT = int(0.7 * _GRID[0].size)
 _HOLE = _kernel()
 
@@ -228,7 +209,7 @@ def rows(pictures: Sizes) -> list[Row]:
         row = follow(pictures, left[0])
         found.append(row)
         left = left[1:][_apart(row, left[1:, FEWEST // 2])]
-    return sorted((row for row in found if row.seen.sum() >= FEWEST), key=lambda row: -int(row.seen.sum()))
+    return sorted(found, key=lambda row: -int(row.seen.sum()))
 
 
 def _apart(row: Row, places: Array) -> Array:

@@ -4,7 +4,6 @@ The whole table of pictures is in docs/photographs.md, and made by survey.py.
 """
 
 import os
-import struct
 from pathlib import Path
 
 import numpy as np
@@ -181,45 +180,3 @@ def test_strips_are_read_from_top_to_bottom() -> None:
     tapes = [survey.some_tape(seed, PART) for seed in (1, 2)]
     both = np.concatenate([camera.picture(tape, Shot()) for tape in tapes])
     assert holes(photograph.read(camera.develop(both, Shot()))) == b"".join(tapes)
-
-
-NONE = "no picture that can be read: PNG, JPEG or TIFF is wanted"
-
-
-def header(kind: str, wide: int, high: int) -> bytes:
-    """Return how a file of a picture of this size begins, as its standard has it."""
-    match kind:
-        case "PNG":
-            return b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + struct.pack(">II", wide, high)
-        case "JPEG":  # two other segments before that of the frame, and a filling byte
-            tables = b"\xff\xe0\1\x02" + bytes(256) + b"\xff\xff\xc4\0\2"
-            return b"\xff\xd8" + tables + b"\xff\xc2\0\x0b\x08" + struct.pack(">HH", high, wide)
-        case "TIFF":
-            entries = struct.pack("<HHIIHHII", 256, 4, 1, wide, 257, 4, 1, high)
-            return b"II*\0\x0c\0\0\0####\2\0" + entries
-    entries = struct.pack(">HHIHHHHII", 256, 3, 1, wide, 0xFFFF, 257, 4, 1, high)
-    return b"MM\0*\0\0\0\x08\0\2" + entries
-
-
-@pytest.mark.parametrize(
-    ("kind", "wide", "high"),
-    [
-        ("PNG", 0x01020304, 0x05060708),
-        ("PNG", 64_000_001, 1),
-        ("JPEG", 0x2345, 0xFEDC),
-        ("TIFF", 0x01020304, 0x05060708),
-        ("TIFF of a Macintosh", 0x2345, 0x05060708),
-    ],
-)
-def test_a_picture_of_too_many_pixels_is_not_decoded(kind: str, wide: int, high: int) -> None:
-    with pytest.raises(TapeError, match=f"{wide:,} by {high:,} pixels: a picture may have 64,000,000"):
-        photograph.read(header(kind, wide, high) + bytes(20))
-    for size in ((0, 7), (7, 0), (8000, 8000)):
-        with pytest.raises(TapeError, match=NONE):
-            photograph.read(header(kind, *size) + bytes(20))
-
-
-@pytest.mark.parametrize("content", [b"", b"\x89PNG\r\n", b"\xff\xd8\xff\xe0", b"GIF89a" + bytes(100)])
-def test_what_is_no_picture_is_refused(content: bytes) -> None:
-    with pytest.raises(TapeError, match=NONE):
-        photograph.read(content)

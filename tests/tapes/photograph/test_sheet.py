@@ -7,7 +7,7 @@ pytest.importorskip("cv2", reason="OpenCV is not installed")
 import numpy as np
 
 from tapes.photograph.holes import grid
-from tapes.photograph.pixels import Array, vertex
+from tapes.photograph.pixels import Array
 from tapes.photograph.sheet import Sheet, Spline, fit, holes_at
 
 LENGTH = 60
@@ -34,7 +34,6 @@ def test_splines_are_those_of_the_book() -> None:
         np.array([[1, 4, 1] + [0] * 10, [0, 1, 4, 1] + [0] * 9, [0] * 10 + [1, 4, 1]]) / 6
     )
     assert spline.bends() @ np.arange(13.0) ** 2 == pytest.approx(np.full(11, 2))
-    assert Spline(1, 1).at(np.zeros(1)) == pytest.approx(np.array([[1, 4, 1, 0]]) / 6)
 
 
 def test_a_flat_sheet_is_where_its_holes_are() -> None:
@@ -43,6 +42,31 @@ def test_a_flat_sheet_is_where_its_holes_are() -> None:
     along, across = flat().pitches()
     assert along == pytest.approx(np.full(LENGTH, 10), abs=0.01)
     assert across == pytest.approx(np.full(LENGTH, 12), abs=0.01)
+
+
+def test_pitches_are_those_of_the_farther_side() -> None:
+    """The picture of a slanted plane, and the same from its other side."""
+    for side in (1, -1):
+        sheet = fit(LENGTH, holes_at(U, V, seen(U, side * V)))
+        sheet = fit(LENGTH, holes_at(U, V, seen(U, side * V)), sheet)
+        u = np.arange(float(LENGTH))
+        far = np.full_like(u, 3.92)
+        steps = (seen(u + 0.5, far) - seen(u - 0.5, far), seen(u, far + 0.5) - seen(u, far - 0.5))
+        assert sheet.pitches()[0] == pytest.approx(np.hypot(*steps[0].T), rel=0.01)
+        assert sheet.pitches()[1] == pytest.approx(np.hypot(*steps[1].T), rel=0.02)
+
+
+def test_a_hole_counts_along_and_across() -> None:
+    points = holes_at(np.arange(2.0), np.zeros(2), np.zeros((2, 2)), 0.5)
+    assert points.direction.tolist() == [[1, 0], [1, 0], [0, 1], [0, 1]]
+    assert points.weight.tolist() == [0.5] * 4
+
+
+def test_a_sheet_is_as_stiff_as_it_is_short() -> None:
+    """A piece of a spline every six rows; of what crosses the tape every `knots` rows, at least one."""
+    points = holes_at(U, V, np.stack([U, V], axis=1))
+    assert [fit(60, points, None, knots).soft.pieces for knots in (60, 10)] == [10, 10]
+    assert [fit(60, points, None, knots).stiff.pieces for knots in (200, 60, 30, 10)] == [1, 1, 2, 6]
 
 
 def test_a_slanted_sheet_is_found_from_its_holes() -> None:
@@ -59,21 +83,11 @@ def test_a_slanted_sheet_is_found_from_its_holes() -> None:
 def test_a_sheet_covers_what_lies_beneath_it() -> None:
     for u, v, covered in (
         ((0, 30, 59), 0, True),
-        ((-0.9, 59.9), (-5.4, 7.4), True),
-        ((-1.1, 60.1), 0, False),
-        ((30, 30), (-5.6, 7.6), False),
+        *((u, v, True) for u in (-0.95, 59.95) for v in (-5.45, 7.45)),
+        *((u, 0, False) for u in (-1.05, 60.05)),
+        *((30, v, False) for v in (-5.55, 7.55)),
         ((30, 99, 99, 99, 99), 0, False),  # no more than a fifth
         ((30, 99, 99, 99), 0, True),
     ):
-        places = np.stack(np.broadcast_arrays(10 * np.array(u), 50 + 12 * np.array(v)), axis=1)
+        places = np.stack(np.broadcast_arrays(10 * np.atleast_1d(u), 50 + 12 * v), axis=1)
         assert flat().covers(places) is covered
-
-
-def test_the_top_between_three_places_is_a_parabolas() -> None:
-    tops = np.linspace(-0.5, 0.5, 11)
-    before, top, after = (5 - 3 * (step - tops) ** 2 for step in (-1, 0, 1))
-    assert vertex(before, top, after) == pytest.approx(tops)
-    level, higher = np.zeros(1), np.ones(1)
-    assert vertex(level, level, level) == 0
-    assert vertex(level, level, higher) == 0, "no top"
-    assert vertex(level, 1.1 * higher, 2 * higher) == 0.5, "no farther than half way"

@@ -1,0 +1,70 @@
+"""A straight tape, drawn PITCH pixels a row, each of whose places is known: track v of row u is at
+(MARGIN + u, MARGIN + v) pitches.
+"""
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from tapes.photograph.pixels import Array
+from tapes.photograph.sheet import Sheet, fit, holes_at
+from tapes.photograph.sprockets import Row, Sizes
+
+PITCH, MARGIN = 12, 15
+CODE, FEED = 0.36, 0.23
+"""Radii of holes (ECMA-10), in pitches."""
+TRACKS = (-3, -2, -1, 1, 2, 3, 4, 5)
+
+
+def tape(
+    length: int, codes: Iterable[tuple[float, float]] = (), feed: Iterable[float] | None = None
+) -> Array:
+    """Return the light of a tape with feed holes in all rows, or those named, and code holes (row, track)."""
+    light = np.full((2 * MARGIN * PITCH + 1, (2 * MARGIN + length - 1) * PITCH + 1), 60.0)
+    paper(light, (-0.5, length - 0.5), (-3.92, 6.08))
+    for u in range(length) if feed is None else feed:
+        hole(light, u, 0, FEED)
+    for u, v in codes:
+        hole(light, u, v, CODE)
+    return light
+
+
+def paper(light: Array, along: tuple[float, float], across: tuple[float, float], level: float = 200) -> None:
+    """Draw a rectangle, from and to places in pitches."""
+    u, v = _grid(light)
+    inside = [_soft(place - ends[0]) * _soft(ends[1] - place) for place, ends in ((u, along), (v, across))]
+    light += inside[0] * inside[1] * (level - light)
+
+
+def hole(light: Array, u: float, v: float, radius: float, level: float = 60) -> None:
+    """Draw a disc."""
+    grid = _grid(light)
+    light += _soft(radius - np.hypot(grid[0] - u, grid[1] - v)) * (level - light)
+
+
+def _grid(light: Array) -> tuple[Array, Array]:
+    return np.arange(light.shape[1]) / PITCH - MARGIN, np.arange(light.shape[0])[:, None] / PITCH - MARGIN
+
+
+def _soft(inside: Array) -> Array:
+    """Return how much of a pixel lies inside an edge that is so many pitches away."""
+    return (inside * PITCH + 0.5).clip(0, 1)
+
+
+def pictures(light: Array) -> Sizes:
+    return Sizes([light.astype(np.float32)])
+
+
+def sheet(length: int, along: float = 1, across: float = 1) -> Sheet:
+    """Return the sheet of such a tape."""
+    u, v = (axis.ravel() for axis in np.meshgrid(np.arange(float(length)), np.arange(-3.0, 6)))
+    return fit(length, holes_at(u, v, at(u * along, v * across)))
+
+
+def at(u: Array, v: Array) -> Array:
+    """Return the pixels of places."""
+    return (np.stack(np.broadcast_arrays(u, v), axis=-1) + MARGIN) * PITCH
+
+
+def row(length: int, track: float = 0) -> Row:
+    return Row(at(np.arange(float(length)), np.array(track)), np.ones(length, bool))
