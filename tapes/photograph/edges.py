@@ -26,43 +26,33 @@ class Side(NamedTuple):
     width: float
     share: float
 
-    @property
-    def edges(self) -> tuple[float, float]:
-        return self.track + self.three * THREE * self.width, self.track - self.three * FIVE * self.width
-
 
 def find_side(flat: Flat, sheet: Sheet) -> Side:
     """Return which track is the sprocket track and on which side of it three channels are.
 
     Raises TapeError if the paper has not its edges where a tape has, or the holes are not as a tape's.
     """
-    always, mass = {}, {}
     spots = find_spots(flat.dark)
     u = np.arange(sheet.length, dtype=float)
     limit = 0.5 * np.median(flat.take(spots, u, 0 * u))
-    for track in range(-5, 6):
-        deep = flat.take(spots, u, 0 * u + track)
-        always[track] = float((deep > limit).mean())
-        mass[track] = _mass(flat, u[deep > limit], track)
-    has_codes = sum(always.values()) * sheet.length > sheet.length + 12
+    holes = {track: u[flat.take(spots, u, 0 * u + track) > limit] for track in range(-5, 6)}
+    mass = {track: _mass(flat, rows, track) for track, rows in holes.items() if len(rows) > 0.1 * len(u)}
+    has_codes = sum(map(len, holes.values())) > len(u) + 12
+    tracks = [track for track in mass if len(holes[track]) > 0.7 * len(u)] if has_codes else [0]
     widths = np.array([1.0]) if has_codes else np.geomspace(0.55, 1.8, 33)
+    paper = _paper(flat, sheet)
     sides = [
-        Side(track, three, float(width), 0)
-        for track in range(-5, 6)
+        Side(track, three, float(width), _share(flat, paper, track, three * width))
+        for track in tracks
         for three in (-1, 1)
         for width in widths
-        if always[track] > 0.7 and (has_codes or track == 0)
     ]
-    paper = _paper(flat, sheet)
-    sides = [side._replace(share=_share(flat, paper, side)) for side in sides]
     best = max((side.share for side in sides), default=0)
     if best < 0.5:
         raise TapeError("the paper's edges are not 3.92 and 6.08 rows' distances from the sprocket holes")
     likely = [side for side in sides if side.share > 0.75 * best]
     found = min(likely, key=lambda side: (round(mass[side.track] / mass[0], 1), -side.share))
-    others = [
-        mass[track] for track in mass if track != found.track and always[track] > 0.1 and abs(track) <= 3
-    ]
+    others = [mass[track] for track in mass if track != found.track and abs(track) <= 3]
     if others and np.median(others) < 1.35 * mass[found.track]:
         raise TapeError(
             "the holes are all of one size: a tape's sprocket holes are smaller than its code holes"
@@ -72,8 +62,6 @@ def find_side(flat: Flat, sheet: Sheet) -> Side:
 
 def _mass(flat: Flat, u: Array, track: int) -> float:
     """Return how much of the light is lost in a hole of a track, its depth times its area: blur keeps it."""
-    if not len(u):
-        return 0.0
     away = np.arange(-5, 6) / SAMPLES
     x, y = np.meshgrid(away, away)
     disc = np.hypot(x, y) < 0.45
@@ -109,10 +97,10 @@ def _profiles(flat: Flat, paper: _Paper, edge: float, outward: float) -> tuple[A
     return profile, (abs(inside - outside) > 0.4 * paper.depth) & (abs(inside - 1) < 0.35)
 
 
-def _share(flat: Flat, paper: _Paper, side: Side) -> float:
-    """Return at how many of the rows both edges are where they are on a tape."""
-    there = (_profiles(flat, paper, edge, -1.0 if edge < side.track else 1.0)[1] for edge in side.edges)
-    return float(min(edge.mean() for edge in there))
+def _share(flat: Flat, paper: _Paper, track: int, three: float) -> float:
+    """Return at how many of the rows both edges are where they are on a tape, `three` wide to that side."""
+    edges = ((track + three * THREE, np.sign(three)), (track - three * FIVE, -np.sign(three)))
+    return float(min(_profiles(flat, paper, edge, outward)[1].mean() for edge, outward in edges))
 
 
 def find_edges(flat: Flat, sheet: Sheet) -> tuple[Points, Array]:
@@ -126,7 +114,7 @@ def find_edges(flat: Flat, sheet: Sheet) -> tuple[Points, Array]:
         profile, u = profile[there], paper.u[there]
         inside, outside = profile[:, :4].mean(axis=1), profile[:, -4:].mean(axis=1)
         share = ((profile - outside[:, None]) / (inside - outside)[:, None]).clip(0, 1).mean(axis=1)
-        off = share * (len(_PROFILE) / SAMPLES) - (len(_PROFILE) / SAMPLES) / 2
+        off = (share - 0.5) * len(_PROFILE) / SAMPLES
         v = np.full_like(u, edge)
         along = sheet.place(u + 0.5, v) - sheet.place(u - 0.5, v)
         normal = np.stack([-along[:, 1], along[:, 0]], axis=1) / np.hypot(*along.T)[:, None]

@@ -38,8 +38,13 @@ def paper(light: Array, along: tuple[float, float], across: tuple[float, float],
 
 def hole(light: Array, u: float, v: float, radius: float, level: float = 60) -> None:
     """Draw a disc."""
-    grid = _grid(light)
-    light += _soft(radius - np.hypot(grid[0] - u, grid[1] - v)) * (level - light)
+    first = [max(0, int((place + MARGIN - radius) * PITCH) - 1) for place in (v, u)]
+    window = light[tuple(slice(start, start + int(2 * radius * PITCH) + 4) for start in first)]
+    y, x = (
+        np.arange(start, start + size) / PITCH - MARGIN
+        for start, size in zip(first, window.shape, strict=True)
+    )
+    window += _soft(radius - np.hypot(x - u, y[:, None] - v)) * (level - window)
 
 
 def _grid(light: Array) -> tuple[Array, Array]:
