@@ -10,19 +10,20 @@ import numpy as np
 
 from tapes.photograph.flat import BEYOND, SAMPLES, Flat, find_spots, flatten
 from tapes.photograph.pixels import Array, vertex
-from tapes.photograph.sheet import FIVE, KNOTS, THREE, Points, Sheet, fit, holes_at
+from tapes.photograph.sheet import FIVE, THREE, Points, Sheet, fit, holes_at
 from tapes.photograph.sprockets import Row, Sizes
 
 FULL = 12
 """Pitches to each side of a row that may be any track of a tape."""
 
-_WINDOW = 8
+_AROUND = 1, 17
+"""Columns and rows over which is smoothed along the tape."""
 _SKEW_STEP, _WIDTH_STEP = 0.05, 0.045
 _SKEWS = _SKEW_STEP * np.arange(-12, 13)
 _WIDTHS = np.exp(_WIDTH_STEP * np.arange(-11, 13))
 _EVERY, _STIFFNESS = 4, 0.03
-_ASTRAY = 0.3
-"""Pitches from its place within which a hole is looked for."""
+_ASTRAY = 4
+"""Samples from its place: nearer, a hole is looked for."""
 _FAINT = 0.02
 """What places count that only hold the sheet where there are no holes."""
 
@@ -30,10 +31,12 @@ _FAINT = 0.02
 def by_holes(pictures: Sizes, row: Row) -> Sheet:
     """Return the sheet of a row by the holes beside it, whatever track it is."""
     sheet = _first(pictures, row)
-    for reach, knots in ((2, 60), (2, 40), (3, 30), (5, 20), (7, 14), (9, KNOTS)):
+    for reach in (2, 2, 3, 5, 7, 9):
         flat = flatten(pictures, sheet, reach + 1.5)
         holes, _ = find_holes(flat, sheet, range(-reach, reach + 1))
-        sheet = fit(sheet.length, sprocket_points(row).and_(holes, grid(sheet, weight=_FAINT)), sheet, knots)
+        sheet = fit(
+            sheet.length, sprocket_points(row).and_(holes, grid(sheet, weight=_FAINT)), sheet, 90 / reach
+        )
     return sheet
 
 
@@ -44,32 +47,20 @@ def sprocket_points(row: Row) -> Points:
 
 def grid(sheet: Sheet, width: float = 1, weight: float = 1) -> Points:
     """Return places of the sheet as points, to fit it again with another width."""
-    u, v = (
-        axis.ravel() for axis in np.meshgrid(np.arange(sheet.length, dtype=float), [-3.0, -1.5, 0, 2.5, 5])
-    )
+    u, v = np.stack(np.meshgrid(np.arange(sheet.length), np.linspace(-THREE, FIVE, 5))).reshape(2, -1)
     return holes_at(u, v, sheet.place(u, v * width), weight)
 
 
 def _first(pictures: Sizes, row: Row) -> Sheet:
     """Return the sheet of a row by the slant and distance at which most is dark beside it."""
     length = len(row.places)
-    steps = np.gradient(row.places, axis=0)
-    reach = min(8, length // 2)
-    steps = np.stack(
-        [
-            np.convolve(
-                np.pad(steps[:, way], reach, mode="edge"), np.ones(2 * reach + 1) / (2 * reach + 1), "valid"
-            )
-            for way in (0, 1)
-        ],
-        axis=1,
-    )
+    steps = cv2.blur(np.gradient(row.places, axis=0), _AROUND, borderType=cv2.BORDER_REPLICATE)
     square = np.stack([-steps[:, 1], steps[:, 0]], axis=1)
     u = np.arange(length, dtype=float)
     sheet = fit(length, _beside(row, square))
-    flat = flatten(pictures, sheet, 1.3 * FULL)
+    flat = flatten(pictures, sheet, FULL)
     spots = np.maximum(find_spots(flat.dark), 0)
-    tracks = np.array([track for track in range(-6, 7) if track])
+    tracks = np.arange(-6, 7)
     skews, widths = (axis.ravel() for axis in np.meshgrid(_SKEWS, _WIDTHS))
     along = u[:, None, None] + skews[:, None] * tracks * widths[:, None]
     aside = np.broadcast_to(tracks * widths[:, None], along.shape)
@@ -84,7 +75,7 @@ def _likeliest(depth: Array, states: Array) -> Array:
     the one that gathers most of `depth` (rows, n).
     """
     rows = np.arange(0, len(depth), _EVERY)
-    gathered = cv2.blur(depth, (1, 2 * _WINDOW + 1), borderType=cv2.BORDER_REFLECT)[rows]
+    gathered = cv2.blur(depth, _AROUND, borderType=cv2.BORDER_REFLECT)[rows]
     score = (gathered - np.median(gathered)) / (gathered.max() - np.median(gathered) + 1e-9)
     change = _STIFFNESS * ((states[:, None] - states) ** 2).sum(axis=2)
     total, ways = score[0], []
@@ -109,18 +100,15 @@ def find_holes(flat: Flat, sheet: Sheet, tracks: range) -> tuple[Points, Array]:
     """Return the holes that are seen near their places, and how far off they are around each row."""
     spots = find_spots(flat.dark)
     u, v = np.meshgrid(np.arange(sheet.length, dtype=float), np.array(tracks, dtype=float), indexing="ij")
-    near = np.arange(-round(_ASTRAY * SAMPLES), round(_ASTRAY * SAMPLES) + 1)
-    x, y = (np.rint(axis).astype(int) for axis in flat.at(u, v))
-    patch = spots[
-        (y[..., None, None] + near[:, None]).clip(0, spots.shape[0] - 1),
-        (x[..., None, None] + near).clip(0, spots.shape[1] - 1),
-    ]
+    near = np.arange(-_ASTRAY, _ASTRAY + 1)
+    x, y = (axis.astype(int) for axis in flat.at(u, v))
+    patch = spots[y[..., None, None] + near[:, None], x[..., None, None] + near]
     depth = patch.reshape(*u.shape, -1)
     deep = depth.max(axis=2)
     down, aside = np.unravel_index(depth.argmax(axis=2), patch.shape[2:])
-    inside = (down > 0) & (down < len(near) - 1) & (aside > 0) & (aside < len(near) - 1)
-    sprocket = np.median(deep[:, list(tracks).index(0)])
-    seen = inside & (deep > 0.6 * sprocket)
+    inside = np.maximum(abs(near[down]), abs(near[aside])) < _ASTRAY
+    limit = 0.6 * np.median(deep[:, tracks.index(0)])
+    seen = inside & (deep > limit)
     patch, down, aside, at = patch[seen], down[seen], aside[seen], np.arange(seen.sum())
     off_x = near[aside] + vertex(*(patch[at, down, aside + step] for step in (-1, 0, 1)))
     off_y = near[down] + vertex(*(patch[at, down + step, aside] for step in (-1, 0, 1)))
@@ -131,7 +119,7 @@ def find_holes(flat: Flat, sheet: Sheet, tracks: range) -> tuple[Points, Array]:
     count = np.bincount(u.astype(int), minlength=sheet.length).astype(float)
     width = np.ones(7)
     astray = np.sqrt(np.convolve(squares, width, "same") / np.maximum(np.convolve(count, width, "same"), 1))
-    astray = np.maximum(astray, _strays(flat, sheet, spots, 0.6 * sprocket))
+    astray = np.maximum(astray, _strays(flat, sheet, spots, limit))
     trust = 1 / (1 + (astray / 0.07) ** 4)
     weight = trust[u.astype(int)] / (1 + (off_u**2 + off_v**2) / 0.1**2)
     return holes_at(u, v, sheet.place(u + off_u, v + off_v), weight), astray
@@ -139,13 +127,16 @@ def find_holes(flat: Flat, sheet: Sheet, tracks: range) -> tuple[Points, Array]:
 
 def _strays(flat: Flat, sheet: Sheet, spots: Array, limit: float) -> Array:
     """Return for each row how far from its place a spot near it is, if it is at no place of a hole at all."""
-    size = round(0.6 * SAMPLES) | 1
-    y, x = np.nonzero((spots > limit) & (spots >= cv2.dilate(spots, np.ones((size, size), np.uint8))))
+    y, x = np.nonzero((spots > limit) & (spots >= cv2.dilate(spots, np.ones((7, 7), np.uint8))))
     u, v = x / SAMPLES - BEYOND, y / SAMPLES - flat.reach
     off = np.maximum(abs(u - np.rint(u)), abs(v - np.rint(v)))
-    stray = (off > _ASTRAY) & (v > 0.7 - THREE) & (v < FIVE - 0.7) & (u > -0.5) & (u < sheet.length - 0.5)
+    stray = (
+        (off * SAMPLES > _ASTRAY - 0.5)
+        & (v > 0.7 - THREE)
+        & (v < FIVE - 0.7)
+        & (u > -0.5)
+        & (u < sheet.length - 0.5)
+    )
     found = np.zeros(sheet.length)
-    for row, away in zip(np.rint(u[stray]).astype(int), off[stray], strict=True):
-        near = slice(max(0, row - 2), row + 3)
-        found[near] = np.maximum(found[near], away)
-    return found
+    np.maximum.at(found, np.rint(u[stray]).astype(int), off[stray])
+    return np.asarray(cv2.dilate(found, np.ones((5, 1), np.uint8))[:, 0])

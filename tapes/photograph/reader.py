@@ -35,6 +35,8 @@ UNSEEN = "its sprocket hole is not seen"
 
 _TRACKS = np.array([-3, -2, -1, 1, 2, 3, 4, 5], dtype=float)
 """Channels 1 to 8, in pitches from the sprocket track."""
+_SPROCKET = 3
+"""Its number among the tracks from channel 1 to channel 8."""
 _WINDOW = 8
 _MOST_DOUBTFUL = 0.35
 _FAILURES = 4
@@ -178,20 +180,14 @@ def _ends(flat: Flat, tape: Sheet, pictures: sprockets.Sizes, on_paper: Array) -
     found = np.zeros(len(on_paper), dtype=bool)
     rows = np.nonzero(on_paper)[0]
     v = np.arange(-2.5, 5)
+    last = np.array(pictures.pictures[0].shape[::-1]) - 1
     for end, way in ((rows[0], -1), (rows[-1], 1)):
-        near = end - way * np.arange(0.5, 6)[:, None]
-        paper = np.median(flat.take(flat.light, *np.broadcast_arrays(near, v)))
-        hole = np.quantile(flat.take(flat.light, *np.broadcast_arrays(near + 0.5, 0 * v)), 0.25)
-        light, inside = [], True
-        for off in (0.8, 1.1):
-            there = np.array([float(end + way * off)])
-            x, y = tape.place(there, v).T
-            height, width = pictures.pictures[0].shape
-            inside &= bool(
-                (x > 0).all() and (y > 0).all() and (x < width - 1).all() and (y < height - 1).all()
-            )
-            light.append(np.median(flat.take(flat.light, *np.broadcast_arrays(there, v))))
-        found[end] = inside and min(light) > (paper + hole) / 2
+        near, beyond = (end + way * np.array(off)[:, None] for off in (np.arange(-5.0, 1), (0.8, 1.1)))
+        paper = np.median(flat.take(flat.light, *np.broadcast_arrays(near - way / 2, v)))
+        hole = np.quantile(flat.take(flat.light, near, 0 * near), 0.25)
+        light = np.median(flat.take(flat.light, *np.broadcast_arrays(beyond, v)), axis=1).min()
+        places = tape.place(beyond, v)
+        found[end] = (places == places.clip(0, last)).all() and light > (paper + hole) / 2
     return found
 
 
@@ -204,41 +200,29 @@ _RING = [(0.52 * np.cos(turn), 0.52 * np.sin(turn)) for turn in np.arange(8) * n
 
 def _cells(flat: Flat, length: int) -> _Cells:
     """Measure each place of a hole beside the paper at its four corners."""
-    u = np.arange(length, dtype=float)
-    tracks = np.concatenate([[0], _TRACKS])
-    rows, columns = np.meshgrid(u, tracks, indexing="ij")
-    corners = {
-        (down, aside): _smooth_at(flat, rows + down, columns + aside)
-        for down in (-0.5, 0.5)
-        for aside in (-0.5, 0.5)
-    }
+    rows, tracks = np.arange(length, dtype=float)[:, None], np.arange(-3.0, 6)
+    between = np.broadcast_arrays(np.arange(-0.5, length)[:, None], np.arange(-3.5, 6))
+    corners = flat.take(cv2.blur(flat.light, (3, 3)), *between)
 
-    def dark(along: Array | float, aside: Array | float) -> Array:
-        paper = sum(
-            corner * (0.5 + 2 * way * along) * (0.5 + 2 * side * aside)
-            for corner, (way, side) in ((value, (key[0], key[1])) for key, value in corners.items())
-        )
-        here = flat.take(flat.light, rows + along, columns + aside)
-        return np.asarray(1 - here / np.maximum(paper, 1))
+    def paper(along: float, aside: float) -> Array:
+        sides = corners[:-1] * (0.5 - along) + corners[1:] * (0.5 + along)
+        return np.maximum(sides[:, :-1] * (0.5 - aside) + sides[:, 1:] * (0.5 + aside), 1)
+
+    def dark(along: float, aside: float) -> Array:
+        here = flat.take(flat.light, *np.broadcast_arrays(rows + along, tracks + aside))
+        return np.asarray(1 - here / paper(along, aside))
 
     disc = np.stack([[dark(along, aside) for along in _OFFSETS] for aside in _OFFSETS])
     core = np.tensordot(_CORE, disc, axes=2)
     ring = np.stack([dark(along, aside) for along, aside in _RING])
     inside = disc[_AWAY < 0.3]
-    full = _full(core[:, 1:], core[:, 0])
+    sprocket, codes = core[:, _SPROCKET], np.delete(core, _SPROCKET, axis=1)
+    full = _full(codes, sprocket)
+    spread = np.where(core > 0.5 * full[:, None], inside.min(axis=0), inside.max(axis=0))
+    most, beside = (np.delete(of, _SPROCKET, axis=-1) for of in (spread, ring))
     scale = full[:, None]
-    paper = np.mean(list(corners.values()), axis=0)
-    spread = np.where(core[:, 1:] > 0.5 * scale, inside.min(axis=0)[:, 1:], inside.max(axis=0)[:, 1:])
-    return _Cells(
-        core[:, 1:] / scale, spread / scale, ring[..., 1:] / scale, full, core[:, 0] / full, paper[:, 1:]
-    )
-
-
-def _smooth_at(flat: Flat, u: Array, v: Array) -> Array:
-    near = [-0.1, 0, 0.1]
-    return np.asarray(
-        np.mean([flat.take(flat.light, u + along, v + aside) for along in near for aside in near], axis=0)
-    )
+    light = np.delete(paper(0, 0), _SPROCKET, axis=1)
+    return _Cells(codes / scale, most / scale, beside / scale, full, sprocket / full, light)
 
 
 def _full(core: Array, sprocket: Array) -> Array:
