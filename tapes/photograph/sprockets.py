@@ -19,6 +19,7 @@ from tapes.photograph.pixels import Array, between, vertex
 FEWEST = 10
 """Frames of a tape: not even a frame of all holes has so many in a row."""
 
+_NEIGHBOURS = np.ones((3, 3), np.uint8)
 _STEP = 2**0.5
 """From one size of the picture to the next."""
 _NEAR, _FAR = 4.7, 10.5
@@ -69,9 +70,7 @@ def starts(pictures: Sizes) -> list[Array]:
         scale = picture.shape[1] / pictures.pictures[0].shape[1]
         places, depths = _spots(picture)
         for row in _straight(places, picture.shape):
-            found.append(
-                (float(np.median(depths[row]) - depths[row].std()), (places[row] + 0.5) / scale - 0.5)
-            )
+            found.append((float(depths[row].min()), (places[row] + 0.5) / scale - 0.5))
     return [row for _, row in sorted(found, key=lambda pair: -pair[0])]
 
 
@@ -81,7 +80,7 @@ def _spots(picture: Array) -> tuple[Array, Array]:
     relative = picture / around
     depth = cv2.GaussianBlur(relative, (0, 0), 2.1) - cv2.GaussianBlur(relative, (0, 0), 1.1)
     faintest = max(_FAINTEST, 4.5 * float(np.median(abs(depth.ravel()[::25]))))
-    top = (depth >= cv2.dilate(depth, np.ones((3, 3), np.uint8))) & (depth > faintest)
+    top = (depth >= cv2.dilate(depth, _NEIGHBOURS)) & (depth > faintest)
     y, x = np.nonzero(top)
     kept = np.argsort(depth[y, x])[-_MOST_SPOTS:]
     y, x = y[kept], x[kept]
@@ -90,31 +89,28 @@ def _spots(picture: Array) -> tuple[Array, Array]:
 
 def _straight(places: Array, shape: tuple[int, ...]) -> Array:
     """Return the numbers (n, FEWEST) of spots that follow each other at like distances and directions."""
+    margin = 16  # beyond the picture is no spot
     which: Array = np.full(shape, -1, np.float32)
     x, y = places.astype(int).T
     which[y, x] = np.arange(len(places))
-    which = cv2.dilate(which, np.ones((3, 3), np.uint8))
+    which = np.pad(cv2.dilate(which, _NEIGHBOURS), margin, constant_values=-1).astype(int)
 
     def spot_at(place: Array) -> Array:
-        x, y = np.rint(place).astype(int).T
-        return np.asarray(which[y.clip(0, shape[0] - 1), x.clip(0, shape[1] - 1)].astype(int))
+        x, y = np.rint(place).astype(int).T + margin
+        return np.asarray(which[y, x])
 
-    reach = range(-int(_FAR), int(_FAR) + 1, 2)
-    pairs = []
-    for offset in [(aside, down) for aside in reach for down in reach if (aside, down) > (0, 0)]:
-        other = spot_at(places + offset)
-        pairs.append(np.stack([np.arange(len(places)), other], axis=1)[other >= 0])
-    rows = np.unique(np.concatenate(pairs), axis=0)
+    reach = range(-9, 10, 3)
+    others = [spot_at(places + np.array([aside, down])) for aside in reach for down in reach]
+    rows = np.stack([np.tile(np.arange(len(places)), len(others)), np.concatenate(others)], axis=1)
     length = np.hypot(*(places[rows[:, 1]] - places[rows[:, 0]]).T)
-    rows = rows[(length > _NEAR) & (length < _FAR)]
+    rows = rows[(rows[:, 1] >= 0) & (length > _NEAR) & (length < _FAR)]
     while rows.shape[1] < FEWEST and len(rows):
-        last, step = places[rows[:, -1]], places[rows[:, -1]] - places[rows[:, -2]]
-        if rows.shape[1] > 2:
-            step = (step + places[rows[:, -2]] - places[rows[:, -3]]) / 2
+        ends = rows[:, -3:]
+        last = places[ends[:, -1]]
+        step = (last - places[ends[:, 0]]) / (ends.shape[1] - 1)
         following = spot_at(last + step)
         near = np.hypot(*(places[following] - last - step).T) < 0.28 * np.hypot(*step.T)
-        kept = (following >= 0) & near
-        rows = np.concatenate([rows, following[:, None]], axis=1)[kept]
+        rows = np.concatenate([rows, following[:, None]], axis=1)[(following >= 0) & near]
     return np.asarray(rows)
 
 

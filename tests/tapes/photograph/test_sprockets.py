@@ -131,24 +131,24 @@ def test_a_row_may_fade(fading: float, length: int) -> None:
 @pytest.mark.parametrize(
     ("steps", "found"),
     [
-        ([(4.6, 0)] * 9, 0),
-        ([(4.8, 0)] * 9, 1),
+        ([(4, 2)] * 9, 0),
+        ([(4, 3)] * 9, 1),
         ([(0, 5)] * 9, 1),
         ([(7, -7)] * 9, 1),
-        ([(-7, -7.4)] * 9, 1),
-        ([(10.4, 0)] * 9, 1),
-        ([(10.6, 0)] * 9, 0),
+        ([(-7, -7)] * 9, 1),
+        ([(10, 3)] * 9, 1),
+        ([(10, 4)] * 9, 0),
         ([(7.5, -7.5)] * 9, 0),
         ([(7, 0)] * 8, 0),
         ([(7, 0)] * 10, 2),
         ([(6, 0)] * 4 + [(7, 1)] + [(6, 0)] * 4, 1),
         ([(5, 0)] * 4 + [(6, 1)] + [(5, 0)] * 4, 0),
-        ([(8 * 0.96**number, 0.5 * number) for number in range(9)], 1),
+        ([(round(8 * 0.96**number), number // 2) for number in range(9)], 1),
     ],
 )
-def test_ten_spots_in_a_row_are_a_start(steps: list[tuple[float, float]], found: int) -> None:
+def test_ten_spots_in_a_row_are_a_start_from_both_ends(steps: list[tuple[float, float]], found: int) -> None:
     places = np.cumsum([(100, 100), *steps], axis=0)
-    assert len(straight_rows(np.concatenate([places, [[0, 0], [250, 250]]]), (251, 251))) == found
+    assert len(straight_rows(np.concatenate([places, [[0, 0], [250, 250]]]), (251, 251))) == 2 * found
 
 
 def test_spots_are_as_deep_as_a_blurred_blob_is() -> None:
