@@ -139,4 +139,4 @@ def _strays(flat: Flat, sheet: Sheet, spots: Array, limit: float) -> Array:
     )
     found = np.zeros(sheet.length)
     np.maximum.at(found, np.rint(u[stray]).astype(int), off[stray])
-    return np.asarray(cv2.dilate(found, np.ones((5, 1), np.uint8))[:, 0])
+    return np.asarray(cv2.dilate(found[:, None], np.ones((5, 1), np.uint8))[:, 0])

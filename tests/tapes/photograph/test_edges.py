@@ -1,4 +1,4 @@
-"""The edges of a sheet say which track is the sprocket track, and where the paper is, or that it is no tape."""
+"""The edges of a sheet say which is the sprocket track, and where the paper is, or that it is no tape."""
 
 import numpy as np
 import pytest
@@ -26,7 +26,7 @@ def drawn(
     feed: int = LENGTH,
     table: int = 60,
 ) -> Array:
-    """Return a tape with its edges at some tracks, its sprocket holes on `track`, and its code holes aside."""
+    """Return a tape with its edges at some tracks, its sprocket holes on `track`, and code holes."""
     light = np.full_like(tape(LENGTH), table)
     paper(light, (-0.5, LENGTH - 0.5), across)
     for u in range(feed):
@@ -96,7 +96,7 @@ def test_half_of_the_rows_have_both_edges(torn: int, share: float) -> None:
     light = drawn()
     paper(light, (-1, torn - 1), (5, 9), 60)
     if not share:
-        with pytest.raises(TapeError, match="the paper's edges are not 3.92 and 6.08 rows"):
+        with pytest.raises(TapeError, match=r"the paper's edges are not 3\.92 and 6\.08 rows"):
             find_side(flat(light), sheet(LENGTH))
     else:
         assert find_side(flat(light), sheet(LENGTH)).share == pytest.approx(share, abs=0.01)

@@ -122,7 +122,7 @@ def test_the_next_hole_is_within_a_third_of_a_row_and_a_third_as_dark(
 
 @pytest.mark.parametrize(("fading", "length"), [(0.9, 30), (0.8, 17)])
 def test_a_row_may_fade(fading: float, length: int) -> None:
-    """What is known of the darkness is a fifth the last hole's: at .8 it is 1.25, 1.5, ..., 3 times the next."""
+    """What is known of it is a fifth the last hole's: at .8 it is 1.25, 1.5, ..., 2.75, 3 of the next."""
     contrast = 0.9 * fading ** np.maximum(np.arange(30) - 9, 0)
     row = follow(pictures(dots(line(np.arange(30.0)), contrast)), at(np.arange(10.0), np.array(0)))
     assert len(row.seen) == length
