@@ -195,7 +195,8 @@ _OFFSETS = np.arange(-4, 5) / SAMPLES
 _AWAY = np.hypot(*np.meshgrid(_OFFSETS, _OFFSETS))
 _CORE = np.exp(-0.5 * (_AWAY / 0.11) ** 2)
 _CORE /= _CORE.sum()
-_RING = [(0.52 * np.cos(turn), 0.52 * np.sin(turn)) for turn in np.arange(8) * np.pi / 4 + np.pi / 8]
+_TURNS = (np.arange(8) + 0.5) * np.pi / 4
+_RING = 0.52 * np.stack([np.cos(_TURNS), np.sin(_TURNS)], axis=1)
 
 
 def _cells(flat: Flat, length: int) -> _Cells:
