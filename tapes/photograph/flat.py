@@ -51,14 +51,13 @@ def flatten(pictures: Sizes, sheet: Sheet, reach: float = _REACH) -> Flat:
     """Return the sheet as if it lay flat."""
     u = np.arange(-BEYOND * SAMPLES, (sheet.length + BEYOND - 1) * SAMPLES + 1) / SAMPLES
     v = np.arange(-reach * SAMPLES, reach * SAMPLES + 1) / SAMPLES
-    along, across = sheet.pitches()
+    area = np.multiply(*sheet.pitches())
     pieces = []
     block = 24 * SAMPLES
     for start in range(0, len(u), block):
         part = u[start : start + block]
-        rows = np.clip(np.rint(part).astype(int), 0, sheet.length - 1)
-        step = float(np.sqrt(along[rows].mean() * across[rows].mean()))
-        picture, scale = pictures.for_step(step)
+        step = np.sqrt(np.interp(part, np.arange(sheet.length), area).mean())
+        picture, scale = pictures.for_step(float(step))
         places = sheet.place(part[None, :], v[:, None])
         x, y = ((places[..., axis] + 0.5) * scale - 0.5 for axis in (0, 1))
         pieces.append(between(picture, x, y, cv2.INTER_CUBIC))
