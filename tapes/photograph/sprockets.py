@@ -70,7 +70,8 @@ def starts(pictures: Sizes) -> list[Array]:
         scale = picture.shape[1] / pictures.pictures[0].shape[1]
         places, depths = _spots(picture)
         for row in _straight(places, picture.shape):
-            found.append((float(depths[row].min()), (places[row] + 0.5) / scale - 0.5))
+            clear = float(np.median(depths[row]) - depths[row].std())
+            found.append((clear, (places[row] + 0.5) / scale - 0.5))
     return [row for _, row in sorted(found, key=lambda pair: -pair[0])]
 
 
@@ -100,7 +101,12 @@ def _straight(places: Array, shape: tuple[int, ...]) -> Array:
         return np.asarray(which[y, x])
 
     reach = range(-9, 10, 3)
-    others = [spot_at(places + np.array([aside, down])) for aside in reach for down in reach]
+    others = [
+        spot_at(places + np.array([aside, down]))
+        for aside in reach
+        for down in reach
+        if (aside, down) > (0, 0)
+    ]
     rows = np.stack([np.tile(np.arange(len(places)), len(others)), np.concatenate(others)], axis=1)
     length = np.hypot(*(places[rows[:, 1]] - places[rows[:, 0]]).T)
     rows = rows[(rows[:, 1] >= 0) & (length > _NEAR) & (length < _FAR)]

@@ -219,8 +219,5 @@ def _blurred(light: Array, radius: float) -> Array:
     kernel /= kernel.sum()
     for axis in (0, 1):
         padded = np.pad(light, [(reach, reach) if way == axis else (0, 0) for way in (0, 1)], mode="edge")
-        total = np.zeros_like(light)
-        for at, weight in enumerate(kernel):
-            total += weight * np.take(padded, range(at, at + light.shape[axis]), axis=axis)
-        light = total
+        light = np.apply_along_axis(np.convolve, axis, padded, kernel, "valid")
     return light

@@ -146,20 +146,20 @@ def test_a_row_may_fade(fading: float, length: int) -> None:
         ([(round(8 * 0.96**number), number // 2) for number in range(9)], 1),
     ],
 )
-def test_ten_spots_in_a_row_are_a_start_from_both_ends(steps: list[tuple[float, float]], found: int) -> None:
+def test_ten_spots_in_a_row_are_a_start(steps: list[tuple[float, float]], found: int) -> None:
     places = np.cumsum([(100, 100), *steps], axis=0)
-    assert len(straight_rows(np.concatenate([places, [[0, 0], [250, 250]]]), (251, 251))) == 2 * found
+    assert len(straight_rows(np.concatenate([places, [[0, 0], [250, 250]]]), (251, 251))) == found
 
 
 def test_spots_are_as_deep_as_a_blurred_blob_is() -> None:
     """A blob of variance 4, in a difference of blurs of variances 1.1**2 and 2.1**2."""
     y, x = np.mgrid[:120, :120]
-    blob = 100 * np.exp(-((x - 60) ** 2 + (y - 60) ** 2) / 8)
-    light = 150 - blob
+    blob = 20 * np.exp(-((x - 60) ** 2 + (y - 60) ** 2) / 8)
+    light = 30 - blob
     places, depths = spots(light.astype(np.float32))
-    around = 150 + 4 - blob.sum() / 41**2
+    around = 30 + 4 - blob.sum() / 41**2
     assert places[-1].tolist() == [60, 60]
-    assert depths[-1] == pytest.approx(100 / around * (4 / (4 + 1.21) - 4 / (4 + 4.41)), rel=0.01)
+    assert depths[-1] == pytest.approx(20 / around * (4 / (4 + 1.21) - 4 / (4 + 4.41)), rel=0.01)
 
 
 def test_the_clearest_row_is_first_and_is_found_at_each_size() -> None:
