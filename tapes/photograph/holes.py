@@ -76,7 +76,7 @@ def _likeliest(depth: Array, states: Array) -> Array:
     """
     rows = np.arange(0, len(depth), _EVERY)
     gathered = cv2.blur(depth, _AROUND, borderType=cv2.BORDER_REFLECT)[rows]
-    score = (gathered - np.median(gathered)) / (gathered.max() - np.median(gathered) + 1e-9)
+    score = gathered / (gathered.max() - np.median(gathered) + 1e-9)
     change = _STIFFNESS * ((states[:, None] - states) ** 2).sum(axis=2)
     total, ways = score[0], []
     for here in score[1:]:
@@ -86,7 +86,7 @@ def _likeliest(depth: Array, states: Array) -> Array:
     path = [int(total.argmax())]
     for way in ways[::-1]:
         path.append(int(way[path[-1]]))
-    return np.array(path[::-1])[np.minimum(np.arange(len(depth)) // _EVERY, len(path) - 1)]
+    return np.array(path[::-1])[np.arange(len(depth)) // _EVERY]
 
 
 def _beside(row: Row, across: Array) -> Points:
