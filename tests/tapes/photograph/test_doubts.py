@@ -1,5 +1,7 @@
 """What is measured of a flat tape, against what was drawn; and what makes a frame doubtful, at each limit."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -19,7 +21,7 @@ CODES = [(u, v) for u in range(4, LENGTH) for v in straight.TRACKS if (7 * u + 3
 
 def slope(u: Array, v: Array) -> Array:
     """Return the light of paper on which it falls along and across."""
-    return 150 + 4 * np.asarray(u) + 6 * np.asarray(v)
+    return np.asarray(150 + 4 * u + 6 * v)
 
 
 def test_cells_are_measured_beside_the_paper_at_their_corners() -> None:
@@ -28,8 +30,8 @@ def test_cells_are_measured_beside_the_paper_at_their_corners() -> None:
     v = np.arange(16 * SAMPLES + 1)[:, None] / SAMPLES - 8
     dark = np.zeros((len(v), len(u)))
     angle = np.radians(22.5 + 3 * 45)
-    discs = [(at, 0, FEED) for at in range(LENGTH)] + [(*code, CODE) for code in CODES]
-    discs += [(2, -2 + 0.2, 0.1), (1 + 0.52 * np.cos(angle), 4 + 0.52 * np.sin(angle), 0.07)]
+    discs = [(2.0, -2 + 0.2, 0.1), (1 + 0.52 * np.cos(angle), 4 + 0.52 * np.sin(angle), 0.07)]
+    discs += [*((at, 0, FEED) for at in range(LENGTH)), *((*code, CODE) for code in CODES)]
     for x, y, radius in discs:
         dark = np.maximum(dark, ((radius - np.hypot(u - x, v - y)) * SAMPLES + 0.5).clip(0, 1))
     cells = reader._cells(Flat(slope(u, v) * (1 - 0.7 * dark), dark, 8), LENGTH)
@@ -148,7 +150,7 @@ PLAIN = np.arange(8) % 2 == 1
         ("core", (5, 2), 0.26, "between paper and hole"),
     ],
 )
-def test_a_frame_is_doubtful_for_one_reason(field: str, where: object, value: float, why: str) -> None:
+def test_a_frame_is_doubtful_for_one_reason(field: str, where: Any, value: float, why: str) -> None:
     core = np.tile(PLAIN, (12, 1)).astype(float)
     parts = {"core": core, "most": core.copy(), "ring": np.zeros((8, 12, 8)), "full": np.full(12, 0.5)}
     parts |= {

@@ -1,5 +1,7 @@
 """The edges of a sheet say which is the sprocket track, and where the paper is, or that it is no tape."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import pytest
 
@@ -20,7 +22,7 @@ CODES = [(u, v) for u in range(LENGTH) for v in TRACKS if (7 * u + 3 * v * v) % 
 
 def drawn(
     across: tuple[float, float] = PLAIN,
-    codes: list[tuple[float, float]] = CODES,
+    codes: Sequence[tuple[float, float]] = CODES,
     track: float = 0,
     code: float = CODE,
     feed: int = LENGTH,
@@ -31,8 +33,8 @@ def drawn(
     paper(light, (-0.5, LENGTH - 0.5), across)
     for u in range(feed):
         hole(light, u, track, FEED)
-    for u, v in codes:
-        hole(light, u, v, code)
+    for along, aside in codes:
+        hole(light, along, aside, code)
     return light
 
 

@@ -18,8 +18,8 @@ def test_a_sheet_lies_flat_from_the_rows_before_it_to_those_after() -> None:
     light = np.add.outer(np.arange(361.0) ** 2 / 400, np.arange(589.0) ** 2 / 900)
     flat = flatten(straight.pictures(light), straight.sheet(20), 4)
     assert flat.light == pytest.approx(light[132:229, 138:451], abs=0.1)
-    assert flat.at(np.array(-3.5), np.array(-4)) == (0, 0)
-    assert flat.at(np.array(22.5), np.array(4)) == (312, 96)
+    columns, lines = flat.at(np.array([-3.5, 22.5]), np.array([-4, 4]))
+    assert (columns.tolist(), lines.tolist()) == ([0, 312], [0, 96])
 
 
 def test_between_samples_is_a_weighted_mean_and_beyond_them_the_last() -> None:

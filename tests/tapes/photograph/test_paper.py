@@ -82,10 +82,10 @@ def test_a_row_is_longer_by_the_holes_beyond_its_ends(
     holes: dict[int, float], faint: float, before: int, after: int
 ) -> None:
     light = np.full_like(tape(20), 200)
-    for u in range(20):
-        hole(light, u, 0, FEED)
-    for u, off in holes.items():
-        hole(light, u - off, off, FEED, 200 - 140 * (faint or 1))
+    for place in range(20):
+        hole(light, place, 0, FEED)
+    for number, away in holes.items():
+        hole(light, number - away, away, FEED, 200 - 140 * (faint or 1))
     seen = np.arange(20) != 7
     found, first = _longer(flatten(pictures(light), sheet(20)), sheet(20), row(20)._replace(seen=seen))
     assert first == before

@@ -81,13 +81,9 @@ def test_a_slanted_sheet_is_found_from_its_holes() -> None:
 
 
 def test_a_sheet_covers_what_lies_beneath_it() -> None:
-    for u, v, covered in (
-        ((0, 30, 59), 0, True),
-        *((u, v, True) for u in (-0.95, 59.95) for v in (-5.45, 7.45)),
-        *((u, 0, False) for u in (-1.05, 60.05)),
-        *((30, v, False) for v in (-5.55, 7.55)),
-        ((30, 99, 99, 99, 99), 0, False),  # no more than a fifth
-        ((30, 99, 99, 99), 0, True),
-    ):
-        places = np.stack(np.broadcast_arrays(10 * np.atleast_1d(u), 50 + 12 * v), axis=1)
+    alone = [((u,), v, True) for u in (-0.95, 59.95) for v in (-5.45, 7.45)]
+    alone += [((u,), 0.0, False) for u in (-1.05, 60.05)] + [((30.0,), v, False) for v in (-5.55, 7.55)]
+    several = [((0, 30, 59), True), ((30, 99, 99, 99), True), ((30, 99, 99, 99, 99), False)]
+    for u, v, covered in (*alone, *((number, 0, covers) for number, covers in several)):
+        places = np.stack(np.broadcast_arrays(10 * np.array(u), np.array(50 + 12 * v)), axis=1)
         assert flat().covers(places) is covered
