@@ -10,7 +10,7 @@ import numpy as np
 
 from tapes.photograph.flat import BEYOND, SAMPLES, Flat, find_spots, flatten
 from tapes.photograph.pixels import Array, vertex
-from tapes.photograph.sheet import FIVE, THREE, Points, Sheet, fit, holes_at
+from tapes.photograph.sheet import FIVE, KNOTS, THREE, Points, Sheet, fit, holes_at
 from tapes.photograph.sprockets import Row, Sizes
 
 FULL = 12
@@ -31,12 +31,10 @@ _FAINT = 0.02
 def by_holes(pictures: Sizes, row: Row) -> Sheet:
     """Return the sheet of a row by the holes beside it, whatever track it is."""
     sheet = _first(pictures, row)
-    for reach in (2, 2, 3, 5, 7, 9):
+    for reach, knots in ((2, 60), (2, 40), (3, 30), (5, 20), (7, 14), (9, KNOTS)):
         flat = flatten(pictures, sheet, reach + 1.5)
         holes, _ = find_holes(flat, sheet, range(-reach, reach + 1))
-        sheet = fit(
-            sheet.length, sprocket_points(row).and_(holes, grid(sheet, weight=_FAINT)), sheet, 90 / reach
-        )
+        sheet = fit(sheet.length, sprocket_points(row).and_(holes, grid(sheet, weight=_FAINT)), sheet, knots)
     return sheet
 
 
@@ -47,7 +45,7 @@ def sprocket_points(row: Row) -> Points:
 
 def grid(sheet: Sheet, width: float = 1, weight: float = 1) -> Points:
     """Return places of the sheet as points, to fit it again with another width."""
-    u, v = np.stack(np.meshgrid(np.arange(sheet.length), np.linspace(-THREE, FIVE, 5))).reshape(2, -1)
+    u, v = np.stack(np.meshgrid(np.arange(sheet.length), [-3, -1.5, 0, 2.5, 5])).reshape(2, -1)
     return holes_at(u, v, sheet.place(u, v * width), weight)
 
 
@@ -58,9 +56,9 @@ def _first(pictures: Sizes, row: Row) -> Sheet:
     square = np.stack([-steps[:, 1], steps[:, 0]], axis=1)
     u = np.arange(length, dtype=float)
     sheet = fit(length, _beside(row, square))
-    flat = flatten(pictures, sheet, FULL)
+    flat = flatten(pictures, sheet, 1.3 * FULL)
     spots = np.maximum(find_spots(flat.dark), 0)
-    tracks = np.arange(-6, 7)
+    tracks = np.array([track for track in range(-6, 7) if track])
     skews, widths = (axis.ravel() for axis in np.meshgrid(_SKEWS, _WIDTHS))
     along = u[:, None, None] + skews[:, None] * tracks * widths[:, None]
     aside = np.broadcast_to(tracks * widths[:, None], along.shape)

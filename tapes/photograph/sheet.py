@@ -111,7 +111,7 @@ def holes_at(u: Array, v: Array, pixels: Array, weight: Array | float = 1) -> Po
     return Points(u, v, pixels, on_x, weights).and_(Points(u, v, pixels, on_y, weights))
 
 
-def fit(length: int, points: Points, first: Sheet | None = None, knots: float = KNOTS) -> Sheet:
+def fit(length: int, points: Points, first: Sheet | None = None, knots: int = KNOTS) -> Sheet:
     """Return the sheet of `length` rows that fits the points best, by least squares.
 
     What crosses the tape may bend every `knots` rows. How the tracks draw together, `narrowing`, is found

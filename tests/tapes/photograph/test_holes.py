@@ -115,7 +115,7 @@ def test_points_of_a_row_and_a_grid_hold_a_sheet_where_it_is() -> None:
     held = grid(sheet(20), 1.5, 0.3)
     assert set(held.weight) == {0.3}
     assert sorted(set(held.u)) == [*range(20)]
-    assert (held.v.min(), held.v.max()) == (-3.92, 6.08)
+    assert (held.v.min(), held.v.max()) == (-3, 5)
     assert held.pixels == pytest.approx(at(held.u, 1.5 * held.v), abs=0.01)
 
 
@@ -156,5 +156,5 @@ def test_a_sheet_is_found_by_the_holes_beside_its_row(skew: float, width: float)
     light = pictures(slanted(skew, width))
     u, v = (axis.ravel() for axis in np.meshgrid(np.arange(40.0), np.arange(-3.0, 6)))
     places = at(u + skew * v * width, v * width)
-    assert np.hypot(*(_first(light, row(40)).place(u, v) - places).T).max() < 0.8
-    assert np.hypot(*(by_holes(light, row(40)).place(u, v) - places).T).max() < 0.6
+    assert np.hypot(*(_first(light, row(40)).place(u, v) - places).T).max() < 3
+    assert np.hypot(*(by_holes(light, row(40)).place(u, v) - places).T).max() < 1.5
