@@ -11,7 +11,10 @@ import pytest
 from tests.pdp8.web.firefox import Firefox
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page
+    from playwright.sync_api import Browser, Locator, Page
+else:
+    Browser = Locator = Page = object  # Playwright may not be there
+__all__ = ["Browser", "Locator", "Page"]
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 AXE = Path(__file__).parents[2] / "node" / "node_modules" / "axe-core" / "axe.min.js"
@@ -21,7 +24,7 @@ needs_axe = pytest.mark.skipif(
 
 
 @contextmanager
-def launched() -> "Iterator[Browser]":
+def launched() -> Iterator[Browser]:
     """A headless Chromium."""
     from playwright.sync_api import sync_playwright
 
@@ -33,8 +36,8 @@ def launched() -> "Iterator[Browser]":
 
 @contextmanager
 def visit(
-    browser: "Browser", address: str, condition: str = "!!window.workbench", **options: Any
-) -> "Iterator[Page]":
+    browser: Browser, address: str, condition: str = "!!window.workbench", **options: Any
+) -> Iterator[Page]:
     """A page that knows no other, offline; it may not complain, nor ask for anything."""
     context = browser.new_context(offline=True, **options)
     page = context.new_page()
@@ -48,7 +51,7 @@ def visit(
     assert complaints == []
 
 
-def until(page: "Page", condition: str) -> None:
+def until(page: Page, condition: str) -> None:
     """Wait until it holds; Playwright's own way evaluates a string, which the page's policy forbids."""
     for _ in range(400):
         if page.evaluate(condition):
@@ -57,7 +60,13 @@ def until(page: "Page", condition: str) -> None:
     raise AssertionError(condition)
 
 
-def serious(page: "Page") -> Any:
+def click(page: Page, *selectors: str) -> None:
+    """Click what is there, one after the other."""
+    for selector in selectors:
+        page.locator(selector).click()
+
+
+def serious(page: Page) -> Any:
     """Return what axe-core finds that is serious or critical: roles, names, contrast."""
     return page.evaluate(
         """async () => (await axe.run()).violations
@@ -69,7 +78,7 @@ def serious(page: "Page") -> Any:
 class Chromium:
     """A page in Chromium, worked as one in Firefox is."""
 
-    def __init__(self, page: "Page") -> None:
+    def __init__(self, page: Page) -> None:
         self.page = page
 
     def run(self, script: str) -> Any:

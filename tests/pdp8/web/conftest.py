@@ -2,16 +2,12 @@
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import pytest
 
 from pdp8.web.workbench import page as workbench
-from tests.pdp8.web.browsing import Chromium, Tab, visit
+from tests.pdp8.web.browsing import Browser, Chromium, Page, Tab, visit
 from tests.pdp8.web.firefox import FIREFOX, Firefox, opened
-
-if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page
 
 
 @pytest.fixture(scope="session")
@@ -23,7 +19,7 @@ def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def page(browser: "Browser", file: Path) -> "Iterator[Page]":
+def page(browser: Browser, file: Path) -> Iterator[Page]:
     """The page in Chromium."""
     with visit(browser, file.as_uri(), viewport={"width": 1366, "height": 768}, has_touch=True) as page:
         yield page

@@ -6,7 +6,7 @@ import socket
 import subprocess
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +23,7 @@ class Firefox:
     def __init__(self, connection: socket.socket) -> None:
         self._number = 0
         self._socket = connection
+        self._answers = connection.makefile("rb")
         self._read()  # it says hello
 
     def call(self, name: str, **parameters: Any) -> Any:
@@ -35,13 +36,8 @@ class Firefox:
         return result
 
     def _read(self) -> Any:
-        length = b""
-        while not length.endswith(b":"):
-            length += self._socket.recv(1)
-        text = b""
-        while len(text) < int(length[:-1]):
-            text += self._socket.recv(int(length[:-1]) - len(text))
-        return json.loads(text)
+        length = b"".join(iter(lambda: self._answers.read(1), b":"))
+        return json.loads(self._answers.read(int(length)))
 
     def run(self, script: str) -> Any:
         """Return what a script in the page returns."""
@@ -78,16 +74,13 @@ class Firefox:
         self.call("WebDriver:ReleaseActions")
 
 
-def _connected(port: int, seconds: float = 60) -> socket.socket:
+def _connected(port: int) -> socket.socket:
     """Return a socket to Marionette, as soon as it listens."""
-    end = time.monotonic() + seconds
-    while True:
-        try:
+    for _ in range(240):
+        with suppress(OSError):
             return socket.create_connection(("127.0.0.1", port), timeout=60)
-        except OSError:
-            if time.monotonic() > end:
-                raise
-            time.sleep(0.25)
+        time.sleep(0.25)
+    raise TimeoutError(f"no Firefox at port {port}")
 
 
 @contextmanager

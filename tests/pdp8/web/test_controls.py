@@ -4,15 +4,11 @@ The page is asked for its controls: one that is not in CONTROLS, or is no longer
 """
 
 import json
-from typing import TYPE_CHECKING
 
 import pytest
 
-from tests.pdp8.web.browsing import Tab
+from tests.pdp8.web.browsing import Page, Tab
 from tests.pdp8.web.controls import CONTROLS, CUT, LOADED, OPEN, WRONG, Control
-
-if TYPE_CHECKING:
-    from playwright.sync_api import Page
 
 _ALL = f"{CUT} {LOADED} {WRONG} {OPEN}"
 """Everything that can be there is there: a listing, messages, blocks, the card."""
@@ -30,7 +26,7 @@ _NAMED = """() => ["click", "change", "input", "submit"].flatMap((kind) =>
   .filter((path) => typeof path.split(".").reduce((of, name) => of?.[name], workbench) !== "function")"""
 
 
-def test_every_control_is_tried(page: "Page") -> None:
+def test_every_control_is_tried(page: Page) -> None:
     """The page and the table have the same controls; what the HTML names is there to be called."""
     page.evaluate(f"() => {{ {_ALL} }}")
     assert set(page.evaluate(_FOUND, list(CONTROLS))) == set(CONTROLS)

@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
@@ -14,11 +13,8 @@ from pdp8.thesis import chain
 from pdp8.web import curve, method
 from programs.milling import Milling
 from tapes import ascii, eia, shelf
-from tests.pdp8.web.browsing import AXE, needs_axe, serious, until, visit
+from tests.pdp8.web.browsing import AXE, Browser, Locator, Page, click, needs_axe, serious, until, visit
 from tests.pdp8.web.node import in_node, needs_node, plain
-
-if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Locator, Page
 
 _COMPUTED = """async ([words, line]) => {
   const method = await import("@/pdp8/web/method.mjs");
@@ -70,7 +66,7 @@ def test_the_computer_punches_a_block_frame_by_frame() -> None:
 
 
 @pytest.fixture(scope="module")
-def page(browser: "Browser", tmp_path_factory: pytest.TempPathFactory) -> Iterator["Page"]:
+def page(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
     """The page in Chromium, on a phone: it is whole, with nothing to fetch, and under 400 kB."""
     html = curve.page()
     assert len(html) < 400_000
@@ -82,7 +78,7 @@ def page(browser: "Browser", tmp_path_factory: pytest.TempPathFactory) -> Iterat
         yield page
 
 
-def test_each_control_changes_its_figure(page: "Page") -> None:
+def test_each_control_changes_its_figure(page: Page) -> None:
     """Every slider by the keyboard, every box: what is drawn or said is another. Nothing is too wide."""
     inputs = page.locator(".live input").all()
     assert len(inputs) > 15
@@ -98,19 +94,19 @@ def test_each_control_changes_its_figure(page: "Page") -> None:
     assert page.evaluate("document.documentElement.scrollWidth") == 390
 
 
-def _shown(figure: "Locator") -> str:
+def _shown(figure: Locator) -> str:
     """Return what a figure draws and says, without the names of its clips, which are new each time."""
     drawn = figure.locator(".drawing").inner_html() + figure.locator(".said").inner_html()
     return re.sub(r"clip\d+", "", drawn)
 
 
-def test_the_button_translates_the_whole_tape(page: "Page") -> None:
-    page.locator("#translate").click()
+def test_the_button_translates_the_whole_tape(page: Page) -> None:
+    click(page, "#translate")
     said = page.locator("#translated")
     assert re.match(r"666 blocks: 30\.0 minutes .*; 13320 frames", said.inner_text())
 
 
 @needs_axe
-def test_the_page_is_accessible(page: "Page") -> None:
+def test_the_page_is_accessible(page: Page) -> None:
     page.evaluate(AXE.read_text(encoding="utf-8"))
     assert serious(page) == []

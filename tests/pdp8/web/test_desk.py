@@ -1,7 +1,5 @@
 """The desk: programs that are kept, what is typed, files and links, exercises and parts, in Chromium."""
 
-from typing import TYPE_CHECKING
-
 from click.testing import CliRunner
 
 from pdp8.computer.past.state import LARGEST
@@ -9,26 +7,23 @@ from pdp8.lessons import form, student
 from pdp8.thesis import chain
 from programs.cli import part
 from tapes import shelf
-from tests.pdp8.web.browsing import until
-
-if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page
+from tests.pdp8.web.browsing import Browser, Page, click, until
 
 HALT = "*200\n\tHLT\n$\n"
 
 
-def _reopened(page: "Page") -> None:
+def _reopened(page: Page) -> None:
     page.reload()
     until(page, "!!window.workbench")
 
 
-def _drop(page: "Page", name: str, content: str) -> None:
+def _drop(page: Page, name: str, content: str) -> None:
     page.evaluate("([name, content]) => workbench.take(new File([content], name))", [name, content])
 
 
-def test_programs_are_kept_and_never_written_over(page: "Page") -> None:
+def test_programs_are_kept_and_never_written_over(page: Page) -> None:
     """By name, from visit to visit; a file of a taken name gets another, what is deleted comes back."""
-    page.locator("#new-program").click()
+    click(page, "#new-program")
     page.locator("#program-name").fill("mine.pal")
     page.locator("#program-name").press("Enter")
     page.locator("#source").fill(HALT)
@@ -38,21 +33,21 @@ def test_programs_are_kept_and_never_written_over(page: "Page") -> None:
     until(page, "workbench.editor.name === 'mine 2.pal'")
     page.evaluate("(text) => workbench.editor.put('mine.pal', text)", HALT)
     assert page.evaluate("workbench.editor.name") == "mine.pal"
-    page.locator("#delete-program").click()
+    click(page, "#delete-program")
     assert "mine.pal" not in page.evaluate("workbench.programs.names()")
-    page.locator("[data-click='editor.undo']").click()
+    click(page, "[data-click='editor.undo']")
     _reopened(page)
     kept = page.evaluate("['mine.pal', 'mine 2.pal'].map((name) => workbench.programs.get(name))")
     assert kept == [HALT, "*300\n\tHLT\n$\n"]
 
 
-def test_a_file_that_is_too_long_is_refused_and_not_cut(page: "Page") -> None:
+def test_a_file_that_is_too_long_is_refused_and_not_cut(page: Page) -> None:
     page.evaluate("size => workbench.take(new File([new Uint8Array(size)], 'long.tape'))", LARGEST + 1)
     assert "long.tape: longer than" in page.locator("#next").inner_text()
     assert not page.evaluate("workbench.shelf.names().includes('long.tape')")
 
 
-def test_a_browser_that_keeps_nothing_says_so(page: "Page") -> None:
+def test_a_browser_that_keeps_nothing_says_so(page: Page) -> None:
     page.add_init_script("Storage.prototype.setItem = () => { throw new Error('forbidden'); };")
     _reopened(page)
     assert "keeps no programs for this page (forbidden)" in page.locator("#program-says").inner_text()
@@ -60,7 +55,7 @@ def test_a_browser_that_keeps_nothing_says_so(page: "Page") -> None:
     assert page.evaluate("workbench.editor.assemble()")
 
 
-def test_a_thousand_lines_are_typed_without_delay(page: "Page") -> None:
+def test_a_thousand_lines_are_typed_without_delay(page: Page) -> None:
     """16 ms a key, from before its input to the next task; a quick one's, since others work too."""
     source = "*200\n" + "".join(f"/ LINE {n}: TAD COUNT, AND THEN SOME MORE\n" for n in range(1000)) + "$\n"
     page.evaluate("(text) => { workbench.editor.text = text; }", source)
@@ -82,10 +77,10 @@ def test_a_thousand_lines_are_typed_without_delay(page: "Page") -> None:
     assert took[len(took) // 4] < 16
 
 
-def test_counts_and_the_current_line(page: "Page") -> None:
+def test_counts_and_the_current_line(page: Page) -> None:
     page.locator("#source").fill("*200\n\tISZ N\n\tJMP .-1\n\tHLT\nN,\t-5\n$\n")
     page.locator("#counts").check()
-    page.locator("#run-it").click()
+    click(page, "#run-it")
     until(page, "!workbench.machine.processor.run && workbench.machine.processor.pc === 0o203")
     rows = [row.split() for row in page.locator("#gutter .line").all_inner_texts()]
     assert [row[3] for row in rows[1:4]] == ["5", "4", "1"]
@@ -93,13 +88,12 @@ def test_counts_and_the_current_line(page: "Page") -> None:
     assert page.locator("#gutter .now").inner_text().split()[:2] == ["3", "0201"]
 
 
-def test_a_link_holds_program_and_machine(page: "Page", browser: "Browser") -> None:
+def test_a_link_holds_program_and_machine(page: Page, browser: Browser) -> None:
     """Another browser opens it; a bundled tape goes by its name, so it is short; foreign text stays text."""
     page.locator("#source").fill("*200\n\tHLT\n/<img src=x onerror=alert(1)>&\n$\n")
-    page.locator("#assemble").click()
-    page.locator("#load").click()
+    click(page, "#assemble", "#load")
     page.evaluate("workbench.teletype.mount('circle.asc')")
-    page.locator("#share").click()
+    click(page, "#share")
     until(page, "location.hash.startsWith('#s=')")
     assert len(page.url) < 1500
     other = browser.new_page()
@@ -112,7 +106,7 @@ def test_a_link_holds_program_and_machine(page: "Page", browser: "Browser") -> N
     other.close()
 
 
-def test_a_link_that_is_too_long_becomes_a_file(page: "Page") -> None:
+def test_a_link_that_is_too_long_becomes_a_file(page: Page) -> None:
     page.evaluate(
         """() => {
           const words = crypto.getRandomValues(new Uint16Array(4096));
@@ -120,7 +114,7 @@ def test_a_link_that_is_too_long_becomes_a_file(page: "Page") -> None:
         }"""
     )
     with page.expect_download() as download:
-        page.locator("#share").click()
+        click(page, "#share")
     assert "allowed: here is a file instead" in page.locator("#next").inner_text()
     words = page.evaluate("[...workbench.machine.processor.core]")
     text = download.value.path().read_text()
@@ -130,16 +124,15 @@ def test_a_link_that_is_too_long_becomes_a_file(page: "Page") -> None:
     assert page.evaluate("[...workbench.machine.processor.core]") == words
 
 
-def test_an_exercise_of_a_teachers_is_dropped_and_marked(page: "Page") -> None:
+def test_an_exercise_of_a_teachers_is_dropped_and_marked(page: Page) -> None:
     """The form for students, without what is hidden, is marked by a Worker; a link leads to a bundled one."""
     exercise = form.read("delay", student.SEED)
     _drop(page, "homework.json", student.form(exercise))
     until(page, "workbench.exercises.name === 'homework.json'")
-    page.locator("[data-click='exercises.begin']").click()
+    click(page, "[data-click='exercises.begin']")
     assert page.evaluate("workbench.editor.name") == "homework.pal"
     page.locator("#source").fill(exercise.solution)
-    page.locator("[data-opens=exercises]").click()
-    page.locator("#asked .go").click()
+    click(page, "[data-opens=exercises]", "#asked .go")
     until(page, "document.getElementById('marks').textContent.includes('homework.pal: 3 of 3 points')")
     assert exercise.points == 6
     page.goto(page.url.split("#")[0] + "#exercise=octal")
@@ -147,16 +140,16 @@ def test_an_exercise_of_a_teachers_is_dropped_and_marked(page: "Page") -> None:
     assert page.evaluate("workbench.exercises.name") == "octal"
 
 
-def test_from_a_radius_to_a_wall(page: "Page") -> None:
+def test_from_a_radius_to_a_wall(page: Page) -> None:
     """A small circle is punched, translated and cut by three buttons; its tapes are those of the commands."""
     says = "document.getElementById('part-punched').textContent.includes"
-    page.locator("[data-opens=parts]").click()
+    click(page, "[data-opens=parts]")
     page.locator("[name=radius]").fill("0.25")
-    page.locator("#part .go").click()
+    click(page, "#part .go")
     until(page, f"{says}('blocks: circle 2.asc')")
-    page.locator("#part-translate").click()
+    click(page, "#part-translate")
     until(page, "!document.getElementById('part-cut').disabled")
-    page.locator("#part-cut").click()
+    click(page, "#part-cut")
     assert "minutes at the Hydra-Point" in page.evaluate("document.getElementById('part-is-cut').textContent")
     assert page.evaluate("workbench.mill.name") == "circle 2.eia"
     tapes = page.evaluate("['asc', 'eia'].map((code) => [...workbench.shelf.get(`circle 2.${code}`).frames])")
@@ -165,5 +158,5 @@ def test_from_a_radius_to_a_wall(page: "Page") -> None:
     assert punched == chain.translated(chain.printout("circle", radius=250))
     page.locator("[name=radius]").evaluate("(input) => { input.value = '1750'; }")
     page.evaluate("workbench.tabs.open('parts')")
-    page.locator("#part .go").click()
+    click(page, "#part .go")
     until(page, f"{says}('for 1750 thousandths write 1.75')")

@@ -4,38 +4,34 @@ import random
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import pytest
 
 from pdp8.computer.hardware.signals import NEVER, TICKS_PER_SECOND
 from pdp8.replay import Afternoon, clock
-from tests.pdp8.web.browsing import until, visit
+from tests.pdp8.web.browsing import Browser, Page, click, until, visit
 from tests.pdp8.web.follower import Follower, state
-
-if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page
 
 PROJECTOR, PHONE = {"width": 1280, "height": 720}, {"width": 390, "height": 844}
 
 
 @pytest.fixture
-def page(browser: "Browser", circle_page: Path) -> "Iterator[Page]":
+def page(browser: Browser, circle_page: Path) -> Iterator[Page]:
     """The circle's page on a projector."""
     start = circle_page.as_uri() + "#t=0"
     with visit(browser, start, "!!window.workbench?.afternoon.on", viewport=PROJECTOR) as page:
         yield page
 
 
-def _now(page: "Page") -> int:
+def _now(page: Page) -> int:
     return int(page.evaluate("workbench.afternoon.script.now"))
 
 
-def _go(page: "Page", tick: int) -> None:
+def _go(page: Page, tick: int) -> None:
     page.evaluate("(tick) => workbench.afternoon.go(tick)", tick)
 
 
-def _clock(page: "Page") -> int:
+def _clock(page: Page) -> int:
     return int(page.evaluate("workbench.machine.processor.clock"))
 
 
@@ -63,7 +59,7 @@ _SHOWN = """() => {
 }"""
 
 
-def test_any_instant_is_that_of_the_machine(page: "Page", circle: Afternoon) -> None:
+def test_any_instant_is_that_of_the_machine(page: Page, circle: Afternoon) -> None:
     """In any order: lamps, switches, registers, current line, all of its state, as one that goes forward."""
     steps = [_translating(circle, 0.0773 + step * 0.00004) for step in range(30)]
     seconds = (0.0771, 0.0774, 0.1775, 99.97728, 1234.5678, *(50 + 0.10001 * each for each in range(30)))
@@ -90,7 +86,7 @@ def test_any_instant_is_that_of_the_machine(page: "Page", circle: Afternoon) -> 
             assert int(word, 8) == words[int(address, 8)]
 
 
-def test_the_tapes_are_those_on_the_desk(page: "Page", circle: Afternoon) -> None:
+def test_the_tapes_are_those_on_the_desk(page: Page, circle: Afternoon) -> None:
     """The page's machine punches the very tape; the frame under each head is named, and a block's fields."""
     _go(page, circle.acts[4].ends - 1)
     punched = page.evaluate("workbench.machine.teletype.punch.frames")
@@ -108,7 +104,7 @@ def test_the_tapes_are_those_on_the_desk(page: "Page", circle: Afternoon) -> Non
     assert digits == ["001", "0", "19000", "00000", "0", "00", "02", "↵"]
 
 
-def test_every_key_works(page: "Page", circle: Afternoon) -> None:
+def test_every_key_works(page: Page, circle: Afternoon) -> None:
     """Each presses the button that names it; the units have the arrows while they have the focus."""
     press = page.keyboard.press
     for key, tick in (("]", circle.acts[1].starts), ("[", 0), ("End", circle.acts[-1].ends), ("Home", 0)):
@@ -145,7 +141,7 @@ def test_every_key_works(page: "Page", circle: Afternoon) -> None:
     assert _now(page) == circle.acts[2].starts
 
 
-def test_slow_motion_goes_cycle_by_cycle(page: "Page", circle: Afternoon) -> None:
+def test_slow_motion_goes_cycle_by_cycle(page: Page, circle: Afternoon) -> None:
     """At a millionth of its speed the machine does not rush, and no play is lost between frames."""
     _go(page, _translating(circle))
     page.locator("#speed").select_option(index=1)
@@ -161,7 +157,7 @@ _CLIPPED = """() => [...document.querySelectorAll("#registers dd, .block span, .
   .map((element) => element.textContent)"""
 
 
-def test_an_act_fits_on_a_projector_and_on_a_phone(page: "Page", circle: Afternoon) -> None:
+def test_an_act_fits_on_a_projector_and_on_a_phone(page: Page, circle: Afternoon) -> None:
     """The page needs no scrolling sideways, the controls are in sight, nothing is cut off."""
     for size in (PROJECTOR, PHONE):
         page.set_viewport_size(size)  # type: ignore[arg-type]
@@ -175,7 +171,7 @@ def test_an_act_fits_on_a_projector_and_on_a_phone(page: "Page", circle: Afterno
             assert page.evaluate(_CLIPPED) == [], act.name
 
 
-def test_one_line_is_current_whatever_sheet_comes_back(page: "Page", circle: Afternoon) -> None:
+def test_one_line_is_current_whatever_sheet_comes_back(page: Page, circle: Afternoon) -> None:
     """Act after act and back: a line that was lit when its sheet was put away is not lit when it returns."""
     ends = [act.ends - 1 for act in circle.acts[:-1]]
     lines = "['.now', '[aria-current]'].map((kind) => document.querySelectorAll(`#gutter ${kind}`).length)"
@@ -185,7 +181,7 @@ def test_one_line_is_current_whatever_sheet_comes_back(page: "Page", circle: Aft
         assert lit == named <= 1
 
 
-def test_the_address_names_the_instant(page: "Page") -> None:
+def test_the_address_names_the_instant(page: Page) -> None:
     """It follows, and leads to it when it is changed; nonsense does no harm. The panel says its lamps."""
     _go(page, 10**10)
     page.wait_for_url("**#t=500")
@@ -194,7 +190,7 @@ def test_the_address_names_the_instant(page: "Page") -> None:
         page.wait_for_timeout(50)
         assert _now(page) == 1000.5 * TICKS_PER_SECOND
     assert page.locator("#clock").inner_text() == clock(_now(page))
-    page.locator("#in-words").click()
+    click(page, "#in-words")
     spoken = r"memory address [0-7]{4}, memory buffer [0-7]{4}, link [01], accumulator [0-7]{4}"
     assert re.match(spoken, page.locator("#computer .words p").inner_text())
 
@@ -205,7 +201,7 @@ _HIDDEN = """(hidden) => {
 }"""
 
 
-def test_a_page_that_slept_does_not_jump(page: "Page") -> None:
+def test_a_page_that_slept_does_not_jump(page: Page) -> None:
     """A picture stands for a quarter of a second at most, and a page that is hidden pauses."""
     page.evaluate(
         """() => {
@@ -229,7 +225,7 @@ def test_a_page_that_slept_does_not_jump(page: "Page") -> None:
     page.evaluate(_HIDDEN, False)
     assert page.title() == "PDP-8/L workbench"
     assert "everything stood still for" in page.locator("#said:not(.spoken)").inner_text()
-    page.locator(".rocker").first.click()
+    click(page, ".rocker >> nth=0")
     assert page.locator("#said:not(.spoken)").count() == 0
 
 
@@ -244,7 +240,7 @@ _NEARLY = """for (const lamp of [...workbench.switches.panel.lamps.values()].fla
 }"""
 
 
-def test_lamps_are_as_bright_as_they_were_often_lit(page: "Page", circle: Afternoon) -> None:
+def test_lamps_are_as_bright_as_they_were_often_lit(page: Page, circle: Afternoon) -> None:
     """Halted, each is full or dark, and registers and line, written less often, are of the same instant."""
     _go(page, _translating(circle))
     page.locator("#speed").select_option(index=6)
@@ -265,7 +261,7 @@ def test_lamps_are_as_bright_as_they_were_often_lit(page: "Page", circle: Aftern
         assert page.locator("#gutter .now button").text_content() == f"{at:04o}"
 
 
-def test_a_play_waits_while_the_slider_is_dragged(page: "Page") -> None:
+def test_a_play_waits_while_the_slider_is_dragged(page: Page) -> None:
     page.evaluate("workbench.afternoon.play(true)")
     box = page.locator("#slider").bounding_box()
     assert box is not None
@@ -279,74 +275,71 @@ def test_a_play_waits_while_the_slider_is_dragged(page: "Page") -> None:
     until(page, f"workbench.afternoon.playing && workbench.afternoon.script.now > {held}")
 
 
-def test_taken_over_brought_back_and_finished(page: "Page", circle: Afternoon) -> None:
+def test_taken_over_brought_back_and_finished(page: Page, circle: Afternoon) -> None:
     """Back at the afternoon what was done is undone; taken over again it goes on to the right EIA tape."""
     tick = _translating(circle, 1234.5678)
     _go(page, tick)
     before = page.evaluate(_SHOWN) | {"line": None}  # that is drawn a little later
     for _ in range(2):
-        page.locator(".rocker").first.click()
+        click(page, ".rocker >> nth=0")
         assert not page.evaluate("workbench.afternoon.on || workbench.machine.processor.run")
         assert "You have taken over at" in page.locator("#next").inner_text()
         page.evaluate("workbench.machine.processor.deposit(0o200, 0); workbench.teletype.mount('hello.pal');")
-        page.locator("#next [data-click='afternoon.back']").click()
+        click(page, "#next [data-click='afternoon.back']")
         assert _now(page) == tick
         assert page.evaluate(_SHOWN) | {"line": None} == before
-    page.locator(".rocker").first.click()
+    click(page, ".rocker >> nth=0")
     clock = _clock(page)
-    page.locator("#forward").click()
+    click(page, "#forward")
     assert _clock(page) > clock
-    page.locator("#back").click()
-    page.locator("[data-opens=debugger]").click()
+    click(page, "#back", "[data-opens=debugger]")
     assert page.locator("#core input").first.input_value() == f"{circle.programs['eia.pal'].words[0o200]:04o}"
     page.locator("#speed").select_option(label="as fast as it goes")
-    page.locator("[data-key=cont]").click()
+    click(page, "[data-key=cont]")
     until(page, "workbench.machine._out_of_tape()")
     page.wait_for_timeout(200)
     assert bytes(page.evaluate("workbench.machine.teletype.punch.frames")) == circle.tapes["circle.eia"]
 
 
-def test_who_takes_over_has_all_of_the_machine(page: "Page", circle: Afternoon) -> None:
+def test_who_takes_over_has_all_of_the_machine(page: Page, circle: Afternoon) -> None:
     """A breakpoint in the listing, at which the run stops; a PC8/L, which the afternoon has not."""
     _go(page, _translating(circle))
     line = page.locator("#gutter button").first
     address = line.inner_text()
     line.click()
     assert not page.evaluate("workbench.afternoon.on")
-    page.locator("[data-key=cont]").click()
+    click(page, "[data-key=cont]")
     until(page, "!workbench.machine.processor.run")
     assert f"breakpoint at {address}" in page.locator("#next").inner_text()
-    page.locator("#pc8 summary").click()
+    click(page, "#pc8 summary")
     page.locator("#pc8-shelf").select_option("circle.asc")
     page.evaluate("workbench.machine.load([[8, 0o6014], [9, 0o6011], [10, 0o5011], [11, 0o7402]])")
     page.evaluate("workbench.machine.start(8); workbench.machine.run(); workbench.touched();")
     assert page.locator("#pc8-reader").inner_text().startswith("1 of ")
 
 
-def test_a_play_that_is_taken_over_runs_on(page: "Page", circle: Afternoon) -> None:
+def test_a_play_that_is_taken_over_runs_on(page: Page, circle: Afternoon) -> None:
     _go(page, _translating(circle))
     page.locator("#speed").select_option(label="as it was")
-    page.locator("#play").click()
-    page.locator("#punch-on").click()
+    click(page, "#play", "#punch-on")
     until(page, f"workbench.machine.processor.clock > {_clock(page)} + 1e6")
     assert not page.evaluate("workbench.afternoon.on")
 
 
-def test_the_doors(page: "Page") -> None:
+def test_the_doors(page: Page) -> None:
     """In any order; the drill waits for an address, and for nothing once another door is open."""
-    page.locator("[data-door=rim]").click()
-    page.locator("[data-door=first]").click()
+    click(page, "[data-door=rim]", "[data-door=first]")
     until(page, "document.querySelector('#paper pre').textContent.includes('HELLO')")
-    page.locator("[data-door=rim]").click()
+    click(page, "[data-door=rim]")
     assert page.locator("#card .now").inner_text().startswith("7756")
-    page.locator("[data-door=afternoon]").click()
+    click(page, "[data-door=afternoon]")
     until(page, "workbench.afternoon.playing && workbench.afternoon.script.now > 0")
     page.keyboard.press("Space")
     assert not page.evaluate("workbench.afternoon.playing")
     assert page.evaluate("workbench.switches.card.coach === null")
 
 
-def test_the_panel_alone_begins_with_the_first_switch(browser: "Browser", circle_page: Path) -> None:
+def test_the_panel_alone_begins_with_the_first_switch(browser: Browser, circle_page: Path) -> None:
     playing = "!!window.workbench?.afternoon.playing"
     with visit(browser, circle_page.as_uri() + "?embed=panel", playing) as page:
         assert page.evaluate("workbench.afternoon.script.act.kind") == "toggle"
@@ -375,7 +368,7 @@ _HASTE = """(() => {  // 10 ms pass at every look at the clock; what is done fro
 })()"""
 
 
-def test_no_task_is_long(browser: "Browser", circle_page: Path, circle: Afternoon) -> None:
+def test_no_task_is_long(browser: Browser, circle_page: Path, circle: Afternoon) -> None:
     """By a clock on which all is late, the page has its turn after a unit or two of rehearsal, play, run."""
     opened = browser.new_page()
     opened.add_init_script(_HASTE)
