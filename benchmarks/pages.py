@@ -13,6 +13,7 @@ import json
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +24,8 @@ from rich.table import Table
 import pal
 from benchmarks.kernels import kernel
 from pdp8.web.workbench import page
-from tests.pdp8.web import chromium, firefox
+from tests.pdp8.web import firefox
+from tests.pdp8.web.browsing import CHROMIUM, launched, visit
 from tests.pdp8.web.node import NODE, in_node
 
 COUNTER = (
@@ -60,15 +62,26 @@ def in_modules(call: str) -> Any:
     )
 
 
+@contextmanager
+def written() -> Iterator[str]:
+    """The address of the workbench on disk."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "pdp8.html"
+        file.write_text(page(), encoding="utf-8")
+        yield file.as_uri()
+
+
 def in_chromium(call: str) -> Any:
     """Return what `call` returns in the workbench in Chromium."""
-    with tempfile.TemporaryDirectory() as folder, chromium.opened(Path(folder), page()) as tab:
+    with written() as address, launched() as browser, visit(browser, address) as tab:
         return tab.evaluate(f"() => {{ const Machine = workbench.machine.constructor; return {call}; }}")
 
 
 def in_firefox(call: str) -> Any:
     """Return what `call` returns in the workbench in Firefox."""
-    with tempfile.TemporaryDirectory() as folder, firefox.opened(Path(folder), page()) as tab:
+    with tempfile.TemporaryDirectory() as profile, written() as address, firefox.opened(Path(profile)) as tab:
+        tab.call("WebDriver:Navigate", url=address)
+        tab.until("!!window.workbench")
         return tab.run(f"const Machine = window.workbench.machine.constructor; return {call};")
 
 
@@ -77,7 +90,7 @@ def measured(repeat: int) -> Iterator[tuple[str, str, float]]:
     call = f"({_RUN})(Machine, {json.dumps(kernels())}, {SECONDS}, {repeat})"
     places: tuple[tuple[str, str | None, Callable[[str], Any]], ...] = (
         ("Node.js", NODE, in_modules),
-        ("Chromium", chromium.CHROMIUM, in_chromium),
+        ("Chromium", CHROMIUM, in_chromium),
         ("Firefox", firefox.FIREFOX, in_firefox),
     )
     for name, installed, run in places:
