@@ -65,7 +65,7 @@ lockstep: .venv/ready-dev
 SECONDS ?= 600
 .PHONY: leak
 leak: .venv/ready-dev
-	$(BIN)/python -m tests.pdp8.web.leak $(SECONDS)
+	LEAK=$(SECONDS) $(BIN)/pytest -q -rP tests/pdp8/web/test_workbench.py -k leaks
 
 .PHONY: faults
 faults: .venv/ready-dev
