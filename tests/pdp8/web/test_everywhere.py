@@ -9,6 +9,7 @@ from pathlib import Path
 
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
+from pdp8.computer.past.state import LARGEST
 from tapes import shelf
 from tests.commands import run
 from tests.pdp8.web.browsing import Tab
@@ -102,7 +103,7 @@ def test_a_file_dropped_on_the_page(tab: Tab) -> None:
 
 
 def test_a_file_that_is_nothing_of_ours(tab: Tab) -> None:
-    """A picture goes nowhere, and is refused by its name; dropped on the reader itself it is a tape."""
+    """Refused by its name, not cut, it goes nowhere; dropped on the reader itself it is a tape."""
     picture = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + bytes(range(255, 100, -1))
     for name, content, said in (
         ("photo.png", picture, "photo.png is no tape"),
@@ -111,6 +112,8 @@ def test_a_file_that_is_nothing_of_ours(tab: Tab) -> None:
     ):
         drop(tab, name, content)
         tab.until(f"{_NEXT}.includes('{said}')")
+    tab.run(f"workbench.take(new File([new Uint8Array({LARGEST + 1})], 'long.tape'))")
+    tab.until(f"{_NEXT}.includes('long.tape: longer than')")
     drop(tab, "mine.pal", b"*200\n$\n")
     tab.until("workbench.editor.name === 'mine.pal'")
     assert "UTF-16" not in tab.run(f"return {_NEXT}")
