@@ -76,25 +76,21 @@ def serious(page: Page) -> Any:
 
 
 class Chromium:
-    """A page in Chromium, worked as one in Firefox is."""
+    """A page in Chromium, worked by the methods of a Firefox."""
 
     def __init__(self, page: Page) -> None:
         self.page = page
 
     def run(self, script: str) -> Any:
-        """Return what a script in the page returns."""
         return self.page.evaluate(f"() => {{ {script} }}")
 
     def until(self, condition: str) -> None:
-        """Wait until an expression of the page is true."""
         until(self.page, condition)
 
     def press(self, keys: str) -> None:
-        """Press a key, "a" or "ArrowDown", or some at once, "Control+a"."""
         self.page.keyboard.press(keys)
 
     def point(self, selector: str, which: int, pointer: str) -> None:
-        """Click or tap one of the elements that a selector finds; the pointer is "mouse" or "touch"."""
         target = self.page.locator(selector).nth(which)
         target.click() if pointer == "mouse" else target.tap()
 

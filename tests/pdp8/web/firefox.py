@@ -53,14 +53,14 @@ class Firefox:
         raise AssertionError(condition)
 
     def press(self, keys: str) -> None:
-        """Press a key, or some at once."""
+        """Press a key, "a" or "ArrowDown", or some at once, "Control+a"."""
         codes = [_KEYS.get(key, key) for key in keys.split("+")]
         down = [{"type": "keyDown", "value": code} for code in codes]
         up = [{"type": "keyUp", "value": code} for code in reversed(codes)]
         self._act(type="key", id="keyboard", actions=[*down, *up])
 
     def point(self, selector: str, which: int, pointer: str) -> None:
-        """Click or tap the middle of one of the elements that a selector finds."""
+        """Click or tap one of the elements that a selector finds; the pointer is "mouse" or "touch"."""
         element = self.call("WebDriver:FindElements", using="css selector", value=selector)[which]
         found = f"document.querySelectorAll({json.dumps(selector)})[{which}]"
         self.run(f"{found}.scrollIntoView({{ block: 'center' }})")

@@ -33,30 +33,29 @@ class Follower:
             while processor.next != FETCH:
                 processor.cycle()
             machine.run(seconds=(tick - _NEARLY - processor.clock) / TICKS_PER_SECOND)  # or less, if in vain
-        while processor.run and processor.clock + self.next_cycle() <= tick:
+        while processor.run and processor.clock + self._next_cycle() <= tick:
             processor.cycle()
         if not processor.run:
             machine.wait((tick - processor.clock) / TICKS_PER_SECOND)
         machine.bus.advance(processor.clock)
 
-    def next_cycle(self) -> int:
-        """Return the ticks of the next cycle."""
+    def _next_cycle(self) -> int:
         processor = self.machine.processor
         iot = processor.next == FETCH and processor.core[processor.pc] >> 9 == 6
         return IO_CYCLE if iot else CYCLE
 
     def _do(self, action: Action) -> None:
         panel, reader = self.machine.panel, self.machine.teletype.reader
-        if action.key == "sr":
-            assert isinstance(action.value, int)
-            panel.sr = action.value
-        elif action.key == "mount":
-            reader.lever(False)
-            reader.load(self.afternoon.tapes[str(action.value)])
-        elif action.key == "lever":
-            reader.lever(True)
-        else:
-            getattr(panel, action.key.replace(" ", "_"))()
+        match action.key, action.value:
+            case "sr", int(switches):
+                panel.sr = switches
+            case "mount", tape:
+                reader.lever(False)
+                reader.load(self.afternoon.tapes[str(tape)])
+            case "lever", _:
+                reader.lever(True)
+            case key, _:
+                getattr(panel, key.replace(" ", "_"))()
 
 
 def state(machine: Machine) -> dict[str, object]:

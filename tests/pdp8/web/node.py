@@ -62,14 +62,9 @@ def in_node(function: str, given: Any = None, folder: Path | None = None) -> Any
     """
     house = (folder or modules()).as_uri()
     driver = _DRIVER.replace("FUNCTION", function).replace('"@/', f'"{house}/')
-    done = subprocess.run(
-        [str(NODE), "--input-type=module", "--eval", driver],
-        input=json.dumps(given),
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=SECONDS,
-    )
+    command = [str(NODE), "--input-type=module", "--eval", driver]
+    asked = json.dumps(given)
+    done = subprocess.run(command, input=asked, capture_output=True, text=True, check=False, timeout=SECONDS)
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
 

@@ -21,26 +21,23 @@ pytestmark = [
 ]
 
 
-def _check(*command: object, folder: Path) -> None:
-    done = subprocess.run(
-        [str(node.NODE), *map(str, command)], cwd=folder, capture_output=True, text=True, check=False
-    )
-    if done.returncode:
-        pytest.fail(done.stdout + done.stderr, pytrace=False)
+def _check(tool: str, *options: str, folder: Path) -> None:
+    command = [str(node.NODE), str(TOOLS / "node_modules" / tool), *options]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
 
 
 def test_eslint() -> None:
-    eslint = TOOLS / "node_modules" / "eslint" / "bin" / "eslint.js"
-    _check(eslint, "--config", TOOLS / "eslint.config.mjs", "pdp8", "tests", folder=node.HOUSE)
+    config = str(TOOLS / "eslint.config.mjs")
+    _check("eslint/bin/eslint.js", "--config", config, "pdp8", "tests", folder=node.HOUSE)
 
 
 def test_types(tmp_path: Path) -> None:
-    names = {module: bundle.exports(text) for module, text in translator.translated().items()}
     declared = {
-        module: "".join(f"export const {name}: any;\n" for name in exported)
-        for module, exported in names.items()
+        module: "".join(f"export const {name}: any;\n" for name in bundle.exports(text))
+        for module, text in translator.translated().items()
     }
     node.write(tmp_path, declared, ".d.mts")
     for name in ("tsconfig.json", "page.d.ts"):
         shutil.copy(TOOLS / name, tmp_path)
-    _check(TOOLS / "node_modules" / "typescript" / "bin" / "tsc", folder=tmp_path)
+    _check("typescript/bin/tsc", folder=tmp_path)

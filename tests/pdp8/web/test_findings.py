@@ -15,13 +15,10 @@ def test_what_is_found() -> None:
     assert (note.line, note.start, note.severity) == (2, 4, "note")
     many = checked("a.pal", "*200\n" + "\t5 + 3\n" * 150 + "$\n")
     assert (len(many.diagnostics), many.more) == (MOST, 50)
-
-
-def test_pal8_is_found() -> None:
-    found = checked("a.pal", "*200\n\tCLA\n\tTAD (7)\n\tHLT\n$\n")
-    assert found.ok
-    assert (0o377, 7) in found.words
-    assert "taken for PAL8" in found.diagnostics[0].whole
+    pal8 = checked("a.pal", "*200\n\tCLA\n\tTAD (7)\n\tHLT\n$\n")
+    assert pal8.ok
+    assert (0o377, 7) in pal8.words
+    assert "taken for PAL8" in pal8.diagnostics[0].whole
 
 
 @pytest.mark.parametrize("source", ["\tcla\n\tHLT\n", "\tTAD (7)\n", "\tTAD [7]\n\tCLA!\n"])

@@ -24,15 +24,10 @@ def _answers(exercise: Exercise) -> list[str]:
 @pytest.mark.slow  # two hundred answers, twice
 def test_the_page_marks_as_the_command_does() -> None:
     """Each bundled exercise: its solution, wrong answers, faults; verdicts, hints and what is shown."""
-    exercises = [form.read(name) for name in form.bundled()]
-    asked = [
-        {"tables": student.whole(exercise), "source": source}
-        for exercise in exercises
-        for source in _answers(exercise)
-    ]
-    marks = iter(in_node(_MARKS, asked))
-    for exercise in exercises:
-        for source in _answers(exercise):
-            result = marking.mark(exercise, handed.of(source.encode(), "a.pal"))
-            said = {"right": result.right, "points": result.points, "of": result.of}
-            assert next(marks) == {**said, "html": "\n".join(body(result))}, source
+    exercises = map(form.read, form.bundled())
+    answers = [(exercise, source) for exercise in exercises for source in _answers(exercise)]
+    asked = [{"tables": student.whole(exercise), "source": source} for exercise, source in answers]
+    for (exercise, source), marks in zip(answers, in_node(_MARKS, asked), strict=True):
+        result = marking.mark(exercise, handed.of(source.encode(), "a.pal"))
+        said = {"right": result.right, "points": result.points, "of": result.of}
+        assert marks == {**said, "html": "\n".join(body(result))}, source

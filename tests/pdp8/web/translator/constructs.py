@@ -97,16 +97,12 @@ class Base:
 
 
 class Derived(Base):
-    def __init__(self) -> None:
-        super().__init__(3)
+    def __init__(self, more: int = 3) -> None:
+        super().__init__(more)
         self.more = self.value
 
 
-class More(Base):
-    pass
-
-
-class Most(More):
+class Most(Derived):
     pass
 
 
@@ -197,9 +193,6 @@ def loops() -> Any:
         if name == "b":
             continue
         seen.append([number, name, value])
-    for number in range(5):
-        if number == 3:
-            break
     for number in range(3, 0, -1):
         seen.append(number)
     while True:
@@ -235,37 +228,32 @@ def switched(op: int = 3) -> Any:
     return seen
 
 
+def _raised(error: Exception) -> None:
+    raise error
+
+
+def _index() -> None:
+    raise IndexError
+
+
 def errors() -> Any:
     """raise, try, except in order, finally, a context manager of ours."""
-    seen: list[str] = []
+    seen: list[Any] = []
     base = Base(1)
-    for place in (None, 4):
+    wrong = [lambda: {}["x"], lambda: [1][4], lambda: int("x"), lambda: 1 // len(""), _index, lambda: 0]
+    wrong += [lambda: b"\xff".decode("ascii"), lambda: b"\xff".decode()]
+    for bad in [lambda: _raised(Wrong("no")), lambda: _raised(Wrong("no", 4)), *wrong]:
         try:
             with base.noting():
-                raise Wrong("no", place)
-        except KeyError:
-            seen.append("key")
-        except (Wrong, IndexError) as error:
-            seen.append(f"{error} {type(error).__name__}")
-        finally:
-            seen.append("finally")
-    try:
-        with base.noting():
-            pass
-    except ValueError:
-        seen.append("not this")
-    try:
-        raise IndexError
-    except IndexError:
-        seen.append("index")
-    wrong = [lambda: {}["x"], lambda: [1][4], lambda: int("x"), lambda: 1 // len("")]
-    for bad in [*wrong, lambda: b"\xff".decode("ascii"), lambda: b"\xff".decode()]:
-        try:
-            bad()
+                bad()
         except KeyError as error:
             seen.append(f"KeyError {error}")
-        except (IndexError, ValueError, ZeroDivisionError) as error:
+        except (Wrong, IndexError) as error:
+            seen.append(f"{error} {type(error).__name__}" if isinstance(error, Wrong) else "index")
+        except (ValueError, ZeroDivisionError) as error:
             seen.append(isinstance(error, ValueError))
+        finally:
+            seen.append("finally")
     return [seen, base.seen]
 
 
@@ -299,7 +287,7 @@ def calls() -> Any:
     more()
     more(4)
     return [
-        _placed(1, 2), _placed(1, scale=3), _placed(*[1, 2], add=1), _after(1, 2, 3), Most(start=4).value, _named(a=1, **spent), more(0), 
+        _placed(1, 2), _placed(1, scale=3), _placed(*[1, 2], add=1), _after(1, 2, 3), Most(more=4).value, _named(a=1, **spent), more(0), 
         [*map(len, ["a", "bb"])], (lambda x: x + 1)(2), [f(2) for f in (more, abs)],
     ]  # fmt: skip
 

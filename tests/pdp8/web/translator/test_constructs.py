@@ -34,7 +34,6 @@ def test_every_construct_does_as_in_python(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("source", "said"),
     [
-        ("def f(x: int) -> int:\n    import os\n    return os.getpid()\n", "3: nothing has a method getpid"),
         ("async def f() -> None:\n    pass\n", "1: no translation"),
         ("def f(x: str) -> str:\n    return x.swapcase()\n", "2: nothing has a method swapcase"),
         ("X = 1\nX = 2\n", "2: X is set twice"),
@@ -47,10 +46,7 @@ def test_every_construct_does_as_in_python(tmp_path: Path) -> None:
         ("def f(a: int) -> int:\n    return f(a, b=1)\n", "2: keywords that are no parameters"),
         ("def f(a: int) -> int:\n    return f(a, a)\n", "2: too many arguments"),
         ("def f(a: int) -> int:\n    return f(*[a], a=1)\n", "2: an unpacked argument before keywords"),
-        (
-            "def f(a: str) -> None:\n    for x in a:\n        pass\n    else:\n        f(a)\n",
-            "2: no translation",
-        ),
+        ("def f(a: str) -> None:\n    for x in a: ...\n    else: ...\n", "2: no translation"),
         ("def f(a: str) -> str:\n    return a[::-1]\n", "2: a slice by steps"),
         ("X = f'{1:<5}'\n", "1: no translation of the format"),
         ("def f(a: list[int]) -> None:\n    a[1:] = []\n", "2: no translation"),
