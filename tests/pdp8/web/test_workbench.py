@@ -145,8 +145,11 @@ def test_breakpoints_and_run_until(page: Page) -> None:
     assert page.evaluate("workbench.machine.processor.core[0o200]") == 0o1234
 
 
-def test_a_pane_alone(browser: Browser, file: Path) -> None:
-    """By ?embed=panel, where any other name shows all of them; by the button of a pane, and all again."""
+def test_a_pane_alone(browser: Browser, file: Path, circle_page: Path) -> None:
+    """By ?embed=panel, where any other name shows all of them; by the button of a pane, and all again.
+
+    An afternoon on the panel alone begins with the first switch.
+    """
     for asked, shown, hidden in (
         ("panel", "#computer", "#program"),
         ("debugger", "#debugger", "#program"),
@@ -161,6 +164,9 @@ def test_a_pane_alone(browser: Browser, file: Path) -> None:
                 for count in (1, 5):
                     click(page, "#computer .enlarge")
                     assert page.locator("main > section:visible").count() == count
+    playing = "!!window.workbench?.afternoon.playing"
+    with visit(browser, f"{circle_page.as_uri()}?embed=panel", playing) as page:
+        assert page.evaluate("workbench.afternoon.script.act.kind") == "toggle"
 
 
 @pytest.mark.slow  # eight seconds: a visitor comes, stays longer than the screen rests, and leaves, twice
