@@ -150,7 +150,6 @@ give(String, {
   isalnum: matching(/^[\p{L}\d]+$/u),
   isprintable: matching(/^(?: |[^\p{C}\p{Z}])*$/u),
   isspace: matching(/^\s+$/),
-  islower: matching(/^[^\p{Lu}]*\p{Ll}[^\p{Lu}]*$/u),
 });
 give(Array, {
   append(item) { this.push(item); },

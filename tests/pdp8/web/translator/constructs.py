@@ -310,7 +310,7 @@ def texts() -> Any:
     return [
         text.split(","), "a  b ".split(), ["a", "b"], "a\nb\r\n".splitlines(), "a\nb".splitlines(True), text.replace(",", ""),
         text.partition(","), "-".join(["x", "y"]), " x ".strip(), "xxaxx".lstrip("x"), "tape.bin".removesuffix(".bin"), "a\tb".expandtabs(8),
-        text.find("c"), text.rfind(","), text.count(","), text.count(",", 1, 3), "abc".startswith("a"), "12".isdigit(), "a1".islower(), "aB".islower(), "a1".isalnum(), "a-".isalnum(), "a ~".isprintable(), "\x7f".isprintable(), "Ab".lower() + "Ab".upper(),
+        text.find("c"), text.rfind(","), text.count(","), text.count(",", 1, 3), "abc".startswith("a"), "12".isdigit(), "a1".isalnum(), "a-".isalnum(), "a ~".isprintable(), "\x7f".isprintable(), "Ab".lower() + "Ab".upper(),
         "abc"[1:], "abc"[-1], "abc"[0:-1], "abc"[1 : {}.get("x")], f"`${{x}}{number}`", "aZ".translate({ord("a"): "b", ord("Z"): None}), "x" * 3, ord("A"), chr(0o101),
         f"{number:04o} {number:5}|{number:6,}|{-number:06}|{part:+.1f}|{part:g}|{part:8.3f}|{'x':3}|{number:x}",
         f"{part!r} {text!r} {number / 2} {number // 2} {1e20} {1e-7} {True} {None} {[1, 'x']} {0.1 + 0.2} {100.0:,}",
