@@ -29,6 +29,9 @@ Word = str | Path
 Done = subprocess.CompletedProcess[bytes]
 Stream = int | IO[bytes]
 
+STARTED: list["subprocess.Popen[bytes]"] = []
+"""What the test that runs has started: conftest.py ends it, should the test fail before."""
+
 
 def environment(**variables: str) -> dict[str, str]:
     """Return the environment of a command: ours, with `variables`."""
@@ -65,7 +68,7 @@ def start(
     stderr: Stream = subprocess.PIPE,
 ) -> "subprocess.Popen[bytes]":
     """Start a command."""
-    return subprocess.Popen(
+    run = subprocess.Popen(
         [str(word) for word in words],
         stdin=stdin,
         stdout=stdout,
@@ -73,6 +76,8 @@ def start(
         cwd=folder,
         env=environment(),
     )
+    STARTED.append(run)
+    return run
 
 
 def signalled(run: "subprocess.Popen[bytes]", number: int) -> tuple[int, bytes]:
@@ -118,6 +123,7 @@ class Terminal:
             env=environment(**{"TERM": "dumb", **variables}),
             start_new_session=True,
         )
+        STARTED.append(self.process)
         os.close(terminal)
 
     def until(self, text: bytes, seconds: float = 30) -> bytes:

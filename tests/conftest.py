@@ -47,6 +47,15 @@ def pytest_xdist_auto_num_workers() -> int:
     return (os.cpu_count() or 1) + 1
 
 
+@pytest.fixture(autouse=True)
+def no_command_outlives_its_test() -> Iterator[None]:
+    """End what a test that failed left: its open pipes would be another test's failure."""
+    yield
+    while commands.STARTED:
+        with commands.STARTED.pop() as run:
+            run.kill()
+
+
 class Stream(io.TextIOWrapper):
     """A standard stream in memory, a terminal or not."""
 
