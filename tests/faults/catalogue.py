@@ -12,7 +12,6 @@ the faults share:
     old = "..."                    in the source exactly once
     new = "..."
     tests = [...]                  where others catch it
-    changes_nothing = "..."        the reason, if no test can catch it
 """
 
 import tomllib
@@ -24,7 +23,7 @@ FOLDER = Path(__file__).parent
 
 
 class Fault(NamedTuple):
-    """One fault: `old` replaced by `new` in `file`; which tests catch it, or why none can."""
+    """One fault: `old` replaced by `new` in `file`; which tests catch it."""
 
     room: str
     name: str
@@ -32,7 +31,6 @@ class Fault(NamedTuple):
     old: str
     new: str
     tests: tuple[str, ...]
-    changes_nothing: str
 
 
 def catalogue() -> list[Fault]:
@@ -55,7 +53,6 @@ def _read(path: Path) -> Iterator[Fault]:
                 fault["old"],
                 fault["new"],
                 tuple(fault.get("tests", source["tests"])),
-                fault.get("changes_nothing", ""),
             )
 
 
