@@ -1,10 +1,8 @@
-"""Tapes to cut, made here from the thesis's figures and not by the part programs.
-
-The circle is written from Chapter 6's rule alone: step out along one axis to the first point on or beyond
-the outer limit, step in along the other to the first on or within the inner one.
-"""
+"""Tapes to cut, from the thesis's figures; the circle and its like are those of the part program."""
 
 import nc
+from programs import circle
+from tests.programs import printouts
 
 EIA = dict(zip("0123456789\r", (0o040, 1, 2, 0o023, 4, 0o025, 0o026, 7, 0o010, 0o031, 0o200), strict=True))
 
@@ -34,28 +32,9 @@ def tape(*blocks: str) -> bytes:
     return bytes([0, *(EIA[character] for block in blocks for character in block.replace(" ", "") + "\r")])
 
 
-def staircase(radius: int, band: int, centre: int = 4000) -> list[tuple[int, int]]:
-    """Return the corners of a staircase clockwise about a circle, from its side of least X.
-
-    In each quadrant one step goes outward, to the outer limit, the next inward, to the inner one; reaching
-    an axis ends the quadrant, and nothing is said of that place.
-    """
-    outer, inner = (radius + band) ** 2, (radius - band) ** 2
-    x, y = -radius, 0
-    corners = []
-    for out, inward in (((0, 1), (1, 0)), ((1, 0), (0, -1)), ((0, -1), (-1, 0)), ((-1, 0), (0, 1))):
-        while True:
-            x, y = x + out[0], y + out[1]
-            while x * x + y * y < outer:
-                x, y = x + out[0], y + out[1]
-            corners.append((centre + x, centre + y))
-            x, y = x + inward[0], y + inward[1]
-            while x * x + y * y > inner and x * inward[0] + y * inward[1] < 0:
-                x, y = x + inward[0], y + inward[1]
-            if x * inward[0] + y * inward[1] >= 0:
-                break
-            corners.append((centre + x, centre + y))
-    return corners
+def staircase(radius: int, band: int) -> list[tuple[int, int]]:
+    """Return the corners of the staircase about X 4.000 Y 4.000, clockwise from the side of least X."""
+    return [(block.x, block.y) for block in printouts.milled(circle.part(radius=radius, tolerance=band))[1:]]
 
 
 def milling(corners: list[tuple[int, int]], start: tuple[int, int], feed: int = 1) -> list[str]:
