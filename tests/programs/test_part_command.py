@@ -9,7 +9,6 @@ from typing import Any
 
 import pytest
 
-from pdp8.cli.root import pdp8
 from programs import fluidic, least_squares, parts, stretches
 from programs.function import Range, offset_path
 from programs.header import Header
@@ -19,12 +18,11 @@ from programs.piecewise import Technique
 from programs.printout import check_band, check_codes, check_on_table, check_start
 from programs.stretches import Point, arc, graph
 from programs.units import FRACTION, INCHES, NUMBER, THOUSANDTHS, UnitError
-from tapes import ascii, command
+from tapes import ascii
 from tapes.errors import WorkError
-from tests.conftest import Shell, assert_same_tape, case
+from tests.conftest import Call, Shell, assert_same_tape, case
 from tests.nc.tapes_1971 import tape
 
-Ended = Callable[[str], tuple[object, str, str]]
 PARTS = [
     "polynomial --technique piece",
     "polynomial --to 2 --cutter 0.5",
@@ -113,23 +111,11 @@ def test_the_chain_translates_every_part_into_whole_blocks(shell: Shell, part: s
     assert_same_tape(done.stdout[:end], tape(*(line.replace(" ", "0") for line in lines)))
 
 
-@pytest.fixture
-def ended(capfd: pytest.CaptureFixture[str]) -> Ended:
-    """Run `pdp8 part` here, not in a process of its own; return exit status, output and complaint."""
-
-    def run(line: str) -> tuple[object, str, str]:
-        with pytest.raises(SystemExit) as exit_:
-            command.run(pdp8, "pdp8", ["part", *shlex.split(line)])
-        return exit_.value.code, *capfd.readouterr()
-
-    return run
-
-
 @pytest.mark.parametrize(
     ("status", "part", "said"), [*((1, *row) for row in REFUSED), *((2, *row) for row in MISUSED)]
 )
-def test_a_part_that_cannot_be_is_refused(ended: Ended, status: int, part: str, said: str) -> None:
-    exit_status, output, message = ended(part)
+def test_a_part_that_cannot_be_is_refused(call: Call, status: int, part: str, said: str) -> None:
+    exit_status, output, message = call(f"pdp8 part {part}")
     assert (exit_status, output) == (status, "")
     assert said in message
     assert status == 2 or message.count("\n") == 1, "one sentence"
@@ -177,14 +163,6 @@ def test_what_is_at_a_limit_is_taken_and_what_is_beyond_is_refused() -> None:
                 taking(*value) if isinstance(value, tuple) else taking(value)
 
 
-@pytest.mark.parametrize("part", ["circle", "slope", "curve 0", "drill"])
-def test_every_command_takes_lengths_in_inches(ended: Ended, part: str) -> None:
-    for inches, digits in (("3.5", "03500"), ("4.001", "04001"), ("3.0010", "03001")):
-        _, printed, _ = ended(f"{part} --z-depth {inches} --parity none --fill 0")
-        (depth, *_) = (line[9:14] for line in printed.replace(" ", "0").splitlines() if line.endswith("189"))
-        assert depth == digits
-
-
 def test_no_digit_of_a_length_is_lost() -> None:
     for thousandths in range(1, 20_001, 7):
         text = f"{thousandths // 1000}.{thousandths % 1000:03}"
@@ -193,8 +171,8 @@ def test_no_digit_of_a_length_is_lost() -> None:
     assert THOUSANDTHS.keep("0.123456789012345") == 123.456789012345
 
 
-def test_help_says_units_defaults_and_the_language(ended: Ended) -> None:
-    shown = ended("circle --help")[1] + ended("polynomial --help")[1]
+def test_help_says_units_defaults_and_the_language(call: Call) -> None:
+    shown = call("pdp8 part circle --help")[1] + call("pdp8 part polynomial --help")[1]
     for option in ("radius INCHES", "sequence NUMBER", "feed-error PERCENT", "spindle CODE", "a PER-SQ-INCH"):
         assert f"--{option} " in shown
     for part, said in (
@@ -202,13 +180,10 @@ def test_help_says_units_defaults_and_the_language(ended: Ended) -> None:
         ("drill", "1,1 1,2 4,2 4,1 35 3 3.5 1 6 mark"),
         ("compare circle", "ge635 1.75"),
     ):
-        shown = " ".join(ended(f"{part} --help")[1].split())
+        shown = " ".join(call(f"pdp8 part {part} --help")[1].split())
         assert " ".join(re.findall(r"\[default: ([^];]*)", shown)).startswith(said)
-    shown = " ".join(ended("curve --help")[1].split())
-    assert (
-        "EXPRESSION is y as a function of x, inches: numbers, x, pi, e, + - * / ** ( ) and sqrt, exp,"
-        in shown
-    )
+    language = "EXPRESSION is y as a function of x, inches: numbers, x, pi, e, + - * / ** ( ) and sqrt, exp,"
+    assert language in " ".join(call("pdp8 part curve --help")[1].split())
 
 
 def test_compare_shows_the_nine_blocks_side_by_side(shell: Shell) -> None:
@@ -245,24 +220,26 @@ def test_points_become_a_function_and_a_part_has_another_hand(shell: Shell) -> N
         ("circle --radius 1.5in --close --park-x 18", {"radius": "1.5in", "close": True, "park_x": 18}),
         ("ellipse --arithmetic ge635", {"arithmetic": "ge635", "outer_major": None}),
         ("slope --technique piece --feed-error 10%", {"technique": "piece", "feed_error": 10}),
+        ("slope --z-depth 4.001", {"z_depth": 4.001}),
         ("drill --holes '1,1 2.5,1.125'", {"holes": ((1, 1), (2.5, 1.125))}),
         ("curve 'sin(x)' --from 1 --to 2", {"from_": 1, "to": "2"}),
     ],
 )
 def test_a_script_gives_constants_as_the_command_takes_them(
-    typed: str, constants: dict[str, object], ended: Ended
+    typed: str, constants: dict[str, object], call: Call
 ) -> None:
     name, *more = shlex.split(typed)
-    printed = ended(f"{typed} --parity none --fill 0")[1].replace("\r\n", "\n")
+    printed = call(f"pdp8 part {typed} --parity none --fill 0")[1].replace("\r\n", "\n")
     assert printed == parts.part(name, *more[: name == "curve"], **constants)
 
 
 def test_a_script_is_told_what_the_command_says() -> None:
-    refused: list[tuple[dict[str, Any], str]] = [
-        ({"radius": 1750}, "radius: 1750 in: must be less than 100 in; for 1750 thousandths write 1.75"),
-        ({"radus": 1}, "no constant 'radus'; there are radius, tolerance"),
-        ({"technique": "leap"}, "technique: 'leap' is not one of"),
+    refused: list[tuple[str, dict[str, Any], str]] = [
+        ("circle", {"radius": 1750}, "radius: 1750 in: must be less than 100 in; for 1750 thousandths write"),
+        ("circle", {"radus": 1}, "no constant 'radus'; there are radius, tolerance"),
+        ("circle", {"technique": "leap"}, "technique: 'leap' is not one of"),
+        ("square", {}, "no such part program; there are circle, ellipse"),
     ]
-    for constants, message in refused:
-        with pytest.raises(WorkError, match=re.escape(f"circle: {message}")):
-            parts.part("circle", **constants)
+    for name, constants, message in refused:
+        with pytest.raises(WorkError, match=re.escape(f"{name}: {message}")):
+            parts.part(name, **constants)

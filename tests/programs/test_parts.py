@@ -8,16 +8,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from click import Choice
 from click.testing import CliRunner
 
 import programs
 from pdp8.replay import replay
 from programs import die, fluidic, parts, slope, thesis
 from programs.cli import part
-from programs.options import parameters
 from programs.parts import PARTS, Part
-from tapes.errors import WorkError
 from tests.programs.printouts import blocks, milled
 
 
@@ -36,11 +33,6 @@ def test_a_new_part_program_is_its_file_and_its_entry(
     assert replay("chamfer").path.blocks == replay("slope").path.blocks
 
 
-def test_no_such_part() -> None:
-    with pytest.raises(WorkError, match="square: no such part program; there are circle, ellipse"):
-        parts.find("square")
-
-
 @pytest.mark.parametrize("name", PARTS)
 def test_every_entry_is_a_part_program(name: str) -> None:
     entry = PARTS[name]
@@ -52,19 +44,6 @@ def test_every_entry_is_a_part_program(name: str) -> None:
     assert f"\n  Examples:\n    pdp8 part {name} {entry.examples[0]}\n" in said
     tolerance = signature(program).parameters.get("tolerance")
     assert tolerance is None or tolerance.default in (entry.tolerance, entry.tolerance * 1000)
-
-
-def test_what_an_option_may_be() -> None:
-    taken = (option for entry in PARTS.values() for option in parameters(entry.program()))
-    assert {option.name: [*option.type.choices] for option in taken if isinstance(option.type, Choice)} == {
-        "technique": ["step", "piece"],
-        "stop": ["boundary", "inside"],
-        "arithmetic": ["exact", "ge635", "ieee32", "cdc6400"],
-        "overflow": ["low-digits", "stars"],
-        "side": ["above", "below"],
-        "cut": ["opening", "rounding", "groove"],
-        "program": ["both", "main", "control"],
-    }
 
 
 @pytest.mark.parametrize(
