@@ -11,7 +11,7 @@ import pytest
 
 from programs import circle, drill, ellipse
 from programs.arithmetic import ARITHMETICS
-from programs.format import Format, Overflow
+from programs.format import Format
 from programs.header import Header
 from programs.milling import Milling
 from programs.printout import Printout
@@ -90,21 +90,12 @@ def test_listing_lines_are_numbered_by_five(name: str) -> None:
     assert numbers == list(range(100, numbers[-1] + 1, 5))
 
 
-@pytest.mark.parametrize(
-    ("fields", "values", "overflow", "line"),
-    [
-        ("1X,I5,I4,I5,I4", [1019, 0, 0, 2], "low-digits", "  1019   0    0   2"),
-        ("I5", [-12], "low-digits", "  -12"),
-        ("2X,I2", [5], "low-digits", "   5"),
-        ("I3,I5", [1000, 23456], "low-digits", "00023456"),
-        ("I3,I5", [1000, 23456], "stars", "***23456"),
-    ],
-)
-def test_a_line_as_format_has_it(fields: str, values: list[int], overflow: Overflow, line: str) -> None:
-    assert Format(fields).line(*values, overflow=overflow) == f"{line}\n"
-
-
-def test_an_i_field_takes_the_whole_part_of_a_real() -> None:
+def test_a_line_as_format_has_it() -> None:
+    """An I-field takes the whole part of a REAL."""
+    assert Format("1X,I5,I4,I5,I4").line(1019, 0, 0, 2) == "  1019   0    0   2\n"
+    assert Format("2X,I2,I5").line(5, -12) == "   5  -12\n"
+    assert Format("I3,I5").line(1000, 23456) == "00023456\n"
+    assert Format("I3,I5").line(1000, 23456, overflow="stars") == "***23456\n"
     for value, printed in ((2.9, "  2"), (-2.9, " -2"), (0.9999, "  0"), (99.5, " 99")):
         for real in (Fraction(str(value)), *(machine.real(value) for machine in ARITHMETICS.values())):
             assert Format("I3").line(real) == f"{printed}\n"

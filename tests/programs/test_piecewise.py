@@ -95,20 +95,15 @@ def test_a_ray_of_two_feeds_goes_on_until_the_slower_axis_has_moved_a_thousandth
     assert [*rays][:2] == [((1, 0), (565, 499)), ((0, 1), (565, 500))]
 
 
-def test_a_block_whose_feed_is_in_force_names_it_again() -> None:
+def test_a_block_sets_one_feed_and_x_s_moves_or_names_the_one_in_force_again() -> None:
     """An arc of 20 degrees about 9 o'clock is as good as upright: two blocks along Y."""
-    printout = Printout()
-    Milling("piece", fastest=1).print(printout, arc(Point(4000, 4000), 100, 190, -20, 5))
-    assert printout.text == "  16 3902 4000  185\n  26 3902 4017  185\n"
-
-
-def test_a_block_sets_one_feed_and_x_s_moves() -> None:
-    for x, y, text in (
-        (1900, 1000, "  16    0    0  185\n  26 1900 1000  284\n"),
-        (1000, 1900, "  16    0    0  285\n  26 1000 1900  184\n"),
+    for fastest, curve, text in (
+        (1, arc(Point(4000, 4000), 100, 190, -20, 5), "  16 3902 4000  185\n  26 3902 4017  185\n"),
+        (2, line(Point(0, 0), Point(1900, 1000), 5), "  16    0    0  185\n  26 1900 1000  284\n"),
+        (2, line(Point(0, 0), Point(1000, 1900), 5), "  16    0    0  285\n  26 1000 1900  184\n"),
     ):
         printout = Printout()
-        Milling("piece", fastest=2, feed_error=0).print(printout, line(Point(0, 0), Point(x, y), 5))
+        Milling("piece", fastest=fastest, feed_error=0).print(printout, curve)
         assert printout.text == text
 
 

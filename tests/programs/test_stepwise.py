@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
 from itertools import pairwise
-from math import dist, hypot, sin
+from math import dist, hypot
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from nc.curves import nominal
-from programs import circle, curve, ellipse, fluidic, polynomial, stepwise
+from programs import circle, ellipse, fluidic, polynomial, stepwise
 from programs.arithmetic import ARITHMETICS
 from programs.milling import Milling
 from programs.parts import find
@@ -87,11 +87,6 @@ def test_every_stop_of_a_graph_is_in_its_band(steps: list[int], tolerance: float
     for x, y in stops(path):
         assert abs(y - heights[x - 100]) <= tolerance
     assert path.end == Point(100 + len(heights) - 1, heights[-1])
-
-
-def test_every_stop_of_a_sine_is_in_its_band() -> None:
-    for block in milled(curve.part("sin(x)", to=6.283)):
-        assert abs((block.y - 5000) / 1000 - sin((block.x - 4000) / 1000)) <= 0.0065
 
 
 def test_turning_points_are_where_a_table_turns() -> None:
