@@ -29,7 +29,7 @@ import coverage
 import pytest
 from hypothesis import HealthCheck, Phase, settings
 
-from tests.faults.workshop import Workshop
+from tests.faults import workshop
 from tests.mutation.mutants import Mutant
 from tests.mutation.rooms import HOUSE, ROOMS, tests
 
@@ -80,7 +80,7 @@ def tried(room: str, trials: list[Trial], jobs: int, folder: Path) -> Iterator[t
 
 def _copy(room: str, copy: Path) -> Path:
     """Copy the sources to a folder; what is compiled of other rooms is compiled there."""
-    Workshop(copy)
+    workshop.copy(copy)
     for built in () if room == "pal" else HOUSE.glob("p*/**/*.so"):
         path = built.relative_to(HOUSE)
         if not path.is_relative_to(ROOMS[room][0]):
