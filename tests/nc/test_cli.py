@@ -122,10 +122,6 @@ PARITY = CIRCLE[:700] + b"\xa0" + CIRCLE[701:]
 ROW_1 = "block 1, row 1: the block ends in row 1; a block has 20 rows; the tape seems to be"
 
 
-def test_strict_reads_parity(shell: Shell) -> None:
-    assert product(shell, "pdp8 nc list", PARITY) == product(shell, "pdp8 nc list circle.eia")
-
-
 @pytest.mark.parametrize(
     ("line", "stdin", "says"),
     [

@@ -15,7 +15,7 @@ from PIL import Image
 
 import nc
 from nc.curves import Curve, Ellipse, Graph, StraightLine
-from nc.drawing import Sheet, Window, round_step, signed
+from nc.drawing import Sheet, Window, round_step
 from nc.inspection import Inspection, Walls, inspect
 from nc.plot import plot
 from nc.talyrond import _Graph, talyrond
@@ -159,10 +159,6 @@ def test_what_does_not_close_says_how_far_it_is_open() -> None:
 def test_a_window_holds_its_corners_and_nothing_beyond() -> None:
     held = [(x, y) for x in range(-1, 4) for y in range(-1, 3) if Window(0, 0, 2, 1).holds(x, y)]
     assert held == [(x, y) for x in (0, 1, 2) for y in (0, 1)]
-
-
-def test_divisions_are_inches_with_their_sign() -> None:
-    assert [signed(deviation) for deviation in (-5, 0, 10, 5000)] == ["-0.005", "0", "+0.010", "+5.000"]
 
 
 def walled(curve: Curve, outer: float) -> Inspection:

@@ -50,19 +50,6 @@ def test_a_single_plunge_leaves_a_hole() -> None:
     assert found.inner == pytest.approx(50 - chord, nan_ok=True)
 
 
-def test_a_station_that_the_cutter_only_touches_is_cut() -> None:
-    plunge, across = (0, 0, 0, 0), (-100, 0, 100, 0)
-    for cut, line, outer in (
-        (plunge, (50, 0, 60, 0), 0),
-        (plunge, (-60, 0, -50, 0), 0),
-        (across, (0, 50, 0, 60), 100),
-        (across, (0, -60, 0, -50), 100),
-    ):
-        found = walls_along(line, 2, cut)
-        assert np.nanmax(found.outer) + 50 == outer
-        assert np.isnan(found.outer).sum() == 1
-
-
 @pytest.mark.parametrize(
     ("curve", "radius"),
     [
@@ -107,12 +94,6 @@ def test_the_centre_kept_to_its_band_and_one_step(circle: Inspection) -> None:
         assert inspect(nc.cut(aside), THE_CIRCLE).centre == (low, furthest)
     path = milled((2250, 4500), (2250, 4501))
     assert inspect(path, StraightLine(2250, 4000, 3250, 4000)).centre == (0, 500)
-
-
-def test_a_cut_along_both_axes_is_not_step_wise(circle: Inspection) -> None:
-    path = milled((2250, 4001), (2251, 4001), (2300, 4051))
-    assert circle.stepwise
-    assert not inspect(path, StraightLine(2250, 4000, 2300, 4050)).stepwise
 
 
 def test_a_larger_cutter_leaves_a_smoother_wall() -> None:

@@ -10,13 +10,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from programs import curve, polynomial
+from programs import curve
 from programs.function import Range, _at_each_thousandth, offset_path
 from programs.stepwise import cuts
 from tapes.errors import WorkError
 from tapes.expression import function
 from tests.conftest import case
-from tests.programs.printouts import milled
 
 
 def test_an_expression_means_what_it_says() -> None:
@@ -121,11 +120,3 @@ def test_between_two_places_the_path_is_straight() -> None:
     across, up = [0.3, 2.1, 2.2, 5.0, 7.9, 10.0], [1.0, 5, 4, 0, 0.5, 8]
     expected = np.interp(range(1, 11), across, up)
     assert list(_at_each_thousandth(across, up)) == pytest.approx(expected)
-
-
-def test_a_small_cutter_leaves_the_polynomial_almost_where_it_was() -> None:
-    plain, beside = milled(polynomial.part()), milled(polynomial.part(cutter=0.002))
-    assert abs(len(plain) - len(beside)) < 20
-    slope = 0.2 * (3 * 0.75**2 + 16 * 0.75 + 12)  # y' where it starts, at x = -.75
-    assert plain[0].x == beside[0].x
-    assert abs(abs(plain[0].y - beside[0].y) - hypot(1, slope)) <= 1  # a radius of .001 in, along Y

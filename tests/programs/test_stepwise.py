@@ -12,9 +12,8 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from nc.curves import nominal
-from programs import circle, ellipse, fluidic, polynomial, stepwise
+from programs import ellipse, fluidic, polynomial, stepwise
 from programs.arithmetic import ARITHMETICS
-from programs.milling import Milling
 from programs.parts import find
 from programs.piecewise import Technique
 from programs.stretches import Curve, Point, Side, Stretch, arc, graph, line, oval, turning_points
@@ -25,26 +24,18 @@ CENTRE = Point(4000, 4000)
 places = st.builds(Point, st.integers(0, 3000), st.integers(0, 3000))
 
 
-def assert_same_staircase(path: Curve, printout: str) -> None:
-    """Compare with a listing, which ends where its last quadrant does, .156 in from its start."""
-    cuts = stepwise.staircase(path.start, "Y", path.stretches[:3], "boundary")
-    ours = [(*cut.stop, {"X": 84, "Y": 85}[cut.axis]) for cut in cuts]
-    theirs = [(block.x, block.y, block.function) for block in milled(printout)[1:]]
-    assert ours[: len(theirs)] == theirs[: len(ours)]
-    assert len(ours) > 0.7 * len(theirs)
-
-
 @settings(max_examples=25, deadline=None)
 @given(st.integers(20, 400), st.integers(20, 400), st.integers(1, 15))
 def test_the_general_procedure_makes_the_listings_staircase(major: int, minor: int, tolerance: int) -> None:
-    """The boundary rule is that of Appendices C and D."""
+    """The boundary rule is that of Appendices C and D; a listing ends before its start, so ours is longer."""
     inner, outer = (major - tolerance, minor - tolerance), (major + tolerance, minor + tolerance)
     part = ellipse.part(major=major, minor=minor, tolerance=tolerance)
-    assert_same_staircase(oval(CENTRE, major, inner, outer), part)
-
-
-def test_the_general_procedure_makes_the_thesiss_circle() -> None:
-    assert_same_staircase(oval(CENTRE, 1750, (1745, 1745), (1755, 1755)), circle.part())
+    path = oval(CENTRE, major, inner, outer)
+    cuts = stepwise.staircase(path.start, "Y", path.stretches[:3], "boundary")
+    ours = [(*cut.stop, {"X": 84, "Y": 85}[cut.axis]) for cut in cuts]
+    theirs = [(block.x, block.y, block.function) for block in milled(part)[1:]]
+    assert ours[: len(theirs)] == theirs[: len(ours)]
+    assert len(ours) > 0.7 * len(theirs)
 
 
 def stops(path: Curve) -> Iterator[Point]:
@@ -148,12 +139,6 @@ def test_the_polynomial_that_is_inspected_is_the_one_that_is_milled() -> None:
     assert ends == pytest.approx(np.array([path[0][2:4], path[-1][2:4]]), abs=0.5)
     off = inspected.deviations(np.array([block[2:4] for block in path], dtype=float))
     assert abs(off).max() < 11
-
-
-def test_the_other_rule_stops_inside() -> None:
-    path = milled(polynomial.part(milling=Milling(stop="inside")))[1:-1]
-    assert max(abs(height_above_the_polynomial(block.x, block.y)) for block in path) <= Fraction(1, 100)
-    assert len(path) > 1183
 
 
 def test_a_sequence_past_999_keeps_its_low_digits_or_prints_stars() -> None:
