@@ -8,6 +8,7 @@ from click.testing import CliRunner
 from nc.cli import nc
 from nc.curves import Ellipse
 from nc.dxf import dxf
+from nc.gcode import gcode
 from nc.inspection import inspect
 from nc.machine import cut
 from nc.plot import plot
@@ -20,23 +21,6 @@ def product(shell: Shell, line: str, stdin: bytes = b"") -> str:
     done = shell(line, stdin)
     assert (done.returncode, done.stderr) == (0, b"")
     return done.stdout.decode()
-
-
-@pytest.mark.parametrize(
-    ("command", "only_here"),
-    [
-        ("list", "  666 666 6   2.251   3.844  01 84  mill X to 2.251 at 1.0 in/min"),
-        ("cut", "machining        36.7 min"),
-        ("plot", "<svg"),
-        ("inspect", "worst trough to peak .0173 in"),
-        ("export --gcode", "\nM2\n"),
-        ("export --dxf", "\nLWPOLYLINE\n"),
-    ],
-)
-def test_a_bundled_tape_and_standard_input_are_the_same(shell: Shell, command: str, only_here: str) -> None:
-    named = product(shell, f"pdp8 nc {command} circle.eia")
-    assert only_here in named
-    assert named == product(shell, f"pdp8 nc {command}", CIRCLE)
 
 
 def test_a_day_with_other_feeds_and_times(shell: Shell) -> None:
@@ -106,6 +90,7 @@ def test_lengths_are_inches_at_the_commands(shell: Shell) -> None:
     assert shell(f"pdp8 nc inspect circle.eia {options}").stdout.decode() == trace
     holes = tape(*FOUR_HOLES)
     assert product(shell, "pdp8 nc export --dxf --cutter .25", holes) == dxf(cut(holes), cutter=250)
+    assert product(shell, "pdp8 nc export --gcode", holes).splitlines() == [*gcode(cut(holes))]
 
 
 def test_the_polynomial_against_its_band(shell: Shell) -> None:

@@ -127,16 +127,6 @@ def test_nothing_written_leaves_the_sheet(name: str) -> None:
             assert size <= y <= height - 2, text.text
 
 
-def test_the_part_is_drawn_true_size() -> None:
-    """At 1:1 a hundred units of paper are an inch; the metal is the path stroked as wide as the cutter."""
-    paths = elements(drawn("circle"), "path")
-    metal = next(path for path in paths if path.get("stroke-linejoin") == "round")
-    assert float(metal.get("stroke-width", "0")) == 50.0
-    places = np.array(re.findall(r"([\d.]+) ([\d.]+)", metal.get("d", "")), dtype=float)
-    assert np.ptp(places, axis=0) == pytest.approx([349.9, 351.0], abs=0.02)
-    assert "part, scale 1:1" in words(drawn("circle"))
-
-
 def test_the_halo_of_a_label_hides_none_of_its_letters() -> None:
     """CairoSVG makes as many dark pixels of both: it does not know paint-order."""
     svg2png = pytest.importorskip("cairosvg").svg2png

@@ -24,11 +24,8 @@ from tests.conftest import Call, Shell, assert_same_tape, case
 from tests.nc.tapes_1971 import tape
 
 PARTS = [
-    "polynomial --technique piece",
-    "polynomial --to 2 --cutter 0.5",
-    "slope",
+    "slope --technique piece",
     "curve 'sin(x)' --to 2",
-    "die --technique piece",
     "drill",
     "fluidic --program control --control 0.8",
 ]
