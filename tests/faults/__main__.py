@@ -22,7 +22,7 @@ def main(names: list[str], jobs: int) -> int:
         for fault in catalogue()
         if not names or any(name in f"{fault.room} {fault.name}" for name in names)
     ]
-    if failure := first_failure(tuple(sorted({test for fault in faults for test in fault.tests}))):
+    if failure := first_failure(sorted({test for fault in faults for test in fault.tests})):
         print(f"without a fault: {failure} fails")
     with ThreadPoolExecutor(jobs) as pool:
         caught = list(pool.map(_caught, faults))

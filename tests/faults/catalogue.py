@@ -15,7 +15,6 @@ the faults share:
 """
 
 import tomllib
-from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -30,30 +29,17 @@ class Fault(NamedTuple):
     file: str
     old: str
     new: str
-    tests: tuple[str, ...]
+    tests: list[str]
 
 
 def catalogue() -> list[Fault]:
-    """Return all faults. Raises ValueError where two have one name."""
-    faults = [fault for path in sorted(FOLDER.glob("*.toml")) for fault in _read(path)]
-    names = [(fault.room, fault.name) for fault in faults]
-    twice = {name for name in names if names.count(name) > 1}
-    if twice:
-        raise ValueError(f"two faults of one name: {sorted(twice)}")
-    return faults
-
-
-def _read(path: Path) -> Iterator[Fault]:
-    for source in tomllib.loads(path.read_text())["source"]:
-        for fault in source["fault"]:
-            yield Fault(
-                path.stem,
-                fault["name"],
-                source["file"],
-                fault["old"],
-                fault["new"],
-                tuple(fault.get("tests", source["tests"])),
-            )
+    """Return all faults."""
+    return [
+        Fault(path.stem, file=source["file"], **{"tests": source["tests"], **fault})
+        for path in sorted(FOLDER.glob("*.toml"))
+        for source in tomllib.loads(path.read_text())["source"]
+        for fault in source["fault"]
+    ]
 
 
 def applied(fault: Fault, text: str) -> str:

@@ -27,7 +27,7 @@ def copy(folder: Path) -> None:
             shutil.copy(HOUSE / name, folder / name)
 
 
-def first_failure(tests: tuple[str, ...], fault: Fault | None = None) -> str:
+def first_failure(tests: list[str], fault: Fault | None = None) -> str:
     """Return the first of the tests that fails in a copy with the fault in it; "" where all pass.
 
     Raises ValueError if the fault does not fit, or the tests do not run.
