@@ -110,9 +110,7 @@ def test_a_cutter_tighter_than_the_curve_is_refused_where_it_is_too_big() -> Non
     with pytest.raises(WorkError, match=r"too big: at x = 2\.488 "):  # 3 - .512, where it comes to 2.2
         curve.part("(x-3)**2/4", from_=1, to=5, cutter=4.4, tolerance=0.01)
     assert curve.part("x**2/4", from_=-2, to=2, cutter=4.4, side="below", tolerance=0.01, origin_x=6)
-    with pytest.raises(
-        WorkError, match=r"too big: at x = 0\.001 "
-    ):  # 1.25 sin(atan(4/3)) is 1: x2 stands still
+    with pytest.raises(WorkError, match=r"too big: at x = 0\.001 "):  # 1.25 sin(atan(4/3)) is 1: x2 rests
         offset_path(lambda x: max(0.0, x - 0.002) * 8 / 3, Range(0, 0.004, 0, 0), 0.002, 0.0025, "above")
 
 
