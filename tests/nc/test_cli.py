@@ -118,6 +118,7 @@ ROW_1 = "block 1, row 1: the block ends in row 1; a block has 20 rows; the tape 
             b"",
             "the cutter did not reach the curve: circle, centre X 15",
         ),
+        ("inspect", tape(*FOUR_HOLES), "no block of this tape mills: there is no surface to inspect"),
         ("plot .", b"", ".: Is a directory"),
         ("plot circle.eia -o nowhere/a.svg", b"", "nowhere/a.svg: No such file or directory"),
         ("list circle.eia > /dev/full", b"", "standard output: No space left on device"),
