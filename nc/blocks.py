@@ -77,7 +77,7 @@ class Row(NamedTuple):
         return BlockError(message, self.frame + row - 1, self.number, row)
 
 
-def read(frames: bytes, strict: bool = False) -> Iterator[tuple[Row, Block]]:
+def read(frames: bytes, strict: bool) -> Iterator[tuple[Row, Block]]:
     """Yield each block of the tape with its place, in order, until the tape or the first bad block.
 
     Raises BlockError at a block of wrong length or content, TapeError if no frame is punched.
