@@ -180,7 +180,7 @@ def read(frames: bytes) -> Reading:
         items, end, damage = _items(frames, at)
         if sections and _is_label(frames, at, items, end if damage else -1):
             return Reading(tuple(sections), labels=(*labels, range(at, len(frames))))
-        if damage is None and (not items or items[-1].kind != WORD):
+        if damage is None and items[-1].kind != WORD:
             damage = TapeError("the trailer where a checksum was expected", end)
         if damage is not None:
             return Reading(tuple(sections), tuple(items), damage, labels)
@@ -199,9 +199,9 @@ def find_apart(frames: bytes, reading: Reading) -> int | None:
     at = label.start
     while (start := frames.find(LEAST_LEADER, at)) != -1:
         items, at, damage = _items(frames, skip(frames, start, LEADER))
-        if damage is None and items and items[0].kind != WORD and items[-1].kind == WORD:
+        if damage is None and items[0].kind != WORD and items[-1].kind == WORD:
             section = _close(items)
-            if section.items and section.computed == section.punched:
+            if section.computed == section.punched:
                 return start
     return None
 

@@ -125,7 +125,7 @@ def put(name: str, product: str | bytes) -> None:
         return
     try:
         if isinstance(product, bytes):
-            shelf.write(name, content)
+            shelf.open_punch("-").write(content)
         elif sys.stdout.isatty():
             click.echo(visible(product), nl=False)
         else:  # in UTF-8, whatever the stream's encoding is

@@ -215,14 +215,9 @@ def told(name: str, replaced: bool) -> str:
 
 
 def write(name: str, content: bytes) -> bool:
-    """Write `content` to file `name` whole or not at all; `-` is standard output. Return whether it took the
-    place of a file. Raises ShelfError.
+    """Write `content` to file `name` whole or not at all; return whether it took the place of a file. Raises
+    ShelfError.
     """
-    if name == "-":
-        stream = open_punch("-")
-        stream.write(content)
-        stream.flush()
-        return False
     check_writable(name)
     if os.path.exists(name) and not os.path.isfile(name):  # a device such as /dev/null
         _write_through(name, content)

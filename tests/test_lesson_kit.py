@@ -50,16 +50,6 @@ def test_a_card_is_the_one_that_was_looked_at(name: str) -> None:
     assert sha256(svg.encode()).hexdigest()[:8] == DIGESTS[name], "look at it again"
 
 
-@pytest.mark.parametrize("name", list(drawn.CARDS))
-def test_everything_lies_on_the_card(name: str) -> None:
-    for text in card(name).iter(f"{SVG}text"):
-        wide = {"title": 11.5, "list": 5.5, "list head": 5.5, "small": 5.5}.get(text.get("class", ""), 6.7)
-        assert float(text.get("x", 0)) + wide * len(text.text or "") < drawn.WIDTH, text.text
-        assert float(text.get("y", 0)) < drawn.HEIGHT
-    for circle in card(name).iter(f"{SVG}circle"):
-        assert float(circle.get("cx", 0)) < drawn.WIDTH - 10
-
-
 def test_the_rim_card_has_the_words_of_the_book_as_switches() -> None:
     # PDP-8/I instruction card, the loader for the low-speed reader
     book = [

@@ -41,13 +41,6 @@ def test_a_script_runs_beside_files_with_our_packages_names(shadowed: Path) -> N
     assert b" 13321 " in done.stdout, done.stderr.decode()
 
 
-@pytest.mark.parametrize("module", ["pdp8", "pal"])
-def test_the_commands_run_as_modules(module: str, tmp_path: Path) -> None:
-    done = python(tmp_path, "-m", module, "--help")
-    assert done.returncode == 0
-    assert b"Usage: " + module.encode() in done.stdout
-
-
 def test_the_command_runs_beside_files_with_our_packages_names(shadowed: Path) -> None:
     done = python(shadowed, "-m", "pdp8", "run", "hello.pal", "--quiet")
     assert (done.returncode, b"HELLO" in bytes(frame & 0o177 for frame in done.stdout)) == (0, True), (

@@ -117,7 +117,8 @@ def test_a_stream_that_is_not_utf8_takes_any_character(monkeypatch: pytest.Monke
     monkeypatch.setattr(sys, "stdout", TextIOWrapper(kept, encoding="latin-1"))
     with pytest.raises(SystemExit, match="0"):
         command.run(click.Command("own", callback=lambda: command.echo("→")), "own", [])
-    assert kept.getvalue() == b"?\n"
+    command.put("-", "→")
+    assert kept.getvalue() == b"?\n" + "→".encode(), "a drawing is UTF-8"
 
 
 @pytest.mark.parametrize("closed", ["stdin", "stdout", "stderr"])

@@ -6,7 +6,6 @@ from hypothesis import strategies as st
 
 from tapes import eia, shelf
 from tapes.errors import TapeError, TextError
-from tests.conftest import assert_same_tape
 from tests.tapes.strips import octal, refused
 
 TABLE = """
@@ -34,11 +33,6 @@ def test_every_frame_has_its_name() -> None:
     names |= {0o000: "blank", 0o200: "EOB", 0o177: "DEL", 0o020: "space", 0o076: "TAB", 0o052: "BS"}
     names |= {0o013: "stop", 0o174: "UC", 0o172: "LC"}
     assert [eia.name(frame) for frame in range(256)] == [names.get(frame, "?") for frame in range(256)]
-
-
-def test_the_constants_of_appendix_b() -> None:
-    expected = octal("040 001 002 023 004 025 026 007 010 031 200")
-    assert_same_tape(eia.encode("0123456789\n"), expected)
 
 
 @given(st.text(st.sampled_from(sorted(eia.CODES))))

@@ -59,6 +59,7 @@ def test_eia(blocks: list[str], leader: int, ended_first: bool) -> None:
         (octal("200 200 310 102 000 073 000 001 075"), "bin"),
         (octal("200 102 000 073 000 103 000 074 002"), "rim"),
         (octal("200 301 302 303"), "ascii"),
+        *((LEADER + text, "ascii") for text in (b"ABCDE\n", b"ABCDE\r")),
         (octal("200 105 040 001 147 040 003 040 040 040 001 001 200"), "eia"),
         (b"*200\nSTART,\tCLA CLL\n\tHLT\n$\n", "ascii"),
         ("/ ÉTÉ: a comment of our day, longer than its accents\n\tHLT\n$\n".encode(), "ascii"),

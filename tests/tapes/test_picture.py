@@ -57,6 +57,7 @@ def test_captions_frame_by_frame() -> None:
 def test_captions_of_labels_before_the_leader_and_after_the_trailer() -> None:
     one = rim.encode({0o200: 0o7402})
     behind = holes("000 000 000 177 011 000")
+    assert captions.labels(FORMAT_BIN + behind, "ascii") == ()
     said = ["leader", "blank", "blank", "blank", "label", "label", "label"]
     assert captions.captions(FORMAT_BIN.rstrip(b"\0") + behind, "bin")[-7:] == said
     assert captions.captions(one + behind, "rim")[-7:] == said
