@@ -19,11 +19,11 @@ from typing import IO
 
 import pytest
 
-from tests import warm
-
 BIN = Path(sysconfig.get_path("scripts"))
 LONGEST = 300
 """Seconds after which a command that does not end fails its test."""
+_PATIENCE = 30
+"""Seconds in which one that goes on shows what a test waits for."""
 
 Word = str | Path
 Done = subprocess.CompletedProcess[bytes]
@@ -39,11 +39,6 @@ def environment(**variables: str) -> dict[str, str]:
     return {**os.environ, "PATH": path, "COLUMNS": "100", **variables}
 
 
-def warm_environment(**variables: str) -> dict[str, str]:
-    """Return the environment of a command that is run to its end: ours without the start of Python."""
-    return {**environment(), **warm.environment(BIN), **variables}
-
-
 def run(
     *words: Word, stdin: bytes = b"", folder: Path | None = None, stdout: Stream = -1, **variables: str
 ) -> Done:
@@ -54,7 +49,7 @@ def run(
         stdout=stdout,
         stderr=subprocess.PIPE,
         cwd=folder,
-        env=warm_environment(**variables),
+        env=environment(**variables),
         timeout=LONGEST,
         check=False,
     )
@@ -65,14 +60,13 @@ def start(
     folder: Path | None = None,
     stdin: Stream = subprocess.DEVNULL,
     stdout: Stream = subprocess.PIPE,
-    stderr: Stream = subprocess.PIPE,
 ) -> "subprocess.Popen[bytes]":
     """Start a command."""
     run = subprocess.Popen(
         [str(word) for word in words],
         stdin=stdin,
         stdout=stdout,
-        stderr=stderr,
+        stderr=subprocess.PIPE,
         cwd=folder,
         env=environment(),
     )
@@ -87,9 +81,9 @@ def signalled(run: "subprocess.Popen[bytes]", number: int) -> tuple[int, bytes]:
     return run.returncode, said
 
 
-def eventually(condition: Callable[[], object], seconds: float = 30) -> bool:
-    """Wait until `condition` holds; return whether it did within `seconds`."""
-    end = time.monotonic() + seconds
+def eventually(condition: Callable[[], object]) -> bool:
+    """Wait until `condition` holds; return whether it did in time."""
+    end = time.monotonic() + _PATIENCE
     while not condition():
         if time.monotonic() > end:
             return False
@@ -126,9 +120,9 @@ class Terminal:
         STARTED.append(self.process)
         os.close(terminal)
 
-    def until(self, text: bytes, seconds: float = 30) -> bytes:
+    def until(self, text: bytes) -> bytes:
         """Read until `text` appears, escape sequences left out; return all since the last time."""
-        self._read(lambda: text in _ESCAPE.sub(b"", self.seen), seconds)
+        self._read(lambda: text in _ESCAPE.sub(b"", self.seen))
         assert text in _ESCAPE.sub(b"", self.seen), self.seen
         seen, self.seen = self.seen, b""
         return seen
@@ -143,15 +137,13 @@ class Terminal:
 
         return bool(termios.tcgetattr(self.file)[:4] == self.before[:4])
 
-    def ended(self, seconds: float = 30) -> int:
+    def ended(self) -> int:
         """Read to the end; return the exit status."""
-        self._read(lambda: False, seconds)
-        if self.process.poll() is None and not eventually(lambda: self.process.poll() is not None, 5):
-            self.process.kill()
-        return self.process.wait()
+        self._read(lambda: False)
+        return self.process.wait(timeout=5)
 
-    def _read(self, enough: Callable[[], bool], seconds: float) -> None:
-        end = time.monotonic() + seconds
+    def _read(self, enough: Callable[[], bool]) -> None:
+        end = time.monotonic() + _PATIENCE
         while not enough() and time.monotonic() < end:
             if select.select([self.file], [], [], 0.1)[0]:
                 try:

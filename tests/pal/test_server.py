@@ -17,7 +17,7 @@ from pytest_lsp import make_test_lsp_client
 import pal
 from pal.document import Document, formatted
 from tapes import shelf
-from tests.commands import run, warm_environment
+from tests.commands import environment, run
 from tests.conftest import awaited, case
 
 URI = "file:///tmp/loop.pal"
@@ -26,7 +26,7 @@ URI = "file:///tmp/loop.pal"
 async def _answers(asked: list[str]) -> list[Any]:
     """Return what the server answers, as JSON has it; to a notification, what it publishes."""
     client = make_test_lsp_client()
-    await client.start_io("pal", "--lsp", env=warm_environment())
+    await client.start_io("pal", "--lsp", env=environment())
     await client.initialize_session(lsp.InitializeParams(capabilities=lsp.ClientCapabilities()))
     protocol: Any = client.protocol
     convert: Any = get_converter()
