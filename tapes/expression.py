@@ -155,11 +155,11 @@ class _Reader:
         while self._at < len(self._text) and self._text[self._at].isspace():
             self._at += 1
 
-    def _taken(self, mark: str) -> str:
-        """Return the mark and go on behind it, "" if it does not follow."""
+    def _taken(self, mark: str) -> str | None:
+        """Return the mark and go on behind it, None if it does not follow."""
         self._skip()
         if not self._plain.startswith(mark, self._at):
-            return ""
+            return None
         self._at += len(mark)
         return mark
 

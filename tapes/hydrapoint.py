@@ -253,8 +253,8 @@ def typed(text: str) -> str | None:
     left out; else each is a zero. Blank lines mean nothing. Raises TextError naming the first other line that
     is no block.
     """
-    lines = text.splitlines(True)
-    blocks = [line.rstrip("\n") for line in lines if line.strip()]
+    lines = text.split("\n")
+    blocks = [line for line in lines if line.strip()]
     if not all(block.replace(" ", "").isdecimal() for block in blocks):
         return None
     near = [block for block in blocks if abs(len(block.replace(" ", "")) - DIGITS) <= 1]
@@ -263,8 +263,8 @@ def typed(text: str) -> str | None:
     spaced = any(len(block) > DIGITS for block in near)
     at = 0
     for line in lines:
-        digits = line.rstrip("\n").replace(" ", "") if spaced else line.rstrip("\n")
+        digits = line.replace(" ", "") if spaced else line
         if line.strip() and len(digits) != DIGITS:
             raise TextError(f"a block of {len(digits)} digits; it has {DIGITS}", text, at)
-        at += len(line)
+        at += len(line) + 1
     return "".join(f"{block.replace(' ', '') if spaced else block}\n" for block in blocks)

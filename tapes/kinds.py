@@ -110,9 +110,9 @@ def _likeliest(body: bytes) -> str:
     if loader and _long_leader(body) and not _has_lines(content):
         return _loader_tape(content, trailer)
     written = content.translate(None, _NO_WORD)
-    if _share(content if loader else written, _WRITING) >= 0.9:
+    if _nearly_all(content if loader else written, _WRITING):
         return ASCII
-    if _share(written, _EIA_CODES) >= 0.9:
+    if _nearly_all(written, _EIA_CODES):
         return EIA
     return _loader_tape(content, trailer) if loader else UNKNOWN
 
@@ -129,7 +129,9 @@ def _after_label(body: bytes) -> str | None:
     if whole := _whole_loader_tape(tape):
         return whole
     likeliest = _likeliest(tape)
-    return likeliest if likeliest in (BIN, RIM) and _share(tape.strip(_NO_WORD), _WRITING) < 0.9 else None
+    if likeliest in (BIN, RIM) and not _nearly_all(tape.strip(_NO_WORD), _WRITING):
+        return likeliest
+    return None
 
 
 def _long_leader(body: bytes) -> bool:
@@ -143,7 +145,7 @@ def _loader_tape(content: bytes, trailer: bytes) -> str:
 
 def _has_lines(content: bytes) -> bool:
     codes = content.translate(PARITIES["none"])
-    return _share(content, _WRITING) >= 0.9 and (ascii.CR in codes or ascii.LF in codes)
+    return _nearly_all(content, _WRITING) and (ascii.CR in codes or ascii.LF in codes)
 
 
 def _steps_by_words(content: bytes, ended: bool) -> bool:
@@ -153,5 +155,5 @@ def _steps_by_words(content: bytes, ended: bool) -> bool:
     return bool(steps) and steps.count(4) >= 0.75 * len(steps) and steps[-1] != 6
 
 
-def _share(frames: bytes, of: bytes) -> float:
-    return 1 - len(frames.translate(None, of)) / len(frames) if frames else 1.0
+def _nearly_all(frames: bytes, of: bytes) -> bool:
+    return not frames or 1 - len(frames.translate(None, of)) / len(frames) >= 0.9

@@ -46,7 +46,7 @@ def product(call: Call, line: str, given: bytes) -> bytes:
         *((EIA, text, eia.encode(DIGITS)) for text in (DRILLING, f"\n{DRILLING}", f"{DRILLING}   \n")),
         (EIA, DIGITS + "\n", eia.encode(DIGITS)),
         (EIA, SECOND, eia.encode(DIGITS[20:])),
-        *((EIA, text, eia.encode(text)) for text in ("G1 X2\n", PRINTED, " 010000000000003588\n")),
+        *((EIA, text, eia.encode(text)) for text in ("G1 X2\n", "1" * 17, PRINTED, " 010000000000003588\n")),
     ],
 )
 def test_what_is_punched_of_what_is_typed(line: str, typed: str, tape: bytes, call: Call) -> None:
