@@ -172,20 +172,6 @@ def test_a_closed_pipe_loses_no_named_output(shell: Shell, tmp_path: Path) -> No
     assert (tmp_path / "x.bin").read_bytes() == shelf.read_bundled("eia.bin")
 
 
-def test_what_is_nested_too_deeply_is_refused(call: Call, tmp_path: Path) -> None:
-    for deep in ("[" * 20_000, '{{{"a":' + "[" * 20_000):
-        (tmp_path / "deep.state").write_text(f'{{"a": 0, "b": {deep}')
-        (tmp_path / "deep.toml").write_text(f"a = {deep}")
-        (tmp_path / "dotted.toml").write_text(f"{'.'.join('a' * 20_000)} = 1")
-        for line in (
-            "run --restore deep.state",
-            "check deep.toml --show task",
-            "check dotted.toml --show task",
-        ):
-            status, _, said = call(f"pdp8 {line}")
-            assert (status, "Traceback" in said) == (1, False), said
-
-
 @pytest.mark.parametrize(
     "line",
     ["tape info", "run", "pal", "nc cut", "check add", "dis", "run eia.pal --reader", "run eia.pal --tty"],

@@ -56,16 +56,6 @@ def test_page_and_table_share_no_stream_and_no_name(call: Call, tmp_path: Path) 
     assert not (tmp_path / "again").exists()
 
 
-@pytest.mark.parametrize(
-    "line",
-    ["run eia.pal --reader circle.asc", "part ellipse", "nc list circle.eia", "cards all", "thesis list"],
-)
-def test_a_closed_pipe_is_no_error(shell: Shell, line: str) -> None:
-    line = f"pdp8 {line} 2> said | head -c 1 > /dev/null; echo ${{PIPESTATUS[0]}}"
-    done = shell(f"{line}; grep -i pipe said")
-    assert done.stdout == b"0\n"
-
-
 def test_errors_on_one_long_line_are_excerpts_and_counted(call: Call, tmp_path: Path) -> None:
     far = ";".join(f"JMP {at * 128 % 4096:o}" for at in range(8000))
     (tmp_path / "long.pal").write_text(f"*200\n{far}\n$\n")

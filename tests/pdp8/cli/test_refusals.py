@@ -63,7 +63,6 @@ pdp8 tape show --from -1 -> '--from': -1 is not in the range x>=0.
 pdp8 tape show --to -1 -> '--to': -1 is not in the range x>=0.
 pdp8 tape show --to 1 --from 2 -> --to 1 lies before --from 2
 pdp8 tape show --code x -> '--code': 'x' is not one of 'auto', 'ascii', 'eia', 'bin', 'rim', 'none'.
-pdp8 tape convert -> Missing option '--to'. Choose from:
 pdp8 tape convert --code x -> 'x' is not one of 'auto', 'text', 'ascii', 'eia', 'bin', 'rim', 'octal'.
 pdp8 tape convert --to x -> 'x' is not one of 'text', 'ascii', 'eia', 'bin', 'rim', 'octal', 'frames'.
 pdp8 tape convert --parity x -> '--parity': 'x' is not one of 'mark', 'even', 'odd', 'none'.
@@ -73,11 +72,9 @@ pdp8 tape punch --fill -1 -> '--fill': -1 is not in the range 0<=x<=1000.
 pdp8 tape punch --fill 1001 -> '--fill': 1001 is not in the range 0<=x<=1000.
 pdp8 tape punch --leader -1 -> '--leader': -1 is not in the range 0<=x<=100000.
 pdp8 tape punch --leader 100001 -> '--leader': 100001 is not in the range 0<=x<=100000.
-pdp8 tape read -> Missing argument 'PHOTOS...'.
 pdp8 tape hang -> there is no command 'hang'
 pdp8 monitr -> there is no command 'monitr'; did you mean monitor?
 pdp8 part circel -> there is no command 'circel'; did you mean circle?
-pdp8 nc view circle.eia -> Missing option '-o'
 pdp8 nc inspect a.asc --stretch 1,2 -> --stretch needs --talysurf
 pdp8 check add x.pal --cpu nan -> not between 0.1 and 3600 seconds
 pdp8 run -> give a PROGRAM, or --restore
