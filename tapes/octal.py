@@ -21,7 +21,6 @@ def encode(text: str) -> bytes:
         for number in spelled[at:].split():
             at = spelled.index(number, at)
             frames.append(_frame(number, text, start + at))
-            at += len(number)
         start += len(line)
     return bytes(frames)
 

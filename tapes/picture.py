@@ -21,7 +21,7 @@ from collections.abc import Iterator
 from html import escape
 
 from tapes.captions import captions
-from tapes.frames import draw
+from tapes.frames import channels, draw
 
 WIDTH = 1000  # thousandths of an inch, as everything below
 PITCH = 100
@@ -123,9 +123,8 @@ def _frame(row: _Row, x: int, top: int) -> Iterator[str]:
     if number % 10 == 0:
         yield f'<text class="count" x="{x}" y="{top - 40}">{number}</text>'
     yield _hole(x, top + SPROCKET_TRACK, SPROCKET_HOLE)
-    for channel in range(1, 9):
-        if frame >> channel - 1 & 1:
-            yield _hole(x, top + track(channel), CODE_HOLE)
+    for channel in reversed(channels(frame)):
+        yield _hole(x, top + track(channel), CODE_HOLE)
     words = escape(f"{frame:03o} {caption}".rstrip())
     yield f'<text transform="translate({x - 20} {top + WIDTH + 50})rotate(90)">{words}</text>'
 

@@ -9,6 +9,7 @@ A value is proposed only if one alone differs least from what was seen, in chann
 """
 
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from itertools import combinations, pairwise
 from math import inf
 
@@ -103,15 +104,13 @@ def _sense(frames: bytes) -> float:
     if kind == kinds.ASCII:
         return frames.translate(PARITIES["none"]).count(b"\r\n")
     if kind == kinds.EIA:
-        return _in_sequence(frames)
+        with suppress(TapeError):
+            return _in_sequence(frames)
     return 0
 
 
 def _in_sequence(frames: bytes) -> float:
-    """Return how many blocks of an EIA tape have a number one more than that before."""
-    try:
-        starts = [line[:3] for line in eia.decode(frames, blank="0").split("\n")]
-    except TapeError:
-        return 0
+    """Return how many blocks of an EIA tape have a number one more than that before. Raises TapeError."""
+    starts = [line[:3] for line in eia.decode(frames, blank="0").split("\n")]
     numbers = [int(start) for start in starts if start.isdecimal()]
     return sum(after - before == 1 for before, after in pairwise(numbers))

@@ -69,11 +69,11 @@ add(__file__, *_TAPES)
 
 
 class _Watch:
-    """The files that were read, and those that were written, by what identifies them."""
+    """The files that were read, by what identifies them, and the paths of those that were written."""
 
     def __init__(self) -> None:
         self.read: set[object] = set()
-        self.written: set[object] = set()
+        self.written: set[str] = set()
 
 
 @contextmanager
@@ -229,7 +229,7 @@ def write(name: str, content: bytes) -> bool:
     except OSError as error:
         raise ShelfError(f"{name}: {error.strerror}; nothing was written") from error
     if watch := _watches[-1]:
-        watch.written.add(identity(name))
+        watch.written.add(os.path.realpath(name))
     return replaced
 
 
@@ -257,12 +257,13 @@ def check_writable(name: str) -> None:
     check_named(name)
     if os.path.isdir(name):
         raise ShelfError(f"{name}: Is a directory")
-    folder = os.path.dirname(os.path.realpath(name))
+    path = os.path.realpath(name)
+    folder = os.path.dirname(path)
     if not os.path.isdir(folder):
         raise ShelfError(f"{name}: No such file or directory")
     _check_permission(name, name if os.path.exists(name) else folder)
     watch = _watches[-1]
-    if watch and os.path.isfile(name) and identity(name) in watch.read - watch.written:
+    if watch and os.path.isfile(name) and identity(name) in watch.read and path not in watch.written:
         raise ShelfError(f"{name} was read: it is not replaced; name another")
 
 

@@ -11,7 +11,6 @@ from programs.arithmetic import ARITHMETICS
 from tapes import ascii, eia, shelf
 
 PAGE = (Path(__file__).parent.parent / "docs" / "tutorial.md").read_text()
-CYCLE = 1.6  # microseconds
 
 
 def answers(exercise: int) -> list[str]:
@@ -56,18 +55,6 @@ def microseconds_in_chk(character: str) -> float:
 
 def test_2_one_digit_through_chk() -> None:
     assert answers(2) == [f"{microseconds_in_chk(character):.1f}" for character in "39\377"]
-
-
-def cycles_in_chk(failed: int, rest: int) -> float:
-    """JMS, TAD HOLD, SZA, JMP N1; N1 without its TAD HOLD; a comparison that fails takes 6 cycles."""
-    return CYCLE * (2 + 2 + 1 + 1 + (2 + 1 + 1) + failed * 6 + rest)
-
-
-def test_2_by_counting_cycles() -> None:
-    found = 2 + 2 + 1 + 2 + 2 + 2  # TAD HOLD, TAD M, SZA CLA, TAD P, DCA HOLD, JMP I CHK
-    none = 2 + 2 + 1 + 2  # NCR: TAD HOLD, TAD MCR, SZA, JMP I CHK
-    counted = (cycles_in_chk(1, found), cycles_in_chk(7, found), cycles_in_chk(9, none))
-    assert answers(2) == [f"{microseconds:.1f}" for microseconds in counted]
 
 
 def delayed(passes: int, clear: int) -> dict[int, int]:

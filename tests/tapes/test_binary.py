@@ -8,7 +8,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from tapes import ascii, binary, kinds, rim
+from tapes import ascii, binary, captions, kinds, rim
 from tapes.errors import TapeError
 from tapes.frames import leader
 from tests.conftest import assert_same_tape
@@ -216,12 +216,13 @@ def test_one_wrong_hole_is_always_noticed() -> None:
             assert refused(binary.decode, bytes(damaged)), f"frame {frame} as {damaged[frame]:03o} was read"
 
 
-@pytest.mark.parametrize("code", [binary, rim])
-@given(frames=st.binary())
-def test_any_frames_are_read_or_refused_with_their_place(code: ModuleType, frames: bytes) -> None:
-    for attempt in (frames, LEADER + frames + LEADER):
-        error = refused(code.decode, attempt)
-        assert error is None or error.frame in range(len(attempt) + 1)
+@given(st.binary())
+def test_any_frames_have_captions_and_a_kind_and_are_read_or_refused_with_their_place(given: bytes) -> None:
+    for frames in (given, LEADER + given + LEADER):
+        assert kinds.classify(frames) in ("bin", "rim", "eia", "ascii", "blank", "unknown")
+        assert {len(captions.captions(frames, code)) for code in (*captions.CODES, "")} == {len(frames)}
+        for error in (refused(code.decode, frames) for code in (binary, rim)):
+            assert error is None or error.frame in range(len(frames) + 1)
 
 
 @pytest.mark.skipif(not SIMH, reason="SIMH's pdp8 is not installed")

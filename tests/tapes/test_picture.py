@@ -5,8 +5,6 @@ import xml.etree.ElementTree as ET
 from hashlib import sha256
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from tapes import ascii, captions, octal, picture, rim, shelf
 from tapes.errors import TextError
@@ -65,11 +63,6 @@ def test_captions_of_labels_before_the_leader_and_after_the_trailer() -> None:
     said = ["blank", "label", "label", "label", "blank", "blank", "blank"]
     assert captions.captions(before + FORMAT_BIN.lstrip(b"\0"), "bin")[:8] == [*said, "leader"]
     assert captions.captions(before + one, "rim") == said + captions.captions(one, "rim")
-
-
-@given(st.binary(), st.sampled_from(["ascii", "eia", "bin", "rim", "none"]))
-def test_whatever_is_on_the_tape_gets_one_caption_a_frame(tape: bytes, code: str) -> None:
-    assert len(captions.captions(tape, code)) == len(tape)
 
 
 def test_svg_has_every_hole_where_the_standard_puts_it() -> None:

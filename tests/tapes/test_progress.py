@@ -5,6 +5,7 @@ import signal
 import sys
 import time
 from collections.abc import Callable
+from pathlib import Path
 from unittest.mock import Mock
 
 import pytest
@@ -80,14 +81,21 @@ def test_work_without_steps_shows_one_that_moves(
     assert shown.getvalue().endswith(ERASED if ended else "")
 
 
-def test_a_run_shows_it_and_ctrl_c_takes_it_away() -> None:
-    line = "pdp8 run eia.pal --reader circle.asc --realtime > /dev/null"
-    terminal = Terminal("bash", "-c", f"exec {line}", TERM="xterm")
-    terminal.until(b"reading tape")
+@pytest.mark.parametrize(
+    ("line", "shown"),
+    [
+        ("pdp8 run eia.pal --reader circle.asc --realtime > /dev/null", b"reading tape"),
+        ("pal long.pal", b"assembling"),
+    ],
+)
+def test_a_command_shows_it_and_ctrl_c_takes_it_away(line: str, shown: bytes, tmp_path: Path) -> None:
+    (tmp_path / "long.pal").write_text("*200\n" + "1\n" * 1_000_000 + "$\n")
+    terminal = Terminal("bash", "-c", f"exec {line}", folder=tmp_path, TERM="xterm")
+    terminal.until(shown)
     time.sleep(0.2)
     terminal.process.send_signal(signal.SIGINT)
     assert terminal.ended() == 130
-    assert b"interrupted at" in terminal.seen.split(b"\x1b[2K")[-1]
+    assert b"interrupted" in terminal.seen.split(b"\x1b[2K")[-1]
 
 
 @pytest.mark.parametrize(

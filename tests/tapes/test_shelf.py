@@ -97,6 +97,17 @@ def test_a_picture_of_another_format_is_not_promised(ending: str) -> None:
     shelf.check_kind(f"x{ending}", "HTML")
 
 
+def test_what_is_read_while_it_is_watched_is_not_written_until_then() -> None:
+    with shelf.watched():
+        shelf.write("x", shelf.read("eia.pal"))
+        assert shelf.write("x", shelf.read("x"))
+        Path("y").write_bytes(shelf.read("x"))
+        shelf.read("y")
+        with pytest.raises(ShelfError, match="y was read: it is not replaced"):
+            shelf.write("y", b"")
+    assert shelf.write("y", b"")
+
+
 def test_what_cannot_be_written_leaves_what_was_there(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -117,6 +128,7 @@ def test_what_cannot_be_written_leaves_what_was_there(
     ("put", "name", "said"),
     [
         (partial(shelf.write, content=b"x"), "socket", "socket: No such device or address"),
+        (partial(shelf.leave, content=b"x", kind="tape"), "-", "-: standard output has what is said"),
         (shelf.check_writable, "/tmp", "/tmp: Is a directory"),
         (shelf.open_punch, "no/x", "No such file"),
         (shelf.open_punch, "x" * 300, "File name too long"),

@@ -66,13 +66,6 @@ def test_errors_on_one_long_line_are_excerpts_and_counted(call: Call, tmp_path: 
     assert "more\n" in said
 
 
-def test_a_long_source_shows_a_bar_at_a_terminal(tmp_path: Path) -> None:
-    (tmp_path / "long.pal").write_text("*200\n" + "1\n" * 1_000_000 + "$\n")
-    terminal = commands.Terminal("pal", "long.pal", folder=tmp_path, TERM="xterm")
-    terminal.until(b"assembling")
-    assert terminal.ended() == 0
-
-
 def test_standard_input_has_one_name(call: Call) -> None:
     assert call("pdp8 dis", shelf.read_bundled("eia.bin"))[1].startswith("*200\n")
     for line in ("pdp8 run - --max-time 1", "pal - -o x.bin"):
