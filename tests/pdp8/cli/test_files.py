@@ -2,7 +2,6 @@
 
 import json
 import os
-import shlex
 import sys
 from pathlib import Path
 from xml.etree import ElementTree
@@ -170,21 +169,6 @@ def test_a_closed_pipe_loses_no_named_output(shell: Shell, tmp_path: Path) -> No
     shell("pdp8 cards all -o c 2>&1 | true; pal eia.pal --listing - -o x.bin 2>&1 | true")
     assert len(list((tmp_path / "c").iterdir())) == 5
     assert (tmp_path / "x.bin").read_bytes() == shelf.read_bundled("eia.bin")
-
-
-@pytest.mark.parametrize(
-    "line",
-    ["tape info", "run", "pal", "nc cut", "check add", "dis", "run eia.pal --reader", "run eia.pal --tty"],
-)
-def test_a_name_that_is_no_text_is_shown(line: str, call: Call) -> None:
-    for name, shown in (
-        (os.fsdecode(b"\xff\x1b[31m.pal"), "\\udcff␛[31m.pal"),
-        ("a\0b", "NUL in the name of a file"),
-    ):
-        status, out, said = call(f"pdp8 {line} {shlex.quote(name)}")
-        assert status in (1, 2)
-        assert shown in (out if line == "check add" else said)
-        assert "\x1b" not in said
 
 
 @pytest.mark.parametrize("line", ["run", "tape info", "pal -o x", "run eia.pal --quiet --reader"])

@@ -6,7 +6,7 @@ import pytest
 
 import pal
 from pdp8.computer.past import state
-from tapes import binary, frames, rim, shelf
+from tapes import binary, rim, shelf
 from tests.conftest import Call
 
 FIRST = {0o200: 0o7001, 0o201: 0o7402}
@@ -15,17 +15,11 @@ BOTH = FIRST | SECOND
 HIGH = {0o200: 0o7402} | {address: address for address in (*range(0o7602, 0o7612), *range(0o7617, 0o7622))}
 SECTIONS = binary.encode(FIRST) + binary.encode(SECOND)
 LABEL = bytes(8) + bytes([0o265, 0o011, 0o377, 0o001, 0, 0o176, 0o101, 0o101, 0o076])
-MESSAGE = bytes([0o377, 0o310, 0o311, 0o101, 0o377])
 BAD = binary.encode(BOTH).replace(b"\x38\x01", b"\x3a\x01")
 """Its first word is 7201; the checksum is in frame 76."""
 
 TAPES = {  # what is on it, what goes into core, and what is said of it
     "labels": (LABEL + bytes(8) + SECTIONS + LABEL, BOTH, "a label of 9 frames from frame 8 on, left out"),
-    "message": (
-        frames.leader(9) + MESSAGE + binary.encode(FIRST) + MESSAGE + binary.encode(SECOND),
-        BOTH,
-        "",
-    ),
     "high": (binary.encode(HIGH), HIGH, ""),
     "apart": (
         SECTIONS + bytes.fromhex("007f09090100") + SECTIONS,

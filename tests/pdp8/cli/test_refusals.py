@@ -52,6 +52,10 @@ pdp8 run ana.pal --trace /dev/full -> : /dev/full: No space left on device
 pdp8 run hello.pal --trace . -> : .: Is a directory
 pdp8 run hello.pal --save '' -> : the name of a file is empty
 pdp8 run '' -> : the name of a file is empty
+pdp8 dis 'a\0b' -> : a␀b: NUL in the name of a file
+pdp8 run eia.pal --tty 'a\0b' -> : a␀b: NUL in the name of a file
+pdp8 run '\udcff\x1b[31m.pal' -> : \\udcff␛[31m.pal: no such file
+pdp8 run eia.pal --reader '\udcff\x1b[31m.pal' -> : \\udcff␛[31m.pal: no such file
 pdp8 run empty --boot -> : empty: the program tape is empty
 pdp8 check own.toml ana.pal --csv in.csv -> : in.csv was read: it is not replaced
 pdp8 cards rim -o line/sub -> : line/sub: Not a directory
@@ -99,6 +103,7 @@ pdp8 run a.bin --punch hard.bin -> a.bin is the source; name another file
 pdp8 run eia.pal --reader a.bin --fast-punch soft.bin -> a.bin is the source; name another file
 pdp8 pal a.bin -o soft.bin -> a.bin is the source; name another file
 pal ana.pass1 --tty . -> ana.pass1 is the source; name another file
+pdp8 check add ana.pal --json - --junit - -> two outputs go to standard output
 pdp8 check add --junit ana.pal ben.pal -> ana.pal is there, and is no XML
 pdp8 check add --json ana.pal ben.pal -> ana.pal is there, and is no JSON
 pdp8 check add --export-student ana.pal -> ana.pal is there, and is no JSON
