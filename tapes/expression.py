@@ -107,7 +107,6 @@ class _Reader:
         return lambda x: pow(base(x), exponent(x))
 
     def _atom(self) -> Function:
-        self._skip()
         start = self._at
         if self._taken("("):
             return self._closed()

@@ -43,12 +43,6 @@ def test_part_program_to_eia_tape(shell: Shell, name: str, blocks: int, frames: 
     assert_same_tape((SAMPLES / f"{name}.eia").read_bytes(), tape)
 
 
-def test_the_bundled_bin_tape_is_what_pal_makes(shell: Shell) -> None:
-    assert shell("pal eia.pal -o made.bin").returncode == 0
-    assert_same_tape((SAMPLES / "eia.bin").read_bytes(), shell("cat made.bin").stdout)
-    assert shell("pdp8 run made.bin --quiet < /dev/null").stdout == b"\0"
-
-
 @pytest.mark.parametrize(
     ("line", "given", "status", "said"),
     [

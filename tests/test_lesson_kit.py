@@ -27,14 +27,6 @@ def test_the_notebook_runs_from_top_to_bottom() -> None:
     assert names["stop"].reason == "tape out"
 
 
-def card(name: str) -> ElementTree.Element:
-    return ElementTree.fromstring(drawn.CARDS[name]())
-
-
-def texts(card: ElementTree.Element) -> list[str]:
-    return [text.text or "" for text in card.iter(f"{SVG}text")]
-
-
 DIGESTS = {
     "rim": "fa102400",
     "instructions": "adc79e48",
@@ -56,8 +48,9 @@ def test_the_rim_card_has_the_words_of_the_book_as_switches() -> None:
         *(0o6032, 0o6031, 0o5357, 0o6036, 0o7106, 0o7006, 0o7510, 0o5357, 0o7006),
         *(0o6031, 0o5367, 0o6034, 0o7420, 0o3776, 0o3376, 0o5356, 0o0000),
     ]
-    rim = card("rim")
-    rows = [found for text in texts(rim) if (found := re.match(r"(77\d\d) +(\d{4})", text))]
+    rim = ElementTree.fromstring(drawn.CARDS["rim"]())
+    texts = (text.text or "" for text in rim.iter(f"{SVG}text"))
+    rows = [found for text in texts if (found := re.match(r"(77\d\d) +(\d{4})", text))]
     assert [int(row[2], 8) for row in rows] == book
     assert (rows[0][1], rows[-1][1]) == ("7756", "7776")
     switches = [circle.get("class") == "up" for circle in rim.iter(f"{SVG}circle")]

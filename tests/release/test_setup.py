@@ -30,19 +30,14 @@ def extensions(monkeypatch: pytest.MonkeyPatch) -> Extensions:
     return extensions
 
 
-@pytest.mark.parametrize(("choice", "optional"), [("auto", True), ("", True), ("require", False)])
-def test_a_module_may_fail_to_compile_unless_all_are_required(
-    extensions: Extensions, choice: str, optional: bool
-) -> None:
-    built = extensions(choice)
+def test_a_module_may_fail_to_compile_unless_all_are_required(extensions: Extensions) -> None:
     found = (path for room in ("pal", "pdp8") for path in (HOUSE / room).rglob("*.pxd"))
     typed = {".".join(path.with_suffix("").relative_to(HOUSE).parts) for path in found}
-    assert typed == {*(each.name for each in built), "pdp8.computer.speed.piece"}  # compiled with the engine
-    assert {extension.optional for extension in built} == {optional}
-
-
-def test_nothing_is_compiled_for_the_wheel_for_every_platform(extensions: Extensions) -> None:
-    assert extensions("forbid") == []
+    for choice, optional in (("auto", True), ("", True), ("require", False)):
+        built = extensions(choice)
+        assert typed == {*(each.name for each in built), "pdp8.computer.speed.piece"}  # part of the engine
+        assert {extension.optional for extension in built} == {optional}
+    assert extensions("forbid") == [], "the wheel for every platform"
 
 
 def test_without_cython_only_a_required_build_fails(

@@ -133,10 +133,12 @@ def test_switches_and_start_beside_a_restored_state(call: Call, tmp_path: Path) 
 def test_a_restored_machine_keeps_its_tape_and_names_an_input_that_it_does_not_read(
     shell: Shell, given: str
 ) -> None:
-    assert shell("pdp8 run eia.pal --reader a.asc --max-time 0.5 --save s > first").returncode == 1
+    first = shell("pdp8 run eia.pal --reader a.asc --max-time 0.5 --save s")
+    assert first.returncode == 1
     unread = b"standard input was not read: a restored machine goes on with the tape in its reader"
-    done = shell(f"pdp8 run --restore s {given} > rest")
+    done = shell(f"pdp8 run --restore s {given}")
     assert (done.returncode, unread in done.stderr) == (0, True)
+    assert_same_tape(first.stdout + done.stdout, WHOLE[:12])
     for line in ("< /dev/null", f"--reader a.asc --reader - {given}"):
         assert unread not in shell(f"pdp8 run --restore s {line} > rest").stderr
 
