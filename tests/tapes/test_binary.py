@@ -85,10 +85,8 @@ def test_sections_follow_each_other_from_field_0_and_the_later_word_stays() -> N
 
 LABELS = {
     "a word's frames": "032 032 101",
-    "rubouts": "377 377 377",
     "one rubout": "377",
     "blank tape, then letters": "000 000 000 177 011 011 001 000 076 101 101 076 000",
-    "letters at once": "177 011 011 001 000 076 101 101 076 000",
     "seven rows high": "265 231 000 377",
     "letters and leader": "000 177 011 011 001 000 200 200 200",
 }

@@ -172,13 +172,14 @@ def test_a_closed_pipe_loses_no_named_output(shell: Shell, tmp_path: Path) -> No
 
 
 @pytest.mark.parametrize("line", ["run", "tape info", "pal -o x", "run eia.pal --quiet --reader"])
-def test_a_tape_without_end_is_refused(line: str, call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(shelf, "LARGEST", 200_000)
-    monkeypatch.setattr(shelf.read, "__defaults__", (200_000,))
+def test_a_tape_without_end_is_refused(line: str, call: Call) -> None:
     status, _, said = call(f"pdp8 {line} /dev/zero")
-    assert (status, "/dev/zero: longer than 200,000 " in said) == (1, True)
-    assert call("pdp8 tape info", bytes(200_000))[0] == 0
-    assert "standard input: longer than 200,000 " in call("pdp8 tape info", bytes(200_001))[2]
+    assert (status, "/dev/zero: longer than 2,097,152 " in said) == (1, True)
+
+
+def test_the_longest_tape_is_taken(call: Call) -> None:
+    assert call("pdp8 tape info", bytes(2_097_152))[0] == 0
+    assert "standard input: longer than 2,097,152 " in call("pdp8 tape info", bytes(2_097_153))[2]
 
 
 def test_escapes_are_shown_and_valid_in_records(call: Call, tmp_path: Path) -> None:

@@ -58,23 +58,16 @@ pdp8 run '\udcff\x1b[31m.pal' -> : \\udcff␛[31m.pal: no such file
 pdp8 run eia.pal --reader '\udcff\x1b[31m.pal' -> : \\udcff␛[31m.pal: no such file
 pdp8 run empty --boot -> : empty: the program tape is empty
 pdp8 check own.toml ana.pal --csv in.csv -> : in.csv was read: it is not replaced
+pdp8 replay drill --out line -> : line: File exists
 pdp8 cards rim -o line/sub -> : line/sub: Not a directory
 pdp8 check add ana.html --pages . -> : ./ana.html was read: it is not replaced
 """
 
 MISUSE = """\
-pdp8 tape show --from -1 -> '--from': -1 is not in the range x>=0.
 pdp8 tape show --to -1 -> '--to': -1 is not in the range x>=0.
 pdp8 tape show --to 1 --from 2 -> --to 1 lies before --from 2
 pdp8 tape show --code x -> '--code': 'x' is not one of 'auto', 'ascii', 'eia', 'bin', 'rim', 'none'.
-pdp8 tape convert --code x -> 'x' is not one of 'auto', 'text', 'ascii', 'eia', 'bin', 'rim', 'octal'.
-pdp8 tape convert --to x -> 'x' is not one of 'text', 'ascii', 'eia', 'bin', 'rim', 'octal', 'frames'.
-pdp8 tape convert --parity x -> '--parity': 'x' is not one of 'mark', 'even', 'odd', 'none'.
-pdp8 tape convert --fill 1001 -> '--fill': 1001 is not in the range 0<=x<=1000.
-pdp8 tape punch --code text -> '--code': 'text' is not one of 'ascii', 'eia'.
-pdp8 tape punch --fill -1 -> '--fill': -1 is not in the range 0<=x<=1000.
 pdp8 tape punch --fill 1001 -> '--fill': 1001 is not in the range 0<=x<=1000.
-pdp8 tape punch --leader -1 -> '--leader': -1 is not in the range 0<=x<=100000.
 pdp8 tape punch --leader 100001 -> '--leader': 100001 is not in the range 0<=x<=100000.
 pdp8 tape hang -> there is no command 'hang'
 pdp8 monitr -> there is no command 'monitr'; did you mean monitor?
