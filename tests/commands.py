@@ -20,10 +20,8 @@ from typing import IO
 import pytest
 
 BIN = Path(sysconfig.get_path("scripts"))
-LONGEST = 300
-"""Seconds after which a command that does not end fails its test."""
-_PATIENCE = 30
-"""Seconds in which one that goes on shows what a test waits for."""
+LONGEST, PATIENCE = 300, 30
+"""Seconds in which a command ends, and in which one that goes on shows what a test waits for."""
 
 Word = str | Path
 Done = subprocess.CompletedProcess[bytes]
@@ -83,7 +81,7 @@ def signalled(run: "subprocess.Popen[bytes]", number: int) -> tuple[int, bytes]:
 
 def eventually(condition: Callable[[], object]) -> bool:
     """Wait until `condition` holds; return whether it did in time."""
-    end = time.monotonic() + _PATIENCE
+    end = time.monotonic() + PATIENCE
     while not condition():
         if time.monotonic() > end:
             return False
@@ -143,7 +141,7 @@ class Terminal:
         return self.process.wait(timeout=5)
 
     def _read(self, enough: Callable[[], bool]) -> None:
-        end = time.monotonic() + _PATIENCE
+        end = time.monotonic() + PATIENCE
         while not enough() and time.monotonic() < end:
             if select.select([self.file], [], [], 0.1)[0]:
                 try:

@@ -30,7 +30,6 @@ if sys.platform == "win32":  # signals, terminals, devices, links and modes are 
         "fuzz",
         "pdp8/cli/test_files.py",
         "pdp8/cli/test_line.py",
-        "pdp8/cli/test_manners.py",
         "pdp8/cli/test_refusals.py",
         "pdp8/cli/test_run.py",
         "pdp8/replay/test_command.py",

@@ -55,13 +55,3 @@ def test_part_program_to_eia_tape(shell: Shell, name: str, blocks: int, frames: 
 def test_how_a_run_ends_is_said(line: str, given: str, status: int, said: str, shell: Shell) -> None:
     done = shell(f"pdp8 run {line}", given.encode())
     assert (done.returncode, said in done.stderr.decode()) == (status, True), done.stderr
-
-
-@pytest.mark.parametrize(
-    ("given", "name"), [("--punch /dev/full", "/dev/full"), ("> /dev/full", "standard output")]
-)
-def test_a_full_disk_is_named(shell: Shell, given: str, name: str) -> None:
-    done = shell(f"pdp8 run eia.pal --reader circle.asc {given}")
-    assert done.returncode == 1
-    assert f"pdp8 run: {name}: No space left on device after 0 frames\n" in done.stderr.decode()
-    assert b"Traceback" not in done.stderr

@@ -12,10 +12,7 @@ ROOMS = {
             "tests/tapes/test_*.py",
             "tests/tapes/photograph/test_c*.py",
             # what all commands do alike, which tapes/ holds
-            *(
-                f"tests/pdp8/cli/test_{name}.py"
-                for name in ("files", "loading", "manners", "refusals", "root")
-            ),
+            *(f"tests/pdp8/cli/test_{name}.py" for name in ("files", "loading", "refusals", "root")),
             "tests/programs/test_functions.py",
             "tests/test_notebook.py",
         ],

@@ -108,18 +108,6 @@ def test_a_report(tape: bytes) -> None:
     assert [row for row in report if row in told or not (row in report[1:4] or row[0] == " ")] == told
 
 
-def test_what_is_left_out_is_said() -> None:
-    assert measure.left_out(FORMAT_BIN, "bin") == ()
-    assert measure.left_out(FORMAT_BIN + SEVEN, "bin") == ("a label of 5 frames from frame 185 on, left out",)
-    assert measure.left_out(LABELLED, "rim") == (
-        "a label of 5 frames from frame 2 on, left out",
-        "a label of 8 frames from frame 143 on, left out",
-    )
-    assert measure.left_out(APART, "bin")[1:] == (
-        "after the label, from frame 193 on, a good section: a tape of its own, left out",
-    )
-
-
 @pytest.mark.parametrize(
     ("write", "number", "written"),
     [

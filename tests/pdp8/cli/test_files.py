@@ -2,6 +2,7 @@
 
 import json
 import os
+import signal
 import sys
 from pathlib import Path
 from xml.etree import ElementTree
@@ -14,7 +15,7 @@ from pdp8.cli.root import pdp8
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.lessons import form
-from tapes import shelf
+from tapes import binary, shelf
 from tapes.utf16 import is_utf16
 from tests import commands
 from tests.conftest import Call, Shell
@@ -252,3 +253,42 @@ def test_ctrl_c_while_a_module_is_imported_is_quiet(module: str, tmp_path: Path)
     )
     done = commands.run(sys.executable, "-c", script, folder=tmp_path)
     assert (done.returncode, done.stdout, done.stderr) == (130, b"", b"")
+
+
+@pytest.mark.parametrize("option", ["--trace", "--save", "--fast-punch"])
+def test_outputs_are_proven_before_anything_is_emptied(call: Call, tmp_path: Path, option: str) -> None:
+    (tmp_path / "out.tape").write_bytes(b"kept")
+    done = call(f"pdp8 run hello.pal --punch out.tape {option} /nowhere/x")
+    assert done == (1, "", "pdp8 run: /nowhere/x: No such file or directory\n")
+    assert (tmp_path / "out.tape").read_bytes() == b"kept"
+
+
+def test_a_file_keeps_its_mode_and_a_link_its_place(call: Call, tmp_path: Path) -> None:
+    (tmp_path / "real.bin").write_bytes(b"")
+    (tmp_path / "real.bin").chmod(0o640)
+    (tmp_path / "link.bin").symlink_to("real.bin")
+    assert call("pal hello.pal -o link.bin")[0] == 0
+    assert (tmp_path / "link.bin").is_symlink()
+    assert binary.decode((tmp_path / "real.bin").read_bytes()).words
+    assert (tmp_path / "real.bin").stat().st_mode & 0o777 == 0o640
+
+
+@pytest.mark.parametrize(
+    ("number", "left"), [(signal.SIGINT, {"x.trace"}), (signal.SIGTERM, set()), (signal.SIGHUP, set())]
+)
+def test_a_signal_leaves_no_file_half_written(number: int, left: set[str], tmp_path: Path) -> None:
+    (tmp_path / "busy.pal").write_text("*200\nL,\tISZ 10\n\tJMP L\n\tJMP L\n$\n")
+    run = commands.start("pdp8", "run", "busy.pal", "--trace", "x.trace", folder=tmp_path)
+    assert commands.eventually(lambda: list(tmp_path.glob("*.part")))
+    assert commands.signalled(run, number)[0] == 128 + number
+    assert {path.name for path in tmp_path.iterdir()} == {"busy.pal", *left}
+
+
+def test_page_and_table_share_no_stream_and_no_name(call: Call, tmp_path: Path) -> None:
+    _, shown, said = call("pdp8 replay drill --html - --out desk")
+    assert shown.startswith("<!DOCTYPE html>")
+    assert "thesis beside replay" not in shown
+    assert "thesis beside replay" in said
+    status, _, said = call("pdp8 replay drill --html again/drill.eia --out again")
+    assert (status, "is the name of another file of the replay" in said) == (2, True)
+    assert not (tmp_path / "again").exists()

@@ -20,6 +20,7 @@ BAD = binary.encode(BOTH).replace(b"\x38\x01", b"\x3a\x01")
 
 TAPES = {  # what is on it, what goes into core, and what is said of it
     "labels": (LABEL + bytes(8) + SECTIONS + LABEL, BOTH, "a label of 9 frames from frame 8 on, left out"),
+    "rim": (rim.encode(FIRST) + LABEL, FIRST, "a label of 9 frames from frame 144 on, left out"),
     "high": (binary.encode(HIGH), HIGH, ""),
     "apart": (
         SECTIONS + bytes.fromhex("007f09090100") + SECTIONS,

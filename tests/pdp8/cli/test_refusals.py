@@ -4,20 +4,16 @@ A line of the tables: the command, ` -> `, and what it says of it. Status 2, mis
 """
 
 import os
+import re
 from pathlib import Path
 from socket import AF_UNIX, socket
 
-import click
 import pytest
 
-from pdp8.cli.root import pdp8
-from release.reference import commands as walk
 from tapes import shelf
 from tests.conftest import Call
+from tests.pdp8.cli.test_root import EVERY
 from tests.tapes.strips import FORMAT_BIN
-
-EVERY = {each.command_path: each.command for each in walk(click.Context(pdp8, info_name="pdp8"))}
-"""Each command by its name, `pdp8 tape show`."""
 
 FILES = {
     **dict.fromkeys(("ana.pal", "ben.pal", "ana.pass1", "ana.html"), b"*200\n\tHLT\n$\n"),
@@ -48,6 +44,7 @@ pdp8 run eia.pal --reader nowhere.asc -> : nowhere.asc: no such file
 pdp8 run hello.pal --tty /dev/null -> : /dev/null: not a line
 pdp8 run --restore nothing -> : nothing: no such file
 pdp8 run --restore empty -> : empty: a saved state begins with
+pdp8 run hello.pal --quiet --punch /dev/full -> : /dev/full: No space left on device after 0 frames
 pdp8 run ana.pal --trace /dev/full -> : /dev/full: No space left on device
 pdp8 run hello.pal --trace . -> : .: Is a directory
 pdp8 run hello.pal --save '' -> : the name of a file is empty
@@ -91,6 +88,7 @@ pdp8 run a.bin --reader a.asc --punch a.asc -> a.asc is the source; name another
 pdp8 run a.bin --punch x --trace x -> two outputs go to x
 pdp8 run a.bin --trace - -> two outputs go to standard output
 pdp8 run - --reader - -> standard input can be read only once
+pdp8 tape clean circle.eia -o circle.eia -> circle.eia is the source; name another file
 pdp8 tape convert a.bin --to rim -o ./a.bin -> a.bin is the source; name another file
 pdp8 run a.bin --punch hard.bin -> a.bin is the source; name another file
 pdp8 run eia.pal --reader a.bin --fast-punch soft.bin -> a.bin is the source; name another file
@@ -152,3 +150,20 @@ def test_misuse_is_told_with_where_help_is(row: str, call: Call, tmp_path: Path)
 def test_what_is_required_is_asked_for(path: str, call: Call) -> None:
     status, _, said = call(path)
     assert (status, ": Missing " in said) == (2, True)
+
+
+def test_errors_on_one_long_line_are_excerpts_and_counted(call: Call, tmp_path: Path) -> None:
+    far = ";".join(f"JMP {at * 128 % 4096:o}" for at in range(8000))
+    (tmp_path / "long.pal").write_text(f"*200\n{far}\n$\n")
+    status, _, said = call("pal long.pal")
+    assert status == 1
+    assert len(said) < 60_000
+    assert max(map(len, said.splitlines())) < 200
+    assert "more\n" in said
+
+
+def test_standard_input_has_one_name(call: Call) -> None:
+    assert call("pdp8 dis", shelf.read_bundled("eia.bin"))[1].startswith("*200\n")
+    for line in ("pdp8 run - --max-time 1", "pal - -o x.bin"):
+        _, _, said = call(line, b"*200\n\tQQ\n$\n")
+        assert re.search("^standard input:2:2: ", said, re.M), line

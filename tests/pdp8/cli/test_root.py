@@ -51,6 +51,8 @@ def test_lists_of_commands_have_whole_lines(group: str, call: Call) -> None:
 
 
 PARENT = click.Context(root.pdp8, info_name="pdp8")
+EVERY = {context.command_path: context.command for context in commands(PARENT)}
+"""Each command by its name, `pdp8 tape show`."""
 
 
 def examples(context: click.Context) -> list[str]:
@@ -91,3 +93,36 @@ def test_an_example_is_taken_as_it_stands() -> None:
 
 def test_every_command_has_examples() -> None:
     assert {context.command_path for context in commands(PARENT)} - {path for path, _ in PASTED} == {"pdp8"}
+
+
+def test_a_shell_is_told_how_to_complete(shell: Shell) -> None:
+    assert b"_PDP8_COMPLETE" in shell("_PDP8_COMPLETE=zsh_source pdp8").stdout
+
+
+OPTIONS = [
+    (path, option)
+    for path, command in EVERY.items()
+    for option in command.params
+    if isinstance(option, click.Option) and not option.is_flag
+]
+"""Each option that takes a value, with its command."""
+
+
+def test_no_clobber_stands_before_help_where_something_is_written() -> None:
+    for path, each in EVERY.items():
+        names = [param.name for param in each.get_params(click.Context(each))]
+        assert ("no_clobber" in names[-2:-1]) >= ("output" in names), path
+        assert "no_clobber" not in names[:-2], path
+
+
+def test_every_option_tells_what_it_takes_in_its_metavar() -> None:
+    for path, option in OPTIONS:
+        metavar = option.make_metavar(PARENT)
+        assert not metavar.startswith(("INTEGER", "FLOAT", "TEXT")), f"{path} {option.opts}: {metavar}"
+
+
+def test_an_option_means_the_same_in_every_command() -> None:
+    metavars = {"--feed-code": {"CODE"}, "--feed-error": {"PERCENT"}, "--from": {"FRAME", "INCHES"}}
+    for name, expected in {**metavars, "--cutter": {"INCHES"}}.items():
+        assert {option.metavar for _, option in OPTIONS if name in option.opts} == expected
+    assert all(option.opts == ["-o", "--out"] for _, option in OPTIONS if "-o" in option.opts)

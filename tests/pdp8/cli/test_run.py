@@ -38,7 +38,7 @@ def test_the_pc8_reads_and_punches_files(shell: Shell, tmp_path: Path) -> None:
     assert ran.returncode == 0
 
 
-def test_the_live_teletype_and_the_way_to_the_monitor() -> None:
+def test_the_live_teletype_and_the_way_to_the_monitor_where_ctrl_c_is_stop() -> None:
     terminal = Terminal("pdp8", "run", "echo.pal", "--keyboard")
     terminal.until(b"Ctrl-]")
     terminal.type(b"pal iii")
@@ -48,6 +48,10 @@ def test_the_live_teletype_and_the_way_to_the_monitor() -> None:
     terminal.until(b"quit leaves")
     terminal.type(b"examine COUNT\r")
     terminal.until(b"COUNT")
+    terminal.type(b"go 200\r")
+    time.sleep(1)
+    terminal.type(b"\x03")
+    terminal.until(b"stop key;")
     terminal.type(b"quit\r")
     assert terminal.ended() == 0
 
@@ -82,16 +86,3 @@ def test_ctrl_c_keeps_what_was_punched_and_says_where(tmp_path: Path) -> None:
     assert status == 130
     assert re.fullmatch(rb"pdp8 run: interrupted at 02.*\n", said)
     assert (tmp_path / "line.eia").read_bytes()[:4] == bytes([0, 0o040, 0o040, 0o007])
-
-
-def test_ctrl_c_stops_a_run_of_the_monitor() -> None:
-    terminal = Terminal("pdp8", "monitor")
-    terminal.until(b"quit leaves")
-    terminal.type(b"load echo.pal\r")
-    terminal.until(b"66 words")
-    terminal.type(b"go 200\r")
-    time.sleep(1)
-    terminal.type(b"\x03")
-    terminal.until(b"stop key;")
-    terminal.type(b"quit\r")
-    assert terminal.ended() == 0
