@@ -18,12 +18,9 @@ def test_characters(source: str, target: str) -> None:
     assert_same_tape(convert(PUNCHED[source], source, target), PUNCHED[target])
 
 
-def test_words() -> None:
+def test_words_and_octal_which_gives_back_the_very_frames() -> None:
     assert_same_tape(convert(FORMAT_BIN, "bin", "rim"), rim.encode(FORMAT_WORDS))
     assert_same_tape(convert(rim.encode(FORMAT_WORDS), "rim", "bin"), binary.encode(FORMAT_WORDS))
-
-
-def test_octal_gives_back_the_very_frames() -> None:
     assert_same_tape(convert(convert(FORMAT_BIN, "bin", "octal"), "octal", "frames"), FORMAT_BIN)
     assert_same_tape(convert(b"200 102 000 073 000 001 075 200", "octal", "rim"), rim.encode({0o200: 0o7300}))
 

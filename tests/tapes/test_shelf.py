@@ -29,17 +29,13 @@ def test_what_is_here_comes_before_what_is_bundled_and_hides_it() -> None:
         assert shelf.read("eia.pal") == content
         assert shelf.hides("eia.pal") == (content != bundled)
     assert shelf.read_bundled("eia.pal") == bundled
+    assert all(shelf.read(name) for name in shelf.bundled())
 
 
 @pytest.mark.parametrize("name", ["./eia.pal", "sub/eia.pal", "cli.py", "../programs/eia.pal"])
 def test_a_bundled_name_is_a_name_only(name: str) -> None:
     with pytest.raises(ShelfError, match="no such file, here or among the bundled ones"):
         shelf.find(name)
-
-
-def test_everything_bundled_is_found() -> None:
-    assert "eia.pal" in shelf.bundled()
-    assert all(shelf.read(name) for name in shelf.bundled())
 
 
 def test_a_package_lays_its_own_files_on_the_shelf(tmp_path: Path) -> None:

@@ -66,9 +66,7 @@ def test_the_monitor_reads_and_writes_again_what_it_wrote(call: Call, tmp_path: 
         "pdp8 run hello.pal --trace x.trace",
         "pdp8 run hello.pal --count-json x.json",
         "pdp8 check add add.pal --json x.json",
-        "pdp8 part drill -o x.asc",
         "pdp8 nc export circle.eia --gcode -o x.ngc",
-        "pdp8 dis eia.bin -o x.pal",
     ],
 )
 def test_what_is_written_and_what_is_replaced_is_said(line: str, call: Call, tmp_path: Path) -> None:

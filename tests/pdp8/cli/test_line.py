@@ -11,6 +11,7 @@ import termios
 import time
 import tty
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -26,47 +27,47 @@ def test_the_time_limit_of_a_program_that_waits_for_a_key() -> None:
     assert terminal.ended() == 1
 
 
-class Line:
-    """echo.pal with its Teletype on a line; `end` is the other end of it."""
+def on_line() -> tuple["subprocess.Popen[bytes]", int, int, list[Any]]:
+    """Run echo.pal with its Teletype on a line; return the run, both ends of the line, its modes before."""
+    end, line = pty.openpty()
+    tty.setraw(line)
+    before = termios.tcgetattr(line)
+    run = commands.start("pdp8", "run", "echo.pal", "--tty", os.ttyname(line))
+    assert commands.eventually(lambda: termios.tcgetattr(line)[:6] != before[:6])
+    return run, end, line, before
 
-    def __init__(self) -> None:
-        self.end, self.line = pty.openpty()
-        tty.setraw(self.line)
-        self.before = termios.tcgetattr(self.line)
-        self.run = commands.start("pdp8", "run", "echo.pal", "--tty", os.ttyname(self.line))
-        assert commands.eventually(lambda: termios.tcgetattr(self.line)[:6] != self.before[:6])
 
-    def read(self, count: int) -> bytes:
-        frames = b""
-        while len(frames) < count and select.select([self.end], [], [], 20)[0]:
-            frames += os.read(self.end, 100)
-        return frames
+def read(end: int, count: int) -> bytes:
+    frames = b""
+    while len(frames) < count and select.select([end], [], [], 20)[0]:
+        frames += os.read(end, 100)
+    return frames
 
 
 def test_a_line_without_its_other_end_is_named_once() -> None:
-    line = Line()
-    os.close(line.line)
-    os.close(line.end)
+    run, end, line, _ = on_line()
+    os.close(line)
+    os.close(end)
     time.sleep(0.5)
-    _, said = commands.signalled(line.run, signal.SIGINT)
+    _, said = commands.signalled(run, signal.SIGINT)
     assert said.count(b"nobody is at the other end; the machine goes on, Ctrl-C stops it") == 1
     assert re.search(rb"interrupted at .* [0-9]\.. s in 1971", said), "the machine lost its pace"
 
 
 def test_the_teletype_is_a_line() -> None:
     """echo.pal prints what comes over the line, seven or eight bits as they are, at ten frames a second."""
-    line = Line()
-    os.write(line.end, b"\xd0")
-    assert line.read(1) == b"\xd0"
+    run, end, line, before = on_line()
+    os.write(end, b"\xd0")
+    assert read(end, 1) == b"\xd0"
     began = time.monotonic()
-    os.write(line.end, b"\xc1\xcc\x01\xc1\xd0")
-    assert line.read(5) == b"\xc1\xcc\x01\xc1\xd0"
+    os.write(end, b"\xc1\xcc\x01\xc1\xd0")
+    assert read(end, 5) == b"\xc1\xcc\x01\xc1\xd0"
     assert time.monotonic() - began > 0.25, (
         "half of their time: what a busy host delays, the machine catches up"
     )
-    status, said = commands.signalled(line.run, signal.SIGINT)
+    status, said = commands.signalled(run, signal.SIGINT)
     assert (status, b"interrupted at" in said) == (130, True)
-    assert termios.tcgetattr(line.line)[:4] == line.before[:4]
+    assert termios.tcgetattr(line)[:4] == before[:4]
 
 
 def test_a_pipe_that_stays_open_is_read_as_it_comes() -> None:

@@ -12,7 +12,6 @@ from tests.conftest import Call
 FIRST = {0o200: 0o7001, 0o201: 0o7402}
 SECOND = {0o300: 0o1234, 0o301: 0o4321}
 BOTH = FIRST | SECOND
-HIGH = {0o200: 0o7402} | {address: address for address in (*range(0o7602, 0o7612), *range(0o7617, 0o7622))}
 SECTIONS = binary.encode(FIRST) + binary.encode(SECOND)
 LABEL = bytes(8) + bytes([0o265, 0o011, 0o377, 0o001, 0, 0o176, 0o101, 0o101, 0o076])
 BAD = binary.encode(BOTH).replace(b"\x38\x01", b"\x3a\x01")
@@ -21,7 +20,6 @@ BAD = binary.encode(BOTH).replace(b"\x38\x01", b"\x3a\x01")
 TAPES = {  # what is on it, what goes into core, and what is said of it
     "labels": (LABEL + bytes(8) + SECTIONS + LABEL, BOTH, "a label of 9 frames from frame 8 on, left out"),
     "rim": (rim.encode(FIRST) + LABEL, FIRST, "a label of 9 frames from frame 144 on, left out"),
-    "high": (binary.encode(HIGH), HIGH, ""),
     "apart": (
         SECTIONS + bytes.fromhex("007f09090100") + SECTIONS,
         BOTH,

@@ -106,8 +106,6 @@ pdp8 run ben.pal --punch ana.pal -> ana.pal is there, and is no tape
 pdp8 run ben.pal --trace ana.pal -> ana.pal is there, and is no text
 pdp8 nc plot circle.eia -o ana.pal -> ana.pal is there, and is no SVG
 pdp8 tape show --svg ana.pal circle.eia -> ana.pal is there, and is no SVG
-pdp8 part circle -o ana.pal -> ana.pal is there, and is no tape
-pdp8 tape clean circle.eia -o ana.pal -> ana.pal is there, and is no tape
 """
 
 

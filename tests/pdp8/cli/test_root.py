@@ -83,16 +83,13 @@ def left_over(words: list[str]) -> list[str]:
 PASTED = sorted({(context.command_path, line) for context in commands(PARENT) for line in examples(context)})
 
 
-def test_an_example_is_taken_as_it_stands() -> None:
+def test_every_command_has_examples_and_one_is_taken_as_it_stands() -> None:
+    assert EVERY.keys() - {path for path, _ in PASTED} == {"pdp8"}
     for command, example in PASTED:
         with case(command, example):
             assert "  " not in example.partition(" # ")[0].rstrip(), "a remark stands behind #"
             for words in calls(example):
                 assert left_over(words) == []
-
-
-def test_every_command_has_examples() -> None:
-    assert {context.command_path for context in commands(PARENT)} - {path for path, _ in PASTED} == {"pdp8"}
 
 
 def test_a_shell_is_told_how_to_complete(shell: Shell) -> None:
