@@ -48,9 +48,7 @@ def test_eia(blocks: list[str], leader: int, ended_first: bool) -> None:
     ("tape", "kind"),
     [
         (b"", "blank"),
-        (bytes(100), "blank"),
         (LEADER, "bin"),
-        (binary.encode({}), "bin"),
         (b"\7", "ascii"),  # BELL, and EIA's 7
         (b"\16", "eia"),  # SO, and EIA's &
         (b"2478", "ascii"),  # EIA's S, U, X and Y
