@@ -93,7 +93,7 @@ def test_a_file_that_ours_hides_is_named_once(shadowed: Path) -> None:
     script = "import pdp8; pdp8.part; import programs; import tapes; print(programs.__file__)"
     printed, said = python(shadowed, "-c", script)
     ours = HOUSE / "programs" / "__init__.py"
-    assert (printed, said.count("UserWarning")) == (f"{ours}\n", 1), said
+    assert (printed.strip(), said.count("UserWarning")) == (str(ours), 1), said
     assert f"{shadowed / 'programs.py'} is hidden: 'programs' is {ours}" in said
 
 
