@@ -313,7 +313,6 @@ def open_punch(name: str) -> BinaryIO:
                 "a tape is binary and standard output is a terminal: send it to a file or a pipe"
             )
         return sys.stdout.buffer
-    check_writable(name)
     try:
         return open(name, "wb")
     except OSError as error:
