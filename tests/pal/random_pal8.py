@@ -1,130 +1,94 @@
-"""Random sources in PAL8: what palbart takes, and now and then what it does not.
+"""Random sources in PAL8 by a grammar: what palbart takes, and now and then what it does not.
 
 python -m tests.pal.random_pal8 5000     compares so many with palbart; prints the first that differ
 """
 
 import random
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable
 from pathlib import Path
 
 import pal
 
 PALBART = shutil.which("palbart")
-REFERENCES = ["AND", "TAD", "ISZ", "DCA", "JMS", "JMP"]
-OPERATES = ["CLA", "CLL CMA", "RAL", "SZA CLA", "HLT", "IAC;RTL", "KSF", "TLS", "CDF 10", "NOP", "SPA SNA"]
-CHARACTERS = "ABCXYZ0189 .;$,+-*=()[]<&!?@#"
-INSIDE = ["5", "\n\tTAD (7\n", "CLA;HLT", "IFDEF K1 <6>", "\n\tIFNDEF K2 <\n8>\n1\n", ""]
+
+PAL8 = {
+    "source": "FIXMRI OWN=4000\n{names}{section*3-8}DECIMAL;OCTAL\n{rest}{end}",
+    "names": "K0={1-277}\nK1={1-277}\nK2={1-277}\nLONGERNAME={1-277}\nX1={1-277}\nN1=5\n",
+    "end": "$\n|$\n|$JUNK (\n|\n",
+    "section": "{begin}\n{line*1-11}",
+    "begin": "{origin}|{origin}|{origin}|{origin}|{page}|FIELD {0-3}|RELOC {moved}|NOPUNCH|ENPUNCH",
+    "origin": "*{1-7}{half}{0-5}{0-7}",
+    "half": "0|2|4|6",
+    "page": "PAGE|PAGE|PAGE {0-6}|PAGE -1",
+    "moved": "|400|1000|.+200",
+    "line": "{label}\t{statement}{more}{comment}\n",
+    "label": "||||{new},|{new}, |{new},\t",
+    "more": "||||;{statement}",
+    "comment": "||| |\t/A <;$> COMMENT",
+    "statement": "{usual}|{usual}|{usual}|{usual}|{condition}|{text}|{assign}|{pseudo}",
+    "usual": "{reference}|{reference}|{operate}|{expression}",
+    "reference": "{mri} {address}|{mri} {address}|{mri} Z {address}|{mri} I {0-177}",
+    "mri": "AND|TAD|ISZ|DCA|JMS|JMP|OWN",
+    "operate": "CLA|CLL CMA|RAL|SZA CLA|HLT|IAC;RTL|KSF|TLS|CDF 10|NOP|SPA SNA",
+    "address": "{literal}|{literal}|{named}|{named}|.{offset}|{expression}",
+    "named": "{tag}{offset}|{name}{offset}",
+    "name": "K0|K1|K2|LONGERNAME|X1|N1",
+    "offset": "|+1|+2|-1|+K1",
+    "literal": "({inside}|({inside}|({inside})|[{inside}|[{inside}]",
+    "inside": "{expression}|{mri} {item}|{mri} I {0-177}|{mri} I {item}|CLA CLL|CMA|JMP I 20|SZA",
+    "item": "{0-11}|{0-7777}|{0-7777}|{name}|{tag}|.|{quoted}",
+    "quoted": "".join(f'|"{character}' for character in "ABCXYZ0189 .;$,+-*=()[]<&!?@#")[1:],
+    "expression": "{sign}{item}{rest of it*0-3}{tail}",
+    "rest of it": "{operator}{item}",
+    "operator": "+|-|!|&|^",
+    "sign": "|||-",
+    "tail": "||||||||| {item}|%{1-7}",
+    "condition": "{when} <{conditional}>{after}",
+    "when": "IFDEF {known}|IFNDEF {known}|IFZERO {name}-{0-2}|IFNZRO {name}&1",
+    "known": "{name}|{tag}|NONAME",
+    "conditional": "|5|\n\tTAD (7\n|CLA;HLT|IFDEF K1 <6>|\n\tIFNDEF K2 <\n8>\n1\n",
+    "after": "|;HLT|\n",
+    "text": 'TEXT /{letters}/|TEXT "{letters}"|TEXT %AB%|ASCII /{letters}/|ZBLOCK 3|DEVICE SYS|{file}|{long}',
+    "letters": "|A\t|Z.1|0 9$|ABC;,+|-*=()[]|<&!?@#",
+    "file": "FILENAME PIP.SV|FILENAME LONGERNAME|FILENAME A.SAVE",
+    "long": "DUBL;{0-7777777};-{0-7777777}|FLTG;{1-7777}.{0-777};-7;NOP|FLTG;0.0{1-777};5",
+    "assign": "{name}={expression}",
+    "pseudo": "DECIMAL;{decimal};OCTAL|XLIST|PAUSE|FIXTAB|EJECT A",
+    "decimal": "89|{name}=4095-8|TAD (19|-{0-3777}+9|[1980",
+}
+"""The ways to write each part, between bars; {part*3-8}: as many; {1-277}: an octal number."""
 
 
-class Author:
-    """Writes a source of a few pages, with every construct of the dialect."""
+def written(grammar: dict[str, str], seed: int) -> str:
+    """Return a source. {new}: the next tag; {last}: that; {tag}: it, or near it; {rest}: what is left."""
+    author, tags = random.Random(seed), 0
 
-    def __init__(self, seed: int) -> None:
-        self.random = random.Random(seed)
-        self.names = [f"K{number}" for number in range(5)] + ["LONGERNAME", "X1"]
-        self.tags: list[str] = []
-        self.decimal = False
+    def way(found: re.Match[str]) -> str:
+        nonlocal tags
+        name, least, most = found.groups()
+        match name:
+            case "new":
+                tags += 1
+                return f"T{tags}LONGER"
+            case "last":
+                return f"T{tags}LONGER"
+            case "tag":
+                return f"T{author.randrange(1, tags + 4)}LONGER"
+            case "rest":
+                return "".join(f"T{tag}LONGER,\t0\n" for tag in range(tags + 1, tags + 4))
+            case "":
+                return f"{author.randint(int(least, 8), int(most, 8)):o}"
+        times = author.randint(int(least), int(most)) if least else 1
+        return "".join(whole(author.choice(grammar[name].split("|"))) for _ in range(times))
 
-    def pick(self, *options: str | Callable[[], str]) -> str:
-        """Return one of the options, or what one writes."""
-        option = self.random.choice(options)
-        return option if isinstance(option, str) else option()
+    def whole(text: str) -> str:
+        return re.sub(r"\{([a-z ]*)\*?(?:(\d+)-(\d+))?\}", way, text)
 
-    def number(self, *limits: int) -> str:
-        number = self.random.randrange(*limits)
-        return f"{number:d}" if self.decimal else f"{number:o}"
-
-    def source(self) -> str:
-        lines = ["FIXMRI OWN=4000", *(f"{name}={self.number(1, 0o300)}" for name in self.names)]
-        count = self.random.randrange(3, 9)
-        self.coming = [f"T{number}" for number in range(count * 3)]
-        for _ in range(count):
-            lines.append(self.begin())
-            lines += [self.line() for _ in range(self.random.randrange(1, 12))]
-        lines += ["DECIMAL;OCTAL", *(f"{tag},\t0" for tag in self.coming)]
-        return "\n".join([*lines, self.pick("$", "$", "$JUNK (", "")]) + "\n"
-
-    def begin(self) -> str:
-        page = self.random.choice([1, self.random.randrange(1, 0o37)]) << 7
-        origin = "*" + self.number(page, page + 0o60)
-        field, relocated = f"FIELD {self.random.randrange(4)}", self.pick("400", ".+200", "1000", "")
-        pages = ["PAGE"] * 3 + [f"PAGE {self.random.randrange(-1, 7)}"] * 2
-        return self.pick(*[origin] * 8, *pages, field, f"RELOC {relocated}", self.pick("NOPUNCH", "ENPUNCH"))
-
-    def line(self) -> str:
-        statements = [self.statement() for _ in range(self.random.choice([1, 1, 1, 1, 2]))]
-        tag = ""
-        if self.coming and self.random.random() < 0.2:
-            self.tags.append(self.coming.pop(0))
-            tag = self.tags[-1] + self.pick(",", ", ", ",\t")
-        return f"{tag}\t" + ";".join(statements) + self.pick("", "", "", " ", "\t/A <;$> COMMENT")
-
-    def statement(self) -> str:
-        usual = [self.reference] * 9 + [lambda: self.pick(*OPERATES)] * 4 + [self.expression] * 3
-        return self.pick(*usual, self.condition, self.condition, self.text, self.assign, self.pseudo)
-
-    def reference(self) -> str:
-        how = self.pick("", "", "", "I ", "Z ")
-        near = how == "I " and self.random.random() < 0.98
-        place = ("." if self.decimal else self.number(0o200)) if near else self.address()
-        return f"{self.pick(*REFERENCES, 'OWN')} {how}{place}"
-
-    def address(self) -> str:
-        named = self.pick(*self.tags, *self.coming[:4], *self.names) + self.pick("", "", "+1", "-1")
-        here = "." + self.pick("", "+1", "+2", "-1", "+K1")
-        return self.pick(self.literal, self.literal, named, named, here, self.expression)
-
-    def literal(self) -> str:
-        opening = self.pick(*"((((", "[")
-        reference = f"{self.pick(*REFERENCES)} {self.pick('', 'I ')}{self.item()}"
-        operate = self.pick("CLA CLL", "CMA", "JMP I 20", "SZA")
-        inside = self.pick(self.expression, self.expression, reference, operate)
-        return opening + inside + self.pick("", ")" if opening == "(" else "]")
-
-    def item(self) -> str:
-        number = self.number(self.random.choice([10, 0o10000]))
-        return self.pick(*[number] * 3, self.pick(*self.names, *self.tags), ".", '"' + self.pick(*CHARACTERS))
-
-    def expression(self) -> str:
-        text = self.pick("", "", "", "-") + self.item()
-        for _ in range(self.random.choice([0, 0, 0, 1, 1, 2, 3])):
-            text += self.pick(*"+-+-!&^") + self.item()
-        if self.random.random() < 0.05:
-            text += f"%{self.random.randrange(1, 8)}"
-        return text + (" " + self.item() if self.random.random() < 0.1 else "")
-
-    def condition(self) -> str:
-        name, known = self.pick(*self.names), self.pick(*self.names, "NONAME", *self.tags)
-        what = self.pick(
-            f"IFDEF {self.pick(known, *self.coming[:2])}",
-            *(f"IFNDEF {known}", f"IFZERO {name}-{self.random.randrange(3)}", f"IFNZRO {name}&1"),
-        )
-        return f"{what} <{self.pick(*INSIDE)}>" + self.pick("", ";HLT", "\n")
-
-    def text(self) -> str:
-        text = "".join(self.random.choice(CHARACTERS + "\t") for _ in range(self.random.randrange(7)))
-        decimals = self.random.randrange(6)
-        return self.pick(
-            *(f"TEXT /{text}/", f'TEXT "{text}"', "TEXT %AB%", f"ASCII /{text}/", "ZBLOCK 3"),
-            *("DEVICE SYS", "FILENAME PIP.SV", "FILENAME LONGERNAME", "FILENAME A.SAVE"),
-            f"DUBL;{self.random.randrange(1 << 23)};-{self.random.randrange(1 << 23)}",
-            f"FLTG;{self.random.randrange(1, 10**6) / 10**decimals:f};-7;NOP",
-        )
-
-    def assign(self) -> str:
-        name = self.pick(*self.names, "N1")
-        if name not in self.names:
-            self.names.append(name)
-        return f"{name}={self.expression()}"
-
-    def pseudo(self) -> str:
-        pick = self.pick("DECIMAL", "OCTAL", "XLIST", "PAUSE", "FIXTAB", "EJECT A")
-        self.decimal = pick == "DECIMAL" or (self.decimal and pick != "OCTAL")
-        return pick
+    return whole(grammar["source"])
 
 
 def palbarts(source: str, folder: Path, *options: str) -> tuple[bytes, str]:
@@ -157,7 +121,7 @@ def compare(source: str, folder: Path) -> str:
 
 def main(count: int) -> int:
     """Compare `count` sources; return how many differ."""
-    sources = [Author(seed).source() for seed in range(count)]
+    sources = [written(PAL8, seed) for seed in range(count)]
     with tempfile.TemporaryDirectory() as folder:
         found = [compare(source, Path(folder)) for source in sources]
     wrong = [seed for seed in range(count) if found[seed]]

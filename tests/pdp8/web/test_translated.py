@@ -8,7 +8,7 @@ import pal
 from nc import machine
 from pdp8.computer.past import state
 from tapes import kinds, shelf
-from tests.pal.random_pal8 import Author
+from tests.pal.random_pal8 import PAL8, written
 from tests.pdp8.web.node import HOUSE, in_node, needs_node, plain
 
 pytestmark = needs_node
@@ -62,13 +62,13 @@ def test_the_assembler() -> None:
 
 def test_the_assembler_in_pal8() -> None:
     """Random sources in PAL8, some damaged; numbers beyond 2^53; what is found to be PAL8 and what is not."""
-    written = [Author(seed).source() for seed in range(60)]
+    whole = [written(PAL8, seed) for seed in range(60)]
     draw = random.Random(8)
-    spoiled = [_spoiled(draw, text, '()[]<>,=;"$%^&!?\x0c\xb2\xe9') for text in written]
+    spoiled = [_spoiled(draw, text, '()[]<>,=;"$%^&!?\x0c\xb2\xe9') for text in whole]
     large = ["*200\n\t99999999999999999999\nDECIMAL\n\t99999999999999999999\n$\n"]
     for n in ("16777217", "9007199254740993", "123456789012345678", "99999999999999999999"):
         large.append(f"*200\nDUBL\n\t{n}\n\t-{n}\nFLTG\n\t{n}\n\t-{n[:9]}.{n[9:]}\n$\n")
-    sources = [[text.encode("latin-1", "replace")] for text in written + spoiled + large]
+    sources = [[text.encode("latin-1", "replace")] for text in whole + spoiled + large]
     _same("pal8", sources)
     _same("auto", sources[::3] + [[_source(draw)] for _ in range(100)])
 
