@@ -85,6 +85,8 @@ def test_keys_alone_are_texts_and_codes(monitor: Monitor) -> None:
     do(monitor, line, "wait 1")
     codes = "215 212 214 377 375 207 242 334 203 301 234 215 211 377 200"
     assert stored(monitor) == [*frames("AB C"), *(int(code, 8) for code in codes.split())]
+    with pytest.raises(MonitorError, match="\uf800: a Model 33"):
+        do(monitor, "type \uf800")
 
 
 def test_keys_come_after_what_is_on_the_tape(monitor: Monitor) -> None:
@@ -97,19 +99,3 @@ def test_keys_come_after_what_is_on_the_tape(monitor: Monitor) -> None:
 def test_a_program_that_counts_in_eight_words_asks_at_the_eighth_glance(monitor: Monitor) -> None:
     do(monitor, "deposit 200 7001 5207 0 0 0 0 0 5200", "go 200 0.1", "keyboard A")
     assert monitor.machine.elapsed == pytest.approx(0.1 + 8 * 0.05, abs=1e-5)
-
-
-@pytest.mark.parametrize(
-    ("program", "why"),
-    [
-        ("6031 5200 6036 7402", "halt; 1 key of 3 sent"),
-        ("5200", "idle; no keys of 3 sent"),
-        ("7001 5210 0 0 0 0 0 0 5200", "60 s have passed; no keys of 3 sent"),
-        ("6031 5200 5202", "idle; 1 key of 3 sent"),
-    ],
-)
-def test_a_program_that_asks_for_no_key_is_given_up(monitor: Monitor, program: str, why: str) -> None:
-    do(monitor, f"deposit 200 {program}", "go 200 0.1")
-    with pytest.raises(MonitorError, match=f"^the program asks for no key: {why}$"):
-        do(monitor, "type AB")
-    assert monitor.machine.elapsed < 62

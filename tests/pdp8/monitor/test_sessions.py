@@ -1,43 +1,42 @@
-"""Sessions at the prompt, each a line `* command` and what it answers; and scripts that fail."""
+"""Sessions at the prompt: `* command` and what it answers, `? ` what is wrong; a script that fails."""
 
 import shutil
 from pathlib import Path
 
 import pytest
 
-from tests.conftest import Shell
+from pdp8.monitor.prompt import Monitor
+from tapes.errors import WorkError
+from tests.conftest import Call
+from tests.pdp8.monitor import do
 
 FOLDER = Path(__file__).parent
 
 
-@pytest.mark.parametrize("session", sorted(FOLDER.glob("*.txt")), ids=lambda path: path.stem)
-def test_a_session_and_its_answers(session: Path, shell: Shell, tmp_path: Path) -> None:
+@pytest.fixture(autouse=True)
+def files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A folder with what a session reads."""
+    monkeypatch.chdir(tmp_path)
     shutil.copy(FOLDER / "dialogue.pal", tmp_path)
     for name in ("line.asc", "a line.asc"):
         (tmp_path / name).write_bytes(bytes(0o200 | code for code in b" 19\r\n"))
-    lines = session.read_text().split("\n")
-    script = [line.removeprefix("* ") for line in lines if line.startswith("* ")]
-    (tmp_path / "script").write_text("\n".join(script))
-    ran = shell("pdp8 monitor script --echo")
-    assert ran.stdout.decode().split("\n") == lines
-    assert (ran.stderr, ran.returncode) == (b"", 0)
 
 
-@pytest.mark.parametrize(
-    ("line", "message"),
-    [
-        ('expect "READY" 5', "'READY' was not printed: idle; the page shows 'PROCEED.'"),
-        ("expect BEL 5", "BEL was not printed: idle; the page shows 'PROCEED.'"),
-        ("assert pc 0", "PC is 02"),
-        ("assert 200 1", "200 is 7300, not 0001"),
-        ('until "04" 2 times 5', "'04' was printed no times of 2: idle; the page shows ''"),
-    ],
-)
-def test_what_fails_ends_a_script_with_status_1(
-    line: str, message: str, shell: Shell, tmp_path: Path
-) -> None:
-    shutil.copy(FOLDER / "dialogue.pal", tmp_path)
-    (tmp_path / "script").write_text(f"load dialogue.pal\ngo 200 1\n{line}\npage\n")
-    done = shell("pdp8 monitor script")
-    assert done.returncode == 1
-    assert done.stderr.decode().startswith(f"pdp8 monitor: script, line 3: {message}")
+@pytest.mark.parametrize("session", sorted(FOLDER.glob("*.txt")), ids=lambda path: path.stem)
+def test_a_session_and_its_answers(session: Path, monitor: Monitor, said: list[str]) -> None:
+    lines = session.read_text("utf-8").splitlines()
+    for line in lines:
+        if line.startswith("* "):
+            said.append(line)
+            try:
+                do(monitor, line.removeprefix("* "))
+            except WorkError as error:
+                said.append(f"? {error}")
+    assert "\n".join(said).splitlines() == lines
+
+
+def test_what_fails_ends_a_script_with_status_1(call: Call, tmp_path: Path) -> None:
+    (tmp_path / "script").write_text("load dialogue.pal\ngo 200 1\nassert pc 0\npage\n")
+    status, out, said = call("pdp8 monitor script --echo")
+    assert (status, out.splitlines()[-1]) == (1, "* assert pc 0")
+    assert said.startswith("pdp8 monitor: script, line 3: PC is 02")
