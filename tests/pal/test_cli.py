@@ -50,18 +50,8 @@ def test_every_source_through_a_pipe_gives_decs_tape_and_listing(folder: Path) -
     """Our cases, which DEC's assembler did not see, give what the call makes of them."""
     for path in [*sorted(EXAMPLES.glob("*.pal")), *sorted(HERE.glob("cases/*.pal"))]:
         with case(path.stem):
-            words = (
-                "-",
-                "-o",
-                "-",
-                "--listing",
-                "x.lst",
-                "--force",
-                "--high-speed-reader",
-                "--dialect",
-                "pal3",
-            )
-            done = commands.run("pal", *words, folder=folder, stdin=path.read_bytes())
+            options = ["-o", "-", "--listing", "x.lst", "--force", "--high-speed-reader", "--dialect", "pal3"]
+            done = commands.run("pal", "-", *options, folder=folder, stdin=path.read_bytes())
             listing = (folder / "x.lst").read_text()
             if path.parent == EXAMPLES:
                 assert done.stdout == path.with_suffix(".bin").read_bytes()
@@ -88,11 +78,8 @@ def test_a_terminal_is_shown_colours_that_it_may_have(folder: Path) -> None:
     assert "\x1b[94mTAD" in shown
     plain = re.sub(r"\x1b\[[0-9;]*m", "", shown)
     assert plain == pal.assemble(wide).listing.expandtabs(8) + "\nwrote wide.bin\n"
-    for option, no_color, coloured in (
-        ("auto", "", 1),
-        ("auto", "1", 0),
-        ("never", "", 0),
-        ("always", "1", 1),
+    for option, no_color, coloured in zip(
+        ("auto", "auto", "never", "always"), ("", "1", "", "1"), (1, 0, 0, 1), strict=True
     ):
         shown = at_a_terminal(f"pal five.pal --check --color {option}", folder, no_color)
         assert ("\x1b[36m" in shown) == coloured, (option, no_color)

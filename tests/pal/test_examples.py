@@ -7,7 +7,6 @@ had in the three passes with the source in the ASR-33's reader, raw.
 """
 
 import ast
-from itertools import zip_longest
 from pathlib import Path
 
 import pytest
@@ -16,8 +15,7 @@ import pal
 from pal.assembler import HIGH_SPEED_SYMBOLS
 from pal.assembly import Assembly
 from tapes import binary
-from tapes.frames import draw
-from tests.conftest import case
+from tests.conftest import assert_same_tape, case
 
 EXAMPLES = Path(__file__).parent / "examples"
 NAMES = sorted(path.stem for path in EXAMPLES.glob("*.pal"))
@@ -25,15 +23,6 @@ NAMES = sorted(path.stem for path in EXAMPLES.glob("*.pal"))
 
 def assembled(name: str) -> Assembly:
     return pal.assemble((EXAMPLES / f"{name}.pal").read_bytes(), capacity=HIGH_SPEED_SYMBOLS)
-
-
-def assert_same_tape(ours: bytes, theirs: bytes) -> None:
-    for number, (our, their) in enumerate(zip_longest(ours, theirs)):
-        if our != their:
-            shown = " and ".join(
-                "no frame" if frame is None else f"[{draw(frame)}]" for frame in (our, their)
-            )
-            pytest.fail(f"frame {number}: ours and DEC's are {shown}")
 
 
 def test_the_tape_is_decs_frame_for_frame() -> None:

@@ -7,6 +7,7 @@ from pdp8.lessons.marking import Result
 
 HEAD = "title='t'\ntask='t'\n"
 PUNCH = "*200\n\tTAD A\n\tTLS\n\tTSF\n\tJMP .-1\n\tHLT\nA,\t{}\n$"
+DOUBLE = 'solution="""*200\n\tTAD A\n\tCLL RAL\n\tDCA B\n\tHLT\nA,\t0\nB,\t0\n$\n"""\n'
 
 
 def exercise(case: str, head: str = "") -> Exercise:

@@ -19,10 +19,9 @@ from pdp8.lessons.form import parse
 from pdp8.lessons.marking import Result
 from pdp8.lessons.tables import ExerciseError
 from tests.conftest import Shell
-from tests.pdp8.lessons import HEAD, PUNCH, exercise, mark
+from tests.pdp8.lessons import DOUBLE, HEAD, PUNCH, exercise, mark
 
 DOCS = Path(__file__).parents[3] / "docs" / "lessons.md"
-DOUBLE = 'solution="""*200\n\tTAD A\n\tCLL RAL\n\tDCA B\n\tHLT\nA,\t0\nB,\t0\n$\n"""\n'
 RANDOM = HEAD + DOUBLE + "[[random]]\nname='r'\ntrials=5\ndeposit={A={from=1,to=0o3777}}\ncompare=['B']\n"
 
 
@@ -86,35 +85,6 @@ def test_a_python_function_is_the_oracle(tmp_path: Path) -> None:
         parse(text.replace(":triple", ":double"), "e", folder=str(tmp_path))
     assert not mark(made, made.solution).right
     assert all(trial.core["B"] == 3 * int(trial.deposit["A"]) for trial in made.cases[0].trials)
-
-
-@pytest.mark.parametrize(
-    ("change", "complaint"),
-    [
-        (("compare=['B']", ""), "compare or python is missing"),
-        (("['B']", "['C']"), "random 1: the solution has no tag C"),
-        (("{from=1,to=0o3777}", "{from=1}"), r"a word, \{ from, to \} or"),
-        (("compare=['B']", "python='no.py:f'"), "no Python file beside the exercise"),
-        (("deposit", "keys={length=4097,from=0,to=1}\ndeposit"), "random 1: a number from 0 to 4096"),
-        (("deposit", "keys={length=1,from=0,to=256}\ndeposit"), "random 1: a number from 0 to 255"),
-        (("from=1", "from=-2049"), "random 1: a number from -2048 to 4095"),
-        (("from=1,to=0o3777", "from=1,to=4096"), "random 1: a number from -2048 to 4095"),
-        (("trials=5", "trials=0"), "random 1: trials: a number from 1 to 200"),
-        (("trials=5", "trials=201"), "random 1: trials: a number from 1 to 200"),
-        (("[[random]]", "[[case]]\nname='r'\n[[random]]"), "two cases or questions are called 'r'"),
-        (("\tHLT", "\tJMP ."), "the solution ends with idle, not halt"),
-        (("\tHLT", "\tJMP Q"), "random 1: the solution:5:6: "),
-        (("['B']", "['B']\nwithin=0"), "random 1: within: a factor above 0 is wanted, not 0"),
-        (("['B']", "['B']\nwithin=true"), "random 1: within: a factor above 0 is wanted, not True"),
-        (("['B']", "[]"), r"random 1: compare: a list of tags, addresses or AC, L, tape, .* not \[\]"),
-        (("['B']", "['']"), "random 1: compare: a list of tags"),
-        (("compare=['B']", "python='f'"), "random 1: python: \"file.py:function\" is wanted, not 'f'"),
-        (("deposit", "keys={length=1}\ndeposit"), r"random 1: \{ length, pick \} or .* not {'length': 1}"),
-    ],
-)
-def test_a_random_case_that_cannot_be_drawn_is_refused(change: tuple[str, str], complaint: str) -> None:
-    with pytest.raises(ExerciseError, match=complaint):
-        parse(RANDOM.replace(*change), "e")
 
 
 def test_nothing_of_a_hidden_case_is_written() -> None:

@@ -13,7 +13,8 @@ from pdp8.lessons.exercises import delay, loader, short_block
 from pdp8.lessons.form import parse
 from pdp8.lessons.tables import ExerciseError
 from tapes import shelf
-from tests.pdp8.lessons import exercise
+from tests.conftest import case
+from tests.pdp8.lessons import DOUBLE, HEAD, exercise
 
 TUTORIAL = (
     "read-a-frame", "follow-a-digit", "no-character-lost", "spaces-are-zeros", "truncation", "break-a-tape",
@@ -83,44 +84,19 @@ def test_what_functions_draw_is_right_by_another_way() -> None:
 PROGRAM = 'title="t"\ntask="t"\nsolution="*200\\n\\tHLT\\n$\\n"\n'
 
 
-@pytest.mark.parametrize(
-    ("text", "complaint"),
-    [
-        ("title = 1\ntask = \"\"\nsolution = \"\"", r"e: title: a text is wanted, not 1"),
-        ("", r"e: title is missing"),
-        ('title="t"', "e: task is missing"),
-        (PROGRAM + '[[question]]\nname="a"', "question 1: ask is missing"),
-        (PROGRAM + '[[question]]\nask="a"', "question 1: name is missing"),
-        ('{"a":' + "[" * 100_000, "e: nested too deeply"),
-        ("[[", "e: Invalid initial character"),
-        ("[" + "a." * 33 + "a]", "e: nested too deeply"),
-        (PROGRAM, r"give \[\[case\]\] tables"),
-        (PROGRAM + "[[case]]", r"e: case 1: name is missing"),
-        (PROGRAM + '[[case]]\nname="a"\nacc=1', r"e: case 1: no key is called 'acc'; there are name, points"),
-        (PROGRAM + '[[case]]\nname="a"\ncore={ "9"=1 }', r"9 is no octal address"),
-        (PROGRAM + '[[case]]\nname="a"\nstop="never"', r"'never' is not one of halt, tape out"),
-        ('title = "t"\ntask = ""\nsolution = 5', r"e: solution: a text or \{ file = name \} is wanted"),
-        (PROGRAM + '[[case]]\nname="a"\ntakes=[1, -1]', r"a number of 0 or more is wanted, not -1"),
-        (PROGRAM + '[[case]]\nname="a"\n[[case.trial]]\n[[case.trial]]\nac=5000', "case 1: trial 2: ac: a"),
-        (PROGRAM + '[[question]]\nname="a"\nask="?"\nunit="x"\nanswer=1', "question 1: unit: 'x' is not one"),
-        (PROGRAM + '[[case]]\nname="a"\ntakes=[1]', r"the least and the most seconds are wanted, not \[1\]"),
-        (PROGRAM + '[[case]]\nname="a"\ntape=[400]', r"a number from 0 to 255"),
-        (PROGRAM + '[mistakes]\nx=["a"]\n[[case]]\nname="a"', r"\[piece of the solution, what is written"),
-        (PROGRAM + '[[case]]\nname="a"\ntape=1', "tape: a text, a list of frames, .* is wanted: 1"),
-        (PROGRAM + "case=[1]", "case 1: a table is wanted, not 1"),
-        (PROGRAM + "case=1", r"e: case: \[\[...\]\] tables is wanted, not 1"),
-        (PROGRAM + '[[case]]\nname="a"\nhidden=1', "case 1: hidden: true or false is wanted, not 1"),
-        (PROGRAM + '[[case]]\nname="a"\nitself=1', "case 1: itself: true or false is wanted, not 1"),
-        (PROGRAM + '[[case]]\nname="a"\nchanged=1', "case 1: changed: a list is wanted, not 1"),
-        (PROGRAM + 'program=1\n[[case]]\nname="a"', "program: a table is wanted, not 1"),
-        (PROGRAM + '[[case]]\nname="a"\nac=1\n[[case.trial]]', "case 1: ac belongs into its trials"),
-        (PROGRAM + '[[case]]\nname="a"\nstart="10000"', "10000 is no octal address from 0000 to 7777"),
-        (PROGRAM + '[[case]]\nname="a"\nstart=true', "start: a text is wanted, not True"),
-    ],
-)  # fmt: skip
-def test_a_wrong_file_is_named_with_its_place(text: str, complaint: str) -> None:
-    with pytest.raises(ExerciseError, match=complaint):
-        parse(text, "e")
+def test_a_wrong_file_is_named_with_its_place() -> None:
+    """refused.txt has each, with the message. Where PROGRAM or DOUBLE stands first, the rest follows on that."""
+    for refused in (Path(__file__).parent / "refused.txt").read_text().removeprefix("== ").split("\n== "):
+        message, _, text = refused.partition("\n")
+        first, _, rest = text.partition("\n")
+        name, _, instead = first.partition(" with ")
+        head = {"PROGRAM": PROGRAM, "DOUBLE": HEAD + DOUBLE}.get(name)
+        with case(message), pytest.raises(ExerciseError) as raised:
+            parse(head.replace("HLT", instead or "HLT") + rest if head else text, "e")
+        assert str(raised.value).splitlines()[0] == message
+    for text in ('{"a":' + "[" * 100_000, "[" + "a." * 33 + "a]"):
+        with pytest.raises(ExerciseError, match="e: nested too deeply"):
+            parse(text, "e")
 
 
 @pytest.mark.parametrize(
