@@ -85,7 +85,7 @@ PROGRAM = 'title="t"\ntask="t"\nsolution="*200\\n\\tHLT\\n$\\n"\n'
 
 
 def test_a_wrong_file_is_named_with_its_place() -> None:
-    """refused.txt has each, with the message. Where PROGRAM or DOUBLE stands first, the rest follows on that."""
+    """refused.txt has each, with the message. After PROGRAM or DOUBLE, the rest follows on that."""
     for refused in (Path(__file__).parent / "refused.txt").read_text().removeprefix("== ").split("\n== "):
         message, _, text = refused.partition("\n")
         first, _, rest = text.partition("\n")

@@ -20,6 +20,9 @@ def files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     shutil.copy(FOLDER / "dialogue.pal", tmp_path)
     for name in ("line.asc", "a line.asc"):
         (tmp_path / name).write_bytes(bytes(0o200 | code for code in b" 19\r\n"))
+    (tmp_path / "text").write_bytes(b"12\n34\n")
+    (tmp_path / "bin").write_bytes(bytes([*[0o200] * 16, 0o102, 0, 0o074, 0o002, 0, 1, *[0o200] * 16]))
+    (tmp_path / "bin.pal").write_text("HLT\n$\n")
 
 
 @pytest.mark.parametrize("session", sorted(FOLDER.glob("*.txt")), ids=lambda path: path.stem)
@@ -33,6 +36,7 @@ def test_a_session_and_its_answers(session: Path, monitor: Monitor, said: list[s
             except WorkError as error:
                 said.append(f"? {error}")
     assert "\n".join(said).splitlines() == lines
+    assert monitor.finished == (lines[-1] in ("* exit", "* quit"))
 
 
 def test_what_fails_ends_a_script_with_status_1(call: Call, tmp_path: Path) -> None:
