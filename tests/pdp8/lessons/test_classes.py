@@ -98,36 +98,6 @@ def test_nothing_of_a_hidden_case_is_written() -> None:
     assert not any(word in each for word in ("6543", "3456", "123", "103", "4567") for each in said)
 
 
-@pytest.mark.parametrize(
-    ("case", "source", "happened", "says"),
-    [
-        ("ac=1", "*300\n\tHLT\n$", "no word at the start", "no word of yours is at 0200"),
-        ("ac=1", "*200\n\tCLA\n\tISZ 210\n\tJMP 201\n\tJMP 201\n$", "did not stop",
-         "still running after 10 s, between 0201 and 0202"),
-        ("ac=1", "*200\n\tJMP .\n$", "jumps to itself", "a jump to itself at 0200"),
-        ("ac=1", "*200\n\tKSF\n\tJMP .-1\n\tHLT\n$", "waits for a key or a tape", "that does not come"),
-        ("ac=1", "*200\n\tNOP\n\tJMP .-1\n$", "did not stop", "a loop at 020"),
-        ("ac=1", "*200\n\tRSF\n\tJMP .-1\n\tHLT\n$", "waits for a key or a tape", "that does not come"),
-        ("ac=1", "*200\n\tTSF\n\tJMP .-1\n\tHLT\n$", "waits for the printer", "nothing to print"),
-        ("ac=1", "*200\n\tPSF\n\tJMP .-1\n\tHLT\n$", "waits for the printer", "nothing to print"),
-        ("stop='idle'\nstart='7777'", "*7777\n\tHLT\n$", "stopped elsewhere",
-         "expected a loop that nothing ends\n                  got a halt at 7777"),
-        ("stop='idle'\nstart='0'", "*0\n\tHLT\n$", "stopped elsewhere", "got a halt at 0000"),
-        ("stop='limit'", "*200\n\tHLT\n$", "stopped elsewhere", "expected running on\n"),
-        ("stop='tape out'", "*200\n\tCLA\n\tHLT\n$", "stopped elsewhere", "a halt at 0201"),
-        ("ac=2", "*200\n\tCLA CLL IAC\n\tHLT\n$", "one off", "0001"),
-        ("tape='AB'", "*200\n\tCLA\n\tHLT\n$", "nothing came", "0 frames, 2 expected"),
-        ("tape='AB'", PUNCH.format("301"), "too short", "frame 1"),
-        ("ac=1", "*200\n\tDCA B\nB,\tIAC\n\tHLT\n$", "wrote over itself", "a write over itself at 0201"),
-    ],
-)  # fmt: skip
-def test_what_happened_is_told(case: str, source: str, happened: str, says: str) -> None:
-    (found,) = mark(exercise(case), source).marks
-    assert happened in [failure.happened for failure in found.failures]
-    assert says in "\n".join(scores.said(found))
-    assert "TSF" not in found.hint or happened == "waits for the printer"
-
-
 DIFFERENCES: dict[str, list[tuple[Any, Any]]] = {
     "nothing came": [("1234", "")], "too short": [("1234", "123")], "too long": [("1234", "12345")],
     "the first is wrong": [("1234", "2234"), (b"A", b"\322")],

@@ -13,48 +13,25 @@ from rich.console import Console
 import pal
 from pdp8.lessons import handed, marking, page, records, scores
 from pdp8.lessons.form import parse
-from tests.conftest import Shell
-from tests.pdp8.lessons import HEAD, PUNCH, exercise, mark
+from tests.conftest import Shell, case
+from tests.pdp8.lessons import HEAD, exercise, mark
 
 IAC = "*200\n\tCLA CLL IAC\n\tDCA A\n\tTAD A\n\tHLT\nA,\t0\n$\n"
-TYPE_A = PUNCH.format("301")
-LOOP = "*200\n\tJMP .\n$\n"
 
 
-@pytest.mark.parametrize(
-    ("case", "source", "wrong"),
-    [
-        ("ac=1", IAC, []),
-        ("ac=2", IAC, [("AC", "0001")]),
-        ("start=0o202\nac=0\ninstructions=2\nstop='any'", IAC, []),
-        ("link=1", IAC, [("L", "0")]),
-        ("core={A=3}", IAC, [("A", "0001")]),
-        ('core={"0204"=3}', IAC, [("0204", "0001")]),
-        ('core={"0"=3}', "*0\n\t3\n*200\n\tHLT\n$\n", []),
-        ('changed=["0", "1"]', "*0\n\t0\n*200\n\tISZ 0\n\tHLT\n$\n", [("0001", "5200, as before")]),
-        ('changed=["A", "0200"]', IAC, [("0200", "7301, as before")]),
-        ("stop='tape out'", IAC, [("the end", "a halt at 0203")]),
-        ("instructions=4", IAC, []),
-        ("instructions=3", IAC, [("instructions", "4")]),
-        ("tape=[0o301]\npage='A'", TYPE_A, []),
-        ("tape='B'", TYPE_A, [("the tape", b"\xc1")]),
-        ("page='AB'", TYPE_A, [("the page", "A")]),
-        ("tape=''", TYPE_A, [("the tape", b"\xc1")]),
-        ("stop='idle'", LOOP, []),
-        ("takes=[9.6e-6, 9.6e-6]", IAC, []),
-        ("takes=[9.7e-6, 1]", IAC, [("the time", "9.6e-06 s")]),
-        ("takes=[0, 9.5e-6]", IAC, [("the time", "9.6e-06 s")]),
-        ("ac=0o5200", "*200\n\tCLA CLL\n\tTAD 300\n\tHLT\n$\n", []),
-        ("starts=2\ninstructions=4", IAC, []),
-        ("starts=2\ntape=[0o301]\npage='A'", TYPE_A, []),
-        ("seconds=0.1\nstop='limit'", "*200\n\tISZ 300\n\tJMP 200\n\tJMP 200\n$\n", []),
-    ],
-)  # fmt: skip
-def test_an_expectation_notices_what_differs(
-    case: str, source: str, wrong: list[tuple[str, str | bytes]]
-) -> None:
-    (found,) = mark(exercise(case), source).marks
-    assert [(failure.what, failure.got) for failure in found.failures] == wrong
+def test_what_an_expectation_notices_is_told() -> None:
+    """told.txt has the keys of each case, the answer, if it is not the last again, and what is told of it."""
+    source = ""
+    for section in (Path(__file__).parent / "told.txt").read_text().removeprefix("== ").split("\n== "):
+        lines = section.splitlines()
+        asked, another, text = "\n".join(line for line in lines if line[0] != ">").partition("\n*")
+        source = another + text or source
+        with case(section):
+            (found,) = mark(exercise(asked), source).marks
+            why = [f"{failure.what}: {failure.happened}" for failure in found.failures]
+            hints = [f"hint: {hint}" for hint in found.hint.splitlines()]
+            told = [line.removeprefix("> ") for line in lines if line[0] == ">"]
+            assert told == [*scores.said(found), *why, *hints]
 
 
 def test_the_inputs_of_the_trial_that_failed_are_told() -> None:
