@@ -1,11 +1,10 @@
 """What a terminal shows of the panel, as text: a picture that can be compared line by line."""
 
 from collections.abc import Awaitable, Callable
-from functools import wraps
-from inspect import signature
 from pathlib import Path
 
 import pytest
+from textual.pilot import Pilot
 
 from pdp8.console.app import Room
 from pdp8.console.opening import opening
@@ -21,27 +20,22 @@ def scene(
     reader: str | None = None,
     drill: str = "",
     left_alone: float | None = None,
-) -> Callable[[Callable[..., Awaitable[None]]], Callable[..., None]]:
-    """Make a test of a scene in a room whose terminal has `size` columns and lines and whose clock stands
-    still: after the room and the pilot it takes fixtures.
-    """
+) -> Callable[[Callable[[Room, Pilot[None]], Awaitable[None]]], Callable[[], None]]:
+    """Make a test of a scene in a room whose terminal has `size` columns and lines, its clock still."""
 
-    def made(act: Callable[..., Awaitable[None]]) -> Callable[..., None]:
-        async def perform(fixtures: dict[str, object]) -> None:
+    def made(act: Callable[[Room, Pilot[None]], Awaitable[None]]) -> Callable[[], None]:
+        async def perform() -> None:
             session, programs = opening(program, reader, clock=lambda: 0.0)
             tapes = ("bin.rim", programs[1].words), ("eia.bin", programs[2].words)
             coach = Coach(find(drill, tapes), session.machine, left_alone) if drill else None
             room = Room(session, programs, ticking=False, coach=coach)
             async with room.run_test(size=size) as pilot:
                 await pilot.pause()
-                await act(room, pilot, **fixtures)
+                await act(room, pilot)
 
-        @wraps(act)
-        def test(**fixtures: object) -> None:
-            awaited(perform(fixtures))
+        def test() -> None:
+            awaited(perform())
 
-        _, _, *taken = signature(act).parameters.values()
-        test.__signature__ = signature(act).replace(parameters=taken)  # type: ignore[attr-defined]
         return test
 
     return made
