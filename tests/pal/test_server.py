@@ -62,28 +62,6 @@ def test_an_editor_is_answered() -> None:
             assert (answer[:4] if "completion" in question else answer) == json.loads(expected)
 
 
-REFUSED = {
-    "START": "START is taken: it stands in line 5",
-    "CUONT": "CUONT is taken: it stands in line 10",
-    "TAD": "TAD is taken: it is a permanent symbol of PAL III",
-    "EXPUNG": "EXPUNG is taken: it is a permanent symbol of PAL III",
-    "9X": "'9X' is no symbol: a letter, then letters and digits",
-    "A B": "'A B' is no symbol: a letter, then letters and digits",
-    "tally": "tally has small letters: PAL III knows capitals only",
-    "LOOP": "",
-    "BSW": "",
-}
-
-
-def test_a_name_that_is_taken_or_none_is_refused_by_name() -> None:
-    document = Document(json.loads(CONVERSATION[0].partition(" ")[2])["textDocument"]["text"], "loop.pal")
-    assert {new: document.refusal("LOOP", new) for new in REFUSED} == REFUSED
-    assert document.refusal("TAD", "X") == "TAD is no symbol that this source defines"
-    later = Document("*200\nLOOPER,\tTAD (5)\n\tJMP LOOPER\n$\n", "loop.pa")
-    assert later.refusal("LOOPER", "BSW") == "BSW is taken: it is a permanent symbol of PAL8"
-    assert [later.refusal("LOOPER", new) for new in ("loop", "LOOPERS")] == ["", ""]
-
-
 def test_what_is_known_is_the_dialects() -> None:
     first, later = (Document(f"*200\n\tTAD {five}\n\tRAR\n$\n", "a.pa") for five in ("5", "(5)"))
     only = later.known.keys() - first.known.keys()
