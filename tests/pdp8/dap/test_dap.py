@@ -6,14 +6,14 @@ Addresses, words and lines are those of add_and_type.pal, worked out by hand.
 import base64
 import json
 import shutil
-import subprocess
 from collections.abc import Sequence
 from pathlib import Path
+from subprocess import PIPE
 from typing import Any, NamedTuple
 
 import pytest
 
-from tests.commands import BIN
+from tests import commands
 from tests.pdp8.web.node import NODE
 
 NPM = Path(__file__).parents[2] / "node"
@@ -28,29 +28,22 @@ class Seen(NamedTuple):
     answers: list[dict[str, Any]]
     output: list[tuple[str, str]]
 
-    @property
-    def page(self) -> str:
-        """What the Teletype has printed."""
-        return "".join(text for category, text in self.output if category == "stdout")
-
 
 def play(folder: Path, *steps: Step) -> Seen:
     """Hold a conversation: each step is a request, its arguments, the event that is to come of it."""
     if NODE is None or not (NPM / "node_modules" / "@vscode").exists():
         pytest.skip("the debug client is not installed: npm install --prefix tests/node")
     whole = [[*step, *({}, None)[len(step) - 1 :]] for step in steps]
-    asked = {"adapter": [str(BIN / "pdp8"), "dap"], "steps": whole}
-    done = subprocess.run(
-        [NODE, str(NPM / "debug_client.mjs")],
-        input=json.dumps(asked),
-        capture_output=True,
-        text=True,
-        cwd=folder,
-        check=False,
-        timeout=60,
-    )
-    assert done.returncode == 0, done.stderr
-    return Seen(**json.loads(done.stdout))
+    asked = json.dumps({"adapter": [str(commands.BIN / "pdp8"), "dap"], "steps": whole})
+    client = commands.start(NODE, NPM / "debug_client.mjs", folder=folder, stdin=PIPE)
+    answered, said = client.communicate(asked.encode(), timeout=60)
+    assert client.returncode == 0, said
+    return Seen(**json.loads(answered))
+
+
+def page(seen: Seen) -> str:
+    """Return what the Teletype has printed."""
+    return "".join(text for category, text in seen.output if category == "stdout")
 
 
 def launched(arguments: dict[str, Any], *breakpoints: Step) -> list[Step]:
@@ -134,7 +127,7 @@ def test_breakpoints_and_steps_in_both_directions(folder: Path) -> None:
     kinds = ["breakpoint", "function breakpoint", "breakpoint", "breakpoint"]
     stops = [answer["event"]["reason"] for answer in seen.answers[5:] if answer.get("event")]
     assert stops == ["entry", *["step"] * 5, *kinds * 2]
-    assert seen.page == "H"
+    assert page(seen) == "H"
     assert [answer for answer in seen.answers if "error" in answer] == []
 
 
@@ -207,7 +200,7 @@ def test_a_program_that_waits_is_typed_to_paused_and_restarted(folder: Path) -> 
         (["evaluate", {"expression": "PC"}], '"result": "0200"'),
         (["terminate", {}, "terminated"], '"body"'),
     )
-    assert seen.page == "PAL"
+    assert page(seen) == "PAL"
 
 
 def test_tapes_of_the_configuration_and_a_run_without_debugging(folder: Path) -> None:
@@ -233,7 +226,7 @@ def test_tapes_of_the_configuration_and_a_run_without_debugging(folder: Path) ->
 
 
 def test_a_tape_shows_its_listing_and_stops_at_its_lines(folder: Path) -> None:
-    subprocess.run([BIN / "pal", PROGRAM, "-o", "program.bin"], cwd=folder, check=True, capture_output=True)
+    commands.run("pal", PROGRAM, "-o", "program.bin", folder=folder)
     listing = {"sourceReference": 1, "name": "program.bin"}
     seen = play(
         folder,
