@@ -25,15 +25,6 @@ async def press(pilot: Pilot[None], keys: str) -> None:
     await pilot.pause()
 
 
-async def dial(pilot: Pilot[None], word: int) -> None:
-    await pilot.press(*f"{word:04o}")
-
-
-async def mount(pilot: Pilot[None], place: int) -> None:
-    """Choose the tape at `place` of those at hand."""
-    await press(pilot, "o " + "down " * place + "enter")
-
-
 def turn(room: Room, seconds: float) -> None:
     """Let time pass in the room, a twentieth of a second at a time."""
     for _ in range(round(seconds * 20)):
@@ -48,24 +39,16 @@ async def test_a_morning_by_keys_rim_bin_program_and_tape(room: Room, pilot: Pil
     await pilot.press(*keys)
     assert {address: machine.core[address] for address in RIM_WORDS} == RIM_WORDS
     assert_shows(room, "rim toggled in, 100x30")
-    await press(pilot, "p p p")
-    await mount(pilot, 0)
-    await dial(pilot, 0o7756)
-    await press(pilot, "l s")
+    await press(pilot, "p p p o enter 7 7 5 6 l s")
     turn(room, 0.5)
     assert room.session.said.startswith("out of tape")
     await press(pilot, "t")
     assert machine.core[0o7777] == 0o5301  # JMP 7701, as BIN puts it there
-    await mount(pilot, 1)
-    await dial(pilot, 0o7777)
-    await press(pilot, "l s")
+    await press(pilot, "o down enter 7 7 7 7 l s")
     turn(room, 0.5)
-    assert machine.ma == 0o7700
-    assert machine.ac == 0
+    assert (machine.ma, machine.ac) == (0o7700, 0)
     assert_shows(room, "eia.bin loaded, 100x30")
-    await mount(pilot, 2)
-    await dial(pilot, 0o200)
-    await press(pilot, "l s")
+    await press(pilot, "o down down enter 0 2 0 0 l s")
     for _ in range(4):
         room.turn(0.5)
     assert room.session.said.startswith("out of tape")
