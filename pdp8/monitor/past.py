@@ -28,7 +28,7 @@ _WHAT = "[N] [instructions|cycles|characters|blocks|seconds], or until A [writte
 def back(monitor: Monitor, *arguments: str) -> None:
     """Undo N instructions (1), cycles, characters, blocks, seconds; or until A was executed or written."""
     if arguments[:1] == ("until",):
-        _until(monitor, *some(arguments[1:], _WHAT, 0, 2))
+        _until(monitor, *some(arguments[1:], _WHAT, 1, 2))
     else:
         _measured(monitor, *some(arguments, _WHAT, 0, 2))
     frames = len(monitor.machine.teletype.printer.frames)
@@ -47,12 +47,12 @@ def _measured(monitor: Monitor, count: str = "1", unit: str = "instructions") ->
         raise MonitorError(f"{unit}: there are {', '.join(_MEASURES)} and seconds")
 
 
-def _until(monitor: Monitor, place: str = "", how: str = "left") -> None:
+def _until(monitor: Monitor, place: str, how: str = "left") -> None:
     if how == "flag":
         rewind.until_flag(monitor.history, octal(place, 0o77))
     elif how == "written":
         rewind.until_written(monitor.history, monitor.address(place))
-    elif how == "left" and place:
+    elif how == "left":
         rewind.until_left(monitor.history, monitor.address(place))
     else:
         raise MonitorError(f"{_WHAT} expected")
