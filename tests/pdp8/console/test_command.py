@@ -8,14 +8,22 @@ from pathlib import Path
 import pytest
 
 from tests.commands import BIN, Terminal
-from tests.conftest import Shell, assert_same_tape
+from tests.conftest import Call, Shell, assert_same_tape
 
 
-def test_it_wants_a_terminal(shell: Shell) -> None:
-    done = shell("pdp8 panel")
-    assert done.returncode == 1
-    assert done.stderr == b"pdp8 panel: the panel needs a terminal; `pdp8 run` works without one\n"
-    assert done.stdout == b""
+@pytest.mark.parametrize(
+    ("options", "status", "said"),
+    [
+        ("", 1, "pdp8 panel: the panel needs a terminal; `pdp8 run` works without one\n"),
+        ("--kiosk", 2, "--kiosk means nothing without --drill"),
+        ("eia.pal --drill rim", 2, "goes with no PROGRAM"),
+    ],
+)
+def test_it_wants_a_terminal_and_options_that_go_together(
+    options: str, status: int, said: str, call: Call
+) -> None:
+    done, out, error = call(f"pdp8 panel {options}")
+    assert (done, out, said in error) == (status, "", True)
 
 
 Step = tuple[bytes, bytes]

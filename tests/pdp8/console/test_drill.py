@@ -8,7 +8,6 @@ from textual.pilot import Pilot
 
 from pdp8.console.app import Room
 from pdp8.console.pages import DrillCard
-from tests.conftest import Shell
 from tests.pdp8.console.pictures import scene
 
 SIZE = (160, 45)
@@ -59,12 +58,3 @@ async def test_typing_is_being_there(room: Room, pilot: Pilot[None]) -> None:
         room.turn(40)
         await pilot.press("7")
     assert stage(room) == 1
-
-
-@pytest.mark.parametrize(
-    ("options", "says"),
-    [("--kiosk", b"--kiosk means nothing without --drill"), ("eia.pal --drill rim", b"goes with no PROGRAM")],
-)
-def test_options_that_mean_nothing_together(options: str, says: bytes, shell: Shell) -> None:
-    done = shell(f"pdp8 panel {options}")
-    assert (done.returncode, says in done.stderr) == (2, True)

@@ -96,9 +96,6 @@ def test_a_damaged_program_tape_stops_the_afternoon(monkeypatch: pytest.MonkeyPa
         replay("drill")
 
 
-@pytest.mark.parametrize(
-    ("seconds", "said"),
-    [(0, "1:00:00 pm"), (59.99, "1:00:59 pm"), (3600, "2:00:00 pm"), (11 * 3600, "12:00:00 am")],
-)
-def test_the_clock(seconds: float, said: str) -> None:
-    assert clock(int(seconds * TICKS_PER_SECOND)) == said
+def test_the_clock() -> None:
+    said = {0: "1:00:00 pm", 59.99: "1:00:59 pm", 3600: "2:00:00 pm", 11 * 3600: "12:00:00 am"}
+    assert {seconds: clock(int(seconds * TICKS_PER_SECOND)) for seconds in said} == said
