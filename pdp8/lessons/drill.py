@@ -155,7 +155,6 @@ class Coach:
 
         What is allowed must then be pressed.
         """
-        self.touched()
         self.begun = True
         if self.done:
             return True

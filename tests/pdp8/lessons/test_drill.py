@@ -23,6 +23,7 @@ def room(name: str, left_alone: float | None = None) -> tuple[Session, Coach]:
 def press(session: Session, coach: Coach, key: str, sr: int | None = None) -> bool:
     if sr is not None:
         session.machine.sr = sr
+    coach.touched()
     allowed = coach.allows(key)
     if allowed:
         session.press(key)
