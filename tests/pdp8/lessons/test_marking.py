@@ -13,7 +13,7 @@ from rich.console import Console
 import pal
 from pdp8.lessons import handed, marking, page, records, scores
 from pdp8.lessons.form import parse
-from tests.conftest import Shell, case
+from tests.conftest import Call, case
 from tests.pdp8.lessons import HEAD, exercise, mark
 
 IAC = "*200\n\tCLA CLL IAC\n\tDCA A\n\tTAD A\n\tHLT\nA,\t0\n$\n"
@@ -198,20 +198,17 @@ def test_what_is_no_file_has_no_points() -> None:
         ("add", 2, "Give an ANSWER"),
         ("nothing a.pal", 1, "nothing: no such file, and no bundled exercise (add, "),
         ("add .", 1, ".: a folder; name the answers in it: ./*"),
-        ("ana.pal loose.toml", 1, "; an exercise in TOML is wanted first, then the answers"),
+        ("ana.pal add.toml", 1, "; an exercise in TOML is wanted first, then the answers"),
         ("bad.toml a.pal", 1, "bad.toml: byte 0: not UTF-8"),
-        ("loose.toml --prove", 1, "loose: taken for right: halts for the wrong reason"),
+        ("add.toml --prove", 1, "add: taken for right: halts for the wrong reason"),
     ],
 )
 def test_the_command_says_what_is_wrong(
-    arguments: str, status: int, says: str, shell: Shell, tmp_path: Path
+    arguments: str, status: int, says: str, call: Call, tmp_path: Path
 ) -> None:
     (tmp_path / "ana.pal").write_text("*200\n\tHLT\n$\n")
     (tmp_path / "bad.toml").write_bytes(b"\xff")
-    (tmp_path / "loose.toml").write_text(
-        "title='t'\ntask='t'\nsolution='*200\\n\\tHLT\\n$'\n[[case]]\nname='a'\n[mistakes]\n"
-        "'halts for the wrong reason'=['HLT', 'CLA HLT']\n".replace("'*200", '"*200').replace("$'", '$"')
-    )
-    done = shell(f"pdp8 check {arguments}")
-    assert done.returncode == status
-    assert says in done.stderr.decode()
+    mistake = "[[case]]\nname='a'\n[mistakes]\n'halts for the wrong reason'=['HLT', 'CLA HLT']\n"
+    (tmp_path / "add.toml").write_text(f'{HEAD}solution="*200\\n\\tHLT\\n$"\n{mistake}')
+    done, _, said = call(f"pdp8 check {arguments}")
+    assert (done, says in said) == (status, True)
