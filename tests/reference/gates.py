@@ -22,7 +22,6 @@ def library() -> ctypes.CDLL:
     loaded.gates_run.argtypes = [POINTER(Gates), c_int64]
     loaded.gates_run.restype = c_int64
     loaded.gates_iot.argtypes = [POINTER(Gates), c_int, c_int, c_int64]
-    loaded.gates_quiet.argtypes = [POINTER(Gates), c_int, c_int64, c_int64]
     loaded.gates_initialize.argtypes = [POINTER(Gates), c_int64]
     loaded.gates_power_up.argtypes = [POINTER(Gates), c_int, c_int, c_int64]
     return loaded
@@ -80,12 +79,6 @@ class Gates(Structure):
         """Do an IOT; return AC, and 0o10000 if it skips."""
         answer: int = library().gates_iot(byref(self), word, ac, began)
         return answer
-
-    def quiet(self, device: int, first: int, last: int) -> bool:
-        """Tell whether nothing changes from tick `first` to `last` that an IOT of `device` would meet; 0 for
-        INITIALIZE and the hands.
-        """
-        return bool(library().gates_quiet(byref(self), device, first, last))
 
     def initialize(self, now: int) -> None:
         """INITIALIZE at tick `now`."""

@@ -286,20 +286,6 @@ int64_t gates_now(const struct gates *g) { return g->now / PER_TICK; }
 /* The tick that sees what happens next. */
 int64_t gates_next(const struct gates *g) { return (next(g) + PER_TICK - 1) / PER_TICK; }
 
-/* Tell whether, left alone, nothing changes from tick `from` to tick `to` that an IOT of `device` would meet; for
-   device 0, whether the sender, too, and the divider stand still. */
-int gates_quiet(const struct gates *g, int device, int64_t from, int64_t to)
-{
-    struct gates before = *g, after;
-    run_to(&before, from - 1);
-    after = before;
-    run_to(&after, to);
-    if (device != 4 && !same_receiver(&before.receiver, &after.receiver)) return 0;
-    if (device != 3 && !same_transmitter(&before.transmitter, &after.transmitter)) return 0;
-    return device || before.sender.units == after.sender.units && before.selector.unit == after.selector.unit &&
-                         before.receiver.divider == after.receiver.divider;
-}
-
 void gates_power_up(struct gates *g, int free_clocks, int wide_pulse, int64_t phase)
 {
     memset(g, 0, sizeof *g);

@@ -49,7 +49,6 @@ int64_t gates_next(const struct gates *g);
 int gates_same(const struct gates *a, const struct gates *b);
 int64_t gates_run(struct gates *g, int64_t until);
 int gates_iot(struct gates *g, int word, int ac, int64_t began);
-int gates_quiet(const struct gates *g, int device, int64_t from, int64_t to);
 void gates_initialize(struct gates *g, int64_t now);
 void gates_power_up(struct gates *g, int free_clocks, int wide_pulse, int64_t phase);
 void gates_type(struct gates *g, int frame);

@@ -1,67 +1,32 @@
 """The Teletype and the model of DEC's modules, driven together.
 
-Every change of a flag and of READER RUN is timed on both sides; every IOT must give the same AC and the same
-skip; the printed frames must be the same. At the package's conventions nothing may differ by a tick. With
-free clocks both sides time some changes differently, and an IOT stands clear of these.
+Every flag and READER RUN must change in the same tick on both sides; every IOT must give the same AC and the
+same skip; the printed frames must be the same.
 """
 
-from collections import deque
 from collections.abc import Callable
 from functools import partial
 from typing import Any
 
 from pdp8.computer.hardware.bus import Bus
 from pdp8.computer.hardware.teletype import Teletype
-from tests.reference.gates import PARTS, UNIT, Gates
+from tests.reference.gates import Gates
 
 CYCLE, IOT = 32, 85
 SKIPS = 0o10000
 PULSES = {1: 29, 2: 47, 4: 65}
-KEYBOARD_FLAG, PRINTER_FLAG, READER_RUN = SIGNALS = ("keyboard flag", "printer flag", "READER RUN")
-
-
-EIGHTH, HALF = UNIT // 8 // PARTS + 1, UNIT // 2 // PARTS + 1
-FREE = {KEYBOARD_FLAG: (EIGHTH, 0), PRINTER_FLAG: (0, HALF), READER_RUN: (EIGHTH, 0)}
-"""With free clocks, how many ticks the Teletype may be later than the modules, and how many earlier."""
-STEP, LONGEST_STEP = 5, 10_000
-"""Ticks by which an act that stands too near a change is put off: more each time."""
+SIGNALS = ("keyboard flag", "printer flag", "READER RUN")
 
 
 class Difference(AssertionError):
     """The first difference."""
 
 
-class _Edges:
-    """The changes of one signal that only one side has shown so far: ours, the modules'."""
-
-    def __init__(self, name: str, later: int, earlier: int) -> None:
-        self.name = name
-        self.later, self.earlier = later, earlier
-        self.shown = deque[tuple[int, int]](), deque[tuple[int, int]]()
-
-    def match(self, now: int) -> None:
-        """Match the changes one by one. Raises Difference."""
-        ours, gates = self.shown
-        while ours and gates:
-            (tick, level), (expected_tick, expected) = one, other = ours.popleft(), gates.popleft()
-            if level != expected or not -self.earlier <= tick - expected_tick <= self.later:
-                raise Difference(f"{self.name}: {_told(one)}, in the modules {_told(other)}")
-        if ours and now - ours[0][0] > self.earlier:
-            raise Difference(f"{self.name}: {_told(ours[0])}, in the modules no change")
-        if gates and now - gates[0][0] > self.later:
-            raise Difference(f"{self.name}: no change, in the modules {_told(gates[0])}")
-
-
-def _told(edge: tuple[int, int]) -> str:
-    return f"to {edge[1]} at tick {edge[0]}"
-
-
 class Beside:
-    """Both sides at tick `now`; with `phase` the modules' clocks run free."""
+    """Both sides at tick `now`."""
 
-    def __init__(self, phase: int | None = None) -> None:
-        self.free = phase is not None
-        self.gates = Gates(phase)
+    def __init__(self) -> None:
+        self.gates = Gates()
         self.gates.sender.lever = 1
         self.teletype = Teletype()
         self.bus = Bus()
@@ -69,7 +34,8 @@ class Beside:
         self.bus.initialize(0)
         self.now = 0
         self.characters = 0
-        self.edges = [_Edges(name, *(FREE[name] if self.free else (0, 0))) for name in SIGNALS]
+        self._changes: tuple[dict[int, tuple[int, ...]], ...] = ({}, {})
+        """The levels of the signals after each tick at which one changed: ours, the modules'."""
         self._seen = [self._levels(0), self._levels(1)]
         self._printed = 0
 
@@ -83,11 +49,10 @@ class Beside:
 
     def _note(self, side: int, now: int) -> None:
         """Note what has changed on one side."""
-        before, self._seen[side] = self._seen[side], self._levels(side)
-        for edges, old, level in zip(self.edges, before, self._seen[side], strict=True):
-            if level != old:
-                edges.shown[side].append((now, level))
-        self.characters += side and self._seen[side][0] > before[0]
+        before, levels = self._seen[side], self._levels(side)
+        if levels != before:
+            self._seen[side] = self._changes[side][now] = levels
+        self.characters += side and levels[0] > before[0]
 
     def run(self, until: int) -> None:
         """Let time go on to tick `until`. Raises Difference."""
@@ -101,9 +66,17 @@ class Beside:
         while self.now < until:
             self.now = self.gates.run(until)
             self._note(1, self.now)
-        for edges in self.edges:
-            edges.match(until)
+        self._compare_changes()
         self._compare_pages()
+
+    def _compare_changes(self) -> None:
+        ours, gates = self._changes
+        if ours != gates:
+            tick, _ = min(ours.items() ^ gates.items())
+            levels, expected = (side.get(tick, "no change") for side in (ours, gates))
+            raise Difference(f"tick {tick}: {levels}, in the modules {expected} of {SIGNALS}")
+        ours.clear()
+        gates.clear()
 
     def _compare_pages(self) -> None:
         page, since = self.teletype.printer.frames, self._printed
@@ -112,30 +85,6 @@ class Beside:
         ours, expected = bytes(page[since : self._printed]), self.gates.printed(since)
         if ours != expected[: len(ours)]:
             raise Difference(f"tick {self.now}: printed {ours.hex(' ')}, by the modules {expected.hex(' ')}")
-
-    def stand_clear(self, device: int, *pulses: int) -> None:
-        """With free clocks let time go on until both sides have done all that an IOT of `device` could meet,
-        and neither does more while its pulses last; device 0 for INITIALIZE and the hands. Raises Difference.
-        """
-        if not self.free:
-            return
-        late, early = (EIGHTH, 0) if device == 3 else (0, HALF)
-        step = STEP
-        while not self._still(device, late, late + max(pulses, default=0) + early):
-            self.run(self.now + step)
-            step = min(2 * step, LONGEST_STEP)
-        self.run(self.now + late)
-
-    def _still(self, device: int, late: int, ticks: int) -> bool:
-        """Tell whether nothing changes for so many ticks from now; nor could the reader begin a character, or
-        the selector, still turning, take one from rest at another time of its turn.
-        """
-        now, gates = self.now, self.gates
-        if device == 3:
-            pulse = (gates.receiver.pulse_at // PARTS - now - late) % EIGHTH
-            return pulse > IOT and gates.quiet(3, now, now + ticks)
-        turning = gates.selector.unit and not gates.transmitter.active
-        return not (device == 4 and turning) and gates.quiet(device, now, now + ticks)
 
     def iot(self, word: int, ac: int) -> None:
         """Do an IOT that begins now, pulse after pulse, on both. Raises Difference."""

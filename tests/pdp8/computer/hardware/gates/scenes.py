@@ -87,7 +87,6 @@ class Scenes:
             self.beside.run(until)
 
     def _iot(self, word: int) -> None:
-        self.beside.stand_clear(word >> 3 & 7, *(after for pulse, after in PULSES.items() if word & pulse))
         ac = self.draw.randrange(0o10000)
         self._note(f"{word:o} with AC {ac:04o}")
         self.beside.iot(word, ac)
@@ -100,7 +99,6 @@ class Scenes:
             return
         if draw.random() < 0.5:
             self._wait(self._moment())
-        beside.stand_clear(0)
         if kind < 0.07:
             frames = draw.randbytes(draw.choice((1, 1, 2, 5)))
             self._note(f"type {frames.hex(' ')}")
@@ -113,7 +111,7 @@ class Scenes:
             on = draw.random() < 0.8
             self._note(f"lever {'START' if on else 'STOP'}")
             beside.lever(on)
-        elif not (beside.free and (beside.gates.sender.units or beside.gates.transmitter.active)):
+        else:
             self._note("INITIALIZE")
             beside.initialize()
 
