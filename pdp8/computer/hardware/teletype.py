@@ -350,7 +350,6 @@ class Receiver(Device):
         self.reader_run = 1
         if self.active:
             self.stop(self.pulse_after(now))
-        self.now = now
         self.plan()
 
     def out_of_tape(self) -> bool:

@@ -194,7 +194,7 @@ class Waiting:
             self.endless = True
             self._turn_again(ticks, count)
         else:
-            if event == self.quiet_until and count > 0:
+            if event == self.quiet_until:
                 self._pass(event, until, last, ticks, count)
             self._remember()
 
