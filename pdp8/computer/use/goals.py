@@ -94,7 +94,7 @@ def _characters(teletype: Teletype) -> list[int]:
 _COUNTED = {"flag": _flags, "frame": _frames, "block": _blocks, "character": _characters}
 
 
-def until(machine: Machine, kind: str, address: int = 0) -> Goal:
+def until(machine: Machine, kind: str, address: int) -> Goal:
     """Return the goal of that kind, at `address` where it has one."""
     core, watch = machine.processor.core, machine.watch
     if kind == "address":
@@ -114,7 +114,7 @@ def forward(history: History, unit: str) -> str:
         processor.run = 1
         processor.cycle()
         return Reason.LIMIT if processor.run else Reason.HALT
-    goal = until(machine, unit)
+    goal = _Grown(_COUNTED[unit])
     end = processor.clock + _FAR[unit]
 
     def work() -> str:

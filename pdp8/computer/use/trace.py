@@ -71,11 +71,9 @@ def instruction(location: int, word: int) -> str:
 class Trace:
     """Writes a line for each instruction, or for each memory `cycles`, through `write`."""
 
-    def __init__(
-        self, write: Callable[[str], object], listing: Listing | None = None, cycles: bool = False
-    ) -> None:
+    def __init__(self, write: Callable[[str], object], listing: Listing, cycles: bool) -> None:
         self._write = write
-        self._listing = listing or Listing()
+        self._listing = listing
         self._cycles = cycles
         self._began = 0
         self._what = ""

@@ -65,7 +65,7 @@ def test_an_interrupt_that_was_due_before_counts_too() -> None:
     m.run(instructions=1)
     count, lines = Count(), list[str]()
     again = copy(m)
-    m.watch.observer, again.watch.observer = count, Trace(lines.append)
+    m.watch.observer, again.watch.observer = count, Trace(lines.append, Listing(), False)
     assert m.run().pc == again.run().pc == 2
     assert (count.interrupts, dict(count.executed), dict(count.written)) == (1, {1: 1}, {0: 1})
     assert [line.split()[-1] for line in lines] == ["interrupt", "HLT"]

@@ -11,7 +11,7 @@ from tests.pdp8.computer.use.test_operator import assembly
 
 def traced(m: Machine, cycles: bool = False, listing: Listing | None = None) -> list[str]:
     lines: list[str] = []
-    m.watch.observer = Trace(lines.append, listing, cycles)
+    m.watch.observer = Trace(lines.append, listing or Listing(), cycles)
     return lines
 
 
