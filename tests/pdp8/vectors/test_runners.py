@@ -75,71 +75,15 @@ def test_the_runner_in_python(changed: Path, folder: Path, tmp_path: Path) -> No
     assert "interrupts.json.gz: 1424 played" in said
 
 
-TOY = {
-    "toy.py": """
-class Toy:
-    def __init__(self):
-        self.core = [0] * 4096
-    def step(self):
-        core, word = self.core, self.core[self.pc]
-        address = word & 0o177 | (self.pc & 0o7600 if word & 0o200 else 0)
-        if word & 0o400:
-            core[address] = core[address] + (address >> 3 == 1) & 0o7777
-            address = core[address]
-        total = (self.link << 12 | self.ac) + core[address]
-        self.pc, self.ac, self.link = self.pc + 1 & 0o7777, total & 0o7777, total >> 12 & 1
-""",
-    "toy.h": "extern int pc, ac, l, core[4096];\nvoid step(void);\n",
-    "toy.c": """
-#include "toy.h"
-int pc, ac, l, core[4096];
-void step(void)
-{
-    int word = core[pc], address = (word & 0177) | (word & 0200 ? pc & 07600 : 0), total;
-    if (word & 0400) address = core[address] = (core[address] + (address >> 3 == 1)) & 07777;
-    total = (l << 12 | ac) + core[address];
-    pc = (pc + 1) & 07777;
-    ac = total & 07777;
-    l = total >> 12 & 1;
-}
-""",
-    "toy.go": """
-package toy
-
-type Toy struct {
-	pc, ac, link int
-	core         [4096]int
-}
-
-func (t *Toy) step() {
-	word := t.core[t.pc]
-	address := word & 0177
-	if word&0200 != 0 {
-		address |= t.pc & 07600
-	}
-	if word&0400 != 0 {
-		if address>>3 == 1 {
-			t.core[address] = (t.core[address] + 1) & 07777
-		}
-		address = t.core[address]
-	}
-	total := (t.link<<12 | t.ac) + t.core[address]
-	t.pc, t.ac, t.link = (t.pc+1)&07777, total&07777, total>>12&1
-}
-""",
-}
-"""An emulator that knows TAD only, for what the README has a reader write."""
-
-
 @pytest.fixture
 def toy(folder: Path, tmp_path: Path) -> Path:
     """A folder with the toy, and what the README adds to it in each language."""
-    texts, readme = TOY.copy(), (folder / "README.md").read_text()
+    made, readme = tmp_path / "toy", (folder / "README.md").read_text()
+    shutil.copytree(Path(__file__).with_name("toy"), made)
     for name, language in (("mine.py", "python"), ("mine.c", "c"), ("mine_test.go", "go")):
-        (texts[name],) = re.findall(rf"```{language}\n(.*?)```", readme, re.DOTALL)
-    for name, text in texts.items():
-        (tmp_path / name).write_text(text)
-    return tmp_path
+        (text,) = re.findall(rf"```{language}\n(.*?)```", readme, re.DOTALL)
+        (made / name).write_text(text)
+    return made
 
 
 def test_the_first_result_of_the_readme(folder: Path, toy: Path) -> None:

@@ -1,0 +1,2 @@
+extern int pc, ac, l, core[4096];
+void step(void);
