@@ -3,6 +3,7 @@
 The tables are those of the PDP-8/I instruction card and the Small Computer Handbook, one line an instruction.
 """
 
+from copy import copy
 from typing import NamedTuple
 
 import pytest
@@ -87,11 +88,16 @@ def test_the_tick_at_which_the_flag_rises(code: int) -> None:
         m.teletype.receiver.reader_run = 0
     (m.teletype if teletype else m.highspeed).reader.load(b"\123")
     m.processor.instruction()
-    device = m.bus.device(code >> 3 & 0o77)
+    cleared = copy(m)
+    device, other = (each.bus.device(code >> 3 & 0o77) for each in (m, cleared))
     assert device
+    assert other
     for tick, flag in ((RISES[code] - 1, 0), (RISES[code], 1)):
-        m.bus.advance(tick)
+        assert m.bus.next_event(tick) > tick
         assert device.flag == flag
+    other.pulse(2, 0, RISES[code])
+    cleared.bus.advance(RISES[code] + 1)
+    assert other.flag == 0, "IOP2 finds the flag that rises in its tick"
     reads = code in (0o6032, 0o6036, 0o6014, 0o6016)
     assert (executed(code, 0)[1].due == NEVER) == reads, "there is no tape"
 

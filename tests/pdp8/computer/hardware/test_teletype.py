@@ -1,78 +1,11 @@
-"""The Teletype's line in literal ticks and frames; gates/ holds every tick of it against DEC's modules."""
+"""The Teletype in programs: what is read, typed, printed and punched; gates/ holds every tick of its line."""
 
 import pytest
 
-from pdp8.computer.hardware.bus import Device
-from pdp8.computer.hardware.teletype import Receiver, Transmitter, half_units, printed
+from pdp8.computer.hardware.teletype import half_units, printed
 from tests.pdp8.computer.bench import machine
 
-UNIT = 2_000_000 / 11
 COPY = "6031 5200 6036 6046 6041 5204 5200"  # KSF, JMP .-1, KRB, TLS, TSF, JMP .-1, JMP 0200
-
-
-def receiver(tape: bytes) -> Receiver:
-    """Return a receiver with `tape` in its reader, at tick 0."""
-    made = Receiver()
-    made.reader.load(tape)
-    made.initialize(0)
-    return made
-
-
-def flags(device: Device, *ticks: int) -> list[int]:
-    """Return the flag at each of these ticks."""
-    seen = []
-    for tick in ticks:
-        device.advance(tick)
-        seen.append(device.flag)
-    return seen
-
-
-def test_the_ticks_of_the_line() -> None:
-    assert [half_units(n) for n in (1, 2, 17, 18, 22)] == [90_910, 181_819, 1_545_455, 1_636_364, 2_000_000]
-
-
-def test_the_buffer_is_the_shift_register() -> None:
-    """PRESET at 1/8 unit, and nine shifts: the start unit comes in first."""
-    r = receiver(b"\001")
-    units = (0, 0.12, 0.13, 0.49, 0.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.49, 8.5)
-    seen = " ".join(f"{r.pulse(4, 0, round(at * UNIT) + 2):03o}" for at in units)
-    assert seen == "000 000 377 377 177 277 137 057 027 013 005 002 002 001"
-    r = receiver(b"\001")
-    r.initialize(round(4.6 * UNIT))
-    assert r.pulse(4, 0, round(4.6 * UNIT)) == 0o027
-
-
-def test_a_flag_unread_for_more_than_two_and_five_eighths_units_has_lost_its_character() -> None:
-    for delay, seen in ((477_272, 0o125), (477_273, 0o377)):  # 23.9 ms
-        r = receiver(b"\125\252")
-        r.pulse(2, 0, 100_000)
-        assert flags(r, 1_545_455) == [1]
-        assert r.pulse(4, 0, 1_545_455 + delay) == seen
-
-
-def test_a_transmission_takes_nine_units_and_the_next_starts_after_eleven() -> None:
-    t = Transmitter()
-    t.pulse(4, 0o101, 0)
-    assert flags(t, 1_636_363, 1_636_364) == [0, 1]
-    t.pulse(2, 0, 1_636_400)
-    t.pulse(4, 0o102, 1_636_418)
-    assert flags(t, 3_636_363, 3_636_364) == [0, 1]
-    assert t.punch.tape == b"\101\102"
-    t.pulse(2, 0, 9_000_000)
-    t.pulse(4, 0o103, 9_000_018)
-    assert flags(t, 10_636_381, 10_636_382) == [0, 1]
-
-
-def test_loading_while_busy_garbles_and_lengthens() -> None:
-    # 101 is 1 0 0 0 0 0 1 0 and its marker 1 on the line; after four units 0 0 1 0 1 is left. Or-ed with 102
-    # and a new marker, 0 1 0 0 0 0 1 0 1, that is 0 1 1 0 1 0 1 0 1: so 1 0 0 0 0 1 1 0, mark, a space that
-    # starts another character, 1 0 1, and rest.
-    t = Transmitter()
-    t.pulse(4, 0o101, 0)
-    t.pulse(4, 0o102, half_units(8))
-    assert flags(t, 1_636_364, half_units(26) - 1, half_units(26)) == [0, 0, 1]
-    t.advance(half_units(37))  # 10 + 8.5 units
-    assert t.punch.tape == b"\141\375"
 
 
 def test_a_halt_lets_the_printer_finish_and_each_frame_is_printed_once() -> None:

@@ -76,22 +76,6 @@ def test_a_delay_loop_counts_all_its_turns(form: str, delays: bool) -> None:
     assert (m.ticks, m.instructions) == (turns + 32, times * 8191 + 2 * times - 1 + 1)
 
 
-@pytest.mark.parametrize(("form", "frames"), [("compiled", 8 * 3600 * 10), ("plain", 300 * 10)])
-def test_a_working_day_of_1971(form: str, frames: int) -> None:
-    """Tape is copied, 10 frames a second, without a compiler for five minutes: every tick is accounted for.
-
-    A character is 8 instructions in 532 ticks; what is left are turns of waiting, 2 instructions in 117.
-    """
-    # TLS; KSF; JMP .-1; KRB; DCA HOLD; TSF; JMP .-1; TAD HOLD; TLS; CLA CLL; JMP 0201
-    m = machine("6046 6031 5201 6036 3220 6041 5205 1220 6046 7300 5201", bytes(frames), form=form)
-    assert m.run()[:2] == ("tape out", 0o201)
-    assert len(m.teletype.punch.tape) == frames + 1
-    turns, rest = divmod(m.instructions - 1 - 8 * frames, 2)
-    assert rest == 0
-    assert m.ticks == 85 + 532 * frames + 117 * turns
-    assert m.elapsed == pytest.approx(frames / 10, abs=0.2)
-
-
 @pytest.mark.skipif(sys.platform == "win32", reason="no SIGALRM there")
 @pytest.mark.parametrize("form", FORMS)
 @pytest.mark.parametrize("delays", [True, False])

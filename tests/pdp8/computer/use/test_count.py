@@ -99,11 +99,3 @@ def test_the_run_command_counts(shell: Shell, tmp_path: Path) -> None:
     assert shell("pdp8 run eia.pal --reader in.asc --punch plain --quiet; cmp out plain").returncode == 0
     done = shell("pdp8 run hello.pal --count --trace t < /dev/null")
     assert (done.returncode, b"--count and --trace" in done.stderr) == (2, True)
-
-
-def test_at_the_prompt(shell: Shell) -> None:
-    lines = r"load hello.pal\ncount on\ngo 200\ncount\ncount listing\ncount off\ncount\n"
-    done = shell(f"printf '{lines}' | pdp8 monitor -")
-    assert b"    TLS                       17 " in done.stdout
-    assert b"          17  0206  6046          TLS" in done.stdout
-    assert b"nothing is counted: count on begins" in done.stderr
