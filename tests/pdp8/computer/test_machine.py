@@ -128,31 +128,11 @@ def test_there_is_no_core_beyond_7777(address: int | slice) -> None:
         assert list(m.core) == [0] * 0o10000
 
 
-def test_waiting_time_passes_for_the_teletype() -> None:
-    """TLS, HLT, TSF, JMP .-1, HLT."""
-    m = machine("6046 7402 6041 5202 7402")
-    m.run()
-    m.wait(0.2)
-    before = m.ticks
-    assert m.run().reason == "halt"
-    assert m.ticks - before == 85 + 32
-
-
 @pytest.mark.parametrize("breakpoints", [set(), {0o7000}])
 def test_short_runs_find_an_endless_loop_too(breakpoints: set[int]) -> None:
     m = machine("7001 7041 7041 5201")
     m.watch.breakpoints |= breakpoints
     assert {m.run(seconds=0.005).reason for _ in range(20)} == {"limit", "idle"}
-
-
-def test_a_breakpoint_in_a_waiting_loop_stops_every_turn() -> None:
-    m = machine("6031 5200", b"\301")
-    m.watch.breakpoints.add(0o200)
-    ticks = []
-    for _ in range(5):
-        assert m.run().reason == "breakpoint"
-        ticks.append(m.ticks)
-    assert ticks == [117, 234, 351, 468, 585]
 
 
 @pytest.mark.parametrize("seconds", [-5.0, -1e-9, float("nan"), float("-inf")])

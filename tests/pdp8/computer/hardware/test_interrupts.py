@@ -8,7 +8,6 @@ import pytest
 
 import pal
 from pdp8.computer.machine import Machine
-from tests.pdp8.computer.bench import machine
 
 FOLDER = Path(__file__).parent / "interrupts"
 PROGRAMS = sorted(FOLDER.glob("*.pal"))
@@ -30,15 +29,3 @@ def test_program(path: Path) -> None:
     assert [(m.run(seconds=10).reason, names.get(m.ma)) for _ in expected] == [
         ("halt", name) for name in expected
     ]
-
-
-def test_an_interrupt_is_one_cycle_that_the_lamps_show() -> None:
-    m = machine("6001 7001 7001 1/ 7402")
-    m.teletype.transmitter.flag = 1
-    m.processor.instruction()
-    m.processor.instruction()
-    assert (m.ticks, m.pc, m.ac) == (85 + 32, 0o202, 1)
-    m.processor.cycle()
-    lamps = m.panel.lamps
-    assert (lamps.ma, lamps.mb, lamps.ir, lamps.execute, lamps.ion) == (0, 0o202, 4, 1, 0)
-    assert (m.ticks, m.pc, m.core[0]) == (85 + 32 + 32, 1, 0o202)

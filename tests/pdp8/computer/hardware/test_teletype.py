@@ -43,15 +43,6 @@ def test_what_start_silenced_after_it_was_printed_ahead_is_not_owed() -> None:
     assert m.teletype.punch.tape == garbled * 2
 
 
-def test_ten_characters_a_second_both_ways_together() -> None:
-    """Reading and printing overlap; each frame waits for the printer, 9 units, then the flag is up."""
-    tape = bytes(range(256))
-    m = machine(COPY, tape)
-    assert m.run().reason == "tape out"
-    assert m.teletype.punch.tape == tape
-    assert m.ticks == pytest.approx(255 * 2_000_000 + 1_545_455 + 1_636_364, abs=2_000)
-
-
 def test_what_a_model_33_prints() -> None:
     """64 characters; the codes of lower case print them too, ALT MODE and ESCAPE (175, 176) print nothing."""
     rows = printed(bytes(range(0o400))).decode()

@@ -51,13 +51,6 @@ def test_why_a_run_ends(reason: str, words: str, tape: bytes | None) -> None:
         assert m.ticks == 200_000 + 64  # it is looked at after 10 ms, and does one turn more
 
 
-def test_a_tape_out_waits_until_the_last_frame_is_punched() -> None:
-    m = machine("6031 5200 6036 6046 5200", b"\301")
-    stop = m.run()
-    assert m.teletype.punch.tape == b"\301"
-    assert stop.elapsed == pytest.approx((1_545_455 + 1_636_364) / 20e6, abs=50e-6)
-
-
 def test_a_tape_that_was_taken_out_does_not_run_out() -> None:
     m = machine("6031 5200", b"")
     m.teletype.reader.remove()
