@@ -7,6 +7,8 @@ from typing import Any, NamedTuple
 from tests.pdp8.computer.lockstep.sides import ReferenceSide, Seen, Side, sides
 from tests.pdp8.computer.lockstep.situations import Act, Situation
 
+LONGEST_WATCHED = 2_000
+"""Instructions of a piece that is watched: the machine is slow then."""
 ENDLESS = ("idle", "tape out")
 AS_REFERENCE_SAYS = {"halt": "stopped", "stop key": "stopped", "protect": "stopped"}
 DECIMAL = ("clock", "instructions", "position", "counted", "cycles", "ticks", "interrupts")
@@ -22,12 +24,40 @@ class Played(NamedTuple):
 def play(situation: Situation, forms: Sequence[str]) -> Played:
     """Do all of `situation` in each of `forms` and on the reference; stop at the first difference."""
     played, reference = sides(forms, situation), ReferenceSide(situation)
-    for number, act in enumerate(situation.acts):
+    for number, act in enumerate(_done(situation.acts, reference)):
         for form, difference in _after(act, played, reference):
             if difference:
                 where = f"act {number}, {act.name}: {form}"
                 return Played(reference.reference.instructions, f"{where}: {difference}")
     return Played(reference.reference.instructions, "")
+
+
+def _done(acts: Sequence[Act], reference: ReferenceSide) -> Iterator[Act]:
+    """Yield what is done as `acts` say: a piece that is watched is short; `back` leads to where one of the
+    last runs began, if that is recorded; what is restored is recorded again.
+    """
+    watched = recorded = False
+    stood: list[int] = []
+    for name, values in acts:
+        now = reference.reference.instructions
+        given = values
+        if name == "watch":
+            watched = any(values)
+        elif name == "run" and watched:
+            given = values[0], min(values[1], LONGEST_WATCHED)
+        elif name == "back":
+            before = [number for number in stood if number < now]
+            stood = before[: -values[0]]
+            if not (recorded and before):
+                continue
+            given = (now - before[-values[0] :][0],)
+        yield Act(name, given)
+        if name in ("run", "single_cycle"):
+            stood.append(now)
+        elif name == "record" or (name == "save_and_restore" and recorded):
+            stood, recorded = [], True
+            if name != "record":
+                yield Act("record")
 
 
 def _after(act: Act, sides: dict[str, Side], reference: ReferenceSide) -> Iterator[tuple[str, str]]:

@@ -1,9 +1,9 @@
-"""The smallest situation that still fails: leave out acts and words, shorten runs, as long as it does."""
+"""The smallest situation that still fails: leave out acts and words as long as it does."""
 
-from collections.abc import Callable, Iterator, Sequence
-from typing import Any, TypeVar
+from collections.abc import Callable, Sequence
+from typing import TypeVar
 
-from tests.pdp8.computer.lockstep.situations import Act, Situation
+from tests.pdp8.computer.lockstep.situations import Situation
 
 Fails = Callable[[Situation], bool]
 T = TypeVar("T")
@@ -14,9 +14,7 @@ def shrink(situation: Situation, fails: Fails) -> Situation:
     before = None
     while situation != before:
         before = situation
-        situation = _fewer_acts(situation, fails)
-        situation = _shorter_runs(situation, fails)
-        situation = _fewer_words(situation, fails)
+        situation = _fewer_words(_fewer_acts(situation, fails), fails)
     return situation
 
 
@@ -43,25 +41,3 @@ def _fewer(items: Sequence[T], fails: Callable[[Sequence[T]], bool]) -> Sequence
                 start += size
         size //= 2
     return items
-
-
-def _shorter_runs(situation: Situation, fails: Fails) -> Situation:
-    for number, act in enumerate(situation.acts):
-        if act.name != "run":
-            continue
-        for values in _shorter(*act.values):
-            acts = (*situation.acts[:number], Act("run", values), *situation.acts[number + 1 :])
-            shorter = situation._replace(acts=acts)
-            if fails(shorter):
-                situation = shorter
-                break
-    return situation
-
-
-def _shorter(ticks: int | None, instructions: int) -> Iterator[tuple[Any, ...]]:
-    """Yield shorter pieces, the shortest first."""
-    counts = [count for count in (1, 2, 3, 5, 10, 30, 100, 1000, 10_000) if count < instructions]
-    yield from ((None, count) for count in counts)
-    if ticks is not None:
-        yield None, instructions
-        yield from ((ticks, count) for count in counts)

@@ -1,5 +1,5 @@
-// The machine in JavaScript, as sides.py has it in Python: node side.mjs MODULES. A line of input is a situation; the
-// line of output has for each act why a run ended, and what has become different of what is seen.
+// The machine in JavaScript, as sides.py has it in Python: node side.mjs MODULES. A line of input is a new machine, or
+// an act; then the line of output has why a run ended, and what has become different of what is seen.
 
 import { join } from "node:path";
 import { createInterface } from "node:readline";
@@ -17,16 +17,13 @@ const at = (owner, names) => names.reduce((of, name) => of[name], owner);
 const plain = (value) => (typeof value === "object" ? Buffer.from(value).toString("hex") : Number(value));
 
 class Side {
-  constructor({ fast, words, watched, paths }) {
+  constructor({ fast, words, paths }) {
     this.machine = new Machine(fast);
     this.machine.load(words);
-    this.longest = watched;
     this.paths = paths.map((path) => [path, path.split(".")]);
     this.marks = [];
     this.watch([], false);
     this.count_delays = true;
-    this.history = null;
-    this.stood = [];
   }
 
   call(path, ...values) {
@@ -43,14 +40,12 @@ class Side {
   }
 
   run(ticks, instructions) {
-    const { machine, writes, observer } = this;
+    const { machine } = this;
     machine.watch.breakpoints = set(this.marks);
-    machine.watch.writes = set(writes);
-    machine.watch.observer = observer;
+    machine.watch.writes = set(this.writes);
+    machine.watch.observer = this.observer;
     machine.engine.delays = this.count_delays;
-    this.stood.push(machine.instructions);
-    const limit = writes.length || observer ? Math.min(instructions, this.longest) : instructions;
-    return String(machine.run(ticks === null ? null : ticks / TICKS_PER_SECOND, limit).reason);
+    return String(machine.run(ticks === null ? null : ticks / TICKS_PER_SECOND, instructions).reason);
   }
 
   breakpoints(addresses) { this.marks = addresses; }
@@ -68,30 +63,17 @@ class Side {
   delays(on) { this.count_delays = on; }
   look() { save(this.machine); }
 
-  single_cycles(count) {
+  single_cycle() {
     this.machine.panel.sing_step = true;
-    for (; count; count--) {
-      this.stood.push(this.machine.instructions);
-      this.machine.run();
-    }
+    this.machine.run();
     this.machine.panel.sing_step = false;
   }
 
-  save_and_restore() {
-    this.machine = restore(save(this.machine));
-    if (this.history) this.record();
-  }
+  save_and_restore() { this.machine = restore(save(this.machine)); }
+  record() { this.history = new History(this.machine); }
 
-  record() {
-    this.history = new History(this.machine);
-    this.stood = [];
-  }
-
-  back(runs) {
-    const now = this.machine.instructions;
-    this.stood = this.stood.filter((number) => number < now);
-    const number = this.stood.splice(-runs)[0];
-    if (this.history && number !== undefined) go_back(this.history, now - number);
+  back(instructions) {
+    go_back(this.history, instructions);
     this.machine.panel.sing_step = false;
   }
 
@@ -102,20 +84,22 @@ class Side {
 
 const different = (now, before) => Object.fromEntries(Object.entries(now).filter(([name, value]) => value !== before[name]));
 
-function play(situation) {
-  const side = new Side(situation);
-  let core = new Uint16Array(4096);
-  let seen = {};
-  return situation.acts.map(([name, values]) => {
-    const reason = side[name](...values);
-    const now = side.seen();
-    const words = [];
-    const { core: held } = side.machine.processor;
-    held.forEach((word, address) => { if (word !== core[address]) words.push([address, word]); });
-    const answer = [reason ?? null, different(now, seen), words];
-    [core, seen] = [Uint16Array.from(held), now];
-    return answer;
-  });
+let side, core, seen;
+
+function answer(given) {
+  if (!Array.isArray(given)) {
+    [side, core, seen] = [new Side(given), new Uint16Array(4096), {}];
+    return null;
+  }
+  const [name, values] = given;
+  const reason = side[name](...values);
+  const now = side.seen();
+  const words = [];
+  const { core: held } = side.machine.processor;
+  held.forEach((word, address) => { if (word !== core[address]) words.push([address, word]); });
+  const told = [reason ?? null, different(now, seen), words];
+  [core, seen] = [Uint16Array.from(held), now];
+  return told;
 }
 
-for await (const line of createInterface({ input: process.stdin })) console.log(JSON.stringify(play(JSON.parse(line))));
+for await (const line of createInterface({ input: process.stdin })) console.log(JSON.stringify(answer(JSON.parse(line))));

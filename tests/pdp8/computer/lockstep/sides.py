@@ -24,8 +24,6 @@ from tests.reference.gates import QUEUE
 from tests.reference.model import NEVER, Counts, Reference
 
 TICKS_PER_SECOND = 20_000_000
-LONGEST_WATCHED = 2_000
-"""Instructions of a piece that is watched: the machine is slow then."""
 Seen = dict[str, Any]
 
 SEEN = {
@@ -63,9 +61,6 @@ class Side:
     def __init__(self) -> None:
         self.marks: frozenset[int] = frozenset()
         self.writes: frozenset[int] = frozenset()
-        self.observed = False
-        self.stood: list[int] = []
-        """How many instructions were done as each run began."""
 
     def do(self, act: Act) -> str | None:
         """Do an act; return why the run ended, if it was one."""
@@ -80,19 +75,10 @@ class Side:
         self.marks = addresses
 
     def watch(self, writes: frozenset[int], observed: bool) -> None:
-        self.writes, self.observed = writes, observed
+        self.writes = writes
 
     def delays(self, on: bool) -> None:
         """Whether delay loops are counted down at once."""
-
-    def limited(self, instructions: int) -> int:
-        return min(instructions, LONGEST_WATCHED) if self.writes or self.observed else instructions
-
-    def taken_back(self, now: int, runs: int) -> int | None:
-        """Take the last `runs` moments before `now` off `stood`; return the first of them."""
-        stood = [number for number in self.stood if number < now]
-        self.stood = stood[:-runs]
-        return stood[-runs:][0] if stood else None
 
 
 class InPython(Side):
@@ -132,16 +118,12 @@ class InPython(Side):
         watch = self.machine.watch
         watch.breakpoints, watch.writes, watch.observer = set(self.marks), set(self.writes), self.count
         self.machine.engine.delays = self.count_delays
-        self.stood.append(self.machine.instructions)
         seconds = None if ticks is None else ticks / TICKS_PER_SECOND
-        return str(self.machine.run(seconds, self.limited(instructions)).reason)
+        return str(self.machine.run(seconds, instructions).reason)
 
-    def single_cycles(self, count: int) -> None:
-        """Put SING STEP down and press CONT `count` times."""
+    def single_cycle(self) -> None:
         self.machine.panel.sing_step = True
-        for _ in range(count):
-            self.stood.append(self.machine.instructions)
-            self.machine.run()
+        self.machine.run()
         self.machine.panel.sing_step = False
 
     def look(self) -> None:
@@ -156,20 +138,13 @@ class InPython(Side):
         text = state.save(self.machine)
         self.machine = state.restore(text)
         assert state.save(self.machine) == text
-        if self.history:
-            self.record()
 
     def record(self) -> None:
         self.history = self.module("pdp8.computer.past.history").History(self.machine)
-        self.stood = []
 
-    def back(self, runs: int) -> None:
-        """Go back to the moment before one of the last runs."""
-        now = self.machine.instructions
-        number = self.taken_back(now, runs)
-        if self.history and number is not None:
-            self.module("pdp8.computer.past.rewind").instructions(self.history, now - number)
-            self.machine.panel.sing_step = False
+    def back(self, instructions: int) -> None:
+        self.module("pdp8.computer.past.rewind").instructions(self.history, instructions)
+        self.machine.panel.sing_step = False
 
     def seen(self) -> Seen:
         seen = {path: _plain(attrgetter(path)(self.machine)) for path in self.paths}
@@ -189,18 +164,16 @@ def _counted(count: Any, by_address: Any) -> Seen:
 
 
 class InNode(Side):
-    """The machine of the pages; all acts are done at once, and what was seen is told act by act."""
+    """The machine of the pages, of which Node.js has one at a time."""
 
     def __init__(self, situation: Situation) -> None:
-        acts = [[name, [_as_json(value) for value in values]] for name, values in situation.acts]
-        given = {"fast": situation.fast, "words": list(situation.words.items()), "acts": acts}
         paths = [path for path in seen_of(situation.fast) if path != "processor.core"]
-        self._answers = iter(_node().ask(given | {"watched": LONGEST_WATCHED, "paths": paths}))
+        _node().ask({"fast": situation.fast, "words": list(situation.words.items()), "paths": paths})
         self._seen: Seen = {}
         self._core = array("H", bytes(2 * 4096))
 
     def do(self, act: Act) -> str | None:
-        reason, different, words = next(self._answers)
+        reason, different, words = _node().ask([act.name, [_as_json(value) for value in act.values]])
         for name, value in different.items():
             self._seen[name] = bytes.fromhex(value) if isinstance(value, str) else value
         for address, word in words:
@@ -278,7 +251,6 @@ class ReferenceSide(Side):
 
     def _stands(self) -> None:
         """Note a moment that can be gone back to: the last with so many instructions."""
-        self.stood.append(self.reference.instructions)
         if self.moments is not None:
             self.moments[self.reference.instructions] = self.reference.copied()
 
@@ -287,7 +259,7 @@ class ReferenceSide(Side):
         self._stands()
         m = self.reference
         until = NEVER if ticks is None else m.now + ticks
-        reason = m.run_to(until, m.instructions + self.limited(instructions), self.marks, self.writes)
+        reason = m.run_to(until, m.instructions + instructions, self.marks, self.writes)
         if reason != "limit":
             m.do("finish")
         return reason
@@ -304,29 +276,25 @@ class ReferenceSide(Side):
         super().watch(writes, observed)
         self.counts = self.reference.count() if observed else None
 
-    def single_cycles(self, count: int) -> None:
-        for _ in range(count):
-            self._stands()
-            self.reference.run = 0
-            for part in ("settle", "cycle", "settle", "finish"):
-                self.reference.do(part)
+    def single_cycle(self) -> None:
+        self._stands()
+        self.reference.run = 0
+        for part in ("settle", "cycle", "settle", "finish"):
+            self.reference.do(part)
 
     def look(self) -> None:
         """Nothing is changed by it."""
 
     def save_and_restore(self) -> None:
-        """Nothing is lost here; but what was recorded is not saved."""
-        if self.moments is not None:
-            self.record()
+        """Nothing is lost here."""
 
     def record(self) -> None:
-        self.stood, self.moments = [], {}
+        self.moments = {}
 
-    def back(self, runs: int) -> None:
-        number = self.taken_back(self.reference.instructions, runs)
-        if self.moments is not None and number is not None:
-            self.reference = self.moments[number].copied()
-            self.reference.count(self.counts)
+    def back(self, instructions: int) -> None:
+        assert self.moments is not None
+        self.reference = self.moments[self.reference.instructions - instructions].copied()
+        self.reference.count(self.counts)
 
     def seen(self) -> Seen:
         m = self.reference

@@ -53,6 +53,8 @@ def load_tape(fast: bool, frames: bytes) -> Act:
 
 _STATIONS = ("teletype", "highspeed")
 STOP, START, LOAD_ADD = call("panel.stop"), call("panel.start"), call("panel.load_add")
+SINGLE_CYCLE = Act("single_cycle")
+"""CONT under SING STEP."""
 _LOOKED_AT = (
     *(Act("look"), call("wait", 0), call("run", 0), call("run", None, 0), call("values")),
     *(call("__repr__"), call("teletype.receiver.out_of_tape"), call("highspeed.reader_control.out_of_tape")),
@@ -260,7 +262,7 @@ def _hands(draw: random.Random, base: int) -> list[Act]:
             [Act("back", (draw.randrange(1, 5),)), _run(draw, 5), Act("back", (1,))],
             [draw.choice(_LOOKED_AT)],
             [Act("delays", (draw.random() < 0.5,))],
-            [Act("single_cycles", (draw.randrange(1, 6),))],
+            [SINGLE_CYCLE] * draw.randrange(1, 6),
             [Act("breakpoints", (frozenset(draw.sample(range(0o10000), draw.choice((0, 20, 300)))),))],
             [Act("breakpoints", (frozenset(base + draw.randrange(24) & 0o7777 for _ in range(2)),))],
             [Act("breakpoints", (frozenset(),)), Act("watch", (frozenset(), False))],

@@ -8,6 +8,7 @@ from tests.pdp8.computer.bench import core, octal
 from tests.pdp8.computer.lockstep.play import listing, play
 from tests.pdp8.computer.lockstep.situations import (
     LOAD_ADD,
+    SINGLE_CYCLE,
     START,
     STOP,
     Act,
@@ -193,7 +194,7 @@ def test_marks_and_protected_words(form: str) -> None:
                 acts += [Act("breakpoints", (frozenset(),)), *begin, Act("watch", (frozenset(), False))]
             for watched in (frozenset[int](), frozenset({0o7700})):
                 acts += [put("panel.mem_prot", True), Act("watch", (watched, False))]
-                for after in (call("panel.exam"), call("panel.dep"), LOAD_ADD, Act("single_cycles", (1,))):
+                for after in (call("panel.exam"), call("panel.dep"), LOAD_ADD, SINGLE_CYCLE):
                     acts += [*begin, after, *runs((None, 1))]
             same(form, words, *acts, name=f"{word:04o} at {start:04o}")
 
@@ -204,5 +205,6 @@ def test_hands_within_an_instruction(form: str) -> None:
     for hand in (put("pc", 0o300), STOP, call("panel.dep"), put("panel.mem_prot", True), START):
         for before in (27_974, 27_975, 27_976):
             for cycles in range(5):
-                acts = (*runs((None, before)), Act("single_cycles", (cycles,)), hand, *runs(*[(None, 1)] * 4))
+                within = [SINGLE_CYCLE] * cycles
+                acts = (*runs((None, before)), *within, hand, *runs(*[(None, 1)] * 4))
                 same(form, words, *STARTED, *acts)
