@@ -9,10 +9,10 @@ from typing import NamedTuple
 import pytest
 
 from pdp8.computer.hardware.bus import Device
-from pdp8.computer.hardware.signals import NEVER, SKIP
+from pdp8.computer.hardware.signals import NEVER
 from pdp8.computer.machine import Machine
 from tests.conftest import case
-from tests.pdp8.computer.bench import core, machine
+from tests.pdp8.computer.bench import machine
 
 AC = 0o5125
 BUFFER = 0o252
@@ -106,45 +106,3 @@ def test_a_code_is_fitted_once() -> None:
     m = Machine(highspeed=True)
     with pytest.raises(ValueError, match="device 01 is fitted already"):
         m.highspeed.connect(m.bus)
-
-
-class Flag(Device):
-    """A flag that rises at a tick; its tape has run out."""
-
-    def __init__(self, rises: int) -> None:
-        super().__init__()
-        self.rises = rises
-
-    def pulse(self, iop: int, ac: int, now: int) -> int:
-        return SKIP if iop == 1 and self.flag else 0
-
-    def advance(self, now: int) -> None:
-        if self.due <= now:
-            self.flag, self.due = 1, NEVER
-
-    def initialize(self, now: int) -> None:
-        self.flag, self.due = 0, self.rises
-
-    def out_of_tape(self) -> bool:
-        return True
-
-
-def fitted(words: str, rises: int = NEVER, code: int = 0o05) -> tuple[Machine, Flag]:
-    m, flag = Machine(), Flag(rises)
-    m.bus.fit(code, flag)
-    m.load(core(words))
-    m.start(0o200)
-    return m, flag
-
-
-@pytest.mark.parametrize("code", [0o05, 0o37, 0o40, 0o77])
-def test_any_code_may_be_waited_for(code: int) -> None:
-    m, _ = fitted(f"{0o6001 | code << 3:o} 5200", code=code)
-    assert m.run().reason == "tape out"
-
-
-@pytest.mark.parametrize(("rises", "skips"), [(28, 1), (29, 1), (30, 0)])
-def test_a_flag_that_rises_in_the_tick_of_iop1_is_seen(rises: int, skips: int) -> None:
-    m, _ = fitted("6051 7000 7000", rises)
-    m.run(instructions=1)
-    assert m.pc == 0o201 + skips

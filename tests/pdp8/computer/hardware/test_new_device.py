@@ -75,3 +75,27 @@ def test_its_state_is_saved_and_copied(ticking: Machine) -> None:
     assert state.save(restored) == state.save(copied) == state.save(ticking)
     with pytest.raises(state.StateError, match="devices 05: this machine has no such device"):
         state.restore(text)
+
+
+def with_flag(words: str, code: int, rises: int) -> Machine:
+    """Return a machine with a clock whose flag rises once, at a tick."""
+    clock, made = Clock(), Machine()
+    made.bus.fit(code, clock)
+    made.load(core(words))
+    made.start(0o200)
+    clock.due, clock.period = rises, 1 << 40
+    return made
+
+
+@pytest.mark.parametrize("code", [0o05, 0o37, 0o40, 0o77])
+def test_any_code_may_be_waited_for(code: int) -> None:
+    m = with_flag(f"{0o6001 | code << 3:o} 5200 7402", code, 1000)
+    assert m.run()[:2] == ("halt", 0o203)
+    assert 1000 < m.ticks <= 1000 + 117 + 85 + 32
+
+
+@pytest.mark.parametrize(("rises", "skips"), [(28, 1), (29, 1), (30, 0)])
+def test_a_flag_that_rises_in_the_tick_of_iop1_is_seen(rises: int, skips: int) -> None:
+    m = with_flag("6051 7000 7000", 0o05, rises)
+    m.run(instructions=1)
+    assert m.pc == 0o201 + skips

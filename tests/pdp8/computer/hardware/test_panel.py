@@ -36,29 +36,6 @@ def test_how_often_each_lamp_was_lit() -> None:
     assert (len(seen["ir"]), sum(map(len, seen.values()))) == (3, 50)
 
 
-def test_single_step_shows_each_cycle() -> None:
-    """TAD 250, DCA I 250, HLT."""
-    standing = machine("1250 3650 7402 250/ 300 300/ 1111")
-    panel = standing.panel
-    panel.stop()
-    panel.sing_step = True
-    seen = []
-    for key in (panel.start, *[panel.cont] * 5):
-        key()
-        s = panel.lamps
-        state = "F" if s.fetch else "D" if s.defer else "E"
-        seen.append(f"{state} {s.ma:04o} {s.mb:04o} {s.ir} {s.ac:04o} {standing.pc:04o} {s.run}")
-    assert seen == [
-        "F 0200 1250 1 0000 0201 0",
-        "E 0250 0300 1 0300 0201 0",
-        "F 0201 3650 3 0300 0202 0",
-        "D 0250 0300 3 0300 0202 0",
-        "E 0300 0300 3 0000 0202 0",
-        "F 0202 7402 7 0000 0203 0",
-    ]
-    assert standing.ticks == 6 * 32
-
-
 def test_a_cycle_ends_with_the_switch_or_with_protect() -> None:
     m = machine("3577 177/ 7600")
     m.panel.mem_prot = m.panel.sing_step = True
@@ -71,19 +48,6 @@ def test_stop_of_an_observer_ends_the_instruction_and_the_run() -> None:
     m.watch.observer = Stopper(1)
     assert m.run()[:2] == ("stop key", 0o202)
     assert (m.core[0o300], m.ticks) == (0o300, 64 + 96)
-
-
-def test_start_initializes_and_cont_clears_nothing() -> None:
-    m = machine("7402", ac=0o1234, link=1, ion=1)
-    transmitter, receiver = m.teletype.transmitter, m.teletype.receiver
-    transmitter.flag = receiver.flag = 1
-    receiver.reader_run = 0
-    assert m.run().reason == "halt"
-    assert (m.ac, m.link, m.ion, transmitter.flag) == (0o1234, 1, 1, 1)
-    load_address(m.panel, 0o200)
-    m.panel.start()
-    assert (m.ac, m.link, m.ion, transmitter.flag, receiver.flag) == (0, 0, 0, 0, 0)
-    assert (receiver.reader_run, m.pc, m.core[0o200]) == (1, 0o200, 0o7402)
 
 
 @pytest.mark.parametrize(
