@@ -190,12 +190,11 @@ class Waiting:
         p = self.processor
         ticks, count = p.clock - self.clock, p.instructions - self.instructions
         event = p.bus.next_event(p.clock)
-        if event == NEVER == self.quiet_until:
+        if event == NEVER:
             self.endless = True
             self._turn_again(ticks, count)
         else:
-            if event == self.quiet_until:
-                self._pass(event, until, last, ticks, count)
+            self._pass(event, until, last, ticks, count)
             self._remember()
 
     def _pass(self, event: int, until: int, last: int, ticks: int, count: int) -> None:

@@ -1,8 +1,8 @@
-"""Every key and switch, what the lamps show after each, and why it stopped."""
+"""What the lamps show, and why it stopped; the lockstep presses every key."""
 
 import pytest
 
-from pdp8.computer.hardware.panel import Lamps, Panel, shares
+from pdp8.computer.hardware.panel import Lamps, shares
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.machine import Machine
 from tests.pdp8.computer.bench import machine
@@ -20,11 +20,6 @@ class Stopper:
 
     def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
         """Nothing is passed over."""
-
-
-def load_address(panel: Panel, address: int) -> None:
-    panel.sr = address
-    panel.load_add()
 
 
 def test_how_often_each_lamp_was_lit() -> None:
