@@ -40,12 +40,8 @@ class Beside:
         self._printed = 0
 
     def _levels(self, side: int) -> tuple[int, ...]:
-        receiver, transmitter = (
-            (self.gates.receiver, self.gates.transmitter)
-            if side
-            else (self.teletype.receiver, self.teletype.transmitter)
-        )
-        return receiver.flag, transmitter.flag, receiver.reader_run
+        one = (self.teletype, self.gates)[side]
+        return one.receiver.flag, one.transmitter.flag, one.receiver.reader_run
 
     def _note(self, side: int, now: int) -> None:
         """Note what has changed on one side."""
