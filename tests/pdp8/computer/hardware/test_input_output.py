@@ -104,5 +104,6 @@ def test_the_tick_at_which_the_flag_rises(code: int) -> None:
 
 def test_a_code_is_fitted_once() -> None:
     m = Machine(highspeed=True)
+    assert (Machine().highspeed.fitted, m.highspeed.fitted) == (False, True)
     with pytest.raises(ValueError, match="device 01 is fitted already"):
         m.highspeed.connect(m.bus)
