@@ -64,6 +64,9 @@ def test_every_iot() -> None:
                 assert (m.ticks, m.bus.actions) == (85, 2 + (code & 6).bit_count())
                 assert [other.flag for other in m.bus if other is not device] == [flag] * 3
                 assert m.teletype.receiver.reader_run == (code in (0o6032, 0o6033, 0o6036, 0o6037))
+    iof = machine("6002")
+    iof.processor.instruction()
+    assert iof.bus.actions == 2 + 1
 
 
 # From the pulse that starts it, the tick at which each flag rises. IOP1, IOP2, IOP4 come 29, 47, 65 ticks
