@@ -5,7 +5,6 @@ import random
 import shutil
 import subprocess
 from array import array
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -69,26 +68,3 @@ def test_the_translation_does_what_the_source_does(library: ctypes.CDLL) -> None
             assert (found, list(translated), copies) == (meant, registers, words)
         tried |= places.keys()
     assert tried == {*range(WRAP), LEFT}
-
-
-@pytest.mark.parametrize(
-    ("parameter", "statement"),
-    [("int", "print(op)"), ("int", "op = op % 2"), ("float", "op += 1"), ("int", "while op: op -= 1")],
-)
-def test_what_has_no_translation_is_an_error(parameter: str, statement: str, tmp_path: Path) -> None:
-    source = f"""
-TAD = 1
-def piece(a: {parameter}) -> int:
-    "A piece."
-    op = a
-    while op < 3:
-        op = a
-        if op == TAD:
-            {statement}
-        else:
-            break
-    return op
-"""
-    (tmp_path / "piece.py").write_text(source)
-    with pytest.raises(ValueError, match="no translation"):
-        translate(tmp_path / "piece.py")
