@@ -31,6 +31,29 @@ def test_how_often_each_lamp_was_lit() -> None:
     assert (len(seen["ir"]), sum(map(len, seen.values()))) == (3, 50)
 
 
+def test_single_step_shows_each_cycle() -> None:
+    """TAD 250, DCA I 250, HLT."""
+    standing = machine("1250 3650 7402 250/ 300 300/ 1111")
+    panel = standing.panel
+    panel.stop()
+    panel.sing_step = True
+    seen = []
+    for key in (panel.start, *[panel.cont] * 5):
+        key()
+        s = panel.lamps
+        state = "F" if s.fetch else "D" if s.defer else "E"
+        seen.append(f"{state} {s.ma:04o} {s.mb:04o} {s.ir} {s.ac:04o} {standing.pc:04o} {s.run}")
+    assert seen == [
+        "F 0200 1250 1 0000 0201 0",
+        "E 0250 0300 1 0300 0201 0",
+        "F 0201 3650 3 0300 0202 0",
+        "D 0250 0300 3 0300 0202 0",
+        "E 0300 0300 3 0000 0202 0",
+        "F 0202 7402 7 0000 0203 0",
+    ]
+    assert standing.ticks == 6 * 32
+
+
 def test_a_cycle_ends_with_the_switch_or_with_protect() -> None:
     m = machine("3577 177/ 7600")
     m.panel.mem_prot = m.panel.sing_step = True
