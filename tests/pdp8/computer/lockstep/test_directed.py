@@ -208,3 +208,17 @@ def test_hands_within_an_instruction(form: str) -> None:
                 within = [SINGLE_CYCLE] * cycles
                 acts = (*runs((None, before)), *within, hand, *runs(*[(None, 1)] * 4))
                 same(form, words, *STARTED, *acts)
+
+
+def test_the_iots_of_the_pc8l_while_it_works(form: str) -> None:
+    """Twenty of them by chance, a delay of 20 ms, the same again; now and then START."""
+    draw = random.Random(1971)
+    for _ in range(6):
+        tried = " ".join(f"{draw.choice((0o6010, 0o6020)) + draw.randrange(8):o} 7001" for _ in range(20))
+        acts = [load_tape(True, draw.randbytes(9)), *STARTED]
+        for _ in range(10):
+            acts += [
+                *runs((draw.randrange(500_000), 20_000)),
+                *draw.choice(((), (), (STOP, LOAD_ADD, START))),
+            ]
+        same(form, core(f"{tried} 2100 5250 5200"), *acts, fast=True)
