@@ -253,6 +253,10 @@ def test_a_search_begins_before_where_the_machine_stands() -> None:
     for number in (6, 3, 0):
         rewind.until_left(history, 0o200)
         assert (m.pc, m.instructions) == (0o200, number)
+    m, history = recorded("4202 5200 0 5602")  # JMS 202, JMP 200, JMP I 202: it stands after a JMS
+    m.run(instructions=4)
+    rewind.until_left(history, 0o202)
+    assert m.instructions == 1
 
 
 def test_a_history_that_is_closed_records_nothing() -> None:

@@ -51,6 +51,13 @@ def test_why_a_run_ends(reason: str, words: str, tape: bytes | None) -> None:
         assert m.ticks == 200_000 + 64  # it is looked at after 10 ms, and does one turn more
 
 
+def test_a_loop_after_a_wait_is_looked_at_at_the_same_ticks() -> None:
+    """TLS, TSF, JMP .-1, then CLA, JMP .-1: every 10 ms of machine time."""
+    m = machine("6046 6041 5201 7200 5203")
+    assert m.run().reason == "idle"
+    assert 0 < m.ticks % 200_000 < 200
+
+
 def test_a_tape_that_was_taken_out_does_not_run_out() -> None:
     m = machine("6031 5200", b"")
     m.teletype.reader.remove()
