@@ -72,7 +72,7 @@ def _parted(text: str) -> tuple[list[float], str]:
     end = 0
     while end < len(plain) and plain[end] in "+-.,0123456789":
         end += 1
-    digits, unit = plain[:end].rstrip(".,"), plain[end:].strip().rstrip(".")
+    digits, unit = plain[:end].rstrip(".,"), plain[end:].strip().removesuffix(".")
     forms = [digits.replace(",", "")]
     if digits.count(",") == 1 and "." not in digits:
         after = len(digits) - digits.find(",") - 1

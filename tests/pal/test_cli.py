@@ -89,7 +89,7 @@ def test_a_terminal_is_shown_colours_that_it_may_have(folder: Path) -> None:
 def test_without_pygls_an_editor_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delattr(pal, "server", raising=False)
     monkeypatch.setitem(sys.modules, "pal.server", None)
-    with pytest.raises(AssemblyError, match=r"^--lsp needs pygls: .*pip install .*lsp"):
+    with pytest.raises(AssemblyError, match=r"^--lsp needs pygls: .*pip install .*\[lsp\]"):
         cli.pal.main(["--lsp"], standalone_mode=False)
 
 

@@ -173,6 +173,10 @@ def test_what_a_damaged_tape_holds() -> None:
         assert binary.content(reading).words == {0o200: 5, 0o201: 2, 0o202: 3}
 
 
+def test_a_field_is_no_origin() -> None:
+    assert "a word before any origin" in str(binary.find_damage(binary.read(tape("310 074 002 000 076"))))
+
+
 def test_origins_may_overlap_and_wrap() -> None:
     assert binary.decode(tape("177 077 000 001 000 002 177 077 000 003 006 002")).words == {0o7777: 3, 0: 2}
 
