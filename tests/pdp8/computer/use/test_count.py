@@ -12,26 +12,27 @@ from tests.pdp8.computer.bench import machine
 
 
 def test_by_hand() -> None:
-    """Three turns of ISZ 210, JMP .-1, then JMS 211, which is written, then HLT."""
-    m = machine("2210 5200 4211 210/ 7775 212/ 7402")
+    """Three turns of ISZ 210, JMP .-1, then JMS 211, JMS 0, which no interrupt brings, then HLT."""
+    m = machine("2210 5200 4211 210/ 7775 212/ 4000 1/ 7402")
     with m.count() as count:
         m.run()
     assert m.watch.observer is None
-    count.waiting, count.interrupts = 88, 1234
+    assert count.interrupts == 0
+    count.waiting, count.interrupts = 104, 1234
     listing = Listing()
     listing.words = {0o200: 0o2210, 0o213: 0}
     assert used.record(count, listing) == {
-        **{"instructions": 7, "cycles": 3 * 2 + 2 * 1 + 2 + 1, "interrupts": 1234},
-        **{"seconds": 17.6e-6, "waiting_seconds": 4.4e-6},
-        "operations": {"ISZ": 3, "JMP": 2, "JMS": 1, "HLT": 1},
-        "executed": {"0200": 3, "0201": 2, "0202": 1, "0212": 1},
-        **{"written": {"0210": 3, "0211": 1}, "never_executed": ["0213"]},
+        **{"instructions": 8, "cycles": 3 * 2 + 2 * 1 + 2 + 2 + 1, "interrupts": 1234},
+        **{"seconds": 20.8e-6, "waiting_seconds": 5.2e-6},
+        "operations": {"ISZ": 3, "JMP": 2, "JMS": 2, "HLT": 1},
+        "executed": {"0001": 1, "0200": 3, "0201": 2, "0202": 1, "0212": 1},
+        **{"written": {"0000": 1, "0210": 3, "0211": 1}, "never_executed": ["0213"]},
     }
     assert list(used.table(count, listing)) == [
-        *("7 instructions, 11 cycles, 0.0 s", "waiting 25.00 %, 0.0 s", "interrupts 1,234"),
-        *("    ISZ                        3   42.86 %", "    JMP                        2   28.57 %"),
-        *("    JMS                        1   14.29 %", "    HLT                        1   14.29 %"),
-        *("never executed: 0213", "written: 0210-0211"),
+        *("8 instructions, 13 cycles, 0.0 s", "waiting 25.00 %, 0.0 s", "interrupts 1,234"),
+        *("    ISZ                        3   37.50 %", "    JMP                        2   25.00 %"),
+        *("    JMS                        2   25.00 %", "    HLT                        1   12.50 %"),
+        *("never executed: 0213", "written: 0000, 0210-0211"),
     ]
     assert list(used.table(Count(), Listing())) == [
         *("0 instructions, 0 cycles, 0.0 s", "waiting 0.00 %, 0.0 s"),
