@@ -31,6 +31,15 @@ def test_the_command_writes_the_tape_and_says_what_it_is(shell: Shell, tmp_path:
     assert (tmp_path / "found.asc").read_bytes() == tape
 
 
+@pytest.mark.parametrize(
+    ("size", "why"), [(64 << 20, "no picture that can be read"), ((64 << 20) + 1, "longer")]
+)
+def test_a_picture_has_64_mib_at_most(shell: Shell, tmp_path: Path, size: int, why: str) -> None:
+    with open(tmp_path / "large", "wb") as file:
+        file.truncate(size)
+    assert f"large: {why}" in shell("pdp8 tape read large -o found.asc").stderr.decode()
+
+
 @pytest.mark.slow("two photographs, eight seconds")
 def test_the_command_says_a_gap_and_the_other_side(shell: Shell, tmp_path: Path) -> None:
     tape = shelf.read("circle.asc")[:PART]
