@@ -29,8 +29,8 @@ class Output:
                 self._stream.close()
 
     def tell(self) -> None:
-        """Say which file was written, if it is one."""
-        if self._stream is not sys.stdout.buffer:
+        """Say which file was written, if it is one and took every frame."""
+        if self._stream is not sys.stdout.buffer and not self._gone:
             command.tell_written(self._name, self._replaced)
 
     def send(self) -> None:
@@ -45,6 +45,7 @@ class Output:
             self._gone = True
             raise
         except OSError as error:
+            self._gone = True
             raise shelf.ShelfError(f"{self._name}: {error.strerror} after {self._sent:,} frames") from error
         self._sent += len(fresh)
 
