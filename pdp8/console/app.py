@@ -117,14 +117,13 @@ class Room(App[None]):
     def on_mount(self) -> None:
         self.query_one("#panel").focus()
         self._turn_pages()
-        self.look()
         if self.ticking:
             self._before = perf_counter()
             self.set_interval(TURN, self._tick)
 
     def on_resize(self, event: events.Resize) -> None:
         small = event.size.width < SMALLEST[0] or event.size.height < SMALLEST[1]
-        self.screen.set_class(small, "-cramped")
+        self.screen_stack[0].set_class(small, "-cramped")
         self._turn_pages(event.size.width, event.size.height)
 
     def _turn_pages(self, width: int = 0, height: int = 0) -> None:
@@ -133,6 +132,7 @@ class Room(App[None]):
         self.query_one("#pages").set_class(everything, "all")
         for name in _PAGES:
             self.query_one(f"#{name}").display = everything or name == self.shown_page
+        self.look()
 
     def _tick(self) -> None:
         now = perf_counter()

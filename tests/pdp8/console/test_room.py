@@ -106,7 +106,6 @@ async def test_the_room_in_terminals_of_three_sizes(room: Room, pilot: Pilot[Non
     await press(pilot, "t")
     for size in ((160, 45), (100, 30), (80, 24)):
         await pilot.resize_terminal(*size)
-        room.look()
         await pilot.pause()
         assert_shows(room, f"translating, {size[0]}x{size[1]}")
 
@@ -115,8 +114,9 @@ async def test_the_room_in_terminals_of_three_sizes(room: Room, pilot: Pilot[Non
 async def test_a_terminal_too_small_says_so(room: Room, pilot: Pilot[None]) -> None:
     assert "80 columns and 24 lines" in shown(room)
     assert "MEM ADDR" not in shown(room)
+    await press(pilot, "o")
     await pilot.resize_terminal(80, 24)
-    await pilot.pause()
+    await press(pilot, "escape")
     assert "MEM ADDR" in shown(room)
 
 
