@@ -93,7 +93,7 @@ class _Compared(_Parts):
         return _comparison(PARTS[cmd_name]) if cmd_name in self.list_commands(ctx) else None
 
 
-@part.group(cls=_Compared, short_help="A part in two arithmetics, side by side", context_settings=_SETTINGS)
+@part.group(cls=_Compared, short_help="A part in two arithmetics, side by side.", context_settings=_SETTINGS)
 def compare() -> None:
     """Run a part program in two arithmetics and show the blocks that differ, side by side.
 
@@ -139,7 +139,7 @@ def _comparison(part: Part) -> click.Command:
     )
 
 
-@part.command(short_help="A function from measured points")
+@part.command(short_help="A function from measured points.")
 @click.argument("points", type=Source(), metavar="[POINTS]", default="-")
 @click.option(
     "--degree",
@@ -171,7 +171,7 @@ def fit(points: str, degree: int) -> None:
     command.tell(f"at most {found.worst:.4f} in from a point")
 
 
-@part.command(short_help="The other hand of a part")
+@part.command(short_help="The other hand of a part.")
 @click.argument("tape", type=Source(), metavar="[FILE.asc]", default="-")
 @click.option(
     "--across", type=click.Choice(["x", "y"]), default="x", show_default=True, help="The axis to reflect."

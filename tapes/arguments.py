@@ -168,9 +168,7 @@ class Group(click.Group):
     def lines(self, ctx: click.Context) -> list[tuple[str, str]]:
         """Return the name of each command, and what it does in one line."""
         found = [(name, self.get_command(ctx, name)) for name in self.list_commands(ctx)]
-        return [
-            (name, command.get_short_help_str(200).removesuffix(".")) for name, command in found if command
-        ]
+        return [(name, command.get_short_help_str(200)) for name, command in found if command]
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the list of commands."""

@@ -104,9 +104,11 @@ def test_what_follows_a_good_tape_is_a_label(label: str) -> None:
     start = len(FORMAT_BIN) + (len(octal(label)) - len(octal(label).lstrip(b"\0")))
     assert binary.read(labelled)[2:] == (None, (range(start, len(labelled)),))
     assert kinds.classify(labelled) == kinds.BIN
-    good, bad = (tape(f"102 000 074 00{word} 002 000") for word in (2, 3))  # 102+000+074+002, octal
+    # 102+000+074+002 is 200, octal: a checksum; another word before it; and an origin there
+    good, bad, unsummed = (tape(f"102 000 074 {end} 000") for end in ("002 002", "003 002", "002 102"))
     labelled += bytes(3)
-    assert [apart(labelled), apart(labelled + good), apart(labelled + bad)] == [None, len(labelled), None]
+    assert apart(labelled + good) == len(labelled)
+    assert [apart(labelled), apart(labelled + bad), apart(labelled + unsummed)] == [None] * 3
     assert apart(labelled + bad + bytes(3) + good) == len(labelled + bad + bytes(3))
 
 

@@ -35,8 +35,8 @@ def test_a_fault_in_a_doubtful_channel_is_mended(code: str) -> None:
     assert redundancy.propose(tape, {at: 0o377, 120: 0o377})[0] == {}
 
 
-BLANKS = TAPES["eia"].replace(b"\x20", b"\0")
-"""Its zeros are blank frames, as a Hydra-Point may have them."""
+BLANKS = TAPES["eia"][:90].replace(b"\x20", b"\0")
+"""Four blocks, whose zeros are blank frames, as a Hydra-Point may have them."""
 TORN = FORMAT_BIN[:121] + b"\x42" + LEADER
 """BIN from either end; from this one it goes on for longer."""
 
