@@ -227,6 +227,7 @@ def test_nothing_leaks(page: Page) -> None:
             page.evaluate("workbench.parts.name = 'circle.asc'; workbench.parts.translate();")
             until(page, "workbench.machine._out_of_tape()")
             times += 1
+        page.wait_for_timeout(1000)  # the last picture is drawn
         session.send("HeapProfiler.collectGarbage")
         metrics = {each["name"]: each["value"] for each in session.send("Performance.getMetrics")["metrics"]}
         found.append((metrics["JSHeapUsedSize"] / 1e6, metrics["Nodes"]))
