@@ -48,18 +48,21 @@ Event = tuple[object, ...]
 
 
 def events(path: nc.Path) -> Iterator[Event]:
-    """Yield each move, its end in inches, its feed, spindle and coolant; each stop and each tool. From the
-    work the quill goes to the top before spindle and coolant are off.
+    """Yield each move, its end in inches, its feed, spindle (- as a tap comes out) and coolant; each stop and
+    the spindle then, each tool. First the quill is up; from the work it goes to the top before all is off.
     """
+    yield (0, 0, 0), None, 0, "off"
     for step in path.steps:
+        turning = step.modes.spindle or 0
         for move in step.moves:
             x, y, z = move.end
             feed = round(move.speed, 4) if move.kind in FEEDS else None
-            yield (x / 1000, y / 1000, -z / 1000), feed, step.modes.spindle or 0, step.modes.coolant
+            way = -1 if move.kind == MoveKind.FEED_OUT and step.block.preparatory in (1, 8) else 1
+            yield (x / 1000, y / 1000, -z / 1000), feed, way * turning, step.modes.coolant
         if step.tool_changed:
             yield "tool", step.modes.tool
         elif step.stop or step.block.miscellaneous == 83:
-            yield "stop", None
+            yield "stop", 0 if step.block.miscellaneous == 6 else turning
     if step.at.z:
         yield (step.at.x / 1000, step.at.y / 1000, 0), None, step.modes.spindle or 0, step.modes.coolant
 
@@ -88,6 +91,8 @@ def linuxcnc(lines: Iterable[str], folder: Path) -> Iterator[Event]:
                 turning = speed if turning else 0
             case "START_SPINDLE_CLOCKWISE", _:
                 turning = speed
+            case "START_SPINDLE_COUNTERCLOCKWISE", _:
+                turning = -speed
             case "STOP_SPINDLE_TURNING", _:
                 turning = 0
             case (("MIST_ON" | "FLOOD_ON"), _):
@@ -97,7 +102,7 @@ def linuxcnc(lines: Iterable[str], folder: Path) -> Iterator[Event]:
             case "SELECT_TOOL", [tool]:
                 yield "tool", int(tool)
             case "PROGRAM_STOP", _:
-                yield "stop", None
+                yield "stop", turning
 
 
 @pytest.mark.skipif(not shutil.which("rs274"), reason="LinuxCNC's interpreter (rs274) is not installed")
@@ -128,15 +133,16 @@ def test_pygcode_goes_the_same_way() -> None:
 
 def test_the_header_of_the_circle() -> None:
     lines = list(gcode(nc.cut(CIRCLE)))
-    assert [*lines[:6], *lines[8:13], *lines[-4:]] == [
+    assert [*lines[:7], *lines[9:14], *lines[-4:]] == [
         "(Moog Hydra-Point 83-1000 MC, 20-row block tape)",
         "G20 G90 G17 G94 G40 G80 G61",
-        "N1 G0 X19.0000",
+        "G0 Z0.0000 (the quill is up)",
+        "N1 G0 X19.0000 Y0.0000",
         "N1 M0 (001 0 19000 00000 0 00 02)",
-        "N2 G0 X0.0000",
+        "N2 G0 X0.0000 Y0.0000",
         "N2 T1 M6 (002 0 00000 00000 0 01 86)",
         "N5 G0 X2.2500 Y2.2500",
-        "N5 G0 Y4.0000 (005 0 02250 04000 0 00 80)",
+        "N5 G0 X2.2500 Y4.0000 (005 0 02250 04000 0 00 80)",
         "N6 (006 9 03000 03500 0 01 89)",
         "N7 G0 Z-3.0000",
         "N7 G1 Z-3.5000 F1.0",
@@ -147,10 +153,15 @@ def test_the_header_of_the_circle() -> None:
     ]
 
 
+def test_a_tape_that_starts_no_spindle_says_so() -> None:
+    assert list(gcode(nc.cut(tape(FOUR_HOLES[0]))))[1].startswith("G20")
+    assert list(gcode(nc.cut(tape("001 0 01000 00000 0 00 80"))))[1] == "(the tape starts no spindle)"
+
+
 def test_a_line_s_number_has_five_digits_at_the_most() -> None:
     path = nc.cut(tape(FOUR_HOLES[0]))
     steps = tuple(replace(path.steps[0], number=number) for number in (99_999, 100_000))
-    assert [line.split()[0] for line in gcode(replace(path, steps=steps))][2:4] == ["N99999", "(001"]
+    assert [line.split()[0] for line in gcode(replace(path, steps=steps))][3:5] == ["N99999", "(001"]
 
 
 def read_back(text: str) -> "ezdxf.document.Drawing":
