@@ -41,6 +41,12 @@ class Stations:
         """The direction of each normal in degrees, 0 up to 360."""
         return np.degrees(np.arctan2(self.normals[:, 1], self.normals[:, 0])) % 360
 
+    @property
+    def bend(self) -> Floats:
+        """The curve's bend, (n,): 1 over its radius, + where the centre lies against the normal."""
+        ways = np.gradient(self.points, axis=0)
+        return np.asarray((np.gradient(self.normals, axis=0) * ways).sum(axis=1) / (ways * ways).sum(axis=1))
+
     def part(self, chosen: slice | NDArray[np.intp]) -> "Stations":
         """Return some of the stations."""
         return Stations(self.points[chosen], self.normals[chosen], self.along[chosen])
@@ -233,7 +239,8 @@ def nominal(
 def fitted(points: Floats, within: float) -> Ellipse | StraightLine | None:
     """Return the line, circle or ellipse nearest to the points (n, 2), constants rounded to the thousandth.
 
-    None if some point lies further than `within` from each of them.
+    None if some point lies further than `within` from each of them, or if less than a quarter of the ellipse
+    is there: what bends a little is near to many.
     """
     for fit in (_fitted_line, _fitted_ellipse):
         curve = fit(points)
@@ -264,7 +271,8 @@ def _fitted_ellipse(points: Floats) -> Ellipse | None:
     a, b = np.rint(size * np.sqrt([whole / p, whole / q])).tolist()
     if abs(a - b) <= 1:
         a = b = round((a + b) / 2)
-    return Ellipse(x, y, a, b) if a and b else None
+    width, height = np.ptp(points, axis=0)
+    return Ellipse(x, y, a, b) if 0 < a < 1.1 * width and 0 < b < 1.1 * height else None
 
 
 def _thousandths(inches: Sequence[float]) -> tuple[float, ...]:

@@ -8,7 +8,8 @@
 
 The cutter removes everything it passes over: discs at the path's corners, rectangles between them. From each
 station the stylus moves out and in along the normal until it meets metal. The intersections are exact: arcs
-are not approximated. Where the station itself was not cut there is no wall: nan.
+are not approximated. Where the station itself was not cut there is no wall: nan; nor is there on the side to
+which the curve bends closer than the cutter's radius, as inside a circle smaller than the cutter.
 
 Deviations and lengths are thousandths of an inch.
 
@@ -35,11 +36,13 @@ _CUTS_AT_FULL = 4_000
 _FOLLOWED = 20
 _GROUP = 360
 _AT_ONCE = 512
+_ROUND = 0.999
+"""The cutter's radius beside that of the curve's bend, from which it leaves nothing within the bend."""
 
 
 @dataclass(frozen=True, eq=False)
 class Walls:
-    """The error of each wall at each station, (n,), in thousandths outward; nan where nothing was cut."""
+    """The error of each wall at each station, (n,), in thousandths outward; nan where there is none."""
 
     stations: Stations
     outer: Floats
@@ -105,7 +108,15 @@ class Inspection:
     @property
     def uncut(self) -> float:
         """The part of the curve, 0 to 1, that the cutter did not reach."""
-        return float(np.isnan(self.walls.outer).mean())
+        return float((np.isnan(self.walls.outer) & np.isnan(self.walls.inner)).mean())
+
+    @property
+    def without(self) -> dict[str, float]:
+        """The part of the curve, 0 to 1, along which the cutter left no such wall."""
+        return {
+            "outer": float(np.isnan(self.walls.outer).mean()) - self.uncut,
+            "inner": float(np.isnan(self.walls.inner).mean()) - self.uncut,
+        }
 
 
 def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, tolerance: float = 5) -> Inspection:
@@ -127,7 +138,7 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
     corners = _corners(cuts)
     count = max(_FEWEST_STATIONS, STATIONS * _CUTS_AT_FULL // max(_CUTS_AT_FULL, len(corners)))
     measured = walls(cuts, curve.stations(count), cutter / 2)
-    if np.isnan(measured.outer).all():
+    if np.isnan([measured.outer, measured.inner]).all():
         raise WorkError(f"the cutter did not reach the curve: {curve}")
     centre = curve.deviations(corners[_beside(corners, measured.stations, cutter)])
     readings = tuple(_readings(curve, measured))
@@ -188,9 +199,11 @@ def walls(cuts: Floats, stations: Stations, radius: float) -> Walls:
                 cut = (enter <= 0) & (leave >= 0)
                 inner[group] = np.minimum(inner[group], np.where(cut, enter, np.inf).min(axis=1))
                 outer[group] = np.maximum(outer[group], np.where(cut, leave, -np.inf).max(axis=1))
-    reached = np.isfinite(outer)
+    bend = np.where(np.isfinite(outer), radius * stations.bend, np.nan)
     return Walls(
-        stations, np.where(reached, outer - radius, np.nan), np.where(reached, inner + radius, np.nan)
+        stations,
+        np.where(bend > -_ROUND, outer - radius, np.nan),
+        np.where(bend < _ROUND, inner + radius, np.nan),
     )
 
 
@@ -200,6 +213,8 @@ def runs(deviation: Floats, closed: bool, every: int = 10) -> list[NDArray[np.in
     They are the turning points and one station in `every`; a closed graph ends at its first station.
     """
     there = np.flatnonzero(~np.isnan(deviation))
+    if not len(there):
+        return []
     turns = np.zeros(len(deviation), dtype=np.bool_)
     steps = np.diff(deviation[there])
     turns[there[1:-1][np.sign(steps[:-1]) != np.sign(steps[1:])]] = True

@@ -100,6 +100,9 @@ def inspection_report(inspection: Inspection) -> Iterator[str]:
     yield f"stations  {len(inspection.walls.stations)}"
     if inspection.uncut:
         yield f"not cut   {inspection.uncut:.1%} of the curve was not reached by the cutter"
+    for wall, part in inspection.without.items():
+        if part:
+            yield f"no wall   {wall}, along {part:.1%} of the curve: it bends closer than the cutter's radius"
     yield ""
     yield from _readings(inspection)
     yield ""

@@ -41,21 +41,33 @@ def talysurf(
         )
     sheet = Sheet(_LEFT + _WIDTH + 30, 2 * (_HEIGHT + 60) + 100, "Talysurf")
     sheet.text(_LEFT, 26, f"Talysurf: {inspection.curve}", font_size=15)
-    for row, (wall, deviation) in enumerate(
-        (("outer", inspection.walls.outer), ("inner", inspection.walls.inner))
-    ):
-        seen = deviation[chosen]
-        if np.isnan(seen).all():
-            raise WorkError("the cutter did not reach this stretch of the curve: there is no wall")
+    walls = {"outer": inspection.walls.outer[chosen], "inner": inspection.walls.inner[chosen]}
+    if np.isnan([*walls.values()]).all():
+        raise WorkError("the cutter did not reach this stretch of the curve: there is no wall")
+    for row, (wall, seen) in enumerate(walls.items()):
         top = 80 + row * (_HEIGHT + 60)
+        if np.isnan(seen).all():
+            sheet.text(_LEFT, top - 10, f"no {wall} wall", fill=COLOURS[wall])
+            continue
         rough = float(np.nanmax(seen) - np.nanmin(seen))
         sheet.text(_LEFT, top - 10, f"{wall} wall, trough to peak {inches(rough)} in", fill=COLOURS[wall])
         _trace(sheet, top, along[chosen], seen, COLOURS[wall], background)
-    said = "inches along the curve, a line every .01; upward is outward, in inches, a line every .001"
+    every = f"{_between(_WIDTH / (along[chosen[-1]] - along[chosen[0]])) / 1000:.2f}".lstrip("0")
+    said = f"inches along the curve, a line every {every}; upward is outward, in inches, a line every .001"
     if background:
         said += f"; shaded, {inches(background)} not of the steps"
     sheet.text(_LEFT + _WIDTH / 2, 2 * (_HEIGHT + 60) + 80, said, text_anchor="middle")
     return sheet.svg()
+
+
+def _numbered(across: float) -> float:
+    """Return the thousandths between two lines with a number, at so many pixels a thousandth."""
+    return round_step(max(DIVISION, 48 / across))
+
+
+def _between(across: float) -> float:
+    """Return the thousandths between two lines."""
+    return DIVISION if DIVISION * across >= 4 else _numbered(across)
 
 
 def _usual(inspection: Inspection) -> tuple[float, float]:
@@ -80,11 +92,11 @@ def _trace(
         sheet.draw("line", x1=_LEFT, y1=y, x2=right, y2=y, stroke=FAINT if line == 0 else GRID)
         if line % labels == 0:
             sheet.text(_LEFT - 8, y + 4, signed(line), text_anchor="end")
-    if DIVISION * across >= 4:
+    if _between(across) == DIVISION:
         for count in range(ceil(start / DIVISION), floor((start + length) / DIVISION) + 1):
             x = _LEFT + (count * DIVISION - start) * across
             sheet.draw("line", x1=x, y1=top, x2=x, y2=bottom, stroke=GRID, stroke_width=0.6)
-    step = round_step(max(DIVISION, 48 / across))
+    step = _numbered(across)
     for count in range(ceil(start / step), floor((start + length) / step) + 1):
         x = _LEFT + (count * step - start) * across
         sheet.draw("line", x1=x, y1=top, x2=x, y2=bottom, stroke=GRID)

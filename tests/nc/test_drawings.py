@@ -94,7 +94,7 @@ DRAWINGS: dict[str, tuple[str, Callable[[], str]]] = {
     "talyrond, circle": ("cf4c68a1", lambda: talyrond(inspect(circle()))),
     "talyrond, ellipse": ("d9f264f7", lambda: talyrond(inspect(ellipse()))),
     "talyrond, half": ("9c2882a5", lambda: talyrond(inspect(half(), THE_CIRCLE))),
-    "talysurf, circle": ("270ca7f2", lambda: talysurf(inspect(circle()))),
+    "talysurf, circle": ("3f8f46d1", lambda: talysurf(inspect(circle()))),
     "talysurf, slope": ("c9baca42", lambda: talysurf(inspect(slope(), SLOPE))),
     "talysurf, shaded": ("f83c2076", lambda: talysurf(inspect(circle()), (7500, 8900), background=1.2)),
     "talysurf, rough": ("0743e84e", lambda: talysurf(inspect(parabola(), PARABOLA, 250), (520, 790), 1.2)),

@@ -12,6 +12,7 @@ import nc
 from nc.curves import Curve, Ellipse, Graph, StraightLine, fitted, nominal
 from nc.inspection import Inspection, Walls, followed, inspect, runs, walls
 from nc.report import inspection_report
+from nc.talysurf import talysurf
 from tapes.errors import WorkError
 from tests.conftest import case
 from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, milled, staircase, tape
@@ -114,6 +115,25 @@ def test_what_the_cutter_never_reached_is_said() -> None:
         inspect(quarter, curve=Ellipse(15000, 5000, 1000, 1000))
 
 
+def test_a_wide_cutter_leaves_no_wall_within_a_bend() -> None:
+    """A circle as wide as the cutter has no inside; y = x² is .5 (1 + 4x²)^1.5 in round, its centre above."""
+    for cutter, without in ((3490, 0), (3500, 1)):
+        found = inspect(nc.cut(CIRCLE), cutter=cutter)
+        assert (found.without, found.uncut) == ({"outer": 0, "inner": without}, 0)
+        assert {each.wall for each in found.readings} == {"outer"} | ({"inner"} if not without else set())
+        assert ("no inner wall" in talysurf(found)) == without
+    assert "no wall   inner, along 100.0% of the curve" in "\n".join(inspection_report(found))
+    x = np.arange(-0.8, 0.8, 0.01)
+    way = np.stack([x, x * x], axis=1) * 1000 + (4000, 5000)
+    places = [(way[0], way[0]), *pairwise(way.round())]
+    cuts = np.array([[*start, *end] for start, end in places])
+    stations = Graph(4000, 5000, "x*x", -0.7, 0.7).stations(1401)
+    left = walls(cuts, stations, radius=600)
+    closer = 0.5 * (1 + 4 * np.linspace(-0.7, 0.7, 1401) ** 2) ** 1.5 < 0.6
+    assert np.count_nonzero(np.isnan(left.outer) != closer) <= 2
+    assert not np.isnan(left.inner).any()
+
+
 @pytest.mark.parametrize(
     "curve",
     [
@@ -155,6 +175,9 @@ def test_what_follows_no_curve_is_none() -> None:
     there_and_back = np.array([[0.0, 0], [1000, 0], [2000, 0], [0, 0]])
     assert fitted(there_and_back, within=5) is fitted(there_and_back[:, ::-1], within=5) is None
     assert fitted(np.array([[0.0, 0], [1000, 0], [1000, 700], [0, 700], [500, 100]]), within=20) is None
+    stations = Ellipse(4000, 4000, 3000, 2250).stations(36)
+    assert fitted(stations.points[:10], within=5) == Ellipse(4000, 4000, 3000, 2250)
+    assert fitted(stations.points[5:11], within=5) is None  # a sixth of it, as near to others
     for tolerance, within in ((4, r"0\.020"), (250, r"1\.000")):
         with pytest.raises(WorkError, match=f"within {within} in: name the nominal curve"):
             inspect(milled((2250, 8000), (9000, 8000)), tolerance=tolerance)
