@@ -232,7 +232,11 @@ def _not_eia(frames: bytes, error: "CutError") -> WorkError | None:
     kind = kinds.classify(frames) if error.block == 1 else kinds.EIA
     if kind not in (kinds.ASCII, kinds.BIN, kinds.RIM):
         return None
-    cure = "; `pdp8 run eia.pal` translates it" if kind == kinds.ASCII else ""
+    cure = ""
+    if kind == kinds.ASCII and kinds.ends_blocks(frames):
+        cure = "; `pdp8 run eia.pal` translates it"
+    elif kind == kinds.ASCII:
+        cure = "; `pdp8 tape punch --code eia` punches typed blocks"
     return WorkError(f"{error}; the tape seems to be {kind.upper()}, and the machine reads EIA{cure}")
 
 

@@ -14,7 +14,9 @@ from tapes.expression import LANGUAGE, function
 
 
 def part(
-    expression: Annotated[str, f"y as a function of x, inches: {LANGUAGE}; capitals are the same"],
+    expression: Annotated[
+        str, f"y as a function of x, inches: {LANGUAGE}; capitals are the same; in front 0-x stands for -x"
+    ],
     *,
     from_: Annotated[float, "X where it starts", INCHES] = 0.0,
     to: Annotated[float, "X where it ends", INCHES] = 4.0,

@@ -65,7 +65,8 @@ def read(text: str) -> list[tuple[float, float]]:
 
 
 def _expression(coefficients: list[float]) -> str:
-    """Return the polynomial, highest power first, to twelve digits."""
+    """Return the polynomial, highest power first, to twelve digits; a - in front would be an option."""
     powers = ["", "*x", *(f"*x**{power}" for power in range(2, len(coefficients)))]
     terms = [f"{c:+.12g}{p}" for c, p in zip(coefficients, powers, strict=False) if c or p == ""]
-    return "".join(reversed(terms)).removeprefix("+")
+    found = "".join(reversed(terms)).removeprefix("+")
+    return f"0{found}" if found.startswith("-") else found

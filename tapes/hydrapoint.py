@@ -248,22 +248,22 @@ def corner(
 def typed(text: str) -> str | None:
     """Return a program as it is punched, None for text that is no program.
 
-    A program is lines of digits and spaces, at least one of them a block of 19 digits, or one too few or too
-    many. Where a block's digits stand apart, as the thesis prints them, the spaces are for clarity and are
-    left out; else each is a zero. Blank lines mean nothing. Raises TextError naming the first other line that
-    is no block.
+    More than half of its lines are blocks: 19 digits and spaces, or a digit too few or too many. Where a
+    block's digits stand apart, as the thesis prints them, the spaces are for clarity and are left out; else
+    each is a zero. Blank lines mean nothing. Raises TextError naming the first other line that is no block.
     """
     lines = text.split("\n")
     blocks = [line for line in lines if line.strip()]
-    if not all(block.replace(" ", "").isdecimal() for block in blocks):
-        return None
-    near = [block for block in blocks if abs(len(block.replace(" ", "")) - DIGITS) <= 1]
-    if not near:
+    figures = [block for block in blocks if block.replace(" ", "").isdecimal()]
+    near = [block for block in figures if abs(len(block.replace(" ", "")) - DIGITS) <= 1]
+    if 2 * len(near) <= len(blocks):
         return None
     spaced = any(len(block) > DIGITS for block in near)
     at = 0
     for line in lines:
         digits = line.replace(" ", "") if spaced else line
+        if line.strip() and not line.replace(" ", "").isdecimal():
+            raise TextError(f"{line.strip()[:40]!r} is no block of {DIGITS} digits", text, at)
         if line.strip() and len(digits) != DIGITS:
             raise TextError(f"a block of {len(digits)} digits; it has {DIGITS}", text, at)
         at += len(line) + 1

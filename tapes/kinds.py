@@ -61,13 +61,18 @@ def doubt(frames: bytes) -> str:
     kind = classify(frames)
     if kind == EIA:
         return "is an EIA tape: a program for ASCII finds no character on it"
-    codes = frames.translate(PARITIES["none"])
-    if kind not in (BIN, RIM) and b"\n" in codes and b"\r" not in codes:
+    if kind not in (BIN, RIM) and not ends_blocks(frames):
         return (
             "has line feeds but no carriage returns: no block will end. "
             "A proper tape is made from text with: pdp8 tape punch FILE -o FILE.asc"
         )
     return ""
+
+
+def ends_blocks(frames: bytes) -> bool:
+    """Tell whether an ASCII tape with line feeds has carriage returns, which end a block."""
+    codes = frames.translate(PARITIES["none"])
+    return b"\n" not in codes or b"\r" in codes
 
 
 def only_figures(frames: bytes) -> bool:

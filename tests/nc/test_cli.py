@@ -110,6 +110,12 @@ ROW_1 = "block 1, row 1: the block ends in row 1; a block has 20 rows; the tape 
         ("plot", CIRCLE[:-7], "standard input: frame 13313: block 666, row 13: the tape ends after 13 rows"),
         ("list --strict", PARITY, "standard input: frame 700: block 35, row 20: wrong parity: 240 has 2 "),
         ("list no.eia", b"", "no.eia: no such file"),
+        (
+            "list -",
+            "\n".join(FOUR_HOLES).encode(),
+            "standard input: frame 19: block 1, row 20: no end of block in row 20, but the digit 0; the tape "
+            "seems to be ASCII, and the machine reads EIA; `pdp8 tape punch --code eia` punches typed blocks",
+        ),
         ("list circle.asc", b"", f"circle.asc: frame 0: {ROW_1} ASCII, and the machine reads EIA; `pdp8 run"),
         ("list eia.bin", b"", f"eia.bin: frame 1: {ROW_1} BIN, and the machine reads EIA"),
         ("plot circle.eia --block 667", b"", "block 667: the tape has blocks 1 to 666"),

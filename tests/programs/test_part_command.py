@@ -199,6 +199,7 @@ def test_points_become_a_function_and_a_part_has_another_hand(shell: Shell) -> N
         found = least_squares.fit(least_squares.read(points), degree)
         assert done.stdout.decode() == f"{found.expression}\n"
         assert done.stderr.decode() == f"at most {found.worst:.4f} in from a point\n"
+    assert least_squares.fit([(0, 0), (1, -1)], 1).expression.startswith("0-")  # no option of `part curve`
     slope = parts.part("slope")
     for option, other in (
         ("", mirrored(slope, "x")),

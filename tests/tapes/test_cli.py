@@ -53,6 +53,16 @@ def test_what_is_punched_of_what_is_typed(line: str, typed: str, tape: bytes, ca
     assert_same_tape(product(call, line, typed.encode()), tape)
 
 
+def test_a_line_among_blocks_that_is_none_is_named(call: Call) -> None:
+    status, _, said = call(
+        "pdp8 tape punch --code eia", DRILLING.replace("5 04000 02", "5 04O00 02").encode()
+    )
+    assert (status, "line 5, column 1: '005 5 04O00 02000 0 01 89' is no block of 19 digits" in said) == (
+        1,
+        True,
+    )
+
+
 @pytest.mark.parametrize("line", ["002 9 03000 00000 0 00 0", "002 9 03000 00000 0 00 000"])
 @pytest.mark.parametrize(
     ("before", "code", "number"), [("", "ascii", 1), ("", "eia", 1), (DRILLING, "eia", 7)]
