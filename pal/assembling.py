@@ -29,8 +29,8 @@ def assemble(
     capacity  room for symbols of the source, by its reader: TELETYPE_SYMBOLS, or HIGH_SPEED_SYMBOLS, which
               reads ahead and at PAUSE loses the rest of the line
     model     one of models.MODELS: the diagnostics note what other models do otherwise
-    dialect   PAL3, PAL8, or FOUND: PAL8 where a source in error has at most half as many errors as PAL8, and
-              a line of PAL8's alone (`pal.assembly8.found`); a note says so
+    dialect   "pal3", "pal8", or "auto": PAL8 where a source in error has at most half as many errors as PAL8,
+              and a line of PAL8's alone (`pal.assembly8.found`); a note says so
 
     Whatever is wrong with the source is a diagnostic. Raises ValueError for another dialect.
     """

@@ -254,8 +254,8 @@ def _passes(folder: str | None, source: str) -> list[str]:
 def dis(*, tape: str, output: str) -> None:
     """Disassemble a BIN or RIM tape to PAL III source that assembles to the same words and fields.
 
-    TAPE is a file, a bundled tape's name, or - for standard input. A tape that pal punched comes back frame
-    for frame.
+    TAPE is a file, a bundled tape's name, or - for standard input. A tape that PAL III punched comes back
+    frame for frame, one of PAL8 word for word.
 
     \b
     Examples:

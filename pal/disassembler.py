@@ -5,7 +5,8 @@
             KCC             /0201 6032
             JMS L0214       /0202 4214
 
-A tape that `pal` punched comes back frame for frame: every origin is kept, equal and overlapping ones too.
+A tape that PAL III punched comes back frame for frame: every origin is kept, equal and overlapping ones too.
+One of PAL8 comes back word for word.
 Microinstructions are named, combined ones as a combination; what no combination of PAL III's symbols
 gives is an octal number, as is an instruction on page zero with the current page bit, which PAL III
 cannot write. A word that is fetched, stored, counted or called, and to which nothing jumps, is a number

@@ -51,8 +51,8 @@ def jumps_to(target: int, word: int, location: int) -> bool:
 
 
 def tests_flag(word: int) -> bool:
-    """Tell whether `word` is an IOT that sends IOP1 alone, such as KSF."""
-    return word & 0o7007 == 0o6001
+    """Tell whether `word` is an IOT that sends a device IOP1 alone, such as KSF; ION goes to the processor."""
+    return word & 0o7007 == 0o6001 and word != 0o6001
 
 
 def halts(word: int) -> bool:

@@ -93,8 +93,8 @@ def differs(word: int, model: str) -> str:
     """
     if model not in MODELS:
         raise ValueError(f"{model!r} is not one of {', '.join(MODELS)}")
-    named = [rule for rule in rules(word) if model in rule.does]
-    return "; ".join(sentence for rule in named if (sentence := _sentence(rule, model)))
+    said = dict.fromkeys(_sentence(rule, model) for rule in rules(word) if model in rule.does)
+    return "; ".join(filter(None, said))
 
 
 def _sentence(rule: Rule, model: str) -> str:

@@ -196,7 +196,11 @@ def _goes_on(word: int, before: Written | None) -> bool:
 def _skips(word: int) -> bool:
     if word >> 9 == OPR:
         return word & 0o7401 == 0o7400 and bool(word & (_SKIPS | REVERSED))
-    return word >> 9 == ISZ or tests_flag(word)
+    return word >> 9 == ISZ or (tests_flag(word) and not _of_memory_extension(word))
+
+
+def _of_memory_extension(word: int) -> bool:
+    return word & 0o7700 == 0o6200
 
 
 def of_model(words: Iterable[Written], model: str) -> list[Note]:

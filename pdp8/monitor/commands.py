@@ -51,7 +51,7 @@ _TAPES = "names of tapes, or start, stop, or none"
 COMMANDS = {
     each.name: each
     for each in (
-        Command("examine", "A | A:B ...", hands.examine, "an address"),
+        Command("examine", "A|A:B|NAME ...", hands.examine, "an address"),
         Command("deposit", "A WORD ...", hands.deposit, "an address and words"),
         Command("set", "NAME WORD", hands.set_, f"one of {hands.NAMES} and a word"),
         Command("registers", "", hands.registers),

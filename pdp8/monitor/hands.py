@@ -20,8 +20,11 @@ _WHOLE_CORE = ("0:7777",)
 
 
 def examine(monitor: Monitor, place: str, *more: str) -> None:
-    """Say words of core, each with its line of the listing."""
+    """Say words of core, each with its line of the listing, or a register."""
     for each in (place, *more):
+        if each.lower() in REGISTERS and each.upper() not in monitor.listing.symbols:
+            monitor.say(f"{each.upper()} {getattr(monitor.machine, each.lower()):04o}")
+            continue
         for address in monitor.range(each):
             monitor.say(monitor.listing.line(address, monitor.machine.core[address]))
 

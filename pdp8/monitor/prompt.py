@@ -61,9 +61,8 @@ class Monitor:
         if symbol is not None:
             return symbol
         if not text.isdecimal():
-            raise MonitorError(
-                f"{text}: neither an octal number nor a symbol; a tape brings none, `listing SOURCE` does"
-            )
+            advice = "" if self.listing.symbols else "; a tape brings none, `listing SOURCE` does"
+            raise MonitorError(f"{text}: neither an octal number nor a symbol{advice}")
         return octal(text)
 
     def range(self, text: str) -> range:

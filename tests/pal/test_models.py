@@ -56,6 +56,7 @@ DIFFERS = {
     (0o7005, "8"): "is not defined on 8; on 8/I, 8/L, 8/E it increments, then rotates",
     (0o7621, "8/L"): "does nothing on 8/L; on 8/I, 8/E it clears AC; "
     "does nothing on 8/L; on 8, 8/I it needs the EAE, on 8/E it uses MQ",
+    (0o7521, "8/L"): "does nothing on 8/L; on 8, 8/I it needs the EAE, on 8/E it uses MQ",
     (0o7601, "8"): "",
     (0o7402, "8/E"): "",
 }

@@ -143,7 +143,7 @@ class Waiting:
             return False
         word, behind = self._words[p.pc], p.pc + 1 & 0o7777
         code = word >> 3 & 0o77
-        if not tests_flag(word) or code == 0 or not jumps_to(p.pc, self._words[behind], behind):
+        if not tests_flag(word) or not jumps_to(p.pc, self._words[behind], behind):
             return False
         if p.ion and p.bus.request(p.clock):
             return False
