@@ -51,7 +51,7 @@ def jumps_to(target: int, word: int, location: int) -> bool:
 
 
 def tests_flag(word: int) -> bool:
-    """Tell whether `word` is an IOT that sends a device IOP1 alone, such as KSF; ION goes to the processor."""
+    """Tell whether `word` is an IOT that sends a device IOP1 alone, such as KSF; ION is none."""
     return word & 0o7007 == 0o6001 and word != 0o6001
 
 

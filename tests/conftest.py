@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 import pytest
+from hypothesis import settings
 
 import programs  # noqa: F401 - its files go on the shelf
 from pal.cli import pal
@@ -34,6 +35,9 @@ if sys.platform == "win32":  # signals, terminals, devices, links and modes are 
         "pdp8/cli/test_run.py",
         "pdp8/replay/test_command.py",
     ]
+
+settings.register_profile("untimed", deadline=None)
+settings.load_profile("untimed")
 
 Call = Callable[..., tuple[int, str, str]]
 Shell = Callable[..., commands.Done]

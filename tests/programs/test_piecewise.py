@@ -56,7 +56,7 @@ def off_the_polynomial(across: float, up: float) -> float:
 @pytest.mark.parametrize(
     ("part", "off"), [(circle.part, off_the_circle), (polynomial.part, off_the_polynomial)]
 )
-@settings(max_examples=7, deadline=None)
+@settings(max_examples=7)
 @given(wrong=st.tuples(errors, errors))
 def test_the_path_stays_in_its_band_however_the_feeds_err(
     part: Callable[..., str], off: Callable[..., float], wrong: tuple[float, float]

@@ -24,7 +24,7 @@ CENTRE = Point(4000, 4000)
 places = st.builds(Point, st.integers(0, 3000), st.integers(0, 3000))
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(st.integers(20, 400), st.integers(20, 400), st.integers(1, 15))
 def test_the_general_procedure_makes_the_listings_staircase(major: int, minor: int, tolerance: int) -> None:
     """The boundary rule is that of Appendices C and D; a listing ends before its start, so ours is longer."""
@@ -48,7 +48,7 @@ def stops(path: Curve) -> Iterator[Point]:
     assert at == path.end
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(places, places, st.sampled_from([1.0, 2.5, 3.0, 5.0, 20.0]))
 def test_every_stop_of_a_line_is_in_its_band(start: Point, end: Point, tolerance: float) -> None:
     assume(dist(start, end) > tolerance)
@@ -60,7 +60,7 @@ def test_every_stop_of_a_line_is_in_its_band(start: Point, end: Point, tolerance
     assert all(before != axis for before, axis in pairwise(axes)), "two cuts along one axis in a row"
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.integers(10, 500), st.floats(-360, 360), st.floats(-360, 360), st.sampled_from([1.0, 3.0, 5.0]))
 @example(267, 261.0, 2.0, 1.0)  # ends within its first cut
 def test_every_stop_of_an_arc_is_in_its_band(
@@ -70,7 +70,7 @@ def test_every_stop_of_an_arc_is_in_its_band(
         assert abs(dist(stop, CENTRE) - radius) <= tolerance * (1 + 1e-12)
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(st.lists(st.integers(-3, 3), min_size=12, max_size=200), st.sampled_from([2.0, 2.5, 5.0]))
 def test_every_stop_of_a_graph_is_in_its_band(steps: list[int], tolerance: float) -> None:
     heights = [5000 + sum(steps[:place]) for place in range(len(steps))]
