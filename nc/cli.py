@@ -7,6 +7,7 @@ from click.core import ParameterSource
 
 from nc.options import (
     CURVE,
+    PECK,
     TAPE,
     TIMES,
     Within,
@@ -59,6 +60,7 @@ def list_(modes: bool, **options: Any) -> None:
 
 @nc.command()
 @TAPE
+@PECK
 @TIMES
 @click.option(
     "--passes",
@@ -156,8 +158,9 @@ def inspect(
 ) -> None:
     """Measure the walls that the cutter left against the nominal curve.
 
-    The default curve is the circle, ellipse or line that the milled path follows. Errors are inches, + is
-    outward, or to the left; a place is within 10 degrees of an apex, 5 of 45 degrees.
+    The default curve is the circle, ellipse or line that the milled path follows within .020 inch, or four
+    times --tolerance if that is more. Errors are inches, + is outward, or to the left; a place is within 10
+    degrees of an apex, 5 of 45 degrees.
 
     Exit status with --tolerance: 0 both walls are within it, 1 one is not, or not all of the curve is cut.
 
@@ -198,6 +201,7 @@ def inspect(
 
 @nc.command()
 @TAPE
+@PECK
 @CURVE
 @click.option("--gcode", is_flag=True, help="RS-274, one linear move a block, for today's controllers.")
 @click.option("--dxf", is_flag=True, help="A drawing of the path (needs ezdxf, the extra `nc`).")

@@ -97,16 +97,17 @@ TAPE = _adding(
 )
 """The tape, and how the machine reads and feeds."""
 
+PECK = click.option(
+    "--peck",
+    type=_Inches(0.001, 5),
+    callback=lambda _, __, inches: round(inches * 1000),
+    metavar="INCHES",
+    default=0.1,
+    show_default=True,
+    help="Depth the drill goes between two withdrawals; not in the thesis.",
+)
+
 TIMES = _adding(
-    click.option(
-        "--peck",
-        type=_Inches(0.001, 5),
-        callback=lambda _, __, inches: round(inches * 1000),
-        metavar="INCHES",
-        default=0.1,
-        show_default=True,
-        help="Depth the drill goes between two withdrawals; not in the thesis.",
-    ),
     click.option(
         "--tool-change",
         "tool_change_seconds",

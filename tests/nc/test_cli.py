@@ -57,6 +57,8 @@ def test_a_peck_is_a_tenth_of_an_inch_if_nothing_is_said(shell: Shell) -> None:
     said, *others = (product(shell, f"pdp8 nc cut {peck}", frames) for peck in ("", "--peck .1", "--peck .3"))
     assert said == others[0] != others[1]
     assert "cutter        X 1.500 Y 1.000, quill down 5.000" in said
+    pecks = [product(shell, f"pdp8 nc export --gcode --peck {each}", frames).count("G1 Z") for each in (5, 1)]
+    assert pecks == [2, 6]
 
 
 def test_drawings_go_where_they_are_told(shell: Shell) -> None:
@@ -211,7 +213,7 @@ def test_every_command_has_help_with_examples() -> None:
         ("cut", ["0.1", "0.0", "2.0", "1; x>=1"]),
         ("plot", ["4,5", "0.5", "0.005", "10.0", "standard output"]),
         ("inspect", ["4,5", "0.5", "0.005"]),
-        ("export", ["4,5", "0.5", "0.005", "standard output"]),
+        ("export", ["0.1", "4,5", "0.5", "0.005", "standard output"]),
     ):
         said = CliRunner().invoke(nc, [*command.split(), "--help"], max_content_width=100).output
         assert re.findall(r"\[default:\s+([^]]*)\]", said) == defaults
