@@ -49,7 +49,7 @@ class Source:
     """
 
     def __init__(self, tapes: Sequence[bytes | str], modern: bool = False) -> None:
-        texts = [_characters(tape) for tape in tapes]
+        texts = [characters(tape) for tape in tapes]
         self.shown = "".join(texts)
         text = self.shown if self.shown.isascii() else _ascii(self.shown)
         self._starts: list[int] = []
@@ -118,7 +118,7 @@ def _ascii(text: str) -> str:
     return text.encode("ascii", "replace").decode("ascii")
 
 
-def _characters(tape: bytes | str) -> str:
+def characters(tape: bytes | str) -> str:
     r"""Return the characters of a source tape but for those that are passed over; each line ends with ``\r``.
 
     What is beyond ASCII stays in a text, and in UTF-8, which no tape with channel 8 happens to be.
@@ -152,7 +152,7 @@ def lines_of(tapes: Sequence[bytes | str]) -> list[Line]:
     """Return the lines of the source tapes, read one after the other; a tape's end ends a line."""
     lines = []
     for tape, frames in enumerate(tapes):
-        texts = _characters(frames).replace("\x1a", "").split("\r")
+        texts = characters(frames).replace("\x1a", "").split("\r")
         last = texts.pop()
         if last:
             texts.append(last)

@@ -194,6 +194,7 @@ class Bench {
     const source = /\.(pa[l8]?|txt|src)$/i.test(name);
     try {
       if (reader) this.teletype.mount(this.shelf.put(name, frames));
+      else if (is_utf16(frames)) this.say(`${name}: UTF-16, as PowerShell's > writes it; save it as UTF-8`);
       else if (text.startsWith("{")) this.#written(name, JSON.parse(text), text);
       else if (name.endsWith(".toml")) this.say(`${name} is an exercise as a teacher writes it; what this page takes is said under Exercises`);
       else if (kinds.classify(frames) === kinds.UNKNOWN || !(source || frames.length)) this.say(`${name} is no tape, program, state or exercise; dropped on the reader, it is read as a tape all the same`);
@@ -205,7 +206,6 @@ class Bench {
   }
 
   #source(name, frames) {
-    if (is_utf16(frames)) throw new Error(`${name}: UTF-16, as PowerShell's > writes it; save it as UTF-8`);
     this.tabs.open("program");
     this.editor.open(name, frames);
   }

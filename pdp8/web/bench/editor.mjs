@@ -5,7 +5,7 @@
 //                └── a pause ──► Worker, checked() ──► places, diagnostics ──► drawn
 
 import * as rim from "../../../tapes/rim.mjs";
-import { decode } from "../../../tapes/ascii.mjs";
+import { characters } from "../../../pal/source.mjs";
 import { PERMANENT, PSEUDO_OPERATORS } from "../../../pal/symbols.mjs";
 import { restore, save } from "../../computer/past/state.mjs";
 import { instruction_at } from "../../computer/watch.mjs";
@@ -61,7 +61,7 @@ export class Editor {
 
   /** Open the source that a tape or a file holds, as a program of its own. */
   open(name, frames) {
-    this.put(name, frames[0] & 0o200 ? decode(frames) : new TextDecoder().decode(frames).replaceAll("\r\n", "\n"));
+    this.put(name, characters(frames).replaceAll("\r", "\n"));
   }
 
   /** Open a source as a program of its own: nothing that is kept is written over. */

@@ -96,7 +96,7 @@ def test_a_file_dropped_on_the_page(tab: Tab) -> None:
     assert tab.run("return document.querySelectorAll('#reader .name b').length") == 0
     drop(tab, "mine.eia", shelf.read_bundled("circle.eia"))
     tab.until("workbench.mill.name === 'mine.eia'")
-    drop(tab, "mine.pal", b"*200\r\n\tHLT\r\n$\r\n")
+    drop(tab, "mine.pal", b"\xef\xbb\xbf*200\r\n\tHLT\r\n$\r\n")
     tab.until("workbench.editor.name === 'mine.pal'")
     assert tab.run("return workbench.editor.text") == "*200\n\tHLT\n$\n"
     assert tab.run("return document.querySelector('#program').hidden") is False
@@ -109,6 +109,7 @@ def test_a_file_that_is_nothing_of_ours(tab: Tab) -> None:
         ("photo.png", picture, "photo.png is no tape"),
         ("photo.pal", picture, "photo.pal is no tape"),
         ("power.pal", "*200\n$\n".encode("utf-16"), "power.pal: UTF-16"),
+        ("power.asc", "1750\n".encode("utf-16"), "power.asc: UTF-16"),
     ):
         drop(tab, name, content)
         tab.until(f"{_NEXT}.includes('{said}')")
