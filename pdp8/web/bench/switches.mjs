@@ -60,6 +60,7 @@ class Card {
     this.bench = bench;
     this.card = drill("rim", null);
     this.coach = null; // who looks on while it is practised
+    this.looked = 0; // when the coach last did: the clock is the visitor's, not the machine's
     find("card").querySelector("ol").innerHTML = this.card.steps.map(({ say }) => `<li>${say}</li>`).join("");
   }
 
@@ -94,6 +95,7 @@ class Card {
   #practise(on) {
     this.bench.afternoon.takeOver();
     this.coach = on ? new Coach(this.card, this.bench.machine) : null;
+    this.looked = performance.now();
     this.#say(this.coach?.said ?? "");
   }
 
@@ -102,6 +104,9 @@ class Card {
     const { coach } = this;
     if (!coach) return true;
     coach.machine = this.bench.machine;
+    const now = performance.now();
+    coach.advance((now - this.looked) / 1000);
+    this.looked = now;
     const allowed = coach.allows(key);
     if (coach.done) this.coach = null;
     this.#say(coach.said);

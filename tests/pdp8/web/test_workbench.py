@@ -98,6 +98,7 @@ def test_a_tape_is_loaded_as_an_operator_does(page: Page) -> None:
 
 
 def test_the_drill_names_the_wrong_switch(page: Page) -> None:
+    """And at its end how long the visitor took, while the machine stood still."""
     click(page, "#card summary", "#drill")
     page.locator("#computer .rocker").first.focus()
     page.keyboard.type("7757l")
@@ -105,6 +106,12 @@ def test_the_drill_names_the_wrong_switch(page: Page) -> None:
     page.keyboard.type("7756l")
     assert page.locator("#drill-says").inner_text() == "right: 7756 LOAD ADD"
     assert page.locator("#card .now").inner_text().startswith(f"{RIM[0]:04o}  DEP")
+    page.wait_for_timeout(100)
+    for word in RIM:
+        page.keyboard.type(f"{word:04o}d")
+    done = re.match(r"Done in (.*) s, 1 mistake", page.locator("#drill-says").inner_text())
+    assert done
+    assert float(done[1]) >= 0.1
 
 
 def test_the_panel_by_keyboard(page: Page) -> None:
