@@ -226,7 +226,7 @@ export class Afternoon {
     if (time !== this.time) find("slider").setAttribute("aria-valuetext", `${time}, ${act.name}`);
     this.time = time;
     if (this.shown !== act || this.program === null) this.#open(act);
-    if (act.kind === Kind.MILL || act.kind === Kind.TERMINAL) bench.mill.follow(now - day.mill_starts);
+    if (!act.program) bench.mill.follow(now - day.mill_starts);
   }
 
   write() {

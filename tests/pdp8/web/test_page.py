@@ -103,6 +103,9 @@ def test_the_tapes_are_those_on_the_desk(page: Page, circle: Afternoon) -> None:
     )
     assert names == ["sequence", "prep.", "X", "Y", "res.", "tool", "misc.", "end"]
     assert digits == ["001", "0", "19000", "00000", "0", "00", "02", "↵"]
+    _go(page, circle.acts[-1].ends)
+    click(page, "[data-opens=mill]")
+    assert page.locator("#whole-label").inner_text().startswith("circle.eia, block 666 of 666")
 
 
 def test_every_key_works(page: Page, circle: Afternoon) -> None:
