@@ -1,5 +1,6 @@
 """An answer's marks as a page for the student who wrote it: HTML with nothing outside it."""
 
+import re
 from collections.abc import Iterator
 from html import escape
 
@@ -10,10 +11,16 @@ from pdp8.lessons.marking import Result
 _STYLE = """
 body { font: 1rem/1.5 system-ui, sans-serif; max-width: 46rem; margin: 2rem auto; padding: 0 1rem }
 table { border-collapse: collapse } th, td { text-align: left; padding: .2rem 1rem .2rem 0 }
-pre { background: #f4f2ea; color: #111; padding: .8rem; overflow-x: auto }
+pre, code { background: #f4f2ea; color: #111 }
+pre { padding: .8rem; overflow-x: auto }
+code { display: inline-block; white-space: break-spaces }
+.task { white-space: pre-line }
 .hint { border-left: 4px solid #b8860b; padding-left: .8rem }
 @media print { body { margin: 0 } }
 """
+_CODE = re.compile(r"`([^`]+)`")
+_WRAPPED = re.compile(r"(?<=\S)\n(?!\s|[*-]|\w+: )")
+"""Where a line was ended only because it was full."""
 
 
 def html(exercise: Exercise, result: Result) -> str:
@@ -26,11 +33,22 @@ def html(exercise: Exercise, result: Result) -> str:
         f'<meta name="viewport" content="width=device-width"><style>{_STYLE}</style></head><body>',
         f"<h1>{escape(exercise.title)}</h1>",
         f"<p><strong>{name}: {result.points} of {result.of} points</strong></p>",
-        f"<p>{escape(exercise.task.strip())}</p>",
+        task(exercise.task),
         *body(result),
         "</body></html>\n",
     ]
     return "\n".join(parts)
+
+
+def task(text: str) -> str:
+    """Return an exercise's task, its paragraphs and lists as they were written."""
+    return f'<p class="task">{_coded(" ".join(_WRAPPED.split(text.strip())))}</p>'
+
+
+def _coded(text: str) -> str:
+    """Return a text in which what stands in `` is code, its blanks kept."""
+    parts = enumerate(_CODE.split(text))
+    return "".join(f"<code>{escape(part)}</code>" if at % 2 else escape(part) for at, part in parts)
 
 
 def body(result: Result) -> Iterator[str]:
@@ -49,4 +67,4 @@ def body(result: Result) -> Iterator[str]:
             yield f"<p>Tried with {escape(mark.inputs)}.</p>"
         yield f"<pre>{escape(chr(10).join(scores.said(mark)))}</pre>"
         if mark.hint:
-            yield f'<p class="hint">{escape(mark.hint)}</p>'
+            yield f'<p class="hint">{_coded(mark.hint)}</p>'

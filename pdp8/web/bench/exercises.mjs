@@ -1,5 +1,6 @@
 // The exercises of `pdp8 check`, and a teacher's own: the task, an answer in the editor or on a sheet, its marks.
 
+import { task as written } from "../../lessons/page.mjs";
 import { escaped, find } from "../written.mjs";
 import { linked } from "./sharing.mjs";
 
@@ -30,7 +31,7 @@ export class Exercises {
     const asks = questions.map(({ name: called, ask }) =>
       `<label>${escaped(called)} <span>${escaped(ask)}</span> <input type="text" name="${escaped(called)}" autocomplete="off"></label>`);
     const begin = questions.length ? "" : `<button class="text" type="button" data-click="exercises.begin">Begin ${escaped(this.#answer)}</button> `;
-    find("asked").innerHTML = `<h2>${escaped(title)}</h2><p>${escaped(task.trim().replace(/(\S)\n(?=[^\s*-])/g, "$1 "))}</p><form data-submit="exercises.mark">${asks.join("")}<div class="tools">${begin}<button class="text go">Mark ${questions.length ? "the sheet" : "the program"}</button></div></form>`;
+    find("asked").innerHTML = `<h2>${escaped(title)}</h2>${written(task)}<form data-submit="exercises.mark">${asks.join("")}<div class="tools">${begin}<button class="text go">Mark ${questions.length ? "the sheet" : "the program"}</button></div></form>`;
     find("marks").replaceChildren();
     this.#list();
   }

@@ -154,7 +154,9 @@ def test_two_long_tapes_are_shown_where_they_differ() -> None:
 
 CLASS = Path(__file__).parent / "class"
 GIVEN = parse(
-    "title='t'\ntask=' do '\nsolution='x'\n[[case]]\nname='sum'\n[[case]]\nname='A<B'\npoints=2\n", "e"
+    "title='t'\ntask=''' `o  .<` has\nholes.\n\na: how\nmany?\nb: `where '''\nsolution='x'\n"
+    "[[case]]\nname='sum'\n[[case]]\nname='A<B'\npoints=2\n",
+    "e",
 )
 FAILURES = (
     *(marking.Failure("SUM", "0001", "0000"), marking.Failure("the time", "", "", "10 s")),
