@@ -59,8 +59,10 @@ def test_on_the_page_a_doubtful_frame_is_corrected(browser: "Browser", tmp_path:
     number = next(number for number, frame, _ in read.frames if frame.why == photograph.UNSEEN)
     file = tmp_path / "page.html"
     file.write_text(correction.page(read), encoding="utf-8")
-    page = browser.new_page()
+    page = browser.new_page(viewport={"width": 390, "height": 844})
     page.goto(file.as_uri())
+    widths = "[document.documentElement.scrollWidth, document.querySelector('main').clientWidth]"
+    assert page.evaluate(widths) == [390, 390]
     page.get_by_role("button", name=f"{number}: ").click()
     page.get_by_title("channel 8").click()
     saved = {}
