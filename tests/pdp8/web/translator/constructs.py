@@ -270,6 +270,7 @@ def classes() -> Any:
         derived.limit, point.sum(), [*point], point[1], point == (1, 7), Point(y=1, x=2).x, mode.feed, mode.words,
         [*Code], f"{Code.MILL} {Colour.RED}", isinstance(derived, Base), isinstance(base, Derived),
         [isinstance(each, (Mode, Point)) for each in (Mode(), Point(1), base)], isinstance(base, (Mode, Base)),
+        [[isinstance(each, kind) for kind in (int, bool, str, list, dict)] for each in (1, 1.5, True, "1", [1], {})],
         str(Point(1, 2)), sorted([Point(2), Point(1)])[0].x,
     ]  # fmt: skip
 
