@@ -4,6 +4,7 @@ import pytest
 
 from pal.assembly import MOST
 from pdp8.web.findings import checked, here
+from tests.conftest import Call
 
 
 def test_what_is_found() -> None:
@@ -19,6 +20,14 @@ def test_what_is_found() -> None:
     assert pal8.ok
     assert (0o377, 7) in pal8.words
     assert "taken for PAL8" in pal8.diagnostics[0].whole
+
+
+def test_it_says_what_pal_prints(call: Call) -> None:
+    """Place, message, line, carets, advice and hint, in the words of the command; notes among the errors."""
+    source = "*200\n\tJMP 400\n\tCLA!\n\tTAD FOO\n\t5 + 3\n$\n"
+    printed = call("pdp8 pal - -o a.bin", source.encode())[2].partition("\npdp8 pal: ")[0]
+    said = [each.whole for each in checked("standard input", source).diagnostics]
+    assert "\n".join(said) == printed.rstrip("\n")
 
 
 @pytest.mark.parametrize("source", ["\tcla\n\tHLT\n", "\tTAD (7)\n", "\tTAD [7]\n\tCLA!\n"])
