@@ -99,9 +99,7 @@ CONTROLS = {
     "#drill": Control(of("#drill", "ariaPressed"), OPEN),
     "#paper": Control(SENT, keys="a"),
     "#typed": Control(SENT, keys="a"),
-    "[data-key='return']": Control(SENT),
-    "[data-key='linefeed']": Control(SENT),
-    "[data-key='rubout']": Control(SENT),
+    "[data-click='teletype.key']": Control(SENT),
     "#in-words": Control("workbench.switches.panel.speaking"),
     ".enlarge": Control(of("main", "className"), ALL),
     ".skip": Control("location.hash", f"{ALL} location.hash = ''; document.querySelector('.skip').focus();"),
@@ -113,7 +111,7 @@ CONTROLS = {
     "#sound": Control("workbench.teletype.sound.on", keys="Space"),
     "#lever": Control(f"{TTY}.reader.on"),
     "#shelf": Control(f"{TTY}.reader.tape.length", f"{TTY}.reader.remove();", "c"),
-    "#save-page": Control("window.saved", SAVED),
+    "#save, #save-page": Control("window.saved", SAVED),
     "#pc8 summary": Control(of("#pc8", "open")),
     "#pc8-shelf": Control(f"{FAST}.reader.tape.length", f"{PC8} {FAST}.reader.remove();", "c"),
     "#pc8-tear": Control(f"{FAST}.punch.frames.length", f"{PC8} {FAST}.punch.frames.append(1);"),
@@ -123,7 +121,6 @@ CONTROLS = {
     "#to-mill": Control(f"{TTY}.punch.frames.length", PUNCHED),
     "#speed": Control("workbench.clock.speed", "document.getElementById('speed').selectedIndex = 0;", "a"),
     "#share": Control("location.hash", "history.replaceState(null, '', '#');"),
-    "#save": Control("window.saved", SAVED),
     "#open": Control(
         "window.chosen",
         "window.chosen = 0; document.getElementById('file').click = () => { window.chosen++; };",
@@ -174,8 +171,7 @@ CONTROLS = {
     "#blocks": Control(
         of("#blocks", "scrollTop"), f"{CUT} document.getElementById('blocks').scrollTop = 0;", "PageDown"
     ),
-    "#previous-act": Control(f"{SCRIPT}.now", AFTERNOON),
-    "#next-act": Control(f"{SCRIPT}.now", AFTERNOON),
+    "[data-click='afternoon.act']": Control(f"{SCRIPT}.now", AFTERNOON),
     "#slider": Control(f"{SCRIPT}.now", AFTERNOON, "ArrowLeft"),
     "#link": Control(
         "window.copied",
