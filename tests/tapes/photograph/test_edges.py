@@ -5,8 +5,6 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
-pytest.importorskip("cv2", reason="OpenCV is not installed")
-
 from tapes.errors import TapeError
 from tapes.photograph.edges import _paper, find_edges, find_side
 from tapes.photograph.flat import Flat, flatten

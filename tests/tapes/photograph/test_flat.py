@@ -5,8 +5,6 @@ from statistics import NormalDist
 import numpy as np
 import pytest
 
-pytest.importorskip("cv2", reason="OpenCV is not installed")
-
 from tapes.photograph.flat import Flat, find_spots, flatten
 from tapes.photograph.pixels import Array
 from tapes.photograph.sheet import fit, holes_at

@@ -5,8 +5,6 @@ from itertools import pairwise, product
 import numpy as np
 import pytest
 
-pytest.importorskip("cv2", reason="OpenCV is not installed")
-
 from tapes.photograph.flat import flatten
 from tapes.photograph.holes import _first, _likeliest, by_holes, find_holes, grid, sprocket_points
 from tapes.photograph.pixels import Array

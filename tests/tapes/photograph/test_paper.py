@@ -3,8 +3,6 @@
 import numpy as np
 import pytest
 
-pytest.importorskip("cv2", reason="OpenCV is not installed")
-
 from tapes.errors import TapeError
 from tapes.photograph.flat import flatten
 from tapes.photograph.paper import _longer, find

@@ -3,8 +3,6 @@
 import numpy as np
 import pytest
 
-pytest.importorskip("cv2", reason="OpenCV is not installed")
-
 from tapes.photograph.pixels import Array
 from tapes.photograph.sprockets import Sizes, follow, measured, rows, sizes, starts
 from tapes.photograph.sprockets import _spots as spots
