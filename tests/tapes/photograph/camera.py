@@ -11,7 +11,7 @@ It shares nothing with the reader: outlines are computed as polygons and filled 
 used. Source: ECMA-10; lengths in millimetres until they are projected.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from io import BytesIO
 from typing import Any, NamedTuple
 
@@ -21,9 +21,12 @@ from PIL import Image, ImageDraw
 Array = np.ndarray[Any, Any]
 
 ROW, WIDTH, FEED_TRACK, CODE_HOLE, FEED_HOLE = 2.54, 25.4, 9.96, 1.83, 1.17
+TRACKS = FEED_TRACK + ROW * np.array([0, -3, -2, -1, 1, 2, 3, 4, 5])
+"""Of the sprocket holes and of channels 1 to 8."""
 _OVERSAMPLED = 4
 _TURNS = np.linspace(0, 2 * np.pi, 24, endpoint=False)
 _CIRCLE = np.stack([np.cos(_TURNS), np.sin(_TURNS)], axis=1) / 2
+_THUMB = np.array([[-ROW, -9], [2 * ROW, -9], [2 * ROW, 30], [-ROW, 30]])
 
 
 class Shot(NamedTuple):
@@ -73,27 +76,19 @@ def develop(light: Array, shot: Shot) -> bytes:
 def picture(frames: bytes, shot: Shot) -> Array:
     """Return the light that falls on the film, in grey levels."""
     eye = _Eye(len(frames), shot)
-    sheet, holes, bare = (
-        Image.new("L", (eye.width * _OVERSAMPLED, eye.height * _OVERSAMPLED)) for _ in range(3)
-    )
-    _fill(sheet, eye, _edge(len(frames)))
-    for outline in _holes(frames, shot.covered):
-        _fill(holes, eye, outline)
-    for at in shot.covered:
-        thumb = np.array([[at - 1, -9], [at + 2, -9], [at + 2, 30], [at - 1, 30]]) * (ROW, 1)
-        _fill(bare, eye, thumb)
-    paper, hole, finger = (_coverage(mask) for mask in (sheet, holes, bare))
+    paper = eye.cover([_edge(len(frames))])
+    hole = eye.cover(_holes(frames))
+    finger = eye.cover(_THUMB + np.array([at * ROW, 0]) for at in shot.covered)
     table = _table(shot, eye.height, eye.width)
     light = table * (1 - paper) + paper * ((1 - hole) * shot.paper + hole * 0.85 * table)
     light = light * (1 - finger) + finger * 0.6 * (shot.paper + shot.behind) / 2
     light = light * _light(shot, eye.height, eye.width)
-    return _blurred(light, shot.blur * shot.row * 1.3)
+    return blurred(light, shot.blur * shot.row * 1.3)
 
 
 def places(length: int, shot: Shot) -> Array:
     """Return the pixels (length, 9, 2) of each frame's sprocket hole and channels 1 to 8."""
-    tracks = FEED_TRACK + ROW * np.array([0, -3, -2, -1, 1, 2, 3, 4, 5])
-    along, across = np.meshgrid((np.arange(length) + 0.5) * ROW, tracks, indexing="ij")
+    along, across = np.meshgrid((np.arange(length) + 0.5) * ROW, TRACKS, indexing="ij")
     sheet = np.stack([along.ravel(), across.ravel()], axis=1)
     return _Eye(length, shot).place(sheet).reshape(length, 9, 2) - 0.5
 
@@ -105,28 +100,36 @@ class _Eye:
         self._shot = shot
         self._half = (length + 4) * ROW / 2
         self._middle = length * ROW / 2
-        self._scale, self._radius, self._corner = 1.0, 1.0, np.zeros(2)
-        ends = np.concatenate([_edge(length), [[self._middle, FEED_TRACK]]])
-        flat = self._project(ends)
-        self._radius = float(np.hypot(*(flat - flat[-1]).T).max())
+        flat = self._project(np.concatenate([_edge(length), [[self._middle, FEED_TRACK]]]))
         self._centre = flat[-1]
+        self._radius = float(np.hypot(*(flat - self._centre).T).max())
         rows = np.array([[at * ROW, side] for at in range(length + 1) for side in (0, WIDTH)])
-        seen = self.place(rows).reshape(-1, 2, 2)
+        seen = self._seen(rows).reshape(-1, 2, 2)
         along = np.hypot(*np.diff(seen, axis=0).reshape(-1, 2).T).min()
         across = np.hypot(*(seen[:, 1] - seen[:, 0]).T).min() / 10
         self._scale = shot.row / min(along, across)
-        corners = self.place(_edge(length))
+        corners = self._seen(_edge(length)) * self._scale
         margin = 4 * shot.row
         self._corner = corners.min(axis=0) - margin
         self.width, self.height = (int(size) for size in np.ceil(corners.max(axis=0) - self._corner + margin))
 
     def place(self, sheet: Array) -> Array:
         """Return pixels (n, 2) of places on the sheet (n, 2), along and across in millimetres."""
+        return np.asarray(self._seen(sheet) * self._scale - self._corner)
+
+    def cover(self, outlines: Iterable[Array]) -> Array:
+        """Return which part of each pixel lies within outlines on the sheet."""
+        mask = Image.new("L", (self.width * _OVERSAMPLED, self.height * _OVERSAMPLED))
+        for outline in outlines:
+            ImageDraw.Draw(mask).polygon([*map(tuple, self.place(outline) * _OVERSAMPLED)], fill=255)
+        small = mask.resize((self.width, self.height), Image.Resampling.BOX)
+        return np.asarray(small, dtype=float) / 255
+
+    def _seen(self, sheet: Array) -> Array:
+        """Return places as the lens has them."""
         flat = (self._project(sheet) - self._centre) / self._radius
         lens = 1 - self._shot.barrel * (flat**2).sum(axis=1)[:, None]
-        return np.asarray(flat * lens * self._radius * self._scale - self._corner)
-
-    _centre = np.zeros(2)
+        return np.asarray(flat * lens * self._radius)
 
     def _project(self, sheet: Array) -> Array:
         shot = self._shot
@@ -138,54 +141,36 @@ class _Eye:
             bend = 4 * np.arctan(2 * abs(shot.curl))  # the whole angle of an arc that rises so far
             radius = 2 * self._half / bend
             x, z = radius * np.sin(x / radius), np.sign(shot.curl) * radius * (np.cos(x / radius) - 1)
-        turn = np.radians(shot.angle)
-        x, y = x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn)
         away = 1.6 * self._half
         tilt = np.arcsin(shot.perspective * away / self._half)
-        towards = np.radians(shot.towards)
-        forth, side = x * np.cos(towards) + y * np.sin(towards), -x * np.sin(towards) + y * np.cos(towards)
+        forth, side = _turned(x, y, shot.angle - shot.towards)
         forth, depth = forth * np.cos(tilt) - z * np.sin(tilt), away + forth * np.sin(tilt) - z * np.cos(tilt)
-        x, y = (
-            forth * np.cos(towards) - side * np.sin(towards),
-            forth * np.sin(towards) + side * np.cos(towards),
-        )
-        return np.stack([x / depth, y / depth], axis=1) * away
+        return np.asarray(np.stack(_turned(forth, side, shot.towards), axis=1) / depth[:, None] * away)
+
+
+def _turned(x: Array, y: Array, degrees: float) -> tuple[Array, Array]:
+    turn = np.radians(degrees)
+    return x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn)
 
 
 def _edge(length: int) -> Array:
     """Return the outline of the sheet, which is cut half way beyond the first and the last row."""
     along = np.linspace(0, length, 4 * length) * ROW
-    return np.concatenate(
-        [np.stack([along, 0 * along], axis=1), np.stack([along[::-1], 0 * along + WIDTH], axis=1)]
-    )
+    return np.array([*((x, 0) for x in along), *((x, WIDTH) for x in along[::-1])])
 
 
-def _holes(frames: bytes, covered: Sequence[int]) -> list[Array]:
-    found = []
+def _holes(frames: bytes) -> Iterator[Array]:
+    """Yield the outlines of the holes."""
     for number, frame in enumerate(frames):
-        x = (number + 0.5) * ROW
-        found.append(_CIRCLE * FEED_HOLE + (x, FEED_TRACK))
-        for channel in range(1, 9):
-            if frame >> channel - 1 & 1:
-                track = channel - 4 if channel < 4 else channel - 3
-                found.append(_CIRCLE * CODE_HOLE + (x, FEED_TRACK + track * ROW))
-    return found
-
-
-def _fill(mask: Image.Image, eye: _Eye, outline: Array) -> None:
-    places = eye.place(outline) * _OVERSAMPLED
-    ImageDraw.Draw(mask).polygon([(float(x), float(y)) for x, y in places], fill=255)
-
-
-def _coverage(mask: Image.Image) -> Array:
-    size = mask.width // _OVERSAMPLED, mask.height // _OVERSAMPLED
-    return np.asarray(mask.resize(size, Image.Resampling.BOX), dtype=float) / 255
+        for channel, track in enumerate(TRACKS):
+            if (frame << 1 | 1) >> channel & 1:
+                yield _CIRCLE * (CODE_HOLE if channel else FEED_HOLE) + ((number + 0.5) * ROW, track)
 
 
 def _places(height: int, width: int, towards: float) -> Array:
     """Return for each pixel how far it lies towards an angle, from 0 at one corner to 1 at the other."""
     y, x = np.mgrid[:height, :width]
-    along = x * np.cos(np.radians(towards)) + y * np.sin(np.radians(towards))
+    along, _ = _turned(x, y, -towards)
     return np.asarray((along - along.min()) / (along.max() - along.min()))
 
 
@@ -211,13 +196,12 @@ def _light(shot: Shot, height: int, width: int) -> Array:
     return light
 
 
-def _blurred(light: Array, radius: float) -> Array:
-    if radius <= 0:
-        return light
-    reach = max(1, int(4 * radius))
+def blurred(light: Array, radius: float) -> Array:
+    """Return light through a Gaussian of so many pixels."""
+    reach = int(4 * radius)
     kernel = np.exp(-0.5 * (np.arange(-reach, reach + 1) / radius) ** 2)
-    kernel /= kernel.sum()
     for axis in (0, 1):
-        padded = np.pad(light, [(reach, reach) if way == axis else (0, 0) for way in (0, 1)], mode="edge")
-        light = np.apply_along_axis(np.convolve, axis, padded, kernel, "valid")
+        sides = [(reach, reach) if way == axis else (0, 0) for way in (0, 1)]
+        padded = np.pad(light, sides, mode="edge")
+        light = np.apply_along_axis(np.convolve, axis, padded, kernel / kernel.sum(), "valid")
     return light

@@ -6,19 +6,19 @@ what was drawn and not doubtful; that, and a frame that is lost or invented with
 
 import random
 import sys
-from collections.abc import Iterator
-from typing import NamedTuple
+from collections import Counter
+from difflib import SequenceMatcher
 
 from tapes import photograph
 from tapes.errors import TapeError
-from tests.tapes.photograph import camera, scenes
+from tests.tapes.photograph import camera
 from tests.tapes.photograph.camera import Shot
 
 LENGTH = 150
 
 WORST = Shot(row=6, perspective=0.3, curl=0.11, barrel=0.15, shadow=0.5, jpeg=30)
 
-WITHIN: dict[str, Shot] = {
+WITHIN = {
     "plain": Shot(),
     "turned by 37 degrees": Shot(angle=37),
     "perspective .1": Shot(perspective=0.1),
@@ -43,7 +43,7 @@ WITHIN: dict[str, Shot] = {
 }
 """The limits within which every frame is to be right or doubtful."""
 
-BEYOND: dict[str, Shot] = {
+BEYOND = {
     "4 pixels a row": Shot(row=4),
     "perspective .5": Shot(perspective=0.5),
     "curl 25 %": Shot(curl=0.25, towards=90, perspective=0.15),
@@ -51,21 +51,8 @@ BEYOND: dict[str, Shot] = {
     "noise 60": Shot(noise=60),
 }
 
-
-class Count(NamedTuple):
-    """Of the frames of some pictures: how they were read."""
-
-    frames: int = 0
-    doubtful: int = 0
-    marked: int = 0
-    silent: int = 0
-    lost: int = 0
-    refused: int = 0
-    why: tuple[str, ...] = ()
-
-    def plus(self, other: "Count") -> "Count":
-        """Return the count of both."""
-        return Count._make(one + two for one, two in zip(self, other, strict=True))  # type: ignore[operator]
+MARKED, SILENT = "wrong and marked", "wrong in silence"
+HEADINGS = ("frames", "doubtful", MARKED, SILENT, "lost", "refused")
 
 
 def some_tape(seed: int, length: int = LENGTH) -> bytes:
@@ -93,74 +80,40 @@ def varied(shot: Shot, seed: int) -> Shot:
     )
 
 
-def count(tape: bytes, picture: bytes) -> Count:
-    """Read a picture of a tape, and count its frames."""
+def count(tape: bytes, picture: bytes) -> Counter[str]:
+    """Read a picture of a tape, and count its frames under the table's headings."""
     try:
         found = photograph.read(picture)
-    except TapeError as error:
-        return Count(len(tape), refused=len(tape), why=(str(error),))
-    doubtful = marked = silent = lost = 0
-    for right, number in _aligned(tape, bytes(frame.holes for frame in found)):
-        if number is None:
-            lost += 1
-        elif right is None:
-            silent += not found[number].doubtful
-            marked += found[number].doubtful
-        else:
-            doubtful += found[number].doubtful
-            marked += found[number].doubtful and found[number].holes != right
-            silent += not found[number].doubtful and found[number].holes != right
-    return Count(len(tape), doubtful, marked, silent, lost)
+    except TapeError:
+        return Counter(frames=len(tape), refused=len(tape))
+    counted = Counter(frames=len(tape), doubtful=sum(frame.doubtful for frame in found))
+    seen = bytes(frame.holes for frame in found)
+    for tag, *drawn, begin, end in SequenceMatcher(None, tape, seen, autojunk=False).get_opcodes():
+        if tag != "equal":
+            marked = sum(frame.doubtful for frame in found[begin:end])
+            missing = max(0, drawn[1] - drawn[0] - (end - begin))
+            counted += Counter({MARKED: marked, SILENT: end - begin - marked, "lost": missing})
+    return counted
 
 
-def _aligned(tape: bytes, found: bytes) -> Iterator[tuple[int | None, int | None]]:
-    """Lay what was found beside the tape with the fewest frames changed, lost or invented."""
-    cost = [list(range(len(found) + 1))]
-    for at, right in enumerate(tape):
-        row = [at + 1]
-        for number, seen in enumerate(found):
-            row.append(min(cost[-1][number] + (seen != right), cost[-1][number + 1] + 1, row[-1] + 1))
-        cost.append(row)
-    at, number = len(tape), len(found)
-    while at or number:
-        if (
-            at
-            and number
-            and cost[at][number] == cost[at - 1][number - 1] + (tape[at - 1] != found[number - 1])
-        ):
-            at, number = at - 1, number - 1
-            yield tape[at], number
-        elif at and cost[at][number] == cost[at - 1][number] + 1:
-            at -= 1
-            yield tape[at], None
-        else:
-            number -= 1
-            yield None, number
+def row(kind: str, counted: Counter[str]) -> str:
+    """Return a row of the table."""
+    return f"| {kind} | {' | '.join(f'{counted[heading]:,}' for heading in HEADINGS)} |"
 
 
 def main(pictures: int, only: str = "") -> None:
     """Print the table, a row a kind of picture."""
-    print("| picture | frames | doubtful | wrong and marked | wrong in silence | lost | refused |")
-    print("| --- | --- | --- | --- | --- | --- | --- |")
-    total = Count()
+    print(f"| picture | {' | '.join(HEADINGS)} |")
+    print("| --- " * 7 + "|")
+    total: Counter[str] = Counter()
     for kind, shot in {**WITHIN, **BEYOND}.items():
-        if only not in kind:
-            continue
-        found = Count()
-        for seed in range(201, 201 + pictures):
-            tape = some_tape(seed)
-            found = found.plus(count(tape, camera.photograph(tape, varied(shot, seed))))
-        print(
-            "|", kind, "|", " | ".join(f"{number:,}" for number in found[:-1]), "|", *sorted(set(found.why))
-        )
-        total = total.plus(found)
-    print("| all |", " | ".join(f"{number:,}" for number in total[:-1]), "|")
-    for name, scene in scenes.SCENES.items():
-        if only in name:
-            try:
-                print(f"| {name} | {len(photograph.read(camera.develop(scene(), Shot())))} frames |")
-            except TapeError as error:
-                print(f"| {name} | refused: {error} |")
+        if only in kind:
+            tapes = {seed: some_tape(seed) for seed in range(201, 201 + pictures)}
+            shots = (camera.photograph(tape, varied(shot, seed)) for seed, tape in tapes.items())
+            found = sum(map(count, tapes.values(), shots), Counter[str]())
+            print(row(kind, found))
+            total += found
+    print(row("all", total))
 
 
 if __name__ == "__main__":
