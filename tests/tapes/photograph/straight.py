@@ -31,9 +31,10 @@ def tape(
 
 def paper(light: Array, along: tuple[float, float], across: tuple[float, float], level: float = 200) -> None:
     """Draw a rectangle, from and to places in pitches."""
-    u, v = _grid(light)
-    inside = [_soft(place - ends[0]) * _soft(ends[1] - place) for place, ends in ((u, along), (v, across))]
-    light += inside[0] * inside[1] * (level - light)
+    v, u = (np.arange(size) / PITCH - MARGIN for size in light.shape)
+    rows = _soft(v - across[0]) * _soft(across[1] - v)
+    columns = _soft(u - along[0]) * _soft(along[1] - u)
+    light += np.outer(rows, columns) * (level - light)
 
 
 def hole(light: Array, u: float, v: float, radius: float, level: float = 60) -> None:
@@ -45,10 +46,6 @@ def hole(light: Array, u: float, v: float, radius: float, level: float = 60) -> 
         for start, size in zip(first, window.shape, strict=True)
     )
     window += _soft(radius - np.hypot(x - u, y[:, None] - v)) * (level - window)
-
-
-def _grid(light: Array) -> tuple[Array, Array]:
-    return np.arange(light.shape[1]) / PITCH - MARGIN, np.arange(light.shape[0])[:, None] / PITCH - MARGIN
 
 
 def _soft(inside: Array) -> Array:

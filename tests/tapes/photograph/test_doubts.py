@@ -1,11 +1,10 @@
 """What is measured of a flat tape, against what was drawn; and what makes a frame doubtful, at each limit."""
 
+from copy import deepcopy
 from typing import Any
 
 import numpy as np
 import pytest
-
-pytest.importorskip("cv2", reason="OpenCV is not installed")
 
 from tapes.errors import TapeError
 from tapes.photograph import Frame, reader
@@ -118,8 +117,17 @@ def test_the_tape_goes_on_where_there_is_room_for_another_row(
     assert not reader._ends(flat, tape, straight.pictures(left[:200]), (rows > 1) & (rows < 18)).any()
 
 
-PLAIN = np.arange(8) % 2 == 1
+CORE = np.tile([0.0, 1.0], (12, 4))
+CELLS = reader._Cells(
+    core=CORE,
+    most=CORE.copy(),
+    ring=np.zeros((8, 12, 8)),
+    full=np.full(12, 0.5),
+    sprocket=np.full(12, 0.9),
+    paper=np.full((12, 8), 200.0),
+)
 """Holes in channels 2, 4, 6 and 8."""
+TAPE = Found(straight.sheet(12), np.ones(12, bool), np.zeros(12), np.ones(12, bool))
 
 
 @pytest.mark.parametrize(
@@ -151,18 +159,9 @@ PLAIN = np.arange(8) % 2 == 1
     ],
 )
 def test_a_frame_is_doubtful_for_one_reason(field: str, where: Any, value: float, why: str) -> None:
-    core = np.tile(PLAIN, (12, 1)).astype(float)
-    parts = {"core": core, "most": core.copy(), "ring": np.zeros((8, 12, 8)), "full": np.full(12, 0.5)}
-    parts |= {
-        "sprocket": np.full(12, 0.9),
-        "paper": np.full((12, 8), 200.0),
-        "beyond": np.zeros(12, dtype=bool),
-    }
-    parts |= {"seen": np.ones(12, dtype=bool), "astray": np.zeros(12), "edged": np.ones(12, dtype=bool)}
-    parts[field][where] = value
-    tape = Found(straight.sheet(12), *(parts.pop(name) for name in ("seen", "astray", "edged")))
-    beyond = parts.pop("beyond")
-    doubts = reader._doubts(reader._Cells(**parts), tape, beyond)
+    cells, tape, beyond = deepcopy((CELLS, TAPE, np.zeros(12, bool)))
+    (cells._asdict() | tape._asdict() | {"beyond": beyond})[field][where] = value
+    doubts = reader._doubts(cells, tape, beyond)
     assert {reason: set(np.nonzero(at)[0]) for reason, at in doubts.items() if at.any()} == (
         {why: {5}} if why else {}
     )
@@ -172,16 +171,8 @@ def test_a_frame_is_doubtful_for_one_reason(field: str, where: Any, value: float
 def test_a_place_is_sure_at_four_and_a_half_standard_deviations(noise: float, doubtful: bool) -> None:
     core = np.zeros((12, 8))
     core[:, ::2], core[:, 1::2] = 0.24, 0.24 - 2 * noise
-    cells = reader._Cells(core, 0 * core, np.zeros((8, 12, 8)), np.ones(12), np.ones(12), 200 + 0 * core)
-    tape = Found(straight.sheet(12), np.ones(12, bool), np.zeros(12), np.ones(12, bool))
-    doubts = reader._doubts(cells, tape, np.zeros(12, bool))
+    doubts = reader._doubts(CELLS._replace(core=core, most=0 * core), TAPE, np.zeros(12, bool))
     assert (doubts["between paper and hole"] == doubtful * (core == 0.24)).all()
-
-
-def test_a_frame_says_its_first_channel_in_doubt_and_where_it_is() -> None:
-    frame = Frame(0o200, 0o050, "dirt", ((7, 9), *((0, 0),) * 8))
-    assert (frame.doubtful, frame.channel, frame.x, frame.y) == (True, 4, 7, 9)
-    assert not frame._replace(open=0).doubtful
 
 
 def test_a_picture_of_which_more_than_a_third_is_doubtful_is_refused() -> None:

@@ -7,8 +7,6 @@ import numpy as np
 import pytest
 from PIL import Image
 
-pytest.importorskip("cv2", reason="OpenCV is not installed")
-
 from tapes.errors import TapeError
 from tapes.photograph import pixels
 
@@ -27,16 +25,9 @@ def header(kind: str, wide: int, high: int) -> bytes:
             entries = struct.pack(">HHIHHHHII", 256, 3, 1, wide, 0xFFFF, 257, 4, 1, high)
             return b"MM\0*\0\0\0\x08\0\2" + entries
     # of a JPEG other segments before that of the frame, which `kind` ends with, and a filling byte
-    others = (
-        b"\xff\xe0\1\x02" + bytes(256) + b"".join(b"\xff%c\0\2" % code for code in b"\xc4\xc8\xcc\xd0\xbf")
-    )
-    return (
-        b"\xff\xd8"
-        + others
-        + b"\xff"
-        + bytes.fromhex("ff" + kind[-2:])
-        + struct.pack(">HBHH", 11, 8, high, wide)
-    )
+    others = b"".join(b"\xff%c\0\2" % code for code in b"\xc4\xc8\xcc\xd0\xbf")
+    frame = bytes.fromhex(f"ffff{kind[-2:]}") + struct.pack(">HBHH", 11, 8, high, wide)
+    return b"\xff\xd8\xff\xe0\1\x02" + bytes(256) + others + frame
 
 
 @pytest.mark.parametrize(
