@@ -22,7 +22,6 @@ import signal
 import sys
 import tempfile
 import traceback
-import zlib
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, chdir, contextmanager
 from functools import cache
@@ -31,8 +30,12 @@ from typing import Any
 from unittest.mock import patch
 
 import click
+from PIL import Image
 
+import programs  # noqa: F401 - its files go on the shelf
 from pdp8.cli.root import pdp8
+from pdp8.computer.machine import Machine
+from pdp8.computer.past import state
 from release.reference import commands as walk
 from tapes import ascii, binary, command, rim, shelf
 from tapes.arguments import Folder, Source, Target
@@ -91,13 +94,9 @@ class TooLong(BaseException):
 
 def inputs() -> list[bytes]:
     """Return the good inputs that the others are made from."""
-    import programs  # noqa: F401 - its files go on the shelf
-
     section = binary.encode(WORDS)
+    Image.new("L", (64, 64)).save(picture := io.BytesIO(), "PNG")
     names = ("eia.pal", "hello.pal", "echo.pal", "circle.asc", "circle.eia", "eia.bin", "circle.for")
-    from pdp8.computer.machine import Machine
-    from pdp8.computer.past import state
-
     return [
         *(shelf.read_bundled(name)[:LONGEST] for name in names),
         section + section,
@@ -114,21 +113,9 @@ def inputs() -> list[bytes]:
         b"\xef\xbb\xbf*200\n\tHLT\n$\n",
         "*200\r\n\tHLT / \x1b[2J\r\n$\r\n".encode("utf-16"),
         b"*200\n\tQQ / \x1b[2J\x9b2J\n$\n",
-        _picture(40_000, 40_000),
-        _picture(64, 64),
+        picture.getvalue(),
+        picture.getvalue().replace((64).to_bytes(4) * 2, (40_000).to_bytes(4) * 2),
     ]
-
-
-def _picture(width: int, height: int) -> bytes:
-    """Return a PNG whose header tells of so many pixels; there are none."""
-
-    def chunk(kind: bytes, content: bytes) -> bytes:
-        body = kind + content
-        return len(content).to_bytes(4) + body + zlib.crc32(body).to_bytes(4)
-
-    size = width.to_bytes(4) + height.to_bytes(4) + bytes([8, 0, 0, 0, 0])
-    picture = chunk(b"IHDR", size) + chunk(b"IDAT", zlib.compress(bytes(1000))) + chunk(b"IEND", b"")
-    return b"\x89PNG\r\n\x1a\n" + picture
 
 
 def mutated(content: bytes, chance: random.Random) -> bytes:
@@ -241,23 +228,21 @@ class Kept(io.BytesIO):
         return super().write(content)
 
 
-@cache
-def stream(_name: str) -> tuple[Kept, io.TextIOWrapper]:
-    """Return a standard stream for all calls, and what keeps it: click keeps all that it has written to."""
-    kept = Kept()
-    return kept, io.TextIOWrapper(kept, encoding="utf-8", write_through=True)
+OUT, SAID = Kept(), Kept()
+STREAMS = [io.TextIOWrapper(kept, encoding="utf-8", write_through=True) for kept in (OUT, SAID)]
+"""Standard output and error of all calls: click keeps all that it has written to."""
 
 
 def called(line: list[str], closed: bool = False) -> tuple[int | str, str]:
     """Call the command, with nobody to read its output where `closed`; return its status, or what it raised,
     and what it said.
     """
-    (out, stdout), (said, stderr) = stream("stdout"), stream("stderr")
-    for kept in (out, said):
+    for kept in (OUT, SAID):
         kept.seek(0)
         kept.truncate()
-    out.closed_pipe = closed
+    OUT.closed_pipe = closed
     status: int | str
+    stdout, stderr = STREAMS
     with open("reader") as stdin, patch.multiple(sys, stdin=stdin, stdout=stdout, stderr=stderr), limited():
         try:
             status = command.status(pdp8, "pdp8", line)
@@ -265,7 +250,7 @@ def called(line: list[str], closed: bool = False) -> tuple[int | str, str]:
             status = f"longer than {SECONDS} s"
         except BaseException:
             status = traceback.format_exc()
-    return status, said.getvalue().decode("utf-8", "replace")
+    return status, SAID.getvalue().decode("utf-8", "replace")
 
 
 def fault(seed: int, good: list[bytes]) -> str:
