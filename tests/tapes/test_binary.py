@@ -12,7 +12,6 @@ from tapes import ascii, binary, captions, kinds, rim
 from tapes.errors import TapeError
 from tapes.frames import leader
 from tests.conftest import assert_same_tape
-from tests.pal.random_pal8 import PALBART
 from tests.pdp8.computer.hardware.test_simh import SIMH
 from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, octal, refused
 
@@ -187,6 +186,7 @@ def test_origins_may_overlap_and_wrap() -> None:
     ("frames", "frame", "message"),
     [
         (b"", 0, "empty tape"),
+        (bytes(2), 0, "nothing but blank tape"),
         (LEADER, 64, "nothing but leader"),
         (octal("102 000 073 000 001 075 200"), 0, "102 where the leader (200) was expected"),
         (bytes(3) + b"/ A PROGRAM\n", 3, "057 where the leader"),
@@ -205,6 +205,23 @@ def test_origins_may_overlap_and_wrap() -> None:
 )
 def test_what_is_wrong_and_where(frames: bytes, frame: int, message: str) -> None:
     assert str(refused(binary.decode, frames)).startswith(f"frame {frame}: {message}")
+
+
+@pytest.mark.parametrize(
+    ("frames", "frame", "message"),
+    [
+        ("200 200", 0, "nothing but leader"),
+        ("200 102 000 073 000", 5, "the tape is cut short: it has no trailer"),
+        ("200 102 000 073", 4, "the tape is cut short inside a word"),
+        ("200 102 000 073 200", 4, "200 where the second half of a word was expected"),
+        ("200 102 102 073 000 200", 2, "102 where the second half of an address was expected"),
+        ("200 102 000 073 000 074 002 200", 5, "074 where the first half of an address was expected"),
+        ("200 102 000 103 000 200", 3, "103 where a word was expected"),
+        ("200 300 000 103 000 200", 1, "300 where the first half of an address was expected"),
+    ],
+)
+def test_what_is_wrong_with_a_rim_tape_and_where(frames: str, frame: int, message: str) -> None:
+    assert str(refused(rim.decode, octal(frames))) == f"frame {frame}: {message}"
 
 
 def test_one_wrong_hole_is_always_noticed() -> None:
@@ -239,47 +256,8 @@ def test_simh_loads_the_same_words(load: str, code: ModuleType, tmp_path: Path) 
     assert core == {address: words.get(address, 0) for address in range(0o10000)}
 
 
-@pytest.mark.skipif(PALBART is None, reason="palbart is not installed")
-def test_palbart_punches_the_words_of_its_listing(tmp_path: Path) -> None:
-    (tmp_path / "x.pal").write_text("*200\n CLA CLL\n TAD 300\n HLT\n*300\n 1234\n*7777\n 4321\n$\n")
-    for options in ([], ["-r"]):
-        subprocess.run(
-            [str(PALBART), *options, "x.pal"], cwd=tmp_path, capture_output=True, timeout=20, check=True
-        )
-    words = {0o200: 0o7300, 0o201: 0o1300, 0o202: 0o7402, 0o300: 0o1234, 0o7777: 0o4321}
-    assert binary.decode((tmp_path / "x.bin").read_bytes()).words == words
-    assert rim.decode((tmp_path / "x.rim").read_bytes()) == words
-
-
 def test_address_and_word_in_four_frames() -> None:
-    punched = LEADER + octal("102 000 073 000 177 077 043 021") + LEADER
-    assert_same_tape(rim.encode({0o7777: 0o4321, 0o200: 0o7300}), punched)
-    assert rim.decode(punched) == {0o7777: 0o4321, 0o200: 0o7300}
-    with pytest.raises(TapeError, match="address 10000: a RIM tape can name only 0000 to 7777"):
-        rim.encode({0o10000: 0})
-
-
-def test_leader_between_the_words_and_blank_tape_around() -> None:
-    tape = bytes(9) + octal("200 200 102 000 073 000 200 200 102 001 074 002 200 000 000")
-    assert rim.decode(tape) == {0o200: 0o7300, 0o201: 0o7402}
-
-
-@pytest.mark.parametrize(
-    ("frames", "frame", "message"),
-    [
-        ("", 0, "empty tape"),
-        ("000 000", 0, "nothing but blank tape"),
-        ("200 200", 0, "nothing but leader"),
-        ("000 102 000 073 000 200", 1, "102 where the leader (200) was expected"),
-        ("200 102 000 073 000", 5, "the tape is cut short: it has no trailer"),
-        ("200 102 000 073", 4, "the tape is cut short inside a word"),
-        ("200 102 000 073 200", 4, "200 where the second half of a word was expected"),
-        ("200 102 102 073 000 200", 2, "102 where the second half of an address was expected"),
-        ("200 073 000 200", 1, "073 where the first half of an address was expected"),
-        ("200 102 000 073 000 074 002 200", 5, "074 where the first half of an address was expected"),
-        ("200 102 000 103 000 200", 3, "103 where a word was expected"),
-        ("200 300 000 103 000 200", 1, "300 where the first half of an address was expected"),
-    ],
-)
-def test_what_is_wrong_with_a_rim_tape_and_where(frames: str, frame: int, message: str) -> None:
-    assert str(refused(rim.decode, octal(frames))) == f"frame {frame}: {message}"
+    """Leader between the words and blank tape around are passed over."""
+    words = {0o7777: 0o4321, 0o200: 0o7300}
+    assert_same_tape(rim.encode(words), tape("102 000 073 000 177 077 043 021"))
+    assert rim.decode(bytes(9) + tape("102 000 073 000 200 200 177 077 043 021") + bytes(2)) == words

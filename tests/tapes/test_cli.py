@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from tapes import ascii, binary, eia, rim
+from tapes import ascii, eia
 from tests.conftest import Call, assert_same_tape
-from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS
+from tests.tapes.strips import FORMAT_BIN
 
 DRILLING = """\
 001 0 00000 00000 0 35 88
@@ -110,7 +110,6 @@ def test_info_of_several(call: Call, tmp_path: Path) -> None:
 
 
 def test_convert_tells_the_code_and_clean_leaves_digits(call: Call) -> None:
-    assert_same_tape(product(call, "convert --to bin", rim.encode(FORMAT_WORDS)), binary.encode(FORMAT_WORDS))
     labelled = FORMAT_BIN + b"\x41"
     spelled = product(call, "convert --to octal", labelled)
     assert_same_tape(product(call, "convert --code octal --to frames", spelled), labelled)

@@ -86,21 +86,6 @@ def signals() -> Iterator[None]:
         signal.signal(number, handler)
 
 
-@pytest.mark.parametrize(("name", "status"), [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
-def test_a_signal_ends_a_command_with_its_status(
-    name: str, status: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    number = getattr(signal, name)
-    killed = f"import os\nos.kill({os.getpid()}, {number})\n"
-    (tmp_path / "importing.py").write_text(killed)
-    monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setattr(os, "_exit", lambda status: sys.exit(f"at once: {status}"))
-    for line, said in ((killed, status), ("import importing", f"at once: {status}")):
-        with pytest.raises(SystemExit) as ended:
-            command.run(click.Command("own", callback=partial(exec, line)), "own", [])
-        assert ended.value.code == (said if name == "SIGINT" else status)
-
-
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
 def test_a_signal_that_is_ignored_stays_so(name: str) -> None:
     """In the background, under nohup."""

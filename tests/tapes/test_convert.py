@@ -44,11 +44,7 @@ def test_the_fill_is_punched_again() -> None:
         (b"\x81", "unknown", "eia", "a tape of no known code cannot become eia"),
         (FORMAT_BIN, "bin", "text", "bin cannot become text; octal takes any tape"),
         (TEXT.encode(), "text", "bin", "text cannot become bin"),
-        (FORMAT_BIN[:90], "bin", "rim", "frame 90: the tape is cut short"),
         (binary.encode({0o10000: 1}), "bin", "rim", "address 10000: a RIM tape can name only 0000 to 7777"),
-        (b"A\n!\n", "text", "eia", "line 2, column 1: '!' has no EIA code"),
-        (octal("040 003"), "eia", "ascii", "frame 1: 003"),
-        (b"200 400", "octal", "frames", "line 1, column 5: '400' is no frame"),
     ],
 )
 def test_what_cannot_be(content: bytes, source: str, target: str, message: str) -> None:

@@ -6,48 +6,44 @@ from tapes import convert, eia, redundancy, shelf
 from tapes.frames import with_parity
 from tests.tapes.strips import FORMAT_BIN, LEADER
 
-BIN = shelf.read("eia.bin")
-TAPES = {
-    "bin": BIN,
-    "rim": b"\0" + convert.convert(BIN, "bin", "rim", "mark", None),
-    "eia": shelf.read("circle.eia"),
-    "mark": shelf.read("circle.asc"),
-    "even": with_parity(shelf.read("circle.asc"), "even"),
-    "none": with_parity(shelf.read("circle.asc"), "none"),
-}
+BIN, CIRCLE, EIA = map(shelf.read, ("eia.bin", "circle.asc", "circle.eia"))
+EVEN = with_parity(CIRCLE, "even")
+RIM = b"\0" + convert.convert(BIN, "bin", "rim", "mark", None)
+
 FAULTS = {
-    "bin": (100, 0o004, "the checksum"),
-    "rim": (101, 0o100, "RIM's order"),
-    "eia": (100, 0o004, "EIA's odd holes"),
-    "mark": (100, 0o200, "the tape's parity, mark"),
-    "even": (100, 0o004, "the tape's parity, even"),
-    "none": (100, 0o200, "the tape's parity, none"),
+    "bin": (BIN, 100, 0o004, "the checksum"),
+    "rim": (RIM, 101, 0o100, "RIM's order"),
+    "eia": (EIA, 100, 0o004, "EIA's odd holes"),
+    "mark": (CIRCLE, 100, 0o200, "the tape's parity, mark"),
+    "even": (EVEN, 100, 0o004, "the tape's parity, even"),
+    "none": (with_parity(CIRCLE, "none"), 100, 0o200, "the tape's parity, none"),
 }
-"""A frame, a channel in which the code shows a fault there, and by what."""
+"""A tape, a frame of it, a channel in which its code shows a fault there, and by what."""
 
 
-@pytest.mark.parametrize("code", TAPES)
-def test_a_fault_in_a_doubtful_channel_is_mended(code: str) -> None:
-    tape, (at, bit, by) = TAPES[code], FAULTS[code]
+@pytest.mark.parametrize(("tape", "at", "bit", "by"), FAULTS.values(), ids=FAULTS)
+def test_a_fault_in_a_doubtful_channel_is_mended(tape: bytes, at: int, bit: int, by: str) -> None:
     seen = bytearray(tape)
     seen[at] ^= bit
     assert redundancy.propose(bytes(seen), {at: bit, 121: 0o003}) == ({at: tape[at]}, by)
     assert redundancy.propose(tape, {at: 0o377, 120: 0o377})[0] == {}
 
 
-BLANKS = TAPES["eia"][:90].replace(b"\x20", b"\0")
-"""Four blocks, whose zeros are blank frames, as a Hydra-Point may have them."""
-TORN = FORMAT_BIN[:121] + b"\x42" + LEADER
-"""BIN from either end; from this one it goes on for longer."""
+TAPES = {code: tape for code, (tape, *_) in FAULTS.items()} | {
+    # four blocks, whose zeros are blank frames, as a Hydra-Point may have them
+    "blanks": EIA[:90].replace(b"\x20", b"\0"),
+    # BIN from either end; from this one it goes on for longer
+    "torn": FORMAT_BIN[:121] + b"\x42" + LEADER,
+}
 
 
-@pytest.mark.parametrize("tape", [*TAPES.values(), BLANKS, TORN], ids=[*TAPES, "blanks", "torn"])
+@pytest.mark.parametrize("tape", TAPES.values(), ids=TAPES)
 def test_a_tape_read_from_its_end_is_found_out(tape: bytes) -> None:
     assert not redundancy.looks_reversed(tape)
     assert redundancy.looks_reversed(tape[::-1])
 
 
-@pytest.mark.parametrize("tape", [b"\x83\6\5", eia.encode("0" * 19 + "\n"), TAPES["eia"][:90] + b"\3\x80"])
+@pytest.mark.parametrize("tape", [b"\x83\6\5", eia.encode("0" * 19 + "\n"), EIA[:90] + b"\3\x80"])
 def test_a_tape_without_order_says_nothing(tape: bytes) -> None:
     assert not redundancy.looks_reversed(tape)
 
@@ -59,7 +55,7 @@ def test_a_good_tape_stays_and_one_of_no_known_code() -> None:
 
 
 def test_nothing_is_proposed_where_several_values_fit() -> None:
-    seen = bytearray(TAPES["even"])
+    seen = bytearray(EVEN)
     seen[100] ^= 0o004
     assert redundancy.propose(bytes(seen), {100: 0o017})[0] == {}
 
