@@ -6,6 +6,8 @@ from pathlib import Path
 import pytest
 
 from tapes import ascii, eia
+from tapes.errors import TextError
+from tapes.hydrapoint import typed
 from tests.conftest import Call, assert_same_tape
 from tests.tapes.strips import FORMAT_BIN
 
@@ -32,7 +34,7 @@ def product(call: Call, line: str, given: bytes) -> bytes:
 
 
 @pytest.mark.parametrize(
-    ("line", "typed", "tape"),
+    ("line", "text", "tape"),
     [
         ("punch", DRILLING, ascii.encode(DIGITS)),
         ("punch --drop-spaces", "A B\n", ascii.encode("AB\n")),
@@ -49,29 +51,20 @@ def product(call: Call, line: str, given: bytes) -> bytes:
         *((EIA, text, eia.encode(text)) for text in ("G1 X2\n", "1" * 17, PRINTED, " 010000000000003588\n")),
     ],
 )
-def test_what_is_punched_of_what_is_typed(line: str, typed: str, tape: bytes, call: Call) -> None:
-    assert_same_tape(product(call, line, typed.encode()), tape)
+def test_what_is_punched_of_what_is_typed(line: str, text: str, tape: bytes, call: Call) -> None:
+    assert_same_tape(product(call, line, text.encode()), tape)
 
 
-def test_a_line_among_blocks_that_is_none_is_named(call: Call) -> None:
-    status, _, said = call(
-        "pdp8 tape punch --code eia", DRILLING.replace("5 04000 02", "5 04O00 02").encode()
-    )
-    assert (status, "line 5, column 1: '005 5 04O00 02000 0 01 89' is no block of 19 digits" in said) == (
-        1,
-        True,
-    )
-
-
-@pytest.mark.parametrize("line", ["002 9 03000 00000 0 00 0", "002 9 03000 00000 0 00 000"])
-@pytest.mark.parametrize(
-    ("before", "code", "number"), [("", "ascii", 1), ("", "eia", 1), (DRILLING, "eia", 7)]
-)
-def test_every_line_has_19_digits(call: Call, line: str, before: str, code: str, number: int) -> None:
-    wrong = f"line {number}, column 1: a block of {len(line.replace(' ', ''))} digits; it has 19"
-    for text in (f"{before}{line}\n", f"{before}{line}\n".replace(" ", "")):
-        status, _, said = call(f"pdp8 tape punch --code {code}", text.encode())
-        assert (status, wrong in said) == (1, True), said
+def test_a_line_that_is_no_block_is_named() -> None:
+    with pytest.raises(
+        TextError, match="line 5, column 1: '005 5 04O00 02000 0 01 89' is no block of 19 digits"
+    ):
+        typed(DRILLING.replace("5 04000 02", "5 04O00 02"))
+    for number, before in ((1, ""), (7, DRILLING)):
+        for line, digits in (("002 9 03000 00000 0 00 0", 18), ("002 9 03000 00000 0 00 000", 20)):
+            for block in (line, line.replace(" ", "")):
+                with pytest.raises(TextError, match=f"line {number}, column 1: a block of {digits} digits;"):
+                    typed(f"{before}{block}\n")
 
 
 def test_show_a_range(call: Call) -> None:
