@@ -1,4 +1,8 @@
-"""A sheet's answer held against what is right: numbers by value and unit, texts by what matters."""
+"""A sheet's answer held against what is right: numbers by value and unit, texts by what matters.
+
+In what way a number is written does not matter: -035, minus 35 and `-35 octal`, where octal is asked for,
+are -35; 2 4 6 8 is 2,4,6,8. Nor do the articles and the words of the question: of `block 100`, the block.
+"""
 
 from pdp8.lessons.exercise import Question
 
@@ -15,6 +19,8 @@ _ALSO = {
     "inch": "in", "inches": "in", '"': "in", "mils": "mil", "thou": "mil",
     "foot": "ft", "feet": "ft", "'": "ft",
 }  # fmt: skip
+_MINUS = ("-", "minus", "negative")
+_DASHES = "\u2010\u2011\u2012\u2013\u2014\u2212"
 _FILLERS = ("a", "an", "the", "it", "is", "its", "are", "about")
 WRONG_UNIT = "The number is right; its unit is not."
 
@@ -49,7 +55,11 @@ def hint(question: Question, given: str) -> str:
 
 def _is(question: Question, given: str, number: float, tolerance: float) -> bool:
     """Tell whether `given` is `number` in the question's unit; a unit may be left out."""
-    found, unit = _parted(given)
+    known = _known(question)
+    words = _plain(given).split()
+    while words and words[0] in known and not _number(words[0]):
+        words = words[1:]
+    found, unit = _parted(" ".join(words))
     own = _ALSO.get(question.unit, question.unit)
     unit = _ALSO.get(unit, unit)
     factor = 1.0
@@ -57,7 +67,7 @@ def _is(question: Question, given: str, number: float, tolerance: float) -> bool
         if unit not in UNITS or (unit in _TIMES) != (own in _TIMES):
             return False
         factor = UNITS[unit] / UNITS[own]
-    elif unit and unit != own and unit not in question.ask.lower().replace("?", " ").split():
+    elif unit and unit != own and unit not in known:
         return False
     return any(_near(question, value * factor, number, tolerance) for value in found)
 
@@ -68,7 +78,7 @@ def _near(question: Question, value: float, number: float, tolerance: float) -> 
 
 def _parted(text: str) -> tuple[list[float], str]:
     """Return what number a text begins with, and the rest, its unit; 1,798 may be meant in two ways."""
-    plain = text.strip().lower().replace("\u2212", "-")
+    plain = _plain(text)
     end = 0
     while end < len(plain) and plain[end] in "+-.,0123456789":
         end += 1
@@ -88,15 +98,60 @@ def _number(form: str) -> bool:
 
 def _same(question: Question, given: str, answer: str) -> bool:
     one, other = _words(given), _words(answer)
-    known = [*_words(question.ask), *_FILLERS]
+    known = [word for word in _known(question) if word not in other or not _number(word)]
     few = [word for word in one if word not in known]
     return one == other or (few != [] and few == [word for word in other if word not in known])
 
 
+def _known(question: Question) -> list[str]:
+    """Return the words that an answer may have beside what is asked."""
+    return [word for word in [*_words(question.ask), *_FILLERS] if word != "not"]
+
+
+def _plain(text: str) -> str:
+    """Return a text in small letters, a number's minus before its digits, `0o35` as `35 octal`."""
+    plain = text.lower().replace("#", " ")
+    for dash in _DASHES:
+        plain = plain.replace(dash, "-")
+    found: list[str] = []
+    for item in plain.split():
+        word = f"{item.replace('0o', '')} octal" if item.lstrip("+-")[:2] == "0o" else item
+        if found and found[-1] in _MINUS and word[:1].isdigit():
+            found[-1] = f"-{word}"
+        else:
+            found.append(word)
+    return " ".join(found)
+
+
 def _words(text: str) -> list[str]:
-    """Return the words of a text without what does not matter: case, marks, commas, leading zeros."""
-    plain = text.lower().replace(",", "")
-    for mark in "?!;:()[]`'\"":
+    """Return the words of a text without what does not matter: case, marks, leading zeros, the commas and
+    blanks between thousands or single digits.
+    """
+    plain = _plain(text)
+    for mark in ",?!;:()[]`'\"":
         plain = plain.replace(mark, " ")
-    words = [word.rstrip(".") for word in plain.split()]
-    return [word.lstrip("0") or "0" for word in words if word]
+    found: list[str] = []
+    run: list[str] = []
+    for word in [*plain.split(), ""]:
+        item = word.rstrip(".")
+        if _number(item):
+            run.append(item)
+            continue
+        found += _joined(run)
+        run = []
+        if item:
+            found.append(item)
+    return found
+
+
+def _joined(numbers: list[str]) -> list[str]:
+    """Return a row of numbers without leading zeros, as one number if they are digits or thousands."""
+    whole = [number.partition(".")[0] for number in numbers]
+    digits = all(len(number) == 1 for number in numbers)
+    if digits or (len(whole[0]) < 4 and all(len(each) == 3 and each.isdigit() for each in whole[1:])):
+        numbers = ["".join(numbers)] if numbers else []
+    found = []
+    for number in numbers:
+        sign = "-" if number[0] == "-" else ""
+        found.append(sign + (number.lstrip("+-0") or "0"))
+    return found

@@ -117,7 +117,7 @@ def test_a_hint_is_said_where_it_fits() -> None:
     assert hints == ["no JMP .", "look"]
 
 
-SHEET = "title='t'\ntask='t'\n[[question]]\nname='a'\nask='How many?'\n"
+SHEET = "title='t'\ntask='t'\n[[question]]\nname='a'\nask='How many, in octal, of block 4? Not 5'\n"
 
 
 @pytest.mark.parametrize(
@@ -139,7 +139,13 @@ SHEET = "title='t'\ntask='t'\n[[question]]\nname='a'\nask='How many?'\n"
         ("'no'", "no No.", "yes"),
         ("'many'", "many 'many' (many) many? `many`", "how"),
         ("'0'", "0 00 000.", "1"),
-        ("'1,000 words'", "1000_words 1000_(words) the_1000_words", "0100_words words_1000"),
+        ("'1,000 words'", "1000_words 1000_(words) the_1000_words 1_000_words", "0100_words words_1000"),
+        ("100", "block_100 #100 0o100 100_octal the_100", "block_99 row_100 not_100 block_4 100_decimal"),
+        ("'-35'", "-035 –35 minus_35 Negative_35 -0o35 -35_octal 4_is_-35",
+         "35 --35 -36_octal 4_35 -3_5 not_-35"),
+        ("'270'", "0270 0o270 #270 octal_270 +270 2_7_0 block_270", "0o271 27_0 octal 184_octal 270_decimal"),
+        ("'2468'", "2_4_6_8 2,4,6,8 2;_4;_6;_8 [2,_4,_6,_8]", "24_68 2_6_8 268 4_8 2_4_6_8_10"),
+        ("'10, 4, 20'", "10_4_20 010,4,20", "10_20 1_04_20 10420"),
         ("['the same','same']", "same the_same!", "not_the_same"),
         ("'same'", "about_the_same it_is_a_same its_same are_an_same", "not_same"),
     ],
