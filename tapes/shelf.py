@@ -96,12 +96,11 @@ def bundled() -> list[str]:
 
 
 def find(name: str) -> str:
-    """Return the path of `name`: as given if it is there, else the bundled file of that name.
-
-    Raises ShelfError if there is neither.
+    """Return the path of `name`: as given if it is there, else the bundled file of that name, which no folder
+    hides. Raises ShelfError if there is neither.
     """
     check_named(name)
-    if os.path.exists(name):
+    if os.path.exists(name) and not (name in _bundled and os.path.isdir(name)):
         return name
     if name in _bundled:
         return _bundled[name]

@@ -36,7 +36,9 @@ def read(name: str, seed: int = SEED) -> Exercise:
     Raises ExerciseError, ShelfError.
     """
     stem = name.removesuffix(".toml").removesuffix(".json")
-    path = name if os.path.exists(name) or stem not in bundled() else os.path.join(FOLDER, f"{stem}.toml")
+    path = name
+    if stem in bundled() and (os.path.isdir(name) or not os.path.exists(name)):
+        path = os.path.join(FOLDER, f"{stem}.toml")
     if not os.path.exists(path):
         raise ExerciseError(f"{name}: no such file, and no bundled exercise ({', '.join(bundled())})")
     try:

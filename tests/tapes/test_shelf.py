@@ -19,7 +19,10 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def test_what_is_here_comes_before_what_is_bundled_and_hides_it() -> None:
     bundled = shelf.read_bundled("eia.pal")
     assert os.path.isabs(shelf.find("eia.pal"))
+    Path("eia.pal").mkdir()
+    assert shelf.read("eia.pal") == bundled
     assert not shelf.hides("eia.pal")
+    Path("eia.pal").rmdir()
     for content in (bundled, b"$\n"):
         Path("eia.pal").write_bytes(content)
         assert shelf.find("eia.pal") == "eia.pal"
