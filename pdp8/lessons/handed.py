@@ -51,7 +51,7 @@ def of(content: bytes, name: str) -> Answer:
         return Answer(name, fault=str(error))
     except UnicodeDecodeError:
         return Answer(name, fault="neither text, such as PAL source, nor a BIN or RIM tape")
-    source = content.decode("ascii", "replace").replace("\r\n", "\n")
+    source = content.decode(errors="replace").replace("\r\n", "\n")
     for number, line in enumerate(source.splitlines(), 1):
         if len(line) > LONGEST:
             return Answer(name, fault=f"line {number} has {len(line):,} characters; at most {LONGEST} can be")

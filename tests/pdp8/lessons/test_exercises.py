@@ -41,6 +41,11 @@ def test_there_are_twenty_programs_and_the_tutorials_six_sheets() -> None:
     programs = [name for name in form.bundled() if form.read(name).cases]
     assert len(programs) == 20
     assert set(form.bundled()) - set(programs) == set(TUTORIAL)
+
+
+def test_a_folder_hides_no_bundled_exercise(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "add").mkdir()
     assert form.title("add") == form.read("add").title
 
 
@@ -137,6 +142,7 @@ def test_a_mistake_must_change_one_place_of_the_solution() -> None:
 
 
 def test_a_sheet_is_read_however_its_lines_are_written() -> None:
-    read = handed.of(b"A: 270\r\n b) the digit 8\nc = 1,798.2\n\n d 5 \ne:6\nf=-7\ng? 8", "s").lines()
+    sheet = "\ufeffA: 270\r\n b) the digit 8\nc = 1,798.2\n\n d 5 \ne:6\nf=−7 µs\ng? 8"
+    read = handed.of(sheet.encode(), "s").lines()
     assert list(read) == ["a", "b", "c", "d", "e", "f", "g?"]
-    assert list(read.values()) == ["270", "the digit 8", "1,798.2", "5", "6", "-7", "8"]
+    assert list(read.values()) == ["270", "the digit 8", "1,798.2", "5", "6", "−7 µs", "8"]
