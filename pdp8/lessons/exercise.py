@@ -52,8 +52,8 @@ class Case:
 class Question:
     """One line of a sheet: what is asked, which answers are right, what is said to a wrong one.
 
-    A number is right by its value in `unit`, within `tolerance`. Without any answer, as in a student's form,
-    all that is asked is that there is one.
+    A number is right by its value in `unit`, within `tolerance`. A student's form has no answer: what is
+    given is neither right nor wrong.
     """
 
     name: str
@@ -65,6 +65,11 @@ class Question:
     points: int = 1
     hint: str = ""
     slips: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def unmarked(self) -> bool:
+        """Whether nothing says which answer is right."""
+        return self.number is None and not self.answer
 
 
 @dataclass(frozen=True)
@@ -80,7 +85,7 @@ class Source:
 class Exercise:
     """A whole exercise; `mistakes` are by what a student did: a piece of the solution, and what he wrote.
 
-    A student's form has neither solution nor mistakes.
+    A student's form has neither solution nor mistakes; `others` are the hidden cases that it leaves out.
     """
 
     name: str
@@ -89,6 +94,7 @@ class Exercise:
     source: Source
     cases: tuple[Case, ...]
     questions: tuple[Question, ...]
+    others: int = 0
     solution: str = ""
     mistakes: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
@@ -100,4 +106,15 @@ class Exercise:
     @property
     def points(self) -> int:
         """The most that can be had."""
-        return sum(case.points for case in self.cases) + sum(question.points for question in self.questions)
+        marked = [question.points for question in self.questions if not question.unmarked]
+        return sum(case.points for case in self.cases) + sum(marked)
+
+    @property
+    def note(self) -> str:
+        """What is said below the marks that a student's form gives."""
+        if any(question.unmarked for question in self.questions):
+            return "Of what is given the teacher says whether it is right."
+        if self.others:
+            tried = len(self.cases)
+            return f"{tried} of {tried + self.others} cases were tried; the teacher tries the others too."
+        return ""

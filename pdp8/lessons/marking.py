@@ -5,8 +5,8 @@ first trial that fails is shown. Bounds on the source and words it must or must 
 what breaks them gets no points. Of a hidden case nothing is kept but what was wrong.
 """
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 
 from pdp8.computer.use.program import FOUND
 from pdp8.lessons import diagnosis, trial, values
@@ -31,7 +31,10 @@ class Failure:
 
 @dataclass(frozen=True)
 class Mark:
-    """What one case or question brought; `inputs` are those of the trial that failed."""
+    """What one case or question brought; `inputs` are those of the trial that failed.
+
+    Of what is `given` nothing says whether it is right.
+    """
 
     name: str
     points: int
@@ -40,6 +43,7 @@ class Mark:
     hint: str = ""
     inputs: str = ""
     hidden: bool = False
+    given: bool = False
 
 
 @dataclass(frozen=True)
@@ -58,8 +62,8 @@ class Result:
 
     @property
     def right(self) -> bool:
-        """Whether nothing was wrong."""
-        return not self.fault and not any(mark.failures for mark in self.marks)
+        """Whether all is known to be right."""
+        return not self.fault and not any(mark.failures or mark.given for mark in self.marks)
 
 
 def mark(exercise: Exercise, answer: Answer, dialect: str = FOUND) -> Result:
@@ -78,6 +82,9 @@ def mark(exercise: Exercise, answer: Answer, dialect: str = FOUND) -> Result:
 def _broken(exercise: Exercise, answer: Answer) -> str:
     """Return which rule of the exercise the source breaks."""
     source = exercise.source
+    names = [question.name for question in exercise.questions]
+    if names and not any(name.lower() in answer.lines() for name in names):
+        return f"no line begins with the name of a question; write a line for each, such as {names[0]}: ..."
     items = answer.items()
     if (source.required or source.forbidden) and not answer.source:
         return "this exercise looks at the source: hand in PAL, not a tape"
@@ -111,7 +118,7 @@ def _failed(case: Case, tried: Trial, answer: Answer, outcome: Outcome, failures
     over = trial.overwritten(answer, tried, outcome)
     if over is not None:
         failures.append(Failure("the program", "", f"a write over itself at {over:04o}", diagnosis.ITSELF))
-    hint = _hint(case, failures)
+    hint = _hint(case.hints if _starts_once(tried, answer) else {}, failures)
     if case.hidden:
         bare = tuple(Failure(failure.what, "", "", failure.happened) for failure in failures)
         return Mark(case.name, 0, case.points, bare, hint, hidden=True)
@@ -119,17 +126,30 @@ def _failed(case: Case, tried: Trial, answer: Answer, outcome: Outcome, failures
     return Mark(case.name, 0, case.points, tuple(failures), hint, inputs)
 
 
-def _hint(case: Case, failures: list[Failure]) -> str:
-    """Return the case's hint for what happened or what differs, or for any result; or the diagnosis's."""
-    for failure in failures:
-        for key in (failure.happened, failure.what):
-            if key in case.hints:
-                return case.hints[key]
+def _starts_once(tried: Trial, answer: Answer) -> bool:
+    """Tell whether all is right after the first START: if not, hints for a trial of several do not fit."""
+    if tried.starts == 1:
+        return True
+    once = replace(tried, starts=1)
+    return not list(_failures(once, answer, trial.run(answer, once)))
+
+
+def _hint(hints: Mapping[str, str], failures: list[Failure]) -> str:
+    """Return the case's hint for what happened or what differs, or for any result; or the diagnosis's.
+
+    Where the end is wrong, a hint to the result does not fit.
+    """
     happened = [failure.happened for failure in failures]
+    elsewhere = happened[0] in diagnosis.ENDS
+    for failure in failures:
+        if not elsewhere or failure.happened in (*diagnosis.ENDS, diagnosis.ITSELF):
+            for key in (failure.happened, failure.what):
+                if key in hints:
+                    return hints[key]
     if diagnosis.ITSELF in happened:
         return diagnosis.HINTS[diagnosis.ITSELF]
-    if happened[0] not in diagnosis.ENDS and "" in case.hints:
-        return case.hints[""]
+    if not elsewhere and "" in hints:
+        return hints[""]
     return diagnosis.HINTS.get(happened[0], "")
 
 
@@ -198,6 +218,9 @@ def _program(answer: Answer, outcome: Outcome) -> bytes:
 
 
 def _compare(question: Question, given: str) -> Mark:
+    if question.unmarked:
+        failures = () if given else (Failure("answer", "", "nothing"),)
+        return Mark(question.name, 0, 0, failures, given=bool(given))
     if values.right(question, given):
         return Mark(question.name, question.points, question.points)
     hint = values.hint(question, given)

@@ -27,14 +27,15 @@ def html(exercise: Exercise, result: Result) -> str:
     """Return the page of `result`."""
     name = escape(scores.visible(result.answer))
     title = f"{escape(exercise.title)}: {name}"
+    points = f"{result.points} of {result.of} points" if result.of else "not marked"
     parts = [
         "<!doctype html>",
         f'<html lang="en"><head><meta charset="utf-8"><title>{title}</title>',
         f'<meta name="viewport" content="width=device-width"><style>{_STYLE}</style></head><body>',
         f"<h1>{escape(exercise.title)}</h1>",
-        f"<p><strong>{name}: {result.points} of {result.of} points</strong></p>",
+        f"<p><strong>{name}: {points}</strong></p>",
         task(exercise.task),
-        *body(result),
+        *body(exercise, result),
         "</body></html>\n",
     ]
     return "\n".join(parts)
@@ -51,16 +52,18 @@ def _coded(text: str) -> str:
     return "".join(f"<code>{escape(part)}</code>" if at % 2 else escape(part) for at, part in parts)
 
 
-def body(result: Result) -> Iterator[str]:
+def body(exercise: Exercise, result: Result) -> Iterator[str]:
     """Yield what is said of an answer: its points, what failed, the hints."""
     if result.fault:
         yield f"<h2>It was not tried</h2><pre>{escape(chr(10).join(scores.fault(result)))}</pre>"
         return
     yield "<table><tr><th>tried</th><th>points</th><th></th></tr>"
     for mark in result.marks:
-        right = "not yet" if mark.failures else "right"
+        right = "not yet" if mark.failures else "given" if mark.given else "right"
         yield f"<tr><td>{escape(mark.name)}</td><td>{mark.points} of {mark.of}</td><td>{right}</td></tr>"
     yield "</table>"
+    if exercise.note:
+        yield f"<p>{escape(exercise.note)}</p>"
     for mark in [each for each in result.marks if each.failures]:
         yield f"<h2>{escape(mark.name)}</h2>"
         if mark.inputs:

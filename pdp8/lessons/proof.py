@@ -9,7 +9,10 @@ from pdp8.lessons.tables import ExerciseError
 
 
 def solution(exercise: Exercise) -> Result:
-    """Return the marks of the exercise's own solution."""
+    """Return the marks of the exercise's own solution. Raises ExerciseError where it has no answers."""
+    for question in exercise.questions:
+        if question.unmarked:
+            raise ExerciseError(f"{exercise.name}: question {question.name!r}: answer is missing")
     return _marked(exercise, exercise.solution, "the solution")
 
 

@@ -42,12 +42,13 @@ def table(exercise: Exercise, results: Sequence[Result]) -> "Table":
     made.add_column("points", justify="right", no_wrap=True)
     for result in results:
         cells = [Text(_cell(mark)) for mark in result.marks] or [Text("-")] * len(exercise.names)
-        made.add_row(Text(visible(result.answer)), *cells, Text(f"{result.points} / {result.of}"))
+        points = f"{result.points} / {result.of}" if result.of else "-"
+        made.add_row(Text(visible(result.answer)), *cells, Text(points))
     return made
 
 
 def _cell(mark: Mark) -> str:
-    return "-" if mark.failures else f"{mark.points}"
+    return "-" if mark.failures else "given" if mark.given else f"{mark.points}"
 
 
 def details(result: Result) -> Iterator[str]:

@@ -1,4 +1,5 @@
-"""The student's form of an exercise, in JSON: no solution, mistakes, hidden cases, nor answers of a sheet.
+"""The student's form of an exercise, in JSON: no solution, mistakes, hidden cases, nor answers of a sheet,
+which it does not mark.
 
 Random cases stand in it as cases, drawn from a seed of their own and with what is expected: the checker needs
 no solution to mark them, and the teacher's are others. The command reads it like TOML, and so do pages.
@@ -20,7 +21,10 @@ def form(exercise: Exercise) -> str:
     """Return the JSON of the student's form."""
     cases = [case for case in exercise.cases if not case.hidden]
     questions = [Question(each.name, each.ask, points=each.points) for each in exercise.questions]
-    return json.dumps(tables(exercise, cases, questions, _SHOWN), indent=1, ensure_ascii=False) + "\n"
+    found = tables(exercise, cases, questions, _SHOWN)
+    if others := exercise.others + len(exercise.cases) - len(cases):
+        found["others"] = others
+    return json.dumps(found, indent=1, ensure_ascii=False) + "\n"
 
 
 def whole(exercise: Exercise) -> dict[str, Any]:

@@ -59,7 +59,7 @@ _seconds = field(f"seconds up to {LONGEST} are wanted", int, float, fits=lambda 
 tables = field("[[...]] tables is wanted", list)
 
 
-def _mapping(value: Any) -> dict[str, Any]:
+def mapping(value: Any) -> dict[str, Any]:
     """Return a table, which JSON may have as pairs."""
     try:
         return dict(value)
@@ -73,13 +73,13 @@ def word(value: Any) -> int:
 
 
 def _words(value: Any) -> dict[str, int]:
-    return {place(key): word(given) for key, given in _mapping(value).items()}
+    return {place(key): word(given) for key, given in mapping(value).items()}
 
 
 def _deposits(value: Any) -> dict[str, int | str]:
     return {
         place(key): place(given) if isinstance(given, str) else word(given)
-        for key, given in _mapping(value).items()
+        for key, given in mapping(value).items()
     }
 
 
@@ -121,7 +121,7 @@ def _texts(value: Any) -> tuple[str, ...]:
 
 
 def _slips(value: Any) -> dict[str, str]:
-    return {key: _text(hint) for key, hint in _mapping(value).items()}
+    return {key: _text(hint) for key, hint in mapping(value).items()}
 
 
 def _pair(wanted: str) -> Field:
@@ -130,7 +130,7 @@ def _pair(wanted: str) -> Field:
 
 def _mistakes(value: Any) -> dict[str, tuple[str, ...]]:
     edit = _pair("[piece of the solution, what is written instead] is wanted")
-    return {what: _texts(edit(pair)) for what, pair in _mapping(value).items()}
+    return {what: _texts(edit(pair)) for what, pair in mapping(value).items()}
 
 
 def _answer(value: Any) -> float | tuple[str, ...]:
@@ -151,8 +151,9 @@ def _takes(value: Any) -> tuple[float, ...]:
 
 _POINTS = number(0, 1000)
 EXERCISE: dict[str, Field] = {
-    "title": _text, "task": _text, "solution": lambda value: value, "program": _mapping, "case": tables,
+    "title": _text, "task": _text, "solution": lambda value: value, "program": mapping, "case": tables,
     "random": tables, "question": tables, "mistakes": _mistakes,
+    "others": number(0, 1000),
 }  # fmt: skip
 SOURCE: dict[str, Field] = {"words": number(1, 4096), "required": _texts, "forbidden": _texts}
 CASE: dict[str, Field] = {"name": _text, "points": _POINTS, "hint": _hints, "hidden": _flag}

@@ -69,7 +69,7 @@ export class Exercises {
       const { right, points, of, html } = await apart.ask("marks", [tables, tables.question ? name : editor.name, source], SECONDS);
       if (right) this.done.add(name);
       if (name !== this.name) return;
-      find("marks").innerHTML = `<p><b class="${right ? "right" : ""}">${escaped(tables.question ? "The sheet" : editor.name)}: ${points} of ${of} points</b></p>${html}`;
+      find("marks").innerHTML = `<p><b class="${right ? "right" : ""}">${escaped(tables.question ? "The sheet" : editor.name)}: ${of ? `${points} of ${of} points` : "not marked"}</b></p>${html}`;
       this.#list();
     } catch (error) {
       find("marks").innerHTML = `<p>${escaped(error.message)}</p>`;

@@ -24,16 +24,17 @@ function question({ answer, ...rest }) {
 }
 
 /** The exercise that the tables of a file say, as pdp8/lessons/student.py writes them. */
-function exercise({ title, task, program = {}, case: cases = [], question: questions = [] }) {
+function exercise({ title, task, program = {}, case: cases = [], question: questions = [], others }) {
   const tried = cases.map(({ hint, trial, ...rest }) =>
     record(Case, { ...rest, hints: hint, trials: trial.map((table) => record(Trial, table)) }),
   );
-  return new Exercise("", title, task, record(Source, program), tried, questions.map(question));
+  return new Exercise("", title, task, record(Source, program), tried, questions.map(question), others);
 }
 
 /** The marks of a source: { right, points, of, html }. */
 export function marks(tables, name, source) {
-  const result = mark(exercise(tables), new Answer(name, undefined, undefined, source));
+  const given = exercise(tables);
+  const result = mark(given, new Answer(name, undefined, undefined, source));
   const { right, points, of } = result;
-  return { right, points, of, html: [...body(result)].join("\n") };
+  return { right, points, of, html: [...body(given, result)].join("\n") };
 }

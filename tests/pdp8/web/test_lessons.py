@@ -1,5 +1,7 @@
 """Exercises in the page: what `pdp8 check` says of solutions and wrong answers, the page's marks say too."""
 
+import json
+
 import pytest
 
 from pdp8.lessons import form, handed, marking, student
@@ -23,11 +25,16 @@ def _answers(exercise: Exercise) -> list[str]:
 @needs_node
 @pytest.mark.slow  # two hundred answers, twice
 def test_the_page_marks_as_the_command_does() -> None:
-    """Each bundled exercise: its solution, wrong answers, faults; verdicts, hints and what is shown."""
-    exercises = map(form.read, form.bundled())
-    answers = [(exercise, source) for exercise in exercises for source in _answers(exercise)]
-    asked = [{"tables": student.whole(exercise), "source": source} for exercise, source in answers]
-    for (exercise, source), marks in zip(answers, in_node(_MARKS, asked), strict=True):
+    """Each bundled exercise: its solution, wrong answers, faults; verdicts, hints and what is shown;
+    of two the student's form too.
+    """
+    wholes = map(form.read, form.bundled())
+    answers = [(each, student.whole(each), source) for each in wholes for source in _answers(each)]
+    for name in ("echo", "read-a-frame"):
+        text = student.form(whole := form.read(name))
+        answers.append((form.parse(text, name), json.loads(text), whole.solution))
+    asked = [{"tables": tables, "source": source} for _, tables, source in answers]
+    for (exercise, _, source), marks in zip(answers, in_node(_MARKS, asked), strict=True):
         result = marking.mark(exercise, handed.of(source.encode(), "a.pal"))
         said = {"right": result.right, "points": result.points, "of": result.of}
-        assert marks == {**said, "html": "\n".join(body(result))}, source
+        assert marks == {**said, "html": "\n".join(body(exercise, result))}, source
