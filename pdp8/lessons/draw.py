@@ -13,7 +13,19 @@ from typing import Any
 from pdp8.lessons import trial
 from pdp8.lessons.answer import Answer, assembled
 from pdp8.lessons.exercise import Case, Trial
-from pdp8.lessons.tables import CASE, TRIAL, ExerciseError, Field, field, frames, number, table, word
+from pdp8.lessons.tables import (
+    CASE,
+    TRIAL,
+    ExerciseError,
+    Field,
+    field,
+    frames,
+    mapping,
+    number,
+    place,
+    table,
+    word,
+)
 from tapes.errors import WorkError
 
 _MOST = 200
@@ -29,6 +41,8 @@ def case(given: object, where: str, solution: str, seed: int, folder: str) -> Ca
     function = _function(found.pop("python"), where, folder) if "python" in found else None
     if not compare and function is None and not found.get("itself"):
         raise ExerciseError(f"{where}: compare or python is missing: nothing says what is right")
+    if compare and not solution:
+        raise ExerciseError(f"{where}: solution is missing; compare asks what it leaves")
     program = assembled(Answer("the solution", source=solution)) if compare else Answer("")
     if program.fault:
         raise ExerciseError(f"{where}: {program.fault}")
@@ -56,8 +70,7 @@ def _expected(drawn: Trial, program: Answer, compare: Sequence[str], within: flo
     outcome = trial.run(program, drawn)
     if drawn.stop not in (outcome.stop.reason, "any"):
         raise ExerciseError(f"{where}: the solution ends with {outcome.stop.reason}, not {drawn.stop}")
-    places = [each for item in compare if item not in _WHAT for each in _places(item)]
-    core = {each: outcome.core[program.address(each)] for each in places}
+    core = {each: outcome.core[program.address(each)] for each in compare if each not in _WHAT}
     found = outcome._replace(instructions=int(outcome.instructions * within))
     kept = {_WHAT[item]: getattr(found, _WHAT[item]) for item in compare if item in _WHAT}
     return replace(drawn, core={**drawn.core, **core}, **kept)
@@ -76,6 +89,9 @@ def _places(item: str) -> list[str]:
     first, dash, last = item.partition("-")
     if not dash or not item[0].isdigit():
         return [item]
+    if not last[:1].isdigit():
+        raise ValueError(f"{item} is no range of octal addresses")
+    _ascend(first := place(first), last := place(last))
     return [f"{address:04o}" for address in range(int(first, 8), int(last, 8) + 1)]
 
 
@@ -94,15 +110,21 @@ def _word(given: Any, random: Random) -> int | str:
     """Return a word: as given, of a range, or one of a list."""
     if not isinstance(given, dict):
         return given if isinstance(given, str) else int(word(given))
-    if set(given) == {"pick"} and given["pick"]:
-        return int(word(random.choice(given["pick"])))
+    if set(given) == {"pick"}:
+        return int(word(random.choice(_some(given["pick"]))))
     if set(given) == {"from", "to"}:
         return random.randint(*_bounds((given["from"], given["to"]), -0o4000, 0o7777)) & 0o7777
     raise ValueError(f"a word, {{ from, to }} or {{ pick = [...] }} is wanted, not {given!r}")
 
 
+def _some(given: Any) -> list[Any]:
+    if not isinstance(given, list) or not given:
+        raise ValueError(f"pick: a list of one or more is wanted, not {given!r}")
+    return given
+
+
 def _deposit(given: Any, random: Random) -> dict[str, int | str]:
-    return {each: _word(value, random) for place, value in dict(given).items() for each in _places(place)}
+    return {each: _word(value, random) for at, value in mapping(given).items() for each in _places(at)}
 
 
 def _tape(given: Any, random: Random) -> list[int]:
@@ -116,7 +138,7 @@ def _tape(given: Any, random: Random) -> list[int]:
     length = given["length"]
     count = random.randint(*_bounds(length if isinstance(length, list) else (length, length), 0, 4096))
     if set(given) == {"length", "pick"}:
-        among = list(frames(given["pick"]))
+        among = _some(list(frames(given["pick"])))
     elif set(given) == {"length", "from", "to"}:
         first, last = _bounds((given["from"], given["to"]), 0, 0o377)
         among = list(range(first, last + 1))
@@ -126,8 +148,14 @@ def _tape(given: Any, random: Random) -> list[int]:
 
 
 def _bounds(pair: Sequence[Any], least: int, most: int) -> tuple[int, int]:
-    first, last = map(number(least, most), pair)
+    first, last = map(number(least, most), pair if len(pair) == 2 else (pair, pair))
+    _ascend(first, last)
     return first, last
+
+
+def _ascend(first: Any, last: Any) -> None:
+    if first > last:
+        raise ValueError(f"nothing lies from {first} to {last}: the lower bound comes first")
 
 
 _DRAWN: dict[str, Callable[[Any, Random], Any]] = {
@@ -135,10 +163,11 @@ _DRAWN: dict[str, Callable[[Any, Random], Any]] = {
 }  # fmt: skip
 
 
+_compared = field(f"a list of tags, addresses or {', '.join(_WHAT)} is wanted", list, fits=lambda items:
+                  items and all(isinstance(item, str) and item for item in items))  # fmt: skip
 _RANDOM: dict[str, Field] = {
     **CASE, **dict.fromkeys(TRIAL, lambda value: value), "trials": number(1, _MOST),
-    "compare": field(f"a list of tags, addresses or {', '.join(_WHAT)} is wanted", list, fits=lambda items:
-                     items and all(isinstance(item, str) and item for item in items)),
+    "compare": lambda items: [each for item in _compared(items) for each in _places(item)],
     "within": field("a factor above 0 is wanted", int, float, fits=lambda factor: factor > 0),
     "python": field('"file.py:function" is wanted', str, fits=lambda name: ":" in name),
 }  # fmt: skip
