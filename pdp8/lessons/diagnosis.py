@@ -43,7 +43,7 @@ HINTS = {
     FIRST: "What is in the AC, and in L, before the first?",
     SHIFTED: "From there on all is moved by one: one is lost, or comes twice.",
     PARITY: "The characters are right; the channel for parity is not.",
-    ONE_OFF: "It is wrong by one: is the loop gone through once too often, or once too seldom?",
+    ONE_OFF: "It is wrong by one: is there one turn of a loop, or one IAC, too many or too few?",
     NEGATIVE: "It is the negative of what is wanted.",
 }
 _INPUTS = (0o6031, 0o6011)

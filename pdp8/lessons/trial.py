@@ -80,8 +80,13 @@ def overwritten(answer: Answer, trial: Trial, outcome: Outcome) -> int | None:
     machine = _ready(answer, trial)
     _start(machine, answer, trial)
     machine.watch.breakpoints.update(changed)
-    stop = machine.run(seconds=trial.seconds, instructions=_LOOKED_AT)
-    return stop.pc if stop.reason is Reason.BREAKPOINT else None
+    while machine.instructions < _LOOKED_AT:
+        stop = machine.run(seconds=trial.seconds, instructions=_LOOKED_AT - machine.instructions)
+        if stop.reason is not Reason.BREAKPOINT:
+            return None
+        if stop.pc in changed:  # after a JMS it is not, which writes its first word and does not execute it
+            return stop.pc
+    return None
 
 
 def _ready(answer: Answer, trial: Trial) -> Machine:

@@ -28,6 +28,12 @@ def test_an_exercise_tells_its_mistakes_from_its_solution(name: str) -> None:
     given = form.read(name)
     solved = proof.solution(given)
     assert (solved.right, solved.points) == (True, given.points)
+    rules = (
+        *given.source.required,
+        *given.source.forbidden,
+        *[str(given.source.words)] * bool(given.source.words),
+    )
+    assert [rule for rule in rules if rule not in given.task] == [], "rules that the task does not tell"
     marked = list(proof.mistakes(given))
     assert len(marked) >= 20
     assert [what for what, result in marked if result.right or result.points >= result.of] == []
