@@ -93,7 +93,7 @@ def check(
     elif show == "task":
         command.echo(read.task.strip("\n"))
     elif not read.solution and (show or prove):
-        raise WorkError(f"{exercise}: a student's form, which has no solution")
+        raise WorkError(f"{exercise}: solution is missing; a student's form has none")
     elif show:
         command.echo(read.solution.strip("\n"))
     elif prove:
@@ -101,10 +101,11 @@ def check(
     elif not answer:
         raise click.UsageError("Give an ANSWER, or --show task, or --prove.")
     else:
-        if folders := [name for name in answer if os.path.isdir(name)]:
-            raise WorkError(
-                f"{folders[0]}: a folder; name the answers in it: {os.path.join(folders[0], '*')}"
-            )
+        for name in answer:
+            if os.path.isdir(name):
+                raise WorkError(f"{name}: a folder; name the answers in it: {os.path.join(name, '*')}")
+            if name != "-" and not os.path.exists(name):
+                raise WorkError(f"{name}: no such file; no answer was marked")
         answers = [handed.read(name) for name in answer]
         results = bounded.marked(read, answers, cpu, dialect)
         if pages is not None:
@@ -148,6 +149,8 @@ def _show(exercise: Exercise, answers: Sequence[Answer], results: Sequence[Resul
         said = "\n".join(scores.details(result))
         if said:
             command.echo(f"\n{said}")
+    if exercise.note:
+        command.echo(f"\n{exercise.note}")
     found = alike.pairs(answers) if exercise.cases else []
     if found:
         command.echo("\nalike but for comments and names, a hint and no proof:")

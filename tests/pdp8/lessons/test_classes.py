@@ -10,7 +10,19 @@ from typing import Any
 
 import pytest
 
-from pdp8.lessons import alike, bounded, form, handed, marking, page, records, scores, student, values
+from pdp8.lessons import (
+    alike,
+    bounded,
+    diagnosis,
+    form,
+    handed,
+    marking,
+    page,
+    records,
+    scores,
+    student,
+    values,
+)
 from pdp8.lessons.answer import Answer, parted
 from pdp8.lessons.diagnosis import sequence, word
 from pdp8.lessons.exercise import Exercise
@@ -115,6 +127,11 @@ def test_a_hint_is_said_where_it_fits() -> None:
     each = exercise("ac=1\nhint={'jumps to itself'='no JMP .', AC='look'}")
     hints = [mark(each, f"*200\n\t{word}\n$").marks[0].hint for word in ("JMP .", "HLT")]
     assert hints == ["no JMP .", "look"]
+    each = exercise("ac=1\nhint={AC='look'}")
+    assert mark(each, "*200\n\tJMP .\n$").marks[0].hint == diagnosis.HINTS[diagnosis.JUMP], "the end is wrong"
+    again = exercise("starts=2\ncore={A=5}\nhint='again'")
+    hints = [mark(again, f"*200\n\tISZ A\n\tHLT\nA,\t{first}\n$").marks[0].hint for first in (4, 1)]
+    assert hints == ["again", ""], "the first START was right, and was not"
 
 
 SHEET = "title='t'\ntask='t'\n[[question]]\nname='a'\nask='How many, in octal, of block 4? Not 5'\n"
@@ -287,14 +304,17 @@ def test_a_students_form_marks_without_the_solution(name: str) -> None:
     assert given.solution == ""
     assert not any(case.hidden or len(case.trials) > 3 for case in given.cases)
     assert all(question.answer == () and question.number is None for question in given.questions)
-    assert mark(given, whole.solution).right
+    result = mark(given, whole.solution)
+    assert not any(found.failures for found in result.marks)
+    assert (result.right, result.of > 0) == (bool(given.cases), bool(given.cases)), "no sheet is marked right"
+    assert given.others == sum(case.hidden for case in whole.cases)
 
 
 def test_a_students_form_has_what_is_not_as_usual() -> None:
     given = exercise("hint='\u00fc'\nac=1\n[[case]]\nname='h'\nhidden=true")
     assert student.form(given) == json.dumps(
-        {"title": "t", "task": "t", "case": [{"name": "c", "hint": [["", "\u00fc"]], "trial": [{"ac": 1}]}]},
-        indent=1, ensure_ascii=False,
+        {"title": "t", "task": "t", "case": [{"name": "c", "hint": [["", "\u00fc"]], "trial": [{"ac": 1}]}],
+         "others": 1}, indent=1, ensure_ascii=False,
     ) + "\n"  # fmt: skip
 
 
@@ -317,4 +337,4 @@ def test_a_students_form_has_no_solution_to_show(option: str, shell: Shell, tmp_
     assert shell("pdp8 check add --export-student s.json").stderr == b"wrote s.json\n"
     done = shell(f"pdp8 check s.json {option}")
     assert done.returncode == 1
-    assert b"a student's form, which has no solution" in done.stderr
+    assert done.stderr == b"pdp8 check: s.json: solution is missing; a student's form has none\n"

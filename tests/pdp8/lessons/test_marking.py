@@ -77,9 +77,11 @@ def test_five_errors_of_a_source_are_told(count: int, more: list[str]) -> None:
 def test_a_line_of_a_sheet_is_marked_by_its_name() -> None:
     sheet = parse(f"{HEAD}[[question]]\nname='A'\nask='?'\nanswer='1234 or 7'\n", "e")
     assert mark(sheet, "a) 01,234 OR  007").right
-    for given, got in (("a: 8", "8"), ("b: 7", "nothing")):
+    for given, got in (("a: 8", "8"), ("a:", "nothing")):
         (found,) = mark(sheet, given).marks
         assert [failure.got for failure in found.failures] == [got]
+    form = "no line begins with the name of a question; write a line for each, such as A: ..."
+    assert mark(sheet, "7\nb: 7").fault == form
 
 
 @pytest.mark.parametrize(
@@ -184,7 +186,7 @@ def test_marks_for_people_and_machines() -> None:
     for name, text in written.items():
         assert text == (CLASS / name).read_text("utf-8"), name
     assert not any("more" in line for line in scores.said(marking.Mark("six", 0, 2, FAILURES[:6])))
-    assert list(page.body(BEN)) == ["<h2>It was not tried</h2><pre>no      word\ntwo</pre>"]
+    assert list(page.body(GIVEN, BEN)) == ["<h2>It was not tried</h2><pre>no      word\ntwo</pre>"]
 
 
 def test_what_is_no_file_has_no_points() -> None:
@@ -200,6 +202,8 @@ def test_what_is_no_file_has_no_points() -> None:
         ("add", 2, "Give an ANSWER"),
         ("nothing a.pal", 1, "nothing: no such file, and no bundled exercise (add, "),
         ("add .", 1, ".: a folder; name the answers in it: ./*"),
+        ("add ana.pal anna.pal", 1, "anna.pal: no such file; no answer was marked"),
+        ("open.toml --prove", 1, "open: question 'a': answer is missing"),
         ("ana.pal add.toml", 1, "; an exercise in TOML is wanted first, then the answers"),
         ("bad.toml a.pal", 1, "bad.toml: byte 0: not UTF-8"),
         ("add.toml --prove", 1, "add: taken for right: halts for the wrong reason"),
@@ -210,6 +214,7 @@ def test_the_command_says_what_is_wrong(
 ) -> None:
     (tmp_path / "ana.pal").write_text("*200\n\tHLT\n$\n")
     (tmp_path / "bad.toml").write_bytes(b"\xff")
+    (tmp_path / "open.toml").write_text(f"{HEAD}solution='a: 1'\n[[question]]\nname='a'\nask='?'\n")
     mistake = "[[case]]\nname='a'\n[mistakes]\n'halts for the wrong reason'=['HLT', 'CLA HLT']\n"
     (tmp_path / "add.toml").write_text(f'{HEAD}solution="*200\\n\\tHLT\\n$"\n{mistake}')
     done, _, said = call(f"pdp8 check {arguments}")
