@@ -1,8 +1,6 @@
 """`pdp8 panel` as it is typed: what it wants, and what it says where it cannot be."""
 
-import re
 import sys
-from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -14,36 +12,28 @@ from tests.conftest import Call, Shell, assert_same_tape
 @pytest.mark.parametrize(
     ("options", "status", "said"),
     [
-        ("", 1, "pdp8 panel: the panel needs a terminal; `pdp8 run` works without one\n"),
         ("--kiosk", 2, "--kiosk means nothing without --drill"),
         ("eia.pal --drill rim", 2, "goes with no PROGRAM"),
+        ("no.pal", 1, "pdp8 panel: no.pal: no such file"),
+        ("eia.pal --reader no.asc", 1, "pdp8 panel: no.asc: no such file"),
+        ("circle.eia", 1, "pdp8 panel: circle.eia: "),
+        ("/", 1, "pdp8 panel: /: Is a directory"),
     ],
 )
-def test_it_wants_a_terminal_and_options_that_go_together(
+def test_options_go_together_and_what_cannot_be_loaded_is_named(
     options: str, status: int, said: str, call: Call
 ) -> None:
-    done, out, error = call(f"pdp8 panel {options}")
+    done, out, error = call(f"pdp8 panel {options}", terminal=True)
     assert (done, out, said in error) == (status, "", True)
 
 
-Step = tuple[bytes, bytes]
-"""What is to be seen on the terminal since the last step, and the keys that are pressed then."""
-
-
-def at_a_terminal(
-    *arguments: str, steps: Sequence[Step] = (), before: str = "", folder: Path = BIN
-) -> tuple[int, bytes]:
-    """Run `pdp8 panel` at a terminal, Python `before` it; take the steps; return status and output."""
-    code = f"{before}\nimport sys; from pdp8.cli import main; sys.argv[0] = 'pdp8'; main()"
-    terminal = Terminal(
-        *(sys.executable, "-c", code, "panel", *arguments), folder=folder, TERM="xterm-256color", LINES="30"
-    )
-    seen = b""
-    for shown, keys in steps:
-        seen += terminal.until(shown)
-        terminal.type(keys)
-    status = terminal.ended()
-    return status, seen + terminal.seen
+def test_it_wants_a_terminal_and_textual(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
+    said = "pdp8 panel: the panel needs a terminal; `pdp8 run` works without one\n"
+    assert call("pdp8 panel") == (1, "", said)
+    monkeypatch.setitem(sys.modules, "textual", None)
+    status, _, said = call("pdp8 panel", terminal=True)
+    assert (status, said[:31]) == (1, "pdp8 panel: the panel needs Tex")
+    assert said.endswith('[panel]"\n')
 
 
 def test_a_tape_is_translated_at_a_terminal(shell: Shell, tmp_path: Path) -> None:
@@ -52,41 +42,20 @@ def test_a_tape_is_translated_at_a_terminal(shell: Shell, tmp_path: Path) -> Non
     (tmp_path / "three.asc").write_bytes(b"\xb3\x8d\x8a")
     done = shell("pdp8 run eia.pal --reader three.asc --punch run.eia")
     assert done.returncode == 0, done.stderr
-    status, seen = at_a_terminal(
-        *("eia.pal", "--reader", "three.asc"),
-        steps=[
-            (b"STOP \xc2\xb7 three.asc", b"ppp"),
-            (b"1000", b"s"),
-            (b"out of tape", b"w"),
-            (b"punched.tape", b"panel.eia\r"),
-            (b"frames", b"\x03"),
-            (b"stopped before", b"q"),
-        ],
-        folder=tmp_path,
-    )
-    assert status == 0, seen[-2000:]
-    assert b"Traceback" not in seen
+    panel = (BIN / "pdp8", "panel", "eia.pal", "--reader", "three.asc")
+    terminal = Terminal(*panel, folder=tmp_path, TERM="xterm-256color", LINES="30")
+    seen = b""
+    for shown, keys in (
+        (b"STOP \xc2\xb7 three.asc", b"ppp"),
+        (b"1000", b"s"),
+        (b"out of tape", b"w"),
+        (b"punched.tape", b"panel.eia\r"),
+        (b"frames", b"\x03"),
+        (b"stopped before", b"q"),
+    ):
+        seen += terminal.until(shown)
+        terminal.type(keys)
+    assert terminal.ended() == 0, terminal.seen
+    assert b"Traceback" not in seen + terminal.seen
     assert b"MEMORY ADDRESS" in seen
     assert_same_tape((tmp_path / "panel.eia").read_bytes(), (tmp_path / "run.eia").read_bytes())
-
-
-def test_without_textual_it_says_how_to_get_it() -> None:
-    status, seen = at_a_terminal(before="import sys; sys.modules['textual'] = None")
-    assert status == 1
-    assert re.fullmatch(r'pdp8 panel: the panel needs Textual: .*install .*\[panel\]"', seen.decode().strip())
-
-
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (("no.pal",), "pdp8 panel: no.pal: no such file"),
-        (("eia.pal", "--reader", "no.asc"), "pdp8 panel: no.asc: no such file"),
-        (("circle.eia",), "pdp8 panel: circle.eia: "),
-        (("/",), "pdp8 panel: /: Is a directory"),
-    ],
-)
-def test_what_cannot_be_loaded_is_named(arguments: tuple[str, ...], said: str) -> None:
-    status, seen = at_a_terminal(*arguments)
-    assert status == 1
-    assert seen.decode().startswith(said)
-    assert b"Traceback" not in seen

@@ -43,12 +43,6 @@ def test_an_exercise_tells_its_mistakes_from_its_solution(name: str) -> None:
     assert bool(others) == bool(given.cases), "a table of the shown cases answers them all"
 
 
-def test_there_are_twenty_programs_and_the_tutorials_six_sheets() -> None:
-    programs = [name for name in form.bundled() if form.read(name).cases]
-    assert len(programs) == 20
-    assert set(form.bundled()) - set(programs) == set(TUTORIAL)
-
-
 def test_a_folder_hides_no_bundled_exercise(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "add").mkdir()
