@@ -135,6 +135,8 @@ def _words(text: str) -> list[str]:
         if _number(item):
             run.append(item)
             continue
+        if run and item == "and":
+            continue
         found += _joined(run)
         run = []
         if item:

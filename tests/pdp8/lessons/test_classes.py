@@ -115,6 +115,8 @@ def test_a_hint_is_said_where_it_fits() -> None:
     each = exercise("ac=1\nhint={'jumps to itself'='no JMP .', AC='look'}")
     hints = [mark(each, f"*200\n\t{word}\n$").marks[0].hint for word in ("JMP .", "HLT")]
     assert hints == ["no JMP .", "look"]
+    over = exercise("ac=1\nhint={'wrote over itself'='B is no data'}")
+    assert mark(over, "*200\n\tDCA B\nB,\tIAC\n\tJMP .\n$").marks[0].hint == "B is no data"
     each = exercise("ac=1\nhint={AC='look'}")
     assert mark(each, "*200\n\tJMP .\n$").marks[0].hint == HINTS[JUMP], "the end is wrong"
     again = exercise("starts=2\ncore={A=5}\nhint='again'")
@@ -146,10 +148,12 @@ SHEET = "title='t'\ntask='t'\n[[question]]\nname='a'\nask='How many, in octal, o
         ("'0'", "0 00 000.", "1"),
         ("'1,000 words'", "1000_words 1000_(words) the_1000_words 1_000_words", "0100_words words_1000"),
         ("100", "block_100 #100 0o100 100_octal the_100", "block_99 row_100 not_100 block_4 100_decimal"),
-        ("'-35'", "-035 –35 minus_35 Negative_35 -0o35 -35_octal 4_is_-35",
+        ("'-35'", "-035 –35 minus_35 Negative_35 -0o35 -35_octal 4_is_-35 4:_-35",
          "35 --35 -36_octal 4_35 -3_5 not_-35"),
         ("'270'", "0270 0o270 #270 octal_270 +270 2_7_0 block_270", "0o271 27_0 octal 184_octal 270_decimal"),
-        ("'2468'", "2_4_6_8 2,4,6,8 2;_4;_6;_8 [2,_4,_6,_8]", "24_68 2_6_8 268 4_8 2_4_6_8_10"),
+        ("'2468'", "2_4_6_8 2,4,6,8 2;_4;_6;_8 [2,_4,_6,_8] 2,_4,_6_and_8", "24_68 2_6_8 268 4_8 2_4_6_8_10"),
+        ("'1000, 357'", "1000_357", "1000357 1_000_357"),
+        ("'negative'", "negative Negative_block", "positive minus"),
         ("'10, 4, 20'", "10_4_20 010,4,20", "10_20 1_04_20 10420"),
         ("['the same','same']", "same the_same!", "not_the_same"),
         ("'same'", "about_the_same it_is_a_same its_same are_an_same", "not_same"),
@@ -304,6 +308,20 @@ def test_a_students_form_has_what_is_not_as_usual() -> None:
         {"title": "t", "task": "t", "case": [{"name": "c", "hint": [["", "\u00fc"]], "trial": [{"ac": 1}]}],
          "others": 1}, indent=1, ensure_ascii=False,
     ) + "\n"  # fmt: skip
+    again = parse(student.form(given), "e")
+    assert again.note == "1 of 2 cases were tried; the teacher tries the others too."
+    assert student.form(again) == student.form(given)
+
+
+def test_a_students_form_of_a_sheet_says_what_is_given() -> None:
+    sheet = parse(f"{SHEET}answer=5\n[[question]]\nname='b'\nask='?'\nanswer=6\n", "e")
+    given = parse(student.form(sheet), "e")
+    result = mark(given, "a: 5")
+    columns = scores.table(given, [result]).columns
+    assert [str(cell) for column in columns for cell in column.cells] == ["a.pal", "given", "-", "-"]
+    assert records.as_junit(given, [result]).count("<skipped ") == 1
+    written = page.html(given, result)
+    assert all(said in written for said in ("not marked", "<td>given</td>", f"<p>{given.note}</p>"))
 
 
 def test_results_go_to_a_spreadsheet_to_junit_and_to_the_students(call: Call, tmp_path: Path) -> None:
