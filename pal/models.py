@@ -94,7 +94,7 @@ def differs(word: int, model: str) -> str:
     if model not in MODELS:
         raise ValueError(f"{model!r} is not one of {', '.join(MODELS)}")
     said = dict.fromkeys(_sentence(rule, model) for rule in rules(word) if model in rule.does)
-    return "; ".join(filter(None, said))
+    return "; ".join(sentence for sentence in said if sentence)
 
 
 def _sentence(rule: Rule, model: str) -> str:
