@@ -1,15 +1,12 @@
 """A plain PDP-8/L in C, written from the books: it shares nothing with the package, which is held against it.
 
 processor.c  the processor and the panel
-devices.c    the ASR-33 and its interface, the PC8/L
+devices.c    the ASR-33, the PC8/L
 parts.h      what these two know of each other
 pdp8l.h      the machine's state, and what can be done to it
+teletype_gates.c, .h     the Teletype's interface as the flip-flops of DEC's M706 and M707, their clocks, the
+                         mechanisms at both ends of the line
 model.py     compiles it and calls it from Python
-
-And the Teletype's interface a second time, as the flip-flops of DEC's modules:
-
-teletype_gates.c, .h     M706, M707, their clocks, the mechanisms at both ends of the line
-gates.py                 compiles it and calls it from Python
 
 And the Hydra-Point, from the thesis's Chapters 2 and 3:
 

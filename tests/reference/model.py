@@ -7,11 +7,12 @@ from functools import cache
 from pathlib import Path
 
 from tests.reference.compiling import compiled, numbers
-from tests.reference.gates import Gates
 
 FOLDER = Path(__file__).parent
 SOURCES = [FOLDER / name for name in ("processor.c", "devices.c", "teletype_gates.c")]
 HEADERS = [FOLDER / name for name in ("pdp8l.h", "parts.h", "teletype_gates.h")]
+
+QUEUE = 4096
 
 NEVER = (1 << 63) - 1
 REASONS = ("limit", "stopped", "breakpoint")
@@ -25,6 +26,44 @@ def library() -> ctypes.CDLL:
     loaded.pdp8l_wait.argtypes = [POINTER(Reference), c_int64]
     loaded.pdp8l_next.restype = c_int64
     return loaded
+
+
+class _Receiver(Structure):
+    _fields_ = [
+        ("pulse_at", c_int64),
+        *numbers(c_int32, "divider active spike in_last_unit stop_1 stop_2 bits flag reader_run"),
+    ]
+
+
+class _Transmitter(Structure):
+    _fields_ = [
+        ("edge_at", c_int64),
+        *numbers(c_int32, "active freq_div stop_1 stop_1_5 stop_2 enable bits line flag"),
+    ]
+
+
+class _Sender(Structure):
+    _fields_ = [
+        ("at", c_int64),
+        *numbers(c_int32, "units shifting line keys keys_sent lever length position"),
+        *numbers(c_uint8 * QUEUE, "keyboard tape"),
+    ]
+
+
+class _Selector(Structure):
+    _fields_ = [("at", c_int64), *numbers(c_int32, "unit frame printed"), ("page", c_uint8 * QUEUE)]
+
+
+class _Gates(Structure):
+    """The Teletype, as teletype_gates.h has it."""
+
+    _fields_ = [
+        ("now", c_int64),
+        ("receiver", _Receiver),
+        ("transmitter", _Transmitter),
+        ("sender", _Sender),
+        ("selector", _Selector),
+    ]
 
 
 class _Reader(Structure):
@@ -68,7 +107,7 @@ class Reference(Structure):
         ("core", c_uint16 * 4096),
         *numbers(c_int32, "ac link pc ma mb ir sr state next run ion ion_ready mem_prot protect fast"),
         *numbers(c_int64, "now instructions"),
-        ("teletype", Gates),
+        ("teletype", _Gates),
         ("printed", c_int32),
         ("fast_reader", _FastReader),
         ("fast_punch", _FastPunch),

@@ -273,7 +273,7 @@ void pdp8l_power_up(struct pdp8l *m, int fast)
 {
     memset(m, 0, sizeof *m);
     m->fast = fast;
-    gates_power_up(&m->teletype, 0, 0, 0);
+    gates_power_up(&m->teletype);
     m->teletype.sender.lever = m->fast_tape.lever = m->punch_on = m->fast_punch_on = 1;
     m->fast_punch.at = NEVER;
     initialize(m);

@@ -8,10 +8,10 @@
    Times are in elevenths of a tick of 0.05 us, so that a unit of the line (1/110 s) and both clocks are whole numbers.
    What happens at one instant happens in the order of `step`. A tick has seen all that happens up to and including it.
 
-   The phase of the clocks: with `free_clocks` both run from one phase, and each edge of the transmitter's clock is also
-   a pulse of the receiver's. Without, as the package has it by convention: a character whose start unit finds RUN at 0
+   DEC's clocks run free; here their phase is the package's, by convention: a character whose start unit finds RUN at 0
    sets the receiver's clock, so that its first pulse comes 1/8 unit later; the transmitter's clock stands still at rest
-   and starts with IOP4.
+   and starts with IOP4. The drawings do not decide whether the pulse that ends RUN is high for long enough to see a
+   start unit; here it is not.
 
    Sources: DEC M706, M707 and PDP-8/I drawings. */
 
@@ -66,11 +66,9 @@ static void receiver_pulse(struct receiver *r, int line)
         r->divider = (r->divider + 1) % 8;
         if (r->divider == 4) rise(r, line);
         if (r->divider == 0) fall(r);
-        if (run(r) || !r->wide_pulse) return;
-        r->divider = 0;
-    } else {
-        r->divider = 1;
+        return;
     }
+    r->divider = 1;
     if (line == SPACE) preset(r);
 }
 
@@ -161,7 +159,7 @@ static void send_unit(struct gates *g)
         s->units = 10; /* from the low end: start, eight of data, stop */
         s->shifting = frame << 1 | 01000;
         s->at = g->now;
-        if (!g->free_clocks && !run(&g->receiver)) g->receiver.pulse_at = g->now + RECEIVER_CLOCK;
+        if (!run(&g->receiver)) g->receiver.pulse_at = g->now + RECEIVER_CLOCK;
     }
     s->line = s->shifting & 1;
     s->shifting >>= 1;
@@ -213,7 +211,7 @@ static void step(struct gates *g)
     if (g->transmitter.edge_at == g->now) {
         int rested = at_rest(&g->transmitter);
         transmitter_edge(&g->transmitter);
-        g->transmitter.edge_at = rested && !g->free_clocks ? NEVER : g->now + TRANSMITTER_CLOCK;
+        g->transmitter.edge_at = rested ? NEVER : g->now + TRANSMITTER_CLOCK;
     }
     if (next_unit(g) == g->now) send_unit(g);
     if (g->selector.at == g->now) select_unit(g);
@@ -286,13 +284,10 @@ int64_t gates_now(const struct gates *g) { return g->now / PER_TICK; }
 /* The tick that sees what happens next. */
 int64_t gates_next(const struct gates *g) { return (next(g) + PER_TICK - 1) / PER_TICK; }
 
-void gates_power_up(struct gates *g, int free_clocks, int wide_pulse, int64_t phase)
+void gates_power_up(struct gates *g)
 {
     memset(g, 0, sizeof *g);
-    g->free_clocks = free_clocks;
-    g->receiver.wide_pulse = wide_pulse;
-    g->receiver.pulse_at = phase;
-    g->transmitter.edge_at = free_clocks ? phase : NEVER;
+    g->transmitter.edge_at = NEVER;
     g->sender.line = MARK;
     g->selector.at = NEVER;
     gates_initialize(g, 0);

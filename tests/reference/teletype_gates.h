@@ -9,7 +9,6 @@ enum { QUEUE = 4096 };
 
 struct receiver { /* M706 */
     int64_t pulse_at;
-    int32_t wide_pulse; /* the pulse that ends RUN is still high then: the drawings do not decide */
     int32_t divider, active, spike, in_last_unit, stop_1, stop_2;
     int32_t bits; /* BIT 1 is the lowest */
     int32_t flag, reader_run;
@@ -37,7 +36,6 @@ struct selector { /* the printer */
 
 struct gates {
     int64_t now;
-    int32_t free_clocks;
     struct receiver receiver;
     struct transmitter transmitter;
     struct sender sender;
@@ -50,7 +48,7 @@ int gates_same(const struct gates *a, const struct gates *b);
 int64_t gates_run(struct gates *g, int64_t until);
 int gates_iot(struct gates *g, int word, int ac, int64_t began);
 void gates_initialize(struct gates *g, int64_t now);
-void gates_power_up(struct gates *g, int free_clocks, int wide_pulse, int64_t phase);
+void gates_power_up(struct gates *g);
 void gates_type(struct gates *g, int frame);
 void gates_load_tape(struct gates *g, const uint8_t *frames, int length);
 

@@ -1,4 +1,4 @@
-"""The Teletype in programs: what is read, typed, printed and punched; gates/ holds every tick of its line."""
+"""The Teletype in programs: what is read, typed, printed, punched; the lockstep holds each tick of a line."""
 
 import pytest
 

@@ -20,8 +20,7 @@ from typing import Any
 from tests.pdp8.computer.lockstep.situations import LOOKS, Act, Situation
 from tests.pdp8.computer.speed.forms import module
 from tests.pdp8.web.node import NODE, modules
-from tests.reference.gates import QUEUE
-from tests.reference.model import NEVER, Counts, Reference
+from tests.reference.model import NEVER, QUEUE, Counts, Reference
 
 TICKS_PER_SECOND = 20_000_000
 Seen = dict[str, Any]

@@ -7,11 +7,12 @@ Three kinds of core, and what is laid over them:
                where a page or core ends, or in MEM PROT's page; from wherever it strays a pointer leads back
     waiting    loops that wait for flags, interrupts and counters, with work between them
 
-The same seed gives the same situation.
+And one for the Teletype alone, at_the_teletype. The same seed gives the same situation.
 """
 
 import random
 from collections.abc import Iterator
+from math import ceil
 from typing import Any, NamedTuple
 
 BASES = (0o0200, 0o0371, 0o1760, 0o7600, 0o7770, 0o0010, 0o0160)
@@ -279,3 +280,62 @@ def _key_sequence(draw: random.Random, base: int) -> list[Act]:
     for _ in range(draw.randrange(3)):
         acts += [put("sr", any_word(draw)), call(f"panel.{draw.choice(('dep', 'exam'))}")]
     return [*acts, put("sr", base), LOAD_ADD]
+
+
+KEYBOARD, PRINTER = range(0o6030, 0o6040), range(0o6040, 0o6050)
+EIGHTH = 2_000_000 / 11 / 8
+"""Ticks of an eighth of a unit of the Teletype's line; its clocks beat at eighths and at halves."""
+
+
+class _Line:
+    """About when something happens on a line: every eighth of a unit from when it was last idle."""
+
+    def __init__(self) -> None:
+        self.began = [0.0, 0.0]
+        self.free = 0.0
+
+    def begin(self, at: int, characters: int) -> None:
+        if at > self.free:
+            self.began = [self.began[1], at]
+        self.free = max(self.free, at) + characters * 11 * 8 * EIGHTH
+
+    def instant(self, draw: random.Random, now: int) -> int:
+        """Return a tick soon after `now` in which something may happen."""
+        began = draw.choice(self.began)
+        eighths = (now - began) // EIGHTH + draw.randrange(draw.choice((2, 4, 20, 80)))
+        return ceil(began + eighths * EIGHTH)
+
+
+def at_the_teletype(seed: int) -> Situation:
+    """Return one whose IOTs, keys, tapes, lever and START come near the instants that matter there."""
+    draw = random.Random(seed)
+    iots = {word: word for word in (*KEYBOARD, *PRINTER)}
+    return Situation(False, iots, (put("sr", KEYBOARD.start), LOAD_ADD, START, *_at_its_instants(draw)))
+
+
+def _at_its_instants(draw: random.Random) -> Iterator[Act]:
+    now, received, sent = 0, _Line(), _Line()
+    for _ in range(800):
+        line, iots = draw.choice(((received, KEYBOARD), (sent, PRINTER)))
+        at = line.instant(draw, now) + draw.choice((-1, -1, -30, -48, -65, -66, 30, 1000))
+        waits = [max(at - now, 0), draw.choice((1, 1, 2))]
+        yield from (Act("wait", (ticks,)) for ticks in waits if ticks)
+        now += sum(waits)
+        kind = draw.random()
+        if kind < 0.6:
+            word = draw.choice(iots)
+            yield from (put("ac", draw.randrange(0o10000)), put("pc", word), Act("run", (None, 1)))
+            if word & (4 if line is sent else 2):
+                line.begin(now + (65 if line is sent else 47), 1)
+            now += 85
+        elif kind < 0.75:
+            keys = draw.randbytes(draw.choice((1, 1, 3)))
+            yield call("teletype.keyboard.press", keys)
+            received.begin(now, len(keys))
+        elif kind < 0.8:
+            yield load_tape(False, draw.randbytes(draw.choice((1, 5, 30))))
+            received.begin(now, 1)
+        elif kind < 0.83:
+            yield call("teletype.reader.lever", draw.random() < 0.8)
+        elif kind < 0.9:
+            yield from (STOP, START)

@@ -7,6 +7,7 @@ import pytest
 from tests.pdp8.computer.bench import core, octal
 from tests.pdp8.computer.lockstep.play import listing, play
 from tests.pdp8.computer.lockstep.situations import (
+    EIGHTH,
     LOAD_ADD,
     SINGLE_CYCLE,
     START,
@@ -222,3 +223,22 @@ def test_the_iots_of_the_pc8l_while_it_works(form: str) -> None:
                 *draw.choice(((), (), (STOP, LOAD_ADD, START))),
             ]
         same(form, core(f"{tried} 2100 5250 5200"), *acts, fast=True)
+
+
+def test_false_characters_of_the_teletype(form: str) -> None:
+    """INITIALIZE in a character makes the receiver begin a false one: a key's units meet its shifts within a
+    tick, then KRS; or KCC comes before its first shift.
+    """
+    iots, done = core("6034 6032"), [Act("wait", (int(EIGHTH),))] * 200
+    for unit in range(4):
+        for aside in range(-1, 3):
+            pressed = int((15 - unit) * 8 * EIGHTH) + aside
+            waits = (1_200_000, pressed - 1_200_000, int(120 * EIGHTH) + 10 - pressed)
+            first, second, third = (Act("wait", (ticks,)) for ticks in waits)
+            keys = [call("teletype.keyboard.press", frame) for frame in (b"\0", b"\x55")]
+            acts = (keys[0], first, STOP, START, second, keys[1], third, put("pc", 0o200), *runs((None, 1)))
+            same(form, iots, *STARTED, *acts, *done)
+    for eighth in range(17, 25):
+        before = Act("wait", (int(eighth * EIGHTH) - 10,)), STOP, START, Act("wait", (int(EIGHTH) + 10,))
+        key = call("teletype.keyboard.press", b"\x55")
+        same(form, iots, *STARTED, key, *before, put("pc", 0o201), *runs((None, 1)), *done)
