@@ -5,7 +5,7 @@ the faults share:
 
     [[source]]
     file = "pdp8/computer/hardware/operate.py"
-    tests = ["tests/pdp8/computer/hardware/test_operate.py"]      the fewest that catch them
+    tests = ["tests/pdp8/computer/hardware/test_instructions.py"]      the fewest that catch them
 
     [[source.fault]]
     name = "CIA leaves the link"

@@ -60,6 +60,13 @@ def ticking() -> Machine:
     return made
 
 
+def test_a_code_is_fitted_once() -> None:
+    m = Machine(highspeed=True)
+    assert (Machine().highspeed.fitted, m.highspeed.fitted) == (False, True)
+    with pytest.raises(ValueError, match="device 01 is fitted already"):
+        m.highspeed.connect(m.bus)
+
+
 def test_it_skips_and_interrupts(ticking: Machine) -> None:
     ticking.run(seconds=0.5)
     assert ticking.core[0o10] == 49  # every 20 ms, the first of them after 2 instructions

@@ -88,6 +88,7 @@ WAITS = {
     "KSF, NOP, JMP": "6031 7000 5200",
     "NOP, JMP .-1": "7000 5200",
     "TLS, JMP .-1": "6046 5200",
+    "TPC, JMP .-1": "6044 5200",
     "KSF, SKP, JMP, TSF, JMP, TCF, JMP, KRB, TLS, JMP": "6031 7410 5207 6041 5200 6042 5200 6036 6046 5200",
     "KSF, JMP .-1, KRB, TLS, TSF, JMP .-1, JMP": "6031 5200 6036 6046 6041 5204 5200",
     "KSF, JMP and NOPs that only look like a wait: JMP 0": "7000 7000 6031 5002",
@@ -162,15 +163,19 @@ def test_an_interrupt_that_is_due_in_a_program_that_computes(form: str) -> None:
 
 @pytest.mark.parametrize("first", [0o6000, 0o7000])
 def test_every_iot_and_every_opr(first: int, form: str) -> None:
-    """TAD I 10, the word, IAC, DCA I 11, RAL, DCA I 12: AC, link and whether it skipped go to core."""
+    """TAD I 10 twice, the word, IAC, DCA I 11, RAL, DCA I 12: AC, link and whether it skipped go to core.
+
+    After a HLT the next run goes on.
+    """
     draw = random.Random(first)
     for start in range(first, first + 0o1000, 0o100):
-        tried = " ".join(f"1410 {start + at:o} 7001 3411 7004 3412" for at in range(0o100))
+        tried = " ".join(f"1410 1410 {start + at:o} 7001 3411 7004 3412" for at in range(0o100))
         words = core(f"{tried} 1100/ 5600 1/ 6001 5400 10/ 5777 6777 7177")
-        words |= {0o6000 + at: draw.randrange(0o10000) for at in range(0o400)}
+        often = (0, 1, 0o3777, 0o4000, 0o7777, 0o7777)
+        words |= {0o6000 + at: draw.choice((*often, draw.randrange(0o10000))) for at in range(0o600)}
         acts = [load_tape(False, b"abc"), load_tape(True, b"abc"), *STARTED]
         for sr in (0, 0o7777, 0o5252):
-            acts += [put("sr", sr), put("pc", 0o200), *runs(*[(None, 97)] * 6)]
+            acts += [put("sr", sr), put("pc", 0o200), *runs(*[(None, 97)] * 24)]
         for observed in (False, True):
             watched = Act("watch", (frozenset(), observed))
             same(form, words, watched, *acts, name=f"{start:04o}", fast=start % 0o200 == 0)

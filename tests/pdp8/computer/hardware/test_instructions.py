@@ -1,9 +1,11 @@
-"""The memory-reference instructions at the edges of pages, core and autoindexing, as the books have it."""
+"""Instructions as the books have them, at the edges of pages, core, autoindexing; OPR as on real machines."""
 
 from pdp8.computer.hardware.bus import Bus
 from pdp8.computer.hardware.processor import Processor
 from tests.conftest import case
 from tests.pdp8.computer.bench import core
+
+SWITCHES = 0o5252
 
 
 def test_the_books() -> None:
@@ -42,12 +44,22 @@ def test_the_books() -> None:
         ("only one level", "1450 50/ 451 451/ 7", 0o200, 0, "", 0o201, 7, 3),
         ("DCA over itself", "3200", 0o200, 0o7402, "7402", 0o201, 0, 2),
         ("ISZ of itself", "2200", 0o200, 0, "2201", 0o201, 0, 2),
+        ("both rotates: the AND of the two", "7014", 0o200, 0o11234, "", 0o201, 0o00410, 1),
+        ("both rotates twice", "7016", 0o200, 0o11234, "", 0o201, 0o00042, 1),
+        ("both rotates twice", "7016", 0o200, 0o07777, "", 0o201, 0o15775, 1),
+        ("8/I or 8/L to Kermit-12 and FOCAL-69", "7354", 0o200, 0, "", 0o201, 0o13776, 1),
+        ("an 8/E would swap bytes", "7002", 0o200, 0o11234, "", 0o201, 0o11234, 1),
+        ("an 8/I would clear", "7601", 0o200, 0o07777, "", 0o201, 0o07777, 1),
+        ("CIA of 0 carries into L", "7041", 0o200, 0, "", 0o201, 0o10000, 1),
+        ("CLA CLL CMA RAL", "7344", 0o200, 0, "", 0o201, 0o17776, 1),
+        ("CLA IAC RAL", "7205", 0o200, 0o01234, "", 0o201, 0o00002, 1),
+        ("LAS", "7604", 0o200, 0o07777, "", 0o201, SWITCHES, 1),
     ]:
         with case(what, words):
             p = Processor(Bus())
             for address, word in core(words).items():
                 p.core[address] = word
-            p.pc, p.lac, p.run = pc, lac, 1
+            p.pc, p.lac, p.run, p.sr = pc, lac, 1, SWITCHES
             p.instruction()
             for address, word in {**core(words), **core(after)}.items():
                 assert f"{address:04o}: {p.core[address]:04o}" == f"{address:04o}: {word:04o}"
