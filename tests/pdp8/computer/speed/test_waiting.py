@@ -12,6 +12,7 @@ from tests.pdp8.computer.speed.forms import FORMS
 COPY = "6031 5200 6036 6046 6041 5204 5200"
 # KSF, SKP, JMP read, TSF, JMP ., TCF, JMP ., read: KRB, TLS, JMP .
 RING = "6031 7410 5207 6041 5200 6042 5200 6036 6046 5200"
+FAST = "6014 6011 5201 5200"  # RFC, RSF, JMP .-1, JMP 0200
 COUNT = "2220 5200 2221 5200 7402"  # ISZ 0220; JMP .-1; ISZ 0221; JMP .-3; HLT
 
 
@@ -36,10 +37,12 @@ COUNT = "2220 5200 2221 5200 7402"  # ISZ 0220; JMP .-1; ISZ 0221; JMP .-3; HLT
         ("halt", "7402", None),
         ("tape out", COPY, b"\301\302"),
         ("tape out", RING, b"\301\302"),
+        ("tape out", FAST, b"\301\302"),
+        ("idle", FAST, None),
     ],
 )
 def test_why_a_run_ends(reason: str, words: str, tape: bytes | None) -> None:
-    m = machine(words, tape)
+    m = machine(words, tape, highspeed=words == FAST)
     assert m.run(seconds=5).reason == reason
     if words in (COPY, RING):
         assert m.teletype.punch.tape == tape
