@@ -1,9 +1,17 @@
-"""Instructions as the books have them, at the edges of pages, core, autoindexing; OPR as on real machines."""
+"""Instructions as the books have them, at the edges of pages, core, autoindexing; OPR as on real machines,
+and whole.
+"""
+
+from ctypes import byref
+
+import pytest
 
 from pdp8.computer.hardware.bus import Bus
 from pdp8.computer.hardware.processor import Processor
 from tests.conftest import case
 from tests.pdp8.computer.bench import core
+from tests.reference.compiling import compiler
+from tests.reference.model import Reference, library
 
 SWITCHES = 0o5252
 
@@ -65,3 +73,23 @@ def test_the_books() -> None:
                 assert f"{address:04o}: {p.core[address]:04o}" == f"{address:04o}: {word:04o}"
             assert f"{p.pc:04o} {p.lac:05o}" == f"{next_pc:04o} {lac_after:05o}"
             assert p.clock == cycles * 32
+
+
+@pytest.mark.skipif(compiler() is None, reason="the reference needs a C compiler")
+@pytest.mark.parametrize("first", range(0o7000, 0o10000, 0o100))
+def test_every_opr_on_every_link_and_ac(first: int) -> None:
+    p, reference, step = Processor(Bus()), Reference(), library().pdp8l_step
+    there = byref(reference)
+    p.sr = reference.sr = SWITCHES
+    for word in range(first, first + 0o100):
+        p.core[0o200] = reference.core[0o200] = word
+        for lac in range(0o20000):
+            p.pc = reference.pc = 0o200
+            p.lac, (reference.link, reference.ac) = lac, divmod(lac, 0o10000)
+            p.run = reference.run = 1
+            p.instruction()
+            step(there)
+            if (p.lac, p.pc, p.run) != (reference.link << 12 | reference.ac, reference.pc, reference.run):
+                pytest.fail(f"{word:04o} from {lac:05o}: {p.lac:05o}, PC {p.pc:04o}, RUN {p.run}")
+    assert p.clock == 0o100 * 0o20000 * 32
+    assert {*p.core} == {0, word}

@@ -70,6 +70,18 @@ def test_a_frame_begins_when_it_comes_not_when_the_wait_ends(source: str, code: 
         assert device.flag == flag
 
 
+@pytest.mark.parametrize(("word", "rises"), [("6046", 1_636_364), ("6026", 400_000)])
+def test_a_frame_is_sent_from_the_third_pulse_on(word: str, rises: int) -> None:
+    """9 units of 1/110 s, or 1/50 s; IOP4 comes 3.25 us into an IOT."""
+    m = machine(f"{word} 7402", highspeed=True)
+    m.processor.instruction()
+    device = m.bus.device(int(word, 8) >> 3 & 0o77)
+    assert device
+    for tick, flag in ((65 + rises - 1, 0), (65 + rises, 1)):
+        m.bus.advance(tick)
+        assert device.flag == flag
+
+
 def test_a_tape_that_is_still_being_made_is_read_to_its_end() -> None:
     """It is asked for more when all that it has was read, and until it has none."""
     m, parts = machine(COPY, b"a"), [b"bc", b"d", b""]
