@@ -13,7 +13,7 @@ import pytest
 
 import pal
 from tests.conftest import case
-from tests.pal.random_pal8 import PALBART, palbarts, written
+from tests.pal.random_pal8 import PALBART, SEEDS, palbarts, written
 
 PAL3 = {
     "source": "KA0={0-7777}\nKB1LONGER={0-7777}\nKX2Z={0-7777}\nK93={0-7777}\n{section*6-6}$\n",
@@ -45,7 +45,7 @@ PAL3 = {
 
 @pytest.mark.skipif(PALBART is None, reason="palbart is not installed")
 def test_palbart_punches_the_same_frames(tmp_path: Path) -> None:
-    for seed in range(40):
+    for seed in SEEDS:
         source = written(PAL3, seed)
         with case(source):
             assembly = pal.assemble(source)

@@ -9,6 +9,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+import pytest
 from lsprotocol import types as lsp
 from lsprotocol.converters import get_converter
 from pygls.exceptions import JsonRpcException
@@ -17,7 +18,7 @@ from pytest_lsp import make_test_lsp_client
 import pal
 from pal.document import Document, formatted
 from tapes import shelf
-from tests.commands import environment, run
+from tests.commands import environment
 from tests.conftest import awaited, case
 
 URI = "file:///tmp/loop.pal"
@@ -27,7 +28,8 @@ async def _answers(asked: list[str]) -> list[Any]:
     """Return what the server answers, as JSON has it; to a notification, what it publishes."""
     client = make_test_lsp_client()
     await client.start_io("pal", "--lsp", env=environment())
-    await client.initialize_session(lsp.InitializeParams(capabilities=lsp.ClientCapabilities()))
+    begun = await client.initialize_session(lsp.InitializeParams(capabilities=lsp.ClientCapabilities()))
+    assert begun.server_info == lsp.ServerInfo("pal", "1")
     protocol: Any = client.protocol
     convert: Any = get_converter()
     answers: list[Any] = []
@@ -47,6 +49,8 @@ async def _answers(asked: list[str]) -> list[Any]:
         except JsonRpcException as error:
             answers.append(error.message)
     await client.shutdown_session()
+    assert client._server
+    assert client._server.returncode == 0
     await client.stop()  # type: ignore[no-untyped-call]
     return [convert.unstructure(answer) for answer in answers]
 
@@ -54,12 +58,13 @@ async def _answers(asked: list[str]) -> list[Any]:
 CONVERSATION = (Path(__file__).parent / "editor.txt").read_text("utf-8").splitlines()
 
 
-def test_an_editor_is_answered() -> None:
+def test_an_editor_is_answered(capsys: pytest.CaptureFixture[str]) -> None:
     asked = CONVERSATION[::2]
     answers = awaited(asyncio.wait_for(_answers(asked), 120))
     for question, expected, answer in zip(asked, CONVERSATION[1::2], answers, strict=True):
         with case(question):
             assert (answer[:4] if "completion" in question else answer) == json.loads(expected)
+    assert capsys.readouterr().err == "", "what the client passes on"
 
 
 def test_what_is_known_is_the_dialects() -> None:
@@ -70,19 +75,6 @@ def test_what_is_known_is_the_dialects() -> None:
     assert later.known["BSW"] == "7002, no instruction of a PDP-8/L"
     assert later.hover(2, 2) == first.hover(2, 2)
     assert later.hover(1, 2).startswith("`1000  TAD: add the word")
-
-
-def test_a_session_ends_in_silence() -> None:
-    messages: list[dict[str, Any]] = [
-        {"id": 1, "method": "initialize", "params": {"processId": None, "rootUri": None, "capabilities": {}}},
-        {"method": "initialized", "params": {}},
-        {"id": 2, "method": "shutdown"},
-        {"method": "exit"},
-    ]
-    sent = [json.dumps({"jsonrpc": "2.0", **message}) for message in messages]
-    ended = run("pal", "--lsp", stdin="".join(f"Content-Length: {len(m)}\r\n\r\n{m}" for m in sent).encode())
-    assert (ended.returncode, ended.stderr, b'"id": 2' in ended.stdout) == (0, b"", True)
-    assert b'"serverInfo": {"name": "pal", "version": "1"}' in ended.stdout
 
 
 DOCUMENT = """\
