@@ -3,12 +3,11 @@
 import re
 from pathlib import Path
 
-import pal
 import programs.circle
 import programs.ellipse
-from pdp8 import Machine
 from programs.arithmetic import ARITHMETICS
-from tapes import ascii, eia, shelf
+from tapes import ascii, eia
+from tests.programs import test_eia
 
 PAGE = (Path(__file__).parent.parent / "docs" / "tutorial.md").read_text()
 
@@ -23,14 +22,7 @@ def answers(exercise: int) -> list[str]:
 
 
 def translated(text: str, patch: dict[int, int] | None = None) -> bytes:
-    """Return what eia.pal punches for a text, its core patched."""
-    machine = Machine()
-    machine.load(pal.assemble(shelf.read("eia.pal")).words)
-    machine.load(patch or {})
-    machine.teletype.reader.load(ascii.encode(text))
-    machine.start(0o200)
-    assert machine.run(seconds=4000).reason == "tape out"
-    return machine.teletype.punch.tape
+    return test_eia.translated(ascii.encode(text), patch=patch)
 
 
 def test_1_read_a_frame() -> None:
@@ -41,10 +33,7 @@ def test_1_read_a_frame() -> None:
 
 def microseconds_in_chk(character: str) -> float:
     """Count the time from the JMS to CHK until it has returned, on a machine that reads the character."""
-    machine = Machine()
-    machine.load(pal.assemble(shelf.read("eia.pal")).words)
-    machine.teletype.reader.load(character.encode("latin-1"))
-    machine.start(0o200)
+    machine = test_eia.started(character.encode("latin-1"))
     while machine.pc != 0o206:
         machine.run(instructions=1)
     before = machine.ticks
