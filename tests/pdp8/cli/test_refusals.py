@@ -18,7 +18,16 @@ from tests.tapes.strips import FORMAT_BIN
 FILES = {
     **dict.fromkeys(("ana.pal", "ben.pal", "ana.pass1", "ana.html"), b"*200\n\tHLT\n$\n"),
     **{"a.bin": FORMAT_BIN, "half": FORMAT_BIN[:100], "cut.bin": shelf.read_bundled("eia.bin")[:200]},
-    **{"empty": b"", "blank": bytes(1), "even": b"\n", "line": b"A", "shout": b"1!\n", "a.asc": b"12\r\n"},
+    **{
+        "empty": b"",
+        "locked": b"",
+        "rim.svg": b"<svg",
+        "blank": bytes(1),
+        "even": b"\n",
+        "line": b"A",
+        "shout": b"1!\n",
+        "a.asc": b"12\r\n",
+    },
     **{"mark": b"\xff\xfe", "accent": "1\né".encode(), "in.csv": b"A"},
     "own.toml": b'title = "t"\ntask = "t"\n[[case]]\nname = "a"\nreader = { file = "in.csv" }\n',
 }
@@ -47,6 +56,19 @@ pdp8 run --restore empty -> : empty: a saved state begins with
 pdp8 run hello.pal --punch /dev/full -> : /dev/full: No space left on device after 0 frames
 pdp8 run ana.pal --trace /dev/full -> : /dev/full: No space left on device
 pdp8 run hello.pal --trace . -> : .: Is a directory
+pdp8 run hello.pal --punch a.bin --trace /nowhere/x -> : /nowhere/x: No such file or directory
+pdp8 run hello.pal --punch a.bin --save /nowhere/x -> : /nowhere/x: No such file or directory
+pdp8 run hello.pal --punch a.bin --fast-punch /nowhere/x -> : /nowhere/x: No such file or directory
+pdp8 run hello.pal --punch line --no-clobber -> : line is there already
+pdp8 run hello.pal --punch locked -> : locked: Permission denied
+pdp8 pal eia.pal -o line --no-clobber -> : line is there already
+pdp8 pal eia.pal -o locked -> : locked: Permission denied
+pdp8 tape clean circle.eia -o line --no-clobber -> : line is there already
+pdp8 tape clean circle.eia -o locked -> : locked: Permission denied
+pdp8 cards rim --no-clobber -> : ./rim.svg is there already
+pdp8 run /dev/zero -> : /dev/zero: longer than 2,097,152
+pdp8 tape info /dev/zero -> : /dev/zero: longer than 2,097,152
+pdp8 pal -o x /dev/zero -> : /dev/zero: longer than 2,097,152
 pdp8 run hello.pal --save '' -> : the name of a file is empty
 pdp8 run '' -> : the name of a file is empty
 pdp8 dis 'a\0b' -> : a␀b: NUL in the name of a file
@@ -113,6 +135,7 @@ def refused(call: Call, row: str, folder: Path) -> tuple[int, str, str]:
     """Call what a row of a table says, in a folder of FILES; return its status, what it said and should."""
     for name, content in FILES.items():
         (folder / name).write_bytes(content)
+    (folder / "locked").chmod(0o444)
     os.link("a.bin", "hard.bin")
     os.symlink("a.bin", "soft.bin")
     with socket(AF_UNIX) as device:
