@@ -102,29 +102,9 @@ DRAWINGS: dict[str, tuple[str, Callable[[], str]]] = {
 """Each drawing, with the digest of what was looked at by eye; Figures 7.2 to 7.8 are lost in the scan."""
 
 
-@cache
-def drawn(name: str) -> str:
-    return DRAWINGS[name][1]()
-
-
-@pytest.mark.parametrize("name", DRAWINGS)
-def test_a_drawing_is_the_one_that_was_looked_at(name: str) -> None:
-    assert sha256(drawn(name).encode()).hexdigest()[:8] == DRAWINGS[name][0], "look at it again"
-
-
-@pytest.mark.parametrize("name", DRAWINGS)
-def test_nothing_written_leaves_the_sheet(name: str) -> None:
-    root = ET.fromstring(drawn(name))
-    _, _, width, height = map(float, root.get("viewBox", "").split())
-    assert root.get("width") == f"{width / 100:g}in"
-    assert width <= 850
-    for text in root.findall(SVG + "text"):
-        size, x, y = (float(text.get(key, "11")) for key in ("font-size", "x", "y"))
-        length = len(str(text.text)) * size / 2  # the mean width of Helvetica's letters
-        left = x - length * {"start": 0.0, "middle": 0.5, "end": 1.0}[text.get("text-anchor", "start")]
-        if text.get("transform") is None:
-            assert 0 <= left <= width - length, text.text
-            assert size <= y <= height - 2, text.text
+@pytest.mark.parametrize(("digest", "drawn"), DRAWINGS.values(), ids=DRAWINGS)
+def test_a_drawing_is_the_one_that_was_looked_at(digest: str, drawn: Callable[[], str]) -> None:
+    assert sha256(drawn().encode()).hexdigest()[:8] == digest, "look at it again"
 
 
 def test_the_halo_of_a_label_hides_none_of_its_letters() -> None:

@@ -11,7 +11,7 @@ from nc.machine import Settings
 from nc.path import Position
 from tapes.errors import TapeError, WorkError
 from tests.conftest import case
-from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, FOUR_HOLES, HEADER, tape
+from tests.nc.tapes_1971 import CIRCLE_BLOCKS, FOUR_HOLES, HEADER, tape
 
 
 def refusal(frames: bytes, strict: bool = False) -> nc.BlockError:
@@ -139,15 +139,6 @@ def test_the_four_holes_of_chapter_3() -> None:
     bored = nc.cut(tape(*FOUR_HOLES[:2], "003 7 01000 01000 0 01 89", "004 6 01000 01500 0 01 85"))
     kinds = ["position", "approach", "feed in", "feed out", "retract", "approach", "feed in", "mill"]
     assert [move.kind for move in bored.moves] == kinds
-
-
-def test_the_circle_takes_36_minutes() -> None:
-    """Chapter 7: 2 s for each of 660 blocks and 13.86 in at 1 in/min are 35.9 min; the header adds .8."""
-    path = nc.cut(CIRCLE)
-    assert sum(move.length for move in path.cuts) == 13_861
-    assert sum(2 + step.moves[-1].seconds for step in path.steps[6:]) / 60 == pytest.approx(35.86, abs=0.01)
-    assert path.times.total / 60 == pytest.approx(36.7, abs=0.05)
-    assert repr(path) == "<Path: 666 blocks, 36.7 min>"
 
 
 def test_where_the_cutter_is_at_a_second() -> None:
