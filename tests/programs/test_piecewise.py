@@ -1,8 +1,8 @@
 """The piece-wise technique: the machine's own way, feeds wrong or right, stays in the band."""
 
 from collections.abc import Callable, Iterator
+from fractions import Fraction
 from functools import cache
-from itertools import pairwise
 from math import dist
 
 import pytest
@@ -14,8 +14,9 @@ from programs.milling import Milling
 from programs.piecewise import Technique, way
 from programs.printout import Printout
 from programs.stretches import Point, arc, line
+from tests.nc.tapes_1971 import tape
 from tests.programs.printouts import milled
-from tests.reference.hydrapoint import XY_FEEDS
+from tests.reference.hydrapoint import MILL, HydraPoint, blocks
 
 errors = st.sampled_from([0.8, 0.9, 1.0, 1.1, 1.2])
 ALLOWED = 0.1
@@ -28,20 +29,14 @@ def piece(part: Callable[..., str]) -> str:
 
 
 def places(printout: str, wrong: tuple[float, float]) -> Iterator[tuple[float, float]]:
-    """Yield places that the cutter passes, its feeds off by `wrong`: Figure 3.1 in the time of each axis."""
-    path = milled(printout)
-    feeds = {84: 0.0, 85: 0.0}
-    for before, block in pairwise(path):
-        feeds[block.function] = float(XY_FEEDS[block.tool])
-        across, up = block.x - before.x, block.y - before.y
-        needs = [
-            abs(length) / (feed * error) if length else 0.0
-            for length, feed, error in zip((across, up), feeds.values(), wrong, strict=True)
-        ]
-        for tick in range(1, 41):
-            now = max(needs) * tick / 40
-            parts = [min(1.0, now / need) if need else 1.0 for need in needs]
-            yield before.x + across * parts[0], before.y + up * parts[1]
+    """Yield places that the cutter passes as it mills, its feeds off by `wrong`."""
+    machine = HydraPoint(errors=[*(Fraction(error) - 1 for error in wrong), Fraction(0)])
+    for block in blocks(tape(*printout.replace(" ", "0").splitlines())):
+        x, y, _ = map(float, machine.at)
+        machine.obey(block)
+        for u, v in (map(float, leg.end[:2]) for leg in machine.legs if block.preparatory == MILL):
+            yield from ((x + (u - x) * part / 20, y + (v - y) * part / 20) for part in range(1, 21))
+            x, y = u, v
 
 
 def off_the_circle(across: float, up: float) -> float:
