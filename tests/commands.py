@@ -41,16 +41,9 @@ def run(
     *words: Word, stdin: bytes = b"", folder: Path | None = None, stdout: Stream = -1, **variables: str
 ) -> Done:
     """Run a command to its end."""
-    return subprocess.run(
-        [str(word) for word in words],
-        input=stdin,
-        stdout=stdout,
-        stderr=subprocess.PIPE,
-        cwd=folder,
-        env=environment(**variables),
-        timeout=LONGEST,
-        check=False,
-    )
+    run = start(*words, folder=folder, stdin=subprocess.PIPE, stdout=stdout, **variables)
+    out, said = run.communicate(stdin, timeout=LONGEST)
+    return Done(run.args, run.returncode, out, said)
 
 
 def start(
@@ -58,16 +51,12 @@ def start(
     folder: Path | None = None,
     stdin: Stream = subprocess.DEVNULL,
     stdout: Stream = subprocess.PIPE,
+    **variables: str,
 ) -> "subprocess.Popen[bytes]":
     """Start a command."""
-    run = subprocess.Popen(
-        [str(word) for word in words],
-        stdin=stdin,
-        stdout=stdout,
-        stderr=subprocess.PIPE,
-        cwd=folder,
-        env=environment(),
-    )
+    given = [str(word) for word in words]
+    outside = environment(**variables)
+    run = subprocess.Popen(given, stdin=stdin, stdout=stdout, stderr=subprocess.PIPE, cwd=folder, env=outside)
     STARTED.append(run)
     return run
 

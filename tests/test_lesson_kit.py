@@ -6,7 +6,6 @@ from hashlib import sha256
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
-from xml.etree import ElementTree
 
 import pytest
 
@@ -14,7 +13,6 @@ from pdp8.lessons import cards as drawn
 from tests.conftest import Shell
 
 DOCS = Path(__file__).parent.parent / "docs"
-SVG = "{http://www.w3.org/2000/svg}"
 
 
 def test_the_notebook_runs_from_top_to_bottom() -> None:
@@ -40,21 +38,6 @@ DIGESTS = {
 def test_a_card_is_the_one_that_was_looked_at(name: str) -> None:
     svg = drawn.CARDS[name]() if name else drawn.afternoon([("1 s", "step", "done")] * 3, "t")
     assert sha256(svg.encode()).hexdigest()[:8] == DIGESTS[name], "look at it again"
-
-
-def test_the_rim_card_has_the_words_of_the_book_as_switches() -> None:
-    # PDP-8/I instruction card, the loader for the low-speed reader
-    book = [
-        *(0o6032, 0o6031, 0o5357, 0o6036, 0o7106, 0o7006, 0o7510, 0o5357, 0o7006),
-        *(0o6031, 0o5367, 0o6034, 0o7420, 0o3776, 0o3376, 0o5356, 0o0000),
-    ]
-    rim = ElementTree.fromstring(drawn.CARDS["rim"]())
-    texts = (text.text or "" for text in rim.iter(f"{SVG}text"))
-    rows = [found for text in texts if (found := re.match(r"(77\d\d) +(\d{4})", text))]
-    assert [int(row[2], 8) for row in rows] == book
-    assert (rows[0][1], rows[-1][1]) == ("7756", "7776")
-    switches = [circle.get("class") == "up" for circle in rim.iter(f"{SVG}circle")]
-    assert switches == [bit == "1" for word in book for bit in f"{word:012b}"]
 
 
 @pytest.mark.skipif(find_spec("cairosvg") is None, reason="CairoSVG is not installed")

@@ -11,6 +11,7 @@ import click
 import pytest
 
 from tests.conftest import assert_same_tape
+from tests.faults import workshop
 
 HOUSE = Path(__file__).parents[2]
 PYODIDE = HOUSE / "tests" / "node" / "node_modules" / "pyodide"
@@ -51,11 +52,7 @@ def test_the_main_job_runs_in_pyodide(tmp_path: Path) -> None:
 def _plain_wheel(folder: Path) -> Path:
     """Build py3-none-any from a copy of the sources, so that no other build is disturbed."""
     source = folder / "source"
-    for name in ("tapes", "pal", "pdp8", "programs", "nc"):
-        shutil.copytree(HOUSE / name, source / name, ignore=shutil.ignore_patterns("__pycache__", "*.so"))
-    for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE", "release/links.py"):
-        (source / name).parent.mkdir(exist_ok=True)
-        shutil.copy(HOUSE / name, source / name)
+    workshop.copy(source)
     words = ("-m", "pip", "wheel", "-q", "--no-deps", "--no-build-isolation", "-w", folder, source)
     subprocess.run([sys.executable, *words], env={**os.environ, "PDP8_EXTENSIONS": "forbid"}, check=True)
     (built,) = folder.glob("pdp8-*-py3-none-any.whl")
