@@ -180,11 +180,9 @@ def test_what_follows_no_curve_is_none() -> None:
     ("named", "curve"),
     [
         ({}, None),
-        ({"circle": (4, 4, 1.75)}, THE_CIRCLE),
         ({"ellipse": (4, 5, 3, 2.25)}, Ellipse(4000, 5000, 3000, 2250)),
         ({"line": (0.5, 0.9, 7, 2)}, StraightLine(500, 900, 7000, 2000)),
         ({"function": "x", "origin": (4, 5), "range_": (0, 6)}, Graph(4000, 5000, "x", 0, 6)),
-        ({"function": "x", "range_": (0, 6)}, Graph(0, 0, "x", 0, 6)),
         ({"ellipse": (4, 4, 2, 0)}, "semi-axes 2 and 0 in: each must be greater than 0"),
         ({"ellipse": (4, 4, 0, 2)}, "semi-axes 0 and 2 in: each must be greater than 0"),
         ({"circle": (4, 4, 1), "line": (0, 0, 1, 1)}, "2 curves are named; at most one is allowed"),

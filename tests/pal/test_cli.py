@@ -7,7 +7,6 @@ standard error, and its exit status unless that is 0.
 import os
 import re
 import sys
-from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
@@ -74,15 +73,3 @@ def test_without_pygls_an_editor_is_told(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setitem(sys.modules, "pal.server", None)
     with pytest.raises(AssemblyError, match=r"^--lsp needs pygls: .*pip install .*\[lsp\]"):
         cli.pal.main(["--lsp"], standalone_mode=False)
-
-
-def test_who_waits_is_told_for_what(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    said: list[dict[str, object]] = []
-
-    def busy(label: str, **wanted: bool) -> nullcontext[None]:
-        said.append({"label": label, **wanted})
-        return nullcontext()
-
-    monkeypatch.setattr(cli, "Busy", busy)
-    cli.pal.main([str(folder / "good.pal"), "--check"], standalone_mode=False)
-    assert said == [{"label": "assembling", "wanted": True}]

@@ -91,7 +91,6 @@ pdp8 tape punch --leader 100001 -> '--leader': 100001 is not in the range 0<=x<=
 pdp8 tape hang -> there is no command 'hang'
 pdp8 monitr -> there is no command 'monitr'; did you mean monitor?
 pdp8 part circel -> there is no command 'circel'; did you mean circle?
-pdp8 nc inspect a.asc --stretch 1,2 -> --stretch needs --talysurf
 pdp8 check add x.pal --cpu nan -> not between 0.1 and 3600 seconds
 pdp8 run -> give a PROGRAM, or --restore
 pdp8 run hello.pal --restore x -> give a PROGRAM, or --restore
