@@ -37,11 +37,10 @@ def environment(**variables: str) -> dict[str, str]:
     return {**os.environ, "PATH": path, "COLUMNS": "100", **variables}
 
 
-def run(
-    *words: Word, stdin: bytes = b"", folder: Path | None = None, stdout: Stream = -1, **variables: str
-) -> Done:
+def run(*words: Word, stdin: bytes = b"", folder: Path | None = None, **variables: str) -> Done:
     """Run a command to its end."""
-    run = start(*words, folder=folder, stdin=subprocess.PIPE, stdout=stdout, **variables)
+    pipe = subprocess.PIPE
+    run = start(*words, folder=folder, stdin=pipe, stdout=pipe, stderr=pipe, **variables)
     out, said = run.communicate(stdin, timeout=LONGEST)
     return Done(run.args, run.returncode, out, said)
 
@@ -51,12 +50,13 @@ def start(
     folder: Path | None = None,
     stdin: Stream = subprocess.DEVNULL,
     stdout: Stream = subprocess.PIPE,
+    stderr: Stream = subprocess.PIPE,
     **variables: str,
 ) -> "subprocess.Popen[bytes]":
     """Start a command."""
     given = [str(word) for word in words]
     outside = environment(**variables)
-    run = subprocess.Popen(given, stdin=stdin, stdout=stdout, stderr=subprocess.PIPE, cwd=folder, env=outside)
+    run = subprocess.Popen(given, stdin=stdin, stdout=stdout, stderr=stderr, cwd=folder, env=outside)
     STARTED.append(run)
     return run
 
@@ -81,6 +81,7 @@ def eventually(condition: Callable[[], object]) -> bool:
 _ESCAPE = re.compile(rb"\x1b\[[\d;?]*[ -~]")
 _CONTROLLING = """
 import fcntl, os, sys, termios
+os.setsid()
 fcntl.ioctl(0, termios.TIOCSCTTY, 0)
 os.execvp(sys.argv[1], sys.argv[1:])
 """
@@ -95,16 +96,11 @@ class Terminal:
         self.file, terminal = pty.openpty()
         self.before = termios.tcgetattr(self.file)
         self.seen = b""
-        self.process = subprocess.Popen(
-            [sys.executable, "-c", _CONTROLLING, *(str(word) for word in words)],
-            stdin=terminal,
-            stdout=terminal,
-            stderr=terminal,
-            cwd=folder,
-            env=environment(**{"TERM": "dumb", **variables}),
-            start_new_session=True,
+        line = sys.executable, "-c", _CONTROLLING, *words
+        variables = {"TERM": "dumb", **variables}
+        self.process = start(
+            *line, folder=folder, stdin=terminal, stdout=terminal, stderr=terminal, **variables
         )
-        STARTED.append(self.process)
         os.close(terminal)
 
     def until(self, text: bytes) -> bytes:

@@ -4,7 +4,6 @@ A session of cli.txt is a title and commands, each with what it writes on standa
 standard error, and its exit status unless that is 0.
 """
 
-import os
 import re
 import sys
 from pathlib import Path
@@ -14,7 +13,7 @@ import pytest
 import pal
 from pal import cli
 from pal.cli import AssemblyError
-from tests import commands
+from tests.commands import Terminal
 from tests.conftest import Shell
 
 HERE = Path(__file__).parent
@@ -46,13 +45,9 @@ def test_a_session_goes_as_it_is_shown(session: str, folder: Path, shell: Shell)
 
 def at_a_terminal(line: str, folder: Path, no_color: str = "") -> str:
     """Return what a terminal shows of a command line."""
-    ours, its = pytest.importorskip("pty").openpty()
-    line += " 2>&1"
-    commands.run("bash", "-c", line, folder=folder, stdout=its, TERM="xterm-256color", NO_COLOR=no_color)
-    shown = os.read(ours, 4096).decode().replace("\r\n", "\n")
-    os.close(its)
-    os.close(ours)
-    return shown
+    terminal = Terminal(*line.split(), folder=folder, TERM="xterm-256color", NO_COLOR=no_color)
+    terminal.ended()
+    return terminal.seen.decode().replace("\r\n", "\n")
 
 
 def test_a_terminal_is_shown_colours_that_it_may_have(folder: Path) -> None:
