@@ -47,13 +47,14 @@ def _score(found: Counter[str]) -> float:
 
 def _room(room: str, arguments: argparse.Namespace, changed: dict[str, set[int]] | None) -> Counter[str]:
     """Try the mutants of a room and print those that no test catches; return the number of each verdict."""
-    all_of_it = [(file, mutant) for file in sources(room) for mutant in mutants((HOUSE / file).read_text())]
-    same = {named for named in equal() if named[0] in sources(room)}
-    if gone := same - {(file, mutant.scope, mutant.text) for file, mutant in all_of_it}:
+    files = sources(room)
+    whole = [(file, mutant) for file in files for mutant in mutants((HOUSE / file).read_text())]
+    same = {named for named in equal() if named[0] in files or not (HOUSE / named[0]).exists()}
+    if gone := same - {(file, mutant.scope, mutant.text) for file, mutant in whole}:
         raise SystemExit(f"equal.toml names what is no mutant: {sorted(gone)}")
     there = [
         (file, mutant)
-        for file, mutant in all_of_it
+        for file, mutant in whole
         if changed is None or not changed.get(file, set()).isdisjoint(mutant.lines)
     ]
     picked = there
