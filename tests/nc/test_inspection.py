@@ -97,6 +97,13 @@ def test_the_centre_kept_to_its_band_and_one_step(circle: Inspection) -> None:
     assert inspect(path, StraightLine(2250, 4000, 3250, 4000)).centre == (0, 500)
 
 
+def test_a_larger_cutter_leaves_a_smoother_wall() -> None:
+    """Chapter 7: a larger cutter smooths out sharp variations."""
+    path = nc.cut(CIRCLE)
+    rough = [reading(inspect(path, cutter=cutter), "+Y apex", "outer") for cutter in (125, 500, 1000)]
+    assert rough == sorted(rough, reverse=True)
+
+
 def test_what_the_cutter_never_reached_is_said() -> None:
     quarter = milled(*staircase(1750, 5)[:165])
     found = inspect(quarter, curve=THE_CIRCLE)
