@@ -48,7 +48,7 @@ class Source:
     feeds    the items in which, or in the comment after which, there is a form feed
     """
 
-    def __init__(self, tapes: Sequence[bytes | str], modern: bool = False) -> None:
+    def __init__(self, tapes: Sequence[bytes | str], modern: bool) -> None:
         texts = [characters(tape) for tape in tapes]
         self.shown = "".join(texts)
         text = self.shown if self.shown.isascii() else _ascii(self.shown)

@@ -80,7 +80,7 @@ DRAWINGS: dict[str, tuple[str, Callable[[], str]]] = {
     "circle": ("9872bc2b", lambda: plot(circle(), THE_CIRCLE)),
     "circle, block 120": ("bf7f47f6", lambda: plot(circle(), THE_CIRCLE, block=120)),
     "block 1": ("13ee1b07", lambda: plot(circle(), THE_CIRCLE, block=1, close_at=(5750, 4000), zoom=(5, 5))),
-    "stretched": ("5aaab549", lambda: plot(circle(), THE_CIRCLE, close_at=(4000, 5735), zoom=(9, 90))),
+    "stretched": ("eea7ae47", lambda: plot(circle(), THE_CIRCLE, close_at=(4000, 5735), zoom=(1.5, 15))),
     "slope": ("f22fd575", lambda: plot(slope(), SLOPE)),
     "function of x": ("30516243", lambda: plot(parabola(), PARABOLA, block=20, cutter=400, tolerance=100)),
     "ellipse": ("a5554b20", lambda: plot(ellipse(), Ellipse(4000, 4000, 3000, 2250))),

@@ -102,6 +102,9 @@ def test_a_document_knows_what_stands_where() -> None:
     assert known.hover(0, 5) == "`B` = 0005, defined in line 1, used 1 time  \n`A1,1;B= 5`  \n`0200  0001`"
     assert known.hover(8, 1).endswith("used 1 time  \n`A1,1;B= 5`  \n`0400  0200`  \n`0401  7041`")
     assert known.hover(5, 0).startswith("`LONGNA` = 0201, defined in line 6, used 0 times  \n`LONGNAME1,\tb`")
+    assert (
+        Document("A=1\nA=2\n\tA\n$\n", "x.pal").hover(2, 1).endswith("used 1 time  \n`A=1`  \n`0200  0002`")
+    )
     assert (known.hover(3, 0), Document("*200\n", "x.pal").folds()) == ("", [])
 
 

@@ -2,6 +2,7 @@
 
 import pal
 from pal.symbols import PERMANENT, PSEUDO_OPERATORS, spelled, typed
+from pal.table import SymbolTable
 
 MEMORY_REFERENCES = """
 AND 0 TAD 1000 ISZ 2000 DCA 3000 JMS 4000 JMP 5000
@@ -48,3 +49,8 @@ def test_letters_before_digits_and_8_before_9() -> None:
     source = "*200\n" + "".join(f"{tag},\t0\n" for tag in tags) + "$\n"
     order = ["A8", "A8Z", "A89", "A9", "M", "MA", "M0", "M6", "M60", "M8", "M9"]
     assert list(pal.assemble(source).symbols) == order
+
+
+def test_what_lies_behind_the_table_is_0() -> None:
+    table = SymbolTable(1)
+    assert table.word(len(table.words)) == 0
