@@ -24,15 +24,21 @@ needs_node = pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
 
 _DRIVER = """
 import { readFileSync } from "node:fs";
-import { Dict } from "@/pdp8/web/translator/runtime.mjs";
+import { bytes, Dict } from "@/pdp8/web/translator/runtime.mjs";
 const plain = (of) =>
   of instanceof Dict ? of.items().map(plain)
   : of instanceof Number ? of.valueOf()
   : of === null || typeof of !== "object" ? of
   : of[Symbol.iterator] ? Array.from(of, plain)
   : of.constructor.$fields?.map((name) => plain(of[name])) ?? of;
-console.log(JSON.stringify(plain(await (FUNCTION)(JSON.parse(readFileSync(0, "utf8"))))));
+const given = JSON.parse(readFileSync(0, "utf8"), (_, of) => (of?.$bytes ? bytes(of.$bytes) : of));
+console.log(JSON.stringify(plain(await (FUNCTION)(given))));
 """
+_CALLED = """(calls) => Promise.all(calls.map(async ([module, name, ...given]) => {
+  const found = await import("@/" + module + ".mjs");
+  try { return found[name](...given); }
+  catch (error) { return `${error.constructor.name}: ${error.message}`; }
+}))"""
 
 
 @cache
@@ -58,15 +64,20 @@ def write(folder: Path, translated: dict[str, str], suffix: str = ".mjs") -> Non
 
 def in_node(function: str, given: Any = None, folder: Path | None = None) -> Any:
     """Return what the JavaScript `function` returns of `given`, as `plain` does. In it "@/" is the house:
-    `async (given) => { const { assemble } = await import("@/pal/assembling.mjs"); ... }`.
+    `async (given) => { const { assemble } = await import("@/pal/assembling.mjs"); ... }`; bytes are bytes.
     """
     house = (folder or modules()).as_uri()
     driver = _DRIVER.replace("FUNCTION", function).replace('"@/', f'"{house}/')
     command = [str(NODE), "--input-type=module", "--eval", driver]
-    asked = json.dumps(given)
+    asked = json.dumps(given, default=lambda frames: {"$bytes": [*frames]})
     done = subprocess.run(command, input=asked, capture_output=True, text=True, check=False, timeout=SECONDS)
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
+
+
+def called(*calls: tuple[Any, ...], folder: Path | None = None) -> list[Any]:
+    """Return what each call, (module, function, *arguments), returns there, or what it raises, as text."""
+    return list(in_node(_CALLED, calls, folder))
 
 
 def plain(of: Any) -> Any:

@@ -7,12 +7,7 @@ import pytest
 from pdp8.lessons import form, handed, marking, student
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.page import body
-from tests.pdp8.web.node import in_node, needs_node
-
-_MARKS = """async (asked) => {
-  const { marks } = await import("@/pdp8/web/bench/marker.mjs");
-  return asked.map(({ tables, source }) => marks(tables, "a.pal", source));
-}"""
+from tests.pdp8.web.node import called, needs_node
 
 
 def _answers(exercise: Exercise) -> list[str]:
@@ -33,8 +28,9 @@ def test_the_page_marks_as_the_command_does() -> None:
     for name in ("echo", "read-a-frame"):
         text = student.form(whole := form.read(name))
         answers.append((form.parse(text, name), json.loads(text), whole.solution))
-    asked = [{"tables": tables, "source": source} for _, tables, source in answers]
-    for (exercise, _, source), marks in zip(answers, in_node(_MARKS, asked), strict=True):
+    marker = "pdp8/web/bench/marker"
+    there = called(*((marker, "marks", tables, "a.pal", source) for _, tables, source in answers))
+    for (exercise, _, source), marks in zip(answers, there, strict=True):
         result = marking.mark(exercise, handed.of(source.encode(), "a.pal"))
         said = {"right": result.right, "points": result.points, "of": result.of}
         assert marks == {**said, "html": "\n".join(body(exercise, result))}, source

@@ -6,16 +6,9 @@ from click.testing import CliRunner
 
 from pdp8.web import parts
 from programs.cli import part
-from tests.pdp8.web.node import in_node, needs_node
+from tapes import ascii
+from tests.pdp8.web.node import called, needs_node
 
-_PRINTED = """async ([declared, asked]) => {
-  const { printout } = await import("@/pdp8/web/bench/parts.mjs");
-  const { encode } = await import("@/tapes/ascii.mjs");
-  return asked.map(([name, typed]) => {
-    try { return [...encode(printout(declared.find((part) => part.name === name), typed))]; }
-    catch (error) { return error.message; }
-  });
-}"""
 ASKED: tuple[tuple[str, dict[str, Any]], ...] = (
     ("circle", {}),
     ("circle", {"radius": "1.2", "tolerance": "0.0033", "close": True, "overflow": "stars"}),
@@ -54,8 +47,10 @@ def _command(name: str, typed: dict[str, Any]) -> tuple[bytes, str]:
 
 @needs_node
 def test_the_page_punches_and_refuses_what_the_command_does() -> None:
-    printed = in_node(_PRINTED, [parts.declared(), [*ASKED, *REFUSED]])
-    for asked, frames in zip(ASKED, printed, strict=False):
-        assert bytes(frames) == _command(*asked)[0], asked
+    declared = {part["name"]: part for part in parts.declared()}
+    calls = (("pdp8/web/bench/parts", "printout", declared[name], typed) for name, typed in ASKED + REFUSED)
+    printed = called(*calls)
+    for asked, text in zip(ASKED, printed, strict=False):
+        assert ascii.encode(text) == _command(*asked)[0], asked
     for refused, said in zip(REFUSED, printed[len(ASKED) :], strict=True):
-        assert said.partition(": ")[2].rstrip(".") in _command(*refused)[1].replace("\n", " "), refused
+        assert said.split(": ", 2)[2].rstrip(".") in _command(*refused)[1].replace("\n", " "), refused

@@ -9,13 +9,8 @@ import pytest
 from pdp8.web.translator import runtime
 from pdp8.web.translator.modules import translate
 from pdp8.web.translator.program import Untranslated
-from tests.pdp8.web.node import in_node, needs_node, plain, write
+from tests.pdp8.web.node import called, needs_node, plain, write
 from tests.pdp8.web.translator import constructs
-
-_RUN = """async (names) => {
-  const module = await import("@/constructs.mjs");
-  return names.map((name) => module[name]());
-}"""
 
 
 @needs_node
@@ -25,7 +20,7 @@ def test_every_construct_does_as_in_python(tmp_path: Path) -> None:
     path = Path(constructs.__file__)
     modules = {"constructs": (str(path), path.read_text(encoding="utf-8"))}
     write(tmp_path, translate(modules, {}, runtime()))
-    returned = in_node(_RUN, [function.__name__ for function in functions], tmp_path)
+    returned = called(*(("constructs", function.__name__) for function in functions), folder=tmp_path)
     for function, there in zip(functions, returned, strict=True):
         for number, (other, one) in enumerate(zip(there, plain(function()), strict=True)):
             assert other == one, f"{function.__name__}, value {number}"
