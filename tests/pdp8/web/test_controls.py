@@ -16,7 +16,7 @@ class Control(NamedTuple):
     """How a control is tried.
 
     watch   an expression of the page: when its value becomes another one, the control works
-    before  statements that bring the page to where it can be used
+    before  statements that bring the page to where it can be used; `which` of those that are alike it is
     keys    what works it by keyboard; lists, texts and regions get them after the pointer, too; a list gets a
             letter, which works it whether or not the pointer has opened it
     focus   what has the focus for that, if not the control
@@ -74,16 +74,12 @@ READY = (
 )
 
 
-def tab(name: str, neighbour: str, key: str) -> Control:
-    """Return a tab: by keyboard an arrow leads to it from its neighbour."""
-    return Control(of(f"#{name}", "hidden"), opened(neighbour), key, "[role=tab][aria-selected=true]")
-
-
 def of(selector: str, name: str = "value") -> str:
     """Return the expression of what all that a selector finds have."""
     return f"[...document.querySelectorAll('{selector}')].map((each) => each.{name})"
 
 
+SHOWN, CHOSEN = of("[data-tab]", "hidden"), "[role=tab][aria-selected=true]"
 CONTROLS = {
     ".rocker": Control(f"{P}.sr"),
     "[data-key='mem prot']": Control(f"{P}.mem_prot"),
@@ -125,12 +121,10 @@ CONTROLS = {
         "window.chosen",
         "window.chosen = 0; document.getElementById('file').click = () => { window.chosen++; };",
     ),
-    "[data-opens='program']": tab("program", "debugger", "ArrowLeft"),
-    "[data-opens='debugger']": tab("debugger", "mill", "ArrowLeft"),
-    "[data-opens='figures']": tab("figures", "exercises", "ArrowRight"),
-    "[data-opens='mill']": tab("mill", "debugger", "ArrowRight"),
-    "[data-opens='exercises']": tab("exercises", "parts", "ArrowRight"),
-    "[data-opens='parts']": tab("parts", "mill", "ArrowRight"),
+    "[role=tab]:not(:last-child)": Control(
+        SHOWN, "workbench.tabs.open(workbench.tabs.panes[which + 1].id);", "ArrowLeft", CHOSEN
+    ),
+    "[role=tab]:last-child": Control(SHOWN, opened("exercises"), "ArrowRight", CHOSEN),
     "#sources": Control(f"{EDITOR}.name", WRITTEN, "e"),
     "#assemble": Control(f"{EDITOR}.assembly !== null", f"{WRITTEN} {EDITOR}.assembly = null;"),
     "#load": Control(f"{P}.core[0o200]", ASSEMBLED),
@@ -222,7 +216,7 @@ def test_every_control_works(tab: Tab, way: str) -> None:
     for selector, control in CONTROLS.items():
         count = tab.run(f"return document.querySelectorAll({json.dumps(selector)}).length")
         for which in range(min(count, _OF_A_FAMILY)):
-            tab.run(f"{control.before} workbench.show();")
+            tab.run(f"const which = {which}; {control.before} workbench.show();")
             tab.run(f"window.earlier = JSON.stringify({control.watch});")
             _work(tab, control, selector, which, way)
             with case(selector, which):

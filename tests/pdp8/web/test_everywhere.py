@@ -91,12 +91,6 @@ def test_a_file_that_is_nothing_of_ours(tab: Tab) -> None:
     tab.until(f"{_TTY}.reader.tape.length === {len(picture)}")
 
 
-def test_what_was_typed_last_is_kept_as_the_page_is_left(tab: Tab) -> None:
-    tab.run("workbench.editor.text = '/ AS IT WAS LEFT'; dispatchEvent(new Event('pagehide'));")
-    found = "const { editor, programs } = workbench; return new programs.constructor().get(editor.name);"
-    assert tab.run(found) == "/ AS IT WAS LEFT"
-
-
 def test_a_state_goes_in_and_out(tab: Tab) -> None:
     """What `pdp8 run --save` wrote in the middle of a character is dropped in, and saved as it was."""
     machine = Machine(highspeed=True)

@@ -13,8 +13,6 @@ from tests.pdp8.web.browsing import Browser, Page, click, until, visit
 from tests.pdp8.web.follower import Follower, state
 from tests.pdp8.web.node import plain
 
-PROJECTOR, PHONE = {"width": 1280, "height": 720}, {"width": 390, "height": 844}
-
 
 @pytest.fixture
 def page(browser: Browser, circle_page: Path) -> Iterator[Page]:
@@ -148,21 +146,48 @@ def test_every_key_works(page: Page, circle: Afternoon) -> None:
     assert _now(page) == circle.acts[2].starts
 
 
-_CLIPPED = """() => [...document.querySelectorAll("#registers dd, .block span, .key small, #units span")]
-  .filter((element) => element.checkVisibility() && element.scrollWidth > element.clientWidth + 1)
-  .map((element) => element.textContent)"""
+_OFF = """() => [...document.querySelectorAll(".rocker")].map((rocker, bit) => {
+  const middle = (element) => (({ left, right }) => (left + right) / 2)(element.getBoundingClientRect());
+  return Math.abs(middle(rocker) - middle(document.querySelectorAll('[data-lamp=ac]')[bit]));
+})"""
+_UNFIT = """() => {
+  const seen = [...document.querySelectorAll("body *")].filter((each) => each.checkVisibility());
+  const all = (selector, unfit) => seen.filter((each) => each.matches(selector) && unfit(each));
+  const box = (each) => each.getBoundingClientRect();
+  const small = ({ width, height }) => width > 0 && (width < 24 || height < 24);
+  const own = (each) => [...each.childNodes].some((node) => node.nodeType === 3 && node.data.trim());
+  const cut = (each) => each.scrollWidth > each.clientWidth + 1;
+  const targets = "button, input:not([type=file]), select, summary, a[href]:not(.skip)";
+  return [
+    ...all("main", () => document.documentElement.scrollWidth > innerWidth),
+    ...all("#time", (each) => box(each).bottom > innerHeight + 1),
+    ...all("#registers dd, .block span, .key small, #units span", cut),
+    ...all(targets, (each) => small(box(each))),
+    ...all(":not(.speed, #acts *)", (each) => own(each) && parseFloat(getComputedStyle(each).fontSize) < 11),
+  ].map((each) => each.outerHTML.slice(0, 99));
+}"""
+
+_LIVE = """() => {  // as at the first visit
+  workbench.touched();
+  document.getElementById("doors").classList.add("wide");
+  for (const each of document.querySelectorAll("details")) each.open = true;
+}"""
 
 
-def test_an_act_fits_on_a_projector_and_on_a_phone(page: Page, circle: Afternoon) -> None:
-    """The page needs no scrolling sideways, the controls are in sight, nothing is cut off."""
-    bottom = "document.getElementById('time').getBoundingClientRect().bottom - innerHeight"
-    for size in (PROJECTOR, PHONE):
-        page.set_viewport_size(size)  # type: ignore[arg-type]
-        for act in circle.acts:
+def test_it_fits_from_a_telephone_to_a_projector(page: Page, circle: Afternoon) -> None:
+    """Switches under their lamps; in every act and on every tab nothing over the edge or cut off, the time in
+    sight, targets of 24 pixels and letters of 11 at least.
+    """
+    for width in (320, 390, 720, 768, 1024, 1261, 1280, 1366, 1440, 1920):
+        page.set_viewport_size({"width": width, "height": 720})
+        assert max(page.evaluate(_OFF)) < 1, width
+        for act in circle.acts if width in (390, 1280) else ():
             _go(page, (act.starts + act.ends) // 2)
-            assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), act.name
-            assert page.evaluate(bottom) <= 1
-            assert page.evaluate(_CLIPPED) == [], act.name
+            assert page.evaluate(_UNFIT) == [], (width, act.name)
+        page.evaluate(_LIVE)
+        for tab in page.get_by_role("tab").all() if width in (390, 768, 1440, 1920) else ():
+            tab.click()
+            assert page.evaluate(_UNFIT) == [], (width, tab.inner_text())
 
 
 def test_the_address_names_the_instant(page: Page) -> None:
@@ -187,21 +212,13 @@ _HIDDEN = """(hidden) => {
 
 def test_a_page_that_slept_does_not_jump(page: Page) -> None:
     """A picture stands for a quarter of a second at most, and a page that is hidden pauses."""
-    page.evaluate(
-        """() => {
-          const request = window.requestAnimationFrame.bind(window);
-          window.requestAnimationFrame = (then) => request((now) => {
-            then(now + 20_000);
-            if (workbench.afternoon.script.now === 0) return;
-            workbench.afternoon.play(false);
-            window.requestAnimationFrame = request;
-          });
-        }"""
-    )
+    page.clock.install(time=0)
+    page.clock.pause_at(1)
     page.locator("#speed").select_option(index=8)
     page.evaluate("workbench.afternoon.play(true)")
-    until(page, "workbench.afternoon.script.now > 0")
-    assert _now(page) <= 60 * 60 * TICKS_PER_SECOND / 4
+    page.clock.fast_forward(20_000)
+    page.clock.run_for(20)
+    assert 0 < _now(page) <= 60 * 60 * TICKS_PER_SECOND / 4
     page.locator("#speed").select_option(label="as it was")  # so that the afternoon does not end meanwhile
     page.evaluate("workbench.afternoon.play(true)")
     page.evaluate(_HIDDEN, True)
