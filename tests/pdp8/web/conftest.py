@@ -12,9 +12,12 @@ from tests.pdp8.web.firefox import FIREFOX, Firefox, opened
 
 @pytest.fixture(scope="session")
 def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The page on disk."""
+    """The page on disk; it is under 500 kB and may ask for nothing."""
+    html = workbench()
+    assert len(html) < 500_000
+    assert "default-src 'none'" in html
     path = tmp_path_factory.mktemp("workbench") / "pdp8.html"
-    path.write_text(workbench(), encoding="utf-8")
+    path.write_text(html, encoding="utf-8")
     return path
 
 

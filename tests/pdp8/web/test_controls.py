@@ -136,10 +136,7 @@ CONTROLS = {
     "#back": Control(f"{P}.clock", f"{LOADED} workbench.remember(); workbench.time.step({{ value: 1 }});"),
     "#play": Control(f"{P}.clock", LOADED),
     "#units input": Control(
-        "workbench.time.unit",
-        "workbench.time.unit = ''; "
-        "for (const each of document.querySelectorAll('#units input')) each.checked = false;",
-        "Space",
+        "workbench.time.unit", "document.querySelectorAll('#units input')[which ? 0 : 1].click();", "Space"
     ),
     "#next button": Control(f"{P}.clock", f"{LOADED} workbench.show();"),
     "#kind": Control(of("#kind"), opened("debugger"), "w"),

@@ -41,16 +41,17 @@ def test_the_page_computes_what_python_does() -> None:
         assert np.allclose(there, here[::every], rtol=0, atol=1e-6)
 
 
-def test_the_circle_is_that_of_the_listing() -> None:
-    """666 blocks, the very printout of Appendix C, and 35.9 minutes; the closed one has its last cuts."""
+def test_its_numbers_are_those_of_the_thesis() -> None:
+    """The very printout of Appendix C, 666 blocks in 35.9 minutes; the frames of one; the last cuts.
+
+    408 blocks by steps, none of which moves when the feeds are wrong; half the band, twice the blocks.
+    """
     circle, closed = method.circle(5), method.circle(5, close=True)
     assert circle.text == chain.printout("circle")
     assert (circle.blocks, round(circle.minutes, 1)) == (666, 35.9)
     assert closed.way[-1][:2] == closed.way[0][:2] == (2250, 4000)
-
-
-def test_slopes_and_curve_are_what_the_page_says() -> None:
-    """408 blocks by steps, none of which moves when the feeds are wrong; half the band, twice the blocks."""
+    frames = [each.punched for each in method.characters(_WORDS, ascii.encode(_LINE))]
+    assert bytes(each for each in frames if each is not None) == eia.encode(_LINE.replace(" ", "0"))
     exact, wrong = method.slope(5), method.slope(5, 0.2, -0.2)
     assert exact.blocks - 6 == 408
     assert wrong.way == exact.way
@@ -58,11 +59,6 @@ def test_slopes_and_curve_are_what_the_page_says() -> None:
     assert chain.printout("slope", milling=Milling("piece", feed_error=0.2)).count("\n") - 6 == 174
     fine, coarse = method.quarter(5, 3), method.quarter(10, 3)
     assert 1.8 < (fine.blocks - 6) / (coarse.blocks - 6) < 2
-
-
-def test_the_computer_punches_a_block_frame_by_frame() -> None:
-    frames = [each.punched for each in method.characters(_WORDS, ascii.encode(_LINE))]
-    assert bytes(each for each in frames if each is not None) == eia.encode(_LINE.replace(" ", "0"))
 
 
 @pytest.fixture(scope="module")
@@ -78,7 +74,10 @@ def page(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator
 
 
 def test_each_control_changes_its_figure(page: Page) -> None:
-    """Every slider by the keyboard, every box: what is drawn or said is another. Nothing is too wide."""
+    """Every slider by the keyboard, every box: what is drawn or said is another. Nothing is too wide.
+
+    A button translates the whole tape.
+    """
     inputs = page.locator(".live input").all()
     assert len(inputs) > 15
     for control in inputs:
@@ -91,18 +90,14 @@ def test_each_control_changes_its_figure(page: Page) -> None:
         until(page, "new Promise((done) => setTimeout(() => done(true), 30))")
         assert _shown(figure) != before, control.get_attribute("name")
     assert page.evaluate("document.documentElement.scrollWidth") == 390
+    click(page, "#translate")
+    assert re.match(r"666 blocks: 30\.0 minutes .*; 13320 frames", page.locator("#translated").inner_text())
 
 
 def _shown(figure: Locator) -> str:
     """Return what a figure draws and says, without the names of its clips, which are new each time."""
     drawn = figure.locator(".drawing").inner_html() + figure.locator(".said").inner_html()
     return re.sub(r"clip\d+", "", drawn)
-
-
-def test_the_button_translates_the_whole_tape(page: Page) -> None:
-    click(page, "#translate")
-    said = page.locator("#translated")
-    assert re.match(r"666 blocks: 30\.0 minutes .*; 13320 frames", said.inner_text())
 
 
 @needs_axe

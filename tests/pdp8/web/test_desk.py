@@ -2,7 +2,7 @@
 
 from pdp8.lessons import form, student
 from tapes import shelf
-from tests.pdp8.web.browsing import Browser, Page, click, until
+from tests.pdp8.web.browsing import Browser, Page, click, until, visit
 
 HALT = "*200\n\tHLT\n$\n"
 
@@ -17,7 +17,10 @@ def _drop(page: Page, name: str, content: str) -> None:
 
 
 def test_programs_are_kept_and_never_written_over(page: Page) -> None:
-    """By name, from visit to visit; a file of a taken name gets another, what is deleted comes back."""
+    """By name, from visit to visit; a file of a taken name gets another, what is deleted comes back.
+
+    A browser that keeps nothing says so.
+    """
     click(page, "#new-program")
     page.locator("#program-name").fill("mine.pal")
     page.locator("#program-name").press("Enter")
@@ -34,9 +37,6 @@ def test_programs_are_kept_and_never_written_over(page: Page) -> None:
     _reopened(page)
     kept = page.evaluate("['mine.pal', 'mine 2.pal'].map((name) => workbench.programs.get(name))")
     assert kept == [HALT, "*300\n\tHLT\n$\n"]
-
-
-def test_a_browser_that_keeps_nothing_says_so(page: Page) -> None:
     page.add_init_script("Storage.prototype.setItem = () => { throw new Error('forbidden'); };")
     _reopened(page)
     assert "keeps no programs for this page (forbidden)" in page.locator("#program-says").inner_text()
@@ -44,8 +44,7 @@ def test_a_browser_that_keeps_nothing_says_so(page: Page) -> None:
     assert page.evaluate("workbench.editor.assemble()")
 
 
-_TYPED = """() => {
-  const area = document.getElementById("source");
+_TYPED = """(area) => {
   area.focus();
   area.setSelectionRange(2000, 2000);
   return Array.from({ length: 40 }, () => {
@@ -60,7 +59,7 @@ def test_a_thousand_lines_are_typed_without_delay(page: Page) -> None:
     """A key takes 16 ms; a quick one's, since others work too. Of what is found the first is shown."""
     page.evaluate("(text) => { workbench.editor.text = text; }", "*200\n" + "\t5 + 3\n" * 1200 + "$\n")
     until(page, "document.getElementById('messages').textContent.includes('and 1,100 more')")
-    took = sorted(page.evaluate(_TYPED))
+    took = sorted(page.locator("#source").evaluate(_TYPED))
     assert took[len(took) // 4] < 16
 
 
@@ -76,39 +75,34 @@ def test_counts_and_the_current_line(page: Page) -> None:
 
 
 def test_a_link_holds_program_and_machine(page: Page, browser: Browser) -> None:
-    """Another browser opens it; a bundled tape goes by its name, so it is short; foreign text stays text."""
+    """Another browser opens it; a bundled tape goes by its name, so it is short; foreign text stays text.
+
+    One that is too long becomes a file.
+    """
     page.locator("#source").fill("*200\n\tHLT\n/<img src=x onerror=alert(1)>&\n$\n")
     click(page, "#assemble", "#load")
     page.evaluate("workbench.teletype.mount('circle.asc')")
     click(page, "#share")
     until(page, "location.hash.startsWith('#s=')")
     assert len(page.url) < 1500
-    other = browser.new_page()
-    other.goto(page.url)
-    until(other, "window.workbench?.editor.text.includes('onerror')")
-    assert other.evaluate("workbench.machine.processor.core[0o200]") == 0o7402
-    assert other.locator("img").count() == 0
-    tape = other.evaluate("[...workbench.machine.teletype.reader.tape]")
-    assert bytes(tape) == shelf.read_bundled("circle.asc")
-    other.close()
-
-
-def test_a_link_that_is_too_long_becomes_a_file(page: Page) -> None:
+    with visit(browser, page.url, "window.workbench?.editor.text.includes('onerror')") as other:
+        assert other.evaluate("workbench.machine.processor.core[0o200]") == 0o7402
+        assert other.locator("img").count() == 0
+        tape = other.evaluate("[...workbench.machine.teletype.reader.tape]")
+        assert bytes(tape) == shelf.read_bundled("circle.asc")
+    core = "workbench.machine.processor.core"
     page.evaluate(
-        """() => {
-          const words = crypto.getRandomValues(new Uint16Array(4096));
-          words.forEach((word, at) => { workbench.machine.processor.core[at] = word & 0o7777; });
-        }"""
+        f"crypto.getRandomValues({core}).forEach((word, at, core) => {{ core[at] = word & 0o7777; }})"
     )
     with page.expect_download() as download:
         click(page, "#share")
     assert "allowed: here is a file instead" in page.locator("#next").inner_text()
-    words = page.evaluate("[...workbench.machine.processor.core]")
+    words = page.evaluate(f"[...{core}]")
     text = download.value.path().read_text()
     _reopened(page)
     _drop(page, "session.json", text)
-    until(page, f"workbench.machine.processor.core[4095] === {words[4095]}")
-    assert page.evaluate("[...workbench.machine.processor.core]") == words
+    until(page, f"{core}[4095] === {words[4095]}")
+    assert page.evaluate(f"[...{core}]") == words
 
 
 def test_an_exercise_of_a_teachers_is_dropped_and_marked(page: Page) -> None:

@@ -15,12 +15,6 @@ _TTY = "workbench.machine.teletype"
 _NEXT = "document.getElementById('next').textContent"
 
 
-def click(tab: Tab, *selectors: str) -> None:
-    """Click the elements, one after the other."""
-    for selector in selectors:
-        tab.run(f'document.querySelector("{selector}").click()')
-
-
 def drop(tab: Tab, name: str, content: bytes, place: str = "body") -> None:
     """Drop a file on the page, or on a place of it."""
     text = base64.b64encode(content).decode()
@@ -35,29 +29,19 @@ def drop(tab: Tab, name: str, content: bytes, place: str = "body") -> None:
 def saved(tab: Tab, button: str) -> bytes:
     """Click a button that saves a file, and return what is in the file."""
     tab.run(
-        "const make = URL.createObjectURL; window.file = null;"
-        "URL.createObjectURL = (blob) => {"
-        "  blob.arrayBuffer().then((bytes) => { window.file = [...new Uint8Array(bytes)]; });"
-        "  return make.call(URL, blob); };"
-        f"document.querySelector('{button}').click();"
-        "URL.createObjectURL = make;"  # the page makes the script of its Worker a URL too
+        "window.file = null; workbench.download = async (_, content) => {"
+        "  window.file = [...new Uint8Array(await new Blob([content]).arrayBuffer())]; };"
     )
+    tab.point(button, 0, "mouse")
     tab.until("window.file")
     return bytes(tab.run("return window.file"))
 
 
-def test_a_punched_tape_is_saved_torn_off_and_read(tab: Tab) -> None:
-    """The file has its frames; torn off, it goes from the shelf into the reader, and the punch is empty."""
-    tab.run(f"{_TTY}.punch.frames.extend([0o301, 0o302, 0o215]); workbench.touched();")
-    assert saved(tab, "#store") == b"\xc1\xc2\x8d"
-    click(tab, "#tear")
-    tab.run("workbench.teletype.mount('punched')")
-    found = tab.run(f"return [{_TTY}.punch.frames, {_TTY}.reader.tape].map((each) => [...each])")
-    assert found == [[], [0o301, 0o302, 0o215]]
-
-
 def test_a_file_dropped_on_the_page(tab: Tab) -> None:
-    """ASCII goes into the reader, EIA to the mill, a source into the editor, shown; their names are text."""
+    """ASCII goes into the reader, EIA to the mill, a source into the editor, shown; their names are text.
+
+    What is nothing of ours is refused by its name; dropped on the reader itself it is a tape.
+    """
     drop(tab, "<b>mine.asc", b"\xb1\xb2\xb3\x8d\x8a")
     tab.until(f"{_TTY}.reader.tape.length === 5")
     assert "<b>mine.asc" in tab.run("return document.querySelector('#reader .name').textContent")
@@ -68,10 +52,6 @@ def test_a_file_dropped_on_the_page(tab: Tab) -> None:
     tab.until("workbench.editor.name === 'mine.pal'")
     assert tab.run("return workbench.editor.text") == "*200\n\tHLT\n$\n"
     assert tab.run("return document.querySelector('#program').hidden") is False
-
-
-def test_a_file_that_is_nothing_of_ours(tab: Tab) -> None:
-    """Refused by its name, not cut, it goes nowhere; dropped on the reader itself it is a tape."""
     picture = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + bytes(range(255, 100, -1))
     for name, content, said in (
         ("photo.png", picture, "photo.png is no tape"),
@@ -83,16 +63,19 @@ def test_a_file_that_is_nothing_of_ours(tab: Tab) -> None:
         tab.until(f"{_NEXT}.includes('{said}')")
     tab.run(f"workbench.take(new File([new Uint8Array({LARGEST + 1})], 'long.tape'))")
     tab.until(f"{_NEXT}.includes('long.tape: longer than')")
-    drop(tab, "mine.pal", b"*200\n$\n")
-    tab.until("workbench.editor.name === 'mine.pal'")
-    assert "UTF-16" not in tab.run(f"return {_NEXT}")
-    assert tab.run(f"return {_TTY}.reader.loaded") is False
+    drop(tab, "other.pal", b"*200\n$\n")
+    tab.until("workbench.editor.name === 'other.pal'")
+    assert "longer than" not in tab.run(f"return {_NEXT}")
+    assert tab.run(f"return {_TTY}.reader.tape.length") == 5
     drop(tab, "photo.png", picture, "#reader")
     tab.until(f"{_TTY}.reader.tape.length === {len(picture)}")
 
 
-def test_a_state_goes_in_and_out(tab: Tab) -> None:
-    """What `pdp8 run --save` wrote in the middle of a character is dropped in, and saved as it was."""
+def test_states_and_tapes_go_in_and_out(tab: Tab) -> None:
+    """What `pdp8 run --save` wrote in the middle of a character is dropped in, and saved as it was.
+
+    A punched tape is saved; torn off, it goes from the shelf into the reader, and the punch is empty.
+    """
     machine = Machine(highspeed=True)
     machine.load({0o200: 0o6032, 0o201: 0o6031, 0o202: 0o5201})
     machine.teletype.reader.load(b"\xc1\xc2\xc3")
@@ -103,6 +86,12 @@ def test_a_state_goes_in_and_out(tab: Tab) -> None:
     drop(tab, "noon.state", save(machine).encode())
     tab.until(f"{_TTY}.reader.tape.length === 3")
     assert values(restore(saved(tab, "#save").decode())) == values(machine)
+    tab.run(f"{_TTY}.punch.frames.extend([0o301, 0o302, 0o215]); workbench.touched();")
+    assert saved(tab, "#store") == b"\xc1\xc2\x8d"
+    tab.point("#tear", 0, "mouse")
+    tab.run("workbench.teletype.mount('punched')")
+    found = tab.run(f"return [{_TTY}.punch.frames, {_TTY}.reader.tape].map((each) => [...each])")
+    assert found == [[], [0o301, 0o302, 0o215]]
 
 
 def test_sound_is_made_on_request_only(tab: Tab) -> None:
@@ -111,8 +100,8 @@ def test_sound_is_made_on_request_only(tab: Tab) -> None:
         "window.contexts = 0; const Real = AudioContext;"
         "window.AudioContext = class extends Real { constructor() { super(); window.contexts++; } };"
     )
-    click(tab, "[data-door=first]")
+    tab.point("[data-door=first]", 0, "mouse")
     tab.until(f"{_TTY}.printer.frames.length > 3")
     assert tab.run("return window.contexts") == 0
-    click(tab, "#sound")
+    tab.point("#sound", 0, "mouse")
     assert tab.run("return window.contexts") == 1

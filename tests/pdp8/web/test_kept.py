@@ -10,22 +10,18 @@ from pdp8.web import kept as module
 from pdp8.web.kept import house, kept
 
 
-def _not_again() -> None:
-    pytest.fail("made again")
-
-
 def test_what_is_kept_is_not_made_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Not for the same content; for another it is, and replaces what was kept, as it does a damaged file."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     assert kept("page", "a", lambda: {"made": 1}) == {"made": 1}
-    assert kept("page", "a", _not_again) == {"made": 1}
+    assert kept("page", "a", lambda: pytest.fail("made again")) == {"made": 1}
     assert kept("other", "a", lambda: [2]) == [2]
     assert kept("page", "b", lambda: {"made": 3}) == {"made": 3}
     other, page = sorted((tmp_path / "pdp8").iterdir())
     assert (other.name[:6], page.name[:5]) == ("other-", "page-")
     page.write_text('{"made"')
     assert kept("page", "b", lambda: {"made": 4}) == {"made": 4}
-    assert kept("page", "b", _not_again) == {"made": 4}
+    assert kept("page", "b", lambda: pytest.fail("made again")) == {"made": 4}
     monkeypatch.setenv("XDG_CACHE_HOME", str(page))
     assert kept("page", "b", lambda: {"made": 5}) == {"made": 5}, "where no folder can be made"
 

@@ -1,12 +1,11 @@
 """Part programs in the page: the tape that `pdp8 part` punches, and the refusal that it says."""
 
+import shlex
 from typing import Any
 
-from click.testing import CliRunner
-
 from pdp8.web import parts
-from programs.cli import part
 from tapes import ascii
+from tests.conftest import Call
 from tests.pdp8.web.node import called, needs_node
 
 ASKED: tuple[tuple[str, dict[str, Any]], ...] = (
@@ -21,13 +20,9 @@ ASKED: tuple[tuple[str, dict[str, Any]], ...] = (
     ("die", {"cut": "groove", "technique": "piece"}),
     ("drill", {"holes": "1,1 2.5,1 4,1", "z_depth": "3.25"}),
     ("fluidic", {"program": "control", "control": "0.8"}),
-)
-REFUSED: tuple[tuple[str, dict[str, Any]], ...] = (
+    # what is refused
     ("circle", {"radius": "1750"}),
-    ("circle", {"radius": "1.75005"}),
-    ("circle", {"tolerance": "nan"}),
     ("ellipse", {"major": "12"}),
-    ("slope", {"to_x": "21"}),
     ("drill", {"holes": "1,1 2"}),
     ("curve", {"expression": "x + y"}),
     ("curve", {}),
@@ -35,22 +30,22 @@ REFUSED: tuple[tuple[str, dict[str, Any]], ...] = (
 )
 
 
-def _command(name: str, typed: dict[str, Any]) -> tuple[bytes, str]:
-    """Return what the command punches, and what it says."""
+def _line(name: str, typed: dict[str, Any]) -> str:
+    """Return the command that is given what is typed."""
     given = {key.strip("_").replace("_", "-"): value for key, value in typed.items()}
     words = [given.pop("expression")] if "expression" in given else []
     for option, value in given.items():
         words += [f"--{option}"] if value is True else [f"--{option}", value]
-    done = CliRunner().invoke(part, [name, *words])
-    return done.stdout_bytes, done.stderr or str(done.exception)
+    return shlex.join(["pdp8", "part", name, *words])
 
 
 @needs_node
-def test_the_page_punches_and_refuses_what_the_command_does() -> None:
+def test_the_page_punches_and_refuses_what_the_command_does(call: Call) -> None:
     declared = {part["name"]: part for part in parts.declared()}
-    calls = (("pdp8/web/bench/parts", "printout", declared[name], typed) for name, typed in ASKED + REFUSED)
-    printed = called(*calls)
-    for asked, text in zip(ASKED, printed, strict=False):
-        assert ascii.encode(text) == _command(*asked)[0], asked
-    for refused, said in zip(REFUSED, printed[len(ASKED) :], strict=True):
-        assert said.split(": ", 2)[2].rstrip(".") in _command(*refused)[1].replace("\n", " "), refused
+    there = called(*(("pdp8/web/bench/parts", "printout", declared[name], typed) for name, typed in ASKED))
+    for (name, typed), found in zip(ASKED, there, strict=True):
+        status, punched, said = call(_line(name, typed))
+        if status:
+            assert found.split(": ", 2)[2].rstrip(".") in said.replace("\n", " "), (name, typed)
+        else:
+            assert ascii.encode(found).decode("utf-8", "surrogateescape") == punched, (name, typed)

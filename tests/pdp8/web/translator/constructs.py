@@ -140,23 +140,17 @@ def wide_numbers() -> Any:
     ]  # fmt: skip
 
 
-def comparisons() -> Any:
-    """Chains look at each operand once; sequences compare item by item."""
+def comparisons_and_truth() -> Any:
+    """Chains look at each operand once; sequences compare item by item. What is empty or zero is false."""
     seen: list[str] = []
+    nothing: list[int] = []
+    text, some, none = "", [0], None
     chain = 0 <= _note(seen, 5) <= 5 < _note(seen, 9)
     return [
         chain, seen, (1, 2) < (1, 3), [1, 2] == [1, 2], (1, "a") == (1, "b"), bytes([97, 98]) == b"ab", 1 == True,
         Point(1, 2) == (1, 2), Point(1) < Point(2), {1: [2]} == {1: [2]}, {1, 2} == {2, 1}, "b" in "abc", 2 in (1, 2),
         3 not in [1], b"b" in b"abc", 97 in b"abc", Mode(1.0) == Mode(1.0), None is None, Colour.RED == "red",
         min("b", "a"), max((1, 2), (1, 3)),
-    ]  # fmt: skip
-
-
-def truth() -> Any:
-    """What is empty or zero is false, and `and`, `or` give an operand."""
-    nothing: list[int] = []
-    text, some, none = "", [0], None
-    return [
         [bool(nothing), not nothing, nothing or "else", some and "yes", text or "none", none or b"x" == b"x"],
         [bool(Base(0)), bool(Base(1)), bool({}), bool({0}), bool(b""), 1 if nothing else 2, not text, len(some) or 9],
     ]  # fmt: skip
