@@ -50,6 +50,7 @@ def test_every_entry_is_a_part_program(name: str) -> None:
     ("words", "constants", "start", "end"),
     [
         ("polynomial", {}, (3250, 3216), (10250, 7328)),
+        ("polynomial", {"cutter": 0.5}, (3005, 3265), (10003, 7367)),
         ("slope", {}, (4000, 4000), (8330, 6500)),
         ("curve sin(x)", {"to": 6.283}, (4000, 5000), (10283, 5000)),
         ("curve 1", {}, (4000, 6000), (8000, 6000)),
