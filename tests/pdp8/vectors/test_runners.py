@@ -2,10 +2,8 @@
 
 import gzip
 import json
-import os
 import re
 import shutil
-import subprocess
 import sys
 from functools import reduce
 from operator import getitem
@@ -16,6 +14,7 @@ import pytest
 
 from pdp8.vectors import runner
 from pdp8.vectors.folder import GROUPS
+from tests import commands
 from tests.pdp8.vectors.faults import FAULTS
 from tests.reference.compiling import compile_c, compiler
 from tests.reference.model import FOLDER as REFERENCE
@@ -54,11 +53,10 @@ def assert_said(printed: str, cycles: bool) -> None:
     assert f"{len(CHANGED) + 1} played, {len(expected)} differ in {len(expected)} words" in printed
 
 
-def in_folder(folder: Path, *command: str | Path, **variables: str) -> tuple[int, str]:
+def in_folder(folder: Path, *command: str | Path, **given: Any) -> tuple[int, str]:
     """Run a command in the folder; return exit status and what is printed."""
-    environment = os.environ | variables
-    done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False)
-    return done.returncode, done.stdout + done.stderr
+    done = commands.run(*command, folder=folder, **given)
+    return done.returncode, (done.stdout + done.stderr).decode()
 
 
 def test_the_runner_in_python(changed: Path, folder: Path, tmp_path: Path) -> None:
@@ -130,9 +128,7 @@ class CRunner:
         """Link with the object `again` for `part`, and run; return exit status and what is printed."""
         program = self.work / "runner"
         compile_c(program, *{**self.objects, part: again}.values())
-        vectors = vectors or self.vectors
-        done = subprocess.run([program], input=vectors, capture_output=True, check=False, timeout=60)
-        return done.returncode, done.stdout.decode()
+        return in_folder(self.work, program, stdin=vectors or self.vectors)
 
 
 @pytest.fixture(scope="module")
