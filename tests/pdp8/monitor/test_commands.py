@@ -1,6 +1,5 @@
 """What the commands do that a session does not show."""
 
-import re
 from pathlib import Path
 
 import pytest
@@ -40,16 +39,6 @@ def test_a_tape_in_the_high_speed_reader_and_one_off_the_punch(tmp_path: Path) -
 def test_a_command_may_be_shortened() -> None:
     names = {"b": "break", "e": "examine", "ex": "examine", "l": "load", "w": "watch", "SE": "set"}
     assert {word: find(word).name for word in names} == names
-    for word in ("ba k", "\0"):
-        with pytest.raises(MonitorError, match=re.escape(f"{word!r}: no such command")):
-            find(word)
-
-
-@pytest.mark.parametrize("name", ["mem_prot", "sing_step"])
-def test_a_switch_is_put_up_and_down(name: str, monitor: Monitor) -> None:
-    for value, position in (("1", True), ("OFF", False), ("on", True), ("0", False)):
-        do(monitor, f"set {name} {value}")
-        assert getattr(monitor.machine.panel, name) is position
 
 
 def test_codes_by_their_names() -> None:
