@@ -18,16 +18,6 @@ from tests import commands
 from tests.pdp8.computer.bench import machine
 
 
-def test_the_calls_of_the_readme() -> None:
-    m = pdp8.Machine()
-    m.load({0o200: 0o6036, 0o201: 0o6046, 0o202: 0o7402})
-    m.start(0o200)
-    m.teletype.reader.load(b"\301")
-    stop = m.run(seconds=5, instructions=100)
-    assert stop == ("halt", 0o203, (85 + 85 + 32) / 20e6)
-    assert m.teletype.punch.tape == b"\0"  # KRB came before PRESET
-
-
 @pytest.mark.parametrize(
     ("name", "value", "held"),
     [

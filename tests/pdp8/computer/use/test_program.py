@@ -26,13 +26,6 @@ def test_a_rim_tape_is_its_own_tape() -> None:
     assert found.listing.line(0o200, 0o7001) == "0200  7001          IAC             /0200 7001"
 
 
-def test_where_two_programs_could_be_core_decides() -> None:
-    loader, eia = program.bundled("rim.pal"), program.find("eia.pal")
-    assert loader.listing.fits(0o7756, 0o6032)
-    assert eia.listing.fits(0o200, 0o6046)
-    assert not eia.listing.fits(0o200, 0)
-
-
 @pytest.mark.parametrize(
     ("content", "said"),
     [
