@@ -29,6 +29,9 @@ def test_all_forms_and_the_reference_differ_in_nothing(form: str, first: int) ->
         same(form, seed, situation(seed, LONGEST[form]))
 
 
-@pytest.mark.parametrize("seed", range(4))
-def test_nor_does_the_teletype_beside_its_flip_flops(form: str, seed: int) -> None:
-    same(form, seed, at_the_teletype(seed))
+@pytest.mark.parametrize(
+    "seeds", [range(4), pytest.param(range(4, 54), marks=pytest.mark.slow("40,000 acts"))]
+)
+def test_nor_does_the_teletype_beside_its_flip_flops(form: str, seeds: range) -> None:
+    for seed in seeds:
+        same(form, seed, at_the_teletype(seed))
