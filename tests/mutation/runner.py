@@ -257,6 +257,7 @@ def _try(runs: Runs, copy: Path, trial: Trial) -> int:
     for wanted, left in (first, others), (others, first):
         files = {name.split("::")[0] for name in wanted}
         chosen = _Chosen(runs.seconds, left | runs.failed)
+        _limit(LONGEST)  # to import them
         if wanted and _pytest(copy, files, chosen, "-x") not in (0, pytest.ExitCode.NO_TESTS_COLLECTED):
             return 1
     return 0
