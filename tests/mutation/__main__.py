@@ -47,20 +47,17 @@ def _score(found: Counter[str]) -> float:
 
 def _room(room: str, arguments: argparse.Namespace, changed: dict[str, set[int]] | None) -> Counter[str]:
     """Try the mutants of a room and print those that no test catches; return the number of each verdict."""
-    files = sources(room)
-    whole = [(file, mutant) for file in files for mutant in mutants((HOUSE / file).read_text())]
-    same = {named for named in equal() if named[0] in files or not (HOUSE / named[0]).exists()}
-    if gone := same - {(file, mutant.scope, mutant.text) for file, mutant in whole}:
-        raise SystemExit(f"equal.toml names what is no mutant: {sorted(gone)}")
     there = [
         (file, mutant)
-        for file, mutant in whole
+        for file in sources(room)
+        for mutant in mutants((HOUSE / file).read_text())
         if changed is None or not changed.get(file, set()).isdisjoint(mutant.lines)
     ]
     picked = there
     if 0 < arguments.sample < len(there):
         numbers = random.Random(arguments.seed).sample(range(len(there)), arguments.sample)
         picked = [there[number] for number in sorted(numbers)]
+    same = equal()
     chosen = [(file, mutant) for file, mutant in picked if (file, mutant.scope, mutant.text) not in same]
     found = Counter(there=len(there), tried=len(picked), equal=len(picked) - len(chosen))
     with tempfile.TemporaryDirectory(prefix="pdp8-mutation-") as folder:
