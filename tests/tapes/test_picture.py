@@ -72,6 +72,8 @@ def test_svg_has_every_hole_where_the_standard_puts_it() -> None:
     paper = next(rect for rect in page.iter(f"{NS}rect") if rect.attrib["class"] == "paper")
     left, top, width, height = (int(paper.attrib[name]) for name in ("x", "y", "width", "height"))
     assert (width, height) == (300, 1000)
+    one, two = (float(ET.fromstring(picture.svg(bytes(count))).attrib["width"][:-2]) for count in (1, 2))
+    assert two - one == pytest.approx(0.1)
     circles = [
         tuple(int(circle.attrib[name]) for name in ("cx", "cy", "r"))
         for circle in ET.fromstring(picture.svg(tape)).iter(f"{NS}circle")

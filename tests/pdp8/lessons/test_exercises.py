@@ -129,9 +129,15 @@ def test_a_number_lies_within_its_bounds(key: str, least: int, most: int) -> Non
 
 
 def test_a_tape_is_a_text_or_frames_or_eia_or_a_file() -> None:
-    frames = {"[0, 0o377]": b"\0\377", '{ eia = "12\\n" }': b"\1\2\200", '"A"': b"\301"}
+    frames = {"[0, 0o377]": b"\0\377", '{ eia = "12\\n" }': b"\1\2\200", '"A\\n"': b"\301\215\212"}
     frames['{ file = "eia.bin" }'] = shelf.read("eia.bin")
     assert {tape: exercise(f"tape={tape}").cases[0].trials[0].tape for tape in frames} == frames
+
+
+def test_a_solution_may_be_a_file_beside_the_exercise(tmp_path: Path) -> None:
+    (tmp_path / "s.pal").write_text("*200\n\tHLT\n$\n")
+    text = 'title="t"\ntask="t"\nsolution={file="s.pal"}\n[[case]]\nname="a"\n'
+    assert parse(text, "e", folder=str(tmp_path)).solution == "*200\n\tHLT\n$\n"
 
 
 def test_a_mistake_must_change_one_place_of_the_solution() -> None:

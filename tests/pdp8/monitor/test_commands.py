@@ -61,6 +61,9 @@ def test_what_ctrl_c_sets_is_the_stop_key_once(tmp_path: Path) -> None:
     assert said[-1].startswith("stop key; ")
     do(made, "cont")
     assert said[-1].startswith("tape out; ")
+    made.stopping = True  # before the run: it ends none
+    do(made, "deposit 300 2310 5300 5300", "go 300 3")
+    assert not said[-1].startswith("stop key; ")
 
 
 def test_the_lever_leaves_the_tapes_that_wait(monitor: Monitor) -> None:
