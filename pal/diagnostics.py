@@ -111,7 +111,7 @@ def diagnose(
         advice = _ADVICE[message.code](subject, message.location)
         if subject == "0277":
             mark = source.spans[message.at][1]
-            advice = advice.replace("?", source.shown[mark : mark + 1], 1)
+            advice = advice.replace("?", source.shown[mark : mark + 1])
         said = Note(message.code, at, str(message), advice)
         found.append((ERROR, said, hint(message.code, subject)))
         full |= message.code == "ST"

@@ -49,7 +49,7 @@ def test_what_is_meant_is_near_or_another_machines() -> None:
 
 RUNS_ON = "CLA;CLA|SZA;CLA|CLA;ISZ 20|SZA;JMP 20|SKP;JMP 20|ISZ 20;JMP 20|KSF;JMP 20|SZA;KCC"
 ENDS = "CLA;HLT|CLA;SNA HLT|SZA;JMS 20|CLA;JMP 20|OSR;JMP 20|RAL;JMP 20|KCC;JMP 20|DCA 20;JMP 20"
-ENDS += "|7440;JMP 20|SZA 1;JMP 20|SZA;5|ION;JMP I 0|6201;JMP I 0"
+ENDS += "|7440;JMP 20|SZA 1;JMP 20|SZA;5|ION;JMP I 0"
 
 
 def test_data_that_the_program_runs_into_are_noted() -> None:
