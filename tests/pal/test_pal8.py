@@ -89,3 +89,7 @@ def test_the_passes_have_texts_and_no_frames() -> None:
     assert [assembly.text(number) for number in (1, 2, 3)] == ["A       0005\n", "", assembly.listing]
     with pytest.raises(ValueError, match="PAL III's alone"):
         _ = assembly.teletype
+
+
+def test_an_origin_in_error_leaves_the_location() -> None:
+    assert pal.assemble("*200\n1\n*QQ\n2\n$\n", dialect="pal8").words == {0o200: 1, 0o201: 2}
