@@ -48,6 +48,11 @@ class Walls:
     outer: Floats
     inner: Floats
 
+    @property
+    def by_name(self) -> dict[str, Floats]:
+        """Both, by what they are called in reports and drawings."""
+        return {"outer": self.outer, "inner": self.inner}
+
 
 @dataclass(frozen=True)
 class Reading:
@@ -113,10 +118,8 @@ class Inspection:
     @property
     def without(self) -> dict[str, float]:
         """The part of the curve, 0 to 1, along which the cutter left no such wall."""
-        return {
-            "outer": float(np.isnan(self.walls.outer).mean()) - self.uncut,
-            "inner": float(np.isnan(self.walls.inner).mean()) - self.uncut,
-        }
+        uncut = self.uncut
+        return {wall: float(np.isnan(error).mean()) - uncut for wall, error in self.walls.by_name.items()}
 
 
 def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, tolerance: float = 5) -> Inspection:
@@ -285,7 +288,7 @@ def _readings(curve: Curve, measured: Walls) -> Iterator[Reading]:
 def _readings_at(
     name: str, angle: float | None, measured: Walls, chosen: NDArray[np.bool_]
 ) -> Iterator[Reading]:
-    for wall, deviation in (("outer", measured.outer), ("inner", measured.inner)):
+    for wall, deviation in measured.by_name.items():
         seen = deviation[chosen]
         seen = seen[~np.isnan(seen)]
         if len(seen):

@@ -62,10 +62,7 @@ class _Graph:
         self._title()
         self._rings()
         self._spokes()
-        for wall, deviation in (
-            ("outer", self.inspection.walls.outer),
-            ("inner", self.inspection.walls.inner),
-        ):
+        for wall, deviation in self.inspection.walls.by_name.items():
             self._trace(deviation, COLOURS[wall])
         self._divisions()
         self._readings()

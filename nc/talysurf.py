@@ -41,7 +41,7 @@ def talysurf(
         )
     sheet = Sheet(_LEFT + _WIDTH + 30, 2 * (_HEIGHT + 60) + 100, "Talysurf")
     sheet.text(_LEFT, 26, f"Talysurf: {inspection.curve}", font_size=15)
-    walls = {"outer": inspection.walls.outer[chosen], "inner": inspection.walls.inner[chosen]}
+    walls = {wall: error[chosen] for wall, error in inspection.walls.by_name.items()}
     if np.isnan([*walls.values()]).all():
         raise WorkError("the cutter did not reach this stretch of the curve: there is no wall")
     for row, (wall, seen) in enumerate(walls.items()):
