@@ -13,8 +13,6 @@
     talysurf    the straight graph of an inspection
     gcode       the path for today's controllers
     dxf         the path as a drawing
-    cli         pdp8 nc
-    options     the options that its commands share
 
 It imports tapes and no other package of the project. It draws without a library.
 """

@@ -50,9 +50,7 @@ def _ezdxf() -> Iterator[ModuleType]:
     try:
         import ezdxf
     except ImportError as error:
-        from tapes.extras import hint
-
-        raise WorkError(f"a DXF drawing needs ezdxf: {hint('nc')}") from error
+        raise WorkError("a DXF drawing needs ezdxf, of the extra `nc`") from error
     options = getattr(ezdxf, "options")  # noqa: B009 -- exported by documentation, not by its types
     before = options.write_fixed_meta_data_for_testing
     options.write_fixed_meta_data_for_testing = True

@@ -22,7 +22,6 @@ disassembler   words and tapes back to source
 lexer          PAL III in colour, for Pygments; grammar   the same for editors
 document       a source as an editor asks about it; meaning   what words and names mean
 server         the language server
-cli            the commands `pal` and `dis`
 """
 
 from typing import TYPE_CHECKING

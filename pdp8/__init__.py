@@ -41,6 +41,8 @@ thesis/     its figures and tables made again, its programs line by line
 web/        pages for a browser
 lessons/    exercises, and the answers of a class marked
 cli/        the command; `python -m pdp8` is the same
+
+shelf       where files are found, read and written
 """
 
 import os
@@ -59,6 +61,7 @@ if TYPE_CHECKING:
     from nc.plot import plot as plot
     from pal import Assembly as Assembly
     from pal import assemble as assemble
+    from pdp8 import shelf
     from pdp8.computer.count import Count as Count
     from pdp8.computer.hardware import fields as fields
     from pdp8.computer.hardware import signals as signals
@@ -73,7 +76,6 @@ if TYPE_CHECKING:
     from tapes import eia as eia
     from tapes import picture as picture
     from tapes import rim as rim
-    from tapes import shelf
     from tapes.errors import TapeError as TapeError
     from tapes.errors import WorkError as WorkError
 
@@ -102,7 +104,7 @@ _PLACES = {
     "rim": ("tapes.rim", ""),
     "signals": ("pdp8.computer.hardware.signals", ""),
     "state": ("pdp8.computer.past.state", ""),
-    "tape": ("tapes.shelf", "read"),
+    "tape": ("pdp8.shelf", "read"),
 }
 """Where each name is: a module, and the name there, or the module itself."""
 
@@ -149,8 +151,6 @@ def __getattr__(name: str) -> object:
                 f"{taken} was imported as {room!r}, the name of a package of pdp8: import pdp8 before it, "
                 "or give the file another name"
             )
-    if name == "tape":
-        import_module("programs")  # its files are on the shelf too
     module, attribute = _PLACES[name]
     found = import_module(module)
     return getattr(found, attribute) if attribute else found

@@ -32,9 +32,4 @@ least_squares    a function from measured points
 mirror           the other hand of a part
 parts            which part programs there are
 thesis           what the thesis says of each part
-cli              pdp8 part
 """
-
-from tapes import shelf
-
-shelf.add(__file__, ".pal", ".for")

@@ -15,13 +15,7 @@ redundancy  what a tape says of its own frames
 notebook    a tape that a notebook draws
 measure     what can be said of a tape: its length, time, lines, checksum
 convert     from one code to another
-shelf       where files are found, read and written
-arguments   the files that a command takes: completed, compared, never lost
 utf16       text that is no tape
-extras      how a library that is missing is got, as pdp8 was
-command     how every command ends, and what it says
-progress    a bar on work that lasts
 expression  y = f(x) as a command takes it
 errors      what is raised when the work given is wrong
-cli         pdp8 tape
 """

@@ -15,10 +15,9 @@ from typing import TYPE_CHECKING, TypeVar
 import pytest
 from hypothesis import settings
 
-import programs  # noqa: F401 - its files go on the shelf
-from pal.cli import pal
+from pdp8.cli import command
+from pdp8.cli.assemble import pal
 from pdp8.cli.root import pdp8
-from tapes import command
 from tapes.frames import draw
 from tests import commands
 from tests.pdp8.web.browsing import CHROMIUM, launched

@@ -4,7 +4,7 @@ from xml.etree import ElementTree
 
 import nc
 import pal
-from tapes import shelf
+from pdp8 import shelf
 from tapes.notebook import Tape
 
 

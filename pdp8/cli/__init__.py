@@ -11,6 +11,12 @@ thesis    the thesis's figures and tables, and its programs line by line
 pacing    a run, Ctrl-C its STOP key       feed      the reader's tapes          outputs   the punches' tapes
 keyboard  the Teletype at a terminal   line      the Teletype on a line      watching  traced, counted
 parameters  what options take
+
+tape      `pdp8 tape`                  part     `pdp8 part`                  assemble  `pal` and `pdp8 dis`
+nc_options  what the commands of `pdp8 nc` share
+command   how every command ends, and what it says
+arguments the files that a command takes: completed, compared, never lost
+progress  a bar on work that lasts      extras    how a library that is missing is got, as pdp8 was
 """
 
 import gc
@@ -26,18 +32,16 @@ def main() -> None:
 
 
 def pal() -> None:
-    _run("pal.cli")
+    _run("pdp8.cli.assemble")
 
 
 def _run(module: str) -> None:
-    """Run the command whose `main` is in `module`, with the bundled programs on the shelf; Ctrl-C is quiet
-    from the first moment, while the rest is being imported too.
+    """Run the command whose `main` is in `module`; Ctrl-C is quiet from the first moment, while the rest is
+    being imported too.
     """
     if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
         signal.signal(signal.SIGINT, lambda number, _: os._exit(128 + number))
     gc.set_threshold(_SELDOM)  # what a command imports is no garbage: a tenth of the start went into looking
-    import programs  # noqa: F401
-
     run = import_module(module).main
     try:
         run()

@@ -6,9 +6,9 @@ from io import BytesIO
 
 import click
 
+from pdp8.cli import command
+from pdp8.cli.arguments import Command, Folder, output
 from pdp8.lessons import cards as drawn
-from tapes import command
-from tapes.arguments import Command, Folder, output
 from tapes.errors import WorkError
 
 _AFTERNOON = "afternoon"
@@ -38,7 +38,7 @@ def cards(names: tuple[str, ...], output: str, pdf: bool) -> None:
     if not names:
         raise click.UsageError(f"Give a card's name: {', '.join(_NAMES)}, or all.")
     if pdf and find_spec("cairosvg") is None:
-        from tapes.extras import hint
+        from pdp8.cli.extras import hint
 
         raise WorkError(f"PDF needs CairoSVG: {hint('print')}; a browser prints the SVG as well")
     wanted = _NAMES if "all" in names else dict.fromkeys(names)

@@ -2,8 +2,8 @@
 
 import click
 
+from pdp8.cli import command
 from pdp8.dap.session import Session
-from tapes import command
 
 
 @click.command()

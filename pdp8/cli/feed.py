@@ -10,8 +10,10 @@ import sys
 from collections.abc import Callable
 from io import UnsupportedOperation
 
+from pdp8 import shelf
+from pdp8.cli import command
 from pdp8.computer.hardware.teletype import Reader, Receiver
-from tapes import command, kinds, shelf
+from tapes import kinds
 from tapes.errors import called
 from tapes.frames import has_leader
 

@@ -13,13 +13,12 @@ import click
 from prompt_toolkit.input import Input, create_input
 from prompt_toolkit.key_binding import KeyPress
 
-from pdp8.cli import pacing
+from pdp8.cli import command, pacing
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop
 from pdp8.computer.use.keys import sent
 from pdp8.computer.use.trace import Listing
-from tapes import command
 
 ESCAPE = "\x1d"
 _LOOK = 0.01  # seconds between two looks at the keys

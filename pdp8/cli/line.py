@@ -16,11 +16,10 @@ import tty
 from collections.abc import Callable
 from contextlib import suppress
 
-from pdp8.cli import pacing
+from pdp8.cli import command, pacing
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop
-from tapes import command
-from tapes.shelf import ShelfError
+from pdp8.shelf import ShelfError
 
 assert sys.platform != "win32"  # `pdp8 run` says so before it comes here
 

@@ -7,13 +7,14 @@ from collections.abc import Iterator
 
 import click
 
+from pdp8 import shelf
+from pdp8.cli import command
+from pdp8.cli.arguments import Command, Source
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.commands import COMMANDS, do
 from pdp8.monitor.prompt import Monitor
-from tapes import command, shelf
-from tapes.arguments import Command, Source
 from tapes.errors import WorkError, called
 
 

@@ -6,8 +6,9 @@ from collections.abc import Iterable
 from contextlib import suppress
 from typing import BinaryIO
 
+from pdp8 import shelf
+from pdp8.cli import command
 from pdp8.computer.hardware.teletype import Punch, printed
-from tapes import command, shelf
 
 
 class Output:

@@ -10,13 +10,13 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from types import FrameType, SimpleNamespace
 
+from pdp8.cli import command
 from pdp8.cli.feed import Feed
 from pdp8.cli.outputs import Output, send
+from pdp8.cli.progress import Bar
 from pdp8.computer.hardware.signals import NEVER, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
-from tapes import command
-from tapes.progress import Bar
 
 # Slices of a run in seconds of machine time, the shortest and the longest. A trace tells of a wait once a
 # slice: so that it is always the same, its slices are.

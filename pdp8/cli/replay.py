@@ -5,9 +5,9 @@ from typing import TYPE_CHECKING
 
 import click
 
+from pdp8.cli import command
+from pdp8.cli.arguments import Command, Folder, Target, output
 from programs.parts import PARTS
-from tapes import command
-from tapes.arguments import Command, Folder, Target, output
 
 if TYPE_CHECKING:
     from pdp8.replay import Act, Afternoon

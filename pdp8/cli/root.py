@@ -4,8 +4,8 @@ from importlib import import_module
 
 import click
 
-from tapes import command
-from tapes.arguments import Group
+from pdp8.cli import command
+from pdp8.cli.arguments import Group
 
 _GROUPS = {
     "Run": {
@@ -16,12 +16,12 @@ _GROUPS = {
         "dap": ("pdp8.cli.dap", "A debugger for editors: the Debug Adapter Protocol."),
     },
     "Assemble": {
-        "pal": ("pal.cli", "Assemble PAL III or PAL8 source."),
-        "dis": ("pal.cli", "Disassemble a BIN or RIM tape."),
+        "pal": ("pdp8.cli.assemble", "Assemble PAL III or PAL8 source."),
+        "dis": ("pdp8.cli.assemble", "Disassemble a BIN or RIM tape."),
     },
-    "Tapes": {"tape": ("tapes.cli", "Show, measure, convert and punch paper tapes; read photographs.")},
+    "Tapes": {"tape": ("pdp8.cli.tape", "Show, measure, convert and punch paper tapes; read photographs.")},
     "Parts and machine tool": {
-        "part": ("programs.cli", "Run a FORTRAN part program: an ASCII tape for the translation."),
+        "part": ("pdp8.cli.part", "Run a FORTRAN part program: an ASCII tape for the translation."),
         "nc": ("pdp8.cli.nc", "The Moog Hydra-Point: list, cut, plot and inspect an EIA tape."),
     },
     "Teach": {

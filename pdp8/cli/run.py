@@ -10,16 +10,15 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import click
 from click.core import ParameterSource
 
-from pdp8.cli import pacing
+from pdp8 import shelf
+from pdp8.cli import arguments, command, pacing
+from pdp8.cli.arguments import Command, Source, Target
 from pdp8.cli.feed import Feed, say_unread
 from pdp8.cli.outputs import Output, send
 from pdp8.cli.parameters import octal, seconds
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
-from pdp8.computer.use import program as programs
 from pdp8.computer.use.program import DIALECTS, FOUND
-from tapes import arguments, command, shelf
-from tapes.arguments import Command, Source, Target
 from tapes.errors import called, naming
 
 if TYPE_CHECKING:
@@ -140,7 +139,7 @@ def _program(options: Options) -> "Program | None":
         raise click.UsageError("--keyboard needs a terminal to type and print at.")
     if options.program is None:
         return None
-    return programs.find(options.program, options.force or options.boot, options.dialect)
+    return shelf.program(options.program, options.force or options.boot, options.dialect)
 
 
 def _paged(options: Options) -> bool:
@@ -291,9 +290,9 @@ def _boot(options: Options, machine: Machine, found: "Program") -> None:
     from tapes.measure import duration
 
     if options.loader is None:
-        tape = rim.encode(programs.bundled("bin.pal").words)
+        tape = rim.encode(shelf.bundled_program("bin.pal").words)
     else:
-        of_loader = programs.find(options.loader, options.force)
+        of_loader = shelf.program(options.loader, options.force)
         tape = of_loader.tape if of_loader.kind == kinds.RIM else rim.encode(of_loader.words)
     total = 0.0
     for step in Operator(machine).boot(tape, found.tape, called(found.name), options.force):

@@ -2,9 +2,9 @@
 
 import click
 
-from tapes import command
-from tapes.arguments import Command, Folder, output
-from tapes.progress import Bar
+from pdp8.cli import command
+from pdp8.cli.arguments import Command, Folder, output
+from pdp8.cli.progress import Bar
 
 
 @click.command(cls=Command)

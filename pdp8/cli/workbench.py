@@ -2,8 +2,8 @@
 
 import click
 
-from tapes import command
-from tapes.arguments import Command, Target, output
+from pdp8.cli import command
+from pdp8.cli.arguments import Command, Target, output
 
 
 @click.command(cls=Command)

@@ -17,6 +17,7 @@ from textual.binding import Binding, BindingType
 from textual.containers import Container, Horizontal
 from textual.widgets import Footer, Static
 
+from pdp8 import shelf
 from pdp8.computer.use.program import Program
 from pdp8.console.dialogs import AskToLeave, ChooseTape, NameTape
 from pdp8.console.lamps import LampRows
@@ -25,7 +26,6 @@ from pdp8.console.session import Session, Tape
 from pdp8.console.strips import PunchStrip, ReaderStrip
 from pdp8.console.switches import KEYS, LOCKING, Key, Rocker, SwitchRegister
 from pdp8.lessons.drill import Coach
-from tapes import shelf
 from tapes.errors import WorkError
 from tapes.measure import duration
 

@@ -12,8 +12,8 @@ from textual.containers import Vertical
 from textual.screen import ModalScreen
 from textual.widgets import Input, Label, OptionList
 
+from pdp8 import shelf
 from pdp8.console.session import Tape
-from tapes import shelf
 from tapes.errors import WorkError
 from tapes.measure import counted, length
 

@@ -3,11 +3,11 @@
 from collections.abc import Callable
 from time import perf_counter
 
+from pdp8 import shelf
 from pdp8.computer.machine import Machine
-from pdp8.computer.use import program as programs
 from pdp8.computer.use.program import Program
 from pdp8.console.session import Session, Tape
-from tapes import rim, shelf
+from tapes import rim
 
 DATA = ("circle.asc", "ellipse.asc")
 
@@ -24,8 +24,8 @@ def opening(
     `program` is in core and the PC at `start`, or core is `cold`, as it is without a program. `reader` names
     the tape in the reader, `clock` tells the computer's own seconds. Raises WorkError for an unreadable file.
     """
-    rim_loader, loader = programs.bundled("rim.pal"), programs.bundled("bin.pal")
-    last = programs.find(program) if program else programs.bundled("eia.pal")
+    rim_loader, loader = shelf.bundled_program("rim.pal"), shelf.bundled_program("bin.pal")
+    last = shelf.program(program) if program else shelf.bundled_program("eia.pal")
     label = f"{last.name.removesuffix('.pal')}.bin" if last.name.endswith(".pal") else last.name
     tapes = [Tape("bin.rim", rim.encode(loader.words)), Tape(label, last.tape)]
     machine = Machine()

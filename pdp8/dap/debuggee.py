@@ -7,6 +7,7 @@ run(goal) ──► advance, advance, ... ──► Halt(why)
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from pdp8 import shelf
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import HistoryError
@@ -17,7 +18,6 @@ from pdp8.dap.launch import Launch
 from pdp8.dap.places import Places
 from pdp8.monitor.arguments import LONGEST
 from pdp8.monitor.running import slices
-from tapes import shelf
 
 _ENDED = {
     Reason.HALT: "HLT at {ma:04o}",

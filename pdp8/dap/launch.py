@@ -15,12 +15,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, Self
 
+from pdp8 import shelf
 from pdp8.computer.machine import Machine
-from pdp8.computer.use.program import Program, find
+from pdp8.computer.use.program import Program
 from pdp8.monitor import tapes
 from pdp8.monitor.commands import do
 from pdp8.monitor.prompt import Monitor
-from tapes import shelf
 from tapes.errors import WorkError
 
 
@@ -68,7 +68,7 @@ class Launch:
 
         `say` takes what the monitor says.
         """
-        found = find(self.program)
+        found = shelf.program(self.program)
         monitor = Monitor(say, Machine(self.highspeed), found.listing)
         if self.boot:
             tapes.boot(monitor, self.program)

@@ -7,9 +7,10 @@ and the editor asks for it.
 import os
 from operator import itemgetter
 
+from pdp8 import shelf
 from pdp8.computer.use.program import Program
 from pdp8.dap.wire import Body
-from tapes import kinds, shelf
+from tapes import kinds
 from tapes.errors import WorkError
 
 BYTES = 2

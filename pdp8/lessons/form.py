@@ -8,10 +8,10 @@ import os
 import re
 import tomllib
 
+from pdp8 import shelf
 from pdp8.lessons import draw, values
 from pdp8.lessons.exercise import Case, Exercise, Question, Source, Trial
 from pdp8.lessons.tables import CASE, EXERCISE, QUESTION, SOURCE, TRIAL, ExerciseError, table, tables
-from tapes import shelf
 
 FOLDER = os.path.join(shelf.beside(__file__), "exercises")
 SEED = 1

@@ -5,9 +5,10 @@ of 200 characters.
 import os
 import sys
 
+from pdp8 import shelf
 from pdp8.computer.use import program
 from pdp8.lessons.answer import Answer
-from tapes import kinds, shelf
+from tapes import kinds
 from tapes.errors import WorkError, called
 from tapes.utf16 import is_utf16
 

@@ -3,7 +3,8 @@
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from tapes import ascii, eia, shelf
+from pdp8 import shelf
+from tapes import ascii, eia
 from tapes.errors import WorkError
 
 LONGEST = 3600

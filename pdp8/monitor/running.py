@@ -10,13 +10,13 @@ Times are the machine's. The run stops at most a twentieth of a second after wha
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from pdp8 import shelf
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.stop import Reason, Stop
 from pdp8.monitor.arguments import LONGEST, MonitorError, Quoted, seconds, some
 from pdp8.monitor.hands import REGISTERS, register
 from pdp8.monitor.prompt import Monitor
-from tapes import shelf
 from tapes.measure import counted
 
 _SLICE = 0.5

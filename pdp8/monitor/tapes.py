@@ -2,12 +2,13 @@
 
 from collections.abc import Sequence
 
+from pdp8 import shelf
 from pdp8.computer.hardware.teletype import Punch, printed
 from pdp8.computer.past import state
 from pdp8.computer.use import operator, program
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
-from tapes import kinds, shelf
+from tapes import kinds
 from tapes import rim as rim_format
 from tapes.errors import naming
 from tapes.frames import has_leader
@@ -29,7 +30,7 @@ def boot(monitor: Monitor, name: str, *force: str) -> None:
     """Load a program from cold as an operator does; with force, whatever its checksum."""
     forced = _forced(force)
     found = program.read(_read(monitor, name), name, True, monitor.dialect)
-    loader = rim_format.encode(program.bundled("bin.pal").words)
+    loader = rim_format.encode(shelf.bundled_program("bin.pal").words)
     for step in monitor.operator.boot(loader, found.tape, name, forced):
         monitor.say(str(step))
     monitor.listing = found.listing

@@ -5,9 +5,9 @@ from collections.abc import Callable
 from nc.curves import nominal
 from nc.inspection import Inspection, inspect
 from nc.path import Path
+from pdp8 import shelf
 from pdp8.replay.day import PROGRAMS, Act, Day, Judgement
 from programs.parts import find
-from tapes import shelf
 from tapes.errors import WorkError
 from tapes.measure import inches
 

@@ -9,9 +9,10 @@ from typing import Any
 import nc
 import pal
 import pdp8
+from pdp8 import shelf
 from programs import parts
 from programs.milling import Milling
-from tapes import ascii, eia, shelf
+from tapes import ascii, eia
 
 
 @cache

@@ -3,9 +3,9 @@
 from typing import Any
 
 import pal
+from pdp8 import shelf
 from pdp8.thesis import chain
 from programs.milling import Milling
-from tapes import shelf
 
 
 def source(name: str) -> str:

@@ -13,8 +13,8 @@ Source: thesis, Chapter 3; Chapters 5 to 7 for the circle, its tape and its grap
 from typing import Any
 
 import pal
+from pdp8 import shelf
 from pdp8.web import bundle
-from tapes import shelf
 
 
 def page() -> str:

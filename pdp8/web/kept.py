@@ -9,7 +9,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from tapes import shelf
+from pdp8 import shelf
 
 _PACKAGES = ("nc", "pal", "pdp8", "programs", "tapes")
 _NOT_SOURCES = (".pyc", ".so", ".pyd")

@@ -14,12 +14,13 @@ import pal
 from nc.curves import Curve
 from nc.talyrond import talyrond
 from nc.talysurf import talysurf
+from pdp8 import shelf
 from pdp8.lessons import form, student
 from pdp8.replay import Afternoon, replay
 from pdp8.replay.figures import COLUMNS, compare
 from pdp8.web import parts
 from programs.parts import PARTS
-from tapes import rim, shelf
+from tapes import rim
 
 _OPENS_WITH = "hello.pal"
 _USUAL = "circle"

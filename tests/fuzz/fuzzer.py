@@ -32,13 +32,14 @@ from unittest.mock import patch
 import click
 from PIL import Image
 
-import programs  # noqa: F401 - its files go on the shelf
+from pdp8 import shelf
+from pdp8.cli import command
+from pdp8.cli.arguments import Folder, Source, Target
 from pdp8.cli.root import pdp8
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from release.reference import commands as walk
-from tapes import ascii, binary, command, rim, shelf
-from tapes.arguments import Folder, Source, Target
+from tapes import ascii, binary, rim
 
 SECONDS = 10
 MEMORY = 2 << 30

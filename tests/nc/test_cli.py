@@ -5,7 +5,6 @@ import re
 import pytest
 from click.testing import CliRunner
 
-from nc.cli import nc
 from nc.curves import Ellipse, Graph
 from nc.dxf import dxf
 from nc.gcode import gcode
@@ -13,6 +12,7 @@ from nc.inspection import inspect
 from nc.machine import cut
 from nc.plot import plot
 from nc.talysurf import talysurf
+from pdp8.cli.nc import nc
 from tests.conftest import Shell, case
 from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, FOUR_HOLES, HEADER, tape
 

@@ -20,7 +20,7 @@ from nc.inspection import Inspection, Walls, inspect
 from nc.plot import plot
 from nc.talyrond import _Graph, talyrond
 from nc.talysurf import talysurf
-from tapes import shelf
+from pdp8 import shelf
 from tapes.errors import WorkError
 from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, milled, milling, staircase, tape
 

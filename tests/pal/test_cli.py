@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 import pal
-from pal import cli
 from pal.assembler import HIGH_SPEED_SYMBOLS
-from pal.cli import AssemblyError
+from pdp8.cli import assemble
+from pdp8.cli.assemble import AssemblyError
 from tests import commands
 from tests.commands import Terminal
 from tests.conftest import Shell, case
@@ -85,4 +85,4 @@ def test_without_pygls_an_editor_is_told(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.delattr(pal, "server", raising=False)
     monkeypatch.setitem(sys.modules, "pal.server", None)
     with pytest.raises(AssemblyError, match=r"^--lsp needs pygls: .*pip install .*\[lsp\]"):
-        cli.pal.main(["--lsp"], standalone_mode=False)
+        assemble.pal.main(["--lsp"], standalone_mode=False)

@@ -17,7 +17,7 @@ from pytest_lsp import make_test_lsp_client
 
 import pal
 from pal.document import Document, formatted
-from tapes import shelf
+from pdp8 import shelf
 from tests.commands import environment
 from tests.conftest import awaited, case
 

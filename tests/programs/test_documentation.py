@@ -11,9 +11,9 @@ import pytest
 from click.testing import CliRunner
 
 from nc.inspection import Inspection, inspect
+from pdp8.cli.part import part
 from pdp8.replay.implied import machined
 from programs import circle
-from programs.cli import part
 from programs.ellipse import part as ellipse
 from tapes import ascii
 from tapes.hydrapoint import XY_FEED

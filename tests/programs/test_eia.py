@@ -5,7 +5,7 @@ from pathlib import Path
 import pal
 import pdp8
 import programs
-from tapes import shelf
+from pdp8 import shelf
 from tests.conftest import Shell, assert_same_tape
 
 WORDS = """\

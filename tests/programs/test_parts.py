@@ -11,9 +11,9 @@ import pytest
 from click.testing import CliRunner
 
 import programs
+from pdp8.cli.part import part
 from pdp8.replay import replay
 from programs import die, fluidic, parts, slope, thesis
-from programs.cli import part
 from programs.parts import PARTS, Part
 from tests.programs.printouts import blocks, milled
 

@@ -4,7 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tapes import eia, shelf
+from pdp8 import shelf
+from tapes import eia
 from tapes.errors import TapeError, TextError
 from tests.tapes.strips import octal, refused
 

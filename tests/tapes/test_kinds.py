@@ -4,7 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tapes import ascii, binary, eia, kinds, rim, shelf
+from pdp8 import shelf
+from tapes import ascii, binary, eia, kinds, rim
 from tapes.kinds import classify
 from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, octal
 

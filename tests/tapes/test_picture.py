@@ -6,7 +6,8 @@ from hashlib import sha256
 
 import pytest
 
-from tapes import ascii, captions, octal, picture, rim, shelf
+from pdp8 import shelf
+from tapes import ascii, captions, octal, picture, rim
 from tapes.errors import TextError
 from tests.tapes.strips import FORMAT_BIN
 from tests.tapes.strips import octal as holes

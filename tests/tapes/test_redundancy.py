@@ -2,7 +2,8 @@
 
 import pytest
 
-from tapes import convert, eia, redundancy, shelf
+from pdp8 import shelf
+from tapes import convert, eia, redundancy
 from tapes.frames import with_parity
 from tests.tapes.strips import FORMAT_BIN, LEADER
 

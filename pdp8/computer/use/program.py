@@ -10,7 +10,7 @@ Its frames say what a tape is. A damaged tape is refused, or loaded by force as 
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from tapes import kinds, shelf
+from tapes import kinds
 from tapes.errors import TapeError, WorkError, called, naming
 from tapes.measure import counted, left_out
 
@@ -67,18 +67,6 @@ class Program:
         from pal.disassembler import disassemble
 
         return Listing.of(assemble(disassemble(self.words)))
-
-
-def find(name: str, force: bool = False, dialect: str = FOUND) -> Program:
-    """Return the program called `name`: a file, a bundled name, `-` for standard input. Raises WorkError as
-    `read` does.
-    """
-    return read(shelf.read(name), name, force, dialect)
-
-
-def bundled(name: str) -> Program:
-    """Return a bundled program, whatever lies in the current folder."""
-    return read(shelf.read_bundled(name), name)
 
 
 def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND) -> Program:

@@ -42,7 +42,6 @@ OMITTED = {
     "pal.assembly": "_repr_html_",
     "pal.meaning": "of_name names names8 _FIELDS _MARKS _PSEUDO _WORDS",
     "pdp8.computer.machine": "__reduce__ _copied count",
-    "pdp8.computer.use.program": "find bundled",
     "nc.path": "__repr__ _repr_svg_ array",
     "pdp8.lessons.page": "html _STYLE",
     "pdp8.lessons.scores": "table _cell",

@@ -10,12 +10,13 @@ from xml.etree import ElementTree
 import click
 import pytest
 
-from pal.cli import pal
+from pdp8 import shelf
+from pdp8.cli.assemble import pal
 from pdp8.cli.root import pdp8
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.lessons import form
-from tapes import binary, shelf
+from tapes import binary
 from tapes.utf16 import is_utf16
 from tests import commands
 from tests.conftest import Call, Shell

@@ -5,8 +5,9 @@ from pathlib import Path
 import pytest
 
 import pal
+from pdp8 import shelf
 from pdp8.computer.past import state
-from tapes import binary, rim, shelf
+from tapes import binary, rim
 from tests.conftest import Call
 
 FIRST = {0o200: 0o7001, 0o201: 0o7402}

@@ -10,7 +10,7 @@ from socket import AF_UNIX, socket
 
 import pytest
 
-from tapes import shelf
+from pdp8 import shelf
 from tests.conftest import Call
 from tests.pdp8.cli.test_root import EVERY
 from tests.tapes.strips import FORMAT_BIN

@@ -11,9 +11,9 @@ pytest.importorskip("textual", reason="Textual, the extra `panel`, is not instal
 from textual.pilot import Pilot
 from textual.widgets import OptionList
 
+from pdp8 import shelf
 from pdp8.console.app import Room
 from pdp8.console.switches import Rocker
-from tapes import shelf
 from tests.conftest import assert_same_tape, case
 from tests.pdp8.console.pictures import assert_shows, scene, shown
 from tests.pdp8.console.test_session import RIM_WORDS

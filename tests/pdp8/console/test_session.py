@@ -5,12 +5,12 @@ from pathlib import Path
 
 import pytest
 
+from pdp8 import shelf
 from pdp8.computer.hardware.panel import LAMPS
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.operator import RIM
 from pdp8.console.opening import opening
 from pdp8.console.session import Session, Tape
-from tapes import shelf
 
 RIM_WORDS = dict(enumerate(RIM, 0o7756))
 

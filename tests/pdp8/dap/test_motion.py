@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
+from pdp8 import shelf
 from pdp8.computer.machine import Machine
 from pdp8.computer.past.history import History
-from pdp8.computer.use import program
 from pdp8.dap import calls, motion
 
 FOLDER = Path(__file__).parent
@@ -15,7 +15,7 @@ FOLDER = Path(__file__).parent
 
 def machine_with(name: str) -> Machine:
     machine = Machine()
-    machine.load(program.find(str(FOLDER / name) if (FOLDER / name).exists() else name).words)
+    machine.load(shelf.program(str(FOLDER / name) if (FOLDER / name).exists() else name).words)
     machine.start(0o200)
     return machine
 

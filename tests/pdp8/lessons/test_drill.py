@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.computer.use import program
+from pdp8 import shelf
 from pdp8.computer.use.operator import RIM
 from pdp8.console.opening import opening
 from pdp8.console.session import Session
@@ -70,7 +70,7 @@ def test_boot_leaves_the_program_in_core() -> None:
         assert not press(session, coach, wrong)
         assert coach.said == f"not {wrong.upper()} yet: O: bin.rim into the reader"
     follow(session, coach, 21)
-    session.machine.load(program.find("bin.pal").words)
+    session.machine.load(shelf.program("bin.pal").words)
     advance(session, coach, 0.1)
     assert coach.drill.steps[coach.at].say == "wait until the tape has run through"
     follow(session, coach)

@@ -8,12 +8,12 @@ from random import Random
 
 import pytest
 
+from pdp8 import shelf
 from pdp8.lessons import form, handed, proof, values
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.exercises import delay, loader, short_block
 from pdp8.lessons.form import parse
 from pdp8.lessons.tables import ExerciseError
-from tapes import shelf
 from tests.conftest import case
 from tests.pdp8.lessons import DOUBLE, HEAD, exercise
 

@@ -3,12 +3,12 @@
 import pytest
 
 import pal
+from pdp8 import shelf
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.use.operator import Operator
 from pdp8.replay import Act, Afternoon, clock, replay
 from pdp8.replay.desk import desk
 from pdp8.replay.figures import compare
-from tapes import shelf
 from tapes.errors import WorkError
 from tests.pdp8.web.follower import Follower
 

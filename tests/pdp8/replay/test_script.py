@@ -4,11 +4,11 @@ import random
 
 import pytest
 
+from pdp8 import shelf
 from pdp8.computer.hardware.signals import FRAME
 from pdp8.replay import Afternoon
 from pdp8.replay.day import PROGRAMS, Day, Judgement
 from pdp8.replay.script import Script, Unit
-from tapes import shelf
 from tests.pdp8.web.follower import Follower, state
 
 

@@ -13,11 +13,12 @@ from shapely.geometry import LineString, Polygon
 
 import nc
 from nc.inspection import inspect
+from pdp8 import shelf
 from pdp8.thesis import chain, codes, diagrams, flow, flowcharts, gallery, listings, slopes, work
 from pdp8.thesis.catalogue import Item, catalogue, find
 from pdp8.thesis.making import Made, make
 from programs import fluidic
-from tapes import eia, shelf
+from tapes import eia
 from tapes.measure import inches
 
 SVG = "{http://www.w3.org/2000/svg}"

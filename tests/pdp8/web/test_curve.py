@@ -9,10 +9,11 @@ import pytest
 import pal
 from nc.curves import nominal
 from nc.inspection import inspect
+from pdp8 import shelf
 from pdp8.thesis import chain
 from pdp8.web import curve, method
 from programs.milling import Milling
-from tapes import ascii, eia, shelf
+from tapes import ascii, eia
 from tests.pdp8.web.browsing import AXE, Browser, Locator, Page, click, needs_axe, serious, until, visit
 from tests.pdp8.web.node import in_node, needs_node, plain
 

@@ -1,7 +1,7 @@
 """The desk: programs that are kept, what is typed, files and links, exercises and parts, in Chromium."""
 
+from pdp8 import shelf
 from pdp8.lessons import form, student
-from tapes import shelf
 from tests.pdp8.web.browsing import Browser, Page, click, until, visit
 
 HALT = "*200\n\tHLT\n$\n"

@@ -5,9 +5,9 @@ Both are asked in the same words: a script of the page, and a condition to wait 
 
 import base64
 
+from pdp8 import shelf
 from pdp8.computer.machine import Machine
 from pdp8.computer.past.state import LARGEST, restore, save
-from tapes import shelf
 from tests.pdp8.web.browsing import Tab
 from tests.pdp8.web.follower import state as values
 

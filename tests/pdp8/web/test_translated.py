@@ -6,7 +6,8 @@ from typing import Any
 
 import pal
 from nc import machine
-from tapes import kinds, shelf
+from pdp8 import shelf
+from tapes import kinds
 from tests.pal.random_pal8 import PAL8, written
 from tests.pdp8.web.node import HOUSE, called, in_node, needs_node, plain
 

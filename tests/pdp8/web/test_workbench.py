@@ -12,10 +12,10 @@ from typing import Any
 import pytest
 
 import pal
+from pdp8 import shelf
 from pdp8.computer.past.state import restore
 from pdp8.computer.use.operator import RIM, RIM_START
 from pdp8.replay import Afternoon
-from tapes import shelf
 from tests.pdp8.web.browsing import AXE, Browser, Page, click, needs_axe, serious, until, visit
 
 _HALTED = "!workbench.machine.processor.run"

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-from tapes import ascii, photograph, shelf
+from pdp8 import shelf
+from tapes import ascii, photograph
 from tapes.photograph import correction
 from tests.conftest import Shell
 from tests.tapes.photograph import camera

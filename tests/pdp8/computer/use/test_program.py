@@ -2,8 +2,9 @@
 
 import pytest
 
+from pdp8 import shelf
 from pdp8.computer.use import program
-from tapes import binary, kinds, rim, shelf
+from tapes import binary, kinds, rim
 from tapes.errors import WorkError
 
 WORDS = {0o200: 0o7001, 0o201: 0o7402}
@@ -11,7 +12,7 @@ WORDS = {0o200: 0o7001, 0o201: 0o7402}
 
 @pytest.mark.parametrize("name", ["eia.pal", "eia.bin"])
 def test_source_and_its_tape_are_the_same_program(name: str) -> None:
-    found = program.find(name)
+    found = shelf.program(name)
     assert found.words[0o200] == 0o6046
     assert len(found.words) == 131
     assert kinds.classify(found.tape) == kinds.BIN

@@ -6,12 +6,14 @@ from typing import Any, Literal
 
 import click
 
+from pdp8 import shelf
+from pdp8.cli import command
+from pdp8.cli.arguments import Command, Group, Source, Target, output
 from programs import options
 from programs.arithmetic import ARITHMETICS
 from programs.parts import PARTS, Part
 from programs.units import THOUSANDTHS
-from tapes import ascii, command, frames, shelf
-from tapes.arguments import Command, Group, Source, Target, output
+from tapes import ascii, frames
 
 _SETTINGS = {"max_content_width": 100}
 

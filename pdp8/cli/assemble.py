@@ -10,10 +10,11 @@ from pal.assembling import DIALECTS, FOUND, assemble
 from pal.assembly import MOST, PAL8, Assembly
 from pal.diagnostics import Diagnostic
 from pal.models import MODELS
-from tapes import arguments, command, shelf
-from tapes.arguments import Command, Folder, Source, Target, output
+from pdp8 import shelf
+from pdp8.cli import arguments, command
+from pdp8.cli.arguments import Command, Folder, Source, Target, output
+from pdp8.cli.progress import Busy
 from tapes.errors import WorkError, called, naming, visible
-from tapes.progress import Busy
 
 _TEXT = Target("text")
 _PASSES = ("pass1", "pass2", "pass3")
@@ -217,7 +218,7 @@ def _serve(dialect: str) -> None:
     try:
         from pal import server
     except ImportError:
-        from tapes.extras import hint
+        from pdp8.cli.extras import hint
 
         raise AssemblyError(f"--lsp needs pygls: {hint('lsp')}") from None
     logging.getLogger("pygls").addHandler(logging.NullHandler())

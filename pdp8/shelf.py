@@ -1,7 +1,7 @@
 """The shelf: where tapes and sources are found and where they are put.
 
-`-` is a standard stream. A name that is not in the current folder may be a bundled one: a sample tape of this
-package, or what another package has laid on the shelf with `add`. A file is written whole or not at all; only
+`-` is a standard stream. A name that is not in the current folder may be a bundled one: a sample tape of
+tapes/, a source of programs/. A file is written whole or not at all; only
 a punch streams, and what it punched stays. While the shelf is watched, as in every command, nothing that was
 read is written over.
 """
@@ -11,10 +11,13 @@ import stat
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from typing import BinaryIO
+from typing import TYPE_CHECKING, BinaryIO
 
 from tapes.errors import WorkError, called
 from tapes.utf16 import is_utf16
+
+if TYPE_CHECKING:
+    from pdp8.computer.use.program import Program
 
 HIDES = "is the file in this folder, not the bundled one of that name"
 LARGEST = 2 << 20
@@ -22,6 +25,7 @@ LARGEST = 2 << 20
 
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _TAPES = (".asc", ".eia", ".bin", ".rim")
+_BUNDLED = {"tapes": _TAPES, "programs": (".pal", ".for")}
 _BY_HAND = (".pal", ".pa", ".for", ".toml", ".jpg", ".jpeg", ".png")
 _BEGINS = {"JSON": b"{", "XML": b"<", "SVG": b"<", "HTML": b"<"}
 _KEEPS = {"tape": _BY_HAND, "text": (*_BY_HAND, *_TAPES)}
@@ -29,7 +33,6 @@ _KEEPS = {"tape": _BY_HAND, "text": (*_BY_HAND, *_TAPES)}
 _OTHER_PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".pdf", ".eps", ".dxf")
 """Endings that tell another format than SVG."""
 
-_bundled: dict[str, str] = {}
 _watches: list["_Watch | None"] = [None]
 
 
@@ -57,15 +60,17 @@ def _unpacked(folder: str) -> str:
     return os.path.join(copy, within)
 
 
-def add(module: str, *endings: str) -> None:
-    """Lay on the shelf every file beside a module whose name ends so; its package calls this."""
-    folder = beside(module)
-    for name in os.listdir(folder):
-        if name.endswith(endings):
-            _bundled[name] = os.path.join(folder, name)
+def _laid() -> dict[str, str]:
+    """Return where each bundled file is."""
+    house = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    laid: dict[str, str] = {}
+    for package, endings in _BUNDLED.items():
+        folder = beside(os.path.join(house, package, "__init__.py"))
+        laid |= {name: os.path.join(folder, name) for name in os.listdir(folder) if name.endswith(endings)}
+    return laid
 
 
-add(__file__, *_TAPES)
+_bundled = _laid()
 
 
 class _Watch:
@@ -149,6 +154,20 @@ def read(name: str, most: int = LARGEST) -> bytes:
             "write its file itself: -o FILE, or --punch FILE of pdp8 run"
         )
     return content
+
+
+def program(name: str, force: bool = False, dialect: str = "auto") -> "Program":
+    """Return the program called `name` as `read` finds it. Raises WorkError as `program.read` does."""
+    from pdp8.computer.use import program
+
+    return program.read(read(name), name, force, dialect)
+
+
+def bundled_program(name: str) -> "Program":
+    """Return a bundled program, whatever lies in the current folder."""
+    from pdp8.computer.use import program
+
+    return program.read(read_bundled(name), name)
 
 
 def remember(path: str) -> None:

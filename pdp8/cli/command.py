@@ -16,15 +16,15 @@ from typing import BinaryIO, TextIO
 
 import click
 
-from tapes import shelf
+from pdp8 import shelf
 from tapes.errors import WorkError, called, visible
 
 _NAMED = 6
 """Files in a folder that are named one by one."""
 _IMPORTING = "<frozen importlib._bootstrap>"
 _HELP = ["-h", "--help"]
-_NO_CLOBBER = "tapes.command.no_clobber"
-QUIET = "tapes.command.quiet"
+_NO_CLOBBER = "pdp8.cli.command.no_clobber"
+QUIET = "pdp8.cli.command.quiet"
 """Where a command's context keeps that it says nothing of what it wrote."""
 
 _NoArguments = getattr(click.exceptions, "NoArgsIsHelpError", ())  # click 8.2 and later; 8.1 prints the help

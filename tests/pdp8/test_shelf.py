@@ -7,8 +7,8 @@ from unittest.mock import Mock
 
 import pytest
 
-from tapes import shelf
-from tapes.shelf import ShelfError
+from pdp8 import shelf
+from pdp8.shelf import ShelfError
 
 
 @pytest.fixture(autouse=True)
@@ -36,15 +36,6 @@ def test_what_is_here_comes_before_what_is_bundled_and_hides_it() -> None:
 def test_a_bundled_name_is_a_name_only(name: str) -> None:
     with pytest.raises(ShelfError, match="no such file, here or among the bundled ones"):
         shelf.find(name)
-
-
-def test_a_package_lays_its_own_files_on_the_shelf(tmp_path: Path) -> None:
-    (tmp_path / "ours.tape").write_bytes(b"x")
-    (tmp_path / "ours.txt").write_bytes(b"y")
-    shelf.add(str(tmp_path / "__init__.py"), ".tape")
-    assert shelf.read("ours.tape") == b"x"
-    assert "ours.txt" not in shelf.bundled()
-    shelf._bundled.pop("ours.tape")
 
 
 def test_a_package_in_a_zip_has_its_files_too(tmp_path: Path) -> None:

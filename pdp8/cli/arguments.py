@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 from click.core import augment_usage_errors
 
-from tapes import command, shelf
+from pdp8 import shelf
+from pdp8.cli import command
 from tapes.errors import visible
 
 if TYPE_CHECKING:
