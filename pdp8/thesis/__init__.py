@@ -13,8 +13,8 @@ facsimile    listings B, C and D as they stood on their pages
 edition      the tables of docs/thesis.md and docs/restoration.md, and the sources of programs/
 
 The makers:
-slopes       the two techniques            flowcharts  the five charts, drawn by flow
-codes        tapes and codes               diagrams    machine, construction, element, test
+slopes       the two techniques            diagrams    construction, die, element; drawn/ has the rest
+codes        tapes and codes                           (machine, test, flow charts)
 work         parts, polar graphs, traces   tables      the tables, computed
 listings     the listings and programs     chain       a part program's tape, translated and cut
 paper        a figure on its sheet         table       text in columns

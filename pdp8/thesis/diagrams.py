@@ -1,7 +1,8 @@
 """Figures 2.1, 6.2, 7.4, 8.1 and 9.1: machine, construction, die, element and test, as the text has them.
 
 The scan has lost all five. Each part that is drawn has its name or its dimension in the text; where things
-stand, and how large they are, is ours. drawn/ has 2.1 and 9.1, which nothing is computed for.
+stand, and how large they are, is ours. drawn/ has the figures that nothing is computed for: 2.1 and 9.1, and
+the flow charts 3.5, 4.1, 5.2 (from the text) and 5.3, 6.1 (from the programs of Appendices B and C).
 """
 
 from collections.abc import Iterator

@@ -14,7 +14,7 @@ from shapely.geometry import LineString, Polygon
 import nc
 from nc.inspection import inspect
 from pdp8 import shelf
-from pdp8.thesis import chain, codes, diagrams, flow, flowcharts, gallery, listings, slopes, work
+from pdp8.thesis import chain, codes, diagrams, gallery, listings, slopes, work
 from pdp8.thesis.catalogue import Item, catalogue, find
 from pdp8.thesis.making import Made, make
 from programs import fluidic
@@ -110,7 +110,7 @@ def test_the_codes_and_constants_of_figure_5_3_are_those_stored_in_appendix_b() 
     definitions = shelf.read("eia.pal").decode().partition("/DEFINITIONS:")[2]
     stored = [int(word, 8) for word in re.findall(r"^P(?:\d|CR),\t(\d+)", definitions, re.MULTILINE)]
     constants = re.findall(r"^M(?:[1-9]|SP|CR),\t(-?\d+)", definitions, re.MULTILINE)
-    chart = flowcharts.chart("5.3")
+    chart = diagrams.drawn("5.3")
     drawn = [int(code, 8) for code in re.findall(r"new code (\d{3})", chart)]
     assert drawn == [*stored[:10], stored[0], stored[10]]
     assert re.findall(r"add (-?\d+), zero", chart) == constants
@@ -118,23 +118,8 @@ def test_the_codes_and_constants_of_figure_5_3_are_those_stored_in_appendix_b() 
 
 def test_the_limits_of_figure_6_1_are_those_of_the_listing() -> None:
     listing = listings.source("circle.for")
-    for limit in re.findall(r"R [≥≤] (\d+)", flowcharts.chart("6.1")):
+    for limit in re.findall(r"R [≥≤] (\d+)", diagrams.drawn("6.1")):
         assert f"={limit}." in listing
-
-
-def test_an_arrow_of_a_chart_ends_at_its_boxes() -> None:
-    chart = flow.Chart(
-        {"a": flow.Node(flow.PROCESS, "A", 0, 0), "b": flow.Node(flow.DECISION, "B", 0, 1)},
-        (flow.Arrow("a", "b"), flow.Arrow("b", "a", "NO", out="W", into="W")),
-    )
-    root = ET.fromstring(flow.draw(chart, "two boxes"))
-    box = root.findall(f"{SVG}rect")[1]
-    bottom = float(box.attrib["y"]) + float(box.attrib["height"])
-    down, back = (
-        path.attrib["d"] for path in root.findall(f"{SVG}path") if path.attrib.get("fill") == "none"
-    )
-    assert re.match(rf"M\S+ {bottom:g}L", down)
-    assert back.endswith(f"L{box.attrib['x']} {float(box.attrib['y']) + float(box.attrib['height']) / 2:g}")
 
 
 def test_figure_5_4_is_one_block_before_and_after() -> None:
