@@ -89,6 +89,7 @@ fuzz: .venv/ready-dev
 lint: .venv/ready-dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(BIN)/python -m pdp8.web.translator
 	$(BIN)/mypy -n 2
 
 .PHONY: format

@@ -54,16 +54,27 @@ OMITTED = {
 @cache
 def translated() -> dict[str, str]:
     """Return the JavaScript of all modules, {name: text}: as it was kept, if no source is another since."""
-    sources = {
-        f"{package}.{name}": _source(package, name)
-        for package in MODULES
-        for name in MODULES[package].split()
-    }
+    sources = _sources()
     own = [
         _source(__package__, name)[1] for name in ("types", "program", "expressions", "statements", "modules")
     ]
     content = repr((sources, OMITTED, own, runtime()))
     return dict(kept("translated", content, lambda: translate(sources, OMITTED, runtime())))
+
+
+def faults() -> list[str]:
+    """Return a message for each module that cannot be translated: file, line and construct of its first fault."""
+    found: list[str] = []
+    translate(_sources(), OMITTED, runtime(), found.append)
+    return found
+
+
+def _sources() -> dict[str, tuple[str, str]]:
+    return {
+        f"{package}.{name}": _source(package, name)
+        for package in MODULES
+        for name in MODULES[package].split()
+    }
 
 
 def _source(package: str, name: str) -> tuple[str, str]:

@@ -3,10 +3,11 @@
 import ast
 import gc
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 
 from pdp8.web.translator.expressions import RENAMED, named
-from pdp8.web.translator.program import Found, Module, Program
+from pdp8.web.translator.program import Found, Module, Program, Untranslated
 from pdp8.web.translator.statements import Statements
 from pdp8.web.translator.types import leaf
 
@@ -108,17 +109,39 @@ class Writer(Statements):
         return [*made, *([_PROTOCOLS[name]] if name in _PROTOCOLS else [])]
 
 
-def translate(modules: dict[str, tuple[str, str]], omitted: dict[str, str], runtime: str) -> dict[str, str]:
+@contextmanager
+def _telling(say: Callable[[str], object] | None) -> Iterator[None]:
+    """Pass what has no translation to `say`, if there is one, and go on behind the block."""
+    try:
+        yield
+    except Untranslated as fault:
+        if say is None:
+            raise
+        say(f"{fault}")
+
+
+def translate(
+    modules: dict[str, tuple[str, str]],
+    omitted: dict[str, str],
+    runtime: str,
+    say: Callable[[str], object] | None = None,
+) -> dict[str, str]:
     """Return the JavaScript of each of the `modules`, {name: (path, text)}, but for what is `omitted`.
 
-    Raises Untranslated, with file and line.
+    Raises Untranslated, with file and line; with `say`, calls it with that message and goes on with the next module.
     """
     collecting = gc.isenabled()
     gc.disable()  # nothing of the trees is garbage before the end: a fifth of the time
     try:
-        read = [Module(name, *source, omitted.get(name, "").split()) for name, source in modules.items()]
+        read, written = [], {}
+        for name, source in modules.items():
+            with _telling(say):
+                read.append(Module(name, *source, omitted.get(name, "").split()))
         program = Program(read, runtime)
-        return {name: Writer(program, module).text() for name, module in program.modules.items()}
+        for name, module in program.modules.items():
+            with _telling(say):
+                written[name] = Writer(program, module).text()
+        return written
     finally:
         if collecting:
             gc.enable()
