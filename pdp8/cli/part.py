@@ -1,6 +1,5 @@
 """`pdp8 part`: each part program as a command whose options are its constants."""
 
-from inspect import signature
 from itertools import zip_longest
 from typing import Any, Literal
 
@@ -13,27 +12,8 @@ from programs import options
 from programs.arithmetic import ARITHMETICS
 from programs.parts import PARTS, Part
 from programs.units import THOUSANDTHS
-from tapes import ascii, frames
 
 _SETTINGS = {"max_content_width": 100}
-
-_TAPE_OPTIONS: list[click.Parameter] = [
-    click.Option(
-        ["--fill"],
-        type=click.IntRange(0, 1000),
-        metavar="FRAMES",
-        default=6,
-        show_default=True,
-        help="RUBOUTs after each line.",
-    ),
-    click.Option(
-        ["--parity"],
-        type=click.Choice(list(frames.PARITIES)),
-        default="mark",
-        show_default=True,
-        help="Channel 8.",
-    ),
-]
 
 
 class _Parts(Group):
@@ -68,14 +48,13 @@ def part() -> None:
 def _command(part: Part) -> click.Command:
     program = part.program()
 
-    def punch(*, fill: int, parity: str, output: str, **values: Any) -> None:
-        text = program(**options.arguments(program, values))
-        command.put(output, ascii.encode(text, parity, fill))
+    def punch(*, output: str, **values: Any) -> None:
+        command.put(output, ascii.encode(program(**options.arguments(program, values))))
 
     made = Command(
         part.name,
         callback=punch,
-        params=[*options.parameters(program), *_TAPE_OPTIONS],
+        params=options.parameters(program),
         help=_help(
             f"{part.summary} Lengths are inches. {options.explained(program)}".strip(),
             [f"pdp8 part {part.name} {example}" for example in part.examples],
@@ -85,60 +64,32 @@ def _command(part: Part) -> click.Command:
     return output(Target("tape"))(made)
 
 
-class _Compared(_Parts):
-    """A command for each part program that can be run in another arithmetic."""
-
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        return [name for name, part in PARTS.items() if "arithmetic" in signature(part.program()).parameters]
-
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        return _comparison(PARTS[cmd_name]) if cmd_name in self.list_commands(ctx) else None
+_ARITHMETIC = click.Choice(list(ARITHMETICS))
+_COMPARED = ("circle", "ellipse", "polynomial", "die")
+"""The parts that can be run in another arithmetic."""
 
 
-@part.group(cls=_Compared, short_help="A part in two arithmetics, side by side.", context_settings=_SETTINGS)
-def compare() -> None:
-    """Run a part program in two arithmetics and show the blocks that differ, side by side.
+@part.command(short_help="A part in two arithmetics, side by side.")
+@click.argument("name", type=click.Choice(_COMPARED), metavar="PART")
+@click.option("--arithmetic", type=_ARITHMETIC, default="exact", show_default=True, help="The one.")
+@click.option("--with", "other", type=_ARITHMETIC, default="ge635", show_default=True, help="The other.")
+def compare(name: str, arithmetic: str, other: str) -> None:
+    """Run PART, one of circle, ellipse, polynomial and die, in two arithmetics; show the blocks that differ.
 
     \b
     Examples:
       pdp8 part compare ellipse
       pdp8 part compare ellipse --arithmetic ge635 --with cdc6400
-      pdp8 part compare circle --radius 3 --with ieee32
     """
-
-
-def _comparison(part: Part) -> click.Command:
-    program = part.program()
-
-    def show(*, other: str, **values: Any) -> None:
-        first, second = values["arithmetic"], other
-        one = program(**options.arguments(program, values)).splitlines()
-        two = program(**options.arguments(program, {**values, "arithmetic": other})).splitlines()
-        command.echo(f"block  {first:19}  {second:19}")
-        differing = 0
-        for number, (left, right) in enumerate(zip_longest(one, two, fillvalue="-"), 1):
-            if left != right:
-                differing += 1
-                command.echo(f"{number:5}  {left:19}  {right:19}")
-        command.echo(f"{part.name}: {len(one)} blocks {first}, {len(two)} {second}, {differing} differ")
-
-    other = click.Option(
-        ["--with", "other"],
-        type=click.Choice(list(ARITHMETICS)),
-        default="ge635",
-        show_default=True,
-        help="The arithmetic to compare with.",
-    )
-    examples = [f"pdp8 part compare {part.name}", f"pdp8 part compare {part.name} --with cdc6400"]
-    return Command(
-        part.name,
-        callback=show,
-        params=[other, *options.parameters(program)],
-        help=_help(
-            f"The blocks of {part.name} that differ between two arithmetics. Lengths are inches.", examples
-        ),
-        context_settings=_SETTINGS,
-    )
+    program = PARTS[name].program()
+    one, two = (program(arithmetic=ARITHMETICS[each]).splitlines() for each in (arithmetic, other))
+    command.echo(f"block  {arithmetic:19}  {other:19}")
+    differing = 0
+    for number, (left, right) in enumerate(zip_longest(one, two, fillvalue="-"), 1):
+        if left != right:
+            differing += 1
+            command.echo(f"{number:5}  {left:19}  {right:19}")
+    command.echo(f"{name}: {len(one)} blocks {arithmetic}, {len(two)} {other}, {differing} differ")
 
 
 @part.command(short_help="A function from measured points.")
@@ -185,9 +136,7 @@ def fit(points: str, degree: int) -> None:
     help="Where the mirror is; the middle of the part by default.",
 )
 @output(Target("tape"))
-def mirror(
-    tape: str, across: Literal["x", "y"], about: float | None, fill: int, parity: str, output: str
-) -> None:
+def mirror(tape: str, across: Literal["x", "y"], about: float | None, output: str) -> None:
     """Mirror a part: the same blocks, X or Y reflected (Appendix A). FILE.asc is the tape of a part program.
 
     \b
@@ -204,10 +153,7 @@ def mirror(
     with naming(tape):
         text = convert(content, kinds.classify(content), "text").decode()
         other = mirrored(text, across, about)
-    command.put(output, ascii.encode(other, parity, fill))
-
-
-mirror.params += _TAPE_OPTIONS
+    command.put(output, ascii.encode(other))
 
 
 def _help(line: str, examples: list[str]) -> str:
