@@ -1,7 +1,4 @@
-"""What is made of an assembly besides: its cross reference, JSON for other programs, HTML for a notebook.
-
-    CHK     0227  19               27 33
-    TAD     1000  permanent        13 24 26
+"""What is made of an assembly besides: JSON for other programs, HTML for a notebook.
 
     {"words": {"0200": "7200", ...}, "symbols": {"A": "0200", ...},
      "lines": [{"file": "a.pal", "line": 2, "address": "0200", "word": "7200", "source": "A,\\tCLA"}, ...],
@@ -14,32 +11,11 @@ import json
 from html import escape
 
 from pal.assembly import Assembly
-from pal.symbols import codes
 
 _STYLE = (
     "<style>.pal td { font-family: monospace; text-align: left; white-space: pre; padding: 0 1em 0 0 }"
     " .pal .wrong { background: #fbd9d3; color: #222 }</style>"
 )
-
-
-def cross_reference(assembly: Assembly) -> str:
-    """Return every symbol but the pseudo-operators, one a line: its value, the lines that define and use it.
-
-    They are in the order of PAL III's symbol table. With several files these are named.
-    """
-    places = [(mention, assembly.place(mention.at)) for mention in assembly.mentions]
-    several = len({assembly.names[place.tape] for _, place in places}) > 1
-    defined: dict[str, list[str]] = {}
-    used: dict[str, list[str]] = {}
-    for mention, place in places:
-        where = f"{assembly.names[place.tape]}:{place.line}" if several else str(place.line)
-        (defined if mention.defined else used).setdefault(mention.name, []).append(where)
-    lines = []
-    for name in sorted(defined.keys() | used.keys(), key=codes):
-        origin = " ".join(defined.get(name, [] if name in assembly.symbols else ["permanent"]))
-        uses = " ".join(used.get(name, []))
-        lines.append(f"{name:6}  {assembly.values.get(name, 0):04o}  {origin:16}  {uses}".rstrip() + "\n")
-    return "".join(lines)
 
 
 def as_json(assembly: Assembly) -> str:

@@ -1,16 +1,13 @@
 """The lesson kit: the notebook's cells run, and the cards say what the machine does."""
 
 import json
-import re
 from hashlib import sha256
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from pdp8.lessons import cards as drawn
-from tests.conftest import Shell
 
 DOCS = Path(__file__).parent.parent / "docs"
 
@@ -38,12 +35,3 @@ DIGESTS = {
 def test_a_card_is_the_one_that_was_looked_at(name: str) -> None:
     svg = drawn.CARDS[name]() if name else drawn.afternoon([("1 s", "step", "done")] * 3, "t")
     assert sha256(svg.encode()).hexdigest()[:8] == DIGESTS[name], "look at it again"
-
-
-@pytest.mark.skipif(find_spec("cairosvg") is None, reason="CairoSVG is not installed")
-def test_cards_as_pdf_are_sheets_of_a4_in_one_file(shell: Shell, tmp_path: Path) -> None:
-    done = shell("pdp8 cards rim eia --pdf --out handout")
-    assert done.returncode == 0
-    pdf = (tmp_path / "handout" / "cards.pdf").read_bytes()
-    assert pdf.startswith(b"%PDF")
-    assert len(re.findall(rb"MediaBox\s*\[\s*0 0 841\.\d+ 595\.\d+\s*\]", pdf)) == 2

@@ -31,9 +31,6 @@ class AssemblyError(WorkError):
 @click.option("--listing", type=_TEXT, metavar="FILE", help="Write what pass 3 typed, with its symbol table.")
 @click.option("--symbols", type=_TEXT, metavar="FILE", help="Write the symbol table.")
 @click.option(
-    "--xref", type=_TEXT, metavar="FILE", help="Write each symbol, its value, where it is defined and used."
-)
-@click.option(
     "--json", type=Target("JSON"), metavar="FILE", help="Write words, symbols, lines and diagnostics as JSON."
 )
 @click.option(
@@ -51,12 +48,6 @@ class AssemblyError(WorkError):
     default=FOUND,
     show_default=True,
     help="DEC's PAL III of 1967, or the later PAL8; auto takes PAL8 for a source by what it has.",
-)
-@click.option(
-    "--color",
-    type=click.Choice(("auto", "always", "never")),
-    default="auto",
-    help="Colour what is said; auto, at a terminal.",
 )
 @click.option("--lsp", is_flag=True, help="Serve an editor on standard input and output (docs/editors.md).")
 @click.option("--modern", is_flag=True, help="Read lower case as capitals; nothing else differs.")
@@ -80,14 +71,12 @@ def pal(
     rim: bool,
     listing: str | None,
     symbols: str | None,
-    xref: str | None,
     json: str | None,
     tty: str | None,
     force: bool,
     strict: bool,
     check: bool,
     dialect: str,
-    color: str,
     lsp: bool,
     modern: bool,
     model: str | None,
@@ -117,10 +106,10 @@ def pal(
     if not sources:
         raise click.UsageError("no SOURCE: name a file, or - for standard input")
     tape = output or _beside(sources[0])
-    if check and (output or listing or symbols or xref or json or tty):
+    if check and (output or listing or symbols or json or tty):
         raise click.UsageError("--check writes nothing: leave the other outputs out")
     passes = _passes(tty, sources[0])
-    written = [None if check else tape, listing, symbols, xref, json, *filter(os.path.exists, passes)]
+    written = [None if check else tape, listing, symbols, json, *filter(os.path.exists, passes)]
     arguments.check_files(sources, written)
     capacity = HIGH_SPEED_SYMBOLS if high_speed_reader else TELETYPE_SYMBOLS
     contents = [_read(source) for source in sources]
@@ -133,9 +122,8 @@ def pal(
     _check_kinds(sources, contents, assembly.ok)
     if tty and assembly.dialect == PAL8:
         raise click.UsageError("--tty writes the frames of PAL III's three passes; this is PAL8")
-    coloured = {"auto": None, "always": True, "never": False}[color]
     for diagnostic in diagnostics[:MOST]:
-        command.tell(_coloured(diagnostic), styled=True, color=coloured)
+        command.tell(_coloured(diagnostic), styled=True)
     more = len(diagnostics) - MOST
     if more > 0:
         command.tell(f"and {more:,} more")
@@ -150,10 +138,6 @@ def pal(
         _put_listing(listing, assembly)
     if symbols:
         command.put(symbols, assembly.symbol_table)
-    if xref:
-        from pal.reports import cross_reference
-
-        command.put(xref, cross_reference(assembly))
     if json:
         from pal.reports import as_json
 

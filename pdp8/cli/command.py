@@ -68,13 +68,12 @@ def _end(number: int, frame: FrameType | None) -> None:
     sys.exit(128 + number)
 
 
-def tell(message: str, styled: bool = False, color: bool | None = None) -> None:
-    """Write a line on standard error; that nobody reads it is no reason to end. One that is `styled` has its
-    colours and no other control codes; `color` None is as the terminal and NO_COLOR have it.
+def tell(message: str, styled: bool = False) -> None:
+    """Write a line on standard error, or nothing if nobody reads it. A `styled` message contains colour codes
+    and no other control codes; click removes them unless it writes to a terminal.
     """
     try:
-        if color is None and os.environ.get("NO_COLOR"):
-            color = False
+        color = False if os.environ.get("NO_COLOR") else None
         click.echo(message if styled else visible(message), err=True, color=color)
     except OSError:
         silence(sys.stderr)

@@ -12,6 +12,7 @@ from programs import options
 from programs.arithmetic import ARITHMETICS
 from programs.parts import PARTS, Part
 from programs.units import THOUSANDTHS
+from tapes import ascii
 
 _SETTINGS = {"max_content_width": 100}
 

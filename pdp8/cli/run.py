@@ -77,7 +77,6 @@ _Ended = Stop | Literal["closed"] | None
 @click.option(
     "--annotate", type=Target("text"), help="Write the listing with each word's count in its margin."
 )
-@click.option("--count-json", type=Target("JSON"), help="Write what was counted as JSON.")
 @click.option("--save", type=Target("JSON"), help="Write the machine's state as the run ends.")
 @click.option(
     "--restore",
@@ -133,7 +132,7 @@ def _program(options: Options) -> "Program | None":
     """Return the program, if one is named; first the names of all files are checked."""
     reads = [options.program, *options.reader, options.fast_reader, options.restore, options.loader]
     page = "-" if options.punch is None and not _paged(options) else options.punch
-    writes = [options.fast_punch, options.trace, options.annotate, options.count_json, options.save]
+    writes = [options.fast_punch, options.trace, options.annotate, options.save]
     arguments.check_files(reads, [page, *writes])
     if options.keyboard and not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise click.UsageError("--keyboard needs a terminal to type and print at.")
@@ -194,10 +193,10 @@ def _run(options: Options, machine: Machine, found: "Program | None", feed: Feed
             from pdp8.cli.watching import tracing
 
             stack.enter_context(tracing(machine, options.trace, _listing(found), options.cycles))
-        if options.table or options.annotate or options.count_json:
+        if options.table or options.annotate:
             from pdp8.cli.watching import counting
 
-            asked = options.table, options.annotate, options.count_json
+            asked = options.table, options.annotate
             stack.enter_context(counting(machine, _listing(found), *asked))
         try:
             if options.keyboard:
@@ -253,7 +252,7 @@ def _check_options(options: Options, more: Sequence[str]) -> None:
         raise click.UsageError("--cycles means nothing without --trace.")
     if options.loader and not options.boot:
         raise click.UsageError("--loader means nothing without --boot.")
-    counts = {"count": options.table, "annotate": options.annotate, "count-json": options.count_json}
+    counts = {"count": options.table, "annotate": options.annotate}
     counted = [name for name, wanted in counts.items() if wanted]
     if counted and options.trace:
         raise click.UsageError(f"--{counted[0]} and --trace: one run does one of them.")

@@ -1,8 +1,7 @@
 """A run watched: traced into a file, which is there whole when the run has ended, and not at all if it could
-not be written; or counted: as a table, as the listing with counts in its margin, as JSON.
+not be written; or counted: as a table, as the listing with counts in its margin.
 """
 
-import json
 import os
 import sys
 from collections.abc import Iterator
@@ -52,11 +51,9 @@ def _observed(machine: Machine, file: TextIO, listing: Listing, cycles: bool) ->
 
 
 @contextmanager
-def counting(
-    machine: Machine, listing: Listing, table: bool, annotate: str | None, record: str | None
-) -> Iterator[None]:
-    """Count what `machine` does meanwhile; at the end show the `table` on standard error, write the annotated
-    listing and the JSON into files of those names. Raises ShelfError.
+def counting(machine: Machine, listing: Listing, table: bool, annotate: str | None) -> Iterator[None]:
+    """Count what `machine` does meanwhile; at the end show the `table` on standard error, write the
+    annotated listing into the file `annotate`. Raises ShelfError.
     """
     with machine.count() as count:
         try:
@@ -68,5 +65,3 @@ def counting(
             if annotate is not None:
                 lines = counted.annotated(count, listing)
                 command.put(annotate, "".join(f"{line}\n" for line in lines))
-            if record is not None:
-                command.put(record, f"{json.dumps(counted.record(count, listing), indent=1)}\n")

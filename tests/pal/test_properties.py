@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 import pal
 from pal.assembler import HIGH_SPEED_SYMBOLS
-from pal.reports import as_json, cross_reference
+from pal.reports import as_json
 from pal.symbols8 import PALBARTS_PSEUDO_OPERATORS, PSEUDO_OPERATORS
 from tapes import binary
 
@@ -37,7 +37,6 @@ def look_at_everything(source: bytes | str, **options: Any) -> pal.Assembly:
     assert assembly.dialect == "pal8" or len(assembly.teletype) == 3
     assert assembly.diagnostics == diagnostics
     assert any(diagnostic.error for diagnostic in diagnostics) != assembly.ok
-    cross_reference(assembly)
     as_json(assembly)
     if assembly.stopped:
         assert (assembly.tape, assembly.words) == (b"", {})

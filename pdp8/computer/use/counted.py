@@ -10,21 +10,6 @@ from tapes.measure import duration, ranges
 _COLUMN = 12
 
 
-def record(count: Count, listing: Listing) -> dict[str, object]:
-    """Return all of it as JSON has it; addresses are octal strings."""
-    return {
-        "instructions": count.instructions,
-        "cycles": count.cycles,
-        "interrupts": count.interrupts,
-        "seconds": count.ticks / TICKS_PER_SECOND,
-        "waiting_seconds": count.waiting / TICKS_PER_SECOND,
-        "operations": dict(count.operations.most_common()),
-        "executed": {f"{address:04o}": count.executed[address] for address in sorted(count.executed)},
-        "written": {f"{address:04o}": count.written[address] for address in sorted(count.written)},
-        "never_executed": [f"{address:04o}" for address in never_executed(count, listing)],
-    }
-
-
 def table(count: Count, listing: Listing) -> Iterator[str]:
     """Yield the lines of a table for people."""
     yield f"{count.instructions:,} instructions, {count.cycles:,} cycles, {_time(count.ticks)}"

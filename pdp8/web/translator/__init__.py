@@ -63,7 +63,7 @@ def translated() -> dict[str, str]:
 
 
 def faults() -> list[str]:
-    """Return a message for each module that cannot be translated: file, line and construct of its first fault."""
+    """Return a message for each module with a fault, the first: file, line, construct."""
     found: list[str] = []
     translate(_sources(), OMITTED, runtime(), found.append)
     return found

@@ -128,7 +128,7 @@ def translate(
 ) -> dict[str, str]:
     """Return the JavaScript of each of the `modules`, {name: (path, text)}, but for what is `omitted`.
 
-    Raises Untranslated, with file and line; with `say`, calls it with that message and goes on with the next module.
+    Raises Untranslated, with file and line; with `say`, passes it the message and goes on.
     """
     collecting = gc.isenabled()
     gc.disable()  # nothing of the trees is garbage before the end: a fifth of the time

@@ -65,7 +65,6 @@ def test_the_monitor_reads_and_writes_again_what_it_wrote(call: Call, tmp_path: 
         "pdp8 run hello.pal --punch x.tape",
         "pdp8 run hello.pal --save x.state",
         "pdp8 run hello.pal --trace x.trace",
-        "pdp8 run hello.pal --count-json x.json",
         "pdp8 check add add.pal --json x.json",
         "pdp8 nc export circle.eia --gcode -o x.ngc",
     ],
