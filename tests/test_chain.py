@@ -16,7 +16,7 @@ SAMPLES = Path(__file__).parent.parent / "tapes"
 )
 def test_part_program_to_eia_tape(shell: Shell, name: str, blocks: int, frames: int, minutes: str) -> None:
     """A space is an EIA zero, the start-up TLS punches a blank frame; the bundled tapes are what is made."""
-    lines = shell(f"pdp8 part {name} --parity none --fill 0").stdout.decode("ascii").splitlines()
+    lines = shell(f"pdp8 part {name} | pdp8 tape convert - --to text").stdout.decode("ascii").splitlines()
     typed = shell(f"pdp8 part {name} > {name}.asc; cat {name}.asc").stdout
     done = shell(f"pdp8 run eia.pal < {name}.asc > {name}.eia; cat {name}.eia")
     assert (len(lines), len(done.stdout)) == (blocks, frames)
