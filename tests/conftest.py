@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, TypeVar
 import pytest
 from hypothesis import settings
 
-from pdp8.cli import command
 from pdp8.cli.assemble import pal
 from pdp8.cli.root import pdp8
+from pdp8.cli.shared import command
 from tapes.frames import draw
 from tests import commands
 from tests.pdp8.web.browsing import CHROMIUM, launched

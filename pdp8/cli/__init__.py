@@ -1,22 +1,15 @@
-"""The command line of the project; root hangs every package's commands together as `pdp8`.
+"""The command line of the project: one file a command, each loaded only when it is called.
 
-root      the `pdp8` command: its subcommands, each loaded only when it is called
-check     the answers of a class           cards    to print
-run       a program and its tape in, the punched tape out;   boot, trace, saved states, keyboard
-monitor   the operator's prompt        replay   the afternoon of 1971        panel     the front panel
-workbench the live machine in a page   nc       `pdp8 nc`, with the page of a tape
-dap       a debugger for editors
-vectors   what every word does, for tests of any emulator
-thesis    the thesis's figures and tables, and its programs line by line
-pacing    a run, Ctrl-C its STOP key       feed      the reader's tapes          outputs   the punches' tapes
-keyboard  the Teletype at a terminal   line      the Teletype on a line      watching  traced, counted
-parameters  what options take
+root      the `pdp8` command, which hangs the others together
+run       a program and its tape in, the punched tape out
+panel     the front panel             monitor    the operator's prompt       dap      a debugger for editors
+assemble  `pal` and `pdp8 dis`        tape       `pdp8 tape`                 part     `pdp8 part`
+nc        `pdp8 nc`                   nc_options what its commands share     check    the answers of a class
+cards     cards to print              replay     the afternoon of 1971       thesis   its figures and tables
+workbench the machine in a page       vectors    what every word does, for any emulator
 
-tape      `pdp8 tape`                  part     `pdp8 part`                  assemble  `pal` and `pdp8 dis`
-nc_options  what the commands of `pdp8 nc` share
-command   how every command ends, and what it says
-arguments the files that a command takes: completed, compared, never lost
-progress  a bar on work that lasts      extras    how a library that is missing is got, as pdp8 was
+running/  what `run` puts around the machine: tapes, pace, terminal, trace
+shared/   what the commands share: how they end, files, options, progress
 """
 
 import gc

@@ -11,9 +11,9 @@ from pal.assembly import MOST, PAL8, Assembly
 from pal.diagnostics import Diagnostic
 from pal.models import MODELS
 from pdp8 import shelf
-from pdp8.cli import arguments, command
-from pdp8.cli.arguments import Command, Folder, Source, Target, output
-from pdp8.cli.progress import Busy
+from pdp8.cli.shared import arguments, command
+from pdp8.cli.shared.arguments import Command, Folder, Source, Target, output
+from pdp8.cli.shared.progress import Busy
 from tapes.errors import WorkError, called, naming, visible
 
 _TEXT = Target("text")
@@ -202,7 +202,7 @@ def _serve(dialect: str) -> None:
     try:
         from pal import server
     except ImportError:
-        from pdp8.cli.extras import hint
+        from pdp8.cli.shared.extras import hint
 
         raise AssemblyError(f"--lsp needs pygls: {hint('lsp')}") from None
     logging.getLogger("pygls").addHandler(logging.NullHandler())

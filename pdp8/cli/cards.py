@@ -2,8 +2,8 @@
 
 import click
 
-from pdp8.cli import command
-from pdp8.cli.arguments import Command, Folder, output
+from pdp8.cli.shared import command
+from pdp8.cli.shared.arguments import Command, Folder, output
 from pdp8.lessons import cards as drawn
 
 _AFTERNOON = "afternoon"

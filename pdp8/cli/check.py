@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 
 import click
 
-from pdp8.cli import command
-from pdp8.cli.arguments import Command, Folder, Source, Target
-from pdp8.cli.parameters import processor_seconds
+from pdp8.cli.shared import command
+from pdp8.cli.shared.arguments import Command, Folder, Source, Target
+from pdp8.cli.shared.parameters import processor_seconds
 from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.lessons import alike, bounded, form, handed, page, proof, records, scores, student
 from pdp8.lessons.answer import Answer

@@ -2,7 +2,7 @@
 
 import click
 
-from pdp8.cli import command
+from pdp8.cli.shared import command
 from pdp8.dap.session import Session
 
 

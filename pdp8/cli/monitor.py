@@ -8,8 +8,8 @@ from collections.abc import Iterator
 import click
 
 from pdp8 import shelf
-from pdp8.cli import command
-from pdp8.cli.arguments import Command, Source
+from pdp8.cli.shared import command
+from pdp8.cli.shared.arguments import Command, Source
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.monitor.arguments import MonitorError

@@ -7,8 +7,6 @@ import click
 from click.core import ParameterSource
 
 from pdp8 import shelf
-from pdp8.cli import command
-from pdp8.cli.arguments import Group, Source, Target, output
 from pdp8.cli.nc_options import (
     CURVE,
     PECK,
@@ -21,6 +19,8 @@ from pdp8.cli.nc_options import (
     cut_tape,
     numbers,
 )
+from pdp8.cli.shared import command
+from pdp8.cli.shared.arguments import Group, Source, Target, output
 
 
 @click.group(cls=Group)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pdp8 import shelf
-from pdp8.cli.arguments import Source
+from pdp8.cli.shared.arguments import Source
 from tapes.errors import WorkError, named, naming
 
 if TYPE_CHECKING:

@@ -5,8 +5,8 @@ from importlib.util import find_spec
 
 import click
 
-from pdp8.cli.arguments import Command, Source
-from pdp8.cli.parameters import octal
+from pdp8.cli.shared.arguments import Command, Source
+from pdp8.cli.shared.parameters import octal
 from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, find
 from tapes.errors import WorkError
 
@@ -56,7 +56,7 @@ def panel(
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise WorkError("the panel needs a terminal; `pdp8 run` works without one")
     if find_spec("textual") is None:
-        from pdp8.cli.extras import hint
+        from pdp8.cli.shared.extras import hint
 
         raise WorkError(f"the panel needs Textual: {hint('panel')}")
     from pdp8.console.opening import opening

@@ -6,8 +6,8 @@ from typing import Any, Literal
 import click
 
 from pdp8 import shelf
-from pdp8.cli import command
-from pdp8.cli.arguments import Command, Group, Source, Target, output
+from pdp8.cli.shared import command
+from pdp8.cli.shared.arguments import Command, Group, Source, Target, output
 from programs import options
 from programs.arithmetic import ARITHMETICS
 from programs.parts import PARTS, Part

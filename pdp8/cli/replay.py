@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pdp8.cli import command
-from pdp8.cli.arguments import Command, Folder, Target, output
+from pdp8.cli.shared import command
+from pdp8.cli.shared.arguments import Command, Folder, Target, output
 from programs.parts import PARTS
 
 if TYPE_CHECKING:

@@ -4,8 +4,8 @@ from importlib import import_module
 
 import click
 
-from pdp8.cli import command
-from pdp8.cli.arguments import Group
+from pdp8.cli.shared import command
+from pdp8.cli.shared.arguments import Group
 
 _GROUPS = {
     "Run": {

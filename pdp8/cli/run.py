@@ -11,11 +11,12 @@ import click
 from click.core import ParameterSource
 
 from pdp8 import shelf
-from pdp8.cli import arguments, command, pacing
-from pdp8.cli.arguments import Command, Source, Target
-from pdp8.cli.feed import Feed, say_unread
-from pdp8.cli.outputs import Output, send
-from pdp8.cli.parameters import octal, seconds
+from pdp8.cli.running import pacing
+from pdp8.cli.running.feed import Feed, say_unread
+from pdp8.cli.running.outputs import Output, send
+from pdp8.cli.shared import arguments, command
+from pdp8.cli.shared.arguments import Command, Source, Target
+from pdp8.cli.shared.parameters import octal, seconds
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use.program import DIALECTS, FOUND
@@ -190,21 +191,21 @@ def _run(options: Options, machine: Machine, found: "Program | None", feed: Feed
             stack.callback(output.tell)
             stack.callback(output.close)
         if options.trace is not None:
-            from pdp8.cli.watching import tracing
+            from pdp8.cli.running.watching import tracing
 
             stack.enter_context(tracing(machine, options.trace, _listing(found), options.cycles))
         if options.table or options.annotate:
-            from pdp8.cli.watching import counting
+            from pdp8.cli.running.watching import counting
 
             asked = options.table, options.annotate
             stack.enter_context(counting(machine, _listing(found), *asked))
         try:
             if options.keyboard:
-                from pdp8.cli.keyboard import sit_down
+                from pdp8.cli.running.keyboard import sit_down
 
                 return sit_down(machine, _listing(found), options.max_time, options.realtime, pass_on)
             if options.tty is not None and sys.platform != "win32":  # as _check_options has it
-                from pdp8.cli.line import Line
+                from pdp8.cli.running.line import Line
 
                 with closing(Line(options.tty)) as line:
                     return line.run(machine, options.max_time, pass_on)

@@ -5,8 +5,8 @@ from importlib.util import find_spec
 import click
 
 from pdp8 import shelf
-from pdp8.cli import command, progress
-from pdp8.cli.arguments import Group, Source, Target, output
+from pdp8.cli.shared import command, progress
+from pdp8.cli.shared.arguments import Group, Source, Target, output
 from tapes import ascii, captions, eia, frames, hydrapoint, kinds, measure, picture
 from tapes import convert as codes
 from tapes.errors import TapeError, called, naming
@@ -247,7 +247,7 @@ def read(*, photos: tuple[str, ...], underside: bool, page: str | None, output: 
       pdp8 tape read left.jpg right.jpg --page look.html -o found.bin
     """
     if find_spec("cv2") is None:
-        from pdp8.cli.extras import hint
+        from pdp8.cli.shared.extras import hint
 
         raise TapeError(f"reading a picture needs OpenCV: {hint('vision')}")
     from tapes import photograph

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Final
 
 import click
 
-from pdp8.cli import command
-from pdp8.cli.arguments import Command, Folder, Group, Target, output
+from pdp8.cli.shared import command
+from pdp8.cli.shared.arguments import Command, Folder, Group, Target, output
 
 if TYPE_CHECKING:
     from pdp8.thesis.table import Table
@@ -115,7 +115,7 @@ def make(number: str, output: str, facsimile: bool) -> None:
       pdp8 thesis make B --facsimile
       pdp8 thesis make all --out figures
     """
-    from pdp8.cli.progress import Bar
+    from pdp8.cli.shared.progress import Bar
     from pdp8.thesis.catalogue import catalogue, find
     from pdp8.thesis.making import Made, make
 

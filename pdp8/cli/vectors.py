@@ -2,9 +2,9 @@
 
 import click
 
-from pdp8.cli import command
-from pdp8.cli.arguments import Command, Folder, output
-from pdp8.cli.progress import Bar
+from pdp8.cli.shared import command
+from pdp8.cli.shared.arguments import Command, Folder, output
+from pdp8.cli.shared.progress import Bar
 
 
 @click.command(cls=Command)

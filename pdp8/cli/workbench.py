@@ -2,8 +2,8 @@
 
 import click
 
-from pdp8.cli import command
-from pdp8.cli.arguments import Command, Target, output
+from pdp8.cli.shared import command
+from pdp8.cli.shared.arguments import Command, Target, output
 
 
 @click.command(cls=Command)

@@ -33,9 +33,9 @@ import click
 from PIL import Image
 
 from pdp8 import shelf
-from pdp8.cli import command
-from pdp8.cli.arguments import Folder, Source, Target
 from pdp8.cli.root import pdp8
+from pdp8.cli.shared import command
+from pdp8.cli.shared.arguments import Folder, Source, Target
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from release.reference import commands as walk

@@ -146,7 +146,7 @@ def test_a_restored_machine_keeps_its_tape_and_names_an_input_that_it_does_not_r
 
 def test_a_long_silence_says_once_where_the_run_is(tmp_path: Path) -> None:
     """A third of a second is long here."""
-    script = "from pdp8 import cli; from pdp8.cli import pacing; pacing._SILENT = 0.3; cli.main()"
+    script = "from pdp8 import cli; from pdp8.cli.running import pacing; pacing._SILENT = 0.3; cli.main()"
     (tmp_path / "loop.pal").write_text("*200\n\tISZ 10\n\tJMP .-1\n\tISZ 11\n\tJMP 200\n\tJMP 200\n$\n")
     line = f'{sys.executable} -c "{script}" run loop.pal < /dev/null > /dev/null'
     terminal = Terminal("bash", "-c", line, folder=tmp_path)

@@ -10,9 +10,9 @@ from prompt_toolkit.input import PipeInput, create_pipe_input
 from prompt_toolkit.key_binding import KeyPress
 from prompt_toolkit.keys import Keys
 
-from pdp8.cli.feed import Feed
-from pdp8.cli.keyboard import characters, typed
 from pdp8.cli.run import run
+from pdp8.cli.running.feed import Feed
+from pdp8.cli.running.keyboard import characters, typed
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.keys import sent
 

@@ -16,7 +16,8 @@ import tty
 from collections.abc import Callable
 from contextlib import suppress
 
-from pdp8.cli import command, pacing
+from pdp8.cli.running import pacing
+from pdp8.cli.shared import command
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop
 from pdp8.shelf import ShelfError

@@ -17,7 +17,7 @@ import click
 from click.core import augment_usage_errors
 
 from pdp8 import shelf
-from pdp8.cli import command
+from pdp8.cli.shared import command
 from tapes.errors import visible
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from contextlib import ExitStack, contextmanager
 from typing import TextIO
 
 from pdp8 import shelf
-from pdp8.cli import command
+from pdp8.cli.shared import command
 from pdp8.computer.machine import Machine
 from pdp8.computer.use import counted
 from pdp8.computer.use.trace import Listing, Trace

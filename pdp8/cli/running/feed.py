@@ -11,7 +11,7 @@ from collections.abc import Callable
 from io import UnsupportedOperation
 
 from pdp8 import shelf
-from pdp8.cli import command
+from pdp8.cli.shared import command
 from pdp8.computer.hardware.teletype import Reader, Receiver
 from tapes import kinds
 from tapes.errors import called

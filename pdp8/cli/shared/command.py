@@ -23,8 +23,8 @@ _NAMED = 6
 """Files in a folder that are named one by one."""
 _IMPORTING = "<frozen importlib._bootstrap>"
 _HELP = ["-h", "--help"]
-_NO_CLOBBER = "pdp8.cli.command.no_clobber"
-QUIET = "pdp8.cli.command.quiet"
+_NO_CLOBBER = "pdp8.cli.shared.command.no_clobber"
+QUIET = "pdp8.cli.shared.command.quiet"
 """Where a command's context keeps that it says nothing of what it wrote."""
 
 _NoArguments = getattr(click.exceptions, "NoArgsIsHelpError", ())  # click 8.2 and later; 8.1 prints the help

@@ -10,10 +10,10 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from types import FrameType, SimpleNamespace
 
-from pdp8.cli import command
-from pdp8.cli.feed import Feed
-from pdp8.cli.outputs import Output, send
-from pdp8.cli.progress import Bar
+from pdp8.cli.running.feed import Feed
+from pdp8.cli.running.outputs import Output, send
+from pdp8.cli.shared import command
+from pdp8.cli.shared.progress import Bar
 from pdp8.computer.hardware.signals import NEVER, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop

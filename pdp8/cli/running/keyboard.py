@@ -13,7 +13,8 @@ import click
 from prompt_toolkit.input import Input, create_input
 from prompt_toolkit.key_binding import KeyPress
 
-from pdp8.cli import command, pacing
+from pdp8.cli.running import pacing
+from pdp8.cli.shared import command
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop

@@ -4,7 +4,7 @@ import sys
 
 import pytest
 
-from pdp8.cli import extras
+from pdp8.cli.shared import extras
 
 ARCHIVE = '{"url": "x", "archive_info": {}}'
 EDITABLE = '{"url": "file:///home/ana/pdp8", "dir_info": {"editable": true}}'

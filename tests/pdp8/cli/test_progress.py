@@ -10,8 +10,8 @@ from unittest.mock import Mock
 
 import pytest
 
-from pdp8.cli import command
-from pdp8.cli.progress import Bar, Busy
+from pdp8.cli.shared import command
+from pdp8.cli.shared.progress import Bar, Busy
 from tests.commands import Terminal
 
 ERASED = "\x1b[1A\x1b[2K"
@@ -36,7 +36,7 @@ def screen(monkeypatch: pytest.MonkeyPatch) -> Screen:
 def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """The time, in seconds, which the test sets."""
     now = [100.0]
-    monkeypatch.setattr("pdp8.cli.progress.time.monotonic", lambda: now[0])
+    monkeypatch.setattr("pdp8.cli.shared.progress.time.monotonic", lambda: now[0])
     return now
 
 

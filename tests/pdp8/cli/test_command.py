@@ -13,8 +13,8 @@ from unicodedata import category
 import click
 import pytest
 
-from pdp8.cli import command
 from pdp8.cli.root import pdp8
+from pdp8.cli.shared import command
 from tapes.errors import TapeError, visible
 
 

@@ -7,7 +7,7 @@ from contextlib import suppress
 from typing import BinaryIO
 
 from pdp8 import shelf
-from pdp8.cli import command
+from pdp8.cli.shared import command
 from pdp8.computer.hardware.teletype import Punch, printed
 
 

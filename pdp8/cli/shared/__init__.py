@@ -1,0 +1,8 @@
+"""What the commands share.
+
+command     how a command ends, what it says, how a product leaves it
+arguments   the kinds of files that a command takes
+parameters  octal words and seconds as options
+progress    a bar on work that lasts
+extras      how to get a library that an extra brings
+"""
