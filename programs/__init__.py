@@ -30,6 +30,7 @@ format           FORMAT fields
 options          a part's keywords as options of its command
 least_squares    a function from measured points
 mirror           the other hand of a part
+program          what a part program is
 parts            which part programs there are
 thesis           what the thesis says of each part
 """

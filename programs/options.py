@@ -20,7 +20,7 @@ import click
 
 from programs.arithmetic import ARITHMETICS, Arithmetic
 from programs.drill import Holes, places
-from programs.parts import PartProgram
+from programs.program import PartProgram
 from programs.units import Unit, UnitError
 
 

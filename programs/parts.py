@@ -7,16 +7,10 @@ Sources: thesis, Chapter 3 and Chapters 6 to 8.
 
 from collections.abc import Mapping
 from importlib import import_module
-from typing import Any, Final, NamedTuple, Protocol
+from typing import Any, Final, NamedTuple
 
+from programs.program import PartProgram
 from tapes.errors import WorkError
-
-
-class PartProgram(Protocol):
-    """A part program: its constants as keywords, each with a default; one may be positional."""
-
-    def __call__(self, *arguments: Any, **constants: Any) -> str:
-        """Return the printout."""
 
 
 class Part(NamedTuple):
