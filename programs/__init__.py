@@ -27,7 +27,7 @@ arithmetic       exact, or that of a machine of the day
 header           the six blocks that open a tape
 printout         blocks as lines of 19 characters
 format           FORMAT fields
-options          a part's keywords as options of its command
+constants        a part's keywords as a command or a form asks for them
 least_squares    a function from measured points
 mirror           the other hand of a part
 program          what a part program is

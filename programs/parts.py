@@ -31,7 +31,7 @@ class Part(NamedTuple):
     has_defaults: bool = True
 
     def program(self) -> PartProgram:
-        """Import the part program."""
+        """Import the part program and return its function."""
         program: PartProgram = import_module(f"programs.{self.name}").part
         return program
 
@@ -109,9 +109,9 @@ def part(name: str, *expression: str, **constants: Any) -> str:
     program = find(name).program()
     if not constants:
         return program(*expression)
-    from programs import options
+    from programs.constants import taken
 
     try:
-        return program(*expression, **options.taken(program, constants))
+        return program(*expression, **taken(program, constants))
     except ValueError as error:
         raise WorkError(f"{name}: {error}") from error

@@ -7,11 +7,14 @@ other. `pdp8/computer` imports no front end, and its own rooms import one way to
 
     hardware <- speed <- machine, watch, stop, count <- past <- use
 
-`pdp8` itself names what a script uses, from wherever it is.
+`pdp8` itself names what a script uses, from wherever it is. The four libraries know no command line: they
+import neither click nor rich nor prompt_toolkit, open no file and print nothing.
 """
 
 import ast
 import re
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -23,7 +26,7 @@ ALLOWED = {
     "programs": {"tapes", "programs"},
     "nc": {"tapes", "nc"},
 }
-ACROSS = re.compile(r"(pal\.__main__|pdp8\.__main__|pdp8\.cli|pdp8\.replay|pdp8\.thesis|pdp8\.web)(\.|$)")
+ACROSS = re.compile(r"(pdp8\.__main__|pdp8\.cli|pdp8\.replay|pdp8\.thesis|pdp8\.web)(\.|$)")
 COMPUTER = "pdp8.computer."
 ROOMS = ("hardware", "speed", "machine", "past", "use")
 """Of the computer: each imports only from itself and from those before it."""
@@ -54,6 +57,29 @@ def test_imports_point_one_way() -> None:
                 package = name.partition(".")[0]
                 assert package not in ALLOWED or package in ALLOWED[here.partition(".")[0]], (here, name)
                 assert not ACROSS.match(name), f"{here} imports {name}, which nobody does"
+
+
+LIBRARIES = ("tapes", "pal", "programs", "nc")
+OF_COMMANDS = ("click", "rich", "prompt_toolkit")
+TOOLS = ("pal.grammar", "pal.server")
+"""Programs of their own in a library: one writes the grammar for editors, one talks with an editor."""
+
+
+def test_the_libraries_are_imported_without_the_command_line() -> None:
+    names = [name.removesuffix(".__init__") for _, name, _ in sources(*LIBRARIES) if name not in TOOLS]
+    blocked = f"import sys, importlib\nsys.modules.update(dict.fromkeys({OF_COMMANDS!r}))\n"
+    script = f"{blocked}for name in {names!r}: importlib.import_module(name)"
+    done = subprocess.run(
+        [sys.executable, "-c", script], cwd=HOUSE, capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_the_libraries_open_no_file_and_print_nothing() -> None:
+    for path, here, tree in sources(*LIBRARIES):
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and here not in TOOLS:
+                assert node.func.id not in ("open", "print", "input"), f"{path}:{node.lineno}"
 
 
 def room(name: str) -> int:

@@ -6,10 +6,11 @@ from typing import Any, Literal
 import click
 
 from pdp8 import shelf
+from pdp8.cli import part_options
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Group, Source, Target, output
-from programs import options
 from programs.arithmetic import ARITHMETICS
+from programs.constants import Constant, arguments
 from programs.parts import PARTS, Part
 from programs.units import THOUSANDTHS
 from tapes import ascii
@@ -50,14 +51,14 @@ def _command(part: Part) -> click.Command:
     program = part.program()
 
     def punch(*, output: str, **values: Any) -> None:
-        command.put(output, ascii.encode(program(**options.arguments(program, values))))
+        command.put(output, ascii.encode(program(**arguments(program, values))))
 
     made = Command(
         part.name,
         callback=punch,
-        params=options.parameters(program),
+        params=part_options.parameters(program),
         help=_help(
-            f"{part.summary} Lengths are inches. {options.explained(program)}".strip(),
+            f"{part.summary} Lengths are inches. {part_options.explained(program)}".strip(),
             [f"pdp8 part {part.name} {example}" for example in part.examples],
         ),
         context_settings=_SETTINGS,
@@ -132,7 +133,7 @@ def fit(points: str, degree: int) -> None:
 )
 @click.option(
     "--about",
-    type=options.Number(THOUSANDTHS),
+    type=part_options.Typed(Constant("about", "", unit=THOUSANDTHS)),
     metavar="INCHES",
     help="Where the mirror is; the middle of the part by default.",
 )

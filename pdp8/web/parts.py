@@ -9,9 +9,8 @@ from dataclasses import is_dataclass
 from html import escape
 from typing import Any, get_type_hints
 
-import click
-
-from programs import options
+from pdp8.cli.part_options import sentence, spelling
+from programs.constants import REQUIRED, Constant, constants
 from programs.parts import PARTS, Part
 
 _EXPRESSION = "y as a function of x, inches: sin(x), x**2/4"
@@ -26,7 +25,7 @@ def declared() -> list[dict[str, Any]]:
 
 def _declared(part: Part) -> dict[str, Any]:
     program = part.program()
-    asked = [option for option in options.parameters(program) if option.name != _OURS]
+    asked = [each for each in constants(program) if each.meaning and each.name != _OURS]
     arguments = [
         [name, hint.__name__, list(get_type_hints(hint))]
         if isinstance(hint, type) and is_dataclass(hint)
@@ -40,26 +39,22 @@ def _declared(part: Part) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _option(option: click.Parameter) -> dict[str, Any]:
-    found: dict[str, Any] = {"name": option.name, "required": option.required}
-    if isinstance(option, click.Option):
+def _option(constant: Constant) -> dict[str, Any]:
+    found: dict[str, Any] = {"name": constant.name, "required": constant.default is REQUIRED}
+    if constant.default is not REQUIRED:
         found |= {
-            "default": option.default,
-            "help": option.help,
-            "spelling": option.opts[0].removeprefix("--"),
-            "flag": option.is_flag,
+            "default": constant.ask(constant.default),
+            "help": sentence(constant),
+            "spelling": spelling(constant),
+            "flag": constant.flag,
         }
-    match option.type:
-        case click.Choice(choices=choices):
-            found["choices"] = list(choices)
-        case options.Number(unit=unit, whole=whole):
-            found |= {"unit": list(unit), "whole": whole}
-        case options.Places():
-            found["places"] = True
-    return {key: value for key, value in found.items() if isinstance(value, str | list) or value}
+    found |= {"choices": list(constant.choices), "places": constant.places}
+    if constant.unit is not None:
+        found |= {"unit": list(constant.unit), "whole": constant.whole}
+    return {key: value for key, value in found.items() if isinstance(value, str) or value}
 
 
-def _form(asked: list[click.Parameter], arguments: list[list[Any]]) -> str:
+def _form(asked: list[Constant], arguments: list[list[Any]]) -> str:
     """Return the fields of all options; those of milling and header, which parts share, behind a door."""
     shared = {name for argument in arguments for name in argument[2:] and argument[2]}
     own, others = (

@@ -4,11 +4,12 @@
                                                                                            │ import
                                                                             runtime.mjs ───┘
 
-types        what is known of an expression: from annotations, and from what is assigned
+types        the types of expressions
+program      all modules: what each defines and imports, and where a name leads
+inference    the type of each expression: from annotations, and from what is assigned
 expressions  operators, calls, f-strings, comprehensions
 statements   assignments, loops, try
 modules      imports, classes, functions
-program      all modules: what each defines and imports, and where a name leads
 runtime.mjs  what Python has and JavaScript has not
 
 What has no translation is an error with its file and line. Names stay as they are. Numbers are exact to 2^53.
@@ -48,16 +49,15 @@ OMITTED = {
     "programs.arithmetic": "Float FloatingPoint IEEE32 CDC6400 GE635 ARITHMETICS"
     " _magnitude_bits _normal _towards_zero _chopped _nearest _quotient _root",
 }
-"""What of it is not: names of notebooks, files and pickles, which no page has."""
+"""What is left out of the translation: code for notebooks, files and pickles, which a page does not have."""
 
 
 @cache
 def translated() -> dict[str, str]:
     """Return the JavaScript of all modules, {name: text}: as it was kept, if no source is another since."""
     sources = _sources()
-    own = [
-        _source(__package__, name)[1] for name in ("types", "program", "expressions", "statements", "modules")
-    ]
+    parts = ("types", "program", "inference", "expressions", "statements", "modules")
+    own = [_source(__package__, name)[1] for name in parts]
     content = repr((sources, OMITTED, own, runtime()))
     return dict(kept("translated", content, lambda: translate(sources, OMITTED, runtime())))
 

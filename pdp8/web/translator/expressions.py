@@ -10,8 +10,9 @@ import json
 import re
 from typing import NoReturn
 
+from pdp8.web.translator.inference import Types
 from pdp8.web.translator.program import Found, Untranslated
-from pdp8.web.translator.types import ANY, FLOAT, INT, NUMBERS, PLAIN, STR, WORD, Types, leaf, whole
+from pdp8.web.translator.types import ANY, FLOAT, INT, NUMBERS, PLAIN, STR, WORD, leaf, whole
 
 _OPERATORS = {
     ast.Add: ("add", "({} + {})"), ast.Sub: ("sub", "({} - {})"), ast.Mult: ("mul", "({} * {})"),

@@ -6,7 +6,8 @@ A function's names are declared at its beginning, since in Python they are the w
 import ast
 
 from pdp8.web.translator.expressions import Expressions, named
-from pdp8.web.translator.types import ANY, PLAIN, WORD, leaf, own, whole
+from pdp8.web.translator.inference import own
+from pdp8.web.translator.types import ANY, PLAIN, WORD, leaf, whole
 
 _MARKS = {"property", "setter", "cached_property", "contextmanager", "staticmethod", "cache"}
 _FEW = 5

@@ -1,0 +1,67 @@
+"""The constants of a part program as the options of its command.
+
+Constant("radius", "RAD: ...", 1750, THOUSANDTHS)     --radius INCHES, its help and default, 1.75
+Constant("expression", "y as a function of x")        EXPRESSION, an argument
+"""
+
+from typing import Any
+
+import click
+
+from programs.constants import REQUIRED, Constant, constants
+from programs.program import PartProgram
+
+
+class Typed(click.ParamType[Any]):
+    """What is typed for a constant; its value is as the part program keeps it."""
+
+    def __init__(self, constant: Constant) -> None:
+        self.name = "X,Y ..." if constant.places else constant.unit.metavar if constant.unit else "TEXT"
+        self.constant = constant
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        try:
+            return self.constant.keep(value)
+        except ValueError as error:
+            self.fail(f"{error}.", param, ctx)
+
+
+def parameters(program: PartProgram) -> list[click.Parameter]:
+    """Return the click parameters of `program`, in the order of its signature."""
+    return [_parameter(constant) for constant in constants(program) if constant.meaning]
+
+
+def explained(program: PartProgram) -> str:
+    """Return what the arguments of `program` are, a sentence each: "EXPRESSION is y as a function of x"."""
+    return " ".join(
+        f"{constant.name.upper()} is {constant.meaning}."
+        for constant in constants(program)
+        if constant.default is REQUIRED
+    )
+
+
+def spelling(constant: Constant) -> str:
+    """Return the name of the option, without its dashes."""
+    return constant.name.strip("_").replace("_", "-")
+
+
+def sentence(constant: Constant) -> str:
+    """Return what the constant means, as a sentence of help."""
+    return f"{constant.meaning[0].upper()}{constant.meaning[1:]}."
+
+
+def _parameter(constant: Constant) -> click.Parameter:
+    if constant.default is REQUIRED:
+        return click.Argument([constant.name], type=str)
+    names = [f"--{spelling(constant)}", constant.name]
+    if constant.flag:
+        return click.Option(names, is_flag=True, default=constant.default, help=sentence(constant))
+    kind = click.Choice(constant.choices) if constant.choices else Typed(constant)
+    return click.Option(
+        names,
+        type=kind,
+        default=constant.ask(constant.default),
+        show_default=constant.default is not None,
+        metavar=None if constant.choices else kind.name,
+        help=sentence(constant),
+    )
