@@ -10,6 +10,7 @@ import click
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Folder, Source, Target
 from pdp8.cli.shared.parameters import processor_seconds
+from pdp8.cli.shared.rules import option
 from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.lessons import alike, bounded, form, handed, page, proof, records, scores, student
 from pdp8.lessons.answer import Answer
@@ -26,11 +27,19 @@ _BYTE_ORDER_MARK = "\ufeff"
 @click.command(cls=Command)
 @click.argument("exercise", type=Source(form.bundled), required=False)
 @click.argument("answer", type=Source(), nargs=-1)
-@click.option("--list", "listed", is_flag=True, help="List the bundled exercises.")
-@click.option(
-    "--show", type=click.Choice(_SHOWN), help="Show the exercise's task, or the teacher's solution."
+@option("--list", "listed", is_flag=True, only="", help="List the bundled exercises.")
+@option(
+    "--show",
+    type=click.Choice(_SHOWN),
+    only="EXERCISE",
+    help="Show the exercise's task, or the teacher's solution.",
 )
-@click.option("--prove", is_flag=True, help="Mark the exercise's own solution and its known mistakes.")
+@option(
+    "--prove",
+    is_flag=True,
+    only="EXERCISE --seed",
+    help="Mark the exercise's own solution and its known mistakes.",
+)
 @click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
 @click.option("--json", type=Target("JSON"), help="Write the marks as JSON.")
 @click.option("--csv", type=Target("text"), help="Write the marks for a spreadsheet.")
@@ -41,8 +50,11 @@ _BYTE_ORDER_MARK = "\ufeff"
 )
 @click.option("--cpu", type=processor_seconds, default=bounded.SECONDS, metavar="SECONDS",
               show_default=True, help="Of processor time, the most an answer may take.")  # fmt: skip
-@click.option(
-    "--export-student", type=Target("JSON"), help="Write the exercise without what students must not have."
+@option(
+    "--export-student",
+    type=Target("JSON"),
+    only="EXERCISE",
+    help="Write the exercise without what students must not have.",
 )
 @click.pass_context
 def check(

@@ -3,12 +3,11 @@
 import sys
 from collections.abc import Sequence
 from contextlib import ExitStack, closing
+from dataclasses import dataclass
 from functools import partial
-from types import SimpleNamespace as Options
-from typing import TYPE_CHECKING, Any, Final, Literal
+from typing import TYPE_CHECKING, Annotated, Final, Literal
 
 import click
-from click.core import ParameterSource
 
 from pdp8 import shelf
 from pdp8.cli.running import pacing
@@ -17,6 +16,7 @@ from pdp8.cli.running.outputs import Output, send
 from pdp8.cli.shared import arguments, command
 from pdp8.cli.shared.arguments import Command, Source, Target
 from pdp8.cli.shared.parameters import octal, seconds
+from pdp8.cli.shared.rules import declared, is_given, option
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use.program import DIALECTS, FOUND
@@ -40,54 +40,146 @@ _Ended = Stop | Literal["closed"] | None
 """How a run ended; None, interrupted."""
 
 
+@dataclass(frozen=True)
+class Options:
+    """What is run, from where to where, and how it is watched."""
+
+    program: Annotated[str | None, click.argument("program", type=Source(), required=False)]
+    start: Annotated[
+        int,
+        option("--start", type=octal, default="0200", show_default=True, help="Address to start at, octal."),
+    ]
+    sr: Annotated[
+        int, option("--sr", type=octal, default="0000", show_default=True, help="Switch register, octal.")
+    ]
+    reader: Annotated[
+        tuple[str, ...],
+        option(
+            "--reader",
+            type=Source(),
+            multiple=True,
+            help="Tape in the Teletype's reader; several go in one after another.  [default: standard input]",
+        ),
+    ]
+    punch: Annotated[
+        str | None,
+        option(
+            "--punch", type=Target("tape"), help="Where the punched tape goes.  [default: standard output]"
+        ),
+    ]
+    fast_reader: Annotated[
+        str | None,
+        option("--fast-reader", type=Source(), help="Fit the high-speed reader, with this tape."),
+    ]
+    fast_punch: Annotated[
+        str | None,
+        option("--fast-punch", type=Target("tape"), help="Fit the high-speed punch; its tape goes here."),
+    ]
+    keyboard: Annotated[
+        bool,
+        option(
+            "--keyboard",
+            is_flag=True,
+            help="Type at the Teletype and see it print; Ctrl-] leaves to the monitor.",
+        ),
+    ]
+    line: Annotated[
+        str | None,
+        option(
+            "--line",
+            type=Target(),
+            metavar="PATH",
+            excludes="--keyboard --reader --realtime",
+            help="The Teletype is a line: a serial port, a pty. At 110 baud's pace.",
+        ),
+    ]
+    max_time: Annotated[
+        float | None,
+        option("--max-time", type=seconds, metavar="SECONDS", help="Stop after this machine time."),
+    ]
+    realtime: Annotated[
+        bool,
+        option("--realtime", is_flag=True, help="Run no faster than a PDP-8/L did: 10 frames a second."),
+    ]
+    boot: Annotated[
+        bool,
+        option(
+            "--boot",
+            is_flag=True,
+            excludes="--restore",
+            help="From cold: toggle RIM in, read the BIN loader, read the program.",
+        ),
+    ]
+    loader: Annotated[
+        str | None,
+        option(
+            "--loader",
+            type=Source(),
+            needs="--boot",
+            help="The RIM tape of the BIN loader --boot reads.  [default: bin.pal]",
+        ),
+    ]
+    dialect: Annotated[
+        str,
+        option(
+            "--dialect",
+            type=click.Choice(DIALECTS),
+            default=FOUND,
+            needs="PROGRAM",
+            help="That of PAL source.",
+        ),
+    ]
+    force: Annotated[
+        bool,
+        option(
+            "--force", is_flag=True, needs="PROGRAM", help="Load a damaged tape as far as it can be read."
+        ),
+    ]
+    trace: Annotated[
+        str | None,
+        option(
+            "--trace", type=Target("text"), help="Write each instruction: time, L AC, MA MB, its listing."
+        ),
+    ]
+    count: Annotated[
+        bool,
+        option(
+            "--count",
+            is_flag=True,
+            excludes="--trace",
+            help="Count instructions, cycles, waiting; a table as the run ends.",
+        ),
+    ]
+    annotate: Annotated[
+        str | None,
+        option(
+            "--annotate",
+            type=Target("text"),
+            excludes="--trace",
+            help="Write the listing with each word's count in its margin.",
+        ),
+    ]
+    save: Annotated[
+        str | None, option("--save", type=Target("JSON"), help="Write the machine's state as the run ends.")
+    ]
+    restore: Annotated[
+        str | None,
+        option(
+            "--restore",
+            type=Source(),
+            help="Go on from a saved state and the tape in its reader, as CONT does; with --start, START "
+            "there. --sr sets the switches, --reader changes the tape (- for standard input).",
+        ),
+    ]
+    quiet: Annotated[
+        bool, option("--quiet", is_flag=True, help="Do not say how the run ended, unless it failed.")
+    ]
+
+
 @click.command(cls=Command, context_settings={"allow_extra_args": True})
-@click.argument("program", type=Source(), required=False)
-@click.option("--start", type=octal, default="0200", show_default=True, help="Address to start at, octal.")
-@click.option("--sr", type=octal, default="0000", show_default=True, help="Switch register, octal.")
-@click.option(
-    "--reader",
-    type=Source(),
-    multiple=True,
-    help="Tape in the Teletype's reader; several go in one after another.  [default: standard input]",
-)
-@click.option("--punch", type=Target("tape"), help="Where the punched tape goes.  [default: standard output]")
-@click.option("--fast-reader", type=Source(), help="Fit the high-speed reader, with this tape.")
-@click.option("--fast-punch", type=Target("tape"), help="Fit the high-speed punch; its tape goes here.")
-@click.option(
-    "--keyboard", is_flag=True, help="Type at the Teletype and see it print; Ctrl-] leaves to the monitor."
-)
-@click.option(
-    "--tty",
-    type=Target(),
-    metavar="PATH",
-    help="The Teletype is a line: a serial port, a pty. At 110 baud's pace.",
-)
-@click.option("--max-time", type=seconds, metavar="SECONDS", help="Stop after this machine time.")
-@click.option("--realtime", is_flag=True, help="Run no faster than a PDP-8/L did: 10 frames a second.")
-@click.option("--boot", is_flag=True, help="From cold: toggle RIM in, read the BIN loader, read the program.")
-@click.option(
-    "--loader", type=Source(), help="The RIM tape of the BIN loader --boot reads.  [default: bin.pal]"
-)
-@click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
-@click.option("--force", is_flag=True, help="Load a damaged tape as far as it can be read.")
-@click.option("--trace", type=Target("text"), help="Write each instruction: time, L AC, MA MB, its listing.")
-@click.option("--cycles", is_flag=True, help="Let --trace write each memory cycle.")
-@click.option(
-    "--count", "table", is_flag=True, help="Count instructions, cycles, waiting; a table as the run ends."
-)
-@click.option(
-    "--annotate", type=Target("text"), help="Write the listing with each word's count in its margin."
-)
-@click.option("--save", type=Target("JSON"), help="Write the machine's state as the run ends.")
-@click.option(
-    "--restore",
-    type=Source(),
-    help="Go on from a saved state and the tape in its reader, as CONT does; with --start, START there. "
-    "--sr sets the switches, --reader changes the tape (- for standard input).",
-)
-@click.option("--quiet", is_flag=True, help="Do not say how the run ended, unless it failed.")
+@declared
 @click.pass_context
-def run(ctx: click.Context, /, **given: Any) -> None:
+def run(ctx: click.Context, /, options: Options) -> None:
     """Run PROGRAM on the PDP-8/L: standard input is the tape in its reader, standard output what it punches.
 
     PROGRAM is PAL III source, a BIN or a RIM tape, or the name of a bundled one, such as eia.pal. A pipe is
@@ -103,19 +195,18 @@ def run(ctx: click.Context, /, **given: Any) -> None:
       pdp8 run eia.pal --reader ellipse.asc --punch ellipse.eia
       pdp8 run eia.pal --boot < circle.asc > circle.eia
       pdp8 run echo.pal --keyboard --realtime
-      pdp8 run echo.pal --tty /dev/ttyUSB0
+      pdp8 run echo.pal --line /dev/ttyUSB0
       pdp8 run eia.pal --trace eia.trace --max-time 1 < circle.asc > some.eia
       pdp8 run eia.pal --count --annotate eia.counts < circle.asc > circle.eia
       pdp8 run eia.pal --save noon.state --max-time 60 < circle.asc > first.eia
       pdp8 run --restore noon.state > rest.eia
       pdp8 run mine.bin --start 400 --sr 7777 --fast-reader in.tape --fast-punch out.tape
     """
-    options = Options(**given)
     ctx.meta[command.QUIET] = options.quiet
     _check_options(options, ctx.args)
     found = _program(options)
     machine = _machine(options, found)
-    explicit = {name for name in given if ctx.get_parameter_source(name) is ParameterSource.COMMANDLINE}
+    explicit = {param.name for param in ctx.command.params if is_given(ctx, param)}
     if found or "sr" in explicit:
         machine.sr = options.sr
     feed = _feed(options, machine)
@@ -144,7 +235,7 @@ def _program(options: Options) -> "Program | None":
 
 def _paged(options: Options) -> bool:
     """Tell whether what is printed is seen elsewhere, so that standard output is no tape."""
-    return options.keyboard or bool(options.tty)
+    return options.keyboard or bool(options.line)
 
 
 def _fed(options: Options) -> bool:
@@ -193,21 +284,21 @@ def _run(options: Options, machine: Machine, found: "Program | None", feed: Feed
         if options.trace is not None:
             from pdp8.cli.running.watching import tracing
 
-            stack.enter_context(tracing(machine, options.trace, _listing(found), options.cycles))
-        if options.table or options.annotate:
+            stack.enter_context(tracing(machine, options.trace, _listing(found)))
+        if options.count or options.annotate:
             from pdp8.cli.running.watching import counting
 
-            asked = options.table, options.annotate
+            asked = options.count, options.annotate
             stack.enter_context(counting(machine, _listing(found), *asked))
         try:
             if options.keyboard:
                 from pdp8.cli.running.keyboard import sit_down
 
                 return sit_down(machine, _listing(found), options.max_time, options.realtime, pass_on)
-            if options.tty is not None and sys.platform != "win32":  # as _check_options has it
+            if options.line is not None and sys.platform != "win32":  # as _check_options has it
                 from pdp8.cli.running.line import Line
 
-                with closing(Line(options.tty)) as line:
+                with closing(Line(options.line)) as line:
                     return line.run(machine, options.max_time, pass_on)
             return pacing.run(machine, feed, outputs, options.max_time, options.realtime, options.quiet)
         except BrokenPipeError:  # the reader of the tape has closed it; what else was asked for is written
@@ -249,20 +340,8 @@ def _check_options(options: Options, more: Sequence[str]) -> None:
         )
     if (options.program is None) == (options.restore is None):
         raise click.UsageError("give a PROGRAM, or --restore FILE and none.")
-    if options.cycles and not options.trace:
-        raise click.UsageError("--cycles means nothing without --trace.")
-    if options.loader and not options.boot:
-        raise click.UsageError("--loader means nothing without --boot.")
-    counts = {"count": options.table, "annotate": options.annotate}
-    counted = [name for name, wanted in counts.items() if wanted]
-    if counted and options.trace:
-        raise click.UsageError(f"--{counted[0]} and --trace: one run does one of them.")
-    if options.restore is not None and options.boot:
-        raise click.UsageError("--boot means nothing beside --restore.")
-    if options.tty and sys.platform == "win32":
-        raise click.UsageError("--tty needs the serial lines of Linux, macOS or another POSIX system.")
-    if options.tty and (options.keyboard or options.reader):
-        raise click.UsageError("--tty is keyboard and reader: it goes with neither --keyboard nor --reader.")
+    if options.line and sys.platform == "win32":
+        raise click.UsageError("--line needs the serial lines of Linux, macOS or another POSIX system.")
 
 
 def _listing(found: "Program | None") -> "Listing":

@@ -17,13 +17,13 @@ from tapes.errors import visible
 
 
 @contextmanager
-def tracing(machine: Machine, name: str, listing: Listing, cycles: bool) -> Iterator[None]:
+def tracing(machine: Machine, name: str, listing: Listing) -> Iterator[None]:
     """Write what `machine` executes meanwhile into file `name`, or to standard output for `-`.
 
     Raises ShelfError.
     """
     if name == "-":
-        with _observed(machine, sys.stdout, listing, cycles):
+        with _observed(machine, sys.stdout, listing):
             yield
         return
     special, replaced = os.path.exists(name) and not os.path.isfile(name), os.path.isfile(name)
@@ -31,7 +31,7 @@ def tracing(machine: Machine, name: str, listing: Listing, cycles: bool) -> Iter
         with ExitStack() as stack:
             path = name if special else stack.enter_context(shelf.replacing(name))
             file = stack.enter_context(open(path, "w", encoding="utf-8", newline="\n"))
-            with _observed(machine, file, listing, cycles):
+            with _observed(machine, file, listing):
                 yield
             file.close()
     except OSError as error:
@@ -40,9 +40,9 @@ def tracing(machine: Machine, name: str, listing: Listing, cycles: bool) -> Iter
 
 
 @contextmanager
-def _observed(machine: Machine, file: TextIO, listing: Listing, cycles: bool) -> Iterator[None]:
+def _observed(machine: Machine, file: TextIO, listing: Listing) -> Iterator[None]:
     shown = visible if file.isatty() else str
-    trace = Trace(lambda line: file.write(shown(line) + "\n"), listing, cycles)
+    trace = Trace(lambda line: file.write(shown(line) + "\n"), listing, cycles=False)
     machine.watch.observer = trace
     try:
         yield

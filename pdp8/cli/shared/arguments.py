@@ -5,7 +5,8 @@ Target    a file that is written                      never one that was read, n
 Folder    where several files go
 
 `Command` and `Group` are click's, with what all of ours have: --no-clobber where something is written,
-files compared as files before anything is opened, names that are nearly right, whole lines of help.
+options that act or are refused (rules.py), files compared as files before anything is opened, names that are
+nearly right, whole lines of help.
 """
 
 import os
@@ -17,7 +18,7 @@ import click
 from click.core import augment_usage_errors
 
 from pdp8 import shelf
-from pdp8.cli.shared import command
+from pdp8.cli.shared import command, rules
 from tapes.errors import visible
 
 if TYPE_CHECKING:
@@ -106,7 +107,7 @@ def output(
 
 
 class Command(click.Command):
-    """A command whose files are compared before it begins."""
+    """A command whose options are held to their rules, and whose files are compared, before it begins."""
 
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
         """Return the parameters, with --no-clobber before --help where something is written."""
@@ -120,12 +121,25 @@ class Command(click.Command):
     )
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Parse, then compare the files that are named."""
+        """Parse, then hold the options to their rules and compare the files that are named."""
         rest = super().parse_args(ctx, args)
         if not ctx.resilient_parsing:
             with augment_usage_errors(ctx):
+                rules.check(ctx)
+                self._check_no_clobber(ctx)
                 self._check(ctx)
         return rest
+
+    def _check_no_clobber(self, ctx: click.Context) -> None:
+        """Raise a UsageError where --no-clobber was given and no file is to be written."""
+        if not command.keeps(ctx):
+            return
+        written = {param.name: param for param in self.params if isinstance(param.type, Target | Folder)}
+        values = {name: ctx.params[name or ""] for name in written}
+        writes_unasked = "output" in values and values["output"] is None  # beside the source, as pal does
+        if not writes_unasked and all(value in (None, "-") for value in values.values()):
+            asked = " or ".join(rules.words(param)[0] for param in written.values())
+            raise click.UsageError(f"--no-clobber means nothing without {asked}.")
 
     def _check(self, ctx: click.Context) -> None:
         sources, outputs, made, kinds = [], [], [], []

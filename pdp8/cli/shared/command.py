@@ -105,11 +105,15 @@ def keep(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
     ctx.meta[_NO_CLOBBER] = wanted
 
 
+def keeps(ctx: click.Context) -> bool:
+    """Tell whether --no-clobber was given."""
+    return bool(ctx.meta.get(_NO_CLOBBER))
+
+
 def check_output(name: str) -> None:
     """Raise ShelfError where `name` cannot be written, or is a file and --no-clobber was given."""
     shelf.check_writable(name)
-    kept = click.get_current_context().meta.get(_NO_CLOBBER)
-    if kept and os.path.isfile(name):
+    if keeps(click.get_current_context()) and os.path.isfile(name):
         raise shelf.ShelfError(f"{name} is there already; it would be replaced but for --no-clobber")
 
 

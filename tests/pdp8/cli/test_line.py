@@ -32,7 +32,7 @@ def on_line() -> tuple["subprocess.Popen[bytes]", int, int, list[Any]]:
     end, line = pty.openpty()
     tty.setraw(line)
     before = termios.tcgetattr(line)
-    run = commands.start("pdp8", "run", "echo.pal", "--tty", os.ttyname(line))
+    run = commands.start("pdp8", "run", "echo.pal", "--line", os.ttyname(line))
     assert commands.eventually(lambda: termios.tcgetattr(line)[:6] != before[:6])
     return run, end, line, before
 

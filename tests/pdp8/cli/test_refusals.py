@@ -50,7 +50,7 @@ pdp8 run nowhere.bin -> : nowhere.bin: no such file
 pdp8 run cut.bin -> : cut.bin: frame 200:
 pdp8 run a.asc -> : a.asc: nothing but figures: no program, but a tape for the reader
 pdp8 run eia.pal --reader nowhere.asc -> : nowhere.asc: no such file
-pdp8 run hello.pal --tty /dev/null -> : /dev/null: not a line
+pdp8 run hello.pal --line /dev/null -> : /dev/null: not a line
 pdp8 run --restore nothing -> : nothing: no such file
 pdp8 run --restore empty -> : empty: a saved state begins with
 pdp8 run hello.pal --punch /dev/full -> : /dev/full: No space left on device after 0 frames
@@ -72,7 +72,7 @@ pdp8 pal -o x /dev/zero -> : /dev/zero: longer than 2,097,152
 pdp8 run hello.pal --save '' -> : the name of a file is empty
 pdp8 run '' -> : the name of a file is empty
 pdp8 dis 'a\0b' -> : a␀b: NUL in the name of a file
-pdp8 run eia.pal --tty 'a\0b' -> : a␀b: NUL in the name of a file
+pdp8 run eia.pal --line 'a\0b' -> : a␀b: NUL in the name of a file
 pdp8 run '\udcff\x1b[31m.pal' -> : \\udcff␛[31m.pal: no such file
 pdp8 run eia.pal --reader '\udcff\x1b[31m.pal' -> : \\udcff␛[31m.pal: no such file
 pdp8 run empty --boot -> : empty: the program tape is empty
@@ -96,8 +96,11 @@ pdp8 run -> give a PROGRAM, or --restore
 pdp8 run hello.pal --restore x -> give a PROGRAM, or --restore
 pdp8 run --restore x --boot -> --boot means nothing beside --restore
 pdp8 run hello.pal --loader x -> --loader means nothing without --boot
-pdp8 run a.bin --cycles -> --cycles means nothing without --trace
-pdp8 run hello.pal --tty x --reader y -> --tty is keyboard and reader
+pdp8 run hello.pal --line x --reader y -> --line means nothing beside --reader
+pdp8 run hello.pal --no-clobber -> --no-clobber means nothing without --punch or --fast-punch or --line
+pdp8 run --restore a.bin --force -> --force means nothing without PROGRAM
+pdp8 check --list add -> --list goes alone: leave out EXERCISE
+pdp8 check add --prove a.pal --json x -> goes with EXERCISE and --seed alone: leave out ANSWER and --json
 pdp8 run hello.pal --start 9 -> not an octal number
 pdp8 run hello.pal --sr 10000 -> not between 0000 and 7777
 pdp8 run hello.pal --nonsense -> No such option

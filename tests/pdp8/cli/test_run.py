@@ -22,12 +22,6 @@ def line(tmp_path: Path) -> None:
     (tmp_path / "line.asc").write_bytes(LINE)
 
 
-def test_a_trace_follows_each_cycle(shell: Shell, tmp_path: Path) -> None:
-    shell("pdp8 run hello.pal --trace hello.trace --cycles > /dev/null < /dev/null")
-    lines = (tmp_path / "hello.trace").read_text().splitlines()
-    assert [line.split()[2] for line in lines[:4]] == ["FETCH", "FETCH", "EXECUTE", "FETCH"]
-
-
 def test_the_pc8_reads_and_punches_files(shell: Shell, tmp_path: Path) -> None:
     source = "*200\n\tRFC\n\tRSF\n\tJMP .-1\n\tRRB RFC\n\tPLS\n\tPSF\n\tJMP .-1\n\tCLA\n\tJMP 201\n$\n"
     (tmp_path / "copy.pal").write_text(source)

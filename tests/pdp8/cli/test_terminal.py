@@ -57,6 +57,6 @@ def test_windows_reads_a_tape_whole(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_windows_has_no_line(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "platform", "win32")
-    ran = CliRunner().invoke(run, ["hello.pal", "--tty", "COM1"])
+    ran = CliRunner().invoke(run, ["hello.pal", "--line", "COM1"])
     assert ran.exit_code == 2
-    assert "--tty needs the serial lines" in ran.output
+    assert "--line needs the serial lines" in ran.output

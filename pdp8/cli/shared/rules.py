@@ -1,0 +1,128 @@
+"""An option that was given acts, or is refused: what it needs and what it excludes stand in its declaration.
+
+    option("--cycles", is_flag=True, needs="--trace")           means nothing without --trace
+    option("--fill", type=int, needs="--to=ascii")              means nothing unless --to is ascii
+    option("--boot", is_flag=True, excludes="--restore")        means nothing beside --restore
+    option("--prove", is_flag=True, only="EXERCISE --cpu")      goes with these alone; only="", with nothing
+
+A blank parts names: one of those that an option `needs` is enough. An argument's name is in capitals; `=`
+asks for a value in force, given or by default. `Command` refuses what a declaration forbids before it opens a
+file, with status 2; a value that differs with the tape that is read is refused by the command itself.
+
+`declared` hands a command its options as dataclasses, whose fields are annotated with them:
+
+    @dataclass(frozen=True)
+    class Feeding:
+        strict: Annotated[bool, option("--strict", is_flag=True, help="...")]
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import fields, is_dataclass
+from functools import wraps
+from inspect import signature
+from typing import Any, TypeVar
+
+import click
+from click.core import ParameterSource
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+
+
+class Option(click.Option):
+    """An option with what it needs and excludes, and what alone it goes with."""
+
+    def __init__(
+        self,
+        declarations: Sequence[str],
+        needs: str = "",
+        excludes: str = "",
+        only: str | None = None,
+        **settings: Any,
+    ) -> None:
+        super().__init__(declarations, **settings)
+        self.needs, self.excludes, self.only = needs, excludes, only
+
+
+def option(*declarations: str, **settings: Any) -> Callable[[_Function], _Function]:
+    """Return the decorator that adds an option; its settings are those of click, and of `Option`."""
+    return click.option(*declarations, cls=Option, **settings)
+
+
+def declared(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return `function` with the options of each parameter that is annotated with a dataclass."""
+    groups = {
+        name: parameter.annotation
+        for name, parameter in signature(function).parameters.items()
+        if isinstance(parameter.annotation, type) and is_dataclass(parameter.annotation)
+    }
+
+    @wraps(function)
+    def call(*arguments: Any, **given: Any) -> Any:
+        made = {
+            name: group(**{field.name: given.pop(field.name) for field in fields(group)})
+            for name, group in groups.items()
+        }
+        return function(*arguments, **made, **given)
+
+    added: Callable[..., Any] = call
+    for group in reversed(groups.values()):
+        for field in reversed(fields(group)):
+            (add,) = field.type.__metadata__
+            added = add(added)
+    return added
+
+
+def check(ctx: click.Context) -> None:
+    """Raise a UsageError for an option that was given and that its declaration forbids in this call."""
+    known = {word: param for param in ctx.command.params for word in words(param)}
+    given = [param for param in ctx.command.params if is_given(ctx, param)]
+
+    def holds(word: str) -> bool:
+        name, valued, value = word.partition("=")
+        if not valued:
+            return known[name] in given
+        found = ctx.params[known[name].name or ""]
+        return value in (map(str, found) if isinstance(found, tuple) else (str(found),))
+
+    for param in given:
+        name = words(param)[0]
+        needed = getattr(param, "needs", "").split()
+        if needed and not any(map(holds, needed)):
+            raise click.UsageError(f"{name} means nothing without {_told(needed, 'or')}.")
+        barred = [word for word in getattr(param, "excludes", "").split() if holds(word)]
+        if barred:
+            raise click.UsageError(f"{name} means nothing beside {_told(barred, 'and')}.")
+        only = getattr(param, "only", None)
+        if only is not None:
+            fitting = [param, *(known[word] for word in only.split())]
+            beside = [words(other)[0] for other in given if other not in fitting]
+            if beside:
+                alone = f"goes with {_told(only.split(), 'and')} alone" if only else "goes alone"
+                raise click.UsageError(f"{name} {alone}: leave out {_told(beside, 'and')}.")
+
+
+def words(param: click.Parameter) -> list[str]:
+    """Return what a declaration calls a parameter: an option's spellings, the long one first; an argument's
+    name in capitals.
+    """
+    if isinstance(param, click.Argument):
+        return [(param.name or "").upper()]
+    return sorted([*param.opts, *param.secondary_opts], key=lambda spelling: not spelling.startswith("--"))
+
+
+def is_given(ctx: click.Context, param: click.Parameter) -> bool:
+    """Tell whether a parameter stands on the command line."""
+    source = ctx.get_parameter_source(param.name or "")
+    return source is ParameterSource.COMMANDLINE and ctx.params.get(param.name or "", True) != ()
+
+
+def named(param: click.Parameter) -> Iterator[str]:
+    """Yield each word that a parameter's declaration names, without its value."""
+    for rule in ("needs", "excludes", "only"):
+        for word in (getattr(param, rule, None) or "").split():
+            yield word.partition("=")[0]
+
+
+def _told(names: Iterable[str], joint: str) -> str:
+    *most, last = (name.replace("=", " ") for name in names)
+    return f"{', '.join(most)} {joint} {last}" if most else last
