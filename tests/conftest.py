@@ -4,6 +4,7 @@ import asyncio
 import io
 import os
 import shlex
+import signal
 import sys
 from collections.abc import Callable, Coroutine, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -37,6 +38,11 @@ if sys.platform == "win32":  # signals, terminals, devices, links and modes are 
 
 settings.register_profile("untimed", deadline=None)
 settings.load_profile("untimed")
+
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # by `&` of a script
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+if sys.platform != "win32" and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:  # by `nohup`
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 Call = Callable[..., tuple[int, str, str]]
 Shell = Callable[..., commands.Done]

@@ -61,6 +61,15 @@ def test_nothing_is_proposed_where_several_values_fit() -> None:
     assert redundancy.propose(bytes(seen), {100: 0o017})[0] == {}
 
 
+def test_nothing_is_proposed_where_two_mends_give_the_checksum() -> None:
+    ones = [at for at in range(70, 120) if BIN[at] & 1]
+    seen = bytearray(BIN)
+    seen[ones[0]] ^= 1
+    assert redundancy.propose(bytes(seen), {ones[0]: 1})[0] == {ones[0]: BIN[ones[0]]}
+    noughts = [at for at in range(70, 120) if not BIN[at] & 1]
+    assert redundancy.propose(bytes(seen), {ones[0]: 1, noughts[0]: 1}) == ({}, "")
+
+
 @pytest.mark.parametrize("faults", [3, 4])
 def test_of_a_bin_tape_no_more_than_three_faults_are_mended(faults: int) -> None:
     doubtful = {100 + at: 1 << at for at in range(faults)}

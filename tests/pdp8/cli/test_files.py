@@ -209,11 +209,6 @@ def test_a_command_that_waits_for_a_terminal_says_so(call: Call) -> None:
         assert "waits" not in call(f"pdp8 {line}")[2]
 
 
-def test_python_m_pal_finds_bundled_programs(tmp_path: Path) -> None:
-    done = commands.run(sys.executable, "-m", "pal", "eia.pal", folder=tmp_path)
-    assert (done.returncode, done.stderr) == (0, b"wrote eia.bin\n")
-
-
 @pytest.mark.parametrize("module", ["pdp8.cli.root", "pdp8.cli.run", "pal.assembling"])
 def test_ctrl_c_while_a_module_is_imported_is_quiet(module: str, tmp_path: Path) -> None:
     script = (
