@@ -8,7 +8,8 @@ milling: Milling = Milling()                               the same
 arithmetic: Arithmetic                                     arithmetic, by name
 
 A number has a unit, the second note of its annotation; units.py says what is asked for. A note without a
-sentence, Annotated[int, "", CODE], makes a keyword of `part(...)` that no command offers.
+sentence, Annotated[int, "", CODE], makes a keyword of `part(...)` that no command offers. A text behind the
+sentence names the constant, or its value, without which this one means nothing: "technique=piece", "cutter".
 """
 
 import inspect
@@ -31,7 +32,8 @@ class Constant(NamedTuple):
 
     `meaning` is a sentence without its full stop, or empty for one that no command offers. A number has a
     `unit`, and may have to be `whole`; a name is one of `choices`; a `flag` is set or not; `places` are X,Y
-    pairs; all others are text. `default` is as the part program keeps it.
+    pairs; all others are text. `default` is as the part program keeps it. It means nothing without what it
+    `needs`.
     """
 
     name: str
@@ -42,6 +44,7 @@ class Constant(NamedTuple):
     choices: tuple[str, ...] = ()
     flag: bool = False
     places: bool = False
+    needs: str = ""
 
     def keep(self, value: str) -> Any:
         """Return what the part program keeps for `value` as it was typed. Raises ValueError."""
@@ -128,15 +131,18 @@ def _of_fields(record: Any) -> Iterator[Constant]:
 
 
 def _constant(name: str, hint: Any, default: Any) -> Constant:
-    kind, meaning, *unit = get_args(hint)
+    kind, meaning, *notes = get_args(hint)
+    unit = next((note for note in notes if isinstance(note, Unit)), None)
+    needs = next((note for note in notes if isinstance(note, str)), "")
+    constant = Constant(name, meaning, default, needs=needs)
     if kind is bool:
-        return Constant(name, meaning, default, flag=True)
+        return constant._replace(flag=True)
     if get_origin(kind) is Literal:
-        return Constant(name, meaning, default, choices=get_args(kind))
+        return constant._replace(choices=get_args(kind))
     if kind == Holes:
-        return Constant(name, meaning, default, places=True)
+        return constant._replace(places=True)
     if kind is str:
-        return Constant(name, meaning, default)
+        return constant
     assert unit, f"{name}: a number has a unit"
     kinds = get_args(kind) if get_origin(kind) is types.UnionType else (kind,)
-    return Constant(name, meaning, default, unit[0], whole=int in kinds)
+    return constant._replace(unit=unit, whole=int in kinds)

@@ -49,10 +49,10 @@ def part(
         int | None, "AX: first distance from the centre in X, else the major axis", THOUSANDTHS
     ] = None,
     start_y: Annotated[int, "AY: first distance from the centre in Y", THOUSANDTHS] = 0,
-    sequence: Annotated[int, "AS: starting sequence number, stepped before each print", NUMBER] = 6,
-    preparatory: Annotated[int, "AP: preparatory function of the contour", CODE] = Preparatory.MILL,
-    x_feed: Annotated[int, "AMX: miscellaneous function of a cut in X", CODE] = Miscellaneous.X_FEED,
-    y_feed: Annotated[int, "AMY: miscellaneous function of a cut in Y", CODE] = Miscellaneous.Y_FEED,
+    sequence: Annotated[int, "", NUMBER] = 6,
+    preparatory: Annotated[int, "", CODE] = Preparatory.MILL,
+    x_feed: Annotated[int, "", CODE] = Miscellaneous.X_FEED,
+    y_feed: Annotated[int, "", CODE] = Miscellaneous.Y_FEED,
     close: Annotated[bool, "print the last point too, where the contour comes back to its start"] = False,
     milling: Milling = MILLING,
     header: Header = THESIS,
@@ -60,6 +60,9 @@ def part(
     overflow: Overflow = "low-digits",
 ) -> str:
     r"""Return the printout: a block is a line of 19 characters and "\n". Lengths are thousandths of an inch.
+
+    `sequence` (AS) is the sequence number before the first, `preparatory` (AP) the contour's function, `x_feed`
+    (AMX) and `y_feed` (AMY) the miscellaneous function of a cut in X and in Y.
 
     Raises WorkError for parameters of no possible ellipse, and for a block that leaves the table.
     """

@@ -15,7 +15,8 @@ Sources: thesis, Chapter 6 and Appendices C and D.
 
 from typing import Annotated, Literal, SupportsInt
 
-Overflow = Annotated[Literal["low-digits", "stars"], "how a number wider than its field is printed"]
+Overflow = Annotated[Literal["low-digits", "stars"], ""]
+"""How a number wider than its field is printed."""
 
 
 class Format:

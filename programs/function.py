@@ -30,7 +30,7 @@ _BEYOND = 1e9
 CutterOfSurface = Annotated[
     float | None, "diameter of the cutter, if the curve is the surface and not the path of its centre", INCHES
 ]
-Side = Annotated[Literal["above", "below"], "side of the curve that the cutter is on"]
+Side = Annotated[Literal["above", "below"], "side of the curve that the cutter is on", "cutter"]
 
 
 @dataclass(frozen=True)

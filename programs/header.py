@@ -32,19 +32,20 @@ from tapes.hydrapoint import (
 
 @dataclass(frozen=True)
 class Header:
-    """The constants of the opening blocks; lengths in thousandths of an inch.
+    """The constants of the opening blocks; lengths in thousandths of an inch. A1 and A2 are where the table
+    parks for loading, C4 the coolant (7 flood, 8 mist, 9 off), G4 the Z feed code.
 
     Raises WorkError for a value that the machine does not have.
     """
 
-    park_x: Annotated[int, "A1: X to park at, for loading", THOUSANDTHS] = 19000
-    park_y: Annotated[int, "A2: Y to park at", THOUSANDTHS] = 0
+    park_x: Annotated[int, "", THOUSANDTHS] = 19000
+    park_y: Annotated[int, "", THOUSANDTHS] = 0
     tool: Annotated[int, "B4: tool of the carousel, 1 to 24", NUMBER] = 1
-    coolant: Annotated[int, "C4: 7 flood, 8 mist, 9 off", CODE] = Miscellaneous.MIST_COOLANT
+    coolant: Annotated[int, "", CODE] = Miscellaneous.MIST_COOLANT
     spindle: Annotated[int, "D4: spindle speed code of Table 2.4", CODE] = 31
     z_feed_point: Annotated[int, "G1: Z where the feed begins", THOUSANDTHS] = 3000
     z_depth: Annotated[int, "G3: final depth of Z", THOUSANDTHS] = 3500
-    z_feed: Annotated[int, "G4: Z feed code of Table 2.4", CODE] = 1
+    z_feed: Annotated[int, "", CODE] = 1
 
     def __post_init__(self) -> None:
         for name, value, limit in (

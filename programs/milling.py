@@ -19,18 +19,21 @@ from tapes.hydrapoint import Miscellaneous, Preparatory
 
 _FEED_FUNCTION: Final[dict[Axis, Miscellaneous]] = {"X": Miscellaneous.X_FEED, "Y": Miscellaneous.Y_FEED}
 
+STEP, PIECE = "technique=step", "technique=piece"
+"""What a constant of one technique needs."""
+
 
 @dataclass(frozen=True)
 class Milling:
     """How a contour is milled. Raises WorkError for feeds that the machine does not have."""
 
     technique: Annotated[Literal["step", "piece"], "step-wise or piece-wise linear technique"] = "step"
-    feed_code: Annotated[int, "feed code of Table 2.4, step-wise technique (AT)", CODE] = 1
-    fastest: Annotated[int, "fastest feed code used, piece-wise technique", CODE] = 5
-    stop: Annotated[stepwise.Stop, "where a cut stops, step-wise technique: at the limit, or just inside"] = (
-        "boundary"
-    )
-    feed_error: Annotated[float, "how far feeds may be wrong, piece-wise technique", FRACTION] = 0.2
+    feed_code: Annotated[int, "feed code of Table 2.4, step-wise technique (AT)", CODE, STEP] = 1
+    fastest: Annotated[int, "fastest feed code used, piece-wise technique", CODE, PIECE] = 5
+    stop: Annotated[
+        stepwise.Stop, "where a cut stops, step-wise technique: at the limit, or just inside", STEP
+    ] = "boundary"
+    feed_error: Annotated[float, "how far feeds may be wrong, piece-wise technique", FRACTION, PIECE] = 0.2
 
     def __post_init__(self) -> None:
         check_feed(self.feed_code)

@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from pdp8.cli.shared.rules import Option
 from programs.constants import REQUIRED, Constant, constants
 from programs.program import PartProgram
 
@@ -54,11 +55,13 @@ def _parameter(constant: Constant) -> click.Parameter:
     if constant.default is REQUIRED:
         return click.Argument([constant.name], type=str)
     names = [f"--{spelling(constant)}", constant.name]
+    needs = f"--{constant.needs}" if constant.needs else ""
     if constant.flag:
-        return click.Option(names, is_flag=True, default=constant.default, help=sentence(constant))
+        return Option(names, needs, is_flag=True, default=constant.default, help=sentence(constant))
     kind = click.Choice(constant.choices) if constant.choices else Typed(constant)
-    return click.Option(
+    return Option(
         names,
+        needs,
         type=kind,
         default=constant.ask(constant.default),
         show_default=constant.default is not None,

@@ -26,19 +26,15 @@ REFUSED = [
     ("circle --tolerance 0.0005", "radius 1.75 in between 1.7495 in and 1.7505 in"),
     ("circle --radius 5", "block 005: X -1.000 leaves the table: 0 to 20 in"),
     ("circle --centre-x 19", "block 226: X 20.002 leaves the table"),
-    ("circle --preparatory 3", "preparatory function 3"),
-    ("circle --x-feed 99", "miscellaneous function 99"),
     ("circle --start-x 9", "start X 9 in, Y 0 in from the centre: must be in the first quadrant"),
     ("circle --outer 90", "the table is 20 in"),
     ("circle --tool 25", "tool 25 is not in the carousel: 1 to 24"),
-    ("circle --park-x 20.002", "park X 20.002 in is outside the travel: 0 to 20 in"),
     ("polynomial --a 999999", "at x = -0.75 the curve is off the table"),
     ("polynomial --a 999999 --cutter 0.1", "at x = -0.75 the curve is off the table"),
     ("drill --holes 1,1.0005", "Y 1.0005 in: must be a whole number of thousandths"),
     ("slope --to-y 1.0005", "slope: Y 1.0005 in: must be a whole number of thousandths"),
     ("ellipse --minor 0.5 --tolerance 0.5", "semi-minor axis 0.5 in has an inner limit of 0 in"),
     ("ellipse --major 0", "semi-major axis 0 in: must be greater than 0"),
-    ("ellipse --sequence 1000", "sequence number 1000: must be 0 to 999"),
     ("polynomial --from 6 --to 0", "must go from less to more"),
     ("curve 1 --from 0 --to 99", "block 007: X 24.000 leaves the table"),
     ("curve 1 --from -99 --to 0", "block 005: X -16.000 leaves the table"),
@@ -66,8 +62,8 @@ MISUSED = [
     ("circle --radius 1.7505", "1.7505 is not a whole number of thousandths of an inch"),
     ("circle --tolerance 5", "for 5 thousandths write 0.005"),
     ("circle --outer 1e999999999", "1e999999999 in: must be less than 100 in."),
-    ("circle --sequence 7.5", "7.5 is not a whole number."),
-    ("circle --sequence 1e999999999", "must be less than 1,000,000"),
+    ("circle --tool 7.5", "7.5 is not a whole number."),
+    ("circle --tool 1e999999999", "must be less than 1,000,000"),
     ("slope --feed-error 0.2", "0.2 %: must be 0, or at least 1 %; for 0.2 as a fraction write 20"),
     ("slope --feed-error 0.01", "for 0.01 as a fraction write 1"),
     ("circle --radius 1_0", "'1_0' is not a number"),
@@ -80,6 +76,10 @@ MISUSED = [
     ("circle --arithmetic pdp8", "--arithmetic"),
     ("curve", "EXPRESSION"),
     ("drill --holes 1", "not a list of places"),
+    ("circle --park-x 18", "No such option"),
+    ("circle --fastest 8", "--fastest means nothing without --technique piece"),
+    ("circle --feed-code 2 --technique piece", "--feed-code means nothing without --technique step"),
+    ("curve x --side below", "--side means nothing without --cutter"),
     ("square", "square"),
     ("compare slope", "slope"),
 ]
@@ -93,6 +93,23 @@ def test_a_part_that_cannot_be_is_refused(call: Call, status: int, part: str, sa
     assert (exit_status, output) == (status, "")
     assert said in message
     assert status == 2 or message.count("\n") == 1, "one sentence"
+
+
+@pytest.mark.parametrize(
+    ("name", "constants", "said"),
+    [
+        ("circle", {"preparatory": 3}, "preparatory function 3"),
+        ("circle", {"x_feed": 99}, "miscellaneous function 99"),
+        ("circle", {"park_x": 20.002}, "park X 20.002 in is outside the travel: 0 to 20 in"),
+        ("ellipse", {"sequence": 1000}, "sequence number 1000: must be 0 to 999"),
+        ("circle", {"overflow": "dots"}, "overflow: 'dots' is not one of low-digits, stars"),
+    ],
+)
+def test_a_constant_that_no_command_offers_is_a_keyword(
+    name: str, constants: dict[str, Any], said: str
+) -> None:
+    with pytest.raises(WorkError, match=re.escape(said)):
+        parts.part(name, **constants)
 
 
 LIMITS: list[tuple[Callable[..., object], tuple[Any, ...], tuple[Any, ...]]] = [
@@ -147,10 +164,10 @@ def test_no_digit_of_a_length_is_lost() -> None:
 
 def test_help_says_units_defaults_and_the_language(call: Call) -> None:
     shown = call("pdp8 part circle --help")[1] + call("pdp8 part polynomial --help")[1]
-    for option in ("radius INCHES", "sequence NUMBER", "feed-error PERCENT", "spindle CODE", "a PER-SQ-INCH"):
+    for option in ("radius INCHES", "feed-error PERCENT", "spindle CODE", "a PER-SQ-INCH"):
         assert f"--{option} " in shown
     for part, said in (
-        ("circle", "1.75 0.005 4 4 0 7 6 84 85"),
+        ("circle", "1.75 0.005 4 4 0 step 1"),
         ("drill", "1,1 1,2 4,2 4,1 35 3 3.5 1 standard output"),
         ("compare", "exact ge635"),
     ):
@@ -189,7 +206,7 @@ def test_points_become_a_function_and_a_part_has_another_hand(shell: Shell) -> N
     ("typed", "constants"),
     [
         ("circle --radius 1 --tolerance .003", {"radius": 1, "tolerance": ".003"}),
-        ("circle --radius 1.5in --close --park-x 18", {"radius": "1.5in", "close": True, "park_x": 18}),
+        ("circle --radius 1.5in --close", {"radius": "1.5in", "close": True}),
         ("ellipse --arithmetic ge635", {"arithmetic": "ge635", "outer_major": None}),
         ("slope --technique piece --feed-error 10%", {"technique": "piece", "feed_error": 10}),
         ("slope --z-depth 4.001", {"z_depth": 4.001}),

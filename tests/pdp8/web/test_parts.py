@@ -10,7 +10,7 @@ from tests.pdp8.web.node import called, needs_node
 
 ASKED: tuple[tuple[str, dict[str, Any]], ...] = (
     ("circle", {}),
-    ("circle", {"radius": "1.2", "tolerance": "0.0033", "close": True, "overflow": "stars"}),
+    ("circle", {"radius": "1.2", "tolerance": "0.0033", "close": True}),
     ("circle", {"technique": "piece", "fastest": "8", "spindle": "35"}),
     ("ellipse", {"major": "2.9", "minor": "1.15", "tolerance": "0.0051", "feed_code": "2"}),
     ("polynomial", {"b": "1.5", "c": "5", "to": "5", "cutter": "0.25", "side": "below"}),
