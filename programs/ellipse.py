@@ -61,7 +61,7 @@ def part(
 ) -> str:
     r"""Return the printout: a block is a line of 19 characters and "\n". Lengths are thousandths of an inch.
 
-    `sequence` (AS) is the sequence number before the first, `preparatory` (AP) the contour's function, `x_feed`
+    `sequence` (AS) is the number before the first, `preparatory` (AP) the contour's function, `x_feed`
     (AMX) and `y_feed` (AMY) the miscellaneous function of a cut in X and in Y.
 
     Raises WorkError for parameters of no possible ellipse, and for a block that leaves the table.
