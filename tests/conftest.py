@@ -22,6 +22,7 @@ from pdp8.cli.shared import command
 from tapes.frames import draw
 from tests import commands
 from tests.pdp8.web.browsing import CHROMIUM, launched
+from tests.reference.compiling import compiler
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
@@ -53,6 +54,13 @@ Result = TypeVar("Result")
 def pytest_xdist_auto_num_workers() -> int:
     """Return one process more than there are cores: browsers, terminals and pipes are waited for."""
     return (os.cpu_count() or 1) + 1
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """Say in the last line what the machine was not compared with, where no C compiler is."""
+    if not hasattr(config, "workerinput") and compiler() is None:
+        print("No C compiler: the machine was NOT compared with the reference; no lockstep test ran.")
 
 
 @pytest.fixture(autouse=True)
