@@ -17,4 +17,5 @@ panel.mjs     lamps and switches          written.mjs    how things are written
 tape.mjs      tapes under their heads     cutter.mjs     the staircase in its band
 sheet.mjs     drawing what has changed    pictures.mjs   when the next picture is due
 packed.mjs    what a page and a link hold svg.mjs        places as drawings
+html.mjs      HTML in which what is put is text: the one way to write any
 """

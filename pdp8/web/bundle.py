@@ -128,5 +128,7 @@ def _policy(*scripts: str) -> str:
         "worker-src blob:",
         "base-uri 'none'",
         "form-action 'none'",
+        "require-trusted-types-for 'script'",
+        "trusted-types page start",
     )
     return f'<meta http-equiv="Content-Security-Policy" content="{"; ".join(rules)}">'

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from nc.machine import Settings, cut
 from nc.path import Path, Position
+from pal.isa import jumps_to, tests_flag
 from pdp8.computer.machine import Machine
 from programs import circle as listed
 from programs import slope as slopes
@@ -30,8 +31,6 @@ SLOPE = [Point(1000, 1000), Point(5330, 3500)]
 """Chapter 3's slope, 30 degrees and 5 in long."""
 
 _KSF, _KRB, _TLS = 0o6031, 0o6036, 0o6046
-_WAITS = (_KSF, 0o6041, 0o5215, 0o5222)
-"""KSF, TSF, and in eia.pal the JMPs .-1 behind them."""
 
 _MOST = 4_000_000
 """Instructions; a character takes some 17,000."""
@@ -138,7 +137,7 @@ def characters(words: Iterable[tuple[int, int]], frames: bytes) -> list[Characte
         word = processor.core[address]
         if word == _KRB:
             done.append(Character(machine.ac))
-        if done and word in _WAITS:
+        if done and (tests_flag(word) or jumps_to(address - 1, word, address)):
             done[-1].waited += 1
         elif done:
             done[-1].rows.append(Done(address, word, machine.ac))

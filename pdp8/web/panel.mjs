@@ -6,6 +6,7 @@
 
 import { shares } from "../computer/hardware/panel.mjs";
 import { STATES } from "../../pal/isa.mjs";
+import { html, put } from "./html.mjs";
 import { find, octal } from "./written.mjs";
 
 const LEVELS = 12; // of brightness
@@ -14,7 +15,7 @@ const INERTIA = 0.6; // what a filament keeps of its brightness from one picture
 
 export class Panel {
   constructor(place) {
-    for (const bits of place.querySelectorAll("[data-bits]")) bits.outerHTML = groups(bits.dataset.bits);
+    for (const bits of place.querySelectorAll("[data-bits]")) put(bits, groups(bits.dataset.bits));
     this.lamps = Map.groupBy(place.querySelectorAll("[data-lamp]"), ({ dataset }) => dataset.lamp);
     this.rockers = [...place.querySelectorAll(".rocker")];
     this.keys = new Map([...place.querySelectorAll(".key")].map((button) => [button.dataset.key, button]));
@@ -85,10 +86,10 @@ export function inWords({ link, ac, processor: { ma, mb, ir, state, ion, run } }
 
 /** The twelve lamps of a word, or the switches, in groups of three. */
 function groups(name) {
-  const draw = name === "sr" ? rocker : (bit) => `<span class="lamp" data-lamp="${name}" aria-hidden="true"><i></i><small>${bit}</small></span>`;
-  return [0, 3, 6, 9].map((bit) => `<span class="group">${draw(bit)}${draw(bit + 1)}${draw(bit + 2)}</span>`).join("");
+  const draw = name === "sr" ? rocker : (bit) => html`<span class="lamp" data-lamp="${name}" aria-hidden="true"><i></i><small>${bit}</small></span>`;
+  return [0, 3, 6, 9].map((bit) => html`<span class="group">${draw(bit)}${draw(bit + 1)}${draw(bit + 2)}</span>`);
 }
 
 function rocker(bit) {
-  return `<button class="rocker" data-click="switches.flip" value="${bit}" role="switch" aria-checked="false" aria-label="switch ${bit}"><i></i><small>${bit}</small></button>`;
+  return html`<button class="rocker" data-click="switches.flip" value="${bit}" role="switch" aria-checked="false" aria-label="switch ${bit}"><i></i><small>${bit}</small></button>`;
 }

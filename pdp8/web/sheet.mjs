@@ -1,5 +1,7 @@
 // What is drawn: only what has changed, at the size that an observer has seen last.
 
+import { ours, put } from "./html.mjs";
+
 /** Writes into elements, each text only when it is another one. */
 export class Writer {
   constructor() {
@@ -13,14 +15,14 @@ export class Writer {
   }
 
   html(element, html) {
-    if (this.written.get(element) === html) return;
-    this.written.set(element, html);
-    element.innerHTML = html;
+    if (this.written.get(element) === html.source) return;
+    this.written.set(element, html.source);
+    put(element, html);
   }
 
-  /** Write `texts` into those elements of `html` that have `data-text`, in their order: the elements are made once. */
-  fill(element, html, ...texts) {
-    this.html(element, html);
+  /** Write `texts` into those elements of `markup` that have `data-text`, in their order: the elements are made once. */
+  fill(element, markup, ...texts) {
+    this.html(element, ours(markup));
     element.querySelectorAll("[data-text]").forEach((place, index) => this.text(place, texts[index]));
   }
 
@@ -62,7 +64,7 @@ export class Drawing {
   }
 
   show(draw) {
-    this.element.innerHTML = draw(this.width, this.height);
+    put(this.element, ours(draw(this.width, this.height)));
   }
 }
 

@@ -5,9 +5,10 @@
   const data = Uint8Array.from(packed, (character) => character.charCodeAt(0));
   const plain = new Blob([data]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
   new Response(plain).text().then((code) => {
+    const policy = globalThis.trustedTypes?.createPolicy("start", { createScript: (text) => text });
     const script = document.createElement("script");
     script.type = "module";
-    script.textContent = code;
+    script.textContent = policy ? policy.createScript(code) : code;
     document.body.append(script);
   });
 }

@@ -1,6 +1,6 @@
 // Drawings as SVG: places in thousandths of an inch, seen through a box of the page.
 
-import { escaped } from "./written.mjs";
+import { html } from "./html.mjs";
 
 /** Where places, in thousandths, stand in a box of the drawing; Y goes up. */
 export class View {
@@ -47,7 +47,7 @@ export function clipped({ x, y, width, height }, content) {
 }
 
 export function text(x, y, words, attributes = "") {
-  return `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" ${attributes}>${escaped(words)}</text>`;
+  return `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" ${attributes}>${html`${words}`.source}</text>`;
 }
 
 export function rect({ x, y, width, height }, attributes) {

@@ -36,6 +36,7 @@ import { Goal } from "../computer/use/goals.mjs";
 import * as kinds from "../../tapes/kinds.mjs";
 import { is_utf16 } from "../../tapes/utf16.mjs";
 import { checked } from "./findings.mjs";
+import { ours, put } from "./html.mjs";
 import { unpacked } from "./packed.mjs";
 import { READABLE } from "./pictures.mjs";
 import { bytes } from "./translator/runtime.mjs";
@@ -67,8 +68,8 @@ class Bench {
     this.editor = new Editor(this);
     this.exercises = new Exercises(this);
     this.parts = new Parts(this);
-    find("figures").querySelector("table").innerHTML = record.afternoon.figures;
-    find("graph").innerHTML = record.afternoon.graph;
+    put(find("figures").querySelector("table"), ours(record.afternoon.figures));
+    put(find("graph"), ours(record.afternoon.graph));
     this.time = new Time(this);
     this.doors = new Doors(this);
     this.clock = new Clock(this, (samples, reason) => this.#pictured(samples, reason));

@@ -30,8 +30,3 @@ export function seconds(ticks) {
 export function minutes(time) {
   return grouped(Math.round(time / 60));
 }
-
-/** Text that may stand in HTML. */
-export function escaped(text) {
-  return text.replace(/[&<>"]/g, (character) => `&#${character.charCodeAt(0)};`);
-}

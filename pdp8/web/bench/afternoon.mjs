@@ -11,7 +11,8 @@ import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signa
 import { decode } from "../../../tapes/ascii.mjs";
 import { dict } from "../translator/runtime.mjs";
 import { instruction_at } from "../../computer/watch.mjs";
-import { escaped, find } from "../written.mjs";
+import { html, put } from "../html.mjs";
+import { find } from "../written.mjs";
 import { codeOf } from "./shelf.mjs";
 
 const SAID = 8 * SECOND; // how long the operator's last action is shown
@@ -30,7 +31,7 @@ export class Afternoon {
     this.rehearsed = null; // when it is there
     this.on = this.playing = false;
     this.position = 0;
-    this.way = "";
+    this.way = html``;
     addEventListener("hashchange", () => this.asked());
   }
 
@@ -68,7 +69,7 @@ export class Afternoon {
     const sources = dict(["rim.pal", "bin.pal", "eia.pal"].map((name) => [name, shelf.get(name).frames]));
     const text = decode(shelf.get(`${part}.asc`).frames);
     const script = new Script(new Day(part, text, sources, () => new Judgement(...found)));
-    this.bench.writer.html(find("next"), "<span>The afternoon is done once, so that any instant can be had …</span>");
+    this.bench.writer.html(find("next"), html`<span>The afternoon is done once, so that any instant can be had …</span>`);
     let began = performance.now();
     const rehearsal = script.rehearse();
     while (!rehearsal.next().done) {
@@ -78,7 +79,7 @@ export class Afternoon {
     }
     const { acts, tapes } = script.day;
     find("slider").max = script.end;
-    find("acts").innerHTML = acts.map((act, index) => mark(act, index, (act.ends - act.starts) / script.end)).join("");
+    put(find("acts"), acts.map((act, index) => mark(act, index, (act.ends - act.starts) / script.end)));
     this.codes = new Map(tapes.items().map(([name, frames]) => [name, codeOf(frames)]));
     this.script = script;
   }
@@ -110,7 +111,7 @@ export class Afternoon {
     const { bench, script, playing } = this;
     this.on = this.playing = false;
     bench.adopt(script.machine, !playing);
-    this.way = `<button class="text" data-click="afternoon.back">Back to the afternoon, ${clock(script.now)}</button>`;
+    this.way = html`<button class="text" data-click="afternoon.back">Back to the afternoon, ${clock(script.now)}</button>`;
     this.address = null;
     if (location.hash.startsWith("#t=")) history.replaceState(null, "", location.href.replace(/#.*/, ""));
     bench.teletype.named(script.mounted, this.codes.get(script.mounted));
@@ -235,9 +236,9 @@ export class Afternoon {
     const { act, action, machine, now } = this.script;
     const fresh = action && action.at >= act.starts && now - action.at < SAID;
     const doing = fresh ? action.say : waits(machine.processor);
-    const caption = `<span><b>${escaped(act.name)}.</b> ${escaped(act.say)} <em>${escaped(doing)}</em></span>`;
+    const caption = html`<span><b>${act.name}.</b> ${act.say} <em>${doing}</em></span>`;
     writer.text(find("why"), act.name);
-    writer.html(find("next"), `${caption} <small>Touch a switch, a key or a lever to take over.</small>`);
+    writer.html(find("next"), html`${caption} <small>Touch a switch, a key or a lever to take over.</small>`);
   }
 
   /** An act begins: what belongs to it lies open on the desk. */
@@ -255,8 +256,8 @@ export class Afternoon {
 
 /** An act on the rail, as wide as its time; where there is no room, its number alone. */
 function mark({ name }, index, share) {
-  const inside = share > 0.07 ? ` ${escaped(name)}` : "";
-  return `<span data-click="afternoon.open" data-act="${index}" style="flex-grow:${share}" title="${escaped(name)}"><b>${index + 1}</b>${inside}</span>`;
+  const inside = share > 0.07 ? ` ${name}` : "";
+  return html`<span data-click="afternoon.open" data-act="${index}" style="flex-grow:${share}" title="${name}"><b>${index + 1}</b>${inside}</span>`;
 }
 
 /** What a running processor is waiting for, in words. */

@@ -2,6 +2,8 @@
 //
 //     page ── [number, what, given] ──► Worker ── [number, made, why not] ──► page
 
+import { scriptAt } from "../html.mjs";
+
 /** What the page's script does in a Worker: `work` by its name. */
 export function serve(work) {
   globalThis.onmessage = ({ data: [number, what, given] }) => {
@@ -22,7 +24,7 @@ export class Apart {
   #begin() {
     const script = document.querySelector("script[type=module]").textContent;
     const url = URL.createObjectURL(new Blob(["\"use strict\";\n", script], { type: "text/javascript" }));
-    this.worker = new Worker(url);
+    this.worker = new Worker(scriptAt(url));
     this.worker.onerror = ({ message }) => this.#end(message ?? "this browser lets no Worker run");
     this.worker.onmessage = ({ data: [number, made, why] }) => {
       const { resolve, reject } = this.asked.get(number) ?? {};

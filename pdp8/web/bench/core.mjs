@@ -1,17 +1,18 @@
 // Core as a table, a page of 128 words at a time: a word that has changed is marked, and each can be written over.
 
+import { html, put } from "../html.mjs";
 import { find, octal } from "../written.mjs";
 
 const PAGE = 0o200;
 const WIDE = 8; // words a row
-const CELL = `<td><input type="text" maxlength="4" inputmode="numeric" data-change="core.set"></td>`;
+const CELL = html`<td><input type="text" maxlength="4" inputmode="numeric" data-change="core.set"></td>`;
 
 export class Core {
   constructor(bench) {
     this.bench = bench;
     const pages = Array.from({ length: 0o40 }, (_, page) => new Option(octal(page * PAGE), String(page), page === 1, page === 1));
     find("page").replaceChildren(...pages);
-    find("words").innerHTML = `<tr><th scope="row"></th>${CELL.repeat(WIDE)}</tr>`.repeat(PAGE / WIDE);
+    put(find("words"), Array(PAGE / WIDE).fill(html`<tr><th scope="row"></th>${Array(WIDE).fill(CELL)}</tr>`));
     this.heads = [...find("words").querySelectorAll("th")];
     this.cells = [...find("words").querySelectorAll("input")];
     this.turn();

@@ -11,7 +11,8 @@ import { restore, save } from "../../computer/past/state.mjs";
 import { instruction_at } from "../../computer/watch.mjs";
 import { dict } from "../translator/runtime.mjs";
 import { assembled, checked, findings, here } from "../findings.mjs";
-import { escaped, find, grouped, octal } from "../written.mjs";
+import { html, put } from "../html.mjs";
+import { find, grouped, octal } from "../written.mjs";
 import { Counts } from "./counts.mjs";
 import { keep, kept } from "./programs.mjs";
 
@@ -84,16 +85,16 @@ export class Editor {
 
   #warn() {
     const { refused } = this.bench.programs;
-    if (refused) this.#say(`This browser keeps no programs for this page (${escaped(refused)}): save them as files.`);
+    if (refused) this.#say(`This browser keeps no programs for this page (${refused}): save them as files.`);
   }
 
   #named(name) {
     this.name = name;
     keep(OPEN, name);
-    const options = (names) => names.map((each) => `<option>${escaped(each)}</option>`).join("");
+    const options = (names) => names.map((each) => html`<option>${each}</option>`);
     const bundled = this.bench.shelf.names().filter((each) => each.endsWith(".pal"));
-    find("sources").innerHTML = `<option value="">Open a program …</option><optgroup label="Yours">${options(this.bench.programs.names())}</optgroup>`
-      + `<optgroup label="Bundled">${options(bundled)}</optgroup>`;
+    put(find("sources"), html`<option value="">Open a program …</option><optgroup label="Yours">${options(this.bench.programs.names())}</optgroup>
+      <optgroup label="Bundled">${options(bundled)}</optgroup>`);
   }
 
   #show(text) {
@@ -110,7 +111,7 @@ export class Editor {
     this.keep();
     this.area.readOnly = true;
     this.#show(tape ? new TextDecoder().decode(tape.frames) : assembly.lines.map(({ source }) => source).join("\n"));
-    this.#say(`${name} is in core. <button class="text" data-click="editor.back">Back to ${escaped(this.name)}</button>`);
+    this.#say(html`${name} is in core. <button class="text" data-click="editor.back">Back to ${this.name}</button>`);
     this.#found(findings(assembly));
     this.#inCore();
   }
@@ -155,7 +156,7 @@ export class Editor {
     programs.remove(this.name);
     this.name = "";
     this.begin();
-    this.#say(`${escaped(this.deleted[0])} is deleted. <button class="text" data-click="editor.undo">Undo</button>`);
+    this.#say(html`${this.deleted[0]} is deleted. <button class="text" data-click="editor.undo">Undo</button>`);
   }
 
   undo() {
@@ -170,8 +171,8 @@ export class Editor {
     this.bench.download(`${this.name.replace(/\.\w+$/, "")}.${kind}`, made[kind]());
   }
 
-  #say(html) {
-    find("program-says").innerHTML = html;
+  #say(content) {
+    put(find("program-says"), content);
   }
 
   changed() {
@@ -191,7 +192,7 @@ export class Editor {
       if (text === this.text) this.#found(found);
     } catch (error) {
       if (!bench.apart.worker) this.#found(checked(name, text));
-      else this.#say(escaped(error.message));
+      else this.#say(error.message);
     }
   }
 
@@ -203,10 +204,9 @@ export class Editor {
     this.wrong = new Map(diagnostics.map((each) => [each.line, each]).reverse());
     const items = diagnostics.map(({ line, start, end, severity, whole }) => {
       const [first, ...rest] = whole.split("\n");
-      const place = `data-line="${line}" data-start="${start}" data-end="${end}"`;
-      return `<li class="${severity}"><button class="text" data-click="editor.goTo" ${place}>${escaped(first)}</button><pre>${escaped(rest.join("\n"))}</pre></li>`;
+      return html`<li class="${severity}"><button class="text" data-click="editor.goTo" data-line="${line}" data-start="${start}" data-end="${end}">${first}</button><pre>${rest.join("\n")}</pre></li>`;
     });
-    find("messages").innerHTML = `<p>${summary}</p><ol>${items.join("")}</ol>${more ? `<p>and ${more.toLocaleString("en")} more</p>` : ""}`;
+    put(find("messages"), html`<p>${summary}</p><ol>${items}</ol>${more ? html`<p>and ${more.toLocaleString("en")} more</p>` : ""}`);
     for (const id of ["load", "boot", "list"]) find(id).disabled = !places.length;
     this.#draw();
   }
@@ -225,22 +225,22 @@ export class Editor {
     const first = Math.floor(scrollTop / TALL);
     const seen = this.lines.slice(first, first + Math.ceil(clientHeight / TALL) + 1);
     const down = first * TALL - scrollTop;
-    this.behind.innerHTML = seen.map((line, index) => coloured(line, this.wrong.get(first + index + 1))).join("\n");
+    put(this.behind, seen.flatMap((line, index) => [index ? "\n" : "", coloured(line, this.wrong.get(first + index + 1))]));
     this.behind.style.transform = `translate(${-scrollLeft}px, ${down}px)`;
-    find("gutter").innerHTML = `<div style="transform: translateY(${down}px)">${seen.map((_, index) => this.#beside(first + index + 1)).join("")}</div>`;
+    put(find("gutter"), html`<div style="transform: translateY(${down}px)">${seen.map((_, index) => this.#beside(first + index + 1))}</div>`);
   }
 
   /** What stands beside a line. */
   #beside(line) {
     const place = this.places.get(line);
     const classes = `line${line === this.now ? " now" : ""} ${this.wrong.get(line)?.severity ?? ""}`;
-    const current = line === this.now ? ' aria-current="true"' : "";
-    if (!place || place.address >= CORE) return `<div class="${classes}" role="listitem"><span>${line}</span></div>`;
+    const current = line === this.now ? html` aria-current="true"` : "";
+    if (!place || place.address >= CORE) return html`<div class="${classes}" role="listitem"><span>${line}</span></div>`;
     const { address, word } = place;
     const set = this.bench.machine.watch.breakpoints.has(address);
-    const count = find("counts").checked ? `<i>${grouped(this.counts.executed[address])}</i>` : "";
-    const button = `<button tabindex="-1" data-click="editor.mark" value="${address}" aria-pressed="${set}" aria-label="breakpoint at ${octal(address)}">${octal(address)}</button>`;
-    return `<div class="${classes}" role="listitem"${current}><span>${line}</span>${button}<b>${octal(word)}</b>${count}</div>`;
+    const count = find("counts").checked ? html`<i>${grouped(this.counts.executed[address])}</i>` : "";
+    const button = html`<button tabindex="-1" data-click="editor.mark" value="${address}" aria-pressed="${set}" aria-label="breakpoint at ${octal(address)}">${octal(address)}</button>`;
+    return html`<div class="${classes}" role="listitem"${current}><span>${line}</span>${button}<b>${octal(word)}</b>${count}</div>`;
   }
 
   mark({ value }) {
@@ -381,14 +381,14 @@ function bounded(text) {
 /** A line in colour, and what is wrong with it. */
 function coloured(whole, wrong) {
   const line = whole.slice(0, WIDEST);
-  let html = "";
+  const pieces = [];
   let at = 0;
   for (const match of line.matchAll(TOKENS)) {
     const [token, comment, name, mark] = match;
     const kind = comment ? "comment" : name ? (mark ? "tag" : KNOWN.has(name) ? "known" : "name") : "number";
-    html += `${escaped(line.slice(at, match.index))}<span class="${kind}">${escaped(token)}</span>`;
+    pieces.push(line.slice(at, match.index), html`<span class="${kind}">${token}</span>`);
     at = match.index + token.length;
   }
-  html += escaped(line.slice(at));
-  return wrong ? `<u class="${wrong.severity}">${html || " "}</u>  <em>${escaped(wrong.brief)}</em>` : html;
+  pieces.push(line.slice(at));
+  return wrong ? html`<u class="${wrong.severity}">${line ? pieces : " "}</u>  <em>${wrong.brief}</em>` : pieces;
 }

@@ -1,7 +1,8 @@
 // The exercises of `pdp8 check`, and a teacher's own: the task, an answer in the editor or on a sheet, its marks.
 
 import { task as written } from "../../lessons/page.mjs";
-import { escaped, find } from "../written.mjs";
+import { html, ours, put } from "../html.mjs";
+import { find } from "../written.mjs";
 import { linked } from "./sharing.mjs";
 
 const SECONDS = 10; // of an answer, as `pdp8 check` gives it
@@ -29,9 +30,9 @@ export class Exercises {
     this.name = name;
     const { title, task, question: questions = [] } = this.all.get(name);
     const asks = questions.map(({ name: called, ask }) =>
-      `<label>${escaped(called)} <span>${escaped(ask)}</span> <input type="text" name="${escaped(called)}" autocomplete="off"></label>`);
-    const begin = questions.length ? "" : `<button class="text" type="button" data-click="exercises.begin">Begin ${escaped(this.#answer)}</button> `;
-    find("asked").innerHTML = `<h2>${escaped(title)}</h2>${written(task)}<form data-submit="exercises.mark">${asks.join("")}<div class="tools">${begin}<button class="text go">Mark ${questions.length ? "the sheet" : "the program"}</button></div></form>`;
+      html`<label>${called} <span>${ask}</span> <input type="text" name="${called}" autocomplete="off"></label>`);
+    const begin = questions.length ? "" : html`<button class="text" type="button" data-click="exercises.begin">Begin ${this.#answer}</button> `;
+    put(find("asked"), html`<h2>${title}</h2>${ours(written(task))}<form data-submit="exercises.mark">${asks}<div class="tools">${begin}<button class="text go">Mark ${questions.length ? "the sheet" : "the program"}</button></div></form>`);
     find("marks").replaceChildren();
     this.#list();
   }
@@ -64,15 +65,15 @@ export class Exercises {
     const tables = this.all.get(name);
     const lines = [...find("asked").querySelectorAll("input")].map((input) => `${input.name}: ${input.value}\n`);
     const source = tables.question ? lines.join("") : editor.text;
-    find("marks").innerHTML = "<p>It is tried …</p>";
+    put(find("marks"), html`<p>It is tried …</p>`);
     try {
-      const { right, points, of, html } = await apart.ask("marks", [tables, tables.question ? name : editor.name, source], SECONDS);
+      const { right, points, of, said } = await apart.ask("marks", [tables, tables.question ? name : editor.name, source], SECONDS);
       if (right) this.done.add(name);
       if (name !== this.name) return;
-      find("marks").innerHTML = `<p><b class="${right ? "right" : ""}">${escaped(tables.question ? "The sheet" : editor.name)}: ${of ? `${points} of ${of} points` : "not marked"}</b></p>${html}`;
+      put(find("marks"), html`<p><b class="${right ? "right" : ""}">${tables.question ? "The sheet" : editor.name}: ${of ? `${points} of ${of} points` : "not marked"}</b></p>${ours(said)}`);
       this.#list();
     } catch (error) {
-      find("marks").innerHTML = `<p>${escaped(error.message)}</p>`;
+      put(find("marks"), html`<p>${error.message}</p>`);
     }
   }
 

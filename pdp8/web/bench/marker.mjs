@@ -9,8 +9,10 @@ import { bytes, dict } from "../translator/runtime.mjs";
 const TAPES = ["reader", "keys", "tape"];
 const TABLES = ["deposit", "core", "hints", "slips"];
 
+/** What a file gives for a field. Throws where points are no number. */
 function valued(name, value) {
   if (value === undefined) return value;
+  if (name === "points" && !Number.isFinite(value)) throw new Error(`points: ${value} is no number`);
   return TAPES.includes(name) ? bytes(value) : TABLES.includes(name) ? dict(value) : value;
 }
 
@@ -31,10 +33,10 @@ function exercise({ title, task, program = {}, case: cases = [], question: quest
   return new Exercise("", title, task, record(Source, program), tried, questions.map(question), others);
 }
 
-/** The marks of a source: { right, points, of, html }. */
+/** The marks of a source: { right, points, of, said }, what is said in HTML. */
 export function marks(tables, name, source) {
   const given = exercise(tables);
   const result = mark(given, new Answer(name, undefined, undefined, source));
   const { right, points, of } = result;
-  return { right, points, of, html: [...body(given, result)].join("\n") };
+  return { right, points, of, said: [...body(given, result)].join("\n") };
 }

@@ -5,11 +5,12 @@ import { CutError, cut } from "../../../nc/machine.mjs";
 import { TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { FIELDS } from "../../../tapes/hydrapoint.mjs";
 import { contour } from "./path.mjs";
+import { html, put } from "../html.mjs";
 import { BLOCK, passing } from "../passing.mjs";
 import { Pictures } from "../pictures.mjs";
 import { Drawing, Sheet } from "../sheet.mjs";
 import { drawTape, meaning, tapeKey } from "../tape.mjs";
-import { escaped, find, grouped, inches, minutes, octal } from "../written.mjs";
+import { find, grouped, inches, minutes, octal } from "../written.mjs";
 
 const TAKES = 20; // seconds in which a whole tape is cut on the page
 const MARGIN = 40; // pixels that stay in view above the current line, and its own height and as much below
@@ -49,7 +50,7 @@ export class Mill {
     find("refusal").textContent = refusal;
     this.drawing = this.steps.length ? contour(path, this.bench.record.cutter, band) : null;
     find("eia").value = name;
-    find("blocks").innerHTML = `<ol>${this.steps.map((step) => row(step)).join("")}</ol>`;
+    put(find("blocks"), html`<ol>${this.steps.map((step) => row(step))}</ol>`);
     this.line = null;
     this.rows = [...find("blocks").querySelectorAll("li")];
   }
@@ -150,7 +151,7 @@ function roundness({ radius, x, y, lowest, highest }) {
 function row({ block, at }) {
   let from = 0;
   const fields = FIELDS.values().map((width) => block.digits.slice(from, (from += width)));
-  return `<li>${escaped(fields.join(" "))} <span>X ${inches(at.x)} Y ${inches(at.y)} Z ${inches(at.z)}</span></li>`;
+  return html`<li>${fields.join(" ")} <span>X ${inches(at.x)} Y ${inches(at.y)} Z ${inches(at.z)}</span></li>`;
 }
 
 function signed(length) {

@@ -16,6 +16,7 @@ import * as polynomial from "../../../programs/polynomial.mjs";
 import * as slope from "../../../programs/slope.mjs";
 import { Unit } from "../../../programs/units.mjs";
 import { encode } from "../../../tapes/ascii.mjs";
+import { ours, put } from "../html.mjs";
 import { find, grouped } from "../written.mjs";
 
 const PROGRAMS = { circle, curve, die, drill, ellipse, fluidic, polynomial, slope };
@@ -58,7 +59,7 @@ export class Parts {
   /** Show the options of the part that is chosen. */
   ask() {
     find("part-is").textContent = this.part.summary;
-    find("part-options").innerHTML = this.part.form;
+    put(find("part-options"), ours(this.part.form));
   }
 
   async punch() {

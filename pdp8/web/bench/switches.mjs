@@ -4,6 +4,7 @@
 
 import { Operator, RIM, RIM_START } from "../../computer/use/operator.mjs";
 import { Coach, find as drill } from "../../lessons/drill.mjs";
+import { html, put } from "../html.mjs";
 import { Panel } from "../panel.mjs";
 import { find } from "../written.mjs";
 import { keyed } from "./wiring.mjs";
@@ -61,7 +62,7 @@ class Card {
     this.card = drill("rim", null);
     this.coach = null; // who looks on while it is practised
     this.looked = 0; // when the coach last did: the clock is the visitor's, not the machine's
-    find("card").querySelector("ol").innerHTML = this.card.steps.map(({ say }) => `<li>${say}</li>`).join("");
+    put(find("card").querySelector("ol"), this.card.steps.map(({ say }) => html`<li>${say}</li>`));
   }
 
   /** Lay the card open, and practise. */

@@ -1,5 +1,6 @@
 // The tabs of the desk: one pane at a time.
 
+import { html, put } from "../html.mjs";
 import { find } from "../written.mjs";
 
 export class Tabs {
@@ -7,8 +8,8 @@ export class Tabs {
     this.bench = bench;
     this.list = find("tabs");
     this.panes = [...document.querySelectorAll("[data-tab]")];
-    const tabs = this.panes.map(({ id, dataset: { tab } }) => `<button role="tab" data-opens="${id}" data-click="tabs.choose" aria-controls="${id}">${tab}</button>`);
-    this.list.innerHTML = tabs.join("");
+    const tabs = this.panes.map(({ id, dataset: { tab } }) => html`<button role="tab" data-opens="${id}" data-click="tabs.choose" aria-controls="${id}">${tab}</button>`);
+    put(this.list, tabs);
     this.list.addEventListener("focusin", ({ target }) => this.choose(target));
     this.#show(this.panes[0].id);
   }

@@ -2,6 +2,7 @@
 
 import * as rewind from "../../computer/past/rewind.mjs";
 import { forward, until } from "../../computer/use/goals.mjs";
+import { html } from "../html.mjs";
 import { find } from "../written.mjs";
 import { next } from "./next.mjs";
 import { keyed } from "./wiring.mjs";
@@ -124,7 +125,7 @@ export class Time {
     writer.text(find("kept"), (afternoon.on ? afternoon.playing : machine.processor.run) ? clock.kept : "");
     if (afternoon.on) return;
     const [said, controls] = next(bench);
-    const buttons = controls.map(([label, selector]) => `<button class="text" data-click="time.use" data-for="${selector}">${label}</button>`);
-    writer.html(find("next"), `<span>${said}</span> ${buttons.join(" ")} ${afternoon.script ? afternoon.way : ""}`);
+    const buttons = controls.map(([label, selector]) => html`<button class="text" data-click="time.use" data-for="${selector}">${label}</button>`);
+    writer.html(find("next"), html`<span>${said}</span> ${buttons} ${afternoon.script ? afternoon.way : ""}`);
   }
 }

@@ -6,7 +6,8 @@ import { block as blockOf, FIELDS } from "../../../tapes/hydrapoint.mjs";
 import { Figure } from "./drawing.mjs";
 import { rect, text } from "../svg.mjs";
 import { characters, translated } from "../method.mjs";
-import { escaped, inches, octal } from "../written.mjs";
+import { html } from "../html.mjs";
+import { inches, octal } from "../written.mjs";
 
 const NAMES = { sequence: "number", preparatory: "mill", x: "X", y: "Y", reserved: "0", tool: "feed", miscellaneous: "axis" };
 const TRACKS = [1, 2, 4, 0, 8, 16, 32, 64, 128]; // from the edge; the guide holes are the fourth
@@ -57,9 +58,9 @@ function fields(pitch, y, width) {
 function meaning(digits) {
   const { sequence, preparatory, x, y, tool, miscellaneous: axis } = blockOf(digits);
   const number = String(sequence).padStart(3, "0");
-  if (preparatory === 6) return `Block ${number}: <b>mill</b> to X ${inches(x)}, Y ${inches(y)} in, with the ${axis === 84 ? "X" : "Y"} feed at code ${String(tool).padStart(2, "0")}. A row with one hole alone, at the right, ends the block.`;
-  if (preparatory === 9) return `Block ${number}: <b>depths</b>: feed from Z ${x / 1000} in down to ${y / 1000} in.`;
-  return `Block ${number}: <b>position</b>, one of the six that open the tape: park, tool, coolant, spindle, start of the contour, depth.`;
+  if (preparatory === 6) return html`Block ${number}: <b>mill</b> to X ${inches(x)}, Y ${inches(y)} in, with the ${axis === 84 ? "X" : "Y"} feed at code ${String(tool).padStart(2, "0")}. A row with one hole alone, at the right, ends the block.`;
+  if (preparatory === 9) return html`Block ${number}: <b>depths</b>: feed from Z ${x / 1000} in down to ${y / 1000} in.`;
+  return html`Block ${number}: <b>position</b>, one of the six that open the tape: park, tool, coolant, spindle, start of the contour, depth.`;
 }
 
 export function computer({ text: printout }, record) {
@@ -100,10 +101,10 @@ function told({ character, rows, punched, waited }, listing) {
   const seven = character & 0o177;
   const reduced = (seven + 0o7720) & 0o7777;
   const signed = reduced > 0o3777 ? `−${(0o10000 - reduced).toString(8)}` : reduced.toString(8);
-  const end = punched === null ? "it is not one of the twelve: <b>nothing is punched</b>" : `punch <b>${octal(punched, 3)}</b>, ${escaped(eia.name(punched))} in EIA`;
-  const steps = `<b>${escaped(shown(character))}</b> arrives as ${octal(character, 3)}; without channel 8, ${octal(seven, 3)}; less 60, ${signed}; ${end}. All numbers octal.`;
-  const body = rows.map(({ address, word, ac }) => `<tr><td>${octal(address)}</td><td>${octal(word)}</td><td>${escaped(source(listing, address, word))}</td><td>${octal(ac)}</td></tr>`).join("");
-  return `${steps} <details><summary>${rows.length} instructions, and ${waited} more that only wait for the Teletype</summary><table><thead><tr><th>at</th><th>word</th><th>instruction</th><th>AC after</th></tr></thead><tbody>${body}</tbody></table></details>`;
+  const end = punched === null ? html`it is not one of the twelve: <b>nothing is punched</b>` : html`punch <b>${octal(punched, 3)}</b>, ${eia.name(punched)} in EIA`;
+  const steps = html`<b>${shown(character)}</b> arrives as ${octal(character, 3)}; without channel 8, ${octal(seven, 3)}; less 60, ${signed}; ${end}. All numbers octal.`;
+  const body = rows.map(({ address, word, ac }) => html`<tr><td>${octal(address)}</td><td>${octal(word)}</td><td>${source(listing, address, word)}</td><td>${octal(ac)}</td></tr>`);
+  return html`${steps} <details><summary>${rows.length} instructions, and ${waited} more that only wait for the Teletype</summary><table><thead><tr><th>at</th><th>word</th><th>instruction</th><th>AC after</th></tr></thead><tbody>${body}</tbody></table></details>`;
 }
 
 function source(listing, address, word) {

@@ -1,6 +1,7 @@
 // A live figure: its inputs, a drawing as wide as the page gives it, and a line that says the numbers.
 
 import { XY_FEED } from "../../../tapes/hydrapoint.mjs";
+import { ours, put } from "../html.mjs";
 import { CENTRE, RADIUS } from "../method.mjs";
 import { clipped, rect, text, View } from "../svg.mjs";
 import { inches } from "../written.mjs";
@@ -18,7 +19,7 @@ const UNITS = {
 
 /** A figure of the page: draws itself again when one of its inputs changes, or its width. */
 export class Figure {
-  /** `draw(values, width)` returns [the SVG's content, its height, what is said of it in HTML]; `words` writes values that
+  /** `draw(values, width)` returns [the SVG's content, its height, what is said of it]; `words` writes values that
    *  have no unit.
    */
   constructor(id, draw, words = {}) {
@@ -62,8 +63,8 @@ export class Figure {
     }
     const [content, height, said] = this.draw(values, width);
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    this.svg.innerHTML = content;
-    this.said.innerHTML = said;
+    put(this.svg, ours(content));
+    put(this.said, said);
   }
 }
 

@@ -2,6 +2,7 @@
 
 import { CENTRE, quarter as cut, RADIUS } from "../method.mjs";
 import { CIRCLE, Figure, mils, minutes, onCircle, remembered, straightened } from "./drawing.mjs";
+import { html } from "../html.mjs";
 import { clipped, rect, text, View } from "../svg.mjs";
 import { troughToPeak, walls } from "./walls.mjs";
 
@@ -31,7 +32,7 @@ function said({ blocks, reading, milling, minutes: took }, { outer, inner }) {
   const wall = Math.max(troughToPeak(outer), troughToPeak(inner));
   const diagonal = Math.max(...[outer, inner].map((errors) => troughToPeak(errors.subarray(middle - five, middle + five))));
   const apex = Math.max(...[outer, inner].map((errors) => troughToPeak(errors.subarray(STATIONS - tenth))));
-  return `<b>${blocks} blocks</b>: reading ${minutes(reading)} + cutting ${minutes(milling)} = <b>${minutes(took)}</b>. Wall, trough to peak: <b>${mils(wall, 4)} in</b> at most; ${mils(apex, 4)} near the top, ${mils(diagonal, 4)} at 45°.`;
+  return html`<b>${blocks} blocks</b>: reading ${minutes(reading)} + cutting ${minutes(milling)} = <b>${minutes(took)}</b>. Wall, trough to peak: <b>${mils(wall, 4)} in</b> at most; ${mils(apex, 4)} near the top, ${mils(diagonal, 4)} at 45°.`;
 }
 
 function pictured({ way }, cutter, tolerance, place, whole, close) {

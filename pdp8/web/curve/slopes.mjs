@@ -2,6 +2,7 @@
 
 import { pieces, SLOPE, slope } from "../method.mjs";
 import { Figure, inch, minutes, straightened } from "./drawing.mjs";
+import { html } from "../html.mjs";
 import { text, View } from "../svg.mjs";
 
 const [FROM, TO] = SLOPE;
@@ -88,6 +89,6 @@ export function stepwise() {
     const box = { x: 8, y: height + 24, width: width - 62, height: 120 };
     const reach = 1.5 * tolerance + 1;
     const content = view.line([...left, ...right.toReversed()], 'class="band"', true) + sides + ends(view) + view.line(way, 'class="way"') + names + title(box, reach) + straightened(box, LENGTH, tolerance, reach, [[way.map(beside), "way"]]);
-    return [content, box.y + box.height + 8, `<b>${blocks} blocks</b>. Reading them takes ${minutes(reading)}, cutting ${minutes(milling)}: <b>${minutes(took)}</b>. Furthest off: ${inch(furthest(way).worst)}.`];
+    return [content, box.y + box.height + 8, html`<b>${blocks} blocks</b>. Reading them takes ${minutes(reading)}, cutting ${minutes(milling)}: <b>${minutes(took)}</b>. Furthest off: ${inch(furthest(way).worst)}.`];
   });
 }

@@ -4,6 +4,7 @@ import { MoveKind } from "../../../nc/path.mjs";
 import { CENTRE, RADIUS } from "../method.mjs";
 import { Pictures } from "../pictures.mjs";
 import { CIRCLE, Figure, minutes } from "./drawing.mjs";
+import { html } from "../html.mjs";
 import { clipped, rect, text, View } from "../svg.mjs";
 
 const CUTTER = 250; // its radius
@@ -76,7 +77,7 @@ function picture({ path, way }, before, first, now, width) {
   const digits = text(width / 2, box.height / 2 - 4, String(step.block.digits), 'class="digits" text-anchor="middle"') + text(width / 2, box.height / 2 + 16, what, 'class="small" text-anchor="middle"');
   const bars = bar(width, height - 50, "reading", read) + bar(width, height - 24, "cutting", cutting);
   const blocks = last - first;
-  const said = `Block <b>${Math.min(last + 1, path.length)}</b> of ${path.length}. Of ${minutes((read + cutting) / 60)} the reader took ${minutes(read / 60)} (${blocks} blocks of 2 s), the cutter ${minutes(cutting / 60)}: it cut <b>${read + cutting ? Math.round((100 * cutting) / (read + cutting)) : 0} %</b> of the time.`;
+  const said = html`Block <b>${Math.min(last + 1, path.length)}</b> of ${path.length}. Of ${minutes((read + cutting) / 60)} the reader took ${minutes(read / 60)} (${blocks} blocks of 2 s), the cutter ${minutes(cutting / 60)}: it cut <b>${read + cutting ? Math.round((100 * cutting) / (read + cutting)) : 0} %</b> of the time.`;
   return [clipped(box, content) + digits + bars, height, said];
 }
 

@@ -48,7 +48,7 @@ def visit(
     until(page, condition)
     yield page
     context.close()
-    assert complaints == []
+    assert complaints == [], complaints
 
 
 def until(page: Page, condition: str) -> None:
