@@ -11,7 +11,8 @@
     plot        path and cut surface, and the staircase in its band
     talyrond    the polar graph of an inspection
     talysurf    the straight graph of an inspection
-    gcode       the path for today's controllers
+    gcode       the path for today's mill, Z 0 on the stock
+    gcode_1971  all that the machine did, Z 0 at the quill's top
     dxf         the path as a drawing
 
 It imports tapes and no other package of the project. It draws without a library.

@@ -12,6 +12,7 @@ from pdp8.cli.nc_options import (
     PECK,
     TAPE,
     TIMES,
+    Inches,
     Within,
     curve,
     curve_or_followed,
@@ -21,6 +22,8 @@ from pdp8.cli.nc_options import (
 )
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Group, Source, Target, output
+from pdp8.cli.shared.rules import option
+from tapes.errors import naming
 
 
 @click.group(cls=Group)
@@ -205,28 +208,81 @@ def inspect(
 @TAPE
 @PECK
 @CURVE
-@click.option("--gcode", is_flag=True, help="RS-274, one linear move a block, for today's controllers.")
-@click.option("--dxf", is_flag=True, help="A drawing of the path (needs ezdxf, the extra `nc`).")
+@option("--gcode", is_flag=True, help="G-code (RS-274) for today's mill: Z 0 is the top of the stock.")
+@option(
+    "--safe",
+    type=Inches(0.001, 5),
+    metavar="INCHES",
+    default=0.25,
+    show_default=True,
+    needs="--gcode",
+    excludes="--as-1971",
+    help="Height above the stock at which rapids go.",
+)
+@option(
+    "--shift",
+    callback=numbers("X,Y"),
+    metavar="X,Y",
+    needs="--gcode",
+    excludes="--as-1971",
+    help="Added to the tape's X and Y, inches.",
+)
+@option(
+    "--tool-change",
+    is_flag=True,
+    needs="--gcode",
+    excludes="--as-1971",
+    help="Write tool changes and coolant, for LinuxCNC and others that have them.",
+)
+@option(
+    "--as-1971",
+    is_flag=True,
+    needs="--gcode",
+    excludes="--cutter",
+    help="All that the machine did, parking and stops; Z 0 is the quill's top.",
+)
+@option("--dxf", is_flag=True, help="A drawing of the path (needs ezdxf, the extra `nc`).")
 @output(Target("text"))
-def export(gcode: bool, dxf: bool, output: str, **options: Any) -> None:
+def export(
+    gcode: bool,
+    safe: float,
+    shift: tuple[float, float] | None,
+    tool_change: bool,
+    as_1971: bool,
+    dxf: bool,
+    output: str,
+    **options: Any,
+) -> None:
     """Write the path as G-code or DXF, in inches.
 
     \b
     Examples:
       pdp8 nc export circle.eia --gcode > circle.ngc
+      pdp8 nc export circle.eia --gcode --shift=-2,-2 --safe 0.5 -o circle.ngc
       pdp8 nc export circle.eia --dxf -o circle.dxf
     """
     if gcode == dxf:
         raise click.UsageError("give one of --gcode and --dxf")
     path = cut_tape(**options)
-    if gcode:
-        from nc.gcode import gcode as program
+    cutter = options["cutter"] * 1000
+    if dxf:
+        from nc.dxf import dxf as drawing
 
-        command.put(output, "".join(f"{line}\n" for line in program(path)))
+        command.put(output, drawing(path, curve_or_followed(path, **options), cutter))
         return
-    from nc.dxf import dxf as drawing
+    from nc.gcode import gcode as program
+    from nc.gcode_1971 import gcode_1971
 
-    command.put(output, drawing(path, curve_or_followed(path, **options), options["cutter"] * 1000))
+    x, y = shift or (0, 0)
+    lines = (
+        gcode_1971(path)
+        if as_1971
+        else program(
+            path, cutter=cutter, safe=safe * 1000, shift=(x * 1000, y * 1000), tool_change=tool_change
+        )
+    )
+    with naming(options["tape"]):
+        command.put(output, "".join(f"{line}\n" for line in lines))
 
 
 @nc.command()

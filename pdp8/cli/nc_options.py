@@ -33,7 +33,7 @@ class Within(click.types.FloatParamType):
         self.fail(f"{number:g} is not {start} to {self.high:g}", param, ctx)
 
 
-class _Inches(Within):
+class Inches(Within):
     """A length in inches, with its unit or without, as `pdp8 part` takes it."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
@@ -99,7 +99,7 @@ TAPE = _adding(
 
 PECK = click.option(
     "--peck",
-    type=_Inches(0.001, 5),
+    type=Inches(0.001, 5),
     callback=lambda _, __, inches: round(inches * 1000),
     metavar="INCHES",
     default=0.1,
@@ -171,7 +171,7 @@ CURVE = _adding(
     ),
     click.option(
         "--cutter",
-        type=_Inches(0, 10, above=True),
+        type=Inches(0, 10, above=True),
         metavar="INCHES",
         default=0.5,
         show_default=True,
@@ -179,7 +179,7 @@ CURVE = _adding(
     ),
     click.option(
         "--tolerance",
-        type=_Inches(0, 1, above=True),
+        type=Inches(0, 1, above=True),
         metavar="INCHES",
         default=0.005,
         show_default=True,

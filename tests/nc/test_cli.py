@@ -8,6 +8,7 @@ from click.testing import CliRunner
 from nc.curves import Ellipse, Graph
 from nc.dxf import dxf
 from nc.gcode import gcode
+from nc.gcode_1971 import gcode_1971
 from nc.inspection import inspect
 from nc.machine import cut
 from nc.plot import plot
@@ -97,7 +98,15 @@ def test_lengths_are_inches_at_the_commands(shell: Shell) -> None:
     assert shell(f"pdp8 nc inspect circle.eia {options}").stdout.decode() == trace
     holes = tape(*FOUR_HOLES)
     assert product(shell, "pdp8 nc export --dxf --cutter .25", holes) == dxf(cut(holes), cutter=250)
-    assert product(shell, "pdp8 nc export --gcode", holes).splitlines() == [*gcode(cut(holes))]
+    for options, lines in (
+        ("", gcode(cut(holes))),
+        (
+            "--safe .5in --shift=-1,.5 --tool-change --cutter .25",
+            gcode(cut(holes), cutter=250, safe=500, shift=(-1000, 500), tool_change=True),
+        ),
+        ("--as-1971", gcode_1971(cut(holes))),
+    ):
+        assert product(shell, f"pdp8 nc export --gcode {options}", holes).splitlines() == [*lines]
 
 
 PARITY = CIRCLE[:700] + b"\xa0" + CIRCLE[701:]
@@ -186,6 +195,11 @@ MISUSE = {
     "export": {
         "": "give one of --gcode and --dxf",
         "--gcode --dxf": "give one of --gcode and --dxf",
+        "--dxf --safe .5": "--safe means nothing without --gcode.",
+        "--gcode --as-1971 --shift 1,1": "--shift means nothing beside --as-1971.",
+        "--gcode --as-1971 --cutter 1": "--as-1971 means nothing beside --cutter.",
+        "--gcode --safe 0": "0 is not from 0.001 to 5",
+        "--gcode --shift 1": "'1' is not X,Y: 2 numbers separated by commas",
     },
 }
 
@@ -210,7 +224,7 @@ def test_every_command_has_help_with_examples() -> None:
         ("cut", ["0.1", "0.0", "2.0", "1; x>=1"]),
         ("plot", ["4,5", "0.5", "0.005", "10.0", "standard output"]),
         ("inspect", ["4,5", "0.5", "0.005"]),
-        ("export", ["0.1", "4,5", "0.5", "0.005", "standard output"]),
+        ("export", ["0.1", "4,5", "0.5", "0.005", "0.25", "standard output"]),
     ):
         said = CliRunner().invoke(nc, [*command.split(), "--help"], max_content_width=100).output
         assert re.findall(r"\[default:\s+([^]]*)\]", said) == defaults

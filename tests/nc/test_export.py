@@ -1,4 +1,4 @@
-"""G-code run by interpreters that are not ours, DXF read back by ezdxf."""
+"""G-code as of 1971 run by interpreters that are not ours, DXF read back by ezdxf."""
 
 import io
 import random
@@ -19,7 +19,7 @@ from ezdxf.entities.lwpolyline import LWPolyline
 import nc
 from nc.curves import Ellipse
 from nc.dxf import dxf
-from nc.gcode import gcode
+from nc.gcode_1971 import gcode_1971
 from nc.machine import Settings
 from nc.path import MoveKind
 from tapes.errors import WorkError
@@ -109,7 +109,7 @@ def linuxcnc(lines: Iterable[str], folder: Path) -> Iterator[Event]:
 @pytest.mark.parametrize("frames", [CIRCLE, EVERYTHING], ids=["circle", "everything"])
 def test_linuxcnc_does_the_same(frames: bytes, tmp_path: Path) -> None:
     path = nc.cut(frames, settings=Settings(feed_error=(0.12345, -0.2, 0.2)))
-    for here, there in zip(linuxcnc(gcode(path), tmp_path), events(path), strict=True):
+    for here, there in zip(linuxcnc(gcode_1971(path), tmp_path), events(path), strict=True):
         assert here[1:] == there[1:], f"{here}, not {there}"
         assert here[0] == (pytest.approx(there[0], abs=0.00011) if len(there) > 2 else there[0])
 
@@ -119,7 +119,7 @@ def test_pygcode_goes_the_same_way() -> None:
     path = nc.cut(EVERYTHING[: 1 + 20 * 60], settings=Settings(feed_error=(0.1, -0.2, 0.2)))
     machine = pygcode.Machine()
     went = []
-    for line in gcode(path):
+    for line in gcode_1971(path):
         block = pygcode.Line(line).block
         machine.process_block(block)
         for code in block.gcodes:
@@ -132,7 +132,7 @@ def test_pygcode_goes_the_same_way() -> None:
 
 
 def test_the_header_of_the_circle() -> None:
-    lines = list(gcode(nc.cut(CIRCLE)))
+    lines = list(gcode_1971(nc.cut(CIRCLE)))
     assert [*lines[:7], *lines[9:14], *lines[-4:]] == [
         "(Moog Hydra-Point 83-1000 MC, 20-row block tape)",
         "G20 G90 G17 G94 G40 G80 G61",
@@ -154,14 +154,14 @@ def test_the_header_of_the_circle() -> None:
 
 
 def test_a_tape_that_starts_no_spindle_says_so() -> None:
-    assert list(gcode(nc.cut(tape(FOUR_HOLES[0]))))[1].startswith("G20")
-    assert list(gcode(nc.cut(tape("001 0 01000 00000 0 00 80"))))[1] == "(the tape starts no spindle)"
+    assert list(gcode_1971(nc.cut(tape(FOUR_HOLES[0]))))[1].startswith("G20")
+    assert list(gcode_1971(nc.cut(tape("001 0 01000 00000 0 00 80"))))[1] == "(the tape starts no spindle)"
 
 
 def test_a_line_s_number_has_five_digits_at_the_most() -> None:
     path = nc.cut(tape(FOUR_HOLES[0]))
     steps = tuple(replace(path.steps[0], number=number) for number in (99_999, 100_000))
-    assert [line.split()[0] for line in gcode(replace(path, steps=steps))][3:5] == ["N99999", "(001"]
+    assert [line.split()[0] for line in gcode_1971(replace(path, steps=steps))][3:5] == ["N99999", "(001"]
 
 
 def read_back(text: str) -> "ezdxf.document.Drawing":

@@ -1,0 +1,98 @@
+"""All that a tape made the machine of 1971 do, as RS-274; Z 0 is the quill's top, high above the work.
+
+    N7 G1 Z-3.5000 F1.0
+    N7 G1 Y4.1330 F1.0 (007 6 02250 04133 0 01 85)
+
+One linear move for each move of the machine, so the path is the same on a controller that interpolates: where
+the Hydra-Point's axes move at unequal feeds, each corner is written out, and G61 (exact path) prevents the
+controller from rounding it. The quill's depth becomes a negative Z with zero at the top, where it goes first.
+Program stop, end of program and manual tool change wait for START: M0; for the last the spindle stands. A
+tape that ends in the work, as the thesis's do, leaves the cutter there until its block 001 is run again; here
+Z goes to the top first. M2 ends the program. The feeds are those the path was cut with. RS-274's M6 leaves
+the spindle standing, and it can have both coolants on: M3 after the one and M9 between the others keep to
+what the Hydra-Point does. A tap comes out of its hole with the spindle reversed, M4, as in a floating holder.
+
+Source: RS-274/NGC (T. Kramer, F. Proctor, E. Messina, NIST, 2000), the common part of every dialect.
+"""
+
+from collections.abc import Iterator
+
+from nc.listing import spaced
+from nc.path import Modes, Move, MoveKind, Path, Position, Step
+from tapes.hydrapoint import Miscellaneous, Preparatory
+
+_RAPID = frozenset({MoveKind.POSITION, MoveKind.APPROACH, MoveKind.RETRACT})
+_TAPS = {Preparatory.TAP_FEED, Preparatory.TAP_PITCH}
+_COOLANT = {"mist": "M7", "flood": "M8", "off": "M9"}
+
+
+def gcode_1971(path: Path) -> Iterator[str]:
+    """Yield the program line by line, without line ends."""
+    yield "(Moog Hydra-Point 83-1000 MC, 20-row block tape)"
+    if path.moves and not any(step.modes.spindle for step in path.steps):
+        yield "(the tape starts no spindle)"
+    yield "G20 G90 G17 G94 G40 G80 G61"
+    yield "G0 Z0.0000 (the quill is up)"
+    before = Modes()
+    for step in path.steps:
+        yield from _numbered(step, [*_changes(before, step), *_moves(step), *_stops(step)])
+        before = step.modes
+    if path.steps and path.steps[-1].at.z:
+        yield "G0 Z0.0000 (the tape ends here)"
+    yield "M5"
+    yield "M9"
+    yield "M2"
+
+
+def _numbered(step: Step, lines: list[str]) -> Iterator[str]:
+    """Number the lines as their block, as far as RS-274's five digits go, and add its digits as a comment."""
+    number = f"N{step.number} " if step.number <= 99_999 else ""
+    *first, last = lines or [""]
+    for line in first:
+        yield f"{number}{line}"
+    yield f"{number}{last} ({spaced(step.block)})".replace("  ", " ")
+
+
+def _changes(before: Modes, step: Step) -> Iterator[str]:
+    modes = step.modes
+    if modes.spindle != before.spindle:
+        yield f"S{modes.spindle} M3"
+    if modes.coolant != before.coolant:
+        if "off" not in (modes.coolant, before.coolant):
+            yield _COOLANT["off"]
+        yield _COOLANT[modes.coolant]
+
+
+def _moves(step: Step) -> Iterator[str]:
+    for move in step.moves:
+        backs_out = move.kind == MoveKind.FEED_OUT and step.block.preparatory in _TAPS and step.modes.spindle
+        if backs_out:
+            yield "M4"
+        yield f"G0 {_words(move)}" if move.kind in _RAPID else f"G1 {_words(move)} F{round(move.speed, 4)}"
+        if backs_out:
+            yield "M3"
+
+
+def _words(move: Move) -> str:
+    """Return the axes that move; of a position both X and Y, as where a controller stands is not known."""
+    start, end = _signed(move.start), _signed(move.end)
+    whole = "XY" if move.kind == MoveKind.POSITION else ""
+    return " ".join(
+        f"{axis}{to / 1000:.4f}"
+        for axis, was, to in zip("XYZ", start, end, strict=True)
+        if was != to or axis in whole
+    )
+
+
+def _signed(point: Position) -> tuple[float, float, float]:
+    return point.x, point.y, -point.z
+
+
+def _stops(step: Step) -> Iterator[str]:
+    turning = ["M3"] if step.modes.spindle else []
+    if step.tool_changed:
+        yield from [f"T{step.modes.tool} M6", *turning]
+    elif step.block.miscellaneous == Miscellaneous.MANUAL_TOOL_CHANGE:
+        yield from ["M5", f"M0 (tool {step.block.tool:02} by hand)", *turning]
+    elif step.stop or step.block.miscellaneous == Miscellaneous.INDEX:
+        yield "M0"

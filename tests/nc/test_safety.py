@@ -1,0 +1,212 @@
+"""G-code for today's mill, judged by an interpreter of the tests' own and by LinuxCNC's."""
+
+import re
+import shutil
+import subprocess
+from itertools import groupby, pairwise
+from pathlib import Path
+
+import pytest
+
+import nc
+from nc.gcode import gcode
+from nc.machine import Settings
+from programs.parts import part
+from tapes.errors import WorkError
+from tests.conftest import case
+from tests.nc import safety
+from tests.nc.safety import Stock
+from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, tape
+from tests.nc.test_export import EVERYTHING
+from tests.programs import printouts
+from tests.programs.printouts import Read
+
+PARTS: dict[str, dict[str, object]] = {
+    "circle": {},
+    "ellipse": {"technique": "piece"},
+    "polynomial": {"cutter": 0.5, "side": "above"},
+    "slope": {"technique": "piece"},
+    "die": {},
+    "drill": {},
+    "fluidic": {},
+}
+LINUXCNC = {"M6", "M7", "M8", "M9", "G43"}
+
+
+def frames(blocks: list[Read]) -> bytes:
+    return tape(*("{:03}{}{:05}{:05}{}{:02}{:02}".format(*block) for block in blocks))
+
+
+def places(blocks: list[Read]) -> list[tuple[float, float]]:
+    """Return X and Y in inches where the blocks cut, in order; none twice in a row."""
+    moving = [block for block in blocks if block.preparatory != 9]
+    found = []
+    for before, block in pairwise(moving):
+        if block.preparatory:
+            found += [before] * (block.preparatory == 6 and not before.preparatory) + [block]
+    return [at for at, _ in groupby((block.x / 1000, block.y / 1000) for block in found)]
+
+
+def stock(blocks: list[Read]) -> Stock:
+    xs, ys = zip(*places(blocks), strict=True)
+    ((point, depth),) = {(block.x, block.y) for block in blocks if block.preparatory == 9}
+    return Stock((min(xs), min(ys)), (max(xs), max(ys)), (depth - point) / 1000)
+
+
+def linuxcnc(lines: list[str], folder: Path) -> list[tuple[tuple[float, ...], bool]]:
+    """Return the ends of the straight moves that LinuxCNC's interpreter makes, and whether it feeds."""
+    (folder / "part.ngc").write_text("\n".join(lines) + "\n")
+    (folder / "tools").write_text("".join(f"T{tool} P{tool} Z0 D0.5\n" for tool in range(1, 100)))
+    (folder / "variables").touch()
+    command = [str(shutil.which("rs274")), "-g", "-t", "tools", "-v", "variables", "part.ngc", "canon"]
+    subprocess.run(command, cwd=folder, check=True, capture_output=True, timeout=60)
+    canon = (folder / "canon").read_text()
+    assert "PROGRAM_END()" in canon
+    moves = re.findall(r"STRAIGHT_(FEED|TRAVERSE)\((.*), 0\.0000, 0\.0000, 0\.0000\)", canon)
+    return [(tuple(map(float, place.split(", "))), kind == "FEED") for kind, place in moves]
+
+
+@pytest.mark.parametrize("name", PARTS)
+def test_a_part_is_safe_on_a_mill(name: str, tmp_path: Path) -> None:
+    """It is judged by the blocks of the printout, without the exporter; and goes where they say."""
+    blocks = printouts.blocks(part(name, **PARTS[name]))
+    lines = [*gcode(nc.cut(frames(blocks)))]
+    assert safety.faults(lines, stock(blocks)) == []
+    mill = safety.run(lines, 0.25)
+    down = [at for at, _ in groupby(move.end[:2] for move in mill.went if move.end[2] < 0)]
+    if "technique" in PARTS[name]:  # with two feeds a block has a corner, which no block of it names
+        corners = iter(down)
+        assert all(place in corners for place in places(blocks))
+    else:
+        assert down == places(blocks)
+    if shutil.which("rs274"):
+        there = linuxcnc(lines, tmp_path)
+        assert [end for end, _ in there[1:]] == [move.end for move in mill.went[1:]]
+        assert [fed for _, fed in there] == [move.feed is not None for move in mill.went]
+
+
+SPOILT = {
+    "a rapid at depth": (r"^G1 (X2.261)", r"G0 \1"),
+    "no spindle": (r"^M3 S2000\n", ""),
+    "too deep": (r"Z-0.5000", "Z-0.5001"),
+    "no units": (r"G20 ", ""),
+    "no end": (r"^M30\n", ""),
+    "outside the stock": (r"X2.2610", "X2.2440"),
+    "no lift first": (r"^G0 Z0.2500\nM3", "M3"),
+    "no work offset": (r"G54 ", ""),
+    "no feed": (r" F1.0", ""),
+    "away before the retract": (r"^G0 Z0.2500\nM5", "G0 X3\nG0 Z0.2500\nM5"),
+    "a rapid onto the stock": (r"^G0 Z0.0500", "G0 Z0.0000"),
+    "left in the work": (r"^G0 Z0.2500\nM5", "M5"),
+    "a word that grbl does not know": (r"^M3", "T1 M6\nM3"),
+    "the spindle left on": (r"^M5\n", ""),
+    "incremental": (r"G90 ", "G91 "),
+}
+
+
+def test_the_judge_finds_what_is_spoilt() -> None:
+    good = "".join(f"{line}\n" for line in gcode(nc.cut(CIRCLE)))
+    around = Stock((2.245, 2.245), (5.755, 5.755), 0.5)
+    assert safety.faults(good.splitlines(), around) == []
+    for name, (old, new) in SPOILT.items():
+        with case(name):
+            bad = re.sub(old, new, good, count=1, flags=re.MULTILINE)
+            assert bad != good
+            assert safety.faults(bad.splitlines(), around)
+    assert safety.faults(good.splitlines(), around._replace(depth=0.4999))
+    assert safety.faults([line for line in good.splitlines() if not line.startswith("G1")], around)
+
+
+def test_every_code_of_the_machine(tmp_path: Path) -> None:
+    """Holes, pecks, taps, stops and tools in every order stay safe, also with the feeds astray."""
+    path = nc.cut(tape(HEADER[3]) + EVERYTHING[1:], settings=Settings(feed_error=(0.12345, -0.2, 0.2)))
+    everywhere = Stock((0, 0), (20, 10), 5)
+    for tool_change, allowed in ((False, set()), (True, LINUXCNC)):
+        lines = [*gcode(path, safe=400, tool_change=tool_change)]
+        assert safety.faults(lines, everywhere, 0.4, allowed) == []
+        words = {word for line in lines for word in re.sub(r"\(.*?\)", "", line).split()}
+        assert {"M0", "M4", *(LINUXCNC if tool_change else ())} <= words
+        if shutil.which("rs274"):
+            went = safety.run(lines, 0.4, allowed).went
+            ends = [end for end, _ in linuxcnc(lines, tmp_path)]
+            assert len(ends) == len(went)
+            assert ends[-1] == pytest.approx(went[-1].end, abs=0.00011)
+
+
+def test_the_header_says_what_an_operator_has_to_know() -> None:
+    assert [*gcode(nc.cut(CIRCLE), cutter=250)][:20] == [
+        "(Moog Hydra-Point tape of 1971, 666 blocks, about 14 min of cutting)",
+        "(X 2.2500 to 5.7490, Y 2.2450 to 5.7550: the path of the cutter's centre)",
+        "(cutter 0.2500 across, which no tape says: its edge goes 0.1250 further)",
+        "(Z 0 is the stock's top, set it with the cutter on it: feed point 3.0000)",
+        "(depth 0.5000, safe Z 0.2500, work offset G54)",
+        "(spindle 2000 rpm, feeds 1 in/min)",
+        "(left out: position X 19.0000 Y 0.0000 of block 1)",
+        "(left out: position X 0.0000 Y 0.0000 of block 2)",
+        "(left out: mist coolant of block 3)",
+        "(left out: end of program of block 1)",
+        "(left out: tool 01 of block 2, set Z 0 with it)",
+        "G17 G20 G40 G49 G54 G61 G80 G90 G94",
+        "G0 Z0.2500",
+        "M3 S2000",
+        "G4 P3",
+        "G0 X2.2500 Y4.0000 (N7)",
+        "G0 Z0.0500 (N7)",
+        "G1 Z-0.5000 F1.0 (N7)",
+        "G1 Y4.1330 (N7)",
+        "G1 X2.2610 (N8)",
+    ]
+
+
+def after_the_header(*blocks: str, **settings: object) -> list[str]:
+    lines = [*gcode(nc.cut(tape(*HEADER, *blocks)), **settings)]  # type: ignore[arg-type]
+    return [re.sub(r" \(N\d+\)", "", line) for line in lines[lines.index("G4 P3") + 1 :]]
+
+
+MILL = "007 6 02250 04100 0 01 85"
+
+
+def test_a_stop_between_two_cuts_has_the_cutter_up_and_still() -> None:
+    again = ["G0 Z0.2500", "M3 S2000", "G4 P3", "G0 X2.2500 Y4.1000", "G0 Z0.0500", "G1 Z-0.5000"]
+    first = ["G0 X2.2500 Y4.0000", "G0 Z0.0500", "G1 Z-0.5000 F1.0", "G1 Y4.1000", "G0 Z0.2500", "M5"]
+    last = ["G1 Y4.2000", "G0 Z0.2500", "M5", "M30"]
+    for block, stop, with_tools in (
+        ("008 6 02250 04100 0 00 00", ["M0 (program stop of block 8)"], None),
+        ("008 0 02250 04100 0 00 83", ["M0 (index work piece of block 8)"], None),
+        (
+            "008 0 02250 04100 0 05 86",
+            ["M0 (tool 05 of block 8, set Z 0 with it)"],
+            ["T5 M6 (tool 05 of block 8)", "G43"],
+        ),
+        (
+            "008 0 02250 04100 0 06 06",
+            ["M0 (tool 06 of block 8, set Z 0 with it)"],
+            ["T6 M6 (tool 06 of block 8)", "G43"],
+        ),
+    ):
+        with case(block):
+            blocks = (MILL, block, "009 6 02250 04200 0 01 85")
+            assert after_the_header(*blocks) == [*first, *stop, *again, *last]
+            lines = after_the_header(*blocks, tool_change=True)
+            assert lines == ["M7", *first, *(with_tools or stop), *again, *last[:-1], "M9", "M30"]
+
+
+def test_what_is_fed_begins_above_the_stock() -> None:
+    """A peck goes down again at its feed; a deeper feed point is not approached in a rapid."""
+    peck = after_the_header("007 4 01000 01000 0 00 80", safe=30, shift=(500, -500))
+    steps = [line for depth in (2, 3, 4, 5) for line in (f"G1 Z-0.{depth}000", "G0 Z0.0300")]
+    assert peck == ["G0 X1.5000 Y0.5000", "G1 Z-0.1000 F1.0", "G0 Z0.0300", *steps, "M5", "M30"]
+    lower = "008 9 03200 03400 0 01 89"
+    there = after_the_header("007 5 01000 01000 0 00 80", lower, "009 5 01500 01000 0 00 80")
+    assert there[4:] == ["G0 X1.5000", "G0 Z0.0500", "G1 Z-0.4000", "G0 Z0.2500", "M5", "M30"]
+    header = [*gcode(nc.cut(tape(*HEADER, MILL, lower, MILL)))]
+    assert (
+        "(Z 0 is the stock's top, set it with the cutter on it: feed point 3.0000, others -0.2000)" in header
+    )
+
+
+def test_a_tape_that_a_mill_cannot_cut_is_refused() -> None:
+    with pytest.raises(WorkError, match="no block of this tape cuts"):
+        [*gcode(nc.cut(tape(*HEADER)))]
+    with pytest.raises(WorkError, match="block 2 cuts with the spindle at rest"):
+        [*gcode(nc.cut(tape(*FOUR_HOLES[1:])))]
