@@ -21,8 +21,11 @@ class Answer:
     fault: str = ""
 
     def address(self, place: str) -> int:
-        """Return the address that octal digits name, or a symbol that it has."""
-        return int(place, 8) if place[0].isdigit() else self.symbols[place]
+        """Return the address that octal digits name, or a tag that it has, or so many words behind a tag."""
+        if place[0].isdigit():
+            return int(place, 8)
+        name, behind = tag(place)
+        return self.symbols[name] + behind & 0o7777
 
     def items(self) -> list[str]:
         """Return the symbols and numbers of the source as they stand, comments apart."""
@@ -41,6 +44,12 @@ class Answer:
             if end:
                 found[plain[:end].lower()] = (rest[1:] if rest[:1] in (":", "=", ".", ")") else rest).strip()
         return found
+
+
+def tag(place: str) -> tuple[str, int]:
+    """Return the tag of a place that is no address, and how many words behind it the place is: `TABLE+1`."""
+    name, sign, behind = place.replace("-", "+-").partition("+")
+    return name, int(behind, 8) if sign else 0
 
 
 def parted(line: str) -> list[str]:

@@ -9,9 +9,10 @@ from pal.isa import jumps_to
 from pdp8.computer.stop import Reason
 from pdp8.lessons.answer import Answer
 from pdp8.lessons.exercise import Trial
-from pdp8.lessons.trial import Outcome, turns
+from pdp8.lessons.trial import Outcome, start, turns
 
 NO_WORD = "no word at the start"
+LEFT = "left the program"
 NOT_STOPPED = "did not stop"
 JUMP = "jumps to itself"
 INPUT = "waits for a key or a tape"
@@ -28,10 +29,11 @@ ONE_OFF = "one off"
 NEGATIVE = "the negative"
 RESULT = "wrong"
 
-ENDS = (NO_WORD, NOT_STOPPED, JUMP, INPUT, OUTPUT, ELSEWHERE)
+ENDS = (NO_WORD, LEFT, NOT_STOPPED, JUMP, INPUT, OUTPUT, ELSEWHERE)
 """What can be wrong with the end, all else with the result."""
 HINTS = {
     NO_WORD: "Begin the program where it is started: *200, say, before its first word.",
+    LEFT: "What stands behind your last instruction is executed too: HLT, or a jump, ends a program.",
     NOT_STOPPED: "What is to end this loop? Look at its count, and at what the skip skips.",
     JUMP: "A jump to itself does nothing for ever. HLT stops the machine.",
     INPUT: "All there was has been read. How does the program know that it is done?",
@@ -50,18 +52,23 @@ _INPUTS = (0o6031, 0o6011)
 _OUTPUTS = (0o6041, 0o6021)
 WANTED = {
     "halt": "a halt", "tape out": "waiting for a frame that does not come",
-    "idle": "a loop that nothing ends", "limit": "running on",
+    "idle": "a loop that nothing ends", "limit": "running on", "any": "an end in the program",
 }  # fmt: skip
 """How a case's stop is called."""
 
 
-def end(answer: Answer, trial: Trial, outcome: Outcome) -> tuple[str, str]:
-    """Return what happened where the end is not as wanted, and what is said of it."""
-    stop, start = outcome.stop, answer.address(trial.start)
-    if start not in answer.words and trial.start not in trial.deposit:
-        return NO_WORD, f"no word of yours is at {start:04o}"
+def end(answer: Answer, trial: Trial, outcome: Outcome, whole: Trial) -> tuple[str, str]:
+    """Return what happened where the end is not as wanted, and what is said of it.
+
+    `trial` is of the START that the outcome is of, `whole` that of the first one.
+    """
+    stop, first = outcome.stop, start(answer, trial)
+    if stop.reason is Reason.BREAKPOINT:
+        if outcome.instructions == 0:
+            return NO_WORD, f"no word of yours is at {first:04o}"
+        return LEFT, f"it leaves the program: no word of yours is at {stop.pc:04o}"
     if stop.reason is Reason.LIMIT:
-        low, high = turns(answer, trial)
+        low, high = turns(answer, whole, outcome)
         return NOT_STOPPED, f"still running after {trial.seconds:g} s, between {low:04o} and {high:04o}"
     if stop.reason is Reason.HALT:
         return ELSEWHERE, f"a halt at {stop.pc - 1 & 0o7777:04o}"

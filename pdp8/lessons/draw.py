@@ -10,24 +10,29 @@ from dataclasses import replace
 from random import Random
 from typing import Any
 
+from pdp8.computer.stop import Reason
 from pdp8.lessons import trial
-from pdp8.lessons.answer import Answer, assembled
+from pdp8.lessons.answer import Answer, assembled, tag
 from pdp8.lessons.exercise import Case, Trial
 from pdp8.lessons.tables import (
     CASE,
     TRIAL,
     ExerciseError,
     Field,
+    ascend,
     field,
     frames,
     mapping,
     number,
-    place,
+    places,
     table,
     word,
 )
 from tapes.errors import WorkError
 
+_Function = Callable[[Random, dict[str, Any]], dict[str, Any]]
+_EDGES = (0, 1, 0o3777, 0o4000, 0o4001, 0o7777)
+"""Words at which programs go wrong: a quarter of those drawn are among them, or are bounds of their range."""
 _MOST = 200
 """Frames or words drawn at once are at most 4096, trials so many."""
 
@@ -36,7 +41,7 @@ def case(given: object, where: str, solution: str, seed: int, folder: str) -> Ca
     """Return the case with its trials drawn. Raises ExerciseError."""
     found = table(given, where, _RANDOM)
     own = {key: found.pop(key) for key in CASE if key in found}
-    trials = found.pop("trials", 20)
+    trials, again = found.pop("trials", 20), found.pop("again", False)
     compare, within = found.pop("compare", ()), found.pop("within", 1.0)
     function = _function(found.pop("python"), where, folder) if "python" in found else None
     if not compare and function is None and not found.get("itself"):
@@ -49,27 +54,44 @@ def case(given: object, where: str, solution: str, seed: int, folder: str) -> Ca
     made = []
     for count in range(trials):
         random = Random(f"{seed} {own['name']} {count}")
-        try:
-            inputs = {
-                key: _DRAWN[key](value, random) if key in _DRAWN else value for key, value in found.items()
-            }
-            if function is not None:
-                inputs = function(random, inputs)
-        except (ValueError, TypeError, WorkError) as error:
-            raise ExerciseError(f"{where}: {error}") from error
-        drawn = Trial(**table(inputs, f"{where}: drawn trial {count + 1}", TRIAL))
+        drawn, *others = (
+            _drawn(found, random, function, f"{where}: drawn trial {count + 1}") for _ in range(1 + again)
+        )
+        drawn = replace(drawn, again=tuple(others))
         made.append(_expected(drawn, program, compare, within, where) if compare else drawn)
     return Case(trials=tuple(made), hints=own.pop("hint", {}), **own)
 
 
+def _drawn(given: dict[str, Any], random: Random, function: _Function | None, where: str) -> Trial:
+    """Return a trial with inputs drawn, and what a function makes of them."""
+    try:
+        found = {key: _DRAWN[key](value, random) if key in _DRAWN else value for key, value in given.items()}
+        if function is not None:
+            found = function(random, found)
+    except (ValueError, TypeError, WorkError) as error:
+        raise ExerciseError(f"{where.partition(': drawn')[0]}: {error}") from error
+    return Trial(**table(found, where, TRIAL))
+
+
 def _expected(drawn: Trial, program: Answer, compare: Sequence[str], within: float, where: str) -> Trial:
     """Return the trial with what the solution made of it."""
-    missing = [name for name in (*trial.needs(drawn), *_tags(compare)) if name not in program.symbols]
+    tags = [tag(item)[0] for item in compare if item not in _WHAT and not item[0].isdigit()]
+    missing = next((each for each in tags if each not in program.symbols), trial.missing(program, drawn))
     if missing:
-        raise ExerciseError(f"{where}: the solution has no tag {missing[0]}")
-    outcome = trial.run(program, drawn)
-    if drawn.stop not in (outcome.stop.reason, "any"):
-        raise ExerciseError(f"{where}: the solution ends with {outcome.stop.reason}, not {drawn.stop}")
+        raise ExerciseError(f"{where}: the solution has no tag {missing}")
+    first, *others = trial.run(program, drawn)
+    for outcome in (first, *others):
+        if drawn.stop not in (outcome.stop.reason, "any") or outcome.stop.reason is Reason.BREAKPOINT:
+            end = "leaving the program" if outcome.stop.reason is Reason.BREAKPOINT else outcome.stop.reason
+            raise ExerciseError(f"{where}: the solution ends with {end}, not {drawn.stop}")
+    again = tuple(_kept(*pair, program, compare, within) for pair in zip(drawn.again, others, strict=True))
+    return replace(_kept(drawn, first, program, compare, within), again=again)
+
+
+def _kept(
+    drawn: Trial, outcome: trial.Outcome, program: Answer, compare: Sequence[str], within: float
+) -> Trial:
+    """Return a trial with what one START of the solution made of it."""
     core = {each: outcome.core[program.address(each)] for each in compare if each not in _WHAT}
     found = outcome._replace(instructions=int(outcome.instructions * within))
     kept = {_WHAT[item]: getattr(found, _WHAT[item]) for item in compare if item in _WHAT}
@@ -80,27 +102,12 @@ _WHAT = {"AC": "ac", "L": "link", "tape": "tape", "page": "page", "instructions"
 """What may be compared beside words of core, and what a trial calls it."""
 
 
-def _tags(compare: Sequence[str]) -> list[str]:
-    return [item for item in compare if item not in _WHAT and not item[0].isdigit()]
-
-
-def _places(item: str) -> list[str]:
-    """Return a place, or each address of a range as "0300-0311"."""
-    first, dash, last = item.partition("-")
-    if not dash or not item[0].isdigit():
-        return [item]
-    if not last[:1].isdigit():
-        raise ValueError(f"{item} is no range of octal addresses")
-    _ascend(first := place(first), last := place(last))
-    return [f"{address:04o}" for address in range(int(first, 8), int(last, 8) + 1)]
-
-
-def _function(name: str, where: str, folder: str) -> Callable[[Random, dict[str, Any]], dict[str, Any]]:
+def _function(name: str, where: str, folder: str) -> _Function:
     file, _, called = name.partition(":")
     path = os.path.join(folder, file)
     if not (path.endswith(".py") and os.path.isfile(path)):
         raise ExerciseError(f"{where}: python: {file!r} is no Python file beside the exercise")
-    function: Callable[[Random, dict[str, Any]], dict[str, Any]] | None = runpy.run_path(path).get(called)
+    function: _Function | None = runpy.run_path(path).get(called)
     if function is None:
         raise ExerciseError(f"{where}: python: {file} has no function {called!r}")
     return function
@@ -113,7 +120,11 @@ def _word(given: Any, random: Random) -> int | str:
     if set(given) == {"pick"}:
         return int(word(random.choice(_some(given["pick"]))))
     if set(given) == {"from", "to"}:
-        return random.randint(*_bounds((given["from"], given["to"]), -0o4000, 0o7777)) & 0o7777
+        least, most = _bounds((given["from"], given["to"]), -0o4000, 0o7777)
+        edges = [each for word in _EDGES for each in (word, word - 0o10000) if least <= each <= most]
+        if random.randrange(4) == 0:
+            return random.choice([*edges, least, most]) & 0o7777
+        return random.randint(least, most) & 0o7777
     raise ValueError(f"a word, {{ from, to }} or {{ pick = [...] }} is wanted, not {given!r}")
 
 
@@ -124,7 +135,7 @@ def _some(given: Any) -> list[Any]:
 
 
 def _deposit(given: Any, random: Random) -> dict[str, int | str]:
-    return {each: _word(value, random) for at, value in mapping(given).items() for each in _places(at)}
+    return {each: _word(value, random) for at, value in mapping(given).items() for each in places(at)}
 
 
 def _tape(given: Any, random: Random) -> list[int]:
@@ -149,13 +160,8 @@ def _tape(given: Any, random: Random) -> list[int]:
 
 def _bounds(pair: Sequence[Any], least: int, most: int) -> tuple[int, int]:
     first, last = map(number(least, most), pair if len(pair) == 2 else (pair, pair))
-    _ascend(first, last)
+    ascend(first, last, first, last)
     return first, last
-
-
-def _ascend(first: Any, last: Any) -> None:
-    if first > last:
-        raise ValueError(f"nothing lies from {first} to {last}: the lower bound comes first")
 
 
 _DRAWN: dict[str, Callable[[Any, Random], Any]] = {
@@ -167,7 +173,8 @@ _compared = field(f"a list of tags, addresses or {', '.join(_WHAT)} is wanted", 
                   items and all(isinstance(item, str) and item for item in items))  # fmt: skip
 _RANDOM: dict[str, Field] = {
     **CASE, **dict.fromkeys(TRIAL, lambda value: value), "trials": number(1, _MOST),
-    "compare": lambda items: [each for item in _compared(items) for each in _places(item)],
+    "again": field("true or false is wanted", bool),
+    "compare": lambda items: [each for item in _compared(items) for each in places(item)],
     "within": field("a factor above 0 is wanted", int, float, fits=lambda factor: factor > 0),
     "python": field('"file.py:function" is wanted', str, fits=lambda name: ":" in name),
 }  # fmt: skip

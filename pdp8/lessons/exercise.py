@@ -12,8 +12,11 @@ from dataclasses import dataclass, field
 class Trial:
     """One run of a program: how it is set up, what it must do. None is not looked at."""
 
-    start: str = "0200"
+    start: tuple[str, ...] = ("0200",)
+    """Tags or addresses: the first that the answer has."""
     starts: int = 1
+    again: tuple["Trial", ...] = ()
+    """What it is started with after that, each with its own inputs and results; core stays."""
     sr: int = 0
     deposit: Mapping[str, int | str] = field(default_factory=dict)
     reader: bytes = b""
@@ -22,6 +25,8 @@ class Trial:
     """Of machine time, the most it may take."""
     stop: str = "halt"
     tape: bytes | None = None
+    nul: str = "counted"
+    """`ignored`: blank frames of the tape that is punched are no part of it."""
     itself: bool = False
     """Whether the tape must be the program itself in RIM format, without leader."""
     page: str | None = None
@@ -29,6 +34,15 @@ class Trial:
     link: int | None = None
     core: Mapping[str, int] = field(default_factory=dict)
     changed: tuple[str, ...] = ()
+    unchanged: tuple[str, ...] = ()
+    executed: Mapping[str, int] = field(default_factory=dict)
+    """How often each place is executed or called, at least."""
+    callers: Mapping[str, int] = field(default_factory=dict)
+    """From how many places each is called, at least."""
+    indirect: tuple[str, ...] = ()
+    """Places of which one at least must serve as a pointer."""
+    done: bool = False
+    """Whether the last character must be printed when it halts."""
     instructions: int | None = None
     takes: tuple[float, float] | None = None
     """The least and the most seconds of machine time from START to the end."""
@@ -79,6 +93,8 @@ class Source:
     words: int | None = None
     required: tuple[str, ...] = ()
     forbidden: tuple[str, ...] = ()
+    spare: tuple[str, ...] = ()
+    """Addresses that an answer must not load: the checker uses them."""
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ import json
 import os
 import re
 import tomllib
+from typing import Any
 
 from pdp8 import shelf
 from pdp8.lessons import draw, values
@@ -90,15 +91,26 @@ def _solution(given: object, name: str, folder: str) -> str:
 
 
 def _case(given: object, where: str) -> Case:
-    found = table(given, where, {**CASE, **TRIAL, "trial": tables})
+    found = table(given, where, {**CASE, **TRIAL, "trial": tables, "again": tables})
     trials = [
-        Trial(**table(each, f"{where}: trial {number}", TRIAL))
+        _trial(
+            table(each, f"{where}: trial {number}", {**TRIAL, "again": tables}), f"{where}: trial {number}"
+        )
         for number, each in enumerate(found.pop("trial", ()), 1)
     ]
-    single = {key: found.pop(key) for key in TRIAL if key in found}
+    single = {key: found.pop(key) for key in (*TRIAL, "again") if key in found}
     if trials and single:
         raise ExerciseError(f"{where}: {next(iter(single))} belongs into its trials")
-    return Case(trials=tuple(trials) or (Trial(**single),), hints=found.pop("hint", {}), **found)
+    return Case(trials=tuple(trials) or (_trial(single, where),), hints=found.pop("hint", {}), **found)
+
+
+def _trial(found: dict[str, Any], where: str) -> Trial:
+    """Return a trial; each `again` has its start, stop and seconds unless it says otherwise."""
+    others = found.pop("again", ())
+    common = {key: found[key] for key in ("start", "stop", "seconds") if key in found}
+    again = tuple(Trial(**common | table(each, f"{where}: again {number}", TRIAL))
+                  for number, each in enumerate(others, 1))  # fmt: skip
+    return Trial(**found, again=again)
 
 
 def _question(given: object, where: str) -> Question:

@@ -8,6 +8,7 @@ what breaks them gets no points. Of a hidden case nothing is kept but what was w
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
+from pdp8.computer.stop import Reason
 from pdp8.computer.use.program import FOUND
 from pdp8.lessons import diagnosis, trial, values
 from pdp8.lessons.answer import Answer, assembled
@@ -96,42 +97,64 @@ def _broken(exercise: Exercise, answer: Answer) -> str:
             return f"{item} is not to be used"
     if source.words is not None and len(answer.words) > source.words:
         return f"{len(answer.words)} words of core; at most {source.words} are allowed"
-    for case in exercise.cases:
-        for each in case.trials:
-            for name in trial.needs(each):
-                if name not in answer.symbols:
-                    return f"the tag {name} is missing; the exercise looks for it"
-    return ""
+    for place in source.spare:
+        if int(place, 8) in answer.words:
+            return f"the word {place} is spare: this exercise puts its own there"
+    missing = [trial.missing(answer, each) for case in exercise.cases for each in case.trials]
+    name = next((each for each in missing if each), "")
+    return f"the tag {name} is missing; the exercise looks for it" if name else ""
 
 
 def _try(case: Case, answer: Answer) -> Mark:
     for each in case.trials:
-        outcome = trial.run(answer, each)
-        failures = list(_failures(each, answer, outcome))
-        if failures:
-            return _failed(case, each, answer, outcome, failures)
+        found = first_failed(answer, each)
+        if found is not None:
+            return _failed(case, each, answer, found)
     return Mark(case.name, case.points, case.points, hidden=case.hidden)
 
 
-def _failed(case: Case, tried: Trial, answer: Answer, outcome: Outcome, failures: list[Failure]) -> Mark:
+@dataclass(frozen=True)
+class Failed:
+    """A START after which not all is as expected: its trial, what it brought, what is wrong."""
+
+    trial: Trial
+    outcome: Outcome
+    failures: list[Failure]
+
+
+def first_failed(answer: Answer, whole: Trial) -> Failed | None:
+    """Return the first START of a trial after which not all is as expected, None if all is."""
+    outcomes = trial.run(answer, whole)
+    for tried, outcome in zip([whole, *whole.again], outcomes, strict=True):
+        failures = list(_failures(tried, answer, outcome, whole))
+        if failures:
+            return Failed(tried, outcome, failures)
+    failures = list(_looked_at(answer, whole))
+    return Failed(whole, outcomes[-1], failures) if failures else None
+
+
+def _failed(case: Case, whole: Trial, answer: Answer, failed: Failed) -> Mark:
     """Return the mark of a case whose trial failed, with the hint that fits."""
-    over = trial.overwritten(answer, tried, outcome)
-    if over is not None:
+    failures, outcome = failed.failures, failed.outcome
+    over = trial.overwritten(answer, whole, outcome)
+    if over is not None and failures[0].happened != diagnosis.LEFT:  # then its data are executed on the way
         failures.append(Failure("the program", "", f"a write over itself at {over:04o}", diagnosis.ITSELF))
-    hint = _hint(case.hints if _starts_once(tried, answer) else {}, failures)
+    hint = _hint(case.hints if _starts_once(whole, answer, outcome) else {}, failures)
     if case.hidden:
         bare = tuple(Failure(failure.what, "", "", failure.happened) for failure in failures)
         return Mark(case.name, 0, case.points, bare, hint, hidden=True)
-    inputs = _inputs(tried) if len(case.trials) > 1 else ""
+    several = len(case.trials) > 1 or whole.again
+    inputs = _inputs(failed.trial) if several else ""
+    if outcome.number > 0 and whole.again:
+        inputs = f"start {outcome.number + 1}, {inputs}".removesuffix(", ")
     return Mark(case.name, 0, case.points, tuple(failures), hint, inputs)
 
 
-def _starts_once(tried: Trial, answer: Answer) -> bool:
+def _starts_once(whole: Trial, answer: Answer, outcome: Outcome) -> bool:
     """Tell whether all is right after the first START: if not, hints for a trial of several do not fit."""
-    if tried.starts == 1:
-        return True
-    once = replace(tried, starts=1)
-    return not list(_failures(once, answer, trial.run(answer, once)))
+    if whole.starts == 1:
+        return outcome.number > 0 or not whole.again
+    return first_failed(answer, replace(whole, starts=1, again=())) is None
 
 
 def _hint(hints: Mapping[str, str], failures: list[Failure]) -> str:
@@ -173,11 +196,13 @@ def _frames(frames: bytes) -> str:
     return " ".join(f"{frame:03o}" for frame in frames[:24]) + more
 
 
-def _failures(tried: Trial, answer: Answer, outcome: Outcome) -> Iterator[Failure]:
+def _failures(tried: Trial, answer: Answer, outcome: Outcome, whole: Trial) -> Iterator[Failure]:
     stop = outcome.stop
-    if tried.stop not in ("any", stop.reason):
-        happened, got = diagnosis.end(answer, tried, outcome)
+    if tried.stop not in ("any", stop.reason) or stop.reason is Reason.BREAKPOINT:
+        happened, got = diagnosis.end(answer, tried, outcome, whole)
         yield Failure("the end", diagnosis.WANTED[tried.stop], got, happened)
+    elif tried.done and outcome.printing:
+        yield Failure("the end", "a halt when the last character is done", "a halt while it is printed")
     yield from _registers(tried, outcome)
     for place, word in tried.core.items():
         found = outcome.core[answer.address(place)]
@@ -187,6 +212,11 @@ def _failures(tried: Trial, answer: Answer, outcome: Outcome) -> Iterator[Failur
         address = answer.address(place)
         if outcome.core[address] == outcome.before[address]:
             yield Failure(place, "another word", f"{outcome.core[address]:04o}, as before")
+    for place in tried.unchanged:
+        address = answer.address(place)
+        if outcome.core[address] != outcome.before[address]:
+            before, after = f"{outcome.before[address]:04o}, as before", f"{outcome.core[address]:04o}"
+            yield Failure(place, before, after)
     yield from _products(tried, answer, outcome)
     if tried.instructions is not None and outcome.instructions > tried.instructions:
         yield Failure("instructions", f"at most {tried.instructions:,}", f"{outcome.instructions:,}")
@@ -207,8 +237,29 @@ def _products(tried: Trial, answer: Answer, outcome: Outcome) -> Iterator[Failur
     if tried.page is not None and tried.page != outcome.page:
         yield Failure("the page", tried.page, outcome.page, diagnosis.sequence(tried.page, outcome.page))
     tape = _program(answer, outcome) if tried.itself else tried.tape
-    if tape is not None and tape != outcome.tape:
-        yield Failure("the tape", tape, outcome.tape, diagnosis.sequence(tape, outcome.tape))
+    punched = outcome.tape
+    if tried.nul == "ignored":
+        punched = bytes(frame for frame in punched if frame & 0o177)
+    if tape is not None and tape != punched:
+        yield Failure("the tape", tape, punched, diagnosis.sequence(tape, punched))
+
+
+def _looked_at(answer: Answer, whole: Trial) -> Iterator[Failure]:
+    """Yield what is wrong in the way in which an answer that gets all right does it."""
+    if not (whole.executed or whole.callers or whole.indirect):
+        return
+    seen = trial.looks(answer, whole)
+    for place, times in whole.executed.items():
+        done = seen.executed.get(answer.address(place), 0)
+        if done < times:
+            yield Failure(place, f"executed {times} times at least", f"executed {done} times")
+    for place, times in whole.callers.items():
+        places = len(seen.callers.get(answer.address(place), ()))
+        if places < times:
+            yield Failure(place, f"called from {times} places at least", f"called from {places}")
+    if whole.indirect and not any(answer.address(place) in seen.pointers for place in whole.indirect):
+        wanted = f"{whole.indirect[0]} to {whole.indirect[-1]}"
+        yield Failure("the pointer", f"a word of {wanted}, used by I", "none of them")
 
 
 def _program(answer: Answer, outcome: Outcome) -> bytes:

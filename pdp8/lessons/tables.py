@@ -1,9 +1,11 @@
 """The tables of an exercise's file: which keys each may have, and what becomes of their values."""
 
+import re
 from collections.abc import Callable, Mapping
 from typing import Any
 
 from pdp8 import shelf
+from pdp8.lessons.answer import tag
 from tapes import ascii, eia
 from tapes.errors import WorkError
 
@@ -16,6 +18,7 @@ class ExerciseError(WorkError):
     """An exercise that cannot be used; the message names the place in its file."""
 
 
+_TAG = re.compile(r"[A-Za-z]\w*([+-][0-7]{1,4})?", re.ASCII)
 Field = Callable[[Any], Any]
 _NEEDED = ("title", "task", "name", "ask")
 """The keys that must be there, in a table that may have them."""
@@ -84,24 +87,57 @@ def _deposits(value: Any) -> dict[str, int | str]:
     }
 
 
+def _counts(value: Any) -> dict[str, int]:
+    return {place(key): number(1, 4096)(given) for key, given in mapping(value).items()}
+
+
 def _places(value: Any) -> tuple[str, ...]:
-    return tuple(place(each) for each in _list(value))
+    return tuple(each for item in _list(value) for each in places(_text(item)))
+
+
+def _starts_at(value: Any) -> tuple[str, ...]:
+    """Return the places at which a program may start; a list has the likeliest first."""
+    return _places(value) if isinstance(value, list) and value else (place(value),)
+
+
+def places(item: str) -> list[str]:
+    """Return a place, or each of a range as "0300-0311" or "TABLE-TABLE+11"."""
+    first, dash, last = item.partition("-")
+    if not dash or last[:1].isdigit() > item[:1].isdigit():
+        return [place(item)]
+    ends = [("", int(place(end), 8)) if end[:1].isdigit() else tag(place(end)) for end in (first, last)]
+    (name, least), (other, most) = ends
+    if name != other or bool(name) == item[0].isdigit():
+        raise ValueError(f"{item} is no range of octal addresses, nor of words behind one tag")
+    ascend(place(first), place(last), least, most)
+    return [place(f"{name}+{at:o}" if name and at else name or at) for at in range(least, most + 1)]
+
+
+def ascend(first: Any, last: Any, least: int, most: int) -> None:
+    """Raise ValueError unless a range, from `first` to `last`, ascends."""
+    if least > most:
+        raise ValueError(f"nothing lies from {first} to {last}: the lower bound comes first")
 
 
 def place(value: Any) -> str:
-    """Return an address as four octal digits, or a symbol as it is."""
+    """Return an address as four octal digits, or a tag as it is, with what is added to it."""
     text = f"{value:o}" if type(value) is int else _text(value)
     if not text[:1].isdigit():
+        if not _TAG.fullmatch(text):
+            raise ValueError(f"{text!r} is no octal address, no tag and no TAG+1 with an octal number")
         return str(text)
     if not all(digit in "01234567" for digit in text) or int(text, 8) > 0o7777:
         raise ValueError(f"{text} is no octal address from 0000 to 7777")
     return f"{int(text, 8):04o}"
 
 
-def _stop(value: Any) -> str:
-    if value not in STOPS:
-        raise ValueError(f"{value!r} is not one of {', '.join(STOPS)}")
-    return str(value)
+def _one_of(*allowed: str) -> Field:
+    def convert(value: Any) -> str:
+        if value not in allowed:
+            raise ValueError(f"{value!r} is not one of {', '.join(allowed)}")
+        return str(value)
+
+    return convert
 
 
 def frames(value: Any) -> bytes:
@@ -156,13 +192,16 @@ EXERCISE: dict[str, Field] = {
     "random": tables, "question": tables, "mistakes": _mistakes,
     "others": number(0, 1000),
 }  # fmt: skip
-SOURCE: dict[str, Field] = {"words": number(1, 4096), "required": _texts, "forbidden": _texts}
+SOURCE: dict[str, Field] = {
+    "words": number(1, 4096), "required": _texts, "forbidden": _texts, "spare": _places,
+}  # fmt: skip
 CASE: dict[str, Field] = {"name": _text, "points": _POINTS, "hint": _hints, "hidden": _flag}
 TRIAL: dict[str, Field] = {
-    "start": place, "starts": number(1, 10), "sr": word, "deposit": _deposits, "reader": frames,
-    "keys": frames, "stop": _stop, "tape": frames, "itself": _flag, "page": _text, "ac": word,
-    "seconds": _seconds, "link": number(0, 1), "core": _words, "changed": _places,
-    "instructions": number(1, 1 << 40), "takes": _takes,
+    "start": _starts_at, "starts": number(1, 10), "sr": word, "deposit": _deposits, "reader": frames,
+    "keys": frames, "stop": _one_of(*STOPS), "tape": frames, "itself": _flag, "page": _text, "ac": word,
+    "seconds": _seconds, "link": number(0, 1), "core": _words, "changed": _places, "unchanged": _places,
+    "instructions": number(1, 1 << 40), "takes": _takes, "executed": _counts, "callers": _counts,
+    "indirect": _places, "done": _flag, "nul": _one_of("counted", "ignored"),
 }  # fmt: skip
 QUESTION: dict[str, Field] = {
     "name": _text, "ask": _text, "answer": _answer, "unit": _text, "tolerance": _tolerance,

@@ -1,28 +1,37 @@
 """An answer run on one trial, on a machine of its own, for a bounded machine time.
 
-Core that the answer does not load is full of 5200, a jump to the first word of its page: no program may
-count on what it finds there, and one that runs into it does not end.
+Core that the answer does not load is filled for each trial with words drawn anew, many of which are addresses
+of the answer's own: no program may count on what it finds there. There is no HLT among them, and one that
+runs into them is stopped: it has left the program.
 """
 
 from array import array
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from pal.isa import DEFER, FETCH, JMS, halts
+from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
-from pdp8.lessons.answer import Answer
+from pdp8.lessons.answer import Answer, tag
 from pdp8.lessons.exercise import Trial
 
-_JUNK = array("H", [0o5200] * 0o10000).tobytes()
+_DRAWN = 127
+"""Words drawn, of which core is filled again and again: a page has one word more."""
 _TURNS = 500
 """Instructions in which a loop that did not stop is looked at."""
 _LOOKED_AT = 100_000
 """Instructions in which a changed word is looked for among those that are executed."""
+_CALLS = 1000
+"""Calls after which that is given up: a subroutine's first word changes with each."""
 
 
 class Outcome(NamedTuple):
-    """What the machine was like when it stopped; of tape, page and count what the last START brought."""
+    """What the machine was like when it stopped; of tape, page and count what START number `number` brought.
+
+    The stop of one that left its program is a breakpoint. `printing` says whether a character was under way.
+    """
 
     stop: Stop
     ac: int
@@ -32,43 +41,144 @@ class Outcome(NamedTuple):
     tape: bytes
     page: str
     instructions: int
+    printing: bool = False
+    number: int = 0
 
 
-def needs(trial: Trial) -> list[str]:
-    """Return the symbols by which the trial calls places of an answer."""
+class Looks:
+    """What a program does beside its results: how often each word is executed or called, from where each is
+    called, and through which words it goes.
+    """
+
+    def __init__(self) -> None:
+        self.executed: dict[int, int] = {}
+        self.callers: dict[int, set[int]] = {}
+        self.pointers: set[int] = set()
+        self._at = 0
+
+    def cycle(self, processor: Processor, interrupt: bool) -> None:
+        """Take notice of a memory cycle."""
+        address = processor.ma
+        if processor.state == FETCH:
+            self._at = address
+        if processor.state == DEFER:
+            self.pointers.add(address)
+        called = processor.ir == JMS and not interrupt and processor.state not in (FETCH, DEFER)
+        if called:
+            self.callers.setdefault(address, set()).add(self._at)
+        if called or processor.state == FETCH:
+            self.executed[address] = self.executed.get(address, 0) + 1
+
+    def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
+        """Take no notice of what was passed over: every loop has been seen once."""
+
+
+def missing(answer: Answer, trial: Trial) -> str:
+    """Return the first tag that the trial uses and the answer does not have, "" if there is none."""
+    if not any(_has(answer, place) for place in trial.start):
+        return trial.start[0]
     pointers = [word for word in trial.deposit.values() if isinstance(word, str)]
-    places = [trial.start, *trial.deposit, *pointers, *trial.core, *trial.changed]
-    return [place for place in places if not place[0].isdigit()]
+    places = [*trial.deposit, *pointers, *trial.core, *trial.changed, *trial.unchanged, *trial.executed]
+    for place in [*places, *trial.callers]:
+        if not _has(answer, place):
+            return tag(place)[0]
+    return next((name for name in (missing(answer, each) for each in trial.again) if name), "")
 
 
-def run(answer: Answer, trial: Trial) -> Outcome:
-    """Run `answer`, which has the symbols the trial needs, as the trial says."""
-    machine = _ready(answer, trial)
-    before = list(machine.core)
-    punched, printer = machine.teletype.punch.frames, machine.teletype.printer.frames
-    stop = Stop(Reason.LIMIT, machine.pc, 0)
-    instructions = 0
-    for _ in range(trial.starts):
-        punched.clear()
-        printer.clear()
-        instructions = machine.instructions
-        _start(machine, answer, trial)
-        stop = machine.run(seconds=trial.seconds)
-    page = printed(bytes(printer)).decode().replace("\r\n", "\n")
-    instructions = machine.instructions - instructions
-    core = list(machine.core)
-    return Outcome(stop, machine.ac, machine.link, before, core, bytes(punched), page, instructions)
+def _has(answer: Answer, place: str) -> bool:
+    return place[0].isdigit() or tag(place)[0] in answer.symbols
 
 
-def turns(answer: Answer, trial: Trial) -> tuple[int, int]:
+def start(answer: Answer, trial: Trial) -> int:
+    """Return the address of the first of the places at which the trial may start that the answer has."""
+    return next(answer.address(place) for place in trial.start if _has(answer, place))
+
+
+def run(answer: Answer, trial: Trial) -> list[Outcome]:
+    """Run `answer`, which has the tags the trial needs, as the trial says; return what the last of its
+    `starts` brought, and then each `again`.
+    """
+    tried = Tried(answer, trial)
+    outcomes = [tried.outcome(number) for number in range(len(tried.starts))]
+    return outcomes[trial.starts - 1 :]
+
+
+def looks(answer: Answer, trial: Trial) -> Looks:
+    """Return what an answer does beside its results, from the first START to the end of the last."""
+    tried, seen = Tried(answer, trial), Looks()
+    tried.machine.watch.observer = seen
+    for number in range(len(tried.starts)):
+        tried.outcome(number)
+    return seen
+
+
+class Tried:
+    """A machine with an answer in it, to be started as a trial says; `starts` has the trial of each START."""
+
+    def __init__(self, answer: Answer, trial: Trial, before: int = 0) -> None:
+        """Make the machine ready, and run it from the first START to the end of as many as come before."""
+        self.answer = answer
+        self.starts = [trial] * trial.starts + [*trial.again]
+        self.machine = Machine()
+        self._filled = array("H", _fill(answer, trial))
+        self.machine.put({"core": self._filled.tobytes()})
+        self.machine.load(answer.words)
+        own = {answer.address(place) for each in self.starts for place in each.deposit}
+        self._free = {at for at in range(len(self._filled)) if at not in own and at not in answer.words}
+        for number in range(before):
+            self.outcome(number)
+
+    def start(self, number: int) -> None:
+        """Put in what START number `number` wants, and press it."""
+        trial, machine, answer = self.starts[number], self.machine, self.answer
+        if number == 0 or trial is not self.starts[number - 1]:
+            for place, word in trial.deposit.items():
+                machine.core[answer.address(place)] = word if isinstance(word, int) else answer.address(word)
+        machine.sr = trial.sr
+        machine.teletype.punch.frames.clear()
+        machine.teletype.printer.frames.clear()
+        machine.teletype.reader.load(trial.reader)
+        machine.start(start(answer, trial))
+        machine.teletype.keyboard.press(trial.keys)
+
+    def run(self, number: int) -> Stop:
+        """Run from START to the end; the stop where the program is left is a breakpoint."""
+        machine, watch, seconds = self.machine, self.machine.watch, self.starts[number].seconds
+        watch.breakpoints = set(self._free)
+        stop = Stop(Reason.BREAKPOINT, machine.pc, 0)
+        while stop.reason is Reason.BREAKPOINT and not self.left(stop.pc):
+            stop = machine.run(seconds=max(seconds - machine.elapsed, 0))
+            if stop.reason is Reason.BREAKPOINT:  # it executes what it has written
+                watch.breakpoints = {at for at in self._free if self.left(at)}
+        watch.breakpoints = set()
+        return stop
+
+    def left(self, address: int) -> bool:
+        """Tell whether the word at `address` is none of the program's, and was not written by it either."""
+        return address in self._free and self.machine.processor.core[address] == self._filled[address]
+
+    def outcome(self, number: int) -> Outcome:
+        """Press START number `number`, run, and return what that brought."""
+        machine = self.machine
+        self.start(number)
+        before, instructions = list(machine.core), machine.instructions
+        stop = self.run(number)
+        page = printed(bytes(machine.teletype.printer.frames)).decode().replace("\r\n", "\n")
+        return Outcome(
+            stop, machine.ac, machine.link, before, list(machine.core), machine.teletype.punch.tape, page,
+            machine.instructions - instructions, machine.teletype.transmitter.register != 0, number,
+        )  # fmt: skip
+
+
+def turns(answer: Answer, trial: Trial, outcome: Outcome) -> tuple[int, int]:
     """Return the lowest and the highest address of the loop in which the trial's time is over."""
-    machine = _ready(answer, trial)
-    _start(machine, answer, trial)
-    machine.run(seconds=trial.seconds)
-    addresses = [machine.pc]
+    tried = Tried(answer, trial, outcome.number)
+    tried.start(outcome.number)
+    tried.run(outcome.number)
+    addresses = [tried.machine.pc]
     for _ in range(_TURNS):
-        machine.run(instructions=1)
-        addresses.append(machine.pc)
+        tried.machine.run(instructions=1)
+        addresses.append(tried.machine.pc)
     return min(addresses), max(addresses)
 
 
@@ -77,29 +187,31 @@ def overwritten(answer: Answer, trial: Trial, outcome: Outcome) -> int | None:
     changed = [each for each in answer.words if outcome.core[each] != outcome.before[each]]
     if not changed:
         return None
-    machine = _ready(answer, trial)
-    _start(machine, answer, trial)
+    tried = Tried(answer, trial, outcome.number)
+    machine = tried.machine
+    tried.start(outcome.number)
     machine.watch.breakpoints.update(changed)
-    while machine.instructions < _LOOKED_AT:
-        stop = machine.run(seconds=trial.seconds, instructions=_LOOKED_AT - machine.instructions)
-        if stop.reason is not Reason.BREAKPOINT:
+    last = machine.instructions + _LOOKED_AT
+    for _ in range(_CALLS):
+        stop = machine.run(
+            seconds=tried.starts[outcome.number].seconds, instructions=last - machine.instructions
+        )
+        if stop.reason is not Reason.BREAKPOINT or machine.instructions >= last:
             return None
         if stop.pc in changed:  # after a JMS it is not, which writes its first word and does not execute it
             return stop.pc
     return None
 
 
-def _ready(answer: Answer, trial: Trial) -> Machine:
-    machine = Machine()
-    machine.put({"core": _JUNK})
-    machine.load(answer.words)
-    for place, word in trial.deposit.items():
-        machine.core[answer.address(place)] = word if isinstance(word, int) else answer.address(word)
-    machine.sr = trial.sr
-    return machine
-
-
-def _start(machine: Machine, answer: Answer, trial: Trial) -> None:
-    machine.teletype.reader.load(trial.reader)
-    machine.start(answer.address(trial.start))
-    machine.teletype.keyboard.press(trial.keys)
+def _fill(answer: Answer, trial: Trial) -> list[int]:
+    """Return core full of words drawn by the inputs of a trial, each fourth one an address of the answer."""
+    own = [*answer.words] or [0]
+    seed = trial.sr + len(trial.keys)
+    for number in (*trial.reader, *[word for word in trial.deposit.values() if isinstance(word, int)]):
+        seed = (seed * 31 + number) % (1 << 31)
+    drawn = []
+    for at in range(_DRAWN):
+        seed = (seed * 69069 + 12345) % (1 << 31)
+        word = own[(seed >> 8) % len(own)] if at % 4 == 0 else seed >> 19
+        drawn.append(word & 0o7775 if halts(word) else word)
+    return (drawn * 33)[: 1 << 12]

@@ -50,6 +50,28 @@ def test_inputs_are_drawn_by_ranges_and_kinds() -> None:
         assert drawn == {"0300": 7, "0301": 7, "0302": 7, "0310": 5, "0311": 0o7777}
 
 
+def test_a_quarter_of_the_words_lies_at_an_edge() -> None:
+    text = RANDOM.replace("trials=5", "trials=200").replace("to=0o3777", "to=0o7777")
+    words = [int(trial.deposit["A"]) for trial in parse(text, "e").cases[0].trials]
+    edges = [word for word in words if word in (1, 0o3777, 0o4000, 0o4001, 0o7777)]
+    assert (40 < len(edges) < 60, len(set(edges))) == (True, 5)
+    text = text.replace("from=1,to=0o7777", "from=-3,to=0o77")
+    words = [int(trial.deposit["A"]) for trial in parse(text, "e").cases[0].trials]
+    assert {0o7775, 0o7777, 0, 1, 0o77} < set(words) <= {*range(0o7775, 0o10000), *range(0o100)}
+    assert words.count(0o77) > 5
+
+
+def test_a_trial_is_started_again_with_other_inputs() -> None:
+    made = parse(RANDOM.replace("trials=5", "trials=5\nagain=true"), "e")
+    for trial in made.cases[0].trials:
+        (again,) = trial.again
+        assert again.core["B"] == 2 * int(again.deposit["A"]) != trial.core["B"]
+    once = made.solution.replace("DCA B\n", "DCA B\n\tDCA 200\n")
+    assert mark(made, made.solution).right
+    (found,) = mark(made, once).marks
+    assert found.inputs == f"start 2, A = {made.cases[0].trials[0].again[0].deposit['A']:04o}"
+
+
 def test_all_that_is_compared_is_what_the_solution_left() -> None:
     text = RANDOM.replace("'B'", "'AC', 'L', '0203', 'instructions'").replace(
         "trials=5", "trials=1\nwithin=0.5"
@@ -70,7 +92,7 @@ def test_a_python_function_is_the_oracle(tmp_path: Path) -> None:
     text = RANDOM.replace("compare=['B']", "python='own.py:triple'").replace("to=0o3777", "to=100")
     text = text.replace(DOUBLE, "solution={file='own.pal'}\n")
     made = parse(text, "e", folder=str(tmp_path))
-    with pytest.raises(ExerciseError, match="e: random 1: drawn trial 4: core: a number from -2048 to 4095"):
+    with pytest.raises(ExerciseError, match="e: random 1: drawn trial 1: core: a number from -2048 to 4095"):
         parse(text.replace("to=100", "to=0o3777"), "e", folder=str(tmp_path))
     with pytest.raises(ExerciseError, match=r"own\.py has no function 'double'"):
         parse(text.replace(":triple", ":double"), "e", folder=str(tmp_path))
