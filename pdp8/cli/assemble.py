@@ -14,6 +14,7 @@ from pdp8 import shelf
 from pdp8.cli.shared import arguments, command
 from pdp8.cli.shared.arguments import Command, Folder, Source, Target, output
 from pdp8.cli.shared.progress import Busy
+from pdp8.cli.shared.rules import option
 from tapes.errors import WorkError, called, naming, visible
 
 _TEXT = Target("text")
@@ -26,7 +27,13 @@ class AssemblyError(WorkError):
 
 @click.command(cls=Command)
 @click.argument("sources", type=Source(), nargs=-1, metavar="SOURCE...")
-@output(Target("tape"), "FILE", None, "Where to.  [default: SOURCE's name with .bin]")
+@output(
+    Target("tape"),
+    "FILE",
+    None,
+    "Where to.  [default: SOURCE's name with .bin; no tape where --listing, --symbols, --json or --tty is "
+    "asked for without -o, --rim and --force]",
+)
 @click.option("--rim", is_flag=True, help="Punch a RIM tape instead of DEC's BIN tape.")
 @click.option("--listing", type=_TEXT, metavar="FILE", help="Write what pass 3 typed, with its symbol table.")
 @click.option("--symbols", type=_TEXT, metavar="FILE", help="Write the symbol table.")
@@ -39,9 +46,19 @@ class AssemblyError(WorkError):
     metavar="FOLDER",
     help="Write NAME.pass1, .pass2, .pass3: the raw frames of an ASR-33.",
 )
-@click.option("--force", is_flag=True, help="Punch the tape in spite of errors, as DEC's assembler did.")
+@option(
+    "--force",
+    is_flag=True,
+    excludes="--check",
+    help="Punch the tape in spite of errors, as DEC's assembler did.",
+)
 @click.option("--strict", is_flag=True, help="Take notes for errors.")
-@click.option("--check", is_flag=True, help="Say what is wrong, and write nothing.")
+@option(
+    "--check",
+    is_flag=True,
+    excludes="--out --rim --listing --symbols --json --tty --no-clobber",
+    help="Say what is wrong, and write nothing.",
+)
 @click.option(
     "--dialect",
     type=click.Choice(DIALECTS),
@@ -49,7 +66,12 @@ class AssemblyError(WorkError):
     show_default=True,
     help="DEC's PAL III of 1967, or the later PAL8; auto takes PAL8 for a source by what it has.",
 )
-@click.option("--lsp", is_flag=True, help="Serve an editor on standard input and output (docs/editors.md).")
+@option(
+    "--lsp",
+    is_flag=True,
+    only="--dialect",
+    help="Serve an editor on standard input and output (docs/editors.md).",
+)
 @click.option("--modern", is_flag=True, help="Read lower case as capitals; nothing else differs.")
 @click.option(
     "--for",
@@ -105,11 +127,10 @@ def pal(
         return
     if not sources:
         raise click.UsageError("no SOURCE: name a file, or - for standard input")
-    tape = output or _beside(sources[0])
-    if check and (output or listing or symbols or json or tty):
-        raise click.UsageError("--check writes nothing: leave the other outputs out")
+    asked = bool(output or rim or force) or not (check or listing or symbols or json or tty)
+    tape = (output or _beside(sources[0])) if asked else None
     passes = _passes(tty, sources[0])
-    written = [None if check else tape, listing, symbols, json, *filter(os.path.exists, passes)]
+    written = [tape, listing, symbols, json, *filter(os.path.exists, passes)]
     arguments.check_files(sources, written)
     capacity = HIGH_SPEED_SYMBOLS if high_speed_reader else TELETYPE_SYMBOLS
     contents = [_read(source) for source in sources]
@@ -130,10 +151,6 @@ def pal(
     errors = sum(diagnostic.error or strict for diagnostic in diagnostics)
     if assembly.stopped:
         raise AssemblyError(f"{_counted(errors)}: PAL III goes no further, nothing is written")
-    if check:
-        if errors:
-            raise AssemblyError(_counted(errors))
-        return
     if listing:
         _put_listing(listing, assembly)
     if symbols:
@@ -144,7 +161,10 @@ def pal(
         command.put(json, as_json(assembly))
     if tty:
         command.put_all(tty, zip(map(os.path.basename, passes), assembly.teletype, strict=True))
-    _punch(tape, rim, force, errors, assembly)
+    if tape:
+        _punch(tape, rim, force, errors, assembly)
+    elif errors:
+        raise AssemblyError(_counted(errors))
 
 
 def _coloured(diagnostic: Diagnostic) -> str:

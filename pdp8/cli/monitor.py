@@ -38,6 +38,8 @@ def monitor(script: str | None, highspeed: bool, dialect: str, echo: bool) -> No
     made = Monitor(command.echo, Machine(highspeed))
     made.dialect = dialect
     if script is None and sys.stdin.isatty():
+        if echo:
+            raise click.UsageError("--echo means nothing without SCRIPT.")
         converse(made)
     else:
         _follow(made, script or "-", echo)

@@ -7,6 +7,7 @@ import click
 
 from pdp8.cli.shared.arguments import Command, Source
 from pdp8.cli.shared.parameters import octal
+from pdp8.cli.shared.rules import option
 from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, find
 from tapes.errors import WorkError
 
@@ -14,11 +15,31 @@ from tapes.errors import WorkError
 @click.command(cls=Command)
 @click.argument("program", type=Source(), required=False)
 @click.option("--reader", type=Source(), help="Tape in the Teletype's reader to begin with.")
-@click.option("--start", type=octal, default="0200", show_default=True, help="Where PROGRAM starts, octal.")
+@option(
+    "--start",
+    type=octal,
+    default="0200",
+    show_default=True,
+    needs="PROGRAM",
+    excludes="--cold",
+    help="Where PROGRAM starts, octal.",
+)
 @click.option("--sr", type=octal, help="Switch register to begin with, octal.  [default: --start]")
-@click.option("--drill", type=click.Choice(NAMES), help="Follow a card key by key; what is wrong is named.")
-@click.option("--kiosk", is_flag=True, help="Begin the drill again when it is left alone for a minute.")
-@click.option("--cold", is_flag=True, help="Leave core empty: PROGRAM is a tape at hand, to be loaded.")
+@option(
+    "--drill",
+    type=click.Choice(NAMES),
+    only="--kiosk",
+    help="Follow a card key by key; what is wrong is named.",
+)
+@option(
+    "--kiosk",
+    is_flag=True,
+    needs="--drill",
+    help="Begin the drill again when it is left alone for a minute.",
+)
+@option(
+    "--cold", is_flag=True, needs="PROGRAM", help="Leave core empty: PROGRAM is a tape at hand, to be loaded."
+)
 def panel(
     program: str | None,
     reader: str | None,
@@ -49,10 +70,6 @@ def panel(
       pdp8 panel eia.pal --reader circle.asc
       pdp8 panel --cold mine.pal
     """
-    if kiosk and drill is None:
-        raise click.UsageError("--kiosk means nothing without --drill.")
-    if drill is not None and (program, reader, sr) != (None, None, None):
-        raise click.UsageError("--drill has its own core: it goes with no PROGRAM, --reader, --sr.")
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise WorkError("the panel needs a terminal; `pdp8 run` works without one")
     if find_spec("textual") is None:

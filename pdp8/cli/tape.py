@@ -1,26 +1,35 @@
 """`pdp8 tape`: a tape shown as holes, measured, converted to another code, punched from typed text."""
 
+from collections.abc import Callable
 from importlib.util import find_spec
+from typing import Any, TypeVar
 
 import click
 
 from pdp8 import shelf
 from pdp8.cli.shared import command, progress
 from pdp8.cli.shared.arguments import Group, Source, Target, output
+from pdp8.cli.shared.rules import option
 from tapes import ascii, captions, eia, frames, hydrapoint, kinds, measure, picture
 from tapes import convert as codes
 from tapes.errors import TapeError, called, naming
 
+_Function = TypeVar("_Function", bound=Callable[..., Any])
 _AUTO = "auto"
 _output = output(Target("tape"))
 _file = click.argument("file", type=Source(), default="-")
-_parity = click.option(
-    "--parity",
-    type=click.Choice(list(frames.PARITIES)),
-    default="mark",
-    show_default=True,
-    help="Channel 8 of an ASCII tape.",
-)
+
+
+def _parity(code: str) -> Callable[[_Function], _Function]:
+    """Return the decorator that adds --parity to a command whose tape has the code that `code` tells."""
+    return option(
+        "--parity",
+        type=click.Choice(list(frames.PARITIES)),
+        default="mark",
+        show_default=True,
+        needs=f"{code}=ascii",
+        help="Channel 8 of an ASCII tape.",
+    )
 
 
 @click.group(cls=Group)
@@ -121,11 +130,12 @@ def info(files: tuple[str, ...]) -> None:
     required=True,
     help="The code to make of it.",
 )
-@_parity
-@click.option(
+@_parity("--to")
+@option(
     "--fill",
     type=click.IntRange(0, 1000),
     metavar="FRAMES",
+    needs="--to=ascii",
     help="RUBOUTs after CR LF; 6, or as an ASCII tape has them.",
 )
 @output(Target())
@@ -174,13 +184,14 @@ def clean(*, file: str, output: str) -> None:
 @click.option(
     "--code", type=click.Choice(["ascii", "eia"]), default="ascii", show_default=True, help="The tape's code."
 )
-@_parity
-@click.option(
+@_parity("--code")
+@option(
     "--fill",
     type=click.IntRange(0, 1000),
     metavar="FRAMES",
     default=6,
     show_default=True,
+    needs="--code=ascii",
     help="RUBOUTs after each CR LF (ascii).",
 )
 @click.option(

@@ -8,6 +8,7 @@ import click
 
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Folder, Group, Target, output
+from pdp8.cli.shared.rules import option
 
 if TYPE_CHECKING:
     from pdp8.thesis.table import Table
@@ -31,7 +32,7 @@ def thesis() -> None:
 
     \b
     Examples:
-      pdp8 thesis list
+      pdp8 thesis make
       pdp8 thesis make 7.2 --out figures
       pdp8 thesis make all --out figures
       pdp8 thesis evidence eia.pal
@@ -58,25 +59,6 @@ def page(output: str) -> None:
     command.put(output, curve.page())
 
 
-@thesis.command("list")
-def list_() -> None:
-    """Name every figure, table, listing and program of the thesis, and say what there is of it here.
-
-    It is from the text; it is our drawing of what the text says (the original is lost); some of it is fitted
-    or conjectured; or it is lost.
-
-    \b
-    Examples:
-      pdp8 thesis list
-      pdp8 thesis list | grep lost
-    """
-    from pdp8.thesis.catalogue import catalogue
-    from pdp8.thesis.table import Table
-
-    rows = tuple((item.number, str(item.page), item.kind, item.state, item.title) for item in catalogue())
-    _show(Table(_CATALOGUE, rows), "The thesis", coloured_by=3)
-
-
 @thesis.command("numbers")
 @click.option("--chapter", type=click.IntRange(1, 10), metavar="NUMBER", help="Those of one chapter.")
 @output(Target("text"))
@@ -98,19 +80,28 @@ def numbers_(chapter: int | None, output: str) -> None:
 
 
 @thesis.command()
-@click.argument("number", metavar="NUMBER|all")
-@output(Folder(), "FOLDER", "thesis", "Where the files are written.", show_default=True)
-@click.option(
-    "--facsimile", is_flag=True, help="Listing B, C or D as it stood on its pages, without comments."
+@click.argument("number", metavar="[NUMBER|all]", required=False)
+@output(Folder(), "FOLDER", "thesis", "Where the files are written.", show_default=True, needs="NUMBER")
+@option(
+    "--facsimile",
+    is_flag=True,
+    needs="NUMBER",
+    help="Listing B, C or D as it stood on its pages, without comments.",
 )
-def make(number: str, output: str, facsimile: bool) -> None:
+def make(number: str | None, output: str, facsimile: bool) -> None:
     """Make figure, table, listing or program NUMBER; or all, with a page that sets them beside the thesis.
 
     A figure is an SVG, anything else a text; each has its number and caption. A facsimile has nothing of ours
     but the characters that the scan lost.
 
+    Without NUMBER every figure, table, listing and program is listed with what there is of it here: it is
+    from the text; it is our drawing of what the text says, where the original is lost; some of it is fitted
+    or conjectured; or it is lost.
+
     \b
     Examples:
+      pdp8 thesis make
+      pdp8 thesis make | grep lost
       pdp8 thesis make 7.2
       pdp8 thesis make B --facsimile
       pdp8 thesis make all --out figures
@@ -119,6 +110,9 @@ def make(number: str, output: str, facsimile: bool) -> None:
     from pdp8.thesis.catalogue import catalogue, find
     from pdp8.thesis.making import Made, make
 
+    if number is None:
+        _list()
+        return
     if facsimile:
         from pdp8.thesis import facsimile as page
 
@@ -140,6 +134,14 @@ def make(number: str, output: str, facsimile: bool) -> None:
     command.put_all(output, files.items())
     if whole:
         command.tell(f"begin with {os.path.join(output, 'index.html')}")
+
+
+def _list() -> None:
+    from pdp8.thesis.catalogue import catalogue
+    from pdp8.thesis.table import Table
+
+    rows = tuple((item.number, str(item.page), item.kind, item.state, item.title) for item in catalogue())
+    _show(Table(_CATALOGUE, rows), "The thesis", coloured_by=3)
 
 
 @thesis.command()

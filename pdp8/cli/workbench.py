@@ -1,23 +1,31 @@
 """`pdp8 workbench`: the live machine in one page."""
 
+from os.path import basename
+
 import click
 
+from pdp8 import shelf
 from pdp8.cli.shared import command
-from pdp8.cli.shared.arguments import Command, Target, output
+from pdp8.cli.shared.arguments import Command, Source, Target, output
+from tapes.errors import called
 
 
 @click.command(cls=Command)
+@click.option("--tape", type=Source(), help="Open it with this EIA tape at the Hydra-Point.")
 @output(Target("HTML"), "PAGE", "pdp8.html", "The page.", show_default=True)
-def workbench(output: str) -> None:
+def workbench(tape: str | None, output: str) -> None:
     """Write the workbench: a live PDP-8/L with Teletype, assembler, debugger and Hydra-Point, in one page.
 
-    The page needs no network and nothing beside it: a browser opens it from disk.
+    The page needs no network and nothing beside it: a browser opens it from disk. With --tape it shows the
+    tape's path, band and blocks, and where the machine refuses it.
 
     \b
     Examples:
       pdp8 workbench
       pdp8 workbench -o lesson.html
+      pdp8 workbench --tape circle.eia -o circle.html
     """
     from pdp8.web.workbench import page
 
-    command.put(output, page())
+    view = (basename(called(tape)), shelf.read(tape)) if tape else None
+    command.put(output, page(view))

@@ -2,7 +2,7 @@
 
     option("--cycles", is_flag=True, needs="--trace")           means nothing without --trace
     option("--fill", type=int, needs="--to=ascii")              means nothing unless --to is ascii
-    option("--boot", is_flag=True, excludes="--restore")        means nothing beside --restore
+    option("--boot", is_flag=True, excludes="--restore")        does not go with --restore
     option("--prove", is_flag=True, only="EXERCISE --cpu")      goes with these alone; only="", with nothing
 
 A blank parts names: one of those that an option `needs` is enough. An argument's name is in capitals; `=`
@@ -74,8 +74,9 @@ def declared(function: Callable[..., Any]) -> Callable[..., Any]:
 
 def check(ctx: click.Context) -> None:
     """Raise a UsageError for an option that was given and that its declaration forbids in this call."""
-    known = {word: param for param in ctx.command.params for word in words(param)}
-    given = [param for param in ctx.command.params if is_given(ctx, param)]
+    params = ctx.command.get_params(ctx)
+    known = {word: param for param in params for word in words(param)}
+    given = [param for param in params if is_given(ctx, param)]
 
     def holds(word: str) -> bool:
         name, valued, value = word.partition("=")
@@ -91,7 +92,7 @@ def check(ctx: click.Context) -> None:
             raise click.UsageError(f"{name} means nothing without {_told(needed, 'or')}.")
         barred = [word for word in getattr(param, "excludes", "").split() if holds(word)]
         if barred:
-            raise click.UsageError(f"{name} means nothing beside {_told(barred, 'and')}.")
+            raise click.UsageError(f"{name} does not go with {_told(barred, 'or')}.")
         only = getattr(param, "only", None)
         if only is not None:
             fitting = [param, *(known[word] for word in only.split())]

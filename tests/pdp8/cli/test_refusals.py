@@ -94,9 +94,9 @@ pdp8 part circel -> there is no command 'circel'; did you mean circle?
 pdp8 check add x.pal --cpu nan -> not between 0.1 and 3600 seconds
 pdp8 run -> give a PROGRAM, or --restore
 pdp8 run hello.pal --restore x -> give a PROGRAM, or --restore
-pdp8 run --restore x --boot -> --boot means nothing beside --restore
+pdp8 run --restore x --boot -> --boot does not go with --restore
 pdp8 run hello.pal --loader x -> --loader means nothing without --boot
-pdp8 run hello.pal --line x --reader y -> --line means nothing beside --reader
+pdp8 run hello.pal --line x --reader y -> --line does not go with --reader
 pdp8 run hello.pal --no-clobber -> --no-clobber means nothing without --punch or --fast-punch or --line
 pdp8 run --restore a.bin --force -> --force means nothing without PROGRAM
 pdp8 check --list add -> --list goes alone: leave out EXERCISE

@@ -45,7 +45,7 @@ def tried(tapes: tuple[str, ...], watching: Watching, **_: object) -> None:
         ("--fill 6", ""),
         ("--fill 6 --code eia", "--fill means nothing without --code ascii."),
         ("--no-boot", ""),
-        ("--no-boot --trace x a", "--boot means nothing beside --trace and TAPES."),
+        ("--no-boot --trace x a", "--boot does not go with --trace or TAPES."),
         ("--list a --fill 1", ""),
         (
             "--list a --trace x --code y",
@@ -68,5 +68,6 @@ def test_a_field_of_a_dataclass_is_an_option() -> None:
 def test_every_command_holds_its_options_to_their_rules(path: str) -> None:
     found = LEAVES[path]
     assert isinstance(found, Command) or not found.params
-    known = {word for param in found.params for word in rules.words(param)}
-    assert {word for param in found.params for word in rules.named(param)} <= known
+    params = found.get_params(click.Context(found))
+    known = {word for param in params for word in rules.words(param)}
+    assert {word for param in params for word in rules.named(param)} <= known

@@ -12,7 +12,7 @@ from tests.conftest import Shell
 @pytest.mark.parametrize(
     ("line", "firsts"),
     [
-        ("list", [item.number for item in catalogue()]),
+        ("make", [item.number for item in catalogue()]),
         ("numbers --chapter 9", [f"{one.page}" for one in numbers() if one.chapter == 9]),
     ],
 )
