@@ -24,6 +24,10 @@ Floats = NDArray[np.float64]
 _STEP = 1e-6
 """Inches to each side of a point at which a slope is measured."""
 
+_FINE = 7_200
+_ROUND = 5
+"""What a nominal is a multiple of, in thousandths, if nothing speaks against it."""
+
 
 @dataclass(frozen=True, eq=False)
 class Stations:
@@ -154,13 +158,17 @@ class StraightLine(Curve):
 
 @dataclass(frozen=True)
 class Graph(Curve):
-    """y = f(x), x from `first` to `last`, inches; its origin is at `x`, `y` of the table, thousandths."""
+    """y = f(x), x from `first` to `last`, inches; its origin is at `x`, `y` of the table, thousandths.
+
+    If f is the surface of a part, `beside` is how far above it (-: below) the cutter's centre goes.
+    """
 
     x: float
     y: float
     expression: str
     first: float
     last: float
+    beside: float = 0
 
     def __post_init__(self) -> None:
         """Raise WorkError for a range of length 0, and for an expression that is not one."""
@@ -174,6 +182,7 @@ class Graph(Curve):
         points = np.column_stack([self.x + 1000 * x, self.y + 1000 * self._height(x)])
         slope = self._slope(x)
         normals = np.column_stack([-slope, np.ones(count)]) / np.hypot(slope, 1)[:, None]
+        points += self.beside * normals
         return Stations(points, normals, _along(points))
 
     def limit(self, stations: Stations, tolerance: float) -> Floats:
@@ -182,6 +191,10 @@ class Graph(Curve):
 
     def deviations(self, points: Floats) -> Floats:
         """Return the distance above the curve, to first order near it; beyond its ends, above the tangent."""
+        if self.beside:
+            near = self.stations(_FINE)
+            at = [np.hypot(*(near.points - point).T).argmin() for point in points]
+            return np.asarray(((points - near.points[at]) * near.normals[at]).sum(axis=1))
         x = (points[:, 0] - self.x) / 1000
         nearest = np.clip(x, self.first, self.last)
         slope = self._slope(nearest)
@@ -197,9 +210,10 @@ class Graph(Curve):
         return np.asarray((self._height(right) - self._height(left)) / (right - left))
 
     def __str__(self) -> str:
+        surface = f", the surface {'below' if self.beside > 0 else 'above'} the cutter" if self.beside else ""
         return (
             f"curve y = {self.expression}, x from {self.first:g} to {self.last:g}, "
-            f"origin X {self.x / 1000:.3f} Y {self.y / 1000:.3f}"
+            f"origin X {self.x / 1000:.3f} Y {self.y / 1000:.3f}{surface}"
         )
 
 
@@ -211,12 +225,13 @@ def nominal(
     function: str | None = None,
     origin: Sequence[float] = (0, 0),
     range_: Sequence[float] | None = None,
+    beside: float = 0,
 ) -> Curve | None:
     """Return the one curve that is named, lengths in inches; None if none is.
 
     `circle` is X, Y, radius; `ellipse` X, Y and the semi-axes; `line` X and Y of both ends; `function`
-    an expression in x, with its `origin` and `range_`. Raises WorkError for two curves, or one that does not
-    exist.
+    an expression in x, with its `origin` and `range_`; if it is a surface, `beside` is the cutter's radius, -
+    below it. Raises WorkError for two curves, or one that does not exist.
     """
     named = [curve for curve in (circle, ellipse, line, function) if curve is not None]
     if len(named) > 1:
@@ -232,33 +247,35 @@ def nominal(
         if range_ is None:
             raise WorkError(f"function {function}: its range of x is needed")
         x, y = _thousandths(origin)
-        return Graph(x, y, function, *range_)
+        return Graph(x, y, function, range_[0], range_[1], beside * 1000)
     return None
 
 
-def fitted(points: Floats, within: float) -> Ellipse | StraightLine | None:
-    """Return the line, circle or ellipse nearest to the points (n, 2), constants rounded to the thousandth.
+def fitted(points: Floats, within: float, band: float = 0) -> Ellipse | StraightLine | None:
+    """Return the line, circle or ellipse nearest to the points (n, 2); its constants are rounded to five
+    thousandths if all points lie within `band` of it then, else to one.
 
     None if some point lies further than `within` from each of them, or if less than a quarter of the ellipse
     is there: what bends a little is near to many.
     """
     for fit in (_fitted_line, _fitted_ellipse):
-        curve = fit(points)
-        if curve is not None and np.abs(curve.deviations(points)).max() <= within:
-            return curve
+        for unit, furthest in ((_ROUND, band), (1, within)):
+            curve = fit(points, unit)
+            if curve is not None and np.abs(curve.deviations(points)).max() <= furthest:
+                return curve
     return None
 
 
-def _fitted_line(points: Floats) -> StraightLine | None:
+def _fitted_line(points: Floats, unit: int) -> StraightLine | None:
     """Fit through the points' mean along their greatest spread, from the first to the last."""
     mean = points.mean(axis=0)
     direction = np.linalg.svd(points - mean, full_matrices=False)[2][0]
     ends = mean + ((points[[0, -1]] - mean) @ direction)[:, None] * direction
-    (x1, y1), (x2, y2) = np.rint(ends).tolist()
+    (x1, y1), (x2, y2) = (unit * np.rint(ends / unit)).tolist()
     return StraightLine(x1, y1, x2, y2) if (x1, y1) != (x2, y2) else None
 
 
-def _fitted_ellipse(points: Floats) -> Ellipse | None:
+def _fitted_ellipse(points: Floats, unit: int) -> Ellipse | None:
     """Fit p x² + q y² + r x + s y = 1 about the points' mean, least squares."""
     mean = points.mean(axis=0)
     size = np.abs(points - mean).max()
@@ -267,10 +284,10 @@ def _fitted_ellipse(points: Floats) -> Ellipse | None:
     if p <= 0 or q <= 0:
         return None
     whole = 1 + r * r / (4 * p) + s * s / (4 * q)
-    x, y = np.rint(mean + size * np.array([-r / (2 * p), -s / (2 * q)])).tolist()
-    a, b = np.rint(size * np.sqrt([whole / p, whole / q])).tolist()
-    if abs(a - b) <= 1:
-        a = b = round((a + b) / 2)
+    place, axes = mean + size * np.array([-r / (2 * p), -s / (2 * q)]), size * np.sqrt([whole / p, whole / q])
+    if np.ptp(np.rint(axes)) <= 1:
+        axes[:] = np.rint(axes).mean()
+    x, y, a, b = (unit * np.rint(np.concatenate([place, axes]) / unit)).tolist()
     width, height = np.ptp(points, axis=0)
     return Ellipse(x, y, a, b) if 0 < a < 1.1 * width and 0 < b < 1.1 * height else None
 

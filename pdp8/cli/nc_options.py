@@ -8,6 +8,7 @@ import click
 
 from pdp8 import shelf
 from pdp8.cli.shared.arguments import Source
+from pdp8.cli.shared.rules import option
 from tapes.errors import WorkError, named, naming
 
 if TYPE_CHECKING:
@@ -71,8 +72,8 @@ def _adding(*options: _Decorator) -> _Decorator:
     """Return the decorator that adds options to a command, in their order."""
 
     def add(command: Callable[..., Any]) -> Callable[..., Any]:
-        for option in reversed(options):
-            command = option(command)
+        for adds in reversed(options):
+            command = adds(command)
         return command
 
     return add
@@ -152,7 +153,7 @@ CURVE = _adding(
     click.option(
         "--function",
         metavar="EXPRESSION",
-        help="The same: y as a function of x, as `pdp8 part curve` has it without --cutter.",
+        help="The same: y as a function of x, as `pdp8 part curve` has it.",
     ),
     click.option(
         "--origin",
@@ -168,6 +169,12 @@ CURVE = _adding(
         callback=numbers("FROM,TO"),
         metavar="FROM,TO",
         help="Range of x of --function, inches.",
+    ),
+    option(
+        "--side",
+        type=click.Choice(["above", "below"]),
+        needs="--function",
+        help="The function is the surface, and the cutter is on this side, as `pdp8 part curve` has it.",
     ),
     click.option(
         "--cutter",
@@ -241,7 +248,13 @@ def _not_eia(frames: bytes, error: "CutError") -> WorkError | None:
     return WorkError(f"{error}; the tape seems to be {kind.upper()}, and the machine reads EIA{cure}")
 
 
-def curve(origin: tuple[float, ...], range_: tuple[float, ...] | None, **options: Any) -> "Curve | None":
+def curve(
+    origin: tuple[float, ...],
+    range_: tuple[float, ...] | None,
+    side: str | None,
+    cutter: float,
+    **options: Any,
+) -> "Curve | None":
     """Return the curve that is named, if one is."""
     from nc.curves import nominal
 
@@ -250,7 +263,8 @@ def curve(origin: tuple[float, ...], range_: tuple[float, ...] | None, **options
         raise click.UsageError("give one of --circle, --ellipse, --line and --function")
     if ("function" in named) != (range_ is not None):
         raise click.UsageError("--function and --range go together")
-    return nominal(**named, origin=origin, range_=range_)
+    beside = {None: 0.0, "above": cutter / 2, "below": -cutter / 2}[side]
+    return nominal(**named, origin=origin, range_=range_, beside=beside)
 
 
 def curve_or_followed(path: "Path", tolerance: float, **options: Any) -> "Curve | None":

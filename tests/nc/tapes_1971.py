@@ -53,6 +53,13 @@ def milled(*corners: tuple[int, int]) -> nc.Path:
     return nc.cut(tape(*HEADER, *milling([*corners], (2250, 4000))))
 
 
+def milled_from(corners: list[tuple[int, int]]) -> nc.Path:
+    """Return the path that mills from the first of these places to the others, cut."""
+    (x, y), *others = corners
+    start = f"005 0 {x:05} {y:05} 0 00 80"
+    return nc.cut(tape(*HEADER[:4], start, HEADER[5], *milling(others, (x, y))))
+
+
 CIRCLE_BLOCKS = (*HEADER, *milling(staircase(1750, 5), (2250, 4000)))
 """The circle of Appendix C: 4 in, 1/2 in cutter, +-.005."""
 

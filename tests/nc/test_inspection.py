@@ -11,11 +11,14 @@ from shapely.geometry import Point as Disc
 import nc
 from nc.curves import Curve, Ellipse, Graph, StraightLine, fitted, nominal
 from nc.inspection import Inspection, Walls, followed, inspect, runs, walls
+from nc.machine import Settings
 from nc.report import inspection_report
 from nc.talysurf import talysurf
+from programs.parts import part
 from tapes.errors import WorkError
 from tests.conftest import case
-from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, milled, staircase, tape
+from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, milled, milled_from, staircase, tape
+from tests.programs import printouts
 
 THE_CIRCLE = Ellipse(4000, 4000, 1750, 1750)
 
@@ -76,6 +79,51 @@ def test_the_walls_are_those_shapely_finds(curve: Ellipse, radius: float) -> Non
             assert found.inner[at] - radius == pytest.approx(inward, abs=0.01)
 
 
+@pytest.mark.parametrize("side", ["above", "below"])
+def test_a_surface_is_measured_where_its_part_has_it(side: str) -> None:
+    """The wall of sin(x) + 1 on the part's side, by shapely; a tenth of an inch less at the ends."""
+    blocks = printouts.milled(
+        part("curve", "sin(x)+1", to=3, cutter=0.25, side=side, tolerance=0.003, stop="inside")
+    )
+    corners = [(block.x, block.y) for block in blocks]
+    found = inspect(
+        milled_from(corners),
+        nominal(
+            function="sin(x)+1", origin=(4, 5), range_=(0, 3), beside=0.125 if side == "above" else -0.125
+        ),
+        cutter=250,
+        tolerance=3,
+    )
+    assert found.within_tolerance
+    metal = unary_union([LineString(cut).buffer(125, quad_segs=2048) for cut in pairwise(corners)])
+    walls = {"above": found.walls.inner, "below": found.walls.outer}[side]
+    stations = np.linspace(0, 3, len(walls))
+    for at in range(0, len(walls), 400):
+        x = stations[at]
+        slope = np.cos(x)
+        place = np.array([4000 + 1000 * x, 6000 + 1000 * np.sin(x)])
+        normal = np.array([-slope, 1]) / np.hypot(slope, 1)
+        ray = LineString([place - 50 * normal, place + 50 * normal]).intersection(metal)
+        ends = sorted((np.array(end) - place) @ normal for end in ray.coords)
+        assert walls[at] == pytest.approx(ends[0] if side == "above" else ends[-1], abs=0.02)
+
+
+def test_a_guessed_nominal_is_round_and_feeds_do_not_move_it() -> None:
+    """The piece-wise circle keeps to its band whatever the feeds do, and so does what is guessed from it."""
+    lines = printouts.blocks(part("circle", technique="piece", close=True))
+    frames = tape(*("{:03}{}{:05}{:05}{}{:02}{:02}".format(*block) for block in lines))
+    for x, y in ((0.0, 0.0), (-0.2, 0.2), (0.2, -0.2), (0.2, 0.2)):
+        found = inspect(nc.cut(frames, settings=Settings(feed_error=(x, y, 0))))
+        with case(f"{x}, {y}"):
+            assert (found.curve, found.guessed, found.within_tolerance) == (THE_CIRCLE, True, True)
+    assert "guessed" in next(inspection_report(found))
+    assert "guessed" in [*inspection_report(found)][-1]
+    assert "guessed" not in "".join(inspection_report(inspect(nc.cut(frames), THE_CIRCLE)))
+    odd = Ellipse(4003, 3998, 1742, 1742)
+    for band, curve in ((2, odd), (6, Ellipse(4005, 4000, 1740, 1740))):
+        assert fitted(odd.stations(900).points, within=20, band=band) == curve
+
+
 def test_the_apexes_of_the_thesiss_circle(circle: Inspection) -> None:
     """Chapter 7's circle; the figures were computed twice elsewhere, by polygon offset."""
     assert circle.curve == THE_CIRCLE
@@ -110,6 +158,8 @@ def test_what_the_cutter_never_reached_is_said() -> None:
     assert 0.7 < found.uncut < 0.75
     assert abs(found.furthest.error) < 250
     assert not inspect(quarter, curve=THE_CIRCLE, tolerance=250).within_tolerance
+    assert found.stepwise
+    assert not inspect(milled((2250, 4010), (2261, 4020)), THE_CIRCLE).stepwise
     assert "out of tolerance: not all of the curve is cut; " in [*inspection_report(found)][-1]
     with pytest.raises(WorkError, match="did not reach"):
         inspect(quarter, curve=Ellipse(15000, 5000, 1000, 1000))

@@ -116,7 +116,7 @@ def test_milling_at_several_feeds() -> None:
 def test_the_inspection_stands_beside_the_thesis() -> None:
     said = list(inspection_report(inspect(nc.cut(CIRCLE))))
     assert [*said[:7], said[9], said[15], *said[23:]] == [
-        "nominal   circle, centre X 4.000 Y 4.000, radius 1.750 in",
+        "nominal   circle, centre X 4.000 Y 4.000, radius 1.750 in, guessed from the path",
         "cutter    0.500 in; its centre went from .0060 inside to .0060 outside of nominal",
         "stations  36000",
         "",
@@ -128,7 +128,7 @@ def test_the_inspection_stands_beside_the_thesis() -> None:
         "",
         "worst trough to peak .0173 in: outer wall, -X apex, from -.0114 to +.0059; thesis .009",
         "at 45 degrees .0007 to .0009 in",
-        "out of tolerance: -.0114 at most, outer wall, -X apex; .0050 is allowed",
+        "out of tolerance: -.0114 at most, outer wall, -X apex; .0050 is allowed from the guessed nominal",
     ]
     assert "thesis" not in "\n".join(inspection_report(inspect(nc.cut(CIRCLE), cutter=250)))
 
