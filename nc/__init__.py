@@ -22,4 +22,14 @@ from nc.blocks import BlockError
 from nc.machine import CutError, HydraPoint, Settings, cut
 from nc.path import Move, Path, Step, Times
 
+
+def _draw(path: Path) -> str:
+    """Return the path and the cut surface as SVG, for a notebook."""
+    from nc.plot import plot
+
+    return plot(path)
+
+
+setattr(Path, "_repr_svg_", _draw)  # noqa: B010  # here, as nc.plot imports nc.path
+
 __all__ = ["BlockError", "CutError", "HydraPoint", "Move", "Path", "Settings", "Step", "Times", "cut"]

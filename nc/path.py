@@ -159,12 +159,6 @@ class Path:
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {len(self)} blocks, {self.times.total / 60:.1f} min>"
 
-    def _repr_svg_(self) -> str:
-        """Return the path and the cut surface as SVG, for a notebook."""
-        from nc.plot import plot
-
-        return plot(self)
-
     @property
     def blocks(self) -> tuple[Block, ...]:
         """The blocks in the order of the tape."""

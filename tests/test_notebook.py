@@ -36,5 +36,5 @@ def test_a_listing_shows_every_line_and_marks_what_is_wrong() -> None:
 
 
 def test_a_path_draws_itself() -> None:
-    drawn = ElementTree.fromstring(nc.cut(shelf.read("circle.eia")[:201])._repr_svg_())
+    drawn = ElementTree.fromstring(nc.cut(shelf.read("circle.eia")[:201])._repr_svg_())  # type: ignore[attr-defined]
     assert drawn.tag.endswith("svg")

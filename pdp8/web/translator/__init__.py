@@ -43,7 +43,7 @@ OMITTED = {
     "pal.assembly": "_repr_html_",
     "pal.meaning": "of_name names names8 _FIELDS _MARKS _PSEUDO _WORDS",
     "pdp8.computer.machine": "__reduce__ _copied count",
-    "nc.path": "__repr__ _repr_svg_ array",
+    "nc.path": "__repr__ array",
     "pdp8.lessons.page": "html _STYLE",
     "pdp8.lessons.scores": "table _cell",
     "programs.arithmetic": "Float FloatingPoint IEEE32 CDC6400 GE635 ARITHMETICS"
