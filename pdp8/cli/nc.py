@@ -1,28 +1,27 @@
-"""`pdp8 nc`: list, cut, plot, inspect, export and view an EIA tape at the Hydra-Point."""
+"""`pdp8 nc`: list, cut, plot, inspect and export an EIA tape at the Hydra-Point."""
 
-from os.path import basename
-from typing import Any
+from dataclasses import replace
 
 import click
 from click.core import ParameterSource
 
-from pdp8 import shelf
 from pdp8.cli.nc_options import (
-    CURVE,
+    CUTTER,
     PECK,
-    TAPE,
-    TIMES,
+    TOLERANCE,
+    Feeds,
     Inches,
+    Nominal,
+    Tape,
+    Times,
     Within,
-    curve,
-    curve_or_followed,
     cut_so_far,
-    cut_tape,
     numbers,
 )
+from pdp8.cli.nc_options import cut as cut_tape
 from pdp8.cli.shared import command
-from pdp8.cli.shared.arguments import Group, Source, Target, output
-from pdp8.cli.shared.rules import option
+from pdp8.cli.shared.arguments import Group, Target, output
+from pdp8.cli.shared.rules import declared, option
 from tapes.errors import naming
 
 
@@ -44,9 +43,9 @@ def nc() -> None:
 
 
 @nc.command("list")
-@TAPE
+@declared
 @click.option("--modes", is_flag=True, help="Add what is in force after each block, and the time.")
-def list_(modes: bool, **options: Any) -> None:
+def list_(tape: Tape, modes: bool) -> None:
     """Print the program as a table: each block and what it does.
 
     \b
@@ -57,16 +56,15 @@ def list_(modes: bool, **options: Any) -> None:
     """
     from nc.listing import lines
 
-    path, error = cut_so_far(**options)
+    path, error = cut_so_far(tape)
     command.echo("\n".join(lines(path, modes)))
     if error is not None:
         raise error
 
 
 @nc.command()
-@TAPE
+@declared
 @PECK
-@TIMES
 @click.option(
     "--passes",
     type=click.IntRange(1),
@@ -75,7 +73,7 @@ def list_(modes: bool, **options: Any) -> None:
     show_default=True,
     help="How many times the tape is run.",
 )
-def cut(passes: int, **options: Any) -> None:
+def cut(tape: Tape, feeds: Feeds, times: Times, peck: int, passes: int) -> None:
     """Cut the tape and report what was done and the time it took.
 
     \b
@@ -87,15 +85,22 @@ def cut(passes: int, **options: Any) -> None:
     """
     from nc.report import cut_report
 
-    path, error = cut_so_far(**options)
+    settings = replace(
+        feeds.settings(),
+        peck=peck,
+        tool_change_seconds=times.tool_change,
+        read_seconds=times.read_seconds,
+    )
+    path, error = cut_so_far(tape, settings)
     command.echo("\n".join(cut_report(path, passes)))
     if error is not None:
         raise error
 
 
 @nc.command()
-@TAPE
-@CURVE
+@declared
+@CUTTER
+@TOLERANCE
 @click.option(
     "--block", type=click.IntRange(1), metavar="NUMBER", help="The current block; the last by default."
 )
@@ -114,7 +119,17 @@ def cut(passes: int, **options: Any) -> None:
     help="Scale of the close view.",
 )
 @output(Target("SVG"), "FILE.svg")
-def plot(output: str, block: int | None, at: tuple[float, float] | None, zoom: float, **options: Any) -> None:
+def plot(
+    tape: Tape,
+    feeds: Feeds,
+    nominal: Nominal,
+    cutter: float,
+    tolerance: float,
+    block: int | None,
+    at: tuple[float, float] | None,
+    zoom: float,
+    output: str,
+) -> None:
     """Draw the path and the cut surface to scale as SVG.
 
     \b
@@ -125,14 +140,14 @@ def plot(output: str, block: int | None, at: tuple[float, float] | None, zoom: f
     """
     from nc.plot import plot as drawing
 
-    path = cut_tape(**options)
+    path = cut_tape(tape, feeds.settings())
     close_at = (at[0] * 1000, at[1] * 1000) if at else None
     text = drawing(
         path,
-        curve_or_followed(path, **options),
+        nominal.curve_or_followed(path, cutter, tolerance),
         block=block,
-        cutter=options["cutter"] * 1000,
-        tolerance=options["tolerance"] * 1000,
+        cutter=cutter,
+        tolerance=tolerance * 1000,
         zoom=(zoom, zoom),
         close_at=close_at,
     )
@@ -140,26 +155,32 @@ def plot(output: str, block: int | None, at: tuple[float, float] | None, zoom: f
 
 
 @nc.command()
-@TAPE
-@CURVE
+@declared
+@CUTTER
+@TOLERANCE
 @click.option(
     "--talyrond", type=Target("SVG"), metavar="FILE.svg", help="Draw the polar graph of both walls."
 )
 @click.option("--talysurf", type=Target("SVG"), metavar="FILE.svg", help="Draw both walls laid out straight.")
-@click.option(
+@option(
     "--stretch",
     callback=numbers("FROM,TO"),
     metavar="FROM,TO",
+    needs="--talysurf",
     help="Stretch of the curve for the Talysurf, in inches along it.",
 )
 @click.pass_context
 def inspect(
     ctx: click.Context,
     /,
+    tape: Tape,
+    feeds: Feeds,
+    nominal: Nominal,
+    cutter: float,
+    tolerance: float,
     talyrond: str | None,
     talysurf: str | None,
     stretch: tuple[float, float] | None,
-    **options: Any,
 ) -> None:
     """Measure the walls that the cutter left against the nominal curve.
 
@@ -179,10 +200,8 @@ def inspect(
     from nc.inspection import inspect as measure
     from nc.report import inspection_report
 
-    if stretch and not talysurf:
-        raise click.UsageError("--stretch needs --talysurf")
-    path = cut_tape(**options)
-    found = measure(path, curve(**options), options["cutter"] * 1000, options["tolerance"] * 1000)
+    path = cut_tape(tape, feeds.settings())
+    found = measure(path, nominal.curve(cutter), cutter, tolerance * 1000)
     drawings = []
     if talyrond:
         from nc.talyrond import talyrond as polar
@@ -205,10 +224,15 @@ def inspect(
 
 
 @nc.command()
-@TAPE
+@declared
 @PECK
-@CURVE
-@option("--gcode", is_flag=True, help="G-code (RS-274) for today's mill: Z 0 is the top of the stock.")
+@CUTTER
+@option(
+    "--gcode",
+    is_flag=True,
+    excludes="--circle --ellipse --line --function",
+    help="G-code (RS-274) for today's mill: Z 0 is the top of the stock.",
+)
 @option(
     "--safe",
     type=Inches(0.001, 5),
@@ -241,9 +265,19 @@ def inspect(
     excludes="--cutter",
     help="All that the machine did, parking and stops; Z 0 is the quill's top.",
 )
-@option("--dxf", is_flag=True, help="A drawing of the path (needs ezdxf, the extra `nc`).")
+@option(
+    "--dxf",
+    is_flag=True,
+    excludes="--gcode --peck",
+    help="A drawing of the path (needs ezdxf, the extra `nc`).",
+)
 @output(Target("text"))
 def export(
+    tape: Tape,
+    feeds: Feeds,
+    nominal: Nominal,
+    peck: int,
+    cutter: float,
     gcode: bool,
     safe: float,
     shift: tuple[float, float] | None,
@@ -251,7 +285,6 @@ def export(
     as_1971: bool,
     dxf: bool,
     output: str,
-    **options: Any,
 ) -> None:
     """Write the path as G-code or DXF, in inches.
 
@@ -261,14 +294,13 @@ def export(
       pdp8 nc export circle.eia --gcode --shift=-2,-2 --safe 0.5 -o circle.ngc
       pdp8 nc export circle.eia --dxf -o circle.dxf
     """
-    if gcode == dxf:
+    if not (gcode or dxf):
         raise click.UsageError("give one of --gcode and --dxf")
-    path = cut_tape(**options)
-    cutter = options["cutter"] * 1000
+    path = cut_tape(tape, replace(feeds.settings(), peck=peck))
     if dxf:
         from nc.dxf import dxf as drawing
 
-        command.put(output, drawing(path, curve_or_followed(path, **options), cutter))
+        command.put(output, drawing(path, nominal.curve_or_followed(path, cutter), cutter))
         return
     from nc.gcode import gcode as program
     from nc.gcode_1971 import gcode_1971
@@ -281,20 +313,5 @@ def export(
             path, cutter=cutter, safe=safe * 1000, shift=(x * 1000, y * 1000), tool_change=tool_change
         )
     )
-    with naming(options["tape"]):
+    with naming(tape.name):
         command.put(output, "".join(f"{line}\n" for line in lines))
-
-
-@nc.command()
-@click.argument("tape", type=Source(), metavar="FILE.eia")
-@output(Target("HTML"), "PAGE", None, "The page.", required=True)
-def view(tape: str, output: str) -> None:
-    """Write a page that cuts a tape: path, band, blocks, and where the machine refuses it.
-
-    \b
-    Examples:
-      pdp8 nc view circle.eia -o circle.html
-    """
-    from pdp8.web.workbench import page
-
-    command.put(output, page((basename(tape), shelf.read(tape))))

@@ -1,8 +1,9 @@
 """The options that the `pdp8 nc` commands share: the tape and the machine, the cutter and the curve."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from math import isfinite
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import click
 
@@ -13,10 +14,8 @@ from tapes.errors import WorkError, named, naming
 
 if TYPE_CHECKING:
     from nc.curves import Curve
-    from nc.machine import CutError
+    from nc.machine import CutError, Settings
     from nc.path import Path
-
-_Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
 
 
 class Within(click.types.FloatParamType):
@@ -68,37 +67,179 @@ def numbers(
     return read
 
 
-def _adding(*options: _Decorator) -> _Decorator:
-    """Return the decorator that adds options to a command, in their order."""
+@dataclass(frozen=True)
+class Tape:
+    """A tape, and how it is read."""
 
-    def add(command: Callable[..., Any]) -> Callable[..., Any]:
-        for adds in reversed(options):
-            command = adds(command)
-        return command
-
-    return add
+    name: Annotated[str, click.argument("name", type=Source(), metavar="[FILE.eia]", default="-")]
+    strict: Annotated[
+        bool, option("--strict", is_flag=True, help="Read as later controls did: odd parity, no blank rows.")
+    ]
 
 
-TAPE = _adding(
-    click.argument("tape", type=Source(), metavar="[FILE.eia]", default="-"),
-    click.option("--strict", is_flag=True, help="Read as later controls did: odd parity, no blank rows."),
-    click.option(
-        "--feed-error",
-        callback=numbers("X,Y,Z", one_for_all=True),
-        default="0",
-        metavar="PERCENT",
-        help="Error of the feeds, within +-20; one number, or X,Y,Z.",
-    ),
-    click.option(
-        "--feed-code",
-        type=click.IntRange(1, 18),
-        metavar="CODE",
-        help="Mill at this code of Table 2.4 in place of the tape's.",
-    ),
-)
-"""The tape, and how the machine reads and feeds."""
+@dataclass(frozen=True)
+class Feeds:
+    """How the machine feeds."""
 
-PECK = click.option(
+    feed_error: Annotated[
+        tuple[float, float, float],
+        option(
+            "--feed-error",
+            callback=numbers("X,Y,Z", one_for_all=True),
+            default="0",
+            metavar="PERCENT",
+            help="Error of the feeds, within +-20; one number, or X,Y,Z.",
+        ),
+    ]
+    feed_code: Annotated[
+        int | None,
+        option(
+            "--feed-code",
+            type=click.IntRange(1, 18),
+            metavar="CODE",
+            help="Mill at this code of Table 2.4 in place of the tape's.",
+        ),
+    ]
+
+    def settings(self) -> "Settings":
+        """Return the settings of a machine that feeds so. Raises BadParameter."""
+        from nc.machine import Settings
+
+        for error in self.feed_error:
+            if not abs(error) <= 20:
+                raise click.BadParameter(f"{error:g} %: -20 to 20 is allowed", param_hint="--feed-error")
+        x, y, z = self.feed_error
+        return Settings((x / 100, y / 100, z / 100), self.feed_code)
+
+
+@dataclass(frozen=True)
+class Times:
+    """What only the time of a cut depends on, seconds."""
+
+    tool_change: Annotated[
+        float,
+        option(
+            "--tool-change",
+            type=Within(0, 3600),
+            default=0.0,
+            show_default=True,
+            metavar="SECONDS",
+            help="Time of an automatic tool change; not in the thesis.",
+        ),
+    ]
+    read_seconds: Annotated[
+        float,
+        option(
+            "--read-seconds",
+            type=Within(0, 3600),
+            default=2.0,
+            show_default=True,
+            metavar="SECONDS",
+            help="Time to read a block; an electronic reader takes less (Chapter 10).",
+        ),
+    ]
+
+
+@dataclass(frozen=True)
+class Nominal:
+    """The curve that the cutter's centre should follow, if one is named; lengths are inches."""
+
+    circle: Annotated[
+        tuple[float, ...] | None,
+        option(
+            "--circle",
+            callback=numbers("X,Y,RADIUS"),
+            metavar="X,Y,RADIUS",
+            excludes="--ellipse --line --function",
+            help="Nominal curve of the cutter's centre, inches.",
+        ),
+    ]
+    ellipse: Annotated[
+        tuple[float, ...] | None,
+        option(
+            "--ellipse",
+            callback=numbers("X,Y,A,B"),
+            metavar="X,Y,A,B",
+            excludes="--line --function",
+            help="The same, with semi-axes along X and Y.",
+        ),
+    ]
+    line: Annotated[
+        tuple[float, ...] | None,
+        option(
+            "--line",
+            callback=numbers("X1,Y1,X2,Y2"),
+            metavar="X1,Y1,X2,Y2",
+            excludes="--function",
+            help="The same, from one place to another.",
+        ),
+    ]
+    function: Annotated[
+        str | None,
+        option(
+            "--function",
+            metavar="EXPRESSION",
+            needs="--range",
+            help="The same: y as a function of x, as `pdp8 part curve` has it.",
+        ),
+    ]
+    origin: Annotated[
+        tuple[float, float],
+        option(
+            "--origin",
+            callback=numbers("X,Y"),
+            metavar="X,Y",
+            default="4,5",
+            show_default=True,
+            needs="--function",
+            help="Origin of --function on the table, inches.",
+        ),
+    ]
+    range_: Annotated[
+        tuple[float, float] | None,
+        option(
+            "--range",
+            "range_",
+            callback=numbers("FROM,TO"),
+            metavar="FROM,TO",
+            needs="--function",
+            help="Range of x of --function, inches.",
+        ),
+    ]
+    side: Annotated[
+        Literal["above", "below"] | None,
+        option(
+            "--side",
+            type=click.Choice(["above", "below"]),
+            needs="--function",
+            help="The function is the surface, and the cutter is on this side, as `pdp8 part curve` has it.",
+        ),
+    ]
+
+    def curve(self, cutter: float) -> "Curve | None":
+        """Return the curve of the cutter's centre, for a cutter of so many thousandths, if one is named."""
+        from nc.curves import nominal
+
+        radius = cutter / 2000
+
+        return nominal(
+            circle=self.circle,
+            ellipse=self.ellipse,
+            line=self.line,
+            function=self.function,
+            origin=self.origin,
+            range_=self.range_,
+            beside={None: 0.0, "above": radius, "below": -radius}[self.side],
+        )
+
+    def curve_or_followed(self, path: "Path", cutter: float, tolerance: float = 0.005) -> "Curve | None":
+        """Return the curve that is named, or else the one that the path follows, or None."""
+        from nc.inspection import followed
+
+        return self.curve(cutter) or followed(path, tolerance * 1000)
+
+
+PECK = option(
     "--peck",
     type=Inches(0.001, 5),
     callback=lambda _, __, inches: round(inches * 1000),
@@ -108,129 +249,47 @@ PECK = click.option(
     help="Depth the drill goes between two withdrawals; not in the thesis.",
 )
 
-TIMES = _adding(
-    click.option(
-        "--tool-change",
-        "tool_change_seconds",
-        type=Within(0, 3600),
-        default=0.0,
-        show_default=True,
-        metavar="SECONDS",
-        help="Time of an automatic tool change; not in the thesis.",
-    ),
-    click.option(
-        "--read-seconds",
-        type=Within(0, 3600),
-        default=2.0,
-        show_default=True,
-        metavar="SECONDS",
-        help="Time to read a block; an electronic reader takes less (Chapter 10).",
-    ),
+CUTTER = option(
+    "--cutter",
+    type=Inches(0, 10, above=True),
+    callback=lambda _, __, inches: inches * 1000,
+    metavar="INCHES",
+    default=0.5,
+    show_default=True,
+    help="Diameter of the cutter.",
 )
-"""What only the time of a cut depends on."""
 
-_TIMES = ("peck", "tool_change_seconds", "read_seconds")
-
-CURVE = _adding(
-    click.option(
-        "--circle",
-        callback=numbers("X,Y,RADIUS"),
-        metavar="X,Y,RADIUS",
-        help="Nominal curve of the cutter's centre, inches.",
-    ),
-    click.option(
-        "--ellipse",
-        callback=numbers("X,Y,A,B"),
-        metavar="X,Y,A,B",
-        help="The same, with semi-axes along X and Y.",
-    ),
-    click.option(
-        "--line",
-        callback=numbers("X1,Y1,X2,Y2"),
-        metavar="X1,Y1,X2,Y2",
-        help="The same, from one place to another.",
-    ),
-    click.option(
-        "--function",
-        metavar="EXPRESSION",
-        help="The same: y as a function of x, as `pdp8 part curve` has it.",
-    ),
-    click.option(
-        "--origin",
-        callback=numbers("X,Y"),
-        metavar="X,Y",
-        default="4,5",
-        show_default=True,
-        help="Origin of --function on the table, inches.",
-    ),
-    click.option(
-        "--range",
-        "range_",
-        callback=numbers("FROM,TO"),
-        metavar="FROM,TO",
-        help="Range of x of --function, inches.",
-    ),
-    option(
-        "--side",
-        type=click.Choice(["above", "below"]),
-        needs="--function",
-        help="The function is the surface, and the cutter is on this side, as `pdp8 part curve` has it.",
-    ),
-    click.option(
-        "--cutter",
-        type=Inches(0, 10, above=True),
-        metavar="INCHES",
-        default=0.5,
-        show_default=True,
-        help="Diameter of the cutter.",
-    ),
-    click.option(
-        "--tolerance",
-        type=Inches(0, 1, above=True),
-        metavar="INCHES",
-        default=0.005,
-        show_default=True,
-        help="The most that a wall may be off nominal, either way; half the width of the band.",
-    ),
+TOLERANCE = option(
+    "--tolerance",
+    type=Inches(0, 1, above=True),
+    metavar="INCHES",
+    default=0.005,
+    show_default=True,
+    help="The most that a wall may be off nominal, either way; half the width of the band.",
 )
-"""The nominal curve, the cutter and the band."""
-
-_CURVES = ("circle", "ellipse", "line", "function")
 
 
-def cut_tape(**options: Any) -> "Path":
+def cut(tape: Tape, settings: "Settings | None" = None) -> "Path":
     """Return the path of the whole tape. Raises WorkError at its first bad block."""
-    path, error = cut_so_far(**options)
+    path, error = cut_so_far(tape, settings)
     if error is not None:
         raise error
     return path
 
 
-def cut_so_far(
-    tape: str,
-    strict: bool,
-    feed_error: tuple[float, float, float],
-    feed_code: int | None,
-    **options: Any,
-) -> tuple["Path", WorkError | None]:
+def cut_so_far(tape: Tape, settings: "Settings | None" = None) -> tuple["Path", WorkError | None]:
     """Return the path and the error that stopped the machine, if any; raise it if the path is empty."""
     from nc import machine
 
-    x, y, z = feed_error
-    for error in feed_error:
-        if not abs(error) <= 20:
-            raise click.BadParameter(f"{error:g} %: -20 to 20 is allowed", param_hint="--feed-error")
-    frames = shelf.read(tape)
-    times = {name: options[name] for name in _TIMES if name in options}
-    settings = machine.Settings((x / 100, y / 100, z / 100), feed_code, **times)
-    with naming(tape):
+    frames = shelf.read(tape.name)
+    with naming(tape.name):
         try:
-            return machine.cut(frames, strict=strict, settings=settings), None
+            return machine.cut(frames, strict=tape.strict, settings=settings or machine.Settings()), None
         except machine.CutError as error:
             complaint = _not_eia(frames, error) or error
             if not error.path:
                 raise complaint from error
-            return error.path, named(tape, complaint)
+            return error.path, named(tape.name, complaint)
 
 
 def _not_eia(frames: bytes, error: "CutError") -> WorkError | None:
@@ -246,29 +305,3 @@ def _not_eia(frames: bytes, error: "CutError") -> WorkError | None:
     elif kind == kinds.ASCII:
         cure = "; `pdp8 tape punch --code eia` punches typed blocks"
     return WorkError(f"{error}; the tape seems to be {kind.upper()}, and the machine reads EIA{cure}")
-
-
-def curve(
-    origin: tuple[float, ...],
-    range_: tuple[float, ...] | None,
-    side: str | None,
-    cutter: float,
-    **options: Any,
-) -> "Curve | None":
-    """Return the curve that is named, if one is."""
-    from nc.curves import nominal
-
-    named = {name: options[name] for name in _CURVES if options[name] is not None}
-    if len(named) > 1:
-        raise click.UsageError("give one of --circle, --ellipse, --line and --function")
-    if ("function" in named) != (range_ is not None):
-        raise click.UsageError("--function and --range go together")
-    beside = {None: 0.0, "above": cutter / 2, "below": -cutter / 2}[side]
-    return nominal(**named, origin=origin, range_=range_, beside=beside)
-
-
-def curve_or_followed(path: "Path", tolerance: float, **options: Any) -> "Curve | None":
-    """Return the curve that is named, or else the one that the path follows, or None."""
-    from nc.inspection import followed
-
-    return curve(**options) or followed(path, tolerance * 1000)

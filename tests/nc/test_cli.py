@@ -189,18 +189,20 @@ MISUSE = {
         "--range 0 --function x": "'0' is not FROM,TO: 2 numbers separated by commas",
         "--stretch inf,2": "'inf,2' is not FROM,TO: 2 numbers separated by commas",
         "--talyrond e.PNG": "a picture is written as SVG alone; name it .svg",
-        "--stretch 1,2": "--stretch needs --talysurf",
-        "--circle 4,4,1 --line 1,1,2,2": "give one of --circle, --ellipse, --line and --function",
-        "--function x": "--function and --range go together",
+        "--stretch 1,2": "--stretch means nothing without --talysurf.",
+        "--circle 4,4,1 --line 1,1,2,2": "--circle does not go with --line.",
+        "--function x": "--function means nothing without --range.",
         "--side above": "--side means nothing without --function.",
-        "--range 0,1": "--function and --range go together",
+        "--range 0,1": "--range means nothing without --function.",
     },
     "export": {
         "": "give one of --gcode and --dxf",
-        "--gcode --dxf": "give one of --gcode and --dxf",
+        "--gcode --dxf": "--dxf does not go with --gcode.",
+        "--gcode --circle 4,4,1": "--gcode does not go with --circle.",
+        "--dxf --peck 1": "--dxf does not go with --peck.",
         "--dxf --safe .5": "--safe means nothing without --gcode.",
-        "--gcode --as-1971 --shift 1,1": "--shift means nothing beside --as-1971.",
-        "--gcode --as-1971 --cutter 1": "--as-1971 means nothing beside --cutter.",
+        "--gcode --as-1971 --shift 1,1": "--shift does not go with --as-1971.",
+        "--gcode --as-1971 --cutter 1": "--as-1971 does not go with --cutter.",
         "--gcode --safe 0": "0 is not from 0.001 to 5",
         "--gcode --shift 1": "'1' is not X,Y: 2 numbers separated by commas",
     },
@@ -216,7 +218,7 @@ def test_misuse(command: str) -> None:
             said = done.output.splitlines()[-1]
             assert done.exit_code == 2
             assert said.startswith("Error: ")
-            assert said.endswith(f": {says}")
+            assert re.fullmatch(f"Error: (.*: )?{re.escape(says)}", said)
             assert not given or any(word in said for word in given.split())
 
 
@@ -224,10 +226,10 @@ def test_every_command_has_help_with_examples() -> None:
     for command, defaults in (
         ("", []),
         ("list", []),
-        ("cut", ["0.1", "0.0", "2.0", "1; x>=1"]),
+        ("cut", ["0.0", "2.0", "0.1", "1; x>=1"]),
         ("plot", ["4,5", "0.5", "0.005", "10.0", "standard output"]),
         ("inspect", ["4,5", "0.5", "0.005"]),
-        ("export", ["0.1", "4,5", "0.5", "0.005", "0.25", "standard output"]),
+        ("export", ["4,5", "0.1", "0.5", "0.25", "standard output"]),
     ):
         said = CliRunner().invoke(nc, [*command.split(), "--help"], max_content_width=100).output
         assert re.findall(r"\[default:\s+([^]]*)\]", said) == defaults
