@@ -1,44 +1,51 @@
-"""A source as an editor asks about it: the symbol at a place, where it stands, what it means.
+"""The source tapes of a program as an editor asks about them: which symbol stands where, and what it means.
 
-Lines and columns count from 0. The assembly that answers is the one that `pal` makes of the same text.
-
-`formatted` puts it in columns: tags at the margin, statements at the first stop, comments below each other.
-
-    LOOP,   TAD I POINT     /NEXT CHARACTER
-            SNA
-            HLT             /THE END
-
-Only blanks and TABs before a statement and before a comment change: the words stay as they are.
+Tapes, lines and columns count from 0; columns are code points. The answers come from the assembly that `pal`
+makes of the same tapes.
 """
 
 import re
+from collections.abc import Iterator, Sequence
 from functools import cached_property
-from itertools import groupby
+from itertools import groupby, zip_longest
 from typing import NamedTuple
 
-from pal import meaning, symbols8
+from pal import meaning, symbols8, text
 from pal.assembling import FOUND, assemble
 from pal.assembly import PAL8
-from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT
+from pal.diagnostics import Diagnostic
+from pal.isa import IOT
+from pal.pieces import COMMENT, NAME, NUMBER, TEXT, Piece, comment, pieces
+from pal.symbols import PERMANENT, PSEUDO_OPERATORS, SIGNIFICANT
 
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9]*")
-_PSEUDO_OPERATORS = {*PSEUDO_OPERATORS, *symbols8.PSEUDO_OPERATORS, *symbols8.PALBARTS_PSEUDO_OPERATORS}
+SYMBOL = re.compile(r"[A-Za-z][A-Za-z0-9]*")
 TAG, VALUE = "tag", "value"
-_LINE = re.compile(
-    r"[ \t]*(?P<tag>[A-Za-z][A-Za-z0-9]*[ \t]*,)?[ \t]*(?P<rest>[^/]*?)[ \t]*(?P<comment>/.*)?"
-)
-_AT_THE_MARGIN = re.compile(r"[*$]|[A-Za-z][A-Za-z0-9]*[ \t]*=")
-_TEXTS = re.compile(r'"|\b(?:TEXT|FILENAME|DEVICE)\b', re.IGNORECASE)
-_STOP = 8
-_COMMENTS = 24
+_PSEUDO_OPERATORS = {*PSEUDO_OPERATORS, *symbols8.PSEUDO_OPERATORS, *symbols8.PALBARTS_PSEUDO_OPERATORS}
+_WORDS = {symbol.mnemonic: symbol.octal for symbol in PERMANENT} | symbols8.INSTRUCTIONS | symbols8.PALBARTS
+_IOTS = {name for name, word in _WORDS.items() if word >> 9 == IOT}
+_CALL = re.compile(r"\bJMS[ \t]+(?:[IZ][ \t]+)*([A-Z][A-Z0-9]*)", re.IGNORECASE)
+_RETURN = re.compile(r"\bJMP[ \t]+I[ \t]+(?:Z[ \t]+)?([A-Z][A-Z0-9]*)", re.IGNORECASE)
+
+LABEL, VARIABLE, OPERATION, IN_OUT, DIRECTIVE = "function", "variable", "keyword", "macro", "decorator"
+KINDS = (LABEL, VARIABLE, OPERATION, IN_OUT, DIRECTIVE, "number", "string", "comment")
+"""What a piece of a line is, by the protocol's names for the types of tokens."""
 
 
 class Span(NamedTuple):
-    """A part of a line: from column `start` to before `end`."""
+    """A part of a line of a tape: from column `start` to before `end`."""
 
+    tape: int
     line: int
     start: int
     end: int
+
+
+class Occurrence(NamedTuple):
+    """A symbol where it stands, as it is written there; and whether it is defined there."""
+
+    span: Span
+    written: str
+    defined: bool
 
 
 class Definition(NamedTuple):
@@ -50,52 +57,77 @@ class Definition(NamedTuple):
     span: Span
 
 
-class Document:
-    """A source text, assembled."""
+class Routine(NamedTuple):
+    """A subroutine: its entry and its lines, from `first` to `last`."""
 
-    def __init__(self, text: str, name: str, dialect: str = FOUND) -> None:
-        self.text = text
-        self.lines = re.split(r"\r\n|\r|\n", text)
-        self.assembly = assemble(text, names=[name], dialect=dialect)
+    entry: Definition
+    first: int
+    last: int
+
+
+class Document:
+    """The tapes of a program, assembled: their `texts`, and what diagnostics call them."""
+
+    def __init__(self, texts: Sequence[str], names: Sequence[str], dialect: str = FOUND) -> None:
+        self.texts = list(texts)
+        self.tapes = [text.lines(each) for each in texts]
+        self.assembly = assemble(*texts, names=names, dialect=dialect)
+        self.dialect = self.assembly.dialect
+        self._names = names
+
+    def found(self, tape: int) -> list[Diagnostic]:
+        """Return the diagnostics of a tape."""
+        return [each for each in self.assembly.diagnostics if each.file == self._names[tape]]
 
     @cached_property
     def known(self) -> dict[str, str]:
         """{permanent symbol of the dialect: meaning}."""
-        return meaning.names8() if self.assembly.dialect == PAL8 else meaning.names()
+        return meaning.names8() if self.dialect == PAL8 else meaning.names()
 
-    def name_at(self, line: int, column: int) -> str:
-        """Return the symbol at a place as it counts, six characters at most; "" in a comment or elsewhere."""
-        text = self.lines[line] if line < len(self.lines) else ""
-        code = text.partition("/")[0]
-        for found in NAME.finditer(code):
-            if found.start() <= column <= found.end():
-                return found[0].upper()[:SIGNIFICANT]
-        return ""
+    def line(self, tape: int, line: int) -> str:
+        """Return the text of a line, "" for one that the tape does not have."""
+        return self.tapes[tape][line] if line < len(self.tapes[tape]) else ""
+
+    def written_at(self, tape: int, line: int, column: int) -> Span | None:
+        """Return where the symbol at a place is written; None in a comment, in a text and elsewhere."""
+        for piece in pieces(self.line(tape, line), self.dialect):
+            if piece.kind == NAME and piece.start <= column <= piece.end:
+                return Span(tape, line, piece.start, piece.end)
+        return None
+
+    def name_at(self, tape: int, line: int, column: int) -> str:
+        """Return the symbol at a place as it counts, six characters at most; "" where there is none."""
+        span = self.written_at(tape, line, column)
+        return self.line(tape, line)[span.start : span.end].upper()[:SIGNIFICANT] if span else ""
 
     @cached_property
-    def occurrences(self) -> dict[str, list[tuple[Span, bool]]]:
-        """{name: its places, each with whether it is defined there}, in source order."""
-        found: dict[str, list[tuple[Span, bool]]] = {}
+    def occurrences(self) -> dict[str, list[Occurrence]]:
+        """{name: its places}, in the order of the source."""
+        found: dict[str, list[Occurrence]] = {}
         for mention in self.assembly.mentions:
             place = self.assembly.place(mention.at)
-            written = NAME.search(place.text, place.start)
+            written = SYMBOL.search(place.text, place.start)
             if written:
-                span = Span(place.line - 1, written.start(), written.end())
-                found.setdefault(mention.name, []).append((span, mention.defined))
+                span = Span(place.tape, place.line - 1, written.start(), written.end())
+                found.setdefault(mention.name, []).append(Occurrence(span, written[0], mention.defined))
         return found
 
     def places(self, name: str, defined: bool | None = None) -> list[Span]:
         """Return where `name` stands; only where it is, or is not, `defined`."""
-        return [span for span, here in self.occurrences.get(name, ()) if defined in (None, here)]
+        return [each.span for each in self.occurrences.get(name, ()) if defined in (None, each.defined)]
+
+    def written(self, name: str) -> str:
+        """Return a symbol as it is written where it first stands, with all its letters."""
+        return next((each.written for each in self.occurrences.get(name, ())), name)
 
     def refusal(self, name: str, new: str) -> str:
         """Return why the symbol `name` cannot be called `new`, "" if it can."""
         if name not in self.assembly.symbols:
-            return f"{name or 'what stands here'} is no symbol that this source defines"
-        if not NAME.fullmatch(new):
-            return f"{new!r} is no symbol: a letter, then letters and digits"
+            return f"{name or 'this place'} is not a symbol that the source defines"
+        if not SYMBOL.fullmatch(new):
+            return f"{new!r} is not a symbol: a letter, then letters and digits"
         called = new[:SIGNIFICANT].upper()
-        pal8 = self.assembly.dialect == PAL8
+        pal8 = self.dialect == PAL8
         if not (pal8 or new.isupper()):
             return f"{new} has small letters: PAL III knows capitals only"
         if called == name:
@@ -120,80 +152,127 @@ class Document:
         )
 
     def _kind(self, span: Span) -> str:
-        return VALUE if self.lines[span.line][span.end :].lstrip(" \t").startswith("=") else TAG
+        behind = self.line(span.tape, span.line)[span.end :].lstrip(" \t")
+        return VALUE if behind.startswith("=") else TAG
 
     @cached_property
-    def _words(self) -> dict[int, list[tuple[int, int]]]:
-        """The words of each line, with their addresses."""
-        words: dict[int, list[tuple[int, int]]] = {}
+    def _words(self) -> dict[tuple[int, int], list[tuple[int, int]]]:
+        """{(tape, line): its words with their addresses}, the literals that it makes left out."""
+        words: dict[tuple[int, int], list[tuple[int, int]]] = {}
         for listed in self.assembly.lines:
             if listed.address is not None and listed.word is not None:
-                words.setdefault(listed.number - 1, []).append((listed.address, listed.word))
+                here = words.setdefault((listed.tape, listed.number - 1), [])
+                if not here or listed.address == here[-1][0] + 1:
+                    here.append((listed.address, listed.word))
         return words
 
-    def hover(self, line: int, column: int) -> str:
+    def hover(self, tape: int, line: int, column: int) -> str:
         """Return what is at a place, in Markdown: the symbol, and the words of its line; "" for nothing."""
-        name = self.name_at(line, column)
+        name = self.name_at(tape, line, column)
         if not name:
             return ""
         said = self._symbol(name)
-        for address, word in self._words.get(line, ()):
+        for address, word in self._words.get((tape, line), ()):
             said.append(f"`{address:04o}  {word:04o}`")
-            if self._is_instruction(line):
+            if self._is_instruction(self.line(tape, line)):
                 said += meaning.of_word(word, address)
         return "  \n".join(said)
 
-    def _is_instruction(self, line: int) -> bool:
-        names = NAME.findall(self.lines[line].partition("/")[0].upper())
-        return any(name in self.known and name not in _PSEUDO_OPERATORS for name in names)
+    def _is_instruction(self, line: str) -> bool:
+        names = {
+            line[each.start : each.end].upper() for each in pieces(line, self.dialect) if each.kind == NAME
+        }
+        return any(name in self.known for name in names - _PSEUDO_OPERATORS)
 
     def _symbol(self, name: str) -> list[str]:
         if name not in self.assembly.symbols:
             known = self.known.get(name)
             return [f"`{meaning.of_name(name) or f'{name}: {known}'}`"] if known else []
-        lines = [span.line for span in self.places(name, defined=True)]
-        where = f", defined in line {lines[0] + 1}" if lines else ""
+        at = self.places(name, defined=True)[:1]
+        where = f", defined in line {at[0].line + 1}" if at else ""
         used = len(self.places(name, defined=False))
         said = [f"`{name}` = {self.assembly.symbols[name]:04o}{where}, used {used} time{'s' * (used != 1)}"]
-        return said + [f"`{self.lines[each].strip()}`" for each in lines[:1]]
+        return said + [f"`{self.line(each.tape, each.line).strip()}`" for each in at]
 
-    def folds(self) -> list[tuple[int, int, bool]]:
-        """Return the first and last lines of what folds: comments (True), what follows an origin."""
-        comments = [line.lstrip().startswith("/") for line in self.lines]
-        origins = [number for number, line in enumerate(self.lines) if line.startswith("*")]
-        last = len(self.lines) - 1
-        while last > 0 and not self.lines[last].strip():
+    def completions(self, tape: int, line: int, column: int) -> list[tuple[str, str, str]]:
+        """Return what may stand at a place: name, kind (TAG, VALUE or "" for a permanent one), meaning."""
+        found = pieces(self.line(tape, line), self.dialect)
+        if any(each.kind in (COMMENT, TEXT) and each.start < column <= each.end for each in found):
+            return []
+        own = [(self.written(each.name), each.kind, f"{each.value:04o}") for each in self.definitions]
+        return own + [(name, "", said) for name, said in self.known.items()]
+
+    def hints(self, tape: int) -> Iterator[tuple[int, str]]:
+        """Yield each line that makes a word, with the address and the first of its words."""
+        for (of, line), words in sorted(self._words.items()):
+            if of == tape:
+                yield line, f"{words[0][0]:04o} {words[0][1]:04o}"
+
+    def tokens(self, tape: int) -> Iterator[tuple[Span, str, bool]]:
+        """Yield each piece of the tape with its kind, one of KINDS, and whether a symbol is defined there."""
+        values = {each.name for each in self.definitions if each.kind == VALUE}
+        for number, line in enumerate(self.tapes[tape]):
+            for piece in pieces(line, self.dialect):
+                kind, defined = self._token(line, piece, values)
+                yield Span(tape, number, piece.start, piece.end), kind, defined
+
+    def _token(self, line: str, piece: Piece, values: set[str]) -> tuple[str, bool]:
+        if piece.kind != NAME:
+            return {NUMBER: "number", COMMENT: "comment"}.get(piece.kind, "string"), False
+        name, behind = line[piece.start : piece.end].upper(), line[piece.end :].lstrip(" \t")[:1]
+        if behind in (",", "="):
+            return (LABEL if behind == "," else VARIABLE), True
+        if name[:SIGNIFICANT] in self.assembly.symbols or name not in self.known:
+            return (VARIABLE if name[:SIGNIFICANT] in values else LABEL), False
+        if name in _PSEUDO_OPERATORS and len(name) > 1:
+            return DIRECTIVE, False
+        return (IN_OUT if name in _IOTS else OPERATION), False
+
+    @cached_property
+    def routines(self) -> list[Routine]:
+        """The subroutines: each tag that a JMS calls, to its last return before the next entry."""
+        code = [[line[: comment(line, self.dialect)].upper() for line in lines] for lines in self.tapes]
+        called = {name[:SIGNIFICANT] for lines in code for line in lines for name in _CALL.findall(line)}
+        entries = [each for each in self.definitions if each.name in called and each.kind == TAG]
+        found = []
+        for entry, following in zip_longest(entries, entries[1:]):
+            lines, first = code[entry.span.tape], entry.span.line
+            same = following is not None and following.span.tape == entry.span.tape
+            end = following.span.line if following is not None and same else len(lines)
+            returns = [
+                number
+                for number in range(first, end)
+                if entry.name in (name[:SIGNIFICANT] for name in _RETURN.findall(lines[number]))
+            ]
+            found.append(Routine(entry, first, returns[-1] if returns else first))
+        return found
+
+    def folds(self, tape: int) -> list[tuple[int, int, bool]]:
+        """Return the first and last line of each fold: comments (True), origins, subroutines, conditions."""
+        lines = self.tapes[tape]
+        last = len(lines) - 1
+        while last > 0 and not lines[last].strip():
             last -= 1
+        origins = [number for number, line in enumerate(lines) if line.startswith("*")]
         ends = [number - 1 for number in origins[1:]] + [last]
         found = [(begin, end, False) for begin, end in zip(origins, ends, strict=False)]
+        found += [(each.first, each.last, False) for each in self.routines if each.entry.span.tape == tape]
+        if self.dialect == PAL8:
+            found += self._conditions(lines)
         after = 0
-        for comment, run in groupby(comments):
+        for comments, run in groupby(line.lstrip().startswith("/") for line in lines):
             begin, after = after, after + len(list(run))
-            if comment:
+            if comments:
                 found.append((begin, after - 1, True))
-        return [(begin, end, comment) for begin, end, comment in found if end > begin]
+        return [(begin, end, comments) for begin, end, comments in found if end > begin]
 
-
-def formatted(source: str, dialect: str) -> str:
-    """Return `source` in columns, or as it is where that would make other words of it."""
-    text = "\n".join(map(_line, source.split("\n")))
-    before, after = assemble(source, dialect=dialect), assemble(text, dialect=dialect)
-    same = before.words == after.words and before.symbols == after.symbols
-    return text if same and len(before.diagnostics) >= len(after.diagnostics) else source
-
-
-def _line(line: str) -> str:
-    end = "\r" if line.endswith("\r") else ""
-    found = _LINE.fullmatch(line.rstrip("\r"))
-    if found is None or _TEXTS.search(line):
-        return line
-    tag, rest, comment = (found[name] or "" for name in ("tag", "rest", "comment"))
-    if not tag and not rest:
-        return line.rstrip() + end
-    margin = not tag and _AT_THE_MARGIN.match(rest)
-    code = rest if margin else f"{tag}\t{rest}".rstrip()
-    if not comment:
-        return code + end
-    width = len(code.expandtabs(_STOP))
-    tabs = max(1, -(-(_COMMENTS - width) // _STOP))
-    return code + "\t" * tabs + comment + end
+    def _conditions(self, lines: Sequence[str]) -> Iterator[tuple[int, int, bool]]:
+        opened: list[int] = []
+        for number, line in enumerate(lines):
+            texts = [piece for piece in pieces(line, self.dialect) if piece.kind not in (NAME, NUMBER)]
+            for column, sign in enumerate(line):
+                if sign in "<>" and not any(piece.start <= column < piece.end for piece in texts):
+                    if sign == "<":
+                        opened.append(number)
+                    elif opened:
+                        yield opened.pop(), number, False

@@ -1,127 +1,310 @@
-"""The language server: what an editor asks of a source by the Language Server Protocol, on standard streams.
+"""The language server: answers an editor about sources, by the Language Server Protocol, on standard streams.
 
-Started by `pal --lsp`; it needs pygls (pip install "pdp8[lsp]"). The answers are those of document.py.
+`pal --lsp` starts it. It needs pygls (pip install "pdp8[lsp]"), which reads and writes the messages. The
+answers come from document.py, about the texts of workspace.py.
+
+The setting `programs` lists the tapes of each program of several tapes, [["main.pal", "tables.pal"]]. It
+stands in initializationOptions, or in `pdp8` of workspace/didChangeConfiguration.
 """
+
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote, urlsplit
 
 from lsprotocol import types as lsp
 from pygls.exceptions import JsonRpcException
 from pygls.lsp.server import LanguageServer
 
+from pal.assembly import PAL3, PAL8
 from pal.diagnostics import Diagnostic
-from pal.document import TAG, VALUE, Document, Span, formatted
+from pal.document import KINDS, TAG, VALUE, Definition, Document, Span
+from pal.fixes import fixes
+from pal.formatting import formatted
+from pal.text import Text
+from pal.workspace import Workspace
 
 _VERSION = "1"
-_Placed = lsp.HoverParams | lsp.DefinitionParams | lsp.ReferenceParams | lsp.RenameParams
-_KINDS = {
-    TAG: (lsp.CompletionItemKind.Function, lsp.SymbolKind.Function),
-    VALUE: (lsp.CompletionItemKind.Constant, lsp.SymbolKind.Constant),
+_TAKE_AS = "pal.dialect"
+_Placed = (
+    lsp.HoverParams
+    | lsp.DefinitionParams
+    | lsp.ReferenceParams
+    | lsp.RenameParams
+    | lsp.PrepareRenameParams
+    | lsp.DocumentHighlightParams
+)
+_COMPLETED = {
+    TAG: lsp.CompletionItemKind.Function,
+    VALUE: lsp.CompletionItemKind.Constant,
+    "": lsp.CompletionItemKind.Keyword,
 }
+_SYMBOLS = {TAG: lsp.SymbolKind.Field, VALUE: lsp.SymbolKind.Constant}
 _SEVERITIES = {True: lsp.DiagnosticSeverity.Error, False: lsp.DiagnosticSeverity.Warning}
+_LEGEND = lsp.SemanticTokensLegend(token_types=list(KINDS), token_modifiers=["declaration"])
 
 
 def made(dialect: str) -> LanguageServer:
-    """Return a server that takes sources to be in `dialect`."""
+    """Return a server that takes sources to be in `dialect`, unless the editor chooses one for a source."""
     server = LanguageServer("pal", _VERSION)
-    documents: dict[str, Document] = {}
-
-    def document(uri: str) -> Document:
-        source = server.workspace.get_text_document(uri)
-        if uri not in documents or documents[uri].text != source.source:
-            documents[uri] = Document(source.source, source.filename or uri, dialect)
-        return documents[uri]
-
-    def at(params: _Placed) -> tuple[Document, str]:
-        found = document(params.text_document.uri)
-        return found, found.name_at(params.position.line, params.position.character)
-
-    def places(params: _Placed, defined: bool | None) -> list[lsp.Location]:
-        found, name = at(params)
-        return [lsp.Location(params.text_document.uri, _range(span)) for span in found.places(name, defined)]
-
-    @server.feature(lsp.TEXT_DOCUMENT_DID_OPEN)
-    @server.feature(lsp.TEXT_DOCUMENT_DID_CHANGE)
-    def changed(params: lsp.DidOpenTextDocumentParams | lsp.DidChangeTextDocumentParams) -> None:
-        uri = params.text_document.uri
-        found = [_diagnostic(each) for each in document(uri).assembly.diagnostics]
-        server.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(uri, found))
-
-    @server.feature(lsp.TEXT_DOCUMENT_DID_CLOSE)
-    def closed(params: lsp.DidCloseTextDocumentParams) -> None:
-        documents.pop(params.text_document.uri, None)
-
-    @server.feature(lsp.TEXT_DOCUMENT_HOVER)
-    def hover(params: lsp.HoverParams) -> lsp.Hover | None:
-        found, _ = at(params)
-        said = found.hover(params.position.line, params.position.character)
-        return lsp.Hover(lsp.MarkupContent(lsp.MarkupKind.Markdown, said)) if said else None
-
-    @server.feature(lsp.TEXT_DOCUMENT_DEFINITION)
-    def definition(params: lsp.DefinitionParams) -> list[lsp.Location]:
-        return places(params, True)
-
-    @server.feature(lsp.TEXT_DOCUMENT_REFERENCES)
-    def references(params: lsp.ReferenceParams) -> list[lsp.Location]:
-        return places(params, None if params.context.include_declaration else False)
-
-    @server.feature(lsp.TEXT_DOCUMENT_RENAME)
-    def rename(params: lsp.RenameParams) -> lsp.WorkspaceEdit:
-        found, name = at(params)
-        reason = found.refusal(name, params.new_name)
-        if reason:
-            raise JsonRpcException(reason, lsp.LSPErrorCodes.RequestFailed)
-        edits = [lsp.TextEdit(_range(span), params.new_name) for span in found.places(name)]
-        return lsp.WorkspaceEdit(changes={params.text_document.uri: edits})
-
-    @server.feature(lsp.TEXT_DOCUMENT_COMPLETION)
-    def completion(params: lsp.CompletionParams) -> list[lsp.CompletionItem]:
-        found = document(params.text_document.uri)
-        known = [
-            lsp.CompletionItem(name, kind=lsp.CompletionItemKind.Keyword, detail=said)
-            for name, said in found.known.items()
-        ]
-        own = [
-            lsp.CompletionItem(each.name, kind=_KINDS[each.kind][0], detail=f"{each.value:04o}")
-            for each in found.definitions
-        ]
-        return own + known
-
-    @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
-    def symbols(params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol]:
-        return [
-            lsp.DocumentSymbol(
-                each.name,
-                _KINDS[each.kind][1],
-                _range(each.span),
-                _range(each.span),
-                detail=f"{each.value:04o}",
-            )
-            for each in document(params.text_document.uri).definitions
-        ]
-
-    @server.feature(lsp.TEXT_DOCUMENT_FOLDING_RANGE)
-    def folding(params: lsp.FoldingRangeParams) -> list[lsp.FoldingRange]:
-        kinds = {True: lsp.FoldingRangeKind.Comment, False: lsp.FoldingRangeKind.Region}
-        return [
-            lsp.FoldingRange(first, last, kind=kinds[comment])
-            for first, last, comment in document(params.text_document.uri).folds()
-        ]
-
-    @server.feature(lsp.TEXT_DOCUMENT_FORMATTING)
-    def formatting(params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit]:
-        found = document(params.text_document.uri)
-        text = formatted(found.text, dialect)
-        if text == found.text:
-            return []
-        return [lsp.TextEdit(lsp.Range(lsp.Position(0, 0), lsp.Position(len(found.lines), 0)), text)]
-
+    Answers(server, Workspace(dialect, _read))
     return server
 
 
-def _range(span: Span) -> lsp.Range:
-    return lsp.Range(lsp.Position(span.line, span.start), lsp.Position(span.line, span.end))
+def _read(uri: str) -> str:
+    """Return the text of a file that is not open; of one that cannot be read, none."""
+    try:
+        return Path(unquote(urlsplit(uri).path)).read_bytes().decode("utf-8", "replace")
+    except OSError:
+        return ""
 
 
-def _diagnostic(found: Diagnostic) -> lsp.Diagnostic:
-    span = Span(found.line - 1, found.column - 1, found.end_column - 1)
-    said = "\n".join(each for each in (found.message, found.advice, found.hint) if each)
-    return lsp.Diagnostic(_range(span), said, _SEVERITIES[found.error], code=found.code or None, source="pal")
+_Answer = Callable[[Any], Any]
+
+
+class Answers:
+    """What the server answers to each request."""
+
+    def __init__(self, server: LanguageServer, workspace: Workspace) -> None:
+        self._server = server
+        self._workspace = workspace
+        answers: dict[str, _Answer] = {
+            lsp.INITIALIZE: self._initialize,
+            lsp.WORKSPACE_DID_CHANGE_CONFIGURATION: self._configured,
+            lsp.TEXT_DOCUMENT_DID_OPEN: self._opened,
+            lsp.TEXT_DOCUMENT_DID_CHANGE: self._changed,
+            lsp.TEXT_DOCUMENT_DID_CLOSE: self._closed,
+            lsp.TEXT_DOCUMENT_HOVER: self._hover,
+            lsp.TEXT_DOCUMENT_DEFINITION: lambda params: self._locations(params, True),
+            lsp.TEXT_DOCUMENT_REFERENCES: self._references,
+            lsp.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT: self._highlights,
+            lsp.TEXT_DOCUMENT_PREPARE_RENAME: self._prepare_rename,
+            lsp.TEXT_DOCUMENT_RENAME: self._rename,
+            lsp.TEXT_DOCUMENT_COMPLETION: self._completion,
+            lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL: self._outline,
+            lsp.WORKSPACE_SYMBOL: self._symbols,
+            lsp.TEXT_DOCUMENT_FOLDING_RANGE: self._folding,
+            lsp.TEXT_DOCUMENT_INLAY_HINT: self._hints,
+            lsp.TEXT_DOCUMENT_FORMATTING: self._formatting,
+        }
+        for method, answer in answers.items():
+            server.feature(method)(partial(answer))
+        server.feature(lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, _LEGEND)(partial(self._tokens))
+        kinds = lsp.CodeActionOptions(code_action_kinds=[lsp.CodeActionKind.QuickFix])
+        server.feature(lsp.TEXT_DOCUMENT_CODE_ACTION, kinds)(partial(self._actions))
+        server.command(_TAKE_AS)(partial(self._take_as))
+
+    def _initialize(self, params: lsp.InitializeParams) -> None:
+        """Take what was agreed on: how characters are counted, which programs there are."""
+        workspace = self._server.workspace
+        self._workspace.unit = str(getattr(workspace.position_encoding, "value", workspace.position_encoding))
+        self._name_programs(params.initialization_options)
+
+    def _configured(self, params: lsp.DidChangeConfigurationParams) -> None:
+        settings: Any = params.settings
+        self._name_programs(settings.get("pdp8", settings) if isinstance(settings, dict) else None)
+        self._publish(self._workspace.open)
+
+    def _name_programs(self, settings: Any) -> None:
+        if isinstance(settings, dict) and "programs" in settings:
+            self._workspace.name_programs(settings["programs"], self._server.workspace.root_path or ".")
+
+    def _opened(self, params: lsp.DidOpenTextDocumentParams) -> None:
+        given = params.text_document
+        self._workspace.open[given.uri] = Text(given.text, self._workspace.unit)
+        self._publish([given.uri])
+
+    def _changed(self, params: lsp.DidChangeTextDocumentParams) -> None:
+        uri = params.text_document.uri
+        text = self._workspace.open.get(uri) or Text("", self._workspace.unit)
+        for change in params.content_changes:
+            if isinstance(change, lsp.TextDocumentContentChangePartial):
+                start, end = ((at.line, at.character) for at in (change.range.start, change.range.end))
+                text = text.edited(start, end, change.text)
+            else:
+                text = Text(change.text, text.unit)
+        self._workspace.open[uri] = text
+        self._publish([uri])
+
+    def _closed(self, params: lsp.DidCloseTextDocumentParams) -> None:
+        uri = params.text_document.uri
+        others = [tape for tape in self._workspace.tapes(uri) if tape != uri and tape in self._workspace.open]
+        self._workspace.close(uri)
+        self._server.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(uri, []))
+        self._publish(others)
+
+    def _publish(self, uris: Iterable[str]) -> None:
+        """Send the diagnostics of the programs of these sources, to each of their tapes that is open."""
+        for tapes in dict.fromkeys(tuple(self._workspace.tapes(uri)) for uri in uris):
+            document, _ = self._workspace.document(tapes[0])
+            for tape, uri in enumerate(tapes):
+                if uri in self._workspace.open:
+                    found = [self._diagnostic(uri, document, tape, each) for each in document.found(tape)]
+                    self._server.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(uri, found))
+
+    def _take_as(self, uri: str, dialect: str) -> None:
+        """Carry out a quick fix: take a source for one of a dialect from now on."""
+        self._workspace.chosen[self._workspace.tapes(uri)[0]] = dialect
+        self._publish([uri])
+
+    def _diagnostic(self, uri: str, document: Document, tape: int, found: Diagnostic) -> lsp.Diagnostic:
+        span = Span(tape, found.line - 1, found.column - 1, found.end_column - 1)
+        said = "\n".join(each for each in (found.message, found.advice, found.hint) if each)
+        where, severity = self._range(uri, document, span), _SEVERITIES[found.error]
+        return lsp.Diagnostic(where, said, severity, code=found.code or None, source="pal")
+
+    def _range(self, uri: str, document: Document, span: Span) -> lsp.Range:
+        first, last = self._workspace.characters(uri, document, span)
+        return lsp.Range(lsp.Position(span.line, first), lsp.Position(span.line, last))
+
+    def _here(self, uri: str, at: lsp.Position) -> tuple[Document, int, int, int]:
+        """Return the program of a source, and the tape, line and column of a place in it."""
+        document, tape = self._workspace.document(uri)
+        text = self._workspace.open.get(uri) or Text(document.texts[tape], self._workspace.unit)
+        return document, tape, at.line, text.column(at.line, at.character)
+
+    def _at(self, params: _Placed) -> tuple[Document, int, str]:
+        document, tape, line, column = self._here(params.text_document.uri, params.position)
+        return document, tape, document.name_at(tape, line, column)
+
+    def _places(self, params: _Placed, defined: bool | None) -> Iterator[tuple[str, lsp.Range]]:
+        """Yield where the symbol at a place stands, in all tapes of the program."""
+        document, _, name = self._at(params)
+        tapes = self._workspace.tapes(params.text_document.uri)
+        for span in document.places(name, defined):
+            yield tapes[span.tape], self._range(tapes[span.tape], document, span)
+
+    def _locations(self, params: _Placed, defined: bool | None) -> list[lsp.Location]:
+        return [lsp.Location(uri, where) for uri, where in self._places(params, defined)]
+
+    def _references(self, params: lsp.ReferenceParams) -> list[lsp.Location]:
+        return self._locations(params, None if params.context.include_declaration else False)
+
+    def _highlights(self, params: lsp.DocumentHighlightParams) -> list[lsp.DocumentHighlight]:
+        kinds = {True: lsp.DocumentHighlightKind.Write, False: lsp.DocumentHighlightKind.Read}
+        return [
+            lsp.DocumentHighlight(where, kinds[defined])
+            for defined in (True, False)
+            for uri, where in self._places(params, defined)
+            if uri == params.text_document.uri
+        ]
+
+    def _hover(self, params: lsp.HoverParams) -> lsp.Hover | None:
+        document, *place = self._here(params.text_document.uri, params.position)
+        said = document.hover(*place)
+        return lsp.Hover(lsp.MarkupContent(lsp.MarkupKind.Markdown, said)) if said else None
+
+    def _prepare_rename(self, params: lsp.PrepareRenameParams) -> lsp.Range:
+        document, tape, line, column = self._here(params.text_document.uri, params.position)
+        name, span = document.name_at(tape, line, column), document.written_at(tape, line, column)
+        reason = document.refusal(name, name)
+        if span is None or reason:
+            raise JsonRpcException(reason, lsp.LSPErrorCodes.RequestFailed)
+        return self._range(params.text_document.uri, document, span)
+
+    def _rename(self, params: lsp.RenameParams) -> lsp.WorkspaceEdit:
+        document, _, name = self._at(params)
+        if reason := document.refusal(name, params.new_name):
+            raise JsonRpcException(reason, lsp.LSPErrorCodes.RequestFailed)
+        changes: dict[str, list[lsp.TextEdit]] = {}
+        for uri, where in self._places(params, None):
+            changes.setdefault(uri, []).append(lsp.TextEdit(where, params.new_name))
+        return lsp.WorkspaceEdit(changes=changes)
+
+    def _completion(self, params: lsp.CompletionParams) -> list[lsp.CompletionItem]:
+        document, *place = self._here(params.text_document.uri, params.position)
+        return [
+            lsp.CompletionItem(name, kind=_COMPLETED[kind], detail=said)
+            for name, kind, said in document.completions(*place)
+        ]
+
+    def _outline(self, params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol]:
+        """Return the symbols that a tape defines; those within a subroutine are its children."""
+        uri = params.text_document.uri
+        document, tape = self._workspace.document(uri)
+        routines = {each.entry.name: each for each in document.routines}
+        outline: list[lsp.DocumentSymbol] = []
+        last = -1
+        for each in document.definitions:
+            if each.span.tape == tape:
+                symbol = self._symbol(uri, document, each)
+                if each.name in routines:
+                    last = routines[each.name].last
+                    end = lsp.Position(last, len(document.line(tape, last)))
+                    symbol.kind, symbol.children = lsp.SymbolKind.Function, []
+                    symbol.range = lsp.Range(symbol.range.start, max(symbol.range.end, end))
+                    outline.append(symbol)
+                elif each.span.line <= last:
+                    outline[-1].children = [*(outline[-1].children or []), symbol]
+                else:
+                    outline.append(symbol)
+        return outline
+
+    def _symbol(self, uri: str, document: Document, each: Definition) -> lsp.DocumentSymbol:
+        where, name = self._range(uri, document, each.span), document.written(each.name)
+        return lsp.DocumentSymbol(name, _SYMBOLS[each.kind], where, where, detail=f"{each.value:04o}")
+
+    def _symbols(self, params: lsp.WorkspaceSymbolParams) -> list[lsp.WorkspaceSymbol]:
+        """Return the symbols of all programs that are open whose names contain the query."""
+        return [
+            lsp.WorkspaceSymbol(
+                lsp.Location(tapes[each.span.tape], self._range(tapes[each.span.tape], document, each.span)),
+                document.written(each.name),
+                _SYMBOLS[each.kind],
+            )
+            for tapes, document in self._workspace.documents()
+            for each in document.definitions
+            if params.query.upper() in each.name
+        ]
+
+    def _folding(self, params: lsp.FoldingRangeParams) -> list[lsp.FoldingRange]:
+        document, tape = self._workspace.document(params.text_document.uri)
+        kinds = {True: lsp.FoldingRangeKind.Comment, False: lsp.FoldingRangeKind.Region}
+        return [lsp.FoldingRange(first, last, kind=kinds[what]) for first, last, what in document.folds(tape)]
+
+    def _hints(self, params: lsp.InlayHintParams) -> list[lsp.InlayHint]:
+        document, tape = self._workspace.document(params.text_document.uri)
+        return [
+            lsp.InlayHint(lsp.Position(line, 0), said, padding_right=True)
+            for line, said in document.hints(tape)
+            if params.range.start.line <= line <= params.range.end.line
+        ]
+
+    def _tokens(self, params: lsp.SemanticTokensParams) -> lsp.SemanticTokens:
+        """Return the pieces of a tape, each by how far it is behind the one before."""
+        uri = params.text_document.uri
+        document, tape = self._workspace.document(uri)
+        data: list[int] = []
+        line = character = 0
+        for span, kind, defined in document.tokens(tape):
+            first, end = self._workspace.characters(uri, document, span)
+            if span.line != line:
+                character = 0
+            data += [span.line - line, first - character, end - first, KINDS.index(kind), int(defined)]
+            line, character = span.line, first
+        return lsp.SemanticTokens(data)
+
+    def _actions(self, params: lsp.CodeActionParams) -> list[lsp.CodeAction | lsp.Command]:
+        """Return what mends the diagnostics in a range, and the other dialect for a source in error."""
+        uri = params.text_document.uri
+        document, tape = self._workspace.document(uri)
+        found: list[lsp.CodeAction | lsp.Command] = []
+        for each in document.found(tape):
+            if params.range.start.line <= each.line - 1 <= params.range.end.line:
+                shown = [self._diagnostic(uri, document, tape, each)]
+                for title, edits in fixes(document, tape, each):
+                    changes = [lsp.TextEdit(self._range(uri, document, span), new) for span, new in edits]
+                    edit = lsp.WorkspaceEdit(changes={uri: changes})
+                    found.append(lsp.CodeAction(title, lsp.CodeActionKind.QuickFix, shown, edit=edit))
+        if not document.assembly.ok:
+            other, name = (PAL3, "PAL III") if document.dialect == PAL8 else (PAL8, "PAL8")
+            found.append(lsp.Command(f"Take it as {name}", _TAKE_AS, arguments=[uri, other]))
+        return found
+
+    def _formatting(self, params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit]:
+        document, tape = self._workspace.document(params.text_document.uri)
+        before = document.texts[tape]
+        after = formatted(before, document.dialect)
+        whole = lsp.Range(lsp.Position(0, 0), lsp.Position(len(document.tapes[tape]), 0))
+        return [] if after == before else [lsp.TextEdit(whole, after)]

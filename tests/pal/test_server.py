@@ -1,7 +1,6 @@
 """`pal --lsp`, and the document that knows its answers.
 
-editor.txt is a conversation as the protocol's specification has it: a line asks, the next is the answer, or
-what is published then; of completions the first four. A real client (pytest-lsp) holds it.
+A real client (pytest-lsp) holds the conversations of editor/ with the server.
 """
 
 import asyncio
@@ -10,40 +9,51 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from lsprotocol import types as lsp
 from lsprotocol.converters import get_converter
 from pygls.exceptions import JsonRpcException
 from pytest_lsp import make_test_lsp_client
 
 import pal
-from pal.document import Document, formatted
+from pal.document import Document
+from pal.formatting import formatted
+from pal.text import Text
 from pdp8 import shelf
 from tests.commands import environment
 from tests.conftest import awaited, case
 
-URI = "file:///tmp/loop.pal"
+FOLDER = "file:///tmp"
+URI = f"{FOLDER}/loop.pal"
+CONVERSATIONS = Path(__file__).parent / "editor"
+"""A file is a conversation with one server. Its first line says how it begins. Then each line asks, and the
+next is the answer, or what is published; of completions the first four."""
 
 
-async def _answers(asked: list[str]) -> list[Any]:
+async def _answers(began: dict[str, Any], asked: list[str]) -> list[Any]:
     """Return what the server answers, as JSON has it; to a notification, what it publishes."""
     client = make_test_lsp_client()
-    await client.start_io("pal", "--lsp", env=environment())
-    begun = await client.initialize_session(lsp.InitializeParams(capabilities=lsp.ClientCapabilities()))
+    await client.start_io("pal", "--lsp", *began.pop("arguments", ()), env=environment())
+    convert: Any = get_converter()
+    given = {"processId": None, "rootUri": FOLDER, "capabilities": {}, **began}
+    begun = await client.initialize_session(convert.structure(given, lsp.InitializeParams))
     assert begun.server_info == lsp.ServerInfo("pal", "1")
     protocol: Any = client.protocol
-    convert: Any = get_converter()
     answers: list[Any] = []
     for question in asked:
         feature, _, given = question.partition(" ")
         params = json.loads(given)
-        method = f"textDocument/{feature}"
-        content = {**params, "textDocument": {"uri": URI, **params.get("textDocument", {})}}
-        request = convert.structure(content, lsp.METHOD_TO_TYPES[method][2])
+        method = feature if feature.startswith("workspace/") else f"textDocument/{feature}"
+        if method.startswith("textDocument/"):
+            params["textDocument"] = {"uri": URI, **params.get("textDocument", {})}
+        uri = params.get("textDocument", {}).get("uri", URI)
+        request = convert.structure(params, lsp.METHOD_TO_TYPES[method][2])
         try:
-            if feature.startswith("did"):
-                protocol.notify(method, request)
-                await client.wait_for_notification(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
-                answers.append(client.diagnostics[URI])
+            if "did" in feature or feature == "workspace/executeCommand":
+                (protocol.notify if "did" in feature else protocol.send_request)(method, request)
+                await protocol.send_request_async(lsp.WORKSPACE_SYMBOL, lsp.WorkspaceSymbolParams("?"))
+                answers.append(client.diagnostics[uri])
             else:
                 answers.append(await protocol.send_request_async(method, request))
         except JsonRpcException as error:
@@ -55,26 +65,30 @@ async def _answers(asked: list[str]) -> list[Any]:
     return [convert.unstructure(answer) for answer in answers]
 
 
-CONVERSATION = (Path(__file__).parent / "editor.txt").read_text("utf-8").splitlines()
-
-
-def test_an_editor_is_answered(capsys: pytest.CaptureFixture[str]) -> None:
-    asked = CONVERSATION[::2]
-    answers = awaited(asyncio.wait_for(_answers(asked), 120))
-    for question, expected, answer in zip(asked, CONVERSATION[1::2], answers, strict=True):
+@pytest.mark.parametrize("name", sorted(file.stem for file in CONVERSATIONS.glob("*.txt")))
+def test_an_editor_is_answered(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    began, *lines = (CONVERSATIONS / f"{name}.txt").read_text("utf-8").split("\n")[:-1]
+    asked = lines[::2]
+    answers = awaited(asyncio.wait_for(_answers(json.loads(began), asked), 120))
+    for question, expected, answer in zip(asked, lines[1::2], answers, strict=True):
         with case(question):
             assert (answer[:4] if "completion" in question else answer) == json.loads(expected)
     assert capsys.readouterr().err == "", "what the client passes on"
 
 
+def one(text: str, dialect: str = "pal3") -> Document:
+    """Return the document of a program of one tape."""
+    return Document([text], ["x.pal"], dialect)
+
+
 def test_what_is_known_is_the_dialects() -> None:
-    first, later = (Document(f"*200\n\tTAD {five}\n\tRAR\n$\n", "a.pa") for five in ("5", "(5)"))
+    first, later = (one(f"*200\n\tTAD {five}\n\tRAR\n$\n", "auto") for five in ("5", "(5)"))
     only = later.known.keys() - first.known.keys()
     assert {"PAGE", "TEXT", "IFDEF", "BSW", "CDF", "SKON"} <= only
     assert first.known.keys() - later.known.keys() == {name for name in first.known if name[:2] == "MM"}
     assert later.known["BSW"] == "7002, no instruction of a PDP-8/L"
-    assert later.hover(2, 2) == first.hover(2, 2)
-    assert later.hover(1, 2).startswith("`1000  TAD: add the word")
+    assert later.hover(0, 2, 2) == first.hover(0, 2, 2)
+    assert later.hover(0, 1, 2).startswith("`1000  TAD: add the word")
 
 
 DOCUMENT = """\
@@ -93,19 +107,29 @@ A1;7041
 
 
 def test_a_document_knows_what_stands_where() -> None:
-    known = Document(DOCUMENT.rstrip().replace("\n", "\r\n"), "x.pal", "pal8")
-    assert [known.name_at(0, column) for column in range(9)] == ["A1", "A1", "A1", "", "", "B", "B", "", ""]
-    assert [known.name_at(*at) for at in ((4, 5), (5, 9), (5, 11), (12, 0))] == ["", "LONGNA", "B", ""]
+    known = one(DOCUMENT.rstrip().replace("\n", "\r\n"), "pal8")
+    assert [known.name_at(0, 0, column) for column in range(9)] == [
+        "A1",
+        "A1",
+        "A1",
+        "",
+        "",
+        "B",
+        "B",
+        "",
+        "",
+    ]
+    assert [known.name_at(0, *at) for at in ((4, 5), (5, 9), (5, 11), (12, 0))] == ["", "LONGNA", "B", ""]
     defined = [(each.name, each.kind, each.value) for each in known.definitions]
     assert defined == [("A1", "tag", 0o200), ("B", "value", 5), ("LONGNA", "tag", 0o201)]
-    assert known.folds() == [(3, 5, False), (7, 10, False), (1, 2, True), (9, 10, True)]
-    assert known.hover(0, 5) == "`B` = 0005, defined in line 1, used 1 time  \n`A1,1;B= 5`  \n`0200  0001`"
-    assert known.hover(8, 1).endswith("used 1 time  \n`A1,1;B= 5`  \n`0400  0200`  \n`0401  7041`")
-    assert known.hover(5, 0).startswith("`LONGNA` = 0201, defined in line 6, used 0 times  \n`LONGNAME1,\tb`")
-    assert (
-        Document("A=1\nA=2\n\tA\n$\n", "x.pal").hover(2, 1).endswith("used 1 time  \n`A=1`  \n`0200  0002`")
+    assert known.folds(0) == [(3, 5, False), (7, 10, False), (1, 2, True), (9, 10, True)]
+    assert known.hover(0, 0, 5) == "`B` = 0005, defined in line 1, used 1 time  \n`A1,1;B= 5`  \n`0200  0001`"
+    assert known.hover(0, 8, 1).endswith("used 1 time  \n`A1,1;B= 5`  \n`0400  0200`  \n`0401  7041`")
+    assert known.hover(0, 5, 0).startswith(
+        "`LONGNA` = 0201, defined in line 6, used 0 times  \n`LONGNAME1,\tb`"
     )
-    assert (known.hover(3, 0), Document("*200\n", "x.pal").folds()) == ("", [])
+    assert one("A=1\nA=2\n\tA\n$\n").hover(0, 2, 1).endswith("used 1 time  \n`A=1`  \n`0200  0002`")
+    assert (known.hover(0, 3, 0), one("*200\n").folds(0)) == ("", [])
 
 
 COLUMNS = {
@@ -141,3 +165,56 @@ def test_columns_leave_texts_alone() -> None:
     assert formatted(texts, "pal8") == '*200\n\tCLA\t\t/X\n TEXT "A / B"\n$\n'
     other_words = "*200\n CLA\n ASCII .A /B.\n$\n"
     assert formatted(other_words, "pal8") == other_words
+
+
+ENDS = ("\n", "\r\n", "\r")
+WORDS = st.text("A7 ,/\t\f\v\x85\u2028é€😀", max_size=6)
+SOURCES = st.lists(st.tuples(WORDS, st.sampled_from(ENDS))).map(
+    lambda found: "".join(a + b for a, b in found)
+)
+UNITS = {"utf-8": 1, "utf-16-le": 2, "utf-32-le": 4}
+"""Python's codecs, which judge: bytes of a unit."""
+
+
+@pytest.mark.parametrize("codec", UNITS)
+@given(data=st.data())
+def test_an_edit_changes_a_text_as_it_changes_a_string(codec: str, data: st.DataObject) -> None:
+    plain = data.draw(SOURCES)
+    text = Text(plain, codec.removesuffix("-le"))
+    for _ in range(data.draw(st.integers(1, 5))):
+        first, last = sorted(data.draw(st.integers(0, len(plain))) for _ in range(2))
+        if any(plain[at - 1 : at + 1] == "\r\n" for at in (first, last)):
+            continue  # no place of the protocol is between them
+        new = data.draw(SOURCES)
+        text = text.edited(place(plain, first, codec), place(plain, last, codec), new)
+        plain = plain[:first] + new + plain[last:]
+        assert text.content == plain
+
+
+def place(plain: str, at: int, codec: str) -> tuple[int, int]:
+    """Return the line and the character of a place in a string, as an editor counts."""
+    before = plain[:at].replace("\r\n", "\n").replace("\r", "\n")
+    line = before.rpartition("\n")[2]
+    return before.count("\n"), len(line.encode(codec)) // UNITS[codec]
+
+
+@pytest.mark.parametrize("codec", UNITS)
+@given(line=WORDS, data=st.data())
+def test_a_column_and_back(codec: str, line: str, data: st.DataObject) -> None:
+    text, column = Text(line, codec.removesuffix("-le")), data.draw(st.integers(0, len(line)))
+    character = text.character(0, column)
+    assert character == len(line[:column].encode(codec)) // UNITS[codec]
+    assert text.column(0, character) == column
+
+
+SPACED = st.lists(st.text('A7 ,/;=*$"\t\f\v(', max_size=12), max_size=8)
+
+
+@given(lines=SPACED, dialect=st.sampled_from(["pal3", "pal8"]))
+def test_formatting_moves_blanks_alone_and_once(lines: list[str], dialect: str) -> None:
+    source = "\r\n".join(lines)
+    once = formatted(source, dialect)
+    blanks = {ord(" "): None, ord("\t"): None}
+    assert once.translate(blanks) == source.translate(blanks)
+    assert formatted(once, dialect) == once
+    assert pal.assemble(once, dialect=dialect).words == pal.assemble(source, dialect=dialect).words

@@ -1,0 +1,83 @@
+"""What an editor offers to mend a diagnostic with: the advice that it carries, as edits of the source.
+
+TAD NIX         undefined: NIX       "Define NIX": the line `NIX,  0` before the $
+START  CLA      undefined: START     "Write START, as a tag"
+JMP FAR         illegal reference    "Go through a pointer": `JMP I PFAR`, and the line `PFAR,  FAR`
+TAD 18          18 has an 8          "Write 22, octal for 18"
+"""
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from pal.diagnostics import Diagnostic
+from pal.document import Document, Span
+from pal.notes import COLON, MEANT, NO_SLASH, NOT_OCTAL
+from pal.pieces import NAME, NUMBER, comment, pieces
+
+_UNDEFINED = ("UA", "US")
+_ILLEGAL_REFERENCE = "IR"
+_MEANT = re.compile(r"did you mean ([A-Z0-9 ]+)\?")
+_LONGEST = 5
+"""Characters of a name behind the P of its pointer."""
+
+
+class Fix(NamedTuple):
+    """A change that mends a diagnostic: its title, and what comes in place of each span."""
+
+    title: str
+    edits: list[tuple[Span, str]]
+
+
+def fixes(document: Document, tape: int, found: Diagnostic) -> Iterator[Fix]:
+    """Yield what mends a diagnostic of a tape, the likeliest first."""
+    line = found.line - 1
+    text = document.line(tape, line)
+    span = Span(tape, line, found.column - 1, min(found.end_column - 1, len(text)))
+    name = text[span.start : span.end]
+    behind = Span(tape, line, span.end, span.end)
+    if found.code in _UNDEFINED and name[:1].isalpha():
+        if span.start == 0 and text[span.end :][:1] in (" ", "\t"):
+            yield Fix(f"Write {name}, as a tag", [(behind, ",")])
+        yield Fix(f"Define {name}", [(_before(document, tape, "$"), f"{name},\t0\n")])
+    elif found.code == MEANT and (meant := _MEANT.search(found.message)):
+        yield Fix(f"Write {meant[1]}", [(span, meant[1])])
+    elif found.code == NOT_OCTAL and name.isdecimal():
+        yield Fix(f"Write {int(name):o}, octal for {name}", [(span, f"{int(name):o}")])
+    elif found.code == COLON:
+        yield Fix(
+            "End the tag with a comma",
+            [(span._replace(start=text.index(":", span.start), end=text.index(":", span.start) + 1), ",")],
+        )
+    elif found.code == NO_SLASH:
+        yield Fix("Make it a comment", [(Span(tape, line, span.start, span.start), "/")])
+    elif found.code == _ILLEGAL_REFERENCE:
+        yield from _through_a_pointer(document, span)
+
+
+def _through_a_pointer(document: Document, span: Span) -> Iterator[Fix]:
+    """Yield the reference through a word of this page: before the next origin, or the $."""
+    text = document.line(span.tape, span.line)
+    statement = text[: comment(text, document.dialect)]
+    end = statement.find(";", span.end) if ";" in statement[span.end :] else len(statement)
+    operands = [each for each in pieces(text, document.dialect) if span.end <= each.start and each.end <= end]
+    if len(operands) != 1 or operands[0].kind not in (NAME, NUMBER):
+        return
+    operand = text[operands[0].start : operands[0].end]
+    pointer = f"P{operand[:_LONGEST].upper()}"
+    if pointer not in document.assembly.symbols:
+        place = span._replace(start=operands[0].start, end=operands[0].end)
+        word = _before(document, span.tape, "*$", span.line)
+        yield Fix(
+            f"Go through a pointer, {pointer}", [(place, f"I {pointer}"), (word, f"{pointer},\t{operand}\n")]
+        )
+
+
+def _before(document: Document, tape: int, signs: str, after: int = -1) -> Span:
+    """Return the place before the first line behind `after` that begins with one of `signs`, else the end."""
+    lines = document.tapes[tape]
+    ends = (
+        number for number in range(after + 1, len(lines)) if lines[number].lstrip(" \t")[:1] in tuple(signs)
+    )
+    line = next(ends, len(lines) - 1)
+    return Span(tape, line, 0, 0)

@@ -1,0 +1,87 @@
+"""The documents of an editor: those that are open, and the tapes of the programs that its settings name.
+
+A source belongs to the first program of the settings that lists it; any other is a program of one tape.
+"""
+
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+from pal.document import Document, Span
+from pal.text import UTF16, Text
+
+
+class Workspace:
+    """The texts that an editor has open, and the programs that they make.
+
+    `dialect` is that of sources for which the editor chose none; `unit` is how it counts characters. `read`
+    returns the text of a tape that is not open.
+    """
+
+    def __init__(self, dialect: str, read: Callable[[str], str]) -> None:
+        self.dialect = dialect
+        self.unit = UTF16
+        self.open: dict[str, Text] = {}
+        self.chosen: dict[str, str] = {}
+        """The dialect that the editor chose for a source, by the first tape of its program."""
+        self._programs: list[list[str]] = []
+        self._read = read
+        self._made: dict[tuple[str, ...], tuple[tuple[str, ...], str, Document]] = {}
+
+    def name_programs(self, programs: object, root: str) -> None:
+        """Take a setting: lists of tapes, as paths from the folder `root`; anything else names no program."""
+        lists = programs if isinstance(programs, list) else []
+        self._programs = [
+            [(Path(root) / name).resolve().as_uri() for name in names]
+            for names in lists
+            if isinstance(names, list) and all(isinstance(name, str) for name in names)
+        ]
+
+    def tapes(self, uri: str) -> list[str]:
+        """Return the tapes of the program that a source belongs to, in order."""
+        here = _plain(uri)
+        for program in self._programs:
+            if here in program:
+                return [self._opened(tape) for tape in program]
+        return [uri]
+
+    def _opened(self, tape: str) -> str:
+        """Return a tape by the name that the editor has for it, which may be spelt otherwise."""
+        return next((uri for uri in self.open if _plain(uri) == tape), tape)
+
+    def document(self, uri: str) -> tuple[Document, int]:
+        """Return the program that a source belongs to, assembled, and which of its tapes the source is."""
+        tapes = tuple(self.tapes(uri))
+        texts = tuple(self.open[tape].content if tape in self.open else self._read(tape) for tape in tapes)
+        dialect = self.chosen.get(tapes[0], self.dialect)
+        made = self._made.get(tapes)
+        if made is None or made[:2] != (texts, dialect):
+            made = self._made[tapes] = texts, dialect, Document(texts, _names(tapes), dialect)
+        return made[2], tapes.index(uri)
+
+    def close(self, uri: str) -> None:
+        """Forget the text of a source that the editor has closed."""
+        self.open.pop(uri, None)
+        self._made = {tapes: made for tapes, made in self._made.items() if self.open.keys() & set(tapes)}
+
+    def documents(self) -> Iterable[tuple[Sequence[str], Document]]:
+        """Yield each program of which a tape is open, with its tapes."""
+        for tapes in dict.fromkeys(tuple(self.tapes(uri)) for uri in self.open):
+            yield tapes, self.document(tapes[0])[0]
+
+    def characters(self, uri: str, document: Document, span: Span) -> tuple[int, int]:
+        """Return the first and last character of a span as the editor counts them."""
+        text = self.open.get(uri) or Text(document.texts[span.tape], self.unit)
+        return text.character(span.line, span.start), text.character(span.line, span.end)
+
+
+def _plain(uri: str) -> str:
+    """Return a file's URI as Python spells it; another as it is."""
+    parts = urlsplit(uri)
+    return Path(unquote(parts.path)).as_uri() if parts.scheme == "file" and not parts.netloc else uri
+
+
+def _names(uris: Sequence[str]) -> list[str]:
+    """Return what to call the tapes: the names of their files, or their URIs where two have one name."""
+    names = [unquote(uri.rpartition("/")[2]) for uri in uris]
+    return names if len(set(names)) == len(names) else list(uris)
