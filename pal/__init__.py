@@ -21,7 +21,7 @@ reports        cross reference, JSON, and HTML for a notebook
 disassembler   words and tapes back to source
 lexer          PAL III in colour, for Pygments; grammar   the same for editors
 meaning        what words and names mean
-server         the language server; workspace   the tapes that an editor has open; text   their lines and edits
+server         the language server; workspace   the tapes that an editor has open; text   their lines
 document       a program as an editor asks about it; pieces   a line as an editor colours it
 fixes          what mends a diagnostic; formatting   a source in columns
 """

@@ -36,8 +36,8 @@ async def _answers(began: dict[str, Any], asked: list[str]) -> list[Any]:
     client = make_test_lsp_client()
     await client.start_io("pal", "--lsp", *began.pop("arguments", ()), env=environment())
     convert: Any = get_converter()
-    given = {"processId": None, "rootUri": FOLDER, "capabilities": {}, **began}
-    begun = await client.initialize_session(convert.structure(given, lsp.InitializeParams))
+    start = {"processId": None, "rootUri": FOLDER, "capabilities": {}, **began}
+    begun = await client.initialize_session(convert.structure(start, lsp.InitializeParams))
     assert begun.server_info == lsp.ServerInfo("pal", "1")
     protocol: Any = client.protocol
     answers: list[Any] = []
