@@ -28,8 +28,9 @@ CLA = 0o200
 CLL, CMA, CML, RAR, RAL, TWICE, IAC = 0o100, 0o40, 0o20, 0o10, 0o4, 0o2, 0o1
 SMA, SZA, SNL, REVERSED, OSR, HLT = 0o100, 0o40, 0o20, 0o10, 0o4, 0o2
 
-FETCH, DEFER, EXECUTE = 0, 1, 2
-STATES = ("FETCH", "DEFER", "EXECUTE")
+FETCH, DEFER, EXECUTE, NO_STATE = 0, 1, 2, 3
+STATES = ("FETCH", "DEFER", "EXECUTE", "no state")
+"""The major states; no lamp of them is lit after LOAD ADD, EXAM and DEP."""
 
 _ADDRESS, _PAGE, _CURRENT_PAGE, _JMP = ADDRESS, PAGE, CURRENT_PAGE, JMP
 """The same as C numbers, where this file is compiled (isa.pxd)."""

@@ -57,8 +57,8 @@ class Recorder(Protocol):
     def begins(self) -> None:
         """Take notice that a run begins."""
 
-    def ended(self, reason: Reason) -> None:
-        """Take notice that a run has ended."""
+    def ended(self, reason: Reason, in_cycles: bool) -> None:
+        """Take notice that a run has ended, one of so many cycles or another."""
 
 
 def _ticks(seconds: float) -> int:
@@ -82,7 +82,7 @@ class Machine:
         self.waiting = Waiting(self.processor)
         self.engine = Engine(self.processor, self.waiting)
         self.core = Core(self.processor)
-        self.panel = Panel(self.processor)
+        self.panel = Panel(self.processor, self.run)
         self.watch = Watch()
         self.recorder: Recorder | None = None
         """Who records what happens, so that it can be undone."""
@@ -145,36 +145,45 @@ class Machine:
         self.processor.clock += ticks
         self.bus.advance(self.processor.clock)
 
-    def run(self, seconds: float | None = None, instructions: int | None = None) -> Stop:
+    def run(
+        self, seconds: float | None = None, instructions: int | None = None, cycles: int | None = None
+    ) -> Stop:
         """Run until the program stops or only waits for what can never come; return why.
 
-        `seconds` of machine time and number of `instructions` limit this run. From a standstill this is CONT;
-        a limit of 0 presses no key, and nothing happens. Raises ValueError for a negative limit and for NaN.
+        `seconds` of machine time and number of `instructions` limit this run, which ends with an instruction;
+        a number of memory `cycles`, given alone, may end within one, and passes breakpoints. From a
+        standstill this is CONT; a limit of 0 presses no key, and nothing happens. Raises ValueError for a
+        negative limit and for NaN.
         """
         p = self.processor
-        if instructions is not None and instructions < 0:
-            raise ValueError(f"a limit of {instructions} instructions: 0 or more is allowed")
+        for limit, what in ((instructions, "instructions"), (cycles, "cycles")):
+            if limit is not None and limit < 0:
+                raise ValueError(f"a limit of {limit} {what}: 0 or more is allowed")
+        if p.sing_step and cycles != 0:
+            cycles = 1
         until = NEVER if seconds is None else min(NEVER, p.clock + _ticks(seconds))
         last = NEVER if instructions is None else min(NEVER, p.instructions + instructions)
         if self.recorder is not None:
             self.recorder.begins()
         reason = Reason.LIMIT
-        if p.clock < until and p.instructions < last:
-            reason = self._continue(until, last)
+        if p.clock < until and p.instructions < last and cycles != 0:
+            reason = self._continue(until, last, cycles)
         if self.recorder is not None:
-            self.recorder.ended(reason)
+            self.recorder.ended(reason, cycles is not None)
         return Stop(reason, p.pc, self.elapsed)
 
-    def _continue(self, until: int, last: int) -> Reason:
-        """Press CONT, and run to tick `until` or `last` instructions in all; return why the run ended."""
+    def _continue(self, until: int, last: int, cycles: int | None) -> Reason:
+        """Press CONT; run to tick `until` or `last` instructions in all, or for so many `cycles`; return why
+        it ended.
+        """
         p = self.processor
         p.run = 1
         self.bus.advance(p.clock)
         if not self.waiting.left.holds(p):
             self.waiting.forget()
         self._take_breakpoints()
-        if p.sing_step:
-            reason = self._cycle()
+        if cycles is not None:
+            reason = self._cycles(cycles)
         elif self.watch.each_cycle():
             reason = self._run_watched(until, last)
         else:
@@ -311,11 +320,15 @@ class Machine:
         """Return why a loop will never end."""
         return Reason.TAPE_OUT if self._out_of_tape() else Reason.IDLE
 
-    def _cycle(self) -> Reason:
-        """Do what CONT does under SING STEP, and return why it ended."""
-        self.processor.run = 0
-        self.processor.cycle()
-        return Reason.PROTECT if self.processor.protect else Reason.STOP_KEY
+    def _cycles(self, count: int) -> Reason:
+        """Run so many cycles, the watch looking at each; return why it ended."""
+        p = self.processor
+        while count and p.run:
+            self.watch.cycle(p)
+            count -= 1
+        if p.run:
+            return Reason.LIMIT
+        return self._stopped() if not p.sing_step or p.protect else Reason.STOP_KEY
 
     def _stopped(self) -> Reason:
         """Return why RUN went off."""

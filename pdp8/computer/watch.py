@@ -38,10 +38,12 @@ class Watch:
         return bool(self.writes or self.observer)
 
     def instruction(self, processor: Processor) -> None:
-        """Run one instruction, or the cycle of an interrupt, and look at each of its cycles."""
+        """Run one instruction, or the cycle of an interrupt, and look at each of its cycles; SING STEP may be
+        thrown in one.
+        """
         self.reached = False
         self.cycle(processor)
-        while processor.next in (DEFER, EXECUTE):
+        while processor.next in (DEFER, EXECUTE) and not processor.sing_step:
             self.cycle(processor)
 
     def called(self, processor: Processor) -> bool:

@@ -182,8 +182,7 @@ class Room(App[None]):
         if self.coach is not None and name not in LOCKING and not self.coach.allows(name):
             return
         if name in LOCKING:
-            panel = self.session.machine.panel
-            setattr(panel, name, not getattr(panel, name))
+            self.session.lock(name)
         else:
             self.session.press(name)
         self.screen_stack[0].query_one(f"#{name}", Key).flash()

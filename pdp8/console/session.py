@@ -11,6 +11,7 @@ While the processor stands still the Teletype finishes what it has begun, in the
 """
 
 from collections.abc import Callable, Iterator
+from random import randrange
 from time import perf_counter
 from typing import NamedTuple
 
@@ -154,9 +155,19 @@ class Session:
         """Throw switch `bit` of the switch register, 0 the leftmost."""
         self.machine.sr ^= 0o4000 >> bit
 
+    def lock(self, switch: str) -> None:
+        """Throw MEM PROT or SING STEP, named as the Panel's attribute is: mem_prot, sing_step.
+
+        A turn ends with an instruction; a hand that stops the machine comes in any cycle.
+        """
+        panel = self.machine.panel
+        if switch == "sing_step" and panel.lamps.run:
+            self.machine.run(cycles=randrange(3))
+        setattr(panel, switch, not getattr(panel, switch))
+
     def dial(self, digit: int) -> None:
         """Set the switches to what they were with one octal `digit` more, as one reads off a list."""
-        self.machine.sr = self.machine.sr << 3 | digit
+        self.machine.sr = (self.machine.sr << 3 | digit) & 0o7777
 
     def toggle_rim(self) -> None:
         """Begin to toggle in the RIM loader, a key every tenth of a second."""

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from pal.isa import STATES
+from pal.isa import DEFER, EXECUTE, STATES
 from pdp8.computer.count import Count
 from pdp8.computer.use import counted
 from pdp8.computer.use.trace import Trace
@@ -90,14 +90,18 @@ def cycle(monitor: Monitor, count: str = "1") -> None:
 
 def _traced(monitor: Monitor, count: str, cycles: bool) -> None:
     processor = monitor.machine.processor
-    watch = Watch()
-    watch.observer = Trace(monitor.say, monitor.listing, cycles)
-    do = watch.cycle if cycles else watch.instruction
-    processor.run = 1
-    for _ in range(octal(count)):
-        do(processor)
-        if not processor.run or monitor.stopping:
-            return
+    machine, watch = monitor.machine, monitor.machine.watch
+    machine.watch = Watch()
+    machine.watch.observer = Trace(monitor.say, monitor.listing, cycles)
+    try:
+        for _ in range(octal(count)):
+            machine.run(cycles=1)
+            while not cycles and processor.run and processor.next in (DEFER, EXECUTE):
+                machine.run(cycles=1)
+            if monitor.stopping or not (processor.run or processor.sing_step):
+                return
+    finally:
+        machine.watch = watch
 
 
 def trace(monitor: Monitor, what: str) -> None:

@@ -13,7 +13,7 @@ void emulator_set(const struct registers *registers)
     if (!on) pdp8l_power_up(&m, 1);
     on = 1;
     m.run = 0;
-    pdp8l_start(&m);
+    pdp8l_key(&m, START);
     m.teletype.receiver.flag = m.teletype.transmitter.flag = m.fast_reader.flag = m.fast_punch.flag = 0;
     m.teletype.receiver.bits = 0;
     m.pc = registers->pc;

@@ -9,12 +9,13 @@ from pathlib import Path
 from tests.reference.compiling import compiled, numbers
 
 FOLDER = Path(__file__).parent
-SOURCES = [FOLDER / name for name in ("processor.c", "devices.c", "teletype_gates.c")]
+SOURCES = [FOLDER / name for name in ("processor.c", "panel.c", "devices.c", "teletype_gates.c")]
 HEADERS = [FOLDER / name for name in ("pdp8l.h", "parts.h", "teletype_gates.h")]
 
 QUEUE = 4096
 
 NEVER = (1 << 63) - 1
+KEYS = ("load_add", "start", "cont", "stop", "exam", "dep")
 REASONS = ("limit", "stopped", "breakpoint")
 
 
@@ -105,7 +106,8 @@ class Reference(Structure):
 
     _fields_ = [
         ("core", c_uint16 * 4096),
-        *numbers(c_int32, "ac link pc ma mb ir sr state next run ion ion_ready mem_prot protect fast"),
+        *numbers(c_int32, "ac link pc ma mb ir sr state next"),
+        *numbers(c_int32, "run ion ion_ready mem_prot sing_step protect fast"),
         *numbers(c_int64, "now instructions"),
         ("teletype", _Gates),
         ("printed", c_int32),
@@ -132,6 +134,10 @@ class Reference(Structure):
         ]
         result: int = getattr(library(), f"pdp8l_{name}")(ctypes.byref(self), *arguments)
         return result
+
+    def press(self, key: str) -> None:
+        """Press one of the KEYS."""
+        self.do("key", KEYS.index(key))
 
     def run_to(
         self, until: int, last: int, breakpoints: Iterable[int] = (), writes: Iterable[int] = ()

@@ -1,4 +1,4 @@
-/* What the processor and the devices of the reference know of each other. */
+/* What processor, panel and devices of the reference know of each other. */
 
 #include "pdp8l.h"
 
@@ -7,6 +7,14 @@
 enum { CYCLE = 32, IOT = 85, IOP1 = 29, IOP2 = 47, IOP4 = 65 }; /* the pulses from the beginning of an IOT */
 
 void initialize_devices(struct pdp8l *m);
+
+/* INITIALIZE: of everything. MANUAL PRESET, which is a part of it: the major state. */
+void initialize(struct pdp8l *m);
+void preset(struct pdp8l *m);
+
+/* Whether a cycle of an unfinished instruction comes next; one cycle, counted if somebody counts. */
+int within(const struct pdp8l *m);
+void counted_cycle(struct pdp8l *m);
 
 /* Let everything happen in the devices that happens up to and including tick `now`. */
 void devices(struct pdp8l *m, tick now);

@@ -1,4 +1,4 @@
-/* The reference PDP-8/L: its state, and what can be done to it. See pdp8l.c. */
+/* The reference PDP-8/L: its state, and what can be done to it. */
 
 #ifndef PDP8L_H
 #define PDP8L_H
@@ -9,7 +9,8 @@
 
 typedef int64_t tick; /* 0.05 us */
 
-enum { FETCH, DEFER, EXECUTE, INTERRUPT };
+enum { FETCH, DEFER, EXECUTE, INTERRUPT, NONE };
+enum { LOAD_ADD, START, CONT, STOP, EXAM, DEP };
 enum { LIMIT, STOPPED, BREAKPOINT };
 enum { TAPE_FRAMES = 4096, PAPER_FRAMES = 1 << 16 };
 
@@ -47,7 +48,7 @@ struct pdp8l {
     uint16_t core[4096];
     int32_t ac, link, pc, ma, mb, ir, sr;
     int32_t state, next; /* the major state of the last cycle, and of the next */
-    int32_t run, ion, ion_ready, mem_prot, protect;
+    int32_t run, ion, ion_ready, mem_prot, sing_step, protect;
     int32_t fast; /* the PC8/L is fitted */
     tick now, instructions;
     struct gates teletype;
@@ -74,12 +75,12 @@ int pdp8l_run(struct pdp8l *m, tick until, tick last, const uint8_t *marks);
 /* Whether the program, left alone, goes round for ever and no device will do anything. */
 int pdp8l_endless(const struct pdp8l *m);
 
-/* Keys and the rest of what an operator does. A key other than STOP is dead while RUN is on. */
-void pdp8l_start(struct pdp8l *m);
-void pdp8l_stop(struct pdp8l *m);
-void pdp8l_load_add(struct pdp8l *m);
-void pdp8l_exam(struct pdp8l *m);
-void pdp8l_dep(struct pdp8l *m);
+/* Run so many cycles, or until RUN goes off. */
+int pdp8l_run_cycles(struct pdp8l *m, int count);
+
+/* Keys and the rest of what an operator does (panel.c). SR and MEM PROT are set in the structure. */
+void pdp8l_key(struct pdp8l *m, int key);
+void pdp8l_sing_step(struct pdp8l *m, int down);
 void pdp8l_type(struct pdp8l *m, const uint8_t *frames, int count);
 void pdp8l_tape(struct pdp8l *m, int fast, const uint8_t *frames, int count);
 void pdp8l_lever(struct pdp8l *m, int fast, int start);

@@ -1,4 +1,4 @@
-/* A plain PDP-8/L: the processor and the panel. The devices are in devices.c.
+/* A plain PDP-8/L: the processor. The panel is in panel.c, the devices are in devices.c.
 
    The tests hold the package's machine against this one. It is written from the books and shares nothing with the
    package: no word is decoded ahead, no loop is passed over, the shift registers of the Teletype are registers that
@@ -177,17 +177,20 @@ void pdp8l_cycle(struct pdp8l *m)
     case EXECUTE: execute(m); break;
     case INTERRUPT: interrupt(m); break;
     }
-    if (m->ion && m->next == FETCH) {
+    if (m->ion && m->next == FETCH) { /* looked at in the same TP3 in which HLT, STOP or SING STEP takes RUN away */
         devices(m, m->now);
-        if (m->ion_ready && m->run && request(m)) m->next = INTERRUPT;
+        if (m->ion_ready && request(m)) m->next = INTERRUPT;
         m->ion_ready = 1;
     }
+    if (m->sing_step) m->run = 0;
 }
+
+int within(const struct pdp8l *m) { return m->next == DEFER || m->next == EXECUTE; }
 
 void pdp8l_step(struct pdp8l *m)
 {
     do pdp8l_cycle(m);
-    while (m->next == DEFER || m->next == EXECUTE);
+    while (within(m));
 }
 
 static int wrote(const struct pdp8l *m)
@@ -196,7 +199,7 @@ static int wrote(const struct pdp8l *m)
     return m->state == EXECUTE && m->ir >= 2 && m->ir <= 4 && !m->protect;
 }
 
-static void counted_cycle(struct pdp8l *m)
+void counted_cycle(struct pdp8l *m)
 {
     struct counts *counts = m->counts;
     tick began = m->now;
@@ -216,7 +219,7 @@ static int marked(struct pdp8l *m, const uint8_t *marks)
     do {
         counted_cycle(m);
         if (wrote(m)) reached |= marks[m->ma] & 2 || (m->state == EXECUTE && m->ir == 4 && marks[m->ma] & 1);
-    } while (m->next == DEFER || m->next == EXECUTE);
+    } while (within(m));
     return reached;
 }
 
@@ -224,6 +227,7 @@ int pdp8l_run(struct pdp8l *m, tick until, tick last, const uint8_t *marks)
 {
     int first = 1, reason = LIMIT;
     if (m->now >= until || m->instructions >= last) return LIMIT;
+    if (m->sing_step) return pdp8l_run_cycles(m, 1);
     m->run = 1;
     while (reason == LIMIT && m->now < until && m->instructions < last) {
         int reached = 0;
@@ -239,6 +243,16 @@ int pdp8l_run(struct pdp8l *m, tick until, tick last, const uint8_t *marks)
     }
     devices(m, m->now);
     return reason;
+}
+
+int pdp8l_run_cycles(struct pdp8l *m, int count)
+{
+    if (count == 0) return LIMIT;
+    m->run = 1;
+    devices(m, m->now);
+    for (; count && m->run; count--) counted_cycle(m);
+    devices(m, m->now);
+    return m->run ? LIMIT : STOPPED;
 }
 
 int pdp8l_endless(const struct pdp8l *m)
@@ -260,12 +274,10 @@ int pdp8l_endless(const struct pdp8l *m)
     return 0;
 }
 
-/* ---- the panel ---- */
-
-static void initialize(struct pdp8l *m)
+void initialize(struct pdp8l *m)
 {
     m->ac = m->link = m->ion = m->ion_ready = 0;
-    m->state = m->next = FETCH;
+    preset(m);
     initialize_devices(m);
 }
 
@@ -277,50 +289,6 @@ void pdp8l_power_up(struct pdp8l *m, int fast)
     m->teletype.sender.lever = m->fast_tape.lever = m->punch_on = m->fast_punch_on = 1;
     m->fast_punch.at = NEVER;
     initialize(m);
-}
-
-void pdp8l_start(struct pdp8l *m)
-{
-    if (m->run) return;
-    initialize(m);
-    m->run = 1;
-}
-
-void pdp8l_stop(struct pdp8l *m)
-{
-    while (m->run && (m->next == DEFER || m->next == EXECUTE)) pdp8l_cycle(m);
-    m->run = 0;
-    if (m->next == INTERRUPT) m->next = FETCH;
-}
-
-static void show(struct pdp8l *m)
-{
-    m->protect = 0;
-    m->ma = m->pc;
-    m->mb = m->core[m->ma];
-}
-
-void pdp8l_load_add(struct pdp8l *m)
-{
-    if (m->run) return;
-    m->pc = m->sr;
-    show(m);
-}
-
-void pdp8l_exam(struct pdp8l *m)
-{
-    if (m->run) return;
-    show(m);
-    m->pc = (m->pc + 1) & 07777;
-}
-
-void pdp8l_dep(struct pdp8l *m)
-{
-    if (m->run) return;
-    show(m);
-    if (m->mem_prot && m->ma >= 07600) m->protect = 1;
-    else m->mb = m->core[m->ma] = m->sr;
-    m->pc = (m->pc + 1) & 07777;
 }
 
 void pdp8l_wait(struct pdp8l *m, tick ticks)

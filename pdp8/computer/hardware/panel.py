@@ -6,18 +6,23 @@
     SR  ____________  MEM PROT   LOAD ADD   START CONT STOP   SING STEP   EXAM DEP
 
 An 8/L has no lamps for the PC, and its IR shows the op code as three bits. LOAD ADD does a memory cycle, so
-that MB shows the word. All keys but STOP do nothing while RUN is on. SING STEP stops the machine after every
-memory cycle; interrupts wait while it is down.
+that MB shows the word. All keys but STOP do nothing while RUN is on. LOAD ADD, EXAM, DEP and START abandon an
+instruction that is not finished, and an interrupt that is due; FETCH, DEFER and EXECUTE are dark then.
+
+A hand comes between two cycles: SING STEP stops the machine there, STOP at the end of the instruction.
 
 Not emulated: the data and instruction field switches and EMA (they belong to the MC8/L), the power and lock
 switch, the 100 ms a key takes. WORD COUNT, CURRENT ADDRESS, BREAK and PARITY never light: no option that
 lights them is fitted.
 
-Sources: PDP-8/L Users Handbook 1968, operator console; key sequences as tried on a real 8/L by the pdp8l
-project.
+By convention, where the sources differ (docs/emulated.md): STOP comes before an interrupt that is due, which
+CONT then does; ION lights its lamp at once; a DEP that MEM PROT refuses leaves the old word in MB.
+
+Sources: PDP-8/L Users Handbook 1968, operator console; the RTL of an 8/L, and key sequences as tried on a
+real one, by the pdp8l project (mrieker); the gates of an 8/I from DEC's drawings (drovak/verilogpdp).
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Final, NamedTuple
 
 from pal.isa import DEFER, EXECUTE, FETCH
@@ -63,10 +68,11 @@ def shares(samples: Sequence[Lamps]) -> dict[str, tuple[float, ...]]:
 
 
 class Panel:
-    """The keys and switches of one processor."""
+    """The keys and switches of one processor; `run` lets the machine around it run until it stops."""
 
-    def __init__(self, processor: Processor) -> None:
+    def __init__(self, processor: Processor, run: Callable[[], object]) -> None:
         self.processor = processor
+        self._run = run
 
     @property
     def sr(self) -> int:
@@ -88,12 +94,15 @@ class Panel:
 
     @property
     def sing_step(self) -> bool:
-        """SING STEP: down, and the machine stops after every cycle."""
+        """SING STEP: down, and the machine stops at the end of every cycle, also of the one it is in."""
         return bool(self.processor.sing_step)
 
     @sing_step.setter
     def sing_step(self, down: bool) -> None:
-        self.processor.sing_step = 1 if down else 0
+        p = self.processor
+        p.sing_step = 1 if down else 0
+        if down:
+            p.run = p.stopping = 0
 
     @property
     def lamps(self) -> Lamps:
@@ -149,6 +158,7 @@ class Panel:
 
     def _read(self) -> None:
         p = self.processor
+        p.preset()
         p.protect = 0
         p.ma = p.pc
         p.mb = p.core[p.ma]
@@ -165,15 +175,14 @@ class Panel:
             self._go()
 
     def _go(self) -> None:
-        """Light RUN, or under SING STEP run one cycle."""
+        """Light RUN; under SING STEP it goes off with the end of one cycle."""
         if self.processor.sing_step:
-            self.processor.cycle()
+            self._run()
         else:
             self.processor.run = 1
 
     def stop(self) -> None:
         """STOP: the instruction ends and RUN goes off, before an interrupt that is due."""
-        p = self.processor
-        p.stop()
-        while p.stopping:
-            p.cycle()
+        self.processor.stop()
+        if self.processor.stopping:
+            self._run()

@@ -6,7 +6,7 @@ from libc.stdint cimport int64_t
 from pal.isa cimport autoindexed, refers_to
 from pdp8.computer.hardware.bus cimport Bus
 
-cdef int FETCH, DEFER, EXECUTE, INTERRUPT, PROTECTED
+cdef int FETCH, DEFER, EXECUTE, NO_STATE, INTERRUPT, PROTECTED
 cdef int AND, TAD, ISZ, DCA, JMS, JMP, IOT, OPR, CYCLE, IO_TICKS
 cdef int GROUP_2, GROUP_3, HLT, INDIRECT
 
@@ -22,6 +22,7 @@ cdef class Processor:
     cdef unsigned short forms[4098]
 
     cpdef initialize(self)
+    cpdef preset(self)
     cpdef void deposit(self, int address, int word) noexcept
     cpdef stop(self)
     cpdef int cycle(self) except -1

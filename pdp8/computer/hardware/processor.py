@@ -18,8 +18,8 @@ Time is exact: a cycle is 1.6 us, an IOT 4.25 us whatever its device code, its t
 3.25 us whether they are sent or not. All in ticks of 0.05 us.
 
 Interrupt: ION takes effect after the next instruction, IOF at once; a request is looked at as the instruction
-ends, and HLT, STOP and a write that MEM PROT stopped come before it. IOT 600x: pulse 1 is ION, pulse 2 IOF,
-in this order; 6003 to 6007 are undefined on an 8/L and come out as their pulses do.
+ends. If the machine stops there, CONT does the interrupt. IOT 600x: pulse 1 is ION, pulse 2 IOF, in this
+order. What 6003 to 6007 do is undefined on an 8/L; here they do as their pulses do.
 
 MEM PROT stops a write into 7600-7777: the word stays, the rest of the cycle happens, PROTECT lights, the
 machine stops.
@@ -48,6 +48,7 @@ from pal.isa import (
     ISZ,
     JMP,
     JMS,
+    NO_STATE,
     OPR,
     TAD,
     autoindexed,
@@ -69,7 +70,7 @@ class Processor:
         **dict.fromkeys(("clock", "started"), TICK),
         lac="17777",
         ir="7",
-        state=EXECUTE,
+        state=NO_STATE,
         next=INTERRUPT,
     )
 
@@ -86,7 +87,7 @@ class Processor:
         self.mb = 0
         self.ir = 0
         """The op code, 0 to 7: three bits, as the lamps have them."""
-        self.state = FETCH
+        self.state = NO_STATE
         """The major state of the last cycle, as the lamps show it."""
         self.next = FETCH
         """The major state of the next one."""
@@ -115,9 +116,16 @@ class Processor:
     def initialize(self) -> None:
         """INITIALIZE: clear AC, L and the interrupt, and every device; core and PC stay."""
         self.lac = self.ion = self.ion_delayed = self.stopping = 0
-        self.state = self.next = FETCH
+        self.preset()
         self.started = self.clock
         self.bus.initialize(self.clock)
+
+    def preset(self) -> None:
+        """MANUAL PRESET: clear the major state. A FETCH comes next, and not the rest of an instruction or an
+        interrupt that was due.
+        """
+        self.state = NO_STATE
+        self.next = FETCH
 
     def deposit(self, address: int, word: int) -> None:
         """Write `word`, of 12 bits, into core at `address`."""
@@ -131,10 +139,9 @@ class Processor:
             self.stopping = self.run
         else:
             self.run = 0
-            self.next = FETCH
 
     def cycle(self) -> None:
-        """Run one memory cycle."""
+        """Run one memory cycle, at whose end SING STEP clears RUN."""
         self.protect = 0
         if self.next == FETCH:
             self._fetch()
@@ -146,6 +153,8 @@ class Processor:
             self._interrupt()
         if self.next == FETCH and (self.ion or self.stopping):
             self._end()
+        if self.sing_step:
+            self.run = 0
 
     def instruction(self) -> None:
         """Run cycles to the end of the instruction, or the one of an interrupt that is due."""
@@ -261,12 +270,12 @@ class Processor:
             self.ion = self.ion_delayed = 0
 
     def _end(self) -> None:
-        """End an instruction in which STOP was pressed, or with ION set: take an interrupt that is requested,
-        unless the machine stops here.
+        """End an instruction in which STOP was pressed, or with ION set: an interrupt that is requested comes
+        next, also if the machine stops here.
         """
         if self.stopping:
             self.run = self.stopping = 0
         if self.ion:
-            if self.ion_delayed and self.run and self.bus.request(self.clock):
+            if self.ion_delayed and self.bus.request(self.clock):
                 self.next = INTERRUPT
             self.ion_delayed = 1

@@ -106,17 +106,17 @@ class History:
             reason = work()
         finally:
             self.machine.recorder = self
-            self.ended(reason)
+            self.ended(reason, False)
         return reason
 
-    def ended(self, reason: str) -> None:
+    def ended(self, reason: str, in_cycles: bool) -> None:
         """Note where a run has ended.
 
         One that ended by itself leaves things that no run as far as its tick leaves: these are noted.
         """
         self._left = self._values()
         began, self._stands = self._stands, self._moment()
-        if began == self._stands or self.machine.panel.sing_step:
+        if began == self._stands or in_cycles:
             self._add(changed(self._began, self._left), jump=True)
         elif reason != Reason.LIMIT:
             others, left = changed(self._began, self._left), self._left.items()

@@ -111,9 +111,7 @@ def forward(history: History, unit: str) -> str:
     if unit == "instruction":
         return machine.run(instructions=1).reason
     if unit == "cycle":
-        processor.run = 1
-        processor.cycle()
-        return Reason.LIMIT if processor.run else Reason.HALT
+        return machine.run(cycles=1).reason
     goal = _Grown(_COUNTED[unit])
     end = processor.clock + _FAR[unit]
 

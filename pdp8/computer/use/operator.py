@@ -284,11 +284,12 @@ class Operator:
         return Loading(what, 2, self.reader.position, 1, loaded, seconds, len(words) - loaded)
 
     def _run_on(self, seconds: float) -> None:
-        """Let the machine run for a while, though it waits for what only the operator will do."""
+        """Let the machine run on, if it runs, though it waits for what only the operator will do."""
         processor = self.machine.processor
         until = processor.clock + round(seconds * TICKS_PER_SECOND)
-        while processor.clock < until:
+        while processor.run and processor.clock < until:
             processor.instruction()
+        self.wait(max(0, until - processor.clock) / TICKS_PER_SECOND)
 
     def _note(self, key: str, value: int | str | None, say: str) -> None:
         self.note(Action(self.machine.processor.clock, key, value, say))

@@ -2,6 +2,7 @@
 //
 //     0 to 7          an octal digit into the switches, from the right      S L D E C T W   as the keys name them
 
+import { FETCH } from "../../../pal/isa.mjs";
 import { Operator, RIM, RIM_START } from "../../computer/use/operator.mjs";
 import { Coach, find as drill } from "../../lessons/drill.mjs";
 import { html, put } from "../html.mjs";
@@ -38,10 +39,11 @@ export class Switches {
     this.bench.afternoon.takeOver();
     const { panel, processor } = this.bench.machine;
     const method = name.replace(" ", "_");
-    if (name === "sing step" || name === "mem prot") panel[method] = !panel[method];
-    else if (this.card.allows(method)) panel[method]();
+    if (name === "sing step" || name === "mem prot") {
+      if (name === "sing step") awaitHand(this.bench.machine);
+      panel[method] = !panel[method];
+    } else if (this.card.allows(method)) panel[method]();
     else return;
-    if (name === "sing step" && panel.sing_step) processor.stop();
     if (processor.run && (name === "start" || name === "cont")) this.bench.started(name);
     this.bench.touched();
   }
@@ -53,6 +55,12 @@ export class Switches {
     else return;
     event.preventDefault();
   }
+}
+
+/** A picture ends with an instruction; a hand comes in any cycle. */
+function awaitHand(machine) {
+  const { run, next } = machine.processor;
+  if (run && next === FETCH) machine.run(null, null, Math.floor(Math.random() * 3));
 }
 
 /** The RIM loader as it was stuck on the panel; it can be toggled in, or practised. */

@@ -44,7 +44,7 @@ def test_all_is_0_at_power_up_but_few_things_and_initialize_leaves_it_so() -> No
     assert {name: value for name, value in made.items() if value not in (0, b"", NEVER)} == {
         **{"03 reader_run": 1, "03 line": 0o3777, "03 reader on": True, "04 mark": 1, "04 punch on": True},
         **{"01 reader on": True, "02 punch on": True},
-        **{"waiting tries": 8, "waiting core": None, "waiting left clock": -1},
+        **{"p state": 3, "waiting tries": 8, "waiting core": None, "waiting left clock": -1},
     }
     assert [name for name, value in made.items() if value == NEVER] == [
         *("waiting quiet_until", "03 due", "03 step", "03 edge", "04 due", "01 due", "02 due"),

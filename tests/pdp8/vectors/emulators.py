@@ -83,4 +83,4 @@ class ReferenceDevices(Devices):
 
     def start(self) -> None:
         self.m.run = 0
-        self.m.do("start")
+        self.m.press("start")

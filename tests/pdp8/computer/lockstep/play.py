@@ -52,7 +52,7 @@ def _done(acts: Sequence[Act], reference: ReferenceSide) -> Iterator[Act]:
                 continue
             given = (now - before[-values[0] :][0],)
         yield Act(name, given)
-        if name in ("run", "single_cycle"):
+        if name in ("run", "single_cycle", "run_cycles"):
             stood.append(now)
         elif name == "record" or (name == "save_and_restore" and recorded):
             stood, recorded = [], True

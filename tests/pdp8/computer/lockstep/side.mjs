@@ -69,13 +69,11 @@ class Side {
     this.machine.panel.sing_step = false;
   }
 
+  run_cycles(count) { this.machine.run(null, null, count); }
   save_and_restore() { this.machine = restore(save(this.machine)); }
   record() { this.history = new History(this.machine); }
 
-  back(instructions) {
-    go_back(this.history, instructions);
-    this.machine.panel.sing_step = false;
-  }
+  back(instructions) { go_back(this.history, instructions); }
 
   seen() {
     return Object.fromEntries([["counted", this.counted], ...this.paths.map(([path, names]) => [path, plain(at(this.machine, names))])]);

@@ -17,7 +17,7 @@ from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
-from tests.pdp8.computer.lockstep.situations import LOOKS, Act, Situation
+from tests.pdp8.computer.lockstep.situations import CONT, LOOKS, Act, Situation, put
 from tests.pdp8.computer.speed.forms import module
 from tests.pdp8.web.node import NODE, modules
 from tests.reference.model import NEVER, QUEUE, Counts, Reference
@@ -125,6 +125,9 @@ class InPython(Side):
         self.machine.run()
         self.machine.panel.sing_step = False
 
+    def run_cycles(self, count: int) -> None:
+        self.machine.run(cycles=count)
+
     def look(self) -> None:
         """Save it, copy it, begin a run in slices: nothing is changed by that."""
         self.module("pdp8.computer.past.state").save(self.machine)
@@ -143,7 +146,6 @@ class InPython(Side):
 
     def back(self, instructions: int) -> None:
         self.module("pdp8.computer.past.rewind").instructions(self.history, instructions)
-        self.machine.panel.sing_step = False
 
     def seen(self) -> Seen:
         seen = {path: _plain(attrgetter(path)(self.machine)) for path in self.paths}
@@ -224,7 +226,8 @@ class ReferenceSide(Side):
         if path in LOOKS:
             return
         if where == "panel":
-            m.do(what)
+            self._stands(what)
+            m.press(what)
         elif what in ("load", "lever"):
             m.do("tape" if what == "load" else "lever", fast, *values)
         elif what == "press":
@@ -235,6 +238,9 @@ class ReferenceSide(Side):
 
     def set(self, path: str, value: int) -> None:
         m = self.reference
+        if path == "panel.sing_step":
+            m.do("sing_step", value)
+            return
         others = {"teletype.punch.on": "punch_on", "highspeed.punch.on": "fast_punch_on"}
         setattr(m, others.get(path, path.removeprefix("panel.")), value)
         if path == "ion":
@@ -248,10 +254,17 @@ class ReferenceSide(Side):
     def deposit_at_pc(self, beyond: int, word: int) -> None:
         self.reference.core[self.reference.pc + beyond & 0o7777] = word
 
-    def _stands(self) -> None:
-        """Note a moment that can be gone back to: the last with so many instructions."""
-        if self.moments is not None:
-            self.moments[self.reference.instructions] = self.reference.copied()
+    def _stands(self, key: str = "") -> None:
+        """Note a moment that can be gone back to: the last with so many instructions. For START under
+        SING STEP it is that between INITIALIZE and the cycle.
+        """
+        if self.moments is None:
+            return
+        moment = self.moments[self.reference.instructions] = self.reference.copied()
+        if key == "start" and moment.sing_step:
+            moment.sing_step = 0
+            moment.press("start")
+            moment.run, moment.sing_step = 0, 1
 
     def run(self, ticks: int | None, instructions: int) -> str:
         """Run a piece; return "limit", "stopped" or "breakpoint"."""
@@ -276,10 +289,13 @@ class ReferenceSide(Side):
         self.counts = self.reference.count() if observed else None
 
     def single_cycle(self) -> None:
+        for part in (put("panel.sing_step", True), CONT, put("panel.sing_step", False)):
+            self.do(part)
+
+    def run_cycles(self, count: int) -> None:
         self._stands()
-        self.reference.run = 0
-        for part in ("settle", "cycle", "settle", "finish"):
-            self.reference.do(part)
+        if self.reference.do("run_cycles", count):
+            self.reference.do("finish")
 
     def look(self) -> None:
         """Nothing is changed by it."""

@@ -7,7 +7,8 @@ Three kinds of core, and what is laid over them:
                where a page or core ends, or in MEM PROT's page; from wherever it strays a pointer leads back
     waiting    loops that wait for flags, interrupts and counters, with work between them
 
-And one for the Teletype alone, at_the_teletype. The same seed gives the same situation.
+And one for the Teletype alone, at_the_teletype, and one for the panel, at_the_panel, where a hand comes
+between any two cycles. The same seed gives the same situation.
 """
 
 import random
@@ -53,7 +54,7 @@ def load_tape(fast: bool, frames: bytes) -> Act:
 
 
 _STATIONS = ("teletype", "highspeed")
-STOP, START, LOAD_ADD = call("panel.stop"), call("panel.start"), call("panel.load_add")
+STOP, START, CONT, LOAD_ADD = (call(f"panel.{key}") for key in ("stop", "start", "cont", "load_add"))
 SINGLE_CYCLE = Act("single_cycle")
 """CONT under SING STEP."""
 _LOOKED_AT = (
@@ -280,6 +281,48 @@ def _key_sequence(draw: random.Random, base: int) -> list[Act]:
     for _ in range(draw.randrange(3)):
         acts += [put("sr", any_word(draw)), call(f"panel.{draw.choice(('dep', 'exam'))}")]
     return [*acts, put("sr", base), LOAD_ADD]
+
+
+HANDS = 250
+"""Of one situation at the panel."""
+
+
+def at_the_panel(seed: int) -> Situation:
+    """Return one in which keys are pressed and switches thrown between any two cycles, running or not."""
+    draw = random.Random(seed)
+    base = draw.choice(BASES)
+    kind = draw.choice((_nonsense, _crowded, _crowded, _waiting))
+    words = kind(draw, base) | (_service(draw) if draw.random() < 0.8 else {})
+    tapes = [load_tape(fast, draw.randbytes(40)) for fast in (False, True)]
+    begin = (put("sr", base), LOAD_ADD, START)
+    hands = [act for _ in range(HANDS) for act in (_some_cycles(draw), *_hand(draw, base))]
+    return Situation(draw.random() < 0.5, words, (*tapes, *begin, *hands))
+
+
+def _some_cycles(draw: random.Random) -> Act:
+    return Act("run_cycles", (draw.choice((0, 1, 1, 1, 2, 3, 4, 20)),))
+
+
+def _hand(draw: random.Random, base: int) -> list[Act]:
+    """Return what a hand does at the panel, most often one thing; or what makes its next keys matter."""
+    near = draw.choice((base, base + draw.randrange(20) & 0o7777, draw.choice(EDGES), any_word(draw)))
+    key = call(f"panel.{draw.choice(('load_add', 'start', 'cont', 'cont', 'cont', 'stop', 'exam', 'dep'))}")
+    return draw.choice(
+        (
+            *([key],) * 12,
+            *([put("panel.sing_step", up)] for up in (True, True, False)),
+            [put("panel.mem_prot", draw.random() < 0.5)],
+            [put("sr", near)],
+            [put("sr", base), LOAD_ADD],
+            [STOP, put("sr", base), LOAD_ADD, START],
+            [put("ion", 1)],
+            [call("teletype.keyboard.press", draw.randbytes(1))],
+            [Act("wait", (draw.choice((1, 70_000, 2_100_000)),))],
+            [Act("run", (None, draw.randrange(1, 4)))],
+            [call("core.__setitem__", near, any_word(draw))],
+            [draw.choice((Act("save_and_restore"), Act("look"), Act("record"), Act("back", (1,))))],
+        )
+    )
 
 
 KEYBOARD, PRINTER = range(0o6030, 0o6040), range(0o6040, 0o6050)

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.pdp8.computer.lockstep.play import play
-from tests.pdp8.computer.lockstep.situations import Situation, at_the_teletype, situation
+from tests.pdp8.computer.lockstep.situations import Situation, at_the_panel, at_the_teletype, situation
 from tests.pdp8.web.node import needs_node
 from tests.reference.compiling import compiler
 
@@ -35,3 +35,11 @@ def test_all_forms_and_the_reference_differ_in_nothing(form: str, first: int) ->
 def test_nor_does_the_teletype_beside_its_flip_flops(form: str, seeds: range) -> None:
     for seed in seeds:
         same(form, seed, at_the_teletype(seed))
+
+
+@pytest.mark.parametrize(
+    "seeds", [range(8), pytest.param(range(8, 440), marks=pytest.mark.slow("100,000 keys and switches"))]
+)
+def test_nor_does_the_panel_between_any_two_cycles(form: str, seeds: range) -> None:
+    for seed in seeds:
+        same(form, seed, at_the_panel(seed))
