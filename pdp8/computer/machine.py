@@ -191,7 +191,7 @@ class Machine:
         self.waiting.left.note(p)
         self.bus.advance(p.clock)
         if not p.run and reason is Reason.LIMIT:  # STOP was pressed as a frame was seen just now
-            reason = self._stopped()
+            reason = self.why_stopped()
         if reason is not Reason.LIMIT:
             self.bus.finish()
             self.waiting.left.forget()
@@ -287,7 +287,7 @@ class Machine:
             if self.waiting.endless:
                 return self._endless()
             if not p.run:
-                return self._stopped()
+                return self.why_stopped()
             if p.clock >= until or p.instructions >= last:
                 return Reason.LIMIT
             if p.pc in breakpoints:
@@ -305,7 +305,7 @@ class Machine:
             first = False
             watch.instruction(p)
             if not p.run:
-                return self._stopped()
+                return self.why_stopped()
             if watch.reached:
                 return Reason.BREAKPOINT
             instructions, clock = p.instructions, p.clock
@@ -328,9 +328,9 @@ class Machine:
             count -= 1
         if p.run:
             return Reason.LIMIT
-        return self._stopped() if not p.sing_step or p.protect else Reason.STOP_KEY
+        return self.why_stopped() if not p.sing_step or p.protect else Reason.STOP_KEY
 
-    def _stopped(self) -> Reason:
+    def why_stopped(self) -> Reason:
         """Return why RUN went off."""
         p = self.processor
         if p.protect:

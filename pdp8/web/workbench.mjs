@@ -43,7 +43,7 @@ import { bytes } from "./translator/runtime.mjs";
 import { Writer } from "./sheet.mjs";
 import { find, grouped, octal } from "./written.mjs";
 
-const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT", reached: "reached" };
+const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT kept a word from being written" };
 const GOES_ON = ["limit", "tape out", "idle"]; // when its time has come, or somebody does something
 const MEMORY = 32 << 20; // bytes of what can be undone
 
@@ -133,9 +133,10 @@ class Bench {
     const { pc, ma } = processor;
     const asked = reason === "breakpoint" && !watch.breakpoints.has(pc) ? ma : pc; // a JMS to a breakpoint is beyond it
     const place = reason === "halt" || reason === "protect" ? ma : asked;
+    const { said } = this.until;
     this.aim();
     processor.run = 0;
-    this.say(`${REASONS[reason] ?? reason} at ${octal(place)}`);
+    this.say(said || `${REASONS[reason] ?? reason} at ${octal(place)}`);
   }
 
   /** START or CONT was pressed and the machine runs; START on a breakpoint stops there. */
@@ -223,10 +224,13 @@ class Bench {
     else this.#restore(text);
   }
 
+  /** Let the machine be as a saved state has it, but standing still. */
   #restore(text) {
     this.afternoon.takeOver();
-    this.adopt(restore(text));
+    const machine = restore(text);
+    this.adopt(machine, true);
     this.touched();
+    if (machine.processor.run) this.say("It was running when it was saved");
   }
 
   save() {

@@ -5,8 +5,9 @@ flag, frame, block, character     a flag of the Teletype rises, a frame or an en
                                   a character is read, printed or typed
 """
 
-from collections.abc import Callable, MutableSequence
+from collections.abc import Callable
 
+from pal.isa import FETCH
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import Teletype
 from pdp8.computer.machine import Machine
@@ -15,7 +16,7 @@ from pdp8.computer.stop import Reason
 from tapes.eia import EOB
 
 REACHED = "reached"
-"""Why a run ended at its goal, where it is not a breakpoint."""
+"""Why a run ended at its goal; the goal's `said` tells what happened."""
 
 _FAR = {"character": 3 * TICKS_PER_SECOND, "block": 30 * TICKS_PER_SECOND}
 """Ticks that a step may take at most."""
@@ -27,33 +28,73 @@ _GLANCE = TICKS_PER_SECOND // 100
 class Goal:
     """No goal: a run ends by itself, or at a breakpoint."""
 
+    def __init__(self) -> None:
+        self.said = ""
+        """What happened, once the goal is reached."""
+
     def run(self, machine: Machine, ticks: int) -> str:
-        """Run for `ticks` at most; return why the run ended."""
-        return machine.run(seconds=ticks / TICKS_PER_SECOND).reason
+        """Run for `ticks` at most; return why the run ended. A breakpoint at the last tick ends it, too: the
+        next run would leave it.
+        """
+        reason = machine.run(seconds=ticks / TICKS_PER_SECOND).reason
+        return Reason.BREAKPOINT if reason == Reason.LIMIT and _at_a_breakpoint(machine) else reason
+
+    def cycle(self, machine: Machine) -> str:
+        """Run one memory cycle; return why the run ended, Reason.LIMIT if it goes on."""
+        machine.processor.run = 1
+        machine.watch.cycle(machine.processor)
+        if not machine.processor.run:
+            return machine.why_stopped()
+        return Reason.BREAKPOINT if _at_a_breakpoint(machine) else Reason.LIMIT
 
     def over(self) -> None:
         """Leave what is watched as it was."""
 
 
-class _Met(Goal):
-    """An address among the breakpoints, or among the words that are written, until its word is another."""
+def _at_a_breakpoint(machine: Machine) -> bool:
+    """Tell whether a breakpoint is come to: the next instruction's, or that of the JMS just done."""
+    p, watch = machine.processor, machine.watch
+    return p.next == FETCH and (p.pc in watch.breakpoints or watch.called(p))
 
-    def __init__(self, core: MutableSequence[int], places: set[int], address: int, written: bool) -> None:
-        self._core, self._places, self._address = core, places, address
-        self._before = core[address] if written else None
+
+class _Watched(Goal):
+    """An address among the breakpoints, or among the words whose writing ends a run, until it is over."""
+
+    def __init__(self, places: set[int], address: int) -> None:
+        self.said = ""
+        self.address = address
+        self._places = places
         self._had = address in places
         places.add(address)
-
-    def run(self, machine: Machine, ticks: int) -> str:
-        """Run to it; a word that is written and stays the same ends nothing."""
-        reason = super().run(machine, ticks)
-        same = self._core[self._address] == self._before
-        return Reason.LIMIT if same and reason == Reason.BREAKPOINT else reason
 
     def over(self) -> None:
         """Watch the address no more, unless it was watched before."""
         if not self._had:
-            self._places.discard(self._address)
+            self._places.discard(self.address)
+
+
+class _Changed(_Watched):
+    """A word becomes another one; to write the same again ends nothing."""
+
+    def __init__(self, machine: Machine, address: int) -> None:
+        super().__init__(machine.watch.writes, address)
+        self._before = machine.core[address]
+
+    def run(self, machine: Machine, ticks: int) -> str:
+        """Run until the word has changed."""
+        return self._met(machine, super().run(machine, ticks))
+
+    def cycle(self, machine: Machine) -> str:
+        """Run one memory cycle, which may change it."""
+        return self._met(machine, super().cycle(machine))
+
+    def _met(self, machine: Machine, reason: str) -> str:
+        word = machine.core[self.address]
+        if word != self._before:
+            self.said = f"the word at {self.address:04o} has changed from {self._before:04o} to {word:04o}"
+            return REACHED
+        same = reason == Reason.BREAKPOINT and not _at_a_breakpoint(machine)
+        return Reason.LIMIT if same else reason
 
 
 class _Grown(Goal):
@@ -61,8 +102,10 @@ class _Grown(Goal):
     instruction begins takes longer than that.
     """
 
-    def __init__(self, counted: Callable[[Teletype], list[int]]) -> None:
+    def __init__(self, counted: Callable[[Teletype], list[int]], said: list[str]) -> None:
+        self.said = ""
         self._counted = counted
+        self._told = said
 
     def run(self, machine: Machine, ticks: int) -> str:
         """Run to the next event, or for a glance."""
@@ -70,8 +113,21 @@ class _Grown(Goal):
         before = self._counted(machine.teletype)
         event = max(1, machine.bus.next_event(clock) - clock)
         reason = super().run(machine, min(ticks, event, _GLANCE))
-        after = self._counted(machine.teletype)
-        return REACHED if any(now > then for now, then in zip(after, before, strict=True)) else reason
+        return self._met(machine, before, reason)
+
+    def cycle(self, machine: Machine) -> str:
+        """Run one memory cycle; the Teletype is brought up to its end."""
+        before = self._counted(machine.teletype)
+        reason = super().cycle(machine)
+        machine.bus.advance(machine.processor.clock)
+        return self._met(machine, before, reason)
+
+    def _met(self, machine: Machine, before: list[int], reason: str) -> str:
+        for then, now, said in zip(before, self._counted(machine.teletype), self._told, strict=True):
+            if now > then:
+                self.said = said
+                return REACHED
+        return reason
 
 
 def _flags(teletype: Teletype) -> list[int]:
@@ -92,16 +148,23 @@ def _characters(teletype: Teletype) -> list[int]:
 
 
 _COUNTED = {"flag": _flags, "frame": _frames, "block": _blocks, "character": _characters}
+_TOLD = {
+    "flag": ["the flag of the keyboard and reader has risen", "the flag of the printer and punch has risen"],
+    "frame": ["a frame has been punched"],
+    "block": ["a block has been punched"],
+    "character": ["a character has passed"],
+}
 
 
 def until(machine: Machine, kind: str, address: int) -> Goal:
     """Return the goal of that kind, at `address` where it has one."""
-    core, watch = machine.processor.core, machine.watch
     if kind == "address":
-        return _Met(core, watch.breakpoints, address, written=False)
-    if kind == "word":
-        return _Met(core, watch.writes, address, written=True)
-    return _Grown(_COUNTED[kind])
+        return _Watched(machine.watch.breakpoints, address)
+    return _Changed(machine, address) if kind == "word" else _grown(kind)
+
+
+def _grown(kind: str) -> Goal:
+    return _Grown(_COUNTED[kind], _TOLD[kind])
 
 
 def forward(history: History, unit: str) -> str:
@@ -112,7 +175,7 @@ def forward(history: History, unit: str) -> str:
         return machine.run(instructions=1).reason
     if unit == "cycle":
         return machine.run(cycles=1).reason
-    goal = _Grown(_COUNTED[unit])
+    goal = _grown(unit)
     end = processor.clock + _FAR[unit]
 
     def work() -> str:

@@ -53,20 +53,20 @@ export class Clock {
 
   /** The tab is hidden: the machine stops, and the tab says so. */
   #leave() {
-    this.left = this.pictures.running ? performance.now() : 0;
-    if (!this.left) return;
+    this.hiddenAt = this.pictures.running ? performance.now() : 0;
+    if (!this.hiddenAt) return;
     this.pictures.stop();
     this.title = document.title;
     document.title = `Stopped: ${this.title}`;
   }
 
   #return() {
-    if (this.left) {
+    if (this.hiddenAt) {
       document.title = this.title;
-      const seconds = Math.round((performance.now() - this.left) / 1000);
+      const seconds = Math.round((performance.now() - this.hiddenAt) / 1000);
       this.bench.tell(`The tab was hidden; everything stood still for ${seconds} s.`, true);
     }
-    this.left = 0;
+    this.hiddenAt = 0;
     this.wake();
   }
 
@@ -115,15 +115,13 @@ export class Clock {
 
   /** Go on cycle by cycle for `ticks`; return why it ended. */
   #crawl(ticks, now) {
-    const { processor, watch } = this.bench.machine;
+    const { machine, machine: { processor }, until } = this.bench;
     this.due += ticks;
     while (this.due >= CYCLE && performance.now() - now < BUDGET) {
       const { clock } = processor;
-      processor.cycle();
+      const reason = until.cycle(machine);
       this.due -= processor.clock - clock;
-      if (!processor.run) return "halt";
-      const reached = watch.breakpoints.has(processor.pc) || watch.called(processor);
-      if (processor.next === FETCH && reached) return "breakpoint";
+      if (reason !== "limit") return reason;
     }
     return "limit";
   }

@@ -1,23 +1,24 @@
 // What can be pressed next: a sentence, and the controls that do it.
 
+import { waits_for } from "../../computer/use/waits.mjs";
 import { find, octal } from "../written.mjs";
 
 const [START, CONT, STOP] = ["start", "cont", "stop"].map((name) => [name.toUpperCase(), `[data-key=${name}]`]);
 const AGAIN = ["Assemble and run", "#run-it"];
-const PAPER = ["Type", "#paper"];
 const RIM = ["Toggle in the RIM loader", "[data-door=rim]"];
-const TAPE = ["Choose a tape", "#shelf"];
-const LEVER = ["Lever to START", "#lever"];
+const HANDS = {
+  keyboard: ["Type a character", "#paper"], tape: ["Choose a tape", "#shelf"], lever: ["Lever to START", "#lever"],
+  "high-speed tape": ["Choose a high-speed tape", "#pc8-shelf"],
+};
 
 /** What the machine waits for: [sentence, controls as [label, selector]].
  *  @returns {[string, string[][]]} */
 export function next({ machine, why }) {
-  const { processor, waiting, teletype: { reader } } = machine;
+  const { processor, waiting } = machine;
   if (!processor.run) return standing(processor, why);
   if (!waiting.endless) return ["It runs.", [STOP]];
-  if (!machine._out_of_tape()) return ["It waits, and nothing on its way will end that: for a key, perhaps.", [PAPER, STOP]];
-  if (reader.loaded && !reader.on) return ["It waits for the tape; the reader's lever is at STOP.", [LEVER, STOP]];
-  return ["It waits for more tape.", [TAPE, STOP]];
+  const { said, hands } = waits_for(machine);
+  return [said, [...hands.map((hand) => HANDS[hand]), STOP]];
 }
 
 /** @returns {[string, string[][]]} */

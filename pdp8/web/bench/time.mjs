@@ -106,6 +106,7 @@ export class Time {
   /** Press the button, or go to the field, that what can be done next names. */
   use({ dataset }) {
     const control = document.querySelector(dataset.for);
+    control.closest("details")?.setAttribute("open", "");
     if (control.matches("button")) control.click();
     else control.focus();
   }
@@ -115,7 +116,7 @@ export class Time {
     const [go, halt] = afternoon.on ? ["Play", "Pause"] : ["Run", "Stop"];
     writer.text(find("play"), (afternoon.on ? afternoon.playing : machine.processor.run) ? halt : go);
     if (afternoon.on) return;
-    const doing = !machine.waiting.endless ? "runs" : machine._out_of_tape() ? "waits for tape" : "waits";
+    const doing = machine.waiting.endless ? "waits" : "runs";
     writer.text(find("clock"), `${machine.elapsed.toFixed(3)} s`);
     writer.text(find("why"), machine.processor.run ? doing : "stands still");
   }

@@ -29,7 +29,7 @@ MODULES = {
     "pdp8.computer.hardware": "bus core fields highspeed operate panel processor signals teletype",
     "pdp8.computer.speed": "engine piece waiting",
     "pdp8.computer.past": "history rewind state",
-    "pdp8.computer.use": "goals keys operator program trace",
+    "pdp8.computer.use": "goals keys operator program trace waits",
     "pdp8.replay": "day script",
     "pdp8.lessons": "answer diagnosis drill exercise marking page scores trial values",
     "nc": "blocks machine path",

@@ -18,6 +18,7 @@ from pdp8.computer.use.operator import RIM, RIM_START
 from pdp8.replay import Afternoon
 from tests.pdp8.web.browsing import AXE, Browser, Page, click, needs_axe, serious, until, visit
 
+_QUICK = ("10 times", "a minute a second", "as fast as it goes")
 _HALTED = "!workbench.machine.processor.run"
 
 
@@ -137,6 +138,41 @@ def test_run_until(page: Page) -> None:
     assert page.evaluate("workbench.machine.processor.core[0o200]") == 0o1234
 
 
+@pytest.mark.parametrize("speed", ["1 : 1000", "1 : 100", "as it was", *_QUICK])
+def test_a_stop_says_its_reason(page: Page, speed: str) -> None:
+    """At every speed: an address, a word that changes, HLT, MEM PROT, each by its name."""
+    _load(page, "*200\n\tTAD A\n\tDCA B\n\tDCA I C\nA,\tHLT\nB,\t0\nC,\t7700\n$\n", speed)
+    click(page, "[data-opens=debugger]", "[data-key='mem prot']")
+    for kind, where, said in (
+        ("address", "202", "breakpoint at 0202."),
+        ("word", "204", "the word at 0204 has changed from 0000 to 7402."),
+        ("word", "777", "MEM PROT kept a word from being written at 7700."),
+    ):
+        page.evaluate("workbench.machine.load([[0o204, 0]]); workbench.machine.panel.load_address(0o200);")
+        page.evaluate("workbench.machine.processor.lac = 0")
+        page.locator("#kind").select_option(kind)
+        page.locator("#where").fill(where)
+        click(page, "#until button")
+        until(page, _HALTED)
+        _says(page, said)
+    page.evaluate("workbench.machine.panel.load_address(0o203)")
+    click(page, "[data-key=start]")
+    _says(page, "HLT at 0203.")
+
+
+def test_a_wait_names_what_is_waited_for(page: Page) -> None:
+    """And offers what ends it: for the high-speed reader its list of tapes."""
+    _load(page, "*200\n\t6011\n\tJMP .-1\n\tHLT\n$\n")
+    click(page, "[data-key=start]")
+    _says(page, "It waits for a frame from the high-speed reader, which has no tape.")
+    click(page, "#next button >> nth=0")
+    assert page.evaluate("document.activeElement.id") == "pc8-shelf"
+    _load(page, "*200\n\tKSF\n\tJMP .-1\n\tHLT\n$\n")
+    click(page, "[data-key=start]")
+    _says(page, "It waits for a character from the keyboard or the reader.")
+    assert page.locator("#next button").all_inner_texts() == ["Type a character", "Choose a tape", "STOP"]
+
+
 def test_a_pane_alone(browser: Browser, file: Path, circle_page: Path) -> None:
     """By ?embed=panel, where any other name shows all of them; by the button of a pane, and all again.
 
@@ -250,9 +286,6 @@ def test_axe_finds_nothing_serious(
             assert serious(page) == [], tab.inner_text()
 
 
-_QUICK = ("10 times", "a minute a second", "as fast as it goes")
-
-
 @pytest.mark.parametrize("speed", _QUICK)
 def test_ticks_are_whole_at_every_speed(page: Page, speed: str) -> None:
     """hello.pal stops at the same tick; a state saved after a switch was thrown in it opens."""
@@ -302,7 +335,10 @@ _STATE = {"format": "pdp8 state", "version": 2}
             {"machine": _STATE | {"processor": {"clock": 1e20}}},
             "clock: 100000000000000000000 is not a number",
         ),
-        ({"machine": _STATE | {"processor": {"run": 1, "clock": 4503599627370000}}}, "It waits"),
+        (
+            {"machine": _STATE | {"processor": {"run": 1, "clock": 4503599627370000}}},
+            "It was running when it was saved",
+        ),
         ({"machine": {"$tape": ["no.bin", 0, 9]}}, "cannot be opened"),
         ({"exercise": "nothing"}, "there is no exercise nothing"),
         ({"program": {"name": "a.pal", "text": "A" * 1_000_000}}, "of 1\u2009000\u2009000 characters"),
@@ -316,4 +352,7 @@ def test_a_link_freezes_nothing(browser: Browser, file: Path, shared: dict[str, 
     with visit(browser, f"{file.as_uri()}#s={link}") as page:
         _says(page, said)
         assert page.locator("body").inner_text().count("cannot be opened") <= 1, "told twice"
-        assert page.evaluate("location.hash") == "" or said in ("It waits", "stands still")
+        assert page.evaluate("location.hash") == "" or said in (
+            "It was running when it was saved",
+            "stands still",
+        )

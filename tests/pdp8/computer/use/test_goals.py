@@ -20,24 +20,55 @@ def printing() -> Machine:
     ("kind", "address", "reason", "at", "word"),
     [
         ("address", 0o205, Reason.BREAKPOINT, 0o205, 0),
-        ("word", 0o211, Reason.BREAKPOINT, 0o206, 0o301),
+        ("word", 0o211, goals.REACHED, 0o206, 0o301),
         ("flag", 0, goals.REACHED, 0o203, 0),
         ("frame", 0, goals.REACHED, 0o203, 0),
         ("character", 0, goals.REACHED, 0o203, 0),
     ],
 )
+@pytest.mark.parametrize("ticks", [0, 1, 20_000])
 def test_a_run_ends_at_its_goal(
-    printing: Machine, kind: str, address: int, reason: str, at: int, word: int
+    printing: Machine, kind: str, address: int, reason: str, at: int, word: int, ticks: int
 ) -> None:
-    """And when that is over, nothing is watched that was not before."""
+    """By cycles, by single instructions and by longer runs; it says what happened. When that is over, nothing
+    is watched that was not before.
+    """
     goal = goals.until(printing, kind, address)
     ended: str = Reason.LIMIT
-    while ended == Reason.LIMIT:
-        ended = goal.run(printing, 20_000)
+    while ended == Reason.LIMIT and printing.elapsed < 3:
+        ended = goal.run(printing, ticks) if ticks else goal.cycle(printing)
+    assert bool(goal.said) == (reason == goals.REACHED)
     assert (ended, printing.core[0o211]) == (reason, word)
     assert printing.pc in (at, at + 1)
     goal.over()
     assert not printing.watch.breakpoints | printing.watch.writes
+
+
+def test_no_breakpoint_is_stepped_over() -> None:
+    """Whatever the length of a slice: a loop's own, a JMS's, and beside another goal."""
+    for kind, ticks in [(kind, ticks) for kind in ("", "word", "frame") for ticks in range(1, 200)]:
+        m = machine("7001 4204 5200 7402 0 5604")  # IAC, JMS 204, JMP 200; 204: JMP I 204
+        goal = goals.until(m, kind, 0o300) if kind else goals.Goal()
+        for breakpoint in (0o200, 0o204, 0o205):
+            m.watch.breakpoints = {breakpoint}
+            reasons = []
+            while Reason.BREAKPOINT not in reasons:
+                reasons.append(goal.run(m, ticks))
+                assert m.ac < 5, (kind, ticks, breakpoint)
+            m.ac = 0
+
+
+@pytest.mark.parametrize("ticks", [0, 10_000])
+def test_a_run_says_why_it_ended(ticks: int) -> None:
+    """MEM PROT, HLT and a breakpoint, also while a word is waited for."""
+    for words, reason in (("3300 7402", Reason.HALT), ("3610 5201 0 0 0 0 0 0 7700", Reason.PROTECT)):
+        m = machine(words)
+        m.panel.mem_prot = True
+        goal = goals.until(m, "word", 0o377)
+        ended: str = Reason.LIMIT
+        while ended == Reason.LIMIT and m.elapsed < 1:
+            ended = goal.run(m, ticks) if ticks else goal.cycle(m)
+        assert ended == reason
 
 
 def test_what_was_watched_before_is_watched_on(printing: Machine) -> None:
