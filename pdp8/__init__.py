@@ -43,6 +43,7 @@ lessons/    exercises, and the answers of a class marked
 cli/        the command; `python -m pdp8` is the same
 
 shelf       where files are found, read and written
+fitting     devices of anybody's, each in a file of its own
 """
 
 import os

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import click
 
-from pdp8 import shelf
+from pdp8 import fitting, shelf
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Source
 from pdp8.computer.machine import Machine
@@ -21,9 +21,15 @@ from tapes.errors import WorkError, called
 @click.command(cls=Command)
 @click.argument("script", type=Source(), required=False)
 @click.option("--highspeed", is_flag=True, help="Fit the PC8/L high-speed reader and punch.")
+@click.option(
+    "--device",
+    multiple=True,
+    metavar="FILE:CLASS",
+    help="Fit a device of your own, a class in a Python file.",
+)
 @click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
 @click.option("--echo", is_flag=True, help="Show each line of a script before its answer.")
-def monitor(script: str | None, highspeed: bool, dialect: str, echo: bool) -> None:
+def monitor(script: str | None, highspeed: bool, device: tuple[str, ...], dialect: str, echo: bool) -> None:
     """Operate the machine by commands: examine, deposit, step, break, trace; from SCRIPT or at a prompt.
 
     Answers go to standard output. A script ends at its first error, with exit status 1 and its line number.
@@ -35,7 +41,9 @@ def monitor(script: str | None, highspeed: bool, dialect: str, echo: bool) -> No
       printf 'load eia.pal\\nreader circle.asc\\nbreak CHK\\ngo 200\\n' | pdp8 monitor -
       pdp8 monitor lesson.txt --echo
     """
-    made = Monitor(command.echo, Machine(highspeed))
+    machine = Machine(highspeed)
+    fitting.fit(machine, fitting.devices(device))
+    made = Monitor(command.echo, machine)
     made.dialect = dialect
     if script is None and sys.stdin.isatty():
         if echo:

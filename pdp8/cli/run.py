@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Final, Literal
 
 import click
 
-from pdp8 import shelf
+from pdp8 import fitting, shelf
 from pdp8.cli.running import pacing
 from pdp8.cli.running.feed import Feed, say_unread
 from pdp8.cli.running.outputs import Output, send
@@ -74,6 +74,15 @@ class Options:
     fast_punch: Annotated[
         str | None,
         option("--fast-punch", type=Target("tape"), help="Fit the high-speed punch; its tape goes here."),
+    ]
+    device: Annotated[
+        tuple[str, ...],
+        option(
+            "--device",
+            multiple=True,
+            metavar="FILE:CLASS",
+            help="Fit a device of your own, a class in a Python file.",
+        ),
     ]
     keyboard: Annotated[
         bool,
@@ -200,6 +209,7 @@ def run(ctx: click.Context, /, options: Options) -> None:
       pdp8 run eia.pal --count --annotate eia.counts < circle.asc > circle.eia
       pdp8 run eia.pal --save noon.state --max-time 60 < circle.asc > first.eia
       pdp8 run --restore noon.state > rest.eia
+      pdp8 run --device clock.py:KW8 ticks.pal
       pdp8 run mine.bin --start 400 --sr 7777 --fast-reader in.tape --fast-punch out.tape
     """
     ctx.meta[command.QUIET] = options.quiet
@@ -223,6 +233,7 @@ def run(ctx: click.Context, /, options: Options) -> None:
 def _program(options: Options) -> "Program | None":
     """Return the program, if one is named; first the names of all files are checked."""
     reads = [options.program, *options.reader, options.fast_reader, options.restore, options.loader]
+    reads += [fitting.file_of(name) for name in options.device]
     page = "-" if options.punch is None and not _paged(options) else options.punch
     writes = [options.fast_punch, options.trace, options.annotate, options.save]
     arguments.check_files(reads, [page, *writes])
@@ -246,7 +257,12 @@ def _fed(options: Options) -> bool:
 def _machine(options: Options, found: "Program | None") -> Machine:
     """Return the machine, new with the program in core or restored; say what there is to say of its tape."""
     highspeed = options.fast_reader is not None or options.fast_punch is not None
-    machine = Machine(highspeed) if options.restore is None else _restored(options.restore, highspeed)
+    devices = fitting.devices(options.device)
+    if options.restore is None:
+        machine = Machine(highspeed)
+        fitting.fit(machine, devices)
+    else:
+        machine = _restored(options.restore, highspeed, devices)
     if found is not None:
         if options.boot:
             _boot(options, machine, found)
@@ -350,13 +366,15 @@ def _listing(found: "Program | None") -> "Listing":
     return found.listing if found else Listing()
 
 
-def _restored(name: str, highspeed: bool) -> Machine:
-    """Return the saved machine, with the high-speed reader and punch if it had them or is to have them."""
+def _restored(name: str, highspeed: bool, devices: "fitting.Devices") -> Machine:
+    """Return the saved machine with `devices`, and with the high-speed reader and punch if it had them or is
+    to have them.
+    """
     from pdp8.computer.past import state
 
     text = shelf.read_text(name, state.LARGEST)
     with naming(name):
-        machine = state.restore(text)
+        machine = state.restore(text, devices)
     if highspeed and not machine.highspeed.fitted:
         machine.highspeed.connect(machine.bus)
     return machine

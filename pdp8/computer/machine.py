@@ -21,7 +21,7 @@ from pal.isa import FETCH, halts
 from pdp8.computer.hardware.bus import Bus, Device
 from pdp8.computer.hardware.core import SIZE, Core
 from pdp8.computer.hardware.fields import Field, Part, Values, all_fields, put, take
-from pdp8.computer.hardware.highspeed import HighSpeed
+from pdp8.computer.hardware.highspeed import HighSpeed, ReaderControl
 from pdp8.computer.hardware.panel import Panel
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import NEVER, TICKS_PER_SECOND
@@ -433,7 +433,7 @@ class Machine:
 
 def _copied(devices: Mapping[int, type[Device]], values: Values) -> Machine:
     """Return a machine with `devices` fitted, and with `values`."""
-    machine = Machine(highspeed=0o01 in devices)
+    machine = Machine(highspeed=devices.get(0o01) is ReaderControl)
     for code, device in devices.items():
         if machine.bus.device(code) is None:
             machine.bus.fit(code, device())

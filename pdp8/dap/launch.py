@@ -6,6 +6,7 @@
 "reader": ["in.asc"]      tapes for the Teletype's reader, one after the other
 "punch": "out.eia"        where what was punched goes, each time that the machine stops
 "highspeed": true         fits the PC8/L
+"device": ["clock.py:KW8"]      fits devices of your own
 "boot": true              loads the program from cold: RIM, BIN, tape
 "stopOnEntry": true       stands before the first instruction
 "commands": ["set hands 0"]     lines for the monitor, before START
@@ -15,7 +16,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, Self
 
-from pdp8 import shelf
+from pdp8 import fitting, shelf
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.program import Program
 from pdp8.monitor import tapes
@@ -34,6 +35,7 @@ class Launch:
     reader: Sequence[str] = ()
     punch: str = ""
     highspeed: bool = False
+    device: Sequence[str] = ()
     boot: bool = False
     stopOnEntry: bool = False
     noDebug: bool = False
@@ -69,7 +71,9 @@ class Launch:
         `say` takes what the monitor says.
         """
         found = shelf.program(self.program)
-        monitor = Monitor(say, Machine(self.highspeed), found.listing)
+        machine = Machine(self.highspeed)
+        fitting.fit(machine, fitting.devices(self.device))
+        monitor = Monitor(say, machine, found.listing)
         if self.boot:
             tapes.boot(monitor, self.program)
             monitor.listing = found.listing

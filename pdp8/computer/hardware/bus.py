@@ -10,7 +10,7 @@ itself. Its flag is its interrupt request: an 8/L has no masks. Between pulses a
 which its flag changes next; it is brought up to date when its state is needed.
 
 A new device is a class derived from Device, in a file of its own: it says in `fields` what a saved state
-holds of it, and Bus.fit connects it.
+holds of it, and Bus.fit connects it (docs/pdp8.md has one as an example).
 
 Not emulated: data break (three-cycle or single-cycle).
 Source: Small Computer Handbook 1970, chapter 9 (I/O bus).
@@ -27,6 +27,8 @@ class Device:
 
     fields = saved(flag=BIT, tested=BIT, due=TICK)
     """What a saved state holds of the device: its attributes, and how each is written (see fields.py)."""
+    CODE = 0
+    """The device code of a class that `--device` fits."""
 
     def __init__(self) -> None:
         self.code = 0
@@ -85,7 +87,21 @@ class Bus:
             device = device.behind
 
     def fit(self, code: int, device: Device) -> None:
-        """Connect `device` under `code` (0o01 to 0o77), in front of those already there.
+        """Connect a device of anybody's under `code` (0o01 to 0o77).
+
+        Raises ValueError as `connect` does, for a code to which no device can answer, and for a device that
+        lacks one of the methods it has to have.
+        """
+        if not 0o01 <= code <= 0o77:
+            raise ValueError(f"device code {code:o}: 01 to 77 are allowed")
+        made = type(device)
+        for name in ("pulse", "advance", "initialize"):
+            if getattr(made, name) is getattr(Device, name):
+                raise ValueError(f"{made.__name__} has no method {name}, which a device has to have")
+        self.connect(code, device)
+
+    def connect(self, code: int, device: Device) -> None:
+        """Connect `device` under `code`, in front of those already there.
 
         Raises ValueError if it is connected, or another one answers to that code.
         """

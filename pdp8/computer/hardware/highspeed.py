@@ -142,5 +142,5 @@ class HighSpeed:
     def connect(self, bus: Bus) -> None:
         """Connect both to the bus."""
         self.fitted = True
-        bus.fit(0o01, self.reader_control)
-        bus.fit(0o02, self.punch_control)
+        bus.connect(0o01, self.reader_control)
+        bus.connect(0o02, self.punch_control)

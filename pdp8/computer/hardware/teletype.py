@@ -589,5 +589,5 @@ class Teletype:
 
     def connect(self, bus: Bus) -> None:
         """Connect both interfaces to the bus, under the console's codes."""
-        bus.fit(0o04, self.transmitter)
-        bus.fit(0o03, self.receiver)
+        bus.connect(0o04, self.transmitter)
+        bus.connect(0o03, self.receiver)

@@ -86,13 +86,16 @@ def restore(text: str, others: Mapping[int, type[Device]] | None = None) -> Mach
     """Return the machine whose state `text` is; what the text does not name is as at power-up. Raises
     StateError.
 
-    `others` are the classes of devices that are fitted beside the Teletype and the PC8/L, by their codes.
+    `others` are the classes of devices that are fitted beside the Teletype and the PC8/L, by their codes;
+    what the state does not name of them is as at power-up.
     """
     state = _parsed(text)
     devices = _object(state.get("devices", {}), "devices")
-    machine = Machine(highspeed="01" in devices)
-    for code, device in (others or {}).items():
-        machine.bus.fit(code, device())
+    others = others or {}
+    machine = Machine(highspeed="01" in devices and 0o01 not in others)
+    for code, device in others.items():
+        if machine.bus.device(code) is None:
+            machine.bus.connect(code, device())
     for number, fields in devices.items():
         _check_device(machine, number, fields)
     core = _copy(state.get("core", {}), "core", machine.processor.core)
@@ -136,7 +139,8 @@ def _check_device(machine: Machine, code: str, fields: object) -> None:
     place = f"devices {code}"
     device = machine.bus.device(_octal(code, 0o77, place))
     if device is None or code != f"{device.code:02o}":
-        raise StateError(f"{place}: this machine has no such device")
+        name = _object(fields, place).get("device", "device of this code")
+        raise StateError(f"{place}: the state needs a {name}; --device FILE:CLASS fits one, a page has none")
     fitted = type(device).__name__
     kind = _object(fields, place).pop("device", fitted)
     if kind != fitted:

@@ -42,6 +42,7 @@ MODULES = {
 OMITTED = {
     "pal.assembly": "_repr_html_",
     "pal.meaning": "of_name names names8 _FIELDS _MARKS _PSEUDO _WORDS",
+    "pdp8.computer.hardware.bus": "fit",
     "pdp8.computer.machine": "__reduce__ _copied count",
     "nc.path": "__repr__ array",
     "pdp8.lessons.page": "html _STYLE",

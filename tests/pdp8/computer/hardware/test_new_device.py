@@ -80,7 +80,7 @@ def test_its_state_is_saved_and_copied(ticking: Machine) -> None:
     for each in (ticking, restored, copied):
         each.run(seconds=0.5)
     assert state.save(restored) == state.save(copied) == state.save(ticking)
-    with pytest.raises(state.StateError, match="devices 05: this machine has no such device"):
+    with pytest.raises(state.StateError, match="devices 05: the state needs a Clock"):
         state.restore(text)
 
 

@@ -90,7 +90,7 @@ OBJECT, OCTAL, NUMBER = (
         *((text, BEGINS) for text in ("", "hello", "[]", '{"format": "pdp8 state", "version": 3}')),
         (given()[:-1] + ", ", "the saved state is cut short or damaged: "),
         ('{"format": ' + "[" * 100_000, "the saved state is nested too deeply"),
-        (given(devices={"05": {}}), "devices 05: this machine has no such device"),
+        (given(devices={"05": {}}), "devices 05: the state needs a device of this code"),
         (
             given(devices={"03": {"device": "Clock"}}),
             "devices 03: 'Clock' was saved, but 'Receiver' is fitted",

@@ -1,0 +1,74 @@
+"""Devices of anybody's, each a class in a file of its own: `pdp8 run --device clock.py:KW8 prog.pal`.
+
+The class is derived from Device (pdp8/computer/hardware/bus.py) and has its device code as CODE. Its file is
+run as Python runs any file: fit no device whose file you would not run.
+"""
+
+import os
+from collections.abc import Iterable
+from importlib.util import module_from_spec, spec_from_file_location
+from traceback import extract_tb
+
+from pdp8.computer.hardware.bus import Device
+from pdp8.computer.machine import Machine
+from tapes.errors import WorkError
+
+Devices = dict[int, type[Device]]
+"""Classes of devices, by their codes."""
+
+
+def file_of(name: str) -> str:
+    """Return the file of FILE:CLASS. Raises WorkError where there is no class."""
+    file, _, of_class = name.rpartition(":")
+    if not (file and of_class.isidentifier()):
+        raise WorkError(f"{name}: a file and the class in it expected, as in clock.py:KW8")
+    return file
+
+
+def devices(names: Iterable[str]) -> Devices:
+    """Return the classes that are named FILE:CLASS. Raises WorkError where one is not there or no device."""
+    found: Devices = {}
+    for name in names:
+        file = file_of(name)
+        made = _device(file, name.removeprefix(f"{file}:"))
+        if made.CODE in found:
+            raise WorkError(f"{name}: {found[made.CODE].__name__} has device code {made.CODE:02o} too")
+        found[made.CODE] = made
+    return found
+
+
+def fit(machine: Machine, classes: Devices) -> None:
+    """Fit a device of each class to the machine's bus. Raises WorkError where a code is taken or no code."""
+    for code, made in classes.items():
+        try:
+            device = made()
+            machine.bus.fit(code, device)
+            device.initialize(machine.processor.clock)
+        except Exception as error:
+            raise WorkError(f"{made.__name__}: {error}") from error
+        for name in made.fields:
+            if not hasattr(device, name):
+                raise WorkError(f"{made.__name__}: fields names {name}, and it has no such attribute")
+
+
+def _device(file: str, name: str) -> type[Device]:
+    if not os.path.isfile(file):
+        raise WorkError(f"{file}: no such file")
+    spec = spec_from_file_location(os.path.splitext(os.path.basename(file))[0], file)
+    if spec is None or spec.loader is None:
+        raise WorkError(f"{file}: a device is in a Python file, NAME.py")
+    module = module_from_spec(spec)
+    try:
+        spec.loader.exec_module(module)
+    except (Exception, SystemExit) as error:
+        path = os.path.abspath(file)
+        lines = [frame.lineno for frame in extract_tb(error.__traceback__) if frame.filename == path]
+        line = getattr(error, "lineno", None) or (lines or [None])[-1]
+        where = f", line {line}" if line else ""
+        raise WorkError(f"{file}{where}: {type(error).__name__}: {error}") from error
+    made = getattr(module, name, None)
+    if made is None:
+        raise WorkError(f"{file}: there is no class {name} in it")
+    if not (isinstance(made, type) and issubclass(made, Device)):
+        raise WorkError(f"{file}: {name} is no class derived from Device of pdp8.computer.hardware.bus")
+    return made

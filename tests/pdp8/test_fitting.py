@@ -1,0 +1,121 @@
+"""A device in a file of anybody's: the clock of docs/pdp8.md, fitted, saved, restored; what is refused."""
+
+import copy
+import json
+from pathlib import Path
+
+import pytest
+
+from pdp8 import fitting
+from pdp8.computer.machine import Machine
+from pdp8.computer.past import state
+from pdp8.dap.launch import Launch
+from tapes.errors import WorkError
+from tests.conftest import Call
+from tests.test_readme import FILE, HOUSE
+
+NEEDED = "devices 13: the state needs a KW8; --device FILE:CLASS fits one, a page has none"
+SECOND = "pdp8 run: HLT at 0207; no frames read, no frames punched; 1.0 s in 1971\n"
+
+
+@pytest.fixture(autouse=True)
+def clock(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A folder with the files of the recipe."""
+    monkeypatch.chdir(tmp_path)
+    for name, content in FILE.findall((HOUSE / "docs/pdp8.md").read_text()):
+        (tmp_path / name).write_text(content)
+
+
+def test_it_runs_and_a_saved_state_needs_it(call: Call) -> None:
+    assert call("pdp8 run --device clock.py:KW8 ticks.pal") == (0, "", SECOND)
+    call("pdp8 run --device clock.py:KW8 ticks.pal --max-time 0.5 --save half.state")
+    assert json.loads(Path("half.state").read_text())["devices"]["13"]["device"] == "KW8"
+    assert call("pdp8 run --restore half.state") == (1, "", f"pdp8 run: half.state: {NEEDED}\n")
+    assert call("pdp8 run --restore half.state --device clock.py:KW8") == (0, "", SECOND)
+    without = call("pdp8 run ticks.pal")
+    assert "an endless loop at 0202" in without[2]
+
+
+def test_the_monitor_fits_it_restores_it_and_steps_back(call: Call) -> None:
+    Path("script").write_text(
+        "load ticks.pal\ngo 200 0.5\nsave half.state\nexamine count\nrun 0.4\nback 1000\nrestore half.state\n"
+        "examine count\nrun\nassert pc 210\n"
+    )
+    status, out, said = call("pdp8 monitor script --device clock.py:KW8")
+    assert (status, said) == (0, "")
+    first, second = [line for line in out.splitlines() if line.startswith("0210")]
+    assert first == second
+    Path("script").write_text("restore half.state\n")
+    assert NEEDED in call("pdp8 monitor script")[2]
+
+
+def test_the_debugger_fits_it() -> None:
+    monitor, _ = Launch.of({"program": "ticks.pal", "device": ["clock.py:KW8"]}).ready(str)
+    assert monitor.machine.run()[:2] == ("halt", 0o210)
+    assert copy.deepcopy(monitor.machine).bus.device(0o13) is not None
+
+
+def test_a_device_in_place_of_the_fast_reader_is_restored_as_itself() -> None:
+    clock = fitting.devices(["clock.py:KW8"])[0o13]
+    made = Machine()
+    made.bus.fit(0o01, clock())
+    text = state.save(made)
+    for again in (state.restore(text, {0o01: clock}), copy.deepcopy(made)):
+        assert type(again.bus.device(0o01)) is clock
+        assert state.save(again) == text
+
+
+WRONG = "from pdp8.computer.hardware.bus import Device\n"
+BODY = (
+    " def advance(self, now): pass\n def initialize(self, now): pass\n"
+    " def pulse(self, iop, ac, now): return 0\n"
+)
+REFUSED = {
+    "clock.py": "clock.py: a file and the class in it expected, as in clock.py:KW8",
+    "none.py:KW8": "none.py: no such file",
+    "ticks.pal:KW8": "ticks.pal: a device is in a Python file, NAME.py",
+    "clock.py:KW9": "clock.py: there is no class KW9 in it",
+    "clock.py:PERIOD": "clock.py: PERIOD is no class derived from Device of pdp8.computer.hardware.bus",
+    "broken.py:X": "broken.py, line 2: ZeroDivisionError: division by zero",
+    "syntax.py:X": "syntax.py, line 1: SyntaxError: ",
+    "leaves.py:X": "leaves.py, line 1: SystemExit: 3",
+    "wrong.py:Bare": "Bare has no method pulse, which a device has to have",
+    "wrong.py:Half": "Half has no method initialize, which a device has to have",
+    "wrong.py:Nowhere": "Nowhere: device code 0: 01 to 77 are allowed",
+    "wrong.py:Beyond": "Beyond: device code 100: 01 to 77 are allowed",
+    "wrong.py:Printer": "Printer: device 04 is fitted already",
+    "wrong.py:Asks": "Asks: Asks.__init__() missing 1 required positional argument: 'what'",
+    "wrong.py:Forgets": "Forgets: fields names period, and it has no such attribute",
+    "clock.py:KW8 --device clock.py:KW8": "clock.py:KW8: KW8 has device code 13 too",
+}
+
+
+def test_what_is_no_device_is_refused(call: Call) -> None:
+    Path("broken.py").write_text("\n1 / 0\n")
+    Path("syntax.py").write_text("class :\n")
+    Path("leaves.py").write_text("raise SystemExit(3)\n")
+    Path("wrong.py").write_text(
+        f"{WRONG}class Bare(Device):\n CODE = 0o13\n"
+        "class Half(Device):\n CODE = 0o13\n"
+        " def advance(self, now): pass\n def pulse(self, iop, ac, now): return 0\n"
+        f"class Nowhere(Device):\n{BODY}"
+        f"class Beyond(Device):\n CODE = 0o100\n{BODY}"
+        f"class Printer(Device):\n CODE = 4\n{BODY}"
+        f"class Asks(Device):\n CODE = 0o13\n def __init__(self, what): super().__init__()\n{BODY}"
+        f"class Forgets(Device):\n CODE = 0o13\n fields = {{'period': 1}}\n{BODY}"
+    )
+    for name, message in REFUSED.items():
+        status, out, said = call(f"pdp8 run ticks.pal --device {name}")
+        assert (status, out) == (1, ""), (name, said)
+        assert message in said, (name, said)
+
+
+def test_a_bus_refuses_by_name() -> None:
+    clock = fitting.devices(["clock.py:KW8"])[0o13]
+    for code in (0, -1, 0o100):
+        with pytest.raises(ValueError, match="01 to 77 are allowed"):
+            Machine().bus.fit(code, clock())
+    made = Machine()
+    fitting.fit(made, {0o13: clock})
+    with pytest.raises(WorkError, match="KW8: device 13 is fitted already"):
+        fitting.fit(made, {0o13: clock})
