@@ -5,6 +5,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 
 # `make samples` makes the bundled tapes of tapes/ again; a test holds them against the chain.
+# `make fewest` searches for the fewest blocks of the piece-wise technique again: four of the bundled tapes, in ten minutes.
 # `make evidence` makes the sources of programs/ and the tables of docs/restoration.md and docs/thesis.md; a test too.
 # `make figures` makes every figure, table and listing of the thesis, with a page of them, in figures/.
 # `make lockstep N=1e9` runs random situations on the machine in all its forms and on the reference, for so many instructions.
@@ -27,6 +28,10 @@ samples: .venv/ready
 	    $(BIN)/pdp8 run eia.pal --reader tapes/$$part.asc --punch tapes/$$part.eia || exit 1; \
 	done
 	$(BIN)/pal eia.pal -o tapes/eia.bin
+
+.PHONY: fewest
+fewest: .venv/ready
+	$(BIN)/python -m tests.reference.fewest
 
 .PHONY: test
 test: lint

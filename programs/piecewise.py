@@ -10,7 +10,10 @@ Y slow, and X slow and Y fast; all other paths lie between them. With a feed err
 Where no pair fits, the block goes along one axis: the limiting case of Chapter 3. The band is checked at
 twelve points of each leg; the bands of stretches are smooth enough for that.
 
-Sources: thesis, Chapter 3, Figures 3.1 and 3.2, Tables 2.4 and 10.1. The choice of pairs is ours.
+A block is chosen without a look at those after it, so that other choices may need fewer blocks: fewest.py has
+the least there can be.
+
+Sources: thesis, Chapter 3, Figures 3.1 and 3.2, Tables 2.4 and 10.1. The choice of pairs and stops is ours.
 """
 
 from bisect import bisect_left
@@ -74,11 +77,12 @@ class Technique:
         best, most = None, 0.0
         for feeds in self._choices(force):
             blocks = 1 + all(code and code != now for code, now in zip(feeds, force, strict=True))
-            stop = self._reach(stretch, at, feeds, most * blocks)
-            x, y = stop.x - at.x, stop.y - at.y
-            gain = sqrt(x * x + y * y) / blocks
-            if gain > most:
-                best, most = Ray(feeds, stop), gain
+            for aside in _asides(stretch, at, feeds) if self.feed_error else (0,):
+                stop = self._reach(stretch, at, feeds, aside, most * blocks)
+                x, y = stop.x - at.x, stop.y - at.y
+                gain = sqrt(x * x + y * y) / blocks
+                if gain > most:
+                    best, most = Ray(feeds, stop), gain
         if best is None:
             raise WorkError(f"at X {at.x / 1000:.3f} Y {at.y / 1000:.3f} no pair of feeds stays in the band")
         return best
@@ -89,17 +93,23 @@ class Technique:
         yield Feeds(0, force.y or 1)
         yield from (Feeds(x, y) for x in codes for y in codes)
 
-    def _reach(self, stretch: Stretch, at: Point, feeds: Feeds, beyond: float) -> Point:
-        """Return the furthest stop for `feeds`, or `at` if it is not further than `beyond`."""
+    def _reach(self, stretch: Stretch, at: Point, feeds: Feeds, aside: int, beyond: float) -> Point:
+        """Return the furthest stop for `feeds`, so much aside of where they lead.
+
+        That is `at` if none is further than `beyond`.
+        """
         speeds = tuple(XY_FEED[code] if code else 0.0 for code in feeds)
         fastest = max(speeds)
         across, up = stretch.dx * speeds[0] / fastest, stretch.dy * speeds[1] / fastest
+        x, y = (at.x, at.y + aside) if speeds[0] == fastest else (at.x + aside, at.y)
 
         def stop(steps: int) -> Point:
-            return Point(at.x + round(across * steps), at.y + round(up * steps))
+            return Point(x + round(across * steps), y + round(up * steps))
 
         def kept(steps: int) -> bool:
             there = stop(steps)
+            if (there.x - at.x) * stretch.dx < 0 or (there.y - at.y) * stretch.dy < 0:
+                return False
             return not _passes(stretch, at, there) and self._keeps(stretch, at, there, speeds)
 
         both_move = ceil(1 / min(abs(part) for part in (across, up) if part))
@@ -119,6 +129,23 @@ class Technique:
             for error in ((fast, slow), (slow, fast))
             for x, y in way(at, stop, (speeds[0] * error[0], speeds[1] * error[1]))
         )
+
+
+def _asides(stretch: Stretch, at: Point, feeds: Feeds) -> range:
+    """Return how far aside of a ray the stops are that are tried: across the band, either way."""
+    if not all(feeds):
+        return range(1)
+    x, y = (0, 1) if feeds.x >= feeds.y else (1, 0)
+    width = _room(stretch, at, x, y) + _room(stretch, at, -x, -y)
+    return range(-width, width + 1, max(1, width // 10))
+
+
+def _room(stretch: Stretch, at: Point, x: int, y: int) -> int:
+    """Return how many steps of `x`, `y` from a stop are still in the band, at most 100."""
+    room = 0
+    while room < 100 and stretch.inside(at.x + x * (room + 1), at.y + y * (room + 1)):
+        room += 1
+    return room
 
 
 def way(at: Point, stop: Point, speeds: tuple[float, float]) -> Iterator[tuple[float, float]]:

@@ -86,13 +86,13 @@ def numbers_(chapter: int | None, output: str) -> None:
     "--facsimile",
     is_flag=True,
     needs="NUMBER",
-    help="Listing B, C or D as it stood on its pages, without comments.",
+    help="Listing B, C or D as it stood on its pages; in brackets what we supply.",
 )
 def make(number: str | None, output: str, facsimile: bool) -> None:
     """Make figure, table, listing or program NUMBER; or all, with a page that sets them beside the thesis.
 
-    A figure is an SVG, anything else a text; each has its number and caption. A facsimile has nothing of ours
-    but the characters that the scan lost.
+    A figure is an SVG, anything else a text; each has its number and caption. A facsimile has the thesis's
+    lines alone, as they stood on its pages; what the scan does not show of them is supplied, in brackets.
 
     Without NUMBER every figure, table, listing and program is listed with what there is of it here: it is
     from the text; it is our drawing of what the text says, where the original is lost; some of it is fitted
@@ -150,8 +150,9 @@ def _list() -> None:
 def evidence(file: str, output: str) -> None:
     """Show for every line of FILE the page, the scan's reading, ours, its evidence and the reason.
 
-    FILE is eia.pal, eia1.pal, eia2.pal, circle.for or ellipse.for. A line is legible, damaged, implied (by a
-    word, a twin, a header) or a conjecture; ^ is one more line of ours from the scan's line above.
+    FILE is eia.pal, eia1.pal, eia2.pal, circle.for or ellipse.for, or a table, ch2-block or 2.3. A line is
+    legible, damaged, implied (by a word, a twin, a header) or a conjecture; ^ is one more line of ours from
+    the scan's line above.
 
     \b
     Examples:

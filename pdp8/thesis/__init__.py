@@ -6,6 +6,7 @@ gallery      the page that sets all of them beside the thesis
 
 numbers      every number of the chapters: its page, its words, ours, what makes it
 measures     what we make of each
+inputs       what that is made from, and what may be said of it
 
 evidence     the surviving programs line by line: scan, ours, why; scan/ has the tables
 reading      what a legible line of the scan says: six rules

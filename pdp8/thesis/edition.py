@@ -19,7 +19,8 @@ from pdp8.thesis.evidence import ARTEFACTS, CLASSES, source, table
 _SECTION = re.compile(r"(<!-- (items|numbers|evidence) (.+?) -->\n).*?(<!-- end -->)", re.DOTALL)
 _HEADINGS = {
     "items": "| what | page | state | here |\n|---|--:|---|---|\n",
-    "numbers": "| page | the thesis | number | ours | state | made by |\n|--:|---|--:|--:|---|---|\n",
+    "numbers": "| page | the thesis | number | ours | state | made from | made by |\n"
+    "|--:|---|--:|--:|---|---|---|\n",
     "evidence": "| page | the scan | ours | evidence | reason |\n|--:|---|---|---|---|\n",
 }
 _Maker = Callable[..., Iterator[tuple[str, ...]]]
@@ -46,8 +47,8 @@ def _items(chapter: str) -> Iterator[tuple[str, ...]]:
 
 def _numbers(chapter: str) -> Iterator[tuple[str, ...]]:
     names = {item.number: item for item in catalogue()}
-    for page_, words, said, ours, state, by in numbers.table(int(chapter)).rows:
-        yield page_, f"`{words}`", said, ours, state, _link(by, names)
+    for page_, words, said, ours, state, made_from, by in numbers.table(int(chapter)).rows:
+        yield page_, f"`{words}`", said, ours, state, made_from, _link(by, names)
 
 
 def _link(by: str, names: dict[str, Item]) -> str:

@@ -1,6 +1,6 @@
-"""What the scan shows of each surviving program, line by line, and the sources made from it.
+"""What the scan shows of each program and table, line by line, and the sources made from it.
 
-One table an artefact, in scan/NAME.txt. A row is a line of the artefact, or of the scan:
+One file an artefact, scan/NAME.txt, feeds sources, facsimiles and tables. A row is a line of it or the scan:
 
     page | class | scan | ours | reason
     107  | damaged | 0103 0040 PQ.40 | P0,40 | 0 and a comma misread; P0, beside P1
@@ -20,7 +20,7 @@ A blank line is one in the artefact, # opens a comment.
     none         has a line that does not belong to the listing: a heading, a page number, dirt
 
 /W is implied by the word that stands there, /R by a twin, a header or a pattern.
-Source: the thesis, Appendices B to D, pages 105 to 113; Chapter 5, pages 44 and 45.
+Source: the thesis, pages 13 and 14 (Chapter 2), 44 and 45 (Chapter 5), 105 to 113 (Appendices B to D).
 """
 
 from collections.abc import Iterator
@@ -33,6 +33,7 @@ from pdp8.thesis.reading import fortran_line, pal_line
 from tapes.errors import WorkError
 
 ARTEFACTS = ("eia.pal", "eia1.pal", "eia2.pal", "circle.for", "ellipse.for")
+TABLES = ("ch2-block", "2.3")
 CLASSES = ("legible", "damaged", "implied", "conjecture", "ours", "none")
 
 _AS_READ = "="
@@ -62,8 +63,8 @@ BLANK = Row("", "ours", "", "", "")
 @cache
 def rows(artefact: str) -> tuple[Row, ...]:
     """Return the rows of an artefact in order. Raises WorkError if there is none of that name."""
-    if artefact not in ARTEFACTS:
-        raise WorkError(f"{artefact}: no evidence; there is some of {', '.join(ARTEFACTS)}")
+    if artefact not in ARTEFACTS + TABLES:
+        raise WorkError(f"{artefact}: no evidence; there is some of {', '.join(ARTEFACTS + TABLES)}")
     text = (files("pdp8.thesis") / "scan" / f"{artefact}.txt").read_text(encoding="utf-8")
     return tuple(_row(line, artefact) for line in text.splitlines() if not line.startswith("#"))
 
@@ -77,7 +78,9 @@ def _row(line: str, artefact: str) -> Row:
 
 def read(scan: str, artefact: str) -> str:
     """Return what a legible line of the scan says, as it stands in the column `ours`."""
-    return pal_line(scan)[1] if artefact.endswith(".pal") else fortran_line(scan)
+    if artefact in TABLES:
+        return scan.replace(" ¦", "").replace(" --- ", " ")
+    return pal_line(scan)[1] if artefact.endswith(".pal") else fortran_line(scan.replace(" ¦", ""))
 
 
 def source(artefact: str) -> str:

@@ -1,10 +1,11 @@
-"""Listings B, C and D as they stood on their pages: nothing of ours but the letters that the scan lost.
+"""Listings B, C and D as they stood on their pages; what the scan lost is ours, and in brackets.
 
-    0244  1100  N1,     TAD HOLD          address, word and source, as PAL's third pass prints them
-    335 30 FORMAT(I3,I1,...)              line number, label, statement; the author's note in column 34
+    0244  1100  [N1,]    [TAD HOLD]       address, word and source, as PAL's third pass prints them
+    335 30 FORMAT([I]3,[I]1,...)          line number, label, statement; the author's note in column 34
 
 Zeros have the printer's slash. Pages end with their number and a form feed. Not kept: the places of blank
-lines in Appendix B, which the scan does not show. Tags that are lost are ours (docs/restoration.md).
+lines in Appendix B, which the scan does not show. Tags that are lost are ours (docs/restoration.md). Of the
+numbers of these pages the scan has 105 alone.
 
 Sources: the evidence; for the columns of the FORTRAN listings page 109, which the scan has with its layout.
 """
@@ -13,8 +14,8 @@ from collections.abc import Iterator
 from itertools import groupby
 from typing import Final
 
-from pdp8.thesis import evidence
 from pdp8.thesis.evidence import Row
+from pdp8.thesis.supplied import NOTE, bracketed, marked
 from tapes.errors import WorkError
 
 HEADINGS: Final = {
@@ -22,6 +23,9 @@ HEADINGS: Final = {
     "C": ("circle.for", "FORTRAN CIRCLE PROGRAM"),
     "D": ("ellipse.for", "FORTRAN ELLIPSE PROGRAM"),
 }
+
+_NUMBERED: Final = ("105",)
+"""Pages whose number the scan shows."""
 
 _WIDTH, _NOTE_COLUMN, _SOURCE_COLUMN, _TAB = 72, 33, 12, 8
 _SLASHED = str.maketrans("0", "Ø")
@@ -32,12 +36,15 @@ def facsimile(appendix: str) -> str:
     if appendix.upper() not in HEADINGS:
         raise WorkError(f"{appendix}: no facsimile; there is one of {', '.join(HEADINGS)}")
     artefact, heading = HEADINGS[appendix.upper()]
-    title = f"{f'APPENDIX {appendix.upper()}':^{_WIDTH}}\n\n{heading:^{_WIDTH}}\n\n"
+    said = f"Facsimile of Appendix {appendix.upper()}, with nothing of ours but what it supplies. {NOTE}"
+    why = f"`pdp8 thesis evidence {artefact}` has the scan, and the reason, of each line."
+    title = f"{said}\n{why}\n\n{f'APPENDIX {appendix.upper()}':^{_WIDTH}}\n\n{heading:^{_WIDTH}}\n\n"
     set_line = _pal_line if artefact.endswith(".pal") else _fortran_line
     pages = []
-    for page, rows in groupby(evidence.table(artefact), key=lambda row: row.page):
-        lines = "".join(f"{line}\n" for row in rows for line in set_line(row))
-        pages.append(f"{lines.translate(_SLASHED)}\n{page:^{_WIDTH}}\n".replace(" \n", "\n"))
+    for page, rows in groupby(marked(artefact), key=lambda each: each[0].page):
+        lines = "".join(f"{bracketed(line, lost)}\n" for row, lost in rows for line in set_line(row))
+        number = page if page in _NUMBERED else f"[{page}]"
+        pages.append(f"{lines.translate(_SLASHED)}\n{number:^{_WIDTH}}\n".replace(" \n", "\n"))
     return "\n".join(line.rstrip() for line in (title + "\f".join(pages)).split("\n"))
 
 

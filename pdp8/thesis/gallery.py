@@ -12,6 +12,7 @@ from itertools import groupby
 
 from pdp8.thesis.catalogue import STATES, Item, catalogue
 from pdp8.thesis.making import Made
+from pdp8.thesis.supplied import html
 from pdp8.thesis.table import Table
 
 _LONGEST = 300
@@ -76,7 +77,7 @@ def _shown(made: Made) -> str:
 def _table(item: Item, table: Table) -> str:
     heads = "".join(f'<th scope="col">{escape(cell)}</th>' for cell in table.headings)
     rows = "".join(
-        "<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>\n" for row in table.rows
+        "<tr>" + "".join(f"<td>{html(cell)}</td>" for cell in row) + "</tr>\n" for row in table.rows
     )
     caption = f"<caption>{item.name}. {escape(item.title)}</caption>"
     return f'<div class="wide" tabindex="0"><table>{caption}<tr>{heads}</tr>\n{rows}</table></div>\n'
@@ -87,6 +88,6 @@ def _text(made: Made) -> str:
     if len(lines) > _LONGEST:
         more = f"<p>{len(lines) - _EXCERPT} more lines in {made.name}.</p>"
         lines = lines[:_EXCERPT]
-    text = escape("\n".join(lines))
+    text = html("\n".join(lines))
     label = escape(f"{made.item.name}: {made.item.title}", quote=True)
     return f'<div><pre tabindex="0" role="region" aria-label="{label}">{text}</pre>{more}</div>\n'

@@ -8,7 +8,9 @@ from importlib import import_module
 from typing import Any, NamedTuple
 
 from pdp8.thesis.catalogue import Item
+from pdp8.thesis.evidence import TABLES
 from pdp8.thesis.paper import framed
+from pdp8.thesis.supplied import NOTE
 from pdp8.thesis.table import Table
 from tapes.errors import WorkError
 
@@ -47,7 +49,8 @@ def make(item: Item) -> Made:
     if pictures[0].startswith("<svg"):
         sheet = framed(pictures, heading, item.title, item.caption, across=item.across)
         return Made(item, f"{item.stem}.svg", sheet, table, tape)
-    text = f"{heading}  {item.title}\n{item.caption}\n\n{pictures[0]}"
+    note = f"\n{NOTE}" if item.number in TABLES else ""
+    text = f"{heading}  {item.title}\n{item.caption}{note}\n\n{pictures[0]}"
     return Made(item, f"{item.stem}.txt", text, table, tape)
 
 

@@ -1,6 +1,7 @@
 """What we make of each number of the thesis: read from what runs here, or computed from its tapes and paths.
 
-A measure has a name, which numbers.txt uses. It is a number, or of octal words, lists and blocks a string.
+A measure has a name, which numbers.txt uses, and names its inputs (`inputs`). It is a number, or of octal
+words, lists and blocks a string; "227 or more" is a proved least.
 """
 
 import re
@@ -8,7 +9,7 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from inspect import signature
 from math import atan2, degrees, log2, radians, tan
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import nc
 from nc import talysurf
@@ -16,10 +17,10 @@ from nc.curves import nominal
 from nc.inspection import Reading, inspect
 from nc.machine import READ_SECONDS
 from pdp8.replay.implied import LINE_SECONDS
-from pdp8.thesis import chain, facsimile, slopes, tables, work
+from pdp8.thesis import chain, evidence, slopes, tables, work
 from pdp8.thesis.catalogue import find
+from pdp8.thesis.inputs import ITSELF
 from programs import die, fluidic
-from programs.milling import Milling
 from programs.parts import PARTS
 from tapes import ascii, eia, frames, hydrapoint, picture
 from tapes.hydrapoint import FIELDS, SPINDLE, XY_FEED, Z_FEED, Preparatory
@@ -30,29 +31,51 @@ _MEMORY: Final = 1 << 12
 _PAGE: Final = 0o200
 
 
+_Value = Measure | Callable[[], Measure]
+"""A measure, or what computes it if that takes long."""
+
+
+class Made(NamedTuple):
+    """What we make of a number, and the names of its inputs."""
+
+    value: _Value
+    inputs: tuple[str, ...]
+
+
+_Table = dict[str, Made]
+
+
 def measure(name: str) -> Measure:
     """Return a measure by its name."""
-    found = _table()[name]
+    found = _table()[name].value
     return found() if callable(found) else found
 
 
-_Table = Mapping[str, Measure | Callable[[], Measure]]
-"""Measures, or what computes those that take long."""
+def inputs(name: str) -> tuple[str, ...]:
+    """Return what a measure is made from: names of `inputs.INPUTS`."""
+    return _table()[name].inputs
 
 
 @cache
 def _table() -> _Table:
-    table = {**_machine(), **_tape(), **_computer(), **_words(), **_parts(), **_elements()}
+    table = _machine() | _tape() | _computer() | _words() | _parts() | _elements()
     for part in ("circle", "ellipse", "die", "polynomial", "fluidic"):
         table |= _of_part(part)
     return table
+
+
+def _from(names: str, values: Mapping[str, _Value]) -> _Table:
+    """Return measures that are made from these inputs, their names apart by commas."""
+    made_from = tuple(names.split(", ")) if names else ()
+    return {name: Made(value, made_from) for name, value in values.items()}
 
 
 def _machine() -> _Table:
     """Chapters 2 and 3: the Hydra-Point, its feeds, the drilling program."""
     feeds, z_feeds = sorted(XY_FEED.values()), sorted(Z_FEED.values())
     wanted = 1 / tan(radians(30))
-    return {
+    fast, slow = 1 + hydrapoint.FEED_TOLERANCE, 1 - hydrapoint.FEED_TOLERANCE
+    taken: dict[str, _Value] = {
         "axes": len(nc.path.Position._fields),
         "tools": len(hydrapoint.CAROUSEL),
         "travel x": hydrapoint.X_TRAVEL / 1000,
@@ -62,35 +85,46 @@ def _machine() -> _Table:
         "accuracy": "±.001, page 9",
         "resolution": hydrapoint.RESOLUTION,
         "positioning speed": hydrapoint.POSITIONING_SPEED,
+        "feed tolerance": 100 * hydrapoint.FEED_TOLERANCE,
+        "mill code": int(Preparatory.MILL),
+        "read seconds": READ_SECONDS,
+        "second ratio feeds": f"{XY_FEED[4]}/{XY_FEED[3]}",
+        "slope": degrees(atan2(*reversed(slopes.RUN))),
+        "slope length": sum(side**2 for side in slopes.RUN) ** 0.5 / 1000,
+        "diagonal": lambda: min(abs(r.angle) for r in _readings("45°") if r.angle),
+        "hole places": lambda: "; ".join(
+            f"{x / 1000:.3f}, {y / 1000:.3f}" for x, y, _ in chain.path("drill").holes
+        ),
+        "drill feed point": lambda: (chain.path("drill").steps[1].modes.feed_point or 0) / 1000,
+        "drill depth": lambda: chain.path("drill").steps[1].modes.final_depth / 1000,
+    }
+    table: dict[str, _Value] = {
         "feed least": feeds[0],
         "feed most": feeds[-1],
         "z feed least": z_feeds[0],
         "z feed most": z_feeds[-1],
-        "feed tolerance": 100 * hydrapoint.FEED_TOLERANCE,
         "feeds": len(XY_FEED),
-        "mill code": int(Preparatory.MILL),
-        "read seconds": READ_SECONDS,
-        "ratio of 30 degrees": wanted,
-        "closest ratio": min((one / two for one in feeds for two in feeds), key=lambda r: abs(r - wanted)),
         "first ratio": XY_FEED[2] / XY_FEED[1],
         "second ratio": XY_FEED[4] / XY_FEED[3],
-        "second ratio feeds": f"{XY_FEED[4]}/{XY_FEED[3]}",
-        "slope": degrees(atan2(*reversed(slopes.RUN))),
-        "diagonal": lambda: min(abs(r.angle) for r in _readings("45°") if r.angle),
-        "deviation at 45 degrees": 100 * (degrees(atan2(1.2, 0.8)) / 45 - 1),
-        "slope length": sum(side**2 for side in slopes.RUN) ** 0.5 / 1000,
-        "slope blocks": lambda: len(chain.path("slope", milling=Milling("piece", feed_error=0.1))),
+    }
+    drill: dict[str, _Value] = {
         "holes": lambda: len(chain.path("drill").holes),
-        "hole places": lambda: "; ".join(
-            f"{x / 1000:.3f}, {y / 1000:.3f}" for x, y, _ in chain.path("drill").holes
-        ),
         "blocks before the holes": lambda: len(_drill()) - len(chain.path("drill").holes),
         "drill rows": lambda: re.sub(r", (\d+)$", r" and \1", ", ".join(row[:3] for row in _drill()[2:])),
         "drill speed": lambda: SPINDLE[chain.path("drill").steps[0].block.tool],
-        "drill feed point": lambda: (chain.path("drill").steps[1].modes.feed_point or 0) / 1000,
-        "drill depth": lambda: chain.path("drill").steps[1].modes.final_depth / 1000,
         **{f"drill block {number}": row for number, row in enumerate(_drill(), 1)},
     }
+    closest: dict[str, _Value] = {
+        "closest ratio": min((one / two for one in feeds for two in feeds), key=lambda r: abs(r - wanted))
+    }
+    return (
+        _from(ITSELF, taken)
+        | _from("Table 2.4", table)
+        | _from("Chapter 3", {"ratio of 30 degrees": wanted})
+        | _from("Chapter 3, Table 2.4", closest | drill)
+        | _from("±20 %", {"deviation at 45 degrees": 100 * (degrees(atan2(fast, slow)) / 45 - 1)})
+        | _from("Chapter 3, ±.005, ±20 %, codes 01 to 05", {"slope blocks": lambda: tables.fewest("slope")})
+    )
 
 
 @cache
@@ -104,14 +138,18 @@ def _tape() -> _Table:
     last = dict(zip(FIELDS, ends, strict=True))
     first = {name: end - FIELDS[name] + 1 for name, end in last.items()}
     printed = [name for name in FIELDS if name != "reserved"]
-    line_335 = re.search("^335.*", _listing("C"), re.MULTILINE)
+    line_335 = re.search("^335.*", _listing("circle.for"), re.MULTILINE)
     formats = [int(width) for width in re.findall(r"I(\d)", line_335[0] if line_335 else "")]
-    return {
+    taken: dict[str, _Value] = {
         "tape width": picture.WIDTH / 1000,
-        "tracks": len(frames.channels(0o377)) + 1,
         "code hole": picture.CODE_HOLE / 1000,
         "guide hole": picture.SPROCKET_HOLE / 1000,
         "row pitch": picture.PITCH / 1000,
+        "rows": hydrapoint.ROWS,
+        **{f"{name} digits": width for name, width in FIELDS.items()},
+    }
+    code: dict[str, _Value] = {
+        "tracks": len(frames.channels(0o377)) + 1,
         "track of guide holes": 1 + sum(picture.track(at) < picture.SPROCKET_TRACK for at in range(1, 9)),
         "track of 8": frames.channels(eia.CODES["8"])[0] + 1,
         "track of end of block": frames.channels(eia.EOB)[0] + 1,
@@ -121,18 +159,21 @@ def _tape() -> _Table:
         "digit most": max(map(int, filter(str.isdigit, eia.CODES))),
         "digit of tracks 1 and 3": int(eia.decode(bytes([eia.CODES["5"]]))),
         "digit of track 5": int(eia.decode(bytes([0o010]))),
-        "rows": hydrapoint.ROWS,
+    }
+    block: dict[str, _Value] = {
         "digits": sum(FIELDS.values()),
         "places": -round(log2(hydrapoint.RESOLUTION) / log2(10)),
-        **{f"{name} digits": width for name, width in FIELDS.items()},
         **{f"{name} digit": digit for name, digit in first.items()},
         **{f"{name} digit, last": digit for name, digit in last.items()},
-        **{f"format {name}": width for name, width in zip(printed, formats, strict=True)},
     }
+    widths: dict[str, _Value] = {
+        f"format {name}": width for name, width in zip(printed, formats, strict=True)
+    }
+    return _from(ITSELF, taken) | _from("EIA", code) | _from("Chapter 2", block) | _from("Appendix C", widths)
 
 
-def _listing(appendix: str) -> str:
-    return facsimile.facsimile(appendix).replace("Ø", "0")
+def _listing(artefact: str) -> str:
+    return "\n".join(row.ours for row in evidence.table(artefact))
 
 
 def _computer() -> _Table:
@@ -141,29 +182,32 @@ def _computer() -> _Table:
     dca = word("DCA 277")
     mnemonics = ("CLA", "CMA", "RAR", "IAC", "SZA", "HLT", "KSF", "KRB", "TSF", "TLS")
     references = ("AND", "TAD", "ISZ", "DCA", "JMS", "JMP")
-    return {
-        "words": _MEMORY,
+    core: dict[str, _Value] = {
+        "words, about": _MEMORY,
         "bits": (_MEMORY - 1).bit_length(),
         "last address": f"{_MEMORY - 1:o}",
         "last address, binary": re.sub("(...)(?!$)", r"\1 ", f"{_MEMORY - 1:b}"),
         "octal digits": len(f"{_MEMORY - 1:o}"),
         "operations": len({word >> 9 for word in range(_MEMORY)}),
+    }
+    instructions: dict[str, _Value] = {
         "operand digits": len(f"{word('TAD 0') ^ 0o777:04o}") - 1,
         "operand of 3277": f"{dca & 0o777:o}",
         "DCA 77 of the page": f"{dca:o}",
         "line of 3277": f"{dca & 0o177:o}",
-        "page": f"{_PAGE:o}",
         "OPR": f"{word('CLA') >> 9:o}",
         "IOT": f"{word('KRB') >> 9:o}",
         **{name: f"{word(name):o}" for name in mnemonics},
         **{name: f"{word(f'{name} 0') >> 9:o}" for name in references},
     }
+    taken: dict[str, _Value] = {"words": _MEMORY, "page": f"{_PAGE:o}"}
+    return _from(ITSELF, taken) | _from("4096", core) | _from("PAL III", instructions)
 
 
 def _conversion() -> Mapping[str, int]:
     """Return the constants of Appendix B by their tags: those after the definitions' origin."""
-    definitions = _listing("B").partition("/DEFINITIONS:")[2]
-    found = re.findall(r"^\d{4}  (\d{4})  (\w+),", definitions, re.MULTILINE)
+    definitions = _listing("eia.pal").partition("/DEFINITIONS:")[2]
+    found = re.findall(r"^\d{4} (\d{4}) (\w+),", definitions, re.MULTILINE)
     return {tag: int(word, 8) for word, tag in found}
 
 
@@ -186,7 +230,7 @@ def _words() -> _Table:
 
     digits = [_signed(reduced(digit)) for digit in "0123456789"]
     negatives = [_signed(constants[f"M{digit}"]) for digit in range(1, 10)]
-    return {
+    stored: dict[str, _Value] = {
         "MASK": f"{constants['MASK']:o}",
         "M60": _signed(constants["M60"]),
         "MCR": f"{constants['MCR']:o}",
@@ -194,11 +238,16 @@ def _words() -> _Table:
         "M3": _signed(constants["M3"]),
         "P3": f"{constants['P3']:o}",
         "M1 to M9": ", ".join([*negatives[:2], "...", *negatives[6:]]),
+        "example digit": int(eia.decode(bytes([constants["P3"]]))),
+    }
+    with_channel_8 = {
         "ascii 0 1 2": ", ".join(f"{came(d):o} ({d})" for d in "012"),
         "ascii 8 9": ", ".join(f"{came(d):o} ({d})" for d in "89"),
         "ascii 3": f"{came('3'):o}",
         "ascii CR": f"{came(chr(10)):o}",
         "ascii space": f"{came(' '):o}",
+    }
+    worked_out = {
         "masked 0": f"{masked('0'):o} (0)",
         "masked 9": f"{masked('9'):o} (9)",
         "masked CR": f"{masked(chr(10)):o}",
@@ -207,53 +256,81 @@ def _words() -> _Table:
         "reduced 3": _signed(reduced("3")),
         "reduced CR": _signed(reduced("\n")),
         "reduced space": _signed(reduced(" ")),
-        "example digit": int(eia.decode(bytes([constants["P3"]]))),
     }
+    return (
+        _from("Appendix B", stored) | _from(ITSELF, with_channel_8) | _from("ASCII, Appendix B", worked_out)
+    )
+
+
+_CONTOUR: Final = {
+    "circle": "Appendix C",
+    "ellipse": "Appendix D",
+    "die": "Appendix D, die's path",
+    "polynomial": "±.01, range",
+    "fluidic": "Chapter 8, outline",
+}
+"""What the contour of a part is made from."""
 
 
 def _of_part(part: str) -> _Table:
     """What the thesis counts and times of a part: its tape, and its machining by both techniques."""
-    return {
-        f"{part} blocks": lambda: len(chain.path(part)),
-        f"{part} tape minutes": lambda: chain.printout(part).count("\n") * LINE_SECONDS / 60,
-        f"{part} minutes": lambda: _minutes(chain.path(part)),
-        f"{part} pieces": lambda: len(chain.pieces(part)),
-        f"{part} pieces minutes": lambda: _minutes(chain.pieces(part)),
-    }
+    contour, pieces = _CONTOUR[part], f"{_CONTOUR[part]}, ±20 %, codes 01 to 05"
+    return (
+        _from(contour, {f"{part} blocks": lambda: len(chain.path(part))})
+        | _from(f"{contour}, 2 s, Table 2.4", {f"{part} minutes": lambda: _minutes(chain.path(part))})
+        | _from(f"{contour}, 6 rubouts", {f"{part} tape minutes": lambda: _tape_minutes(part)})
+        | _from(pieces, {f"{part} pieces": lambda: f"{tables.fewest(part)} or more"})
+        | _from(f"{pieces}, our stops, 2 s", {f"{part} pieces minutes": lambda: _minutes(chain.pieces(part))})
+    )
 
 
 def _parts() -> _Table:
     """Chapters 7 and 10: circle, ellipse, die and polynomial."""
     polynomial, passes, axes = PARTS["polynomial"], tables.PASSES["die"], die.AXES["opening"]
     crossings = [0.0, _default("polynomial", "b"), _default("polynomial", "c")]
-    return {
+    legible = re.search(r"^355 ARS=(\d+)", _listing("circle.for"), re.MULTILINE)
+    centre = (int(legible[1]) if legible else 0) + _default("circle", "tolerance")
+    taken: dict[str, _Value] = {
         "tolerance": _default("circle", "tolerance") / 1000,
-        "circle diameter": (2 * _default("circle", "radius") + 1000 * PARTS["circle"].cutter) / 1000,
-        "circle centre diameter": 2 * _default("circle", "radius") / 1000,
         "cutter": PARTS["circle"].cutter,
-        "circle depth": lambda: _depth(chain.path("circle")),
-        "circle worst": lambda: max(r.trough_to_peak for r in _readings("whole")) / 1000,
-        "circle diagonals": lambda: max(r.trough_to_peak for r in _readings("45°")) / 1000,
-        "division": hydrapoint.RESOLUTION,
+        "division": lambda: float(re.findall(r"division ([.\d]+) in", work.polar_graphs()[0])[0]),
         "magnification": lambda: int(re.findall(r"magnification (\d+)", work.polar_graphs()[0])[0]),
         "ellipse major": _default("ellipse", "major") / 1000,
         "ellipse minor": _default("ellipse", "minor") / 1000,
-        "ellipse length": 2 * _default("ellipse", "major") / 1000,
-        "ellipse height": 2 * _default("ellipse", "minor") / 1000,
-        "ellipse reading": lambda: chain.path("ellipse").contour.reading / 60,
-        "chapter 10 cutting": 50 - 1000 * READ_SECONDS / 60,
-        "chapter 10 efficiency": 100 * (50 - 1000 * READ_SECONDS / 60) / 50,
         **{f"die block {axis}": side / 1000 for axis, side in zip("xyz", die.BLOCK, strict=True)},
         "die length": 2 * axes[0] / 1000,
         "die height": 2 * axes[1] / 1000,
         "die programs": len(die.AXES),
-        "die total": lambda: passes * _minutes(chain.path("die")),
-        "die pieces total": lambda: passes * _minutes(chain.pieces("die")),
         **{f"polynomial {name}": _default("polynomial", name) for name in "abc"},
         "polynomial tolerance": polynomial.tolerance,
-        "polynomial band": lambda: _band_height() / polynomial.tolerance / 1000,
         **{f"polynomial crossing {number}": x for number, x in enumerate(crossings, 1)},
     }
+    circle: dict[str, _Value] = {
+        "circle diameter": (2 * centre + 1000 * PARTS["circle"].cutter) / 1000,
+        "circle worst": lambda: max(r.trough_to_peak for r in _readings("Y")) / 1000,
+        "circle diagonals": lambda: max(r.trough_to_peak for r in _readings("45°")) / 1000,
+    }
+    ellipse = {
+        "ellipse length": 2 * _default("ellipse", "major") / 1000,
+        "ellipse height": 2 * _default("ellipse", "minor") / 1000,
+    }
+    of_its_minutes: dict[str, _Value] = {
+        "ellipse reading": lambda: chain.path("ellipse").contour.reading / 60,
+        "ellipse cutting": lambda: chain.path("ellipse").contour.milling / 60,
+        "ellipse efficiency": lambda: 100 * chain.path("ellipse").contour.efficiency,
+    }
+    dies = {"die total": lambda: passes * _minutes(chain.path("die"))}
+    pieces = {"die pieces total": lambda: passes * _minutes(chain.pieces("die"))}
+    return (
+        _from(ITSELF, taken)
+        | _from("Appendix C, ±.005", {"circle centre diameter": 2 * centre / 1000})
+        | _from("Appendix C, ±.005, cutter", circle)
+        | _from("Appendix D", ellipse)
+        | _from("Appendix D, 2 s, Table 2.4", of_its_minutes)
+        | _from("±.01", {"polynomial band": lambda: _band_height() / polynomial.tolerance / 1000})
+        | _from("Appendix D, die's path, 2 s, 5 passes", dies)
+        | _from("Appendix D, die's path, ±20 %, codes 01 to 05, our stops, 2 s, 5 passes", pieces)
+    )
 
 
 def _elements() -> _Table:
@@ -263,24 +340,34 @@ def _elements() -> _Table:
     cutter = PARTS["fluidic"].cutter
     nozzle = min(u for u, v in corners if u > 0 and v <= fluidic.EXIT)
     oblique, arcs = len(work.oblique(outline)), sum(isinstance(segment, fluidic.Bend) for segment in outline)
-    return {
-        "element width": (2 * max(u for u, _ in corners) + cutter) / fluidic.SCALE,
-        "element height": (max(v for _, v in corners) + cutter) / fluidic.SCALE,
+    taken: dict[str, _Value] = {
         "element nozzle": (2 * nozzle + cutter) / fluidic.SCALE,
         "element scale": fluidic.SCALE,
         "element slopes": oblique,
         "element arcs": arcs,
         "channel slopes": 2 * len(work.oblique(channel)),
-        "element routines": oblique + arcs,
-        "main blocks": lambda: chain.printout("fluidic", program="main").count("\n"),
-        "control blocks": lambda: chain.printout("fluidic", program="control").count("\n"),
-        "element hours": lambda: _minutes(chain.path("fluidic")) / 60,
         "element cutter": cutter,
         "element tolerance": PARTS["fluidic"].tolerance,
         "downstream": find("8.3").given["control"],
         "talysurf division": talysurf.DIVISION / 1000,
+    }
+    fitted: dict[str, _Value] = {
+        "element width": (2 * max(u for u, _ in corners) + cutter) / fluidic.SCALE,
+        "element height": (max(v for _, v in corners) + cutter) / fluidic.SCALE,
+        "main blocks": lambda: chain.printout("fluidic", program="main").count("\n"),
+        "control blocks": lambda: chain.printout("fluidic", program="control").count("\n"),
+        "element hours": lambda: _minutes(chain.path("fluidic")) / 60,
         "slope roughness": _roughness,
     }
+    return (
+        _from(ITSELF, taken)
+        | _from("Chapter 8", {"element routines": oblique + arcs})
+        | _from("Chapter 8, outline", fitted)
+    )
+
+
+def _tape_minutes(part: str) -> float:
+    return chain.printout(part).count("\n") * LINE_SECONDS / 60
 
 
 def _default(part: str, parameter: str) -> Any:
@@ -292,15 +379,10 @@ def _minutes(path: nc.Path) -> float:
     return path.contour.total / 60
 
 
-def _depth(path: nc.Path) -> float:
-    modes = path.steps[-1].modes
-    return (modes.final_depth - (modes.feed_point or 0)) / 1000
-
-
 @cache
 def _readings(place: str) -> list[Reading]:
-    """Return the readings of the closed circle's walls there."""
-    readings = inspect(chain.path("circle", close=True)).readings
+    """Return the readings of the circle's walls there, as its listing has it."""
+    readings = inspect(chain.path("circle")).readings
     return [reading for reading in readings if place in reading.place]
 
 

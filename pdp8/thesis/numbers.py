@@ -2,18 +2,20 @@
 
 numbers.txt has them, a line each:
 
-    page | the scan's words, the number between « and » | state | ours | made by
+    page | the scan's words, the number between « and » | ours | made by
 
     ‹ ›       after a number the scan has damaged or in words: how it is read
     ours      the name of a measure, of `measures`; nothing where nothing here makes the number
     made by   an item of the catalogue, a command, or a page of docs/
 
-    state     in the file
-    text      from the text           a constant that the software takes from the thesis
-    made      computed                comes out of what runs here, to the thesis's last place or within 5 %
-    fits      fitted or conjectured   ours was chosen so that it comes out
-    errs      differs                 ours is another: see errata and implied
-    none      not made here           history, another's measurement, or a specification that is not emulated
+The state of a number follows from what its measure is made from, and from whether ours is the thesis's
+(`inputs.state`):
+
+    from the text           the software takes it from the thesis
+    computed                comes out of what runs here, from parameters alone, to its last place or 5 %
+    fitted or conjectured   an input was fitted to the thesis or chosen, whether ours agrees or not
+    differs                 comes out so, and is another: see errata and implied
+    not made here           history, another's measurement, or a specification that is not emulated
 
 Not among them: numbers of figures, tables, chapters, references and models; the codes of Tables 2.3 and 2.4,
 which `pdp8 thesis make` shows; Appendices B to D, which are the evidence's.
@@ -24,16 +26,10 @@ from collections.abc import Iterator
 from importlib.resources import files
 from typing import Final, NamedTuple
 
-from pdp8.thesis.measures import Measure, measure
+from pdp8.thesis.inputs import state
+from pdp8.thesis.measures import Measure, inputs, measure
 from pdp8.thesis.table import Table
 
-STATES: Final = {
-    "text": "from the text",
-    "made": "computed",
-    "fits": "fitted or conjectured",
-    "errs": "differs",
-    "none": "not made here",
-}
 WITHIN: Final = 0.05
 
 _CHAPTERS: Final = (1, 7, 17, 30, 41, 55, 66, 78, 87, 92, 97)
@@ -46,7 +42,6 @@ class Number(NamedTuple):
     page: int
     words: str
     said: str
-    state: str
     measure: str
     by: str
 
@@ -61,17 +56,28 @@ class Number(NamedTuple):
         return measure(self.measure) if self.measure else None
 
     @property
+    def inputs(self) -> tuple[str, ...]:
+        """The names of what ours is made from."""
+        return inputs(self.measure) if self.measure else ()
+
+    @property
+    def state(self) -> str:
+        """What may be said of it."""
+        return state(self.ours is not None, self.agrees, self.inputs)
+
+    @property
     def shown(self) -> str:
         """Ours as a table shows it."""
         return f"{ours:.4g}" if isinstance(ours := self.ours, int | float) else ours or ""
 
     @property
     def agrees(self) -> bool:
-        """Whether ours is the thesis's: the same text, or to its last place, or within 5 %."""
+        """Whether ours is the thesis's: the same text, to its last place, within 5 %; or possible."""
         ours = self.ours
-        if isinstance(ours, str):
-            return ours == plain(self.said)
         found = re.search(r"\d*\.?\d+", self.said)
+        if isinstance(ours, str):
+            least, _, more = ours.partition(" or ")
+            return float(found[0]) >= int(least) if found and more == "more" else ours == plain(self.said)
         if ours is None or not found:
             return False
         said = float(found[0])
@@ -92,18 +98,18 @@ def numbers() -> Iterator[Number]:
     for line in text.splitlines():
         if line.startswith("#"):
             continue
-        page, words, state, name, by = (cell.strip() for cell in line.split("|"))
+        page, words, name, by = (cell.strip() for cell in line.split("|"))
         found = _MARKED.search(words)
         assert found, line
         scan = _MARKED.sub(r"\1", words)
-        yield Number(int(page), scan, found[2] or found[1], STATES[state], name, by)
+        yield Number(int(page), scan, found[2] or found[1], name, by)
 
 
 def table(chapter: int | None = None) -> Table:
     """Return the numbers of a chapter, or all, with what we make of them."""
     rows = (
-        (str(one.page), one.words, plain(one.said), one.shown, one.state, one.by)
+        (str(one.page), one.words, plain(one.said), one.shown, one.state, ", ".join(one.inputs), one.by)
         for one in numbers()
         if chapter in (None, one.chapter)
     )
-    return Table(("page", "the thesis", "number", "ours", "state", "made by"), tuple(rows))
+    return Table(("page", "the thesis", "number", "ours", "state", "made from", "made by"), tuple(rows))

@@ -6,11 +6,13 @@ from typing import Final
 
 import nc
 import pal
+from pdp8 import shelf
 from pdp8.thesis import chain
+from pdp8.thesis.supplied import bracketed, marked
 from pdp8.thesis.table import Table
 from programs.thesis import TABLE_10_1, Timed
 from tapes import hydrapoint
-from tapes.hydrapoint import MISCELLANEOUS, PREPARATORY, SPINDLE, TOOL_FUNCTION, XY_FEED, Z_FEED
+from tapes.hydrapoint import SPINDLE, TOOL_FUNCTION, XY_FEED, Z_FEED
 
 
 def specifications() -> Table:
@@ -34,27 +36,19 @@ def specifications() -> Table:
 
 
 def block_format() -> Table:
-    """Chapter 2: the 20 digits of a block."""
-    return Table(
-        ("digits", "what"),
-        (
-            ("1 to 3", "sequence number, not operational"),
-            ("4", "preparatory function"),
-            ("5 to 9", "X, three places after the point; after READ Z, the Z feed point"),
-            ("10 to 14", "Y; after READ Z, the final depth"),
-            ("15", "reserved, always zero"),
-            ("16, 17", "tool function"),
-            ("18, 19", "miscellaneous function"),
-            ("20", "end of block: carriage return, channel 8"),
-        ),
-    )
+    """Chapter 2: the 20 digits of a block, in the thesis's words."""
+    lines = [line.split(": ", 1) for line in _in_its_words("ch2-block")]
+    return Table(("digits", "what"), tuple((digits, what) for digits, what in lines))
 
 
 def functions() -> Table:
-    """Table 2.3."""
-    preparatory = [("preparatory", str(int(code)), what) for code, what in PREPARATORY.items()]
-    miscellaneous = [("miscellaneous", f"{code:02}", what) for code, what in MISCELLANEOUS.items()]
-    return Table(("function", "code", "what"), (*preparatory, *miscellaneous))
+    """Table 2.3, in the thesis's words."""
+    lines = [("", line) if line[0].isalpha() else line.split(" ", 1) for line in _in_its_words("2.3")]
+    return Table(("code", "what"), tuple((code, what) for code, what in lines))
+
+
+def _in_its_words(artefact: str) -> Iterator[str]:
+    return (bracketed(row.ours, lost) for row, lost in marked(artefact))
 
 
 def rates() -> Table:
@@ -115,23 +109,30 @@ PASSES: Final = {"die": 5}
 """Passes through the 2 in of the die: 200 minutes of 40."""
 
 
+def fewest(part: str) -> int:
+    """Return how many blocks the proved tape of a part has: no choice of stops and feeds takes fewer."""
+    return len(nc.cut(shelf.read_bundled(f"{part}-fewest.eia")))
+
+
 def comparison() -> Table:
-    """Table 10.1: the thesis's figures, and those of our tapes as programmed."""
+    """Table 10.1: the thesis's figures, those of our tapes as programmed, and the proved least."""
     rows: list[tuple[str, ...]] = []
     for part, row in TABLE_10_1.items():
         passes = PASSES.get(part, 1)
-        rows.append((row.part, "step-wise", *_compared(row.step, chain.path(part), passes)))
+        rows.append((row.part, "step-wise", *_compared(row.step, chain.path(part), passes, "")))
         if row.piece:
-            rows.append(("", "piece-wise", *_compared(row.piece, chain.pieces(part), passes)))
-    measures = ("blocks", "minutes a pass", "minutes in all")
+            ours = _compared(row.piece, chain.pieces(part), passes, str(fewest(part)))
+            rows.append(("", "piece-wise", *ours))
+    measures = ("minutes a pass", "minutes in all")
     figures = (f"{measure}, {whose}" for measure in measures for whose in ("thesis", "ours"))
-    return Table(("part", "technique", *figures, "seconds a block, thesis"), tuple(rows))
+    blocks = ("blocks, thesis", "blocks, ours", "fewest possible (proved)")
+    return Table(("part", "technique", *blocks, *figures, "seconds a block, thesis"), tuple(rows))
 
 
-def _compared(thesis: Timed, ours: nc.Path, passes: int) -> Iterator[str]:
+def _compared(thesis: Timed, ours: nc.Path, passes: int, least: str) -> Iterator[str]:
     """Yield the cells of a row: thesis and ours for each measure; then the thesis's minutes by its blocks."""
     minutes = ours.contour.total / 60
-    yield from (str(thesis.blocks), str(len(ours)))
+    yield from (str(thesis.blocks), str(len(ours)), least)
     yield from (str(thesis.minutes), f"{minutes:.1f}")
     yield from (str(thesis.total), f"{passes * minutes:.0f}")
     yield f"{60 * thesis.minutes / thesis.blocks:.2f}"

@@ -30,7 +30,7 @@ def test_evidence_is_a_table(shell: Shell) -> None:
     ("line", "made", "begins"),
     [
         ("make 4.1", "figure-4.1.svg", "<svg"),
-        ("make b --facsimile", "facsimile-B.txt", f"{'APPENDIX B':>41}"),
+        ("make b --facsimile", "facsimile-B.txt", "Facsimile of Appendix B"),
     ],
 )
 def test_what_is_made_is_left_in_a_folder(
