@@ -9,7 +9,7 @@ read is written over.
 import os
 import stat
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, BinaryIO
 
@@ -161,6 +161,13 @@ def program(name: str, force: bool = False, dialect: str = "auto") -> "Program":
     from pdp8.computer.use import program
 
     return program.read(read(name), name, force, dialect)
+
+
+def programs(names: Sequence[str], dialect: str = "auto") -> "Program":
+    """Return the program of source tapes read one after the other. Raises WorkError."""
+    from pdp8.computer.use import program
+
+    return program.read_sources([read(name) for name in names], names, dialect)
 
 
 def bundled_program(name: str) -> "Program":

@@ -10,8 +10,15 @@ function setting(name) {
 
 function activate(context) {
   const server = { command: setting("pal"), args: ["--lsp", "--dialect", setting("dialect")] };
-  client = new LanguageClient("pal", "PAL", server, { documentSelector: [{ language: "pal" }] });
-  client.start();
+  client = new LanguageClient("pal", "PAL", server, {
+    documentSelector: [{ language: "pal" }],
+    initializationOptions: { programs: setting("programs") },
+    synchronize: { configurationSection: "pdp8" },
+  });
+  client.start().catch((error) => {
+    const advice = `pip install "pdp8[lsp]", or set pdp8.pal to where it is`;
+    vscode.window.showErrorMessage(`${server.command} --lsp did not start: ${advice} (${error.message})`);
+  });
   const debuggers = {
     createDebugAdapterDescriptor: (session) =>
       new vscode.DebugAdapterExecutable(setting("pdp8"), ["dap"], { cwd: session.workspaceFolder?.uri.fsPath }),

@@ -1,16 +1,23 @@
 """Where a run is to stop: before the instructions of lines, of addresses, after words are written.
 
 A breakpoint at a line without a word goes to the next that has one. One at an address is a function
-breakpoint to the editor: its name is an octal address or a symbol.
+breakpoint to the editor: its name is an octal address or a symbol. One with a condition, a count of hits or a
+log message is looked at when the run comes to it; a log message is said, and the run goes on.
+
+What the editor asked for is kept: a program that is loaded anew has its breakpoints placed anew, with the
+numbers that they had.
 """
 
-from collections.abc import Callable, Iterable
+import operator
+import re
+from collections.abc import Callable, Iterator, Sequence
 from itertools import count
 from typing import TYPE_CHECKING
 
 from pal.isa import EXECUTE, JMS, autoindexed
 from pdp8.computer.machine import Machine
 from pdp8.computer.watch import wrote
+from pdp8.dap import expressions
 from pdp8.dap.places import place, reference
 from pdp8.dap.wire import Body
 from tapes.errors import WorkError
@@ -21,104 +28,166 @@ if TYPE_CHECKING:
 LINES, ADDRESSES = "breakpoint", "function breakpoint"
 INSTRUCTIONS, DATA = "instruction breakpoint", "data breakpoint"
 """Kinds of breakpoints, by the reason that the protocol has for a stop at one."""
+_COMPARED = {"==": operator.eq, ">": operator.gt, ">=": operator.ge, "<": operator.lt, "<=": operator.le}
+_HITS = re.compile(r"\s*(==|>=|<=|>|<|%)?\s*([0-9]+)\s*")
+
+
+class Point:
+    """A breakpoint: what the editor asked for, and where it is now.
+
+    `key` is the line, name or reference that it stands for. `address` is None, and `why` says so, where there
+    is no place for it.
+    """
+
+    def __init__(self, number: int, kind: str, key: object, asked: Body) -> None:
+        self.number, self.kind, self.key, self.asked = number, kind, key, asked
+        self.address: int | None = None
+        self.line: int | None = None
+        self.why = ""
+        self.hits = 0
+        self._condition: expressions.Value | None = None
+        self._log: Callable[[], str] | None = None
+
+    def place(self, room: "Debuggee") -> None:
+        """Find the place of the breakpoint in the program that is loaded."""
+        self.address, self.why, self.line, self._condition = None, "", None, None
+        try:
+            if self.asked.get("condition"):
+                self._condition = expressions.read(self.asked["condition"], room.monitor)
+            if (hits := self.asked.get("hitCondition")) and not _HITS.fullmatch(hits):
+                raise WorkError(f"{hits}: a decimal number of hits expected, alone or behind == > >= < <= %")
+            self._log = expressions.message(self.asked.get("logMessage") or "", room.monitor)
+            self._find(room)
+        except WorkError as error:
+            self.why = str(error)
+
+    def _find(self, room: "Debuggee") -> None:
+        if self.kind == LINES:
+            self.line = self.asked["line"]
+            if not room.places.is_of(self.asked["source"]):
+                raise WorkError(f"the program that runs is {room.places.name}")
+            found = room.places.first_from(self.asked["source"], self.asked["line"])
+            if found is None:
+                raise WorkError("no word from this line on")
+            self.address, self.line = found
+        elif self.kind == INSTRUCTIONS:
+            self.address = place(self.asked["instructionReference"], self.asked.get("offset") or 0)
+        else:
+            self.address = room.monitor.address(self.asked["name" if self.kind == ADDRESSES else "dataId"])
+            if self.kind == DATA and self.asked.get("accessType", "write") != "write":
+                raise WorkError(f"{self.asked['accessType']}: words are watched for writing alone")
+
+    def described(self, room: "Debuggee") -> Body:
+        """Return the protocol's Breakpoint."""
+        body: Body = {"id": self.number, "verified": self.address is not None}
+        if self.line is not None:
+            body |= {"line": self.line, "source": room.places.source_of(self.asked["source"])}
+        if self.address is None:
+            return body | {"message": self.why}
+        return body | {"instructionReference": reference(self.address)}
+
+    def stops(self, say: list[str]) -> bool:
+        """Tell whether the run that has come to it stops; one with a log message says it instead."""
+        if self._condition is not None and not self._condition():
+            return False
+        self.hits += 1
+        if not _reached(self.asked.get("hitCondition") or "", self.hits):
+            return False
+        if self.asked.get("logMessage"):
+            say.append(self._log() if self._log else "")
+            return False
+        return True
+
+
+def _reached(wanted: str, hits: int) -> bool:
+    found = _HITS.fullmatch(wanted)
+    if found is None:
+        return True
+    sign, number = found[1] or "==", int(found[2])
+    if sign == "%":
+        return number > 0 and hits % number == 0
+    return bool(_COMPARED[sign](hits, number))
 
 
 class Breakpoints:
-    """Those of one debugger, kind by kind, each with a number."""
+    """Those of one debugger, each with a number."""
 
     def __init__(self) -> None:
         self._numbers = count(1)
-        self._set: dict[str, dict[int, int]] = {}
-        self.lines: list[int] = []
-        """The lines for which the editor asked, which may have moved when the program is loaded again."""
+        self._set: dict[tuple[str, str], list[Point]] = {}
+        """By kind, and by source for those of lines."""
 
-    def put(self, kind: str, addresses: Iterable[int]) -> dict[int, int]:
-        """Put breakpoints at `addresses` in place of all others of the kind; return the number of each."""
-        self._set[kind] = {address: next(self._numbers) for address in addresses}
-        return self._set[kind]
+    def __iter__(self) -> Iterator[Point]:
+        return (point for points in self._set.values() for point in points)
+
+    def put(
+        self, room: "Debuggee", kind: str, source: str, asked: Sequence[tuple[object, Body]]
+    ) -> list[Body]:
+        """Set what is `asked` for, each with its key, in place of all others of the kind and source.
+
+        Returns the breakpoints as the editor is told of them; one that was there keeps its number.
+        """
+        before = {point.key: point.number for point in self._set.get((kind, source), ())}
+        points: dict[object, Point] = {}
+        for key, words in asked:
+            if key not in points:
+                points[key] = Point(before.get(key) or next(self._numbers), kind, key, words)
+                points[key].place(room)
+        self._set[kind, source] = list(points.values())
+        return [points[key].described(room) for key, _ in asked]
+
+    def place_anew(self, room: "Debuggee") -> list[Body]:
+        """Place all in a program that was loaded anew; return those that are elsewhere now."""
+        moved = []
+        for point in self:
+            was = point.described(room)
+            point.hits = 0
+            point.place(room)
+            if point.described(room) != was:
+                moved.append(point.described(room))
+        return moved
 
     @property
     def code(self) -> set[int]:
         """The addresses of the instructions before which a run stops."""
-        return {address for kind, points in self._set.items() if kind != DATA for address in points}
+        return {point.address for point in self if point.kind != DATA and point.address is not None}
 
     @property
     def data(self) -> set[int]:
         """The addresses of the words after whose writing a run stops."""
-        return set(self._set.get(DATA, ()))
+        return {point.address for point in self if point.kind == DATA and point.address is not None}
 
-    def hit(self, machine: Machine) -> tuple[str, list[int]]:
-        """Return at what kind of breakpoint a machine stands, and their numbers; "" if at none."""
+    def hit(self, machine: Machine) -> list[Point]:
+        """Return the breakpoints that a machine stands at, whatever their conditions."""
         p = machine.processor
         places = {p.pc, p.ma} if p.state == EXECUTE and p.ir == JMS else {p.pc}
         written = set[int]()
         if machine.watch.reached:
             written = {p.ma} & self.data if wrote(p) else set(filter(autoindexed, self.data))
-        found = [
-            (kind, number)
-            for kind, points in self._set.items()
-            for address, number in points.items()
-            if address in (written if kind == DATA else places)
-        ]
-        return (found[0][0], [number for _, number in found]) if found else ("", [])
+        return [point for point in self if point.address in (written if point.kind == DATA else places)]
 
 
 def set_lines(room: "Debuggee", arguments: Body) -> Body:
     """Set the breakpoints of a source, in place of those before."""
-    asked = [point["line"] for point in arguments.get("breakpoints") or ()]
-    if not room.places.is_of(arguments["source"]):
-        why = f"the program that runs is {room.places.source['name']}"
-        return {"breakpoints": [{"verified": False, "line": line, "message": why} for line in asked]}
-    room.breakpoints.lines = asked
-    return place_lines(room)
-
-
-def place_lines(room: "Debuggee") -> Body:
-    """Set the breakpoints of the source's lines, and say where each is."""
-    found = [(line, room.places.first_from(line)) for line in room.breakpoints.lines]
-    numbers = room.breakpoints.put(LINES, [place[0] for _, place in found if place])
-    return {
-        "breakpoints": [
-            {**_verified(numbers, place[0]), "line": place[1], "source": room.places.source}
-            if place
-            else {"verified": False, "line": line, "message": "no word from this line on"}
-            for line, place in found
-        ]
-    }
+    source = arguments["source"]
+    asked = [(point["line"], {**point, "source": source}) for point in arguments.get("breakpoints") or ()]
+    name = str(source.get("path") or source.get("sourceReference") or "")
+    return {"breakpoints": room.breakpoints.put(room, LINES, name, asked)}
 
 
 def set_functions(room: "Debuggee", arguments: Body) -> Body:
-    return _set(room, ADDRESSES, arguments, lambda point: room.monitor.address(point["name"]))
+    return _set(room, ADDRESSES, arguments, "name")
 
 
 def set_instructions(room: "Debuggee", arguments: Body) -> Body:
-    def find(point: Body) -> int:
-        return place(point["instructionReference"], point.get("offset") or 0)
-
-    return _set(room, INSTRUCTIONS, arguments, find)
+    return _set(room, INSTRUCTIONS, arguments, "instructionReference", "offset")
 
 
 def set_data(room: "Debuggee", arguments: Body) -> Body:
-    return _set(room, DATA, arguments, lambda point: room.monitor.address(point["dataId"]))
+    return _set(room, DATA, arguments, "dataId")
 
 
-def _set(room: "Debuggee", kind: str, arguments: Body, find: Callable[[Body], int]) -> Body:
-    found: list[int | WorkError] = []
-    for point in arguments["breakpoints"]:
-        try:
-            found.append(find(point))
-        except WorkError as error:
-            found.append(error)
-    numbers = room.breakpoints.put(kind, [place for place in found if isinstance(place, int)])
-    return {
-        "breakpoints": [
-            _verified(numbers, place)
-            if isinstance(place, int)
-            else {"verified": False, "message": str(place)}
-            for place in found
-        ]
-    }
-
-
-def _verified(numbers: dict[int, int], address: int) -> Body:
-    return {"id": numbers[address], "verified": True, "instructionReference": reference(address)}
+def _set(room: "Debuggee", kind: str, arguments: Body, *names: str) -> Body:
+    """Set the breakpoints of a kind; what `names` say of one tells it from others."""
+    asked = [(tuple(point.get(name) for name in names), point) for point in arguments["breakpoints"]]
+    return {"breakpoints": room.breakpoints.put(room, kind, "", asked)}

@@ -4,7 +4,7 @@ run(goal) ──► advance, advance, ... ──► Halt(why)
               a slice of the run each, so that the editor is heard in between
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from pdp8 import shelf
@@ -13,7 +13,7 @@ from pdp8.computer.past import rewind
 from pdp8.computer.past.history import HistoryError
 from pdp8.computer.stop import Reason, Stop
 from pdp8.dap import motion
-from pdp8.dap.breakpoints import DATA, Breakpoints
+from pdp8.dap.breakpoints import DATA, Breakpoints, Point
 from pdp8.dap.launch import Launch
 from pdp8.dap.places import Places
 from pdp8.monitor.arguments import LONGEST
@@ -39,6 +39,11 @@ class Halt(NamedTuple):
     reason: str
     description: str = ""
     breakpoints: tuple[int, ...] = ()
+
+
+def _at(points: Sequence[Point]) -> Halt:
+    """Return the stop at breakpoints."""
+    return Halt(points[0].kind, "", tuple(point.number for point in points))
 
 
 class Debuggee:
@@ -118,26 +123,31 @@ class Debuggee:
         rewind.instructions(history, 1)
         return Halt("step")
 
-    def back_to(self) -> Halt:
-        """Undo as far as the last breakpoint, or all that can be undone."""
+    def back_to(self, look: motion.Look) -> Halt:
+        """Undo as far as the last breakpoint, else all; `look` as in rewind.until_stopped."""
         points = self.breakpoints
-        if not motion.back_to(self.monitor.history, points.code, points.data):
+        if not motion.back_to(self.monitor.history, points.code, points.data, look):
             return Halt("entry", "here the history begins")
         halt = self.stands()
         return halt if halt.breakpoints else Halt(DATA)
 
     def stands(self) -> Halt:
-        """Return how the machine stands, by the breakpoint that it may stand at."""
-        reason, numbers = self.breakpoints.hit(self.monitor.machine)
-        return Halt(reason or "pause", "", tuple(numbers))
+        """Return how the machine stands: at a breakpoint, after HLT, or as after a pause."""
+        machine = self.monitor.machine
+        points = self.breakpoints.hit(machine)
+        if points:
+            return _at(points)
+        if not machine.panel.lamps.run and not machine.panel.sing_step:
+            return Halt(str(Reason.HALT), f"the machine stands; next is {machine.pc:04o}")
+        return Halt("pause")
 
     def _halted(self, stop: Stop) -> Halt | None:
         self._slices = None
         machine = self.monitor.machine
         if stop.reason is Reason.BREAKPOINT:
-            halt = self.stands()
-            if halt.breakpoints and not self.launch.noDebug:
-                return halt
+            points = [point for point in self.breakpoints.hit(machine) if point.stops(self.said)]
+            if points and not self.launch.noDebug:
+                return _at(points)
             if self._goal is not None and self._goal.reached(machine):
                 return self.over() if self._goal.interrupt else Halt("step")
             self.go_on()
@@ -146,6 +156,11 @@ class Debuggee:
         if stop.reason in _WAITS and not (self.launch.noDebug and stop.reason is Reason.TAPE_OUT):
             return Halt("", description)
         return Halt("exception" if stop.reason is Reason.PROTECT else str(stop.reason), description)
+
+    def sources_changed(self) -> None:
+        """Say which sources were written since the program was loaded: lines may not fit any more."""
+        for path in self.places.changed():
+            self.said.append(f"{path} was changed: restart to run what it says now")
 
     def notes(self) -> str:
         """Return what the monitor has said since the last time."""

@@ -1,6 +1,6 @@
 """What launch.json says, and the machine that it makes ready.
 
-"program": "eia.pal"      a PAL source, BIN or RIM tape, or a bundled name
+"program": "eia.pal"      a PAL source, BIN or RIM tape, or a bundled name; or the source tapes of one, a list
 "start": "0200"           an octal address, or a symbol
 "sr": "0000"              the switch register
 "reader": ["in.asc"]      tapes for the Teletype's reader, one after the other
@@ -29,7 +29,7 @@ from tapes.errors import WorkError
 class Launch:
     """A configuration of launch.json."""
 
-    program: str = ""
+    program: Sequence[str] = ()
     start: str = "0200"
     sr: str = "0000"
     reader: Sequence[str] = ()
@@ -56,12 +56,12 @@ class Launch:
     def _check_files(self) -> None:
         if not self.program:
             raise WorkError("program: the name of a PAL source or of a tape expected")
-        if "-" in (self.program, self.punch, *self.reader):
+        if "-" in (*self.program, self.punch, *self.reader):
             raise WorkError("-: standard input and output are the debugger's own; name a file")
         if self.punch:
             shelf.check_writable(self.punch)
             shelf.check_kind(self.punch, "tape")
-            for name in (self.program, *self.reader):
+            for name in (*self.program, *self.reader):
                 if shelf.identity(self.punch) == shelf.identity(shelf.find(name)):
                     raise WorkError(f"punch: {self.punch} is read too; name another file")
 
@@ -70,12 +70,14 @@ class Launch:
 
         `say` takes what the monitor says.
         """
-        found = shelf.program(self.program)
+        found = shelf.program(self.program[0]) if len(self.program) == 1 else shelf.programs(self.program)
         machine = Machine(self.highspeed)
         fitting.fit(machine, fitting.devices(self.device))
         monitor = Monitor(say, machine, found.listing)
+        if self.boot and len(self.program) > 1:
+            raise WorkError("boot: the program is one tape; assemble its sources first")
         if self.boot:
-            tapes.boot(monitor, self.program)
+            tapes.boot(monitor, *self.program)
             monitor.listing = found.listing
         else:
             monitor.machine.load(found.words)

@@ -5,7 +5,8 @@ word says, which the subroutine itself may have moved past arguments. What is st
 as well: its routine returns through word 0.
 """
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
 
 from pal.isa import EXECUTE, ISZ, JMS, refers_to
 from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, TICKS_PER_SECOND
@@ -14,7 +15,15 @@ from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History, HistoryError
 from pdp8.computer.stop import Stop
 from pdp8.dap.calls import ARGUMENTS, frames
+from pdp8.dap.wire import Body
 from tapes.errors import WorkError
+
+if TYPE_CHECKING:
+    from pdp8.dap.debuggee import Debuggee
+
+
+Look = Callable[[float], None]
+"""What is called while a search goes back, with the part of the history that it has searched."""
 
 
 class Goal(NamedTuple):
@@ -55,6 +64,15 @@ def over(machine: Machine) -> tuple[Stop, Goal | None]:
     return stop, Goal(p.ma, interrupt) if called else None
 
 
+def goto_targets(room: "Debuggee", arguments: Body) -> Body:
+    """Return the word that a line makes, as a place to go on from."""
+    found = room.places.first_from(arguments["source"], arguments["line"])
+    if found is None:
+        return {"targets": []}
+    address, line = found
+    return {"targets": [{"id": address, "label": f"{address:04o}", "line": line}]}
+
+
 def out(machine: Machine) -> Goal:
     """Return the end of the subroutine that the machine is in. Raises WorkError outside of one."""
     entry = frames(list(machine.core), machine.pc, machine.ion)[0].entry
@@ -63,13 +81,13 @@ def out(machine: Machine) -> Goal:
     return Goal(entry)
 
 
-def back_to(history: History, breakpoints: set[int], writes: set[int]) -> bool:
-    """Undo as far as the last stop at one of `breakpoints`, or before one of `writes`; else all.
+def back_to(history: History, code: set[int], writes: set[int], look: Look | None = None) -> bool:
+    """Undo as far as the last stop at one of the addresses `code`, or before one of `writes`; else all.
 
-    Returns whether there was one.
+    Returns whether there was one; `look` as in rewind.until_stopped.
     """
     try:
-        rewind.until_stopped(history, breakpoints, writes)
+        rewind.until_stopped(history, code, writes, "no breakpoint was come to", look)
     except HistoryError:
         rewind.instructions(history, history.instructions)
         return False

@@ -41,25 +41,63 @@ def place(text: str, offset: int = 0) -> int:
 
 
 class Places:
-    """Where the words of a program stand; its first line has number `first`, to the editor."""
+    """Where the words of a program stand; the first line of a source has number `first`, to the editor."""
 
     def __init__(self, program: Program, first: int = 1) -> None:
         self.listing = listing = program.listing
-        self.path = os.path.realpath(shelf.find(program.name))
-        self.source: Body = {"name": os.path.basename(self.path), "path": self.path}
-        self.lines = {address: number - 1 + first for address, number in listing.numbers.items()}
-        """The line of the word at each address."""
+        self.name = program.name
+        self._paths = [os.path.realpath(shelf.find(name)) for name in program.names]
+        self._times = self._stamps()
+        self._sources: list[Body] = [{"name": os.path.basename(path), "path": path} for path in self._paths]
+        self.lines = {
+            address: (listing.tapes[address], number - 1 + first)
+            for address, number in listing.numbers.items()
+        }
+        """{address: the tape and the line of the word there}."""
         if program.kind != kinds.ASCII:
-            self.source = {"name": f"{self.source['name']}, disassembled", "sourceReference": _LISTING}
-            self.lines = {address: number + first for address, number in listing.places.items()}
+            name = f"{self._sources[0]['name']}, disassembled"
+            self._sources = [{"name": name, "sourceReference": _LISTING}]
+            self.lines = {address: (0, number + first) for address, number in listing.places.items()}
+
+    def at(self, address: int) -> Body | None:
+        """Return the source and the line of the word at an address, as the protocol has them."""
+        if address not in self.lines:
+            return None
+        tape, line = self.lines[address]
+        return {"source": self._sources[tape], "line": line, "column": 1}
+
+    def _tape(self, source: Body) -> int | None:
+        """Return which tape the editor speaks of, None for another file."""
+        for tape, own in enumerate(self._sources):
+            if source.get("sourceReference"):
+                if source["sourceReference"] == own.get("sourceReference"):
+                    return tape
+            elif os.path.realpath(str(source.get("path", ""))) == own.get("path"):
+                return tape
+        return None
 
     def is_of(self, source: Body) -> bool:
-        """Tell whether the editor speaks of this source."""
-        if source.get("sourceReference"):
-            return bool(source["sourceReference"] == self.source.get("sourceReference"))
-        return os.path.realpath(str(source.get("path", ""))) == self.source.get("path")
+        """Tell whether the editor speaks of a source of this program."""
+        return self._tape(source) is not None
 
-    def first_from(self, line: int) -> tuple[int, int] | None:
-        """Return the address of the first word from `line` on, and its line."""
-        found = (item for item in self.lines.items() if item[1] >= line)
+    def source_of(self, source: Body) -> Body:
+        """Return the source that the editor speaks of, as this program calls it."""
+        tape = self._tape(source)
+        return source if tape is None else self._sources[tape]
+
+    def first_from(self, source: Body, line: int) -> tuple[int, int] | None:
+        """Return the address of the first word from a line of a source on, and its line."""
+        tape = self._tape(source)
+        found = ((at, number) for at, (of, number) in self.lines.items() if of == tape and number >= line)
         return min(found, key=itemgetter(1), default=None)
+
+    def changed(self) -> list[str]:
+        """Return the names of the sources that another program has written since they were last looked at."""
+        before, self._times = self._times, self._stamps()
+        return [
+            path for path, one, other in zip(self._paths, before, self._times, strict=True) if one != other
+        ]
+
+    def _stamps(self) -> list[int]:
+        """Return when each source was last written, 0 for one that is gone."""
+        return [os.stat(path).st_mtime_ns if os.path.exists(path) else 0 for path in self._paths]

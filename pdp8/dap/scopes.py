@@ -14,7 +14,7 @@ from pal.isa import JMP, refers_to
 from pdp8.computer.hardware.fields import CORE, FRAMES, PART, TICK, Part, walk
 from pdp8.computer.hardware.signals import AT_ONCE, NEVER, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
-from pdp8.dap import calls
+from pdp8.dap import calls, expressions
 from pdp8.dap.debuggee import Debuggee
 from pdp8.dap.places import reference
 from pdp8.dap.wire import Body
@@ -45,13 +45,12 @@ def stack_trace(room: Debuggee, arguments: Body) -> Body:
 
 
 def _frame(room: Debuggee, number: int, frame: calls.Frame) -> Body:
-    line = room.places.lines.get(frame.address) if room.knows_source else None
-    place = {"line": line, "column": 1, "source": room.places.source} if line else {"line": 0, "column": 0}
+    place = room.places.at(frame.address) if room.knows_source else None
     return {
         "id": number,
         "name": f"{frame.address:04o}  {_routine(room, frame.entry)}",
         "instructionPointerReference": reference(frame.address),
-        **place,
+        **(place or {"line": 0, "column": 0}),
     }
 
 
@@ -122,11 +121,32 @@ def evaluate(room: Debuggee, arguments: Body) -> Body:
             return {"variablesReference": 0, **_value_of(room.monitor, line)}
     except MonitorError:
         if not at_console:
-            raise
+            value = expressions.read(line, room.monitor)()
+            return {"variablesReference": 0, "result": f"{value:04o}"}
     do(room.monitor, line)
     said = "\n".join(room.said)
     room.said.clear()
     return {"result": said, "variablesReference": 0}
+
+
+def set_expression(room: Debuggee, arguments: Body) -> Body:
+    """Set a register, or the word at a symbol or an address; return it as it is then."""
+    monitor, name, value = room.monitor, arguments["expression"].strip(), arguments["value"].strip()
+    if hands.register(name) in hands.REGISTERS and name.upper() not in monitor.listing.symbols:
+        hands.set_(monitor, name, value)
+    else:
+        monitor.machine.core[monitor.address(name)] = monitor.address(value)
+    return {"value": _value_of(monitor, name)["result"]}
+
+
+def completions(room: Debuggee, arguments: Body) -> Body:
+    """Return what a line of the console may go on with: commands first, then registers and symbols."""
+    begun = arguments["text"][: max(arguments["column"] - 1, 0)].rpartition(" ")
+    known = [*hands.REGISTERS, *room.monitor.listing.symbols]
+    names = known if begun[1] else [*COMMANDS, *known]
+    typed = begun[2].upper()
+    found = [name if name in COMMANDS else name.upper() for name in names]
+    return {"targets": [{"label": name} for name in dict.fromkeys(found) if name.upper().startswith(typed)]}
 
 
 def _value_of(monitor: Monitor, expression: str) -> Body:

@@ -7,16 +7,22 @@ One machine is one thread. While it runs, requests are answered between two slic
 """
 
 from collections.abc import Callable, Mapping
+from time import monotonic
+from traceback import format_exc
 from typing import BinaryIO
 
 from pdp8.dap import breakpoints, memory, motion, scopes
 from pdp8.dap.breakpoints import Breakpoints
 from pdp8.dap.debuggee import Debuggee, Halt
 from pdp8.dap.launch import Launch
-from pdp8.dap.wire import Body, Wire
+from pdp8.dap.requests import checked
+from pdp8.dap.wire import Body, MessageError, Wire
 from tapes.errors import WorkError
 
 _THREAD = 1
+_BACK = "back"
+_PROGRESS = 0.5
+"""Seconds between two events that tell how far something is."""
 _CAPABILITIES = (
     "supportsConfigurationDoneRequest",
     "supportsFunctionBreakpoints",
@@ -30,6 +36,12 @@ _CAPABILITIES = (
     "supportsReadMemoryRequest",
     "supportsWriteMemoryRequest",
     "supportsDisassembleRequest",
+    "supportsConditionalBreakpoints",
+    "supportsHitConditionalBreakpoints",
+    "supportsLogPoints",
+    "supportsSetExpression",
+    "supportsCompletionsRequest",
+    "supportsGotoTargetsRequest",
 )
 _OF_THE_MACHINE: Mapping[str, Callable[[Debuggee, Body], Body]] = {
     "setBreakpoints": breakpoints.set_lines,
@@ -44,6 +56,9 @@ _OF_THE_MACHINE: Mapping[str, Callable[[Debuggee, Body], Body]] = {
     "variables": scopes.variables,
     "setVariable": scopes.set_variable,
     "evaluate": scopes.evaluate,
+    "setExpression": scopes.set_expression,
+    "completions": scopes.completions,
+    "gotoTargets": motion.goto_targets,
     "readMemory": memory.read_memory,
     "writeMemory": memory.write_memory,
     "disassemble": memory.disassemble,
@@ -58,8 +73,10 @@ class Session:
         self._room: Debuggee | None = None
         self._breakpoints = Breakpoints()
         self._first_line = 1
-        self._runs = self._ended = False
-        """Whether the editor was told that the machine runs; whether it has left."""
+        self._runs = self._ended = self._works = self._paused = self._reports = False
+        """Whether the editor was told that the machine runs; whether it has left; whether a request is being
+        carried out that may take long, and whether the editor would pause that; whether it shows progress.
+        """
         self._waits = ""
         """What was said of the program's waiting in this run."""
         self._after: list[Callable[[], object]] = []
@@ -77,27 +94,38 @@ class Session:
             "stepIn": lambda arguments: self._moved(self._standing.into()),
             "stepOut": self._step_out,
             "stepBack": lambda arguments: self._moved(self._standing.back()),
-            "reverseContinue": lambda arguments: self._moved(self._standing.back_to()),
+            "reverseContinue": self._back,
+            "goto": self._goto,
             "pause": self._pause,
         }
         self._wire = Wire(reader, writer, self._heard)
 
     def serve(self) -> None:
-        """Answer until the editor leaves. Raises WorkError for what is no message, ShelfError for a punch."""
+        """Answer until the editor leaves. Raises WorkError for a broken stream, ShelfError for a punch."""
         while not self._ended:
             if self._runs and self._loaded.advances and not self._wire.holds:
                 self._advance()
-            elif (message := self._wire.receive()) is not None:
-                self._answer(message)
             else:
-                self._ended = True
+                self._receive()
         if self._room is not None:
             self._room.take_off()
 
+    def _receive(self) -> None:
+        """Answer the next message; one that is not an object is said and passed over."""
+        try:
+            message = self._wire.receive()
+        except MessageError as error:
+            self._put_out("stderr", f"{error}; it is passed over\n")
+            return
+        if message is None:
+            self._ended = True
+        else:
+            self._answer(message)
+
     def _heard(self, message: Body) -> None:
-        """Press STOP for a command of the monitor that runs: the editor is answered only after it."""
-        if message.get("command") == "pause" and self._room is not None:
-            self._room.monitor.stopping = True
+        """Press STOP if a request is being carried out, which is answered only after it."""
+        if message.get("command") == "pause" and self._room is not None and self._works:
+            self._room.monitor.stopping = self._paused = True
 
     def _answer(self, message: Body) -> None:
         """Carry out a request, respond to it, and say what came of it."""
@@ -106,13 +134,17 @@ class Session:
         try:
             if message.get("type") != "request" or not isinstance(name, str):
                 raise WorkError(f"a request was expected, not {message.get('type')!r} {name!r}")
-            body = self._body(name, message.get("arguments") or {})
+            self._works, self._paused = True, False
+            body = self._body(name, checked(name, message.get("arguments")))
         except WorkError as error:
             self._wire.respond(message, error=str(error))
-        except (KeyError, TypeError, ValueError, AttributeError) as error:
-            self._wire.respond(message, error=f"{name}: arguments that the protocol does not have: {error!r}")
+        except Exception as error:
+            self._wire.respond(message, error=f"{name}: a fault of the debugger, please report it: {error!r}")
+            self._put_out("stderr", format_exc())
         else:
             self._wire.respond(message, body)
+        finally:
+            self._works = False
         for action in self._after:
             action()
         if self._room is not None:
@@ -127,14 +159,15 @@ class Session:
             raise WorkError(f"{name}: this debugger has no such request")
         room = self._loaded
         moment = room.moment
-        body = _OF_THE_MACHINE[name](room, arguments)
-        if room.monitor.finished:
-            self._after.append(self._finish)
-        elif room.moment != moment:  # a command of the monitor has moved the machine
-            halt = room.stands()
-            if not self._runs or halt.breakpoints:
-                self._moved(halt)
-        return body
+        try:
+            return _OF_THE_MACHINE[name](room, arguments)
+        finally:
+            if room.monitor.finished:
+                self._after.append(self._finish)
+            elif room.moment != moment:  # a command of the monitor has moved the machine
+                halt = room.stands()
+                if not self._runs or halt.reason != "pause":
+                    self._moved(halt)
 
     @property
     def _loaded(self) -> Debuggee:
@@ -149,7 +182,8 @@ class Session:
         return self._loaded
 
     def _initialize(self, arguments: Body) -> Body:
-        self._first_line = int(arguments.get("linesStartAt1", True))
+        self._first_line = int(arguments.get("linesStartAt1") is not False)
+        self._reports = bool(arguments.get("supportsProgressReporting"))
         return dict.fromkeys(_CAPABILITIES, True)
 
     def _load(self, launch: Launch) -> None:
@@ -169,7 +203,8 @@ class Session:
     def _restart(self, arguments: Body) -> None:
         given = arguments.get("arguments")
         self._load(Launch.of(given) if given else self._loaded.launch)
-        breakpoints.place_lines(self._loaded)
+        for moved in self._breakpoints.place_anew(self._loaded):
+            self._wire.event("breakpoint", reason="changed", breakpoint=moved)
         self._begin(arguments)
 
     def _finish(self) -> None:
@@ -190,6 +225,33 @@ class Session:
     def _step_out(self, arguments: Body) -> None:
         room = self._standing
         self._run(room, motion.out(room.monitor.machine))
+
+    def _back(self, arguments: Body) -> None:
+        """Go back to the last breakpoint, telling how far the search has come; a pause ends it."""
+        room, shown = self._standing, monotonic()
+        began = False
+
+        def look(part: float) -> None:
+            nonlocal shown, began
+            if self._paused:
+                raise WorkError("paused: the machine stands where it stood")
+            if self._reports and monotonic() - shown > _PROGRESS:
+                if not began:
+                    self._wire.event("progressStart", progressId=_BACK, title="Going back", cancellable=False)
+                shown, began = monotonic(), True
+                self._wire.event("progressUpdate", progressId=_BACK, percentage=round(100 * part))
+
+        try:
+            self._moved(room.back_to(look))
+        finally:
+            if began:
+                self._wire.event("progressEnd", progressId=_BACK)
+
+    def _goto(self, arguments: Body) -> None:
+        """Go on from another address: set the PC."""
+        room = self._standing
+        room.monitor.machine.pc = arguments["targetId"]
+        self._moved(Halt("goto"))
 
     def _pause(self, arguments: Body) -> None:
         if self._runs:
@@ -222,6 +284,7 @@ class Session:
         self._runs = False
         room.pause()
         self._take_off(room)
+        room.sources_changed()
         self._tell(room)
         self._put_out("console", halt.description and f"{halt.description}\n")
         if room.launch.noDebug:

@@ -17,6 +17,11 @@ from tapes.errors import WorkError
 
 Body = dict[str, Any]
 
+
+class MessageError(WorkError):
+    """A message, read to its end, that is not a JSON object."""
+
+
 _LONGEST = 1 << 24
 """Bytes of a message."""
 
@@ -34,7 +39,7 @@ class Wire:
 
     def _listen(self) -> None:
         message: Body | WorkError | None = {}
-        while isinstance(message, dict):
+        while isinstance(message, dict | MessageError):
             try:
                 message = read(self._reader)
             except WorkError as error:
@@ -51,7 +56,11 @@ class Wire:
         return not self._come.empty()
 
     def receive(self) -> Body | None:
-        """Return the next message, waiting for it; None at the end. Raises WorkError for what is none."""
+        """Return the next message, waiting for it; None at the end.
+
+        Raises MessageError for one that is not a JSON object, after which others may come; WorkError where
+        the stream itself makes no sense any more.
+        """
         message = self._come.get()
         if isinstance(message, WorkError):
             raise message
@@ -83,7 +92,7 @@ class Wire:
 
 
 def read(stream: BinaryIO) -> Body | None:
-    """Return the next message of a stream, None at its end. Raises WorkError for what is none."""
+    """Return the next message of a stream, None at its end. Raises as `Wire.receive` does."""
     length = None
     line = stream.readline(_LONGEST)
     if not line:
@@ -103,7 +112,7 @@ def read(stream: BinaryIO) -> Body | None:
     try:
         message = json.loads(content)
     except (ValueError, RecursionError) as error:
-        raise WorkError(f"a message is not JSON: {error}") from error
+        raise MessageError(f"a message is not JSON: {error}") from error
     if not isinstance(message, dict):
-        raise WorkError("a message is not a JSON object")
+        raise MessageError("a message is not a JSON object")
     return message

@@ -1,6 +1,6 @@
 r"""The Teletype's keyboard: keys are pressed as the program asks for them.
 
-    type 01.04 T "HI THERE"!        what stands after `type` and one blank, then RETURN
+    type 01.04 T "HI THERE"!        what stands after `type` and one blank, then RETURN if it is asked for
     keyboard "200/"                 texts and codes as `expect` takes them, and nothing else
     keyboard now "\003"             whatever the program does
 
@@ -25,8 +25,12 @@ _RETURN = b"\x8d"
 
 
 def type_(monitor: Monitor, text: str) -> None:
-    """Press the keys of TEXT as it stands, then RETURN, each as the program asks for it; fail after 60 s."""
-    _press(monitor, _frames(text) + _RETURN)
+    """Press the keys of TEXT as it stands, and RETURN if it is asked for, each as the program asks for it."""
+    _press(monitor, _frames(text))
+    if why := _refused(monitor):
+        monitor.say(f"RETURN was not pressed: the program asks for no key: {why}")
+    else:
+        monitor.machine.teletype.keyboard.press(_RETURN)
 
 
 def keyboard(monitor: Monitor, *arguments: str) -> None:

@@ -1,6 +1,8 @@
 // Plays a conversation with a debug adapter through Microsoft's own client (npm: @vscode/debugadapter-testsupport).
-// Standard input: {"adapter": ["pdp8", "dap"], "steps": [[request, arguments, event to wait for], ...]}
+// Standard input: {"adapter": ["pdp8", "dap"], "steps": [[request, arguments, event to wait for], ...]}; the step
+// ["edit", script] runs a script of Python, and has no answer.
 // Standard output: for each step {"body"} or {"error"}, and the event's body; then all that was put out.
+import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { DebugClient } from "@vscode/debugadapter-testsupport";
 
@@ -11,6 +13,10 @@ client.on("output", (event) => output.push([event.body.category, event.body.outp
 await client.start();
 const answers = [];
 for (const [request, given, awaited] of steps) {
+  if (request === "edit") {
+    execFileSync("python3", ["-c", given]);
+    continue;
+  }
   const event = awaited ? client.waitForEvent(awaited, 10000) : null;
   const answer = await client.send(request, given).then(
     (response) => ({ body: response.body ?? null }),

@@ -74,9 +74,17 @@ def until_written(history: History, address: int) -> None:
 
 
 def until_stopped(
-    history: History, breakpoints: set[int], writes: set[int], otherwise: str = "no breakpoint was come to"
+    history: History,
+    breakpoints: set[int],
+    writes: set[int],
+    otherwise: str,
+    look: Callable[[float], None] | None = None,
 ) -> None:
-    """Undo as far as the last of what `until_left` and `until_written` go to, for any of these addresses."""
+    """Undo as far as the last of what `until_left` and `until_written` go to, for any of these addresses.
+
+    `look` is called as the search goes on, with the part of the history that it has searched, 0 to 1; if it
+    raises, the search ends and the machine stands where it stood.
+    """
 
     def step(machine: Machine, clock: int) -> list[int]:
         watch = machine.watch
@@ -92,7 +100,7 @@ def until_stopped(
                 found.append(machine.instructions - 1)
         return found
 
-    _search(history, step, otherwise)
+    _search(history, step, otherwise, look)
 
 
 def until_flag(history: History, code: int) -> None:
@@ -106,26 +114,28 @@ def until_flag(history: History, code: int) -> None:
         _run_to(machine, min(clock, machine.bus.next_event(machine.processor.clock)))
         return [machine.instructions] if down and device.flag else []
 
-    _search(history, step, f"the flag of device {code:02o} did not rise")
+    _search(history, step, f"the flag of device {code:02o} did not rise", None)
 
 
 _Step = Callable[[Machine, int], list[int]]
 
 
-def _search(history: History, step: _Step, otherwise: str) -> None:
+def _search(history: History, step: _Step, otherwise: str, look: Callable[[float], None] | None) -> None:
     """Go to the last moment that `step` finds.
 
     A step runs a machine to a tick at most, and returns the numbers of instructions at what it finds.
     """
     machine = history.machine
     now, end = machine.instructions, machine.processor.clock
+    latest = end
     oldest = history.snapshots()[-1].clock
     ticks = _SEARCHED
     with history.going_back():
         while end > oldest:
             begin = max(oldest, end - ticks)
             history.go_to_tick(begin)
-            found = [number for number in _hits(history, step, end) if number < now]
+            been = (latest - end) / (latest - oldest)
+            found = [number for number in _hits(history, step, end, look, been) if number < now]
             machine.watch = Watch()
             if found:
                 history.go_to_instruction(found[-1])
@@ -134,10 +144,14 @@ def _search(history: History, step: _Step, otherwise: str) -> None:
         raise HistoryError(f"{otherwise} as far as the history goes back")
 
 
-def _hits(history: History, step: _Step, end: int) -> Iterator[int]:
+def _hits(
+    history: History, step: _Step, end: int, look: Callable[[float], None] | None, been: float
+) -> Iterator[int]:
     machine = history.machine
     for clock in history.ahead(end):
         while machine.processor.clock < clock:
+            if look is not None:
+                look(been)
             yield from step(machine, clock)
 
 

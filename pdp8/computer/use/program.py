@@ -7,6 +7,7 @@
 Its frames say what a tape is. A damaged tape is refused, or loaded by force as far as it can be read.
 """
 
+from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -29,7 +30,7 @@ _SHOWN = 3
 class Program:
     """A program that goes into 4K of core.
 
-    name     the file's name, or the bundled one
+    name     the file's name, or the bundled one; `names` are those of all its tapes
     kind     kinds.ASCII (PAL source), kinds.BIN or kinds.RIM
     words    {address: word}
     notes    what there is to say of its tape: a label, damage that was passed over
@@ -46,6 +47,7 @@ class Program:
         notes: tuple[str, ...] = (),
     ) -> None:
         self.name = name
+        self.names: tuple[str, ...] = (name,)
         self.kind = kind
         self.words = words
         self.notes = notes
@@ -80,7 +82,7 @@ def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND) ->
     kind = kinds.classify(frames)
     with naming(name):
         if kind == kinds.ASCII:
-            program = _assembled(frames, name, dialect)
+            program = _assembled([frames], [name], dialect)
         elif kind in (kinds.BIN, kinds.RIM):
             program = _loaded(frames, name, kind, force)
         elif kind == kinds.BLANK_TAPE:
@@ -92,12 +94,26 @@ def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND) ->
     return program
 
 
-def _assembled(source: bytes, name: str, dialect: str) -> Program:
+def read_sources(tapes: Sequence[bytes], names: Sequence[str], dialect: str = FOUND) -> Program:
+    """Return the program of several tapes of source, as `read` does that of one. Raises WorkError."""
+    together = " ".join(names)
+    for tape, name in zip(tapes, names, strict=True):
+        with naming(name):
+            if kinds.classify(tape) != kinds.ASCII:
+                raise WorkError("not PAL source, of which a program of several tapes consists")
+    with naming(together):
+        program = _assembled(tapes, names, dialect)
+    program.name = together
+    program.names = tuple(names)
+    return program
+
+
+def _assembled(sources: Sequence[bytes], names: Sequence[str], dialect: str) -> Program:
     from pal.assembling import assemble
 
-    if kinds.only_figures(source):
+    if all(kinds.only_figures(source) for source in sources):
         raise WorkError("nothing but figures: no program, but a tape for the reader")
-    assembly = assemble(source, names=[called(name)], dialect=dialect)
+    assembly = assemble(*sources, names=[called(name) for name in names], dialect=dialect)
     if not assembly.ok:
         errors = [str(diagnostic) for diagnostic in assembly.diagnostics if diagnostic.error]
         more = [f"and {len(errors) - _SHOWN:,} more: `pal` shows them, with its notes"] * (
@@ -113,7 +129,7 @@ def _assembled(source: bytes, name: str, dialect: str) -> Program:
         from pal.assembly8 import TAKEN
 
         notes = (TAKEN,)
-    return Program(name, kinds.ASCII, assembly.words, assembly, notes)
+    return Program(names[0], kinds.ASCII, assembly.words, assembly, notes)
 
 
 def _loaded(frames: bytes, name: str, kind: str, force: bool) -> Program:

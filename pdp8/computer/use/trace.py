@@ -24,7 +24,7 @@ class Listing:
 
     `lines` are as pass 3 typed them, TABs counted from where the source begins; `words` is {address: word},
     `places` {address: number of its line}, `numbers` {address: number of its line in the source, from 1},
-    `symbols` {name: value}.
+    `tapes` {address: its source tape, from 0}, `symbols` {name: value}.
     """
 
     def __init__(self, symbols: Mapping[str, int] | None = None) -> None:
@@ -32,6 +32,7 @@ class Listing:
         self.words: dict[int, int] = {}
         self.places: dict[int, int] = {}
         self.numbers: dict[int, int] = {}
+        self.tapes: dict[int, int] = {}
         self.symbols = dict(symbols or {})
 
     @staticmethod
@@ -46,6 +47,7 @@ class Listing:
                 listing.words[line.address] = line.word
                 listing.places[line.address] = len(listing.lines)
                 listing.numbers[line.address] = line.number
+                listing.tapes[line.address] = line.tape
                 listing.lines.append(f"{line.address:04o}  {line.word:04o}  {source}".rstrip())
         return listing
 

@@ -1,11 +1,14 @@
 """What is no message, and requests that no editor should send: an answer each, and no traceback."""
 
 import json
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from pdp8.dap import session
+from pdp8.dap.session import Session
 from tests.commands import run
 
 
@@ -21,8 +24,6 @@ def framed(*requests: Any) -> bytes:
         (b"junk\r\n\r\n", "has no Content-Length"),
         (b"Content-Length: 5\r\n\r\n{}", "ends after 2 of the 5 bytes"),
         (b"Content-Length: 5\r\n", "ends within the head"),
-        (b"Content-Length: 1\r\n\r\n{", "not JSON"),
-        (b"Content-Length: 2\r\n\r\n[]", "not a JSON object"),
     ],
 )
 def test_what_is_no_message_ends_the_session(sent: bytes, said: str) -> None:
@@ -30,6 +31,37 @@ def test_what_is_no_message_ends_the_session(sent: bytes, said: str) -> None:
     assert (done.returncode, done.stdout) == (1, b"")
     assert done.stderr.decode().startswith("pdp8 dap: ")
     assert said in done.stderr.decode()
+
+
+def spoken(stdout: bytes) -> list[dict[str, Any]]:
+    """Return the messages that were sent, in order."""
+    return [json.loads(part[part.index(b"{") :]) for part in stdout.split(b"Content-Length: ")[1:]]
+
+
+@pytest.mark.parametrize(
+    ("content", "said"), [(b"{", "not JSON"), (b"[]", "not a JSON object"), (b"7", "not a")]
+)
+def test_a_message_that_is_no_object_is_passed_over(content: bytes, said: str) -> None:
+    sent = b"Content-Length: %d\r\n\r\n%b" % (len(content), content)
+    done = run("pdp8", "dap", stdin=sent + framed({"type": "request", "command": "threads"}))
+    assert (done.returncode, done.stderr) == (0, b"")
+    output, answer = spoken(done.stdout)
+    assert said in output["body"]["output"]
+    assert answer["body"]["threads"][0]["name"] == "PDP-8/L"
+
+
+def test_a_fault_of_the_debugger_is_said_to_be_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(room: object, arguments: object) -> dict[str, Any]:
+        raise KeyError("body")
+
+    monkeypatch.setitem(session._OF_THE_MACHINE, "scopes", fails)
+    asked = [("launch", {"program": "hello.pal"}), ("scopes", {}), ("threads", {})]
+    sent = framed(*({"type": "request", "command": name, "arguments": given} for name, given in asked))
+    out = BytesIO()
+    Session(BytesIO(sent), out).serve()
+    failed, *rest = [each for each in spoken(out.getvalue()) if each.get("command") in ("scopes", "threads")]
+    assert failed["message"] == "scopes: a fault of the debugger, please report it: KeyError('body')"
+    assert [each["success"] for each in rest] == [True]
 
 
 def test_every_request_is_answered(tmp_path: Path) -> None:
@@ -46,7 +78,18 @@ def test_every_request_is_answered(tmp_path: Path) -> None:
         ("fly", {}, "no such request"),
         ("stepOut", {}, "no way out"),
         ("stepBack", {}, "nothing to undo"),
-        ("setBreakpoints", [], "arguments that the protocol does not have"),
+        ("initialize", {"linesStartAt1": float("inf")}, "linesStartAt1: true or false expected, not inf"),
+        ("setBreakpoints", [], "an object expected, not []"),
+        ("setBreakpoints", {}, "source is missing"),
+        ("setBreakpoints", {"source": {}, "breakpoints": [{}]}, "line is missing of a breakpoint"),
+        (
+            "setBreakpoints",
+            {"source": {}, "breakpoints": [{"line": "1"}]},
+            "whole number expected, not '1'",
+        ),
+        ("setBreakpoints", {"source": {}, "breakpoints": 7}, "a list expected, not 7"),
+        ("setDataBreakpoints", {"breakpoints": [3]}, "an object expected, not 3"),
+        ("evaluate", {"expression": 7}, "expression: a text expected, not 7"),
         ("readMemory", {"memoryReference": "core", "count": 1}, "a number such as 0x0100"),
         ("setVariable", {"variablesReference": 104, "name": "flag", "value": "7"}, "flag is 0 to 1"),
         ("variables", {"variablesReference": 99}, "no scope"),
@@ -55,8 +98,7 @@ def test_every_request_is_answered(tmp_path: Path) -> None:
     requests = [{"type": "request", "command": name, "arguments": given} for name, given, _ in asked]
     done = run("pdp8", "dap", stdin=framed({}, *requests), folder=tmp_path)
     assert done.stderr == b""
-    answers = [json.loads(part[part.index(b"{") :]) for part in done.stdout.split(b"Content-Length: ")[1:]]
-    said = [answer.get("message", "") for answer in answers if answer["type"] == "response"][1:]
+    said = [answer.get("message", "") for answer in spoken(done.stdout) if answer["type"] == "response"][1:]
     assert len(said) == len(asked)
     for (name, _, expected), message in zip(asked, said, strict=True):
         assert (expected in message) if expected else message == "", f"{name}: {message}"

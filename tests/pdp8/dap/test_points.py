@@ -1,0 +1,190 @@
+"""Breakpoints that look: at a condition, at a count of hits, with a message; and after a program was edited.
+
+Every test speaks the protocol, through Microsoft's debug client; words and lines are worked out by hand.
+"""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.pdp8.dap.test_dap import Seen, console, launched, play
+
+COUNTS = "*200\nL,\tISZ N\n\tISZ M\n\tJMP L\n\tHLT\nN,\t7770\nM,\t7760\n$\n"
+"""N and M count up; N reaches 0 in the eighth turn, and JMP L (line 4) is passed over then."""
+SOURCE = {"path": "counts.pal"}
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "counts.pal").write_text(COUNTS)
+    return tmp_path
+
+
+def lines(*points: dict[str, Any]) -> list[Any]:
+    return ["setBreakpoints", {"source": SOURCE, "breakpoints": list(points)}]
+
+
+def stops(folder: Path, *points: dict[str, Any]) -> Seen:
+    """Run on from the entry to the first stop at one of the points of lines."""
+    go = ["continue", {"threadId": 1}, "stopped"]
+    return play(folder, *launched({"program": "counts.pal"}, lines(*points)), go, console("examine M"))
+
+
+@pytest.mark.parametrize(
+    ("words", "m"),
+    [
+        ({}, "7760"),
+        ({"condition": "M == 7763"}, "7763"),
+        ({"condition": "core[N+1] > 7764 && !(PC == 0)"}, "7765"),
+        ({"condition": "N - M == 11 || L == 7"}, "7760"),
+        ({"condition": "N & 7 == 3 | 0"}, "7762"),
+        ({"hitCondition": "3"}, "7762"),
+        ({"hitCondition": ">= 2"}, "7761"),
+        ({"hitCondition": "% 4"}, "7763"),
+        ({"condition": "M > 7761", "hitCondition": "2"}, "7763"),
+    ],
+)
+def test_a_run_stops_where_the_condition_holds(words: dict[str, str], m: str, folder: Path) -> None:
+    seen = stops(folder, {"line": 3, **words})
+    assert seen.answers[-2]["event"]["reason"] == "breakpoint"
+    assert m in seen.answers[-1]["body"]["result"].split()[:2]
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ({"condition": "M =="}, "an expression such as"),
+        ({"condition": "NIX == 1"}, "NIX: neither a register nor a symbol"),
+        ({"condition": "M == 9"}, "9: neither an octal number"),
+        ({"condition": "M ** 2"}, "* is not an operator"),
+        ({"condition": "__import__('os')"}, "_ is not an operator"),
+        ({"hitCondition": "often"}, "often: a decimal number of hits expected"),
+        ({"logMessage": "at {NIX}"}, "NIX: neither"),
+    ],
+)
+def test_what_cannot_be_looked_at_is_not_verified(words: dict[str, str], said: str, folder: Path) -> None:
+    seen = play(folder, *launched({"program": "counts.pal"}, lines({"line": 3, **words})))
+    (point,) = seen.answers[2]["body"]["breakpoints"]
+    assert (point["verified"], said in point["message"]) == (False, True), point
+
+
+def test_a_log_message_is_said_and_the_run_goes_on(folder: Path) -> None:
+    seen = stops(folder, {"line": 3, "logMessage": "M is {M}, then {core[N]}", "condition": "M < 7762"})
+    assert seen.answers[-2]["event"]["reason"] == "halt"
+    said = "".join(text for category, text in seen.output if category == "console")
+    assert said.startswith("M is 7760, then 7771\nM is 7761, then 7772\n")
+    assert said.count("M is") == 2
+
+
+def test_an_expression_is_watched_and_set(folder: Path) -> None:
+    evaluated = ["evaluate", {"expression": "N + 2 == 7772", "context": "watch"}]
+    seen = play(
+        folder,
+        *launched({"program": "counts.pal"}),
+        evaluated,
+        ["setExpression", {"expression": "M", "value": "17"}],
+        ["setExpression", {"expression": "AC", "value": "77777"}],
+        ["completions", {"text": "exa", "column": 4}],
+        ["completions", {"text": "examine L", "column": 10}],
+        ["gotoTargets", {"source": SOURCE, "line": 4}],
+        ["goto", {"threadId": 1, "targetId": 0o203}, "stopped"],
+        console("PC"),
+    )
+    value, word, refused, commands, names, targets, moved, pc = seen.answers[3:]
+    assert value["body"]["result"] == "0001"
+    assert "0017" in word["body"]["value"]
+    assert "77777" in refused["error"]
+    assert commands["body"]["targets"] == [{"label": "examine"}]
+    assert {each["label"] for each in names["body"]["targets"]} == {"LINK", "L"}
+    assert targets["body"]["targets"] == [{"id": 0o202, "label": "0202", "line": 4}]
+    assert moved["event"]["reason"] == "goto"
+    assert pc["body"]["result"] == "0203"
+
+
+EDITED = "*200\n\tCLA\n" + COUNTS.removeprefix("*200\n")
+
+
+def test_after_an_edit_breakpoints_go_where_their_names_went(folder: Path) -> None:
+    """Restart loads the program as it is now, one line and one word longer."""
+    points = (
+        lines({"line": 4}),
+        ["setFunctionBreakpoints", {"breakpoints": [{"name": "M"}, {"name": "NIX"}]}],
+        ["setDataBreakpoints", {"breakpoints": [{"dataId": "N"}]}],
+    )
+    begun = play(folder, *launched({"program": "counts.pal"}, *points))
+    before = [point for answer in begun.answers[2:5] for point in answer["body"]["breakpoints"]]
+    edit = f"import pathlib; pathlib.Path('counts.pal').write_text({EDITED!r})"
+    seen = play(
+        folder,
+        *launched({"program": "counts.pal"}, *points),
+        ["edit", edit],
+        ["restart", {}, "breakpoint"],
+        *points,
+        ["continue", {"threadId": 1}, "stopped"],
+    )
+    moved = seen.answers[-5]["event"]["breakpoint"]
+    after = [point for answer in seen.answers[-4:-1] for point in answer["body"]["breakpoints"]]
+    assert [point["id"] for point in after] == [point["id"] for point in before]
+    assert [point.get("instructionReference") for point in before] == ["0x0104", "0x010a", None, "0x0108"]
+    assert [point.get("instructionReference") for point in after] == ["0x0104", "0x010c", None, "0x010a"]
+    assert (moved["id"], moved["instructionReference"]) == (2, "0x010c")
+    assert seen.answers[-1]["event"]["hitBreakpointIds"] == [1, 4], "after ISZ N, before line 4"
+
+
+def test_a_source_that_changes_under_the_session_is_said(folder: Path) -> None:
+    edit = f"import pathlib; pathlib.Path('counts.pal').write_text({EDITED!r})"
+    seen = play(
+        folder, *launched({"program": "counts.pal"}), ["edit", edit], ["next", {"threadId": 1}, "stopped"]
+    )
+    said = [text for category, text in seen.output if "was changed: restart" in text]
+    assert len(said) == 1
+
+
+def test_a_command_that_halts_the_machine_is_told_as_a_stop(folder: Path) -> None:
+    (folder / "key.pal").write_text("*200\nS,KSF;JMP .-1;KRB;HLT;ISZ F;JMP S;F,0\n$\n")
+    for line, said in (("type A", "RETURN was not pressed"), ('keyboard "AB"', "1 key of 2 sent")):
+        seen = play(
+            folder,
+            *launched({"program": "key.pal"}),
+            ["continue", {"threadId": 1}],
+            [*console(line), "stopped"] if line == "type A" else console(line),
+            console("PC"),
+            console("F"),
+        )
+        answer, pc, f = seen.answers[-3:]
+        assert said in (answer.get("error") or answer["body"]["result"] + "".join(t for _, t in seen.output))
+        assert pc["body"]["result"] == "0204", "it stands behind the HLT"
+        assert f["body"]["result"].split()[1] == "0000"
+
+
+def test_a_pause_while_the_machine_stands_has_no_effect(folder: Path) -> None:
+    seen = play(
+        folder,
+        *launched({"program": "counts.pal"}),
+        ["pause", {"threadId": 1}],
+        console("wait 2"),
+        ["evaluate", {"expression": "cont", "context": "repl"}, "stopped"],
+    )
+    assert seen.answers[-1]["event"]["reason"] in ("halt", "pause")
+    assert "halt" in seen.answers[-1]["body"]["result"]
+
+
+def test_a_program_of_two_tapes_has_breakpoints_in_both(folder: Path) -> None:
+    (folder / "one.pal").write_text("*200\n\tJMS SUB\n\tHLT\nPAUSE\n")
+    (folder / "two.pal").write_text("SUB,\t0\n\tISZ SUB\n\tJMP I SUB\n$\n")
+    seen = play(
+        folder,
+        *launched(
+            {"program": ["one.pal", "two.pal"]},
+            ["setBreakpoints", {"source": {"path": "two.pal"}, "breakpoints": [{"line": 3}]}],
+            ["setBreakpoints", {"source": {"path": "other.pal"}, "breakpoints": [{"line": 3}]}],
+        ),
+        ["continue", {"threadId": 1}, "stopped"],
+        ["stackTrace", {"threadId": 1}],
+    )
+    good, other = (answer["body"]["breakpoints"][0] for answer in seen.answers[2:4])
+    assert (good["verified"], good["line"], good["source"]["name"]) == (True, 3, "two.pal")
+    assert (other["verified"], other["message"]) == (False, "the program that runs is one.pal two.pal")
+    top, *_, last = seen.answers[-1]["body"]["stackFrames"]
+    assert (top["line"], top["source"]["name"], last["source"]["name"]) == (3, "two.pal", "one.pal")
