@@ -52,12 +52,14 @@ class Trial:
 class Case:
     """What is marked as one: every trial must be right. Nothing of a hidden case is shown but its name.
 
-    `hints` are by what happened (diagnosis.py) or by what differs (AC, the tape, a tag); "" for any result.
+    `tests` quotes what it tries from the task. `hints` are by what happened (diagnosis.py) or by what differs
+    (AC, the tape, a tag); "" for any result.
     """
 
     name: str
     trials: tuple[Trial, ...]
     points: int = 1
+    tests: str = ""
     hints: Mapping[str, str] = field(default_factory=dict)
     hidden: bool = False
 
@@ -115,6 +117,16 @@ class Exercise:
     mistakes: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
     @property
+    def asked(self) -> str:
+        """The task, and below it what its cases look at beside the results."""
+        trials = [each for case in self.cases for each in case.trials]
+        every = [each for first in trials for each in (first, *first.again)]
+        spare = [f"We use {_ranged(self.source.spare)}: leave them free."] if self.source.spare else []
+        said = [line for each in every for line in _looked_at(each)]
+        lines = [line for line in dict.fromkeys([*spare, *said]) if line not in self.task]
+        return "\n".join([self.task.strip("\n"), *[f"- {line}" for line in lines]])
+
+    @property
     def names(self) -> tuple[str, ...]:
         """The names of what is marked one by one."""
         return (*[case.name for case in self.cases], *[question.name for question in self.questions])
@@ -134,3 +146,30 @@ class Exercise:
             tried = len(self.cases)
             return f"{tried} of {tried + self.others} cases were tried; the teacher tries the others too."
         return ""
+
+
+def _looked_at(trial: Trial) -> list[str]:
+    """Return what a trial looks at in the way in which a program does it, in words."""
+    said = [
+        f"{place} is executed or called {times} times at least." for place, times in trial.executed.items()
+    ]
+    said += [f"{place} is called from {times} places at least." for place, times in trial.callers.items()]
+    if trial.indirect:
+        said.append(f"One of the words {_ranged(trial.indirect)} serves as a pointer, by I.")
+    said += [f"{place} stays as it is." for place in trial.unchanged]
+    if trial.done:
+        said.append("It halts only when the last character is printed.")
+    if trial.nul == "ignored":
+        said.append("Blank frames that are punched do not count.")
+    return said
+
+
+def _ranged(places: tuple[str, ...]) -> str:
+    """Return places in words, `0020 to 0023` for those that follow each other."""
+    ends: list[list[str]] = []
+    for place in places:
+        if ends and place[0].isdigit() and int(place, 8) == int(ends[-1][-1], 8) + 1:
+            ends[-1] = [ends[-1][0], place]
+        else:
+            ends.append([place])
+    return ", ".join(" to ".join(each) for each in ends)

@@ -34,7 +34,7 @@ def html(exercise: Exercise, result: Result) -> str:
         f'<meta name="viewport" content="width=device-width"><style>{_STYLE}</style></head><body>',
         f"<h1>{escape(exercise.title)}</h1>",
         f"<p><strong>{name}: {points}</strong></p>",
-        task(exercise.task),
+        task(exercise.asked),
         *body(exercise, result),
         "</body></html>\n",
     ]

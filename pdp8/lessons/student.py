@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, Field, fields
 from typing import Any
 
-from pdp8.lessons.exercise import Case, Exercise, Question
+from pdp8.lessons.exercise import Case, Exercise, Question, Trial
 
 SEED = 0
 _SHOWN = 3
@@ -38,7 +38,7 @@ def tables(
     """Return an exercise as its file has it, ready for JSON; of a case so many trials."""
     found = {
         "title": exercise.title,
-        "task": exercise.task,
+        "task": exercise.asked,
         "program": _table(exercise.source),
         "case": [{**_table(case), "trial": list(map(_table, case.trials[:trials]))} for case in cases],
         "question": list(map(_table, questions)),
@@ -67,4 +67,6 @@ def _value(value: object) -> object:
     """Return a value for JSON; a table as pairs, since JavaScript would put its numbers into order."""
     if isinstance(value, Mapping):
         return [[key, each] for key, each in value.items()]
-    return list(value) if isinstance(value, bytes | tuple) else value
+    if isinstance(value, bytes | tuple):
+        return [_table(each) if isinstance(each, Trial) else each for each in value]
+    return value

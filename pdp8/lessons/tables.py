@@ -77,13 +77,14 @@ def word(value: Any) -> int:
 
 
 def _words(value: Any) -> dict[str, int]:
-    return {place(key): word(given) for key, given in mapping(value).items()}
+    return {each: word(given) for key, given in mapping(value).items() for each in places(key)}
 
 
 def _deposits(value: Any) -> dict[str, int | str]:
     return {
-        place(key): place(given) if isinstance(given, str) else word(given)
+        each: place(given) if isinstance(given, str) else word(given)
         for key, given in mapping(value).items()
+        for each in places(key)
     }
 
 
@@ -195,7 +196,9 @@ EXERCISE: dict[str, Field] = {
 SOURCE: dict[str, Field] = {
     "words": number(1, 4096), "required": _texts, "forbidden": _texts, "spare": _places,
 }  # fmt: skip
-CASE: dict[str, Field] = {"name": _text, "points": _POINTS, "hint": _hints, "hidden": _flag}
+CASE: dict[str, Field] = {
+    "name": _text, "tests": _text, "points": _POINTS, "hint": _hints, "hidden": _flag,
+}  # fmt: skip
 TRIAL: dict[str, Field] = {
     "start": _starts_at, "starts": number(1, 10), "sr": word, "deposit": _deposits, "reader": frames,
     "keys": frames, "stop": _one_of(*STOPS), "tape": frames, "itself": _flag, "page": _text, "ac": word,

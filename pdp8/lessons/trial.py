@@ -1,7 +1,7 @@
 """An answer run on one trial, on a machine of its own, for a bounded machine time.
 
 Core that the answer does not load is filled for each trial with words drawn anew, many of which are addresses
-of the answer's own: no program may count on what it finds there. There is no HLT among them, and one that
+of programs: none may count on what it finds there. There is no HLT among them, and one that
 runs into them is stopped: it has left the program.
 """
 
@@ -120,7 +120,7 @@ class Tried:
         self.answer = answer
         self.starts = [trial] * trial.starts + [*trial.again]
         self.machine = Machine()
-        self._filled = array("H", _fill(answer, trial))
+        self._filled = array("H", _fill(trial))
         self.machine.put({"core": self._filled.tobytes()})
         self.machine.load(answer.words)
         own = {answer.address(place) for each in self.starts for place in each.deposit}
@@ -203,15 +203,16 @@ def overwritten(answer: Answer, trial: Trial, outcome: Outcome) -> int | None:
     return None
 
 
-def _fill(answer: Answer, trial: Trial) -> list[int]:
-    """Return core full of words drawn by the inputs of a trial, each fourth one an address of the answer."""
-    own = [*answer.words] or [0]
+def _fill(trial: Trial) -> list[int]:
+    """Return core full of words drawn by the inputs of a trial; through each fourth one a program writes over
+    itself.
+    """
     seed = trial.sr + len(trial.keys)
     for number in (*trial.reader, *[word for word in trial.deposit.values() if isinstance(word, int)]):
         seed = (seed * 31 + number) % (1 << 31)
     drawn = []
     for at in range(_DRAWN):
         seed = (seed * 69069 + 12345) % (1 << 31)
-        word = own[(seed >> 8) % len(own)] if at % 4 == 0 else seed >> 19
+        word = 0o200 + (seed >> 19) % 0o100 if at % 4 == 0 else seed >> 19
         drawn.append(word & 0o7775 if halts(word) else word)
     return (drawn * 33)[: 1 << 12]

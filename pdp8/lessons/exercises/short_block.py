@@ -12,7 +12,7 @@ _DIGITS = eia.encode("0123456789")
 def tape(random: Random, case: dict[str, Any]) -> dict[str, Any]:
     """Return a tape in the reader, and the number of its wrong block in the AC."""
     good = random.randint(0, 6)
-    wrong = random.choice([rows for rows in range(1, 30) if rows != _ROWS])
+    wrong = random.choice([rows for rows in range(1, 101) if rows != _ROWS])
     frames = [frame for rows in (*[_ROWS] * good, wrong, _ROWS) for frame in _block(random, rows)]
     return {**case, "reader": frames, "ac": good + 1}
 

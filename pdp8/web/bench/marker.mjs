@@ -7,11 +7,12 @@ import { body } from "../../lessons/page.mjs";
 import { bytes, dict } from "../translator/runtime.mjs";
 
 const TAPES = ["reader", "keys", "tape"];
-const TABLES = ["deposit", "core", "hints", "slips"];
+const TABLES = ["deposit", "core", "hints", "slips", "executed", "callers"];
 
 /** What a file gives for a field. Throws where points are no number. */
 function valued(name, value) {
   if (value === undefined) return value;
+  if (name === "again") return value.map((table) => record(Trial, table));
   if (name === "points" && !Number.isFinite(value)) throw new Error(`points: ${value} is no number`);
   return TAPES.includes(name) ? bytes(value) : TABLES.includes(name) ? dict(value) : value;
 }
