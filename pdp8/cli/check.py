@@ -38,7 +38,7 @@ _BYTE_ORDER_MARK = "\ufeff"
     "--prove",
     is_flag=True,
     only="EXERCISE --seed",
-    help="Mark the exercise's own solution and its known mistakes.",
+    help="Try whether the exercise does its work: its solution, slips in it, and what the task says.",
 )
 @click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
 @click.option("--json", type=Target("JSON"), help="Write the marks as JSON.")
@@ -103,13 +103,13 @@ def check(
     if export_student:
         command.put(export_student, student.form(read))
     elif show == "task":
-        command.echo(read.task.strip("\n"))
+        command.echo(read.asked.strip("\n"))
     elif not read.solution and (show or prove):
         raise WorkError(f"{exercise}: solution is missing; a student's form has none")
     elif show:
         command.echo(read.solution.strip("\n"))
     elif prove:
-        _prove(read)
+        _prove(read, exercise, seed)
     elif not answer:
         raise click.UsageError("Give an ANSWER, or --show task, or --prove.")
     else:
@@ -170,15 +170,27 @@ def _show(exercise: Exercise, answers: Sequence[Answer], results: Sequence[Resul
         command.echo(f"  {scores.visible(pair.one)}  {scores.visible(pair.other)}  {pair.shared:.0%}")
 
 
-def _prove(exercise: Exercise) -> None:
-    """Say whether the exercise tells its known mistakes from its solution. Raises WorkError if not."""
+def _prove(exercise: Exercise, name: str, seed: int) -> None:
+    """Say that the exercise is a contract, or raise WorkError with what is not as it should be."""
     solved = proof.solution(exercise)
     if not solved.right:
         said = "\n".join(scores.details(solved))
         raise WorkError(f"{exercise.name}: its own solution is not right\n{said}")
-    marked = list(proof.mistakes(exercise))
-    passed = [what for what, result in marked if result.right]
-    if passed:
-        raise WorkError(f"{exercise.name}: taken for right: {'; '.join(passed)}")
+    marked, written = list(proof.mistakes(exercise)), proof.restated(exercise)
+    slips = proof.slips(lambda number: form.read(name, number), seed)
+    faults = [f"taken for right: {what}" for what, result in marked if result.right]
+    faults += [f"taken for right with this seed, not with all: {slip}" for slip in slips.lucky]
+    faults += [f"the solution, {how}, loses points" for how, result in written if not result.right]
+    faults += proof.untold(exercise)
+    if faults:
+        raise WorkError("\n".join(f"{exercise.name}: {fault}" for fault in faults))
+    ways = f"; {counted(len(written), 'ways')} to write it, all right" * bool(written)
     noticed = counted(len(marked), "mistakes")
-    command.echo(f"{exercise.name}: the solution has {solved.of} points; {noticed}, all noticed")
+    command.echo(f"{exercise.name}: the solution has {solved.of} points{ways}; {noticed}, all noticed")
+    if slips.tried:
+        caught = slips.tried - len(slips.survivors)
+        command.echo(
+            f"{slips.tried} of {counted(slips.number, 'slips')} tried, {caught} noticed; these seem right:"
+        )
+    for slip in slips.survivors:
+        command.echo(f"  {slip}")

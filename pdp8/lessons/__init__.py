@@ -7,7 +7,7 @@ answer     a student's answer;            handed    the file it is in, read with
 trial      an answer run on one trial: what it punched, printed and left in core
 marking    points and failures of an answer;        diagnosis   what happened;   values   a sheet's answers
 bounded    a class marked, each answer within bounds of time and memory, in a process of its own
-proof      that an exercise tells its mistakes from its solution
+proof      that an exercise is a contract: what it looks at is told;   mutants   slips of a solution
 scores     marks as a table for people;   records   as CSV, JSON and JUnit;      page   a page for a student
 alike      which answers look alike
 cards      cards to print                 drill     drills at the panel, and their coach

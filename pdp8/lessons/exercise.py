@@ -7,6 +7,8 @@ marks as the command does.
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from pdp8.lessons.answer import tag
+
 
 @dataclass(frozen=True)
 class Trial:
@@ -124,7 +126,7 @@ class Exercise:
         spare = [f"We use {_ranged(self.source.spare)}: leave them free."] if self.source.spare else []
         said = [line for each in every for line in _looked_at(each)]
         lines = [line for line in dict.fromkeys([*spare, *said]) if line not in self.task]
-        return "\n".join([self.task.strip("\n"), *[f"- {line}" for line in lines]])
+        return "\n- ".join([self.task.rstrip("\n"), *lines]) if lines else self.task
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -156,7 +158,8 @@ def _looked_at(trial: Trial) -> list[str]:
     said += [f"{place} is called from {times} places at least." for place, times in trial.callers.items()]
     if trial.indirect:
         said.append(f"One of the words {_ranged(trial.indirect)} serves as a pointer, by I.")
-    said += [f"{place} stays as it is." for place in trial.unchanged]
+    if trial.unchanged:
+        said.append(f"The program leaves {_ranged(trial.unchanged)} unchanged.")
     if trial.done:
         said.append("It halts only when the last character is printed.")
     if trial.nul == "ignored":
@@ -166,10 +169,13 @@ def _looked_at(trial: Trial) -> list[str]:
 
 def _ranged(places: tuple[str, ...]) -> str:
     """Return places in words, `0020 to 0023` for those that follow each other."""
-    ends: list[list[str]] = []
+    said: list[str] = []
+    before, last = "", 0
     for place in places:
-        if ends and place[0].isdigit() and int(place, 8) == int(ends[-1][-1], 8) + 1:
-            ends[-1] = [ends[-1][0], place]
+        name, behind = ("", int(place, 8)) if place[0].isdigit() else tag(place)
+        if said and name == before and behind == last + 1:
+            said[-1] = f"{said[-1].split(' to ')[0]} to {place}"
         else:
-            ends.append([place])
-    return ", ".join(" to ".join(each) for each in ends)
+            said.append(place)
+        before, last = name, behind
+    return ", ".join(said)

@@ -14,7 +14,7 @@ _SLIPS = {
     "KRB": "KRS", "KSF": "TSF", "TSF": "KSF", "TLS": "TPC", "HLT": "NOP", "ION": "NOP",
 }  # fmt: skip
 """What is written in place of a symbol."""
-_WORD = re.compile(r"[A-Z]\w*|(?<=[-\t,;+ ])\d+", re.ASCII)
+_WORD = re.compile(r"[A-Z]\w*|(?<=[-\t,;+ ])[0-7]+(?!\w)", re.ASCII)
 _LINE = re.compile(r"(?P<tag>\w+,)?\s*(?P<code>[^/]*?)\s*(?P<comment>/.*)?")
 _TWICE = re.compile("TAD|ISZ|JMS|R[AT][LR]|C[IM]A|IAC|KRB|TLS")
 _BEHIND = re.compile(r"\.[-+]\d")

@@ -13,6 +13,8 @@ from pdp8.lessons.exercise import Exercise, Trial
 from pdp8.lessons.marking import Result, first_failed, mark
 from pdp8.lessons.tables import ExerciseError
 
+SLIPS = 100
+"""Slips that are tried, of all that there are."""
 _SEEDS = 3
 """Seeds whose random cases a slip is tried on."""
 _LONGER = 10
@@ -77,8 +79,10 @@ class Slips:
     survivors: list[str]
 
 
-def slips(read: Callable[[int], Exercise], seed: int, most: int) -> Slips:
+def slips(read: Callable[[int], Exercise], seed: int, most: int = SLIPS) -> Slips:
     """Try the slips of a solution, or so many of them, drawn. `read` returns the exercise by a seed."""
+    if not read(seed).cases:
+        return Slips(0, 0, [], [])
     exercises = [_bounded(read(seed + more)) for more in range(_SEEDS)]
     words = dict(_assembled(exercises[0].solution).words)
     found: dict[str, Answer] = {}

@@ -204,15 +204,17 @@ def overwritten(answer: Answer, trial: Trial, outcome: Outcome) -> int | None:
 
 
 def _fill(trial: Trial) -> list[int]:
-    """Return core full of words drawn by the inputs of a trial; through each fourth one a program writes over
+    """Return core full of words drawn by the inputs of a trial; through every other one a program writes over
     itself.
     """
     seed = trial.sr + len(trial.keys)
     for number in (*trial.reader, *[word for word in trial.deposit.values() if isinstance(word, int)]):
         seed = (seed * 31 + number) % (1 << 31)
     drawn = []
-    for at in range(_DRAWN):
+    for _ in range(_DRAWN):
         seed = (seed * 69069 + 12345) % (1 << 31)
-        word = 0o200 + (seed >> 19) % 0o100 if at % 4 == 0 else seed >> 19
+        word = seed >> 19
+        if (seed >> 12) % 2 == 0:
+            word = 0o200 + word % 0o100
         drawn.append(word & 0o7775 if halts(word) else word)
     return (drawn * 33)[: 1 << 12]

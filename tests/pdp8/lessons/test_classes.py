@@ -312,7 +312,8 @@ def test_copies_of_a_long_answer_are_named_however_many_they_are() -> None:
 @pytest.mark.parametrize("name", form.bundled())
 def test_a_students_form_marks_without_the_solution(name: str) -> None:
     whole = form.read(name, student.SEED)
-    assert parse(json.dumps(student.whole(whole)), name) == replace(whole, solution="", mistakes={})
+    read = parse(json.dumps(student.whole(whole)), name)
+    assert (read, read.asked) == (replace(whole, task=whole.asked, solution="", mistakes={}), whole.asked)
     text = student.form(whole)
     given = parse(text, name)
     assert given.solution == ""
