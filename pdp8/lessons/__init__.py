@@ -10,6 +10,7 @@ bounded    a class marked, each answer within bounds of time and memory, in a pr
 proof      that an exercise is a contract: what it looks at is told;   mutants   slips of a solution
 scores     marks as a table for people;   records   as CSV, JSON and JUnit;      page   a page for a student
 alike      which answers look alike
+course     the bundled exercises in the order of a class
 cards      cards to print                 drill     drills at the panel, and their coach
 exercises/ the bundled ones, and the functions that draw for them
 

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator
 from html import escape
+from itertools import pairwise
 
 from pdp8.lessons import scores
 from pdp8.lessons.exercise import Exercise
@@ -19,8 +20,8 @@ code { display: inline-block; white-space: break-spaces }
 @media print { body { margin: 0 } }
 """
 _CODE = re.compile(r"`([^`]+)`")
-_WRAPPED = re.compile(r"(?<=\S)\n(?!\s|[*-]|\w+: )")
-"""Where a line was ended only because it was full."""
+_FULL = 72
+"""Characters, at least, of a line that was ended because the next word did not fit."""
 
 
 def html(exercise: Exercise, result: Result) -> str:
@@ -43,7 +44,13 @@ def html(exercise: Exercise, result: Result) -> str:
 
 def task(text: str) -> str:
     """Return an exercise's task, its paragraphs and lists as they were written."""
-    return f'<p class="task">{_coded(" ".join(_WRAPPED.split(text.strip())))}</p>'
+    lines = text.strip().split("\n")
+    width = max(_FULL, *[len(line) for line in lines])
+    whole = lines[0]
+    for before, line in pairwise(lines):
+        full = line[:1].strip() and len(before) + 1 + len(line.split(" ")[0]) > width
+        whole += (" " if full else "\n") + line
+    return f'<p class="task">{_coded(whole)}</p>'
 
 
 def _coded(text: str) -> str:

@@ -16,6 +16,7 @@ from nc.talyrond import talyrond
 from nc.talysurf import talysurf
 from pdp8 import shelf
 from pdp8.lessons import form, student
+from pdp8.lessons.course import COURSE
 from pdp8.replay import Afternoon, replay
 from pdp8.replay.figures import COLUMNS, compare
 from pdp8.web import parts
@@ -43,7 +44,16 @@ def record(afternoon: Afternoon | None = None) -> dict[str, Any]:
         "door": "afternoon" if afternoon else "",
         "afternoon": _afternoon(done),
         "parts": parts.declared(),
-        "exercises": {name: student.whole(form.read(name)) for name in form.bundled()},
+        "exercises": _exercises(),
+    }
+
+
+def _exercises() -> dict[str, Any]:
+    """Return the bundled exercises in the order of a class, each with its level."""
+    return {
+        name: {"level": level, **student.whole(form.read(name))}
+        for level, names in COURSE.items()
+        for name in names.split()
     }
 
 

@@ -20,10 +20,11 @@ import { Exercises } from "./bench/exercises.mjs";
 import { marks } from "./bench/marker.mjs";
 import { Mill } from "./bench/mill.mjs";
 import { Parts, printout } from "./bench/parts.mjs";
-import { Programs } from "./bench/programs.mjs";
 import { Registers } from "./bench/registers.mjs";
+import { Session } from "./bench/session.mjs";
 import { LONGEST, linked, opened, shortened, whole } from "./bench/sharing.mjs";
 import { Shelf } from "./bench/shelf.mjs";
+import { Store } from "./bench/store.mjs";
 import { Switches } from "./bench/switches.mjs";
 import { Tabs } from "./bench/tabs.mjs";
 import { Teletype } from "./bench/teletype.mjs";
@@ -56,7 +57,7 @@ class Bench {
     this.until = new Goal();
     this.remember();
     this.apart = new Apart();
-    this.programs = new Programs();
+    this.programs = new Store("program", (name) => this.editor.elsewhere(name));
     this.panes = [];
     this.tabs = new Tabs(this);
     this.afternoon = new Afternoon(this);
@@ -75,6 +76,8 @@ class Bench {
     this.clock = new Clock(this, (samples, reason) => this.#pictured(samples, reason));
     /** @type {any[]} */
     this.panes = [this.afternoon, this.switches, this.teletype, this.registers, this.core, this.mill, this.editor, this.parts, this.time];
+    const { core, editor, exercises, mill, shelf, switches: { card }, tabs, teletype, time } = this;
+    this.session = new Session(this, { shelf, machine: this, teletype, card, core, editor, mill, exercises, tabs, time });
     document.addEventListener("dragover", (event) => event.preventDefault());
     document.addEventListener("drop", (event) => {
       event.preventDefault();
@@ -82,6 +85,20 @@ class Bench {
       [...event.dataTransfer.files].forEach((file) => this.take(file, reader));
     });
     this.show();
+  }
+
+  /** The machine, with what is watched in it; while the afternoon leads it, as it was kept before. */
+  get kept() {
+    const { machine, until } = this;
+    if (this.afternoon.on) return this.before;
+    const breakpoints = [...machine.watch.breakpoints].filter((address) => address !== until.added);
+    return { state: save(machine), breakpoints };
+  }
+
+  set kept({ state, breakpoints }) {
+    this.before = { state, breakpoints };
+    this.#restore(state);
+    for (const address of breakpoints) this.machine.watch.breakpoints.add(address & 0o7777);
   }
 
   /** Let a machine be the page's, as a copy that has a PC8/L. */
@@ -288,6 +305,7 @@ class Bench {
   async open() {
     if (!this.programs.names().length) this.programs.take("hello.pal", this.record.source);
     this.editor.begin();
+    this.session.open();
     if (this.afternoon.asked()) return;
     try {
       const shared = await opened();

@@ -31,6 +31,8 @@ class Goal:
     def __init__(self) -> None:
         self.said = ""
         """What happened, once the goal is reached."""
+        self.added: int | None = None
+        """The address that is watched for this goal alone."""
 
     def run(self, machine: Machine, ticks: int) -> str:
         """Run for `ticks` at most; return why the run ended. A breakpoint at the last tick ends it, too: the
@@ -61,16 +63,16 @@ class _Watched(Goal):
     """An address among the breakpoints, or among the words whose writing ends a run, until it is over."""
 
     def __init__(self, places: set[int], address: int) -> None:
-        self.said = ""
+        super().__init__()
         self.address = address
+        self.added = None if address in places else address
         self._places = places
-        self._had = address in places
         places.add(address)
 
     def over(self) -> None:
         """Watch the address no more, unless it was watched before."""
-        if not self._had:
-            self._places.discard(self.address)
+        if self.added is not None:
+            self._places.discard(self.added)
 
 
 class _Changed(_Watched):
@@ -103,7 +105,7 @@ class _Grown(Goal):
     """
 
     def __init__(self, counted: Callable[[Teletype], list[int]], said: list[str]) -> None:
-        self.said = ""
+        super().__init__()
         self._counted = counted
         self._told = said
 

@@ -1,7 +1,7 @@
 // Three doors: where a visitor begins. On the first visit each says what is behind it.
 
 import { find } from "../written.mjs";
-import { keep, kept } from "./programs.mjs";
+import { keep, kept } from "./store.mjs";
 
 const SEEN = "pdp8 seen";
 

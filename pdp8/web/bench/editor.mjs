@@ -14,7 +14,7 @@ import { assembled, checked, findings, here } from "../findings.mjs";
 import { html, put } from "../html.mjs";
 import { find, grouped, octal } from "../written.mjs";
 import { Counts } from "./counts.mjs";
-import { keep, kept } from "./programs.mjs";
+import { keep, kept } from "./store.mjs";
 
 const LONGEST = 200_000; // characters of a source that is taken
 const WIDEST = 400; // of a line that is drawn
@@ -34,13 +34,12 @@ export class Editor {
     this.behind = this.area.previousElementSibling;
     this.counts = new Counts();
     this.name = "";
-    this.core = { text: null, lines: new Map() }; // of what is in core: its source, {address: line}
+    this.before = ""; // the text as it was kept or opened
     this.now = null; // the line that the processor is in
     this.#found({ words: [], places: [], diagnostics: [], more: 0, summary: "" });
     this.area.addEventListener("scroll", () => this.#draw());
     this.area.addEventListener("keydown", (event) => this.#key(event));
     new ResizeObserver(() => this.#draw()).observe(this.area);
-    addEventListener("pagehide", () => this.keep());
   }
 
   get text() {
@@ -71,6 +70,17 @@ export class Editor {
     this.#turn(this.bench.programs.take(name, text));
   }
 
+  /** The line at the top, and whether words are counted. */
+  get kept() {
+    return { top: this.area.scrollTop, counts: find("counts").checked };
+  }
+
+  set kept({ top, counts }) {
+    this.area.scrollTop = top;
+    find("counts").checked = counts;
+    this.count(find("counts"));
+  }
+
   create() {
     this.put("program.pal", NEW);
   }
@@ -79,7 +89,8 @@ export class Editor {
     this.keep();
     this.area.readOnly = false;
     this.#named(name);
-    this.#show(this.bench.programs.get(name));
+    this.before = this.bench.programs.get(name);
+    this.#show(this.before);
     this.#warn();
   }
 
@@ -113,20 +124,35 @@ export class Editor {
     this.#show(tape ? new TextDecoder().decode(tape.frames) : assembly.lines.map(({ source }) => source).join("\n"));
     this.#say(html`${name} is in core. <button class="text" data-click="editor.back">Back to ${this.name}</button>`);
     this.#found(findings(assembly));
-    this.#inCore();
+    this.write();
   }
 
   back() {
     this.#turn(this.name);
   }
 
-  /** Keep what is written. */
+  /** Keep what is written: what another tab has made of the program meanwhile stays, and this gets a name of its own. */
   keep() {
-    clearTimeout(this.pause);
-    const { programs } = this.bench;
-    if (!this.name || this.area.readOnly || programs.get(this.name) === this.text) return;
-    programs.keep(this.name, this.text);
+    const { before, name, text, bench: { programs } } = this;
+    if (!name || this.area.readOnly || text === before) return;
+    const there = programs.get(name) ?? before;
+    this.before = text;
+    if (there === before || there === text) programs.keep(name, text);
+    else {
+      this.#named(programs.take(name, text));
+      find("program-name").value = this.name;
+      this.#say(`${name} was changed in another tab too: what is written here is kept as ${this.name}.`);
+    }
     this.#warn();
+  }
+
+  /** Another tab has written a program: if it is the one that is open, say so. */
+  elsewhere(name) {
+    const there = this.bench.programs.get(name);
+    this.#named(this.name);
+    if (name !== this.name || this.area.readOnly || there === this.text) return;
+    const [done, shown] = there === undefined ? ["deleted", ""] : ["changed", html`<button class="text" data-click="editor.back">Show it</button>`];
+    this.#say(html`${name} was ${done} in another tab. What is written here is kept beside it. ${shown}`);
   }
 
   choose(list) {
@@ -143,7 +169,7 @@ export class Editor {
       const old = this.name;
       this.keep();
       const called = programs.take(name, this.text);
-      programs.remove(old);
+      if (programs.get(old) === this.before) programs.remove(old);
       this.#named(called);
     }
     field.value = this.name;
@@ -200,6 +226,7 @@ export class Editor {
     const { places, diagnostics, more, summary } = found;
     this.assembly = { ...found, name: this.name, text: this.text };
     this.places = new Map();
+    this.lineAt = new Map(places.map(([line, address]) => [address, line]).reverse());
     for (const [line, address, word] of places) if (!this.places.has(line)) this.places.set(line, { address, word });
     this.wrong = new Map(diagnostics.map((each) => [each.line, each]).reverse());
     const items = diagnostics.map(({ line, start, end, severity, whole }) => {
@@ -207,7 +234,7 @@ export class Editor {
       return html`<li class="${severity}"><button class="text" data-click="editor.goTo" data-line="${line}" data-start="${start}" data-end="${end}">${first}</button><pre>${rest.join("\n")}</pre></li>`;
     });
     put(find("messages"), html`<p>${summary}</p><ol>${items}</ol>${more ? html`<p>and ${more.toLocaleString("en")} more</p>` : ""}`);
-    for (const id of ["load", "boot", "list"]) find(id).disabled = !places.length;
+    for (const id of ["load", "boot"]) find(id).disabled = !places.length;
     this.#draw();
   }
 
@@ -339,20 +366,15 @@ export class Editor {
     this.bench.switches.card.end();
     machine.sr = start;
     machine.panel.load_add();
-    this.#inCore();
+    this.count(find("counts"));
     this.bench.touched();
   }
 
-  list() {
-    if (this.assemble()) this.#inCore();
-  }
-
-  /** What is assembled is what core holds: the processor's place is shown in it. */
-  #inCore() {
-    this.core = { text: this.text, lines: new Map() };
-    for (const [line, { address }] of this.places) this.core.lines.set(address, line);
-    this.count(find("counts"));
-    this.write();
+  /** Whether core holds what is listed: more than half of its words; the others are data that have changed. */
+  get #inCore() {
+    const { machine: { processor: { core } } } = this.bench;
+    const { words } = this.assembly;
+    return this.area.readOnly || words.filter(([address, word]) => core[address] === word).length > words.length / 2;
   }
 
   /** Show where the processor is. */
@@ -361,7 +383,7 @@ export class Editor {
     const { machine } = this.bench;
     const counts = find("counts").checked;
     if (counts && machine.watch.observer !== this.counts) machine.watch.observer = this.counts;
-    const now = this.core.text === this.text ? this.core.lines.get(instruction_at(machine.processor)) ?? null : null;
+    const now = this.#inCore ? this.lineAt.get(instruction_at(machine.processor)) ?? null : null;
     if (now === this.now && !counts) return;
     this.now = now;
     if (now && document.activeElement !== this.area) this.#bringIntoView(now);

@@ -1,9 +1,11 @@
-// The exercises of `pdp8 check`, and a teacher's own: the task, an answer in the editor or on a sheet, its marks.
+// The exercises of `pdp8 check`, and a teacher's own: the task beside the editor, or a sheet of questions; marks and answers kept.
 
 import { task as written } from "../../lessons/page.mjs";
 import { html, ours, put } from "../html.mjs";
 import { find } from "../written.mjs";
+import { exercise as checked } from "./marker.mjs";
 import { linked } from "./sharing.mjs";
+import { Store } from "./store.mjs";
 
 const SECONDS = 10; // of an answer, as `pdp8 check` gives it
 const BEGUN = "/ NAME\n*200\n\tHLT\n$\n"; // what an answer begins with
@@ -12,33 +14,67 @@ export class Exercises {
   constructor(bench) {
     this.bench = bench;
     this.all = new Map(Object.entries(bench.record.exercises));
-    this.done = new Set(); // those that were right
-    this.open("add");
+    this.given = new Store("exercise"); // by a teacher
+    this.answers = new Store("answers"); // to a sheet, {question: answer}
+    this.marks = new Store("marks"); // [points, of, whether all is right]
+    for (const name of this.given.names()) this.#give(name, () => JSON.parse(this.given.get(name)));
+    this.#show("add");
+  }
+
+  get kept() {
+    return this.name;
+  }
+
+  set kept(name) {
+    this.open(name);
   }
 
   /** Take an exercise from a file or a link, and open it. Throws where it is none. */
   take(name, tables) {
-    if (typeof tables.title !== "string" || typeof tables.task !== "string") throw new Error(`${name}: no exercise`);
+    try {
+      checked(tables);
+    } catch (error) {
+      throw new Error(`${name}: no exercise: ${error.message}`, { cause: error });
+    }
     this.all.set(name, tables);
+    this.given.keep(name, JSON.stringify(tables));
     this.open(name);
     this.bench.tabs.open("exercises");
   }
 
-  /** Open an exercise. Throws where there is none of that name. */
+  /** Have a teacher's exercise at hand again, if it is one. */
+  #give(name, read) {
+    try {
+      const tables = read();
+      checked(tables);
+      this.all.set(name, tables);
+    } catch { /* it was kept by another version of the page */ }
+  }
+
+  /** Open an exercise, and the program that answers it, if that was begun. Throws where there is none of that name. */
   open(name) {
     if (!this.all.has(name)) throw new Error(`there is no exercise ${name}; those there are stand under Exercises`);
+    this.#show(name);
+    const { editor, programs } = this.bench;
+    if (!this.sheet && programs.get(this.#answer) !== undefined && editor.name !== this.#answer) editor.begin(this.#answer);
+  }
+
+  #show(name) {
     this.name = name;
     const { title, task, question: questions = [] } = this.all.get(name);
+    this.sheet = questions.length > 0;
+    const given = this.#given();
     const asks = questions.map(({ name: called, ask }) =>
-      html`<label>${called} <span>${ask}</span> <input type="text" name="${called}" autocomplete="off"></label>`);
-    const begin = questions.length ? "" : html`<button class="text" type="button" data-click="exercises.begin">Begin ${this.#answer}</button> `;
-    put(find("asked"), html`<h2>${title}</h2>${ours(written(task))}<form data-submit="exercises.mark">${asks}<div class="tools">${begin}<button class="text go">Mark ${questions.length ? "the sheet" : "the program"}</button></div></form>`);
+      html`<label>${called} <span>${ask}</span> <input type="text" name="${called}" value="${given[called] ?? ""}" data-input="exercises.answer" autocomplete="off"></label>`);
+    const begin = this.sheet ? "" : html`<button class="text" type="button" data-click="exercises.begin">Open ${this.#answer}</button> `;
+    put(find("asked"), html`<h2>${title}</h2>${ours(written(task))}<form data-submit="exercises.mark">${asks}<div class="tools">${begin}<button class="text go">Mark ${this.sheet ? "the sheet" : this.#answer}</button></div></form>`);
     find("marks").replaceChildren();
     this.#list();
   }
 
   choose({ value }) {
     this.open(value);
+    this.bench.tabs.open("exercises");
   }
 
   /** The name of the program that answers. */
@@ -46,32 +82,66 @@ export class Exercises {
     return `${this.name.replace(/\.\w+$/, "")}.pal`;
   }
 
+  /** What was written on the sheet. */
+  #given() {
+    try {
+      return JSON.parse(this.answers.get(this.name) ?? "{}") ?? {};
+    } catch {
+      return {};
+    }
+  }
+
+  /** Keep what is written on the sheet. */
+  answer({ name, value }) {
+    this.answers.keep(this.name, JSON.stringify({ ...this.#given(), [name]: value }));
+  }
+
+  /** How an exercise was marked, in a few characters. */
+  #mark(name) {
+    try {
+      const [points, of, right] = JSON.parse(this.marks.get(name) ?? "[]");
+      return right ? "✓ " : of ? `${points}/${of} ` : "";
+    } catch {
+      return "";
+    }
+  }
+
+  /** The list: by level, and a teacher's own behind them; each with its mark. */
   #list() {
-    const options = [...this.all].map(([name, { title }]) => new Option(`${this.done.has(name) ? "✓ " : ""}${title}`, name));
-    find("exercise").replaceChildren(...options);
+    const option = ([name, { title }]) => html`<option value="${name}">${this.#mark(name)}${title}</option>`;
+    const levels = Map.groupBy(this.all, ([, { level }]) => level ?? "A teacher's own");
+    put(find("exercise"), [...levels].map(([level, some]) => html`<optgroup label="${level}">${some.map(option)}</optgroup>`));
     find("exercise").value = this.name;
   }
 
   begin() {
     const { editor, programs, tabs } = this.bench;
     editor.put(this.#answer, programs.get(this.#answer) ?? BEGUN.replace("NAME", this.all.get(this.name).title));
-    tabs.open("program");
+    tabs.open("exercises");
+    find("source").focus();
+  }
+
+  /** Mark the sheet, or the program that answers; if another one is open, ask which. */
+  mark() {
+    const { editor } = this.bench;
+    if (this.sheet || editor.name === this.#answer) this.markOpen();
+    else put(find("marks"), html`<p>${editor.name} is open, and ${this.#answer} is the answer. <button class="text" data-click="exercises.begin">Open ${this.#answer}</button> <button class="text" data-click="exercises.markOpen">Mark ${editor.name}</button></p>`);
   }
 
   /** Mark the program that is open, or the sheet. */
-  async mark() {
+  async markOpen() {
     const { apart, editor } = this.bench;
-    const { name } = this;
+    const { name, sheet } = this;
     const tables = this.all.get(name);
     const lines = [...find("asked").querySelectorAll("input")].map((input) => `${input.name}: ${input.value}\n`);
-    const source = tables.question ? lines.join("") : editor.text;
+    const called = sheet ? name : editor.name;
     put(find("marks"), html`<p>It is tried …</p>`);
     try {
-      const { right, points, of, said } = await apart.ask("marks", [tables, tables.question ? name : editor.name, source], SECONDS);
-      if (right) this.done.add(name);
-      if (name !== this.name) return;
-      put(find("marks"), html`<p><b class="${right ? "right" : ""}">${tables.question ? "The sheet" : editor.name}: ${of ? `${points} of ${of} points` : "not marked"}</b></p>${ours(said)}`);
+      const { right, points, of, said } = await apart.ask("marks", [tables, called, sheet ? lines.join("") : editor.text], SECONDS);
+      this.marks.keep(name, JSON.stringify([points, of, right]));
       this.#list();
+      if (name !== this.name) return;
+      put(find("marks"), html`<p><b class="${right ? "right" : ""}">${sheet ? "The sheet" : called}: ${of ? `${points} of ${of} points` : "not marked"}</b></p>${ours(said)}`);
     } catch (error) {
       put(find("marks"), html`<p>${error.message}</p>`);
     }
@@ -80,6 +150,6 @@ export class Exercises {
   async link() {
     const { name, bench } = this;
     const whole = location.href.replace(/#.*/, "");
-    bench.give(name in bench.record.exercises ? `${whole}#exercise=${name}` : await linked({ exercise: { name, tables: this.all.get(name) } }));
+    bench.give(Object.hasOwn(bench.record.exercises, name) ? `${whole}#exercise=${name}` : await linked({ exercise: { name, tables: this.all.get(name) } }));
   }
 }

@@ -26,8 +26,9 @@ function question({ answer, ...rest }) {
   return record(Question, Array.isArray(answer) ? { ...rest, answer } : { ...rest, number: answer });
 }
 
-/** The exercise that the tables of a file say, as pdp8/lessons/student.py writes them. */
-function exercise({ title, task, program = {}, case: cases = [], question: questions = [], others }) {
+/** The exercise that the tables of a file say, as pdp8/lessons/student.py writes them. Throws where they say none. */
+export function exercise({ title, task, program = {}, case: cases = [], question: questions = [], others }) {
+  for (const text of [title, task]) if (typeof text !== "string") throw new Error("it has no title or no task");
   const tried = cases.map(({ hint, trial, ...rest }) =>
     record(Case, { ...rest, hints: hint, trials: trial.map((table) => record(Trial, table)) }),
   );

@@ -3,6 +3,7 @@
 import { bytes } from "../translator/runtime.mjs";
 import * as kinds from "../../../tapes/kinds.mjs";
 
+const NEWEST = 20; // tapes that are kept
 const LOOK = 1000; // frames that say in which code a tape is shown
 
 /** The code in which frames are shown: "ascii", "eia" or "bin". */
@@ -25,6 +26,7 @@ const OFFERED = { any: (name) => !name.endsWith(".pal"), eia: (name, { code }) =
 export class Shelf {
   constructor(bundled) {
     this.tapes = new Map();
+    this.bundled = Object.keys(bundled);
     for (const [name, frames] of Object.entries(bundled)) this.#add(name, frames.encode("latin-1"));
     this.#offer();
   }
@@ -42,6 +44,17 @@ export class Shelf {
       list.replaceChildren(list.options[0], ...names.map((name) => new Option(name)));
       list.value = value;
     }
+  }
+
+  /** The tapes that are not bundled, the newest of them, a character a frame. */
+  get kept() {
+    const own = this.names().filter((name) => !this.bundled.includes(name)).slice(-NEWEST);
+    return own.map((name) => [name, Array.from(this.get(name).frames, (frame) => String.fromCharCode(frame)).join("")]);
+  }
+
+  set kept(own) {
+    for (const [name, frames] of own) this.#add(name, frames.encode("latin-1"));
+    this.#offer();
   }
 
   names() {

@@ -81,6 +81,19 @@ class Card {
     find("computer").querySelector(".rocker").focus({ preventScroll: true });
   }
 
+  /** How far the practice has come. */
+  get kept() {
+    const { coach } = this;
+    return coach && [coach.at, coach.wrong, coach.seconds, coach.begun];
+  }
+
+  set kept([at, wrong, seconds, begun]) {
+    this.#practise(true);
+    find("card").querySelector("details").open = true;
+    Object.assign(this.coach, { at: at % this.card.steps.length, wrong, seconds, begun });
+    this.#say(`Go on: ${this.card.steps[this.coach.at].say}`);
+  }
+
   /** Something else is in core: nobody practises. */
   end() {
     if (!this.coach) return;

@@ -1,4 +1,4 @@
-// The tabs of the desk: one pane at a time.
+// The tabs of the desk: one pane at a time; beside an exercise, the program that answers it.
 
 import { html, put } from "../html.mjs";
 import { find } from "../written.mjs";
@@ -23,6 +23,14 @@ export class Tabs {
     if (shown.length) this.open(shown[0].id);
   }
 
+  get kept() {
+    return [...this.list.children].find((tab) => tab.ariaSelected === "true")?.dataset.opens;
+  }
+
+  set kept(opened) {
+    if (this.panes.some(({ id }) => id === opened)) this.open(opened);
+  }
+
   choose({ dataset: { opens } }) {
     this.open(opens);
   }
@@ -34,7 +42,9 @@ export class Tabs {
   }
 
   #show(opened) {
-    for (const pane of this.panes) pane.hidden = pane.id !== opened;
+    const beside = opened === "exercises" && !this.bench.exercises?.sheet ? "program" : "";
+    for (const pane of this.panes) pane.hidden = pane.id !== opened && pane.id !== beside;
+    document.querySelector("main").classList.toggle("beside", beside !== "");
     for (const tab of this.list.children) {
       const chosen = tab.dataset.opens === opened;
       tab.ariaSelected = String(chosen);

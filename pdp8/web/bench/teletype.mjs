@@ -37,6 +37,15 @@ export class Teletype {
     this.#highspeed();
   }
 
+  get kept() {
+    const { code, leverWaits, name } = this;
+    return { code, leverWaits, name };
+  }
+
+  set kept(kept) {
+    Object.assign(this, kept);
+  }
+
   /** Call the tape in the reader by its name. */
   named(name, code) {
     this.name = name;

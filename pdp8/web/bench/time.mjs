@@ -83,6 +83,15 @@ export class Time {
     bench.say(said);
   }
 
+  get kept() {
+    return { unit: this.unit, speed: find("speed").value };
+  }
+
+  set kept({ unit, speed }) {
+    find("units").querySelector(`[value="${CSS.escape(unit)}"]`)?.click();
+    if ([...find("speed").options].some(({ value }) => value === speed)) this.setSpeed(speed);
+  }
+
   choose({ value }) {
     this.unit = value;
   }

@@ -151,7 +151,6 @@ CONTROLS = {
     "#new-program": Control(f"{EDITOR}.name", WRITTEN),
     "#delete-program": Control(of("#program-says", "textContent"), WRITTEN),
     "#save-as": Control("window.saved", WRITTEN + SAVED, "."),
-    "#list": Control(f"{EDITOR}.core.text", f"{LOADED} {opened('program')} {EDITOR}.core.text = null;"),
     "#counts": Control(of("#counts", "checked"), opened("program"), "Space"),
     "#core": Control(of("#core", "scrollTop"), LOADED, "PageDown", within=" th"),
     "#core input": Control(f"[...{P}.core]", LOADED, "Control+a 7 Enter"),
@@ -176,8 +175,10 @@ CONTROLS = {
     "#part-cut": Control("workbench.mill.name", f"{READY} {PUNCHED}"),
     "#exercise": Control("workbench.exercises.name", EXERCISES, "m"),
     "#exercise-link": Control("location.hash", f"{EXERCISES} history.replaceState(null, '', '#');"),
-    "[data-click='exercises.begin']": Control(f"{EDITOR}.name", f"{WRITTEN} {EXERCISES}"),
-    "#asked .go": Control(of("#marks", "textContent.length"), EXERCISES),
+    "#asked [data-click='exercises.begin']": Control(f"{EDITOR}.name", f"{WRITTEN} {EXERCISES}"),
+    "#asked .go": Control(
+        of("#marks", "textContent.length"), f"{EXERCISES} document.getElementById('marks').textContent = '';"
+    ),
 }
 
 

@@ -2,6 +2,7 @@
 
 from pdp8 import shelf
 from pdp8.lessons import form, student
+from pdp8.lessons.course import COURSE
 from tests.pdp8.web.browsing import Browser, Page, click, until, visit
 
 HALT = "*200\n\tHLT\n$\n"
@@ -42,6 +43,107 @@ def test_programs_are_kept_and_never_written_over(page: Page) -> None:
     assert "keeps no programs for this page (forbidden)" in page.locator("#program-says").inner_text()
     page.locator("#source").fill(HALT)
     assert page.evaluate("workbench.editor.assemble()")
+
+
+def test_two_tabs_do_not_write_over_each_other(page: Page) -> None:
+    """The later one says so and keeps both; a third that only looks writes nothing."""
+    page.evaluate("(text) => workbench.editor.put('mine.pal', text)", HALT)
+    tabs = [page.context.new_page() for _ in range(2)]
+    for other in tabs:
+        other.goto(page.url)
+        until(other, "window.workbench?.editor.name === 'mine.pal'")
+    tabs[0].locator("#source").fill(HALT + "/ first\n")
+    until(tabs[0], "workbench.programs.get('mine.pal').includes('first')")
+    says = "document.getElementById('program-says').textContent"
+    until(page, f"{says}.includes('mine.pal was changed in another tab')")
+    page.locator("#source").fill(HALT + "/ second\n")
+    until(page, "workbench.editor.name === 'mine 2.pal'")
+    assert "kept as mine 2.pal" in page.locator("#program-says").inner_text()
+    click(tabs[1], "[data-click='editor.back']")
+    assert "first" in tabs[1].evaluate("workbench.editor.text")
+    tabs[0].evaluate("workbench.editor.begin('mine.pal'); workbench.editor.remove();")
+    until(tabs[1], f"{says}.includes('mine.pal was deleted in another tab')")
+    tabs[1].locator("#source").fill(HALT + "/ third\n")
+    until(tabs[1], "workbench.programs.get('mine.pal')?.includes('third')")
+    assert "second" in tabs[1].evaluate("workbench.programs.get('mine 2.pal')")
+
+
+def test_a_reload_loses_nothing(page: Page) -> None:
+    """Machine, breakpoints, tapes, marks, answers, a loader half toggled in; a run stands still then.
+
+    The next visit finds it again, too; what no browser keeps it asks about before it leaves.
+    """
+    page.evaluate("workbench.editor.put('mine.pal', '*200\\n\\tJMP .\\n$\\n'); workbench.editor.run();")
+    page.evaluate("workbench.machine.watch.breakpoints.add(0o1234)")
+    page.evaluate(
+        "workbench.teletype.mount(workbench.shelf.put('<mine>.asc', new Uint8Array([0o261, 0o215])))"
+    )
+    page.evaluate("workbench.exercises.open('read-a-frame'); workbench.tabs.open('exercises');")
+    page.locator("#asked input").first.fill("270 & <b>")
+    page.evaluate("workbench.exercises.open('add')")
+    click(page, "#asked [data-click='exercises.begin']")
+    page.locator("#source").fill(form.read("add").solution)
+    click(page, "#asked .go")
+    until(page, "document.getElementById('exercise').textContent.includes('✓ Add two words')")
+    click(page, "#card summary", "#drill")
+    page.locator("#computer .rocker").first.focus()
+    page.keyboard.type("t7756l6032d")
+    before = page.evaluate("[workbench.machine.processor.pc, ...workbench.machine.processor.core]")
+    for _ in range(2):
+        page = _visited_again(page)
+        assert (
+            page.evaluate("[workbench.machine.processor.pc, ...workbench.machine.processor.core]") == before
+        )
+        assert page.evaluate("[...workbench.machine.watch.breakpoints]") == [0o1234]
+        assert page.evaluate("[...workbench.machine.teletype.reader.tape]") == [0o261, 0o215]
+        assert page.locator("#reader .name").inner_text().startswith("<mine>.asc")
+        assert page.evaluate("[workbench.editor.name, workbench.exercises.name]") == ["add.pal", "add"]
+        assert "✓ Add two words" in page.locator("#exercise").inner_text()
+        assert page.locator("#exercises").is_visible()
+        page.locator("#computer .rocker").first.focus()
+        page.keyboard.type("0d")
+        assert "switch 0 should be up" in page.locator("#drill-says").inner_text()
+        page.locator("#exercise").select_option("read-a-frame")
+        assert page.locator("#asked input").first.input_value() == "270 & <b>"
+        page.locator("#exercise").select_option("add")
+    page.evaluate("() => { Storage.prototype.setItem = () => { throw new Error('full'); }; }")
+    asked = page.evaluate("!dispatchEvent(new Event('beforeunload', { cancelable: true }))")
+    assert asked
+
+
+def _visited_again(page: Page) -> Page:
+    """Reload the page, then leave it and come again in another tab."""
+    _reopened(page)
+    address = page.url
+    other = page.context.new_page()
+    page.close(run_before_unload=True)
+    other.goto(address)
+    until(other, "!!window.workbench")
+    return other
+
+
+def test_an_exercise_stands_beside_its_program(page: Page) -> None:
+    """In the order of a class, by level. Another program is not marked for the answer."""
+    click(page, "[data-opens=exercises]")
+    levels = page.locator("#exercise optgroup").evaluate_all("(all) => all.map(({ label }) => label)")
+    assert levels == list(COURSE)
+    page.locator("#exercise").select_option("larger")
+    task, editor = page.locator("#asked").bounding_box(), page.locator("#source").bounding_box()
+    assert task
+    assert editor
+    assert task["x"] + task["width"] <= editor["x"]
+    click(page, "#asked .go")
+    assert "hello.pal is open, and larger.pal is the answer." in page.locator("#marks").inner_text()
+    click(page, "#marks [data-click='exercises.markOpen']")
+    until(page, "document.getElementById('marks').textContent.includes('hello.pal: 0 of')")
+    page.locator("#exercise").select_option("read-a-frame")
+    assert not page.locator("#source").is_visible()
+    page.set_viewport_size({"width": 900, "height": 800})
+    page.locator("#exercise").select_option("larger")
+    task, editor = page.locator("#asked").bounding_box(), page.locator("#source").bounding_box()
+    assert task
+    assert editor
+    assert task["y"] + task["height"] <= editor["y"]
 
 
 _TYPED = """(area) => {
@@ -113,7 +215,7 @@ def test_an_exercise_of_a_teachers_is_dropped_and_marked(page: Page) -> None:
     click(page, "[data-click='exercises.begin']")
     assert page.evaluate("workbench.editor.name") == "homework.pal"
     page.locator("#source").fill(exercise.solution)
-    click(page, "[data-opens=exercises]", "#asked .go")
+    click(page, "#asked .go")
     until(page, "document.getElementById('marks').textContent.includes('homework.pal: 3 of 3 points')")
     assert exercise.points == 6
     page.goto(page.url.split("#")[0] + "#exercise=read-a-frame")

@@ -1,0 +1,80 @@
+// What this browser keeps for the page, by name: programs, marks, answers, a teacher's exercises; and a few settings. One that
+// keeps nothing for a page from disk does no harm. The store is read anew each time: another tab may have written there.
+
+import { RESTS } from "./alone.mjs";
+import { free } from "./shelf.mjs";
+
+/** Keep a setting, for this tab's next reload and for the next visit; return why this browser does not. */
+export function keep(name, text) {
+  try {
+    if (!RESTS) for (const store of [sessionStorage, localStorage]) store.setItem(name, text);
+    return "";
+  } catch (error) {
+    return String(error.message ?? error);
+  }
+}
+
+export function kept(name) {
+  try {
+    return RESTS ? null : sessionStorage.getItem(name) ?? localStorage.getItem(name);
+  } catch {
+    return null;
+  }
+}
+
+export class Store {
+  /** `changed` is called when another tab has written or deleted one of this kind, with its name.
+   *  @param {string} kind
+   *  @param {(name: string) => void} [changed] */
+  constructor(kind, changed) {
+    this.prefix = `pdp8 ${kind}: `;
+    this.held = new Map(); // what the browser does not keep
+    this.refused = keep("pdp8", ""); // why not
+    addEventListener("storage", ({ key }) => key?.startsWith(this.prefix) && changed?.(key.slice(this.prefix.length)));
+  }
+
+  names() {
+    let keys = [];
+    try {
+      if (!RESTS) keys = Object.keys(localStorage).filter((key) => key.startsWith(this.prefix)).map((key) => key.slice(this.prefix.length));
+    } catch { /* it keeps nothing */ }
+    return [...new Set([...keys, ...this.held.keys()])].sort();
+  }
+
+  /** The text of that name; undefined if there is none. */
+  get(name) {
+    if (this.held.has(name)) return this.held.get(name);
+    try {
+      return (RESTS ? null : localStorage.getItem(this.prefix + name)) ?? undefined;
+    } catch {
+      return undefined;
+    }
+  }
+
+  /** Keep a text, in place of what it was. */
+  keep(name, text) {
+    this.refused = "";
+    this.held.delete(name);
+    if (RESTS) return void this.held.set(name, text);
+    try {
+      localStorage.setItem(this.prefix + name, text);
+    } catch (error) {
+      this.refused = String(error.message ?? error);
+      this.held.set(name, text);
+    }
+  }
+
+  remove(name) {
+    this.held.delete(name);
+    try {
+      localStorage.removeItem(this.prefix + name);
+    } catch { /* it kept nothing */ }
+  }
+
+  /** Keep a text that comes from elsewhere, under a free name if its own is another's; return the name. */
+  take(name, text) {
+    const called = free(name, (each) => (this.get(each) ?? text) !== text);
+    this.keep(called, text);
+    return called;
+  }
+}
