@@ -11,7 +11,7 @@ import { unpacked } from "./packed.mjs";
 
 const record = await unpacked(document.getElementById("record").textContent);
 const made = circle(5);
-const figures = { near: near(), one: one(), piecewise: piecewise(), stepwise: stepwise(), curved: curved() };
+const figures = { near: near(), one: one(), piecewise: piecewise(record), stepwise: stepwise(), curved: curved() };
 figures.whole = whole(made, document.getElementById("cut"));
 figures.holes = holes(made);
 figures.computer = computer(made, record);

@@ -23,7 +23,8 @@ def page() -> str:
 
 
 def record() -> dict[str, Any]:
-    """Return what the page has at hand, ready for JSON: eia.pal's words and the lines of its listing."""
+    """Return what the page has at hand, ready for JSON: eia.pal's words, its listing, a proved tape."""
     assembly = pal.assemble(shelf.read_bundled("eia.pal"))
     lines = [[line.address, line.word, line.source] for line in assembly.lines if line.word is not None]
-    return {"words": list(assembly.words.items()), "listing": lines}
+    fewest = list(shelf.read_bundled("slope-fewest.eia"))
+    return {"words": list(assembly.words.items()), "listing": lines, "fewest": fewest}

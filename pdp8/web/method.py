@@ -27,7 +27,7 @@ CENTRE = 4000
 RADIUS = 1750
 """Of the path of the cutter's centre, in the listing of Appendix C."""
 
-SLOPE = [Point(1000, 1000), Point(5330, 3500)]
+SLOPE = [Point(4000, 4000), Point(8330, 6500)]
 """Chapter 3's slope, 30 degrees and 5 in long."""
 
 _KSF, _KRB, _TLS = 0o6031, 0o6036, 0o6046
@@ -87,6 +87,11 @@ def _milled(curve: Curve, milling: Milling, x_error: float = 0.0, y_error: float
 def pieces(count: int, x_code: int, y_code: int, x_error: float, y_error: float) -> Made:
     """Mill the slope in `count` equal pieces, at the feeds of two codes of Table 2.4."""
     return _made(slopes.pieces(SLOPE[0], SLOPE[1], count, x_code, y_code), x_error, y_error)
+
+
+def fewest(frames: list[int], x_error: float, y_error: float) -> Made:
+    """Mill the slope by the frames of the proved tape, slope-fewest.eia."""
+    return Made("", cut(bytes(frames), settings=Settings(feed_error=(x_error, y_error, 0.0))))
 
 
 def slope(tolerance: float, x_error: float = 0.0, y_error: float = 0.0) -> Made:

@@ -23,16 +23,16 @@ export function curved() {
     const strip = { x: 8, y: close.y + tall + 28, width: width - 66, height: 110 };
     const chart = { x: 40, y: strip.y + strip.height + 40, width: width - 60, height: 130 };
     const content = pictured(made, cutter, tolerance, place, whole, close) + unrolled(made, wall, tolerance, place, strip) + compared(tolerance, code, chart);
-    return [content, chart.y + chart.height + 34, said(made, wall)];
+    return [content, chart.y + chart.height + 34, said(made, wall, tolerance)];
   });
 }
 
-function said({ blocks, reading, milling, minutes: took }, { outer, inner }) {
+function said({ blocks, reading, milling, minutes: took }, { outer, inner }, tolerance) {
   const tenth = STATIONS / 9, middle = STATIONS / 2, five = STATIONS / 18;
-  const wall = Math.max(troughToPeak(outer), troughToPeak(inner));
+  const furthest = Math.max(...[outer, inner].map((errors) => errors.reduce((most, error) => Math.max(most, Math.abs(error) || 0), 0)));
   const diagonal = Math.max(...[outer, inner].map((errors) => troughToPeak(errors.subarray(middle - five, middle + five))));
   const apex = Math.max(...[outer, inner].map((errors) => troughToPeak(errors.subarray(STATIONS - tenth))));
-  return html`<b>${blocks} blocks</b>: reading ${minutes(reading)} + cutting ${minutes(milling)} = <b>${minutes(took)}</b>. Wall, trough to peak: <b>${mils(wall, 4)} in</b> at most; ${mils(apex, 4)} near the top, ${mils(diagonal, 4)} at 45°.`;
+  return html`<b>${blocks} blocks</b>: reading ${minutes(reading)} + cutting ${minutes(milling)} = <b>${minutes(took)}</b>. The wall is at most <b>${mils(furthest, 4)} in</b> off; promised are ${mils(tolerance + 1)}. Trough to peak it is ${mils(apex, 4)} near the top, ${mils(diagonal, 4)} at 45°.`;
 }
 
 function pictured({ way }, cutter, tolerance, place, whole, close) {

@@ -2,6 +2,7 @@
 
 import { circle } from "../method.mjs";
 import { CIRCLE, Figure, mils, remembered } from "./drawing.mjs";
+import { html } from "../html.mjs";
 import { clipped, text } from "../svg.mjs";
 import { troughToPeak, walls } from "./walls.mjs";
 
@@ -72,5 +73,5 @@ function said({ outer, inner }, closed) {
   const at = (angle, reach) => Math.max(readingAt(outer, angle, reach), readingAt(inner, angle, reach));
   const diagonals = Math.max(...[45, 135, 225, 315].map((angle) => at(angle, 5)));
   const start = `${mils(at(180, 10), 4)} in at −X, ${closed ? "where it starts and ends" : "where the last cut is missing"}`;
-  return `Trough to peak: <b>${mils(at(90, 10), 4)} in</b> at +Y and −Y; <b>${start}</b>; at most ${mils(diagonals, 4)} at 45°. The thesis measured .009 at the axes and about .001 at 45°.`;
+  return html`Trough to peak: <b>${mils(at(90, 10), 4)} in</b> at +Y and −Y; <b>${start}</b>; at most ${mils(diagonals, 4)} at 45°. The thesis measured .009 at the axes and about .001 at 45°.`;
 }

@@ -1,6 +1,6 @@
 // Chapter 3's slope: one instruction misses it, pieces come near, steps stay in the band whatever the feeds do.
 
-import { pieces, SLOPE, slope } from "../method.mjs";
+import { fewest, pieces, SLOPE, slope } from "../method.mjs";
 import { Figure, inch, minutes, straightened } from "./drawing.mjs";
 import { html } from "../html.mjs";
 import { text, View } from "../svg.mjs";
@@ -53,23 +53,23 @@ export function one() {
     const angle = (Math.atan2(where.y - FROM.y, where.x - FROM.x) * 180) / Math.PI;
     const miss = worst < 0.5 ? "" : view.line([where, at(beside(where).x)], 'class="miss"');
     const content = cone + ends(view) + miss + view.line(way, 'class="way"');
-    return [content, height, `It leaves A at <b>${angle.toFixed(1)}°</b>; the slope is 30.0°. When one axis has arrived it is <b>${inch(worst)}</b> off; then the other goes on alone.`];
+    return [content, height, html`It leaves A at <b>${angle.toFixed(1)}°</b>; the slope is 30.0°. When one axis has arrived it is <b>${inch(worst)}</b> off; then the other goes on alone.`];
   });
 }
 
-export function piecewise() {
-  return new Figure("piecewise", ({ pieces: count, error }, width) => {
+export function piecewise({ fewest: frames }) {
+  return new Figure("piecewise", ({ pieces: asked, error, fewest: proved }, width) => {
     const [view, height] = plan(width);
-    const { way, minutes: took } = pieces(count, 2, 1, error / 100, -error / 100);
-    const stops = Array.from({ length: count - 1 }, (_, n) => at((LENGTH * (n + 1)) / count));
+    const { way, stops, minutes: took } = proved ? fewest(frames, error / 100, -error / 100) : pieces(asked, 2, 1, error / 100, -error / 100);
+    const count = proved ? stops.length : asked;
     const dots = count < 60 ? stops.map((place) => view.dot(place, 3, 'class="stop"')).join("") : "";
     const { worst } = furthest(way);
     const reach = Math.max(1.7 * BAND, 1.15 * worst);
     const box = { x: 8, y: height + 24, width: width - 62, height: 120 };
     const content = ends(view) + view.line(way, 'class="way"') + dots + title(box, reach) + straightened(box, LENGTH, BAND, reach, [[way.map(beside), "way"]]);
     const inside = worst <= BAND;
-    const verdict = inside ? '<b class="good">inside the band</b>' : '<b class="bad">outside the band</b>';
-    return [content, box.y + box.height + 8, `${count} ${count === 1 ? "piece" : "pieces"}: at most <b>${inch(worst)}</b> off, ${verdict} of ±.005 in; ${minutes(took)}.`];
+    const verdict = inside ? html`<b class="good">inside the band</b>` : html`<b class="bad">outside the band</b>`;
+    return [content, box.y + box.height + 8, html`${count} ${count === 1 ? "piece" : "pieces"}: at most <b>${inch(worst)}</b> off, ${verdict} of ±.005 in; ${minutes(took)}.`];
   });
 }
 

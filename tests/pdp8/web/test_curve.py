@@ -9,10 +9,10 @@ import pytest
 import pal
 from nc.curves import nominal
 from nc.inspection import inspect
+from nc.path import Position
 from pdp8 import shelf
 from pdp8.thesis import chain
 from pdp8.web import curve, method
-from programs.milling import Milling
 from tapes import ascii, eia
 from tests.pdp8.web.browsing import AXE, Browser, Locator, Page, click, needs_axe, serious, until, visit
 from tests.pdp8.web.node import in_node, needs_node, plain
@@ -57,9 +57,43 @@ def test_its_numbers_are_those_of_the_thesis() -> None:
     assert exact.blocks - 6 == 408
     assert wrong.way == exact.way
     assert wrong.minutes != exact.minutes
-    assert chain.printout("slope", milling=Milling("piece", feed_error=0.2)).count("\n") - 6 == 174
+    tape = list(shelf.read_bundled("slope-fewest.eia"))
+    fewest = [method.fewest(tape, error, -error) for error in (-0.2, 0, 0.2)]
+    assert {len(each.stops) for each in fewest} == {133}  # proved in tests/programs
+    assert all(abs(_off(place)) <= 5 * 5000 for each in fewest for place in each.way)
+    assert method.slope(10).blocks - 6 == 210
     fine, coarse = method.quarter(5, 3), method.quarter(10, 3)
     assert 1.8 < (fine.blocks - 6) / (coarse.blocks - 6) < 2
+
+
+def test_wrong_feeds_are_those_of_their_own_axes() -> None:
+    """X 20 % fast arrives before Y does, and leaves the slope below it; Y fast leaves it above."""
+    for x_error, y_error, below in ((0.2, 0.0, True), (0.0, 0.2, False)):
+        corner = method.pieces(1, 3, 2, x_error, y_error).way[1]
+        exact = method.pieces(1, 3, 2, 0.0, 0.0).way[1]
+        assert (_off(corner) < _off(exact)) == below
+
+
+def test_what_a_tolerance_promises_and_what_it_gives() -> None:
+    """No wall of the closed circle is further off than the band and .001; .006 gives less than .005."""
+    spans = {}
+    for tolerance in (3, 5, 6, 10):
+        path = method.circle(tolerance, close=True).path
+        found = inspect(path, nominal(circle=(4, 4, 1.75)), tolerance=tolerance)
+        errors = np.concatenate([found.walls.outer, found.walls.inner])
+        assert tolerance < np.abs(errors).max() <= tolerance + 1
+        spans[tolerance] = float(np.ptp(found.walls.outer))
+    assert [round(spans[tolerance], 1) for tolerance in (5, 6)] == [10.6, 8.6]  # a model that is not ours
+
+
+def test_the_ellipse_s_times_are_as_told() -> None:
+    times = chain.path("ellipse").contour
+    assert (round(times.reading / 60, 1), round(times.milling / 60, 1)) == (32.3, 3.8)
+    assert round(100 * times.efficiency) == 11
+
+
+def _off(place: Position) -> float:
+    return (place.y - 4000) * 4330 - (place.x - 4000) * 2500
 
 
 @pytest.fixture(scope="module")
@@ -91,6 +125,7 @@ def test_each_control_changes_its_figure(page: Page) -> None:
         until(page, "new Promise((done) => setTimeout(() => done(true), 30))")
         assert _shown(figure) != before, control.get_attribute("name")
     assert page.evaluate("document.documentElement.scrollWidth") == 390
+    assert not any("<" in each.inner_text() for each in page.locator(".said").all())
     click(page, "#translate")
     assert re.match(r"666 blocks: 30\.0 minutes .*; 13320 frames", page.locator("#translated").inner_text())
 
