@@ -12,18 +12,15 @@ import operator
 import re
 from collections.abc import Callable, Iterator, Sequence
 from itertools import count
-from typing import TYPE_CHECKING
 
 from pal.isa import EXECUTE, JMS, autoindexed
 from pdp8.computer.machine import Machine
 from pdp8.computer.watch import wrote
 from pdp8.dap import expressions
-from pdp8.dap.places import place, reference
+from pdp8.dap.places import Places, place, reference
 from pdp8.dap.wire import Body
+from pdp8.monitor.prompt import Monitor
 from tapes.errors import WorkError
-
-if TYPE_CHECKING:
-    from pdp8.dap.debuggee import Debuggee
 
 LINES, ADDRESSES = "breakpoint", "function breakpoint"
 INSTRUCTIONS, DATA = "instruction breakpoint", "data breakpoint"
@@ -48,40 +45,40 @@ class Point:
         self._condition: expressions.Value | None = None
         self._log: Callable[[], str] | None = None
 
-    def place(self, room: "Debuggee") -> None:
+    def place(self, monitor: Monitor, places: Places) -> None:
         """Find the place of the breakpoint in the program that is loaded."""
         self.address, self.why, self.line, self._condition = None, "", None, None
         try:
             if self.asked.get("condition"):
-                self._condition = expressions.read(self.asked["condition"], room.monitor)
+                self._condition = expressions.read(self.asked["condition"], monitor)
             if (hits := self.asked.get("hitCondition")) and not _HITS.fullmatch(hits):
                 raise WorkError(f"{hits}: a decimal number of hits expected, alone or behind == > >= < <= %")
-            self._log = expressions.message(self.asked.get("logMessage") or "", room.monitor)
-            self._find(room)
+            self._log = expressions.message(self.asked.get("logMessage") or "", monitor)
+            self._find(monitor, places)
         except WorkError as error:
             self.why = str(error)
 
-    def _find(self, room: "Debuggee") -> None:
+    def _find(self, monitor: Monitor, places: Places) -> None:
         if self.kind == LINES:
             self.line = self.asked["line"]
-            if not room.places.is_of(self.asked["source"]):
-                raise WorkError(f"the program that runs is {room.places.name}")
-            found = room.places.first_from(self.asked["source"], self.asked["line"])
+            if not places.is_of(self.asked["source"]):
+                raise WorkError(f"the program that runs is {places.name}")
+            found = places.first_from(self.asked["source"], self.asked["line"])
             if found is None:
                 raise WorkError("no word from this line on")
             self.address, self.line = found
         elif self.kind == INSTRUCTIONS:
             self.address = place(self.asked["instructionReference"], self.asked.get("offset") or 0)
         else:
-            self.address = room.monitor.address(self.asked["name" if self.kind == ADDRESSES else "dataId"])
+            self.address = monitor.address(self.asked["name" if self.kind == ADDRESSES else "dataId"])
             if self.kind == DATA and self.asked.get("accessType", "write") != "write":
                 raise WorkError(f"{self.asked['accessType']}: words are watched for writing alone")
 
-    def described(self, room: "Debuggee") -> Body:
+    def described(self, places: Places) -> Body:
         """Return the protocol's Breakpoint."""
         body: Body = {"id": self.number, "verified": self.address is not None}
         if self.line is not None:
-            body |= {"line": self.line, "source": room.places.source_of(self.asked["source"])}
+            body |= {"line": self.line, "source": places.source_of(self.asked["source"])}
         if self.address is None:
             return body | {"message": self.why}
         return body | {"instructionReference": reference(self.address)}
@@ -121,7 +118,12 @@ class Breakpoints:
         return (point for points in self._set.values() for point in points)
 
     def put(
-        self, room: "Debuggee", kind: str, source: str, asked: Sequence[tuple[object, Body]]
+        self,
+        monitor: Monitor,
+        places: Places,
+        kind: str,
+        source: str,
+        asked: Sequence[tuple[object, Body]],
     ) -> list[Body]:
         """Set what is `asked` for, each with its key, in place of all others of the kind and source.
 
@@ -132,19 +134,19 @@ class Breakpoints:
         for key, words in asked:
             if key not in points:
                 points[key] = Point(before.get(key) or next(self._numbers), kind, key, words)
-                points[key].place(room)
+                points[key].place(monitor, places)
         self._set[kind, source] = list(points.values())
-        return [points[key].described(room) for key, _ in asked]
+        return [points[key].described(places) for key, _ in asked]
 
-    def place_anew(self, room: "Debuggee") -> list[Body]:
+    def place_anew(self, monitor: Monitor, places: Places) -> list[Body]:
         """Place all in a program that was loaded anew; return those that are elsewhere now."""
         moved = []
         for point in self:
-            was = point.described(room)
+            was = point.described(places)
             point.hits = 0
-            point.place(room)
-            if point.described(room) != was:
-                moved.append(point.described(room))
+            point.place(monitor, places)
+            if point.described(places) != was:
+                moved.append(point.described(places))
         return moved
 
     @property
@@ -165,29 +167,3 @@ class Breakpoints:
         if machine.watch.reached:
             written = {p.ma} & self.data if wrote(p) else set(filter(autoindexed, self.data))
         return [point for point in self if point.address in (written if point.kind == DATA else places)]
-
-
-def set_lines(room: "Debuggee", arguments: Body) -> Body:
-    """Set the breakpoints of a source, in place of those before."""
-    source = arguments["source"]
-    asked = [(point["line"], {**point, "source": source}) for point in arguments.get("breakpoints") or ()]
-    name = str(source.get("path") or source.get("sourceReference") or "")
-    return {"breakpoints": room.breakpoints.put(room, LINES, name, asked)}
-
-
-def set_functions(room: "Debuggee", arguments: Body) -> Body:
-    return _set(room, ADDRESSES, arguments, "name")
-
-
-def set_instructions(room: "Debuggee", arguments: Body) -> Body:
-    return _set(room, INSTRUCTIONS, arguments, "instructionReference", "offset")
-
-
-def set_data(room: "Debuggee", arguments: Body) -> Body:
-    return _set(room, DATA, arguments, "dataId")
-
-
-def _set(room: "Debuggee", kind: str, arguments: Body, *names: str) -> Body:
-    """Set the breakpoints of a kind; what `names` say of one tells it from others."""
-    asked = [(tuple(point.get(name) for name in names), point) for point in arguments["breakpoints"]]
-    return {"breakpoints": room.breakpoints.put(room, kind, "", asked)}

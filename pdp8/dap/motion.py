@@ -6,7 +6,7 @@ as well: its routine returns through word 0.
 """
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from pal.isa import EXECUTE, ISZ, JMS, refers_to
 from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, TICKS_PER_SECOND
@@ -15,12 +15,7 @@ from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History, HistoryError
 from pdp8.computer.stop import Stop
 from pdp8.dap.calls import ARGUMENTS, frames
-from pdp8.dap.wire import Body
 from tapes.errors import WorkError
-
-if TYPE_CHECKING:
-    from pdp8.dap.debuggee import Debuggee
-
 
 Look = Callable[[float], None]
 """What is called while a search goes back, with the part of the history that it has searched."""
@@ -62,15 +57,6 @@ def over(machine: Machine) -> tuple[Stop, Goal | None]:
     stop = into(machine)
     called = p.state == EXECUTE and p.ir == JMS
     return stop, Goal(p.ma, interrupt) if called else None
-
-
-def goto_targets(room: "Debuggee", arguments: Body) -> Body:
-    """Return the word that a line makes, as a place to go on from."""
-    found = room.places.first_from(arguments["source"], arguments["line"])
-    if found is None:
-        return {"targets": []}
-    address, line = found
-    return {"targets": [{"id": address, "label": f"{address:04o}", "line": line}]}
 
 
 def out(machine: Machine) -> Goal:

@@ -15,6 +15,7 @@ from pdp8.computer.hardware.fields import CORE, FRAMES, PART, TICK, Part, walk
 from pdp8.computer.hardware.signals import AT_ONCE, NEVER, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
 from pdp8.dap import calls, expressions
+from pdp8.dap.breakpoints import LINES
 from pdp8.dap.debuggee import Debuggee
 from pdp8.dap.places import reference
 from pdp8.dap.wire import Body
@@ -137,6 +138,33 @@ def set_expression(room: Debuggee, arguments: Body) -> Body:
     else:
         monitor.machine.core[monitor.address(name)] = monitor.address(value)
     return {"value": _value_of(monitor, name)["result"]}
+
+
+def set_lines(room: Debuggee, arguments: Body) -> Body:
+    """Set the breakpoints of a source, in place of those before."""
+    source = arguments["source"]
+    asked = [(point["line"], {**point, "source": source}) for point in arguments.get("breakpoints") or ()]
+    name = str(source.get("path") or source.get("sourceReference") or "")
+    return {"breakpoints": room.breakpoints.put(room.monitor, room.places, LINES, name, asked)}
+
+
+def setting(kind: str, *names: str) -> Callable[[Debuggee, Body], Body]:
+    """Return what sets the breakpoints of a kind; what `names` say of one tells it from others."""
+
+    def set_(room: Debuggee, arguments: Body) -> Body:
+        asked = [(tuple(point.get(name) for name in names), point) for point in arguments["breakpoints"]]
+        return {"breakpoints": room.breakpoints.put(room.monitor, room.places, kind, "", asked)}
+
+    return set_
+
+
+def goto_targets(room: Debuggee, arguments: Body) -> Body:
+    """Return the word that a line makes, as a place to go on from."""
+    found = room.places.first_from(arguments["source"], arguments["line"])
+    if found is None:
+        return {"targets": []}
+    address, line = found
+    return {"targets": [{"id": address, "label": f"{address:04o}", "line": line}]}
 
 
 def completions(room: Debuggee, arguments: Body) -> Body:

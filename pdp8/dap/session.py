@@ -11,8 +11,8 @@ from time import monotonic
 from traceback import format_exc
 from typing import BinaryIO
 
-from pdp8.dap import breakpoints, memory, motion, scopes
-from pdp8.dap.breakpoints import Breakpoints
+from pdp8.dap import memory, motion, scopes
+from pdp8.dap.breakpoints import ADDRESSES, DATA, INSTRUCTIONS, Breakpoints
 from pdp8.dap.debuggee import Debuggee, Halt
 from pdp8.dap.launch import Launch
 from pdp8.dap.requests import checked
@@ -44,10 +44,10 @@ _CAPABILITIES = (
     "supportsGotoTargetsRequest",
 )
 _OF_THE_MACHINE: Mapping[str, Callable[[Debuggee, Body], Body]] = {
-    "setBreakpoints": breakpoints.set_lines,
-    "setFunctionBreakpoints": breakpoints.set_functions,
-    "setInstructionBreakpoints": breakpoints.set_instructions,
-    "setDataBreakpoints": breakpoints.set_data,
+    "setBreakpoints": scopes.set_lines,
+    "setFunctionBreakpoints": scopes.setting(ADDRESSES, "name"),
+    "setInstructionBreakpoints": scopes.setting(INSTRUCTIONS, "instructionReference", "offset"),
+    "setDataBreakpoints": scopes.setting(DATA, "dataId"),
     "dataBreakpointInfo": scopes.data_info,
     "setExceptionBreakpoints": lambda room, arguments: {},
     "stackTrace": scopes.stack_trace,
@@ -58,7 +58,7 @@ _OF_THE_MACHINE: Mapping[str, Callable[[Debuggee, Body], Body]] = {
     "evaluate": scopes.evaluate,
     "setExpression": scopes.set_expression,
     "completions": scopes.completions,
-    "gotoTargets": motion.goto_targets,
+    "gotoTargets": scopes.goto_targets,
     "readMemory": memory.read_memory,
     "writeMemory": memory.write_memory,
     "disassemble": memory.disassemble,
@@ -203,7 +203,7 @@ class Session:
     def _restart(self, arguments: Body) -> None:
         given = arguments.get("arguments")
         self._load(Launch.of(given) if given else self._loaded.launch)
-        for moved in self._breakpoints.place_anew(self._loaded):
+        for moved in self._breakpoints.place_anew(self._loaded.monitor, self._loaded.places):
             self._wire.event("breakpoint", reason="changed", breakpoint=moved)
         self._begin(arguments)
 
