@@ -16,6 +16,7 @@ from urllib.parse import unquote, urlsplit
 from lsprotocol import types as lsp
 from pygls.exceptions import JsonRpcException
 from pygls.lsp.server import LanguageServer
+from pygls.protocol import LanguageServerProtocol
 
 from pal.assembly import PAL3, PAL8
 from pal.diagnostics import Diagnostic
@@ -45,9 +46,21 @@ _SEVERITIES = {True: lsp.DiagnosticSeverity.Error, False: lsp.DiagnosticSeverity
 _LEGEND = lsp.SemanticTokensLegend(token_types=list(KINDS), token_modifiers=["declaration"])
 
 
+class _Protocol(LanguageServerProtocol):
+    """Messages as pygls reads them; a request with parameters of another shape is answered as an error."""
+
+    def structure_message(self, data: dict[str, Any]) -> Any:
+        try:
+            return super().structure_message(data)
+        except JsonRpcException as error:
+            if "method" in data and "id" in data:
+                self._send_response(data["id"], error=error.to_response_error())
+            raise
+
+
 def made(dialect: str) -> LanguageServer:
     """Return a server that takes sources to be in `dialect`, unless the editor chooses one for a source."""
-    server = LanguageServer("pal", _VERSION)
+    server = LanguageServer("pal", _VERSION, protocol_cls=_Protocol)
     Answers(server, Workspace(dialect, _read))
     return server
 

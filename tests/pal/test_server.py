@@ -5,6 +5,7 @@ A real client (pytest-lsp) holds the conversations of editor/ with the server.
 
 import asyncio
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +22,7 @@ from pal.document import Document
 from pal.formatting import formatted
 from pal.text import Text
 from pdp8 import shelf
-from tests.commands import environment
+from tests.commands import environment, run
 from tests.conftest import awaited, case
 
 FOLDER = "file:///tmp"
@@ -218,3 +219,23 @@ def test_formatting_moves_blanks_alone_and_once(lines: list[str], dialect: str) 
     assert once.translate(blanks) == source.translate(blanks)
     assert formatted(once, dialect) == once
     assert pal.assemble(once, dialect=dialect).words == pal.assemble(source, dialect=dialect).words
+
+
+def test_what_is_no_request_is_answered_as_an_error_and_the_session_goes_on() -> None:
+    requests: list[dict[str, Any]] = [
+        {"id": 1, "method": "initialize", "params": {"processId": None, "rootUri": None, "capabilities": {}}},
+        {"id": 2, "method": "textDocument/hover", "params": {"textDocument": 7}},
+        {"id": 3, "method": "textDocument/definition"},
+        {"id": 4, "method": "textDocument/foldingRange", "params": {"textDocument": {"uri": URI}}},
+        {"id": 5, "method": "shutdown"},
+        {"method": "exit"},
+    ]
+    contents = [json.dumps({"jsonrpc": "2.0", **each}).encode() for each in requests]
+    contents[1:1] = [b"{", b"[]"]
+    sent = b"".join(b"Content-Length: %d\r\n\r\n%b" % (len(content), content) for content in contents)
+    done = run("pal", "--lsp", stdin=sent)
+    assert (done.returncode, done.stderr) == (0, b"")
+    answers = re.findall(
+        r'"code": (-?\d+).*?"id": (\d)|"id": (\d), "jsonrpc": "2.0", "result"', done.stdout.decode()
+    )
+    assert answers == [("", "", "1"), ("-32602", "2", ""), ("-32602", "3", ""), ("", "", "4"), ("", "", "5")]
