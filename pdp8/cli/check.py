@@ -11,9 +11,23 @@ from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Folder, Source, Target
 from pdp8.cli.shared.parameters import processor_seconds
 from pdp8.cli.shared.rules import option
+from pdp8.computer.past import state
 from pdp8.computer.use.program import DIALECTS, FOUND
-from pdp8.lessons import alike, bounded, form, handed, page, proof, records, scores, student
-from pdp8.lessons.answer import Answer
+from pdp8.lessons import (
+    alike,
+    bounded,
+    form,
+    handed,
+    link,
+    marking,
+    page,
+    proof,
+    records,
+    scores,
+    student,
+    where,
+)
+from pdp8.lessons.answer import Answer, assembled
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.marking import Result
 from tapes.errors import WorkError
@@ -40,6 +54,13 @@ _BYTE_ORDER_MARK = "\ufeff"
     only="EXERCISE --seed",
     help="Try whether the exercise does its work: its solution, slips in it, and what the task says.",
 )
+@option(
+    "--where",
+    "shows_where",
+    is_flag=True,
+    needs="ANSWER",
+    help="Say where each answer goes wrong; write the machine there, and a link for the workbench.",
+)
 @click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
 @click.option("--json", type=Target("JSON"), help="Write the marks as JSON.")
 @click.option("--csv", type=Target("text"), help="Write the marks for a spreadsheet.")
@@ -64,6 +85,7 @@ def check(
     listed: bool,
     show: str | None,
     prove: bool,
+    shows_where: bool,
     dialect: str,
     json: str | None,
     csv: str | None,
@@ -131,6 +153,8 @@ def check(
             command.put(json, records.as_json(read, results))
         if "-" not in (csv, junit, json):
             _show(read, answers, results)
+        if shows_where:
+            _where(read, answers, results, dialect)
         ctx.exit(0 if all(result.right for result in results) else 1)
 
 
@@ -168,6 +192,34 @@ def _show(exercise: Exercise, answers: Sequence[Answer], results: Sequence[Resul
         command.echo("\nalike but for comments and names, a hint and no proof:")
     for pair in found:
         command.echo(f"  {scores.visible(pair.one)}  {scores.visible(pair.other)}  {pair.shared:.0%}")
+
+
+def _where(exercise: Exercise, answers: Sequence[Answer], results: Sequence[Result], dialect: str) -> None:
+    """Say of each answer that was tried where its first case that may be seen goes wrong."""
+    for given, result in zip(answers, results, strict=True):
+        names = [mark.name for mark in result.marks if mark.failures and not mark.hidden]
+        case = next((case for case in exercise.cases if case.name in names), None)
+        if case is None:
+            continue
+        answer = assembled(given, dialect)
+        whole, failed = next(
+            (each, failed)
+            for each in case.trials
+            if (failed := marking.first_failed(answer, each)) is not None
+        )
+        place = where.find(answer, whole, failed)
+        machine = where.standing(answer, whole, failed.outcome.number)
+        name = os.path.basename(given.name)
+        opened = link.link(name, given.source, machine, place.instructions)
+        machine.run(instructions=place.instructions)
+        machine.stop()
+        stem = os.path.splitext(name)[0]
+        after = counted(place.instructions, "instructions")
+        command.echo(
+            f"\n{given.name}: {case.name}: at {place.address:04o}, {after} after START: {place.says}"
+        )
+        command.put(f"{stem}.state", state.save(machine))
+        command.echo(opened)
 
 
 def _prove(exercise: Exercise, name: str, seed: int) -> None:

@@ -6,6 +6,7 @@ student    the form that students get
 answer     a student's answer;            handed    the file it is in, read within bounds
 trial      an answer run on one trial: what it punched, printed and left in core
 marking    points and failures of an answer;        diagnosis   what happened;   values   a sheet's answers
+where      the place where an answer goes wrong;    link     that opens the workbench there
 bounded    a class marked, each answer within bounds of time and memory, in a process of its own
 proof      that an exercise is a contract: what it looks at is told;   mutants   slips of a solution
 scores     marks as a table for people;   records   as CSV, JSON and JUnit;      page   a page for a student
@@ -14,5 +15,5 @@ course     the bundled exercises in the order of a class
 cards      cards to print                 drill     drills at the panel, and their coach
 exercises/ the bundled ones, and the functions that draw for them
 
-exercise, answer, trial, marking, diagnosis and values are written in the subset that pages translate.
+exercise, answer, trial, marking, where, diagnosis and values are written in the subset that pages translate.
 """

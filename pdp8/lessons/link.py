@@ -1,0 +1,34 @@
+"""A link that opens the workbench where an answer goes wrong: the program in the editor, the machine as it is
+at START, and how many instructions it runs on, with all of them to be gone back.
+"""
+
+import base64
+import json
+import zlib
+from typing import Any
+
+from pdp8.computer.machine import Machine
+from pdp8.computer.past.state import HEAD, save
+
+PAGE = "pdp8.html"
+
+
+def link(name: str, source: str, machine: Machine, until: int) -> str:
+    """Return the link: `until` are the instructions that the machine runs from the state it is in."""
+    state = _other(json.loads(save(machine)), json.loads(save(Machine(highspeed=True))))
+    shared = {"program": {"name": name, "text": source}, "machine": {**HEAD, **state}, "until": until}
+    packed = zlib.compress(json.dumps(shared, separators=(",", ":")).encode(), 9, wbits=-15)
+    return f"{PAGE}#s={base64.urlsafe_b64encode(packed).decode().rstrip('=')}"
+
+
+def _other(state: dict[str, Any], usual: dict[str, Any]) -> dict[str, Any]:
+    """Return what of a state is not as usual."""
+    found = {}
+    for key, value in state.items():
+        before = usual.get(key)
+        other = (
+            _other(value, before if isinstance(before, dict) else {}) if isinstance(value, dict) else value
+        )
+        if other not in (before, {}):
+            found[key] = other
+    return found
