@@ -5,19 +5,23 @@
     rim        an address every four frames, and channel 7 in its first alone
     bin        the checksum
 
-A value is proposed only if one alone differs least from what was seen, in channels that are in doubt.
+A value is proposed only if one alone differs least from what was seen, in channels that are in doubt. A rule
+that nine frames in ten obey makes another one doubtful, however sure its holes look.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from itertools import combinations, pairwise
 from math import inf
+from operator import eq
 
 from tapes import binary, eia, kinds, rim
 from tapes.errors import TapeError
 from tapes.frames import BLANK, LEADER, PARITIES, RUBOUT, find_leader, parity, skip
 
 _MOST_FLIPPED = 3
+_MOST_WRONG = 0.1
+_MANY = 20
 _MOST_CHANNELS = 24
 _NO_CHARACTERS = bytes([BLANK, LEADER, RUBOUT])
 
@@ -28,25 +32,59 @@ def propose(frames: bytes, doubtful: Mapping[int, int]) -> tuple[dict[int, int],
     `doubtful` are the frames in doubt and their channels in doubt as a mask, {number: mask}. ({}, "") if it
     says nothing.
     """
-    kind = kinds.classify(frames)
-    sure = bytes(frame for number, frame in enumerate(frames) if number not in doubtful)
-    if kind == kinds.BIN:
+    if kinds.classify(frames) == kinds.BIN:
         return _by_checksum(frames, doubtful)
+    fits, by = _rule(frames, doubtful)
+    return (_by_frame(frames, doubtful, fits), by) if by else ({}, "")
+
+
+def contradict(
+    frames: bytes, doubtful: Mapping[int, int], weakest: Sequence[tuple[float, int]]
+) -> tuple[dict[int, int], str]:
+    """Return which frames that are not in doubt the tape's redundancy says are wrong, and by what it says so:
+    {number: mask} with the channel that is likeliest the other.
+
+    `weakest` has for each frame how near that channel is to being the other, and its mask. Nothing is said if
+    more than a tenth of the frames are wrong: then it is the rule that is.
+    """
+    if kinds.classify(frames) == kinds.BIN:
+        likely = sorted(range(len(frames)), key=lambda at: weakest[at][0])[:_MOST_CHANNELS]
+        masks = {at: weakest[at][1] for at in likely}
+        found, by = ({}, "") if doubtful else _by_checksum(frames, masks, 1)
+        return {at: masks[at] for at in found}, by
+    fits, by = _rule(frames, doubtful)
+    sure = [at for at, frame in enumerate(frames) if at not in doubtful and frame != BLANK]
+    wrong = {at: weakest[at][1] for at in sure if not fits(at, frames[at])}
+    return (wrong, by) if len(wrong) <= _MOST_WRONG * len(sure) else ({}, "")
+
+
+def _rule(frames: bytes, doubtful: Mapping[int, int]) -> tuple[Callable[[int, int], bool], str]:
+    """Return what every frame of the tape obeys, whatever the others are, and its name, or "" if nothing."""
+    kind = kinds.classify(frames)
     if kind == kinds.RIM:
         start = skip(frames, find_leader(frames), LEADER)
-        return _by_frame(
-            frames, doubtful, lambda at, frame: frame >> 6 == ((at - start) % 4 == 0)
-        ), "RIM's order"
+        return (
+            lambda at, frame: at < start or frame == LEADER or frame >> 6 == ((at - start) % 4 == 0),
+            "RIM's order",
+        )
     if kind == kinds.EIA:
-        return _by_frame(
-            frames, doubtful, lambda _, frame: frame in eia.CHARACTERS or frame == BLANK
-        ), "EIA's odd holes"
-    obeyed = parity(sure)
+        return lambda _, frame: frame in eia.CHARACTERS or frame in (BLANK, eia.DELETE), "EIA's odd holes"
+    sure = bytes(frame for number, frame in enumerate(frames) if number not in doubtful)
+    obeyed = _parity(sure)
     if kind == kinds.ASCII and obeyed in PARITIES:
         table = PARITIES[obeyed]
         obeys = bytes(frame for frame in range(256) if table[frame] == frame or frame in _NO_CHARACTERS)
-        return _by_frame(frames, doubtful, lambda _, frame: frame in obeys), f"the tape's parity, {obeyed}"
-    return {}, ""
+        return lambda _, frame: frame in obeys, f"the tape's parity, {obeyed}"
+    return lambda _at, _frame: True, ""
+
+
+def _parity(frames: bytes) -> str:
+    """Return the parity that nine in ten of a tape's characters obey, all of them if they are few."""
+    characters = bytes(frame for frame in frames if frame not in _NO_CHARACTERS)
+    obeying = {name: sum(map(eq, characters, characters.translate(PARITIES[name]))) for name in PARITIES}
+    best = max(obeying, key=lambda name: obeying[name])
+    enough = len(characters) - int(_MOST_WRONG * len(characters) if len(characters) >= _MANY else 0)
+    return best if obeying[best] >= enough and characters else parity(frames)
 
 
 def _by_frame(frames: bytes, doubtful: Mapping[int, int], fits: Callable[[int, int], bool]) -> dict[int, int]:
@@ -63,11 +101,13 @@ def _bits(mask: int) -> Iterator[int]:
     return (1 << channel for channel in range(8) if mask >> channel & 1)
 
 
-def _by_checksum(frames: bytes, doubtful: Mapping[int, int]) -> tuple[dict[int, int], str]:
+def _by_checksum(
+    frames: bytes, doubtful: Mapping[int, int], most: int = _MOST_FLIPPED
+) -> tuple[dict[int, int], str]:
     places = [(at, bit) for at, mask in doubtful.items() for bit in _bits(mask)]
     if len(places) > _MOST_CHANNELS or _sums_up(frames):
         return {}, ""
-    for count in range(1, _MOST_FLIPPED + 1):
+    for count in range(1, most + 1):
         found = []
         for flipped in combinations(places, count):
             tape = bytearray(frames)

@@ -234,9 +234,27 @@ def punch(
     command.put(output, frames.blank(leader) + punched + frames.blank(leader))
 
 
+def _order(_context: click.Context, _option: click.Parameter, value: str) -> tuple[int, ...]:
+    try:
+        order = tuple(int(number) for number in value.split(",") if value)
+    except ValueError:
+        order = (0,)
+    if 0 in order:
+        raise click.BadParameter(f"{value!r} is not numbers of strips separated by commas, such as 2,-1,3")
+    return order
+
+
 @tape.command()
 @click.argument("photos", type=Source(), nargs=-1, required=True)
 @click.option("--underside", is_flag=True, help="The tape was photographed from below.")
+@click.option(
+    "--strips",
+    metavar="ORDER",
+    default="",
+    callback=_order,
+    help="Read these strips in this order, such as 3,1,2; -2 is strip 2 photographed from the other side.",
+)
+@click.option("--stitch", is_flag=True, help="The photographs show parts of one tape, which overlap.")
 @click.option(
     "--page",
     type=Target("HTML"),
@@ -244,18 +262,34 @@ def punch(
     help="Write a page to look at what was read, and to correct it.",
 )
 @_output
-def read(*, photos: tuple[str, ...], underside: bool, page: str | None, output: str) -> None:
+@click.pass_context
+def read(
+    ctx: click.Context,
+    /,
+    *,
+    photos: tuple[str, ...],
+    underside: bool,
+    strips: tuple[int, ...],
+    stitch: bool,
+    page: str | None,
+    output: str,
+) -> None:
     """Read photographs or scans of a tape into frames, one picture after another.
 
     A picture shows both edges of the tape, which may lie in any direction, be bent, and be seen from aside.
-    Doubtful frames are named on standard error with their place in the picture, and what kind of tape it
-    seems to be. Where the tape's parity, order or checksum says what a doubtful frame must be, that is
-    written, and said. Needs OpenCV, the extra `vision`.
+    Several strips are read from top to bottom, upright ones from left to right; one that cannot be read is
+    left out. Standard error names strips and their frames, doubtful frames with their place in the picture,
+    and what `pdp8 tape info` says. Where the tape's parity, order or checksum says what a doubtful frame must
+    be, that is written, and said. Needs OpenCV, the extra `vision`.
+
+    Exit status: 0 all strips are on the tape, 1 one is left out.
 
     \b
     Examples:
       pdp8 tape read photo.png > photo.asc
       pdp8 tape read left.jpg right.jpg --page look.html -o found.bin
+      pdp8 tape read strips.jpg --strips 2,1,-3 -o found.bin
+      pdp8 tape read a.jpg b.jpg c.jpg --stitch -o long.bin
     """
     if find_spec("cv2") is None:
         from pdp8.cli.shared.extras import hint
@@ -268,13 +302,18 @@ def read(*, photos: tuple[str, ...], underside: bool, page: str | None, output: 
     for photo in photos:
         picture = shelf.read(photo, pixels.LARGEST_FILE)
         with naming(photo), progress.Busy(f"reading {called(photo)}", wanted=True):
-            pictures.append(correction.Picture(called(photo), picture, photograph.read(picture, underside)))
-    reading = correction.Reading(pictures)
-    for line in reading.report(underside):
-        command.tell(line)
-    command.put(output, reading.tape)
+            pictures.append(correction.Picture(called(photo), picture, photograph.strips(picture, underside)))
+    reading = correction.Reading(pictures, strips, stitch)
+    if reading.tape:
+        for line in reading.report(underside):
+            command.tell(line)
+        command.put(output, reading.tape)
     if page is not None:
         command.put(page, correction.page(reading))
+    if not reading.tape:
+        shows = "" if page else "; --page FILE shows what was seen"
+        raise TapeError("\n".join(f"{name}: {strip.why}{shows}" for name, strip in reading.strips))
+    ctx.exit(0 if reading.complete or strips else 1)
 
 
 def _check(first: int, length: int) -> None:

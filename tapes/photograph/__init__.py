@@ -8,9 +8,10 @@ flat        a picture of a sheet as if it lay flat
 holes       the holes of a sheet, and where they say it is
 edges       its edges: which way it is read
 paper       a row of holes becomes a tape, or is refused
+stitch      photographs of one long tape become one
 correction  what was read, and the page to correct it
 """
 
-from tapes.photograph.reader import UNSEEN, Frame, read
+from tapes.photograph.reader import UNSEEN, Frame, Strip, read, strips
 
-__all__ = ["UNSEEN", "Frame", "read"]
+__all__ = ["UNSEEN", "Frame", "Strip", "read", "strips"]

@@ -6,41 +6,86 @@ drawn over it, lights the doubtful frames, and gives the corrected tape and a re
 
 import json
 from base64 import b64encode
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from importlib.resources import files
 from itertools import groupby
 from typing import NamedTuple
 
 from tapes import measure, redundancy
-from tapes.photograph import UNSEEN, Frame, pixels
+from tapes.errors import TapeError
+from tapes.photograph import UNSEEN, Frame, Strip, pixels, stitch
 
 
 class Picture(NamedTuple):
-    """A picture's name, its file's content, and its frames."""
+    """A picture's name, its file's content, and its strips in the order in which they are read."""
 
     name: str
     content: bytes
-    frames: list[Frame]
+    strips: list[Strip]
 
 
 class Reading:
-    """The frames of some pictures, one after another, as one tape."""
+    """The strips of some pictures, one after another, as one tape.
 
-    def __init__(self, pictures: Iterable[Picture]) -> None:
+    `order` has the numbers of the strips, counted from 1 over all pictures, in the order in which they are
+    read; - before those that were photographed from the other side. Without it those that cannot be read are
+    left out. `stitched`: they are parts of one tape, which overlap. Raises TapeError for an order that names
+    a strip twice, or one that has no frames, and for strips that cannot be joined.
+    """
+
+    def __init__(
+        self, pictures: Iterable[Picture], order: Sequence[int] = (), stitched: bool = False
+    ) -> None:
         self.pictures = tuple(pictures)
-        self.seen = bytes(frame.holes for picture in self.pictures for frame in picture.frames)
-        self.proposed, self.proposed_by = redundancy.propose(self.seen, self._doubtful)
-
-    @property
-    def _doubtful(self) -> dict[int, int]:
-        return {number: frame.open for number, frame, _ in self.frames if frame.doubtful}
+        self.strips = [(picture.name, strip) for picture in self.pictures for strip in picture.strips]
+        frames = [len(strip.frames) for _, strip in self.strips]
+        named = [abs(number) for number in order]
+        if len({*named}) < len(named) or any(at > len(frames) or not frames[at - 1] for at in named):
+            there = ",".join(str(number) for number, count in enumerate(frames, 1) if count)
+            raise TapeError(f"strips {','.join(map(str, order))}: {there} can be named, each once")
+        readable = [number for number, (_, strip) in enumerate(self.strips, 1) if not strip.why]
+        self.order = tuple(order or readable)
+        for at, number in zip(named, order, strict=True):
+            if number < 0:
+                name, strip = self.strips[at - 1]
+                self.strips[at - 1] = name, strip.turned()
+        read = [self.strips[abs(number) - 1][1].frames for number in self.order]
+        tape = stitch.join(read) if stitched else stitch.one_after_another(read)
+        self._begins = tape.begins
+        self._seen = [(frame, abs(self.order[at])) for frame, at in tape.frames]
+        self.seen = bytes(frame.holes for frame, _ in self._seen)
+        self._joints = range(1, len(self.seen)) if stitched else ()
+        doubtful = {number: frame.open for number, (frame, _) in enumerate(self._seen) if frame.doubtful}
+        weakest = [(frame.margin, frame.weakest) for frame, _ in self._seen]
+        self._wrong, self._wrong_by = redundancy.contradict(self.seen, doubtful, weakest)
+        self.proposed, self.proposed_by = redundancy.propose(self.seen, doubtful | self._wrong)
 
     @cached_property
     def frames(self) -> list[tuple[int, Frame, str]]:
-        """Return each frame with its number on the tape and the name of its picture."""
-        pairs = [(frame, picture.name) for picture in self.pictures for frame in picture.frames]
-        return [(number, frame, name) for number, (frame, name) in enumerate(pairs)]
+        """Return each frame with its number on the tape and the name of its picture. One that is sure by its
+        holes is doubtful where the tape's own redundancy says that it is wrong.
+        """
+        return [(number, frame, self.strips[strip - 1][0]) for number, (frame, strip) in enumerate(self._all)]
+
+    @cached_property
+    def _all(self) -> list[tuple[Frame, int]]:
+        why = f"it is against {self._wrong_by}"
+        return [
+            (frame._replace(open=self._wrong[number], why=why) if number in self._wrong else frame, strip)
+            for number, (frame, strip) in enumerate(self._seen)
+        ]
+
+    @cached_property
+    def runs(self) -> list[tuple[int, list[tuple[int, Frame]]]]:
+        """Return the tape in runs of frames that one strip shows: its number, and the frames with theirs."""
+        runs = groupby(enumerate(self._all), key=lambda one: one[1][1])
+        return [(strip, [(number, frame) for number, (frame, _) in run]) for strip, run in runs]
+
+    @property
+    def complete(self) -> bool:
+        """Whether every strip is on the tape."""
+        return len(self.order) == len(self.strips)
 
     @property
     def tape(self) -> bytes:
@@ -61,10 +106,34 @@ class Reading:
                 )
             else:
                 yield from (self._doubt(*one) for one in group if one[1].doubtful)
-        yield f"{len(self.tape):,} frames: {dict(measure.report(self.tape))['tape']}"
+        yield from self._of_strips()
+        said = measure.report(self.tape)
+        yield f"{len(self.tape):,} frames: {said[0][1]}"
+        yield from (f"{name}: {value}" for name, value in said[4:])
         if redundancy.looks_reversed(self.tape):
             other = "without --underside it would" if underside else "--underside would"
             yield f"read in this order it makes no sense; {other}"
+
+    def _of_strips(self) -> Iterator[str]:
+        """Say where on the tape several strips are, which are left out, and where one leaves its picture."""
+        for at, number in enumerate(self.order):
+            name, strip = self.strips[abs(number) - 1]
+            first, (before, after) = self._begins[at], strip.off
+            last = first + len(strip.frames) - 1
+            if len(self.strips) > 1:
+                (start, *_, end) = strip.frames
+                yield (
+                    f"frames {first} to {last}: strip {abs(number)} of {len(self.strips)}, "
+                    f"from {start.x}, {start.y} to {end.x}, {end.y} in {name}"
+                )
+            if before and first not in self._joints:
+                yield f"the tape may go on before frame {first}, where it leaves {name}"
+            if after and last + 1 not in self._joints:
+                yield f"the tape may go on after frame {last}, where it leaves {name}"
+        for number, (name, strip) in enumerate(self.strips, 1):
+            if number not in map(abs, self.order):
+                why = f": {strip.why}" if strip.why else ""
+                yield f"strip {number} of {len(self.strips)} in {name} is left out{why}"
 
     def _doubt(self, number: int, frame: Frame, name: str) -> str:
         where = "" if frame.open == 0o377 else f"channel {frame.channel}, "
@@ -77,18 +146,29 @@ class Reading:
 
 def page(read: Reading) -> str:
     """Return the page in which it is looked at and corrected."""
-    numbers = iter(range(len(read.seen)))
     pictures = [
         {
             "name": picture.name,
             "source": "data:image/jpeg;base64," + b64encode(pixels.shown(picture.content)).decode(),
-            "frames": [_shown(read, next(numbers), frame) for frame in picture.frames],
         }
         for picture in read.pictures
     ]
-    content = json.dumps(pictures, separators=(",", ":")).replace("<", "\\u003c")
+    of_picture = [at for at, picture in enumerate(read.pictures) for _ in picture.strips]
+    left_out = [number for number in range(1, len(read.strips) + 1) if number not in map(abs, read.order)]
+    unread = [(number, [(-1, frame) for frame in read.strips[number - 1][1].frames]) for number in left_out]
+    strips = [
+        {
+            "number": number,
+            "picture": of_picture[number - 1],
+            "read": number not in left_out,
+            "why": read.strips[number - 1][1].why,
+            "frames": [_shown(read, at, frame) for at, frame in frames],
+        }
+        for number, frames in (*read.runs, *unread)
+    ]
+    content = json.dumps([pictures, strips], separators=(",", ":")).replace("<", "\\u003c")
     template = files("tapes.photograph").joinpath("correction.html").read_text(encoding="utf-8")
-    return template.replace("/*PICTURES*/[]", content)
+    return template.replace("/*READ*/[[], []]", content)
 
 
 def _shown(read: Reading, number: int, frame: Frame) -> dict[str, object]:

@@ -14,6 +14,9 @@ from tapes.photograph.flat import SAMPLES, Flat, find_spots
 from tapes.photograph.pixels import Array
 from tapes.photograph.sheet import FIVE, THREE, Points, Sheet
 
+_TWO = 2.95
+"""Pitches from the sprocket track to the edge beside two channels, of a tape with five, 11/16 in wide."""
+
 _PROFILE = np.arange(-8, 9) / SAMPLES
 """Places across an edge, from inside to outside."""
 
@@ -49,7 +52,12 @@ def find_side(flat: Flat, sheet: Sheet) -> Side:
     ]
     best = max((side.share for side in sides), default=0)
     if best < 0.5:
-        raise TapeError("the paper's edges are not 3.92 and 6.08 rows' distances from the sprocket holes")
+        if max(_share(flat, paper, 0, three, _TWO) for three in (-1, 1)) > 0.5:
+            raise TapeError("a five-channel tape: tape of eight channels alone is read")
+        raise TapeError(
+            "the paper's edges are not 3.92 and 6.08 rows' distances from the sprocket holes; both have to be"
+            " in the picture, free, on something of another colour"
+        )
     likely = [side for side in sides if side.share > 0.75 * best]
     found = min(likely, key=lambda side: (round(mass[side.track] / mass[0], 1), -side.share))
     others = [mass[track] for track in mass if track != found.track and abs(track) <= 3]
@@ -97,9 +105,9 @@ def _profiles(flat: Flat, paper: _Paper, edge: float, outward: float) -> tuple[A
     return profile, (abs(inside - outside) > 0.4 * paper.depth) & (abs(inside - 1) < 0.35)
 
 
-def _share(flat: Flat, paper: _Paper, track: int, three: float) -> float:
+def _share(flat: Flat, paper: _Paper, track: int, three: float, other: float = FIVE) -> float:
     """Return at how many of the rows both edges are where they are on a tape, `three` wide to that side."""
-    edges = ((track + three * THREE, np.sign(three)), (track - three * FIVE, -np.sign(three)))
+    edges = ((track + three * THREE, np.sign(three)), (track - three * other, -np.sign(three)))
     return float(min(_profiles(flat, paper, edge, outward)[1].mean() for edge, outward in edges))
 
 

@@ -48,7 +48,7 @@ def find(pictures: Sizes, row: Row) -> Found:
         sheet = fit(len(row.places), grid(sheet, side.width), None)
     for more in reversed(range(_LONGER)):
         sheet, flat, astray, edged = _refined(pictures, sheet, row)
-        longer, before = _longer(flat, sheet, row)
+        longer, before = _longer(flat, sheet, row, pictures)
         if len(longer.places) == len(row.places) or not more:
             break
         known = grid(sheet)
@@ -67,8 +67,11 @@ def _refined(pictures: Sizes, sheet: Sheet, row: Row) -> tuple[Sheet, Flat, Arra
     return sheet, flat, astray, edged
 
 
-def _longer(flat: Flat, sheet: Sheet, row: Row) -> tuple[Row, int]:
-    """Return the row with sprocket holes that are seen beyond its ends, and how many were put before it."""
+def _longer(flat: Flat, sheet: Sheet, row: Row, pictures: Sizes) -> tuple[Row, int]:
+    """Return the row with sprocket holes that are seen beyond its ends, and how many were put before it.
+
+    Beyond the picture nothing is seen: its border, which goes on there as it is, looks like holes.
+    """
     spots = find_spots(flat.dark)
     u = np.arange(sheet.length, dtype=float)
     limit = 0.5 * np.median(flat.take(spots, u, 0 * u))
@@ -79,9 +82,10 @@ def _longer(flat: Flat, sheet: Sheet, row: Row) -> tuple[Row, int]:
         for place in places:
             depth = flat.take(spots, *np.broadcast_arrays(place + near[:, None], near))
             along, aside = np.unravel_index(int(depth.argmax()), depth.shape)
-            if depth[along, aside] < limit:
+            there = sheet.place(np.array(place + near[along]), np.array(near[aside]))
+            if depth[along, aside] < limit or not pictures.show(there):
                 break
-            ends[-1].append(sheet.place(np.array(place + near[along]), np.array(near[aside])))
+            ends[-1].append(there)
     before, after = (np.reshape(end, (-1, 2)) for end in (ends[0][::-1], ends[1]))
     seen = np.concatenate([np.ones(len(before), bool), row.seen, np.ones(len(after), bool)])
     return Row(np.concatenate([before, row.places, after]), seen), len(before)

@@ -7,7 +7,7 @@
 
 A frame is sure only if everything around it is as on a tape: its sprocket hole and both edges of the paper
 are seen, holes are at their places, paper is clear, holes are round and as dark as those near. Anything else
-makes it doubtful, and says why. More doubtful frames than sure ones can carry make the picture refused.
+makes it doubtful, and says why. A strip with more doubtful frames than the sure ones can carry is left out.
 
 Not emulated: holes with hanging chad are doubtful, not mended; five-channel tape is refused. Tape seen from
 below looks like another tape seen from above: `underside` has to say so.
@@ -37,6 +37,18 @@ _TRACKS = np.array([-3, -2, -1, 1, 2, 3, 4, 5], dtype=float)
 """Channels 1 to 8, in pitches from the sprocket track."""
 _SPROCKET = 3
 """Its number among the tracks from channel 1 to channel 8."""
+_DARKER = "lay it on something black and even, or light it from behind"
+_ADVICE = {
+    UNSEEN: _DARKER,
+    "holes are not at their places": "lay it flat, and photograph it from straight above",
+    "an edge of the paper is not seen": "both edges have to be free, on something of another colour",
+    "not a round hole: torn, or dirt": _DARKER,
+    "a hole that is not dark throughout": _DARKER,
+    "paper that is not clear": "light it evenly",
+    "too little light": "give it more light",
+    "between paper and hole": _DARKER,
+}
+"""What to do about a strip most of whose frames are doubtful for one reason."""
 _WINDOW = 8
 _MOST_DOUBTFUL = 0.35
 _FAILURES = 4
@@ -45,14 +57,17 @@ _NO_TAPE = "no tape in the picture: "
 
 
 class Frame(NamedTuple):
-    """A frame as it was seen: its holes, its channels in doubt as a mask, why the first of them is or "", and
-    the places in pixels of the sprocket hole and of channels 1 to 8.
+    """A frame as it was seen: its holes, its channels in doubt as a mask, why the first of them is or "", the
+    places in pixels of the sprocket hole and of channels 1 to 8, and the channel that is nearest to being the
+    other, as a mask, with how near: 0 to .5 of a hole's darkness.
     """
 
     holes: int
     open: int
     why: str
     places: tuple[tuple[int, int], ...]
+    weakest: int = 0
+    margin: float = 0.5
 
     @property
     def doubtful(self) -> bool:
@@ -75,11 +90,36 @@ class Frame(NamedTuple):
         return self.places[0][1]
 
 
-def read(picture: bytes, underside: bool = False) -> list[Frame]:
-    """Return the frames of the tape in a picture, a file's content, in the order in which they are read;
-    several strips from top to bottom.
+class Strip(NamedTuple):
+    """A strip of tape in a picture: its frames as they are read, whether the tape leaves the picture before
+    the first and after the last of them, and why it cannot be read, or "".
+    """
 
-    Raises TapeError where there is no picture, no tape in it, or one that cannot be read; it says why.
+    frames: list[Frame]
+    off: tuple[bool, bool] = (False, False)
+    why: str = ""
+
+    def turned(self) -> "Strip":
+        """Return it as it is if it was photographed from below."""
+        return self._replace(frames=self.frames[::-1], off=self.off[::-1])
+
+
+def read(picture: bytes, underside: bool = False) -> list[Frame]:
+    """Return the frames of the tape in a picture, strip after strip; those that cannot be read are left out.
+
+    Raises TapeError where no strip can be read, and as `strips` does.
+    """
+    found = strips(picture, underside)
+    if all(strip.why for strip in found):
+        raise TapeError(found[0].why)
+    return [frame for strip in found if not strip.why for frame in strip.frames]
+
+
+def strips(picture: bytes, underside: bool = False) -> list[Strip]:
+    """Return the strips of tape in a picture, a file's content, in the order in which they are read.
+
+    They are read line after line, from top to bottom, or from left to right if most of them are upright; on
+    one line as they lie, each after the one before. Raises TapeError where there is no picture or no tape.
     """
     light = pixels.light(picture)
     found, why = _strips(light)
@@ -87,9 +127,32 @@ def read(picture: bytes, underside: bool = False) -> list[Frame]:
         found, _ = _strips(255 - light)
     if not found:
         raise TapeError(_NO_TAPE + why)
-    strips = [_frames(pictures, strip) for pictures, strip in found]
-    strips.sort(key=lambda strip: sum(frame.y for frame in strip) / len(strip))
-    return [frame for strip in strips for frame in (strip[::-1] if underside else strip)]
+    read = [_strip(pictures, tape) for pictures, tape in found]
+    ordered = _ordered([strip for strip in read if strip.frames], underside)
+    nothing = [strip for strip in read if not strip.frames]
+    return [*(strip.turned() if underside else strip for strip in ordered), *nothing]
+
+
+def _ordered(strips: list[Strip], underside: bool) -> list[Strip]:
+    """Return the strips line after line, by a picture turned so that most of them lie level or nearly so."""
+    if not strips:
+        return []
+    ends = np.array([[strip.frames[at].places[0] for at in (0, -1)] for strip in strips], dtype=float)
+    ways = (ends[:, 1] - ends[:, 0]) @ [1, 1j]
+    turn = np.angle((ways**2).sum()) / 2  # which end is the first does not count
+    turn -= np.pi * (turn > np.pi / 4)
+    along, aside = ends @ [np.cos(turn), np.sin(turn)], (ends @ [-np.sin(turn), np.cos(turn)]).mean(axis=1)
+    lines: list[list[int]] = []
+    for at in np.argsort(aside).tolist():
+        half = 0.5 * np.hypot(*np.subtract(strips[at].frames[0].places[1], strips[at].frames[0].places[8]))
+        if lines and aside[at] - aside[lines[-1][-1]] < half:
+            lines[-1].append(at)
+        else:
+            lines.append([at])
+    for line in lines:
+        onward = 2 * sum(along[at, 1] > along[at, 0] for at in line) >= len(line)
+        line.sort(key=lambda at: float(along[at].mean()), reverse=bool(onward) == underside)
+    return [strips[at] for line in lines for at in line]
 
 
 def _strips(light: Array) -> tuple[list[tuple[sprockets.Sizes, Found]], str]:
@@ -122,43 +185,58 @@ class _Cells(NamedTuple):
     paper: Array
 
 
-def _frames(pictures: sprockets.Sizes, tape: Found) -> list[Frame]:
+def _strip(pictures: sprockets.Sizes, tape: Found) -> Strip:
     flat = flatten(pictures, tape.sheet)
     flat = flat._replace(light=cv2.GaussianBlur(flat.light, (0, 0), 0.08 * SAMPLES))
-    on_paper = _on_paper(flat, tape.edged)
+    u = np.arange(tape.sheet.length, dtype=float)[:, None]
+    places = tape.sheet.place(u, np.concatenate([[0], _TRACKS]))
+    shown = pictures.show(places)
+    on_paper = _on_paper(flat, tape.edged) & shown[:, 0]
     if on_paper.sum() < sprockets.FEWEST:
-        raise TapeError(_NO_TAPE + "no paper around the row of holes")
+        return Strip([], why=_NO_TAPE + "no paper around the row of holes")
     cells = _cells(flat, tape.sheet.length)
     along, across = tape.sheet.pitches()
     least = float(np.quantile(np.minimum(along, across)[on_paper], 0.02))
     if least < FEWEST_PIXELS:
-        raise TapeError(f"rows and tracks are only {least:.1f} pixels apart: 6 are needed")
-    doubts = _doubts(cells, tape, _ends(flat, tape.sheet, pictures, on_paper))
+        why = f"rows and tracks are only {least:.1f} pixels apart: 6 are needed; photograph it from nearer"
+        return Strip([], why=why)
+    doubts = _doubts(cells, tape, _ends(flat, tape.sheet, pictures, on_paper), ~shown[:, 1:])
     doubtful = np.any([*doubts.values()], axis=0)
-    u = np.arange(tape.sheet.length, dtype=float)[:, None]
-    places = tape.sheet.place(u, np.concatenate([[0], _TRACKS]))
+    margin = abs(cells.core - 0.5)
     frames = [
         Frame(
             _mask(cells.core[at] > 0.5),
             _mask(doubtful[at]),
             next((why for why, where in doubts.items() if where[at, doubtful[at].argmax()]), ""),
             tuple((round(float(x)), round(float(y))) for x, y in places[at]),
+            1 << int(margin[at].argmin()),
+            float(margin[at].min()),
         )
         for at in np.nonzero(on_paper)[0]
     ]
-    _refuse_doubtful(frames)
-    return frames
+    return Strip(frames, _leaves(tape.sheet, pictures, on_paper), _too_doubtful(frames))
+
+
+def _leaves(sheet: Sheet, pictures: sprockets.Sizes, on_paper: Array) -> tuple[bool, bool]:
+    """Return whether the picture has no room for another row before the first one, and after the last."""
+    rows = np.nonzero(on_paper)[0]
+    beyond = sheet.place(np.array([rows[0] - 1.25, rows[-1] + 1.25]), np.zeros(2))
+    before, after = (~pictures.show(beyond)).tolist()
+    return before, after
 
 
 def _mask(channels: Array) -> int:
     return sum(1 << channel for channel in np.nonzero(channels)[0].tolist())
 
 
-def _refuse_doubtful(frames: list[Frame]) -> None:
+def _too_doubtful(frames: list[Frame]) -> str:
+    """Return why a strip cannot be read if too many of its frames are doubtful, or ""."""
     why = [frame.why for frame in frames if frame.doubtful]
-    if len(why) > _MOST_DOUBTFUL * len(frames):
-        most = max(set(why), key=why.count)
-        raise TapeError(f"{len(why)} of {len(frames)} frames are doubtful, most of them: {most}")
+    if len(why) <= _MOST_DOUBTFUL * len(frames):
+        return ""
+    most = max(set(why), key=why.count)
+    advice = _ADVICE.get(most, "")
+    return f"{len(why)} of {len(frames)} frames are doubtful, most of them: {most}{advice and '; '}{advice}"
 
 
 def _on_paper(flat: Flat, edged: Array) -> Array:
@@ -241,7 +319,7 @@ def _full(core: Array, sprocket: Array) -> Array:
     return np.maximum(full, 0.01)
 
 
-def _doubts(cells: _Cells, tape: Found, beyond: Array) -> dict[str, Array]:
+def _doubts(cells: _Cells, tape: Found, beyond: Array, outside: Array) -> dict[str, Array]:
     """Return where (n, 8) a place is doubtful, by why, the worst first."""
     hole = cells.core > 0.5
     rows = {
@@ -251,6 +329,7 @@ def _doubts(cells: _Cells, tape: Found, beyond: Array) -> dict[str, Array]:
         "an edge of the paper is not seen": ~tape.edged,
     }
     return {why: np.broadcast_to(where[:, None], hole.shape) for why, where in rows.items()} | {
+        "outside the picture": outside,
         "not a round hole: torn, or dirt": hole & ((cells.ring > 0.6).sum(axis=0) >= 2),
         "a hole that is not dark throughout": hole & (cells.most < 0.25),
         "paper that is not clear": ~hole & (cells.most > 0.5),

@@ -52,6 +52,11 @@ class Sizes(NamedTuple):
         at = int(np.clip(np.floor(np.log(step / 9) / np.log(_STEP)), 0, len(self.pictures) - 1))
         return self.pictures[at], self.pictures[at].shape[1] / self.pictures[0].shape[1]
 
+    def show(self, places: Array) -> Array:
+        """Tell which places (..., 2), in pixels, lie in the picture."""
+        last = np.array(self.pictures[0].shape[::-1]) - 1
+        return np.asarray(((places >= 0) & (places <= last)).all(axis=-1))
+
 
 def sizes(light: Array) -> Sizes:
     """Return the picture, shades of grey, in all sizes in which a row may be found."""

@@ -61,7 +61,7 @@ def _perforated(draw: ImageDraw.ImageDraw) -> None:
 
 def _five_channels(draw: ImageDraw.ImageDraw) -> None:
     random = np.random.default_rng(3)
-    draw.rectangle((40, 500, 1760, 707), fill=210)
+    draw.rectangle((40, 494, 1760, 700), fill=210)  # 17.46 mm, the sprocket holes 9.96 from its lower edge
     for x in range(60, 1740, 30):
         _dot(draw, x, 582, 14)
         for y in (522, 552, 612, 642, 672):
@@ -76,6 +76,6 @@ SCENES: dict[str, tuple[int, Callable[[ImageDraw.ImageDraw], None], str]] = {
     "film": (215, _film, _EDGES),
     "a desk": (150, _desk, _EDGES),
     "a strip of a perforated sheet": (60, _perforated, _EDGES),
-    "five-channel tape": (60, _five_channels, "doubtful, most of them: holes are not at their places"),
+    "five-channel tape": (60, _five_channels, "a five-channel tape: tape of eight channels alone is read"),
 }
 """By each name how light its ground is, what is drawn on it, and why it is refused."""

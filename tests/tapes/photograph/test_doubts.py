@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tapes.errors import TapeError
 from tapes.photograph import Frame, reader
 from tapes.photograph.flat import BEYOND, SAMPLES, Flat, flatten
 from tapes.photograph.paper import Found
@@ -139,6 +138,7 @@ TAPE = Found(straight.sheet(12), np.ones(12, bool), np.zeros(12), np.ones(12, bo
         ("sprocket", 5, 1.6, ""),
         ("sprocket", 5, 1.61, reader.UNSEEN),
         ("beyond", 5, True, "the tape goes on beyond it, where no sprocket hole is seen"),
+        ("outside", (5, 3), True, "outside the picture"),
         ("astray", 5, 0.08, ""),
         ("astray", 5, 0.081, "holes are not at their places"),
         ("edged", 5, False, "an edge of the paper is not seen"),
@@ -159,9 +159,9 @@ TAPE = Found(straight.sheet(12), np.ones(12, bool), np.zeros(12), np.ones(12, bo
     ],
 )
 def test_a_frame_is_doubtful_for_one_reason(field: str, where: Any, value: float, why: str) -> None:
-    cells, tape, beyond = deepcopy((CELLS, TAPE, np.zeros(12, bool)))
-    (cells._asdict() | tape._asdict() | {"beyond": beyond})[field][where] = value
-    doubts = reader._doubts(cells, tape, beyond)
+    cells, tape, beyond, outside = deepcopy((CELLS, TAPE, np.zeros(12, bool), np.zeros((12, 8), bool)))
+    (cells._asdict() | tape._asdict() | {"beyond": beyond, "outside": outside})[field][where] = value
+    doubts = reader._doubts(cells, tape, beyond, outside)
     assert {reason: set(np.nonzero(at)[0]) for reason, at in doubts.items() if at.any()} == (
         {why: {5}} if why else {}
     )
@@ -171,12 +171,16 @@ def test_a_frame_is_doubtful_for_one_reason(field: str, where: Any, value: float
 def test_a_place_is_sure_at_four_and_a_half_standard_deviations(noise: float, doubtful: bool) -> None:
     core = np.zeros((12, 8))
     core[:, ::2], core[:, 1::2] = 0.24, 0.24 - 2 * noise
-    doubts = reader._doubts(CELLS._replace(core=core, most=0 * core), TAPE, np.zeros(12, bool))
+    doubts = reader._doubts(
+        CELLS._replace(core=core, most=0 * core), TAPE, np.zeros(12, bool), np.zeros((12, 8), bool)
+    )
     assert (doubts["between paper and hole"] == doubtful * (core == 0.24)).all()
 
 
-def test_a_picture_of_which_more_than_a_third_is_doubtful_is_refused() -> None:
-    sure, dirt, torn = (Frame(0, mask, why, ()) for mask, why in ((0, ""), (1, "dirt"), (1, "torn")))
-    reader._refuse_doubtful([sure] * 13 + [dirt] * 7)
-    with pytest.raises(TapeError, match="8 of 20 frames are doubtful, most of them: torn"):
-        reader._refuse_doubtful([sure] * 12 + [dirt] * 3 + [torn] * 5)
+def test_a_strip_of_which_more_than_a_third_is_doubtful_says_why_and_what_to_do() -> None:
+    sure, dirt, torn = (Frame(0, mask, why, ()) for mask, why in ((0, ""), (1, "dirt"), (1, reader.UNSEEN)))
+    assert reader._too_doubtful([sure] * 13 + [dirt] * 7) == ""
+    assert reader._too_doubtful([sure] * 12 + [dirt] * 3 + [torn] * 5) == (
+        "8 of 20 frames are doubtful, most of them: its sprocket hole is not seen; "
+        "lay it on something black and even, or light it from behind"
+    )

@@ -85,7 +85,9 @@ def test_a_row_is_longer_by_the_holes_beyond_its_ends(
     for number, away in holes.items():
         hole(light, number - away, away, FEED, 200 - 140 * (faint or 1))
     seen = np.arange(20) != 7
-    found, first = _longer(flatten(pictures(light), sheet(20)), sheet(20), row(20)._replace(seen=seen))
+    found, first = _longer(
+        flatten(pictures(light), sheet(20)), sheet(20), row(20)._replace(seen=seen), pictures(light)
+    )
     assert first == before
     assert found.seen.tolist() == [True] * before + seen.tolist() + [True] * after
     u = np.arange(-before, 20.0 + after)
