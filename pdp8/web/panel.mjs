@@ -34,7 +34,7 @@ export class Panel {
       bits.forEach((now, bit) => this.#light(lamps[bit], now, inertia, slack));
     }
     this.#switches(machine.processor);
-    this.words = samples ? inWords(machine).split(", ").at(-1) : inWords(machine);
+    this.words = samples && machine.processor.run ? "running" : inWords(machine);
     if (this.speaking) this.#say(this.words);
     if (pressed === this.pressed) return;
     this.pressed = pressed;

@@ -39,6 +39,8 @@ export class Editor {
     this.#found({ words: [], places: [], diagnostics: [], more: 0, summary: "" });
     this.area.addEventListener("scroll", () => this.#draw());
     this.area.addEventListener("keydown", (event) => this.#key(event));
+    this.area.addEventListener("pointerdown", () => this.#write(true));
+    this.area.addEventListener("blur", () => this.#write(false));
     new ResizeObserver(() => this.#draw()).observe(this.area);
   }
 
@@ -238,9 +240,21 @@ export class Editor {
     this.#draw();
   }
 
+  /** Somebody writes in the editor, or no more: what Tab does depends on it. */
+  #write(on) {
+    this.writing = on;
+    find("editor-keys").classList.toggle("writing", on);
+  }
+
+  /** Go into the editor, to write. */
+  enter() {
+    this.area.focus();
+    this.#write(true);
+  }
+
   goTo({ dataset: { line, start, end } }) {
     const begins = this.lines.slice(0, line - 1).join("\n").length + (line > 1 ? 1 : 0);
-    this.area.focus();
+    this.enter();
     this.area.setSelectionRange(begins + Number(start), begins + Number(end));
     this.#bringIntoView(Number(line));
   }
@@ -289,14 +303,19 @@ export class Editor {
     this.#draw();
   }
 
-  /** TAB is a tabulator here; Escape, then Tab, leaves the editor. */
+  /** Tab is a tabulator to who has begun to write: by Enter, a click or a character. Escape ends that, and Tab leaves. */
   #key(event) {
-    if (event.key === "Escape") this.leaving = true;
-    else if (event.key === "Tab" && !event.shiftKey && !this.leaving && !this.area.readOnly) {
+    const { key } = event;
+    const writes = this.writing && !this.area.readOnly;
+    if (key === "Escape") this.#write(false);
+    else if (key === "Enter" && !this.writing) {
+      event.preventDefault();
+      this.#write(true);
+    } else if (key === "Tab" && !event.shiftKey && writes) {
       event.preventDefault();
       this.area.setRangeText("\t", this.area.selectionStart, this.area.selectionEnd, "end");
       this.changed();
-    } else this.leaving = false;
+    } else if (key.length === 1) this.#write(true);
     if (event.key === "F9") {
       const place = this.places.get(this.text.slice(0, this.area.selectionStart).split("\n").length);
       if (place) this.#breakpoint(place.address);

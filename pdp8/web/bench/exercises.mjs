@@ -118,7 +118,7 @@ export class Exercises {
     const { editor, programs, tabs } = this.bench;
     editor.put(this.#answer, programs.get(this.#answer) ?? BEGUN.replace("NAME", this.all.get(this.name).title));
     tabs.open("exercises");
-    find("source").focus();
+    editor.enter();
   }
 
   /** Mark the sheet, or the program that answers; if another one is open, ask which. */

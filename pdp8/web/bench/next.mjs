@@ -16,15 +16,15 @@ const HANDS = {
 export function next({ machine, why }) {
   const { processor, waiting } = machine;
   if (!processor.run) return standing(processor, why);
-  if (!waiting.endless) return ["It runs.", [STOP]];
+  if (!waiting.endless) return ["The program runs.", [STOP]];
   const { said, hands } = waits_for(machine);
   return [said, [...hands.map((hand) => HANDS[hand]), STOP]];
 }
 
 /** @returns {[string, string[][]]} */
 function standing({ core, pc, sing_step: step }, why) {
-  const said = why ? `${why}.` : "It stands still.";
-  if (!core.some((word) => word)) return [`${said} Core is empty.`, out("program") && !out("card") ? [RIM, AGAIN] : [AGAIN]];
+  const said = why ? `${why}.` : "The machine is stopped.";
+  if (!core.some((word) => word)) return [`${said} Its core memory is empty.`, out("program") && !out("card") ? [RIM, AGAIN] : [AGAIN]];
   const goes = step ? "CONT does one cycle" : "CONT goes on";
   return [`${said} START begins at ${octal(pc)}, ${goes}.`, [START, CONT, AGAIN]];
 }

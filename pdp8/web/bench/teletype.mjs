@@ -176,7 +176,7 @@ export class Teletype {
     this.#tape("punch", punched, true);
     this.#block(this.terminal ? punched : reader.loaded ? read : null);
     this.#lever("lever", "Lever to", "Reader", reader.on ? ["START", "STOP"] : ["STOP", "START"]);
-    this.#lever("punch-on", "Punch", "Punch", punch.on ? ["ON", "OFF"] : ["OFF", "ON"]);
+    this.#lever("punch-on", "Turn punch", "Punch", punch.on ? ["ON", "OFF"] : ["OFF", "ON"]);
     for (const id of ["tear", "store", "to-mill"]) find(id).toggleAttribute("disabled", !punch.frames.length);
   }
 

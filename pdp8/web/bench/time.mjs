@@ -127,7 +127,7 @@ export class Time {
     if (afternoon.on) return;
     const doing = machine.waiting.endless ? "waits" : "runs";
     writer.text(find("clock"), `${machine.elapsed.toFixed(3)} s`);
-    writer.text(find("why"), machine.processor.run ? doing : "stands still");
+    writer.text(find("why"), machine.processor.run ? doing : "stopped");
   }
 
   write() {

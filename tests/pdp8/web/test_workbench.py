@@ -18,7 +18,7 @@ from pdp8.computer.use.operator import RIM, RIM_START
 from pdp8.replay import Afternoon
 from tests.pdp8.web.browsing import AXE, Browser, Page, click, needs_axe, serious, until, visit
 
-_QUICK = ("10 times", "a minute a second", "as fast as it goes")
+_QUICK = ("10 times faster", "a minute a second", "as fast as it goes")
 _HALTED = "!workbench.machine.processor.run"
 
 
@@ -118,6 +118,46 @@ def test_the_panel_by_keyboard(page: Page) -> None:
     assert _registers(page, "run, protect") == [0, 1]
 
 
+def test_the_lamps_are_said_after_every_key(page: Page) -> None:
+    """Also when the picture after it has come: the address, the word and the rest, not that it is stopped."""
+    click(page, "#in-words")
+    page.locator("#computer .rocker").first.focus()
+    for keys, said in (
+        ("0200l", "memory address 0200, memory buffer 0000"),
+        ("1234d", "memory address 0200, memory buffer 1234"),
+        ("0200le", "memory address 0200, memory buffer 1234"),
+    ):
+        page.keyboard.type(keys)
+        page.wait_for_timeout(400)
+        assert said in page.locator("#computer .words p").inner_text()
+
+
+def test_tab_goes_through_the_page(page: Page) -> None:
+    """And types nothing; it indents when somebody has begun to write, by Enter, click or character."""
+    source, keys = page.locator("#source"), page.locator("#editor-keys")
+    before = source.input_value()
+    page.locator("#program-name").focus()
+    for _ in range(32):
+        page.keyboard.press("Tab")
+    assert source.input_value() == before
+    for begin, typed in (("Enter", ""), ("A", "A")):
+        page.evaluate("document.activeElement.blur(); document.getElementById('source').focus();")
+        page.evaluate("document.getElementById('source').setSelectionRange(0, 0)")
+        assert "or a click begins to write" in keys.inner_text()
+        page.keyboard.press(begin)
+        page.keyboard.press("Tab")
+        before = f"{typed}\t{before}"
+        assert source.input_value() == before
+        assert "Tab indents; Escape, then Tab, leaves" in keys.inner_text()
+        page.keyboard.press("Escape")
+        page.keyboard.press("Tab")
+        assert page.evaluate("document.activeElement.id") != "source"
+    source.click()
+    page.keyboard.press("Control+Home")
+    page.keyboard.press("Tab")
+    assert source.input_value() == f"\t{before}"
+
+
 def test_run_until(page: Page) -> None:
     """It stops where the list says; a word is written over."""
     _load(page, shelf.read_bundled("hello.pal").decode("ascii"))
@@ -138,7 +178,7 @@ def test_run_until(page: Page) -> None:
     assert page.evaluate("workbench.machine.processor.core[0o200]") == 0o1234
 
 
-@pytest.mark.parametrize("speed", ["1 : 1000", "1 : 100", "as it was", *_QUICK])
+@pytest.mark.parametrize("speed", ["1000 times slower", "100 times slower", "as in 1971", *_QUICK])
 def test_a_stop_says_its_reason(page: Page, speed: str) -> None:
     """At every speed: an address, a word that changes, HLT, MEM PROT, each by its name."""
     _load(page, "*200\n\tTAD A\n\tDCA B\n\tDCA I C\nA,\tHLT\nB,\t0\nC,\t7700\n$\n", speed)
@@ -313,7 +353,7 @@ def test_step_back_shows_what_happened(page: Page) -> None:
 
 def test_no_breakpoint_is_passed(page: Page) -> None:
     """On the first word that a JMS leads to, at every speed; START on one stops. The message names it."""
-    speeds = ("1 : 100", "as it was", *_QUICK)
+    speeds = ("100 times slower", "as in 1971", *_QUICK)
     for speed, address in ((speed, address) for speed in speeds for address in (0o210, 0o200)):
         _load(page, "*200\n\tJMS 210\n\tHLT\n*210\n\t0\n\tJMP I 210\n$\n", speed)
         page.evaluate("workbench.machine.watch.breakpoints.clear()")
@@ -342,7 +382,7 @@ _STATE = {"format": "pdp8 state", "version": 2}
         ({"machine": {"$tape": ["no.bin", 0, 9]}}, "cannot be opened"),
         ({"exercise": "nothing"}, "there is no exercise nothing"),
         ({"program": {"name": "a.pal", "text": "A" * 1_000_000}}, "of 1\u2009000\u2009000 characters"),
-        ({"program": {"name": "a.pal", "text": "\tCLA!\n" * 14_000}}, "stands still"),
+        ({"program": {"name": "a.pal", "text": "\tCLA!\n" * 14_000}}, "The machine is stopped."),
     ],
 )
 def test_a_link_freezes_nothing(browser: Browser, file: Path, shared: dict[str, Any], said: str) -> None:
@@ -354,5 +394,5 @@ def test_a_link_freezes_nothing(browser: Browser, file: Path, shared: dict[str, 
         assert page.locator("body").inner_text().count("cannot be opened") <= 1, "told twice"
         assert page.evaluate("location.hash") == "" or said in (
             "It was running when it was saved",
-            "stands still",
+            "The machine is stopped.",
         )
