@@ -54,6 +54,7 @@ coverage: .venv/ready-dev
 
 .PHONY: evidence
 evidence: .venv/ready
+	$(BIN)/python -m tests.reference.variants
 	$(BIN)/python -m pdp8.thesis.edition
 
 .PHONY: figures

@@ -35,8 +35,10 @@ def replay(part: str, output: str | None, html: str | None) -> None:
       pdp8 replay ellipse --out ellipse --html ellipse.html
     """
     from pdp8.replay import replay as whole
+    from pdp8.replay.day import ARRANGED
 
     folder = output or f"replay-{part}"
+    command.tell(ARRANGED)
     afternoon = whole(part, _say_act)
     _leave(afternoon, folder, html)
     _show(afternoon, aside=html == "-")

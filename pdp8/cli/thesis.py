@@ -146,8 +146,9 @@ def _list() -> None:
 
 @thesis.command()
 @click.argument("file", metavar="FILE")
+@option("--tei", is_flag=True, help="Write it as TEI, for editors: what is supplied, with the reason.")
 @output(Target("text"))
-def evidence(file: str, output: str) -> None:
+def evidence(file: str, tei: bool, output: str) -> None:
     """Show for every line of FILE the page, the scan's reading, ours, its evidence and the reason.
 
     FILE is eia.pal, eia1.pal, eia2.pal, circle.for or ellipse.for, or a table, ch2-block or 2.3. A line is
@@ -158,10 +159,16 @@ def evidence(file: str, output: str) -> None:
     Examples:
       pdp8 thesis evidence eia.pal
       pdp8 thesis evidence circle.for | grep conjecture
+      pdp8 thesis evidence eia.pal --tei > eia.xml
     """
     from pdp8.thesis import evidence as known
     from pdp8.thesis.table import Table
 
+    if tei:
+        from pdp8.thesis.tei import tei as document
+
+        command.put(output, document(file))
+        return
     rows = tuple((row.page, row.kind, row.scan, row.ours, row.reason) for row in known.table(file))
     _show(Table(_EVIDENCE, rows), file, coloured_by=1, output=output)
 

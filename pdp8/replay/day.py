@@ -26,6 +26,9 @@ from pdp8.computer.use.operator import BIN_START, RIM_START, Action, Operator, P
 from tapes import ascii, frames, rim
 from tapes.errors import WorkError
 
+ARRANGED: Final = "The thesis gives the times; that they were one afternoon is our arrangement."
+"""To be said where an afternoon begins. The Talyrond stood at Mohawk College; the way there is left out."""
+
 OPENS: Final = 13 * 3600
 """The afternoon begins at one o'clock: seconds since midnight."""
 
@@ -193,7 +196,7 @@ class Day:
         self._act(
             Kind.TOGGLE,
             "RIM toggled in",
-            f"The core is empty. The RIM loader goes in by the switches, {len(words)} words.",
+            f"Dr. Elliott's PDP-8/L: its core is empty. RIM goes in by the switches, {len(words)} words.",
             f"{len(words)} words at {min(assembly.words):04o}",
             "rim.pal",
         )

@@ -2,6 +2,7 @@
 
     <!-- items 7 -->      a chapter's figures, tables, listings and programs, with anchors; A: appendices
     <!-- numbers 7 -->    its numbers, each with a link to what makes it
+    <!-- variants 106 -->    which other words would do the work of that page's, and why ours are preferred
     <!-- evidence eia.pal 105 106 107 -->     the rows of these pages; and of these classes, if any are named
     <!-- end -->          what stands between is replaced
 
@@ -10,17 +11,19 @@
 
 import re
 from collections.abc import Callable, Iterator
+from importlib.resources import files
 from pathlib import Path
 
 from pdp8.thesis import numbers
 from pdp8.thesis.catalogue import Item, catalogue
 from pdp8.thesis.evidence import ARTEFACTS, CLASSES, source, table
 
-_SECTION = re.compile(r"(<!-- (items|numbers|evidence) (.+?) -->\n).*?(<!-- end -->)", re.DOTALL)
+_SECTION = re.compile(r"(<!-- (items|numbers|evidence|variants) (.+?) -->\n).*?(<!-- end -->)", re.DOTALL)
 _HEADINGS = {
     "items": "| what | page | state | here |\n|---|--:|---|---|\n",
     "numbers": "| page | the thesis | number | ours | state | made from | made by |\n"
     "|--:|---|--:|--:|---|---|---|\n",
+    "variants": "| ours | others | of these with a name of the program | why ours |\n|---|--:|---|---|\n",
     "evidence": "| page | the scan | ours | evidence | reason |\n|--:|---|---|---|---|\n",
 }
 _Maker = Callable[..., Iterator[tuple[str, ...]]]
@@ -32,7 +35,9 @@ def page(text: str) -> str:
 
 
 def _table(what: str, wanted: list[str]) -> str:
-    makers: dict[str, _Maker] = {"items": _items, "numbers": _numbers, "evidence": _evidence}
+    makers: dict[str, _Maker] = {
+        "items": _items, "numbers": _numbers, "evidence": _evidence, "variants": _variants
+    }  # fmt: skip
     rows = makers[what](*wanted)
     return _HEADINGS[what] + "".join(f"| {' | '.join(row)} |\n" for row in rows)
 
@@ -66,6 +71,18 @@ def _evidence(artefact: str, *wanted: str) -> Iterator[tuple[str, ...]]:
         if row.page in wanted and row.kind in classes:
             scan, ours = (f"`{text}`" if text else "" for text in (row.scan, row.ours))
             yield row.page, scan, ours, row.kind, row.reason
+
+
+def _variants(page_: str) -> Iterator[tuple[str, ...]]:
+    """Yield the words of a page that others may replace: the evidence's reasons stand for ours."""
+    text = (files("pdp8.thesis") / "scan" / "variants.txt").read_text(encoding="utf-8")
+    lines = (line.split("|") for line in text.splitlines() if not line.startswith("#"))
+    others = {address.strip(): (count.strip(), names.strip()) for address, count, names in lines}
+    for row in table("eia.pal"):
+        if row.page == page_ and others[row.ours[:4]][0] != "0":
+            count, names = others[row.ours[:4]]
+            named = ", ".join(f"`{name}`" for name in names.split(", ") if name)
+            yield f"`{row.ours}`", count, named, row.reason
 
 
 def main() -> None:

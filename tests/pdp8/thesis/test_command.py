@@ -1,9 +1,11 @@
 """`pdp8 thesis` as a user types it."""
 
 from pathlib import Path
+from xml.etree import ElementTree as ET
 
 import pytest
 
+from pdp8.thesis import evidence
 from pdp8.thesis.catalogue import catalogue
 from pdp8.thesis.numbers import numbers
 from tests.conftest import Shell
@@ -24,6 +26,22 @@ def test_a_list_has_a_line_for_each(line: str, firsts: list[str], shell: Shell) 
 def test_evidence_is_a_table(shell: Shell) -> None:
     row = "107  damaged  0103 0040 PQ.40  0103 0040 P0,40  0 and a comma misread; P0, beside P1"
     assert shell("pdp8 thesis evidence eia.pal | grep PQ.40").stdout.decode().split() == row.split()
+
+
+def test_evidence_as_tei_says_what_is_supplied_and_why(shell: Shell) -> None:
+    """Without its marks it is the listing; page 106 is a gap, with one conjecture in what fills it."""
+    space = "{http://www.tei-c.org/ns/1.0}"
+    root = ET.fromstring(shell("pdp8 thesis evidence eia.pal --tei").stdout)
+    lines = list(root.iter(f"{space}ab"))
+    for line in lines:
+        for note in line.findall(f"{space}note"):
+            line.remove(note)
+    assert ["".join(line.itertext()) for line in lines] == [row.ours for row in evidence.table("eia.pal")]
+    assert len(list(root.iter(f"{space}gap"))) == 1
+    low = [each.text for each in root.iter(f"{space}supplied") if each.get("cert") == "low"]
+    assert low == ["0340 1103 TAD P0"]
+    first = next(line for line in lines if (line.text or "").startswith("0206 4227"))
+    assert [each.text for each in first] == ["JMS CHK"]
 
 
 @pytest.mark.parametrize(

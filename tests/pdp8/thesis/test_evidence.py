@@ -6,11 +6,16 @@ from pathlib import Path
 
 import pytest
 
+import pal
+import pdp8
 from pdp8.thesis import edition, evidence
 from pdp8.thesis.evidence import ARTEFACTS, CLASSES, Row, rows
 from pdp8.thesis.reading import fortran_line, pal_line
 from programs import circle
+from tapes import ascii
 from tests.pdp8.thesis import scanned
+from tests.reference import variants
+from tests.reference.compiling import compiler
 
 HOUSE = Path(__file__).parents[3]
 RESTORATION = (HOUSE / "docs" / "restoration.md").read_text()
@@ -110,3 +115,27 @@ def test_the_radius_cannot_be_known_from_the_tape() -> None:
     for radius in (1745, 1746, 1755, 2000):
         assert circle.part(radius=radius, start_x=1750, inner=1745, outer=1755) == printed
     assert circle.part(radius=1744, start_x=1750, inner=1745, outer=1755) != printed
+
+
+@pytest.mark.skipif(compiler() is None, reason="no C compiler is installed")
+@pytest.mark.slow("tries 536,445 changes of the conversion program, in C: 2 s")
+def test_no_other_words_would_do_the_same_work() -> None:
+    assert variants.FILE.read_text() == variants.lines(), "run `make evidence`"
+
+
+def test_the_space_s_word_is_the_one_conjecture_of_b_and_changes_no_position() -> None:
+    """TAD MSP for TAD P0 changes 2,789 frames of the circle's tape, none of which the head sees otherwise."""
+    (row,) = of("eia.pal", "conjecture")
+    assert row.ours == "0340 1103 TAD P0"
+    words = dict(pal.assemble(evidence.source("eia.pal")).words)
+    tapes = []
+    for word in (words[0o340], 0o1127):
+        machine = pdp8.Machine()
+        machine.load(words | {0o340: word})
+        machine.start(0o200)
+        machine.teletype.reader.load(ascii.encode(circle.part()))
+        machine.run()
+        tapes.append(machine.teletype.punch.tape)
+    assert sum(one != other for one, other in zip(*tapes, strict=True)) == 2789
+    assert [frame & 0o217 for frame in tapes[0]] == [frame & 0o217 for frame in tapes[1]]
+    assert "2,789 frames" in RESTORATION
