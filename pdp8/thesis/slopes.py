@@ -18,7 +18,9 @@ from pdp8.thesis import chain
 from programs.milling import Milling
 from tapes.hydrapoint import FEED_TOLERANCE, XY_FEED
 
-_PATH, _BAND, _INTENDED = "#0b4f9e", "#2e7d32", "#8a8a8a"
+_PATH, _LIMIT, _INTENDED = "#0b4f9e", "#2e7d32", "#8a8a8a"
+_BAND: Final = 380
+"""Half the band of Figures 3.2 and 3.3, "the same slope ... with the same tolerance band"."""
 _RATIOS: Final = (("1.9 / 1.0", 2, 1, "#c62828"), ("4.0 / 2.7", 4, 3, "#0b4f9e"))
 """The chapter's two pairs of feeds, X over Y, by their codes in Table 2.4."""
 
@@ -76,14 +78,16 @@ def _cone(view: View) -> None:
 
 def piecewise() -> str:
     """Figure 3.2: X and Y together, stopping at the limits of the band."""
-    path = chain.path("slope", tolerance=0.05, milling=Milling("piece", feed_error=0))
-    return _technique(path, _line, 50, "Piece-wise Linear Technique", "X and Y together, block by block")
+    path = chain.path("slope", tolerance=_BAND / 1000, milling=Milling("piece", fastest=1, feed_error=0.1))
+    return _technique(path, _line, _BAND, "Piece-wise Linear Technique", "X and Y together, block by block")
 
 
 def stepwise() -> str:
     """Figure 3.3: Y to the upper limit, X to the lower one."""
-    path = chain.path("slope", tolerance=0.4)
-    return _technique(path, _line, 400, "Step-wise Linear Technique", "Y to the upper limit, X to the lower")
+    path = chain.path("slope", tolerance=_BAND / 1000)
+    return _technique(
+        path, _line, _BAND, "Step-wise Linear Technique", "Y to the upper limit, X to the lower"
+    )
 
 
 def stepwise_curve() -> str:
@@ -116,14 +120,14 @@ def _technique(
     window = Window(min(xs) - 500, min(ys) - 600, max(xs) + 500, max(ys) + 600)
     sheet = Sheet(_LEFT + window.width / 10 + 30, _TOP + window.height / 10 + 50, title)
     sheet.text(_LEFT, 22, title, font_size=15)
-    legend = (("intended path", _INTENDED), ("tolerance band", _BAND), ("actual path", _PATH))
+    legend = (("intended path", _INTENDED), ("tolerance band", _LIMIT), ("actual path", _PATH))
     sheet.text(_LEFT, 42, said, fill=FAINT)
     for place, (words, colour) in enumerate(legend):
         sheet.text(_LEFT + 100 * place, 62, words, fill=colour)
     view = sheet.view(_LEFT, _TOP, window, 1)
     view.line(band(0), stroke=_INTENDED, stroke_dasharray="8 4")
     for side in (-tolerance, tolerance):
-        view.line(band(side), stroke=_BAND)
+        view.line(band(side), stroke=_LIMIT)
     view.line(run, stroke=_PATH, stroke_width=2)
     stops = _stops(path)
     for number, stop in enumerate(stops, 1):

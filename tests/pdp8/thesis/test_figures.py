@@ -3,6 +3,8 @@
 import re
 from collections.abc import Callable, Iterator
 from io import BytesIO
+from itertools import combinations
+from math import dist
 from xml.etree import ElementTree as ET
 
 import pytest
@@ -17,6 +19,7 @@ from pdp8 import shelf
 from pdp8.thesis import chain, codes, diagrams, gallery, listings, slopes, work
 from pdp8.thesis.catalogue import Item, catalogue, find
 from pdp8.thesis.making import Made, make
+from pdp8.thesis.supplied import marked
 from programs import fluidic
 from tapes import eia
 from tapes.measure import inches
@@ -106,6 +109,17 @@ def test_the_stops_are_those_the_chapter_names(figure: Callable[[], str], stops:
     assert sorted(named) == sorted(stops)
 
 
+def test_figures_3_2_and_3_3_share_one_band_and_no_two_stops_of_them_meet() -> None:
+    """\"The same slope ... with the same tolerance band\"; stops are at least a tenth of an inch apart."""
+    bands = []
+    for figure in (slopes.piecewise, slopes.stepwise):
+        root = ET.fromstring(figure())
+        bands.append([each.get("d") for each in root.iter(f"{SVG}path") if each.get("stroke") == "#2e7d32"])
+        dots = [(float(each.get("cx", 0)), float(each.get("cy", 0))) for each in root.iter(f"{SVG}circle")]
+        assert min(dist(*pair) for pair in combinations(set(dots), 2)) >= 10
+    assert bands[0] == bands[1]
+
+
 def test_the_codes_and_constants_of_figure_5_3_are_those_stored_in_appendix_b() -> None:
     definitions = shelf.read("eia.pal").decode().partition("/DEFINITIONS:")[2]
     stored = [int(word, 8) for word in re.findall(r"^P(?:\d|CR),\t(\d+)", definitions, re.MULTILINE)]
@@ -120,6 +134,19 @@ def test_the_limits_of_figure_6_1_are_those_of_the_listing() -> None:
     listing = listings.source("circle.for")
     for limit in re.findall(r"R [≥≤] (\d+)", diagrams.drawn("6.1")):
         assert f"={limit}." in listing
+
+
+def test_the_constants_of_figure_6_1_that_the_scan_has_lost_have_another_colour() -> None:
+    lost = {
+        name
+        for row, flags in marked("circle.for")
+        if any(flags)
+        for name in re.findall(r"(\w+)=\d", row.ours)
+    }
+    assert lost >= {"AS", "AP", "AX", "ARL"}
+    texts = [each for each in ET.fromstring(diagrams.drawn("6.1")).iter(f"{SVG}text") if each.get("fill")]
+    assert [text.text for text in texts] == ["AS=7, AP=6, AT=1,", "AX=1750, AY=0", *["R ≥ 1755?"] * 4]
+    assert {each.get("fill") for each in texts} == {"#9a1f6a"}
 
 
 def test_figure_5_4_is_one_block_before_and_after() -> None:
