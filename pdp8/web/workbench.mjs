@@ -17,7 +17,7 @@ import { Core } from "./bench/core.mjs";
 import { Doors } from "./bench/doors.mjs";
 import { Editor } from "./bench/editor.mjs";
 import { Exercises } from "./bench/exercises.mjs";
-import { marks } from "./bench/marker.mjs";
+import { located, marks } from "./bench/marker.mjs";
 import { Mill } from "./bench/mill.mjs";
 import { Parts, printout } from "./bench/parts.mjs";
 import { Registers } from "./bench/registers.mjs";
@@ -46,6 +46,7 @@ import { find, grouped, octal } from "./written.mjs";
 
 const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT kept a word from being written" };
 const GOES_ON = ["limit", "tape out", "idle"]; // when its time has come, or somebody does something
+const FARTHEST = 50_000_000; // instructions that a link may have run: two or three seconds
 const MEMORY = 32 << 20; // bytes of what can be undone
 
 class Bench {
@@ -250,6 +251,16 @@ class Bench {
     if (machine.processor.run) this.say("It was running when it was saved");
   }
 
+  /** Let the machine be as a saved state has it, and run on for some instructions, which can be undone. Throws for too many. */
+  lead(text, until, says = "") {
+    if (!Number.isInteger(until) || until < 0 || until > FARTHEST) throw new Error(`until: ${until} instructions; 0 to ${grouped(FARTHEST)} are allowed`);
+    this.#restore(text);
+    const { machine } = this;
+    machine.run(null, until);
+    machine.processor.run = 0;
+    this.say(`${says || `${grouped(until)} instructions have been run`}. The next is at ${octal(machine.pc)}; go back from here`);
+  }
+
   save() {
     this.download("pdp8.state", save(this.machine));
   }
@@ -293,12 +304,16 @@ class Bench {
   }
 
   /** Open what a link or a file of a session holds. */
-  #open({ program, machine, exercise }) {
+  #open({ program, machine, exercise, until }) {
     if (typeof exercise === "string") this.exercises.open(exercise);
     else if (exercise) this.exercises.take(exercise.name, exercise.tables);
     if (exercise) this.tabs.open("exercises");
+    else if (program) this.tabs.open("program");
     if (program) this.editor.put(String(program.name), String(program.text));
-    if (machine) this.#restore(JSON.stringify(whole(machine, this.#bundled())));
+    if (!machine) return;
+    const state = JSON.stringify(whole(machine, this.#bundled()));
+    if (until === undefined) this.#restore(state);
+    else this.lead(state, until);
   }
 
   /** Open what the address holds, and what this browser has kept. A link that cannot be opened is forgotten. */
@@ -331,4 +346,4 @@ async function start() {
 }
 
 if (globalThis.document) start();
-else serve({ booted, checked, marks, printout });
+else serve({ booted, checked, located, marks, printout });

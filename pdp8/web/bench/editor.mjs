@@ -238,6 +238,7 @@ export class Editor {
     put(find("messages"), html`<p>${summary}</p><ol>${items}</ol>${more ? html`<p>and ${more.toLocaleString("en")} more</p>` : ""}`);
     for (const id of ["load", "boot"]) find(id).disabled = !places.length;
     this.#draw();
+    this.write();
   }
 
   /** Somebody writes in the editor, or no more: what Tab does depends on it. */

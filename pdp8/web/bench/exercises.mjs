@@ -137,13 +137,36 @@ export class Exercises {
     const called = sheet ? name : editor.name;
     put(find("marks"), html`<p>It is tried …</p>`);
     try {
-      const { right, points, of, said } = await apart.ask("marks", [tables, called, sheet ? lines.join("") : editor.text], SECONDS);
+      const { right, points, of, said, wrong } = await apart.ask("marks", [tables, called, sheet ? lines.join("") : editor.text], SECONDS);
       this.marks.keep(name, JSON.stringify([points, of, right]));
       this.#list();
       if (name !== this.name) return;
       put(find("marks"), html`<p><b class="${right ? "right" : ""}">${sheet ? "The sheet" : called}: ${of ? `${points} of ${of} points` : "not marked"}</b></p>${ours(said)}`);
+      if (!sheet) this.#offer(wrong);
     } catch (error) {
       put(find("marks"), html`<p>${error.message}</p>`);
+    }
+  }
+
+  /** Put a button beside each case that failed: where it went wrong. */
+  #offer(wrong) {
+    const heads = find("marks").querySelectorAll("h2");
+    wrong.forEach((called, index) => {
+      if (!called || !heads[index]) return;
+      put(heads[index], html`${called} <button class="text" data-click="exercises.where" value="${called}" title="Run the program from START to this place; from there step back and forward">Show where it went wrong</button>`);
+    });
+  }
+
+  /** Let the machine run from START to the place where the program goes wrong in a case; from there one can go back. */
+  async where({ value }) {
+    const { apart, editor } = this.bench;
+    try {
+      const { says, state, until } = await apart.ask("located", [this.all.get(this.name), editor.name, editor.text, value], SECONDS);
+      this.bench.lead(state, until, `${value}: ${says}`);
+      editor.area.blur();
+      editor.write();
+    } catch (error) {
+      this.bench.say(String(error.message ?? error));
     }
   }
 

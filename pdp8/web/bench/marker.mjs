@@ -1,9 +1,11 @@
-// Answers marked as `pdp8 check` marks them, by its own code.
+// Answers marked as `pdp8 check` marks them, by its own code; and where they go wrong.
 
-import { Answer } from "../../lessons/answer.mjs";
+import { save } from "../../computer/past/state.mjs";
+import { Answer, assembled } from "../../lessons/answer.mjs";
 import { Case, Exercise, Question, Source, Trial } from "../../lessons/exercise.mjs";
-import { mark } from "../../lessons/marking.mjs";
+import { first_failed, mark } from "../../lessons/marking.mjs";
 import { body } from "../../lessons/page.mjs";
+import { find, standing } from "../../lessons/where.mjs";
 import { bytes, dict } from "../translator/runtime.mjs";
 
 const TAPES = ["reader", "keys", "tape"];
@@ -35,10 +37,23 @@ export function exercise({ title, task, program = {}, case: cases = [], question
   return new Exercise("", title, task, record(Source, program), tried, questions.map(question), others);
 }
 
-/** The marks of a source: { right, points, of, said }, what is said in HTML. */
+/** The marks of a source: { right, points, of, said, wrong }: what is said in HTML, and the cases that failed, "" for a hidden one. */
 export function marks(tables, name, source) {
   const given = exercise(tables);
   const result = mark(given, new Answer(name, undefined, undefined, source));
   const { right, points, of } = result;
-  return { right, points, of, said: [...body(given, result)].join("\n") };
+  const wrong = result.marks.filter(({ failures }) => failures.length).map(({ hidden, name: called }) => (hidden ? "" : called));
+  return { right, points, of, said: [...body(given, result)].join("\n"), wrong };
+}
+
+/** Where a source goes wrong in a case: { says, state, until }, the machine at START and the instructions from there. */
+export function located(tables, name, source, called) {
+  const answer = assembled(new Answer(name, undefined, undefined, source));
+  for (const whole of exercise(tables).cases.find((each) => each.name === called).trials) {
+    const failed = first_failed(answer, whole);
+    if (!failed) continue;
+    const { says, instructions } = find(answer, whole, failed);
+    return { says, state: save(standing(answer, whole, failed.outcome.number)), until: instructions };
+  }
+  return null;
 }

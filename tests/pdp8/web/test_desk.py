@@ -1,8 +1,11 @@
 """The desk: programs that are kept, what is typed, files and links, exercises and parts, in Chromium."""
 
+from pathlib import Path
+
 from pdp8 import shelf
 from pdp8.lessons import form, student
 from pdp8.lessons.course import COURSE
+from tests.conftest import Call
 from tests.pdp8.web.browsing import Browser, Page, click, until, visit
 
 HALT = "*200\n\tHLT\n$\n"
@@ -144,6 +147,34 @@ def test_an_exercise_stands_beside_its_program(page: Page) -> None:
     assert task
     assert editor
     assert task["y"] + task["height"] <= editor["y"]
+
+
+def test_where_it_went_wrong(page: Page, browser: Browser, tmp_path: Path, call: Call) -> None:
+    """A button beside the case that failed, and the link of `pdp8 check --where`, lead to the place;
+    from there the steps lead back to START. The line is marked, and nothing runs.
+    """
+    answer = tmp_path / "ben.pal"
+    answer.write_text(form.read("add").solution.replace("DCA SUM", "DCA B"))
+    click(page, "[data-opens=exercises]", "#asked [data-click='exercises.begin']")
+    page.locator("#source").fill(answer.read_text())
+    click(page, "#asked .go")
+    click(page, "#marks h2 button >> nth=0")
+    until(page, "document.getElementById('next').textContent.includes('B becomes 0014; 0007 is wanted')")
+    status, said, _ = call("pdp8 check add ben.pal --where")
+    assert status == 1
+    link = next(line for line in said.splitlines() if "#s=" in line)
+    with visit(browser, page.url.split("#")[0] + link[link.index("#") :]) as other:
+        for tab in (page, other):
+            until(tab, "!!document.querySelector('#gutter .now')")
+            assert "DCA B" in tab.evaluate("workbench.editor.lines[workbench.editor.now - 1]")
+            assert tab.evaluate("[workbench.machine.processor.run, workbench.machine.pc]") == [0, 0o203]
+            for address in (0o202, 0o201, 0o200):
+                click(tab, "#back")
+                assert tab.evaluate("workbench.machine.pc") == address
+            click(tab, "#back")
+            assert "the history goes back 0" in tab.locator("#next").inner_text()
+            click(tab, "#forward")
+            assert tab.evaluate("workbench.machine.pc") == 0o201
 
 
 _TYPED = """(area) => {

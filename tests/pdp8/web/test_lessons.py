@@ -4,7 +4,8 @@ import json
 
 import pytest
 
-from pdp8.lessons import form, handed, marking, student
+from pdp8.lessons import form, handed, marking, student, where
+from pdp8.lessons.answer import assembled
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.page import body
 from tests.pdp8.web.node import called, needs_node
@@ -33,4 +34,26 @@ def test_the_page_marks_as_the_command_does() -> None:
     for (exercise, _, source), marks in zip(answers, there, strict=True):
         result = marking.mark(exercise, handed.of(source.encode(), "a.pal"))
         said = {"right": result.right, "points": result.points, "of": result.of}
-        assert marks == {**said, "html": "\n".join(body(exercise, result))}, source
+        wrong = ["" if mark.hidden else mark.name for mark in result.marks if mark.failures]
+        assert marks == {**said, "said": "\n".join(body(exercise, result)), "wrong": wrong}, source
+
+
+@needs_node
+def test_the_page_finds_the_place_that_the_command_finds() -> None:
+    """Of a wrong answer to each of some exercises: what it says, and how far from START it is."""
+    asked, wanted = [], []
+    for name in ("add", "echo", "larger", "message", "multiply", "step-wise"):
+        exercise = form.read(name)
+        source = exercise.solution.replace(*next(iter(exercise.mistakes.values())))
+        answer = assembled(handed.of(source.encode(), "a.pal"))
+        marks = marking.mark(exercise, answer).marks
+        case = next(case for case, mark in zip(exercise.cases, marks, strict=False) if mark.failures)
+        whole, failed = next(
+            (each, found) for each in case.trials if (found := marking.first_failed(answer, each))
+        )
+        place = where.find(answer, whole, failed)
+        asked.append(
+            ("pdp8/web/bench/marker", "located", student.whole(exercise), "a.pal", source, case.name)
+        )
+        wanted.append((place.says, place.instructions))
+    assert [(each["says"], each["until"]) for each in called(*asked)] == wanted

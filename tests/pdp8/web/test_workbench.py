@@ -379,6 +379,8 @@ _STATE = {"format": "pdp8 state", "version": 2}
             {"machine": _STATE | {"processor": {"run": 1, "clock": 4503599627370000}}},
             "It was running when it was saved",
         ),
+        ({"machine": _STATE, "until": 1e15}, "until: 1000000000000000 instructions; 0 to"),
+        ({"machine": _STATE, "until": "9"}, "until: 9 instructions; 0 to"),
         ({"machine": {"$tape": ["no.bin", 0, 9]}}, "cannot be opened"),
         ({"exercise": "nothing"}, "there is no exercise nothing"),
         ({"program": {"name": "a.pal", "text": "A" * 1_000_000}}, "of 1\u2009000\u2009000 characters"),
