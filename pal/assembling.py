@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pal.assembler import TELETYPE_SYMBOLS
 from pal.assembly import PAL3, PAL8, Assembly
 from pal.source import Source
+from pal.work3 import Work3
 
 FOUND = "auto"
 DIALECTS = (FOUND, PAL3, PAL8)
@@ -20,6 +21,8 @@ def assemble(
     capacity: int = TELETYPE_SYMBOLS,
     model: str | None = None,
     dialect: str = PAL3,
+    wipe: bool = False,
+    exact: bool = False,
 ) -> Assembly:
     """Assemble the source tapes, read one after the other.
 
@@ -29,21 +32,28 @@ def assemble(
     capacity  room for symbols of the source, by its reader: TELETYPE_SYMBOLS, or HIGH_SPEED_SYMBOLS, which
               reads ahead and at PAUSE loses the rest of the line
     model     one of models.MODELS: the diagnostics note what other models do otherwise
-    dialect   "pal3", "pal8", or "auto": PAL8 where a source in error has at most half as many errors as PAL8,
-              and a line of PAL8's alone (`pal.assembly8.found`); a note says so
+    dialect   "pal3", "pal8", or "auto": PAL III where the source is clean, or else PAL8 where it is clean or
+              has a line of PAL8's (`pal.recognition`); a note says so
+    wipe      PAL8's /W: literals that were put out are forgotten, so that an overlay may go there
+    exact     PAL8 as DEC's own reads it, without what is allowed besides (`pal.pal8`)
 
     Whatever is wrong with the source is a diagnostic. Raises ValueError for another dialect.
     """
     if dialect not in DIALECTS:
         raise ValueError(f"{dialect!r} is not one of {', '.join(DIALECTS)}")
     called = names or [f"tape {number}" for number in range(1, len(sources) + 1)]
-    if dialect == PAL8:
-        from pal.assembly8 import Assembly8
+    work3 = lambda: Work3(Source(sources, modern), len(called), capacity, model)  # noqa: E731
+    if dialect == PAL3:
+        work = work3()
+        if work.ok:
+            return Assembly(PAL3, called, work)
+    from pal.recognition import found, told
+    from pal.work8 import Work8
 
-        return Assembly8(sources, called, model)
-    assembly = Assembly(Source(sources, modern), called, capacity, model)
-    if dialect == FOUND and not assembly.ok:
-        from pal.assembly8 import found
-
-        return found(assembly, sources)
-    return assembly
+    work8 = lambda: Work8(sources, model, wipe, exact)  # noqa: E731
+    if dialect == FOUND:
+        return found(sources, called, work3, work8)
+    if dialect == PAL3:
+        return told(Assembly(PAL3, called, work), work, work8)
+    work = work8()
+    return told(Assembly(PAL8, called, work), work, work3)

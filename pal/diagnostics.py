@@ -19,11 +19,10 @@ from typing import NamedTuple
 from pal.assembler import Message
 from pal.dialects import hint
 from pal.isa import ADDRESS, PAGE
-from pal.notes import Note
+from pal.notes import ERROR, NOTE, Note, Said
 from pal.source import Place, Source
 from pal.symbols import REFERENCES
 
-ERROR, NOTE = "error", "note"
 STOPPED = "PS01"
 """Where PAL III goes no further."""
 
@@ -89,17 +88,11 @@ class Diagnostic(NamedTuple):
         return [f"  {sentence}" for sentence in (self.advice, self.hint) if sentence]
 
 
-def diagnose(
-    source: Source,
-    names: Sequence[str],
-    messages: Iterable[Message],
-    stopped: tuple[str, int] | None,
-    notes: Iterable[Note],
-) -> list[Diagnostic]:
-    """Return the messages, why PAL III went no further, and our notes as diagnostics, in source order."""
-    if len(source.text) == 1:
-        return [empty(names)]
-    found: list[tuple[str, Note, str]] = []
+def of_pal3(
+    source: Source, messages: Iterable[Message], stopped: tuple[str, int] | None, notes: Iterable[Note]
+) -> list[Said]:
+    """Return what is said of a source in PAL III: its messages, why it went no further, and our notes."""
+    found: list[Said] = []
     full = small = False
     for message in messages:
         at = _reference(source, message.at) if message.code == "IR" else message.at
@@ -117,8 +110,7 @@ def diagnose(
         full |= message.code == "ST"
     if stopped and not full:
         found.append((ERROR, Note(STOPPED, stopped[1], stopped[0], ""), ""))
-    found += [(NOTE, note, "") for note in notes]
-    return told(sorted(found, key=lambda each: each[1].at), names, source.place)
+    return [*found, *((NOTE, note, "") for note in notes)]
 
 
 def empty(names: Sequence[str]) -> Diagnostic:
@@ -127,19 +119,18 @@ def empty(names: Sequence[str]) -> Diagnostic:
     return Diagnostic(NOTE, "PN27", "the source is empty", "write at least a $", "", file, 1, 1, 2, "")
 
 
-def told(
-    found: Iterable[tuple[str, Note, str]], names: Sequence[str], place_of: Callable[[int], Place]
-) -> list[Diagnostic]:
-    """Return diagnostics of what was found: severity, message and advice with their place, and hint."""
-    diagnostics = []
-    for severity, note, sentence in found:
+def told(said: Iterable[Said], names: Sequence[str], place_of: Callable[[int], Place]) -> list[Diagnostic]:
+    """Return what is said of a source as diagnostics, in the order of their places."""
+    diagnostics: list[tuple[tuple[int, int, int], Diagnostic]] = []
+    for severity, note, sentence in said:
         place = place_of(note.at)
         if severity == ERROR or not _silenced(place.text, note.code):
             end = max(place.end, place.start + 1) + 1
             where = names[place.tape], place.line, place.start + 1, end, place.text
             message = note.message.translate(_CONTROLS)
-            diagnostics.append(Diagnostic(severity, note.code, message, note.advice, sentence, *where))
-    return diagnostics
+            diagnostic = Diagnostic(severity, note.code, message, note.advice, sentence, *where)
+            diagnostics.append(((place.tape, place.line, place.start), diagnostic))
+    return [diagnostic for _, diagnostic in sorted(diagnostics, key=lambda each: each[0])]
 
 
 def _silenced(text: str, code: str) -> bool:

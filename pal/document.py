@@ -20,7 +20,7 @@ from pal.symbols import PERMANENT, PSEUDO_OPERATORS, SIGNIFICANT
 
 SYMBOL = re.compile(r"[A-Za-z][A-Za-z0-9]*")
 TAG, VALUE = "tag", "value"
-_PSEUDO_OPERATORS = {*PSEUDO_OPERATORS, *symbols8.PSEUDO_OPERATORS, *symbols8.PALBARTS_PSEUDO_OPERATORS}
+_PSEUDO_OPERATORS = {*PSEUDO_OPERATORS, *symbols8.PSEUDO_OPERATORS}
 _WORDS = {symbol.mnemonic: symbol.octal for symbol in PERMANENT} | symbols8.INSTRUCTIONS | symbols8.PALBARTS
 _IOTS = {name for name, word in _WORDS.items() if word >> 9 == IOT}
 _CALL = re.compile(r"\bJMS[ \t]+(?:[IZ][ \t]+)*([A-Z][A-Z0-9]*)", re.IGNORECASE)

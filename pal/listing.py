@@ -71,6 +71,11 @@ def text_of(raw: bytes) -> str:
     return raw.translate(frames.PARITIES["none"], _SILENT).decode("ascii")
 
 
+def typed_frames(text: str) -> bytes:
+    r"""Return the frames of a text, CR LF for ``\n``."""
+    return _frames(text.replace("\n", NEW_LINE))
+
+
 def complaints(output: Output) -> bytes:
     """Return the messages, which pass 1 types, and pass 2 while the high-speed punch works."""
     return _frames("".join(_message(str(piece)) for piece in output if isinstance(piece, Message)))

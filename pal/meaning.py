@@ -44,8 +44,8 @@ def names() -> dict[str, str]:
 
 def names8() -> dict[str, str]:
     """Return {permanent symbol of PAL8, palbart's too: meaning}, the octal word where there is none."""
-    known = dict.fromkeys(symbols8.PSEUDO_OPERATORS + symbols8.PALBARTS_PSEUDO_OPERATORS, _PSEUDO)
-    words = (symbols8.INSTRUCTIONS, symbols8.PALBARTS, symbols8.REFERENCES, symbols8.PALBARTS_REFERENCES)
+    known = dict.fromkeys(symbols8.PSEUDO_OPERATORS, _PSEUDO)
+    words = (symbols8.INSTRUCTIONS, symbols8.PALBARTS, symbols8.REFERENCES)
     for table in words:
         for name, word in table.items():
             lacks = ", no instruction of a PDP-8/L" if name in symbols8.NOT_ON_THE_8L else ""

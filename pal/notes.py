@@ -58,6 +58,12 @@ class Note(NamedTuple):
     advice: str
 
 
+ERROR, NOTE = "error", "note"
+
+Said = tuple[str, Note, str]
+"""What is said of a source: ERROR or NOTE, the message with its place, and a hint or ""."""
+
+
 class Mention:
     """A symbol in the source: the item or place where it stands, and whether it is defined there."""
 

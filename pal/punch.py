@@ -14,6 +14,8 @@ from pal.assembler import Output, Punched, Written
 from tapes import binary, frames
 
 START_UP = b"\0"
+BLOCK = "block"
+"""What DTORG of PAL8 punches."""
 
 
 def tape(output: Output) -> bytes:
@@ -28,6 +30,8 @@ def frames_of(piece: Written | Punched) -> bytes:
         return binary.word(piece.word)
     if piece.kind == binary.FIELD:
         return binary.field(piece.value)
+    if piece.kind == BLOCK:
+        return bytes((0o300 | piece.value >> 6, piece.value & 0o77))
     if piece.kind == binary.ORIGIN:
         return binary.origin(piece.value)
     return binary.word(piece.value)

@@ -9,8 +9,10 @@ Words and addresses are octal, as text; addresses beyond 7777 have the field as 
 
 import json
 from html import escape
+from typing import TYPE_CHECKING
 
-from pal.assembly import Assembly
+if TYPE_CHECKING:
+    from pal.assembly import Assembly
 
 _STYLE = (
     "<style>.pal td { font-family: monospace; text-align: left; white-space: pre; padding: 0 1em 0 0 }"
@@ -18,7 +20,7 @@ _STYLE = (
 )
 
 
-def as_json(assembly: Assembly) -> str:
+def as_json(assembly: "Assembly") -> str:
     """Return the assembly as a JSON text."""
     content = {
         "words": {f"{address:04o}": f"{word:04o}" for address, word in assembly.words.items()},
@@ -38,7 +40,7 @@ def as_json(assembly: Assembly) -> str:
     return json.dumps(content, indent=1) + "\n"
 
 
-def html(assembly: Assembly) -> str:
+def html(assembly: "Assembly") -> str:
     """Return the listing as an HTML table, wrong lines marked, and below it what is wrong."""
     wrong = {(found.file, found.line) for found in assembly.diagnostics if found.error}
     rows = []

@@ -22,7 +22,9 @@ from typing import NamedTuple
 from tapes.frames import PARITIES
 
 _PASSED_OVER = bytes((0o000, 0o200, 0o177, 0o377, 0o212))
-_TOKEN = re.compile(r'([A-Z0-9]+|".|/.*|[^\t-\r\x1c- >])')
+_TOKEN = re.compile(r'([A-Z][A-Z0-9]*|[0-9]+|".|/.*|[^\t ])')
+_PART = 200
+"""Characters of a line of PAL8 that are read at once, to the next `;` or `>`."""
 _ITEM = re.compile(r"([A-Z0-9\f]*)(?:/[^\r]*)?([^A-Z0-9\f])")
 
 ENDS = frozenset("\r;")
@@ -152,7 +154,8 @@ def lines_of(tapes: Sequence[bytes | str]) -> list[Line]:
     """Return the lines of the source tapes, read one after the other; a tape's end ends a line."""
     lines = []
     for tape, frames in enumerate(tapes):
-        texts = characters(frames).replace("\x1a", "").split("\r")
+        text = characters(frames).partition("\x1a")[0].replace("\f", "").replace("\v", "")
+        texts = text.split("\r")
         last = texts.pop()
         if last:
             texts.append(last)
@@ -160,16 +163,17 @@ def lines_of(tapes: Sequence[bytes | str]) -> list[Line]:
     return lines
 
 
-def tokens(text: str, start: int = 0) -> list[str]:
-    """Return blanks, token, blanks, token ... of a line of PAL8 from column `start` on; in capitals.
+def tokens(text: str, start: int = 0, folds: bool = True) -> list[str]:
+    """Return blanks, token, blanks, token ... of a line of PAL8 from column `start` on, or of a part of it.
 
-    A token is a name, a number, `"` with its character, or another single character; among the blanks, of
-    which there may be none, are form feed and `>`. The last tokens are empty: they stand at the comment or
-    the end of the line.
+    A token is a name, a number, `"` with its character, a comment to the line's end, or another single
+    character. The last tokens are empty. `folds` makes capitals of small letters.
     """
-    code = (text if text.isascii() else _ascii(text)).upper()
-    found = _TOKEN.split(code[start:])
-    end = len(found) - 2
-    if end > 0 and found[end].startswith("/"):
-        found[end] = ""
-    return [*found, "", "", ""]
+    end = len(text)
+    if end - start > _PART:
+        ends = [at for at in (text.find(";", start + _PART), text.find(">", start + _PART)) if at >= 0]
+        end = min([*ends, end - 1]) + 1
+    code = text[start:end]
+    if folds:
+        code = (code if code.isascii() else _ascii(code)).upper()
+    return [*_TOKEN.split(code), "", "", ""]

@@ -10,10 +10,9 @@ REFERENCES = {
     "DCA": 0o3000,
     "JMS": 0o4000,
     "JMP": 0o5000,
-    "I": 0o0400,
-    "Z": 0o0000,
 }
-"""The memory references, and what stands beside one."""
+MARKS = {"I": 0o0400, "Z": 0o0000}
+"""What may stand after a memory reference."""
 
 INSTRUCTIONS = {
     **{"NOP": 0o7000, "OPR": 0o7000, "IAC": 0o7001, "BSW": 0o7002, "RAL": 0o7004, "RTL": 0o7006},
@@ -34,6 +33,7 @@ PALBARTS_REFERENCES = {
 }
 
 PALBARTS = {
+    **PALBARTS_REFERENCES,
     **{"FEXT": 0o0000, "FNOR": 0o7000, "SQUARE": 0o0001, "SQROOT": 0o0002},
     **{"RCC": 0o6016, "CDI": 0o6203, "ACL": 0o7701, "DPI": 0o6100, "SMP": 0o6101, "SNP": 0o6101},
     **{"EPI": 0o6103, "CMP": 0o6104, "CNP": 0o6104, "CEP": 0o6106, "SPO": 0o6107, "TTI": 0o6402},
@@ -53,18 +53,28 @@ NOT_ON_THE_8L = frozenset(
 )
 """Instructions of the 8/E that an 8/L has not, or that do something else there."""
 
-PSEUDO_OPERATORS = (
-    *("DECIMAL", "OCTAL", "FIELD", "PAGE", "TEXT", "ZBLOCK", "DEVICE", "FILENAME"),
-    *("IFDEF", "IFNDEF", "IFZERO", "IFNZRO", "EXPUNGE", "FIXTAB", "FIXMRI", "NOPUNCH", "ENPUNCH"),
-    *("RELOC", "EJECT", "XLIST", "PAUSE"),
-)
+HANDLERS = {
+    **{"DECIMAL": 0o0207, "DEVICE": 0o2530, "DTORG": 0o5400, "EJECT": 0o5505, "ENPUNCH": 0o0205},
+    **{"EXPUNGE": 0o2667, "FIELD": 0o0415, "FILENAME": 0o2533, "FIXMRI": 0o0464, "FIXTAB": 0o4253},
+    **{"IFDEF": 0o5050, "IFNDEF": 0o5051, "IFNZRO": 0o5001, "IFZERO": 0o5000, "NOPUNCH": 0o0204},
+    **{"OCTAL": 0o0210, "PAGE": 0o0437, "PAUSE": 0o0361, "RELOC": 0o5466, "TEXT": 0o2601},
+    **{"XLIST": 0o5453, "ZBLOCK": 0o4130},
+}
+"""The pseudo-operators, with the addresses of DEC's routines: that is what one is in an expression."""
 
-PALBARTS_PSEUDO_OPERATORS = ("IFNZERO", "DUBL", "FLTG", "ASCII", "SEGMNT", "RIMPUNCH", "BINPUNCH")
+PSEUDO_OPERATORS = tuple(HANDLERS)
 
 ELSEWHERE = {
     "DEFINE": "DEFINE makes a macro of MACRO-8; PAL8 has none: use a subroutine",
-    "DTORG": "DTORG is typesetting's; PAL8's tape has no DECtape blocks",
     "TITLE": "TITLE is for palbart's listing with -a alone",
     "BANK": "BANK is palbart's with -a alone: use FIELD",
+    "EQU": "PAL8 has no EQU: write FIVE=5",
+    "IFNZER": "IFNZERO is palbart's: write IFNZRO",
+    "DUBL": "DUBL is palbart's: write both words in octal",
+    "FLTG": "FLTG is palbart's: write the three words in octal",
+    "ASCII": "ASCII is palbart's: write the codes so: \"A;\"B",
+    "SEGMNT": "SEGMNT is palbart's: write the origin",
+    "RIMPUN": "RIMPUNCH is palbart's: pal --rim punches a RIM tape",
+    "BINPUN": "BINPUNCH is palbart's: pal punches a BIN tape",
 }
-"""What other assemblers of its family have."""
+"""What other assemblers of its family have: of names, the six characters that count."""

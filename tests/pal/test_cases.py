@@ -40,7 +40,7 @@ def test_a_source_gives_what_its_lines_say(path: Path) -> None:
         listed = [(statement.address, statement.word) for statement in statements]
         assert listed == [(address & 0o7777, word) for address, word in said], f"line {number}: {text}"
     assert (binary.decode(assembly.tape).words, assembly.words) == (words, words)
-    messages = sorted(str(message).rstrip() for message in assembly.messages)
+    messages = sorted(message.rstrip() for message in assembly.messages)
     assert messages == sorted(message for line in source.splitlines() for message in expected_messages(line))
     table = re.search(r"^/TABLE (.*)$", source, re.MULTILINE)
     if table:

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 import pal
 from pal.assembler import HIGH_SPEED_SYMBOLS
 from pal.reports import as_json
-from pal.symbols8 import PALBARTS_PSEUDO_OPERATORS, PSEUDO_OPERATORS
+from pal.symbols8 import PSEUDO_OPERATORS
 from tapes import binary
 
 CHARACTERS = "AB19 \t+-,=*;$./!a\f\n\r"
@@ -17,7 +17,7 @@ NAMES = ["A", "B", "LONGNAME", "TAD", "JMP", "CLA", "FADD", "I", "Z", "5", "189"
 PSEUDO = ["FIELD", "FIXMRI", "EXPUNGE", "FIXTAB", "DECIMAL", "OCTAL", "PAUSE", "DECIMAL;", "OCTAL;"]
 MARKS = ["\t", "+", "-", ",", "=", "*", ".", ";", "\n", "/X\n", " ,", " =", "$", "(", "!", "a", "\f"]
 statements = st.text(CHARACTERS, max_size=80)
-LATER = [*PSEUDO_OPERATORS, *PALBARTS_PSEUDO_OPERATORS, "TAD (", "TAD [", "AND", '"', "<>", "<1>"]
+LATER = [*PSEUDO_OPERATORS, "TAD (", "TAD [", "AND", '"', "<>", "<1>"]
 
 
 def made_of(*words: str) -> st.SearchStrategy[str]:

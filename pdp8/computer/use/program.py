@@ -126,7 +126,7 @@ def _assembled(sources: Sequence[bytes], names: Sequence[str], dialect: str) -> 
             raise WorkError(f"address {address:05o}: a PDP-8/L with 4K of core ends at 07777")
     notes: tuple[str, ...] = ()
     if dialect == FOUND and assembly.dialect != PAL3:
-        from pal.assembly8 import TAKEN
+        from pal.recognition import TAKEN
 
         notes = (TAKEN,)
     return Program(names[0], kinds.ASCII, assembly.words, assembly, notes)

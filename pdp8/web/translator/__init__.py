@@ -23,8 +23,8 @@ from pdp8.web.translator.modules import translate
 
 MODULES = {
     "tapes": "ascii binary eia errors expression frames hydrapoint kinds measure rim utf16",
-    "pal": "assembler assembling assembly assembly8 diagnostics dialects disassembler isa listing meaning"
-    " models notes pal8 punch review source symbols symbols8 table watched",
+    "pal": "assembler assembling assembly diagnostics dialects disassembler isa listing meaning"
+    " models notes pal8 punch recognition review source symbols symbols8 table watched work3 work8",
     "pdp8.computer": "machine stop watch",
     "pdp8.computer.hardware": "bus core fields highspeed operate panel processor signals teletype",
     "pdp8.computer.speed": "engine piece waiting",

@@ -1,0 +1,67 @@
+"""Which dialect a source is in: PAL III where it is clean, or else PAL8 where it is clean or has a line of it.
+
+A character that PAL III refuses shows that a source is not clean there, so that PAL8 is tried first.
+"""
+
+from collections.abc import Callable, Sequence
+
+from pal.assembly import PAL3, PAL8, SPELLED, Assembly
+from pal.notes import DIALECT, NOTE, Note
+from pal.source import characters
+from pal.symbols import SIGNIFICANT
+from pal.symbols8 import PSEUDO_OPERATORS
+from pal.work3 import Work3
+from pal.work8 import Work8
+
+TAKEN = "taken for PAL8: it has what PAL III has not"
+
+_MARKS = frozenset('(["<&^%')
+_NAMES = {name[:SIGNIFICANT] for name in PSEUDO_OPERATORS}
+
+_Work3 = Callable[[], Work3]
+_Work8 = Callable[[], Work8]
+
+
+def found(sources: Sequence[str | bytes], names: Sequence[str], pal3: _Work3, pal8: _Work8) -> Assembly:
+    """Return a source as PAL III or PAL8 makes it; `pal3` and `pal8` do their work when they are called."""
+    if _is_beyond_pal3(sources):
+        work8 = pal8()
+        if work8.ok:
+            return _as_pal8(names, work8)
+        work3 = pal3()
+    else:
+        work3 = pal3()
+        if work3.ok:
+            return Assembly(PAL3, names, work3)
+        work8 = pal8()
+    if work8.ok or (work8.takes(_MARKS, _NAMES) and len(work8.errors) <= len(work3.messages())):
+        return _as_pal8(names, work8)
+    return Assembly(PAL3, names, work3)
+
+
+def _as_pal8(names: Sequence[str], work: Work8) -> Assembly:
+    assembly = Assembly(PAL8, names, work)
+    advice = "--dialect pal8 says so, --dialect pal3 keeps to PAL III"
+    assembly.noted.append((NOTE, Note(DIALECT, work.first(), TAKEN, advice), ""))
+    return assembly
+
+
+def told(assembly: Assembly, work: Work3 | Work8, other: _Work3 | _Work8) -> Assembly:
+    """Return an assembly in the dialect that was asked for; in error, with what to type where the other fits."""
+    if not assembly.ok and other().ok:
+        dialect = PAL3 if assembly.dialect == PAL8 else PAL8
+        message = f"this is {SPELLED[dialect]}: it has no error there"
+        assembly.noted.append((NOTE, Note(DIALECT, work.first(), message, f"--dialect {dialect}"), ""))
+    return assembly
+
+
+def _is_beyond_pal3(sources: Sequence[str | bytes]) -> bool:
+    """Tell whether a character in the code of a source is none of PAL III's."""
+    for source in sources:
+        for line in characters(source).split("\r"):
+            code = line.partition("/")[0]
+            if any(mark in code for mark in _MARKS):
+                return True
+            if code[:1] == "$":
+                return False
+    return False

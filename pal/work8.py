@@ -1,0 +1,231 @@
+"""PAL8 at work for an `Assembly`: its passes, their messages, its listing, and what is said of them.
+
+The listing has the form of PAL III's: location, word, source; a `@` stands after a word that goes by a link.
+"""
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from pal import pal8, punch, symbols8
+from pal.listing import UNNUMBERED, ListingLine, Teletype, octal, typed_frames
+from pal.notes import (
+    AFTER_END,
+    ERROR,
+    NOT_ON_8L,
+    NOTE,
+    OVERLAID,
+    Mention,
+    Note,
+    Said,
+    of_model,
+    of_names,
+    of_undefined,
+    of_words,
+)
+from pal.source import Place, lines_of, tokens
+from pal.symbols import SIGNIFICANT
+
+if TYPE_CHECKING:
+    from pal.assembler import Written
+
+_FIELDS = ("CDF", "CIF", "CDI")
+_INSTRUCTIONS = {**symbols8.REFERENCES, **symbols8.MARKS, **symbols8.INSTRUCTIONS, **symbols8.PALBARTS}
+
+
+class Work8:
+    """What PAL8 does with a source; the members are those that `Assembly` asks for.
+
+    wipe    /W: literals that were put out are forgotten
+    exact   as DEC's own, without what is allowed besides
+    """
+
+    def __init__(
+        self, sources: Sequence[str | bytes], model: str | None = None, wipe: bool = False, exact: bool = False
+    ) -> None:
+        self._model = model
+        self._lines = lines_of(sources)
+        self._run = run = pal8.Assembler(self._lines, wipe, exact)
+        run.run()
+        self.errors = self._errors()
+        self.stopped: tuple[str, int] | None = None
+        if run.fatal:
+            last = run.complaints[len(run.complaints) - 1]
+            self.stopped = (last.about, last.at)
+        self.words = {} if run.fatal else punch.words(run.output)
+        self.ok = not self.errors
+
+    def _errors(self) -> list[Note]:
+        """Return the messages, once each where both passes have one, and of a statement's ICs the first."""
+        found: dict[tuple[str, int, int], Note] = {}
+        for said in self._run.complaints:
+            line, start, _ = self._run.places[said.at]
+            if said.about:
+                message = f"{said.code}  {said.about}"
+                found[(said.code, line, start)] = Note(said.code, said.at, message, said.advice)
+        return list(found.values())
+
+    def takes(self, marks: set[str], names: set[str]) -> bool:
+        """Tell whether a line without an error has one of these marks or names."""
+        wrong = {self._run.places[problem.at][0] for problem in self.errors}
+        for index in range(min(self._run.ended, len(self._lines))):
+            if index not in wrong:
+                for token in tokens(self._lines[index].text):
+                    if token[:1] in marks or token[:SIGNIFICANT] in names:
+                        return True
+        return False
+
+    def tape(self) -> bytes:
+        """Return the object tape; empty after a fatal error."""
+        return b"" if self._run.fatal else punch.tape(self._run.output)
+
+    def symbols(self) -> dict[str, int]:
+        """Return the symbols of the source in the order of their names."""
+        known = self._run.symbols
+        return {name: known[name].value for name in sorted(known) if known[name].passed}
+
+    def values(self) -> dict[str, int]:
+        """Return the values of all symbols."""
+        known = self._run.symbols
+        return {name: symbol.value for name, symbol in known.items() if symbol.kind != pal8.PSEUDO}
+
+    def mentions(self) -> list[Mention]:
+        """Return the symbols where they stand."""
+        return self._run.mentions
+
+    def first(self) -> int:
+        """Return the place of what is said of the whole source."""
+        return self._run.place_of_line(0)
+
+    def messages(self) -> list[str]:
+        """Return the messages of passes 1 and 2 as they were typed."""
+        return [f"{said.code}  {said.location}" for said in self._run.complaints]
+
+    def place(self, at: int) -> Place:
+        """Return a place of the source."""
+        index, start, end = self._run.places[at]
+        line = self._lines[index]
+        return Place(line.tape, line.number, line.text, start, end)
+
+    @cached_property
+    def _rows(self) -> list[tuple[ListingLine, str]]:
+        """The listing with the mark of each word: all of a line at its first word, literals at the end."""
+        rows: list[tuple[ListingLine, str]] = []
+        literals: list[tuple[ListingLine, str]] = []
+        last = -1
+        for written in self._run.written:
+            index = self._run.places[written.at][0]
+            line = self._lines[index]
+            text = "" if written.literal or index == last else line.text
+            row = ListingLine(written.address, written.word, text, line.tape, line.number)
+            if written.literal:
+                literals.append((row, "  "))
+                continue
+            rows += [*self._without_word(last + 1, index), (row, "@ " if written.link else "  ")]
+            last = index
+        return [*rows, *self._without_word(last + 1, self._run.ended + 1), *literals]
+
+    def _without_word(self, first: int, after: int) -> list[tuple[ListingLine, str]]:
+        lines = self._lines[first:after]
+        return [(ListingLine(None, None, line.text, line.tape, line.number), "") for line in lines]
+
+    def lines(self) -> list[ListingLine]:
+        """Return the listing by statements; literals stand after the program, where they are put out."""
+        return [line for line, _ in self._rows]
+
+    def text(self, number: int) -> str:
+        """Return the messages of pass 1 or 2 as they were typed, or the listing with the symbol table."""
+        if number < 3:
+            said = [said for said in self._run.complaints if said.number == number]
+            return "".join(f"{one.code}  {one.location}\n" for one in said)
+        listed = []
+        for line, mark in self._rows:
+            word = UNNUMBERED
+            if line.address is not None and line.word is not None:
+                word = f"{octal(line.address)}  {octal(line.word)}{mark}"
+            listed.append((word + line.source).rstrip())
+        table = [f"{name:6}  {value:04o}" for name, value in self.symbols().items()]
+        return "\n".join([*listed, "", *table, ""])
+
+    def teletype(self) -> Teletype:
+        """Return the frames of what is typed in the three passes; the tape is not among them."""
+        return Teletype(*(typed_frames(self.text(number)) for number in (1, 2, 3)))
+
+    def is_empty(self) -> bool:
+        """Tell whether there is nothing in the source."""
+        return not any(line.text for line in self._lines)
+
+    def said(self) -> list[Said]:
+        """Return the errors, and our notes."""
+        return [*((ERROR, error, "") for error in self.errors), *((NOTE, note, "") for note in self._notes())]
+
+    def _notes(self) -> list[Note]:
+        run = self._run
+        full = any(problem.code in ("PE", "ZE") for problem in self.errors)
+        said = of_words(run.written, _INSTRUCTIONS)
+        notes = [*run.notes, *(note for note in said if note.code != OVERLAID or not full)]
+        if self._model:
+            named = (each for each in run.written if any(name in _INSTRUCTIONS for name in each.names))
+            notes += of_model(named, self._model)
+        return notes + self._on_names() + self._of_fields() + self._of_the_end()
+
+    def _on_names(self) -> list[Note]:
+        """Note what was meant by undefined names, names cut short, and instructions that an 8/L has not."""
+        run = self._run
+        notes = []
+        told: set[str] = set()
+        longer = []
+        for mention in run.mentions:
+            name = mention.name
+            symbol = run.symbols.get(name)
+            if symbol is None or name in told:
+                continue
+            if not mention.defined and not symbol.passed and name in symbols8.NOT_ON_THE_8L:
+                told.add(name)
+                message = f"{name}, {symbol.value:04o}, is no instruction of a PDP-8/L"
+                notes.append(Note(NOT_ON_8L, mention.at, message, "it does nothing there, or something else"))
+            elif len(name) == SIGNIFICANT:
+                longer.append((self._in_full(mention.at), mention.at))
+        return [*notes, *self._on_undefined(), *of_names(longer, _INSTRUCTIONS)]
+
+    def _on_undefined(self) -> list[Note]:
+        told: set[str] = set()
+        places = []
+        for error in self.errors:
+            name = self._in_full(error.at)[:SIGNIFICANT] if error.code == "US" else ""
+            if name and name not in told and name not in symbols8.ELSEWHERE and "if it is a tag" not in error.advice:
+                told.add(name)
+                places.append((name, error.at, self._statement(error.at)))
+        return of_undefined(places, [*self.symbols(), *_INSTRUCTIONS])
+
+    def _of_fields(self) -> list[Note]:
+        """Note the first change to a field beyond 0: without the MC8/L it does nothing."""
+        for written in self._run.written:
+            field = written.word >> 3 & 7
+            if field and written.word & 0o7704 == 0o6200 and any(name in _FIELDS for name in written.names):
+                message = f"{written.word:04o} is for field {field}, which a PDP-8/L of 4K has not"
+                return [Note(NOT_ON_8L, written.at, message, "without the MC8/L it does nothing")]
+        return []
+
+    def _statement(self, at: int) -> int:
+        """Return a number for the statement at a place: its line and the semicolons before it."""
+        index, start, _ = self._run.places[at]
+        return index << 10 | self._lines[index].text.count(";", 0, start)
+
+    def _in_full(self, at: int) -> str:
+        index, start, end = self._run.places[at]
+        return self._lines[index].text[start:end].upper()
+
+    def _of_the_end(self) -> list[Note]:
+        run = self._run
+        lines = self._lines
+        if run.fatal:
+            return []
+        if run.ended == len(lines):
+            at = run.place_of_line(len(lines) - 1)
+            return [Note("PN27", at, "no $ at the end", "DEC's PAL8 supplies it; palbart asks for it")]
+        for index in range(run.ended + 1, len(lines)):
+            if lines[index].text.strip(" \t"):
+                at = run.place_of_line(index)
+                return [Note(AFTER_END, at, "text after $ is not read", "put the $ at the end")]
+        return []
