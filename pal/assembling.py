@@ -4,11 +4,15 @@ assemble("*200\\n\\tCLA\\n\\tHLT\\n$\\n").words  ->  {0o200: 0o7200, 0o201: 0o74
 """
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from pal.assembler import TELETYPE_SYMBOLS
 from pal.assembly import PAL3, PAL8, Assembly
 from pal.source import Source
 from pal.work3 import Work3
+
+if TYPE_CHECKING:
+    from pal.work8 import Work8
 
 FOUND = "auto"
 DIALECTS = (FOUND, PAL3, PAL8)
@@ -42,18 +46,25 @@ def assemble(
     if dialect not in DIALECTS:
         raise ValueError(f"{dialect!r} is not one of {', '.join(DIALECTS)}")
     called = names or [f"tape {number}" for number in range(1, len(sources) + 1)]
-    work3 = lambda: Work3(Source(sources, modern), len(called), capacity, model)  # noqa: E731
+
+    def pal3() -> Work3:
+        return Work3(Source(sources, modern), len(called), capacity, model)
+
+    def pal8() -> "Work8":
+        from pal.work8 import Work8
+
+        return Work8(sources, model, wipe, exact)
+
     if dialect == PAL3:
-        work = work3()
+        work = pal3()
         if work.ok:
             return Assembly(PAL3, called, work)
-    from pal.recognition import found, told
-    from pal.work8 import Work8
+        from pal import recognition
 
-    work8 = lambda: Work8(sources, model, wipe, exact)  # noqa: E731
+        return recognition.told(Assembly(PAL3, called, work), work, pal8)
+    from pal import recognition
+
     if dialect == FOUND:
-        return found(sources, called, work3, work8)
-    if dialect == PAL3:
-        return told(Assembly(PAL3, called, work), work, work8)
-    work = work8()
-    return told(Assembly(PAL8, called, work), work, work3)
+        return recognition.found(sources, called, pal3, pal8)
+    work8 = pal8()
+    return recognition.told(Assembly(PAL8, called, work8), work8, pal3)

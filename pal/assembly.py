@@ -1,7 +1,7 @@
 """The whole of an assembly: source tapes in, the object tape, its words, and all that was typed out.
 
-A dialect does the work (`pal.work3`, `pal.work8`): passes 1 and 2 at once, for the words; the tape, pass 3, and
-whatever is for people to read, only when it is asked for: the program that is to run starts the sooner.
+A dialect does the work (`pal.work3`, `pal.work8`): passes 1 and 2 at once, for the words; the tape, pass 3,
+and whatever is for people to read, only when it is asked for: the program that is to run starts the sooner.
 """
 
 from collections.abc import Sequence

@@ -21,7 +21,7 @@ from pal.dialects import hint
 from pal.isa import ADDRESS, PAGE
 from pal.notes import ERROR, NOTE, Note, Said
 from pal.source import Place, Source
-from pal.symbols import REFERENCES
+from pal.symbols import PSEUDO_OPERATORS, REFERENCES
 
 STOPPED = "PS01"
 """Where PAL III goes no further."""
@@ -109,7 +109,9 @@ def of_pal3(
         found.append((ERROR, said, hint(message.code, subject)))
         full |= message.code == "ST"
     if stopped and not full:
-        found.append((ERROR, Note(STOPPED, stopped[1], stopped[0], ""), ""))
+        name = source.items[stopped[1]][0]
+        advice = f"{name} is PAL III's own; give it another name" if name in PSEUDO_OPERATORS else ""
+        found.append((ERROR, Note(STOPPED, stopped[1], stopped[0], advice), ""))
     return [*found, *((NOTE, note, "") for note in notes)]
 
 

@@ -6,58 +6,76 @@ from pal.assembler cimport Written
 from pal.notes cimport Mention
 from pal.source cimport Line, tokens
 
-cdef int START, ADDRESS, CURRENT_PAGE, INDIRECT, PAGE, SIGNIFICANT, _MASK, _LINKED
+cdef int START, ADDRESS, CURRENT_PAGE, INDIRECT, PAGE, SIGNIFICANT, _MASK, _CELLS
+cdef int PLAIN, REFERENCE, MARK, PSEUDO, WEAK
 
 
 cdef class Symbol:
     cdef public str name
     cdef public int kind, value, passed
+    cdef public bint permanent
+    cdef public tuple where
 
 
-cdef class Pool:
-    cdef public list values, places
-    cdef public int out
-
-
-cdef int _signed(int value) noexcept
+cdef bint _is_letter(str character) noexcept
 
 
 cdef class Assembler:
     cdef public dict symbols
-    cdef public list written, output, places, problems, notes, mentions
+    cdef public list written, output, places, complaints, notes, mentions
     cdef public int ended
-    cdef list _lines, _read, _tokens, _names
-    cdef dict _pools
-    cdef str _mode, _token
-    cdef bint _punching, _link, _failed
-    cdef int _number, _location, _field, _shift, _radix, _loading, _checksum, _index, _next, _start, _end, _before
+    cdef public bint fatal
+    cdef list _lines, _texts, _read, _tokens, _names, _bottom, _top, _here_words, _zero_words, _before_here
+    cdef dict _here, _zero, _routine
+    cdef str _token, _tagged, _operator
+    cdef Symbol _tag
+    cdef bint _wipe, _exact, _is_undefined, _skips_origin, _expunged, _punching, _blank, _link
+    cdef bint _dropped, _slips, _may_refer, _has_blank
+    cdef int _number, _location, _field, _offset, _next_offset, _level, _radix, _loading, _checksum, _stack
+    cdef int _index, _next, _start, _end, _before, _last, _tagged_at, _pool_end, _looked_up, _named
+    cdef int _value, _undefined, _ored, _group
 
-    @cython.locals(line=Line)
-    cdef _take_line(self, int column)
-    @cython.locals(blanks=str)
+    cdef _go_to(self, int column)
+    @cython.locals(at=int, blank=str, token=str)
     cdef _advance(self)
-    cdef str _joined(self)
-    cdef int _at(self, int start, int end) except -2
+    cdef _pass_blank(self)
+    cdef _pass_comment(self)
+    cdef int _keep(self, int start, int end) except -1
+    cdef _mention(self, str name, int start, int end, bint defined)
     cdef bint _line(self) except -1
-    @cython.locals(token=str, follows=str, symbol=Symbol)
-    cdef _statement(self)
-    @cython.locals(start=int, value=int)
-    cdef _word(self)
-    @cython.locals(address=int)
+    cdef bint _ends_statement(self) except -1
+    @cython.locals(start=int, end=int, name=str, found=Symbol, follows=str, level=int)
+    cdef bint _statement(self) except -1
+    @cython.locals(value=int)
+    cdef _word(self, bint found, int start)
+    @cython.locals(name=str, found=Symbol)
+    cdef _look_up(self)
+    @cython.locals(page=int, below=int, address=int)
     cdef _write(self, int value, int at)
     cdef _put_word(self, Written written)
     cdef _put(self, str kind, int value)
-    @cython.locals(word=int, refers=bint, start=int, addressed=bint, address=int, item=int, also=bint)
-    cdef int _expressions(self) except? -1
-    cdef int _refer(self, int word, int address, int start) except? -1
-    @cython.locals(sign=str, value=int, operator=str, operand=int)
-    cdef (int, bint) _expression(self) except *
-    cdef int _operate(self, int value, str operator, int operand) except? -1
-    @cython.locals(token=str, first=str, value=int)
-    cdef (int, bint) _term(self) except *
-    @cython.locals(joined=bint)
-    cdef _end_term(self)
-    @cython.locals(start=int, end=int, symbol=Symbol)
-    cdef (int, bint) _symbol(self, str name) except *
-    @cython.locals(pool=Pool, number=int)
-    cdef int _literal(self, int page, int value) except? -1
+    @cython.locals(symbol=Symbol)
+    cdef _define_tag(self, str name, int start, int end)
+    cdef _push(self, int cells, int start, int end)
+    @cython.locals(begun=int, goes_on=bint)
+    cdef int _expression(self, bint found, bint may_refer) except? -1
+    @cython.locals(token=str)
+    cdef bint _goes_on(self, int begun) except -1
+    cdef _take_operator(self, str operator)
+    cdef _end_expression(self, int begun)
+    @cython.locals(token=str, first=str)
+    cdef bint _term(self) except -1
+    @cython.locals(operator=str, last=int)
+    cdef bint _combine(self) except -1
+    cdef int _operate(self, int value, str operator, int last) except? -1
+    @cython.locals(tag=Symbol, refers=bint)
+    cdef bint _take_symbol(self) except -1
+    @cython.locals(start=int, marks=int, found=bint, number=bint, address=int)
+    cdef bint _refer(self, int operation) except -1
+    cdef int _indirect(self, int operation, str where, int start) except -1
+    @cython.locals(start=int, link=bint, named=int, value=int)
+    cdef bint _take_literal(self, str opening) except -1
+    @cython.locals(pool=dict, bottom=int, place=int, least=int, words=list)
+    cdef int _find(self, int value, int page, int start) except -1
+    cdef _enter_page(self)
+    cdef _set_origin(self, int location)

@@ -37,7 +37,7 @@ from typing import NamedTuple
 from pal import symbols8
 from pal.assembler import START, Output, Punched, Written
 from pal.isa import ADDRESS, CURRENT_PAGE, INDIRECT, PAGE
-from pal.notes import RESERVED, TOO_LARGE, Mention, Note
+from pal.notes import LOWER_CASE, RESERVED, TOO_LARGE, Mention, Note
 from pal.punch import BLOCK
 from pal.source import Line, tokens
 from pal.symbols import SIGNIFICANT
@@ -49,10 +49,23 @@ _ENDS = frozenset(["", ";", ")", "]", ">", "<"])
 _CELLS = 34  # of DEC's push-down list
 _CELLS_OF_EXPRESSION, _CELLS_OF_REFERENCE, _CELLS_OF_LITERAL, _CELLS_OF_EQUALS = 1, 2, 4, 6
 _LEAST_IN_PAGE, _LEAST_IN_ZERO = 0o100, 0o20  # DEC has no room for literals below
-_LINE = 80  # characters of a line that DEC's keeps
+LINE = 80  # characters of a line that DEC's keeps
 
 # What a symbol is.
 PLAIN, REFERENCE, MARK, PSEUDO, WEAK = 1, 2, 3, 4, 5
+
+
+_MISPLACED = {
+    **dict.fromkeys(_OPERATORS, ("an operator after another", "one stands between two terms")),
+    "*": ("* multiplies nothing: it begins an origin", "^ multiplies"),
+    ")": (") closes nothing", "take it away"),
+    "]": ("] closes nothing", "take it away"),
+    ">": ("> closes no condition", "take it away"),
+    ",": (", not directly after a tag", "write one comma, directly after the tag"),
+    "=": ("= not directly after a symbol", "write the symbol, and = without a blank"),
+    ":": ("illegal character :", "a tag ends with a comma"),
+}
+"""Message and advice for tokens where they cannot stand."""
 
 
 class Fatal(Exception):
@@ -111,7 +124,7 @@ class Assembler:
 
     def __init__(self, lines: list[Line], wipe: bool = False, exact: bool = False) -> None:
         self._lines = lines
-        self._texts = [line.text[:_LINE] if exact else line.text for line in lines]
+        self._texts = [line.text[:LINE] if exact else line.text for line in lines]
         self._read = [tokens(text, 0, not exact) for text in self._texts]
         self._wipe = wipe
         self._exact = exact
@@ -131,9 +144,6 @@ class Assembler:
         self._next_offset = 0
         self._skips_origin = False
         self._expunged = False
-        self._routine = self._routines()
-        if self._routine.keys() != symbols8.HANDLERS.keys():
-            raise ValueError("a pseudo-operator of symbols8 has no routine, or a routine no pseudo-operator")
 
     def run(self) -> None:
         """Run both passes, as far as it goes."""
@@ -147,6 +157,14 @@ class Assembler:
 
     def _pass(self, number: int) -> None:
         self._number = number
+        self._location = START
+        self._tagged = ""  # the last tag, and its location
+        self._tagged_at = 0
+        self._dropped = False  # whether a character of the statement was passed over
+        self._slips = False  # whether the statement was spoken of as a whole
+        self._named = -1  # the column where a word begins
+        self._begun = 0  # the column where a pseudo-operator begins
+        self._opens = False  # whether it is a condition
         self._field = 0
         self._level = 0  # of conditions
         self._radix = 8
@@ -238,29 +256,30 @@ class Assembler:
 
     # Messages
 
-    def _say(self, code: str, about: str, advice: str, start: int, end: int) -> None:
-        """Type a message of DEC's; of several at one statement we speak of the first."""
-        late = code in ("IE", "PE", "ZE")
-        if late and self._number == 1:
+    def _say(self, code: str, about: str, advice: str, start: int = -1) -> None:
+        """Type a message of DEC's, of what was read since column `start`, or of the token.
+
+        Of several illegal characters in a statement we speak of the first.
+        """
+        if self._number == 1 and code in ("IE", "PE", "ZE"):
             return
         location = f"{self._location:04o}"
         if self._tagged:
             distance = self._location - self._tagged_at & _MASK
             location = f"{self._tagged}+{distance:04o}" if distance else self._tagged
         if code == "IC":
-            if self._dropped:
-                about = ""
+            about = "" if self._dropped else about
             self._dropped = True
-        at = self._keep(start, max(end, start + 1))
-        self.complaints.append(Complaint(code, location, self._number, at, about, advice))
+        self.complaints.append(Complaint(code, location, self._number, self._span(start), about, advice))
 
-    def _die(self, code: str, about: str, advice: str, start: int, end: int) -> None:
-        self._say(code, about, advice, start, end)
-        raise Fatal
-
-    def _note(self, code: str, message: str, advice: str, start: int, end: int) -> None:
+    def _note(self, code: str, message: str, advice: str, start: int = -1) -> None:
         if self._number == 2:
-            self.notes.append(Note(code, self._keep(start, max(end, start + 1)), message, advice))
+            self.notes.append(Note(code, self._span(start), message, advice))
+
+    def _span(self, start: int) -> int:
+        if start < 0:
+            return self._keep(self._start, max(self._end, self._start + 1))
+        return self._keep(start, max(self._before, start + 1))
 
     def _drop(self) -> None:
         """Pass over a token that cannot stand here: IC for each of its characters."""
@@ -268,8 +287,12 @@ class Assembler:
         about, advice = self._illegal(token)
         length = 1 if token[:1] == '"' else len(token)
         for _ in range(length):
-            self._say("IC", about, advice, self._start, self._end)
-        if token[:1] == '"' and len(token) > 1:
+            self._say("IC", about, advice)
+        self._skip_token()
+
+    def _skip_token(self) -> None:
+        """Take the next token, which is the character after a `"`."""
+        if self._token[:1] == '"' and len(self._token) > 1:
             self._split_quoted()
         else:
             self._advance()
@@ -301,35 +324,25 @@ class Assembler:
             return "", ""
         start = self._start
         text = self._texts[self._index]
-        if token == "\xa0":
+        if token in _OPERATORS and start != self._before:
+            return (
+                f"{token} after a blank, which is an operator itself (OR)",
+                f"leave no blank beside {token}",
+            )
+        if text[start : start + 1] == "\xa0":
             return "a no-break space, which is no blank", "write a blank"
-        if token[0].isalnum():
-            if self._before == start and text[start - 1 : start].isdigit() and not token[0].isdigit():
-                number = text[:start].rstrip("0123456789")
-                word = text[len(number) : self._end]
-                if text[self._end : self._end + 1] == ",":
-                    return f"{word} is no tag", "a tag begins with a letter"
-                return f"the letter {token[0]} in the number {word}", "a symbol begins with a letter"
-            if self._tag.kind == REFERENCE:
-                return f"no operator before {token}", "a memory reference comes first in its word"
-            return f"{token} cannot stand here", "an operator, or a blank, stands between two terms"
-        if token in _OPERATORS:
-            if start != self._before:
-                return f"{token} after a blank, which is an operator itself (OR)", f"leave no blank beside {token}"
-            return f"{token} after another operator", "one operator stands between two terms"
-        if token == "*":
-            return "* multiplies nothing: it sets the origin at the beginning of a statement", "^ multiplies"
-        if token in (")", "]"):
-            return f"{token} closes nothing", f"take the {token} away"
-        if token == ">":
-            return "> closes no condition", "take the > away"
-        if token == ",":
-            return ", not directly after a tag", "write one comma, directly after the tag"
-        if token == "=":
-            return "= not directly after a symbol", "write the symbol, and = without a blank"
-        if token == ":":
-            return "illegal character :", "a tag ends with a comma"
-        return f"{token[:1]} cannot stand here", "DEC's PAL8 passes over it"
+        if token in _MISPLACED:
+            return _MISPLACED[token]
+        if not token[0].isalnum():
+            return f"{token[:1]} cannot stand here", "DEC's PAL8 passes over it"
+        if self._before == start and text[start - 1 : start].isdigit() and not token[0].isdigit():
+            word = text[len(text[:start].rstrip("0123456789")) : self._end]
+            if text[self._end : self._end + 1] == ",":
+                return f"{word} is no tag", "a tag begins with a letter"
+            return f"the letter {token[0]} in the number {word}", "a symbol begins with a letter"
+        if self._tag.kind == REFERENCE:
+            return f"no operator before {token}", "a memory reference comes first in its word"
+        return f"{token} cannot stand here", "an operator, or a blank, stands between two terms"
 
     # Statements
 
@@ -371,7 +384,7 @@ class Assembler:
         """Assemble a statement; return whether another may follow directly: after a tag, a condition."""
         self._names: list[str] = []
         self._link = False
-        self._named = -1  # the column where a word begins
+        self._named = -1
         start = self._start
         if self._token == "*":
             self._advance()
@@ -388,7 +401,10 @@ class Assembler:
             self._look_up()
             if found.name == "TEXT" and not self._exact:
                 self._level = level  # what stands after TEXT is no comment
-            return self._routine[found.name](start)
+            self._begun = start
+            self._opens = False
+            _ROUTINE_OF[found.name](self)
+            return self._opens
         end = self._end
         follows = self._tokens[self._next] + self._tokens[self._next + 1]
         if follows == ",":
@@ -424,10 +440,11 @@ class Assembler:
         """Put a word where the location is."""
         page = self._location >> 7
         below = self._location & ADDRESS
-        if below >= self._bottom[page]:
-            self._meet_literals(page, below)
         if below >= self._top[page]:
             self._top[page] = below + 1
+        if below >= self._bottom[page]:
+            self._say_full(page, -1)
+            self._bottom[page] = below + 1
         if self._number == 2:
             address = self._field << 12 | self._location + self._offset & _MASK
             self._put_word(Written(address, value, at, self._names, False, self._link))
@@ -435,13 +452,13 @@ class Assembler:
         if not self._location & ADDRESS:
             self._enter_page()
 
-    def _meet_literals(self, page: int, below: int) -> None:
-        """Give up the literals that stand below a word."""
+    def _say_full(self, page: int, start: int) -> None:
+        """Say that the words and the literals of a page meet."""
         which = "this page" if page else "page zero"
-        about = f"{which} has literals from {page << 7 | self._bottom[page]:04o}, and a word at {self._location:04o}"
-        advice = "put fewer words on the page; if it is an overlay, --w forgets what was there before"
-        self._bottom[page] = below + 1
-        self._say("PE" if page else "ZE", about, advice, self._start, self._end)
+        words, literals = (page << 7) + self._top[page] - 1 & _MASK, (page << 7) + self._bottom[page]
+        about = f"{which} is full: words up to {words:04o}, literals from {literals:04o}"
+        advice = "put less on the page; if it is an overlay, --w forgets what was there before"
+        self._say("PE" if page else "ZE", about, advice, start)
 
     def _put_word(self, written: Written) -> None:
         """Keep a word, and punch it: after NOPUNCH it may be loaded elsewhere."""
@@ -465,59 +482,59 @@ class Assembler:
             self._loading = self._loading & ~_MASK | value
             self._checksum += 0o100 + (value >> 6) + (value & 0o77)
         elif kind == BLOCK:
-            self._checksum += 0o300 + (value >> 6) + (value & 0o77)
+            self._checksum += value & 0o77
 
     # Tags and definitions
 
     def _define_tag(self, name: str, start: int, end: int) -> None:
         """`NAME,`: define it as the location."""
-        self._advance()
         self._mention(name, start, end, True)
+        self._advance()
         self._is_undefined = False
         symbol = self.symbols.get(name)
         if symbol is not None and not self._exact and symbol.kind in (PLAIN, REFERENCE) and not symbol.passed:
             message = f"{name} is a permanent symbol, {symbol.value:04o}, and becomes the source's"
-            self.notes.append(
-                Note(RESERVED, self._keep(start, end), message, "DEC's PAL8 keeps the old value (ID)")
-            )
+            note = Note(RESERVED, self._keep(start, end), message, "DEC's PAL8 keeps the old value (ID)")
+            self.notes.append(note)
             symbol = None
         if symbol is None or symbol.kind == WEAK:
-            symbol = Symbol(name, PLAIN, self._location, False)
+            symbol = self.symbols[name] = Symbol(name, PLAIN, self._location, False)
             symbol.where = (self._index, start)
-            self.symbols[name] = symbol
             self._tag = symbol
             self._last = self._location
         elif symbol.value != self._location:
-            self._say("ID", *self._redefined(symbol, start), start, end)
+            self._say_redefined(symbol, start)
             return
         symbol.passed = self._number
         self._tagged = name
         self._tagged_at = self._location
 
-    def _redefined(self, symbol: Symbol, start: int) -> tuple[str, str]:
-        """Return what to say of a tag that has another value."""
-        name = symbol.name
+    def _say_redefined(self, symbol: Symbol, start: int) -> None:
+        """Say that a tag has another value: it marks a reference, moved since pass 1, or stands twice."""
+        about = f"duplicate tag: {symbol.name} is {symbol.value:04o} already"
+        advice = "each tag has one place, use another name"
         if symbol.kind == MARK:
-            return f"{name} is no tag: it marks a memory reference", "give the tag another name"
-        if symbol.where == (self._index, start):
-            message = f"{name} is {symbol.value:04o} from pass 1, and stands at {self._location:04o} in pass 2"
-            return message, "something before it depends on a symbol that is defined after it; define that first"
-        return f"duplicate tag: {name} is {symbol.value:04o} already", "each tag has one place, use another name"
+            about = f"{symbol.name} is no tag: it marks a memory reference"
+            advice = "give the tag another name"
+        elif symbol.where == (self._index, start):
+            here = f"{self._location:04o} in pass 2"
+            about = f"{symbol.name} is {symbol.value:04o} from pass 1, and stands at {here}"
+            advice = "something before it depends on what is defined after it; define that first"
+        self._say("ID", about, advice, start)
 
     def _assign(self, name: str, kind: int, start: int, end: int) -> None:
         """`NAME=expression`, the symbol looked up already; `kind` is REFERENCE after FIXMRI."""
-        self._advance()
         self._mention(name, start, end, True)
+        self._advance()
         is_undefined = self._is_undefined
-        self._push(_CELLS_OF_EQUALS, start, end)
+        self._push(_CELLS_OF_EQUALS)
         self._pass_blank()
         self._named = -1
         value = self._expression(False, True)
         self._stack -= _CELLS_OF_EQUALS
         self._is_undefined = is_undefined
         if self._undefined:
-            about = f"{name} has no value, because what follows its = is undefined"
-            self._say("IE", about, "define that first", start, end)
+            self._say("IE", f"{name} gets no value: it is undefined", "define it first", start)
             return
         self._is_undefined = False
         symbol = self.symbols.get(name)
@@ -526,10 +543,10 @@ class Assembler:
         elif symbol.value != value:
             if symbol.permanent:
                 about = f"{name} is a permanent symbol, {symbol.value:04o}, and is {value:04o} from here on"
-                self._say("RD", about, "use another name", start, end)
+                self._say("RD", about, "use another name", start)
             elif symbol.passed == self._number:
                 message = f"{name} was {symbol.value:04o}, and is {value:04o} from here on"
-                self._note("PN41", message, "a use before its first definition sees the last value", start, end)
+                self._note("PN41", message, "a use before its first definition sees the last value", start)
         symbol.value = value
         symbol.passed = self._number
         if symbol.kind in (PLAIN, REFERENCE):
@@ -539,18 +556,22 @@ class Assembler:
 
     # Expressions
 
-    def _push(self, cells: int, start: int, end: int) -> None:
+    def _push(self, cells: int) -> None:
+        """Take cells of DEC's push-down list."""
         self._stack += cells
         if self._stack > _CELLS:
-            advice = "DEC's PAL8 takes six literals in each other"
-            self._die("BE", "too many literals within literals", advice, start, end)
+            self._die("BE", "too many literals within literals", "DEC's PAL8 takes six in each other")
+
+    def _die(self, code: str, about: str, advice: str) -> None:
+        self._say(code, about, advice)
+        raise Fatal
 
     def _expression(self, found: bool, may_refer: bool) -> int:
         """Return the value of an expression; `_undefined` is not 0 if something in it is undefined.
 
         Its first symbol may be looked up already: `found`. It may be a memory reference.
         """
-        self._push(_CELLS_OF_EXPRESSION, self._start, self._end)
+        self._push(_CELLS_OF_EXPRESSION)
         self._value = 0
         self._undefined = 0
         self._operator = "+"
@@ -597,8 +618,9 @@ class Assembler:
             self._undefined = -1
             self._value = 0
         elif self._has_blank and self._ored | self._group != self._value:
-            message = f"this is {self._value:04o}; palbart, where a blank comes last, makes {self._ored | self._group:04o}"
-            self._note("PN42", message, "put a blank after no other operator", begun, self._before)
+            palbarts = f"palbart, where a blank comes last, makes {self._ored | self._group:04o}"
+            message = f"this is {self._value:04o}; {palbarts}"
+            self._note("PN42", message, "put no other operator after a blank", begun)
 
     def _term(self) -> bool:
         """Take a term; return whether the expression may go on after it."""
@@ -606,8 +628,9 @@ class Assembler:
             token = self._token
             first = token[:1]
             if self._blank:
-                about = "a blank after an operator; a blank is one itself (OR)"
-                self._say("IC", about, "leave no blank", self._start - 1, self._start)
+                self._say(
+                    "IC", "a blank after an operator", "leave no blank: it is one itself (OR)", self._before
+                )
                 self._pass_blank()
             elif _is_letter(first):
                 self._mention(token[:SIGNIFICANT], self._start, self._end, False)
@@ -631,22 +654,24 @@ class Assembler:
                 self._end_expression(self._start)
                 return False
             else:
-                about = "something is missing here"
-                self._say("IC", about, "write a symbol, a number, or a literal", self._before, self._end)
+                about, advice = "something is missing here", "write a symbol, a number, or a literal"
+                if self._tag.kind == MARK:
+                    about, advice = f"no address after {self._tag.name}, which is no name", "write an address"
+                self._say("IC", about, advice)
                 return self._take_symbol()
 
     def _take_quoted(self, token: str) -> bool:
         if len(token) == 1:
-            self._say("IC", 'no character after "', 'write it directly after, as in "A', self._start, self._end)
+            self._say("IC", 'no character after "', 'write it directly after, as in "A')
             self._advance()
             self._end_expression(self._start)
             return False
         character = self._texts[self._index][self._start + 1]
         if not character.isascii():
-            self._say("IC", f"the Teletype has no {character}", "write another", self._start, self._end)
+            self._say("IC", f"the Teletype has no {character}", "write another")
             character = "?"
         if character == "\t":
-            self._note("PN43", 'a TAB after " is 0211; palbart makes 0240', "write 211", self._start, self._end)
+            self._note("PN43", 'a TAB after " is 0211; palbart makes 0240', "write 211")
         self._last = ord(character) | 0o200
         self._advance()
         return self._combine()
@@ -683,10 +708,10 @@ class Assembler:
         """Return a quotient without signs, 0 where palbart crashes."""
         quotient = value // last if last else 0
         if last == 0:
-            self._note("PN45", "division by 0 makes 0; palbart crashes", "", self._start, self._end)
+            self._note("PN45", "division by 0 makes 0; palbart crashes", "")
         elif (value | last) & 0o4000:
             message = f"{value:04o} divided by {last:04o} is {quotient:04o}, without signs"
-            self._note("PN45", message, "palbart divides with signs", self._start, self._end)
+            self._note("PN45", message, "palbart divides with signs")
         return quotient
 
     def _take_symbol(self) -> bool:
@@ -695,10 +720,10 @@ class Assembler:
         self._names.append(tag.name)
         if tag.kind == PSEUDO:
             about = f"the pseudo-operator {tag.name} within an expression"
-            self._say("IP", about, "a pseudo-operator begins its statement", self._looked_up, self._before)
+            self._say("IP", about, "a pseudo-operator begins its statement", self._looked_up)
         elif tag.kind == WEAK:
             message = f"{tag.name}, {tag.value:04o}, is palbart's; in DEC's PAL8 it is undefined (US)"
-            self._note("PN47", message, f"define it: {tag.name}={tag.value:04o}", self._looked_up, self._before)
+            self._note("PN47", message, f"define it: {tag.name}={tag.value:04o}", self._looked_up)
         if self._is_undefined:
             self._is_undefined = False
             self._undefined += 1
@@ -715,13 +740,14 @@ class Assembler:
     def _say_undefined(self, name: str) -> None:
         """Say that a symbol is undefined: one that begins the line may be a tag."""
         text = self._texts[self._index]
-        start = self._looked_up
-        advice = symbols8.ELSEWHERE.get(name) or f"define it with {name}, or {name}="
-        follows = text[self._before : self._before + 1] in (" ", "\t")
-        if start == 0 and self._named == 0 and follows and self._token not in ("", ";", ">"):
-            advice = f"if it is a tag, write {name},"
+        start, end = self._looked_up, self._before
+        written = text[start:end].upper()
+        advice = symbols8.ELSEWHERE.get(name) or f"define it with {written}, or {written}="
+        if self._named == start == 0 and text[end : end + 1] in (" ", "\t") and self._token not in _ENDS:
+            equates = self._token.upper() == "EQU"
+            advice = f"PAL8 has no EQU: write {written}=" if equates else f"if it is a tag, write {written},"
             self._slips = True
-        self._say("US", f"undefined: {name}", advice, start, self._before)
+        self._say("US", f"undefined: {written}", advice, start)
 
     def _figures(self, token: str) -> int:
         """Return the value of a number; an 8 or 9 in octal is passed over."""
@@ -732,18 +758,18 @@ class Assembler:
                     good += figure
                 else:
                     about = f"the digit {figure} in the octal number {token}"
-                    self._say("IC", about, "after DECIMAL it is one", self._start, self._end)
+                    self._say("IC", about, "after DECIMAL it is one")
             token = good or "0"
         value = int(token[max(len(token) - 12, 0) :], self._radix)
         if value > _MASK or len(token) > 12:
             message = f"{token} does not fit into twelve bits: it is {value & _MASK:04o}"
-            self._note(TOO_LARGE, message, f"write it so: {value & _MASK:o} octal", self._start, self._end)
+            self._note(TOO_LARGE, message, f"write it so: {value & _MASK:o} octal")
         return value & _MASK
 
     def _refer(self, operation: int) -> bool:
         """Take the address of a memory reference, and put both together; return False: no more follows."""
         start = self._start
-        self._push(_CELLS_OF_REFERENCE, start, self._end)
+        self._push(_CELLS_OF_REFERENCE)
         marks = 0
         found = False
         while _is_letter(self._token[:1]) and not found:
@@ -761,7 +787,7 @@ class Assembler:
         self._stack -= _CELLS_OF_REFERENCE
         if sign == "-" and number and address & 0o7000 == 0o7000:
             message = f"this refers to the word at {address:04o}"
-            self._note("PN51", message, "for a number write a literal, as in TAD (-5", start, self._before)
+            self._note("PN51", message, "for a number write a literal, as in TAD (-5", start)
         where = ""
         if address & PAGE:
             if (address ^ self._location) & PAGE:
@@ -772,7 +798,7 @@ class Assembler:
             operation = operation + CURRENT_PAGE & _MASK
             if marks & 0o77:
                 about = f"Z with an address that is not on page zero, {address:04o}"
-                self._say("IZ", about, "leave out Z", start, self._before)
+                self._say("IZ", about, "leave out Z", start)
         if marks & 0o7700:
             operation = self._indirect(operation, where, start)
         self._last = operation
@@ -784,7 +810,7 @@ class Assembler:
         if operation & INDIRECT:
             about = f"{where}, and a link cannot be indirect" if where else "indirect twice"
             advice = "put a pointer on this page or on page zero" if where else "write one I"
-            self._say("II", about, advice, start, self._before)
+            self._say("II", about, advice, start)
         return operation | INDIRECT
 
     # Literals
@@ -794,7 +820,7 @@ class Assembler:
         start = self._start
         self._advance()
         self._pass_blank()
-        self._push(_CELLS_OF_LITERAL, start, self._end)
+        self._push(_CELLS_OF_LITERAL)
         kept = (self._may_refer, self._operator, self._value, self._has_blank, self._ored, self._group)
         link = self._link
         named = self._named
@@ -814,7 +840,7 @@ class Assembler:
         """Note a comment that was meant for a division: `(6/2)`."""
         text = self._texts[self._index][self._before :]
         if self._token == "" and text[:1] == "/" and text[1:2].isalnum() and ")" in text:
-            self._note("PN52", "a / begins a comment here", "% divides", start, self._before + 1)
+            self._note("PN52", "a / begins a comment here", "% divides", start)
 
     def _find(self, value: int, page: int, start: int) -> int:
         """Return the address of a literal of a page; it is stored if it does not stand there yet."""
@@ -827,22 +853,14 @@ class Assembler:
         least = _LEAST_IN_PAGE if page else _LEAST_IN_ZERO
         words = self._here_words if page else self._zero_words
         if self._top[page] >= bottom or place < least:
-            which = "this page" if page else "page zero"
-            message = f"no room for another literal on {which}, which has words up to {page << 7 | self._top[page] - 1 & _MASK:04o}"
-            if place < least:
-                message = f"more than {0o200 - least} literals on {which}"
-            advice = "use [ for some, or another page; if it is an overlay, --w forgets what was there before"
-            self._say("PE" if page else "ZE", message, advice, start, self._before)
+            self._say_full(page, start)
         else:
             self._bottom[page] = place
             pool[value] = place
             if self._pool_end < 0o200 and page and value in self._before_here[page]:
                 message = f"the literal {value:04o} is stored again: the source has left this page before"
-                self._note("PN46", message, "palbart finds it; keep a page in one piece", start, self._before)
-        if self._number == 2:
-            words[place] = (value, self._keep(start, self._before))
-        else:
-            words[place] = (value, 0)
+                self._note("PN46", message, "palbart finds it; keep a page in one piece", start)
+        words[place] = (value, self._keep(start, self._before) if self._number == 2 else 0)
         return (page << 7) + place & _MASK
 
     def _clear_pools(self) -> None:
@@ -896,8 +914,7 @@ class Assembler:
         """`*` and RELOC: go to a location, by an origin, which RELOC need not punch."""
         self._skips_origin = relocates
         if self._undefined:
-            about = "the origin is undefined, and taken for 0000"
-            self._say("UO", about, "define it before", self._before, self._before + 1)
+            self._say("UO", "the origin is undefined here, and taken for 0000", "define it before")
         if (location ^ self._location) & PAGE:
             self._put_out_page()
             self._offset = self._next_offset
@@ -919,34 +936,7 @@ class Assembler:
                 self._put(ORIGIN, self._location + self._offset & _MASK)
             self._skips_origin = False
 
-    # Pseudo-operators
-
-    def _routines(self) -> dict[str, Callable[[int], bool]]:
-        """Return {pseudo-operator: what does it}: given the column where it begins, whether it is a condition."""
-        return {
-            "DECIMAL": lambda _: self._set_radix(10),
-            "OCTAL": lambda _: self._set_radix(8),
-            "NOPUNCH": lambda _: self._punch(False),
-            "ENPUNCH": lambda _: self._punch(True),
-            "PAGE": lambda start: self._page(start),
-            "FIELD": lambda _: self._to_field(),
-            "RELOC": lambda _: self._relocate(),
-            "ZBLOCK": lambda start: self._zeros(start),
-            "TEXT": lambda start: self._text(start),
-            "DEVICE": lambda start: self._device(start),
-            "FILENAME": lambda start: self._filename(start),
-            "IFDEF": lambda start: self._if_defined("IFDEF", start),
-            "IFNDEF": lambda start: self._if_defined("IFNDEF", start),
-            "IFZERO": lambda start: self._if_zero("IFZERO", start),
-            "IFNZRO": lambda start: self._if_zero("IFNZRO", start),
-            "EXPUNGE": lambda _: self._expunge(),
-            "FIXTAB": lambda _: self._fix_table(),
-            "FIXMRI": lambda _: self._fix_reference(),
-            "PAUSE": lambda start: self._pause(start),
-            "EJECT": lambda _: self._eject(),
-            "XLIST": lambda _: self._list_or_not(),
-            "DTORG": lambda _: self._block(),
-        }
+    # What pseudo-operators do
 
     def _argument(self) -> int:
         """Return the argument of a pseudo-operator."""
@@ -958,177 +948,64 @@ class Assembler:
         self._pass_blank()
         return self._token not in ("", ";", ">")
 
-    def _set_radix(self, radix: int) -> bool:
-        self._radix = radix
-        return False
-
-    def _punch(self, punching: bool) -> bool:
-        self._punching = punching
-        return False
-
-    def _expunge(self) -> bool:
-        """Forget all symbols but the pseudo-operators, I and Z."""
-        if self._number == 1:
-            self._expunged = True
-            kept = [symbol for symbol in self.symbols.values() if symbol.kind in (MARK, PSEUDO)]
-            self.symbols = {symbol.name[:SIGNIFICANT]: symbol for symbol in kept}
-        return False
-
-    def _fix_table(self) -> bool:
-        """Make all symbols permanent."""
-        if self._number == 1:
-            for symbol in self.symbols.values():
-                symbol.permanent = True
-        return False
-
-    def _eject(self) -> bool:
-        """A new page of the listing, with a title: to the next `;` or comment."""
-        while self._token not in ("", ";"):
-            if self._token[:1] == '"' and len(self._token) > 1:
-                self._split_quoted()
+    def _find_token(self, wanted: str, about: str, advice: str) -> bool:
+        """Pass over what comes before a token that is wanted, or a name; return whether there is one."""
+        self._pass_blank()
+        while not (self._token == wanted if wanted else _is_letter(self._token[:1])):
+            if not self._dropped:
+                self._say("IC", about, advice)
+                if len(self._token) > 1 and self._token[0] != '"':
+                    self._token = self._token[1:]
+                    continue
+            elif self._token not in ("", ";"):
+                self._drop()
+                self._pass_blank()
+                continue
             else:
-                self._advance()
+                self._say("IC", about, advice)
+            if self._token in ("", ";"):
+                return False
+            self._skip_token()
             self._pass_blank()
-        return False
-
-    def _list_or_not(self) -> bool:
-        if self._has_argument():
-            self._argument()
-        return False
-
-    def _page(self, start: int) -> bool:
-        """Go to page n, or to the next one."""
-        self._put_out_page()
-        if not self._has_argument():
-            self._begin_page(self._location + ADDRESS & PAGE)
-            return False
-        page = self._argument()
-        if page > PAGE >> 7:
-            message = f"there is no page {page:o}: this is page {page & 0o37:o}"
-            self._note("PN53", message, "a field has pages 0 to 37; FIELD goes to another", start, self._before)
-        self._begin_page(page << 7 & PAGE)
-        return False
-
-    def _to_field(self) -> bool:
-        self._put_out_page()
-        self._put_out_zero()
-        self._field = self._argument() & 7
-        self._put(FIELD, self._field)
-        self._clear_pools()
-        self._begin_page(START)
-        return False
-
-    def _zeros(self, start: int) -> bool:
-        count = self._argument()
-        at = self._keep(start, self._before)
-        for _ in range(count):
-            self._write(0, at)
-        return False
-
-    def _relocate(self) -> bool:
-        """Assemble what follows for where it runs, or again for where it is loaded."""
-        if self._has_argument():
-            location = self._argument()
-            self._next_offset = self._location + self._offset - location & _MASK
-        else:
-            location = self._location + self._offset & _MASK
-            self._next_offset = self._undefined = 0
-        self._set_location(location, True)
-        return False
-
-    def _block(self) -> bool:
-        """DTORG, of DEC's typesetting: a block number on the tape, of which the first frame counts too."""
-        value = self._argument()
-        self._put(BLOCK, value)
-        return False
-
-    def _pause(self, start: int) -> bool:
-        """PAUSE: DEC's reads no more of the file; here it goes on."""
-        if self._exact:
-            self._index = len(self._lines)
-            self._token = ""
-            self._blank = False
-        elif self._index + 1 < len(self._lines) and self._lines[self._index + 1].tape == self._lines[self._index].tape:
-            self._note("PN48", "DEC's PAL8 ends the file at PAUSE; here it goes on", "", start, self._before)
-        return False
-
-    def _fix_reference(self) -> bool:
-        """`FIXMRI NAME=expression`: define a memory reference."""
-        self._pass_blank()
-        while not _is_letter(self._token[:1]):
-            if not self._drop_to("FIXMRI without a definition", "write it so: FIXMRI NAME=5000"):
-                return False
-        name, start, end = self._token[:SIGNIFICANT], self._start, self._end
-        self._look_up()
-        self._pass_blank()
-        while self._token != "=":
-            if not self._drop_to("FIXMRI without a definition", "write it so: FIXMRI NAME=5000"):
-                return False
-        self._assign(name, REFERENCE, start, end)
-        return False
-
-    def _drop_to(self, about: str, advice: str) -> bool:
-        """Pass over a character that is not what a pseudo-operator looks for; return False at the end."""
-        self._say("IC", about, advice, self._start, self._end)
-        if self._token in ("", ";"):
-            return False
-        for _ in range(len(self._token) - 1):
-            if self._token[:1] != '"':
-                self._say("IC", about, advice, self._start, self._end)
-        if self._token[:1] == '"' and len(self._token) > 1:
-            self._split_quoted()
-        else:
-            self._advance()
-        self._pass_blank()
         return True
 
-    # Conditions
-
-    def _if_zero(self, name: str, start: int) -> bool:
-        """IFZERO and IFNZRO; return False where it is no condition."""
-        value = self._argument()
-        return self._condition((value == 0) == (name == "IFZERO"), start)
-
-    def _if_defined(self, name: str, start: int) -> bool:
-        """IFDEF and IFNDEF: in pass 2 what is defined below is defined; return False where it is no condition."""
-        self._pass_blank()
-        while not _is_letter(self._token[:1]):
-            if not self._drop_to(f"{name} without a symbol", f"write it so: {name} A <statements>"):
-                return False
-        asked, first, end = self._token[:SIGNIFICANT], self._start, self._end
-        self._mention(asked, first, end, False)
-        is_undefined = self._is_undefined
+    def _name_to_ask(self, name: str) -> bool:
+        """Look up the symbol of IFDEF or IFNDEF; return whether it is undefined."""
+        asked, start = self._token[:SIGNIFICANT], self._start
+        self._mention(asked, start, self._end, False)
+        kept = self._is_undefined
         self._look_up()
-        tag = self._tag
-        holds = self._is_undefined or tag.kind == WEAK
-        self._is_undefined = is_undefined
-        if tag.kind == PSEUDO:
-            about = f"{tag.name} is a pseudo-operator, and defined"
-            self._say("IP", about, "ask for another symbol", first, end)
-        elif tag.passed == 1 and self._number == 2 and f"{asked}=" not in self._texts[self._index].upper():
+        is_undefined = self._is_undefined or self._tag.kind == WEAK
+        self._is_undefined = kept
+        if self._tag.kind == PSEUDO:
+            about = f"{self._tag.name} is a pseudo-operator, and defined"
+            self._say("IP", about, "ask for another symbol", start)
+        elif (
+            self._number == 2
+            and self._tag.passed == 1
+            and f"{asked}=" not in self._texts[self._index].upper()
+        ):
             message = f"{asked}, which is defined below, is defined here in pass 2"
-            self._note("PN49", message, "palbart takes it for undefined; define it before", first, end)
-        self._pass_blank()
-        return self._condition(holds == (name == "IFNDEF"), start)
+            self._note("PN49", message, "palbart takes it for undefined; define it before", start)
+        return is_undefined
 
-    def _condition(self, holds: bool, start: int) -> bool:
-        """Take what stands after `<`, or pass over it; return False where there is no `<`."""
-        while self._token != "<":
-            if not self._drop_to("< is missing after the condition", "it stands on the same line"):
-                return False
+    def _condition(self, holds: bool) -> None:
+        """Take what stands after `<`, or pass over it."""
+        if not self._find_token("<", "< is missing after the condition", "it stands on the same line"):
+            return
+        self._opens = True
         if holds:
             self._advance()
             self._level += 1
         else:
-            self._pass_over(start)
-        return True
+            self._pass_over()
 
-    def _pass_over(self, start: int) -> None:
+    def _pass_over(self) -> None:
         """Pass over a condition that does not hold, from its `<` to its `>`, whatever they stand in."""
-        began, opened = self._index, self._start
+        began, end = self._index, self._end
         outside = self._level
         text = self._texts[self._index]
-        column = self._end
+        column = end
         if text[column : column + 1] == "/":
             self._level = self._level_after(column)
             column = len(text)
@@ -1137,47 +1014,45 @@ class Assembler:
             while column < len(text) and ("<" in text or ">" in text):
                 character = text[column]
                 column += 1
-                if character == "<":
-                    self._level += 1
-                elif character == ">":
-                    self._level -= 1
-                elif character == "/":
+                self._level += (character == "<") - (character == ">")
+                if character == "/":
                     self._level = self._level_after(column)
                     column = len(text)
                 if self._level <= outside and character in ("/", ">"):
                     self._go_to(column)
                     return
             if self._index + 1 == len(self._lines):
-                self._index = began
-                advice = "write > after what is left out"
-                self._die("PH", "a condition without its end", advice, start, opened + 1)
+                self._index, self._start, self._end = began, self._begun, end
+                self._die("PH", "a condition without its end", "write > after what is left out")
             self._index += 1
             text = self._texts[self._index]
             column = 0
             if text[:1] == "$":
-                self._note("PN50", "this $ is left out by a condition", "palbart ends the condition here", 0, 1)
+                self._start, self._end = 0, 1
+                self._note("PN50", "this $ is left out by a condition", "palbart ends the condition here")
 
-    # Texts
-
-    def _text(self, start: int) -> bool:
+    def _text(self) -> None:
         """TEXT: two characters a word, six bits each, and 00 at the end."""
         text = self._texts[self._index]
         column = self._before
         if self._exact and not self._blank and self._token in ("", ";"):
-            self._write(0, self._keep(start, column))
-            return False
+            self._write(0, self._keep(self._begun, column))
+            return
+        self._before = column + 1
         if not self._exact and text[column : column + 1] in ("/", ";"):
             message = f"DEC's PAL8 takes this {text[column]} for the end of the statement"
-            self._note("PN44", message, "leave a blank after TEXT", start, column + 1)
+            self._note("PN44", message, "leave a blank after TEXT", self._begun)
         last = "_" if self._exact else "~"
         while column < len(text) and not "!" <= text[column] <= last:
             column += 1
         first = column
-        if column == len(text):
-            self._note("PN54", "TEXT without a text is one word of 0", "write it so: TEXT /LETTERS/", start, column)
         delimiter = text[column : column + 1]
+        if delimiter == "":
+            self._note(
+                "PN54", "TEXT without a text is one word of 0", "write it so: TEXT /LETTERS/", self._begun
+            )
         codes: list[int] = []
-        at = self._keep(start, len(text))
+        at = self._keep(self._begun, len(text))
         column += 1
         while column < len(text) and text[column] != delimiter:
             character = text[column]
@@ -1187,40 +1062,185 @@ class Assembler:
                     self._write(codes[0] << 6 | codes[1], at)
                     codes = []
             else:
+                self._start, self._end = column, column + 1
                 about = "a character that TEXT cannot have, as a TAB is"
-                self._say("IC", about, "write a blank, or the code as a number", column, column + 1)
+                self._say("IC", about, "write a blank, or the code as a number")
             column += 1
-        if first < len(text) <= column:
+        self._before = min(column + 1, len(text))
+        if not self._exact and any("`" <= character <= "~" for character in text[first:column]):
+            message = "small letters, which DEC's PAL8 leaves out (IC)"
+            self._note(LOWER_CASE, message, "write capitals: six bits have no others", self._begun)
+        if delimiter and column == len(text):
             message = f"{delimiter} does not stand again: the text goes to the end of the line"
-            self._note("PN54", message, "a text ends with the character it begins with", start, len(text))
+            self._note("PN54", message, "a text ends with the character it begins with", self._begun)
         self._write(codes[0] << 6 if codes else 0, at)
-        self._go_to(min(column + 1, len(text)))
-        return False
+        self._go_to(self._before)
 
-    def _device(self, start: int) -> bool:
-        """DEVICE: a name of four characters."""
-        self._pass_blank()
-        self._pack(4, start)
-        return False
-
-    def _filename(self, start: int) -> bool:
-        """FILENAME: six characters, and two after the point."""
-        self._pass_blank()
-        self._pack(6, start)
-        if self._token == "." and not self._blank:
-            self._advance()
-        self._pack(2, start)
-        return False
-
-    def _pack(self, room: int, start: int) -> None:
+    def _pack(self, room: int) -> None:
         """Pack letters and digits, two a word, and 00 for those that are not there."""
         characters = ""
         while not self._blank and self._token[:1].isalnum():
             characters += self._token
             self._advance()
         if not characters and room > 2:
-            self._note("PN54", "no name: the words are 0", "write it so: DEVICE SYS", start, self._before)
+            self._note("PN54", "no name: the words are 0", "write it so: DEVICE SYS", self._begun)
         characters = characters[:room].ljust(room, "\0")
-        at = self._keep(start, self._before)
+        at = self._keep(self._begun, self._before)
         for first in range(0, room, 2):
             self._write((ord(characters[first]) & 0o77) << 6 | ord(characters[first + 1]) & 0o77, at)
+
+
+# The pseudo-operators
+
+
+def _radix(run: Assembler, radix: int) -> None:
+    run._radix = radix
+
+
+def _punching(run: Assembler, punching: bool) -> None:
+    run._punching = punching
+
+
+def _page(run: Assembler) -> None:
+    """Go to page n, or to the next one."""
+    run._put_out_page()
+    if not run._has_argument():
+        run._begin_page(run._location + ADDRESS & PAGE)
+        return
+    page = run._argument()
+    if page > PAGE >> 7:
+        message = f"there is no page {page:o}: this is page {page & 0o37:o}"
+        run._note("PN53", message, "a field has pages 0 to 37; FIELD goes to another", run._begun)
+    run._begin_page(page << 7 & PAGE)
+
+
+def _field(run: Assembler) -> None:
+    run._put_out_page()
+    run._put_out_zero()
+    run._field = run._argument() & 7
+    run._put(FIELD, run._field)
+    run._clear_pools()
+    run._begin_page(START)
+
+
+def _zeros(run: Assembler) -> None:
+    count = run._argument()
+    at = run._keep(run._begun, run._before)
+    for _ in range(count):
+        run._write(0, at)
+
+
+def _relocate(run: Assembler) -> None:
+    """Assemble what follows for where it runs, or again for where it is loaded."""
+    if run._has_argument():
+        location = run._argument()
+        run._next_offset = run._location + run._offset - location & _MASK
+    else:
+        location = run._location + run._offset & _MASK
+        run._next_offset = run._undefined = 0
+    run._set_location(location, True)
+
+
+def _device(run: Assembler) -> None:
+    run._pass_blank()
+    run._pack(4)
+
+
+def _filename(run: Assembler) -> None:
+    """Pack six characters, and two after the point."""
+    run._pass_blank()
+    run._pack(6)
+    if run._token == "." and not run._blank:
+        run._advance()
+    run._pack(2)
+
+
+def _if_defined(run: Assembler, name: str) -> None:
+    """Ask for a symbol: in pass 2 what is defined below is defined."""
+    if run._find_token("", f"{name} without a symbol", f"write it so: {name} A <statements>"):
+        run._condition(run._name_to_ask(name) == (name == "IFNDEF"))
+
+
+def _if_zero(run: Assembler, holds: bool) -> None:
+    run._condition((run._argument() == 0) == holds)
+
+
+def _expunge(run: Assembler) -> None:
+    """Forget all symbols but the pseudo-operators, I and Z."""
+    if run._number == 1:
+        run._expunged = True
+        kept = [symbol for symbol in run.symbols.values() if symbol.kind in (MARK, PSEUDO)]
+        run.symbols = {symbol.name[:SIGNIFICANT]: symbol for symbol in kept}
+
+
+def _fix_table(run: Assembler) -> None:
+    """Make all symbols permanent."""
+    if run._number == 1:
+        for symbol in run.symbols.values():
+            symbol.permanent = True
+
+
+def _fix_reference(run: Assembler) -> None:
+    """`FIXMRI NAME=expression`: define a memory reference."""
+    about, advice = "FIXMRI without a definition", "write it so: FIXMRI NAME=5000"
+    if run._find_token("", about, advice):
+        name, start, end = run._token[:SIGNIFICANT], run._start, run._end
+        run._look_up()
+        if run._find_token("=", about, advice):
+            run._assign(name, REFERENCE, start, end)
+
+
+def _pause(run: Assembler) -> None:
+    """DEC's reads no more of the file; here it goes on."""
+    if run._exact:
+        run._index = len(run._lines)
+        run._token = ""
+        run._blank = False
+    elif any(line.tape == run._lines[run._index].tape for line in run._lines[run._index + 1 :]):
+        run._note("PN48", "DEC's PAL8 ends the file at PAUSE; here it goes on", "", run._begun)
+
+
+def _eject(run: Assembler) -> None:
+    """Begin a page of the listing, with a title, to the next `;` or comment."""
+    while run._token not in ("", ";"):
+        run._skip_token()
+        run._pass_blank()
+
+
+def _list_or_not(run: Assembler) -> None:
+    if run._has_argument():
+        run._argument()
+
+
+def _block(run: Assembler) -> None:
+    """Punch a block number, for DEC's typesetting; its first frame counts even after NOPUNCH."""
+    value = run._argument()
+    run._checksum += 0o300 + (value >> 6)
+    run._put(BLOCK, value)
+
+
+_ROUTINES: dict[str, Callable[[Assembler], None]] = {
+    "DECIMAL": lambda run: _radix(run, 10),
+    "DEVICE": _device,
+    "DTORG": _block,
+    "EJECT": _eject,
+    "ENPUNCH": lambda run: _punching(run, True),
+    "EXPUNGE": _expunge,
+    "FIELD": _field,
+    "FILENAME": _filename,
+    "FIXMRI": _fix_reference,
+    "FIXTAB": _fix_table,
+    "IFDEF": lambda run: _if_defined(run, "IFDEF"),
+    "IFNDEF": lambda run: _if_defined(run, "IFNDEF"),
+    "IFNZRO": lambda run: _if_zero(run, False),
+    "IFZERO": lambda run: _if_zero(run, True),
+    "NOPUNCH": lambda run: _punching(run, False),
+    "OCTAL": lambda run: _radix(run, 8),
+    "PAGE": _page,
+    "PAUSE": _pause,
+    "RELOC": _relocate,
+    "TEXT": lambda run: run._text(),
+    "XLIST": _list_or_not,
+    "ZBLOCK": _zeros,
+}
+_ROUTINE_OF = {name: _ROUTINES[name] for name in symbols8.HANDLERS}  # each has one

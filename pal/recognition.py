@@ -1,6 +1,9 @@
-"""Which dialect a source is in: PAL III where it is clean, or else PAL8 where it is clean or has a line of it.
+"""Which dialect a source is in.
 
-A character that PAL III refuses shows that a source is not clean there, so that PAL8 is tried first.
+PAL III where it is clean there; else PAL8 where it is clean there and has a name or a character that PAL III
+has not, or where a line of it that is right can be PAL8's alone and PAL8 has no more errors.
+
+A character that PAL III has not shows at once that a source is not clean there: then PAL8 is tried first.
 """
 
 from collections.abc import Callable, Sequence
@@ -15,7 +18,7 @@ from pal.work8 import Work8
 
 TAKEN = "taken for PAL8: it has what PAL III has not"
 
-_MARKS = frozenset('(["<&^%')
+_MARKS = set('(["<&^%')
 _NAMES = {name[:SIGNIFICANT] for name in PSEUDO_OPERATORS}
 
 _Work3 = Callable[[], Work3]
@@ -34,9 +37,12 @@ def found(sources: Sequence[str | bytes], names: Sequence[str], pal3: _Work3, pa
         if work3.ok:
             return Assembly(PAL3, names, work3)
         work8 = pal8()
-    if work8.ok or (work8.takes(_MARKS, _NAMES) and len(work8.errors) <= len(work3.messages())):
+    said = work3.messages()
+    if work8.ok and any(message[:2] in ("IC", "UA") for message in said):
         return _as_pal8(names, work8)
-    return Assembly(PAL3, names, work3)
+    if work8.takes(_MARKS, _NAMES) and len(work8.errors) <= len(said):
+        return _as_pal8(names, work8)
+    return _told(Assembly(PAL3, names, work3), work3, work8)
 
 
 def _as_pal8(names: Sequence[str], work: Work8) -> Assembly:
@@ -47,11 +53,16 @@ def _as_pal8(names: Sequence[str], work: Work8) -> Assembly:
 
 
 def told(assembly: Assembly, work: Work3 | Work8, other: _Work3 | _Work8) -> Assembly:
-    """Return an assembly in the dialect that was asked for; in error, with what to type where the other fits."""
-    if not assembly.ok and other().ok:
+    """Return an assembly in the dialect that was asked for, with a note if `other` alone has no error."""
+    return assembly if assembly.ok else _told(assembly, work, other())
+
+
+def _told(assembly: Assembly, work: Work3 | Work8, other: Work3 | Work8) -> Assembly:
+    if other.ok:
         dialect = PAL3 if assembly.dialect == PAL8 else PAL8
-        message = f"this is {SPELLED[dialect]}: it has no error there"
-        assembly.noted.append((NOTE, Note(DIALECT, work.first(), message, f"--dialect {dialect}"), ""))
+        message = f"in {SPELLED[dialect]} this has no error"
+        note = Note(DIALECT, work.first(), message, f"--dialect {dialect} takes it so")
+        assembly.noted.append((NOTE, note, ""))
     return assembly
 
 

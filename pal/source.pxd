@@ -8,5 +8,5 @@ cdef class Line:
     cdef public str text
 
 
-@cython.locals(code=str, found=list)
-cpdef list tokens(str text, int start=*)
+@cython.locals(code=str, end=int)
+cpdef list tokens(str text, int start=*, bint folds=*)

@@ -12,6 +12,7 @@ from pal.listing import UNNUMBERED, ListingLine, Teletype, octal, typed_frames
 from pal.notes import (
     AFTER_END,
     ERROR,
+    LOWER_CASE,
     NOT_ON_8L,
     NOTE,
     OVERLAID,
@@ -27,8 +28,9 @@ from pal.source import Place, lines_of, tokens
 from pal.symbols import SIGNIFICANT
 
 if TYPE_CHECKING:
-    from pal.assembler import Written
+    pass
 
+LONGEST = pal8.LINE
 _FIELDS = ("CDF", "CIF", "CDI")
 _INSTRUCTIONS = {**symbols8.REFERENCES, **symbols8.MARKS, **symbols8.INSTRUCTIONS, **symbols8.PALBARTS}
 
@@ -41,7 +43,11 @@ class Work8:
     """
 
     def __init__(
-        self, sources: Sequence[str | bytes], model: str | None = None, wipe: bool = False, exact: bool = False
+        self,
+        sources: Sequence[str | bytes],
+        model: str | None = None,
+        wipe: bool = False,
+        exact: bool = False,
     ) -> None:
         self._model = model
         self._lines = lines_of(sources)
@@ -56,14 +62,14 @@ class Work8:
         self.ok = not self.errors
 
     def _errors(self) -> list[Note]:
-        """Return the messages, once each where both passes have one, and of a statement's ICs the first."""
-        found: dict[tuple[str, int, int], Note] = {}
-        for said in self._run.complaints:
-            line, start, _ = self._run.places[said.at]
-            if said.about:
-                message = f"{said.code}  {said.about}"
-                found[(said.code, line, start)] = Note(said.code, said.at, message, said.advice)
-        return list(found.values())
+        """Return the messages of pass 2, of a statement's ICs the first, and those that pass 1 alone has."""
+        places = self._run.places
+        again = {(said.code, places[said.at][0]) for said in self._run.complaints if said.number == 2}
+        return [
+            Note(said.code, said.at, f"{said.code}  {said.about}", said.advice)
+            for said in self._run.complaints
+            if said.about and (said.number == 2 or (said.code, places[said.at][0]) not in again)
+        ]
 
     def takes(self, marks: set[str], names: set[str]) -> bool:
         """Tell whether a line without an error has one of these marks or names."""
@@ -167,7 +173,7 @@ class Work8:
         if self._model:
             named = (each for each in run.written if any(name in _INSTRUCTIONS for name in each.names))
             notes += of_model(named, self._model)
-        return notes + self._on_names() + self._of_fields() + self._of_the_end()
+        return notes + self._on_names() + self._of_fields() + self._of_lines() + self._of_the_end()
 
     def _on_names(self) -> list[Note]:
         """Note what was meant by undefined names, names cut short, and instructions that an 8/L has not."""
@@ -193,7 +199,12 @@ class Work8:
         places = []
         for error in self.errors:
             name = self._in_full(error.at)[:SIGNIFICANT] if error.code == "US" else ""
-            if name and name not in told and name not in symbols8.ELSEWHERE and "if it is a tag" not in error.advice:
+            if (
+                name
+                and name not in told
+                and name not in symbols8.ELSEWHERE
+                and "if it is a tag" not in error.advice
+            ):
                 told.add(name)
                 places.append((name, error.at, self._statement(error.at)))
         return of_undefined(places, [*self.symbols(), *_INSTRUCTIONS])
@@ -206,6 +217,26 @@ class Work8:
                 message = f"{written.word:04o} is for field {field}, which a PDP-8/L of 4K has not"
                 return [Note(NOT_ON_8L, written.at, message, "without the MC8/L it does nothing")]
         return []
+
+    def _of_lines(self) -> list[Note]:
+        """Note the first small letter, and each line with code that DEC's does not read."""
+        notes = []
+        small = False
+        for index in range(min(self._run.ended, len(self._lines))):
+            text = self._lines[index].text
+            code = text.partition("/")[0]
+            if (
+                not small
+                and code != code.upper()
+                and any("a" <= each <= "z" for each in tokens(text, 0, False))
+            ):
+                small = True
+                message = "small letters are capitals here; DEC's PAL8 passes over them (IC)"
+                notes.append(Note(LOWER_CASE, self._run.place_of_line(index), message, "write capitals"))
+            if len(code) > LONGEST and code[LONGEST:].strip():
+                message = f"a line of {len(text)} characters; DEC's PAL8 reads {LONGEST}, and loses code here"
+                notes.append(Note("PN55", self._run.place_of_line(index), message, "break the line"))
+        return notes
 
     def _statement(self, at: int) -> int:
         """Return a number for the statement at a place: its line and the semicolons before it."""

@@ -7,7 +7,7 @@ import click
 
 from pal.assembler import HIGH_SPEED_SYMBOLS, TELETYPE_SYMBOLS
 from pal.assembling import DIALECTS, FOUND, assemble
-from pal.assembly import MOST, PAL8, Assembly
+from pal.assembly import MOST, PAL8, SPELLED, Assembly
 from pal.diagnostics import Diagnostic
 from pal.models import MODELS
 from pdp8 import shelf
@@ -66,6 +66,12 @@ class AssemblyError(WorkError):
     show_default=True,
     help="DEC's PAL III of 1967, or the later PAL8; auto takes PAL8 for a source by what it has.",
 )
+@click.option(
+    "--w",
+    "wipe",
+    is_flag=True,
+    help="PAL8's /W: forget the literals of a page that was left, so that an overlay may go there.",
+)
 @option(
     "--lsp",
     is_flag=True,
@@ -99,6 +105,7 @@ def pal(
     strict: bool,
     check: bool,
     dialect: str,
+    wipe: bool,
     lsp: bool,
     modern: bool,
     model: str | None,
@@ -137,20 +144,23 @@ def pal(
     names = [called(source) for source in sources]
     with Busy("assembling", wanted=True):
         assembly = assemble(
-            *contents, names=names, modern=modern, capacity=capacity, model=model, dialect=dialect
+            *contents, names=names, modern=modern, capacity=capacity, model=model, dialect=dialect, wipe=wipe
         )
-        diagnostics = assembly.diagnostics
+        diagnostics = sorted(assembly.diagnostics, key=lambda diagnostic: not diagnostic.error)
     _check_kinds(sources, contents, assembly.ok)
     if tty and assembly.dialect == PAL8:
         raise click.UsageError("--tty writes the frames of PAL III's three passes; this is PAL8")
+    if wipe and assembly.dialect != PAL8:
+        raise click.UsageError("--w is PAL8's /W; this is PAL III: --dialect pal8 takes it so")
     for diagnostic in diagnostics[:MOST]:
         command.tell(_coloured(diagnostic), styled=True)
-    more = len(diagnostics) - MOST
-    if more > 0:
-        command.tell(f"and {more:,} more")
+    more = [diagnostic.error for diagnostic in diagnostics[MOST:]]
+    if more:
+        command.tell(f"and {sum(more):,} more errors, {more.count(False):,} more notes")
     errors = sum(diagnostic.error or strict for diagnostic in diagnostics)
     if assembly.stopped:
-        raise AssemblyError(f"{_counted(errors)}: PAL III goes no further, nothing is written")
+        dialect = SPELLED[assembly.dialect]
+        raise AssemblyError(f"{_counted(errors)}: {dialect} goes no further, nothing is written")
     if listing:
         _put_listing(listing, assembly)
     if symbols:

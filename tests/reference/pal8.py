@@ -1,20 +1,22 @@
+# mypy: disable-error-code="no-untyped-def, no-untyped-call, has-type, var-annotated, assignment"
 """DEC's PAL8 as its own rules tell it: the judge of pal/pal8.py.
 
-Written from the rules of PAL8 V10D and from DEC's source of the assembler, before pal/pal8.py was read; it imports
-nothing of ours. It follows the mechanism, register by register, where faults leave something behind (the stale value,
-the last operator), because that is what makes the same tape from a faulty source. It is slow, and it has no allowances.
+Written from the rules of PAL8 V10D and from DEC's source of the assembler, before pal/pal8.py was read; it
+imports nothing of ours. It follows the mechanism register by register where faults leave something behind
+(the stale value, the last operator): that makes the same tape from a faulty source. It has no allowances.
 
     assemble(source, wipe=False) -> Result(tape, messages)
 
     tape       the frames of the BIN tape, without leader and trailer; None after a fatal message
     messages   (pass, code, place): place as DEC types it, "0203" or "A" or "A+0001"
 
-Not modelled: the listing (pass 3), /B /E /F /O, room for symbols, the value of an expunged name. Where a new literal is
-searched for below a bound that code has pushed up, DEC's searches all memory: `Wild` is raised.
+Not modelled: the listing (pass 3), /B /E /F /O, room for symbols, the value of an expunged name. Where a new
+literal is searched for below a bound that code has pushed up, DEC's searches all memory: `Wild` is raised.
 
 Source: PAL8.PA V13 (DEC, 1975) beside runs of V10D under OS/8 V3D.
 """
 
+from contextlib import suppress
 from typing import NamedTuple
 
 
@@ -34,6 +36,11 @@ class _Next(Exception):
     """Give the statement up and look for its end."""
 
 
+def _pairs(text):
+    words = text.split()
+    return list(zip(words[::2], words[1::2], strict=True))
+
+
 class Result(NamedTuple):
     tape: bytes | None
     messages: list[tuple[int, str, str]]
@@ -42,17 +49,21 @@ class Result(NamedTuple):
         return core(self.tape)
 
 
-PERMANENT = """AND 0 TAD 1000 ISZ 2000 DCA 3000 JMS 4000 JMP 5000
-NOP 7000 OPR 7000 IAC 7001 BSW 7002 RAL 7004 RTL 7006 RAR 7010 RTR 7012 CML 7020 CMA 7040 CIA 7041 CLL 7100 STL 7120
-CLA 7200 GLK 7204 STA 7240 HLT 7402 OSR 7404 SKP 7410 SNL 7420 MQL 7421 SZL 7430 SZA 7440 SNA 7450 SMA 7500 MQA 7501
-SPA 7510 SWP 7521 LAS 7604 IOT 6000 SKON 6000 ION 6001 IOF 6002 SRQ 6003 GTF 6004 RTF 6005 SGT 6006 CAF 6007 RPE 6010
-RSF 6011 RRB 6012 RFC 6014 PCE 6020 PSF 6021 PCF 6022 PPC 6024 PLS 6026 KCF 6030 KSF 6031 KCC 6032 KRS 6034 KIE 6035
-KRB 6036 TFL 6040 TSF 6041 TCF 6042 TPC 6044 TSK 6045 TLS 6046 CDF 6201 CIF 6202 RDF 6214 RIF 6224 RIB 6234 RMF 6244
-I 400 Z 0""".split()
+PERMANENT = _pairs("""
+    AND 0 TAD 1000 ISZ 2000 DCA 3000 JMS 4000 JMP 5000 NOP 7000 OPR 7000 IAC 7001 BSW 7002 RAL 7004 RTL
+    7006 RAR 7010 RTR 7012 CML 7020 CMA 7040 CIA 7041 CLL 7100 STL 7120 CLA 7200 GLK 7204 STA 7240 HLT
+    7402 OSR 7404 SKP 7410 SNL 7420 MQL 7421 SZL 7430 SZA 7440 SNA 7450 SMA 7500 MQA 7501 SPA 7510 SWP
+    7521 LAS 7604 IOT 6000 SKON 6000 ION 6001 IOF 6002 SRQ 6003 GTF 6004 RTF 6005 SGT 6006 CAF 6007 RPE
+    6010 RSF 6011 RRB 6012 RFC 6014 PCE 6020 PSF 6021 PCF 6022 PPC 6024 PLS 6026 KCF 6030 KSF 6031 KCC
+    6032 KRS 6034 KIE 6035 KRB 6036 TFL 6040 TSF 6041 TCF 6042 TPC 6044 TSK 6045 TLS 6046 CDF 6201 CIF
+    6202 RDF 6214 RIF 6224 RIB 6234 RMF 6244 I 400 Z 0
+    """)
 
-HANDLERS = """DECIMA 207 DEVICE 2530 DTORG 5400 EJECT 5505 ENPUNC 205 EXPUNG 2667 FIELD 415 FILENA 2533 FIXMRI 464
-FIXTAB 4253 IFDEF 5050 IFNDEF 5051 IFNZRO 5001 IFZERO 5000 NOPUNC 204 OCTAL 210 PAGE 437 PAUSE 361 RELOC 5466 TEXT 2601
-XLIST 5453 ZBLOCK 4130""".split()
+HANDLERS = _pairs("""
+    DECIMA 207 DEVICE 2530 DTORG 5400 EJECT 5505 ENPUNC 205 EXPUNG 2667 FIELD 415 FILENA 2533 FIXMRI 464
+    FIXTAB 4253 IFDEF 5050 IFNDEF 5051 IFNZRO 5001 IFZERO 5000 NOPUNC 204 OCTAL 210 PAGE 437 PAUSE 361
+    RELOC 5466 TEXT 2601 XLIST 5453 ZBLOCK 4130
+    """)
 
 OPERATORS = "+-&% !^"
 END = "\r"  # the current character at a logical end of line, whatever ended it
@@ -103,9 +114,10 @@ class _Pal8:
         self.lines = [line[:80] for line in (whole + dot + rest + "$").split("\r")]
         self.wipe = wipe
         self.names = {}
-        for name, value in zip(PERMANENT[::2], PERMANENT[1::2]):
-            self.names[name] = Name(int(value, 8), True, name in "AND TAD ISZ DCA JMS JMP".split(), "", name in "IZ")
-        for name, value in zip(HANDLERS[::2], HANDLERS[1::2]):
+        for name, value in PERMANENT:
+            refers = name in ("AND", "TAD", "ISZ", "DCA", "JMS", "JMP")
+            self.names[name] = Name(int(value, 8), True, refers, "", name in "IZ")
+        for name, value in HANDLERS:
             self.names[name] = Name(int(value, 8), True, False, name)
         self.messages, self.tape, self.total = [], [], 0
         self.offset = self.offset_to_be = 0
@@ -124,10 +136,8 @@ class _Pal8:
         self.pool_top = 0o200
         self.set_origin(0o200)
         self.next()
-        try:
+        with suppress(_Done):
             self.statements()
-        except _Done:
-            pass
 
     # ---- characters
 
@@ -324,7 +334,7 @@ class _Pal8:
             self.fatal("BE")
 
     def expression(self, found=False, mri_ok=True):
-        """The value of the expression at the current character; self.undefined is -1 when it had an undefined name."""
+        """The value of the expression that begins here; self.undefined is -1 if a name in it is undefined."""
         self.mri_ok = mri_ok
         self.value, self.undefined, self.op = 0, 0, "+"
         self.push(1)
@@ -650,7 +660,7 @@ class _Pal8:
         self.blanks()
         value = self.expression()
         self.frame(0o300 | value >> 6, value & 0o77)
-        self.total += 0o300 | value >> 6
+        self.total += (0o300 | value >> 6) * (self.number == 2)
 
     def do_zblock(self):
         self.blanks()
