@@ -9,13 +9,14 @@ assembler      the mechanism: three passes over the same reading
 punch          the object tape
 listing        what the Teletype typed
 assembly       all of it together: `Assembly`
+work3, work8   what each dialect does for it
 diagnostics    the messages for people: place, line, caret, advice
 notes          what a student should know about a program that assembles
 watched        PAL III with an eye on what a source means otherwise than it says
 review         what is to be noted of it after its passes
 pal8           the later dialect, a front end of its own
-assembly8      the same as assembly, in PAL8
 assembling     the call: `assemble`, in either dialect
+recognition    which dialect a source is in
 dialects       what PAL III has for what other assemblers know
 reports        cross reference, JSON, and HTML for a notebook
 disassembler   words and tapes back to source

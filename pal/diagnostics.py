@@ -19,7 +19,7 @@ from typing import NamedTuple
 from pal.assembler import Message
 from pal.dialects import hint
 from pal.isa import ADDRESS, PAGE
-from pal.notes import ERROR, NOTE, Note, Said
+from pal.notes import DIALECT, ERROR, NOTE, Note, Said
 from pal.source import Place, Source
 from pal.symbols import PSEUDO_OPERATORS, REFERENCES
 
@@ -128,7 +128,8 @@ def told(said: Iterable[Said], names: Sequence[str], place_of: Callable[[int], P
         place = place_of(note.at)
         if severity == ERROR or not _silenced(place.text, note.code):
             end = max(place.end, place.start + 1) + 1
-            where = names[place.tape], place.line, place.start + 1, end, place.text
+            shown = "" if note.code == DIALECT else place.text  # it is of the whole source
+            where = names[place.tape], place.line, place.start + 1, end, shown
             message = note.message.translate(_CONTROLS)
             diagnostic = Diagnostic(severity, note.code, message, note.advice, sentence, *where)
             diagnostics.append(((place.tape, place.line, place.start), diagnostic))

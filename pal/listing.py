@@ -73,7 +73,7 @@ def text_of(raw: bytes) -> str:
 
 def typed_frames(text: str) -> bytes:
     r"""Return the frames of a text, CR LF for ``\n``."""
-    return _frames(text.replace("\n", NEW_LINE))
+    return _frames(text.replace("\n", NEW_LINE).encode("ascii", "replace").decode("ascii"))
 
 
 def complaints(output: Output) -> bytes:

@@ -26,13 +26,13 @@ cdef class Assembler:
     cdef public int ended
     cdef public bint fatal
     cdef list _lines, _texts, _read, _tokens, _names, _bottom, _top, _here_words, _zero_words, _before_here
-    cdef dict _here, _zero, _routine
+    cdef dict _here, _zero
     cdef str _token, _tagged, _operator
     cdef Symbol _tag
     cdef bint _wipe, _exact, _is_undefined, _skips_origin, _expunged, _punching, _blank, _link
-    cdef bint _dropped, _slips, _may_refer, _has_blank
+    cdef bint _dropped, _slips, _may_refer, _has_blank, _opens
     cdef int _number, _location, _field, _offset, _next_offset, _level, _radix, _loading, _checksum, _stack
-    cdef int _index, _next, _start, _end, _before, _last, _tagged_at, _pool_end, _looked_up, _named
+    cdef int _index, _next, _start, _end, _before, _last, _tagged_at, _pool_end, _looked_up, _named, _begun
     cdef int _value, _undefined, _ored, _group
 
     cdef _go_to(self, int column)
@@ -56,7 +56,7 @@ cdef class Assembler:
     cdef _put(self, str kind, int value)
     @cython.locals(symbol=Symbol)
     cdef _define_tag(self, str name, int start, int end)
-    cdef _push(self, int cells, int start, int end)
+    cdef _push(self, int cells)
     @cython.locals(begun=int, goes_on=bint)
     cdef int _expression(self, bint found, bint may_refer) except? -1
     @cython.locals(token=str)
@@ -79,3 +79,23 @@ cdef class Assembler:
     cdef int _find(self, int value, int page, int start) except -1
     cdef _enter_page(self)
     cdef _set_origin(self, int location)
+
+
+cpdef _radix(Assembler run, int radix)
+cpdef _punching(Assembler run, bint punching)
+cpdef _page(Assembler run)
+cpdef _field(Assembler run)
+cpdef _zeros(Assembler run)
+cpdef _relocate(Assembler run)
+cpdef _device(Assembler run)
+cpdef _filename(Assembler run)
+cpdef _if_defined(Assembler run, str name)
+cpdef _if_zero(Assembler run, bint holds)
+cpdef _expunge(Assembler run)
+cpdef _fix_table(Assembler run)
+cpdef _fix_reference(Assembler run)
+cpdef _pause(Assembler run)
+cpdef _eject(Assembler run)
+cpdef _text(Assembler run)
+cpdef _list_or_not(Assembler run)
+cpdef _block(Assembler run)

@@ -547,8 +547,9 @@ class Assembler:
             elif symbol.passed == self._number:
                 message = f"{name} was {symbol.value:04o}, and is {value:04o} from here on"
                 self._note("PN41", message, "a use before its first definition sees the last value", start)
-        symbol.value = value
-        symbol.passed = self._number
+        if symbol.value != value or symbol.passed or not symbol.permanent:
+            symbol.value = value
+            symbol.passed = self._number
         if symbol.kind in (PLAIN, REFERENCE):
             symbol.kind = kind
         self._tag = symbol
@@ -721,7 +722,8 @@ class Assembler:
         if tag.kind == PSEUDO:
             about = f"the pseudo-operator {tag.name} within an expression"
             self._say("IP", about, "a pseudo-operator begins its statement", self._looked_up)
-        elif tag.kind == WEAK:
+        elif tag.kind == WEAK and not tag.permanent:
+            tag.permanent = True  # it is told once
             message = f"{tag.name}, {tag.value:04o}, is palbart's; in DEC's PAL8 it is undefined (US)"
             self._note("PN47", message, f"define it: {tag.name}={tag.value:04o}", self._looked_up)
         if self._is_undefined:
@@ -1031,7 +1033,7 @@ class Assembler:
                 self._start, self._end = 0, 1
                 self._note("PN50", "this $ is left out by a condition", "palbart ends the condition here")
 
-    def _text(self) -> None:
+    def _pack_text(self) -> None:
         """TEXT: two characters a word, six bits each, and 00 at the end."""
         text = self._texts[self._index]
         column = self._before
@@ -1196,8 +1198,10 @@ def _pause(run: Assembler) -> None:
         run._index = len(run._lines)
         run._token = ""
         run._blank = False
-    elif any(line.tape == run._lines[run._index].tape for line in run._lines[run._index + 1 :]):
-        run._note("PN48", "DEC's PAL8 ends the file at PAUSE; here it goes on", "", run._begun)
+    else:
+        tape = run._lines[run._index].tape
+        if [line for line in run._lines[run._index + 1 :] if line.tape == tape and line.text.strip(" \t$")]:
+            run._note("PN48", "DEC's PAL8 ends the file at PAUSE; here it goes on", "", run._begun)
 
 
 def _eject(run: Assembler) -> None:
@@ -1205,6 +1209,10 @@ def _eject(run: Assembler) -> None:
     while run._token not in ("", ";"):
         run._skip_token()
         run._pass_blank()
+
+
+def _text(run: Assembler) -> None:
+    run._pack_text()
 
 
 def _list_or_not(run: Assembler) -> None:
@@ -1216,6 +1224,8 @@ def _block(run: Assembler) -> None:
     """Punch a block number, for DEC's typesetting; its first frame counts even after NOPUNCH."""
     value = run._argument()
     run._checksum += 0o300 + (value >> 6)
+    message = "a loader of BIN tapes takes this block number for a field, and more"
+    run._note("PN56", message, "it is for DEC's typesetting: leave it out", run._begun)
     run._put(BLOCK, value)
 
 
@@ -1239,7 +1249,7 @@ _ROUTINES: dict[str, Callable[[Assembler], None]] = {
     "PAGE": _page,
     "PAUSE": _pause,
     "RELOC": _relocate,
-    "TEXT": lambda run: run._text(),
+    "TEXT": _text,
     "XLIST": _list_or_not,
     "ZBLOCK": _zeros,
 }

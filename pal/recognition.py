@@ -8,6 +8,7 @@ A character that PAL III has not shows at once that a source is not clean there:
 
 from collections.abc import Callable, Sequence
 
+from pal import symbols
 from pal.assembly import PAL3, PAL8, SPELLED, Assembly
 from pal.notes import DIALECT, NOTE, Note
 from pal.source import characters
@@ -19,7 +20,7 @@ from pal.work8 import Work8
 TAKEN = "taken for PAL8: it has what PAL III has not"
 
 _MARKS = set('(["<&^%')
-_NAMES = {name[:SIGNIFICANT] for name in PSEUDO_OPERATORS}
+_NAMES = {name[:SIGNIFICANT] for name in PSEUDO_OPERATORS if name not in symbols.PSEUDO_OPERATORS}
 
 _Work3 = Callable[[], Work3]
 _Work8 = Callable[[], Work8]
@@ -60,9 +61,8 @@ def told(assembly: Assembly, work: Work3 | Work8, other: _Work3 | _Work8) -> Ass
 def _told(assembly: Assembly, work: Work3 | Work8, other: Work3 | Work8) -> Assembly:
     if other.ok:
         dialect = PAL3 if assembly.dialect == PAL8 else PAL8
-        message = f"in {SPELLED[dialect]} this has no error"
-        note = Note(DIALECT, work.first(), message, f"--dialect {dialect} takes it so")
-        assembly.noted.append((NOTE, note, ""))
+        message = f"in {SPELLED[dialect]} this has no error: --dialect {dialect}"
+        assembly.noted.append((NOTE, Note(DIALECT, work.first(), message, ""), ""))
     return assembly
 
 

@@ -171,8 +171,9 @@ def tokens(text: str, start: int = 0, folds: bool = True) -> list[str]:
     """
     end = len(text)
     if end - start > _PART:
-        ends = [at for at in (text.find(";", start + _PART), text.find(">", start + _PART)) if at >= 0]
-        end = min([*ends, end - 1]) + 1
+        least = start + _PART
+        ends = [text.find(mark, least) + 1 or end for mark in (";", ">")]
+        end = min(ends)
     code = text[start:end]
     if folds:
         code = (code if code.isascii() else _ascii(code)).upper()

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from pal import pal8, punch, symbols8
+from pal.assembler import Written
 from pal.listing import UNNUMBERED, ListingLine, Teletype, octal, typed_frames
 from pal.notes import (
     AFTER_END,
@@ -30,7 +31,7 @@ from pal.symbols import SIGNIFICANT
 if TYPE_CHECKING:
     pass
 
-LONGEST = pal8.LINE
+_PSEUDO = {name[:SIGNIFICANT] for name in symbols8.PSEUDO_OPERATORS}
 _FIELDS = ("CDF", "CIF", "CDI")
 _INSTRUCTIONS = {**symbols8.REFERENCES, **symbols8.MARKS, **symbols8.INSTRUCTIONS, **symbols8.PALBARTS}
 
@@ -93,7 +94,7 @@ class Work8:
     def values(self) -> dict[str, int]:
         """Return the values of all symbols."""
         known = self._run.symbols
-        return {name: symbol.value for name, symbol in known.items() if symbol.kind != pal8.PSEUDO}
+        return {name: symbol.value for name, symbol in known.items() if name not in _PSEUDO}
 
     def mentions(self) -> list[Mention]:
         """Return the symbols where they stand."""
@@ -233,8 +234,10 @@ class Work8:
                 small = True
                 message = "small letters are capitals here; DEC's PAL8 passes over them (IC)"
                 notes.append(Note(LOWER_CASE, self._run.place_of_line(index), message, "write capitals"))
-            if len(code) > LONGEST and code[LONGEST:].strip():
-                message = f"a line of {len(text)} characters; DEC's PAL8 reads {LONGEST}, and loses code here"
+            if len(code) > pal8.LINE and code[pal8.LINE :].strip():
+                message = (
+                    f"a line of {len(text)} characters; DEC's PAL8 reads {pal8.LINE}, and loses code here"
+                )
                 notes.append(Note("PN55", self._run.place_of_line(index), message, "break the line"))
         return notes
 
@@ -252,6 +255,10 @@ class Work8:
         lines = self._lines
         if run.fatal:
             return []
+        if run.output and isinstance(run.output[0], Written):
+            at = run.place_of_line(min(run.ended, len(lines) - 1))
+            message = "DEC's PAL8 punches no origin at the beginning: a RELOC comes last"
+            return [Note("PN56", at, message, "end the source with an origin, as *200")]
         if run.ended == len(lines):
             at = run.place_of_line(len(lines) - 1)
             return [Note("PN27", at, "no $ at the end", "DEC's PAL8 supplies it; palbart asks for it")]

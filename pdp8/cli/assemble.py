@@ -16,6 +16,7 @@ from pdp8.cli.shared.arguments import Command, Folder, Source, Target, output
 from pdp8.cli.shared.progress import Busy
 from pdp8.cli.shared.rules import option
 from tapes.errors import WorkError, called, naming, visible
+from tapes.measure import counted
 
 _TEXT = Target("text")
 _PASSES = ("pass1", "pass2", "pass3")
@@ -155,8 +156,9 @@ def pal(
     for diagnostic in diagnostics[:MOST]:
         command.tell(_coloured(diagnostic), styled=True)
     more = [diagnostic.error for diagnostic in diagnostics[MOST:]]
+    kinds = ((sum(more), "more errors"), (more.count(False), "more notes"))
     if more:
-        command.tell(f"and {sum(more):,} more errors, {more.count(False):,} more notes")
+        command.tell("and " + ", ".join(counted(number, kind) for number, kind in kinds if number))
     errors = sum(diagnostic.error or strict for diagnostic in diagnostics)
     if assembly.stopped:
         dialect = SPELLED[assembly.dialect]

@@ -108,7 +108,7 @@ ALLOWED = {
     "small text": ("*200\n\tTEXT /aB/\n$\n", "PN35", "00200: 4102 0000"),
     "pause": ("*200\n\tHLT\n\tPAUSE\n\tCLA\n$\n", "PN48", "00200: 7402 7200"),
     "tag": ("*200\nCLA,\t0\n\tTAD CLA\n$\n", "PN30", "00200: 0000 1200"),
-    "palbart's": ("*200\n\tACL\n\tFADD 300\n$\n", "PN47", "00200: 7701 1300"),
+    "palbart's": ("*200\n\tACL\n\tFADD 300\n$\n", "PN47 PN47", "00200: 7701 1300"),
     "palbart's as a name": ("*200\nDISK,\t0\n\tTAD DISK\n$\n", "", "00200: 0000 1200"),
     "80 characters": (f"*200\n\tCLA{' ' * 80};HLT\n$\n", "PN55", "00200: 7200 7402"),
     "a long comment": (f"*200\n\tHLT /{'A' * 80};HLT\n$\n", "", "00200: 7402"),

@@ -164,8 +164,6 @@ def test_each_line_is_put_in_columns_and_no_word_changes() -> None:
 def test_columns_leave_texts_alone() -> None:
     texts = '*200\n  CLA  /X\n TEXT "A / B"\n$\n'
     assert formatted(texts, "pal8") == '*200\n\tCLA\t\t/X\n TEXT "A / B"\n$\n'
-    other_words = "*200\n CLA\n ASCII .A /B.\n$\n"
-    assert formatted(other_words, "pal8") == other_words
 
 
 ENDS = ("\n", "\r\n", "\r")
