@@ -37,7 +37,7 @@ from typing import NamedTuple
 from pal import symbols8
 from pal.assembler import START, Output, Punched, Written
 from pal.isa import ADDRESS, CURRENT_PAGE, INDIRECT, PAGE
-from pal.notes import LOWER_CASE, RESERVED, TOO_LARGE, Mention, Note
+from pal.notes import COLON, LOWER_CASE, RESERVED, TOO_LARGE, Mention, Note
 from pal.punch import BLOCK
 from pal.source import Line, tokens
 from pal.symbols import SIGNIFICANT
@@ -407,8 +407,11 @@ class Assembler:
             return self._opens
         end = self._end
         follows = self._tokens[self._next] + self._tokens[self._next + 1]
-        if follows == ",":
+        if follows == "," or (follows == ":" and not self._exact):
             self._look_up()
+            if follows == ":":
+                self._note(COLON, "a colon ends no tag", f"write a comma: {name},", start)
+                self._say("IC", *_MISPLACED[":"])
             self._define_tag(name, start, end)
             return True
         if follows == "=":

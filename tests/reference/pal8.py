@@ -74,7 +74,7 @@ class Name:
         self.value, self.permanent, self.mri, self.handler, self.iz = value, permanent, mri, handler, iz
 
 
-def core(tape):
+def core(tape: bytes | None) -> dict[int, int] | None:
     """{address: word}, the field in bits 12 to 14, of a BIN tape's frames; None of None."""
     if tape is None:
         return None
@@ -95,7 +95,7 @@ def core(tape):
     return words
 
 
-def assemble(source, wipe=False):
+def assemble(source: str, wipe: bool = False) -> Result:
     it = _Pal8(source, wipe)
     try:
         for number in (1, 2):
