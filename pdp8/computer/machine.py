@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from pal.isa import FETCH, halts
 from pdp8.computer.hardware.bus import Bus, Device
-from pdp8.computer.hardware.core import SIZE, Core
+from pdp8.computer.hardware.core import SIZE, WORD, Core, allowed
 from pdp8.computer.hardware.fields import Field, Part, Values, all_fields, put, take
 from pdp8.computer.hardware.highspeed import HighSpeed, ReaderControl
 from pdp8.computer.hardware.panel import Panel
@@ -86,8 +86,10 @@ class Machine:
         self.watch = Watch()
         self.recorder: Recorder | None = None
         """Who records what happens, so that it can be undone."""
-        self._breakpoints: frozenset[int] = frozenset()
-        """Those of the last run."""
+        self._watched: tuple[frozenset[int], ...] = (frozenset(), frozenset())
+        """The breakpoints, and the words, that are known to be addresses."""
+        self._marks = b""
+        """Those breakpoints, as Waiting has them."""
         self._observer: Observer | None = None
         """That of the last run."""
         self.highspeed = HighSpeed()
@@ -110,13 +112,15 @@ class Machine:
         self.processor.run = 0
 
     def load(self, words: Mapping[int, int] | Iterable[tuple[int, int]]) -> None:
-        """Put `words`, {address: word}, into core. Raises LoadError if an address is not one of 0000 to 7777,
-        and then loads nothing.
+        """Put `words`, {address: word}, into core. Raises LoadError if an address or a word is not one of
+        0000 to 7777, and then loads nothing.
         """
         words = dict(words)
-        for address in words:
+        for address, word in words.items():
             if not 0 <= address < SIZE:
                 raise LoadError(f"address {address:05o}: a PDP-8/L with 4K of core ends at 07777")
+            if not 0 <= word <= WORD:
+                raise LoadError(f"{address:04o}: {word:o} (octal) is no word; 0000 to 7777 are")
         for address, word in words.items():
             self.core[address] = word
 
@@ -163,11 +167,12 @@ class Machine:
             cycles = 1
         until = NEVER if seconds is None else min(NEVER, p.clock + _ticks(seconds))
         last = NEVER if instructions is None else min(NEVER, p.instructions + instructions)
+        goes = p.clock < until and p.instructions < last and cycles != 0
+        if goes:
+            self._take_breakpoints()
         if self.recorder is not None:
             self.recorder.begins()
-        reason = Reason.LIMIT
-        if p.clock < until and p.instructions < last and cycles != 0:
-            reason = self._continue(until, last, cycles)
+        reason = self._continue(until, last, cycles) if goes else Reason.LIMIT
         if self.recorder is not None:
             self.recorder.ended(reason, cycles is not None)
         return Stop(reason, p.pc, self.elapsed)
@@ -181,7 +186,6 @@ class Machine:
         self.bus.advance(p.clock)
         if not self.waiting.left.holds(p):
             self.waiting.forget()
-        self._take_breakpoints()
         if cycles is not None:
             reason = self._cycles(cycles)
         elif self.watch.each_cycle():
@@ -273,12 +277,27 @@ class Machine:
         """Let no turn of a loop be passed over that has a breakpoint in it or writes a watched word, nor one
         that its observer has never seen.
         """
-        breakpoints, observer = frozenset(self.watch.breakpoints), self.watch.observer
-        self.waiting.turn_first = self.watch.each_cycle() or len(breakpoints) > 0
-        seen = breakpoints == self._breakpoints and observer is self._observer
-        if self.watch.writes or self.processor.pc in breakpoints or not seen:
-            self.waiting.forget()
-            self._breakpoints, self._observer = breakpoints, observer
+        watch, waiting = self.watch, self.waiting
+        if not watch.again:
+            self._check_watched()
+            if watch.writes or self.processor.pc in watch.breakpoints:
+                waiting.forget()
+            if self._marks != waiting.marks or watch.observer is not self._observer:
+                waiting.forget()
+                waiting.marks, self._observer = self._marks, watch.observer
+        waiting.turn_first = watch.each_cycle() or len(waiting.marks) > 0
+
+    def _check_watched(self) -> None:
+        """Raise ValueError for a breakpoint or a word to be watched that is no address."""
+        watched = frozenset(self.watch.breakpoints), frozenset(self.watch.writes)
+        if watched == self._watched:
+            return
+        for places in watched:
+            for place in places:
+                allowed(place, "a breakpoint")
+        self._watched = watched
+        halves = [(address >> 6, address & 0o77) for address in sorted(watched[0])]
+        self._marks = bytes(frame for two in halves for frame in two)
 
     def _run(self, until: int, last: int) -> Reason:
         """Let the engine run: breakpoints are all that is watched."""
@@ -349,7 +368,7 @@ class Machine:
 
     @ac.setter
     def ac(self, word: int) -> None:
-        self.processor.lac = self.processor.lac & 0o10000 | word & 0o7777
+        self.processor.lac = self.processor.lac & 0o10000 | allowed(word, "AC")
 
     @property
     def link(self) -> int:
@@ -358,7 +377,7 @@ class Machine:
 
     @link.setter
     def link(self, bit: int) -> None:
-        self.processor.lac = self.processor.lac & 0o7777 | (bit & 1) << 12
+        self.processor.lac = self.processor.lac & 0o7777 | allowed(bit, "the link", 1) << 12
 
     @property
     def pc(self) -> int:
@@ -367,7 +386,7 @@ class Machine:
 
     @pc.setter
     def pc(self, address: int) -> None:
-        self.processor.pc = address & 0o7777
+        self.processor.pc = allowed(address, "PC")
         self.processor.next = FETCH
 
     @property
@@ -377,7 +396,7 @@ class Machine:
 
     @ma.setter
     def ma(self, address: int) -> None:
-        self.processor.ma = address & 0o7777
+        self.processor.ma = allowed(address, "MA")
 
     @property
     def mb(self) -> int:
@@ -386,7 +405,7 @@ class Machine:
 
     @mb.setter
     def mb(self, word: int) -> None:
-        self.processor.mb = word & 0o7777
+        self.processor.mb = allowed(word, "MB")
 
     @property
     def ir(self) -> int:
@@ -395,7 +414,7 @@ class Machine:
 
     @ir.setter
     def ir(self, code: int) -> None:
-        self.processor.ir = code & 7
+        self.processor.ir = allowed(code, "IR", 7)
 
     @property
     def sr(self) -> int:
@@ -404,7 +423,7 @@ class Machine:
 
     @sr.setter
     def sr(self, word: int) -> None:
-        self.processor.sr = word & 0o7777
+        self.panel.sr = word
 
     @property
     def ion(self) -> int:

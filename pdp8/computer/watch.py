@@ -22,9 +22,13 @@ class Observer(Protocol):
 
 
 class Watch:
-    """The breakpoints of a machine, and its observer."""
+    """The breakpoints of a machine, and its observer.
 
-    def __init__(self) -> None:
+    `again`: what is run was run before, watched by another.
+    """
+
+    def __init__(self, again: bool = False) -> None:
+        self.again = again
         self.breakpoints: set[int] = set()
         """Addresses before whose instruction a run stops, and after a JMS to them."""
         self.writes: set[int] = set()

@@ -1,4 +1,4 @@
-"""The 4096 words of core as they are examined and deposited from outside: addresses checked, words masked."""
+"""The 4096 words of core as they are examined and deposited from outside: addresses and words are checked."""
 
 from collections.abc import Iterable, Iterator
 from typing import overload
@@ -6,12 +6,22 @@ from typing import overload
 from pdp8.computer.hardware.processor import Processor
 
 SIZE = 0o10000
+WORD = 0o7777
+
+
+def allowed(value: int, what: str, most: int = WORD) -> int:
+    """Return `value`, set by a hand. Raises ValueError, with `what` it is, unless it is from 0 to `most`."""
+    if not isinstance(value, int):
+        raise ValueError(f"{what} {value!r} is not a number")
+    if not 0 <= value <= most:
+        raise ValueError(f"{what} {value:o} (octal): 0 to {most:o} are allowed")
+    return value
 
 
 class Core:
     """The core of one processor: `core[0o200]` is a word, `core[0o200:0o210]` a list of eight.
 
-    Raises IndexError for an address that is not one of 0000 to 7777.
+    Raises IndexError for an address that is not one of 0000 to 7777, ValueError for a word that is none.
     """
 
     def __init__(self, processor: Processor) -> None:
@@ -39,8 +49,10 @@ class Core:
         else:
             assert isinstance(word, int), "one address takes one word"
             addresses, words = range(_checked(address), address + 1), [word]
+        for value in words:
+            allowed(value, "a word")
         for each, value in zip(addresses, words, strict=True):
-            self._processor.deposit(each, value & 0o7777)
+            self._processor.deposit(each, value)
 
     def __len__(self) -> int:
         return SIZE

@@ -26,6 +26,7 @@ from collections.abc import Callable, Sequence
 from typing import Final, NamedTuple
 
 from pal.isa import DEFER, EXECUTE, FETCH
+from pdp8.computer.hardware.core import allowed
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import PROTECTED
 
@@ -81,7 +82,7 @@ class Panel:
 
     @sr.setter
     def sr(self, word: int) -> None:
-        self.processor.sr = word & 0o7777
+        self.processor.sr = allowed(word, "the switch register")
 
     @property
     def mem_prot(self) -> bool:
@@ -132,8 +133,9 @@ class Panel:
 
     def load_address(self, address: int) -> None:
         """Do what LOAD ADD does with `address` in the switches."""
+        allowed(address, "the address")
         if not self.processor.run:
-            self.processor.pc = address & 0o7777
+            self.processor.pc = address
             self._read()
 
     def exam(self) -> None:

@@ -31,6 +31,8 @@ _APART = 5 * TICKS_PER_SECOND
 """Machine time between two snapshots at least, while they are few."""
 _MOST = 128
 """Snapshots."""
+_SHARE = 4
+"""Of the memory, what the marks between two snapshots take at most: then the oldest can be forgotten."""
 _MARK = 200
 """About what a mark takes, in bytes."""
 
@@ -61,7 +63,7 @@ class History:
         self._memory = memory
         self._apart = _APART
         self._marks: list[_Mark] = []
-        self._size = 0
+        self._size = self._since = 0
         self._left = self._began = self._values()
         """The machine as the last run left it, and as that run began."""
         self._stands = self._moment()
@@ -93,7 +95,8 @@ class History:
         """Note what was set since the last run, because a run begins."""
         now = self._values()
         self._note(now)
-        if self.machine.processor.clock >= self._newest + self._apart:
+        apart = self.machine.processor.clock - self._newest
+        if apart >= self._apart or self._since > self._memory // _SHARE:
             self._add(now, whole=True)
         self._began, self._stands = now, self._moment()
 
@@ -115,19 +118,31 @@ class History:
         One that ended by itself leaves things that no run as far as its tick leaves: these are noted.
         """
         self._left = self._values()
-        began, self._stands = self._stands, self._moment()
-        if began == self._stands or in_cycles:
-            self._add(changed(self._began, self._left), jump=True)
-        elif reason != Reason.LIMIT:
-            others, left = changed(self._began, self._left), self._left.items()
+        others, moment = changed(self._began, self._left), self._moment()
+        if in_cycles or moment == self._stands:
+            self._jump(others)
+            return
+        self._stands = moment
+        if reason != Reason.LIMIT:
+            left = self._left.items()
             self._add({name: value for name, value in left if name in others or not isinstance(value, bytes)})
 
     def _note(self, now: Values) -> None:
-        stepped = self.machine.instructions != self._stands[1]
-        if stepped:
-            self._add({})  # as far as here it is a run
-            self._stands = self._moment()
-        self._add(changed(self._left, now), jump=stepped)
+        others = changed(self._left, now)
+        if self.machine.instructions != self._stands[1]:
+            self._jump(others)
+        elif others:
+            self._add(others)
+
+    def _jump(self, values: Values) -> None:
+        """Note values to which no run leads; one leads as far as the machine stood."""
+        if not values:
+            return
+        last = self._marks[-1]
+        if (last.clock, last.instructions) != self._stands:
+            self._add({})
+        self._stands = self._moment()
+        self._add(values, jump=True)
 
     def _values(self) -> Values:
         return self.machine.values(self._fields)
@@ -137,7 +152,9 @@ class History:
 
     def _add(self, values: Values, whole: bool = False, jump: bool = False) -> None:
         self._marks.append(_Mark(*self._stands, values, whole, jump))
-        self._size += _MARK + size(values)
+        takes = _MARK + size(values)
+        self._size += takes
+        self._since = 0 if whole else self._since + takes
         if whole:
             self._newest = self._stands[0]
             """The tick of the newest snapshot."""
@@ -167,7 +184,11 @@ class History:
     def _keep(self, marks: list[_Mark]) -> None:
         self._marks = marks
         self._newest = next((mark.clock for mark in reversed(marks) if mark.whole), 0)
-        self._size = sum(_MARK + size(mark.values) for mark in marks)
+        self._size = self._since = 0
+        for mark in marks:
+            takes = _MARK + size(mark.values)
+            self._size += takes
+            self._since = 0 if mark.whole else self._since + takes
 
     @contextmanager
     def going_back(self) -> Iterator[None]:
@@ -184,7 +205,7 @@ class History:
             machine.highspeed.punch,
         ]
         callbacks = [device.on_frame for device in heard]
-        machine.recorder, machine.watch = None, Watch()
+        machine.recorder, machine.watch = None, Watch(again=True)
         for device in heard:
             device.on_frame = None
         try:

@@ -20,6 +20,8 @@ from tapes.eia import EOB
 
 _SEARCHED = TICKS_PER_SECOND // 4
 """Ticks that are searched through at a time."""
+_GLANCE = TICKS_PER_SECOND // 400
+"""Ticks: a flag that an instruction lets rise takes longer."""
 
 
 def instructions(history: History, count: int = 1) -> None:
@@ -110,8 +112,8 @@ def until_flag(history: History, code: int) -> None:
         raise HistoryError(f"device {code:02o} is not fitted")
 
     def step(machine: Machine, clock: int) -> list[int]:
-        down = not device.flag
-        _run_to(machine, min(clock, machine.bus.next_event(machine.processor.clock)))
+        down, now = not device.flag, machine.processor.clock
+        _run_to(machine, min(clock, machine.bus.next_event(now), now + _GLANCE))
         return [machine.instructions] if down and device.flag else []
 
     _search(history, step, f"the flag of device {code:02o} did not rise", None)
@@ -131,12 +133,14 @@ def _search(history: History, step: _Step, otherwise: str, look: Callable[[float
     oldest = history.snapshots()[-1].clock
     ticks = _SEARCHED
     with history.going_back():
+        again = machine.watch
         while end > oldest:
             begin = max(oldest, end - ticks)
             history.go_to_tick(begin)
             been = (latest - end) / (latest - oldest)
-            found = [number for number in _hits(history, step, end, look, been) if number < now]
             machine.watch = Watch()
+            found = [number for number in _hits(history, step, end, look, been) if number < now]
+            machine.watch = again
             if found:
                 history.go_to_instruction(found[-1])
                 return

@@ -17,7 +17,7 @@ cdef class Waiting:
     cdef public bint endless, stepping, turn_first
     cdef public int pc, lac, tries, sr, mem_prot, ion
     cdef public int64_t next_look, actions, clock, instructions, quiet_until, writes
-    cdef public object core, left
+    cdef public object core, left, marks
     cdef unsigned short[::1] _words
 
     cdef int _remember(self) except -1

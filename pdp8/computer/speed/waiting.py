@@ -16,7 +16,7 @@ instructions and of ticks stays exact.
 from array import array
 
 from pal.isa import FETCH, IOT, JMP, jumps_to, tests_flag
-from pdp8.computer.hardware.fields import BIT, CORE, COUNT, PART, TICK, saved
+from pdp8.computer.hardware.fields import BIT, CORE, COUNT, FRAMES, PART, TICK, saved
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, IO_TICKS, NEVER
 
@@ -75,6 +75,7 @@ class Waiting:
         sr="7777",
         tries=_STEPS,
         core=CORE,
+        marks=FRAMES,
         left=PART,
     )
 
@@ -92,6 +93,8 @@ class Waiting:
         """
         self.core: array[int] | None = None
         """Core as it was remembered, if that is needed because words were written since."""
+        self.marks = b""
+        """The breakpoints of the last run, two frames of six bits each: no turn with one is passed over."""
         self.left = Left(processor)
         self._words = processor.core
         self._remember()

@@ -43,7 +43,7 @@ export class Registers {
 
   set(input) {
     const name = { PC: "pc", AC: "ac", L: "link" }[input.ariaLabel];
-    const word = parseInt(input.value, 8);
+    const word = parseInt(input.value, 8) & (name === "link" ? 1 : 0o7777);
     input.blur();
     this.bench.touch((machine) => {
       if (/^[0-7]{1,4}$/.test(input.value)) machine[name] = word;

@@ -51,7 +51,7 @@ export class Switches {
   #key(event) {
     const control = keyed(find("computer"), event);
     if (control) control.click();
-    else if (/^[0-7]$/.test(event.key) && !event.ctrlKey && !event.altKey && !event.metaKey) this.#set((this.bench.machine.processor.sr << 3) | Number(event.key));
+    else if (/^[0-7]$/.test(event.key) && !event.ctrlKey && !event.altKey && !event.metaKey) this.#set(((this.bench.machine.processor.sr << 3) | Number(event.key)) & 0o7777);
     else return;
     event.preventDefault();
   }

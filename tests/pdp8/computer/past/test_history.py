@@ -224,6 +224,26 @@ def test_many_snapshots_are_thinned_out() -> None:
     assert saved(m) == was
 
 
+def test_runs_between_which_nothing_was_set_take_no_memory() -> None:
+    m, history = recorded(COUNTER)
+    size = history.size
+    for _ in range(3000):
+        m.run(instructions=1)
+    assert history.size == size
+    rewind.instructions(history, 2999)
+    assert m.instructions == 1
+
+
+def test_what_is_set_between_two_snapshots_keeps_to_the_memory() -> None:
+    m, history = recorded(COUNTER, memory=100_000)
+    for number in range(1000):
+        m.sr = number
+        m.run(instructions=1)
+        assert history.size <= 100_000
+    rewind.instructions(history, 40)
+    assert (m.instructions, m.sr) == (960, 960)
+
+
 def test_what_a_breakpoint_has_finished_is_there_again() -> None:
     """TLS, IAC: the frame on its way is out when the run has ended, though no time has passed for it."""
     m, history = recorded("6046 7001 5201")
@@ -231,6 +251,7 @@ def test_what_a_breakpoint_has_finished_is_there_again() -> None:
     m.run()
     m.watch.breakpoints.clear()
     was = saved(m)
+    was["waiting"] |= {"marks": [], "actions": -1}  # the breakpoint is no more as the next run begins
     assert m.teletype.punch.tape == b"\0"
     m.run(instructions=4)
     rewind.instructions(history, 4)

@@ -44,4 +44,4 @@ def test_the_run_command_counts(shell: Shell, tmp_path: Path) -> None:
     assert written == {"0100": f"{9 + 2}", "0214": "10", "0221": "2", "0227": "9"}
     assert shell("pdp8 run eia.pal --reader in.asc --punch plain --quiet; cmp out plain").returncode == 0
     done = shell("pdp8 run hello.pal --count --trace t < /dev/null")
-    assert (done.returncode, b"--count and --trace" in done.stderr) == (2, True)
+    assert (done.returncode, b"--count does not go with --trace" in done.stderr) == (2, True)
