@@ -568,7 +568,7 @@ class Assembler:
 
     def _die(self, code: str, about: str, advice: str) -> None:
         self._say(code, about, advice)
-        raise Fatal
+        raise Fatal(about)
 
     def _expression(self, found: bool, may_refer: bool) -> int:
         """Return the value of an expression; `_undefined` is not 0 if something in it is undefined.

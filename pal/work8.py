@@ -65,11 +65,11 @@ class Work8:
     def _errors(self) -> list[Note]:
         """Return the messages of pass 2, of a statement's ICs the first, and those that pass 1 alone has."""
         places = self._run.places
-        again = {(said.code, places[said.at][0]) for said in self._run.complaints if said.number == 2}
+        again = {f"{said.code} {places[said.at][0]}" for said in self._run.complaints if said.number == 2}
         return [
             Note(said.code, said.at, f"{said.code}  {said.about}", said.advice)
             for said in self._run.complaints
-            if said.about and (said.number == 2 or (said.code, places[said.at][0]) not in again)
+            if said.about and (said.number == 2 or f"{said.code} {places[said.at][0]}" not in again)
         ]
 
     def takes(self, marks: set[str], names: set[str]) -> bool:

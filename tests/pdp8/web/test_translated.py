@@ -8,7 +8,7 @@ import pal
 from nc import machine
 from pdp8 import shelf
 from tapes import kinds
-from tests.pal.random_pal8 import PAL8, written
+from tests.pal.random_pal8 import PAL8, faulty, written
 from tests.pdp8.web.node import HOUSE, called, in_node, needs_node, plain
 
 pytestmark = needs_node
@@ -60,12 +60,13 @@ def test_the_assembler() -> None:
 def test_the_assembler_in_pal8() -> None:
     """Random sources in PAL8, some damaged; numbers beyond 2^53; what is found to be PAL8 and what is not."""
     whole = [written(PAL8, seed).encode() for seed in range(60)]
+    wrong = [faulty(seed).encode() for seed in range(100)]
     draw = random.Random(8)
     spoiled = [_spoiled(draw, source, b'()[]<>,=;"$%^&!?\x0c\xb2\xe9') for source in whole]
     large = ["*200\n\t99999999999999999999\nDECIMAL\n\t99999999999999999999\n$\n"]
     for n in ("16777217", "9007199254740993", "123456789012345678", "99999999999999999999"):
         large.append(f"*200\nDUBL\n\t{n}\n\t-{n}\nFLTG\n\t{n}\n\t-{n[:9]}.{n[9:]}\n$\n")
-    sources = [[source] for source in whole + spoiled + [text.encode() for text in large]]
+    sources = [[source] for source in whole + wrong + spoiled + [text.encode() for text in large]]
     _same("pal8", sources)
     _same("auto", sources[::3])
 
