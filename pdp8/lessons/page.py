@@ -20,8 +20,10 @@ code { display: inline-block; white-space: break-spaces }
 @media print { body { margin: 0 } }
 """
 _CODE = re.compile(r"`([^`]+)`")
-_FULL = 72
+_FULL = 70
 """Characters, at least, of a line that was ended because the next word did not fit."""
+_BEGINS = re.compile(r"\s|[*-]|\w+: |$")
+"""What begins a line of its own."""
 
 
 def html(exercise: Exercise, result: Result) -> str:
@@ -45,10 +47,9 @@ def html(exercise: Exercise, result: Result) -> str:
 def task(text: str) -> str:
     """Return an exercise's task, its paragraphs and lists as they were written."""
     lines = text.strip().split("\n")
-    width = max(_FULL, *[len(line) for line in lines])
     whole = lines[0]
     for before, line in pairwise(lines):
-        full = line[:1].strip() and len(before) + 1 + len(line.split(" ")[0]) > width
+        full = len(before) + 1 + len(line.split(" ")[0]) > _FULL and not _BEGINS.match(line)
         whole += (" " if full else "\n") + line
     return f'<p class="task">{_coded(whole)}</p>'
 

@@ -258,7 +258,7 @@ class Bench {
     const { machine } = this;
     machine.run(null, until);
     machine.processor.run = 0;
-    this.say(`${says || `${grouped(until)} instructions have been run`}. The next is at ${octal(machine.pc)}; go back from here`);
+    this.say(`${says || `${grouped(until)} instructions have been run`}. The next is at ${octal(machine.pc)}; step back from here`);
   }
 
   save() {

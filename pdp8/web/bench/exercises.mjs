@@ -61,13 +61,13 @@ export class Exercises {
 
   #show(name) {
     this.name = name;
-    const { title, task, question: questions = [] } = this.all.get(name);
+    const { asked, questions, title } = checked(this.all.get(name));
     this.sheet = questions.length > 0;
     const given = this.#given();
     const asks = questions.map(({ name: called, ask }) =>
       html`<label>${called} <span>${ask}</span> <input type="text" name="${called}" value="${given[called] ?? ""}" data-input="exercises.answer" autocomplete="off"></label>`);
     const begin = this.sheet ? "" : html`<button class="text" type="button" data-click="exercises.begin">Open ${this.#answer}</button> `;
-    put(find("asked"), html`<h2>${title}</h2>${ours(written(task))}<form data-submit="exercises.mark">${asks}<div class="tools">${begin}<button class="text go">Mark ${this.sheet ? "the sheet" : this.#answer}</button></div></form>`);
+    put(find("asked"), html`<h2>${title}</h2>${ours(written(asked))}<form data-submit="exercises.mark">${asks}<div class="tools">${begin}<button class="text go">Mark ${this.sheet ? "the sheet" : this.#answer}</button></div></form>`);
     find("marks").replaceChildren();
     this.#list();
   }
