@@ -37,7 +37,7 @@ def add(tab: "Page") -> None:
 
 
 def opening(tab: "Page") -> None:
-    """Let the page open, and rehearse its afternoon."""
+    """Let the page open at an instant of the afternoon."""
     tab.reload()
     until(tab, "!!window.workbench?.afternoon.on")
 

@@ -10,7 +10,7 @@ constants here) and stand apart from the figures that are compared with the thes
 Not emulated: the GE time-sharing service's own delays, the telephone line, a misread switch.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from enum import StrEnum
 from time import monotonic
 from typing import Final, NamedTuple
@@ -95,6 +95,45 @@ class Judgement(NamedTuple):
     outcome: str
 
 
+class Course(NamedTuple):
+    """A day that is over: what the operator did and when, and what came of it.
+
+    `tapes` and `programs` by name; `mill_starts` is the tick at which the Hydra-Point began to read.
+    """
+
+    part: str
+    acts: Sequence[Act]
+    actions: Sequence[Action]
+    tapes: Mapping[str, bytes]
+    programs: Mapping[str, Assembly]
+    path: Path
+    mill_starts: int
+
+
+def recalled(
+    part: str,
+    acts: Sequence[Act],
+    actions: Sequence[Action],
+    tapes: Mapping[str, bytes],
+    sources: Mapping[str, bytes],
+    mill_starts: int,
+) -> Course:
+    """Return the course of a day of which the acts and actions are known, and the tapes of the part."""
+    programs = {name: assemble(sources[name], names=[name]) for name in PROGRAMS}
+    read = {"bin.rim": _bin_tape(programs["bin.pal"]), "eia.bin": _eia_tape(programs["eia.pal"])}
+    return Course(part, acts, actions, {**tapes, **read}, programs, cut(tapes[f"{part}.eia"]), mill_starts)
+
+
+def _bin_tape(assembly: Assembly) -> bytes:
+    """Return the tape of the BIN loader, which RIM reads."""
+    return rim.encode(assembly.words)
+
+
+def _eia_tape(assembly: Assembly) -> bytes:
+    """Return the tape of the translation program, which BIN reads, from its leader on."""
+    return assembly.tape[frames.leader_start(assembly.tape) or 0 :]
+
+
 class Day:
     """The afternoon while it happens, for the part program `part` that printed `text`.
 
@@ -139,6 +178,13 @@ class Day:
         yield from self._translate()
         yield from self._mill()
         yield from self._inspect()
+
+    @property
+    def course(self) -> Course:
+        """What the day leaves, so that any instant of it can be had again (see script)."""
+        return Course(
+            self.part, self.acts, self.actions, self.tapes, self.programs, self.path, self.mill_starts
+        )
 
     @property
     def now(self) -> int:
@@ -203,7 +249,7 @@ class Day:
 
     def _load_bin(self) -> Iterator[None]:
         assembly = self._assemble("bin.pal")
-        yield from self._read("bin.rim", rim.encode(assembly.words), "RIM", RIM_START, Reason.TAPE_OUT)
+        yield from self._read("bin.rim", _bin_tape(assembly), "RIM", RIM_START, Reason.TAPE_OUT)
         self.operator.stop()
         self._act(
             Kind.LOAD,
@@ -215,8 +261,7 @@ class Day:
 
     def _load_program(self) -> Iterator[None]:
         assembly = self._assemble("eia.pal")
-        tape = assembly.tape[frames.leader_start(assembly.tape) or 0 :]
-        yield from self._read("eia.bin", tape, "BIN", BIN_START, Reason.HALT)
+        yield from self._read("eia.bin", _eia_tape(assembly), "BIN", BIN_START, Reason.HALT)
         if self.machine.ac:
             raise WorkError(f"BIN halted with AC {self.machine.ac:04o}: the checksum of eia.bin is wrong")
         self._act(

@@ -1,30 +1,34 @@
 """Any instant of a day: the operator's actions done again on a machine, on from a snapshot.
 
-    Day ──► actions, snapshots ──► Script ──► its machine, as it was at `now`
-                                     ▲
-                    to(tick), next(unit), previous(unit)
+    Course ──► actions ──► Script ──► its machine, as it was at `now`
+                             ▲
+            to(tick), next(unit), previous(unit)
 
-A day leaves what the operator did and when, and a snapshot of its machine each ten seconds. An instant is the
-snapshot before it, the actions since done again, and the machine run on, as far as the last cycle that ended.
-To work at the machine, take a copy of it.
+A day leaves what the operator did and when. An instant is the last snapshot of the machine before it, the
+actions since done again, and the machine run on, as far as the last cycle that ended. The first snapshot is
+the machine as it is switched on; others may be given; the script keeps one for each ten seconds that it
+passes. To work at the machine, take a copy of it.
 """
 
 from bisect import bisect_left
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from enum import StrEnum
-from typing import Final, NamedTuple
+from typing import Final
 
 from pal.isa import FETCH, IOT
 from pdp8.computer.hardware.fields import Values
 from pdp8.computer.hardware.signals import CYCLE, FRAME, IO_TICKS, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.operator import Action, Operator
-from pdp8.replay.day import Act, Day, Kind
+from pdp8.replay.day import Act, Course, Kind
 from tapes.ascii import CR
 from tapes.hydrapoint import ROWS
 
 _LONGEST: Final = 3 * CYCLE + IO_TICKS
 """Ticks: no instruction takes more."""
+
+_APART: Final = 10 * TICKS_PER_SECOND
+"""Ticks from a snapshot to the next."""
 
 
 class Unit(StrEnum):
@@ -36,41 +40,34 @@ class Unit(StrEnum):
     CYCLE = "cycle"
 
 
-class _Snapshot(NamedTuple):
-    """The day's machine at a tick, so many actions done."""
-
-    done: int
-    values: Values
-
-
 class Script:
-    """A day that can be looked at, at any instant: `now` is in ticks of 0.05 µs since it began."""
+    """A day that can be looked at, at any instant: `now` is in ticks of 0.05 µs since it began.
 
-    def __init__(self, day: Day) -> None:
+    `snapshots` are the values of its machine at some ticks.
+    """
+
+    def __init__(self, day: Course, snapshots: Sequence[tuple[int, Values]] = ()) -> None:
         self.day = day
         self.machine = Machine()
         self.now = 0
         self.done = 0
         """Actions done."""
         self._ticks: list[int] = []
-        self._snapshots: list[_Snapshot] = []
+        self._snapshots: list[Values] = []
         self._rows: list[int] = []
         """The ticks at which the terminal has punched a frame, or the Hydra-Point's head is at a row."""
         self._blocks: list[int] = []
         """Those at which a line ends at the terminal, or a block begins at the Hydra-Point."""
-
-    def rehearse(self) -> Iterator[None]:
-        """Let the day pass, and keep what is needed to go to any instant of it."""
-        self._keep()
-        for _ in self.day.through():
-            self._keep()
-            yield
+        self._keep(0, self.machine.values())
+        for tick, values in snapshots:
+            self._keep(tick, values)
         self._reading()
 
-    def _keep(self) -> None:
-        machine = self.day.machine
-        self._ticks.append(machine.processor.clock)
-        self._snapshots.append(_Snapshot(len(self.day.actions), machine.values()))
+    def _keep(self, tick: int, values: Values) -> None:
+        """Keep the values that the machine has at a tick, all that is done then being done."""
+        at = bisect_left(self._ticks, tick)
+        self._ticks.insert(at, tick)
+        self._snapshots.insert(at, values)
 
     def _reading(self) -> None:
         """Note when the terminal punches, and when the Hydra-Point reads."""
@@ -87,8 +84,8 @@ class Script:
 
     @property
     def end(self) -> int:
-        """The tick at which the day ends, as far as it has passed."""
-        return self._ticks[-1]
+        """The tick at which the day ends."""
+        return self.day.acts[-1].ends
 
     @property
     def act(self) -> Act:
@@ -132,6 +129,7 @@ class Script:
             self._previous_cycle(unit == Unit.INSTRUCTION)
             return
         until = self.now - 1
+        self.to(until)  # so that a snapshot is near
         for at in range(bisect_left(self._ticks, self.now) - 1, -1, -1):
             self._restore(at)
             found = list(self._instants(unit, until))
@@ -198,11 +196,24 @@ class Script:
         return max(self.now + 1, min(soon, event, self.now + FRAME // 4))
 
     def _restore(self, at: int) -> None:
-        snapshot = self._snapshots[at]
-        self.machine.put(snapshot.values)
-        self.now, self.done = self._ticks[at], snapshot.done
+        self.machine.put(self._snapshots[at])
+        self.now = self._ticks[at]
+        self.done = sum(action.at <= self.now for action in self.day.actions)
 
     def _advance(self, tick: int) -> None:
+        """Go on to a tick, and keep a snapshot now and then while the machine runs."""
+        while self.machine.processor.run and tick - self.now > _APART:
+            self._go_on(self.now + _APART)
+            self._keep_now()
+        self._go_on(tick)
+        self._keep_now()
+
+    def _keep_now(self) -> None:
+        nearest = self._ticks[bisect_left(self._ticks, self.now + 1) - 1]
+        if self.machine.processor.run and self.now - nearest >= _APART:
+            self._keep(self.now, self.machine.values())
+
+    def _go_on(self, tick: int) -> None:
         while self.done < len(self.day.actions) and self.day.actions[self.done].at <= tick:
             action = self.day.actions[self.done]
             go_on(self.machine, action.at)

@@ -4,36 +4,50 @@ shelf ──► tapes, a program, the BIN loader                 ┐
 Afternoon ──► what was measured, and the thesis's figures  ├──► one record, ready for JSON
 parts, exercises                                           ┘
 
-The page does the afternoon itself. What it cannot is in the record: the walls, which nc measures with numpy.
+The page has any instant of the afternoon again (replay/script.py). In the record is what it needs for that:
+what the operator did, and the machine in the midst and at the end of the translation, so that nothing has to
+be done before the first picture; and what only Python can measure, with numpy: the walls.
 """
 
+import json
+from collections.abc import Mapping
 from html import escape
 from typing import Any
 
+import numpy as np
+
 import pal
 from nc.curves import Curve
+from nc.inspection import Inspection
 from nc.talyrond import talyrond
 from nc.talysurf import talysurf
 from pdp8 import shelf
+from pdp8.computer.past.state import HEAD, save
 from pdp8.lessons import form, student
 from pdp8.lessons.course import COURSE
 from pdp8.replay import Afternoon, replay
+from pdp8.replay.day import Kind
 from pdp8.replay.figures import COLUMNS, compare
+from pdp8.replay.script import Script
+from pdp8.replay.story import story
 from pdp8.web import parts
 from programs.parts import PARTS
 from tapes import rim
+from tapes.measure import inches
 
 _OPENS_WITH = "hello.pal"
 _USUAL = "circle"
 _POINTS = 360
 """Of the nominal curve."""
+_CLOSE = 250.0
+"""Thousandths along the curve that are looked at to either side of its worst place."""
 
 
 def record(afternoon: Afternoon | None = None) -> dict[str, Any]:
     """Return it with `afternoon`, or the usual one; tapes as text, a character a frame."""
     tapes = {name: shelf.read_bundled(name) for name in shelf.bundled() if not name.endswith(".for")}
     done = afternoon or replay(_USUAL)
-    tapes[f"{done.part}.asc"] = done.tapes[f"{done.part}.asc"]
+    tapes |= {f"{done.part}.{code}": done.tapes[f"{done.part}.{code}"] for code in ("asc", "eia")}
     loader = pal.assemble(shelf.read_bundled("bin.pal"))
     return {
         "tapes": {name: frames.decode("latin-1") for name, frames in tapes.items()},
@@ -41,8 +55,8 @@ def record(afternoon: Afternoon | None = None) -> dict[str, Any]:
         "source": shelf.read_bundled(_OPENS_WITH).decode("ascii"),
         "cutter": PARTS[done.part].cutter * 1000,
         "view": "",
-        "door": "afternoon" if afternoon else "",
-        "afternoon": _afternoon(done),
+        "opens": 1 if afternoon else 0,
+        "afternoon": _afternoon(done, tapes),
         "parts": parts.declared(),
         "exercises": _exercises(),
     }
@@ -57,15 +71,20 @@ def _exercises() -> dict[str, Any]:
     }
 
 
-def _afternoon(done: Afternoon) -> dict[str, Any]:
-    """Return what the page cannot compute: the last act, the instrument's graph, the curve that was meant."""
-    last, inspection = done.acts[-1], done.inspection
+def _afternoon(done: Afternoon, tapes: Mapping[str, bytes]) -> dict[str, Any]:
+    """Return what the page needs to have any instant again, and what it cannot compute."""
+    inspection = done.inspection
     found: dict[str, Any] = {
         "part": done.part,
-        "found": [last.name, last.say, last.outcome],
+        "story": story(done),
+        "acts": [act._replace(real=0.0) for act in done.acts],
+        "actions": done.actions,
+        "millStarts": done.mill_starts,
+        "machines": _machines(done, tapes),
         "figures": _table(done),
         "graph": "",
         "band": None,
+        "wall": None,
     }
     if inspection is not None:
         curve = inspection.curve
@@ -73,7 +92,61 @@ def _afternoon(done: Afternoon) -> dict[str, Any]:
         tolerance = PARTS[done.part].tolerance * 1000
         sides = {"inner": -tolerance, "nominal": 0, "outer": tolerance}
         found["band"] = {name: _limit(curve, off) for name, off in sides.items()}
+        found["wall"] = _wall(inspection)
     return found
+
+
+def _machines(done: Afternoon, tapes: Mapping[str, bytes]) -> list[tuple[int, dict[str, Any]]]:
+    """Return the machine's state in the midst and at the end of the translation, each with its tick."""
+    act = next(act for act in done.acts if act.kind == Kind.TRANSLATE)
+    script = Script(done.course)
+    written = {name: " ".join(f"{frame:03o}" for frame in tape) for name, tape in tapes.items()}
+    found = []
+    for tick in ((act.starts + act.ends) // 2, act.ends):
+        script.to(tick)
+        found.append((tick, HEAD | _shortened(json.loads(save(script.machine)), written)))
+    return found
+
+
+def _shortened(state: dict[str, Any], tapes: Mapping[str, str]) -> dict[str, Any]:
+    """Return a state in which a piece of one of `tapes` stands as its name, from, to (see sharing.mjs)."""
+    found: dict[str, Any] = {}
+    for name, value in state.items():
+        if isinstance(value, dict):
+            found[name] = _shortened(value, tapes)
+        elif isinstance(value, list) and len(value) > 1:
+            text = " ".join(value)
+            called = next((called for called, tape in tapes.items() if text in tape), None)
+            at = tapes[called].index(text) if called else 0
+            found[name] = {"$tape": [called, at, at + len(text)]} if called else value
+        else:
+            found[name] = value
+    return found
+
+
+def _wall(inspection: Inspection) -> dict[str, Any]:
+    """Return where a wall goes furthest from trough to peak: the place, which way is outward, and the two
+    lines along the curve between which it goes.
+    """
+    worst, walls = inspection.worst, inspection.walls
+    stations, error = walls.stations, walls.by_name[worst.wall]
+    low, high = (int(np.nanargmin(abs(error - level))) for level in (worst.lowest, worst.highest))
+    apart = abs(stations.along[high] - stations.along[low])
+    middle = (low + high) // 2 if apart < _CLOSE else high
+    near = abs(stations.along - stations.along[middle]) <= _CLOSE
+    off = inspection.cutter / 2 * (1 if worst.wall == "outer" else -1)
+    place, normal = stations.points[middle], stations.normals[middle]
+    points, normals = stations.points[near], stations.normals[near]
+    some = slice(None, None, max(1, len(points) // 60))
+    return {
+        "place": (place + off * normal).round(1).tolist(),
+        "normal": normal.round(4).tolist(),
+        "off": inches(worst.trough_to_peak),
+        "lines": [
+            (points + (off + level) * normals)[some].round(2).tolist()
+            for level in (worst.lowest, worst.highest)
+        ],
+    }
 
 
 def _limit(curve: Curve, off: float) -> list[list[float]]:

@@ -14,7 +14,6 @@ import { Apart, serve } from "./bench/apart.mjs";
 import { booted } from "./bench/boot.mjs";
 import { Clock } from "./bench/clock.mjs";
 import { Core } from "./bench/core.mjs";
-import { Doors } from "./bench/doors.mjs";
 import { Editor } from "./bench/editor.mjs";
 import { Exercises } from "./bench/exercises.mjs";
 import { located, marks } from "./bench/marker.mjs";
@@ -42,6 +41,8 @@ import { unpacked } from "./packed.mjs";
 import { READABLE } from "./pictures.mjs";
 import { bytes } from "./translator/runtime.mjs";
 import { Writer } from "./sheet.mjs";
+import { Room } from "./room/room.mjs";
+import { Sound } from "./room/sound.mjs";
 import { find, grouped, octal } from "./written.mjs";
 
 const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT kept a word from being written" };
@@ -59,6 +60,7 @@ class Bench {
     this.remember();
     this.apart = new Apart();
     this.programs = new Store("program", (name) => this.editor.elsewhere(name));
+    this.sound = new Sound();
     this.panes = [];
     this.tabs = new Tabs(this);
     this.afternoon = new Afternoon(this);
@@ -73,10 +75,10 @@ class Bench {
     put(find("figures").querySelector("table"), ours(record.afternoon.figures));
     put(find("graph"), ours(record.afternoon.graph));
     this.time = new Time(this);
-    this.doors = new Doors(this);
+    this.room = new Room(this);
     this.clock = new Clock(this, (samples, reason) => this.#pictured(samples, reason));
     /** @type {any[]} */
-    this.panes = [this.afternoon, this.switches, this.teletype, this.registers, this.core, this.mill, this.editor, this.parts, this.time];
+    this.panes = [this.afternoon, this.switches, this.teletype, this.registers, this.core, this.mill, this.editor, this.parts, this.time, this.room];
     const { core, editor, exercises, mill, shelf, switches: { card }, tabs, teletype, time } = this;
     this.session = new Session(this, { shelf, machine: this, teletype, card, core, editor, mill, exercises, tabs, time });
     document.addEventListener("dragover", (event) => event.preventDefault());
@@ -166,6 +168,10 @@ class Bench {
 
   show(samples) {
     const { processor, waiting } = this.machine;
+    if (this.room.open) {
+      this.room.show(samples);
+      return;
+    }
     for (const pane of this.panes) pane.show?.(samples);
     const goes = samples && (this.afternoon.on || (processor.run && !waiting.endless));
     if (goes && performance.now() - this.written < READABLE) return;
@@ -279,6 +285,11 @@ class Bench {
     return new Map(Object.keys(this.record.tapes).map((name) => [name, written(this.shelf.get(name).frames)]));
   }
 
+  /** A state whose bundled tapes go by their names, with these. */
+  whole(state) {
+    return whole(state, this.#bundled());
+  }
+
   /** Give a link to the program and the machine, or, where it would be too long, a file of them. */
   async share() {
     const { name, text } = this.editor;
@@ -311,7 +322,7 @@ class Bench {
     else if (program) this.tabs.open("program");
     if (program) this.editor.put(String(program.name), String(program.text));
     if (!machine) return;
-    const state = JSON.stringify(whole(machine, this.#bundled()));
+    const state = JSON.stringify(this.whole(machine));
     if (until === undefined) this.#restore(state);
     else this.lead(state, until);
   }
@@ -331,7 +342,28 @@ class Bench {
       return;
     }
     if (this.record.view) this.mill.cut(this.record.view);
-    if (this.record.door) this.afternoon.watch();
+    else if (document.body.classList.contains("embed")) this.#embedded();
+    else if (!location.hash) this.room.enter(this.record.opens);
+  }
+
+  /** Some panes alone: an afternoon plays on them. */
+  #embedded() {
+    if (this.record.opens) this.afternoon.watch();
+  }
+
+  /** Go from the desk into the room. */
+  enter() {
+    history.replaceState(null, "", location.href.replace(/#.*/, ""));
+    this.room.enter();
+    find("take").focus();
+  }
+
+  /** Write a first program: hello.pal runs, and the Teletype types; then it is changed. */
+  first() {
+    this.tabs.open("program");
+    this.editor.open("hello.pal", this.shelf.get("hello.pal").frames);
+    this.editor.run();
+    find("source").focus();
   }
 }
 

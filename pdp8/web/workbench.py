@@ -1,8 +1,8 @@
 """The one page: the whole machine live, every bundled tape at hand, and the afternoon that plays on it.
 
 record (JSON), made or kept                ┐
-our Python, bench/ workbench.mjs           ├──► one HTML file with everything inside
-base.css workbench.css bench/desk.css      ┘
+our Python, bench/ room/ workbench.mjs     ├──► one HTML file with everything inside
+base.css workbench.css desk.css room.css   ┘
 """
 
 from typing import TYPE_CHECKING, Any
@@ -13,7 +13,7 @@ from pdp8.web.kept import house, kept
 if TYPE_CHECKING:
     from pdp8.replay import Afternoon
 
-_STYLES = ("workbench.css", "bench/desk.css")
+_STYLES = ("workbench.css", "bench/desk.css", "room/room.css")
 
 
 def page(view: tuple[str, bytes] | None = None, afternoon: "Afternoon | None" = None) -> str:

@@ -1,17 +1,18 @@
 // The afternoon: a script of the operator's hands (pdp8/replay/day.py) that leads the page's machine to any instant.
 //
-//     Day, once, in slices ──► Script ──► bench.machine at `position`          `on`: the script leads the machine
-//                                          touched: taken over, it is yours    `way`: what leads back to the script
+//     record ──► Course ──► Script ──► bench.machine at `position`          `on`: the script leads the machine
+//                                      touched: taken over, it is yours    `way`: what leads back to the script
 //
 // Positions are in ticks of 0.05 µs since one o'clock; in slow motion they have parts.
 
-import { clock, Day, Judgement, Kind } from "../../replay/day.mjs";
+import { Action } from "../../computer/use/operator.mjs";
+import { restore } from "../../computer/past/state.mjs";
+import { Act, clock, Kind, PROGRAMS, recalled } from "../../replay/day.mjs";
 import { Script } from "../../replay/script.mjs";
 import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
-import { decode } from "../../../tapes/ascii.mjs";
 import { dict } from "../translator/runtime.mjs";
 import { instruction_at } from "../../computer/watch.mjs";
-import { html, put } from "../html.mjs";
+import { html } from "../html.mjs";
 import { find } from "../written.mjs";
 import { codeOf } from "./shelf.mjs";
 
@@ -20,15 +21,13 @@ const PRESSED = 0.4 * SECOND; // how long a key shows as pressed
 const FINE = 4000; // steps of the slider: about half a pixel
 const STEP = 5 * SECOND; // of a play as fast as it goes
 const SAMPLES = 16; // of the lamps, for a picture
-const TASK = 12; // ms of computing, until the page has its turn
 const [READER, PRINTER] = [0o6031, 0o6041]; // KSF and TSF
 const TABS = { terminal: "mill", mill: "mill", inspect: "figures" };
 
 export class Afternoon {
   constructor(bench) {
     this.bench = bench;
-    this.script = null;
-    this.rehearsed = null; // when it is there
+    this.made = null; // the script
     this.on = this.playing = false;
     this.position = 0;
     this.way = html``;
@@ -38,7 +37,7 @@ export class Afternoon {
   /** Go to the instant that the address names, #t=SECONDS; return whether it names one. */
   asked() {
     const named = /^#t=(\d+(?:\.\d+)?)$/.exec(location.hash);
-    if (named && location.hash !== this.address) this.#begin(Number(named[1]) * SECOND);
+    if (named && location.hash !== this.address) this.go(Number(named[1]) * SECOND);
     return Boolean(named);
   }
 
@@ -48,51 +47,44 @@ export class Afternoon {
   }
 
   /** Play it from one o'clock; where the terminal in Toronto is not to be seen, from the first switch. */
-  async watch() {
-    await this.#begin(0);
-    if (find("teletype").classList.contains("out")) this.act({ value: 1 });
+  watch() {
+    this.go(0);
+    if (find("teletype").classList.contains("out")) this.go(this.script.day.acts[1].starts);
     find("units").querySelector("[value=character]").click();
     this.bench.time.setSpeed(60);
     this.play(true);
   }
 
-  async #begin(tick) {
-    this.bench.doors.close();
-    this.rehearsed ??= this.#rehearse();
-    await this.rehearsed;
-    this.go(tick);
+  /** The script that leads to any instant, made when it is asked for first. */
+  get script() {
+    this.made ??= this.#script();
+    return this.made;
   }
 
-  /** Let the day pass once, a slice at a time: the snapshots that lead to any instant are made. */
-  async #rehearse() {
-    const { record: { afternoon: { part, found } }, shelf } = this.bench;
-    const sources = dict(["rim.pal", "bin.pal", "eia.pal"].map((name) => [name, shelf.get(name).frames]));
-    const text = decode(shelf.get(`${part}.asc`).frames);
-    const script = new Script(new Day(part, text, sources, () => new Judgement(...found)));
-    this.bench.writer.html(find("next"), html`<span>The afternoon is done once, so that any instant can be had …</span>`);
-    let began = performance.now();
-    const rehearsal = script.rehearse();
-    while (!rehearsal.next().done) {
-      if (performance.now() - began < TASK) continue;
-      await new Promise((done) => setTimeout(done));
-      began = performance.now();
-    }
-    const { acts, tapes } = script.day;
+  #script() {
+    const { bench, bench: { record: { afternoon: { acts, actions, machines, millStarts, part } }, shelf } } = this;
+    const named = (...names) => dict(names.map((name) => [name, shelf.get(name).frames]));
+    const done = [acts.map((act) => new Act(...act)), actions.map((action) => new Action(...action))];
+    const course = recalled(part, ...done, named(`${part}.asc`, `${part}.eia`), named(...PROGRAMS), millStarts);
+    this.codes = new Map(course.tapes.items().map(([name, content]) => [name, codeOf(content)]));
+    const script = new Script(course, machines.map(([tick, state]) => [tick, restore(JSON.stringify(bench.whole(state))).values()]));
     find("slider").max = script.end;
-    put(find("acts"), acts.map((act, index) => mark(act, index, (act.ends - act.starts) / script.end)));
-    this.codes = new Map(tapes.items().map(([name, frames]) => [name, codeOf(frames)]));
-    this.script = script;
+    return script;
   }
 
   /** Go to an instant, in ticks, and show it. */
-  async go(tick) {
-    if (!this.script) return this.#begin(tick);
-    if (!this.on) this.#lead();
-    this.script.to(Math.floor(Math.min(tick, this.script.end)));
+  go(tick) {
+    this.lead(tick);
     this.#arrived();
   }
 
-  /** The script leads the machine. */
+  /** The script leads the machine, to an instant. */
+  lead(tick) {
+    if (!this.on) this.#lead();
+    this.script.to(Math.floor(Math.min(tick, this.script.end)));
+    this.position = this.script.now;
+  }
+
   #lead() {
     const { bench } = this;
     bench.history.close();
@@ -109,14 +101,19 @@ export class Afternoon {
   takeOver() {
     if (!this.on) return;
     const { bench, script, playing } = this;
+    this.release(script.machine, !playing);
+    bench.teletype.named(script.mounted, this.codes.get(script.mounted));
+    bench.why = `You have taken over at ${clock(script.now)}`;
+  }
+
+  /** The script leads no more; the page has that machine. */
+  release(machine, stops = false) {
     this.on = this.playing = false;
-    bench.adopt(script.machine, !playing);
-    this.way = html`<button class="text" data-click="afternoon.back">Back to the afternoon, ${clock(script.now)}</button>`;
+    this.bench.adopt(machine, stops);
+    this.way = html`<button class="text" data-click="afternoon.back">Back to the afternoon, ${clock(this.script.now)}</button>`;
     this.address = null;
     if (location.hash.startsWith("#t=")) history.replaceState(null, "", location.href.replace(/#.*/, ""));
-    bench.teletype.named(script.mounted, this.codes.get(script.mounted));
     document.body.classList.remove("afternoon");
-    bench.why = `You have taken over at ${clock(script.now)}`;
   }
 
   /** Go on with the script from where it was left. */
@@ -177,20 +174,6 @@ export class Afternoon {
     return samples;
   }
 
-  /** Go to the beginning of the act before (-1), or of this one if it is under way; or of the next (1). */
-  act({ value }) {
-    if (!this.on) return;
-    const { act, day: { acts }, end, now } = this.script;
-    const index = acts.indexOf(act);
-    if (Number(value) > 0) this.go(acts[index + 1]?.starts ?? end);
-    else this.go(now - act.starts > SECOND ? act.starts : acts[Math.max(0, index - 1)].starts);
-  }
-
-  /** Go to the act that a mark on the rail names. */
-  open({ dataset: { act } }) {
-    this.go(this.script.day.acts[act].starts);
-  }
-
   /** The slider is dragged: a play waits until it is let go. */
   drag({ value }) {
     this.dragged ??= this.playing;
@@ -246,18 +229,11 @@ export class Afternoon {
     const { bench, script: { day } } = this;
     this.shown = act;
     this.program = act.program;
-    [...find("acts").children].forEach((each, index) => each.classList.toggle("now", day.acts[index] === act));
     if (act.program) bench.editor.lay(act.program, day.programs.get(act.program));
     const tape = `${day.part}.eia`;
     bench.mill.lay(tape, day.tapes.get(tape), day.path, "", bench.record.afternoon.band);
     bench.tabs.open(TABS[act.kind] ?? "program");
   }
-}
-
-/** An act on the rail, as wide as its time; where there is no room, its number alone. */
-function mark({ name }, index, share) {
-  const inside = share > 0.07 ? ` ${name}` : "";
-  return html`<span data-click="afternoon.open" data-act="${index}" style="flex-grow:${share}" title="${name}"><b>${index + 1}</b>${inside}</span>`;
 }
 
 /** What a running processor is waiting for, in words. */

@@ -5,7 +5,7 @@ import { find, octal } from "../written.mjs";
 
 const [START, CONT, STOP] = ["start", "cont", "stop"].map((name) => [name.toUpperCase(), `[data-key=${name}]`]);
 const AGAIN = ["Assemble and run", "#run-it"];
-const RIM = ["Toggle in the RIM loader", "[data-door=rim]"];
+const RIM = ["Toggle in the RIM loader", "#drill"];
 const HANDS = {
   keyboard: ["Type a character", "#paper"], tape: ["Choose a tape", "#shelf"], lever: ["Lever to START", "#lever"],
   "high-speed tape": ["Choose a high-speed tape", "#pc8-shelf"],

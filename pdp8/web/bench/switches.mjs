@@ -15,7 +15,7 @@ export class Switches {
     this.bench = bench;
     this.panel = new Panel(find("computer"));
     this.card = new Card(bench);
-    find("computer").addEventListener("keydown", (event) => this.#key(event));
+    for (const place of [find("computer"), find("room")]) place.addEventListener("keydown", (event) => this.#key(place, event));
   }
 
   show(samples) {
@@ -48,10 +48,10 @@ export class Switches {
     this.bench.touched();
   }
 
-  #key(event) {
-    const control = keyed(find("computer"), event);
+  #key(place, event) {
+    const control = keyed(place.querySelector(".hand") ?? place, event);
     if (control) control.click();
-    else if (/^[0-7]$/.test(event.key) && !event.ctrlKey && !event.altKey && !event.metaKey) this.#set(((this.bench.machine.processor.sr << 3) | Number(event.key)) & 0o7777);
+    else if (/^[0-7]$/.test(event.key) && place.querySelector(".rocker") && !event.ctrlKey && !event.altKey && !event.metaKey) this.#set(((this.bench.machine.processor.sr << 3) | Number(event.key)) & 0o7777);
     else return;
     event.preventDefault();
   }
@@ -111,7 +111,8 @@ class Card {
   }
 
   drill() {
-    this.#practise(!this.coach);
+    if (this.coach) this.#practise(false);
+    else this.practise();
   }
 
   #practise(on) {

@@ -7,7 +7,6 @@ import { Sheet } from "../sheet.mjs";
 import { drawTape, meaning, tapeKey } from "../tape.mjs";
 import { find, grouped, octal } from "../written.mjs";
 import { codeOf } from "./shelf.mjs";
-import { Sound } from "./sound.mjs";
 
 const LINES = 400; // kept on the page
 const ROLL = 100_000; // frames on the paper, until it is torn off behind the page
@@ -18,7 +17,6 @@ export class Teletype {
     this.bench = bench;
     const sheet = (which) => new Sheet(canvas(which), () => this.#tapes());
     this.sheets = { reader: sheet("reader"), punch: sheet("punch") };
-    this.sound = new Sound();
     this.name = "";
     this.code = "ascii";
     this.#clear();
@@ -62,11 +60,22 @@ export class Teletype {
     if (frames.length < this.taken || Boolean(this.terminal) !== this.typed) this.#clear();
     else if (frames.length === this.taken && this.drawn === this.taken) return;
     this.typed = Boolean(this.terminal);
-    for (; this.taken < frames.length; this.taken++) this.sound.make(this.paper.take(frames[this.taken]));
+    for (; this.taken < frames.length; this.taken++) this.#sound(this.paper.take(frames[this.taken]));
     this.drawn = this.taken;
     find("paper").firstElementChild.textContent = this.paper.lines.join("\n");
     find("paper").scrollTop = find("paper").scrollHeight;
     if (this.taken > ROLL && !this.bench.afternoon.on) this.#tearPaper();
+  }
+
+  /** Sound for a character that is printed; "" is none. */
+  #sound(character) {
+    if (character === "\x07") this.bench.sound.strike("bell");
+    else if (character > "\r") this.bench.sound.strike("print");
+  }
+
+  /** Turn the sound of the page on or off. */
+  hear({ checked }) {
+    this.bench.sound.turn(checked);
   }
 
   /** Tear off the paper that has been shown, or hours of printing would fill the memory. No step leads back to it. */

@@ -21,6 +21,7 @@ export class Time {
       End: () => bench.afternoon.go(Infinity),
     };
     document.addEventListener("keydown", (event) => {
+      if (bench.room.open) return; // which has keys of its own
       const control = keyed(find("time"), event);
       const own = event.target.matches(TYPED_INTO) || (event.key === " " && event.target.matches("button"));
       const action = control ? () => control.click() : keys[event.key];

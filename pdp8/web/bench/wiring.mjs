@@ -27,7 +27,7 @@ export function keyed(place, { key, ctrlKey, altKey, metaKey }) {
 }
 
 /** Make a row of buttons one stop of the Tab key: arrows lead from one to the next. */
-function rove(row) {
+export function rove(row) {
   const controls = [...row.querySelectorAll("button")];
   const at = () => Math.max(0, controls.findIndex((control) => control.tabIndex === 0 && !control.disabled));
   const choose = (chosen) => controls.forEach((control, index) => (control.tabIndex = index === chosen ? 0 : -1));

@@ -153,6 +153,7 @@ give(String, {
 });
 give(Array, {
   append(item) { this.push(item); },
+  insert(at, item) { this.splice(at, 0, item); },
   extend(of) {
     for (const each of of) this.push(each);
   },

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from pdp8.web.workbench import page as workbench
-from tests.pdp8.web.browsing import Browser, Chromium, Page, Tab, visit
+from tests.pdp8.web.browsing import DESK, Browser, Chromium, Page, Tab, visit
 from tests.pdp8.web.firefox import FIREFOX, Firefox, opened
 
 
@@ -23,8 +23,10 @@ def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def page(browser: Browser, file: Path) -> Iterator[Page]:
-    """The page in Chromium."""
-    with visit(browser, file.as_uri(), viewport={"width": 1366, "height": 768}, has_touch=True) as page:
+    """The page in Chromium, at the desk."""
+    with visit(
+        browser, file.as_uri() + DESK, viewport={"width": 1366, "height": 768}, has_touch=True
+    ) as page:
         yield page
 
 
@@ -45,6 +47,6 @@ def tab(request: pytest.FixtureRequest, file: Path, tmp_path: Path) -> Tab:
     driver: Firefox = request.getfixturevalue("firefox")
     fresh = tmp_path / file.name  # at another path Firefox has nothing kept: no programs, no settings
     fresh.write_bytes(file.read_bytes())
-    driver.call("WebDriver:Navigate", url=fresh.as_uri())
+    driver.call("WebDriver:Navigate", url=fresh.as_uri() + DESK)
     driver.until("!!window.workbench")
     return driver

@@ -60,6 +60,7 @@ ASSEMBLED = f"{WRITTEN} {EDITOR}.assemble(); {P}.core.fill(0);"
 WRONG = written("*200", " JMP X", "$")
 LOADED = f"{STAND} {ASSEMBLED} {EDITOR}.load(); {opened('debugger')}"
 ALL = "document.querySelector('main.one .alone .enlarge')?.click();"
+ROOM = "if (!workbench.room.open) workbench.enter();"
 AFTERNOON = "workbench.afternoon.go(6e10);"
 CUT = "workbench.mill.cut('circle.eia');"
 EXERCISES = f"{opened('exercises')} workbench.exercises.open('add');"
@@ -99,12 +100,7 @@ CONTROLS = {
     "#in-words": Control("workbench.switches.panel.speaking"),
     ".enlarge": Control(of("main", "className"), ALL),
     ".skip": Control("location.hash", f"{ALL} location.hash = ''; document.querySelector('.skip').focus();"),
-    "[data-door='afternoon']": Control(
-        "workbench.afternoon.playing", "workbench.afternoon.play(false); workbench.afternoon.takeOver();"
-    ),
-    "[data-door='first']": Control(f"{P}.core[0o200]", STAND),
-    "[data-door='rim']": Control("workbench.switches.card.coach !== null", STAND),
-    "#sound": Control("workbench.teletype.sound.on", keys="Space"),
+    "#sound": Control("workbench.sound.on", keys="Space"),
     "#lever": Control(f"{TTY}.reader.on"),
     "#shelf": Control(f"{TTY}.reader.tape.length", f"{TTY}.reader.remove();", "c"),
     "#save, #save-page": Control("window.saved", SAVED),
@@ -115,7 +111,11 @@ CONTROLS = {
     "#tear": Control(f"{TTY}.punch.frames.length", PUNCHED),
     "#store": Control("window.saved", PUNCHED + SAVED),
     "#to-mill": Control(f"{TTY}.punch.frames.length", PUNCHED),
-    "#speed": Control("workbench.clock.speed", "document.getElementById('speed').selectedIndex = 0;", "a"),
+    "#speed": Control(
+        "workbench.clock.speed",
+        "workbench.time.setSpeed(60); document.getElementById('speed').selectedIndex = 0;",
+        "a",
+    ),
     "#share": Control("location.hash", "history.replaceState(null, '', '#');"),
     "#open": Control(
         "window.chosen",
@@ -161,7 +161,6 @@ CONTROLS = {
     "#blocks": Control(
         of("#blocks", "scrollTop"), f"{CUT} document.getElementById('blocks').scrollTop = 0;", "PageDown"
     ),
-    "[data-click='afternoon.act']": Control(f"{SCRIPT}.now", AFTERNOON),
     "#slider": Control(f"{SCRIPT}.now", AFTERNOON, "ArrowLeft"),
     "#link": Control(
         "window.copied",
@@ -179,10 +178,19 @@ CONTROLS = {
     "#asked .go": Control(
         of("#marks", "textContent.length"), f"{EXERCISES} document.getElementById('marks').textContent = '';"
     ),
+    "#enter": Control("workbench.room.open", "if (workbench.room.open) workbench.room.leave();"),
+    "#room .chapters button": Control(
+        "workbench.room.tour.turn", f"{ROOM} workbench.room.go({{ value: which ? 1 : 2 }});"
+    ),
+    "#pause": Control("workbench.room.playing", f"{ROOM} workbench.room.go({{ value: 5 }});"),
+    "#hear": Control("workbench.sound.on", ROOM),
+    "#take": Control("workbench.room.live", ROOM),
+    "#write": Control("workbench.room.open", ROOM),
+    "#leave": Control("workbench.room.open", ROOM),
 }
 
 
-_ALL = f"{CUT} {LOADED} {WRONG} {OPEN}"
+_ALL = f"workbench.enter(); workbench.room.leave(); {CUT} {LOADED} {WRONG} {OPEN}"
 """Everything that can be there is there: a listing, messages, blocks, the card."""
 _OF_A_FAMILY = 12
 """How many are tried of those that are alike: all the switches, some of the words of core."""

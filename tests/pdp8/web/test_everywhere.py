@@ -100,7 +100,8 @@ def test_sound_is_made_on_request_only(tab: Tab) -> None:
         "window.contexts = 0; const Real = AudioContext;"
         "window.AudioContext = class extends Real { constructor() { super(); window.contexts++; } };"
     )
-    tab.point("[data-door=first]", 0, "mouse")
+    tab.run("workbench.enter();")
+    tab.point("#write", 0, "mouse")
     tab.until(f"{_TTY}.printer.frames.length > 3")
     assert tab.run("return window.contexts") == 0
     tab.point("#sound", 0, "mouse")

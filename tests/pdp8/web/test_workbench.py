@@ -16,7 +16,7 @@ from pdp8 import shelf
 from pdp8.computer.past.state import restore
 from pdp8.computer.use.operator import RIM, RIM_START
 from pdp8.replay import Afternoon
-from tests.pdp8.web.browsing import AXE, Browser, Page, click, needs_axe, serious, until, visit
+from tests.pdp8.web.browsing import AXE, DESK, Browser, Page, click, needs_axe, serious, until, visit
 
 _QUICK = ("10 times faster", "a minute a second", "as fast as it goes")
 _HALTED = "!workbench.machine.processor.run"
@@ -224,7 +224,7 @@ def test_a_pane_alone(browser: Browser, file: Path, circle_page: Path) -> None:
         ("teletype,mill", "#teletype", "#program"),
         ("nothing", "#program", ".none"),
     ):
-        with visit(browser, f"{file.as_uri()}?embed={asked}") as page:
+        with visit(browser, f"{file.as_uri()}?embed={asked}{DESK}") as page:
             assert page.locator(shown).is_visible()
             assert page.locator("#time #play").is_visible()
             assert not page.locator(hidden).is_visible()
@@ -239,14 +239,12 @@ def test_a_pane_alone(browser: Browser, file: Path, circle_page: Path) -> None:
 
 def test_a_screen_that_nobody_touches_begins_afresh(browser: Browser, circle_page: Path) -> None:
     """It plays again, each time, wherever the afternoon stood, and has nothing of the visitor before."""
-    playing = "!!window.workbench?.afternoon.playing"
+    playing = "!!window.workbench?.room.playing"
     with visit(browser, f"{circle_page.as_uri()}?rest=60", playing) as page:
         page.clock.install()
         for _ in range(2):
             page.mouse.move(1, 1)
-            page.evaluate(
-                "workbench.afternoon.play(false); workbench.programs.take('mine.pal', 'RUDE WORDS')"
-            )
+            page.evaluate("workbench.room.leave(); workbench.programs.take('mine.pal', 'RUDE WORDS')")
             page.clock.run_for(50_000)
             page.mouse.move(2, 2)
             page.clock.run_for(50_000)
@@ -312,8 +310,7 @@ def test_axe_finds_nothing_serious(
     browser: Browser, circle_page: Path, circle: Afternoon, scheme: str
 ) -> None:
     """In every act, and on every tab, an error and a note among what is there."""
-    afternoon = "!!window.workbench?.afternoon.on"
-    with visit(browser, circle_page.as_uri(), afternoon, color_scheme=scheme, bypass_csp=True) as page:
+    with visit(browser, circle_page.as_uri() + DESK, color_scheme=scheme, bypass_csp=True) as page:
         page.add_script_tag(path=AXE)
         for act in circle.acts:
             page.evaluate("(tick) => workbench.afternoon.go(tick)", (act.starts + act.ends) // 2)

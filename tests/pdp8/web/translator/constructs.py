@@ -45,6 +45,7 @@ class Mode:
 
     def __post_init__(self) -> None:
         self.words.append(len(self.words))
+        self.words.insert(0, 7)
 
 
 class Wrong(ValueError):

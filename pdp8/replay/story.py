@@ -1,0 +1,83 @@
+"""What is told of an afternoon to somebody who has never seen it: a name and a sentence for each act.
+
+The figures are the afternoon's own. That all of it was done in one afternoon is our arrangement; the first
+sentence says so.
+"""
+
+from typing import Final, NamedTuple
+
+from pdp8.replay.afternoon import Afternoon
+from pdp8.replay.day import Kind
+from tapes.measure import inches
+
+_MADE: Final = {
+    "circle": "a circle",
+    "ellipse": "an ellipse",
+    "polynomial": "a cubic curve",
+    "slope": "a slope",
+    "die": "a die",
+    "drill": "four holes",
+    "fluidic": "a fluidic element",
+}
+_WORDS: Final = {2: "two", 17: "seventeen"}
+"""Numbers of the story that are words; others are figures."""
+
+
+class Chapter(NamedTuple):
+    """The name of a part of the story, and what is told."""
+
+    name: str
+    words: str
+
+
+def story(afternoon: Afternoon) -> list[Chapter]:
+    """Return what comes before, and a chapter for each act."""
+    made = _MADE.get(afternoon.part, "a part")
+    return [
+        Chapter("", f"1971. A column of numbers becomes {made} in metal, here in one afternoon."),
+        Chapter("Print", _print(afternoon, made)),
+        Chapter("Toggle", _toggle(afternoon)),
+        Chapter("Boot", "Those words read in a better loader, one row of holes at a time."),
+        Chapter("Load", "That loader reads the translator, and halts. Accumulator dark: its sum is right."),
+        Chapter(
+            "Translate", "One tape goes in, another comes out: the same numbers, in the mill’s own code."
+        ),
+        Chapter("Cut", _cut(afternoon)),
+        Chapter("Measure", _measure(afternoon)),
+    ]
+
+
+def _print(afternoon: Afternoon, made: str) -> str:
+    lines = afternoon.text.count("\n")
+    return f"FORTRAN has worked out {made} in {_number(lines)} lines. The Teletype types and punches them."
+
+
+def _toggle(afternoon: Afternoon) -> str:
+    words = sum(action.key == "dep" for action in afternoon.actions)
+    taught = f"{_number(words).capitalize()} words, set by hand, teach it to read a tape."
+    return f"The computer’s memory is empty. {taught}"
+
+
+def _cut(afternoon: Afternoon) -> str:
+    path = afternoon.path
+    reads = f"The mill reads for {_number(round(path.read_seconds))} seconds"
+    if not path.milling_blocks:
+        return f"{reads}, drills a hole, and reads again."
+    return f"{reads}, cuts one short straight line, and reads again: {path.milling_blocks:,} times."
+
+
+def _measure(afternoon: Afternoon) -> str:
+    if afternoon.inspection is None:
+        done = next(act for act in afternoon.acts if act.kind == Kind.MILL)
+        return (
+            f"{len(afternoon.path.holes)} holes, {done.seconds / 60:.0f} minutes after the tape was clamped."
+        )
+    worst = afternoon.inspection.worst
+    seen = "Up close the curve is a staircase" if afternoon.inspection.stepwise else "The wall is measured"
+    return (
+        f"{seen}: at worst {inches(worst.trough_to_peak)} inch from trough to peak, on the {worst.wall} wall."
+    )
+
+
+def _number(count: int) -> str:
+    return _WORDS.get(count, f"{count:,}")

@@ -1,0 +1,45 @@
+// The camera: where it looks, in inches of the room, and how it glides there, as on a spring without a swing.
+
+const STIFF = 5; // of the spring
+const STEP = 0.01; // seconds of a step of the glide
+const STILL = 0.002; // inches, or parts of the zoom, a second: nobody sees it move
+
+export class Camera {
+  /** Look at a box { x, y, w, h } so that all of it is in a frame { left, top, w, h } of the screen; at once, or gliding there. */
+  look(box, frame, now) {
+    this.frame = frame;
+    const scale = Math.min(frame.w / box.w, frame.h / box.h);
+    this.aim = { x: box.x + box.w / 2, y: box.y + box.h / 2, zoom: Math.log(scale) };
+    if (now || !this.eye) this.eye = { ...this.aim, vx: 0, vy: 0, vzoom: 0 };
+  }
+
+  /** Let so many seconds pass. */
+  glide(seconds) {
+    const { aim, eye } = this;
+    const steps = Math.ceil(seconds / STEP);
+    for (let step = 0; step < steps; step++) {
+      for (const at of ["x", "y", "zoom"]) {
+        const speed = `v${at}`;
+        eye[speed] += (STIFF * (aim[at] - eye[at]) - 2 * Math.sqrt(STIFF) * eye[speed]) * (seconds / steps);
+        eye[at] += eye[speed] * (seconds / steps);
+      }
+    }
+  }
+
+  /** Whether it glides. */
+  get moves() {
+    const { eye, scale } = this;
+    return Math.max(Math.abs(eye.vx * scale), Math.abs(eye.vy * scale), Math.abs(eye.vzoom) * 99) > STILL * 99;
+  }
+
+  /** Pixels of the screen for an inch. */
+  get scale() {
+    return Math.exp(this.eye.zoom);
+  }
+
+  /** Where on the screen the room's 0, 0 is. */
+  get origin() {
+    const { eye, frame, scale } = this;
+    return { x: frame.left + frame.w / 2 - eye.x * scale, y: frame.top + frame.h / 2 - eye.y * scale };
+  }
+}

@@ -1,0 +1,408 @@
+// The room: what a visitor sees first. The page's own machine, led through the afternoon, a picture for each frame of the browser.
+//
+//     Tour ──► tick ──► Script, its machine ──► Scene, through a Camera          sounds at the events' own ticks
+//
+// Taken over, the machine is the visitor's and lives by the page's clock; the switches in the picture are buttons. The room
+// stands still when nothing in it moves.
+
+import { clock, Kind } from "../../replay/day.mjs";
+import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
+import { Machine } from "../../computer/machine.mjs";
+import { contour } from "../bench/path.mjs";
+import { codeOf } from "../bench/shelf.mjs";
+import { keyed } from "../bench/wiring.mjs";
+import { html, put } from "../html.mjs";
+import { find, grouped } from "../written.mjs";
+import { Camera } from "./camera.mjs";
+import { Hands } from "./hands.mjs";
+import { drawDusk, drawSpindle, drawTable, fitted, lay, TILT } from "./mill.mjs";
+import { APART, drawLamps, Filaments, WHOLE } from "./panel.mjs";
+import { Plate } from "./plate.mjs";
+import { Scene } from "./scene.mjs";
+import { drawTape } from "./tape.mjs";
+import { drawHeads, drawSign, Page, TAPES } from "./teletype.mjs";
+import { atThePanel, places, Tour } from "./tour.mjs";
+import { Wall } from "./wall.mjs";
+
+const EACH = 1 / 32, HURRIED = 1 / 20; // seconds between two steps of the machine: camera and tapes glide between them
+const HURRY = 20; // times as fast: no event is waited for then
+const LOOKS = 4; // at the lamps in a step
+const FILAMENT = 0.045; // seconds in which a lamp follows
+const CALM = 0.7; // part of an act that is shown where nothing shall move
+const LITTLE = 400; // pixels
+const DESK = "#desk"; // in the address: the page opens at the desk
+const TAKEN = "The switches are yours. Set an address with the twelve, press LOAD ADD: the lamps show that word of memory.";
+
+export class Room {
+  constructor(bench) {
+    this.bench = bench;
+    this.place = find("room");
+    this.scene = new Scene(this.place.querySelector("canvas"));
+    this.camera = new Camera();
+    this.filaments = new Filaments();
+    this.page = new Page();
+    this.still = matchMedia("(prefers-reduced-motion: reduce)").matches; // nothing shall move
+    this.at = { reader: 0, punch: 0 };
+    this.moved = { struck: 0, fed: 0, turns: 0 };
+    this.samples = null;
+    this.milled = null;
+    this.own = null; // the machine that somebody had worked at before
+    this.live = this.playing = false;
+    this.since = 0;
+    this.typed = 0;
+    document.addEventListener("keydown", (event) => this.#key(event));
+    new ResizeObserver(() => this.#resize()).observe(this.place);
+    document.addEventListener("visibilitychange", () => this.#wake());
+  }
+
+  get open() {
+    return !this.place.hidden;
+  }
+
+  /** Enter the room, and play from an act on. */
+  enter(turn = 0) {
+    const { bench, bench: { afternoon, machine }, place } = this;
+    if (!afternoon.on) this.own = machine.processor.core.some((word) => word) ? machine : null;
+    place.hidden = false;
+    if (!this.tour) this.#furnish();
+    this.#resize();
+    this.go({ value: turn });
+    this.playing = !this.still;
+    this.#buttons();
+    bench.clock.pictures.stop();
+  }
+
+  /** Put into the room what an afternoon has. */
+  #furnish() {
+    const { afternoon: { script: { day } }, record: { afternoon: { band, story, wall }, cutter } } = this.bench;
+    this.story = story;
+    this.tour = new Tour(day, this.bench.record.afternoon.machines[0][0]);
+    this.contour = contour(day.path, cutter, band);
+    this.fit = fitted(this.contour.bounds);
+    this.wall = wall && new Wall(wall, day.path.knots, cutter);
+    put(this.place.querySelector(".chapters"), story.slice(1).map(([name], index) => html`<li><button data-click="room.go" value="${index + 1}">${name}</button></li>`));
+    this.chapters = [...this.place.querySelectorAll(".chapters button")];
+  }
+
+  /** Go to an act; where nothing shall move, into the midst of it. */
+  go({ value }) {
+    const { afternoon } = this.bench;
+    this.tour.go(Number(value), this.still ? CALM : 0);
+    this.#letGo();
+    afternoon.lead(this.tour.tick);
+    this.samples = null;
+    this.#tell();
+    this.#buttons();
+    this.#wake();
+  }
+
+  toggle() {
+    this.playing = !this.playing;
+    if (this.playing && this.tour.turn + 1 === this.tour.length && this.tour.part === 1) this.go({ value: 1 });
+    this.#buttons();
+    this.#wake();
+  }
+
+  hear(button) {
+    const { sound } = this.bench;
+    sound.turn(!sound.on);
+    button.ariaPressed = String(sound.on);
+    button.textContent = sound.on ? "Sound on" : "Sound off";
+  }
+
+  /** Take the switches, or go back to the story. */
+  take() {
+    if (this.live) {
+      this.go({ value: this.tour.turn });
+      return;
+    }
+    this.bench.afternoon.playing = this.playing;
+    this.live = true;
+    this.bench.touch(() => {});
+    this.#tell(TAKEN);
+    this.hands = new Hands(this.place.querySelector(".hand"));
+    this.hands.buttons[0].focus({ preventScroll: true });
+    this.#buttons();
+    this.#wake();
+  }
+
+  /** There are no switches to be pressed any more. */
+  #letGo() {
+    this.live = false;
+    this.hands?.place.replaceChildren();
+    this.shown = null;
+  }
+
+  /** Go to the desk, where a first program is written and runs. */
+  program() {
+    this.live = false;
+    this.own ??= new Machine(true); // with a page of its own
+    this.leave();
+    this.bench.first();
+  }
+
+  /** Go to the desk, where the machine is as it was, if somebody had worked at it; else as it is in the room. */
+  leave() {
+    this.place.hidden = true;
+    this.playing = false;
+    if (!this.live && this.own) this.bench.afternoon.release(this.own);
+    this.#letGo();
+    this.bench.sound.hum(0, 0);
+    history.replaceState(null, "", DESK);
+    this.bench.show();
+    find("play").focus({ preventScroll: true });
+  }
+
+  #key(event) {
+    const { altKey, ctrlKey, key, metaKey } = event;
+    if (!this.open || event.defaultPrevented) return;
+    if (altKey || ctrlKey || metaKey || (key === " " && event.target.matches("button"))) return;
+    const act = { "[": -1, "]": 1 }[key];
+    const control = keyed(this.place.querySelector(".told"), event);
+    if (act) this.go({ value: Math.max(0, Math.min(this.tour.length - 1, this.tour.turn + act)) });
+    else if (control?.checkVisibility()) control.click();
+    else return;
+    event.preventDefault();
+  }
+
+  /** The page's clock has run the machine, which is the visitor's: keep what its lamps showed. */
+  show(samples) {
+    if (!this.open) return;
+    this.samples = samples ?? [this.bench.machine.panel.lamps];
+    this.#wake();
+  }
+
+  #buttons() {
+    find("pause").hidden = this.live || this.still;
+    find("pause").textContent = this.playing ? "Pause" : "Play";
+    find("take").textContent = this.live ? "Back to the story" : "Take the switches";
+    this.#measure();
+  }
+
+  /** Tell what the act is about, or other words. */
+  #tell(words = this.story[this.tour.turn][1]) {
+    this.told = this.tour.turn;
+    this.bench.writer.text(this.place.querySelector(".story"), words);
+    this.chapters.forEach((button, index) => {
+      button.style.setProperty("--done", String(Number(index < this.told - 1)));
+      button.toggleAttribute("aria-current", index === this.told - 1);
+    });
+  }
+
+  // --- time
+
+  #pass(seconds) {
+    if (this.live || !this.playing) return;
+    const { tour, bench: { afternoon } } = this;
+    this.playing = tour.pass(seconds);
+    if (!this.playing) this.#buttons();
+    if (this.told !== tour.turn) {
+      this.#tell();
+      afternoon.lead(tour.tick);
+    }
+    this.since += seconds;
+    const ticks = tour.tick - afternoon.script.now;
+    const speed = ticks / SECOND / this.since;
+    if (ticks > 0 && this.since > (speed > HURRY ? HURRIED : EACH)) this.#step(ticks, speed);
+    this.chapters[tour.turn - 1]?.style.setProperty("--done", tour.part.toFixed(3));
+  }
+
+  /** Let so many ticks pass, with some looks at the lamps; at a pace that can be heard, from event to event. */
+  #step(ticks, speed) {
+    const { script } = this.bench.afternoon;
+    const from = script.now;
+    const heard = speed <= HURRY;
+    this.later = (tick) => (tick - from) / SECOND / speed;
+    this.samples = Array.from({ length: heard ? LOOKS : 2 }, (_, look, all = heard ? LOOKS : 2) => {
+      const until = Math.floor(from + (ticks * (look + (look + 1 < all ? Math.random() : 1))) / all);
+      while (heard && script.machine.bus.next_event(script.now) < until) {
+        script.to(script.machine.bus.next_event(script.now));
+        this.#hear(script.now);
+      }
+      script.to(until);
+      this.#hear(script.now);
+      return script.machine.panel.lamps;
+    });
+    this.speed = speed;
+    this.since = 0;
+  }
+
+  /** Sound for what has happened by a tick. */
+  #hear(tick) {
+    const { bench: { afternoon, sound } } = this;
+    const { teletype: { punch, reader } } = afternoon.script.machine;
+    const now = { punch: this.printing ? Math.floor(tick / FRAME) : punch.frames.length, read: reader.position, key: afternoon.script.done };
+    for (const [kind, count] of Object.entries(now)) if (this.heard && count > this.heard[kind]) sound.strike(kind, this.later(tick));
+    this.heard = now;
+    this.#type(tick);
+  }
+
+  /** Whether the terminal in Toronto types. */
+  get printing() {
+    return !this.live && this.bench.afternoon.script.act.kind === Kind.TERMINAL;
+  }
+
+  /** Type what has been printed. */
+  #type(tick) {
+    const { bench: { afternoon, machine, sound }, moved, page, printing } = this;
+    const { day } = afternoon.script;
+    const frames = printing ? day.tapes.get(`${day.part}.asc`) : machine.teletype.printer.frames;
+    const count = printing ? Math.floor(afternoon.script.now / FRAME) : frames.length;
+    if (count < this.typed || printing !== this.first) {
+      page.clear();
+      this.typed = printing ? 0 : Math.max(0, count - 2500);
+    }
+    this.first = printing;
+    for (; this.typed < count; this.typed++) {
+      const character = page.take(frames[this.typed]);
+      const kind = character === "\x07" ? "bell" : character === "\n" ? "feed" : character > " " ? "print" : "";
+      if (kind) sound.strike(kind, this.later?.(tick) ?? 0);
+      if (kind === "feed") moved.fed = 1;
+      if (kind === "print") moved.struck = 1;
+    }
+  }
+
+  // --- a picture
+
+  #resize() {
+    if (!this.open) return;
+    const { clientWidth: width, clientHeight: height } = this.place;
+    const ratio = Math.min(window.devicePixelRatio || 1, width > 2600 ? 1 : width < 700 ? 1.6 : 2);
+    this.tall = width < height;
+    this.scene.resize(width, height, ratio);
+    this.fine = width * ratio > 1200 ? 1800 : 1000; // pixels of the plate's picture
+    this.camera.eye = undefined;
+    this.#measure();
+  }
+
+  /** The frame in which things are seen: between the time of day and what is told. */
+  #measure() {
+    if (!this.open) return;
+    this.place.classList.toggle("taken", this.live);
+    const top = this.place.querySelector(".when").getBoundingClientRect().bottom;
+    const bottom = this.place.querySelector(".story").getBoundingClientRect().top;
+    this.frame = { left: 0, top, w: this.place.clientWidth, h: bottom - top };
+    this.#wake();
+  }
+
+  #wake() {
+    if (this.awake || !this.open || document.hidden) return;
+    this.awake = true;
+    this.before = performance.now();
+    requestAnimationFrame((now) => this.#picture(now));
+  }
+
+  #picture(now) {
+    this.awake = false;
+    if (!this.open || !this.frame) return;
+    const seconds = Math.min(0.1, Math.max(0, now - this.before) / 1000);
+    this.#pass(seconds);
+    this.#type(this.bench.afternoon.script.now);
+    const apart = this.live && this.tall;
+    const box = apart ? { x: 0, y: 0, w: APART.w, h: APART.h } : this.live ? atThePanel(this.frame.h < LITTLE) : this.tour.box(this.tall);
+    this.camera.look(box, this.frame, this.still || this.apart !== apart);
+    this.apart = apart;
+    this.camera.glide(seconds);
+    const moves = this.#draw(seconds, apart);
+    this.#say();
+    if (!moves && !this.playing && !this.camera.moves) return;
+    this.awake = true;
+    this.before = now;
+    requestAnimationFrame((next) => this.#picture(next));
+  }
+
+  /** Draw the room; return whether something in it still moves of itself. */
+  #draw(seconds, apart) {
+    const { bench: { afternoon, machine }, filaments, moved } = this;
+    filaments.follow(this.samples ?? [machine.panel.lamps], this.still ? 0 : Math.exp(-seconds / FILAMENT));
+    moved.struck *= Math.exp(-seconds / 0.03);
+    moved.fed *= Math.exp(-seconds / 0.04);
+    const live = {
+      panel: (c) => drawLamps(c, filaments.lit, machine.processor, this.live ? null : afternoon.pressed),
+      teletype: (c) => this.#teletype(c, seconds),
+      mill: (c) => this.#mill(c, seconds),
+    };
+    const shown = apart ? APART : WHOLE;
+    const where = apart ? { panel: { x: 0, y: 0 } } : places(this.tall);
+    const lit = (name) => (this.live ? name !== "mill" : this.tour.lights(name));
+    const changes = this.scene.draw(this.camera, where, live, lit, seconds, shown);
+    if (this.live) this.#overlay(where.panel, shown);
+    return changes || moved.struck > 0.01 || moved.fed > 0.01 || filaments.moves || this.glides;
+  }
+
+  /** Lay the buttons over the panel that is drawn. */
+  #overlay({ x, y }, shown) {
+    const { camera: { origin, scale }, hands } = this;
+    if (this.shown !== shown) hands.lay(shown);
+    this.shown = shown;
+    Object.assign(hands.place.style, { left: `${origin.x + x * scale}px`, top: `${origin.y + y * scale}px`, width: `${shown.w * scale}px`, height: `${shown.h * scale}px` });
+    hands.mark(this.bench.machine.processor);
+  }
+
+  #say() {
+    const { bench: { afternoon, writer }, live, place, playing, speed } = this;
+    const [time, pace] = place.querySelector(".when").children;
+    writer.text(time, clock(live ? this.bench.machine.processor.clock : afternoon.script.now));
+    const times = speed > 30 ? Math.round(speed / 10) * 10 : Math.round(speed);
+    writer.text(pace, live ? "yours now" : !playing ? "stands still" : speed < 1.6 ? "at the pace of 1971" : `${grouped(times)} times as fast`);
+  }
+
+  #teletype(c, seconds) {
+    const { bench: { afternoon, machine: { teletype: { punch, reader } } }, moved, page, printing } = this;
+    page.draw(c, moved.struck, moved.fed);
+    const { day, mounted, now } = afternoon.script;
+    const terminal = printing && day.tapes.get(`${day.part}.asc`);
+    const count = terminal ? Math.floor(now / FRAME) : punch.frames.length;
+    this.glides = false;
+    this.#tape(c, "punch", terminal || punch.frames, count - 1, count, terminal ? "ascii" : this.live ? codeOf(punch.frames) : "eia", seconds);
+    if (reader.loaded && !terminal) this.#tape(c, "reader", reader.tape, reader.position - 1, reader.tape.length, afternoon.codes.get(mounted) ?? "bin", seconds);
+    drawHeads(c, reader.on && !terminal);
+  }
+
+  #tape(c, which, frames, head, last, code, seconds) {
+    const gone = head - this.at[which];
+    this.at[which] += Math.abs(gone) > 400 || this.still ? gone : gone * (1 - Math.exp(-seconds / 0.022));
+    if (Math.abs(head - this.at[which]) < 0.01) this.at[which] = head;
+    if (this.at[which] !== head) this.glides = true;
+    drawTape(c, TAPES[which], { frames, code, at: this.at[which], last });
+    if (Math.abs(gone) < 4 && frames[head] !== undefined) drawSign(c, TAPES[which], frames[head], code);
+  }
+
+  #mill(c, seconds) {
+    const { contour: { bounds, diameter }, fit, moved, tour, wall } = this;
+    const { day: { mill_starts: starts, path }, now } = this.bench.afternoon.script;
+    const second = (now - starts) / SECOND;
+    const place = second >= 0 ? path.at(Math.min(second, path.times.total)) : path.first;
+    const cuts = second >= 0 && place.down && this.cutter && Math.hypot(place.x - this.cutter.x, place.y - this.cutter.y) > 0;
+    this.cutter = place;
+    if (cuts) moved.turns += seconds * 5;
+    this.bench.sound.hum(this.playing ? 1 : 0, this.playing && cuts ? 1 : 0);
+    const measured = !this.live && tour.turn + 1 === tour.length;
+    const close = measured && wall ? wall.closeness(tour.part) : 0;
+    const tilt = TILT + (1 - TILT) * Math.min(1, close * 3);
+    const middle = { x: (bounds.left + bounds.right) / 2, y: (bounds.bottom + bounds.top) / 2 };
+    const aim = !measured ? place : wall ? wall.between(middle, close, fit) : middle;
+    c.save();
+    c.beginPath();
+    c.roundRect(0, 0, 19, 12, 0.3);
+    c.clip();
+    c.save();
+    lay(c, measured && wall ? fit * wall.larger(close, fit) : fit, aim, tilt);
+    drawTable(c, bounds);
+    this.#plate(second >= 0 ? place : null).draw(c, aim);
+    if (close > 0) wall.draw(c, close);
+    c.restore();
+    if (!measured) drawSpindle(c, (diameter / 2) * fit, place.down && second >= 0, moved.turns, 0);
+    drawDusk(c);
+    c.restore();
+    if (close > 0) wall.label(c, close);
+  }
+
+  /** The plate, as it has been milled. */
+  #plate(place) {
+    const { bounds, diameter, path: { knots } } = this.contour;
+    this.milled ??= new Plate(knots, diameter, bounds, this.fine / (bounds.right - bounds.left));
+    if (place) this.milled.to(place);
+    return this.milled;
+  }
+}

@@ -1,0 +1,93 @@
+// What is in the room, drawn through the camera: each thing in inches from its own upper left corner. What does not change is
+// drawn once for about its size.
+
+import { sheet } from "./ink.mjs";
+import { drawMill, MILL } from "./mill.mjs";
+import { drawPanel, PANEL, WHOLE } from "./panel.mjs";
+import { drawTeletype, TELETYPE } from "./teletype.mjs";
+
+const STILLS = { teletype: [TELETYPE, drawTeletype], panel: [PANEL, drawPanel], mill: [MILL, drawMill] };
+const MARGIN = 1.5; // inches about a thing, for its shadow
+const LARGEST = 4096; // pixels of a picture
+const NEAR = 0.3; // of a picture's size, as a logarithm: it is drawn anew when it is further off
+const DIM = 0.62; // how dark it is where no light falls
+const DUSK = 0.35; // seconds in which it gets dark
+
+export class Scene {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.context = canvas.getContext("2d");
+    this.stills = new Map();
+    this.dark = new Map();
+  }
+
+  resize(width, height, ratio) {
+    this.width = width;
+    this.height = height;
+    this.ratio = ratio;
+    Object.assign(this.canvas, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
+    this.stills.clear();
+  }
+
+  /** Draw the room: `live` draws what moves on each thing that is there, `lit` says whether light falls on it; `shown` is how
+   *  the panel is shown. Return whether the light still changes.
+   */
+  draw(camera, where, live, lit, seconds, shown = WHOLE) {
+    const { context: c, canvas, ratio } = this;
+    const { scale, origin } = camera;
+    c.setTransform(1, 0, 0, 1, 0, 0);
+    c.clearRect(0, 0, canvas.width, canvas.height);
+    let changes = false;
+    for (const [name, { x, y }] of Object.entries(where)) {
+      const [{ w, h }, still] = STILLS[name];
+      const [left, top] = [origin.x + x * scale, origin.y + y * scale];
+      if (left > this.width || top > this.height || left + w * scale < 0 || top + h * scale < 0) continue;
+      const pieces = name === "panel" ? shown.pieces : WHOLE.pieces;
+      for (const piece of pieces) {
+        c.save();
+        c.setTransform(scale * ratio, 0, 0, scale * ratio, left * ratio, top * ratio);
+        if (pieces !== WHOLE.pieces) cut(c, piece);
+        c.drawImage(this.#still(name, still, w, h, camera), -MARGIN, -MARGIN, w + 2 * MARGIN, h + 2 * MARGIN);
+        live[name](c);
+        c.restore();
+      }
+      c.setTransform(scale * ratio, 0, 0, scale * ratio, left * ratio, top * ratio);
+      changes = this.#dim(c, name, w, h, lit(name), seconds) || changes;
+    }
+    return changes;
+  }
+
+  /** Light falls on what happens now; the rest of the room stands in the dark. */
+  #dim(c, name, w, h, lit, seconds) {
+    const goal = lit ? 0 : DIM, before = this.dark.get(name) ?? goal;
+    const dark = goal + (before - goal) * Math.exp(-seconds / DUSK);
+    this.dark.set(name, dark);
+    if (dark > 0.02) {
+      c.globalCompositeOperation = "source-atop";
+      c.fillStyle = `rgba(14,12,10,${dark.toFixed(3)})`;
+      c.fillRect(-MARGIN, -MARGIN, w + 2 * MARGIN, h + 2 * MARGIN);
+      c.globalCompositeOperation = "source-over";
+    }
+    return Math.abs(dark - goal) > 0.01;
+  }
+
+  #still(name, still, w, h, camera) {
+    const kept = this.stills.get(name);
+    const scale = camera.scale * this.ratio;
+    if (kept && (camera.moves || Math.abs(Math.log(kept.scale / scale)) < NEAR)) return kept.picture;
+    const sharp = Math.min(scale, LARGEST / (Math.max(w, h) + 2 * MARGIN));
+    if (kept?.sharp === sharp) return kept.picture;
+    const picture = sheet(w, h, sharp, still, MARGIN);
+    this.stills.set(name, { picture, scale, sharp });
+    return picture;
+  }
+}
+
+/** Show but a piece of the panel, at its place. */
+function cut(c, { x, y, w, h, dx, dy }) {
+  c.beginPath();
+  c.rect(dx, dy, w, h);
+  c.clip();
+  c.translate(dx - x, dy - y);
+}
+

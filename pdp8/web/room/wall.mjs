@@ -1,0 +1,119 @@
+// A wall of the groove from so near that its steps are seen: the very strokes of the cutter, many times as large, and the two
+// lines between which the wall goes there (pdp8/web/record.py measures them).
+
+import { words } from "./ink.mjs";
+import { carve, face } from "./plate.mjs";
+
+const SEEN = 420; // thousandths that the view is wide in the end
+const ROOM = 9; // inches of the room that it takes then
+const [WIDE, HIGH] = [680, 500]; // thousandths that are drawn
+const SHARP = 2.6; // pixels for a thousandth
+const SHADOW = [34, -26];
+const [GOES, THERE, LEAVES, BACK] = [0.12, 0.42, 0.84, 0.98]; // parts of the act
+const LINE = "#a3391b";
+
+export class Wall {
+  /** The wall that the record's `wall` is about, left by a cutter of that diameter along `knots`. */
+  constructor({ place: [x, y], normal, off, lines }, knots, diameter) {
+    this.place = { x, y };
+    this.normal = normal;
+    this.off = off;
+    this.lines = lines;
+    this.knots = knots;
+    this.diameter = diameter;
+    this.picture = null; // made when it is seen
+  }
+
+  /** How close the view is at a part of the act, 0 to 1. */
+  closeness(part) {
+    const way = Math.min(part - GOES, THERE - GOES) / (THERE - GOES) - Math.max(0, part - LEAVES) / (BACK - LEAVES);
+    const at = Math.max(0, Math.min(1, way));
+    return at * at * (3 - 2 * at);
+  }
+
+  /** How many times as large the plate is then, where a thousandth has `fit` inches of the room. */
+  larger(close, fit) {
+    return (ROOM / SEEN / fit) ** close;
+  }
+
+  /** What is in the middle of the view: on the way from a place to the wall. */
+  between(from, close, fit) {
+    const most = this.larger(1, fit);
+    const part = (most / this.larger(close, fit) - 1) / (most - 1);
+    return { x: this.place.x + (from.x - this.place.x) * part, y: this.place.y + (from.y - this.place.y) * part };
+  }
+
+  /** Draw it where places are thousandths, Y up. */
+  draw(c, close) {
+    const { place: { x, y } } = this;
+    this.picture ??= this.#made();
+    c.save();
+    c.globalAlpha = Math.max(0, Math.min(1, (close - 0.45) * 4));
+    c.scale(1, -1);
+    c.drawImage(this.picture, x - WIDE / 2, -y - HIGH / 2, WIDE, HIGH);
+    c.restore();
+    const shown = Math.max(0, (close - 0.8) * 5);
+    c.save();
+    c.globalAlpha = shown;
+    Object.assign(c, { strokeStyle: LINE, lineWidth: 1.1, lineCap: "round" });
+    for (const line of this.lines) {
+      c.setLineDash([7, 5]);
+      this.#line(c, line);
+    }
+    c.setLineDash([]);
+    this.#arrow(c);
+    c.restore();
+  }
+
+  #made() {
+    const { diameter, knots, place: { x, y } } = this;
+    const [left, bottom] = [x - WIDE / 2, y - HIGH / 2];
+    const bounds = { left, right: left + WIDE, bottom, top: bottom + HIGH };
+    const reach = diameter / 2 + SHADOW[0] + 20;
+    const path = new Path2D();
+    knots.forEach((knot, index) => {
+      const before = knots[index - 1];
+      if (!knot.down || Math.max(knot.x, before.x) < left - reach || Math.min(knot.x, before.x) > bounds.right + reach) return;
+      if (Math.max(knot.y, before.y) < bottom - reach || Math.min(knot.y, before.y) > bounds.top + reach) return;
+      path.moveTo(before.x, before.y);
+      path.lineTo(knot.x + 0.01, knot.y);
+    });
+    const canvas = (draw) => {
+      const made = new OffscreenCanvas(WIDE * SHARP, HIGH * SHARP);
+      const c = made.getContext("2d");
+      c.setTransform(SHARP, 0, 0, -SHARP, -left * SHARP, bounds.top * SHARP);
+      draw(c);
+      return made;
+    };
+    const groove = canvas((c) => carve(c, [path], diameter, 0, SHADOW));
+    return canvas((c) => {
+      face(c, bounds, { x: left, y: bounds.top });
+      c.resetTransform();
+      c.drawImage(groove, 0, 0);
+    });
+  }
+
+  #line(c, points) {
+    c.beginPath();
+    for (const [x, y] of points) c.lineTo(x, y);
+    c.stroke();
+  }
+
+  /** The measure between the lines, at the middle of them, drawn from outside as draughtsmen do where it is small. */
+  #arrow(c) {
+    const [nx, ny] = this.normal;
+    const ends = this.lines.map((line) => line[Math.floor(line.length / 2)]);
+    for (const [[x, y], way] of [[ends[0], -1], [ends[1], 1]]) {
+      this.#line(c, [[x, y], [x + nx * 42 * way, y + ny * 42 * way]]);
+      this.#line(c, [[x + (nx * 9 - ny * 4) * way, y + (ny * 9 + nx * 4) * way], [x, y], [x + (nx * 9 + ny * 4) * way, y + (ny * 9 - nx * 4) * way]]);
+    }
+  }
+
+  /** Say the measure, in inches of the room. */
+  label(c, close) {
+    c.save();
+    c.globalAlpha = Math.max(0, (close - 0.8) * 5);
+    words(c, `${this.off} in`, 9.5 + 1.6, 7 - 1.1, 0.5, { colour: "#7a2410", weight: 700, spread: 0 });
+    c.restore();
+  }
+}

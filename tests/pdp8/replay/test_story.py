@@ -1,0 +1,31 @@
+"""What is told of an afternoon: the thesis's and our own figures, for every part."""
+
+import re
+
+import pytest
+
+from pdp8.cli.replay import REPLAYED
+from pdp8.replay import Afternoon, replay
+from pdp8.replay.story import story
+
+
+def test_the_circles(circle: Afternoon) -> None:
+    """666 lines and 660 cuts (Chapter 7), the 17 words of DEC's card; the wall as `nc inspect` prints it."""
+    told = {name: words for name, words in story(circle)}
+    assert "666 lines" in told["Print"]
+    assert "Seventeen words" in told["Toggle"]
+    assert "660 times" in told["Cut"]
+    assert "two seconds" in told["Cut"]
+    assert ".0173 inch" in told["Measure"]
+    assert "outer wall" in told["Measure"]
+
+
+@pytest.mark.parametrize("part", REPLAYED)
+def test_every_part_has_its_own(part: str) -> None:
+    """Seven acts and what is told before them, in 110 characters each; only the circle's says circle."""
+    afternoon = replay(part)
+    told = story(afternoon)
+    assert len(told) == 1 + len(afternoon.acts)
+    assert max(len(words) for _, words in told) <= 110
+    assert any("circle" in words for _, words in told) == (part == "circle")
+    assert not re.search(r"\b0 |nan|None", " ".join(words for _, words in told))

@@ -1,0 +1,236 @@
+"""The room, in which the page opens: what it shows is the machine's state, and what can be done in it."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from pdp8.computer.hardware.signals import FRAME, TICKS_PER_SECOND
+from pdp8.replay import Afternoon
+from tests.pdp8.web.browsing import AXE, Browser, Page, click, needs_axe, serious, until, visit
+from tests.pdp8.web.follower import Follower
+
+_HD = {"width": 1366, "height": 768}
+_PROLOGUE, _PRINT, _TOGGLE, _TRANSLATE, _CUT, _MEASURE = 0, 1, 2, 5, 6, 7
+_STORY = "document.querySelector('#room .story').textContent"
+_NOW = "workbench.afternoon.script.now"
+
+
+@pytest.fixture
+def room(browser: Browser, file: Path) -> Iterator[Page]:
+    """The page as it opens, in the room."""
+    with visit(browser, file.as_uri(), viewport=_HD) as page:
+        yield page
+
+
+def _to(page: Page, turn: int, part: float) -> int:
+    """Go to a part of an act, standing still; return the tick."""
+    page.evaluate(
+        "([turn, part]) => { const { room } = workbench; room.playing = false; room.go({ value: turn });"
+        " room.tour.go(turn, part); workbench.afternoon.lead(room.tour.tick); room.show(); }",
+        [turn, part],
+    )
+    return int(page.evaluate(_NOW))
+
+
+def test_the_page_opens_in_the_midst_of_the_translation(room: Page) -> None:
+    """It is alive from the first picture. The room left, the page opens at the desk again."""
+    assert room.evaluate("workbench.room.open && workbench.room.playing")
+    assert room.evaluate("workbench.afternoon.script.act.kind") == "translate"
+    before = room.evaluate("workbench.machine.processor.instructions")
+    until(room, f"workbench.machine.processor.instructions > {before}")
+    assert "1971" in room.evaluate(_STORY)
+    room.reload()
+    until(room, "window.workbench?.room.open")
+    click(room, "#leave")
+    assert room.evaluate("location.hash") == "#desk"
+    room.reload()
+    until(room, "!!window.workbench")
+    assert not room.evaluate("workbench.room.open")
+
+
+def test_an_afternoons_page_begins_at_its_first_act(browser: Browser, circle_page: Path) -> None:
+    """The terminal types and punches frame by frame, ten a second."""
+    with visit(browser, circle_page.as_uri(), "window.workbench?.room.playing", viewport=_HD) as page:
+        assert page.evaluate("workbench.room.tour.turn") == _PRINT
+        until(page, f"{_NOW} > {5 * FRAME}")
+        page.evaluate("workbench.room.toggle()")
+        page.wait_for_timeout(100)
+        count = page.evaluate(_NOW) // FRAME
+        typed = page.evaluate("workbench.room.typed")
+        assert typed == count
+        assert page.evaluate("document.querySelectorAll('.chapters [aria-current]').length") == 1
+
+
+@pytest.mark.parametrize(("turn", "part"), [(_PROLOGUE, 0.3), (_TOGGLE, 0.4), (_TRANSLATE, 0.9), (_CUT, 0.5)])
+def test_what_is_lit_is_the_machines(room: Page, circle: Afternoon, turn: int, part: float) -> None:
+    """Standing still, lamps and switches are those of a machine that goes forward only."""
+    tick = _to(room, turn, part)
+    until(room, "!workbench.room.awake")
+    follower = Follower(circle)
+    follower.to(tick)
+    lit = room.evaluate(
+        "Object.fromEntries([...workbench.room.filaments.lit].map(([name, bits]) =>"
+        " [name, bits.reduce((word, bit) => word * 2 + Math.round(bit), 0)]))"
+    )
+    assert lit == follower.machine.panel.lamps._asdict()
+    assert room.evaluate("workbench.machine.processor.sr") == follower.machine.sr
+
+
+def test_the_switches_are_taken_and_given_back(room: Page) -> None:
+    """By mouse and by keys the machine is the visitor's; back in the story it is as it was."""
+    _to(room, _TRANSLATE, 0.2)
+    before = room.evaluate("[workbench.machine.ac, workbench.machine.processor.sr]")
+    click(room, "#take")
+    assert "yours" in room.evaluate(_STORY)
+    room.keyboard.type("1234l")
+    processor = "workbench.machine.processor"
+    assert room.evaluate(f"[{processor}.pc, {processor}.sr]") == [0o1234, 0o1234]
+    room.locator("#room .rocker").last.click()
+    assert room.evaluate(f"{processor}.sr") == 0o1235
+    until(room, "[...document.querySelectorAll('#room .rocker')].at(-1).ariaChecked === 'true'")
+    room.keyboard.press("Tab")
+    click(room, "#room [data-key=exam]")
+    assert room.evaluate(f"{processor}.ma") == 0o1234
+    click(room, "#take")
+    assert room.evaluate("workbench.afternoon.on")
+    assert room.locator("#room .rocker").count() == 0
+    _to(room, _TRANSLATE, 0.2)
+    assert room.evaluate("[workbench.machine.ac, workbench.machine.processor.sr]") == before
+
+
+def test_a_program_is_written(room: Page) -> None:
+    """hello.pal runs on the desk, and what it prints is there; by the button one is in the room again."""
+    click(room, "#write")
+    until(room, "workbench.machine.processor.run && !workbench.afternoon.on")
+    until(room, "document.querySelector('#paper pre').textContent.includes('HELLO')")
+    assert room.evaluate("document.activeElement.id") == "source"
+    click(room, "#enter")
+    assert room.evaluate("workbench.room.open && workbench.afternoon.on && location.hash === ''")
+
+
+def test_what_was_worked_at_is_there_afterwards(room: Page) -> None:
+    """Who had a program in core when he went into the room finds it when he comes back."""
+    click(room, "#leave")
+    room.evaluate("workbench.touch((machine) => { machine.load([[0o200, 0o7402]]); machine.ac = 0o1234; })")
+    click(room, "#enter")
+    until(room, "workbench.afternoon.on && workbench.machine.ac !== 0o1234")
+    click(room, "#leave")
+    assert room.evaluate("[workbench.machine.processor.core[0o200], workbench.machine.ac]") == [
+        0o7402,
+        0o1234,
+    ]
+    assert not room.evaluate("workbench.afternoon.on")
+
+
+def test_keys_of_the_room(room: Page) -> None:
+    """Space plays and pauses, brackets lead from act to act, Escape to the desk."""
+    room.keyboard.press("Space")
+    assert not room.evaluate("workbench.room.playing")
+    for key, turn in (("]", 1), ("]", 2), ("[", 1), ("[", 0), ("[", 0)):
+        room.keyboard.press(key)
+        assert room.evaluate("workbench.room.tour.turn") == turn
+    room.keyboard.press("Escape")
+    assert not room.evaluate("workbench.room.open")
+
+
+_FRAMES = """() => new Promise((done) => {
+  let frames = 0;
+  const request = window.requestAnimationFrame;
+  window.requestAnimationFrame = (then) => { frames++; return request.call(window, then); };
+  setTimeout(() => done(frames), 400);
+})"""
+
+
+def test_what_stands_still_costs_nothing(room: Page) -> None:
+    """Paused, or taken and halted: when camera and filaments have come to rest no picture is asked for."""
+    for act in ("", "workbench.room.take(); workbench.machine.panel.stop(); workbench.touched();"):
+        _to(room, _TRANSLATE, 0.3)
+        room.evaluate(f"() => {{ {act} }}")
+        until(room, "!workbench.room.awake")
+        assert room.evaluate(_FRAMES) == 0, act
+
+
+def test_where_nothing_shall_move(browser: Browser, file: Path) -> None:
+    """With reduced motion nothing plays; an act is a still of its middle, with what was typed by then."""
+    with visit(browser, file.as_uri(), viewport=_HD, reduced_motion="reduce") as page:
+        assert not page.evaluate("workbench.room.playing")
+        assert not page.locator("#pause").is_visible()
+        page.locator(".chapters button").first.click()
+        until(page, "!workbench.room.awake")
+        assert page.evaluate("workbench.room.tour.turn") == _PRINT
+        assert page.evaluate("workbench.room.page.ended") > 10
+        assert page.evaluate(_FRAMES) == 0
+
+
+def test_every_target_is_large_enough(browser: Browser, file: Path) -> None:
+    """From a small telephone to a wall: all that is told is on the screen; choices have 44 pixels, marks and
+    switches 24.
+    """
+    with visit(browser, file.as_uri(), viewport=_HD, reduced_motion="reduce") as page:
+        _fits(page)
+
+
+def _fits(room: Page) -> None:
+    sizes = ((360, 640), (390, 844), (844, 390), (1366, 768), (1920, 1080), (3840, 2160))
+    for width, height in sizes:
+        room.set_viewport_size({"width": width, "height": height})
+        _to(room, _TRANSLATE, 0.5)
+        found = room.evaluate(
+            "[...document.querySelectorAll('#room :is(.story, .choices button, .chapters button)')]"
+            ".map((each) => {"
+            " const { left, right, top, bottom } = each.getBoundingClientRect();"
+            " return [each.className || each.id || 'mark', left, right, top, bottom]; })"
+        )
+        for name, left, right, top, bottom in found:
+            assert left >= 0, (width, name)
+            assert right <= width + 0.5, (width, name)
+            assert top >= 0, (width, name)
+            assert bottom <= height + 0.5, (width, name)
+            assert bottom - top >= (24 if name in ("mark", "story") else 44), (width, name)
+        click(room, "#take")
+        until(room, "!workbench.room.awake")
+        for box in [each.bounding_box() for each in room.locator("#room .hand button").all()]:
+            assert box is not None
+            assert box["width"] >= 23.5, (width, box)
+            assert box["height"] >= 24, (width, box)
+            assert box["x"] >= 0, (width, box)
+            assert box["x"] + box["width"] <= width, (width, box)
+            assert box["y"] + box["height"] <= height, (width, box)
+        click(room, "#take")
+
+
+@needs_axe
+@pytest.mark.slow  # twelve seconds
+def test_axe_finds_nothing_in_the_room(browser: Browser, circle_page: Path) -> None:
+    """In every act, and with the switches taken."""
+    with visit(browser, circle_page.as_uri(), viewport=_HD, bypass_csp=True) as page:
+        page.add_script_tag(path=AXE)
+        for turn in range(8):
+            _to(page, turn, 0.5)
+            assert serious(page) == [], turn
+        click(page, "#take")
+        assert serious(page) == []
+
+
+def test_sounds_come_at_their_events(room: Page) -> None:
+    """At the pace of 1971 each frame that is read, and each that is punched, strikes once."""
+    room.evaluate(
+        "() => { const { room, sound } = workbench; room.playing = false; room.go({ value: 5 });"
+        " window.struck = []; sound.strike = (kind, later) => struck.push([kind, later]);"
+        " const { script } = workbench.afternoon; const from = script.now; let since = 0;"
+        " room.heard = null; room.later = () => 0;"
+        " }"
+    )
+    counts = "[workbench.machine.teletype.reader.position, workbench.machine.teletype.punch.frames.length]"
+    room.evaluate("() => { workbench.room.playing = true; workbench.room.show(); }")
+    until(room, f"{_NOW} > workbench.afternoon.script.act.starts + 26 * {TICKS_PER_SECOND}")
+    room.evaluate("() => { window.struck.length = 0; window.before = " + counts + "; }")
+    room.wait_for_timeout(2000)
+    room.evaluate("() => { workbench.room.playing = false; }")
+    read, punched = room.evaluate(f"() => {counts}.map((count, index) => count - before[index])")
+    kinds = [kind for kind, _ in room.evaluate("struck")]
+    assert read > 5
+    assert kinds.count("read") == read
+    assert kinds.count("punch") == punched
+    assert all(0 <= later < 0.2 for _, later in room.evaluate("struck"))
