@@ -5,7 +5,8 @@ draw       its random cases
 student    the form that students get
 answer     a student's answer;            handed    the file it is in, read within bounds
 trial      an answer run on one trial: what it punched, printed and left in core
-marking    points and failures of an answer;        diagnosis   what happened;   values   a sheet's answers
+marking    points and failures of an answer;        values   a sheet's answers
+diagnosis  what happened in one trial;    evidence  what all of them show
 where      the place where an answer goes wrong;    link     that opens the workbench there
 bounded    a class marked, each answer within bounds of time and memory, in a process of its own
 proof      that an exercise is a contract: what it looks at is told;   mutants   slips of a solution
@@ -15,5 +16,6 @@ course     the bundled exercises in the order of a class
 cards      cards to print                 drill     drills at the panel, and their coach
 exercises/ the bundled ones, and the functions that draw for them
 
-exercise, answer, trial, marking, where, diagnosis and values are written in the subset that pages translate.
+exercise, answer, trial, marking, where, diagnosis, evidence and values are written in the subset that pages
+translate.
 """

@@ -9,12 +9,14 @@ from pal.isa import jumps_to
 from pdp8.computer.stop import Reason
 from pdp8.lessons.answer import Answer
 from pdp8.lessons.exercise import Trial
-from pdp8.lessons.trial import Outcome, start, turns
+from pdp8.lessons.trial import Outcome, last, start, turns
 
 NO_WORD = "no word at the start"
 LEFT = "left the program"
+JUMPED = "jumped out of the program"
 NOT_STOPPED = "did not stop"
 JUMP = "jumps to itself"
+AGAIN = "reads one again and again"
 INPUT = "waits for a key or a tape"
 OUTPUT = "waits for the printer"
 ELSEWHERE = "stopped elsewhere"
@@ -23,17 +25,25 @@ NOTHING = "nothing came"
 SHORT = "too short"
 LONG = "too long"
 FIRST = "the first is wrong"
+ALL = "wrong from the first on"
 SHIFTED = "one lost or doubled"
 PARITY = "parity"
 ONE_OFF = "one off"
 NEGATIVE = "the negative"
 RESULT = "wrong"
 
-ENDS = (NO_WORD, LEFT, NOT_STOPPED, JUMP, INPUT, OUTPUT, ELSEWHERE)
+ENDS = (NO_WORD, LEFT, JUMPED, AGAIN, NOT_STOPPED, JUMP, INPUT, OUTPUT, ELSEWHERE)
 """What can be wrong with the end, all else with the result."""
+RESULTS = (
+    ITSELF, NOTHING, SHORT, LONG, FIRST, ALL, SHIFTED, PARITY, ONE_OFF, NEGATIVE, RESULT,
+)  # fmt: skip
+LOOKED_AT = ("the end", "the time", "instructions", "the tape", "the page", "the pointer", "AC", "L")
+"""What may differ, beside the places that a trial looks at."""
 HINTS = {
     NO_WORD: "Begin the program where it is started: *200, say, before its first word.",
     LEFT: "What stands behind your last instruction is executed too: HLT, or a jump, ends a program.",
+    JUMPED: "Which jump goes there? JMS alone leaves an address to come back to; JMP does not.",
+    AGAIN: "The flag of what was read stays up: KRB clears it, KRS does not.",
     NOT_STOPPED: "What is to end this loop? Look at its count, and at what the skip skips.",
     JUMP: "A jump to itself does nothing for ever. HLT stops the machine.",
     INPUT: "All there was has been read. How does the program know that it is done?",
@@ -48,6 +58,10 @@ HINTS = {
     ONE_OFF: "It is wrong by one: is there one turn of a loop, or one IAC, too many or too few?",
     NEGATIVE: "It is the negative of what is wanted.",
 }
+WEAK = ("", HINTS[FIRST], HINTS[SHIFTED], HINTS[PARITY], HINTS[ONE_OFF], HINTS[NEGATIVE], HINTS[LONG])
+"""Hints in whose place what all trials show is said."""
+CHANCE = (HINTS[ONE_OFF], HINTS[NEGATIVE])
+"""Hints that one trial alone does not bear out."""
 _INPUTS = (0o6031, 0o6011)
 _OUTPUTS = (0o6041, 0o6021)
 WANTED = {
@@ -66,10 +80,15 @@ def end(answer: Answer, trial: Trial, outcome: Outcome, whole: Trial) -> tuple[s
     if stop.reason is Reason.BREAKPOINT:
         if outcome.instructions == 0:
             return NO_WORD, f"no word of yours is at {first:04o}"
-        return LEFT, f"it leaves the program: no word of yours is at {stop.pc:04o}"
+        how = LEFT if last(answer, whole, outcome) in (stop.pc - 1, stop.pc - 2) else JUMPED
+        return how, f"it leaves the program: no word of yours is at {stop.pc:04o}"
     if stop.reason is Reason.LIMIT:
         low, high = turns(answer, whole, outcome)
-        return NOT_STOPPED, f"still running after {trial.seconds:g} s, between {low:04o} and {high:04o}"
+        again = (
+            trial.stop == Reason.TAPE_OUT and trial.tape is not None and len(outcome.tape) > len(trial.tape)
+        )
+        happened = AGAIN if again else NOT_STOPPED
+        return happened, f"still running after {trial.seconds:g} s, between {low:04o} and {high:04o}"
     if stop.reason is Reason.HALT:
         return ELSEWHERE, f"a halt at {stop.pc - 1 & 0o7777:04o}"
     word = outcome.core[stop.pc]
@@ -98,8 +117,10 @@ def sequence(expected: Sequence[object], got: Sequence[object]) -> str:
         return SHORT if len(got) < len(expected) else LONG
     if _parity(expected, got, 0o200) or _parity(expected, got, 0o20):
         return PARITY
-    if at == 0:
+    if at == 0 and list(expected[1:]) == list(got[1:]):
         return FIRST
+    if at == 0:
+        return ALL
     lost, doubled = expected[at + 1 :], got[at + 1 :]
     if (lost and got[at:] == lost) or (doubled and doubled == expected[at:]):
         return SHIFTED

@@ -10,7 +10,7 @@ import tomllib
 from typing import Any
 
 from pdp8 import shelf
-from pdp8.lessons import draw, values
+from pdp8.lessons import diagnosis, draw, values
 from pdp8.lessons.exercise import Case, Exercise, Question, Source, Trial
 from pdp8.lessons.tables import CASE, EXERCISE, QUESTION, SOURCE, TRIAL, ExerciseError, table, tables
 
@@ -76,6 +76,8 @@ def parse(text: str, name: str, seed: int = SEED, folder: str = "") -> Exercise:
     made = Exercise(
         name=name, source=source, cases=tuple(cases), questions=questions, solution=solution, **found
     )
+    for case in made.cases:
+        _check_hints(case, f"{name}: {case.name}")
     twice = next((each for at, each in enumerate(made.names) if each in made.names[:at]), None)
     if twice is not None:
         raise ExerciseError(f"{name}: two cases or questions are called {twice!r}")
@@ -102,6 +104,20 @@ def _case(given: object, where: str) -> Case:
     if trials and single:
         raise ExerciseError(f"{where}: {next(iter(single))} belongs into its trials")
     return Case(trials=tuple(trials) or (_trial(single, where),), hints=found.pop("hint", {}), **found)
+
+
+def _check_hints(case: Case, where: str) -> None:
+    """Raise ExerciseError for a hint that nothing can bring about."""
+    places = {
+        place
+        for first in case.trials
+        for each in (first, *first.again)
+        for place in (*each.core, *each.changed, *each.unchanged, *each.executed, *each.callers)
+    }
+    known = ["", *diagnosis.ENDS, *diagnosis.RESULTS, *diagnosis.LOOKED_AT, *sorted(places)]
+    unknown = next((key for key in case.hints if key not in known), None)
+    if unknown is not None:
+        raise ExerciseError(f"{where}: hint: nothing is called {unknown!r}; there are {', '.join(known[1:])}")
 
 
 def _trial(found: dict[str, Any], where: str) -> Trial:

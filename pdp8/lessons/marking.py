@@ -10,11 +10,16 @@ from dataclasses import dataclass, replace
 
 from pdp8.computer.stop import Reason
 from pdp8.computer.use.program import FOUND
-from pdp8.lessons import diagnosis, trial, values
+from pdp8.lessons import diagnosis, evidence, trial, values
 from pdp8.lessons.answer import Answer, assembled
 from pdp8.lessons.exercise import Case, Exercise, Question, Trial
 from pdp8.lessons.trial import Outcome
 from tapes import rim
+
+_PRINTS = (0o6044, 0o6046)
+"""TPC and TLS."""
+_TOGETHER = 6
+"""Trials of a case that are looked at together with those of others."""
 
 
 @dataclass(frozen=True)
@@ -75,7 +80,7 @@ def mark(exercise: Exercise, answer: Answer, dialect: str = FOUND) -> Result:
     if fault:
         return Result(answer.name, (), exercise.points, fault)
     lines = answer.lines()
-    marks = [_try(case, answer) for case in exercise.cases]
+    marks = _explained(exercise, answer, [_try(case, answer) for case in exercise.cases])
     marks += [_compare(question, lines.get(question.name.lower(), "")) for question in exercise.questions]
     return Result(answer.name, tuple(marks), exercise.points)
 
@@ -139,7 +144,11 @@ def _failed(case: Case, whole: Trial, answer: Answer, failed: Failed) -> Mark:
     over = trial.overwritten(answer, whole, outcome)
     if over is not None and failures[0].happened != diagnosis.LEFT:  # then its data are executed on the way
         failures.append(Failure("the program", "", f"a write over itself at {over:04o}", diagnosis.ITSELF))
-    hint = _hint(case.hints if _starts_once(whole, answer, outcome) else {}, failures)
+    once = _starts_once(whole, answer, outcome)
+    hints = {key: said for key, said in case.hints.items() if key or once}
+    hint = _hint(hints, failures, failed.trial)
+    if hint == diagnosis.HINTS[diagnosis.NOTHING] and any(word in _PRINTS for word in answer.words.values()):
+        hint = ""
     if case.hidden:
         bare = tuple(Failure(failure.what, "", "", failure.happened) for failure in failures)
         return Mark(case.name, 0, case.points, bare, hint, hidden=True)
@@ -157,7 +166,7 @@ def _starts_once(whole: Trial, answer: Answer, outcome: Outcome) -> bool:
     return first_failed(answer, replace(whole, starts=1, again=())) is None
 
 
-def _hint(hints: Mapping[str, str], failures: list[Failure]) -> str:
+def _hint(hints: Mapping[str, str], failures: list[Failure], tried: Trial) -> str:
     """Return the case's hint for what happened or what differs, or for any result; or the diagnosis's.
 
     Where the end is wrong, a hint to the result does not fit.
@@ -173,7 +182,59 @@ def _hint(hints: Mapping[str, str], failures: list[Failure]) -> str:
         return diagnosis.HINTS[diagnosis.ITSELF]
     if not elsewhere and "" in hints:
         return hints[""]
+    if happened[0] == diagnosis.NOT_STOPPED and tried.stop != Reason.HALT:
+        return ""
     return diagnosis.HINTS.get(happened[0], "")
+
+
+def _explained(exercise: Exercise, answer: Answer, marks: list[Mark]) -> list[Mark]:
+    """Return the marks with what all trials show; a case's hint to any result is kept where the first case,
+    on which all others build, is right.
+    """
+    said: dict[str, str] = {}
+    found = []
+    for at, (case, mark) in enumerate(zip(exercise.cases, marks, strict=True)):
+        wrong = [failure for failure in mark.failures if failure.happened != diagnosis.ITSELF]
+        if not wrong or wrong[0].happened in diagnosis.ENDS:
+            found.append(mark)
+            continue
+        what = wrong[0].what
+        if what not in said:
+            said[what] = _shown(exercise, answer, what)
+        own = "" if mark.hint in diagnosis.CHANCE else mark.hint
+        if own == case.hints.get("", "") and at > 0 and marks[0].failures:
+            own = ""
+        if said[what] and (at > 0 or own in diagnosis.WEAK):
+            own = ""
+        found.append(replace(mark, hint=" ".join([each for each in (said[what], own) if each])))
+    return found
+
+
+def _shown(exercise: Exercise, answer: Answer, what: str) -> str:
+    """Return what all trials show of a word, of AC, or of the characters."""
+    words: list[evidence.Word] = []
+    texts: list[evidence.Text] = []
+    trials = [each for case in exercise.cases if not case.hidden for each in case.trials[:_TOGETHER]]
+    for each in trials:
+        tried = trial.Tried(answer, each)
+        outcome = tried.outcome(0)
+        if each.stop not in ("any", outcome.stop.reason) or outcome.stop.reason is Reason.BREAKPOINT:
+            continue
+        inputs = {place: word for place, word in each.deposit.items() if isinstance(word, int)}
+        if what == "AC" and each.ac is not None:
+            words.append(evidence.Word(inputs, 0, each.ac, outcome.ac))
+        elif what in each.core:
+            at = answer.address(what)
+            own = {place: word for place, word in inputs.items() if place != what}
+            words.append(evidence.Word(own, outcome.before[at], each.core[what], outcome.core[at]))
+        elif what == "the page" and each.page is not None:
+            texts.append(
+                evidence.Text([], [ord(one) for one in each.page], [ord(one) for one in outcome.page])
+            )
+        elif what == "the tape" and each.tape is not None:
+            read = each.reader if len(each.reader) > 0 else each.keys
+            texts.append(evidence.Text(read, each.tape, _punched(each, outcome)))
+    return evidence.of_words(what, words) or evidence.of_characters(texts, what == "the tape")
 
 
 def _inputs(tried: Trial) -> str:
@@ -203,11 +264,11 @@ def _failures(tried: Trial, answer: Answer, outcome: Outcome, whole: Trial) -> I
         yield Failure("the end", diagnosis.WANTED[tried.stop], got, happened)
     elif tried.done and outcome.printing:
         yield Failure("the end", "a halt when the last character is done", "a halt while it is printed")
-    yield from _registers(tried, outcome)
     for place, word in tried.core.items():
         found = outcome.core[answer.address(place)]
         if found != word:
             yield Failure(place, f"{word:04o}", f"{found:04o}", diagnosis.word(word, found))
+    yield from _registers(tried, outcome)
     for place in tried.changed:
         address = answer.address(place)
         if outcome.core[address] == outcome.before[address]:
@@ -237,11 +298,15 @@ def _products(tried: Trial, answer: Answer, outcome: Outcome) -> Iterator[Failur
     if tried.page is not None and tried.page != outcome.page:
         yield Failure("the page", tried.page, outcome.page, diagnosis.sequence(tried.page, outcome.page))
     tape = _program(answer, outcome) if tried.itself else tried.tape
-    punched = outcome.tape
-    if tried.nul == "ignored":
-        punched = bytes(frame for frame in punched if frame & 0o177)
+    punched = _punched(tried, outcome)
     if tape is not None and tape != punched:
         yield Failure("the tape", tape, punched, diagnosis.sequence(tape, punched))
+
+
+def _punched(tried: Trial, outcome: Outcome) -> bytes:
+    """Return the frames that were punched and count."""
+    counts = tried.nul != "ignored"
+    return bytes(frame for frame in outcome.tape if counts or frame & 0o177)
 
 
 def _looked_at(answer: Answer, whole: Trial) -> Iterator[Failure]:

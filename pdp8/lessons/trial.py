@@ -170,6 +170,14 @@ class Tried:
         )  # fmt: skip
 
 
+def last(answer: Answer, trial: Trial, outcome: Outcome) -> int:
+    """Return the address of the last instruction before the end."""
+    tried = Tried(answer, trial, outcome.number)
+    tried.start(outcome.number)
+    tried.machine.run(instructions=outcome.instructions - 1)
+    return tried.machine.pc
+
+
 def turns(answer: Answer, trial: Trial, outcome: Outcome) -> tuple[int, int]:
     """Return the lowest and the highest address of the loop in which the trial's time is over."""
     tried = Tried(answer, trial, outcome.number)

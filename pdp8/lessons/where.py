@@ -19,7 +19,7 @@ from pdp8.lessons import diagnosis
 from pdp8.lessons.answer import Answer
 from pdp8.lessons.exercise import Trial
 from pdp8.lessons.marking import Failed
-from pdp8.lessons.trial import Tried, turns
+from pdp8.lessons.trial import Tried, last, turns
 
 _MOST = 1_000_000
 """Memory cycles in which the place is looked for, those of waiting loops apart."""
@@ -78,7 +78,7 @@ def find(answer: Answer, whole: Trial, failed: Failed) -> Place:
     """Return the place where a trial of an answer goes wrong."""
     outcome, wrong = failed.outcome, failed.failures[0]
     if outcome.stop.reason is Reason.BREAKPOINT:
-        came = _standing(answer, whole, outcome.number, max(outcome.instructions - 1, 0)).pc
+        came = last(answer, whole, outcome) if outcome.instructions else outcome.stop.pc
         left = f"it leaves the program, from {came:04o} to {outcome.stop.pc:04o}"
         return Place(left, outcome.stop.pc, outcome.instructions)
     loops = wrong.happened in (diagnosis.NOT_STOPPED, diagnosis.JUMP)

@@ -1,0 +1,185 @@
+"""What is the matter with the results of an answer, where all its trials that end as they should show it.
+
+words        SUM is A + A in each trial; SUM is as it was before the start; AC is 1 more than is wanted
+characters   the same comes again and again; 020 comes for 040, and all else is right; the last 2 are missing
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+_TRIALS = 3
+"""Trials that must show it."""
+_NONE = -1
+_FEW = 0o20
+"""Numbers of which it may be wrong."""
+
+
+class Word(NamedTuple):
+    """A word that is looked at, what was put in beside it, what it was, should be and is."""
+
+    inputs: Mapping[str, int]
+    before: int
+    expected: int
+    got: int
+
+
+class Text(NamedTuple):
+    """Characters that came out: what was read, what should come and what came, as codes."""
+
+    read: Sequence[int]
+    expected: Sequence[int]
+    got: Sequence[int]
+
+
+def of_words(place: str, seen: Sequence[Word]) -> str:
+    """Return what all of them show that are wrong, "" if nothing."""
+    wrong = [each for each in seen if each.got != each.expected]
+    if len(wrong) < _TRIALS:
+        return ""
+    where = "in each trial" if len(wrong) == len(seen) else "wherever it is wrong"
+    if all(each.got == each.before for each in wrong) and len({each.before for each in wrong}) > 1:
+        return f"{place} is as it was before START {where}: nothing is put there."
+    if len({each.got for each in wrong}) == 1 and len({each.expected for each in wrong}) > 1:
+        return f"{place} is {wrong[0].got:04o} {where}, whatever is put in."
+    wanted = len({each.expected for each in wrong}) > 1
+    names = [name for name in wrong[0].inputs if all(name in each.inputs for each in wrong)]
+    for what, formula in _formulas(wrong[0], names, wrong[0], wanted).items():
+        values = [_formulas(each, names, wrong[0], wanted).get(what, -1) for each in wrong]
+        if formula == wrong[0].got and values == [each.got for each in wrong]:
+            return f"{place} is {what} {where}."
+    return ""
+
+
+def _formulas(seen: Word, names: Sequence[str], first: Word, by_wanted: bool) -> dict[str, int]:
+    """Return what a word may be, by its formula, which may be `by_wanted`: by what it should be. Numbers are
+    those that fit the first.
+    """
+    found: dict[str, int] = {}
+    wanted, values = seen.expected, seen.inputs
+    for name in names:
+        value = values[name]
+        found[name] = value
+        found[f"{name} + {name}"] = 2 * value
+        found[f"-{name}"] = -value
+        found[f"{name} times {name}"] = value * value
+        found[f"the complement of {name}"] = 0o7777 - value
+    for one in names:
+        for two in names if len(names) < 4 else []:
+            if one != two:
+                found[f"{one} - {two}"] = values[one] - values[two]
+            if one < two:
+                found[f"{one} + {two}"] = values[one] + values[two]
+                found[f"{one} AND {two}, bit by bit,"] = values[one] & values[two]
+                found[f"the other of {one} and {two}"] = values[one] + values[two] - wanted
+    for name in names:
+        _near(found, f"{name} + #", f"{name} - #", first.got - first.inputs[name], values[name])
+    if not by_wanted:
+        return {what: value & 0o7777 for what, value in found.items()}
+    _near(found, "# more than is wanted", "# less than is wanted", first.got - first.expected, wanted)
+    for name in names:
+        found[f"more than is wanted by {name}"] = wanted + values[name]
+        found[f"less than is wanted by {name}"] = wanted - values[name]
+    found["the negative of what is wanted"] = -wanted
+    found["twice what is wanted"] = 2 * wanted
+    found["half of what is wanted"] = wanted >> 1
+    return {what: value & 0o7777 for what, value in found.items()}
+
+
+def _near(found: dict[str, int], if_more: str, if_less: str, number: int, to: int) -> None:
+    """Add the formula of a few more or less than `to`, if `number` is one of these."""
+    more, less = number & 0o7777, -number & 0o7777
+    if more <= _FEW:
+        found[if_more.replace("#", f"{more:o}")] = to + more
+    elif less <= _FEW:
+        found[if_less.replace("#", f"{less:o}")] = to - less
+
+
+def of_characters(seen: Sequence[Text], codes: bool) -> str:
+    """Return what all of them show, "" if nothing; `codes` says whether they are called by their codes."""
+    wrong = [each for each in seen if list(each.got) != list(each.expected)]
+    several = [each for each in seen if len(each.got) > 1]
+    if len(seen) < _TRIALS or len(wrong) < 2:
+        return ""
+    if len(several) > 1 and all(len(set(each.got)) == 1 for each in several):
+        return "The same character comes again and again."
+    if all(list(each.got) == list(reversed(each.expected)) for each in seen):
+        return "They come in the opposite order."
+    if all(list(each.got) == list(each.read) for each in seen):
+        return "They come out as they went in."
+    if not codes and all(_in_octal(each) for each in seen):
+        return "These are the digits in octal."
+    for said, differ in (
+        ("come after the last", [_rest(each.expected, each.got, front=True) for each in seen]),
+        ("come before the first", [_rest(each.expected, each.got, front=False) for each in seen]),
+    ):
+        if min(differ) > 0:
+            count = f"{differ[0]}" if len(set(differ)) == 1 else "Some"
+            return f"{count} too many {said}."
+    for said, differ in (
+        ("last", [_rest(each.got, each.expected, front=True) for each in seen]),
+        ("first", [_rest(each.got, each.expected, front=False) for each in seen]),
+    ):
+        if len(set(differ)) == 1 and differ[0] > 0:
+            return f"The {said} is missing." if differ[0] == 1 else f"The {said} {differ[0]} are missing."
+    return _one_code(wrong, codes)
+
+
+def _in_octal(seen: Text) -> bool:
+    """Tell whether the digits that came are in octal what should come in decimal."""
+    wanted, found = ("".join(chr(code) for code in codes) for codes in (seen.expected, seen.got))
+    digits = wanted.isdigit() and found.isdigit() and "8" not in found and "9" not in found
+    return digits and int(wanted) == int(found, 8)
+
+
+def _rest(short: Sequence[int], long: Sequence[int], front: bool) -> int:
+    """Return by how many `long` is longer, if it begins, or else ends, with all of `short`; -1 if not."""
+    more = len(long) - len(short)
+    same = list(long[: len(short)] if front else long[more:]) == list(short)
+    return more if more >= 0 and same else -1
+
+
+def _one_code(wrong: Sequence[Text], codes: bool) -> str:
+    """Return which single character comes out wrong, or which channel."""
+    wants: set[int] = set()
+    gots: set[int] = set()
+    masks: set[int] = set()
+    every = 0
+    for each in wrong:
+        if len(each.got) != len(each.expected):
+            gone = [
+                code for code in sorted(set(each.expected)) if _without(each.expected, code) == list(each.got)
+            ]
+            if not gone:
+                return ""
+            wants.add(gone[0])
+            gots.add(_NONE)
+            continue
+        both = list(zip(each.expected, each.got, strict=True))
+        every += all(one != two for one, two in both)
+        for one, two in both:
+            if one != two:
+                wants.add(one)
+                gots.add(two)
+                masks.add(one ^ two)
+    if len(wants) == 1 and len(gots) == 1:
+        said = _called(min(wants), codes)
+        if _NONE in gots:
+            return f"Each {said} is missing, and all else is right."
+        return f"{_called(min(gots), codes)} comes for {said}, and all else is right."
+    if len(wants) == 1:
+        return f"All is right but what comes for {_called(min(wants), codes)}."
+    if len(gots) == 1 and _NONE not in gots:
+        return f"{_called(min(gots), codes)} comes where others belong, and all else is right."
+    channels = [channel for channel in range(1, 9) if masks == {1 << channel - 1}]
+    if channels and codes:
+        where = "every frame" if every == len(wrong) else "some frames"
+        return f"Channel {channels[0]} is wrong in {where}, and all else is right."
+    return ""
+
+
+def _without(codes: Sequence[int], code: int) -> list[int]:
+    return [each for each in codes if each != code]
+
+
+def _called(code: int, codes: bool) -> str:
+    return f"{code:03o}" if codes else chr(code)
