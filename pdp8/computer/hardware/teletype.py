@@ -26,9 +26,11 @@ the next start unit.
 
 By convention, because their clocks run free: the receiver's clock (880 Hz) beats an eighth of a unit after
 the start unit begins, so that start check and flag come at the late end of what a real one does (0 to 1/8
-unit earlier); a start unit that begins before the receiver looks again is seen by the clock as it was. A
-transmission from idle starts with the pulse itself (220 Hz, 0 to 1/2 unit later). The reader starts as soon
-as READER RUN lets it; a key pressed while the line is busy waits for it.
+unit earlier); a start unit that begins before the receiver looks again is seen by the clock as it was. Its
+pulse takes no time, where a real one is two ticks wide (0.1 us). INITIALIZE in the tick in which a start unit
+begins leaves the character whole: the first pulse that sees the unit comes later. A transmission from idle
+starts with the pulse itself (220 Hz, 0 to 1/2 unit later). The reader starts as soon as READER RUN lets it; a
+key pressed while the line is busy waits for it.
 
 Not emulated: LOCAL, BREAK, answer-back, the reader's trip latency.
 

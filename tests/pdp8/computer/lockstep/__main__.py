@@ -3,8 +3,8 @@
     python -m tests.pdp8.computer.lockstep INSTRUCTIONS [SEED [PROCESSES]]
 
 Each situation is played compiled and in JavaScript; one in four, a shorter one, in the plain form too; one in
-a hundred is at the Teletype. Ends with exit status 1 at the first difference, after it has shrunk the
-situation to a listing.
+a hundred is at the Teletype, one in twenty at the panel. Ends with exit status 1 at the first difference,
+after it has shrunk the situation to a listing.
 """
 
 import multiprocessing
@@ -14,7 +14,7 @@ from functools import partial
 
 from tests.pdp8.computer.lockstep.play import Played, listing, play
 from tests.pdp8.computer.lockstep.shrink import shrink
-from tests.pdp8.computer.lockstep.situations import Situation, at_the_teletype, situation
+from tests.pdp8.computer.lockstep.situations import Situation, at_the_panel, at_the_teletype, situation
 from tests.pdp8.web.node import NODE
 
 EVERY = 30
@@ -30,6 +30,8 @@ def chosen(seed: int) -> tuple[Situation, tuple[str, ...]]:
     """Return the situation of `seed`, and the forms that play it."""
     if seed % 100 == 99:
         return at_the_teletype(seed), FORMS
+    if seed % 20 == 10:
+        return at_the_panel(seed), (*FORMS, "plain")
     return (situation(seed), FORMS) if seed % 4 else (situation(seed, SHORT), (*FORMS, "plain"))
 
 
