@@ -17,11 +17,12 @@ from pdp8.cli.shared.progress import Bar
     show_default=True,
     help="States of each word, in steps of four.",
 )
-def vectors(output: str, states: int) -> None:
+@click.option("--pipan8l", is_flag=True, help="Add hands.tcl, which plays the keys on a real PDP-8/L.")
+def vectors(output: str, states: int, pipan8l: bool) -> None:
     """Write what each of the 4,096 words does, in a hundred states each, for tests of any emulator.
 
-    Beside them go interrupts, the Teletype and the PC8/L against the clock, what other models of the PDP-8 do
-    otherwise, runners in Python, C and Go, and a README that describes the format.
+    Beside them go interrupts, keys and switches, the Teletype and the PC8/L against the clock, what other
+    models of the PDP-8 do otherwise, runners in Python, C and Go, and a README that describes the format.
 
     \b
     Examples:
@@ -30,5 +31,5 @@ def vectors(output: str, states: int) -> None:
     """
     from pdp8.vectors import folder
 
-    with Bar("vectors", folder.COUNT) as bar:
-        command.put_all(output, bar.along(folder.files(states)))
+    with Bar("vectors", folder.COUNT + pipan8l) as bar:
+        command.put_all(output, bar.along(folder.files(states, pipan8l)))

@@ -12,7 +12,7 @@ from typing import Any
 
 from pal.isa import GROUP_2, GROUP_3, IOT, OPERATIONS, OPR
 from pal.models import MODELS, RULES
-from pdp8.vectors import devices, interrupts
+from pdp8.vectors import devices, hands, interrupts
 from pdp8.vectors.record import Recorder, Vector
 from pdp8.vectors.states import PROTECTED, states
 
@@ -25,12 +25,12 @@ GROUPS = {
 }
 """The words of each file."""
 DEVICES = ("teletype", "pc8l")
-COUNT = len(GROUPS) + 2 + len(DEVICES) + 1 + len(COPIED)
+COUNT = len(GROUPS) + 2 + len(DEVICES) + 2 + len(COPIED)
 """How many files there are."""
 
 
-def files(count: int) -> Iterator[tuple[str, bytes]]:
-    """Yield name and content of every file, with `count` states for every word."""
+def files(count: int, pipan8l: bool = False) -> Iterator[tuple[str, bytes]]:
+    """Yield name and content of every file, with `count` states for every word; `pipan8l` adds hands.tcl."""
     recorder = Recorder()
     for name, words in GROUPS.items():
         yield f"{name}.json.gz", _compressed(_single(recorder, words, count))
@@ -38,6 +38,9 @@ def files(count: int) -> Iterator[tuple[str, bytes]]:
     yield "interrupts.json.gz", _compressed(interrupts.vectors(recorder))
     for name in DEVICES:
         yield f"{name}.json.gz", _compressed(devices.vectors(name))
+    yield "hands.json.gz", _compressed(hands.vectors())
+    if pipan8l:
+        yield "hands.tcl", hands.pipan8l(hands.vectors()).encode()
     yield "differences.json", differences().encode()
     for name in COPIED:
         yield name, resources.files("pdp8.vectors").joinpath(name).read_bytes()

@@ -13,6 +13,9 @@ and what it may offer:
 
     flag(device)             raise it, return whether there is such a device; if not, the vector is left out
     cycle()                  run one memory cycle, return [state, ma, mb]; it is called in place of run
+    hand(what, value)        press a key (load_add, start, cont, stop, exam, dep), throw a switch (sr,
+                             sing_step, mem_prot), or run until RUN goes off (run). A hand takes a tenth of a
+                             second; return the lamps then: {"ma": ..., "state": "FETCH", ...}
     play(initial, inputs, ticks)
                              do the inputs among "events" to a machine as switched on, return all events
 """
@@ -36,6 +39,8 @@ def play(vector: dict[str, Any], emulator: Any) -> str | None:
     """Return the first difference, "" if there is none, None if the emulator cannot do the vector."""
     if "events" in vector:
         return _events(vector, emulator)
+    if "hands" in vector:
+        return _hands(vector, emulator)
     initial, final = vector["initial"], vector["final"]
     flags = initial.get("flags", [])
     if flags and not hasattr(emulator, "flag"):
@@ -82,6 +87,21 @@ def _events(vector: dict[str, Any], emulator: Any) -> str | None:
             return f"{one}, not {meant}"
     expected = len(vector["events"])
     return "" if len(got) == expected else f"{len(got)} events, not {expected}"
+
+
+def _hands(vector: dict[str, Any], emulator: Any) -> str | None:
+    if not hasattr(emulator, "hand"):
+        return None
+    emulator.set(dict(REGISTERS))
+    for address, word in vector["initial"]["ram"]:
+        emulator.deposit(address, word)
+    for number, one in enumerate(vector["hands"], 1):
+        lamps = emulator.hand(one["hand"], one["value"])
+        for lamp, meant in one["lamps"].items():
+            if lamps.get(lamp, meant) != meant:
+                what = f"{lamp} after hand {number}, {one['hand']},"
+                return f"{what} is {_octal(lamps[lamp])}, not {_octal(meant)}"
+    return _difference(emulator, vector["final"])
 
 
 def read(file: Path) -> Iterator[dict[str, Any]]:

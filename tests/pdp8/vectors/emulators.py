@@ -3,8 +3,10 @@
 from typing import Any
 
 from pdp8.vectors.devices import Devices, Event, play
-from tests.reference.model import Reference
+from tests.reference.model import KEYS, NEVER, Reference
 
+FRAME = 2_000_000
+LAMPS = ("ma", "mb", "link", "ac", "ir", "ion", "protect", "run")
 STATES = ("FETCH", "DEFER", "EXECUTE")
 REGISTERS = ("pc", "ac", "link", "sr", "ion", "mem_prot", "run", "protect")
 
@@ -28,6 +30,20 @@ class ReferenceEmulator:
         m = self.m
         (m.fast_reader, m.fast_punch, m.teletype.receiver, m.teletype.transmitter)[device - 1].flag = 1
         return True
+
+    def hand(self, what: str, value: int) -> dict[str, Any]:
+        m = self.m
+        if what == "sing_step":
+            m.do("sing_step", value)
+        elif what in KEYS:
+            m.press(what)
+        elif what != "run":
+            setattr(m, what, value)
+        elif m.run:
+            m.run_to(NEVER, m.instructions + 1_000_000)
+        if not m.run:
+            m.do("wait", FRAME)
+        return {name: getattr(m, name) for name in LAMPS} | {"state": (*STATES, "", "")[m.state]}
 
     def cycle(self) -> list[Any]:
         self.m.do("cycle")

@@ -66,7 +66,7 @@ def test_the_runner_in_python(changed: Path, folder: Path, tmp_path: Path) -> No
     status, said = in_folder(tmp_path, *command, changed, PYTHONPATH=str(ROOT))
     assert status == 1, said
     assert_said(said, cycles=True)
-    some = [folder / f"{name}.json.gz" for name in ("teletype", "pc8l", "interrupts", "opr1")]
+    some = [folder / f"{name}.json.gz" for name in ("teletype", "pc8l", "interrupts", "opr1", "hands")]
     status, said = in_folder(tmp_path, *command, "--model", "8/L", *some, PYTHONPATH=str(ROOT))
     assert status == 0, said
     assert said.count(" 0 differ") == len(some)
