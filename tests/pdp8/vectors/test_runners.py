@@ -18,7 +18,7 @@ from tests import commands
 from tests.pdp8.vectors.faults import FAULTS
 from tests.reference.compiling import compile_c, compiler
 from tests.reference.model import FOLDER as REFERENCE
-from tests.reference.model import SOURCES
+from tests.reference.model import HEADERS, SOURCES
 
 ROOT = Path(__file__).parents[3]
 CHANGED = ("pc", "ac", "link", "sr", "ion", "run", "ticks", "core", "mem_prot", "protect", "MA")
@@ -161,7 +161,8 @@ def test_the_runner_in_c_finds_a_fault(c_runner: CRunner, fault: str) -> None:
 @pytest.mark.slow("Go compiles its own C library first")
 @pytest.mark.skipif(shutil.which("go") is None, reason="Go is not installed")
 def test_the_runner_in_go(folder: Path, changed: Path, tmp_path: Path) -> None:
-    for source in (*REFERENCE.glob("*.[chg]*"), folder / "emulator.h", folder / "runner_test.go"):
+    emulator = [REFERENCE / f"emulator.{kind}" for kind in ("c", "go")]
+    for source in (*SOURCES, *HEADERS, *emulator, folder / "emulator.h", folder / "runner_test.go"):
         shutil.copy(source, tmp_path)
     (tmp_path / "go.mod").write_text("module reference\ngo 1.21\n")
     command = "go", "test", "-run", "TestVectors", "-v", "-vectors"
