@@ -22,8 +22,8 @@ code { display: inline-block; white-space: break-spaces }
 _CODE = re.compile(r"`([^`]+)`")
 _FULL = 70
 """Characters, at least, of a line that was ended because the next word did not fit."""
-_BEGINS = re.compile(r"\s|[*-]|\w+: |$")
-"""What begins a line of its own."""
+_WRAPPED = re.compile(r"(?<=\S)\n(?!\s|[*-]|\w+: )")
+"""Where a line may have been ended for that; what follows does not begin a list."""
 
 
 def html(exercise: Exercise, result: Result) -> str:
@@ -46,11 +46,12 @@ def html(exercise: Exercise, result: Result) -> str:
 
 def task(text: str) -> str:
     """Return an exercise's task, its paragraphs and lists as they were written."""
-    lines = text.strip().split("\n")
-    whole = lines[0]
-    for before, line in pairwise(lines):
-        full = len(before) + 1 + len(line.split(" ")[0]) > _FULL and not _BEGINS.match(line)
-        whole += (" " if full else "\n") + line
+    pieces = _WRAPPED.split(text.strip())
+    whole = pieces[0]
+    for before, piece in pairwise(pieces):
+        line = before.split("\n")[-1]
+        full = len(line) + 1 + len(piece.split(" ")[0]) > _FULL
+        whole += (" " if full else "\n") + piece
     return f'<p class="task">{_coded(whole)}</p>'
 
 
