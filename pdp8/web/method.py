@@ -9,6 +9,8 @@ Lengths are thousandths of an inch. A feed's error is a part of it, 0.2 for 20 %
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
+from math import cos, radians, sin
 from typing import NamedTuple
 
 from nc.machine import Settings, cut
@@ -19,7 +21,7 @@ from programs import circle as listed
 from programs import slope as slopes
 from programs.header import THESIS
 from programs.milling import SLOWEST, Milling
-from programs.stretches import Curve, Point, arc, line, oval
+from programs.stretches import Curve, Point, arc, graph, line, oval
 from tapes import eia
 from tapes.hydrapoint import Preparatory
 
@@ -94,9 +96,19 @@ def fewest(frames: list[int], x_error: float, y_error: float) -> Made:
     return Made("", cut(bytes(frames), settings=Settings(feed_error=(x_error, y_error, 0.0))))
 
 
-def slope(tolerance: float, x_error: float = 0.0, y_error: float = 0.0) -> Made:
-    """Mill the slope by steps."""
-    return _milled(line(SLOPE[0], SLOPE[1], tolerance), SLOWEST, x_error, y_error)
+def slope(tolerance: float, x_error: float = 0.0, y_error: float = 0.0, angle: float = 30.0) -> Made:
+    """Mill by steps a slope of so many degrees, as long as Chapter 3's."""
+    start = SLOPE[0]
+    end = Point(start.x + round(5000 * cos(radians(angle))), start.y + round(5000 * sin(radians(angle))))
+    return _milled(line(start, end, tolerance), SLOWEST, x_error, y_error)
+
+
+def drawn(heights: list[float], tolerance: float) -> Made:
+    """Mill a curve by steps: its heights on the table at each .04 in from X 2.000, straight between."""
+    spans = pairwise(heights)
+    every = [here + (there - here) * part / 40 for here, there in spans for part in range(40)]
+    lower, upper = [y - tolerance for y in every], [y + tolerance for y in every]
+    return _milled(graph(2000, lower, upper), SLOWEST)
 
 
 def quarter(tolerance: float, feed: int) -> Made:
@@ -133,7 +145,7 @@ class Character:
 
 def characters(words: Iterable[tuple[int, int]], frames: bytes) -> list[Character]:
     """Return what the program `words`, of addresses and words, does with each of the frames."""
-    machine = _started(words, frames)
+    machine = started(words, frames)
     processor = machine.processor
     done: list[Character] = []
     for _ in range(_MOST):
@@ -155,12 +167,13 @@ def characters(words: Iterable[tuple[int, int]], frames: bytes) -> list[Characte
 
 def translated(words: Iterable[tuple[int, int]], frames: bytes) -> Machine:
     """Return the machine that has read all the frames: its punch has the tape."""
-    machine = _started(words, frames)
+    machine = started(words, frames)
     machine.run()
     return machine
 
 
-def _started(words: Iterable[tuple[int, int]], frames: bytes) -> Machine:
+def started(words: Iterable[tuple[int, int]], frames: bytes) -> Machine:
+    """Return a machine with the program `words`, started, and the frames under its reader."""
     machine = Machine()
     machine.load(words)
     machine.start(0o200)

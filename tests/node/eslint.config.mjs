@@ -4,7 +4,7 @@ import js from "@eslint/js";
 
 const BROWSER = "document window location history navigator localStorage sessionStorage performance console prompt matchMedia "
   + "getComputedStyle getSelection addEventListener setTimeout clearTimeout requestAnimationFrame cancelAnimationFrame "
-  + "ResizeObserver Option Worker Blob CSS Response URL URLSearchParams TextDecoder TextEncoder atob btoa CompressionStream "
+  + "IntersectionObserver ResizeObserver Option Worker Blob CSS Response URL URLSearchParams TextDecoder TextEncoder atob btoa CompressionStream "
   + "DecompressionStream OffscreenCanvas Path2D AudioContext AudioBuffer AudioBufferSourceNode "
   + "BiquadFilterNode DynamicsCompressorNode GainNode OscillatorNode";
 const readonly = (names) => Object.fromEntries(names.split(" ").map((name) => [name, "readonly"]));

@@ -3,7 +3,7 @@
 import * as ascii from "../../../tapes/ascii.mjs";
 import * as eia from "../../../tapes/eia.mjs";
 import { block as blockOf, FIELDS } from "../../../tapes/hydrapoint.mjs";
-import { Figure } from "./drawing.mjs";
+import { Figure, remembered } from "./drawing.mjs";
 import { rect, text } from "../svg.mjs";
 import { characters, translated } from "../method.mjs";
 import { html } from "../html.mjs";
@@ -28,10 +28,10 @@ function tape(frames, box, pitch, now = -1) {
   return [paper + marked + holes.join(""), height];
 }
 
-export function holes({ text: printout }) {
-  const all = printout.trimEnd().split("\n");
+export function holes(listed) {
+  const lines = remembered(() => listed().text.trimEnd().split("\n"));
   return new Figure("holes", ({ block }, width) => {
-    const line = all[block - 1];
+    const line = lines()[block - 1];
     const [first, second] = [ascii.encode(`${line}\n`), eia.encode(`${line.replaceAll(" ", "0")}\n`)];
     const pitch = Math.min(22, (width - 2) / (ROWS + 0.5));
     const size = Math.max(9, Math.min(16, pitch * 0.85));
@@ -41,8 +41,9 @@ export function holes({ text: printout }) {
     const typed = [...line, "CR", "LF"].map((character, row) => text(pitch * (row + 0.7), 36, character === " " ? "␣" : character, `class="type" style="font-size:${character.length > 1 ? size * 0.72 : size}px" text-anchor="middle"`)).join("");
     const digits = [...line.replaceAll(" ", "0"), "EOB"].map((digit, row) => text(pitch * (row + 0.7), below - 6, digit, `class="type" style="font-size:${digit.length > 1 ? size * 0.6 : size}px" text-anchor="middle"`)).join("");
     const content = text(0, 12, "ASCII, from the time-sharing terminal: 27 rows", 'class="small"') + typed + upper + text(0, below - 46, "EIA, for the Hydra-Point: 20 rows", 'class="small"') + fields(pitch, below - 22, width) + digits + lower;
-    return [content, below + tall + 6, meaning(line.replaceAll(" ", "0"))];
-  }, { block: (number) => `${number} of ${all.length}` });
+    const whole = { x: 0, y: 0, width, height: below + tall };
+    return [content, below + tall + 6, meaning(line.replaceAll(" ", "0")), { block: { box: whole, to: ({ dx, start }) => start - dx / 24 } }];
+  }, { block: (number) => `${number} of ${lines().length}` });
 }
 
 function fields(pitch, y, width) {
@@ -63,15 +64,15 @@ function meaning(digits) {
   return html`Block ${number}: <b>position</b>, one of the six that open the tape: park, tool, coolant, spindle, start of the contour, depth.`;
 }
 
-export function computer({ text: printout }, record) {
-  const all = printout.trimEnd().split("\n");
+export function computer(listed, record) {
+  const lines = remembered(() => listed().text.trimEnd().split("\n"));
   const listing = new Map(record.listing.map(([address, word, source]) => [`${address} ${word}`, source]));
   let last = { block: 0, done: [] };
   const run = (block) => {
-    if (block !== last.block) last = { block, done: characters(record.words, ascii.encode(`${all[block - 1]}\n`)) };
+    if (block !== last.block) last = { block, done: characters(record.words, ascii.encode(`${lines()[block - 1]}\n`)) };
     return last.done;
   };
-  const words = { block: (number) => `${number} of ${all.length}`, character: (at, { block }) => `${at + 1} of 27: ${shown(run(block)[at].character)}` };
+  const words = { block: (number) => `${number} of ${lines().length}`, character: (at, { block }) => `${at + 1} of 27: ${shown(run(block)[at].character)}` };
   const figure = new Figure("translating", ({ block, character: at }, width) => {
     const done = run(block);
     const pitch = Math.min(20, (width - 2) / (ROWS + 0.5));
@@ -79,14 +80,15 @@ export function computer({ text: printout }, record) {
     const [reader, tall] = tape(done.map(({ character }) => character), { x: 0, y: 20 }, pitch, at);
     const [punch] = tape(punched, { x: 0, y: tall + 50 }, pitch, done[at].punched === null ? -1 : punched.length - 1);
     const content = text(0, 12, "under the reader", 'class="small"') + reader + text(0, tall + 42, "out of the punch", 'class="small"') + punch;
-    return [content, 2 * tall + 58, told(done[at], listing)];
+    const held = { box: { x: 0, y: 20, width, height: tall }, to: ({ dx, start }) => start + dx / pitch };
+    return [content, 2 * tall + 58, told(done[at], listing), { character: held }];
   }, words);
   const [button, said] = [document.getElementById("translate"), document.getElementById("translated")];
   button.addEventListener("click", () => {
     const began = performance.now();
-    const { elapsed, teletype: { punch: { tape: frames } } } = translated(record.words, ascii.encode(printout));
+    const { elapsed, teletype: { punch: { tape: frames } } } = translated(record.words, ascii.encode(listed().text));
     const here = (performance.now() - began) / 1000;
-    said.textContent = `${all.length} blocks: ${(elapsed / 60).toFixed(1)} minutes at the computer, ${here.toFixed(1)} s in this page; ${frames.length - 1} frames and a blank one came out.`;
+    said.textContent = `${lines().length} blocks: ${(elapsed / 60).toFixed(1)} minutes at the computer, ${here.toFixed(1)} s in this page; ${frames.length - 1} frames and a blank one came out.`;
   });
   return figure;
 }

@@ -12,15 +12,20 @@ const UNITS = {
   count: String,
   degrees: (angle) => `${angle}°`,
   feed: (code) => `${XY_FEED.at(code).toFixed(1)} in/min`,
+  part: (thousandths) => `${(thousandths / 10).toFixed(0)} %`,
   percent: (part) => `${part > 0 ? "+" : part < 0 ? "−" : ""}${Math.abs(part)} %`,
   sixteenths: (count) => `${count / 16} in`,
   times: (many) => `${many.toFixed(many < 10 ? 1 : 0)} ×`,
 };
 
-/** A figure of the page: draws itself again when one of its inputs changes, or its width. */
+const SLICE = 20; // milliseconds that a drawing may take before the page has its turn
+
+/** A figure of the page: draws itself when it comes near, and again when one of its inputs changes, or its width. */
 export class Figure {
-  /** `draw(values, width)` returns [the SVG's content, its height, what is said of it]; `words` writes values that
-   *  have no unit.
+  /** `draw(values, width)` returns [the SVG's content, its height, what is said of it, its holds]; or it is a generator that
+   *  yields where it may be interrupted, and returns that. A hold is what of the drawing can be dragged, by the name of its
+   *  input: {x, y} or {box}, and `to`, which makes the input's value of a drag {x, y, dx, dy, start}. `words` writes values
+   *  that have no unit.
    */
   constructor(id, draw, words = {}) {
     this.element = document.getElementById(id);
@@ -29,9 +34,17 @@ export class Figure {
     this.svg = this.element.querySelector("svg");
     this.said = this.element.querySelector(".said");
     this.inputs = [...this.element.querySelectorAll("input")];
-    this.element.addEventListener("input", () => this.later());
+    this.holds = {};
+    for (const event of ["input", "focusin", "focusout"]) this.element.addEventListener(event, () => this.later());
+    this.svg.addEventListener("pointerdown", (event) => this.#take(event));
+    this.svg.addEventListener("pointermove", (event) => this.#drag(event));
+    for (const event of ["pointerup", "pointercancel"]) this.svg.addEventListener(event, () => (this.held = null));
+    new IntersectionObserver(([{ isIntersecting }]) => {
+      this.near = isIntersecting;
+      this.later();
+    }, { rootMargin: "500px" }).observe(this.element);
     new ResizeObserver(() => this.later()).observe(this.element);
-    this.later();
+    addEventListener("beforeprint", () => this.show(Infinity));
   }
 
   /** The inputs' values by their names. */
@@ -39,20 +52,48 @@ export class Figure {
     return Object.fromEntries(this.inputs.map((input) => [input.name, valued(input)]));
   }
 
+  #input(name) {
+    return this.inputs.find((input) => input.name === name);
+  }
+
   set(name, value) {
-    this.inputs.find((input) => input.name === name).value = String(value);
+    this.#input(name).value = String(value);
     this.later();
   }
 
-  /** Draw before the next picture, once for however many changes. */
+  #at({ clientX, clientY }) {
+    const { left, top, width } = this.svg.getBoundingClientRect();
+    const scale = this.svg.viewBox.baseVal.width / width;
+    return { x: (clientX - left) * scale, y: (clientY - top) * scale };
+  }
+
+  #take(event) {
+    const name = event.target.closest("[data-hold]")?.dataset.hold;
+    if (!name) return;
+    event.preventDefault();
+    this.svg.setPointerCapture(event.pointerId);
+    this.#input(name).focus({ preventScroll: true });
+    this.held = { name, from: this.#at(event), start: Number(this.#input(name).value) };
+  }
+
+  #drag(event) {
+    if (!this.held) return;
+    const { name, from, start } = this.held;
+    const { x, y } = this.#at(event);
+    this.set(name, this.holds[name].to({ x, y, dx: x - from.x, dy: y - from.y, start }));
+  }
+
+  /** Draw before the next picture, once for however many changes; not while it is far. */
   later() {
+    if (!this.near) return;
     this.waits ??= setTimeout(() => {
       this.waits = null;
       this.show();
     });
   }
 
-  show() {
+  show(slice = SLICE) {
+    clearTimeout(this.goes);
     const width = Math.max(280, Math.round(this.svg.parentElement.clientWidth));
     const { values } = this;
     for (const input of this.inputs) {
@@ -61,9 +102,29 @@ export class Figure {
       output.textContent = (this.words[input.name] ?? UNITS[input.dataset.unit])(values[input.name], values);
       input.setAttribute("aria-valuetext", output.textContent);
     }
-    const [content, height, said] = this.draw(values, width);
+    const drawing = this.draw(values, width);
+    if (Array.isArray(drawing)) this.#put(width, .../** @type {[string, number, any, any?]} */ (drawing));
+    else this.#goOn(width, drawing, slice);
+  }
+
+  #goOn(width, drawing, slice) {
+    const until = performance.now() + slice;
+    for (;;) {
+      const { done, value } = drawing.next();
+      if (done) return this.#put(width, ...value);
+      if (performance.now() > until) break;
+    }
+    this.goes = setTimeout(() => this.#goOn(width, drawing, slice));
+  }
+
+  #put(width, content, height, said, holds = {}) {
+    this.holds = holds;
+    const drawn = Object.entries(holds).map(([name, { box, x, y }]) => {
+      const marks = `class="hold${document.activeElement === this.#input(name) ? " on" : ""}" data-hold="${name}"`;
+      return box ? rect(box, marks) : `<circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="11" ${marks}/>`;
+    });
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    put(this.svg, ours(content));
+    put(this.svg, ours(content + drawn.join("")));
     put(this.said, said);
   }
 }

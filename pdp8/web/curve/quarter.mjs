@@ -12,8 +12,8 @@ const COMPARED = [1, 2, 3, 5, 7, 10, 15, 20, 30, 50]; // tolerances of the chart
 const quarter = remembered(cut);
 
 export function curved() {
-  return new Figure("curved", ({ tolerance, cutter, feed: code, place }, width) => {
-    const made = quarter(tolerance, code);
+  return new Figure("curved", ({ tolerance, cutter, place }, width) => {
+    const made = quarter(tolerance, 1);
     const wall = walls(made.way, CIRCLE, (cutter * 1000) / 16, Math.PI, -Math.PI / 2, STATIONS);
     const wide = width >= 560;
     const side = wide ? (width - 16) / 2 : width;
@@ -21,22 +21,39 @@ export function curved() {
     const whole = { x: 0, y: 20, width: side, height: tall };
     const close = wide ? { ...whole, x: side + 16 } : { ...whole, y: tall + 50 };
     const strip = { x: 8, y: close.y + tall + 28, width: width - 66, height: 110 };
-    const chart = { x: 40, y: strip.y + strip.height + 40, width: width - 60, height: 130 };
-    const content = pictured(made, cutter, tolerance, place, whole, close) + unrolled(made, wall, tolerance, place, strip) + compared(tolerance, code, chart);
-    return [content, chart.y + chart.height + 34, said(made, wall, tolerance)];
+    const [content, holds] = pictured(made, cutter, tolerance, place, whole, close);
+    return [content + unrolled(made, wall, tolerance, place, strip), strip.y + strip.height + 8, said(made, wall, tolerance), holds];
   });
 }
 
-function said({ blocks, reading, milling, minutes: took }, { outer, inner }, tolerance) {
+/** What a tolerance costs: a bar for each, to be taken by its top. */
+export function costs() {
+  return new Figure("costs", function* ({ tolerance, feed: code }, width) {
+    const chart = { x: 40, y: 40, width: width - 60, height: 170 };
+    const all = [...new Set([...COMPARED, tolerance])].sort((a, b) => a - b);
+    for (const each of all) {
+      quarter(each, code);
+      yield;
+    }
+    const { blocks, reading, milling, minutes: took } = quarter(tolerance, code);
+    const wide = chart.width / all.length;
+    const to = ({ x }) => 100 * (Math.log(all[Math.max(0, Math.min(all.length - 1, Math.floor((x - chart.x) / wide)))]) / Math.log(50));
+    const hold = { x: chart.x + (all.indexOf(tolerance) + 0.5) * wide, y: chart.y + chart.height + 28, to };
+    return [compared(all, tolerance, code, chart), chart.y + chart.height + 42, html`±${mils(tolerance)} in: <b>${blocks} blocks</b>, reading ${minutes(reading)} + cutting ${minutes(milling)} = <b>${minutes(took)}</b>.`, { tolerance: hold }];
+  });
+}
+
+function said({ blocks }, { outer, inner }, tolerance) {
   const tenth = STATIONS / 9, middle = STATIONS / 2, five = STATIONS / 18;
   const furthest = Math.max(...[outer, inner].map((errors) => errors.reduce((most, error) => Math.max(most, Math.abs(error) || 0), 0)));
   const diagonal = Math.max(...[outer, inner].map((errors) => troughToPeak(errors.subarray(middle - five, middle + five))));
   const apex = Math.max(...[outer, inner].map((errors) => troughToPeak(errors.subarray(STATIONS - tenth))));
-  return html`<b>${blocks} blocks</b>: reading ${minutes(reading)} + cutting ${minutes(milling)} = <b>${minutes(took)}</b>. The wall is at most <b>${mils(furthest, 4)} in</b> off; promised are ${mils(tolerance + 1)}. Trough to peak it is ${mils(apex, 4)} near the top, ${mils(diagonal, 4)} at 45°.`;
+  return html`<b>${blocks} blocks</b>. The wall is at most <b>${mils(furthest, 4)} in</b> off; promised are ${mils(tolerance + 1)}. Trough to peak it is ${mils(apex, 4)} near the top, ${mils(diagonal, 4)} at 45°.`;
 }
 
 function pictured({ way }, cutter, tolerance, place, whole, close) {
   const at = onCircle(180 - place);
+  const outward = { x: (at.x - CENTRE) / RADIUS, y: (at.y - CENTRE) / RADIUS };
   const room = 320;
   const far = new View({ left: CENTRE - RADIUS - room, right: CENTRE + room, bottom: CENTRE - room, top: CENTRE + RADIUS + room }, whole);
   const radius = (cutter * 1000) / 32;
@@ -47,10 +64,15 @@ function pictured({ way }, cutter, tolerance, place, whole, close) {
   const seen = around(way, at, 3 * half);
   const drawn = ring(0, `class="ring" style="stroke-width:${2 * tolerance * near.sx}"`) + ring(tolerance, 'class="limit"') + ring(-tolerance, 'class="limit"') + ring(0, 'class="intended"') + near.line(seen, 'class="way"') + seen.map((stop) => near.dot(stop, 3.2, 'class="stop"')).join("");
   const times = Math.round(near.sx / far.sx);
-  return (
+  const holds = {
+    place: { x: far.x(at.x), y: far.y(at.y), to: ({ x, y }) => (Math.atan2(far.y(CENTRE) - y, far.x(CENTRE) - x) * 180) / Math.PI },
+    tolerance: { x: near.x(at.x) + outward.x * tolerance * near.sx, y: near.y(at.y) - outward.y * tolerance * near.sy, to: ({ dx, dy, start }) => start + (dx * outward.x - dy * outward.y) / 3 },
+  };
+  return [
     text(whole.x, whole.y - 6, "the cut, and the cutter", 'class="small"') + clipped(whole, groove + far.line(way, 'class="way"') + far.circle({ ...at, radius }, 'class="tool"') + far.dot(at, 2.5, 'class="stop"')) + rect(whole, 'class="frame"') +
-    text(close.x, close.y - 6, `its centre's way there, ${times} times nearer`, 'class="small"') + clipped(close, drawn) + rect(close, 'class="frame"')
-  );
+    text(close.x, close.y - 6, `its centre's way there, ${times} times nearer`, 'class="small"') + clipped(close, drawn) + rect(close, 'class="frame"'),
+    holds,
+  ];
 }
 
 function longest(way) {
@@ -81,8 +103,7 @@ function unrolled({ way }, { outer, inner }, tolerance, place, box) {
 }
 
 /** Minutes for each tolerance: the reading below, the cutting above it. */
-function compared(tolerance, code, box) {
-  const all = [...new Set([...COMPARED, tolerance])].sort((a, b) => a - b);
+function compared(all, tolerance, code, box) {
   const made = all.map((each) => quarter(each, code));
   const most = Math.max(...made.map(({ minutes: took }) => took));
   const wide = box.width / all.length;

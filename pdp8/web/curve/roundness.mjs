@@ -4,7 +4,7 @@ import { circle } from "../method.mjs";
 import { CIRCLE, Figure, mils, remembered } from "./drawing.mjs";
 import { html } from "../html.mjs";
 import { clipped, text } from "../svg.mjs";
-import { troughToPeak, walls } from "./walls.mjs";
+import { measuring, troughToPeak } from "./walls.mjs";
 
 const STATIONS = 36000; // as many as nc/inspection.py has
 const PAPER = 10000; // thousandths of an inch that the drawing is wide, at the instrument
@@ -12,9 +12,17 @@ const PAPER = 10000; // thousandths of an inch that the drawing is wide, at the 
 const PLACES = [["+X", 0, 10], ["45°", 45, 5], ["+Y", 90, 10], ["135°", 135, 5], ["−X", 180, 10], ["225°", 225, 5], ["−Y", 270, 10], ["315°", 315, 5]];
 
 export function roundness() {
-  const measured = remembered((closed, cutter) => walls(circle(5, closed).way, CIRCLE, (cutter * 1000) / 16, 0, 2 * Math.PI, STATIONS));
-  return new Figure("roundness", ({ times, closed, cutter }, width) => {
-    const wall = measured(closed, cutter);
+  const measured = new Map();
+  const closedWay = remembered((closed) => circle(5, closed).way);
+  return new Figure("roundness", function* ({ times, closed, cutter }, width) {
+    const key = `${closed} ${cutter}`;
+    if (!measured.has(key)) {
+      yield;
+      const way = closedWay(closed);
+      yield;
+      measured.set(key, yield* measuring(way, CIRCLE, (cutter * 1000) / 16, 0, 2 * Math.PI, STATIONS));
+    }
+    const wall = measured.get(key);
     const height = Math.min(width, 560);
     const mean = height * 0.29;
     const scale = (times * height) / PAPER;

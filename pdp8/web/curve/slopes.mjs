@@ -6,37 +6,40 @@ import { html } from "../html.mjs";
 import { text, View } from "../svg.mjs";
 
 const [FROM, TO] = SLOPE;
-const LENGTH = Math.hypot(TO.x - FROM.x, TO.y - FROM.y);
-const [EAST, NORTH] = [(TO.x - FROM.x) / LENGTH, (TO.y - FROM.y) / LENGTH]; // of a step along it
 const BAND = 5;
 
-/** A place as the band's: how far along the slope, and how far off to its left. */
-function beside({ x, y }) {
-  return { x: (x - FROM.x) * EAST + (y - FROM.y) * NORTH, y: (y - FROM.y) * EAST - (x - FROM.x) * NORTH };
+/** A slope from A to B: its length; a place as its band's, how far along it and how far off to its left; and back. */
+function sloping(to) {
+  const length = Math.hypot(to.x - FROM.x, to.y - FROM.y);
+  const [east, north] = [(to.x - FROM.x) / length, (to.y - FROM.y) / length]; // of a step along it
+  return {
+    to,
+    length,
+    beside: ({ x, y }) => ({ x: (x - FROM.x) * east + (y - FROM.y) * north, y: (y - FROM.y) * east - (x - FROM.x) * north }),
+    at: (along, off = 0) => ({ x: FROM.x + along * east - off * north, y: FROM.y + along * north + off * east }),
+  };
 }
 
-/** The place so far along the slope, and so far off to its left. */
-function at(along, off = 0) {
-  return { x: FROM.x + along * EAST - off * NORTH, y: FROM.y + along * NORTH + off * EAST };
-}
+const CHAPTER_3 = sloping(TO);
+const { at, beside, length: LENGTH } = CHAPTER_3;
 
 /** How far the furthest place of a way is from the slope; with that place. */
-function furthest(way) {
-  const offs = way.map((place) => Math.abs(beside(place).y));
+function furthest(way, line = CHAPTER_3) {
+  const offs = way.map((place) => Math.abs(line.beside(place).y));
   const worst = Math.max(...offs);
   return { worst, where: way[offs.indexOf(worst)] };
 }
 
 /** Where the slope stands, and how high the drawing is.
  * @returns {[View, number]} */
-function plan(width) {
+function plan(width, right = TO.x, top = TO.y) {
   const height = Math.round(Math.min(330, width * 0.56));
   const room = width / 30 + 14;
-  return [new View({ left: FROM.x, right: TO.x, bottom: FROM.y, top: TO.y }, { x: room, y: room, width: width - 2 * room, height: height - 2 * room }), height];
+  return [new View({ left: FROM.x, right, bottom: FROM.y, top }, { x: room, y: room, width: width - 2 * room, height: height - 2 * room }), height];
 }
 
-function ends(view) {
-  return view.line([FROM, TO], 'class="intended"') + named(view, FROM, "A", -14, 14) + named(view, TO, "B", 6, -4);
+function ends(view, to = TO) {
+  return view.line([FROM, to], 'class="intended"') + named(view, FROM, "A", -14, 14) + named(view, to, "B", 6, -4);
 }
 
 function named(view, place, name, dx, dy) {
@@ -73,22 +76,29 @@ export function piecewise({ fewest: frames }) {
   });
 }
 
-function title(box, reach) {
-  const times = Math.round(box.height / (2 * reach) / (box.width / LENGTH));
+function title(box, reach, length = LENGTH) {
+  const times = Math.round(box.height / (2 * reach) / (box.width / length));
   return text(box.x, box.y - 7, `the band made straight${times > 1 ? `, its height ${times} times as large` : ""}`, 'class="small"');
 }
 
 export function stepwise() {
-  return new Figure("stepwise", ({ tolerance, dx }, width) => {
-    const [view, height] = plan(width);
-    const { way, stops, blocks, reading, milling, minutes: took } = slope(tolerance, dx / 100, -dx / 100);
-    const [left, right] = [tolerance, -tolerance].map((off) => [at(0, off), at(LENGTH, off)]);
+  return new Figure("stepwise", ({ tolerance, dx, angle }, width) => {
+    const [view, height] = plan(width, FROM.x + 4830, FROM.y + 3536);
+    const { way, stops, blocks, reading, milling, minutes: took } = slope(tolerance, dx / 100, -dx / 100, angle);
+    const line = sloping(way.at(-1));
+    const { to, length } = line;
+    const [left, right] = [tolerance, -tolerance].map((off) => [line.at(0, off), line.at(length, off)]);
     const sides = view.line(left, 'class="limit"') + view.line(right, 'class="limit"');
     const few = stops.length <= 14;
     const names = few ? stops.slice(0, -1).map((place, n) => named(view, place, "CDEFGHIJKLMNO"[n], n % 2 ? 5 : -13, n % 2 ? 14 : -5)).join("") : "";
     const box = { x: 8, y: height + 24, width: width - 62, height: 120 };
     const reach = 1.5 * tolerance + 1;
-    const content = view.line([...left, ...right.toReversed()], 'class="band"', true) + sides + ends(view) + view.line(way, 'class="way"') + names + title(box, reach) + straightened(box, LENGTH, tolerance, reach, [[way.map(beside), "way"]]);
-    return [content, box.y + box.height + 8, html`<b>${blocks} blocks</b>. Reading them takes ${minutes(reading)}, cutting ${minutes(milling)}: <b>${minutes(took)}</b>. Furthest off: ${inch(furthest(way).worst)}.`];
+    const content = view.line([...left, ...right.toReversed()], 'class="band"', true) + sides + ends(view, to) + view.line(way, 'class="way"') + names + title(box, reach, length) + straightened(box, length, tolerance, reach, [[way.map(line.beside), "way"]]);
+    const edge = line.at(length / 3, tolerance);
+    const holds = {
+      tolerance: { x: view.x(edge.x), y: view.y(edge.y), to: ({ dy, start }) => start - dy / 3 },
+      angle: { x: view.x(to.x), y: view.y(to.y), to: ({ x, y }) => (Math.atan2(view.y(FROM.y) - y, x - view.x(FROM.x)) * 180) / Math.PI },
+    };
+    return [content, box.y + box.height + 8, html`<b>${blocks - 6} blocks</b> and the six that open the tape. Reading them takes ${minutes(reading)}, cutting ${minutes(milling)}: <b>${minutes(took)}</b>. Furthest off: ${inch(furthest(way, line).worst)}.`, holds];
   });
 }

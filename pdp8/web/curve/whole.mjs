@@ -10,13 +10,19 @@ import { clipped, rect, text, View } from "../svg.mjs";
 const CUTTER = 250; // its radius
 const TAKES = 20; // seconds in which the whole is played
 
-export function whole(made, button) {
-  const { path } = made;
-  const first = path.steps.findIndex(({ block }) => block.preparatory === 6);
-  const before = clocked(path, first);
-  const takes = before.at(-1);
-  const clock = (part) => `${((takes * part) / 1000 / 60).toFixed(1)} min`;
-  const figure = new Figure("whole", ({ time }, width) => picture(made, before, first, (takes * time) / 1000, width), { time: clock });
+export function whole(listed, button) {
+  let kept = null;
+  const timed = () => {
+    if (kept) return kept;
+    const { path } = listed();
+    const first = path.steps.findIndex(({ block }) => block.preparatory === 6);
+    return (kept = { first, before: clocked(path, first) });
+  };
+  const clock = (part) => `${((timed().before.at(-1) * part) / 1000 / 60).toFixed(1)} min`;
+  const figure = new Figure("whole", ({ time }, width) => {
+    const { first, before } = timed();
+    return picture(listed(), before, first, (before.at(-1) * time) / 1000, width);
+  }, { time: clock });
   playing(figure, button);
   return figure;
 }
@@ -78,7 +84,12 @@ function picture({ path, way }, before, first, now, width) {
   const bars = bar(width, height - 50, "reading", read) + bar(width, height - 24, "cutting", cutting);
   const blocks = last - first;
   const said = html`Block <b>${Math.min(last + 1, path.length)}</b> of ${path.length}. Of ${minutes((read + cutting) / 60)} the reader took ${minutes(read / 60)} (${blocks} blocks of 2 s), the cutter ${minutes(cutting / 60)}: it cut <b>${read + cutting ? Math.round((100 * cutting) / (read + cutting)) : 0} %</b> of the time.`;
-  return [clipped(box, content) + digits + bars, height, said];
+  const dragged = ({ x, y }) => {
+    const turned = (Math.atan2(view.y(CENTRE) - y, view.x(CENTRE) - x) + 2 * Math.PI) % (2 * Math.PI);
+    const reached = path.steps.findIndex(({ at: stop }, n) => n >= first && (Math.atan2(stop.y - CENTRE, CENTRE - stop.x) + 2 * Math.PI) % (2 * Math.PI) >= turned);
+    return (1000 * before[reached < 0 ? path.steps.length : reached]) / before.at(-1);
+  };
+  return [clipped(box, content) + digits + bars, height, said, { time: { x: view.x(tip.x), y: view.y(tip.y), to: dragged } }];
 }
 
 function between(from, to, part) {

@@ -23,6 +23,7 @@ _COMPUTED = """async ([words, line]) => {
   const { way } = method.circle(5);
   const { outer, inner } = walls(way, { x: 4000, y: 4000, radius: 1750 }, 500, 0, 2 * Math.PI, 3600);
   const shapes = [method.circle(3, true), method.slope(7, 0.2, -0.2), method.quarter(10, 3)];
+  shapes.push(method.drawn([5000, 5400, 5300, 5700], 30));
   return [shapes, method.characters(words, line), outer, inner];
 }"""
 _WORDS = list(pal.assemble(shelf.read_bundled("eia.pal")).words.items())
@@ -33,7 +34,12 @@ _LINE = "  76 2250 4133  185\n"
 def test_the_page_computes_what_python_does() -> None:
     """Printouts, minutes, ways, characters; each station of both walls to a millionth of a thousandth."""
     made, characters, *walls = in_node(_COMPUTED, [_WORDS, list(ascii.encode(_LINE))])
-    shapes = (method.circle(3, close=True), method.slope(7, 0.2, -0.2), method.quarter(10, 3))
+    shapes = (
+        method.circle(3, close=True),
+        method.slope(7, 0.2, -0.2),
+        method.quarter(10, 3),
+        method.drawn([5000, 5400, 5300, 5700], 30),
+    )
     assert made == plain(shapes)
     assert characters == plain(method.characters(_WORDS, ascii.encode(_LINE)))
     found = inspect(chain.path("circle"), nominal(circle=(4, 4, 1.75)), tolerance=5).walls
@@ -103,9 +109,77 @@ def page(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator
     assert len(html) < 400_000
     file = tmp_path_factory.mktemp("curve") / "curve.html"
     file.write_text(html, encoding="utf-8")
-    said = "[...document.querySelectorAll('.said')].every((each) => each.textContent)"
-    with visit(browser, file.as_uri(), said, viewport={"width": 390, "height": 800}) as page:
+    with visit(browser, file.as_uri(), "globalThis.curve", viewport={"width": 390, "height": 800}) as page:
         yield page
+
+
+def test_a_figure_is_computed_when_it_comes_near(page: Page) -> None:
+    said = "[...document.querySelectorAll('.said')].map((each) => each.textContent)"
+    drawn = page.evaluate(said)
+    assert drawn[-1] == ""  # nobody has been there
+    page.locator("#own").scroll_into_view_if_needed()
+    until(page, f"{said}.at(-1)")
+    page.evaluate("Object.values(curve.figures).forEach((figure) => figure.show(Infinity))")
+    assert all(page.evaluate(said))
+
+
+@pytest.mark.parametrize(
+    ("figure", "name", "by"),
+    [
+        ("stepwise", "tolerance", (0, 90)),
+        ("stepwise", "angle", (-20, 60)),
+        ("curved", "place", (60, -60)),
+        ("curved", "tolerance", (-60, -20)),
+        ("costs", "tolerance", (90, 0)),
+        ("whole", "time", (40, 80)),
+        ("holes", "block", (-120, 0)),
+        ("translating", "character", (60, 0)),
+        ("own", "place", (60, 0)),
+    ],
+)
+def test_what_has_a_ring_is_dragged_in_the_drawing(
+    page: Page, figure: str, name: str, by: tuple[int, int]
+) -> None:
+    """And by the keyboard: its input, which is not seen, has the focus."""
+    at = page.locator(f"#{figure}")
+    at.scroll_into_view_if_needed()
+    hold = at.locator(f"[data-hold={name}]")
+    hold.wait_for()
+    value = at.locator(f"[name={name}]").input_value()
+    at.locator("svg").evaluate("(svg) => svg.scrollIntoView({ block: 'center' })")
+    until(page, "new Promise((done) => setTimeout(() => done(true), 400))")  # drawn for the last time
+    before = _shown(at)
+    box = hold.bounding_box()
+    assert box
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + by[0], y + by[1], steps=4)
+    page.mouse.up()
+    assert _changes(at, before)
+    assert at.locator(f"[name={name}]").input_value() != value
+    assert page.evaluate("document.activeElement.name") == name
+
+
+def test_an_own_curve_goes_through_the_whole_chain(page: Page) -> None:
+    """A stroke across the frame: a part program, eia.pal, the Hydra-Point; its tape is the one to save."""
+    own = page.locator("#own")
+    own.scroll_into_view_if_needed()
+    box = own.locator("svg").bounding_box()
+    assert box
+    page.evaluate("scrollTo(0, 0)")
+    own.locator("svg").scroll_into_view_if_needed()
+    box = own.locator("svg").bounding_box()
+    assert box
+    page.mouse.move(box["x"] + 20, box["y"] + 60)
+    page.mouse.down()
+    page.mouse.move(box["x"] + box["width"] - 20, box["y"] + 150, steps=10)
+    page.mouse.up()
+    until(page, "!document.getElementById('save').disabled")
+    said = own.locator(".said").inner_text()
+    blocks = int(re.findall(r"^(\d+) blocks", said)[0])
+    assert f"{20 * blocks + 1} frames" in said
+    assert "goes the same way by it" in said
 
 
 def test_each_control_changes_its_figure(page: Page) -> None:
@@ -122,12 +196,20 @@ def test_each_control_changes_its_figure(page: Page) -> None:
         control.focus()
         box = control.get_attribute("type") == "checkbox"
         page.keyboard.press("Space" if box else "PageDown" if upper else "PageUp")
-        until(page, "new Promise((done) => setTimeout(() => done(true), 30))")
-        assert _shown(figure) != before, control.get_attribute("name")
+        assert _changes(figure, before), control.get_attribute("name")
     assert page.evaluate("document.documentElement.scrollWidth") == 390
     assert not any("<" in each.inner_text() for each in page.locator(".said").all())
     click(page, "#translate")
     assert re.match(r"666 blocks: 30\.0 minutes .*; 13320 frames", page.locator("#translated").inner_text())
+
+
+def _changes(figure: Locator, before: str) -> bool:
+    """Wait until a figure shows something else than before, and say whether it does."""
+    for _ in range(200):
+        if _shown(figure) != before:
+            return True
+        figure.page.wait_for_timeout(30)
+    return False
 
 
 def _shown(figure: Locator) -> str:
