@@ -73,23 +73,31 @@ class Mention:
         self.defined = defined
 
 
+def of_overlays(words: Iterable[Written]) -> list[Note]:
+    """Return the notes on addresses that get two words."""
+    notes: list[Note] = []
+    loaded: set[int] = set()
+    last = -1
+    for written in words:
+        address = written.address
+        if address in loaded and not written.literal:
+            if last != address - 1:
+                message = f"{address:04o} has a word already; the later one is loaded over it"
+                notes.append(Note(OVERLAID, written.at, message, "set the origin where there is room"))
+            last = address
+        loaded.add(address)
+    return notes
+
+
 def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[Note]:
     """Return the notes on the words of a program, given the symbols that are instructions."""
     notes: list[Note] = []
     cells: dict[int, Written] = {}
     looked_at: dict[str, str | None] = {}
-    overlaid: int | None = None
     for written in words:
-        address, word, names = written.address, written.word, written.names
-        other = cells.get(address)
-        if other is not None and not written.literal:
-            if overlaid != address - 1:
-                message = f"{address:04o} has a word already; the later one is loaded over it"
-                notes.append(Note(OVERLAID, written.at, message, "set the origin where there is room"))
-            overlaid = address
-        cells[address] = written
-        if word >= IOT << 9:
-            key = " ".join(names)
+        cells[written.address] = written
+        if written.word >= IOT << 9:
+            key = " ".join(written.names)
             if key not in looked_at:
                 looked_at[key] = _combination(written, instructions)
             wrong = looked_at[key]
@@ -138,6 +146,7 @@ def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[No
     counted: set[int] = set()
     stored: set[int] = set()
     jumps: list[tuple[Written, int]] = []
+    aims: set[int] = set()
     calls: list[tuple[Written, int]] = []
     for written in cells.values():
         operation = written.word >> 9
@@ -150,6 +159,7 @@ def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[No
         target = written.address & 0o70000 | refers_to(written.word, written.address & 0o7777)
         if operation == JMP:
             jumps.append((written, target))
+            aims.add(target)
         elif operation == JMS:
             called.add(target)
             calls.append((written, target))
@@ -157,9 +167,13 @@ def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[No
             stored.add(target)
         else:
             counted.add(target)
+    told: set[int] = set()
     for written, target in calls:
         cell = cells.get(target)
-        if cell is not None and not cell.literal and _is_instruction(cell, instructions):
+        if cell is None or cell.literal or halts(cell.word) or target == written.address:
+            continue  # HLT stands for a word that is not 0; JMS . asks where it is
+        if _is_instruction(cell, instructions) and target not in told:
+            told.add(target)
             message = f"JMS stores the return address over the instruction at {target:04o}"
             notes.append(Note(INTO_CODE, written.at, message, "a subroutine begins with a word of 0"))
     for written, target in jumps:
@@ -174,7 +188,15 @@ def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[No
             continue
         if _is_instruction(cell, instructions) or not _is_instruction(before, instructions):
             continue
-        if _goes_on(before.word, cells.get(target - 2)):
+        after = cells.get(target + 1)
+        if target not in called and after is not None and _is_instruction(after, instructions):
+            continue  # a constant that is run on purpose
+        first = cells.get(target - 2)
+        reached = first is None or target - 1 in aims
+        if first is not None and not reached and _is_instruction(first, instructions):
+            reached = _goes_on(first.word, cells.get(target - 3))
+        ends = target not in called and _ends_loop(before, first)
+        if ends or (reached and _goes_on(before.word, first)):
             message = f"the program runs on from {target - 1:04o} into data at {target:04o}"
             notes.append(Note(INTO_DATA, cell.at, message, "end what comes before with JMP or HLT"))
     return notes
@@ -190,7 +212,7 @@ def _changes_field(cells: dict[int, Written], address: int) -> bool:
 
 
 def _goes_on(word: int, before: Written | None) -> bool:
-    """Tell whether the word after `word` is reached: by it, or by a skip over it."""
+    """Tell whether the word after `word` is reached: by it, or by a skip over it, but by that of no ISZ."""
     operation = word >> 9
     if operation == JMS or halts(word):
         return False
@@ -199,10 +221,17 @@ def _goes_on(word: int, before: Written | None) -> bool:
     return before is not None and _skips(before.word) and bool(before.names)
 
 
+def _ends_loop(written: Written, before: Written | None) -> bool:
+    """Tell whether a word is the JMP back of a loop that an ISZ ends by skipping it."""
+    back = refers_to(written.word, written.address & 0o7777) <= written.address & 0o7777
+    is_jump = written.word >> 9 == JMP and not written.word & INDIRECT
+    return is_jump and back and before is not None and before.word >> 9 == ISZ
+
+
 def _skips(word: int) -> bool:
     if word >> 9 == OPR:
         return word & 0o7401 == 0o7400 and bool(word & (_SKIPS | REVERSED))
-    return word >> 9 == ISZ or (tests_flag(word) and not _of_memory_extension(word))
+    return tests_flag(word) and not _of_memory_extension(word)
 
 
 def _of_memory_extension(word: int) -> bool:
@@ -271,7 +300,9 @@ def of_names(mentions: Iterable[tuple[str, int]], permanent: Iterable[str]) -> l
     for name, at in mentions:
         cut = name[:SIGNIFICANT]
         first = spelled.setdefault(cut, name)
-        if first != name and cut not in told and cut not in known:
+        if cut in told or cut in known or first.startswith(name) or name.startswith(first):
+            continue  # the same name, shortened
+        if first != name:
             told.add(cut)
             message = f"{name} is the same symbol as {first}: six characters count"
             notes.append(Note(CUT, at, message, "let names differ in their first six characters"))

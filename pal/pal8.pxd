@@ -22,11 +22,12 @@ cdef bint _is_letter(str character) noexcept
 
 cdef class Assembler:
     cdef public dict symbols
-    cdef public list written, output, places, complaints, notes, mentions
+    cdef public list written, output, places, origins, complaints, notes, mentions
     cdef public int ended
     cdef public bint fatal
     cdef list _lines, _texts, _read, _tokens, _names, _bottom, _top, _here_words, _zero_words, _before_here
     cdef dict _here, _zero
+    cdef set _early
     cdef str _token, _tagged, _operator
     cdef Symbol _tag
     cdef bint _wipe, _exact, _is_undefined, _skips_origin, _expunged, _punching, _blank, _link
@@ -44,7 +45,7 @@ cdef class Assembler:
     cdef _mention(self, str name, int start, int end, bint defined)
     cdef bint _line(self) except -1
     cdef bint _ends_statement(self) except -1
-    @cython.locals(start=int, end=int, name=str, found=Symbol, follows=str, level=int)
+    @cython.locals(start=int, end=int, name=str, found=Symbol, follows=str, level=int, location=int)
     cdef bint _statement(self) except -1
     @cython.locals(value=int)
     cdef _word(self, bint found, int start)

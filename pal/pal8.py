@@ -119,6 +119,7 @@ class Assembler:
     places      (line, first column, the one after) of each statement and of what is pointed at
     complaints  DEC's messages of both passes, in order; `notes`, what is otherwise in DEC's or in palbart
     mentions    the symbols where they stand
+    origins     the lines with `*`, each with whether it is a number alone
     ended       the line of the `$`; `fatal`, whether PAL8 went no further
     """
 
@@ -135,6 +136,7 @@ class Assembler:
         self.complaints: list[Complaint] = []
         self.notes: list[Note] = []
         self.mentions: list[Mention] = []
+        self.origins: list[tuple[int, bool]] = []
         self.ended = len(lines)
         self.fatal = False
         self._tag = Symbol("", PLAIN, 0, False)
@@ -144,6 +146,7 @@ class Assembler:
         self._next_offset = 0
         self._skips_origin = False
         self._expunged = False
+        self._early: set[str] = set()  # names that are used before they are defined
 
     def run(self) -> None:
         """Run both passes, as far as it goes."""
@@ -389,7 +392,11 @@ class Assembler:
         if self._token == "*":
             self._advance()
             self._pass_blank()
-            self._set_location(self._expression(False, True), False)
+            location = self._expression(False, True)
+            if self._number == 2:
+                number = self._texts[self._index][start + 1 : self._before].strip(" \t0123456789") == ""
+                self.origins.append((self._index, number))
+            self._set_location(location, False)
             return False
         if not _is_letter(self._token[:1]):
             self._word(False, start)
@@ -547,7 +554,7 @@ class Assembler:
             if symbol.permanent:
                 about = f"{name} is a permanent symbol, {symbol.value:04o}, and is {value:04o} from here on"
                 self._say("RD", about, "use another name", start)
-            elif symbol.passed == self._number:
+            elif symbol.passed == self._number and name in self._early:
                 message = f"{name} was {symbol.value:04o}, and is {value:04o} from here on"
                 self._note("PN41", message, "a use before its first definition sees the last value", start)
         if symbol.value != value or symbol.passed or not symbol.permanent:
@@ -730,6 +737,7 @@ class Assembler:
             message = f"{tag.name}, {tag.value:04o}, is palbart's; in DEC's PAL8 it is undefined (US)"
             self._note("PN47", message, f"define it: {tag.name}={tag.value:04o}", self._looked_up)
         if self._is_undefined:
+            self._early.add(tag.name)
             self._is_undefined = False
             self._undefined += 1
             if self._number == 2 or not self._undefined:
@@ -766,7 +774,8 @@ class Assembler:
                     self._say("IC", about, "after DECIMAL it is one")
             token = good or "0"
         value = int(token[max(len(token) - 12, 0) :], self._radix)
-        if value > _MASK or len(token) > 12:
+        address = self._named < 0 and value < 0o100000  # with its field, in an origin or a definition
+        if (value > _MASK and not address) or len(token) > 12:
             message = f"{token} does not fit into twelve bits: it is {value & _MASK:04o}"
             self._note(TOO_LARGE, message, f"write it so: {value & _MASK:o} octal")
         return value & _MASK
@@ -786,11 +795,10 @@ class Assembler:
                 self._pass_blank()
             else:
                 found = True
-        sign = self._token
-        number = self._tokens[self._next + 1][:1].isdigit()
+        number = self._token == "-" and not found and self._tokens[self._next + 1][:1].isdigit()
         address = self._expression(found, False)
         self._stack -= _CELLS_OF_REFERENCE
-        if sign == "-" and number and address & 0o7000 == 0o7000:
+        if number and address & 0o7000 == 0o7000:
             message = f"this refers to the word at {address:04o}"
             self._note("PN51", message, "for a number write a literal, as in TAD (-5", start)
         where = ""
@@ -985,13 +993,11 @@ class Assembler:
         if self._tag.kind == PSEUDO:
             about = f"{self._tag.name} is a pseudo-operator, and defined"
             self._say("IP", about, "ask for another symbol", start)
-        elif (
-            self._number == 2
-            and self._tag.passed == 1
-            and f"{asked}=" not in self._texts[self._index].upper()
-        ):
-            message = f"{asked}, which is defined below, is defined here in pass 2"
-            self._note("PN49", message, "palbart takes it for undefined; define it before", start)
+        elif self._tag.passed == 1 and self._number == 2:
+            text = self._texts[self._index].upper()
+            if f"{text[start : self._before]}=" not in text:  # `IFNDEF A <A=5>` is the same in palbart
+                message = f"{asked}, which is defined below, is defined here in pass 2"
+                self._note("PN49", message, "palbart takes it for undefined; define it before", start)
         return is_undefined
 
     def _condition(self, holds: bool) -> None:

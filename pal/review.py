@@ -17,6 +17,7 @@ from pal.notes import (
     Note,
     of_model,
     of_names,
+    of_overlays,
     of_undefined,
     of_words,
 )
@@ -43,7 +44,10 @@ def notes(
     ended = watched.ended
     items = source.items
     words = [piece for piece in punched if isinstance(piece, Written)]
-    found = [note._replace(at=source.first_symbol(note.at)) for note in of_words(words, _INSTRUCTIONS)]
+    found = [
+        note._replace(at=source.first_symbol(note.at))
+        for note in [*of_overlays(words), *of_words(words, _INSTRUCTIONS)]
+    ]
     undefined = [entry for entry in table if not entry.defined]
     if undefined:
         found += _undefined(source, undefined, [entry.name for entry in table if entry.defined])

@@ -16,12 +16,12 @@ from pal.notes import (
     LOWER_CASE,
     NOT_ON_8L,
     NOTE,
-    OVERLAID,
     Mention,
     Note,
     Said,
     of_model,
     of_names,
+    of_overlays,
     of_undefined,
     of_words,
 )
@@ -169,12 +169,20 @@ class Work8:
     def _notes(self) -> list[Note]:
         run = self._run
         full = any(problem.code in ("PE", "ZE") for problem in self.errors)
-        said = of_words(run.written, _INSTRUCTIONS)
-        notes = [*run.notes, *(note for note in said if note.code != OVERLAID or not full)]
+        notes = [*run.notes, *of_words(run.written, _INSTRUCTIONS)]
+        if not full:
+            punched = [piece for piece in run.output if isinstance(piece, Written)]
+            notes += [note for note in of_overlays(punched) if not self._is_meant(note.at)]
         if self._model:
             named = (each for each in run.written if any(name in _INSTRUCTIONS for name in each.names))
             notes += of_model(named, self._model)
         return notes + self._on_names() + self._of_fields() + self._of_lines() + self._of_the_end()
+
+    def _is_meant(self, at: int) -> bool:
+        """Tell whether the last origin before a place has a symbol or a point, as an overlay has."""
+        line = self._run.places[at][0]
+        before = [number for index, number in self._run.origins if index <= line]
+        return bool(before) and not before[len(before) - 1]
 
     def _on_names(self) -> list[Note]:
         """Note what was meant by undefined names, names cut short, and instructions that an 8/L has not."""

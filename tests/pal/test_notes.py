@@ -47,17 +47,32 @@ def test_what_is_meant_is_near_or_another_machines() -> None:
                 assert (meant(name, ["AB", "COUNT", "LOOP", "TAD"]) or "") == other
 
 
-RUNS_ON = "CLA;CLA|SZA;CLA|CLA;ISZ 20|SZA;JMP 20|SKP;JMP 20|ISZ 20;JMP 20|KSF;JMP 20|SZA;KCC"
+RUNS_ON = "CLA;CLA|SZA;CLA|CLA;ISZ 20|SZA;JMP 20|SKP;JMP 20|KSF;JMP 20|SZA;KCC"
 ENDS = "CLA;HLT|CLA;SNA HLT|SZA;JMS 20|CLA;JMP 20|OSR;JMP 20|RAL;JMP 20|KCC;JMP 20|DCA 20;JMP 20"
-ENDS += "|7440;JMP 20|SZA 1;JMP 20|SZA;5|ION;JMP I 0"
+ENDS += "|HLT;CLA|5;CLA|7440;JMP 20|SZA 1;JMP 20|SZA;5|ION;JMP I 0"
 
 
 def test_data_that_the_program_runs_into_are_noted() -> None:
     for data, notes in (("5777", 1), ("6000", 0)):
-        assert len(noted(f"*200\n\tCLA\nA,\t{data}\n\tTAD A\n\tHLT\n$\n")) == notes
+        assert len(noted(f"*250\n\tTAD A\n\tHLT\n*200\n\tCLA\nA,\t{data}\n$\n")) == notes
+
+
+def test_a_constant_among_the_instructions_is_run_on_purpose() -> None:
+    assert noted("*200\n\tCLA\nA,\t70\n\tTAD A\n\tHLT\n$\n") == []
+    assert [note[2] for note in noted("*200\n\tCLA\nA,\t0\n\tJMS A\n\tHLT\n$\n")] == ["PN06"]
+    assert noted("*200\n\tJMS A\n\tHLT\nA,\tHLT\n\tJMP I A\n$\n") == []
+    assert noted("*200\n\tTAD LONGNAME\n\tHLT\nLONGNA,\t5\n$\n") == []
+
+
+def test_an_isz_skips_the_jump_back_of_its_loop_and_no_other() -> None:
+    for jump, use, codes in (
+        *(("200", "TAD", ["PN06"]), ("200", "JMS", []), ("240", "TAD", []), ("I 20", "TAD", [])),
+    ):
+        found = noted(f"*250\n\t{use} A\n\tHLT\n*200\n\tISZ 20\n\tJMP {jump}\nA,\t5\n$\n")
+        assert [note[2] for note in found] == codes
     for words in f"{RUNS_ON}|{ENDS}".split("|"):
         for use in ("TAD", "ISZ", "JMS", "JMP", "DCA"):
             with case(words, use):
-                found = noted(f"*200\n\t{words}\nA,\t5\n\t{use} A\n\tHLT\n$\n")
-                note = (3, 4, "PN06", "the program runs on from 0201 into data at 0202")
+                found = noted(f"*250\n\t{use} A\n\tHLT\n*200\n\t{words}\nA,\t5\n$\n")
+                note = (6, 4, "PN06", "the program runs on from 0201 into data at 0202")
                 assert found == ([note] if use not in ("JMP", "DCA") and words in RUNS_ON.split("|") else [])
