@@ -1,0 +1,99 @@
+"""OS/8 as DEC shipped it: programs assembled from DEC's sources, word for word the ones on DEC's tapes.
+
+    PDP8_OS8=FOLDER pytest -s tests/pal/test_shipped.py     FOLDER has the DECtapes of OS/8 V3D, *.tu56
+
+Sources and programs stand on different tapes, al-454* to al-476*; tangentsoft/pidp8i has them. Of BRTS, BUILD,
+FORT, FUTIL and SABR the program is of another version, or was saved after it ran.
+
+Sources: OS/8 Software Support Manual (directory, core image); the tapes.
+"""
+
+import os
+import struct
+from pathlib import Path
+
+import pytest
+
+import pal
+
+FOLDER = os.environ.get("PDP8_OS8", "")
+SAME = (
+    "BASIC BATCH BCOMP BITMAP BLOAD BOOT CAMP CCL CREF DIRECT DTCOPY DTFRMT EDIT EPIC F4 FOTP HELP LIBRA"
+    " LIBSET LOAD LOADER MCPIP MSBAT PAL8 PASS2 PASS3 PIP PIP10 RALF RESORC RKLFMT RXCOPY SET SRCCOM TDCOPY"
+    " TDFRMT TDINIT TECO"
+)
+"""Programs of which every word is as shipped."""
+OVERLAYS = ("TECO", "BRTS", "RALF")
+"""What DEC says is to be assembled with /W."""
+
+Block = list[int]
+
+
+def blocks(path: Path) -> list[Block]:
+    """Return the blocks of 256 words of a DECtape, which has 129 words in each of its own."""
+    raw = path.read_bytes()
+    words = struct.unpack(f"<{len(raw) // 2}H", raw)
+    halves = [list(words[at : at + 128]) for at in range(0, len(words) - 128, 129)]
+    return [one + two for one, two in zip(halves[::2], halves[1::2], strict=False)]
+
+
+def name(words: Block) -> str:
+    codes = [code for word in words for code in (word >> 6, word & 0o77) if code]
+    return "".join(chr(code + 64 if code < 32 else code) for code in codes)
+
+
+def directory(tape: list[Block]) -> dict[str, list[Block]]:
+    """Return {file: its blocks}."""
+    files, segment = {}, 1
+    while segment:
+        words = tape[segment]
+        at, place, more = 5, words[1], -words[4] & 0o7777
+        for _ in range(-words[0] & 0o7777):
+            length_at = at + 1 if words[at] == 0 else at + 4 + more
+            length = -words[length_at] & 0o7777
+            if words[at]:
+                files[f"{name(words[at : at + 3])}.{name(words[at + 3 : at + 4])}"] = tape[
+                    place : place + length
+                ]
+            place, at = place + length, length_at + 1
+        segment = words[2]
+    return files
+
+
+def text(file: list[Block]) -> bytes:
+    """Return a text: three characters in two words."""
+    words = [word for block in file for word in block]
+    pairs = zip(words[::2], words[1::2], strict=True)
+    codes = [c for one, two in pairs for c in (one & 0o377, two & 0o377, one >> 8 << 4 | two >> 8)]
+    return bytes(code & 0o177 for code in codes if code & 0o177).partition(b"\x1a")[0]
+
+
+def core(file: list[Block]) -> dict[int, int]:
+    """Return {address: word} of a core image."""
+    head, at, loaded = file[0], 1, {}
+    for segment in range(-head[0] & 0o7777):
+        origin, control = head[4 + 2 * segment], head[5 + 2 * segment]
+        pages = control >> 6 & 0o37 or 32
+        words = [word for block in file[at : at + (pages + 1) // 2] for word in block]
+        at += (pages + 1) // 2
+        for offset in range(pages * 128):
+            loaded[(control & 0o70) << 9 | (origin + offset & 0o7777)] = words[offset]
+    return loaded
+
+
+@pytest.mark.skipif(not FOLDER, reason="PDP8_OS8 names no folder with DEC's tapes of OS/8")
+def test_programs_are_word_for_word_as_dec_shipped_them() -> None:
+    files: dict[str, list[Block]] = {}
+    for path in sorted(Path(FOLDER).glob("*.tu56")):
+        files |= directory(blocks(path))
+    whole = []
+    print()
+    for each in sorted(file.removesuffix(".SV") for file in files if file.endswith(".SV")):
+        if f"{each}.PA" in files:
+            assembly = pal.assemble(text(files[f"{each}.PA"]), dialect="pal8", wipe=each in OVERLAYS)
+            shipped = core(files[f"{each}.SV"])
+            same = sum(shipped.get(address) == word for address, word in assembly.words.items())
+            whole += [each] * (same == len(assembly.words))
+            print(f"{each:8}{len(assembly.words):6} words, {same:6} as shipped")
+            assert assembly.ok
+    assert " ".join(whole) == SAME
