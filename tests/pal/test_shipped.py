@@ -2,8 +2,8 @@
 
     PDP8_OS8=FOLDER pytest -s tests/pal/test_shipped.py     FOLDER has the DECtapes of OS/8 V3D, *.tu56
 
-Sources and programs stand on different tapes, al-454* to al-476*; tangentsoft/pidp8i has them. Of BRTS, BUILD,
-FORT, FUTIL and SABR the program is of another version, or was saved after it ran.
+Sources and programs stand on different tapes, al-454* to al-476*; tangentsoft/pidp8i has them. Of BRTS,
+BUILD, FORT, FUTIL and SABR the program is of another version, or was saved after it ran.
 
 Sources: OS/8 Software Support Manual (directory, core image); the tapes.
 """
