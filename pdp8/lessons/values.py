@@ -14,6 +14,7 @@ UNITS = {
 _TIMES = ("s", "ms", "us", "min", "h")
 _ALSO = {
     "\u00b5s": "us", "\u03bcs": "us", "microsecond": "us", "microseconds": "us", "microsec": "us",
+    "usec": "us", "msec": "ms",
     "millisecond": "ms", "milliseconds": "ms", "sec": "s", "second": "s", "seconds": "s",
     "minute": "min", "minutes": "min", "hour": "h", "hours": "h",
     "inch": "in", "inches": "in", '"': "in", "mils": "mil", "thou": "mil",
@@ -21,7 +22,13 @@ _ALSO = {
 }  # fmt: skip
 _MINUS = ("-", "minus", "negative")
 _DASHES = "\u2010\u2011\u2012\u2013\u2014\u2212"
-_FILLERS = ("a", "an", "the", "it", "is", "its", "are", "about")
+_FILLERS = ("a", "an", "the", "it", "is", "its", "are", "about", "number", "no.", "of", "from", "on")
+_NUMBERS = {
+    "one": "1", "two": "2", "three": "3", "four": "4", "five": "5", "six": "6", "seven": "7", "eight": "8",
+    "nine": "9", "ten": "10", "1/1000": "0.001", "thousandth": "0.001",
+}  # fmt: skip
+"""Numbers in words, and one thousandth."""
+_ORDINALS = ("st", "nd", "rd", "th")
 WRONG_UNIT = "The number is right; its unit is not."
 
 
@@ -54,10 +61,11 @@ def hint(question: Question, given: str) -> str:
 def _is(question: Question, given: str, number: float, tolerance: float) -> bool:
     """Tell whether `given` is `number` in the question's unit; a unit may be left out."""
     known = _known(question)
-    words = _plain(given).split()
+    words = _plain(given[given.rfind("=") + 1 :]).split()
     while words and words[0] in known and not _number(words[0]):
         words = words[1:]
-    found, unit = _parted(" ".join(words))
+    found, unit = _parted(_grouped(words))
+    unit = " ".join([word for word in unit.split() if word not in _FILLERS])
     own = _ALSO.get(question.unit, question.unit)
     unit = _ALSO.get(unit, unit)
     factor = 1.0
@@ -68,6 +76,16 @@ def _is(question: Question, given: str, number: float, tolerance: float) -> bool
     elif unit and unit != own and unit not in known:
         return False
     return any(_near(question, value * factor, number, tolerance) for value in found)
+
+
+def _grouped(words: list[str]) -> str:
+    """Return a number and its unit, digits in groups of three put together: 2 789."""
+    text = words[0] if words else ""
+    for at in range(1, len(words)):
+        before, word = words[at - 1], words[at]
+        thousands = before.lstrip("-").isdigit() and len(before) < 4 and len(word) == 3 and word.isdigit()
+        text += word if thousands else f" {word}"
+    return text
 
 
 def _near(question: Question, value: float, number: float, tolerance: float) -> bool:
@@ -108,12 +126,18 @@ def _known(question: Question) -> list[str]:
 
 def _plain(text: str) -> str:
     """Return a text in small letters, a number's minus before its digits, `0o35` as `35 octal`."""
-    plain = text.lower().replace("#", " ")
+    plain = text.lower().replace("#", " ").replace("(8)", " octal").replace("one thousandth", "thousandth")
     for dash in _DASHES:
         plain = plain.replace(dash, "-")
     found: list[str] = []
     for item in plain.split():
-        word = f"{item.replace('0o', '')} octal" if item.lstrip("+-")[:2] == "0o" else item
+        word = _NUMBERS.get(item, item)
+        if word[-2:] in _ORDINALS and _number(word[:-2]):
+            word = word[:-2]
+        if word[:1] == "n" and _number(word[1:]):
+            word = word[1:]
+        if word.lstrip("+-")[:2] == "0o":
+            word = f"{word.replace('0o', '')} octal"
         if found and found[-1] in _MINUS and word[:1].isdigit():
             found[-1] = f"-{word}"
         else:
