@@ -59,15 +59,24 @@ _BYTE_ORDER_MARK = "\ufeff"
     "shows_where",
     is_flag=True,
     needs="ANSWER",
+    excludes="--variants",
     help="Say where each answer goes wrong; write the machine there, and a link for the workbench.",
 )
 @click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
 @click.option("--json", type=Target("JSON"), help="Write the marks as JSON.")
 @click.option("--csv", type=Target("text"), help="Write the marks for a spreadsheet.")
 @click.option("--junit", type=Target("XML"), help="Write the marks as JUnit does.")
+@option(
+    "--gradescope", type=Target("JSON"), help="Write the marks of one ANSWER for Gradescope's autograder."
+)
 @click.option("--pages", type=Folder(), help="Write a page for each student into FOLDER.")
 @click.option(
     "--seed", metavar="N", type=int, default=form.SEED, show_default=True, help="Draw random cases from this."
+)
+@option(
+    "--variants",
+    type=Target("text"),
+    help="Give each ANSWER random cases of its own, by its name and --seed; write the seeds as CSV.",
 )
 @click.option("--cpu", type=processor_seconds, default=bounded.SECONDS, metavar="SECONDS",
               show_default=True, help="Of processor time, the most an answer may take.")  # fmt: skip
@@ -90,6 +99,8 @@ def check(
     json: str | None,
     csv: str | None,
     junit: str | None,
+    gradescope: str | None,
+    variants: str | None,
     pages: str | None,
     seed: int,
     cpu: float,
@@ -141,7 +152,18 @@ def check(
             if name != "-" and not os.path.exists(name):
                 raise WorkError(f"{name}: no such file; no answer was marked")
         answers = [handed.read(name) for name in answer]
-        results = bounded.marked(read, answers, cpu, dialect)
+        if gradescope is not None and len(answers) > 1:
+            raise click.UsageError(f"--gradescope is for one ANSWER, not {len(answers)}.")
+        if variants is None:
+            results = bounded.marked(read, answers, cpu, dialect)
+        else:
+            seeds = {given.name: form.variant(_stem(given.name), seed) for given in answers}
+            results = [
+                result
+                for given in answers
+                for result in bounded.marked(form.read(exercise, seeds[given.name]), [given], cpu, dialect)
+            ]
+            command.put(variants, records.as_list(seeds))
         if pages is not None:
             command.put_all(pages, _pages(read, results))
         if csv is not None:
@@ -151,7 +173,9 @@ def check(
             command.put(junit, records.as_junit(read, results))
         if json is not None:
             command.put(json, records.as_json(read, results))
-        if "-" not in (csv, junit, json):
+        if gradescope is not None:
+            command.put(gradescope, records.as_gradescope(read, results[0]))
+        if "-" not in (csv, junit, json, gradescope, variants):
             _show(read, answers, results)
         if shows_where:
             _where(read, answers, results, dialect)
@@ -163,11 +187,16 @@ def _list() -> None:
         command.echo(f"{name:18} {form.title(name)}")
 
 
+def _stem(name: str) -> str:
+    """Return what a student's files are called: the answer's name without folder and ending."""
+    return os.path.splitext(os.path.basename(name))[0]
+
+
 def _pages(exercise: Exercise, results: Sequence[Result]) -> Iterator[tuple[str, bytes]]:
     """Yield a page an answer, called as its file is; of those with one name the later have a number."""
     taken: Counter[str] = Counter()
     for result in results:
-        stem = os.path.splitext(os.path.basename(result.answer))[0]
+        stem = _stem(result.answer)
         taken[stem] += 1
         name = f"{stem}-{taken[stem]}" if taken[stem] > 1 else stem
         yield f"{name}.html", page.html(exercise, result).encode()
@@ -213,12 +242,11 @@ def _where(exercise: Exercise, answers: Sequence[Answer], results: Sequence[Resu
         opened = link.link(name, given.source, machine, place.instructions)
         machine.run(instructions=place.instructions)
         machine.stop()
-        stem = os.path.splitext(name)[0]
         after = counted(place.instructions, "instructions")
         command.echo(
             f"\n{given.name}: {case.name}: at {place.address:04o}, {after} after START: {place.says}"
         )
-        command.put(f"{stem}.state", state.save(machine))
+        command.put(f"{_stem(name)}.state", state.save(machine))
         command.echo(opened)
 
 

@@ -7,6 +7,7 @@ import json
 import os
 import re
 import tomllib
+import zlib
 from typing import Any
 
 from pdp8 import shelf
@@ -48,6 +49,11 @@ def read(name: str, seed: int = SEED) -> Exercise:
         if path.endswith((".toml", ".json")):
             raise
         raise ExerciseError(f"{error}; an exercise in TOML is wanted first, then the answers") from error
+
+
+def variant(name: str, seed: int) -> int:
+    """Return the seed of the random cases that the student `name` gets, of a class that has `seed`."""
+    return zlib.crc32(f"{seed} {name}".encode())
 
 
 def parse(text: str, name: str, seed: int = SEED, folder: str = "") -> Exercise:

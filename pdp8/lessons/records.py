@@ -1,11 +1,11 @@
-"""Marks for machines: JSON with what was wrong of each, CSV for spreadsheets, and the XML that JUnit writes,
-which every CI service shows.
+"""Marks for machines: JSON with what is wrong in each answer, CSV for spreadsheets, the XML that JUnit writes
+and every CI service shows, and what Gradescope reads.
 """
 
 import csv
 import io
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from xml.etree import ElementTree
 
 from pdp8.lessons import scores
@@ -99,6 +99,27 @@ def as_junit(exercise: Exercise, results: Sequence[Result]) -> str:
         element.text = element.text and errors.visible(element.text)
     ElementTree.indent(suites)
     return f'<?xml version="1.0" encoding="utf-8"?>\n{ElementTree.tostring(suites, encoding="unicode")}\n'
+
+
+def as_list(seeds: Mapping[str, int]) -> str:
+    """Return the seed of each answer's random cases as CSV."""
+    return "".join(f"{_cell(name)},{seed}\n" for name, seed in {"answer": "seed", **seeds}.items())
+
+
+def as_gradescope(exercise: Exercise, result: Result) -> str:
+    """Return the marks of one answer as the results.json that Gradescope's autograder reads."""
+    tests = [
+        {
+            "name": mark.name,
+            "score": mark.points,
+            "max_score": mark.of,
+            "status": "failed" if mark.failures else "passed",
+            "output": "\n".join(_said(result, mark)),
+        }
+        for mark in result.marks
+    ]
+    found = {"score": result.points, "output": result.fault or exercise.note, "tests": tests}
+    return json.dumps(found, indent=2, ensure_ascii=False) + "\n"
 
 
 def _said(result: Result, mark: Mark) -> list[str]:

@@ -367,3 +367,36 @@ def test_results_go_to_a_spreadsheet_to_junit_and_to_the_students(call: Call, tm
     for option in ("--show solution", "--prove"):
         said = "pdp8 check: s.json: solution is missing; a student's form has none\n"
         assert call(f"pdp8 check s.json {option}") == (1, "", said)
+
+
+def test_gradescope_gets_each_case_and_no_figure_of_a_hidden_one() -> None:
+    text = f"{HEAD}{DOUBLE}[[case]]\nname='c'\ndeposit={{A=2}}\ncore={{B=4}}\n"
+    given = parse(
+        f"{text}[[case]]\nname='h'\nhidden=true\npoints=3\ndeposit={{A=0o1234}}\ncore={{B=0o2470}}\n", "e"
+    )
+    read = json.loads(records.as_gradescope(given, mark(given, given.solution.replace("CLL RAL", "IAC"))))
+    assert read["score"] == sum(test["score"] for test in read["tests"]) == 0
+    assert [(test["name"], test["max_score"], test["status"]) for test in read["tests"]] == [
+        ("c", 1, "failed"), ("h", 3, "failed"),
+    ]  # fmt: skip
+    assert "expected 0004" in read["tests"][0]["output"]
+    assert read["tests"][1]["output"] == "B            wrong"
+    right = json.loads(records.as_gradescope(given, mark(given, given.solution)))
+    assert (right["score"], {test["output"] for test in right["tests"]}) == (4, {""})
+    assert json.loads(records.as_gradescope(given, mark(given, b"")))["output"] == "an empty file"
+
+
+def test_each_name_has_cases_of_its_own(call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The seed that is listed marks an answer as it was marked in the class."""
+    monkeypatch.chdir(tmp_path)
+    Path("e.toml").write_text(RANDOM)
+    for name in ("ana", "ben"):
+        Path(f"{name}.pal").write_text(parse(RANDOM, "e").solution.replace("RAL", "RAR"))
+    assert call("pdp8 check e.toml ana.pal ben.pal --variants seeds.csv --json both.json")[0] == 1
+    head, *rows = Path("seeds.csv").read_text().splitlines()
+    seeds = dict(row.split(",") for row in rows)
+    assert (head, list(seeds), len(set(seeds.values()))) == ("answer,seed", ["ana.pal", "ben.pal"], 2)
+    both = json.loads(Path("both.json").read_text())["answers"]
+    assert both[0]["marks"][0]["inputs"] != both[1]["marks"][0]["inputs"]
+    call(f"pdp8 check e.toml ben.pal --seed {seeds['ben.pal']} --json ben.json")
+    assert json.loads(Path("ben.json").read_text())["answers"] == both[1:]
