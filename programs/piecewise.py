@@ -31,7 +31,7 @@ _PLACES = 12
 
 
 class Feeds(NamedTuple):
-    """Feed codes of Table 2.4 in force for X and for Y; 0 for an axis that stands still."""
+    """The feed codes of Table 2.4 that X and Y have; 0 for an axis that stands still."""
 
     x: int
     y: int

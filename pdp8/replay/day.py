@@ -3,9 +3,9 @@
     terminal ──► RIM toggled ──► BIN loaded ──► eia.pal loaded ──► translation ──► Hydra-Point ──► judged
     ASCII tape      switches      RIM tape         BIN tape          EIA tape         path
 
-Times of the terminal, the Teletype, the processor and the Hydra-Point are the machines' own. What a man takes
-to carry a tape, mount it or set switches is nowhere recorded; those seconds are ours (see PACE and the
-constants here) and stand apart from the figures that are compared with the thesis.
+Times of the terminal, the Teletype, the processor and the Hydra-Point are the machines' own. Nobody
+recorded how long it took to carry a tape, mount it or set switches: those seconds are ours (PACE and the
+constants here), and no figure that is compared with the thesis has them.
 
 Not emulated: the GE time-sharing service's own delays, the telephone line, a misread switch.
 """
@@ -40,7 +40,7 @@ WALK_SECONDS, CLAMP_SECONDS, MEASURE_SECONDS = 60, 180, 120
 """To the next room; a plate onto the table; one turn of the Talyrond. Ours."""
 
 PROGRAMS: Final = ("rim.pal", "bin.pal", "eia.pal")
-"""What is read beside the part program: the sources of the two loaders and of the translation."""
+"""The sources that are read beside the part program: two loaders and the translation."""
 
 _SLICE: Final = 10
 """Seconds of machine time after which the caller can look at the day."""

@@ -1,4 +1,4 @@
-"""What the afternoon leaves on the desk: every tape, listing and picture, by the name of its file."""
+"""The files that the afternoon leaves on the desk: every tape, listing and picture."""
 
 from collections.abc import Iterator
 from typing import Final

@@ -1,4 +1,4 @@
-"""What the thesis's figures imply: rival explanations of its minutes, and what else it does not give.
+"""Explanations of the thesis's minutes, side by side, and of sizes and ranges that it does not give.
 
 docs/implied.md shows the tables; `python -m pdp8.replay.implied` prints them. Nothing else depends on them.
 

@@ -2,8 +2,8 @@
 
 catalogue.toml has them:
 
-    number   as in the thesis; figures and tables share one count, an appendix is a letter. What has no number
-             is called by its chapter: ch3-drilling
+    number   as in the thesis; figures and tables share one count, an appendix is a letter. An item without
+             a number is called by its chapter: ch3-drilling
     page     the thesis's; counted, between the numbers that the scan shows
     state    from the text           all of it stands in the text or in a legible table or listing
              our drawing             the original is lost or a photograph; we drew what the text says of it
@@ -54,17 +54,17 @@ class Item(NamedTuple):
 
     @property
     def stem(self) -> str:
-        """What its files begin with, its anchor: figure-7.2."""
+        """The beginning of its files' names, and its anchor: figure-7.2."""
         return f"{self.kind}-{self.number}"
 
     @property
     def caption(self) -> str:
-        """What stands under it: where the thesis has it, what kind of thing this is, what is shown."""
+        """The text under it: its page in the thesis, its state, what is shown."""
         return f"Page {self.page}. {self.state.capitalize()}. {self.note}"
 
     @property
     def name(self) -> str:
-        """What the thesis calls it, Figure 7.2 or Appendix B; by its chapter where it has no number."""
+        """Its name in the thesis, Figure 7.2 or Appendix B; by its chapter if it has no number."""
         if self.kind == "listing":
             return f"Appendix {self.number}"
         if self.number.startswith("ch"):

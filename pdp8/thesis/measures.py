@@ -1,4 +1,4 @@
-"""What we make of each number of the thesis: read from what runs here, or computed from its tapes and paths.
+"""Our value for each number of the thesis: a constant of what runs here, or computed from tapes and paths.
 
 A measure has a name, which numbers.txt uses, and names its inputs (`inputs`). It is a number, or of octal
 words, lists and blocks a string; "227 or more" is a proved least.

@@ -80,7 +80,7 @@ MISUSED = [
     ("circle --fastest 8", "--fastest means nothing without --technique piece"),
     ("circle --feed-code 2 --technique piece", "--feed-code means nothing without --technique step"),
     ("curve x --side below", "--side means nothing without --cutter"),
-    ("square", "square"),
+    ("heptagon", "heptagon"),
     ("compare slope", "slope"),
 ]
 
@@ -227,7 +227,7 @@ def test_a_script_is_told_what_the_command_says() -> None:
         ("circle", {"radius": 1750}, "radius: 1750 in: must be less than 100 in; for 1750 thousandths write"),
         ("circle", {"radus": 1}, "no constant 'radus'; there are radius, tolerance"),
         ("circle", {"technique": "leap"}, "technique: 'leap' is not one of"),
-        ("square", {}, "no such part program; there are circle, ellipse"),
+        ("heptagon", {}, "no such part program; there are circle, ellipse"),
     ]
     for name, constants, message in refused:
         with pytest.raises(WorkError, match=re.escape(f"{name}: {message}")):
