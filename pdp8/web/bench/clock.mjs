@@ -2,13 +2,13 @@
 //
 //     awake ──► a picture, some times a second: run, sample the lamps, show ──► asleep when all stands still
 //
-// While the processor stands still or waits for ever no time passes, but for a character on its way in. In slow motion
+// While the processor stands still or waits for ever no time passes, but for what a device has begun. In slow motion
 // the machine goes cycle by cycle. In the afternoon it is led by the script.
 
 import { Bus } from "../../computer/hardware/bus.mjs";
 import { Panel } from "../../computer/hardware/panel.mjs";
 import { Processor } from "../../computer/hardware/processor.mjs";
-import { CYCLE, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
+import { CYCLE, NEVER, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { FETCH } from "../../../pal/isa.mjs";
 import { Pictures } from "../pictures.mjs";
 
@@ -101,10 +101,10 @@ export class Clock {
     return this.#moves();
   }
 
-  /** Whether a character is on its way in. */
+  /** Whether a device is at work: a character on its way in, or out. */
   #busy() {
-    const { receiver } = this.bench.machine.teletype;
-    return receiver.stage > 0 || receiver.keyboard.waiting.length > 0;
+    const { bus, processor } = this.bench.machine;
+    return bus.next_event(processor.clock) < NEVER;
   }
 
   /** Whether anything can change of itself. */
