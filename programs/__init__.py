@@ -11,6 +11,7 @@ ellipse          Appendix D, the same
 polynomial       the third degree polynomial of Chapters 6 and 7
 slope            a slope, Chapter 3's by default
 curve            any function of x
+profile          a closed profile: the radius as a function of the angle
 die              the steel die: ellipses of three sets of axes
 drill            the four-hole tape of Chapter 3
 fluidic          the fluidic element of Chapter 8

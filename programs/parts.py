@@ -69,6 +69,12 @@ PARTS: Final = {
             has_defaults=False,
         ),
         Part(
+            "profile",
+            "A closed profile, such as a cam: the radius as a function of the angle.",
+            ("'1.5+0.25*cos(x)' --cutter 0.25 > cam.asc", "'1.2+0.1*sin(3*x)' --cutter 0.125 --side inside"),
+            has_defaults=False,
+        ),
+        Part(
             "die",
             "The die of Chapter 7: ellipses of three sets of axes.",
             ("> opening.asc", "--cut groove", "--technique piece --fastest 8"),
@@ -103,8 +109,8 @@ def part(name: str, *expression: str, **constants: Any) -> str:
     """Return the printout of the part program `name`: blocks of 19 characters, each ended by a line feed.
 
     `constants` are the options of its command, `pdp8 part NAME --help`, in the same units: lengths in inches,
-    as numbers or as text, part("circle", radius=1.5, tolerance=".003", technique="piece"). The part "curve"
-    takes an expression, part("curve", "sin(x)", from_=0, to=6.283). Raises WorkError.
+    as numbers or as text, part("circle", radius=1.5, tolerance=".003", technique="piece"). The parts "curve"
+    and "profile" take an expression, part("curve", "sin(x)", from_=0, to=6.283). Raises WorkError.
     """
     program = find(name).program()
     if not constants:

@@ -28,7 +28,7 @@ def report(tape: bytes) -> list[Row]:
     pieces = frames.strip(tape, frames.BLANK if kind == kinds.EIA else frames.LEADER)
     details = {kinds.ASCII: _text, kinds.EIA: _blocks, kinds.BIN: _sections, kinds.RIM: _words}
     return [
-        ("tape", _KINDS[kind] if tape else "empty"),
+        ("tape", _KINDS.get(kind, kind) if tape else "empty"),
         ("frames", f"{len(tape):,}: leader {len(pieces.leader)}, trailer {len(pieces.trailer)}"),
         ("length", length(len(tape))),
         ("time", times(len(tape))),

@@ -13,7 +13,6 @@ from pdp8.cli.part_options import sentence, spelling
 from programs.constants import REQUIRED, Constant, constants
 from programs.parts import PARTS, Part
 
-_EXPRESSION = "y as a function of x, inches: sin(x), x**2/4"
 _OURS = "arithmetic"
 """The arithmetic of 1971's machines stays with the command: a page computes exactly."""
 
@@ -40,11 +39,12 @@ def _declared(part: Part) -> dict[str, Any]:
 
 
 def _option(constant: Constant) -> dict[str, Any]:
-    found: dict[str, Any] = {"name": constant.name, "required": constant.default is REQUIRED}
+    found: dict[str, Any] = {
+        "name": constant.name, "required": constant.default is REQUIRED, "help": sentence(constant)
+    }  # fmt: skip
     if constant.default is not REQUIRED:
         found |= {
             "default": constant.ask(constant.default),
-            "help": sentence(constant),
             "spelling": spelling(constant),
             "flag": constant.flag,
         }
@@ -68,7 +68,7 @@ def _form(asked: list[Constant], arguments: list[list[Any]]) -> str:
 def _field(option: dict[str, Any]) -> str:
     """Return the field of an option: a box, a list, or a line with its default."""
     name, default, unit = option["name"], option.get("default", ""), option.get("unit")
-    about = f'name="{name}" title="{escape(option.get("help", _EXPRESSION))}"'
+    about = f'name="{name}" title="{escape(option["help"])}"'
     if option.get("flag"):
         field = f'<input type="checkbox" {about}>'
     elif choices := option.get("choices"):

@@ -75,6 +75,7 @@ MISUSED = [
     ("curve x --cutter inf", "not a finite number"),
     ("circle --arithmetic pdp8", "--arithmetic"),
     ("curve", "EXPRESSION"),
+    ("profile", "EXPRESSION"),
     ("drill --holes 1", "not a list of places"),
     ("circle --park-x 18", "No such option"),
     ("circle --fastest 8", "--fastest means nothing without --technique piece"),
@@ -212,6 +213,7 @@ def test_points_become_a_function_and_a_part_has_another_hand(shell: Shell) -> N
         ("slope --z-depth 4.001", {"z_depth": 4.001}),
         ("drill --holes '1,1 2.5,1.125'", {"holes": ((1, 1), (2.5, 1.125))}),
         ("curve 'sin(x)' --from 1 --to 2", {"from_": 1, "to": "2"}),
+        ("profile '1+0.1*cos(x)' --cutter .25 --side inside", {"cutter": 0.25, "side": "inside"}),
     ],
 )
 def test_a_script_gives_constants_as_the_command_takes_them(
@@ -219,7 +221,7 @@ def test_a_script_gives_constants_as_the_command_takes_them(
 ) -> None:
     name, *more = shlex.split(typed)
     printed = ascii.decode(call(f"pdp8 part {typed}")[1].encode("utf-8", "surrogateescape"))
-    assert printed == parts.part(name, *more[: name == "curve"], **constants)
+    assert printed == parts.part(name, *more[: name in ("curve", "profile")], **constants)
 
 
 def test_a_script_is_told_what_the_command_says() -> None:

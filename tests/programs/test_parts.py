@@ -129,7 +129,7 @@ def test_what_the_thesis_gives() -> None:
     assert {PARTS[name].cutter for name in ("circle", "ellipse", "polynomial")} == {0.5}
     assert (PARTS["fluidic"].cutter, PARTS["fluidic"].instrument) == (0.125, "Talysurf")
     assert PARTS["circle"].instrument == "Talyrond"
-    assert [name for name, entry in PARTS.items() if not entry.has_defaults] == ["curve"]
+    assert [name for name, entry in PARTS.items() if not entry.has_defaults] == ["curve", "profile"]
 
 
 TABLE_10_1 = """\

@@ -13,13 +13,14 @@ import * as fluidic from "../../../programs/fluidic.mjs";
 import { Header } from "../../../programs/header.mjs";
 import { Milling } from "../../../programs/milling.mjs";
 import * as polynomial from "../../../programs/polynomial.mjs";
+import * as profile from "../../../programs/profile.mjs";
 import * as slope from "../../../programs/slope.mjs";
 import { Unit } from "../../../programs/units.mjs";
 import { encode } from "../../../tapes/ascii.mjs";
 import { ours, put } from "../html.mjs";
 import { find, grouped } from "../written.mjs";
 
-const PROGRAMS = { circle, curve, die, drill, ellipse, fluidic, polynomial, slope };
+const PROGRAMS = { circle, curve, die, drill, ellipse, fluidic, polynomial, profile, slope };
 const RECORDS = { Header, Milling };
 const SECONDS = 10; // that a printout may take
 const FRAMES_A_MINUTE = 600; // of the ASR-33

@@ -17,6 +17,7 @@ ASKED: tuple[tuple[str, dict[str, Any]], ...] = (
     ("slope", {"to_x": "6 in", "to_y": "9", "stop": "inside"}),
     ("curve", {"expression": "2*SIN(x)**2/x + 1e-1", "from_": "0.5", "to": "4"}),
     ("curve", {"expression": "x**2/4", "from_": "-2", "to": "2", "tolerance": ".01", "cutter": "0.5"}),
+    ("profile", {"expression": "1.2+0.2*cos(3*x)", "cutter": "0.25", "side": "inside"}),
     ("die", {"cut": "groove", "technique": "piece"}),
     ("drill", {"holes": "1,1 2.5,1 4,1", "z_depth": "3.25"}),
     ("fluidic", {"program": "control", "control": "0.8"}),
