@@ -7,7 +7,6 @@ drawn over it, lights the doubtful frames, and gives the corrected tape and a re
 import json
 from base64 import b64encode
 from collections.abc import Iterable, Iterator, Sequence
-from functools import cached_property
 from importlib.resources import files
 from itertools import groupby
 from typing import NamedTuple
@@ -44,43 +43,35 @@ class Reading:
         if len({*named}) < len(named) or any(at > len(frames) or not frames[at - 1] for at in named):
             there = ",".join(str(number) for number, count in enumerate(frames, 1) if count)
             raise TapeError(f"strips {','.join(map(str, order))}: {there} can be named, each once")
-        readable = [number for number, (_, strip) in enumerate(self.strips, 1) if not strip.why]
-        self.order = tuple(order or readable)
-        for at, number in zip(named, order, strict=True):
-            if number < 0:
-                name, strip = self.strips[at - 1]
-                self.strips[at - 1] = name, strip.turned()
+        self.order = tuple(order or (at for at, (_, strip) in enumerate(self.strips, 1) if not strip.why))
+        for at in (-number - 1 for number in order if number < 0):
+            name, strip = self.strips[at]
+            self.strips[at] = name, strip.turned()
         read = [self.strips[abs(number) - 1][1].frames for number in self.order]
-        tape = stitch.join(read) if stitched else stitch.one_after_another(read)
-        self._begins = tape.begins
-        self._seen = [(frame, abs(self.order[at])) for frame, at in tape.frames]
-        self.seen = bytes(frame.holes for frame, _ in self._seen)
-        self._joints = range(1, len(self.seen)) if stitched else ()
-        doubtful = {number: frame.open for number, (frame, _) in enumerate(self._seen) if frame.doubtful}
-        weakest = [(frame.margin, frame.weakest) for frame, _ in self._seen]
-        self._wrong, self._wrong_by = redundancy.contradict(self.seen, doubtful, weakest)
-        self.proposed, self.proposed_by = redundancy.propose(self.seen, doubtful | self._wrong)
+        self._stitched = stitched and len(read) > 1
+        tape, self._begins = stitch.join(read) if self._stitched else stitch.one_after_another(read)
+        self.seen = bytes(frame.holes for frame, _ in tape)
+        doubtful = {number: frame.open for number, (frame, _) in enumerate(tape) if frame.doubtful}
+        weakest = [(frame.margin, frame.weakest) for frame, _ in tape]
+        wrong, by = redundancy.contradict(self.seen, doubtful, weakest)
+        for number, mask in wrong.items():
+            frame, at = tape[number]
+            tape[number] = frame._replace(open=mask, why=f"it is against {by}"), at
+        self.proposed, self.proposed_by = redundancy.propose(self.seen, doubtful | wrong)
+        self._tape = [(number, frame, abs(self.order[at])) for number, (frame, at) in enumerate(tape)]
 
-    @cached_property
+    @property
     def frames(self) -> list[tuple[int, Frame, str]]:
         """Return each frame with its number on the tape and the name of its picture. One that is sure by its
         holes is doubtful where the tape's own redundancy says that it is wrong.
         """
-        return [(number, frame, self.strips[strip - 1][0]) for number, (frame, strip) in enumerate(self._all)]
+        return [(number, frame, self.strips[strip - 1][0]) for number, frame, strip in self._tape]
 
-    @cached_property
-    def _all(self) -> list[tuple[Frame, int]]:
-        why = f"it is against {self._wrong_by}"
-        return [
-            (frame._replace(open=self._wrong[number], why=why) if number in self._wrong else frame, strip)
-            for number, (frame, strip) in enumerate(self._seen)
-        ]
-
-    @cached_property
+    @property
     def runs(self) -> list[tuple[int, list[tuple[int, Frame]]]]:
         """Return the tape in runs of frames that one strip shows: its number, and the frames with theirs."""
-        runs = groupby(enumerate(self._all), key=lambda one: one[1][1])
-        return [(strip, [(number, frame) for number, (frame, _) in run]) for strip, run in runs]
+        runs = groupby(self._tape, key=lambda one: one[2])
+        return [(strip, [(number, frame) for number, frame, _ in run]) for strip, run in runs]
 
     @property
     def complete(self) -> bool:
@@ -126,9 +117,9 @@ class Reading:
                     f"frames {first} to {last}: strip {abs(number)} of {len(self.strips)}, "
                     f"from {start.x}, {start.y} to {end.x}, {end.y} in {name}"
                 )
-            if before and first not in self._joints:
+            if before and not (self._stitched and first):
                 yield f"the tape may go on before frame {first}, where it leaves {name}"
-            if after and last + 1 not in self._joints:
+            if after and not (self._stitched and last + 1 < len(self.seen)):
                 yield f"the tape may go on after frame {last}, where it leaves {name}"
         for number, (name, strip) in enumerate(self.strips, 1):
             if number not in map(abs, self.order):
