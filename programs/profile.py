@@ -93,7 +93,7 @@ def closed(path: Sequence[_Place], tolerance: float) -> Curve:
 
     Raises WorkError for a tolerance out of range.
     """
-    xs, ys = zip(*path, strict=True)
+    xs, ys = [x for x, _ in path], [y for _, y in path]
     check_tolerance(tolerance, min(max(xs) - min(xs), max(ys) - min(ys)) / 2)
     first = xs.index(min(xs))
     path = [*path[first:], *path[: first + 1]]
@@ -109,11 +109,17 @@ def closed(path: Sequence[_Place], tolerance: float) -> Curve:
         last_y = last.y if turns_x else None
         if end == len(path) - 1:
             last_x, last_y = start
-        upward: Axis = "Y" if dx * dy > 0 else "X"
-        stretches.append(
-            Stretch(dx, dy, _Band(path[begin : end + 1], dx, dy, tolerance).side, upward, last_x, last_y)
-        )
+        stretches.append(_stretch(path[begin : end + 1], (dx, dy), tolerance, (last_x, last_y)))
     return Curve(start, tuple(stretches), start)
+
+
+def _stretch(
+    path: Sequence[_Place], way: tuple[int, int], tolerance: float, last: tuple[int | None, int | None]
+) -> Stretch:
+    dx, dy = way
+    band = _Band(path, dx, dy, tolerance)
+    upward: Axis = "Y" if dx * dy > 0 else "X"
+    return Stretch(dx, dy, band.side, upward, *last)
 
 
 def _length(x: float, y: float) -> float:
