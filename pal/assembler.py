@@ -220,7 +220,7 @@ class Assembler:
                 self._broken = name
 
     def _watch(self, what: str, pointer: int) -> None:
-        """Do nothing: `pal.notes` notes here what is not what it seems.
+        """Do nothing: `pal.watched` notes here what is not what it seems.
 
         what  `before`: something stands before the memory reference at `pointer`; `reference`: one of I alone
               or with Z; `word`: what was `doubtful` is a word or none; `pseudo`, `tag`, `equals`, `star`:

@@ -39,6 +39,8 @@ INTO_DATA, INTO_CODE, NO_RETURN, CUT, RESERVED = "PN06", "PN07", "PN08", "PN09",
 COLON, NO_SLASH, MEANT, NOT_IN_TABLE, LOWER_CASE = "PN31", "PN32", "PN33", "PN34", "PN35"
 DIALECT, NOT_ON_8L, MODEL = "PN36", "PN37", "PN38"
 
+ASKED = 100
+"""Undefined names that others are looked for which are nearly the same."""
 _SKIPS = SMA | SZA | SNL
 _SAME_AS = {
     **{"HALT": "HLT", "STOP": "HLT", "JUMP": "JMP", "BRA": "JMP", "GOTO": "JMP", "CALL": "JMS", "JSR": "JMS"},
@@ -277,12 +279,14 @@ def of_undefined(undefined: Iterable[tuple[str, int, int]], known: Iterable[str]
         lines.setdefault(line, []).append((name, at))
     notes = []
     names = list(known)
+    asked = 0
     for found in lines.values():
         if len(found) > 1:
             notes.append(Note(NO_SLASH, found[0][1], "this reads as text", "a comment begins with a slash"))
             continue
         name, at = found[0]
-        other = meant(name, names)
+        asked += 1
+        other = meant(name, names) if asked <= ASKED else None
         if other:
             notes.append(Note(MEANT, at, f"{name} is not defined: did you mean {other}?", ""))
     return notes

@@ -961,24 +961,24 @@ class Assembler:
         self._pass_blank()
         return self._token not in ("", ";", ">")
 
-    def _find_token(self, wanted: str, about: str, advice: str) -> bool:
-        """Pass over what comes before a token that is wanted, or a name; return whether there is one."""
+    def _find_token(self, wanted: str, about: str, advice: str, blanks: bool = True) -> bool:
+        """Pass over what comes before a token that is wanted, or a name; return whether there is one.
+
+        `blanks` is whether blanks between are nothing; else they are illegal too.
+        """
         self._pass_blank()
-        while not (self._token == wanted if wanted else _is_letter(self._token[:1])):
-            if not self._dropped:
-                self._say("IC", about, advice)
-                if len(self._token) > 1 and self._token[0] != '"':
-                    self._token = self._token[1:]
-                    continue
-            elif self._token not in ("", ";"):
-                self._drop()
-                self._pass_blank()
+        while self._blank or not (self._token == wanted if wanted else _is_letter(self._token[:1])):
+            if not self._blank and self._token not in ("", ";"):
+                for _ in range(1 if self._token[0] == '"' else len(self._token)):
+                    self._say("IC", about, advice)
+                self._skip_token()
+                self._blank = self._blank and not blanks
+                if not self._blank:
+                    self._pass_blank()
                 continue
-            else:
-                self._say("IC", about, advice)
-            if self._token in ("", ";"):
+            self._say("IC", about, advice)
+            if not self._blank:
                 return False
-            self._skip_token()
             self._pass_blank()
         return True
 
@@ -1194,7 +1194,7 @@ def _fix_table(run: Assembler) -> None:
 def _fix_reference(run: Assembler) -> None:
     """`FIXMRI NAME=expression`: define a memory reference."""
     about, advice = "FIXMRI without a definition", "write it so: FIXMRI NAME=5000"
-    if run._find_token("", about, advice):
+    if run._find_token("", about, advice, False):
         name, start, end = run._token[:SIGNIFICANT], run._start, run._end
         run._look_up()
         if run._find_token("=", about, advice):

@@ -180,9 +180,14 @@ class Work8:
 
     def _is_meant(self, at: int) -> bool:
         """Tell whether the last origin before a place has a symbol or a point, as an overlay has."""
-        line = self._run.places[at][0]
-        before = [number for index, number in self._run.origins if index <= line]
-        return bool(before) and not before[len(before) - 1]
+        from bisect import bisect_left
+
+        before = bisect_left(self._origins, self._run.places[at][0] + 1)
+        return before > 0 and not self._run.origins[before - 1][1]
+
+    @cached_property
+    def _origins(self) -> list[int]:
+        return [index for index, _ in self._run.origins]
 
     def _on_names(self) -> list[Note]:
         """Note what was meant by undefined names, names cut short, and instructions that an 8/L has not."""

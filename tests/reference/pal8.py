@@ -670,8 +670,7 @@ class _Pal8:
     def do_fixmri(self):
         self.blanks()
         while not self.letter:
-            self.illegal()
-            self.blanks()
+            self.illegal()  # a blank too
         name, _known = self.look_up()
         self.blanks()
         while self.char != "=":
