@@ -24,7 +24,7 @@ def page(made: Mapping[str, Made]) -> str:
     contents = chapters = ""
     for chapter, group in groupby(catalogue(), key=_chapter):
         items = list(group)
-        links = " ".join(f'<a href="#{item.stem}">{escape(item.number)}</a>' for item in items)
+        links = " ".join(map(_link, items))
         articles = "".join(_article(item, made.get(item.number)) for item in items)
         contents += f"<li>{chapter}: {links}</li>\n"
         chapters += f"<section>\n<h2>{chapter}</h2>\n{articles}</section>\n"
@@ -37,6 +37,11 @@ def page(made: Mapping[str, Made]) -> str:
 
 def _chapter(item: Item) -> str:
     return f"Chapter {item.chapter}" if item.chapter.isdigit() else "Appendices"
+
+
+def _link(item: Item) -> str:
+    title = escape(f"{item.name}. {item.title}", quote=True)
+    return f'<a href="#{item.stem}" title="{title}">{escape(item.number)}</a>'
 
 
 def _badge(state: str) -> str:

@@ -1,6 +1,7 @@
 
 // Unpacks the page's script and starts it: compressed it is a third as large.
 {
+  if (location.hash.startsWith("#t=")) document.body.classList.add("afternoon"); // nothing moves when its bar comes
   const packed = atob(document.getElementById("code").textContent);
   const data = Uint8Array.from(packed, (character) => character.charCodeAt(0));
   const plain = new Blob([data]).stream().pipeThrough(new DecompressionStream("deflate-raw"));

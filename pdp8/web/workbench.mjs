@@ -92,8 +92,9 @@ class Bench {
 
   /** The machine, with what is watched in it; while the afternoon leads it, as it was kept before. */
   get kept() {
-    const { machine, until } = this;
-    if (this.afternoon.on) return this.before;
+    const { until } = this;
+    const machine = this.afternoon.on ? this.room.own : this.machine;
+    if (!machine) return this.before;
     const breakpoints = [...machine.watch.breakpoints].filter((address) => address !== until.added);
     return { state: save(machine), breakpoints };
   }
@@ -108,6 +109,7 @@ class Bench {
   adopt(machine, stops = false) {
     this.machine = new Machine(true);
     this.machine.put(machine.values());
+    this.machine.watch.breakpoints = machine.watch.breakpoints;
     if (stops) this.machine.panel.stop();
     this.remember();
   }
@@ -363,7 +365,8 @@ class Bench {
     this.tabs.open("program");
     this.editor.open("hello.pal", this.shelf.get("hello.pal").frames);
     this.editor.run();
-    find("source").focus();
+    this.editor.enter();
+    find("teletype").scrollIntoView({ block: "nearest" });
   }
 }
 

@@ -42,6 +42,8 @@ export class Editor {
     this.area.addEventListener("pointerdown", () => this.#write(true));
     this.area.addEventListener("blur", () => this.#write(false));
     new ResizeObserver(() => this.#draw()).observe(this.area);
+    addEventListener("beforeprint", () => put(find("printed"), html`<h2>${this.name}</h2><pre>${assembled(this.name, this.text).listing}</pre>`));
+    addEventListener("afterprint", () => put(find("printed"), ""));
   }
 
   get text() {

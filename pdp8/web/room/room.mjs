@@ -30,7 +30,7 @@ const LOOKS = 4; // at the lamps in a step
 const FILAMENT = 0.045; // seconds in which a lamp follows
 const CALM = 0.7; // part of an act that is shown where nothing shall move
 const LITTLE = 400; // pixels
-const DESK = "#desk"; // in the address: the page opens at the desk
+const DESK = "#workbench"; // in the address: the page opens at the desk
 const TAKEN = "The switches are yours. Set an address with the twelve, press LOAD ADD: the lamps show that word of memory.";
 
 export class Room {

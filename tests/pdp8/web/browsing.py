@@ -17,7 +17,7 @@ else:
 __all__ = ["Browser", "Locator", "Page"]
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
-DESK = "#desk"
+DESK = "#workbench"
 """Behind the address of the page: it opens at the desk, not in the room."""
 AXE = Path(__file__).parents[2] / "node" / "node_modules" / "axe-core" / "axe.min.js"
 needs_axe = pytest.mark.skipif(

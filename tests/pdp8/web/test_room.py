@@ -43,7 +43,7 @@ def test_the_page_opens_in_the_midst_of_the_translation(room: Page) -> None:
     room.reload()
     until(room, "window.workbench?.room.open")
     click(room, "#leave")
-    assert room.evaluate("location.hash") == "#desk"
+    assert room.evaluate("location.hash") == "#workbench"
     room.reload()
     until(room, "!!window.workbench")
     assert not room.evaluate("workbench.room.open")
