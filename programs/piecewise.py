@@ -133,7 +133,7 @@ class Technique:
 
 def _asides(stretch: Stretch, at: Point, feeds: Feeds) -> range:
     """Return how far aside of a ray the stops are that are tried: across the band, either way."""
-    if not all(feeds):
+    if 0 in (feeds.x, feeds.y):
         return range(1)
     x, y = (0, 1) if feeds.x >= feeds.y else (1, 0)
     width = _room(stretch, at, x, y) + _room(stretch, at, -x, -y)
