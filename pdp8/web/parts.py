@@ -10,6 +10,7 @@ from html import escape
 from typing import Any, get_type_hints
 
 from pdp8.cli.part_options import sentence, spelling
+from pdp8.web.translator import MODULES
 from programs.constants import REQUIRED, Constant, constants
 from programs.parts import PARTS, Part
 
@@ -18,8 +19,9 @@ _OURS = "arithmetic"
 
 
 def declared() -> list[dict[str, Any]]:
-    """Return the parts that a page runs."""
-    return [_declared(part) for part in PARTS.values()]
+    """Return the parts that a page runs: those whose program is translated."""
+    translated = MODULES["programs"].split()
+    return [_declared(part) for part in PARTS.values() if part.name in translated]
 
 
 def _declared(part: Part) -> dict[str, Any]:

@@ -1,6 +1,8 @@
 """Part programs in the page: the tape that `pdp8 part` punches, and the refusal that it says."""
 
+import re
 import shlex
+from pathlib import Path
 from typing import Any
 
 from pdp8.web import parts
@@ -50,3 +52,9 @@ def test_the_page_punches_and_refuses_what_the_command_does(call: Call) -> None:
             assert found.split(": ", 2)[2].rstrip(".") in said.replace("\n", " "), (name, typed)
         else:
             assert ascii.encode(found).decode("utf-8", "surrogateescape") == punched, (name, typed)
+
+
+def test_the_page_has_the_program_of_each_part_that_it_offers() -> None:
+    source = (Path(parts.__file__).parent / "bench" / "parts.mjs").read_text(encoding="utf-8")
+    programs = re.findall(r"^const PROGRAMS = \{ (.*) \};$", source, re.MULTILINE)[0].split(", ")
+    assert sorted(part["name"] for part in parts.declared()) == sorted(programs)
