@@ -265,8 +265,8 @@ def _prove(exercise: Exercise, name: str, seed: int) -> None:
     if faults:
         raise WorkError("\n".join(f"{exercise.name}: {fault}" for fault in faults))
     ways = f"; {counted(len(written), 'ways')} to write it, all right" * bool(written)
-    noticed = counted(len(marked), "mistakes")
-    command.echo(f"{exercise.name}: the solution has {solved.of} points{ways}; {noticed}, all noticed")
+    noticed = f"; {counted(len(marked), 'mistakes')}, all noticed" * bool(marked)
+    command.echo(f"{exercise.name}: the solution has {solved.of} points{ways}{noticed}")
     if slips.tried:
         caught = slips.tried - len(slips.survivors)
         command.echo(
