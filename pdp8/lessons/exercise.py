@@ -12,7 +12,7 @@ from pdp8.lessons.answer import tag
 
 @dataclass(frozen=True)
 class Trial:
-    """One run of a program: how it is set up, what it must do. None is not looked at."""
+    """One run of a program: how it is set up, what it must do. What is None is not checked."""
 
     start: tuple[str, ...] = ("0200",)
     """Tags or addresses: the first that the answer has."""
@@ -52,7 +52,7 @@ class Trial:
 
 @dataclass(frozen=True)
 class Case:
-    """What is marked as one: every trial must be right. Nothing of a hidden case is shown but its name.
+    """Trials that are marked together: every one must be right. Of a hidden case only the name is shown.
 
     `tests` quotes what it tries from the task. `hints` are by what happened (diagnosis.py) or by what differs
     (AC, the tape, a tag); "" for any result.
@@ -68,7 +68,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Question:
-    """One line of a sheet: what is asked, which answers are right, what is said to a wrong one.
+    """One question of a sheet, its right answers, and the hint for a wrong one.
 
     A number is right by its value in `unit`, within `tolerance`. A student's form has no answer: what is
     given is neither right nor wrong.
@@ -86,7 +86,7 @@ class Question:
 
     @property
     def unmarked(self) -> bool:
-        """Whether nothing says which answer is right."""
+        """Whether no right answer is known, as in a student's form."""
         return self.number is None and not self.answer
 
 
@@ -130,20 +130,20 @@ class Exercise:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The names of what is marked one by one."""
+        """The names of all cases and questions."""
         return (*[case.name for case in self.cases], *[question.name for question in self.questions])
 
     @property
     def points(self) -> int:
-        """The most that can be had."""
+        """The points of an answer that is right throughout."""
         marked = [question.points for question in self.questions if not question.unmarked]
         return sum(case.points for case in self.cases) + sum(marked)
 
     @property
     def note(self) -> str:
-        """What is said below the marks that a student's form gives."""
+        """The sentence below the marks of a student's form, "" for a whole exercise."""
         if any(question.unmarked for question in self.questions):
-            return "Of what is given the teacher says whether it is right."
+            return "The teacher says whether each answer is right."
         if self.others:
             tried = len(self.cases)
             return f"{tried} of {tried + self.others} cases were tried; the teacher tries the others too."
@@ -151,7 +151,7 @@ class Exercise:
 
 
 def _looked_at(trial: Trial) -> list[str]:
-    """Return what a trial looks at in the way in which a program does it, in words."""
+    """Return a sentence for each thing that a trial checks beside the results."""
     said = [
         f"{place} is executed or called {times} times at least." for place, times in trial.executed.items()
     ]

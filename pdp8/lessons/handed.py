@@ -34,7 +34,7 @@ def read(name: str) -> Answer:
 
 
 def of(content: bytes, name: str) -> Answer:
-    """Return the answer a file of that content gives: PAL III source, a BIN or RIM tape, a sheet."""
+    """Return the answer in a file with this content: PAL III source, a BIN or RIM tape, a sheet."""
     if not content:
         return Answer(name, fault="an empty file")
     if len(content) > LARGEST:

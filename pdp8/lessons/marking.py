@@ -54,7 +54,7 @@ class Mark:
 
 @dataclass(frozen=True)
 class Result:
-    """The marks of one answer; `fault` says why there are none."""
+    """The marks of one answer; where there are none, `fault` says why."""
 
     answer: str
     marks: tuple[Mark, ...]
@@ -304,13 +304,13 @@ def _products(tried: Trial, answer: Answer, outcome: Outcome) -> Iterator[Failur
 
 
 def _punched(tried: Trial, outcome: Outcome) -> bytes:
-    """Return the frames that were punched and count."""
+    """Return the frames that were punched, without blank ones if these are ignored."""
     counts = tried.nul != "ignored"
     return bytes(frame for frame in outcome.tape if counts or frame & 0o177)
 
 
 def _looked_at(answer: Answer, whole: Trial) -> Iterator[Failure]:
-    """Yield what is wrong in the way in which an answer that gets all right does it."""
+    """Yield what is wrong in how an answer works, though its results are right."""
     if not (whole.executed or whole.callers or whole.indirect):
         return
     seen = trial.looks(answer, whole)

@@ -73,7 +73,7 @@ def said(mark: Mark) -> Iterator[str]:
 
 
 def fault(result: Result) -> Iterator[str]:
-    """Yield the lines of what kept an answer from being tried."""
+    """Yield the lines that say why an answer was not tried."""
     return (visible(line.expandtabs(8)) for line in result.fault.splitlines())
 
 

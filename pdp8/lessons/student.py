@@ -28,14 +28,14 @@ def form(exercise: Exercise) -> str:
 
 
 def whole(exercise: Exercise) -> dict[str, Any]:
-    """Return all by which answers are marked: every case, every answer of a sheet, but no solution."""
+    """Return the tables for marking: every case and every answer of a sheet, but no solution."""
     return tables(exercise, exercise.cases, exercise.questions)
 
 
 def tables(
     exercise: Exercise, cases: Iterable[Case], questions: Iterable[Question], trials: int | None = None
 ) -> dict[str, Any]:
-    """Return an exercise as its file has it, ready for JSON; of a case so many trials."""
+    """Return an exercise as its file has it, ready for JSON, with at most `trials` of each case."""
     found = {
         "title": exercise.title,
         "task": exercise.asked,
@@ -51,7 +51,7 @@ _CALLED = {"hints": "hint", "number": "answer"}
 
 
 def _table(of: Any) -> dict[str, Any]:
-    """Return the keys of a table that are not as they are if not given."""
+    """Return the keys of a table whose values are not the default."""
     return {
         _CALLED.get(each.name, each.name): _value(value)
         for each in fields(of)

@@ -148,10 +148,17 @@ class Tried:
         stop = Stop(Reason.BREAKPOINT, machine.pc, 0)
         while stop.reason is Reason.BREAKPOINT and not self.left(stop.pc):
             stop = machine.run(seconds=max(seconds - machine.elapsed, 0))
-            if stop.reason is Reason.BREAKPOINT:  # it executes what it has written
-                watch.breakpoints = {at for at in self._free if self.left(at)}
+            if stop.reason is Reason.BREAKPOINT:
+                self._owns(machine)
+                watch.breakpoints = set(self._free)
         watch.breakpoints = set()
         return stop
+
+    def _owns(self, machine: Machine) -> None:
+        """Take the words that the program has written, also the first word of what it calls, for its own."""
+        self._free = {
+            at for at in self._free if self.left(at) and not (machine.ir == JMS and at == machine.ma)
+        }
 
     def left(self, address: int) -> bool:
         """Tell whether the word at `address` is none of the program's, and was not written by it either."""

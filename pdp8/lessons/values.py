@@ -45,7 +45,7 @@ def right(question: Question, given: str) -> bool:
 
 
 def hint(question: Question, given: str) -> str:
-    """Return what is said to a wrong answer: its slip's hint, or the question's."""
+    """Return the hint for a wrong answer: that of its slip, or of the question."""
     for slip, said in question.slips.items():
         if _same(question, given, slip):
             return said
@@ -120,7 +120,7 @@ def _same(question: Question, given: str, answer: str) -> bool:
 
 
 def _known(question: Question) -> list[str]:
-    """Return the words that an answer may have beside what is asked."""
+    """Return the words that an answer may have more than it needs."""
     return [word for word in [*_words(question.ask), *_FILLERS] if word != "not"]
 
 
