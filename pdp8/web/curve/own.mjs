@@ -24,12 +24,12 @@ export function own(record, save) {
     const shape = heights.map((y, n) => ({ x: FROM + STEP * n, y }));
     const strip = { x: 8, y: box.height + 26, width: width - 62, height: 90 };
     const off = way.map(({ x, y }) => ({ x: x - FROM, y: y - height(heights, x) }));
-    const worst = off.slice(1).reduce((most, { y }) => Math.max(most, Math.abs(y)), 0);
+    const worst = way.slice(1).reduce((most, { x, y }) => Math.max(most, Math.abs(y - height(heights, x)) / steepness(heights, x)), 0);
     const content = view.line(way, `class="groove" style="stroke-width:${2 * CUTTER * view.sx}"`) + view.line(shape, 'class="intended"') + view.line(way, 'class="way"') + view.circle({ ...at, radius: CUTTER }, 'class="tool"');
     const to = ({ x }) => (1000 * Math.max(0, way.findIndex((stop) => view.x(stop.x) >= x))) / (way.length - 1);
     const holds = { place: { x: view.x(at.x), y: view.y(at.y), to } };
     if (made.text !== last) translate(made, (last = made.text));
-    const said = html`<b>${made.blocks} blocks</b>: reading ${minutes(made.reading)} + cutting ${minutes(made.milling)} = <b>${minutes(made.minutes)}</b>. A stop is at most ${mils(worst, 4)} in off your curve, up or down. ${told}`;
+    const said = html`<b>${made.blocks} blocks</b>: reading ${minutes(made.reading)} + cutting ${minutes(made.milling)} = <b>${minutes(made.minutes)}</b>. A stop is at most <b>${mils(worst, 4)} in</b> off your curve. ${told}`;
     return [clipped(box, content) + rect(box, 'class="frame"') + text(strip.x, strip.y - 7, "the band made straight", 'class="small"') + straightened(strip, STEP * (COUNT - 1), tolerance, 1.6 * tolerance + 1, [[off, "way"]]), strip.y + strip.height + 8, said, holds];
   });
 
@@ -96,6 +96,11 @@ export function own(record, save) {
 function height(heights, x) {
   const part = Math.min(COUNT - 1, Math.max(0, (x - FROM) / STEP)), n = Math.min(COUNT - 2, Math.floor(part));
   return heights[n] + (heights[n + 1] - heights[n]) * (part - n);
+}
+
+/** How much longer a way straight up to the curve is there than one square to it. */
+function steepness(heights, x) {
+  return Math.hypot(1, (height(heights, x + STEP / 2) - height(heights, x - STEP / 2)) / STEP);
 }
 
 /** Let a finger's shake go. */
