@@ -84,7 +84,7 @@ cdef class Transmitter(Device):
 
     cpdef int plan(self) noexcept
     @cython.locals(units=int)
-    cdef int left(self) noexcept
+    cdef int units_to_send(self) noexcept
     cpdef int64_t next_unit(self) noexcept
     @cython.locals(unit=int64_t)
     cpdef int64_t next_step(self) noexcept

@@ -462,9 +462,9 @@ class Transmitter(Device):
         elif self.flag:
             self.due = tick_of(self.start + 2 * HALF_UNIT)
         else:
-            self.due = tick_of(self.start + 2 * HALF_UNIT * (max(self.sent, 1) - 1 + self.left()))
+            self.due = tick_of(self.start + 2 * HALF_UNIT * (max(self.sent, 1) - 1 + self.units_to_send()))
 
-    def left(self) -> int:
+    def units_to_send(self) -> int:
         """Return how many units are still to be sent, the end marker too."""
         units = 1
         while self.register >> units:

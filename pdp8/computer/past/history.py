@@ -64,11 +64,11 @@ class History:
         self._apart = _APART
         self._marks: list[_Mark] = []
         self._size = self._since = 0
-        self._left = self._began = self._values()
+        self._ended = self._began = self._values()
         """The machine as the last run left it, and as that run began."""
         self._stands = self._moment()
         """When the last run ended."""
-        self._add(self._left, whole=True)
+        self._add(self._ended, whole=True)
         machine.recorder = self
 
     def close(self) -> None:
@@ -117,18 +117,18 @@ class History:
 
         One that ended by itself leaves things that no run as far as its tick leaves: these are noted.
         """
-        self._left = self._values()
-        others, moment = changed(self._began, self._left), self._moment()
+        self._ended = self._values()
+        others, moment = changed(self._began, self._ended), self._moment()
         if in_cycles or moment == self._stands:
             self._jump(others)
             return
         self._stands = moment
         if reason != Reason.LIMIT:
-            left = self._left.items()
+            left = self._ended.items()
             self._add({name: value for name, value in left if name in others or not isinstance(value, bytes)})
 
     def _note(self, now: Values) -> None:
-        others = changed(self._left, now)
+        others = changed(self._ended, now)
         if self.machine.instructions != self._stands[1]:
             self._jump(others)
         elif others:
@@ -217,13 +217,13 @@ class History:
             machine.recorder, machine.watch = self, watch
             for device, callback in zip(heard, callbacks, strict=True):
                 device.on_frame = callback
-            self._left, self._stands = self._values(), self._moment()
+            self._ended, self._stands = self._values(), self._moment()
             clock, number = self._stands
             past = [mark for mark in self._marks if mark.clock <= clock and mark.instructions <= number]
             in_cycles = self._marks[len(past) :][:1]
             self._keep(past)
             if in_cycles and in_cycles[0].jump:
-                self._add(self._left, jump=True)
+                self._add(self._ended, jump=True)
 
     def snapshots(self) -> list[_Mark]:
         """Return the snapshots, the newest first."""

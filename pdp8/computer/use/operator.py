@@ -28,7 +28,6 @@ RIM_START = 0o7756
 BIN_START = 0o7777
 BIN_HALT = 0o7700
 TELETYPE_READER = 0o7777
-HIGH_SPEED_READER = 0o3777
 
 # The card's two versions; they differ in the reader's IOTs and in where the loop begins.
 RIM = (
@@ -57,7 +56,7 @@ class Pace(NamedTuple):
     lever: float = 0.0
 
 
-AT_ONCE = Pace()
+IN_NO_TIME = Pace()
 
 
 class Action(NamedTuple):
@@ -98,7 +97,10 @@ class Operator:
     """An operator at `machine`. `note` is called with each action as it is done."""
 
     def __init__(
-        self, machine: Machine, pace: Pace = AT_ONCE, note: Callable[[Action], object] = lambda action: None
+        self,
+        machine: Machine,
+        pace: Pace = IN_NO_TIME,
+        note: Callable[[Action], object] = lambda action: None,
     ) -> None:
         self.machine = machine
         self.panel = machine.panel

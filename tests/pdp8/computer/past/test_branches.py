@@ -12,6 +12,7 @@ from pal.isa import FETCH
 from pdp8.computer.hardware.fields import Values
 from pdp8.computer.past import rewind, state
 from pdp8.computer.past.history import History
+from tests.pdp8.computer.bench import machine
 from tests.pdp8.computer.lockstep.sides import InPython
 from tests.pdp8.computer.lockstep.situations import Act, Situation, at_the_panel, situation
 
@@ -87,3 +88,21 @@ def test_a_branch_goes_on_as_the_trunk(seeds: Sequence[int]) -> None:
         for how, branch in branches.items():
             for at, (ours, theirs) in enumerate(zip(went_on(branch, acts), expected, strict=True)):
                 assert ours == theirs, f"seed {seed}, {how}: {acts[at]}, {different(ours, theirs)}"
+
+
+@pytest.mark.parametrize("before", [3000, 7000, 11_000])
+def test_a_branch_that_waits_for_ever_says_so_at_the_same_instruction(before: int) -> None:
+    """NOP, NOP, JMP .-2, with a breakpoint elsewhere: its turns are compared every 10 ms."""
+    trunk = machine("7000 7000 5200")
+    trunk.watch.breakpoints.add(0o300)
+    trunk.run(instructions=before)
+    branches = [copy.deepcopy(trunk), state.restore(state.save(trunk)), copy.deepcopy(trunk)]
+    history = History(branches[2])
+    for each in branches:
+        each.watch.breakpoints.add(0o300)
+    branches[2].run(instructions=500)
+    branches[2].run()
+    rewind.instructions(history, branches[2].instructions - before)
+    ended = [(each.run().reason, each.instructions, each.ticks) for each in (trunk, *branches)]
+    assert ended == [ended[0]] * 4
+    assert ended[0][0] == "idle"

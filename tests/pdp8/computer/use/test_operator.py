@@ -218,7 +218,7 @@ def test_the_high_speed_reader_by_switch_0_down() -> None:
     m = Machine(highspeed=True)
     m.load(assembly("bin").words)
     m.highspeed.reader.load(TWO_WORDS)
-    m.sr = operator.HIGH_SPEED_READER
+    m.sr = 0o3777
     m.start(operator.BIN_START)
     assert m.run().reason == "halt"
     assert (m.ma, m.ac, m.core[0o200]) == (0o7700, 0, 0o1234)
