@@ -1,4 +1,4 @@
-"""How fast the machine of the pages is: in Node.js, in headless Chromium, in headless Firefox.
+"""How fast the pages are: their machine in Node.js, Chromium and Firefox; the room as a visitor has it.
 
     mixed      checksum, software multiplication and sieve (mixed.pal)
     counter    a counter whose loop does something, so that no turn of it is passed over
@@ -6,7 +6,15 @@
 Each is run for some seconds of machine time by the workbench's own `machine.run`, after one run that lets the
 engine compile it; the least of the repeats counts, by `performance.now()`.
 
-    python -m benchmarks.pages [--repeat 40]
+    paint      ms until the page's first picture
+    alive      ms from it until the machine has moved
+    shift      how far what is seen jumps while the page opens (Cumulative Layout Shift), room and desk
+    script     ms of JavaScript for a picture of the room, median and 95 %, in calm acts and in busy ones
+    frames     pictures a second; a browser without a graphics processor draws them all by itself
+
+The room is opened on a screen of 1366 x 768, and on a telephone whose processor is slowed four times.
+
+    python -m benchmarks.pages [--repeat 40] [--room]
 """
 
 import json
@@ -25,7 +33,7 @@ import pal
 from benchmarks.kernels import kernel
 from pdp8.web.workbench import page
 from tests.pdp8.web import firefox
-from tests.pdp8.web.browsing import CHROMIUM, launched, visit
+from tests.pdp8.web.browsing import CHROMIUM, DESK, launched, until, visit
 from tests.pdp8.web.node import NODE, in_node
 
 COUNTER = (
@@ -85,6 +93,79 @@ def in_firefox(call: str) -> Any:
         return tab.run(f"const Machine = window.workbench.machine.constructor; return {call};")
 
 
+_OBSERVED = """() => {  // before the page's own scripts
+  window.shift = 0;
+  new PerformanceObserver((list) => {
+    for (const each of list.getEntries()) if (!each.hadRecentInput) window.shift += each.value;
+  }).observe({ type: "layout-shift", buffered: true });
+  const request = window.requestAnimationFrame.bind(window);
+  window.taken = [];
+  window.requestAnimationFrame = (show) => request((now) => {
+    const began = performance.now();
+    show(now);
+    window.taken.push(performance.now() - began);
+    const { script } = window.workbench?.afternoon ?? {};
+    if (script?.now > window.first) window.moved ??= performance.now();
+    window.first ??= script?.now;
+  });
+}"""
+_PAINTED = "performance.getEntriesByName('first-contentful-paint')[0]?.startTime"
+_ACT = """(turn) => {
+  const { room } = workbench;
+  room.go({ value: turn });
+  room.playing = true;
+  room.show();
+}"""
+PARTS = {"print": (1, 0.0), "boot": (3, 0.0), "print, in a hurry": (1, 0.85), "cut, in a hurry": (6, 0.8)}
+"""The parts of acts that are looked at: two that are calm, two that are busy."""
+VISITORS: dict[str, tuple[dict[str, Any], int]] = {
+    "1366 x 768": ({"viewport": {"width": 1366, "height": 768}}, 1),
+    "telephone, 4 x slower": ({"viewport": {"width": 390, "height": 844}, "device_scale_factor": 2}, 4),
+}
+
+
+def opening(browser: Any, address: str, options: dict[str, Any], slower: int) -> dict[str, str]:
+    """Return what a visitor's page takes, by name."""
+    context = browser.new_context(**options)
+    context.add_init_script(f"({_OBSERVED})()")
+    tab = context.new_page()
+    tab.context.new_cdp_session(tab).send("Emulation.setCPUThrottlingRate", {"rate": slower})
+    tab.goto(address)
+    until(tab, "!!window.moved && !!window.workbench")
+    tab.wait_for_timeout(2000)
+    painted, moved = tab.evaluate(_PAINTED), tab.evaluate("window.moved")
+    found = {
+        "paint": f"{painted:.0f}",
+        "alive": f"{moved - painted:.0f}",
+        "shift, room": f"{tab.evaluate('shift'):.3f}",
+    }
+    for name, (turn, part) in PARTS.items():
+        tab.evaluate(_ACT, turn)
+        tab.evaluate(f"workbench.room.tour.go({turn}, {part})")
+        tab.wait_for_timeout(700)
+        tab.evaluate("taken.length = 0")
+        tab.wait_for_timeout(1500)
+        taken = sorted(tab.evaluate("taken"))
+        middle, most = taken[len(taken) // 2], taken[len(taken) * 95 // 100]
+        found[name] = f"{middle:.1f} / {most:.1f} ms, {len(taken) / 1.5:.0f} a second"
+    tab.goto("about:blank")
+    tab.goto(address + DESK)
+    until(tab, "!!window.workbench")
+    tab.wait_for_timeout(2000)
+    found["shift, desk"] = f"{tab.evaluate('shift'):.3f}"
+    context.close()
+    return found
+
+
+def visited() -> Iterator[tuple[str, str, str]]:
+    """Yield for each visitor what, and how much of it."""
+    with written() as address, launched() as browser:
+        for visitor, (options, slower) in VISITORS.items():
+            yield from (
+                (visitor, what, said) for what, said in opening(browser, address, options, slower).items()
+            )
+
+
 def measured(repeat: int) -> Iterator[tuple[str, str, float]]:
     """Yield where, which kernel, and how many times as fast as a real 8/L."""
     call = f"({_RUN})(Machine, {json.dumps(kernels())}, {SECONDS}, {repeat})"
@@ -100,14 +181,24 @@ def measured(repeat: int) -> Iterator[tuple[str, str, float]]:
 
 @click.command()
 @click.option("--repeat", type=click.IntRange(min=1), default=40, show_default=True, help="Runs of each.")
-def main(repeat: int) -> None:
-    """Run the kernels on the pages' machine."""
+@click.option("--room", is_flag=True, help="The room alone, without the kernels.")
+def main(repeat: int, room: bool) -> None:
+    """Run the kernels on the pages' machine, and visit the room."""
+    console = Console(width=None if sys.stdout.isatty() else 120)
+    table = Table(title="the room, as a visitor has it")
+    for column in ("visitor", "", "measured"):
+        table.add_column(column)
+    for row in visited() if CHROMIUM else ():
+        table.add_row(*row)
+    console.print(table)
+    if room:
+        return
     table = Table(title=f"the pages' machine, least of {repeat}")
     for column in ("", "kernel", "× a real 8/L"):
         table.add_column(column, justify="right" if column.startswith("×") else "left")
     for place, name, ratio in measured(repeat):
         table.add_row(place, name, f"{ratio:,.0f}")
-    Console(width=None if sys.stdout.isatty() else 120).print(table)
+    console.print(table)
 
 
 if __name__ == "__main__":

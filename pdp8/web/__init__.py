@@ -10,6 +10,7 @@ record        what it has at hand, as JSON; kept: in the user's cache, while the
 parts         the part programs' options, as the page asks for them, and their fields
 findings      what an assembly says of each line, as the editor shows it
 passing       the block that passes under a head
+loosened      the circle within another tolerance, by the whole chain
 curve         the page that teaches the method: curve.mjs, its figures in curve/, method what they compute
 shell.html    what is around every page   base.css             how it looks
 bench.html    what stands where           workbench.css        how that looks

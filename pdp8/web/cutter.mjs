@@ -7,14 +7,23 @@ import { rect, text, View } from "./svg.mjs";
 const LEFT = 22, BELOW = 18; // the rulers, in pixels
 const NEAR = 300; // knots before and behind the cutter that a close view may show
 
-/** The whole contour: the plate, the groove milled so far, what is still to come, the cutter. */
+/** The whole contour: what of it is milled, what is still to come, the cutter, the inches; it lies over the plate. */
 export function whole({ path: { knots }, diameter, bounds }, place, started, width, height) {
-  const view = new View(bounds, { x: LEFT, y: 0, width: width - LEFT, height: height - BELOW });
-  const groove = diameter * view.sx;
+  const view = tableView(bounds, width, height);
   const milled = started ? [...knots.slice(0, place.knot + 1), place] : [];
-  const cut = view.line(milled, `class="edge" style="stroke-width:${groove + 1.5}"`) + view.line(milled, `class="floor" style="stroke-width:${groove}"`);
   const way = view.line([place, ...knots.slice(place.knot + 1)], 'class="to-come"') + view.line(milled, 'class="milled"');
-  return cut + way + (started ? axis(view, place, Math.max(4, groove / 2), 5) : "") + rulers(view, width, height);
+  return way + (started ? axis(view, place, Math.max(4, (diameter * view.sx) / 2), 5) : "") + rulers(view, width, height);
+}
+
+const tableView = (bounds, width, height) => new View(bounds, { x: LEFT, y: 0, width: width - LEFT, height: height - BELOW });
+
+/** Draw the plate under it, milled as far as a place, as in the room. */
+export function plated({ bounds }, plate, place, c, width, height) {
+  const { ox, oy, sx } = tableView(bounds, width, height);
+  if (place) plate.to(place);
+  c.translate(ox, oy);
+  c.scale(sx, -sx);
+  plate.draw(c, null);
 }
 
 /** A close view: the band, the staircase in it, the cutter's axis. The width of the view is about .15 in. */

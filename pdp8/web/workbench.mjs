@@ -36,6 +36,7 @@ import { Goal } from "../computer/use/goals.mjs";
 import * as kinds from "../../tapes/kinds.mjs";
 import { is_utf16 } from "../../tapes/utf16.mjs";
 import { checked } from "./findings.mjs";
+import { loosened } from "./loosened.mjs";
 import { ours, put } from "./html.mjs";
 import { unpacked } from "./packed.mjs";
 import { READABLE } from "./pictures.mjs";
@@ -381,4 +382,4 @@ async function start() {
 }
 
 if (globalThis.document) start();
-else serve({ booted, checked, located, marks, printout });
+else serve({ booted, checked, located, loosened, marks, printout });

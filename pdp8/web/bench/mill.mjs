@@ -1,6 +1,6 @@
 // The Hydra-Point on the bench: an EIA tape is cut, its path and band drawn, its blocks listed, its refusal said.
 
-import { close, whole } from "../cutter.mjs";
+import { close, plated, whole } from "../cutter.mjs";
 import { CutError, cut } from "../../../nc/machine.mjs";
 import { TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { FIELDS } from "../../../tapes/hydrapoint.mjs";
@@ -9,9 +9,14 @@ import { html, put } from "../html.mjs";
 import { BLOCK, passing } from "../passing.mjs";
 import { Pictures } from "../pictures.mjs";
 import { Drawing, Sheet } from "../sheet.mjs";
-import { drawTape, meaning, tapeKey } from "../tape.mjs";
+import { Plate } from "../room/plate.mjs";
+import { meaning } from "../room/tape.mjs";
+import { drawTape, tapeKey } from "../tape.mjs";
+import { bytes } from "../translator/runtime.mjs";
 import { find, grouped, inches, minutes, octal } from "../written.mjs";
 
+const TOLERANCES = [1, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100, 150, 200, 300, 430, 500]; // thousandths
+const FINE = 900; // pixels of the plate
 const TAKES = 20; // seconds in which a whole tape is cut on the page
 const MARGIN = 40; // pixels that stay in view above the current line, and its own height and as much below
 
@@ -21,6 +26,7 @@ export class Mill {
     this.drawing = null;
     this.line = null; // the block that is carried out, in the list
     this.pictures = new Pictures((passed) => this.#picture(passed));
+    this.plate = new Sheet(find("plate"), () => this.show());
     this.whole = new Drawing(find("whole"), () => this.show());
     this.close = new Drawing(find("close"), () => this.show());
     this.reader = new Sheet(find("mill-reader").querySelector("canvas"), () => this.show());
@@ -49,6 +55,18 @@ export class Mill {
     this.#go(1);
   }
 
+  /** Cut the circle within another tolerance: its tape is made by the whole chain, on another machine. */
+  async loosen({ value }) {
+    const tolerance = TOLERANCES[value];
+    const asked = (this.asked = [tolerance, this.bench.shelf.get("eia.pal").frames.decode("ascii")]);
+    const frames = bytes(await this.bench.apart.ask("loosened", asked, TAKES));
+    if (this.asked !== asked) return;
+    const { path, refusal } = carriedOut(frames);
+    this.lay(`circle within ${inches(tolerance)} in`, frames, path, refusal);
+    find("loosened").textContent = `${inches(tolerance)} in: ${grouped(path.cuts.length)} cuts, ${minutes(path.times.total)} minutes`;
+    this.#go(1);
+  }
+
   /** Show the path of a tape: what of it is cut, and what is still to come; `band` is that of the curve, if it is known. */
   lay(name, frames, path, refusal = "", band = null) {
     if (this.path === path) return;
@@ -58,6 +76,7 @@ export class Mill {
     this.steps = path?.steps ?? [];
     find("refusal").textContent = refusal;
     this.drawing = this.steps.length ? contour(path, this.bench.record.cutter, band) : null;
+    this.milled = this.drawing && new Plate(path.knots, this.drawing.diameter, this.drawing.bounds, FINE, 0);
     find("eia").value = name;
     put(find("blocks"), html`<ol>${this.steps.map((step) => row(step))}</ol>`);
     this.line = null;
@@ -111,6 +130,7 @@ export class Mill {
     const key = `${this.name} ${place.knot} ${place.x} ${place.y} ${started}`;
     bench.writer.text(find("whole-label"), started ? this.#where(place) : `waits for its tape: ${this.steps.length} blocks`);
     bench.writer.text(find("close-label"), drawing.circle ? roundness(drawing.circle) : "close by, squares of .010 in");
+    this.plate.draw(key, (...at) => plated(drawing, this.milled, started ? place : null, ...at));
     this.whole.draw(key, (...size) => whole(drawing, place, started, ...size));
     this.close.draw(key, (...size) => close(drawing, place, started, ...size));
     this.#tape({ ...this.tape, head: this.tape.first + (started ? path.row(second) : 0) });

@@ -4,7 +4,8 @@ import { Paper, sent } from "../../computer/use/keys.mjs";
 import * as kinds from "../../../tapes/kinds.mjs";
 import { BLOCK, passing } from "../passing.mjs";
 import { Sheet } from "../sheet.mjs";
-import { drawTape, meaning, tapeKey } from "../tape.mjs";
+import { meaning } from "../room/tape.mjs";
+import { drawTape, tapeKey } from "../tape.mjs";
 import { find, grouped, octal } from "../written.mjs";
 import { codeOf } from "./shelf.mjs";
 

@@ -5,9 +5,9 @@ const SANS = 'Helvetica, Arial, "Liberation Sans", sans-serif';
 /** Pixels of the canvas for an inch. */
 export const scale = (c) => c.getTransform().a;
 
-/** Words whose capitals are about `size` inches high; never smaller than `least` pixels of the canvas. */
+/** Words whose capitals are about `size` inches high; a little larger where they would have less than `least` pixels. */
 export function words(c, text, x, y, size, { colour = "#d9ceb9", align = "left", weight = 400, spread = 0.06, least = 0 } = {}) {
-  const high = Math.max(size, least / scale(c));
+  const high = Math.max(size, Math.min(least / scale(c), 1.3 * size));
   c.save();
   c.translate(x, y);
   c.scale(0.01, 0.01); // browsers do not draw type of less than a pixel

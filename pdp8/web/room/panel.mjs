@@ -16,7 +16,7 @@ const ROWS = { ma: [2.3, "MEMORY ADDRESS"], mb: [3.5, "MEMORY BUFFER"], ac: [4.7
 const SIGNS = ["fetch", "defer", "execute", "word_count", "current_address", "break_", "ion", "parity", "protect", "run"];
 const NAMES = { word_count: "WORD COUNT", current_address: "CURR ADDR", break_: "BREAK" };
 const HIGH = 1.75; // of a switch with its legend
-const LEAST = 8; // pixels: letters are no smaller where the panel is
+const LEAST = 9; // pixels of a letter, if there is room
 const bit = (index) => 2.75 + index * 0.68 + Math.floor(index / 3) * 0.2;
 const key = (index) => 12.05 + index * 0.8;
 const LIT = LAMPS.items().flatMap(([field]) => lamps(field));
@@ -41,13 +41,32 @@ export const SWITCHES = [
  */
 export const WHOLE = { w: PANEL.w, h: PANEL.h, pieces: [{ x: 0, y: 0, ...PANEL, dx: 0, dy: 0 }] };
 export const APART = {
-  w: 10.1, h: 13.75,
-  pieces: [{ x: 1.25, y: 1.6, w: 10.1, h: 6.8, dx: 0, dy: 0 }, { x: 11.75, y: 1.6, w: 7.1, h: 6.8, dx: 1.5, dy: 6.95 }],
+  w: 8.95, h: 13.75,
+  pieces: [
+    { x: 2.3, y: 1.6, w: 8.95, h: 6.8, dx: 0, dy: 0 },
+    { x: 11.75, y: 1.6, w: 7.1, h: 6.8, dx: 1.75, dy: 6.95 },
+    { x: 1.2, y: 1.6, w: 1.1, h: 4, dx: 0.5, dy: 6.95 },
+  ],
 };
+
+/** Let `draw` draw the panel as it is `shown`, piece by piece. */
+export function inPieces(c, shown, draw) {
+  for (const { x, y, w, h, dx, dy } of shown.pieces) {
+    c.save();
+    if (shown !== WHOLE) {
+      c.beginPath();
+      c.rect(dx, dy, w, h);
+      c.clip();
+      c.translate(dx - x, dy - y);
+    }
+    draw();
+    c.restore();
+  }
+}
 
 /** Where a place of the panel is in `shown`, WHOLE or APART. */
 export function within({ pieces }, { x, y, w, h }) {
-  const piece = pieces.find((each) => x >= each.x && x < each.x + each.w) ?? pieces[0];
+  const piece = pieces.find((each) => x >= each.x && x < each.x + each.w);
   return { x: x - piece.x + piece.dx, y: y - piece.y + piece.dy, w, h };
 }
 

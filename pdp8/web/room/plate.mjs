@@ -13,12 +13,16 @@ const WALL = ["#1b2123", "#262e31", "#333c40", "#434d51", "#555f63"];
 const FINE = 6; // thousandths: a shorter way is not worth drawing
 
 export class Plate {
-  /** The plate that is milled along `knots` by a cutter of that diameter, of `bounds`, with so many pixels for a thousandth. */
-  constructor(knots, diameter, bounds, sharp) {
+  /** The plate that is milled along `knots` by a cutter of that diameter, of `bounds`, so many pixels wide; seen from before and
+   *  above, or, with a `depth` of 0, from above.
+   */
+  constructor(knots, diameter, bounds, pixels, depth = DEPTH) {
+    this.depth = depth;
     this.knots = knots;
     this.diameter = diameter;
     this.bounds = bounds;
     const { left, right, bottom, top } = bounds;
+    const sharp = pixels / (right - left);
     this.groove = new OffscreenCanvas(Math.ceil((right - left) * sharp), Math.ceil((top - bottom) * sharp));
     this.context = this.groove.getContext("2d");
     this.context.setTransform(sharp, 0, 0, -sharp, -left * sharp, top * sharp);
@@ -63,7 +67,7 @@ export class Plate {
     c.rect(box.left, box.bottom, box.right - box.left, box.top - box.bottom);
     c.clip();
     c.clearRect(box.left, box.bottom, box.right - box.left, box.top - box.bottom);
-    carve(c, this.chunks.filter((each) => each.box.meets(box)).map(({ path }) => path), diameter, DEPTH);
+    carve(c, this.chunks.filter((each) => each.box.meets(box)).map(({ path }) => path), diameter, this.depth);
     c.restore();
   }
 
@@ -91,8 +95,8 @@ export function carve(c, paths, diameter, depth, shadow = SHADOW) {
   stroke("#eef1ee", 0, 0, diameter + 2 * BURR * Math.min(1, depth / DEPTH + 0.25));
   c.globalCompositeOperation = "source-atop";
   WALL.forEach((colour, layer) => stroke(colour, 0, (-depth * layer) / WALL.length));
-  stroke("#737d80", 0, -depth);
-  stroke("#a4adaf", shadow[0], shadow[1] - depth, diameter * 0.995);
+  stroke("#606a6d", 0, -depth);
+  stroke("#8f989b", shadow[0], shadow[1] - depth, diameter * 0.995);
   c.globalCompositeOperation = "source-over";
 }
 

@@ -29,9 +29,9 @@ const HURRY = 20; // times as fast: no event is waited for then
 const LOOKS = 4; // at the lamps in a step
 const FILAMENT = 0.045; // seconds in which a lamp follows
 const CALM = 0.7; // part of an act that is shown where nothing shall move
-const LITTLE = 400; // pixels
+const LITTLE = 400; // pixels: where no more is high the panel is seen without its frame
 const DESK = "#workbench"; // in the address: the page opens at the desk
-const TAKEN = "The switches are yours. Set an address with the twelve, press LOAD ADD: the lamps show that word of memory.";
+const TAKEN = "The switches are yours. Set an address, press LOAD ADD: the lamps show that word of memory.";
 
 export class Room {
   constructor(bench) {
@@ -280,7 +280,7 @@ export class Room {
     if (!this.open) return;
     this.place.classList.toggle("taken", this.live);
     const top = this.place.querySelector(".when").getBoundingClientRect().bottom;
-    const bottom = this.place.querySelector(".story").getBoundingClientRect().top;
+    const bottom = this.place.querySelector(this.live ? ".story" : ".told").getBoundingClientRect().top;
     this.frame = { left: 0, top, w: this.place.clientWidth, h: bottom - top };
     this.#wake();
   }
@@ -401,7 +401,7 @@ export class Room {
   /** The plate, as it has been milled. */
   #plate(place) {
     const { bounds, diameter, path: { knots } } = this.contour;
-    this.milled ??= new Plate(knots, diameter, bounds, this.fine / (bounds.right - bounds.left));
+    this.milled ??= new Plate(knots, diameter, bounds, this.fine);
     if (place) this.milled.to(place);
     return this.milled;
   }

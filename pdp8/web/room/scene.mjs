@@ -3,7 +3,7 @@
 
 import { sheet } from "./ink.mjs";
 import { drawMill, MILL } from "./mill.mjs";
-import { drawPanel, PANEL, WHOLE } from "./panel.mjs";
+import { drawPanel, inPieces, PANEL, WHOLE } from "./panel.mjs";
 import { drawTeletype, TELETYPE } from "./teletype.mjs";
 
 const STILLS = { teletype: [TELETYPE, drawTeletype], panel: [PANEL, drawPanel], mill: [MILL, drawMill] };
@@ -39,20 +39,15 @@ export class Scene {
     c.clearRect(0, 0, canvas.width, canvas.height);
     let changes = false;
     for (const [name, { x, y }] of Object.entries(where)) {
-      const [{ w, h }, still] = STILLS[name];
+      const [{ w, h, hangs = 0 }, still] = STILLS[name];
       const [left, top] = [origin.x + x * scale, origin.y + y * scale];
       if (left > this.width || top > this.height || left + w * scale < 0 || top + h * scale < 0) continue;
-      const pieces = name === "panel" ? shown.pieces : WHOLE.pieces;
-      for (const piece of pieces) {
-        c.save();
-        c.setTransform(scale * ratio, 0, 0, scale * ratio, left * ratio, top * ratio);
-        if (pieces !== WHOLE.pieces) cut(c, piece);
+      c.setTransform(scale * ratio, 0, 0, scale * ratio, left * ratio, top * ratio);
+      inPieces(c, name === "panel" ? shown : WHOLE, () => {
         c.drawImage(this.#still(name, still, w, h, camera), -MARGIN, -MARGIN, w + 2 * MARGIN, h + 2 * MARGIN);
         live[name](c);
-        c.restore();
-      }
-      c.setTransform(scale * ratio, 0, 0, scale * ratio, left * ratio, top * ratio);
-      changes = this.#dim(c, name, w, h, lit(name), seconds) || changes;
+      });
+      changes = this.#dim(c, name, w, h + hangs, lit(name), seconds) || changes;
     }
     return changes;
   }
@@ -65,7 +60,7 @@ export class Scene {
     if (dark > 0.02) {
       c.globalCompositeOperation = "source-atop";
       c.fillStyle = `rgba(14,12,10,${dark.toFixed(3)})`;
-      c.fillRect(-MARGIN, -MARGIN, w + 2 * MARGIN, h + 2 * MARGIN);
+      c.fillRect(0, 0, w, h);
       c.globalCompositeOperation = "source-over";
     }
     return Math.abs(dark - goal) > 0.01;
@@ -82,12 +77,3 @@ export class Scene {
     return picture;
   }
 }
-
-/** Show but a piece of the panel, at its place. */
-function cut(c, { x, y, w, h, dx, dy }) {
-  c.beginPath();
-  c.rect(dx, dy, w, h);
-  c.clip();
-  c.translate(dx - x, dy - y);
-}
-

@@ -10,22 +10,22 @@ import * as eia from "../../../tapes/eia.mjs";
 import { octal } from "../written.mjs";
 import { kept, sharpness, sheet } from "./ink.mjs";
 
-const TRACKS = [8, 7, 6, 5, 4, 0, 3, 2, 1]; // 0 is the sprocket
+export const TRACKS = [8, 7, 6, 5, 4, 0, 3, 2, 1]; // 0 is the sprocket
 export const PITCH = 0.1;
 const PAPER = { ascii: "#f1dfae", eia: "#ebe6d4", bin: "#dde3d3" };
 const HOLE = "#1c1713";
 const END = 0.45; // paper beyond the last row
 
 /** Draw a tape that lies between y = `from` and `until`, its left edge at `x`; the frame `at`, which may have parts, is
- *  at y = `head`, those before it below, or above if `way` is -1. Frames are there up to `last`.
+ *  at y = `head`, those before it below, or above if `way` is -1. Frames are there up to `last`; the paper lies `lift` inches above what is under it.
  */
-export function drawTape(c, { x, head, from, until, way = 1 }, { frames, code, at, last = frames.length }) {
+export function drawTape(c, { x, head, from, until, way = 1, lift = 0.1 }, { frames, code, at, last = frames.length }) {
   const place = (frame) => head + way * (at - frame) * PITCH;
   const ends = [place(0) + way * END, place(last - 1) - way * END];
   const [top, bottom] = [Math.max(from, Math.min(...ends)), Math.min(until, Math.max(...ends))];
   if (bottom <= top) return;
   c.fillStyle = "rgba(0,0,0,.3)";
-  c.fillRect(x + 0.1, top + 0.1, 1, bottom - top);
+  c.fillRect(x + lift, top + lift, 1, bottom - top);
   c.fillStyle = PAPER[code];
   c.fillRect(x, top, 1, bottom - top);
   c.fillStyle = "rgba(255,255,255,.16)";

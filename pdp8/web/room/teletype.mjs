@@ -5,7 +5,7 @@ import { box, kept, shade, sharpness, sheet, words } from "./ink.mjs";
 import { sign } from "./tape.mjs";
 import { TYPE } from "./type.mjs";
 
-export const TELETYPE = { w: 22, h: 24 };
+export const TELETYPE = { w: 22, h: 24, hangs: 3 }; // inches that a tape hangs below it
 export const TAPES = { punch: { x: 1.1, head: 10.9, from: 10.6, until: 27 }, reader: { x: 3.5, head: 15.4, from: 12.9, until: 27 } };
 const PAPER = { x: 8.4, width: 8.5, line: 11.3, margin: 0.62 };
 const COLUMN = 0.1, LINE = 1 / 6;

@@ -157,6 +157,7 @@ CONTROLS = {
     "#page": Control("workbench.core.first", opened("debugger"), "0"),
     "#eia": Control("workbench.mill.name", CUT, "e"),
     "#at": Control("workbench.mill.part", CUT, "ArrowLeft"),
+    "#tolerance": Control("workbench.mill.asked?.[0]", CUT, "ArrowRight"),
     "#run-mill": Control("workbench.mill.part", CUT),
     "#blocks": Control(
         of("#blocks", "scrollTop"), f"{CUT} document.getElementById('blocks').scrollTop = 0;", "PageDown"

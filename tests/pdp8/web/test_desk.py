@@ -5,6 +5,7 @@ from pathlib import Path
 from pdp8 import shelf
 from pdp8.lessons import form, student
 from pdp8.lessons.course import COURSE
+from programs import circle
 from tests.conftest import Call
 from tests.pdp8.web.browsing import Browser, Page, click, until, visit
 
@@ -270,3 +271,16 @@ def test_from_a_radius_to_a_wall(page: Page) -> None:
     page.evaluate("workbench.tabs.open('parts')")
     click(page, "#part .go")
     until(page, f"{says}('for 1750 thousandths write 1.75')")
+
+
+def test_a_circle_within_another_tolerance(page: Page) -> None:
+    """The slider has its tape made by the whole chain: the wider it is, the fewer blocks."""
+    click(page, "[data-opens=mill]")
+    for value, thousandths in ((3, 5), (8, 30), (16, 500)):
+        page.evaluate("(value) => workbench.mill.loosen({ value })", value)
+        blocks = circle.part(tolerance=thousandths).count("\n")
+        until(page, f"document.querySelectorAll('#blocks li').length === {blocks}")
+    tape = page.evaluate(
+        "workbench.apart.ask('loosened', [5, workbench.shelf.get('eia.pal').frames.decode('ascii')], 20)"
+    )
+    assert bytes(tape.values() if isinstance(tape, dict) else tape) == shelf.read_bundled("circle.eia")

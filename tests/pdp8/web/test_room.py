@@ -142,6 +142,25 @@ _FRAMES = """() => new Promise((done) => {
 })"""
 
 
+_BRIGHT = """(sample) => {  // the lamps of the accumulator as they are drawn on the desk, 0 to 255
+  workbench.touch((machine) => { machine.ac = sample; });
+  const canvas = document.querySelector("#computer canvas");
+  const c = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
+  c.drawImage(canvas, 0, 0);
+  const inch = canvas.width / 19;
+  const places = Array.from({ length: 12 }, (_, bit) => 2.75 + bit * 0.68 + Math.floor(bit / 3) * 0.2);
+  return places.map((x) => c.getImageData(Math.round(x * inch), Math.round(4.7 * inch), 1, 1).data[1]);
+}"""
+
+
+def test_the_lamps_are_drawn(room: Page) -> None:
+    """Where the panel of the desk has a lamp there is light, if its bit is set."""
+    click(room, "#leave")
+    for word in (0o7777, 0o0000, 0o5252, 0o0001):
+        lit = [light > 150 for light in room.evaluate(_BRIGHT, word)]
+        assert lit == [bool(word >> (11 - bit) & 1) for bit in range(12)]
+
+
 def test_what_stands_still_costs_nothing(room: Page) -> None:
     """Paused, or taken and halted: when camera and filaments have come to rest no picture is asked for."""
     for act in ("", "workbench.room.take(); workbench.machine.panel.stop(); workbench.touched();"):
