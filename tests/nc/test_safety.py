@@ -1,12 +1,17 @@
 """G-code for today's mill, judged by an interpreter of the tests' own and by LinuxCNC's."""
 
+import math
 import re
 import shutil
 import subprocess
 from itertools import groupby, pairwise
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
+from shapely import LineString, Point, Polygon, unary_union
+from shapely.geometry.base import BaseGeometry
 
 import nc
 from nc.gcode import gcode
@@ -29,6 +34,13 @@ PARTS: dict[str, dict[str, object]] = {
     "die": {},
     "drill": {},
     "fluidic": {},
+    "curve": {"to": 3, "cutter": 0.25, "side": "below"},
+    "profile": {"cutter": 0.25, "side": "inside"},
+}
+OF_A_HOBBYIST: dict[str, tuple[str, str, dict[str, Any]]] = {
+    "edge of a pocket": ("profile", "1/sqrt((cos(x)/1.5)**2+sin(x)**2)", {"cutter": 0.25, "side": "inside"}),
+    "wave": ("curve", "sin(x)+1", {"from_": 0.5, "to": 2.5, "cutter": 0.25, "side": "above"}),
+    "cam": ("profile", "1.2+0.2*cos(x)", {"cutter": 0.25, "tolerance": 0.003}),
 }
 LINUXCNC = {"M6", "M7", "M8", "M9", "G43"}
 
@@ -69,7 +81,8 @@ def linuxcnc(lines: list[str], folder: Path) -> list[tuple[tuple[float, ...], bo
 @pytest.mark.parametrize("name", PARTS)
 def test_a_part_is_safe_on_a_mill(name: str, tmp_path: Path) -> None:
     """It is judged by the blocks of the printout, without the exporter; and goes where they say."""
-    blocks = printouts.blocks(part(name, **PARTS[name]))
+    expression = {"curve": ["sin(x)+1"], "profile": ["1.2+0.2*cos(x)"]}.get(name, [])
+    blocks = printouts.blocks(part(name, *expression, **PARTS[name]))
     lines = [*gcode(nc.cut(frames(blocks)))]
     assert safety.faults(lines, stock(blocks)) == []
     mill = safety.run(lines, 0.25)
@@ -83,6 +96,33 @@ def test_a_part_is_safe_on_a_mill(name: str, tmp_path: Path) -> None:
         there = linuxcnc(lines, tmp_path)
         assert [end for end, _ in there[1:]] == [move.end for move in mill.went[1:]]
         assert [fed for _, fed in there] == [move.feed is not None for move in mill.went]
+
+
+@pytest.mark.parametrize("name", OF_A_HOBBYIST)
+def test_what_the_g_code_cuts_is_the_part(name: str) -> None:
+    """The wall that the cutter leaves along the program's own moves, by shapely, beside the part's edge."""
+    program, expression, constants = OF_A_HOBBYIST[name]
+    blocks = printouts.blocks(part(program, expression, stop="inside", **constants))
+    lines = [*gcode(nc.cut(frames(blocks)), cutter=250, shift=(-2000, -1000))]
+    reached = stock(blocks)
+    (left, near), (right, far) = reached.low, reached.high
+    moved = Stock((left - 2 - 1e-9, near - 1 - 1e-9), (right - 2 + 1e-9, far - 1 + 1e-9), reached.depth)
+    assert safety.faults(lines, moved) == []
+    went = [move.end for move in safety.run(lines, 0.25).went]
+    cuts = [LineString([one[:2], other[:2]]) for one, other in pairwise(went) if one[2] < 0 and other[2] < 0]
+    metal = unary_union([cut.buffer(0.125, quad_segs=128) for cut in cuts])
+    assert isinstance(metal, Polygon)
+    of_x = eval(f"lambda x: {expression}", {"cos": math.cos, "sin": math.sin, "sqrt": math.sqrt})
+    if program == "profile":
+        edge = [
+            (2 + of_x(x) * math.cos(x), 3 + of_x(x) * math.sin(x)) for x in np.arange(0, 2 * math.pi, 0.002)
+        ]
+        found: BaseGeometry = metal.exterior if constants.get("side") == "inside" else metal.interiors[0]
+    else:
+        edge = [(2 + x, 4 + of_x(x)) for x in np.arange(0.7, 2.3, 0.002)]
+        found = metal.boundary
+    off = max(found.distance(Point(place)) for place in edge)
+    assert off <= float(constants.get("tolerance", 0.005)) + 0.0001
 
 
 SPOILT = {
