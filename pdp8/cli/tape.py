@@ -313,7 +313,7 @@ def read(
     if not reading.tape:
         shows = "" if page else "; --page FILE shows what was seen"
         raise TapeError("\n".join(f"{name}: {strip.why}{shows}" for name, strip in reading.strips))
-    ctx.exit(0 if reading.complete or strips else 1)
+    ctx.exit(0 if strips or len(reading.order) == len(reading.strips) else 1)
 
 
 def _check(first: int, length: int) -> None:

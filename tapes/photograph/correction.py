@@ -38,11 +38,11 @@ class Reading:
     ) -> None:
         self.pictures = tuple(pictures)
         self.strips = [(picture.name, strip) for picture in self.pictures for strip in picture.strips]
-        frames = [len(strip.frames) for _, strip in self.strips]
-        named = [abs(number) for number in order]
-        if len({*named}) < len(named) or any(at > len(frames) or not frames[at - 1] for at in named):
-            there = ",".join(str(number) for number, count in enumerate(frames, 1) if count)
-            raise TapeError(f"strips {','.join(map(str, order))}: {there} can be named, each once")
+        there = [number for number, (_, strip) in enumerate(self.strips, 1) if strip.frames]
+        named = {abs(number) for number in order}
+        if len(named) < len(order) or not named <= {*there}:
+            said, numbers = (",".join(map(str, each)) for each in (order, there))
+            raise TapeError(f"strips {said}: {numbers} can be named, each once")
         self.order = tuple(order or (at for at, (_, strip) in enumerate(self.strips, 1) if not strip.why))
         for at in (-number - 1 for number in order if number < 0):
             name, strip = self.strips[at]
@@ -72,11 +72,6 @@ class Reading:
         """Return the tape in runs of frames that one strip shows: its number, and the frames with theirs."""
         runs = groupby(self._tape, key=lambda one: one[2])
         return [(strip, [(number, frame) for number, frame, _ in run]) for strip, run in runs]
-
-    @property
-    def complete(self) -> bool:
-        """Whether every strip is on the tape."""
-        return len(self.order) == len(self.strips)
 
     @property
     def tape(self) -> bytes:

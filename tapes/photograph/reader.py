@@ -37,18 +37,14 @@ _TRACKS = np.array([-3, -2, -1, 1, 2, 3, 4, 5], dtype=float)
 """Channels 1 to 8, in pitches from the sprocket track."""
 _SPROCKET = 3
 """Its number among the tracks from channel 1 to channel 8."""
-_DARKER = "lay it on something black and even, or light it from behind"
 _ADVICE = {
-    UNSEEN: _DARKER,
     "holes are not at their places": "lay it flat, and photograph it from straight above",
     "an edge of the paper is not seen": "both edges have to be free, on something of another colour",
-    "not a round hole: torn, or dirt": _DARKER,
-    "a hole that is not dark throughout": _DARKER,
     "paper that is not clear": "light it evenly",
     "too little light": "give it more light",
-    "between paper and hole": _DARKER,
 }
-"""What to do about a strip most of whose frames are doubtful for one reason."""
+"""What to do about a strip most of whose frames are doubtful for this reason; about any other: _DARKER."""
+_DARKER = "lay it on something black and even, or light it from behind"
 _WINDOW = 8
 _MOST_DOUBTFUL = 0.35
 _FAILURES = 4
@@ -129,8 +125,8 @@ def strips(picture: bytes, underside: bool = False) -> list[Strip]:
         raise TapeError(_NO_TAPE + why)
     read = [_strip(pictures, tape) for pictures, tape in found]
     ordered = _ordered([strip for strip in read if strip.frames], underside)
-    nothing = [strip for strip in read if not strip.frames]
-    return [*(strip.turned() if underside else strip for strip in ordered), *nothing]
+    ordered += (strip for strip in read if not strip.frames)
+    return [strip.turned() for strip in ordered] if underside else ordered
 
 
 def _ordered(strips: list[Strip], underside: bool) -> list[Strip]:
@@ -235,8 +231,8 @@ def _too_doubtful(frames: list[Frame]) -> str:
     if len(why) <= _MOST_DOUBTFUL * len(frames):
         return ""
     most = max(set(why), key=why.count)
-    advice = _ADVICE.get(most, "")
-    return f"{len(why)} of {len(frames)} frames are doubtful, most of them: {most}{advice and '; '}{advice}"
+    advice = _ADVICE.get(most, _DARKER)
+    return f"{len(why)} of {len(frames)} frames are doubtful, most of them: {most}; {advice}"
 
 
 def _on_paper(flat: Flat, edged: Array) -> Array:

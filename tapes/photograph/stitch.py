@@ -27,6 +27,8 @@ _ENOUGH = 80
 _MOST_WRONG = 0.02
 _CLEAR = 2
 """So many times as much as any other shift says the one that is right."""
+_TWICE = "the photographs overlap in more than one way: the tape repeats itself there"
+_APART = "not all photographs overlap: 30 frames, sure and neither blank nor alike, have to be on two of them"
 
 
 class Piece(NamedTuple):
@@ -57,7 +59,7 @@ def join(strips: Sequence[Sequence[Frame]]) -> Piece:
         ]
         clear = [joint for joint in joints if _is_clear(joint, joints)]
         if not clear:
-            raise TapeError(_why(joints))
+            raise TapeError(_TWICE if joints else _APART)
         _, before, after, shift = max(clear)
         joined = _joined(pieces[before], pieces[after], shift)
         pieces = [joined, *(piece for at, piece in enumerate(pieces) if at not in (before, after))]
@@ -81,15 +83,6 @@ def _is_clear(joint: _Joint, joints: Sequence[_Joint]) -> bool:
     said, before, after, _ = joint
     others = [other for other in joints if {*other[1:3]} == {before, after} and other != joint]
     return all(said >= _CLEAR * other[0] for other in others)
-
-
-def _why(joints: Sequence[_Joint]) -> str:
-    if joints:
-        return "the photographs overlap in more than one way: the tape repeats itself there"
-    return (
-        "not all photographs overlap: each has to show some 30 frames of another, sure and neither blank nor "
-        "all alike"
-    )
 
 
 def _shifts(before: Piece, after: Piece, bits: Array) -> Iterator[tuple[float, int]]:
