@@ -28,7 +28,7 @@ from tests.programs.printouts import Read
 
 PARTS: dict[str, dict[str, object]] = {
     "circle": {},
-    "ellipse": {"technique": "piece"},
+    "ellipse": {},
     "polynomial": {"cutter": 0.5, "side": "above"},
     "slope": {"technique": "piece"},
     "die": {},
