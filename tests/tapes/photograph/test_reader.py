@@ -168,3 +168,31 @@ def test_strips_are_read_from_top_to_bottom() -> None:
     tapes = [survey.some_tape(seed, PART) for seed in (1, 2)]
     both = np.concatenate([camera.picture(tape, Shot()) for tape in tapes])
     assert holes(photograph.read(camera.develop(both, Shot()))) == b"".join(tapes)
+
+
+@pytest.mark.parametrize("seed", [5, 9])
+def test_a_tape_that_runs_off_the_picture_has_no_frame_beyond_it(seed: int) -> None:
+    tape = survey.some_tape(seed, PART)
+    light = camera.picture(tape, Shot(angle=4 * (seed - 7)))
+    light = light[:, light.shape[1] // 4 : light.shape[1] * 3 // 4]
+    (strip,) = photograph.strips(camera.develop(light, Shot()))
+    assert strip.off == (True, True)
+    places = np.array([frame.places[0] for frame in strip.frames])
+    assert ((places >= 0) & (places < light.shape[::-1])).all()
+    sure = [frame.holes if not frame.doubtful else None for frame in strip.frames]
+    assert any(
+        all(one in (None, other) for one, other in zip(sure, tape[at:], strict=False))
+        for at in range(PART - len(sure) + 1)
+    )
+    assert sure.count(None) <= 4
+
+
+def test_pieces_on_one_line_are_read_as_they_lie_and_upright_strips_from_left_to_right() -> None:
+    """The second piece lies a little higher, so that it would come first by its place alone."""
+    tapes = [survey.some_tape(seed, 30) for seed in (1, 2)]
+    one, two = (camera.picture(tape, Shot()) for tape in tapes)
+    line = np.concatenate([np.roll(one, 4, axis=0), two], axis=1)
+    for light, underside in ((line, False), (np.rot90(line, 2), False), (line[:, ::-1], True)):
+        assert holes(photograph.read(camera.develop(light, Shot()), underside)) == b"".join(tapes)
+    upright = np.concatenate([np.rot90(one), np.rot90(two, 3)], axis=1)
+    assert holes(photograph.read(camera.develop(upright, Shot()))) == b"".join(tapes)
