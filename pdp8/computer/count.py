@@ -1,8 +1,8 @@
 """How often each word was executed and written, each operation done, and how long the program waited.
 
 A Count watches a machine (`with machine.count() as count`), which then runs instruction by instruction;
-without one a run costs nothing more. What is passed over of a waiting loop is counted as if it had been run:
-the loop is known by the instructions before.
+without one a run costs nothing more. Turns of a waiting loop that the machine passes over are counted as if
+it had run them: the instructions before tell which loop it is.
 """
 
 from collections import Counter, deque
@@ -28,8 +28,8 @@ class _Executed(NamedTuple):
 
 
 class Count:
-    """What was counted: executed[address] and written[address], how often each word was; operations[name];
-    interrupts, cycles, and `ticks` of 0.05 us in all, `waiting` those of the loops that only wait.
+    """The counts: executed[address] and written[address] of each word, operations[name], interrupts, cycles,
+    `ticks` of 0.05 us in all, and `waiting`, the ticks in loops that only wait.
     """
 
     def __init__(self) -> None:

@@ -226,7 +226,7 @@ class Machine:
     def values(self, fields: list[Field] | None = None) -> Values:
         """Return the state as values in memory: those of `fields`, this machine's, and `core`.
 
-        Who takes them often finds the fields but once.
+        A caller that takes them often can find the `fields` once, and give them.
         """
         return {"core": self.processor.core.tobytes(), **take(fields or self.fields())}
 

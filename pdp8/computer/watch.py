@@ -18,7 +18,7 @@ class Observer(Protocol):
         """Take notice that a memory cycle has ended, of an instruction or of an interrupt; see the lamps."""
 
     def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
-        """Take notice that `instructions` of a waiting loop, taking `ticks`, were passed over."""
+        """Take notice that the machine passed over `instructions` of a waiting loop, which take `ticks`."""
 
 
 class Watch:

@@ -101,7 +101,7 @@ class Reader:
         self.on = True
         """The lever: START, else STOP."""
         self.more: Callable[[], bytes] | None = None
-        """Where the frames of a tape come from that is still being made; none at its end."""
+        """Gives further frames of a tape that is still being made; none at its end."""
 
     def load(self, frames: bytes) -> None:
         """Put a tape of `frames` in, its first frame under the head."""

@@ -8,7 +8,7 @@ A run saved at any instant goes on as if nothing had happened.
      "bus": {...}, "waiting": {...},
      "devices": {"03": {"device": "Receiver", "flag": 1, "reader": {"tape": ["215 212 ..."], ...}, ...}}}
 
-It is what `Machine.values` takes, written: of each part what its class declares in `fields` (see fields.py).
+Each part is written with the `fields` that its class declares (see fields.py); `Machine.values` takes them.
 Breakpoints and observers are not part of the machine, and not saved.
 """
 

@@ -1,4 +1,4 @@
-"""The keys of a Model 33 and its paper: what is sent, and what is typed.
+"""The keys of a Model 33 and its paper: the frames that its keys send, and the lines that it types.
 
 The keys send capitals, with channel 8 always set.
 
@@ -11,11 +11,11 @@ The keys send capitals, with channel 8 always set.
     HERE IS     Ctrl-\\          twenty blank frames, from a drum that nobody has coded
     CTRL A-Z    Ctrl-A to -Z    201 to 232
 
-A small letter presses the key of its capital. What has no key sends nothing: `{ | } ~`, the accent grave, and
-all that is not ASCII.
+A small letter presses the key of its capital. A character without a key sends nothing: `{ | } ~`, the accent
+grave, and all that is not ASCII.
 
-The paper has 72 columns; the carriage stays at the last one. What is typed over something is seen alone, but
-a space leaves what is there.
+The paper has 72 columns; the carriage stays at the last one. Of two characters in one place the paper shows
+the later; a space hides nothing.
 
 Source: Teletype Model 33 keyboard; Small Computer Handbook 1970, appendix (ASR-33 codes).
 """
