@@ -124,11 +124,10 @@ class Technique:
     def _keeps(self, stretch: Stretch, at: Point, stop: Point, speeds: tuple[float, ...]) -> bool:
         """Whether the path is inside the band for both extremes of the feeds, which enclose all others."""
         fast, slow = 1 + self.feed_error, 1 - self.feed_error
-        return all(
-            stretch.inside(x, y)
-            for error in ((fast, slow), (slow, fast))
-            for x, y in way(at, stop, (speeds[0] * error[0], speeds[1] * error[1]))
-        )
+        extremes = [(speeds[0] * fast, speeds[1] * slow), (speeds[0] * slow, speeds[1] * fast)]
+        if not all(stretch.inside(*corner(at, stop, *extreme)) for extreme in extremes):
+            return False  # most paths that leave the band leave it there
+        return all(stretch.inside(x, y) for extreme in extremes for x, y in way(at, stop, extreme))
 
 
 def _asides(stretch: Stretch, at: Point, feeds: Feeds) -> range:

@@ -92,6 +92,25 @@ def test_what_a_tolerance_promises_and_what_it_gives() -> None:
     assert [round(spans[tolerance], 1) for tolerance in (5, 6)] == [10.6, 8.6]  # a model that is not ours
 
 
+_PROMISED = """async ([tolerances, cutters]) => {
+  const method = await import("@/pdp8/web/method.mjs");
+  const { walls } = await import("@/pdp8/web/curve/walls.mjs");
+  return tolerances.map((tolerance) => cutters.map((cutter) => {
+    const { way } = method.quarter(tolerance, 1);
+    const circle = { x: 4000, y: 4000, radius: 1750 };
+    const { outer, inner } = walls(way, circle, (cutter * 1000) / 16, Math.PI, -Math.PI / 2, 1800);
+    return Math.max(...[...outer, ...inner].map((error) => Math.abs(error) || 0));
+  }));
+}"""
+
+
+@needs_node
+def test_the_figure_never_shows_more_than_is_promised() -> None:
+    tolerances = [*range(1, 11), 15, 20, 30, 50]
+    for tolerance, furthest in zip(tolerances, in_node(_PROMISED, [tolerances, [1, 4, 8, 16]]), strict=True):
+        assert max(furthest) <= tolerance + 1
+
+
 def test_the_ellipse_s_times_are_as_told() -> None:
     times = chain.path("ellipse").contour
     assert (round(times.reading / 60, 1), round(times.milling / 60, 1)) == (32.3, 3.8)
