@@ -12,7 +12,6 @@ from typing import Final, NamedTuple
 
 FROM_TEXT, COMPUTED, FITTED = "from the text", "computed", "fitted or conjectured"
 DIFFERS, NOT_MADE = "differs", "not made here"
-STATES: Final = (FROM_TEXT, COMPUTED, FITTED, DIFFERS, NOT_MADE)
 
 
 class Input(NamedTuple):

@@ -17,7 +17,6 @@ from xml.sax.saxutils import escape
 from pdp8.thesis.evidence import Row
 from pdp8.thesis.supplied import marked
 
-_CERTAINTY: Final = {"conjecture": "low"}
 _HEADER: Final = """<?xml version="1.0" encoding="UTF-8"?>
 <TEI xmlns="http://www.tei-c.org/ns/1.0">
 <teiHeader><fileDesc>
@@ -50,7 +49,7 @@ def _line(row: Row, supplied: list[bool]) -> Iterator[str]:
         run = run if character == " " else next(flags)
         given.append((run, character))
     reason = "illegible" if row.kind == "damaged" else "lost"
-    opened = f'<supplied reason="{reason}" cert="{_CERTAINTY.get(row.kind, "high")}">'
+    opened = f'<supplied reason="{reason}" cert="{"low" if row.kind == "conjecture" else "high"}">'
     for is_supplied, characters in groupby(given, key=lambda each: each[0]):
         text = escape("".join(character for _, character in characters))
         yield f"{opened}{text}</supplied>" if is_supplied else text
