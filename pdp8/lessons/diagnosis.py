@@ -62,6 +62,7 @@ WEAK = ("", HINTS[FIRST], HINTS[SHIFTED], HINTS[PARITY], HINTS[ONE_OFF], HINTS[N
 """Hints in whose place what all trials show is said."""
 CHANCE = (HINTS[ONE_OFF], HINTS[NEGATIVE])
 """Hints that one trial alone does not bear out."""
+_KRB = 0o6036
 _INPUTS = (0o6031, 0o6011)
 _OUTPUTS = (0o6041, 0o6021)
 WANTED = {
@@ -87,7 +88,7 @@ def end(answer: Answer, trial: Trial, outcome: Outcome, whole: Trial) -> tuple[s
         again = (
             trial.stop == Reason.TAPE_OUT and trial.tape is not None and len(outcome.tape) > len(trial.tape)
         )
-        happened = AGAIN if again else NOT_STOPPED
+        happened = AGAIN if again and _KRB not in answer.words.values() else NOT_STOPPED
         return happened, f"still running after {trial.seconds:g} s, between {low:04o} and {high:04o}"
     if stop.reason is Reason.HALT:
         return ELSEWHERE, f"a halt at {stop.pc - 1 & 0o7777:04o}"

@@ -202,7 +202,7 @@ def _explained(exercise: Exercise, answer: Answer, marks: list[Mark]) -> list[Ma
         if what not in said:
             said[what] = _shown(exercise, answer, what)
         own = "" if mark.hint in diagnosis.CHANCE else mark.hint
-        if own == case.hints.get("", "") and at > 0 and marks[0].failures:
+        if own in (case.hints.get("", ""), *diagnosis.WEAK) and at > 0 and marks[0].failures:
             own = ""
         if said[what] and (at > 0 or own in diagnosis.WEAK):
             own = ""
