@@ -1,5 +1,6 @@
 """Every figure of docs/parts.md and docs/errata.md is what comes out."""
 
+import re
 import shlex
 from collections.abc import Iterator
 from functools import cache
@@ -18,6 +19,7 @@ from programs.ellipse import part as ellipse
 from tapes import ascii
 from tapes.hydrapoint import XY_FEED
 from tapes.measure import inches
+from tests.pdp8.thesis import scanned
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = (DOCS / "parts.md").read_text()
@@ -84,6 +86,34 @@ def test_the_ratios_and_angles_in_the_errata() -> None:
     angle = degrees(atan2(1.2, 0.8))
     off = f"{angle - 45:.1f}° or {100 * angle / 45 - 100:.0f} % off"
     assert f"{angle:.1f}° or {90 - angle:.1f}°, which is {off}" in ERRATA
+
+
+def test_what_the_errata_add_up_to() -> None:
+    fast, polynomial = printout("pdp8 part circle", "--feed-code 18"), printout("pdp8 part polynomial")
+    assert (
+        f"at feed code 18, {XY_FEED[18]:.0f} in/min, the tape takes {minutes(fast)}, over a third less"
+        in ERRATA
+    )
+    assert float(minutes(fast)) < float(minutes(circle.part())) * 2 / 3
+    lines = polynomial.count("\n")
+    assert f"{lines * 2.7 / 60:.1f} for our {lines} lines" in ERRATA
+    assert f"code 05 of Table 2.4 is {XY_FEED[5]} in/min; no code is 5" in ERRATA
+    assert 5 not in XY_FEED.values()
+
+
+def test_the_errata_quote_the_scan() -> None:
+    """What stands in quotation marks, a ± misread as a fraction apart; and the listing's note."""
+    scan = " ".join(scanned(name) for name in ("numbers", "mentions", "appendix-d")).replace("Ø", "0")
+    scan = scan.replace("$\\frac{1}{2}$", "±").replace("[°]", "°")
+    cells = [
+        line.split("|")[2] for line in ERRATA.splitlines() if line.startswith("| ") and line.count("|") > 3
+    ]
+    quoted = [words for cell in cells for words in re.findall(r'"([^"]{6,})"', cell)]
+    pieces = [piece for words in quoted for piece in words.split(" ... ")]
+    assert [piece for piece in pieces if piece not in scan] == []
+    assert len(pieces) > 12
+    for code in ("AT=5.", "FEEDRATE= 5 IN/MIN."):
+        assert code in scan
 
 
 def test_the_walls_and_ends_in_the_errata() -> None:
