@@ -80,8 +80,8 @@ class Bench {
     this.clock = new Clock(this, (samples, reason) => this.#pictured(samples, reason));
     /** @type {any[]} */
     this.panes = [this.afternoon, this.switches, this.teletype, this.registers, this.core, this.mill, this.editor, this.parts, this.time, this.room];
-    const { core, editor, exercises, mill, shelf, switches: { card }, tabs, teletype, time } = this;
-    this.session = new Session(this, { shelf, machine: this, teletype, card, core, editor, mill, exercises, tabs, time });
+    const { exercises, shelf, switches: { card }, tabs, teletype, time } = this;
+    this.session = new Session(this, { shelf, machine: this, teletype, card, exercises, tabs, time });
     document.addEventListener("dragover", (event) => event.preventDefault());
     document.addEventListener("drop", (event) => {
       event.preventDefault();

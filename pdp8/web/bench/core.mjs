@@ -18,15 +18,6 @@ export class Core {
     this.turn();
   }
 
-  get kept() {
-    return find("page").value;
-  }
-
-  set kept(page) {
-    find("page").value = page;
-    this.turn();
-  }
-
   /** Turn to the page that is chosen. */
   turn() {
     this.first = Number(find("page").value) * PAGE;

@@ -74,17 +74,6 @@ export class Editor {
     this.#turn(this.bench.programs.take(name, text));
   }
 
-  /** The line at the top, and whether words are counted. */
-  get kept() {
-    return { top: this.area.scrollTop, counts: find("counts").checked };
-  }
-
-  set kept({ top, counts }) {
-    this.area.scrollTop = top;
-    find("counts").checked = counts;
-    this.count(find("counts"));
-  }
-
   create() {
     this.put("program.pal", NEW);
   }

@@ -17,7 +17,7 @@ export class Exercises {
     this.given = new Store("exercise"); // by a teacher
     this.answers = new Store("answers"); // to a sheet, {question: answer}
     this.marks = new Store("marks"); // [points, of, whether all is right]
-    for (const name of this.given.names()) this.#give(name, () => JSON.parse(this.given.get(name)));
+    for (const name of this.given.names()) this.#give(name, this.given.read(name));
     this.#show("add");
   }
 
@@ -43,9 +43,8 @@ export class Exercises {
   }
 
   /** Have a teacher's exercise at hand again, if it is one. */
-  #give(name, read) {
+  #give(name, tables) {
     try {
-      const tables = read();
       checked(tables);
       this.all.set(name, tables);
     } catch { /* it was kept by another version of the page */ }
@@ -63,7 +62,7 @@ export class Exercises {
     this.name = name;
     const { asked, questions, title } = checked(this.all.get(name));
     this.sheet = questions.length > 0;
-    const given = this.#given();
+    const given = this.answers.read(name) ?? {};
     const asks = questions.map(({ name: called, ask }) =>
       html`<label>${called} <span>${ask}</span> <input type="text" name="${called}" value="${given[called] ?? ""}" data-input="exercises.answer" autocomplete="off"></label>`);
     const begin = this.sheet ? "" : html`<button class="text" type="button" data-click="exercises.begin">Open ${this.#answer}</button> `;
@@ -82,28 +81,15 @@ export class Exercises {
     return `${this.name.replace(/\.\w+$/, "")}.pal`;
   }
 
-  /** What was written on the sheet. */
-  #given() {
-    try {
-      return JSON.parse(this.answers.get(this.name) ?? "{}") ?? {};
-    } catch {
-      return {};
-    }
-  }
-
   /** Keep what is written on the sheet. */
   answer({ name, value }) {
-    this.answers.keep(this.name, JSON.stringify({ ...this.#given(), [name]: value }));
+    this.answers.keep(this.name, JSON.stringify({ ...this.answers.read(this.name), [name]: value }));
   }
 
   /** How an exercise was marked, in a few characters. */
   #mark(name) {
-    try {
-      const [points, of, right] = JSON.parse(this.marks.get(name) ?? "[]");
-      return right ? "✓ " : of ? `${points}/${of} ` : "";
-    } catch {
-      return "";
-    }
+    const [points, of, right] = [this.marks.read(name) ?? []].flat();
+    return right ? "✓ " : of ? `${points}/${of} ` : "";
   }
 
   /** The list: by level, and a teacher's own behind them; each with its mark. */

@@ -36,15 +36,6 @@ export class Mill {
     if (value) this.cut(value);
   }
 
-  get kept() {
-    return this.path && this.bench.shelf.get(this.name) ? [this.name, this.part] : null;
-  }
-
-  set kept([name, part]) {
-    this.cut(name);
-    this.#go(part);
-  }
-
   /** Put a tape of the shelf under the head, and show the whole of what it does. */
   cut(name) {
     this.name = name;

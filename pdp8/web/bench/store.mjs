@@ -51,6 +51,15 @@ export class Store {
     }
   }
 
+  /** What the text of that name says in JSON; null if it says nothing. */
+  read(name) {
+    try {
+      return JSON.parse(this.get(name) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+
   /** Keep a text, in place of what it was. */
   keep(name, text) {
     this.refused = "";

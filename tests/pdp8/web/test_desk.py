@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+import pytest
+
 from pdp8 import shelf
 from pdp8.lessons import form, student
 from pdp8.lessons.course import COURSE
@@ -176,6 +178,57 @@ def test_where_it_went_wrong(page: Page, browser: Browser, tmp_path: Path, call:
             assert "the history goes back 0" in tab.locator("#next").inner_text()
             click(tab, "#forward")
             assert tab.evaluate("workbench.machine.pc") == 0o201
+
+
+def test_the_desk_is_as_it_was_left_when_the_room_has_been_seen(page: Page) -> None:
+    """A later visit opens in the room; behind it the machine and its breakpoints are as they were."""
+    click(page, "#run-it")
+    until(page, "!workbench.machine.processor.run && workbench.machine.pc === 0o206")
+    page.evaluate("workbench.machine.watch.breakpoints.add(0o203)")
+    other = page.context.new_page()
+    page.close(run_before_unload=True)
+    other.goto(page.url.split("#")[0])
+    until(other, "!!window.workbench?.room.open")
+    other.evaluate("dispatchEvent(new Event('pagehide'))")
+    click(other, "#leave")
+    held = "[workbench.machine.pc, ...workbench.machine.watch.breakpoints]"
+    assert other.evaluate(held) == [0o206, 0o203]
+    _reopened(other)
+    assert other.evaluate(held) == [0o206, 0o203]
+
+
+def test_it_prints_as_listing_and_figures(page: Page) -> None:
+    """The whole listing, which no window shows, what the Teletype has printed, and the path; no control."""
+    click(page, "#run-it")
+    until(page, "workbench.machine.pc === 0o206 && !workbench.machine.processor.run")
+    page.evaluate("workbench.mill.cut('circle.eia'); dispatchEvent(new Event('beforeprint'));")
+    page.emulate_media(media="print")
+    listing = page.locator("#printed pre").inner_text()
+    assert "0205  7402" in listing
+    assert "TEXT    0214" in listing
+    shown = ("#printed", "#paper", "#whole", "#graph")
+    assert [selector for selector in shown if not page.locator(selector).is_visible()] == []
+    assert page.locator("button:visible, select:visible, input:visible, textarea:visible").count() == 0
+
+
+_SHIFTED = """window.shifts = 0;
+new PerformanceObserver((list) => list.getEntries().forEach((each) => {
+  if (!each.hadRecentInput) window.shifts += each.value;
+})).observe({ type: "layout-shift", buffered: true });"""
+
+
+@pytest.mark.parametrize(("width", "height"), [(390, 844), (1366, 768), (1920, 1080)])
+def test_nothing_moves_while_it_opens(browser: Browser, file: Path, width: int, height: int) -> None:
+    """The layout shifts by less than .1, also where the processor is slow."""
+    context = browser.new_context(viewport={"width": width, "height": height}, offline=True)
+    page = context.new_page()
+    page.add_init_script(_SHIFTED)
+    context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": 4})
+    page.goto(f"{file.as_uri()}#workbench")
+    until(page, "!!window.workbench")
+    until(page, "document.getElementById('messages').textContent.includes('words')")
+    assert page.evaluate("window.shifts") < 0.1
+    context.close()
 
 
 _TYPED = """(area) => {
