@@ -280,7 +280,7 @@ export class Room {
     if (!this.open) return;
     this.place.classList.toggle("taken", this.live);
     const top = this.place.querySelector(".when").getBoundingClientRect().bottom;
-    const bottom = this.place.querySelector(this.live ? ".story" : ".told").getBoundingClientRect().top;
+    const bottom = this.place.querySelector(this.live && this.tall ? ".story" : ".told").getBoundingClientRect().top;
     this.frame = { left: 0, top, w: this.place.clientWidth, h: bottom - top };
     this.#wake();
   }

@@ -5,7 +5,7 @@
 //
 // They are made by ear, after descriptions: no recording was taken.
 
-const LEAST = 0.085; // seconds between two strikes of a kind: more are not heard apart
+const LEAST = 0.07; // seconds between two strikes of a kind: more are not heard apart
 const LEAD = 0.05; // seconds from a picture to its sound, so that each comes at its own time
 
 /** Bursts of noise: [middle in Hz, how narrow, seconds, loudness]. */
