@@ -77,3 +77,41 @@ def test_only_the_hlt_bit_of_group_2_is_a_halt(word: str, reason: str) -> None:
     m = machine(f"{word} 5200")
     m.watch.observer = Stopper(0)
     assert (m.run().reason, f"{m.mb:o}") == (reason, word)
+
+
+class Thrower:
+    """An observer that throws SING STEP in a cycle of a major state."""
+
+    def __init__(self, thrown: Machine, state: int) -> None:
+        self.machine = thrown
+        self.state = state
+
+    def cycle(self, processor: Processor, interrupt: bool) -> None:
+        if processor.state == self.state:
+            self.machine.panel.sing_step = True
+
+    def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
+        """Nothing is passed over."""
+
+
+@pytest.mark.parametrize(("state", "ma"), [(0, 0o200), (1, 0o250), (2, 0o300)])
+def test_sing_step_stops_a_running_machine_in_any_cycle(state: int, ma: int) -> None:
+    """DCA I 250; then it goes on to its end by CONT."""
+    m = machine("3650 5201 250/ 300", ac=0o1234)
+    m.watch.observer = Thrower(m, state)
+    assert (m.run().reason, m.panel.lamps[5:8].index(1), m.ma) == ("stop key", state, ma)
+    for _ in range(2 - state):
+        m.panel.cont()
+    assert (m.core[0o300], m.pc, m.ticks) == (0o1234, 0o201, 96)
+
+
+def test_cont_by_the_panel_and_by_the_program_let_the_same_time_pass() -> None:
+    """A key is pressed at tick 0; 60,000 cycles of KSF, JMP .-1 under SING STEP see its flag rise."""
+    by_panel, by_run = machine("6031 5200 5202"), machine("6031 5200 5202")
+    for m, cont in ((by_panel, by_panel.panel.cont), (by_run, by_run.run)):
+        m.panel.sing_step = True
+        m.teletype.keyboard.press(b"A")
+        for _ in range(60_000):
+            cont()
+    assert by_panel.pc == 0o202
+    assert by_panel.values() == by_run.values()
