@@ -1,11 +1,11 @@
 """What a student should know about a program that assembles: notes, each with a code that stays.
 
-A note is of a thing that is allowed and is hardly meant. `--strict` takes notes for errors; a comment with
-`pal:` and the code, as in `/ pal: PN06`, silences it on that line. Each code has its paragraph in
-docs/notes.md.
+A note points at something that the assembler accepts and the author hardly meant. `--strict` makes an error of
+each note; a comment with `pal:` and the code, as in `/ pal: PN06`, silences it on that line. docs/notes.md has a
+paragraph for each code.
 
-Here are the notes on the words that a program consists of, in either dialect; `pal.watched` has those on what
-PAL III does, `pal.pal8` those on PAL8.
+This module has the notes on the words of a program, in either dialect; `pal.watched` has the notes on what
+PAL III does, `pal.pal8` and `pal.work8` those on PAL8.
 
 Sources: Small Computer Handbook 1970 (operate groups); DEC-08-ASAC-D.
 """
