@@ -1,8 +1,8 @@
 """What a student should know about a program that assembles: notes, each with a code that stays.
 
-A note points at something that the assembler accepts and the author hardly meant. `--strict` makes an error of
-each note; a comment with `pal:` and the code, as in `/ pal: PN06`, silences it on that line. docs/notes.md has a
-paragraph for each code.
+A note points at something that the assembler accepts and the author hardly meant. `--strict` makes an error
+of each note; a comment with `pal:` and the code, as in `/ pal: PN06`, silences it on that line. docs/notes.md
+has a paragraph for each code.
 
 This module has the notes on the words of a program, in either dialect; `pal.watched` has the notes on what
 PAL III does, `pal.pal8` and `pal.work8` those on PAL8.
