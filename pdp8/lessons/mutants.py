@@ -16,6 +16,8 @@ _SLIPS = {
 """What is written in place of a symbol."""
 _WORD = re.compile(r"[A-Z]\w*|(?<=[-\t,;+ ])[0-7]+(?!\w)", re.ASCII)
 _LINE = re.compile(r"(?P<tag>\w+,)?\s*(?P<code>[^/]*?)\s*(?P<comment>/.*)?")
+ELSEWHERE = 0o400
+"""From here on a program may lie elsewhere."""
 _TWICE = re.compile("TAD|ISZ|JMS|R[AT][LR]|C[IM]A|IAC|KRB|TLS")
 _BEHIND = re.compile(r"\.[-+]\d")
 
@@ -61,9 +63,9 @@ def _instead(word: str, tags: list[str]) -> list[str]:
     return _SLIPS[word].split() or [""] if word in _SLIPS else []
 
 
-def restatements(source: str, kept: set[str], longer: bool) -> Iterator[tuple[str, str]]:
+def restatements(source: str, kept: set[str], longer: bool, elsewhere: bool) -> Iterator[tuple[str, str]]:
     """Yield the same program written otherwise, after in which way: the tags in `kept` stay; where it may be
-    `longer`, with more instructions.
+    `longer`, with more instructions; and `elsewhere`, if nothing is put there.
     """
     plain = "\n".join(line.partition("/")[0].rstrip() for line in source.splitlines()) + "\n"
     yield "in lower case", source.lower()
@@ -82,4 +84,5 @@ def restatements(source: str, kept: set[str], longer: bool) -> Iterator[tuple[st
     if longer and not _BEHIND.search(re.sub(r"[KT]SF\n\tJMP \.-1", "", plain)):
         yield "with NOPs", re.sub(r"(\tDCA .*\n)", r"\1\tNOP\n", plain)
         yield "with TCF", plain.replace("TSF\n\tJMP .-1\n", "TSF\n\tJMP .-1\n\tTCF\n")
-        yield "at another place", plain.replace("*200\n", "*200\n\tJMP I .+1\n\t1000\n*1000\n", 1)
+        if elsewhere:
+            yield "at another place", plain.replace("*200\n", "*200\n\tJMP I .+1\n\t1000\n*1000\n", 1)

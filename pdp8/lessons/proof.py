@@ -63,7 +63,10 @@ def restated(exercise: Exercise) -> list[tuple[str, Result]]:
         *(tag(place)[0] for each in trials for place in _places(each)),
     }
     counted = source.words or any(each.itself or each.takes or each.instructions for each in trials)
-    written = mutants.restatements(exercise.solution, kept, longer=not counted)
+    places = [int(place, 8) for each in trials for place in _places(each) if place[0].isdigit()]
+    written = mutants.restatements(
+        exercise.solution, kept, longer=not counted, elsewhere=max(places, default=0) < mutants.ELSEWHERE
+    )
     return [(how, _marked(exercise, text, how)) for how, text in written if text != exercise.solution]
 
 
@@ -138,7 +141,9 @@ def untold(exercise: Exercise) -> Iterator[str]:
     """Yield what a case uses and the task does not say: tags, addresses, a restart, limits."""
     asked = " ".join(exercise.asked.split())
     for case in exercise.cases:
-        if not case.tests or " ".join(case.tests.split()) not in asked:
+        if not case.tests:
+            yield f"{case.name}: tests is missing: the words of the task that this case tries"
+        elif " ".join(case.tests.split()) not in asked:
             yield f"{case.name}: tests = {case.tests!r} is no quotation from the task"
         every = _all(case.trials)
         for place in dict.fromkeys(place for each in every for place in _places(each)):

@@ -181,3 +181,57 @@ def test_a_sheet_is_read_however_its_lines_are_written() -> None:
     read = handed.of(sheet.encode(), "s").lines()
     assert list(read) == ["a", "b", "c", "d", "e", "f", "g?"]
     assert list(read.values()) == ["270", "the digit 8", "1,798.2", "5", "6", "−7 µs", "8"]
+
+
+UNTOLD = """title='t'
+task='Starts at 0200, puts 5 into the word at A and halts.'
+solution='''*200\n\tCLA CLL\n\tTAD C5\n\tDCA A\n\tDCA 310\n\tTAD A\n\tHLT\nC5,\t5\nA,\t0\nB,\t0\n$\n'''
+[[case]]
+name='a'
+starts=2
+ac=5
+core={A=5, B=0, "0310"=0}
+instructions=9
+tests='puts 6 into'
+"""
+
+
+def test_what_a_task_does_not_say_is_listed() -> None:
+    told = list(proof.untold(parse(UNTOLD, "e")))
+    assert told == [
+        "a: tests = 'puts 6 into' is no quotation from the task", "a: B is not told", "a: 0310 is not told",
+        "a: it is started again, which is not told", "a: ac is looked at or used, and not told",
+        "a: instructions is looked at or used, and not told",
+    ]  # fmt: skip
+    task = "at A and halts, again and again, within 9 instructions, 5 in the AC, B and 0300 to 0317 0."
+    text = UNTOLD.replace("at A and halts.", task).replace("puts 6", "puts 5")
+    assert list(proof.untold(parse(text, "e"))) == []
+
+
+def test_a_slip_that_one_seed_does_not_notice_is_found_by_another() -> None:
+    """Without OSR the word is 0, which is right where 0 is drawn."""
+    text = f"""{HEAD}solution='''*200\n\tCLA OSR\n\tDCA A\n\tHLT\nA,\t0\n$\n'''
+[[random]]
+name='r'
+tests='t'
+trials=1
+sr={{pick=[0, 1]}}
+compare=['A']
+"""
+    drawn = {seed: parse(text, "e", seed).cases[0].trials[0].sr for seed in range(9)}
+    seed = next(seed for seed in range(8) if drawn[seed] == 0 != drawn[seed + 1])
+    found = proof.slips(lambda number: parse(text, "e", number), seed)
+    assert "line 2: CLA NOP for CLA OSR" in found.lucky
+    assert "line 2: NOP OSR for CLA OSR" in found.survivors
+    assert found.tried == found.number
+
+
+def test_an_exercise_that_wants_one_way_of_writing_is_found_out() -> None:
+    """The symbols that must be used stay in all ways; a word that must lie at 0206 does not."""
+    text = UNTOLD.replace("instructions=9\n", "").replace("starts=2", 'unchanged=["0212"]')
+    given = parse(text.replace("\n[[case]]", "\n[program]\nrequired=['HLT']\n[[case]]"), "e")
+    ways = {how: result.right for how, result in proof.restated(given)}
+    assert ways["in lower case"]
+    assert not {"7402 for HLT", "CLL CLA for CLA"} & set(ways)
+    refused = parse(text.replace('core={A=5, B=0, "0310"=0}', 'core={"0206"=5}'), "e")
+    assert not dict((how, result.right) for how, result in proof.restated(refused))["at another place"]
