@@ -78,3 +78,36 @@ def test_of_a_bin_tape_no_more_than_three_faults_are_mended(faults: int) -> None
         seen[at] ^= bit
     found = {at: BIN[at] for at in doubtful}
     assert redundancy.propose(bytes(seen), doubtful)[0] == (found if faults == 3 else {})
+
+
+@pytest.mark.parametrize(("tape", "at", "bit", "by"), FAULTS.values(), ids=FAULTS)
+def test_a_fault_in_a_sure_frame_is_doubtful_and_hides_no_other(
+    tape: bytes, at: int, bit: int, by: str
+) -> None:
+    """The channel that is nearest to being the other is named; a doubtful frame is mended all the same."""
+    seen = bytearray(tape)
+    seen[at] ^= bit
+    weakest = [(0.4, 0o001)] * len(seen)
+    weakest[at] = 0.26, bit
+    assert redundancy.contradict(bytes(seen), {}, weakest) == ({at: bit}, by)
+    assert redundancy.contradict(tape, {}, weakest)[0] == {}
+    assert redundancy.propose(bytes(seen), {at: bit}) == ({at: tape[at]}, by)
+    if by != "the checksum":
+        seen[at + 28] ^= bit
+        assert redundancy.contradict(bytes(seen), {at + 28: bit}, weakest) == ({at: bit}, by)
+        assert redundancy.propose(bytes(seen), {at: bit, at + 28: bit})[0] == {
+            at: tape[at],
+            at + 28: tape[at + 28],
+        }
+
+
+def test_a_rule_that_more_than_a_tenth_breaks_is_none() -> None:
+    tape = bytearray(with_parity(CIRCLE[:270], "even"))
+    weakest = [(0.4, 0o001)] * len(tape)
+    for at in range(0, 200, 14):
+        tape[at] ^= 0o200
+    wrong, _ = redundancy.contradict(bytes(tape), {}, weakest)
+    assert len(wrong) >= 10
+    for at in range(7, 200, 14):
+        tape[at] ^= 0o200
+    assert redundancy.contradict(bytes(tape), {}, weakest)[0] == {}
