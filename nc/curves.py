@@ -256,7 +256,7 @@ def fitted(points: Floats, within: float, band: float = 0) -> Ellipse | Straight
     thousandths if all points lie within `band` of it then, else to one.
 
     None if some point lies further than `within` from each of them, or if less than a quarter of the ellipse
-    is there: what bends a little is near to many.
+    is there: many ellipses fit a short arc.
     """
     for fit in (_fitted_line, _fitted_ellipse):
         for unit, furthest in ((_ROUND, band), (1, within)):

@@ -6,11 +6,11 @@
 One linear move for each move of the machine, so the path is the same on a controller that interpolates: where
 the Hydra-Point's axes move at unequal feeds, each corner is written out, and G61 (exact path) prevents the
 controller from rounding it. The quill's depth becomes a negative Z with zero at the top, where it goes first.
-Program stop, end of program and manual tool change wait for START: M0; for the last the spindle stands. A
-tape that ends in the work, as the thesis's do, leaves the cutter there until its block 001 is run again; here
-Z goes to the top first. M2 ends the program. The feeds are those the path was cut with. RS-274's M6 leaves
-the spindle standing, and it can have both coolants on: M3 after the one and M9 between the others keep to
-what the Hydra-Point does. A tap comes out of its hole with the spindle reversed, M4, as in a floating holder.
+Program stop, end of program and manual tool change are M0, as they wait for START; a manual tool change stops
+the spindle too. A tape that ends in the work, as the thesis's do, leaves the cutter there until its block 001
+is run again; here Z goes to the top first. M2 ends the program. The feeds are those the path was cut with.
+RS-274's M6 stops the spindle, so M3 follows it; RS-274 can have both coolants on, so M9 stands between them.
+A tap comes out of its hole with the spindle reversed, M4, as in a floating holder.
 
 Source: RS-274/NGC (T. Kramer, F. Proctor, E. Messina, NIST, 2000), the common part of every dialect.
 """

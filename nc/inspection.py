@@ -8,7 +8,7 @@
 
 The cutter removes everything it passes over: discs at the path's corners, rectangles between them. From each
 station the stylus moves out and in along the normal until it meets metal. The intersections are exact: arcs
-are not approximated. Where the station itself was not cut there is no wall: nan; nor is there on the side to
+are not approximated. There is no wall, nan, where the station itself was not cut, and none on the side to
 which the curve bends closer than the cutter's radius, as inside a circle smaller than the cutter.
 
 Deviations and lengths are thousandths of an inch.

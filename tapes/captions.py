@@ -1,7 +1,7 @@
 """What each frame says, in a few letters beside its row: a character, an origin, a word with its address.
 
-Whatever is on the tape gets a caption, damaged tapes and wrong guesses included; what makes no sense in the
-code asked for is "?".
+Every frame gets a caption, also on a damaged tape and in a code that was guessed wrong; a frame that makes no
+sense in that code gets "?".
 """
 
 import re

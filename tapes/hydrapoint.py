@@ -6,8 +6,7 @@
 
 A block has 20 rows; their position alone distinguishes them. Lengths are whole thousandths of an inch; the
 decimal point is not punched: X 02250 is 2.250 in. After preparatory function 9, X holds the Z feed point and
-Y the final depth. Table 2.4 goes to 44 in/min where the machine's specification says 40; the table is
-followed.
+Y the final depth. Table 2.4 goes up to 44 in/min, the machine's specification to 40; this follows the table.
 
 Sources: thesis (M. S. Wong, McMaster University, 1971), Chapter 2: specifications, Tables 2.3 and 2.4;
 Chapter 3, Figure 3.1: two axes at their own feeds.

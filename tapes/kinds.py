@@ -5,12 +5,12 @@
     ascii      characters and line ends, with channel 8 or without
     blank      no holes (or no frames) at all;   unknown   anything else
 
-A damaged tape keeps its kind: what most of its frames say decides, so that the reader of that kind can name
-the frame which is wrong.
+Most of the frames decide the kind, so that a damaged tape keeps its own, and the reader of that kind can name
+the frame that is wrong.
 
 A RIM tape's groups are address, word; a BIN tape of single words at scattered addresses is origin, word too,
 and differs in what stands before the trailer: its checksum. So a tape that reads as both is BIN when its
-checksum is good and it holds a word by that reading; a RIM tape is that once in 4096.
+checksum is good and it holds a word by that reading; one RIM tape in 4096 is taken for BIN by this.
 """
 
 from itertools import pairwise

@@ -196,3 +196,15 @@ def test_pieces_on_one_line_are_read_as_they_lie_and_upright_strips_from_left_to
         assert holes(photograph.read(camera.develop(light, Shot()), underside)) == b"".join(tapes)
     upright = np.concatenate([np.rot90(one), np.rot90(two, 3)], axis=1)
     assert holes(photograph.read(camera.develop(upright, Shot()))) == b"".join(tapes)
+
+
+def test_fingers_over_an_edge_make_the_frames_under_them_doubtful_alone() -> None:
+    tape, shot = survey.some_tape(7, PART), Shot()
+    light, places = camera.picture(tape, shot), camera.places(PART, shot)
+    for at in (10, 40):
+        across, down = places[at, 7].astype(int)
+        light[down:, across - 24 : across + 24] = 123
+    found = photograph.read(camera.develop(light, shot))
+    assert len(found) == PART
+    assert {9, 10, 11, 39, 40, 41} <= set(doubtful(found)) <= {*range(7, 14), *range(37, 44)}
+    assert all(frame.doubtful or frame.holes == tape[at] for at, frame in enumerate(found))
